@@ -1,0 +1,56 @@
+"""Adaptive learning for controlled Lagrangian particle tracking.
+
+The paper of Cho, Zhang and Edwards (2016) as python-control block diagrams:
+`closed_loop` wires a scenario's blocks, `simulate` runs them, and the same
+equations are compiled and proved.  Names arrive when first used, so that
+importing the package is light.
+"""
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+__version__ = "0.1.0"
+
+_NAMES = {
+    "Block": "blocks",
+    "Scenario": "scenario",
+    "load_scenario": "scenario_file",
+    "save_scenario": "scenario_file",
+    "paper_scenario": "paper",
+    "closed_loop": "diagram",
+    "error_loop": "diagram",
+    "connect": "diagram",
+    "initial_state": "diagram",
+    "simulate": "simulation",
+    "save_run": "runs",
+    "load_run": "runs",
+    "ClptError": "errors",
+}
+_PACKAGES = ("blocks", "native", "theory", "estimation", "ocean", "plotting")
+
+__all__ = ["__version__", *_NAMES, *_PACKAGES]
+
+if TYPE_CHECKING:
+    from .blocks import Block
+    from .diagram import closed_loop, connect, error_loop, initial_state
+    from .errors import ClptError
+    from .paper import paper_scenario
+    from .runs import load_run, save_run
+    from .scenario import Scenario
+    from .scenario_file import load_scenario, save_scenario
+    from .simulation import simulate
+
+
+def __getattr__(name: str) -> Any:
+    if name in _NAMES:
+        value = getattr(importlib.import_module(f".{_NAMES[name]}", __name__), name)
+    elif name in _PACKAGES:
+        value = importlib.import_module(f".{name}", __name__)
+    else:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

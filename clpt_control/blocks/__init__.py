@@ -1,0 +1,11 @@
+"""The paper's diagram, a file per room.
+
+`block` makes a block of equations, `words` and `rules` say what equations may
+use, `readers` runs, compiles and traces them; every other file is a page of
+the paper.
+"""
+
+from .block import Block, Guard
+from .rules import opaque
+
+__all__ = ["Block", "Guard", "opaque"]

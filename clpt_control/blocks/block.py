@@ -1,0 +1,323 @@
+"""A block: one set of equations, wired by python-control.
+
+    dx/dt = update(t, x, u, p),    y = output(t, x, u, p)
+
+The two functions fill their last argument and have no side effects.  The block
+adds what a diagram needs to know about them: the ports with their labels, the
+typed parameters `p`, whether the inputs reach the outputs at once
+(`feedthrough`), at which times the block jumps (`breakpoints`), and whether it
+is a source of time or tables that SymPy shall not look into (`opaque`).
+"""
+
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+import control
+import numpy as np
+
+from ..errors import BlockError
+from .rules import check_equations
+
+Equations = Callable[[float, np.ndarray, np.ndarray, Any, np.ndarray], None]
+
+
+class NoParameters(NamedTuple):
+    """The parameters of a block that has none."""
+
+
+class Guard(NamedTuple):
+    """Where a block may be used, and what happens outside.
+
+    Attributes
+    ----------
+    distance : callable
+        ``distance(t, u, p)``: positive inside, negative outside.
+    policy : str
+        ``"raise"`` fails the run, ``"stop"`` ends it there and keeps it.
+    sentence : callable
+        ``sentence(t, u, p)``: position, time and bounds, for the message.
+    """
+
+    distance: Callable[[float, np.ndarray, Any], float]
+    policy: str
+    sentence: Callable[[float, np.ndarray, Any], str]
+
+
+def states_as_outputs(t, x, u, p, y):
+    """y = x: the outputs are the states."""
+    for i in range(len(y)):
+        y[i] = x[i]
+
+
+def labels(ports: Mapping[str, int] | None) -> list[str]:
+    """Flatten ports to signal labels: ``{"e": 2}`` is ``e[0], e[1]``.
+
+    Parameters
+    ----------
+    ports : mapping of str to int
+        Port name -> number of signals.
+
+    Returns
+    -------
+    list of str
+        One label for each signal, in order.
+
+    Examples
+    --------
+    >>> labels({"x": 2, "phi_x": 1})
+    ['x[0]', 'x[1]', 'phi_x[0]']
+    """
+    return [f"{port}[{k}]" for port, size in (ports or {}).items() for k in range(size)]
+
+
+class Block(control.NonlinearIOSystem):
+    """Equations with ports, run by three readers.
+
+    Parameters
+    ----------
+    name : str
+        Name of the block in a diagram; parameters are ``"name.field"``.
+    update : callable, optional
+        ``update(t, x, u, p, dx)`` fills the time derivative of the states.
+    output : callable, optional
+        ``output(t, x, u, p, y)`` fills the outputs; without it y = x.
+    inputs, outputs, states : mapping of str to int, optional
+        Port name -> number of signals; `outputs` without `output` are the
+        states, under their names.
+    parameters : NamedTuple, optional
+        Numbers and arrays; a field ``interval`` is kept by the integrator.
+    feedthrough : bool, optional
+        Whether outputs depend on inputs at once; by default they do unless
+        the outputs are the states.
+    opaque : bool, optional
+        True for a source of time or tables that SymPy shall not look into.
+    breakpoints : callable, optional
+        ``breakpoints(p, t0, t1)``: sorted times in (t0, t1] at which the block
+        jumps. Interval k ends at breakpoint k + 1, counted from time 0.
+    guard : Guard, optional
+        Where the block may be used.
+
+    Attributes
+    ----------
+    update_function, output_function : callable or None
+        The equations (the name ``output`` belongs to python-control).
+    parameters : NamedTuple
+        The block's own parameters.
+
+    Raises
+    ------
+    BlockError
+        If the equations use something a reader cannot read, or the ports and
+        parameters do not fit.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> from clpt_control.blocks import vehicle
+    >>> block = clpt.Block("vehicle", update=vehicle.kinematics,
+    ...                    inputs={"flow_x": 2, "v_x": 2}, states={"x": 2})
+    >>> block.dynamics(0, [0, 0], [1, 2, 0.5, 0.5])
+    array([1.5, 2.5])
+    """
+
+    def __init__(
+        self,
+        name: str,
+        *,
+        update: Equations | None = None,
+        output: Equations | None = None,
+        inputs: Mapping[str, int] | None = None,
+        outputs: Mapping[str, int] | None = None,
+        states: Mapping[str, int] | None = None,
+        parameters: Any = None,
+        feedthrough: bool | None = None,
+        opaque: bool = False,
+        breakpoints: Callable[[Any, float, float], np.ndarray] | None = None,
+        guard: Guard | None = None,
+    ):
+        if output is None and not states:
+            raise BlockError(f"{name}: a block without states needs `output`")
+        if (update is None) != (not states):
+            raise BlockError(f"{name}: `update` and `states` belong together; give both or none")
+        if output is None and outputs is not None and dict(outputs) != dict(states or {}):
+            raise BlockError(f"{name}: without `output` the outputs are the states; leave them out")
+        self.update_function = update
+        self.output_function: Equations = states_as_outputs if output is None else output
+        for role, function in (("update", update), ("output", output)):
+            if function is not None:
+                check_equations(function, f"{name}.{role}")
+        self.input_ports = dict(inputs or {})
+        self.output_ports = dict(states or {}) if output is None else dict(outputs or {})
+        self.state_ports = dict(states or {})
+        self.feedthrough = (output is not None) if feedthrough is None else feedthrough
+        self.opaque = opaque
+        self.breakpoints_function = breakpoints
+        self.guard = guard
+        self._jumps = np.zeros(0)
+        self._jumps_until = 0.0
+        self.parameters = checked_parameters(name, NoParameters() if parameters is None else parameters)
+        if breakpoints is not None and "interval" not in self.parameters._fields:
+            raise BlockError(f"{name}: a block with breakpoints needs a parameter `interval = -1.0`")
+        self._current = self.parameters
+        super().__init__(
+            self._updfcn if states else None,
+            self._outfcn,
+            inputs=labels(self.input_ports),
+            outputs=labels(self.output_ports),
+            states=labels(self.state_ports) or None,
+            name=name,
+            dt=0,
+        )
+
+    # --- parameters -------------------------------------------------------------------
+
+    @property
+    def params(self) -> dict[str, Any]:
+        """The block's parameters under its name, as python-control sees them."""
+        return {self.name: self.parameters}
+
+    @params.setter
+    def params(self, value: dict[str, Any]) -> None:
+        """Ignore python-control's own empty default."""
+
+    def with_params(self, params: Mapping[str, Any] | None) -> Any:
+        """Give the parameters with call-time values put in.
+
+        Parameters
+        ----------
+        params : mapping, optional
+            ``{"block.field": value}``; names of other blocks are passed over
+            inside a diagram and are an error when the block is called alone.
+
+        Returns
+        -------
+        NamedTuple
+            The block's own parameters, changed where `params` says so.
+
+        Raises
+        ------
+        BlockError
+            If a name is unknown or a value has another shape.
+        """
+        params = params or {}
+        within_diagram = self.name in params
+        changes = {}
+        for key, value in params.items():
+            owner, _, field = key.rpartition(".")
+            if owner == self.name and field in self.parameters._fields:
+                changes[field] = value
+            elif owner == self.name or (not within_diagram and key != self.name):
+                known = ", ".join(f"{self.name}.{f}" for f in self.parameters._fields) or "none"
+                raise BlockError(f"unknown parameter '{key}': block {self.name} knows {known}")
+        if not changes:
+            return self.parameters
+        return checked_parameters(self.name, self.parameters._replace(**changes), self.parameters)
+
+    def _update_params(self, params: Mapping[str, Any] | None) -> None:
+        self._current = self.with_params(params)
+
+    # --- jumps in time ----------------------------------------------------------------
+
+    def breakpoints(self, t0: float, t1: float, p: Any = None) -> np.ndarray:
+        """Give the sorted times in (t0, t1] at which the block jumps.
+
+        Parameters
+        ----------
+        t0, t1 : float
+            The span, in the diagram's unit of time.
+        p : NamedTuple, optional
+            Parameters to use in place of the block's own.
+
+        Returns
+        -------
+        ndarray
+            Times; empty for a block that never jumps.
+        """
+        if self.breakpoints_function is None:
+            return np.zeros(0)
+        times = self.breakpoints_function(self.parameters if p is None else p, t0, t1)
+        return np.asarray(times, dtype=float)
+
+    def interval_at(self, t: float, p: Any = None) -> float:
+        """Give the number of the interval that holds t, by bisection.
+
+        A breakpoint belongs to the interval that it starts.
+        """
+        if p is not None and p is not self.parameters:
+            return float(len(self.breakpoints(0.0, t, p)))
+        if t >= self._jumps_until:
+            self._jumps_until = max(2.0 * t, t + 1.0)
+            self._jumps = self.breakpoints(0.0, self._jumps_until)
+        return float(np.searchsorted(self._jumps, t, side="right"))
+
+    def parameters_at(self, t: float, p: Any = None) -> Any:
+        """Give the parameters with `interval` filled in for time t."""
+        p = self._current if p is None else p
+        if self.breakpoints_function is None or p.interval >= 0:
+            return p
+        return p._replace(interval=self.interval_at(t, p))
+
+    # --- the reader that python-control runs --------------------------------------------
+
+    def _rhs(self, t, x, u):
+        dx = np.zeros(self.nstates)
+        if self.update_function is not None:
+            self.update_function(t, np.asarray(x), np.asarray(u), self.parameters_at(t), dx)
+        return dx
+
+    def _out(self, t, x, u):
+        y = np.zeros(self.noutputs)
+        self.output_function(t, np.asarray(x), np.asarray(u), self.parameters_at(t), y)
+        return y
+
+    def _updfcn(self, t, x, u, params):
+        self._update_params(params)
+        return self._rhs(t, x, u)
+
+    def _outfcn(self, t, x, u, params):
+        self._update_params(params)
+        return self._out(t, x, u)
+
+
+def checked_parameters(name: str, parameters: Any, like: Any = None) -> Any:
+    """Make a block's parameters numbers and arrays of one kind each.
+
+    Parameters
+    ----------
+    name : str
+        The block, for messages.
+    parameters : NamedTuple
+        What was given.
+    like : NamedTuple, optional
+        What each field must have the kind and shape of.
+
+    Returns
+    -------
+    NamedTuple
+        The same class; whole numbers stay int, arrays are own float copies.
+
+    Raises
+    ------
+    BlockError
+        Naming the field, its value and what is allowed.
+    """
+    if not (isinstance(parameters, tuple) and hasattr(parameters, "_fields")):
+        raise BlockError(f"{name}: parameters must be a NamedTuple, not {type(parameters).__name__}")
+    values = {}
+    for field, value in zip(parameters._fields, parameters, strict=True):
+        old = getattr(like, field) if like is not None else value
+        try:
+            if isinstance(old, int) and not isinstance(old, bool):
+                values[field] = int(value) if int(value) == value else None
+            elif np.ndim(old) == 0:
+                values[field] = float(value)
+            else:
+                values[field] = np.array(value, dtype=float)
+        except (TypeError, ValueError):
+            values[field] = None
+        if values[field] is None or np.shape(values[field]) != np.shape(old):
+            kind = f"an array of shape {np.shape(old)}" if np.ndim(old) else type(old).__name__
+            raise BlockError(f"{name}.{field} = {value!r}: must be {kind}")
+        if np.any(np.isnan(values[field])):
+            raise BlockError(f"{name}.{field} = {value!r}: NaN is not allowed")
+    return type(parameters)(**values)

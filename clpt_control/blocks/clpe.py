@@ -1,0 +1,33 @@
+"""The controlled Lagrangian prediction error, Eq. (10).
+
+    e = x - z
+
+True position minus predicted position (length).  Its dynamics, the lines that
+follow in Eq. (10), are what the wired diagram gives; they are not written again.
+"""
+
+from .block import Block
+
+
+def prediction_error(t, x, u, p, y):
+    """e = x - z, Eq. (10): u = x[2], z[2] (length), y = e[2] (length)."""
+    for i in range(2):
+        y[i] = u[i] - u[2 + i]
+
+
+def clpe() -> Block:
+    """Make the prediction error block, Eq. (10).
+
+    Ports: x[2], z[2] (length) -> e[2] (length).
+
+    Returns
+    -------
+    Block
+        A static block with feedthrough.
+
+    Examples
+    --------
+    >>> clpe().output(0, [], [3, 2, 1, 1])
+    array([2., 1.])
+    """
+    return Block("clpe", output=prediction_error, inputs={"x": 2, "z": 2}, outputs={"e": 2})

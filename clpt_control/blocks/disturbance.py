@@ -1,0 +1,157 @@
+"""The unmodelled flow Delta(t) of Eq. (32).
+
+    F_R = theta phi(x, t) + Delta(t)              Eq. (32)
+
+    constant   Delta = a
+    sine       Delta = a sin(2 pi t / T)
+    square     Delta = +a on the first half period, -a on the second
+    noise      Delta = a * n, n standard normal, held for T
+
+a is the amplitude of each axis (length per time), T the period (time).  The
+noise is a hash of (seed, interval, axis): it has no state, so that any time
+can be asked for in any order.
+"""
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from .block import Block
+from .reference import multiples
+from .words import floor
+
+MODULUS = 67108859.0  # the largest prime below 2^26: products stay exact in a double
+
+
+class DisturbanceParameters(NamedTuple):
+    """Size and timing of a disturbance.
+
+    Attributes
+    ----------
+    amplitude : ndarray, shape (2,)
+        Amplitude of each axis, length per time (of noise: its standard deviation).
+    period : float
+        Period, or how long noise is held, time.
+    seed : float
+        Seed of the noise, a whole number.
+    interval : float
+        Number of the interval, kept by the integrator; -1: found from t.
+    """
+
+    amplitude: np.ndarray
+    period: float
+    seed: float = 0.0
+    interval: float = -1.0
+
+
+def remainder(a):
+    """a mod MODULUS, exact for 0 <= a < 2^53."""
+    return a - MODULUS * floor(a / MODULUS)
+
+
+def scramble(seed, k, axis, stream):
+    """Hash four whole numbers to a fraction in (0, 1).
+
+    Rounds of h -> h^2 + c h + key modulo a prime, in exact double arithmetic.
+    """
+    h = remainder(remainder(seed) + 40503.0 + 7919.0 * axis + 104729.0 * stream)
+    for i in range(4):
+        h = remainder(h * h + 1299709.0 + 15485863.0 * i)
+        h = remainder(h * 31415821.0 + remainder(k) * (2.0 * i + 3.0))
+    return (h + 0.5) / MODULUS
+
+
+def normal(seed, k, axis):
+    """Standard normal from the hash, by the transform of Box and Muller."""
+    radius = math.sqrt(-2 * math.log(scramble(seed, k, axis, 0)))
+    return radius * math.cos(2 * math.pi * scramble(seed, k, axis, 1))
+
+
+def constant(t, x, u, p, y):
+    """Delta = a, Eq. (32): no inputs, y = delta[2] (length per time)."""
+    for i in range(2):
+        y[i] = p.amplitude[i]
+
+
+def sine(t, x, u, p, y):
+    """Delta = a sin(2 pi t / T), Eq. (32): no inputs, y = delta[2] (length per time)."""
+    for i in range(2):
+        y[i] = p.amplitude[i] * math.sin(2 * math.pi * t / p.period)
+
+
+def square(t, x, u, p, y):
+    """Delta = a, then -a, each half a period, Eq. (32): y = delta[2] (length per time)."""
+    for i in range(2):
+        y[i] = p.amplitude[i] * (1 - 2 * (p.interval % 2))
+
+
+def noise(t, x, u, p, y):
+    """Delta = a n(interval), Eq. (32): y = delta[2] (length per time)."""
+    for i in range(2):
+        y[i] = p.amplitude[i] * normal(p.seed, p.interval, i)
+
+
+def half_periods(p: DisturbanceParameters, t0: float, t1: float) -> np.ndarray:
+    """Give the times in (t0, t1] at which the square wave changes sign."""
+    return multiples(0.5 * p.period, t0, t1)
+
+
+def periods(p: DisturbanceParameters, t0: float, t1: float) -> np.ndarray:
+    """Give the times in (t0, t1] at which the noise takes its next value."""
+    return multiples(p.period, t0, t1)
+
+
+KINDS = {
+    "constant": (constant, None),
+    "sine": (sine, None),
+    "square": (square, half_periods),
+    "noise": (noise, periods),
+}
+
+
+def disturbance(
+    kind: str, amplitude: Sequence[float], period: float = 1.0, seed: float = 0.0
+) -> Block:
+    """Make the disturbance block, Delta of Eq. (32).
+
+    Ports: none -> delta[2] (length per time).
+
+    Parameters
+    ----------
+    kind : str
+        ``"constant"``, ``"sine"``, ``"square"`` or ``"noise"``.
+    amplitude : array_like, shape (2,)
+        Amplitude of each axis, length per time.
+    period : float, optional
+        Period, or how long noise is held, time.
+    seed : float, optional
+        Seed of the noise, a whole number.
+
+    Returns
+    -------
+    Block
+        An opaque source; `square` and `noise` have breakpoints.
+
+    Raises
+    ------
+    KeyError
+        If the kind is unknown.
+
+    Examples
+    --------
+    >>> block = disturbance("square", [0.05, 0.0], period=2.0)
+    >>> block.output(0.5, [], []), block.output(1.5, [], [])
+    (array([0.05, 0.  ]), array([-0.05, -0.  ]))
+    """
+    output, breakpoints = KINDS[kind]
+    return Block(
+        "disturbance",
+        output=output,
+        outputs={"delta": 2},
+        parameters=DisturbanceParameters(np.asarray(amplitude, dtype=float), period, seed),
+        feedthrough=False,
+        opaque=True,
+        breakpoints=breakpoints,
+    )

@@ -1,0 +1,135 @@
+"""The true flow, Eq. (3), and the modelled flow, Eq. (4).
+
+    F_R(x, t) = theta phi(x, t)                   Eq. (3)
+    F_R(x, t) = theta phi(x, t) + Delta           Eq. (32)
+    F_M(z, t) = alpha_M phi(z, t)                 Eq. (4)
+
+Velocities in length per time.  A measured current as the true flow stands in
+`blocks.field`.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .block import Block
+
+
+class TrueFlowParameters(NamedTuple):
+    """The flow parameters that the learner does not know.
+
+    Attributes
+    ----------
+    N : int
+        Number of basis functions.
+    theta : ndarray, shape (2, N)
+        True flow parameters, length per time.
+    """
+
+    N: int
+    theta: np.ndarray
+
+
+class ModeledFlowParameters(NamedTuple):
+    """The flow parameters of the model.
+
+    Attributes
+    ----------
+    N : int
+        Number of basis functions.
+    alpha_M : ndarray, shape (2, N)
+        Parameters of the modelled flow, length per time.
+    """
+
+    N: int
+    alpha_M: np.ndarray
+
+
+def true(t, x, u, p, y):
+    """F_R = theta phi(x), Eq. (3): u = x[2], phi_x[N], y = flow_x[2] (length per time)."""
+    phi = u[2 : 2 + p.N]
+    for i in range(2):
+        flow = 0.0
+        for k in range(p.N):
+            flow += p.theta[i, k] * phi[k]
+        y[i] = flow
+
+
+def true_disturbed(t, x, u, p, y):
+    """F_R = theta phi(x) + Delta, Eq. (32): u = x[2], phi_x[N], delta[2], y = flow_x[2]."""
+    true(t, x, u, p, y)
+    for i in range(2):
+        y[i] += u[2 + p.N + i]
+
+
+def modeled(t, x, u, p, y):
+    """F_M = alpha_M phi(z), Eq. (4): u = phi_z[N], y = flow_z[2] (length per time)."""
+    for i in range(2):
+        flow = 0.0
+        for k in range(p.N):
+            flow += p.alpha_M[i, k] * u[k]
+        y[i] = flow
+
+
+def true_flow(parameters: TrueFlowParameters, disturbed: bool = False) -> Block:
+    """Make the true flow, Eq. (3), or with Delta, Eq. (32).
+
+    Ports: x[2] (length), phi_x[N], and delta[2] where disturbed -> flow_x[2]
+    (length per time).
+
+    Parameters
+    ----------
+    parameters : TrueFlowParameters
+        theta.
+    disturbed : bool, optional
+        Whether the block has the input delta.
+
+    Returns
+    -------
+    Block
+        A static block with feedthrough.
+
+    Examples
+    --------
+    >>> block = true_flow(TrueFlowParameters(1, np.array([[2.0], [3.0]])))
+    >>> block.output(0, [], [0, 0, 0.5])
+    array([1. , 1.5])
+    """
+    inputs = {"x": 2, "phi_x": parameters.N} | ({"delta": 2} if disturbed else {})
+    return Block(
+        "true_flow",
+        output=true_disturbed if disturbed else true,
+        inputs=inputs,
+        outputs={"flow_x": 2},
+        parameters=parameters,
+    )
+
+
+def modeled_flow(parameters: ModeledFlowParameters) -> Block:
+    """Make the modelled flow, Eq. (4).
+
+    Ports: phi_z[N] -> flow_z[2] (length per time).
+
+    Parameters
+    ----------
+    parameters : ModeledFlowParameters
+        alpha_M.
+
+    Returns
+    -------
+    Block
+        A static block with feedthrough.
+
+    Examples
+    --------
+    >>> block = modeled_flow(ModeledFlowParameters(1, np.array([[2.0], [3.0]])))
+    >>> block.output(0, [], [0.5])
+    array([1. , 1.5])
+    """
+    return Block(
+        "modeled_flow",
+        output=modeled,
+        inputs={"phi_z": parameters.N},
+        outputs={"flow_z": 2},
+        parameters=parameters,
+    )

@@ -1,0 +1,192 @@
+"""The learning model, Eq. (2), its controller, Eq. (6), and the injections.
+
+    dz/dt = F_M(z, t) + v                                               Eq. (2)
+    v = -alpha phi(z) - K z + Gamma zc + Psi                            Eq. (6)
+    Psi = (theta_hat - alpha_M) phi(x)                                  Eq. (13)
+    Psi = -(alpha_M + alpha) phi(x) - (alpha_M - alpha) phi(z)          Eq. (20)
+
+z is the predicted position (length); Eq. (13) belongs to the known-flow law,
+Eq. (20) to the learned-flow law, where alpha is driven to -theta.  In Eqs.
+(12)-(13) the estimate theta_hat stands where the print lost the hat.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .block import Block
+
+
+class LearnerParameters(NamedTuple):
+    """The number of basis functions of the learning controller.
+
+    Attributes
+    ----------
+    N : int
+        Number of basis functions.
+    """
+
+    N: int
+
+
+class KnownFlowInjectionParameters(NamedTuple):
+    """What Eq. (13) knows of the flow.
+
+    Attributes
+    ----------
+    N : int
+        Number of basis functions.
+    theta_hat : ndarray, shape (2, N)
+        Estimate of the flow parameters, length per time.
+    alpha_M : ndarray, shape (2, N)
+        Parameters of the modelled flow, length per time.
+    """
+
+    N: int
+    theta_hat: np.ndarray
+    alpha_M: np.ndarray
+
+
+class LearnedFlowInjectionParameters(NamedTuple):
+    """What Eq. (20) knows of the flow.
+
+    Attributes
+    ----------
+    N : int
+        Number of basis functions.
+    alpha_M : ndarray, shape (2, N)
+        Parameters of the modelled flow, length per time.
+    """
+
+    N: int
+    alpha_M: np.ndarray
+
+
+def model(t, x, u, p, dx):
+    """z' = F_M + v, Eq. (2): u = flow_z[2], v_z[2] (length per time), state z[2]."""
+    for i in range(2):
+        dx[i] = u[i] + u[2 + i]
+
+
+def controller(t, x, u, p, y):
+    """v = -alpha phi(z) - K z + Gamma zc + Psi, Eq. (6).
+
+    u = z[2], zc[2], phi_z[N], alpha[2N], K[2], Gamma[2], psi[2]; y = v_z[2].
+    """
+    n = p.N
+    z, zc, phi, alpha = u[0:2], u[2:4], u[4 : 4 + n], u[4 + n : 4 + 3 * n]
+    K, Gamma, psi = u[4 + 3 * n : 6 + 3 * n], u[6 + 3 * n : 8 + 3 * n], u[8 + 3 * n : 10 + 3 * n]
+    for i in range(2):
+        cancelled = 0.0
+        for k in range(n):
+            cancelled += alpha[i * n + k] * phi[k]
+        y[i] = -cancelled - K[i] * z[i] + Gamma[i] * zc[i] + psi[i]
+
+
+def known_flow(t, x, u, p, y):
+    """Psi = (theta_hat - alpha_M) phi(x), Eq. (13).
+
+    u = phi_x[N], phi_z[N], alpha[2N] (of which phi_x is used); y = psi[2].
+    """
+    phi_x = u[0 : p.N]
+    for i in range(2):
+        injected = 0.0
+        for k in range(p.N):
+            injected += (p.theta_hat[i, k] - p.alpha_M[i, k]) * phi_x[k]
+        y[i] = injected
+
+
+def learned_flow(t, x, u, p, y):
+    """Psi = -(alpha_M + alpha) phi(x) - (alpha_M - alpha) phi(z), Eq. (20).
+
+    u = phi_x[N], phi_z[N], alpha[2N]; y = psi[2] (length per time).
+    """
+    n = p.N
+    phi_x, phi_z, alpha = u[0:n], u[n : 2 * n], u[2 * n : 4 * n]
+    for i in range(2):
+        injected = 0.0
+        for k in range(n):
+            injected -= (p.alpha_M[i, k] + alpha[i * n + k]) * phi_x[k]
+            injected -= (p.alpha_M[i, k] - alpha[i * n + k]) * phi_z[k]
+        y[i] = injected
+
+
+def learning_model() -> Block:
+    """Make the learning model, Eq. (2).
+
+    Ports: flow_z[2], v_z[2] (length per time) -> z[2] (length), the state.
+
+    Returns
+    -------
+    Block
+        Two states, no feedthrough.
+
+    Examples
+    --------
+    >>> learning_model().dynamics(0, [0, 0], [1, 0, 0, 2])
+    array([1., 2.])
+    """
+    return Block("learning_model", update=model, inputs={"flow_z": 2, "v_z": 2}, states={"z": 2})
+
+
+def learning_controller(N: int) -> Block:
+    """Make the learning controller, Eq. (6).
+
+    Ports: z[2], zc[2] (length), phi_z[N], alpha[2N] (length per time), K[2],
+    Gamma[2] (per time), psi[2] (length per time) -> v_z[2] (length per time).
+
+    Parameters
+    ----------
+    N : int
+        Number of basis functions.
+
+    Returns
+    -------
+    Block
+        A static block with feedthrough.
+
+    Examples
+    --------
+    >>> learning_controller(1).output(0, [], [1, 1, 2, 2, 0.5, 2, 4, 1, 1, 1, 1, 0, 0])
+    array([ 0., -1.])
+    """
+    return Block(
+        "learning_controller",
+        output=controller,
+        inputs={"z": 2, "zc": 2, "phi_z": N, "alpha": 2 * N, "K": 2, "Gamma": 2, "psi": 2},
+        outputs={"v_z": 2},
+        parameters=LearnerParameters(N),
+    )
+
+
+def injection(parameters: KnownFlowInjectionParameters | LearnedFlowInjectionParameters) -> Block:
+    """Make the learning injection, Eq. (13) or (20).
+
+    Ports: phi_x[N], phi_z[N], alpha[2N] (length per time) -> psi[2] (length
+    per time).
+
+    Parameters
+    ----------
+    parameters : KnownFlowInjectionParameters or LearnedFlowInjectionParameters
+        Their class chooses Eq. (13) or Eq. (20).
+
+    Returns
+    -------
+    Block
+        A static block with feedthrough.
+
+    Examples
+    --------
+    >>> p = LearnedFlowInjectionParameters(1, np.zeros((2, 1)))
+    >>> injection(p).output(0, [], [0.5, 0.25, 1.0, 2.0])
+    array([-0.25, -0.5 ])
+    """
+    known = isinstance(parameters, KnownFlowInjectionParameters)
+    N = parameters.N
+    return Block(
+        "injection",
+        output=known_flow if known else learned_flow,
+        inputs={"phi_x": N, "phi_z": N, "alpha": 2 * N},
+        outputs={"psi": 2},
+        parameters=parameters,
+    )

@@ -1,0 +1,138 @@
+"""Waypoints, section IV: the desired position zc(t).
+
+    zc(t) = w_{j mod n},   j tau <= t < (j + 1) tau
+    circle: w_j = r [cos(2 pi j / n), sin(2 pi j / n)]
+
+n waypoints are visited in turn, each for the dwell tau, and start again after
+the last.  The block jumps at j tau; it reads j from its parameter `interval`,
+never from t.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from .block import Block
+from .words import lookup
+
+
+class WaypointParameters(NamedTuple):
+    """Waypoints and how long each is held.
+
+    Attributes
+    ----------
+    count : int
+        Number of waypoints n.
+    x1, x2 : ndarray, shape (n,)
+        Waypoints, length.
+    dwell : float
+        Time tau at each waypoint.
+    interval : float
+        Number j of the interval, kept by the integrator; -1: found from t.
+    """
+
+    count: int
+    x1: np.ndarray
+    x2: np.ndarray
+    dwell: float
+    interval: float = -1.0
+
+
+def multiples(period: float, t0: float, t1: float) -> np.ndarray:
+    """Give the multiples k * period, k >= 1, in (t0, t1].
+
+    Parameters
+    ----------
+    period : float
+        Positive, time.
+    t0, t1 : float
+        The span, time.
+
+    Returns
+    -------
+    ndarray
+        Sorted times, each the one rounded product k * period.
+
+    Examples
+    --------
+    >>> multiples(20.0, 0.0, 60.0)
+    array([20., 40., 60.])
+    """
+    first = max(1, math.floor(t0 / period) - 1)
+    last = math.floor(t1 / period) + 1
+    times = period * np.arange(first, last + 1)
+    return times[(times > t0) & (times <= t1)]
+
+
+def dwell_ends(p: WaypointParameters, t0: float, t1: float) -> np.ndarray:
+    """Give the times in (t0, t1] at which the next waypoint is taken."""
+    return multiples(p.dwell, t0, t1)
+
+
+def waypoint(t, x, u, p, y):
+    """zc = waypoint (interval mod n), section IV: no inputs, y = zc[2] (length)."""
+    y[0] = lookup(p.x1, p.interval % p.count)
+    y[1] = lookup(p.x2, p.interval % p.count)
+
+
+def circle(radius: float, count: int) -> np.ndarray:
+    """Give the waypoints of section IV: count points on a circle.
+
+    Parameters
+    ----------
+    radius : float
+        Radius r, length.
+    count : int
+        Number of waypoints.
+
+    Returns
+    -------
+    ndarray, shape (count, 2)
+        Points from (r, 0), counter-clockwise.
+
+    Examples
+    --------
+    >>> circle(3.0, 4).round(12) + 0.0
+    array([[ 3.,  0.],
+           [ 0.,  3.],
+           [-3.,  0.],
+           [ 0., -3.]])
+    """
+    angle = 2 * np.pi * np.arange(count) / count
+    return radius * np.column_stack([np.cos(angle), np.sin(angle)])
+
+
+def reference(points: np.ndarray, dwell: float) -> Block:
+    """Make the reference block: waypoints held in turn.
+
+    Ports: none -> zc[2] (length).
+
+    Parameters
+    ----------
+    points : array_like, shape (n, 2)
+        Waypoints, length.
+    dwell : float
+        Time at each waypoint.
+
+    Returns
+    -------
+    Block
+        An opaque source with breakpoints at the multiples of `dwell`.
+
+    Examples
+    --------
+    >>> block = reference([[3, 0], [0, 3]], dwell=20.0)
+    >>> block.output(19.9, [], []), block.output(20.0, [], [])
+    (array([3., 0.]), array([0., 3.]))
+    """
+    points = np.asarray(points, dtype=float)
+    return Block(
+        "reference",
+        output=waypoint,
+        outputs={"zc": 2},
+        parameters=WaypointParameters(len(points), points[:, 0], points[:, 1], dwell),
+        feedthrough=False,
+        opaque=True,
+        breakpoints=dwell_ends,
+    )

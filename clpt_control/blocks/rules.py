@@ -1,0 +1,222 @@
+"""What a block's equations may say, checked when the block is made.
+
+Three readers take the same function: python-control runs it, Numba compiles
+it, SymPy traces it.  What one of them cannot read is refused here, with the
+function, the line and the word to use instead, and not hours later by the
+reader that stumbles over it.
+"""
+
+import ast
+import builtins
+import inspect
+import math
+import textwrap
+from collections.abc import Callable
+from types import FunctionType
+
+from ..errors import BlockError
+from .words import WORDS
+
+ALLOWED_BUILTINS = {"range", "len", "float", "int"}
+
+_REPLACEMENTS: dict[type, tuple[str, str]] = {
+    ast.If: ("`if`", "use where(condition, a, b)"),
+    ast.IfExp: ("`a if c else b`", "use where(c, a, b)"),
+    ast.BoolOp: ("`and`/`or`", "nest where(...) for each condition"),
+    ast.While: ("`while`", "use `for i in range(n)` with n fixed by the parameters"),
+    ast.Lambda: ("`lambda`", "define a function at the top of the module"),
+    ast.FunctionDef: ("a function inside a function", "define it at the top of the module"),
+    ast.ListComp: ("a comprehension", "use `for i in range(n)` and fill the output array"),
+    ast.GeneratorExp: ("a generator", "use `for i in range(n)` and add the terms"),
+    ast.DictComp: ("a comprehension", "use `for i in range(n)`"),
+    ast.SetComp: ("a comprehension", "use `for i in range(n)`"),
+    ast.Try: ("`try`", "keep the arguments in range with where, clip or maximum"),
+    ast.With: ("`with`", "a block has no side effects; remove it"),
+    ast.Raise: ("`raise`", "check parameters before the block is made"),
+    ast.Assert: ("`assert`", "check parameters before the block is made"),
+    ast.Global: ("`global`", "put the number into the block's parameters"),
+    ast.Nonlocal: ("`nonlocal`", "put the number into the block's parameters"),
+    ast.Import: ("`import`", "import at the top of the module"),
+    ast.ImportFrom: ("`import`", "import at the top of the module"),
+    ast.JoinedStr: ("a string", "a block computes numbers only"),
+    ast.Dict: ("a dict", "put numbers into the block's parameters"),
+    ast.Break: ("`break`", "let the loop run and use where"),
+    ast.Continue: ("`continue`", "let the loop run and use where"),
+}
+
+_CALLS = {
+    "max": "maximum(a, b)",
+    "min": "minimum(a, b)",
+    "abs": "math.fabs(a)",
+    "sum": "a `for i in range(n)` loop that adds",
+    "round": "floor(a + 0.5)",
+    "print": "a recorded output",
+    "zip": "`for i in range(n)` and indices",
+    "enumerate": "`for i in range(n)` and indices",
+}
+
+
+def opaque(function: Callable) -> Callable:
+    """Mark a helper that SymPy reads as an undefined function.
+
+    Its arguments stay visible to the tracer, its inside does not: theorems
+    then quantify over it.
+
+    Parameters
+    ----------
+    function : callable
+        A helper called by a block's equations.
+
+    Returns
+    -------
+    callable
+        The same function, marked.
+
+    Examples
+    --------
+    >>> @opaque
+    ... def gust(t):
+    ...     return 0.1
+    >>> gust.opaque
+    True
+    """
+    function.opaque = True  # type: ignore[attr-defined]
+    return function
+
+
+def helpers_of(function: FunctionType) -> dict[str, FunctionType]:
+    """Give the plain Python functions that a function calls by name.
+
+    Parameters
+    ----------
+    function : function
+        A block's equation or a helper of one.
+
+    Returns
+    -------
+    dict
+        Global name -> function; the words of `words` are not among them.
+
+    Examples
+    --------
+    >>> from clpt_control.blocks import vehicle
+    >>> helpers_of(vehicle.kinematics)
+    {}
+    """
+    found = {name: function.__globals__.get(name) for name in function.__code__.co_names}
+    return {
+        name: value
+        for name, value in found.items()
+        if isinstance(value, FunctionType) and WORDS.get(value.__name__) is not value
+    }
+
+
+def check_equations(function: Callable, role: str) -> None:
+    """Refuse equations that one of the three readers cannot read.
+
+    Parameters
+    ----------
+    function : callable
+        The block's update or output, or a helper.
+    role : str
+        How to call it in the message, such as ``"adaptation.update"``.
+
+    Raises
+    ------
+    BlockError
+        Naming the role, the line and the replacement.
+
+    Examples
+    --------
+    >>> from clpt_control.blocks import vehicle
+    >>> check_equations(vehicle.kinematics, "vehicle.update")
+    """
+    _check(function, role, set())
+
+
+def _check(function: Callable, role: str, seen: set[Callable]) -> None:
+    if function in seen:
+        return
+    seen.add(function)
+    if not isinstance(function, FunctionType):
+        raise BlockError(
+            f"{role}: {function!r} is not a plain function; write `def f(t, x, u, p, out): ...` "
+            "at the top of a module"
+        )
+    if function.__code__.co_freevars:
+        names = ", ".join(function.__code__.co_freevars)
+        raise BlockError(
+            f"{role}: {function.__name__} closes over {names}, which cannot be compiled, traced "
+            "or pickled; put the values into the block's parameters"
+        )
+    tree, first_line = _syntax_tree(function)
+    if tree is not None:
+        _Reader(function, role, first_line).visit(tree.body[0])
+    for name, helper in helpers_of(function).items():
+        _check(helper, f"{role} -> {name}", seen)
+
+
+def _syntax_tree(function: FunctionType) -> tuple[ast.Module | None, int]:
+    """Parse the source; None where Python kept none, as at a bare prompt."""
+    try:
+        lines, first = inspect.getsourcelines(function)
+        return ast.parse(textwrap.dedent("".join(lines))), first
+    except (OSError, TypeError, SyntaxError):
+        return None, 0
+
+
+class _Reader(ast.NodeVisitor):
+    """Walk a function's body and stop at the first thing not allowed."""
+
+    def __init__(self, function: FunctionType, role: str, first_line: int):
+        self.function, self.role, self.first_line = function, role, first_line
+        self.local_names = set(function.__code__.co_varnames)
+
+    def refuse(self, node: ast.AST, what: str, instead: str) -> None:
+        line = self.first_line + getattr(node, "lineno", 1) - 1
+        raise BlockError(f"{self.role}, line {line}: {what} is not allowed here; {instead}")
+
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> None:
+        if node.name != self.function.__name__ or node.lineno > 1 + len(node.decorator_list):
+            self.refuse(node, *_REPLACEMENTS[ast.FunctionDef])
+        for statement in node.body:
+            self.visit(statement)
+
+    def generic_visit(self, node: ast.AST) -> None:
+        if type(node) in _REPLACEMENTS:
+            self.refuse(node, *_REPLACEMENTS[type(node)])
+        super().generic_visit(node)
+
+    def visit_For(self, node: ast.For) -> None:
+        call = node.iter
+        if not (
+            isinstance(call, ast.Call)
+            and isinstance(call.func, ast.Name)
+            and call.func.id == "range"
+        ):
+            self.refuse(node, "a loop over anything but range(...)", "use `for i in range(n)`")
+        self.generic_visit(node)
+
+    def visit_Name(self, node: ast.Name) -> None:
+        if node.id in self.local_names or isinstance(node.ctx, ast.Store):
+            return
+        if node.id in ALLOWED_BUILTINS:
+            return
+        space = self.function.__globals__
+        if node.id not in space:
+            if node.id in _CALLS:
+                self.refuse(node, f"`{node.id}`", f"use {_CALLS[node.id]}")
+            if not hasattr(builtins, node.id):
+                self.refuse(node, f"the unknown name `{node.id}`", "define it in the module")
+            self.refuse(node, f"`{node.id}`", "use arithmetic, math and the words of blocks.words")
+        value = space[node.id]
+        if value is math or isinstance(value, int | float | FunctionType):
+            return
+        if getattr(value, "__module__", None) == "math":
+            return
+        module = getattr(value, "__name__", type(value).__name__)
+        self.refuse(
+            node,
+            f"`{node.id}` ({module})",
+            "use arithmetic, math.*, and where, minimum, maximum, clip, sign, floor, lookup",
+        )

@@ -1,0 +1,326 @@
+"""The paper's block diagram: `control.interconnect` and nothing else.
+
+    reference -> vehicle_controller -> vehicle -> clpe -> adaptation
+              \\> learning_controller -> learning_model /
+
+`closed_loop` wires the whole system of sections II and III, `error_loop` the
+error and parameter systems of Eqs. (27)-(28).
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import control
+import numpy as np
+
+from .blocks import Block, adaptation, basis, clpe, disturbance, error_system, field, flow
+from .blocks import learner, reference, vehicle
+from .blocks.block import labels
+from .errors import BlockError, DiagramError
+from .scenario import Scenario
+
+
+class Diagram(control.InterconnectedSystem):
+    """A python-control diagram whose parameter names are checked.
+
+    Made by `connect`; everything else is python-control's own.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> clpt.closed_loop(clpt.paper_scenario()).nstates
+    14
+    """
+
+    def _update_params(self, params: Mapping[str, Any] | None) -> None:
+        known = {f"{s.name}.{f}" for s in self.syslist if isinstance(s, Block)
+                 for f in s.parameters._fields}  # fmt: skip
+        for system in self.syslist:
+            known |= set(system.params)
+        for key in params or {}:
+            if key not in known:
+                names = ", ".join(sorted(k for k in known if "." in k))
+                raise BlockError(f"unknown parameter '{key}': this diagram knows {names}")
+        super()._update_params(params)
+
+
+def connect(
+    blocks: Sequence[Block], external: Iterable[str] = (), name: str = "diagram"
+) -> Diagram:
+    """Wire blocks by the names of their ports, and check that they fit.
+
+    Parameters
+    ----------
+    blocks : sequence of Block
+        Each output port feeds every input port of the same name.
+    external : iterable of str, optional
+        Ports that come from outside: they become the diagram's inputs.
+    name : str, optional
+        Name of the diagram.
+
+    Returns
+    -------
+    Diagram
+        With every output port of every block as outputs.
+
+    Raises
+    ------
+    DiagramError
+        If two blocks make the same port, a port is fed by nothing, sizes
+        differ, or an external port is made or not used.
+
+    Examples
+    --------
+    >>> from clpt_control.blocks import clpe, vehicle
+    >>> diagram = connect([vehicle.vehicle(), clpe.clpe()], external=["flow_x", "v_x", "z"])
+    >>> diagram.output_labels
+    ['x[0]', 'x[1]', 'e[0]', 'e[1]']
+    """
+    external = list(external)
+    makers: dict[str, tuple[str, int]] = {}
+    for block in blocks:
+        for port, size in block.output_ports.items():
+            if port in makers:
+                raise DiagramError(
+                    f"'{port}' is made by both {makers[port][0]} and {block.name}: "
+                    "python-control would add them; rename one port"
+                )
+            makers[port] = (block.name, size)
+    feeds: dict[str, list[str]] = {}
+    sizes: dict[str, int] = {}
+    for block in blocks:
+        for port, size in block.input_ports.items():
+            if port not in makers and port not in external:
+                raise DiagramError(
+                    f"'{port}', an input of {block.name}, is made by no block; blocks make "
+                    f"{', '.join(sorted(makers))}"
+                )
+            wanted = makers[port][1] if port in makers else sizes.setdefault(port, size)
+            if wanted != size:
+                raise DiagramError(
+                    f"'{port}' has {wanted} signals, but {block.name} takes {size}"
+                )
+            feeds.setdefault(port, []).append(block.name)
+    for port in external:
+        if port in makers:
+            raise DiagramError(f"'{port}' cannot come from outside: {makers[port][0]} makes it")
+        if port not in feeds:
+            raise DiagramError(
+                f"'{port}' cannot come from outside: no block takes it; blocks take "
+                f"{', '.join(sorted(feeds))}"
+            )
+    made = [(port, *makers[port]) for port in makers]
+    wired = control.interconnect(
+        list(blocks),
+        connections=[
+            [f"{user}.{port}[{k}]", f"{maker}.{port}[{k}]"]
+            for port, maker, size in made
+            for user in feeds.get(port, ())
+            for k in range(size)
+        ],
+        inplist=[
+            [f"{user}.{port}[{k}]" for user in feeds[port]]
+            for port in external
+            for k in range(sizes[port])
+        ],
+        outlist=[f"{maker}.{port}[{k}]" for port, maker, size in made for k in range(size)],
+        inputs=labels({port: sizes[port] for port in external}),
+        outputs=labels({port: size for port, _, size in made}),
+        name=name,
+        check_unused=False,
+    )
+    wired.__class__ = Diagram
+    return wired
+
+
+def paper_blocks(scenario: Scenario) -> list[Block]:
+    """Make the blocks of the paper's closed loop.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The experiment.
+
+    Returns
+    -------
+    list of Block
+        In the order of the table in the documentation; `disturbance` is among
+        them where the scenario has one.
+
+    Raises
+    ------
+    DataError
+        If the scenario's field cannot be read.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> len(paper_blocks(clpt.paper_scenario()))
+    12
+    """
+    N, alpha_M = scenario.basis.N, np.array(scenario.model_parameters)
+    functions = basis.BasisParameters(
+        N,
+        np.array(scenario.basis.centers),
+        np.array(scenario.basis.widths),
+        scenario.frequencies,
+        np.array(scenario.phases),
+    )
+    car = scenario.vehicle
+    desired = vehicle.ControllerParameters(
+        N, alpha_M, np.array(car.feedback), np.array(car.feedforward)
+    )
+    learning = scenario.learning
+    if learning.law == "known-flow":
+        theta_hat = np.array(learning.theta_estimate)
+        inject: Any = learner.KnownFlowInjectionParameters(N, theta_hat, alpha_M)
+        law: Any = adaptation.KnownFlowParameters(N, learning.gain, alpha_M)
+    else:
+        inject = learner.LearnedFlowInjectionParameters(N, alpha_M)
+        law = adaptation.LearnedFlowParameters(N, learning.gain)
+    delta = scenario.flow.disturbance
+    disturbances = []
+    if delta is not None:
+        disturbances.append(
+            disturbance.disturbance(
+                delta.kind, delta.amplitude, delta.period or 1.0, float(delta.seed or 0)
+            )
+        )
+    return [
+        reference.reference(scenario.waypoints, scenario.reference.dwell),
+        basis.flow_basis("basis_x", "x", scenario.basis.kernel, functions),
+        basis.flow_basis("basis_z", "z", scenario.basis.kernel, functions),
+        *disturbances,
+        _true_flow(scenario, disturbed=delta is not None),
+        flow.modeled_flow(flow.ModeledFlowParameters(N, alpha_M)),
+        vehicle.vehicle_controller(desired),
+        vehicle.vehicle(),
+        learner.learning_controller(N),
+        learner.learning_model(),
+        learner.injection(inject),
+        clpe.clpe(),
+        adaptation.adaptation(law),
+    ]
+
+
+def _true_flow(scenario: Scenario, disturbed: bool) -> Block:
+    if scenario.flow.field is None:
+        theta = np.array(scenario.flow.parameters)
+        return flow.true_flow(flow.TrueFlowParameters(scenario.basis.N, theta), disturbed)
+    from .ocean.gridded import read_field
+
+    gridded = read_field(scenario.field_path, scenario.units)
+    return field.gridded_flow(gridded, scenario.flow.outside, disturbed, scenario.units)
+
+
+def closed_loop(scenario: Scenario, external: Iterable[str] = ()) -> Diagram:
+    """Wire the paper's closed loop.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The experiment.
+    external : iterable of str, optional
+        Ports taken from outside in place of the blocks that make them, such
+        as ``("zc",)`` for step responses, or ``("x",)`` for the learner alone,
+        fed by a measured track. Blocks that then feed nothing are left out.
+
+    Returns
+    -------
+    Diagram
+        A `control.InterconnectedSystem`; states x, z, alpha, K, Gamma.
+
+    Raises
+    ------
+    DiagramError
+        If an external port is unknown.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> loop = closed_loop(clpt.paper_scenario(), external=("zc",))
+    >>> loop.input_labels
+    ['zc[0]', 'zc[1]']
+    """
+    blocks = paper_blocks(scenario)
+    external = [external] if isinstance(external, str) else list(external)
+    ports = {port for block in blocks for port in block.output_ports}
+    for port in external:
+        if port not in ports:
+            raise DiagramError(
+                f"external = '{port}': must be among the ports {', '.join(sorted(ports))}"
+            )
+    kept = [block for block in blocks if not set(block.output_ports) & set(external)]
+    while True:
+        used = {port for block in kept for port in block.input_ports}
+        idle = [b for b in kept if b.name != "clpe" and not set(b.output_ports) & used]
+        if not idle or len(kept) == len(blocks):
+            break
+        kept = [block for block in kept if block not in idle]
+    return connect(kept, external, name="closed_loop")
+
+
+def error_loop(scenario: Scenario) -> Diagram:
+    """Wire the error and parameter systems, Eqs. (27)-(28).
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Gives N, KD and the adaptation gain.
+
+    Returns
+    -------
+    Diagram
+        Inputs phi_x[N], z[2], zc[2]; states and outputs e[2], eta[2N+4].
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> error_loop(clpt.paper_scenario()).nstates
+    12
+    """
+    N, KD = scenario.basis.N, np.array(scenario.vehicle.feedback)
+    return connect(
+        [
+            error_system.error_system(error_system.ErrorParameters(N, KD)),
+            error_system.parameter_system(
+                error_system.ParameterParameters(N, scenario.learning.gain)
+            ),
+        ],
+        external=("phi_x", "z", "zc"),
+        name="error_loop",
+    )
+
+
+def initial_state(scenario: Scenario, external: Iterable[str] = ()) -> np.ndarray:
+    """Give the state at t = 0 of `closed_loop(scenario, external)`.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The experiment.
+    external : iterable of str, optional
+        As given to `closed_loop`.
+
+    Returns
+    -------
+    ndarray
+        x(0), z(0), alpha(0) row by row where it is a state, K(0), Gamma(0).
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> initial_state(clpt.paper_scenario()).shape
+    (14,)
+    """
+    learning = scenario.learning
+    alpha = np.ravel(scenario.learning_parameters) if learning.law == "learned-flow" else ()
+    external = (external,) if isinstance(external, str) else tuple(external)
+    values = {
+        "x": scenario.vehicle.position,
+        "z": learning.position,
+        "alpha": (*alpha, *learning.feedback, *learning.feedforward),
+    }
+    return np.concatenate(
+        [np.asarray(value, float) for port, value in values.items() if port not in external]
+    )

@@ -1,0 +1,30 @@
+"""What can go wrong, each said in one sentence.
+
+Every error that a user can cause is a `ClptError`: its text names what was
+given, where, what is allowed and what to try.  The command line prints that
+sentence and ends with status 2, or with 1 where a run was under way.
+"""
+
+
+class ClptError(Exception):
+    """Base of every error this package raises on purpose."""
+
+
+class BlockError(ClptError, ValueError):
+    """A block is declared or called in a way that cannot work."""
+
+
+class DiagramError(ClptError, ValueError):
+    """A diagram's blocks do not fit together."""
+
+
+class ScenarioError(ClptError, ValueError):
+    """A scenario holds a key or a value that is not allowed."""
+
+
+class DataError(ClptError, ValueError):
+    """A data file is missing, damaged or holds something else."""
+
+
+class SimulationError(ClptError, RuntimeError):
+    """A run that was under way could not go on."""

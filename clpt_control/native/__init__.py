@@ -1,0 +1,1 @@
+"""The engine: one pass over a diagram, and integration to every breakpoint."""

@@ -1,0 +1,1 @@
+"""Measured currents: readers, projection, gaps, fits and gridded fields."""
