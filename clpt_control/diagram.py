@@ -13,8 +13,19 @@ from typing import Any
 import control
 import numpy as np
 
-from .blocks import Block, adaptation, basis, clpe, disturbance, error_system, field, flow
-from .blocks import learner, reference, vehicle
+from .blocks import (
+    Block,
+    adaptation,
+    basis,
+    clpe,
+    disturbance,
+    error_system,
+    field,
+    flow,
+    learner,
+    reference,
+    vehicle,
+)
 from .blocks.block import labels
 from .errors import BlockError, DiagramError
 from .scenario import Scenario
@@ -97,9 +108,7 @@ def connect(
                 )
             wanted = makers[port][1] if port in makers else sizes.setdefault(port, size)
             if wanted != size:
-                raise DiagramError(
-                    f"'{port}' has {wanted} signals, but {block.name} takes {size}"
-                )
+                raise DiagramError(f"'{port}' has {wanted} signals, but {block.name} takes {size}")
             feeds.setdefault(port, []).append(block.name)
     for port in external:
         if port in makers:
@@ -204,7 +213,7 @@ def paper_blocks(scenario: Scenario) -> list[Block]:
 
 
 def _true_flow(scenario: Scenario, disturbed: bool) -> Block:
-    if scenario.flow.field is None:
+    if scenario.field_path is None:
         theta = np.array(scenario.flow.parameters)
         return flow.true_flow(flow.TrueFlowParameters(scenario.basis.N, theta), disturbed)
     from .ocean.gridded import read_field

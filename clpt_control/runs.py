@@ -148,3 +148,20 @@ def make_folder(path: str | Path) -> Path:
     except OSError as error:
         raise ClptError(f"{path}: cannot be made: {error.strerror}") from None
     return path
+
+
+def check_writable(path: str | Path) -> None:
+    """Refuse, before work begins, a file that could not be written.
+
+    Raises
+    ------
+    DataError
+        If the folder is missing or closed, or a folder bears the name.
+    """
+    path = Path(path)
+    if path.is_dir():
+        raise DataError(f"{path}: is a folder; give a file name such as {path / 'run.nc'}")
+    if not path.parent.is_dir():
+        raise DataError(f"{path}: cannot be written: the folder {path.parent} does not exist")
+    if not os.access(path.parent, os.W_OK):
+        raise DataError(f"{path}: cannot be written: the folder {path.parent} is read-only")

@@ -101,9 +101,9 @@ class Disturbance(Part):
     def _what_the_kind_needs(self) -> "Disturbance":
         where = "flow.disturbance"
         if self.kind != "constant" and self.period is None:
-            raise ValueError(f"{where}.period: is required for kind = \"{self.kind}\"")
+            raise ValueError(f'{where}.period: is required for kind = "{self.kind}"')
         if self.kind != "noise" and self.seed is not None:
-            raise ValueError(f"{where}.seed = {self.seed}: is allowed only for kind = \"noise\"")
+            raise ValueError(f'{where}.seed = {self.seed}: is allowed only for kind = "noise"')
         return self
 
 
@@ -120,7 +120,7 @@ class Flow(Part):
         if (self.parameters is None) == (self.field is None):
             raise ValueError("flow.parameters: give either parameters or field, one of the two")
         if self.field is None and "outside" in self.model_fields_set:
-            raise ValueError(f"flow.outside = \"{self.outside}\": is allowed only with flow.field")
+            raise ValueError(f'flow.outside = "{self.outside}": is allowed only with flow.field')
         return self
 
 
@@ -170,14 +170,14 @@ class Learning(Part):
     def _what_the_law_needs(self) -> "Learning":
         if self.law == "known-flow":
             if self.theta_estimate is None:
-                raise ValueError("learning.theta_estimate: is required by law = \"known-flow\"")
+                raise ValueError('learning.theta_estimate: is required by law = "known-flow"')
             if self.parameters is not None:
                 raise ValueError(
-                    "learning.parameters: law = \"known-flow\" keeps alpha = alpha_M; remove the key"
+                    'learning.parameters: law = "known-flow" keeps alpha = alpha_M; remove the key'
                 )
         elif self.theta_estimate is not None:
             raise ValueError(
-                "learning.theta_estimate: is allowed only with law = \"known-flow\"; remove the key"
+                'learning.theta_estimate: is allowed only with law = "known-flow"; remove the key'
             )
         return self
 
@@ -324,5 +324,7 @@ class Scenario(Part):
             if value is None:
                 table.pop(last, None)
             else:
-                table[last] = value.tolist() if isinstance(value, np.ndarray | np.generic) else value
+                table[last] = (
+                    value.tolist() if isinstance(value, np.ndarray | np.generic) else value
+                )
         return checked_scenario(tables, "scenario", self._folder)

@@ -14,8 +14,20 @@ from typing import Any
 from pydantic import ValidationError
 
 from .errors import ScenarioError
-from .scenario import Basis, Circle, Disturbance, Flow, Learning, Model, Part, Run, Scenario
-from .scenario import Units, Vehicle, Waypoints
+from .scenario import (
+    Basis,
+    Circle,
+    Disturbance,
+    Flow,
+    Learning,
+    Model,
+    Part,
+    Run,
+    Scenario,
+    Units,
+    Vehicle,
+    Waypoints,
+)
 
 TABLES: dict[tuple[str, ...], type[Part]] = {
     (): Scenario,
@@ -158,14 +170,14 @@ def _sentence(problem: Any) -> str:
         return f"missing key {key}"
     if kind == "extra_forbidden":
         table = tuple(str(part) for part in problem["loc"][:-1])
-        allowed = [f for f in TABLES[table].model_fields] if table in TABLES else []
+        allowed = list(TABLES[table].model_fields) if table in TABLES else []
         close = difflib.get_close_matches(str(where[-1]), allowed, n=1)
         hint = f"; did you mean {close[0]}?" if close else ""
         return f"unknown key {key}{hint} allowed here: {', '.join(allowed)}".replace("? a", "? A")
     if kind == "union_tag_not_found":
         return f'{key}.kind: is required; must be "circle" or "waypoints"'
     if kind == "union_tag_invalid":
-        return f"{key}.kind = {problem['ctx']['tag']!r}: must be \"circle\" or \"waypoints\""
+        return f'{key}.kind = {problem["ctx"]["tag"]!r}: must be "circle" or "waypoints"'
     if kind == "value_error" and len(where) <= 1:
         return message
     if kind in ("too_long", "too_short", "tuple_type", "missing_argument"):

@@ -206,9 +206,7 @@ def sample_signals(sweep: Sweep, solution: Solution, u: Callable | None = None) 
     return signals
 
 
-def _simulate_scenario(
-    scenario, timepts, x0, params, rtol, atol, progress
-) -> "xarray.Dataset":
+def _simulate_scenario(scenario, timepts, x0, params, rtol, atol, progress) -> "xarray.Dataset":
     run = scenario.run
     if timepts is None:
         times = sample_times(run.duration, run.output_step)
@@ -246,7 +244,7 @@ def _dataset(scenario, diagram, sweep, solution, params) -> "xarray.Dataset":
             values, dims = values.reshape(n, 2, N), ("time", "axis", "basis")
         data[name] = (dims, values, {"long_name": long_name, "units": unit})
     alpha = data["alpha"][1]
-    estimate = -alpha
+    estimate = 0.0 - alpha  # without -0
     if scenario.learning.law == "known-flow":
         estimate = np.broadcast_to(np.array(scenario.learning.theta_estimate), alpha.shape).copy()
     speed = {"units": f"{units.length} {units.time}-1"}

@@ -55,19 +55,19 @@ def tide(t, p, i):
 
 
 def exponential(t, x, u, p, y):
-    """phi_i = exp(-d/(2 s)) tide, Eq. (5): u = position[2] (length), y = phi[N]."""
+    """phi_i = exp(-d/(2 s)) tide, Eq. (5): u = x[2] or z[2], y = phi_x[N] or phi_z[N]."""
     for i in range(p.N):
         y[i] = math.exp(-math.sqrt(squared_distance(u, p, i)) / (2 * p.widths[i])) * tide(t, p, i)
 
 
 def gaussian(t, x, u, p, y):
-    """phi_i = exp(-d^2/(2 s^2)) tide, Eq. (5): u = position[2] (length), y = phi[N]."""
+    """phi_i = exp(-d^2/(2 s^2)) tide, Eq. (5): u = x[2] or z[2], y = phi_x[N] or phi_z[N]."""
     for i in range(p.N):
         y[i] = math.exp(-squared_distance(u, p, i) / (2 * p.widths[i] ** 2)) * tide(t, p, i)
 
 
 def gaussian_sigma(t, x, u, p, y):
-    """phi_i = exp(-d^2/s) tide, Eq. (5): u = position[2] (length), y = phi[N]."""
+    """phi_i = exp(-d^2/s) tide, Eq. (5): u = x[2] or z[2], y = phi_x[N] or phi_z[N]."""
     for i in range(p.N):
         y[i] = math.exp(-squared_distance(u, p, i) / p.widths[i]) * tide(t, p, i)
 

@@ -44,7 +44,7 @@ class Guard(NamedTuple):
 
 
 def states_as_outputs(t, x, u, p, y):
-    """y = x: the outputs are the states."""
+    """Y = x: the outputs are the states."""
     for i in range(len(y)):
         y[i] = x[i]
 
@@ -155,9 +155,13 @@ class Block(control.NonlinearIOSystem):
         self.guard = guard
         self._jumps = np.zeros(0)
         self._jumps_until = 0.0
-        self.parameters = checked_parameters(name, NoParameters() if parameters is None else parameters)
+        self.parameters = checked_parameters(
+            name, NoParameters() if parameters is None else parameters
+        )
         if breakpoints is not None and "interval" not in self.parameters._fields:
-            raise BlockError(f"{name}: a block with breakpoints needs a parameter `interval = -1.0`")
+            raise BlockError(
+                f"{name}: a block with breakpoints needs a parameter `interval = -1.0`"
+            )
         self._current = self.parameters
         super().__init__(
             self._updfcn if states else None,
@@ -302,8 +306,10 @@ def checked_parameters(name: str, parameters: Any, like: Any = None) -> Any:
         Naming the field, its value and what is allowed.
     """
     if not (isinstance(parameters, tuple) and hasattr(parameters, "_fields")):
-        raise BlockError(f"{name}: parameters must be a NamedTuple, not {type(parameters).__name__}")
-    values = {}
+        raise BlockError(
+            f"{name}: parameters must be a NamedTuple, not {type(parameters).__name__}"
+        )
+    values: dict[str, Any] = {}
     for field, value in zip(parameters._fields, parameters, strict=True):
         old = getattr(like, field) if like is not None else value
         try:

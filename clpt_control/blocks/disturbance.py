@@ -47,7 +47,7 @@ class DisturbanceParameters(NamedTuple):
 
 
 def remainder(a):
-    """a mod MODULUS, exact for 0 <= a < 2^53."""
+    """A mod MODULUS, exact for 0 <= a < 2^53."""
     return a - MODULUS * floor(a / MODULUS)
 
 

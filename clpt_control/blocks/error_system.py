@@ -47,7 +47,7 @@ class ParameterParameters(NamedTuple):
 
 
 def error(t, x, u, p, dx):
-    """e' = -KD e + W^T eta, Eq. (27).
+    """E' = -KD e + W^T eta, Eq. (27).
 
     u = phi_x[N], z[2], zc[2] (length), eta[2N+4]; state e[2] (length).
     """
@@ -61,7 +61,7 @@ def error(t, x, u, p, dx):
 
 
 def parameter(t, x, u, p, dx):
-    """eta' = -gamma W e, the lower rows of Eq. (28).
+    """Eta' = -gamma W e, the lower rows of Eq. (28).
 
     u = e[2] (length), phi_x[N], z[2], zc[2] (length); state eta[2N+4].
     """

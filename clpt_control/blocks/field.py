@@ -8,6 +8,7 @@ and time, as an integrator of high order needs it.  Outside the grid the value
 at its edge is held; the block's guard says what a run does there.
 """
 
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -59,7 +60,7 @@ def weight(position, first, k):
 
 
 def gridded(t, x, u, p, y):
-    """F_R from the grid: u = x[2] (length), y = flow_x[2] (length per time)."""
+    """F_R from the grid, in place of Eq. (3): u = x[2] (length), y = flow_x[2] (length/time)."""
     at, a2, a1 = coordinate(t, p, 0), coordinate(u[1], p, 1), coordinate(u[0], p, 2)
     m, j, i = cell(at, p, 0), cell(a2, p, 1), cell(a1, p, 2)
     y[0] = 0.0
@@ -163,7 +164,8 @@ def gridded_flow(grid, outside: str = "raise", disturbed: bool = False, units=No
     )
 
 
-class Leaving(NamedTuple):
+@dataclass(frozen=True)
+class Leaving:
     """Say where and when a vehicle left the field.
 
     Attributes

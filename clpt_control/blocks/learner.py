@@ -63,13 +63,13 @@ class LearnedFlowInjectionParameters(NamedTuple):
 
 
 def model(t, x, u, p, dx):
-    """z' = F_M + v, Eq. (2): u = flow_z[2], v_z[2] (length per time), state z[2]."""
+    """Z' = F_M + v, Eq. (2): u = flow_z[2], v_z[2] (length per time), state z[2]."""
     for i in range(2):
         dx[i] = u[i] + u[2 + i]
 
 
 def controller(t, x, u, p, y):
-    """v = -alpha phi(z) - K z + Gamma zc + Psi, Eq. (6).
+    """V = -alpha phi(z) - K z + Gamma zc + Psi, Eq. (6).
 
     u = z[2], zc[2], phi_z[N], alpha[2N], K[2], Gamma[2], psi[2]; y = v_z[2].
     """

@@ -6,7 +6,7 @@ compiles and what SymPy traces is the very code that python-control runs.
 """
 
 from collections.abc import Callable, Mapping
-from functools import lru_cache
+from functools import cache
 from types import FunctionType
 from typing import Any
 
@@ -52,7 +52,7 @@ def rebind(
     space = dict(function.__globals__)
     for name in function.__code__.co_names:
         value = space.get(name)
-        word = getattr(value, "__name__", None)
+        word = getattr(value, "__name__", "")
         if value is None and name in substitutes:
             space[name] = substitutes[name]
         elif word in substitutes and (WORDS.get(word) is value or word == "math"):
@@ -69,7 +69,7 @@ def rebind(
     return wrap(rebound)
 
 
-@lru_cache(maxsize=None)
+@cache
 def compiled(function: FunctionType) -> Callable:
     """Compile a block's equations, and their helpers, with Numba.
 

@@ -22,8 +22,8 @@ class WaypointParameters(NamedTuple):
 
     Attributes
     ----------
-    count : int
-        Number of waypoints n.
+    n : int
+        Number of waypoints.
     x1, x2 : ndarray, shape (n,)
         Waypoints, length.
     dwell : float
@@ -32,7 +32,7 @@ class WaypointParameters(NamedTuple):
         Number j of the interval, kept by the integrator; -1: found from t.
     """
 
-    count: int
+    n: int
     x1: np.ndarray
     x2: np.ndarray
     dwell: float
@@ -71,9 +71,9 @@ def dwell_ends(p: WaypointParameters, t0: float, t1: float) -> np.ndarray:
 
 
 def waypoint(t, x, u, p, y):
-    """zc = waypoint (interval mod n), section IV: no inputs, y = zc[2] (length)."""
-    y[0] = lookup(p.x1, p.interval % p.count)
-    y[1] = lookup(p.x2, p.interval % p.count)
+    """Zc = waypoint (interval mod n), section IV: no inputs, y = zc[2] (length)."""
+    y[0] = lookup(p.x1, p.interval % p.n)
+    y[1] = lookup(p.x2, p.interval % p.n)
 
 
 def circle(radius: float, count: int) -> np.ndarray:

@@ -36,13 +36,13 @@ class ControllerParameters(NamedTuple):
 
 
 def kinematics(t, x, u, p, dx):
-    """x' = F_R + v, Eq. (1): u = flow_x[2], v_x[2] (length per time), state x[2]."""
+    """X' = F_R + v, Eq. (1): u = flow_x[2], v_x[2] (length per time), state x[2]."""
     for i in range(2):
         dx[i] = u[i] + u[2 + i]
 
 
 def controller(t, x, u, p, y):
-    """v = -alpha_M phi(x) - KD x + GammaD zc, Eq. (7): u = x[2], zc[2], phi_x[N], y = v_x[2]."""
+    """V = -alpha_M phi(x) - KD x + GammaD zc, Eq. (7): u = x[2], zc[2], phi_x[N], y = v_x[2]."""
     position, zc, phi = u[0:2], u[2:4], u[4 : 4 + p.N]
     for i in range(2):
         cancelled = 0.0
@@ -66,9 +66,7 @@ def vehicle() -> Block:
     >>> vehicle().dynamics(0, [0, 0], [1, 0, 0, 2])
     array([1., 2.])
     """
-    return Block(
-        "vehicle", update=kinematics, inputs={"flow_x": 2, "v_x": 2}, states={"x": 2}
-    )
+    return Block("vehicle", update=kinematics, inputs={"flow_x": 2, "v_x": 2}, states={"x": 2})
 
 
 def vehicle_controller(parameters: ControllerParameters) -> Block:

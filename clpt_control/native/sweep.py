@@ -42,9 +42,7 @@ class Sweep:
     (14,)
     """
 
-    def __init__(
-        self, diagram: control.NonlinearIOSystem, params: Mapping[str, Any] | None = None
-    ):
+    def __init__(self, diagram: control.NonlinearIOSystem, params: Mapping[str, Any] | None = None):
         diagram._update_params(params)
         self.wiring = read(diagram)
         self.nodes = self.wiring.nodes
@@ -53,7 +51,7 @@ class Sweep:
         self._inputs = np.zeros(self.nodes[-1].inputs.stop)
         self._rates = np.zeros(self.nstates)
         self._external = np.zeros(diagram.ninputs or 0)
-        self._parameters = [
+        self._parameters: list[Any] = [
             node.system._current if isinstance(node.system, Block) else None for node in self.nodes
         ]
         self._pinned = [
@@ -136,9 +134,7 @@ class Sweep:
             block_inputs = self._gather(k)
             try:
                 if isinstance(system, Block):
-                    system.output_function(
-                        t, x[node.states], block_inputs, self._parameters[k], y
-                    )
+                    system.output_function(t, x[node.states], block_inputs, self._parameters[k], y)
                 else:
                     y[:] = system._out(t, x[node.states], block_inputs)
             except TROUBLE:
@@ -172,6 +168,7 @@ class Sweep:
             block_inputs = self._gather(k)
             try:
                 if isinstance(system, Block):
+                    assert system.update_function is not None
                     system.update_function(
                         t, x[node.states], block_inputs, self._parameters[k], dx[node.states]
                     )

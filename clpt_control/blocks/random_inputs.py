@@ -1,0 +1,218 @@
+"""Random inputs for a block, and what each reader makes of them.
+
+`conformance` asks every question with these: times up to 100, normal states
+and inputs, the block's own parameters.
+"""
+
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from .block import Block, Equations
+from .readers import compiled, traced
+
+OUT_OF_RANGE = (ValueError, OverflowError, ZeroDivisionError, FloatingPointError)
+
+
+class Sample(NamedTuple):
+    """Arguments of a block's equations.
+
+    Attributes
+    ----------
+    t : float
+        Time.
+    x, u : ndarray
+        States and inputs.
+    p : NamedTuple
+        The block's parameters, `interval` filled in.
+    """
+
+    t: float
+    x: np.ndarray
+    u: np.ndarray
+    p: Any
+
+
+def draw(block: Block, seed: int, count: int) -> list[Sample]:
+    """Draw random arguments for a block.
+
+    Parameters
+    ----------
+    block : Block
+        Gives the sizes and the parameters.
+    seed : int
+        Seed of the random numbers.
+    count : int
+        How many to draw.
+
+    Returns
+    -------
+    list of Sample
+        The first half near zero, the rest within a few units.
+
+    Examples
+    --------
+    >>> from clpt_control.blocks.clpe import clpe
+    >>> [sample.u.shape for sample in draw(clpe(), seed=0, count=2)]
+    [(4,), (4,)]
+    """
+    rng = np.random.default_rng(seed)
+    samples = []
+    for k in range(count):
+        size = 0.3 if k < count // 2 else 2.0
+        t = float(rng.uniform(0.0, 100.0))
+        x = size * rng.standard_normal(block.nstates or 0)
+        u = size * rng.standard_normal(block.ninputs or 0)
+        samples.append(Sample(t, x, u, block.parameters_at(t, block.parameters)))
+    return samples
+
+
+def equations(block: Block) -> Iterator[tuple[str, Equations, int]]:
+    """Give the block's equations: what to call each, the function, its size.
+
+    Examples
+    --------
+    >>> from clpt_control.blocks.vehicle import vehicle
+    >>> [(role, size) for role, _, size in equations(vehicle())]
+    [('vehicle.update', 2), ('vehicle.output', 2)]
+    """
+    if block.update_function is not None:
+        yield f"{block.name}.update", block.update_function, block.nstates
+    yield f"{block.name}.output", block.output_function, block.noutputs
+
+
+def python_values(
+    function: Equations, sample: Sample, size: int, fill: float = np.nan
+) -> np.ndarray:
+    """Give what Python makes of one sample; NaN where it is out of range.
+
+    Parameters
+    ----------
+    function : callable
+        A block's equations.
+    sample : Sample
+        Its arguments; copies are passed.
+    size : int
+        Length of the last argument.
+    fill : float, optional
+        What the last argument holds before.
+
+    Returns
+    -------
+    ndarray
+        The last argument after the call.
+    """
+    out = np.full(size, fill)
+    with np.errstate(all="ignore"):
+        try:
+            function(sample.t, sample.x.copy(), sample.u.copy(), own_copy(sample.p), out)
+        except OUT_OF_RANGE:
+            out[:] = np.nan
+    return out
+
+
+def numba_values(function: Equations, sample: Sample, size: int) -> np.ndarray:
+    """Give what Numba makes of one sample.
+
+    Parameters
+    ----------
+    function : callable
+        A block's equations.
+    sample : Sample
+        Its arguments; copies are passed.
+    size : int
+        Length of the last argument.
+
+    Returns
+    -------
+    ndarray
+        The last argument after the call.
+    """
+    out = np.zeros(size)
+    compiled(function)(sample.t, sample.x.copy(), sample.u.copy(), own_copy(sample.p), out)
+    return out
+
+
+def own_copy(p: Any) -> Any:
+    """Give the same parameters with arrays of their own.
+
+    Examples
+    --------
+    >>> from clpt_control.blocks.clpe import clpe
+    >>> own_copy(clpe().parameters)
+    NoParameters()
+    """
+    return type(p)(*(value.copy() if isinstance(value, np.ndarray) else value for value in p))
+
+
+class Reading(NamedTuple):
+    """What SymPy reads: expressions of named symbols.
+
+    Attributes
+    ----------
+    symbols : list
+        Time, states, inputs, and the entries of float and array parameters.
+    states, inputs : list
+        The symbols of each.
+    expressions : list
+        One for each entry of the last argument.
+    """
+
+    symbols: list
+    states: list
+    inputs: list
+    expressions: list
+
+    def values(self, sample: Sample) -> list[float]:
+        """Give the numbers that the symbols stand for in a sample."""
+        numbers = [value for value in sample.p if not isinstance(value, int)]
+        flat = np.concatenate([np.ravel(v) for v in (sample.t, sample.x, sample.u, *numbers)])
+        return [float(value) for value in flat]
+
+
+def sympy_reading(block: Block, function: Equations, size: int) -> Reading:
+    """Trace a block's equations on symbols; whole numbers stay numbers.
+
+    Parameters
+    ----------
+    block : Block
+        Gives the sizes and the parameters.
+    function : callable
+        Its update or output.
+    size : int
+        Length of the last argument.
+
+    Returns
+    -------
+    Reading
+        Symbols and expressions.
+
+    Examples
+    --------
+    >>> from clpt_control.blocks.clpe import clpe
+    >>> block = clpe()
+    >>> sympy_reading(block, block.output_function, 2).expressions
+    [u0 - u2, u1 - u3]
+    """
+    import sympy
+
+    def symbols(name: str, shape: tuple[int, ...]) -> np.ndarray:
+        found = [sympy.Symbol(f"{name}{k}", real=True) for k in range(int(np.prod(shape)))]
+        return np.array(found, dtype=object).reshape(shape)
+
+    t = sympy.Symbol("t", real=True)
+    x, u = symbols("x", (block.nstates or 0,)), symbols("u", (block.ninputs or 0,))
+    p = type(block.parameters)(
+        *(
+            value
+            if isinstance(value, int)
+            else symbols(f"p_{name}", np.shape(value))
+            if np.ndim(value)
+            else sympy.Symbol(name, real=True)
+            for name, value in zip(block.parameters._fields, block.parameters, strict=True)
+        )
+    )
+    out = traced(function, t, x, u, p, size)  # type: ignore[arg-type]
+    numbers = [s for value in p if not isinstance(value, int) for s in np.ravel(value)]
+    return Reading([t, *x, *u, *numbers], list(x), list(u), [sympy.sympify(value) for value in out])

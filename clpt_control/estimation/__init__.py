@@ -1,0 +1,1 @@
+"""Estimates of the flow parameters theta from data."""

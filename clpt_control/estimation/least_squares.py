@@ -1,0 +1,186 @@
+"""theta of Eq. (3) from measured flow, by linear least squares.
+
+    minimise sum_s |F_s - theta phi(x_s, t_s)|^2   over theta, shape (2, N)
+
+phi is Eq. (5), evaluated by the basis block's own output function.  The
+problem is solved by the singular value decomposition (G. H. Golub, C. F. Van
+Loan, "Matrix Computations", 4th ed., 2013, section 5.5); its conditioning is
+the ratio of the largest to the smallest singular value of phi.  The largest
+residual |F_s - theta phi| is the bound on Delta in Eq. (32) over the samples.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..errors import DataError
+
+WORST = 1e6  # largest condition number; beyond, measurement errors of 1 % decide theta alone
+
+
+@dataclass(frozen=True)
+class LeastSquares:
+    """theta and how well it explains the samples.
+
+    Attributes
+    ----------
+    theta : ndarray, shape (2, N)
+        Flow parameters, in the unit of the flow.
+    residuals : ndarray, shape (n, 2)
+        F_s - theta phi_s, in the unit of the flow.
+    explained_variance : float
+        1 - sum |residual|^2 / sum |F - mean F|^2.
+    condition_number : float
+        Largest over smallest singular value of phi.
+    """
+
+    theta: np.ndarray
+    residuals: np.ndarray
+    explained_variance: float
+    condition_number: float
+
+    @property
+    def residual_rms(self) -> float:
+        """Root of the mean squared length of the residuals."""
+        return float(np.sqrt(np.mean(np.sum(self.residuals**2, axis=1))))
+
+    @property
+    def residual_max(self) -> float:
+        """Largest length of a residual, the bound of Eq. (32)."""
+        return float(np.sqrt(np.max(np.sum(self.residuals**2, axis=1))))
+
+
+def evaluate(block: Any, times: np.ndarray, positions: np.ndarray) -> np.ndarray:
+    """Give a static block's outputs at many times and places.
+
+    Parameters
+    ----------
+    block : Block
+        Such as ``basis_x``, Eq. (5), or ``true_flow`` of a gridded field.
+    times : array_like, shape (n,)
+        In the block's unit.
+    positions : array_like, shape (n, 2)
+        Its input, in the block's unit.
+
+    Returns
+    -------
+    ndarray, shape (n, noutputs)
+        What the block's output function gives, one row per sample.
+
+    Examples
+    --------
+    >>> from clpt_control.blocks.basis import BasisParameters, flow_basis
+    >>> p = BasisParameters(1, np.zeros((1, 2)), np.ones(1), np.zeros(1), np.zeros(1))
+    >>> evaluate(flow_basis("basis_x", "x", "gaussian", p), [0, 5], [[0, 0], [1, 1]]).round(3)
+    array([[1.   ],
+           [0.368]])
+    """
+    times, positions = np.asarray(times, float), np.asarray(positions, float)
+    output, p, state = block.output_function, block.parameters, np.zeros(0)
+    values = np.empty((len(times), block.noutputs))
+    for t, x, y in zip(times.tolist(), positions, values, strict=True):
+        output(t, state, x, p, y)
+    return values
+
+
+def explained_share(values: np.ndarray, model: np.ndarray) -> float:
+    """Give the share of the variance that a model explains.
+
+    Parameters
+    ----------
+    values, model : array_like, shape (n, 2)
+        Measured or true flow and the model's, same unit.
+
+    Returns
+    -------
+    float
+        1 - sum |values - model|^2 / sum |values - mean|^2, both components
+        together; negative where the model is worse than the mean.
+
+    Raises
+    ------
+    DataError
+        If the flow does not vary, or a number is not finite.
+
+    Examples
+    --------
+    >>> explained_share([[0, 0], [2, 0]], [[0, 0], [1, 0]])
+    0.5
+    """
+    values, model = np.asarray(values, float), np.asarray(model, float)
+    total = np.sum((values - values.mean(axis=0)) ** 2)
+    share = 1.0 - np.sum((values - model) ** 2) / total if total > 0 else np.nan
+    if not np.isfinite(share):
+        raise DataError(
+            "the flow has no variance to explain, or holds a number that is not finite; "
+            "give samples that differ"
+        )
+    return float(share)
+
+
+def least_squares(
+    phi: np.ndarray, flow: np.ndarray, names: Sequence[str] | None = None, worst: float = WORST
+) -> LeastSquares:
+    """Fit theta of Eq. (3) to measured flow.
+
+    Parameters
+    ----------
+    phi : array_like, shape (n, N)
+        Basis functions at the samples, from `evaluate`.
+    flow : array_like, shape (n, 2)
+        Measured flow at the samples, any unit of speed.
+    names : sequence of str, optional
+        What to call the N functions in messages.
+    worst : float, optional
+        Largest condition number that is accepted.
+
+    Returns
+    -------
+    LeastSquares
+        theta in the unit of the flow.
+
+    Raises
+    ------
+    DataError
+        If there are fewer samples than functions, a number is not finite, or
+        functions cannot be told apart at the samples; those are named.
+
+    Examples
+    --------
+    >>> phi = np.array([[1.0, 0.0], [1.0, 1.0], [1.0, 2.0]])
+    >>> fit = least_squares(phi, phi @ np.array([[1.0, 3.0], [2.0, 4.0]]))
+    >>> fit.theta.round(12)
+    array([[1., 2.],
+           [3., 4.]])
+    """
+    from scipy.linalg import lstsq, svd
+
+    phi, flow = np.asarray(phi, float), np.asarray(flow, float)
+    if phi.ndim != 2 or flow.shape != (len(phi), 2):
+        raise DataError(
+            f"phi {phi.shape} and flow {flow.shape}: must have the shapes (n, N) and (n, 2)"
+        )
+    n, N = phi.shape
+    names = [f"function {k + 1}" for k in range(N)] if names is None else list(names)
+    if n < N:
+        raise DataError(
+            f"{n} samples cannot determine {N} basis functions; at least {N} are needed: "
+            "use a larger box, fewer centers or fewer constituents"
+        )
+    if not (np.all(np.isfinite(phi)) and np.all(np.isfinite(flow))):
+        raise DataError("phi or flow holds a number that is not finite; leave such samples out")
+    theta, _, _, singular = lstsq(phi, flow, lapack_driver="gelsd", check_finite=False)
+    condition = float(singular[0] / singular[-1]) if singular[-1] > 0 else np.inf
+    if not condition <= worst:
+        weakest = np.abs(svd(phi, full_matrices=False)[2][-1])
+        involved = np.flatnonzero(weakest > 0.3 * weakest.max())
+        listed = ", ".join(names[k] for k in involved[:6]) + (", ..." if len(involved) > 6 else "")
+        raise DataError(
+            f"the samples cannot separate the basis functions {listed}: condition number "
+            f"{condition:.3g}, at most {worst:g} is allowed; use a longer record, fewer "
+            "constituents, fewer centers or a smaller width"
+        )
+    residuals = flow - phi @ theta
+    return LeastSquares(theta.T, residuals, explained_share(flow, flow - residuals), condition)

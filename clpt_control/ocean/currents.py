@@ -1,0 +1,269 @@
+"""Read a gridded current: CF names or u/v, units from attributes, gaps kept.
+
+The answer is always the same: one surface level, latitudes and longitudes
+increasing, hours since the first step, u (east) and v (north) in m/s, NaN where
+either was not measured.  Names follow the CF standard name table; a file
+without standard names is read by the names that are common in practice.
+
+`valid_min` and `valid_max` are not used: files disagree on whether they are in
+packed or unpacked values (MARACOOS writes -300 cm/s beside a scale factor of
+0.01, which read by the letter of CF would throw most of the data away).  A
+speed that no sea has is refused instead.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..errors import DataError
+from .gridded import open_netcdf, speed_in_metres_per_second
+
+if TYPE_CHECKING:
+    import xarray
+
+VELOCITY = {
+    "eastward": (
+        ("eastward_sea_water_velocity", "surface_eastward_sea_water_velocity"),
+        ("u", "water_u", "uo", "u_velocity", "ucur", "u_current", "u_east", "usurf"),
+    ),
+    "northward": (
+        ("northward_sea_water_velocity", "surface_northward_sea_water_velocity"),
+        ("v", "water_v", "vo", "v_velocity", "vcur", "v_current", "v_north", "vsurf"),
+    ),
+}
+AXES = {
+    "latitude": (("latitude",), ("lat", "latitude", "nav_lat", "y_lat")),
+    "longitude": (("longitude",), ("lon", "longitude", "nav_lon", "x_lon")),
+    "time": (("time",), ("time", "t", "ocean_time", "mtime")),
+}
+DEPTHS = ("depth", "altitude", "height", "depth_below_sea_surface", "ocean_s_coordinate")
+DEPTH_NAMES = ("depth", "z", "lev", "level", "altitude", "s_rho", "deptht", "depthu", "sigma")
+FASTEST = 15.0  # m/s; no current at sea is faster, a fill value taken as data is
+
+
+@dataclass(frozen=True)
+class Currents:
+    """A measured current on latitudes and longitudes.
+
+    Attributes
+    ----------
+    lat : ndarray, shape (ny,)
+        Latitudes, degrees north, increasing.
+    lon : ndarray, shape (nx,)
+        Longitudes, degrees east, increasing; may pass 180.
+    time : ndarray, shape (nt,)
+        Hours since the first step, increasing.
+    start : str
+        The first step, ISO 8601, as the file counts it (UTC unless it says).
+    u, v : ndarray, shape (nt, ny, nx)
+        Flow to the east and to the north, m/s; NaN in both where either is
+        missing.
+    box : tuple of float
+        lat0, lat1, lon0, lon1 that were asked for, degrees.
+    source : str
+        Name of the file.
+    """
+
+    lat: np.ndarray
+    lon: np.ndarray
+    time: np.ndarray
+    start: str
+    u: np.ndarray
+    v: np.ndarray
+    box: tuple[float, float, float, float]
+    source: str
+
+    @property
+    def measured(self) -> np.ndarray:
+        """Where the current was measured, shape (nt, ny, nx), boolean."""
+        return np.isfinite(self.u)
+
+
+def read_currents(
+    path: str | Path, box: tuple[float, float, float, float] | None = None
+) -> Currents:
+    """Read a gridded current from a NetCDF file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A NetCDF file with dims time, latitude, longitude in any order, and
+        perhaps a depth, of which the level nearest the surface is taken.
+    box : tuple of float, optional
+        lat0, lat1, lon0, lon1 in degrees; cells whose centre is inside are
+        kept. Without it, the whole file.
+
+    Returns
+    -------
+    Currents
+        In m/s and hours, gaps as NaN.
+
+    Raises
+    ------
+    DataError
+        If the file, a variable, a unit, or data in the box are missing; one
+        sentence naming file, variable and what is allowed.
+    """
+    path = Path(path)
+    with open_netcdf(path) as data:
+        east = _find(data, VELOCITY, "eastward", path)
+        north = _find(data, VELOCITY, "northward", path)
+        lat = _axis(data, east, "latitude", path)
+        lon = _axis(data, east, "longitude", path)
+        when = _axis(data, east, "time", path)
+        hours, start = _hours(when, path)
+        for axis in (lat, lon):
+            if not np.all(np.isfinite(axis.values)):
+                raise DataError(f"{path}: {axis.name} has values that are not finite")
+        dims = (when.dims[0], lat.dims[0], lon.dims[0])
+        u, v = (_values(data, name, dims, path) for name in (east, north))
+        latitudes, longitudes = lat.values.astype(float), lon.values.astype(float)
+    wanted = _checked_box(box, latitudes, longitudes, path)
+    middle = wanted[2] + 0.5 * (wanted[3] - wanted[2])
+    longitudes = middle + (longitudes - middle + 180.0) % 360.0 - 180.0
+    order = (
+        np.argsort(hours),
+        _inside(latitudes, wanted[:2], "latitude", path),
+        _inside(longitudes, wanted[2:], "longitude", path),
+    )
+    if box is None:
+        wanted = (*np.sort(latitudes)[[0, -1]], *np.sort(longitudes)[[0, -1]])
+    hours = hours[order[0]]
+    if not np.all(np.diff(hours) > 0):
+        raise DataError(f"{path}: {when.name} has a step twice; keep each time once")
+    u, v = u[np.ix_(*order)], v[np.ix_(*order)]
+    gap = ~(np.isfinite(u) & np.isfinite(v))
+    if gap.all():
+        raise DataError(
+            f"{path}: {east} and {north} have no finite value in the box {_shown(wanted)}; "
+            "choose a box where the current was measured"
+        )
+    u, v = np.where(gap, np.nan, u), np.where(gap, np.nan, v)
+    for name, values in ((east, u), (north, v)):
+        if np.nanmax(np.abs(values)) > FASTEST:
+            raise DataError(
+                f"{path}: {name} reaches {np.nanmax(np.abs(values)):.4g} m/s; at most {FASTEST} "
+                "are allowed: check its units and _FillValue"
+            )
+    axes = (latitudes[order[1]], longitudes[order[2]], hours)
+    box_used = (float(wanted[0]), float(wanted[1]), float(wanted[2]), float(wanted[3]))
+    return Currents(*axes, start, u, v, box_used, path.name)
+
+
+def _find(data: "xarray.Dataset", table: dict[str, Any], what: str, path: Path) -> str:
+    """Give the name of the variable, by standard name and then by name."""
+    standard, names = table[what]
+    by_standard = [n for n in data.variables if data[n].attrs.get("standard_name") in standard]
+    by_name = sorted(
+        (n for n in data.variables if str(n).lower() in names),
+        key=lambda n: names.index(str(n).lower()),
+    )
+    for candidates in ([n for n in by_name if n in by_standard], by_standard, by_name):
+        if candidates:
+            return str(candidates[0])
+    kind = f"{what} velocity" if table is VELOCITY else what
+    raise DataError(
+        f"{path}: no {kind}; a variable with standard_name '{standard[0]}' or one of the names "
+        f"{', '.join(names)} is needed, the file has {', '.join(map(str, data.variables)) or 'none'}"
+    )
+
+
+def _axis(data: "xarray.Dataset", velocity: str, what: str, path: Path) -> "xarray.DataArray":
+    """Give a coordinate of one dimension that the velocity has."""
+    name = _find(data, AXES, what, path)
+    axis = data[name]
+    if axis.ndim != 1 or axis.dims[0] not in data[velocity].dims:
+        raise DataError(
+            f"{path}: {name} has the dimensions ({', '.join(map(str, axis.dims))}); must be one "
+            f"of those of {velocity} ({', '.join(map(str, data[velocity].dims))}): "
+            "a grid of latitudes and longitudes"
+        )
+    return axis
+
+
+def _hours(when: "xarray.DataArray", path: Path) -> tuple[np.ndarray, str]:
+    """Give hours since the earliest step, and that step as ISO text."""
+    import cftime
+
+    unit, calendar = when.attrs.get("units", ""), when.attrs.get("calendar", "standard")
+    if len(when) < 2:
+        raise DataError(f"{path}: {when.name} has {len(when)} step; at least 2 are needed")
+    if not np.all(np.isfinite(when.values)):
+        raise DataError(f"{path}: {when.name} has values that are not finite")
+    try:
+        dates = cftime.num2date(when.values, unit, calendar=calendar)
+    except (ValueError, TypeError, OverflowError):
+        raise DataError(
+            f"{path}: {when.name} has units '{unit}'; must be such as "
+            "'hours since 2019-01-01 00:00:00'"
+        ) from None
+    first = min(dates)
+    hours = np.array([(date - first).total_seconds() / 3600.0 for date in dates])
+    return hours, str(first.isoformat())
+
+
+def _values(data: "xarray.Dataset", name: str, dims: tuple, path: Path) -> np.ndarray:
+    """Give a velocity in m/s as (time, lat, lon) at the surface."""
+    values = data[name]
+    if "units" not in values.attrs:
+        raise DataError(f"{path}: {name} has no units; must be such as 'm/s' or 'cm s-1'")
+    size = speed_in_metres_per_second(str(values.attrs["units"]), f"{path}: {name}")
+    if values.dtype.kind not in "iuf":
+        raise DataError(f"{path}: {name} holds {values.dtype}; must hold numbers")
+    for dim in set(values.dims) - set(dims):
+        level = 0
+        if values.sizes[dim] != 1:
+            depth = data[dim] if dim in data.variables else None
+            standard = depth.attrs.get("standard_name", "") if depth is not None else ""
+            if depth is None or (
+                str(dim).lower() not in DEPTH_NAMES and not str(standard).startswith(DEPTHS)
+            ):
+                raise DataError(
+                    f"{path}: {name} has the dimension {dim} of {values.sizes[dim]}; allowed are "
+                    "time, latitude, longitude and a depth: choose one and write it alone"
+                )
+            level = int(np.nanargmin(np.abs(depth.values.astype(float))))
+        values = values.isel({dim: level})
+    if set(values.dims) != set(dims):
+        raise DataError(
+            f"{path}: {name} has the dimensions ({', '.join(map(str, values.dims))}); must have "
+            f"({', '.join(map(str, dims))})"
+        )
+    return values.transpose(*dims).values.astype(float) * size
+
+
+def _checked_box(box: Any, lat: np.ndarray, lon: np.ndarray, path: Path) -> tuple:
+    """Give lat0, lat1, lon0, lon1 with lon1 > lon0, also across 180 degrees."""
+    if box is None:
+        return float(lat.min()), float(lat.max()), float(lon.min()), float(lon.max())
+    if len(box) != 4 or not np.all(np.isfinite(box)):
+        raise DataError(f"box = {tuple(box)}: must be 4 finite numbers, LAT0 LAT1 LON0 LON1")
+    lat0, lat1, lon0, lon1 = map(float, box)
+    width = (lon1 - lon0) % 360.0
+    if not -90 <= lat0 < lat1 <= 90 or not 0 < width <= 180:
+        raise DataError(
+            f"box = {_shown(box)}: must be LAT0 LAT1 LON0 LON1 in degrees, south before north "
+            "and west before east, at most 180 degrees wide"
+        )
+    return lat0, lat1, lon0, lon0 + width
+
+
+def _inside(axis: np.ndarray, span: tuple, what: str, path: Path) -> np.ndarray:
+    """Give the indices of the axis inside the span, in increasing order."""
+    slack = 1e-9
+    order = np.argsort(axis)
+    kept = order[(axis[order] >= span[0] - slack) & (axis[order] <= span[1] + slack)]
+    if len(kept) < 2:
+        raise DataError(
+            f"{path}: the box's {what} {span[0]:g} to {span[1]:g} holds {len(kept)} cells; at "
+            f"least 2 are needed, the file covers {axis.min():.6g} to {axis.max():.6g}"
+        )
+    if not np.all(np.diff(axis[kept]) > 0):
+        raise DataError(f"{path}: {what} has a value twice; keep each cell once")
+    return kept
+
+
+def _shown(box: Any) -> str:
+    return " ".join(f"{value:g}" for value in box)
