@@ -1,7 +1,7 @@
-"""The paper's block diagram: `control.interconnect` and nothing else.
+r"""The paper's block diagram: `control.interconnect` and nothing else.
 
     reference -> vehicle_controller -> vehicle -> clpe -> adaptation
-              \\> learning_controller -> learning_model /
+              \> learning_controller -> learning_model /
 
 `closed_loop` wires the whole system of sections II and III, `error_loop` the
 error and parameter systems of Eqs. (27)-(28).

@@ -93,8 +93,8 @@ def track_plot(run: "xarray.Dataset", scenario: Scenario) -> "Figure":
         for k, point in enumerate(points, 1):
             ax.annotate(str(k), point, xytext=(5, 5), textcoords="offset points", fontsize=8)
     ax.plot(*path[0], "s", color="black", markersize=5, label="start")
-    ax.set(xlabel=f"$x_1$ ({unit})", ylabel=f"$x_2$ ({unit})", aspect="equal",
-           xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half, middle[1] + half))  # fmt: skip
+    ax.set(xlabel=f"$x_1$ ({unit})", ylabel=f"$x_2$ ({unit})", aspect="equal")
+    ax.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half, middle[1] + half))
     ax.set_title("Waypoints, track, and flow at t = 0", loc="left", fontsize=10)
     ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=4, fontsize=8, frameon=False)
     return figure

@@ -260,7 +260,12 @@ def held(t, x, u, p, y):
 
 def siso(output, parameters=None, size=1, **options):
     return Block(
-        "mine", output=output, inputs={"u": 1}, outputs={"y": size}, parameters=parameters, **options
+        "mine",
+        output=output,
+        inputs={"u": 1},
+        outputs={"y": size},
+        parameters=parameters,
+        **options,
     )
 
 

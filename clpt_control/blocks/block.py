@@ -164,11 +164,11 @@ class Block(control.NonlinearIOSystem):
             )
         self._current = self.parameters
         super().__init__(
-            self._updfcn if states else None,
+            self._updfcn,
             self._outfcn,
             inputs=labels(self.input_ports),
             outputs=labels(self.output_ports),
-            states=labels(self.state_ports) or None,
+            states=labels(self.state_ports) or 0,
             name=name,
             dt=0,
         )

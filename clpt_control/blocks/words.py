@@ -129,8 +129,6 @@ class SymbolicMath:
     s
     """
 
-    _other_names = {"fabs": "Abs", "atan2": "atan2", "log1p": None, "expm1": None, "hypot": None}
-
     def __getattr__(self, name: str) -> Any:
         """Find the SymPy function behind a name of `math`."""
         import sympy
@@ -141,7 +139,7 @@ class SymbolicMath:
             return lambda a: sympy.log(1 + a)
         if name == "expm1":
             return lambda a: sympy.exp(a) - 1
-        return getattr(sympy, self._other_names.get(name) or name)
+        return getattr(sympy, "Abs" if name == "fabs" else name)
 
 
 def symbolic_substitutes() -> dict[str, Any]:
