@@ -15,6 +15,8 @@ import typer
 
 from .errors import ClptError, SimulationError
 
+INTERRUPTED = "interrupted; nothing half-written was left"
+
 app = typer.Typer(
     name="clpt",
     help="Adaptive learning for controlled Lagrangian particle tracking.",
@@ -202,7 +204,7 @@ def _shown(value: Any) -> str:
 
 
 def main() -> None:
-    """Run the command line; every failure is one sentence and a status."""
+    """Run the command line; a failure is a sentence and a status."""
     try:
         status = app(standalone_mode=False)
     except SimulationError as error:
@@ -212,11 +214,13 @@ def main() -> None:
     except typer.TyperException as error:
         _complain(error.format_message(), 2)
     except (KeyboardInterrupt, typer.Abort):
-        _complain("interrupted; nothing half-written was left", 130)
+        _complain(INTERRUPTED, 130)
     except BrokenPipeError:
         sys.exit(0)
     except MemoryError:
         _complain("out of memory; record fewer samples (run.output_step)", 1)
+    if status == 130:
+        _complain(INTERRUPTED, 130)
     sys.exit(status if isinstance(status, int) else 0)
 
 

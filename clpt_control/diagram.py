@@ -58,7 +58,7 @@ class Diagram(control.InterconnectedSystem):
 def connect(
     blocks: Sequence[Block], external: Iterable[str] = (), name: str = "diagram"
 ) -> Diagram:
-    """Wire blocks by the names of their ports, and check that they fit.
+    """Wire blocks by the names of their ports, and check the fit.
 
     Parameters
     ----------

@@ -158,7 +158,9 @@ def summarise(
 
 
 def clpe_rms(run: "xarray.Dataset", span: float) -> list[float]:
-    """Give the rms of |e| over each full span, [span j, span (j + 1)).
+    """Give the rms of |e| over each full span of time.
+
+    Span j is [span j, span (j + 1)).
 
     Parameters
     ----------

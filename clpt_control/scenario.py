@@ -47,13 +47,13 @@ Kernel = Literal["exponential", "gaussian", "gaussian-sigma"]
 
 
 class Part(BaseModel):
-    """A table of the scenario: unknown keys are errors, values stay put."""
+    """A table of the scenario; unknown keys are errors."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
 
 class Units(Part):
-    """Units of length and time that every number of the scenario is in."""
+    """Units of length and time of every number here."""
 
     length: Literal["m", "km"] = "m"
     time: Literal["s", "min", "h", "d"] = "s"

@@ -121,7 +121,7 @@ def scenario_from_text(text: str, name: str, folder: Path) -> Scenario:
 
 
 def checked_scenario(tables: dict[str, Any], name: str, folder: Path = Path()) -> Scenario:
-    """Make a scenario of nested dicts, or say what is wrong in one sentence.
+    """Make a scenario of nested dicts, or say what is wrong.
 
     Parameters
     ----------
@@ -194,7 +194,7 @@ def _is_tag(part: Any, location: tuple[Any, ...]) -> bool:
 
 
 def scenario_tables(scenario: Scenario) -> dict[str, Any]:
-    """Give a scenario as nested dicts, without keys that were left out.
+    """Give a scenario as nested dicts, with the keys it was given.
 
     Examples
     --------

@@ -179,7 +179,9 @@ def _input_function(inputs: Any, times: np.ndarray, count: int):
 
 
 def sample_signals(sweep: Sweep, solution: Solution, u: Callable | None = None) -> np.ndarray:
-    """Give all block outputs at a solution's times, right limits at jumps.
+    """Give all block outputs at a solution's times.
+
+    Values at a jump are right limits.
 
     Parameters
     ----------

@@ -18,7 +18,7 @@ from .errors import DiagramError
 
 
 class Wire(NamedTuple):
-    """A run of consecutive signals: ``u[to : to + size] += gain * source``.
+    """A run of consecutive signals, ``u += gain * source``.
 
     Attributes
     ----------

@@ -6,8 +6,8 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from clpt_control.blocks import Block
 from clpt_control.blocks import (
+    Block,
     adaptation,
     basis,
     clpe,
@@ -356,7 +356,7 @@ def mostly_out_of_range(t, x, u, p, y):
     [
         (unsorted, "breakpoints are not increasing"),
         (outside, "breakpoints are not increasing"),
-        (from_the_start_of_the_span, "differ from those over"),
+        (from_the_start_of_the_span, "differ from those over both"),
     ],
 )
 def test_wrong_breakpoints_are_told(breakpoints, sentence):

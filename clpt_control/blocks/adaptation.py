@@ -69,7 +69,7 @@ def known_flow(t, x, u, p, dx):
 
 
 def known_flow_output(t, x, u, p, y):
-    """Alpha = alpha_M with the states K, Gamma: y = alpha[2N], K[2], Gamma[2]."""
+    """alpha = alpha_M and the states K, Gamma, Eqs. (14)-(15): y = alpha[2N], K[2], Gamma[2]."""
     n = p.N
     for i in range(2):
         for k in range(n):

@@ -64,7 +64,7 @@ def scramble(seed, k, axis, stream):
 
 
 def normal(seed, k, axis):
-    """Standard normal from the hash, by the transform of Box and Muller."""
+    """Standard normal from the hash, as Box and Muller."""
     radius = math.sqrt(-2 * math.log(scramble(seed, k, axis, 0)))
     return radius * math.cos(2 * math.pi * scramble(seed, k, axis, 1))
 
@@ -94,12 +94,12 @@ def noise(t, x, u, p, y):
 
 
 def half_periods(p: DisturbanceParameters, t0: float, t1: float) -> np.ndarray:
-    """Give the times in (t0, t1] at which the square wave changes sign."""
+    """Give the times in (t0, t1] where the square wave turns."""
     return multiples(0.5 * p.period, t0, t1)
 
 
 def periods(p: DisturbanceParameters, t0: float, t1: float) -> np.ndarray:
-    """Give the times in (t0, t1] at which the noise takes its next value."""
+    """Give the times in (t0, t1] where the noise changes."""
     return multiples(p.period, t0, t1)
 
 

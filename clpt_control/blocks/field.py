@@ -54,7 +54,7 @@ def spline(d):
 
 
 def weight(position, first, k):
-    """Weight of the k-th of four coefficients around a position, k = 0 ... 3."""
+    """Weight of the k-th of four coefficients, k = 0 ... 3."""
     d = position - (first + k - 1)
     return spline(where(d > 0, d, -d))
 
@@ -84,13 +84,13 @@ def gridded_disturbed(t, x, u, p, y):
 
 
 def distance_inside(t, u, p) -> float:
-    """Give the distance to the grid's edge in grid steps, negative outside."""
+    """Give the grid steps to the edge, negative outside."""
     here = (np.array([t, u[1], u[0]]) - p.start) / p.step
     return float(np.min(np.minimum(here, p.shape - 1 - here)))
 
 
 def spline_coefficients(values: np.ndarray) -> np.ndarray:
-    """Give the coefficients that make the spline go through grid values.
+    """Give the spline coefficients that meet the grid values.
 
     Parameters
     ----------

@@ -216,3 +216,31 @@ def sympy_reading(block: Block, function: Equations, size: int) -> Reading:
     out = traced(function, t, x, u, p, size)  # type: ignore[arg-type]
     numbers = [s for value in p if not isinstance(value, int) for s in np.ravel(value)]
     return Reading([t, *x, *u, *numbers], list(x), list(u), [sympy.sympify(value) for value in out])
+
+
+def differ(a: np.ndarray, b: np.ndarray, tolerance: float = 1e-12) -> bool:
+    """Tell whether two results differ by more than rounding.
+
+    Parameters
+    ----------
+    a, b : array_like
+        Results of two readers.
+    tolerance : float, optional
+        Relative to the largest entry of `a`, or to 1.
+
+    Returns
+    -------
+    bool
+        NaN in the same places is no difference.
+
+    Examples
+    --------
+    >>> differ([1.0, 2.0], [1.0, 2.0 + 1e-9])
+    True
+    """
+    a, b = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
+    if a.shape != b.shape or not np.array_equal(np.isfinite(a), np.isfinite(b)):
+        return True
+    finite = np.isfinite(a)
+    size = max(1.0, float(np.max(np.abs(a[finite]), initial=0.0)))
+    return bool(np.any(np.abs(a[finite] - b[finite]) > tolerance * size))

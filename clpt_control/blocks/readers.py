@@ -130,7 +130,7 @@ def traced(function: FunctionType, t: Any, x: Any, u: Any, p: Any, size: int) ->
 
 
 def undefined(helper: FunctionType) -> Callable:
-    """Give the undefined SymPy function that stands for an opaque helper.
+    """Give the undefined function that stands for a helper.
 
     Examples
     --------

@@ -15,7 +15,7 @@ from collections.abc import Callable
 from types import FunctionType
 
 from ..errors import BlockError
-from .words import WORDS
+from .words import MATH, WORDS
 
 ALLOWED_BUILTINS = {"range", "len", "float", "int"}
 
@@ -40,6 +40,18 @@ _REPLACEMENTS: dict[type, tuple[str, str]] = {
     ast.ImportFrom: ("`import`", "import at the top of the module"),
     ast.JoinedStr: ("a string", "a block computes numbers only"),
     ast.Dict: ("a dict", "put numbers into the block's parameters"),
+    ast.Match: ("`match`", "use where(condition, a, b)"),
+    ast.Yield: ("`yield`", "fill the output array"),
+    ast.YieldFrom: ("`yield`", "fill the output array"),
+    ast.Await: ("`await`", "a block has no side effects; remove it"),
+    ast.Delete: ("`del`", "a block has no side effects; remove it"),
+    ast.Not: ("`not`", "swap the two values of where"),
+    ast.In: ("`in`", "compare numbers with <, <=, >, >=, =="),
+    ast.NotIn: ("`not in`", "compare numbers with <, <=, >, >=, =="),
+    ast.Is: ("`is`", "compare numbers with <, <=, >, >=, =="),
+    ast.IsNot: ("`is not`", "compare numbers with <, <=, >, >=, =="),
+    ast.List: ("a list", "put numbers into the block's parameters"),
+    ast.Set: ("a set", "put numbers into the block's parameters"),
     ast.Break: ("`break`", "let the loop run and use where"),
     ast.Continue: ("`continue`", "let the loop run and use where"),
 }
@@ -179,12 +191,15 @@ class _Reader(ast.NodeVisitor):
     def visit_FunctionDef(self, node: ast.FunctionDef) -> None:
         if node.name != self.function.__name__ or node.lineno > 1 + len(node.decorator_list):
             self.refuse(node, *_REPLACEMENTS[ast.FunctionDef])
-        for statement in node.body:
+        first, *_ = node.body
+        documented = isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant)
+        for statement in node.body[documented:]:
             self.visit(statement)
 
     def generic_visit(self, node: ast.AST) -> None:
-        if type(node) in _REPLACEMENTS:
-            self.refuse(node, *_REPLACEMENTS[type(node)])
+        for part in (node, *getattr(node, "ops", ()), getattr(node, "op", None)):
+            if type(part) in _REPLACEMENTS:
+                self.refuse(node, *_REPLACEMENTS[type(part)])
         super().generic_visit(node)
 
     def visit_For(self, node: ast.For) -> None:
@@ -195,6 +210,32 @@ class _Reader(ast.NodeVisitor):
             and call.func.id == "range"
         ):
             self.refuse(node, "a loop over anything but range(...)", "use `for i in range(n)`")
+        self.generic_visit(node)
+
+    def visit_Compare(self, node: ast.Compare) -> None:
+        if len(node.ops) > 1:
+            self.refuse(node, "`a < b < c`", "nest where(...) for each condition")
+        self.generic_visit(node)
+
+    def visit_Constant(self, node: ast.Constant) -> None:
+        if not isinstance(node.value, int | float):
+            self.refuse(node, f"{node.value!r}", "a block computes numbers only")
+
+    def visit_Attribute(self, node: ast.Attribute) -> None:
+        module = isinstance(node.value, ast.Name) and self.function.__globals__.get(node.value.id)
+        if module is math and node.attr not in MATH:
+            instead = "use the word floor(a)" if node.attr == "floor" else "use arithmetic"
+            self.refuse(
+                node, f"`math.{node.attr}`", f"{instead} or one of {', '.join(sorted(MATH))}"
+            )
+        self.generic_visit(node)
+
+    def visit_Call(self, node: ast.Call) -> None:
+        if isinstance(node.func, ast.Attribute) and not (
+            isinstance(node.func.value, ast.Name)
+            and self.function.__globals__.get(node.func.value.id) is not None
+        ):
+            self.refuse(node, f"the method `{node.func.attr}`", "use a `for i in range(n)` loop")
         self.generic_visit(node)
 
     def visit_Name(self, node: ast.Name) -> None:

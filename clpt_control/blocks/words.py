@@ -80,7 +80,7 @@ def floor(value):
 
 
 def lookup(table, index):
-    """Read a one-dimensional table at a whole number given as a float.
+    """Read a flat table at a whole number given as a float.
 
     Examples
     --------
@@ -117,6 +117,43 @@ def _symbolic_words() -> dict[str, Any]:
     }
 
 
+MATH = frozenset(
+    [
+        "pi",
+        "e",
+        "tau",
+        "exp",
+        "log",
+        "sqrt",
+        "sin",
+        "cos",
+        "tan",
+        "asin",
+        "acos",
+        "atan",
+        "atan2",
+        "sinh",
+        "cosh",
+        "tanh",
+        "asinh",
+        "acosh",
+        "atanh",
+        "fabs",
+        "hypot",
+        "log1p",
+        "expm1",
+        "log2",
+        "log10",
+        "pow",
+        "degrees",
+        "radians",
+        "erf",
+        "erfc",
+        "ceil",
+    ]
+)  # the names of `math` that all readers know
+
+
 class SymbolicMath:
     """The `math` module as SymPy reads it: `math.exp` is `sympy.exp`.
 
@@ -133,13 +170,23 @@ class SymbolicMath:
         """Find the SymPy function behind a name of `math`."""
         import sympy
 
-        if name == "hypot":
-            return lambda a, b: sympy.sqrt(a**2 + b**2)
-        if name == "log1p":
-            return lambda a: sympy.log(1 + a)
-        if name == "expm1":
-            return lambda a: sympy.exp(a) - 1
-        return getattr(sympy, "Abs" if name == "fabs" else name)
+        if name not in MATH:
+            raise AttributeError(f"math.{name} has no reading on symbols")
+        translated = {
+            "e": sympy.E,
+            "tau": 2 * sympy.pi,
+            "fabs": sympy.Abs,
+            "ceil": sympy.ceiling,
+            "hypot": lambda a, b: sympy.sqrt(a**2 + b**2),
+            "log1p": lambda a: sympy.log(1 + a),
+            "expm1": lambda a: sympy.exp(a) - 1,
+            "log2": lambda a: sympy.log(a) / sympy.log(2),
+            "log10": lambda a: sympy.log(a) / sympy.log(10),
+            "pow": lambda a, b: a**b,
+            "degrees": lambda a: a * 180 / sympy.pi,
+            "radians": lambda a: a * sympy.pi / 180,
+        }
+        return translated[name] if name in translated else getattr(sympy, name)
 
 
 def symbolic_substitutes() -> dict[str, Any]:

@@ -31,7 +31,7 @@ class LeastSquares:
     residuals : ndarray, shape (n, 2)
         F_s - theta phi_s, in the unit of the flow.
     explained_variance : float
-        1 - sum |residual|^2 / sum |F - mean F|^2.
+        1 - sum |residual|^2 / sum |F|^2, see `explained_share`.
     condition_number : float
         Largest over smallest singular value of phi.
     """
@@ -96,26 +96,28 @@ def explained_share(values: np.ndarray, model: np.ndarray) -> float:
     Returns
     -------
     float
-        1 - sum |values - model|^2 / sum |values - mean|^2, both components
-        together; negative where the model is worse than the mean.
+        1 - sum |values - model|^2 / sum |values|^2, both components
+        together. The variance is about no flow: Eq. (3) has no free constant,
+        and a learner that knows nothing, theta = 0, has the share 0; negative
+        where the model is worse than that.
 
     Raises
     ------
     DataError
-        If the flow does not vary, or a number is not finite.
+        If the flow is zero throughout, or a number is not finite.
 
     Examples
     --------
     >>> explained_share([[0, 0], [2, 0]], [[0, 0], [1, 0]])
-    0.5
+    0.75
     """
     values, model = np.asarray(values, float), np.asarray(model, float)
-    total = np.sum((values - values.mean(axis=0)) ** 2)
+    total = np.sum(values**2)
     share = 1.0 - np.sum((values - model) ** 2) / total if total > 0 else np.nan
     if not np.isfinite(share):
         raise DataError(
-            "the flow has no variance to explain, or holds a number that is not finite; "
-            "give samples that differ"
+            "the flow is zero throughout or holds a number that is not finite, so there is no "
+            "variance to explain; give samples of a flow"
         )
     return float(share)
 

@@ -2,8 +2,7 @@
 
 The answer is always the same: one surface level, latitudes and longitudes
 increasing, hours since the first step, u (east) and v (north) in m/s, NaN where
-either was not measured.  Names follow the CF standard name table; a file
-without standard names is read by the names that are common in practice.
+either was not measured.
 
 `valid_min` and `valid_max` are not used: files disagree on whether they are in
 packed or unpacked values (MARACOOS writes -300 cm/s beside a scale factor of
@@ -13,33 +12,14 @@ speed that no sea has is refused instead.
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ..errors import DataError
-from .gridded import open_netcdf, speed_in_metres_per_second
+from .cf import VELOCITY, find_axis, find_variable, hours_since_first, surface_values
+from .gridded import open_netcdf
 
-if TYPE_CHECKING:
-    import xarray
-
-VELOCITY = {
-    "eastward": (
-        ("eastward_sea_water_velocity", "surface_eastward_sea_water_velocity"),
-        ("u", "water_u", "uo", "u_velocity", "ucur", "u_current", "u_east", "usurf"),
-    ),
-    "northward": (
-        ("northward_sea_water_velocity", "surface_northward_sea_water_velocity"),
-        ("v", "water_v", "vo", "v_velocity", "vcur", "v_current", "v_north", "vsurf"),
-    ),
-}
-AXES = {
-    "latitude": (("latitude",), ("lat", "latitude", "nav_lat", "y_lat")),
-    "longitude": (("longitude",), ("lon", "longitude", "nav_lon", "x_lon")),
-    "time": (("time",), ("time", "t", "ocean_time", "mtime")),
-}
-DEPTHS = ("depth", "altitude", "height", "depth_below_sea_surface", "ocean_s_coordinate")
-DEPTH_NAMES = ("depth", "z", "lev", "level", "altitude", "s_rho", "deptht", "depthu", "sigma")
 FASTEST = 15.0  # m/s; no current at sea is faster, a fill value taken as data is
 
 
@@ -108,17 +88,17 @@ def read_currents(
     """
     path = Path(path)
     with open_netcdf(path) as data:
-        east = _find(data, VELOCITY, "eastward", path)
-        north = _find(data, VELOCITY, "northward", path)
-        lat = _axis(data, east, "latitude", path)
-        lon = _axis(data, east, "longitude", path)
-        when = _axis(data, east, "time", path)
-        hours, start = _hours(when, path)
+        east = find_variable(data, VELOCITY, "eastward", path)
+        north = find_variable(data, VELOCITY, "northward", path)
+        lat = find_axis(data, east, "latitude", path)
+        lon = find_axis(data, east, "longitude", path)
+        when = find_axis(data, east, "time", path)
+        hours, start = hours_since_first(when, path)
         for axis in (lat, lon):
             if not np.all(np.isfinite(axis.values)):
                 raise DataError(f"{path}: {axis.name} has values that are not finite")
         dims = (when.dims[0], lat.dims[0], lon.dims[0])
-        u, v = (_values(data, name, dims, path) for name in (east, north))
+        u, v = (surface_values(data, name, dims, path) for name in (east, north))
         latitudes, longitudes = lat.values.astype(float), lon.values.astype(float)
     wanted = _checked_box(box, latitudes, longitudes, path)
     middle = wanted[2] + 0.5 * (wanted[3] - wanted[2])
@@ -150,88 +130,6 @@ def read_currents(
     axes = (latitudes[order[1]], longitudes[order[2]], hours)
     box_used = (float(wanted[0]), float(wanted[1]), float(wanted[2]), float(wanted[3]))
     return Currents(*axes, start, u, v, box_used, path.name)
-
-
-def _find(data: "xarray.Dataset", table: dict[str, Any], what: str, path: Path) -> str:
-    """Give the name of the variable, by standard name and then by name."""
-    standard, names = table[what]
-    by_standard = [n for n in data.variables if data[n].attrs.get("standard_name") in standard]
-    by_name = sorted(
-        (n for n in data.variables if str(n).lower() in names),
-        key=lambda n: names.index(str(n).lower()),
-    )
-    for candidates in ([n for n in by_name if n in by_standard], by_standard, by_name):
-        if candidates:
-            return str(candidates[0])
-    kind = f"{what} velocity" if table is VELOCITY else what
-    raise DataError(
-        f"{path}: no {kind}; a variable with standard_name '{standard[0]}' or one of the names "
-        f"{', '.join(names)} is needed, the file has {', '.join(map(str, data.variables)) or 'none'}"
-    )
-
-
-def _axis(data: "xarray.Dataset", velocity: str, what: str, path: Path) -> "xarray.DataArray":
-    """Give a coordinate of one dimension that the velocity has."""
-    name = _find(data, AXES, what, path)
-    axis = data[name]
-    if axis.ndim != 1 or axis.dims[0] not in data[velocity].dims:
-        raise DataError(
-            f"{path}: {name} has the dimensions ({', '.join(map(str, axis.dims))}); must be one "
-            f"of those of {velocity} ({', '.join(map(str, data[velocity].dims))}): "
-            "a grid of latitudes and longitudes"
-        )
-    return axis
-
-
-def _hours(when: "xarray.DataArray", path: Path) -> tuple[np.ndarray, str]:
-    """Give hours since the earliest step, and that step as ISO text."""
-    import cftime
-
-    unit, calendar = when.attrs.get("units", ""), when.attrs.get("calendar", "standard")
-    if len(when) < 2:
-        raise DataError(f"{path}: {when.name} has {len(when)} step; at least 2 are needed")
-    if not np.all(np.isfinite(when.values)):
-        raise DataError(f"{path}: {when.name} has values that are not finite")
-    try:
-        dates = cftime.num2date(when.values, unit, calendar=calendar)
-    except (ValueError, TypeError, OverflowError):
-        raise DataError(
-            f"{path}: {when.name} has units '{unit}'; must be such as "
-            "'hours since 2019-01-01 00:00:00'"
-        ) from None
-    first = min(dates)
-    hours = np.array([(date - first).total_seconds() / 3600.0 for date in dates])
-    return hours, str(first.isoformat())
-
-
-def _values(data: "xarray.Dataset", name: str, dims: tuple, path: Path) -> np.ndarray:
-    """Give a velocity in m/s as (time, lat, lon) at the surface."""
-    values = data[name]
-    if "units" not in values.attrs:
-        raise DataError(f"{path}: {name} has no units; must be such as 'm/s' or 'cm s-1'")
-    size = speed_in_metres_per_second(str(values.attrs["units"]), f"{path}: {name}")
-    if values.dtype.kind not in "iuf":
-        raise DataError(f"{path}: {name} holds {values.dtype}; must hold numbers")
-    for dim in set(values.dims) - set(dims):
-        level = 0
-        if values.sizes[dim] != 1:
-            depth = data[dim] if dim in data.variables else None
-            standard = depth.attrs.get("standard_name", "") if depth is not None else ""
-            if depth is None or (
-                str(dim).lower() not in DEPTH_NAMES and not str(standard).startswith(DEPTHS)
-            ):
-                raise DataError(
-                    f"{path}: {name} has the dimension {dim} of {values.sizes[dim]}; allowed are "
-                    "time, latitude, longitude and a depth: choose one and write it alone"
-                )
-            level = int(np.nanargmin(np.abs(depth.values.astype(float))))
-        values = values.isel({dim: level})
-    if set(values.dims) != set(dims):
-        raise DataError(
-            f"{path}: {name} has the dimensions ({', '.join(map(str, values.dims))}); must have "
-            f"({', '.join(map(str, dims))})"
-        )
-    return values.transpose(*dims).values.astype(float) * size
 
 
 def _checked_box(box: Any, lat: np.ndarray, lon: np.ndarray, path: Path) -> tuple:

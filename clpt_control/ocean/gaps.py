@@ -166,8 +166,8 @@ def regular_grid(
 
     west, east = (plane.to_plane(lat, end)[0] for end in lon[[0, -1]])
     south, north = (plane.to_plane(end, lon)[1] for end in lat[[0, -1]])
-    edges = np.array([west.max(), east.min(), south.max(), north.min()])
-    x1, x2 = np.linspace(*edges[:2], len(lon)), np.linspace(*edges[2:], len(lat))
+    x1 = np.linspace(float(west.max()), float(east.min()), len(lon))
+    x2 = np.linspace(float(south.max()), float(north.min()), len(lat))
     if not (x1[-1] > x1[0] and x2[-1] > x2[0]):
         raise DataError("the cells hold no rectangle of the local plane; choose a larger box")
     here_lat, here_lon = plane.to_earth(x1[None, :], x2[:, None])

@@ -41,7 +41,7 @@ class GriddedField:
 
 
 def speed_in_metres_per_second(unit: str, where: str) -> float:
-    """Give the size of a unit of speed such as ``"cm/s"`` or ``"km h-1"``.
+    """Give the size of a unit of speed such as ``"cm/s"``.
 
     Parameters
     ----------

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import control
 
-from .wiring import Node, Wiring, read
+from ..wiring import Node, Wiring, read
 
 
 class Arrow(NamedTuple):
@@ -137,15 +137,19 @@ def mermaid(diagram: control.NonlinearIOSystem) -> str:
     Examples
     --------
     >>> from clpt_control import connect
-    >>> from clpt_control.blocks import clpe
-    >>> print(mermaid(connect([clpe.clpe()], external=["x", "z"])))
+    >>> from clpt_control.blocks import clpe, vehicle
+    >>> loop = connect([vehicle.vehicle(), clpe.clpe()], external=["flow_x", "v_x", "z"])
+    >>> print(mermaid(loop), end="")
     flowchart LR
-        in0(["x"])
-        in1(["z"])
-        b0["clpe<br/>e"]
-        in0 -->|"x"| b0
-        in1 -->|"z"| b0
-    <BLANKLINE>
+        in0(["flow_x"])
+        in1(["v_x"])
+        in2(["z"])
+        b0["vehicle<br/>x"]
+        b1["clpe<br/>e"]
+        in0 -->|"flow_x"| b0
+        in1 -->|"v_x"| b0
+        b0 -->|"x"| b1
+        in2 -->|"z"| b1
     """
     wiring = read(diagram)
     outside = {port: f"in{k}" for k, port in enumerate(ports(diagram.input_labels))}

@@ -1,0 +1,178 @@
+"""What a block must hold to as a part of diagrams: copies, files, parameters.
+
+Each check is a generator of sentences, one for each failure; `conformance`
+runs them all.
+"""
+
+import pickle
+from collections.abc import Iterator
+
+import control
+import numpy as np
+
+from ..errors import BlockError
+from .block import Block
+from .random_inputs import Sample, differ, equations, own_copy, python_values, sympy_reading
+
+LINEAR = 1e-4
+KINKS = {"Piecewise", "Min", "Max", "sign", "floor", "Mod", "Abs", "Heaviside"}
+
+
+def _copies(block: Block, drawn: list[Sample]) -> Iterator[str]:
+    """A copy under a new name shares nothing with the original."""
+    before = own_copy(block.parameters)
+    twin = block.copy(name=f"{block.name}_copy")
+    if twin.name != f"{block.name}_copy" or list(twin.params) != [twin.name]:
+        yield f"{block.name}: a copy with a new name keeps the old one in its parameters"
+    for sample in drawn[:3]:
+        for (_, ours, size), (_, theirs, _) in zip(equations(block), equations(twin), strict=True):
+            if not np.array_equal(
+                python_values(ours, sample, size), python_values(theirs, sample, size)
+            ):
+                yield f"{block.name}: a copy gives other values"
+    for value in twin.parameters:
+        if isinstance(value, np.ndarray):
+            value += 1.0
+    for field, old, new in zip(before._fields, before, block.parameters, strict=True):
+        if not np.array_equal(old, new):
+            yield f"{block.name}: changing {field} of a copy changes the original"
+
+
+def _pickles(block: Block, drawn: list[Sample]) -> Iterator[str]:
+    """Pickling gives the same block back."""
+    try:
+        twin = pickle.loads(pickle.dumps(block))
+    except Exception as error:
+        yield (
+            f"{block.name}: cannot be pickled ({error}); define functions and parameters at the "
+            "top of a module"
+        )
+        return
+    for sample in drawn[:3]:
+        ours, theirs = ([b.output(sample.t, sample.x, sample.u)] for b in (block, twin))
+        if block.nstates:
+            ours.append(block.dynamics(sample.t, sample.x, sample.u))
+            theirs.append(twin.dynamics(sample.t, sample.x, sample.u))
+        if any(not np.array_equal(a, b, equal_nan=True) for a, b in zip(ours, theirs, strict=True)):
+            yield f"{block.name}: pickling gives other values"
+
+
+def _linearizes(block: Block, drawn: list[Sample]) -> Iterator[str]:
+    """`linearize` agrees with SymPy's Jacobian where equations are smooth."""
+    import sympy
+
+    drawn = drawn[:3]
+    found = [block.linearize(s.x, s.u, t=s.t) for s in drawn]
+    for role, function, size in equations(block):
+        pair = [(m.A, m.B) if role.endswith(".update") else (m.C, m.D) for m in found]
+        matrices = [np.hstack([np.reshape(a, (size, -1)), np.reshape(b, (size, -1))])
+                    for a, b in pair]  # fmt: skip
+        if any(not np.all(np.isfinite(matrix)) for matrix in matrices):
+            yield f"{role}: linearize gives values that are not finite"
+        if block.opaque:
+            continue
+        reading = sympy_reading(block, function, size)
+        names = {type(e).__name__ for f in reading.expressions for e in sympy.preorder_traversal(f)}
+        undefined = any(f.atoms(sympy.core.function.AppliedUndef) for f in reading.expressions)
+        if undefined or names & KINKS:
+            continue
+        about = reading.states + reading.inputs
+        if not about:
+            continue
+        jacobian = sympy.Matrix(reading.expressions).jacobian(about)
+        ask = sympy.lambdify(reading.symbols, jacobian.tolist(), "math")
+        for sample, matrix in zip(drawn, matrices, strict=True):
+            exact = np.array(ask(*reading.values(sample)), dtype=float)
+            if differ(exact, matrix, LINEAR):
+                yield f"{role}: linearize gives {matrix}, SymPy's Jacobian is {exact}"
+                break
+
+
+def _interconnects(block: Block, drawn: list[Sample]) -> Iterator[str]:
+    """python-control's interconnection of the block alone gives the same."""
+    diagram = _alone(block)
+    for sample in drawn[:5]:
+        arguments = (sample.t, sample.x, sample.u)
+        ours = python_values(block.output_function, sample, block.noutputs, 0.0)
+        if differ(ours, diagram.output(*arguments)):
+            yield f"{block.name}: other outputs inside control.interconnect than alone"
+        if block.update_function is not None:
+            rates = python_values(block.update_function, sample, block.nstates, 0.0)
+            if differ(rates, diagram.dynamics(*arguments)):
+                yield f"{block.name}: other derivatives inside control.interconnect than alone"
+
+
+def _alone(block: Block) -> control.InterconnectedSystem:
+    names = [f"{block.name}.{label}" for label in block.input_labels]
+    return control.interconnect(
+        [block],
+        connections=False,
+        inplist=names,
+        outlist=[f"{block.name}.{label}" for label in block.output_labels],
+        inputs=block.input_labels,
+        outputs=block.output_labels,
+        name="alone",
+        check_unused=False,
+    )
+
+
+def _parameters(block: Block, drawn: list[Sample]) -> Iterator[str]:
+    """Call-time parameters arrive by qualified name; others do not pass."""
+    diagram, sample = _alone(block), drawn[0]
+    arguments = (sample.t, sample.x, sample.u)
+    for field, value in zip(block.parameters._fields, block.parameters, strict=True):
+        if isinstance(value, int):
+            continue
+        other = (
+            3.0 if field == "interval" else np.where(value == 0, 0.125, 1.25 * np.asarray(value))
+        )
+        other = float(other) if np.ndim(value) == 0 else other
+        changed, calls = {f"{block.name}.{field}": other}, []
+        arrived = block.with_params(changed)
+        if not np.array_equal(getattr(arrived, field), other):
+            yield f"{block.name}: params {{'{block.name}.{field}': ...}} does not reach the block"
+        p = block.parameters_at(sample.t, arrived)
+        try:
+            calls = [system.output(*arguments, params=changed) for system in (block, diagram)]
+        except (IndexError, ValueError, ArithmeticError):
+            continue  # the changed value, such as a table's shape, is out of range
+        finally:
+            block._update_params(None)
+        ours = python_values(block.output_function, sample._replace(p=p), block.noutputs, 0.0)
+        if any(differ(ours, given) for given in calls):
+            yield f"{block.name}: params {{'{block.name}.{field}': ...}} gives other outputs"
+    for unknown in (f"{block.name}.no_such_field", "no_such_block.gain", "no_such_name"):
+        try:
+            block.output(*arguments, params={unknown: 1.0})
+        except BlockError:
+            continue
+        yield f"{block.name}: the unknown parameter '{unknown}' is not an error"
+    ours = block.output(*arguments)
+    if differ(ours, diagram.output(*arguments, params={"another_block.gain": 1.0})):
+        yield f"{block.name}: another block's parameter changes this one"
+
+
+def _jumps(block: Block, drawn: list[Sample]) -> Iterator[str]:
+    """Breakpoints are sorted, in (t0, t1], and number the intervals."""
+    if block.breakpoints_function is None:
+        return
+    end = 1.0
+    while len(block.breakpoints(0.0, end)) < 8 and end < 1e9:
+        end *= 2.0
+    times = block.breakpoints(0.0, end)
+    if np.any(np.diff(times) <= 0) or np.any(times <= 0) or np.any(times > end):
+        yield f"{block.name}: breakpoints are not increasing times in (t0, t1]"
+        return
+    for middle in (0.37 * end, *times[:3]):
+        parts = [block.breakpoints(0.0, middle), block.breakpoints(middle, end)]
+        if not np.array_equal(np.concatenate(parts), times):
+            yield f"{block.name}: breakpoints over two spans differ from those over both"
+            return
+    for k, time in enumerate(times):
+        at = [block.interval_at(t) for t in (np.nextafter(time, 0.0), time)]
+        if at != [k, k + 1]:
+            yield f"{block.name}: breakpoint {k + 1} does not end interval {k}"
+            return
+    pinned = block.parameters._replace(interval=2.0)
+    if any(block.parameters_at(t, pinned).interval != 2.0 for t in (0.0, times[0], end)):
+        yield f"{block.name}: a given interval must stand, whatever the time"

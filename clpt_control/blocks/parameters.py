@@ -1,0 +1,62 @@
+"""A block's typed parameters: a NamedTuple of numbers and arrays.
+
+Whole numbers (int) are structure, such as the number of basis functions: all
+readers keep them as they are.  Everything else is a float or an array of
+floats, which SymPy reads as symbols and which may differ per run.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..errors import BlockError
+
+
+class NoParameters(NamedTuple):
+    """The parameters of a block that has none."""
+
+
+def checked_parameters(name: str, parameters: Any, like: Any = None) -> Any:
+    """Make a block's parameters numbers and arrays of one kind each.
+
+    Parameters
+    ----------
+    name : str
+        The block, for messages.
+    parameters : NamedTuple
+        What was given.
+    like : NamedTuple, optional
+        What each field must have the kind and shape of.
+
+    Returns
+    -------
+    NamedTuple
+        The same class; whole numbers stay int, arrays are own float copies.
+
+    Raises
+    ------
+    BlockError
+        Naming the field, its value and what is allowed.
+    """
+    if not (isinstance(parameters, tuple) and hasattr(parameters, "_fields")):
+        raise BlockError(
+            f"{name}: parameters must be a NamedTuple, not {type(parameters).__name__}"
+        )
+    values: dict[str, Any] = {}
+    for field, value in zip(parameters._fields, parameters, strict=True):
+        old = getattr(like, field) if like is not None else value
+        try:
+            if isinstance(old, int) and not isinstance(old, bool):
+                values[field] = int(value) if int(value) == value else None
+            elif np.ndim(old) == 0:
+                values[field] = float(value)
+            else:
+                values[field] = np.array(value, dtype=float)
+        except (TypeError, ValueError):
+            values[field] = None
+        if values[field] is None or np.shape(values[field]) != np.shape(old):
+            kind = f"an array of shape {np.shape(old)}" if np.ndim(old) else type(old).__name__
+            raise BlockError(f"{name}.{field} = {value!r}: must be {kind}")
+        if np.any(np.isnan(values[field])):
+            raise BlockError(f"{name}.{field} = {value!r}: NaN is not allowed")
+    return type(parameters)(**values)

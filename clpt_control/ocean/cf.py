@@ -1,0 +1,203 @@
+"""Find velocities, coordinates and units in a NetCDF file.
+
+Names follow the CF standard name table (cfconventions.org); a file without
+standard names is read by the names that are common in practice.
+"""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..errors import DataError
+from .gridded import speed_in_metres_per_second
+
+if TYPE_CHECKING:
+    import xarray
+
+VELOCITY = {
+    "eastward": (
+        ("eastward_sea_water_velocity", "surface_eastward_sea_water_velocity"),
+        ("u", "water_u", "uo", "u_velocity", "ucur", "u_current", "u_east", "usurf"),
+    ),
+    "northward": (
+        ("northward_sea_water_velocity", "surface_northward_sea_water_velocity"),
+        ("v", "water_v", "vo", "v_velocity", "vcur", "v_current", "v_north", "vsurf"),
+    ),
+}
+AXES = {
+    "latitude": (("latitude",), ("lat", "latitude", "nav_lat", "y_lat")),
+    "longitude": (("longitude",), ("lon", "longitude", "nav_lon", "x_lon")),
+    "time": (("time",), ("time", "t", "ocean_time", "mtime")),
+}
+DEPTHS = ("depth", "altitude", "height", "depth_below_sea_surface", "ocean_s_coordinate")
+DEPTH_NAMES = ("depth", "z", "lev", "level", "altitude", "s_rho", "deptht", "depthu", "sigma")
+
+
+def find_variable(data: "xarray.Dataset", table: dict[str, Any], what: str, path: Path) -> str:
+    """Give the name of the variable, by standard name and by name.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        The file.
+    table : dict
+        `VELOCITY` or `AXES`.
+    what : str
+        Key of the table.
+    path : Path
+        The file's name, for messages.
+
+    Returns
+    -------
+    str
+        A variable with both, or with the standard name, or with the name.
+
+    Raises
+    ------
+    DataError
+        If there is none.
+    """
+    standard, names = table[what]
+    by_standard = [n for n in data.variables if data[n].attrs.get("standard_name") in standard]
+    by_name = sorted(
+        (n for n in data.variables if str(n).lower() in names),
+        key=lambda n: names.index(str(n).lower()),
+    )
+    for candidates in ([n for n in by_name if n in by_standard], by_standard, by_name):
+        if candidates:
+            return str(candidates[0])
+    kind = f"{what} velocity" if table is VELOCITY else what
+    raise DataError(
+        f"{path}: no {kind}; a variable with standard_name '{standard[0]}' or one of the names "
+        f"{', '.join(names)} is needed, the file has "
+        f"{', '.join(map(str, data.variables)) or 'none'}"
+    )
+
+
+def find_axis(data: "xarray.Dataset", velocity: str, what: str, path: Path) -> "xarray.DataArray":
+    """Give a coordinate of one dimension that the velocity has.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        The file.
+    velocity : str
+        Name of a velocity.
+    what : str
+        Key of `AXES`.
+    path : Path
+        The file's name, for messages.
+
+    Returns
+    -------
+    xarray.DataArray
+        The coordinate.
+
+    Raises
+    ------
+    DataError
+        If there is none, or the grid is not one of latitudes and longitudes.
+    """
+    name = find_variable(data, AXES, what, path)
+    axis = data[name]
+    if axis.ndim != 1 or axis.dims[0] not in data[velocity].dims:
+        raise DataError(
+            f"{path}: {name} has the dimensions ({', '.join(map(str, axis.dims))}); must be one "
+            f"of those of {velocity} ({', '.join(map(str, data[velocity].dims))}): "
+            "a grid of latitudes and longitudes"
+        )
+    return axis
+
+
+def hours_since_first(when: "xarray.DataArray", path: Path) -> tuple[np.ndarray, str]:
+    """Give hours since the earliest step, and that step as ISO text.
+
+    Parameters
+    ----------
+    when : xarray.DataArray, shape (nt,)
+        Times as numbers, with units such as "hours since 2019-01-01".
+    path : Path
+        The file's name, for messages.
+
+    Returns
+    -------
+    hours : ndarray, shape (nt,)
+        In the file's order.
+    start : str
+        The earliest step.
+
+    Raises
+    ------
+    DataError
+        If there are fewer than two steps or the unit cannot be read.
+    """
+    import cftime
+
+    unit, calendar = when.attrs.get("units", ""), when.attrs.get("calendar", "standard")
+    if len(when) < 2:
+        raise DataError(f"{path}: {when.name} has {len(when)} step; at least 2 are needed")
+    if not np.all(np.isfinite(when.values)):
+        raise DataError(f"{path}: {when.name} has values that are not finite")
+    try:
+        dates = cftime.num2date(when.values, unit, calendar=calendar)
+    except (ValueError, TypeError, OverflowError):
+        raise DataError(
+            f"{path}: {when.name} has units '{unit}'; must be such as "
+            "'hours since 2019-01-01 00:00:00'"
+        ) from None
+    first = min(dates)
+    hours = np.array([(date - first).total_seconds() / 3600.0 for date in dates])
+    return hours, str(first.isoformat())
+
+
+def surface_values(data: "xarray.Dataset", name: str, dims: tuple, path: Path) -> np.ndarray:
+    """Give a velocity in m/s at the level nearest the surface.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        The file.
+    name : str
+        Name of the velocity.
+    dims : tuple of str
+        Names of time, latitude and longitude.
+    path : Path
+        The file's name, for messages.
+
+    Returns
+    -------
+    ndarray, shape (nt, ny, nx)
+        m/s, NaN where missing.
+
+    Raises
+    ------
+    DataError
+        If units are missing or unknown, or a dimension is no depth.
+    """
+    values = data[name]
+    if "units" not in values.attrs:
+        raise DataError(f"{path}: {name} has no units; must be such as 'm/s' or 'cm s-1'")
+    size = speed_in_metres_per_second(str(values.attrs["units"]), f"{path}: {name}")
+    if values.dtype.kind not in "iuf":
+        raise DataError(f"{path}: {name} holds {values.dtype}; must hold numbers")
+    for dim in set(values.dims) - set(dims):
+        level = 0
+        if values.sizes[dim] != 1:
+            depth = data[dim] if dim in data.variables else None
+            standard = depth.attrs.get("standard_name", "") if depth is not None else ""
+            if depth is None or (
+                str(dim).lower() not in DEPTH_NAMES and not str(standard).startswith(DEPTHS)
+            ):
+                raise DataError(
+                    f"{path}: {name} has the dimension {dim} of {values.sizes[dim]}; allowed are "
+                    "time, latitude, longitude and a depth: choose one and write it alone"
+                )
+            level = int(np.nanargmin(np.abs(depth.values.astype(float))))
+        values = values.isel({dim: level})
+    if set(values.dims) != set(dims):
+        raise DataError(
+            f"{path}: {name} has the dimensions ({', '.join(map(str, values.dims))}); must have "
+            f"({', '.join(map(str, dims))})"
+        )
+    return values.transpose(*dims).values.astype(float) * size

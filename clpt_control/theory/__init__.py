@@ -1,0 +1,1 @@
+"""The paper's section III as checks on the equations that run."""

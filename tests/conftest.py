@@ -1,0 +1,49 @@
+"""Shared fixtures: the command line in-process, the reference numbers, shared data."""
+
+import json
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+HERE = Path(__file__).parent
+
+
+class Outcome(NamedTuple):
+    """What a command printed and how it ended."""
+
+    status: int
+    out: str
+    err: str
+
+
+@pytest.fixture
+def clpt(monkeypatch, capsys):
+    """Run `clpt ARGUMENTS` and give its outcome."""
+    from clpt_control.cli import main
+
+    def run(*arguments):
+        monkeypatch.setattr(sys, "argv", ["clpt", *map(str, arguments)])
+        capsys.readouterr()
+        with pytest.raises(SystemExit) as ended:
+            main()
+        text = capsys.readouterr()
+        return Outcome(ended.value.code or 0, text.out, text.err)
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def reference():
+    """Independent numbers: scenario name -> states and figures."""
+    return json.loads((HERE / "reference" / "paper.json").read_text())
+
+
+@pytest.fixture(scope="session")
+def shared():
+    """The folder of measured data beside the checkout, or a skip that says so."""
+    folder = HERE.parent.parent / "shared" / "data"
+    if not folder.is_dir():
+        pytest.skip("measured data (../shared/data) are not on this machine")
+    return folder

@@ -1,0 +1,103 @@
+"""Every public name is documented: summary, parameters, result, source, example."""
+
+import importlib
+import inspect
+import pkgutil
+import re
+
+import pytest
+
+import clpt_control
+
+EQUATION = ["t", "x", "u", "p"]
+
+
+def modules():
+    yield clpt_control
+    for found in pkgutil.walk_packages(clpt_control.__path__, "clpt_control."):
+        yield importlib.import_module(found.name)
+
+
+def public_objects():
+    for module in modules():
+        for name, value in vars(module).items():
+            own = getattr(value, "__module__", None) == module.__name__
+            if own and not name.startswith("_") and (inspect.isfunction(value) or inspect.isclass(value)):
+                yield pytest.param(value, id=f"{module.__name__}.{name}")
+
+
+def methods(cls):
+    for name, value in vars(cls).items():
+        if not name.startswith("_") and (inspect.isfunction(value) or isinstance(value, property)):
+            yield name, value
+
+
+def summary(text):
+    return text.strip().splitlines()[0]
+
+
+def is_equation(value):
+    return inspect.isfunction(value) and list(inspect.signature(value).parameters)[:4] == EQUATION
+
+
+def test_every_module_says_what_it_is():
+    bare = [module.__name__ for module in modules() if not (module.__doc__ or "").strip()
+            and module.__name__ != "clpt_control.data"]  # fmt: skip
+    assert bare == []
+
+
+@pytest.mark.parametrize("value", list(public_objects()))
+def test_documented(value):
+    text = inspect.getdoc(value)
+    assert text, "no docstring"
+    if is_equation(value):
+        assert re.search(r"Eq\.|section|from the grid|outputs are the states", text), "no source"
+        return
+    assert len(summary(text)) < 64, f"summary has {len(summary(text))} characters"
+    if inspect.isfunction(value):
+        names = [name for name in inspect.signature(value).parameters if not name.startswith("_")]
+        short = len(text.splitlines()) == 1
+        if not short and "Parameters\n---" in text:
+            section = text.split("Parameters\n", 1)[1].split("\n\n")[0]
+            missing = [name for name in names if not re.search(rf"\b{name}\b", section)]
+            assert not missing, f"undocumented parameters {missing}"
+    else:
+        for name, method in methods(value):
+            assert inspect.getdoc(method), f"{name} has no docstring"
+
+
+@pytest.mark.parametrize("name", sorted(clpt_control._NAMES))
+def test_top_level_names_are_complete(name):
+    value = getattr(clpt_control, name)
+    text = inspect.getdoc(value)
+    if inspect.isclass(value) and issubclass(value, Exception):
+        return
+    assert ">>>" in text, "no example"
+    if inspect.isfunction(value):
+        if inspect.signature(value).parameters:
+            assert "Parameters\n----" in text
+        assert "Returns\n----" in text or inspect.signature(value).return_annotation in (None, "None")
+        returns_quietly = name in {"initial_state", "error_loop", "paper_scenario"}
+        assert returns_quietly or "Raises\n----" in text
+
+
+def test_the_readme_runs(tmp_path, monkeypatch):
+    from pathlib import Path
+
+    text = (Path(__file__).parent.parent / "README.md").read_text()
+    code = text.split("```python\n")[1].split("```")[0]
+    code = code.replace("scenario = clpt.paper_scenario() ", "scenario = clpt.paper_scenario()"
+                        ".with_values({'run.duration': 30}) ")  # fmt: skip
+    monkeypatch.chdir(tmp_path)
+    space = {}
+    exec(compile(code, "README.md", "exec"), space)
+    assert space["run"].sizes["time"] == 31
+
+
+def test_equations_are_found_by_their_numbers():
+    from pathlib import Path
+
+    text = "".join(p.read_text() for p in Path(clpt_control.__file__).parent.rglob("*.py"))
+    missing = [n for n in (1, 2, 3, 4, 5, 6, 7, 10, 13, 14, 15, 17, 20, 21, 22, 23, 24, 27, 28, 32)
+               if f"Eq. ({n})" not in text]  # fmt: skip
+    assert missing == []
