@@ -19,7 +19,7 @@ _NAMES = {
     "paper_scenario": "paper",
     "closed_loop": "diagram",
     "error_loop": "diagram",
-    "connect": "diagram",
+    "connect": "interconnection",
     "initial_state": "diagram",
     "simulate": "simulation",
     "save_run": "runs",
@@ -32,8 +32,9 @@ __all__ = ["__version__", *_NAMES, *_PACKAGES]
 
 if TYPE_CHECKING:
     from .blocks import Block
-    from .diagram import closed_loop, connect, error_loop, initial_state
+    from .diagram import closed_loop, error_loop, initial_state
     from .errors import ClptError
+    from .interconnection import connect
     from .paper import paper_scenario
     from .runs import load_run, save_run
     from .scenario import Scenario

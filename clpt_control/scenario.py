@@ -5,199 +5,26 @@ same thing as a TOML file, in the file's own units of length and time.  Nothing
 in here integrates: `diagram.closed_loop` makes blocks of it.
 """
 
-import math
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 import numpy as np
-from pydantic import (
-    AfterValidator,
-    BaseModel,
-    ConfigDict,
-    Field,
-    PrivateAttr,
-    Strict,
-    model_validator,
+from pydantic import Field, PrivateAttr, model_validator
+
+from .scenario_tables import (
+    Basis,
+    Circle,
+    Flow,
+    Learning,
+    Model,
+    Part,
+    Run,
+    TwoRows,
+    Units,
+    Vehicle,
+    Waypoints,
 )
-
 from .tides import period
-
-
-def _finite(value: float) -> float:
-    if not math.isfinite(value):
-        raise ValueError("must be a finite number")
-    return value
-
-
-def _period(value: float) -> float:
-    if not value > 0:
-        raise ValueError("must be positive; inf is steady")
-    return value
-
-
-Number = Annotated[float, Strict(), AfterValidator(_finite)]
-Positive = Annotated[Number, Field(gt=0)]
-Period = Annotated[float, Strict(), AfterValidator(_period)]
-Count = Annotated[int, Strict(), Field(ge=1)]
-Pair = tuple[Number, Number]
-PositivePair = tuple[Positive, Positive]
-Row = tuple[Number, ...]
-TwoRows = tuple[Row, Row]
-Kernel = Literal["exponential", "gaussian", "gaussian-sigma"]
-
-
-class Part(BaseModel):
-    """A table of the scenario; unknown keys are errors."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
-
-class Units(Part):
-    """Units of length and time of every number here."""
-
-    length: Literal["m", "km"] = "m"
-    time: Literal["s", "min", "h", "d"] = "s"
-
-
-class Basis(Part):
-    """The flow basis functions of Eq. (5), one entry per function."""
-
-    kernel: Kernel
-    centers: Annotated[tuple[Pair, ...], Field(min_length=1)]
-    widths: tuple[Positive, ...]
-    periods: tuple[Period, ...] | None = None
-    constituents: tuple[str, ...] | None = None
-    phases: Row | None = None
-
-    @property
-    def N(self) -> int:
-        """Number of basis functions."""
-        return len(self.centers)
-
-    @model_validator(mode="after")
-    def _one_entry_per_function(self) -> "Basis":
-        if (self.periods is None) == (self.constituents is None):
-            raise ValueError("basis.periods: give either periods or constituents, one of the two")
-        for key in ("widths", "periods", "constituents", "phases"):
-            value = getattr(self, key)
-            if value is not None and len(value) != self.N:
-                raise ValueError(
-                    f"basis.{key} = {list(value)}: must have {self.N} entries, one per center"
-                )
-        for name in self.constituents or ():
-            period(name)
-        return self
-
-
-class Disturbance(Part):
-    """The unmodelled flow Delta of Eq. (32)."""
-
-    kind: Literal["constant", "sine", "square", "noise"]
-    amplitude: Pair
-    period: Positive | None = None
-    seed: Annotated[int, Strict(), Field(ge=0, lt=2**26)] | None = None
-
-    @model_validator(mode="after")
-    def _what_the_kind_needs(self) -> "Disturbance":
-        where = "flow.disturbance"
-        if self.kind != "constant" and self.period is None:
-            raise ValueError(f'{where}.period: is required for kind = "{self.kind}"')
-        if self.kind != "noise" and self.seed is not None:
-            raise ValueError(f'{where}.seed = {self.seed}: is allowed only for kind = "noise"')
-        return self
-
-
-class Flow(Part):
-    """The true flow: parameters theta of Eq. (3), or a gridded field."""
-
-    parameters: TwoRows | None = None
-    field: str | None = None
-    outside: Literal["raise", "clip", "stop"] = "raise"
-    disturbance: Disturbance | None = None
-
-    @model_validator(mode="after")
-    def _one_truth(self) -> "Flow":
-        if (self.parameters is None) == (self.field is None):
-            raise ValueError("flow.parameters: give either parameters or field, one of the two")
-        if self.field is None and "outside" in self.model_fields_set:
-            raise ValueError(f'flow.outside = "{self.outside}": is allowed only with flow.field')
-        return self
-
-
-class Model(Part):
-    """The modelled flow, alpha_M of Eq. (4); zero if left out."""
-
-    parameters: TwoRows | None = None
-
-
-class Vehicle(Part):
-    """The vehicle and its controller, Eqs. (1) and (7)."""
-
-    feedback: PositivePair
-    feedforward: Pair
-    position: Pair = (0.0, 0.0)
-
-
-class Circle(Part):
-    """Waypoints on a circle, section IV."""
-
-    kind: Literal["circle"]
-    radius: Positive
-    count: Count
-    dwell: Positive
-
-
-class Waypoints(Part):
-    """Any list of waypoints."""
-
-    kind: Literal["waypoints"]
-    points: Annotated[tuple[Pair, ...], Field(min_length=1)]
-    dwell: Positive
-
-
-class Learning(Part):
-    """The adaptive law and its initial values."""
-
-    law: Literal["known-flow", "learned-flow"]
-    gain: Positive
-    theta_estimate: TwoRows | None = None
-    position: Pair = (0.0, 0.0)
-    feedback: Pair = (0.0, 0.0)
-    feedforward: Pair = (0.0, 0.0)
-    parameters: TwoRows | None = None
-
-    @model_validator(mode="after")
-    def _what_the_law_needs(self) -> "Learning":
-        if self.law == "known-flow":
-            if self.theta_estimate is None:
-                raise ValueError('learning.theta_estimate: is required by law = "known-flow"')
-            if self.parameters is not None:
-                raise ValueError(
-                    'learning.parameters: law = "known-flow" keeps alpha = alpha_M; remove the key'
-                )
-        elif self.theta_estimate is not None:
-            raise ValueError(
-                'learning.theta_estimate: is allowed only with law = "known-flow"; remove the key'
-            )
-        return self
-
-
-class Run(Part):
-    """How long, how often recorded, how exact."""
-
-    duration: Positive
-    output_step: Positive = 1.0
-    rtol: Annotated[Positive, Field(ge=1e-13, lt=1)] = 1e-8
-    atol: Positive = 1e-10
-
-    @model_validator(mode="after")
-    def _not_endless(self) -> "Run":
-        if self.duration / self.output_step > 1e8:
-            raise ValueError(
-                f"run.output_step = {self.output_step}: would record "
-                f"{self.duration / self.output_step:.0e} samples; at most 1e8 are allowed"
-            )
-        return self
 
 
 class Scenario(Part):

@@ -14,7 +14,8 @@ from typing import Any
 from pydantic import ValidationError
 
 from .errors import ScenarioError
-from .scenario import (
+from .scenario import Scenario
+from .scenario_tables import (
     Basis,
     Circle,
     Disturbance,
@@ -23,7 +24,6 @@ from .scenario import (
     Model,
     Part,
     Run,
-    Scenario,
     Units,
     Vehicle,
     Waypoints,

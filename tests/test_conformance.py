@@ -323,6 +323,21 @@ def test_what_sympy_cannot_read_is_told():
     assert "mine: sympy: TypeError" in failures(siso(not_traceable))
 
 
+def overflows(t, x, u, p, y):
+    """y = 2^70 u, Eq. (1): u = u[1], y = y[1]."""
+    power = 1
+    for _i in range(70):
+        power = 2 * power
+    y[0] = power * u[0]
+
+
+def test_readers_that_disagree_are_told():
+    # Python's whole numbers grow without end, compiled ones do not
+    sentences = failures(siso(overflows))
+    assert "mine.output: Python gives" in sentences
+    assert "and Numba [-0.]" in sentences
+
+
 def test_memory_is_told(monkeypatch):
     block = siso(remembers)
     calls = iter(range(10**6))

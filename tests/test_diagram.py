@@ -8,7 +8,8 @@ import clpt_control as clpt
 from clpt_control import wiring
 from clpt_control.blocks import Block, basis, flow, lyapunov, reference, vehicle
 from clpt_control.blocks import clpe as clpe_block
-from clpt_control.diagram import Diagram, connect, initial_state, paper_blocks
+from clpt_control.diagram import initial_state, paper_blocks
+from clpt_control.interconnection import Diagram, connect
 from clpt_control.errors import BlockError, DiagramError
 from clpt_control.native.sweep import Sweep
 
@@ -145,9 +146,7 @@ def test_two_makers_of_one_port():
 
 def test_mistyped_port():
     blocks = [follower("first", "a", "speed"), follower("second", "sped", "c")]
-    with pytest.raises(
-        DiagramError, match=r"'sped', an input of second, is made by no block.*speed"
-    ):
+    with pytest.raises(DiagramError, match=r"'sped', an input of second, .* no block.*speed"):
         connect(blocks, external=["a"])
 
 
@@ -217,8 +216,6 @@ def test_qualified_array_reaches_its_block():
 )
 def test_unknown_parameter_is_an_error(name):
     loop, x = clpt.closed_loop(PAPER), np.zeros(14)
-    if name == "adaptation":
-        pytest.skip("python-control's own parameter: the block's whole NamedTuple")
     for call in (
         lambda: loop.dynamics(0, x, [], params={name: 1.0}),
         lambda: loop.output(0, x, [], params={name: 1.0}),

@@ -15,7 +15,7 @@ from clpt_control.ocean.currents import read_currents
 from clpt_control.ocean.gaps import fill_gaps, regular_grid
 from clpt_control.ocean.gridded import GriddedField, read_field, write_field
 from clpt_control.ocean.plane import LocalPlane
-from clpt_control.scenario import Units
+from clpt_control.scenario_tables import Units
 
 MARACOOS = Path(__file__).parents[2] / "shared/data/field/maracoos_hfr_2019-01-01.nc"
 BOX = (40.9, 41.55, -69.9, -69.0)

@@ -56,8 +56,10 @@ def write(path, u, v, units="m s-1"):
 def known(tmp_path_factory):
     """A file of known theta on 2 x 2 places with gaps: file, theta, gaps."""
     plane = Proj(proj="aeqd", ellps="WGS84", lat_0=41.225, lon_0=-69.45)
-    columns = [round(plane(lon, 41.225)[0] / 2000, 3) for lon in (-69.9, -69.0)]
-    rows = [round(plane(-69.45, lat)[1] / 2000, 3) for lat in (40.9, 41.55)]
+    x1 = np.array([plane(lon, 41.225)[0] / 1000 for lon in (-69.9, -69.0)])
+    x2 = np.array([plane(-69.45, lat)[1] / 1000 for lat in (40.9, 41.55)])
+    # one and three quarters of the way across, to the metre
+    columns, rows = (np.round(w[0] + np.ptp(w) * np.array([0.25, 0.75]), 3) for w in (x1, x2))
     places = [(x, y) for y in rows for x in columns]
     rng = np.random.default_rng(12)
     theta = rng.normal(size=(2, 12))

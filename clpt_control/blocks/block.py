@@ -207,7 +207,9 @@ class Block(control.NonlinearIOSystem):
             owner, _, field = key.rpartition(".")
             if owner == self.name and field in self.parameters._fields:
                 changes[field] = value
-            elif owner == self.name or (not within_diagram and key != self.name):
+            elif key == self.name and type(value) is type(self.parameters):
+                continue  # what python-control hands to every block of a diagram
+            elif self.name in (owner, key) or not within_diagram:
                 known = ", ".join(f"{self.name}.{f}" for f in self.parameters._fields) or "none"
                 raise BlockError(f"unknown parameter '{key}': block {self.name} knows {known}")
         if not changes:

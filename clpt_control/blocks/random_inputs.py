@@ -69,7 +69,17 @@ def draw(block: Block, seed: int, count: int) -> list[Sample]:
 
 
 def equations(block: Block) -> Iterator[tuple[str, Equations, int]]:
-    """Give the block's equations: what to call each, the function, its size.
+    """Give a block's equations, one by one.
+
+    Parameters
+    ----------
+    block : Block
+        Any block.
+
+    Yields
+    ------
+    tuple
+        What to call the function, the function, the size it fills.
 
     Examples
     --------
@@ -85,7 +95,7 @@ def equations(block: Block) -> Iterator[tuple[str, Equations, int]]:
 def python_values(
     function: Equations, sample: Sample, size: int, fill: float = np.nan
 ) -> np.ndarray:
-    """Give what Python makes of one sample; NaN where it is out of range.
+    """Give what Python makes of one sample.
 
     Parameters
     ----------
@@ -101,7 +111,14 @@ def python_values(
     Returns
     -------
     ndarray
-        The last argument after the call.
+        The last argument after the call; NaN where it is out of range.
+
+    Examples
+    --------
+    >>> from clpt_control.blocks.clpe import clpe, prediction_error
+    >>> sample = Sample(0.0, np.zeros(0), np.array([3.0, 2.0, 1.0, 1.0]), clpe().parameters)
+    >>> python_values(prediction_error, sample, 2)
+    array([2., 1.])
     """
     out = np.full(size, fill)
     with np.errstate(all="ignore"):
@@ -128,6 +145,13 @@ def numba_values(function: Equations, sample: Sample, size: int) -> np.ndarray:
     -------
     ndarray
         The last argument after the call.
+
+    Examples
+    --------
+    >>> from clpt_control.blocks.clpe import clpe, prediction_error
+    >>> sample = Sample(0.0, np.zeros(0), np.array([3.0, 2.0, 1.0, 1.0]), clpe().parameters)
+    >>> numba_values(prediction_error, sample, 2)
+    array([2., 1.])
     """
     out = np.zeros(size)
     compiled(function)(sample.t, sample.x.copy(), sample.u.copy(), own_copy(sample.p), out)
@@ -136,6 +160,16 @@ def numba_values(function: Equations, sample: Sample, size: int) -> np.ndarray:
 
 def own_copy(p: Any) -> Any:
     """Give the same parameters with arrays of their own.
+
+    Parameters
+    ----------
+    p : NamedTuple
+        A block's parameters.
+
+    Returns
+    -------
+    NamedTuple
+        Equal, and sharing nothing.
 
     Examples
     --------
@@ -165,7 +199,18 @@ class Reading(NamedTuple):
     expressions: list
 
     def values(self, sample: Sample) -> list[float]:
-        """Give the numbers that the symbols stand for in a sample."""
+        """Give the numbers that the symbols stand for in a sample.
+
+        Parameters
+        ----------
+        sample : Sample
+            Arguments of the block that was read.
+
+        Returns
+        -------
+        list of float
+            One for each of `symbols`.
+        """
         numbers = [value for value in sample.p if not isinstance(value, int)]
         flat = np.concatenate([np.ravel(v) for v in (sample.t, sample.x, sample.u, *numbers)])
         return [float(value) for value in flat]

@@ -8,6 +8,7 @@ interpolant of order 7.
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from scipy.integrate import DOP853
@@ -16,6 +17,7 @@ from scipy.optimize import brentq
 from ..errors import SimulationError
 from .sweep import Sweep
 
+OUTSIDE = 1e-9  # grid steps beyond the edge that count as outside
 FINISHED = "finished: the end of the span was reached"
 
 
@@ -112,13 +114,18 @@ def integrate(
         counts["evaluations"] += 1
         return sweep.derivative(t, x, u(t))
 
+    fence = Fence(sweep, u)
     for edge in edges:
         sweep.enter(t)
         counts["restarts"] += 1
-        _check_finite(sweep, t, x, u)
-        outside = _left(sweep, t, x, u)
-        if outside is not None:
-            return _end(outside, times[:1], states[:1], counts)
+        trouble = sweep.first_trouble(t, x, u(t))
+        if trouble is not None:
+            raise SimulationError(
+                f"the run cannot go on at t = {t:.9g}: {trouble} is not finite; "
+                "check the parameters of that block and the initial state"
+            )
+        if fence.distance(t, x) < -OUTSIDE:
+            return _end(fence.verdict(t, x), times[:done], states[:done], counts)
         if not sweep.nstates:
             states[done:] = x
             done, t = len(times), edge
@@ -138,27 +145,25 @@ def integrate(
                     "check the parameters of that block, or loosen rtol and atol"
                 )
             counts["steps"] += 1
-            until = solver.t
-            outside = _left(sweep, solver.t, solver.y, u)
             dense = None
-            if outside is not None:
-                dense = solver.dense_output()
-                until = _crossing(sweep, dense, solver.t_old, solver.t, u)
-                outside = _left(sweep, until, dense(until), u) or outside
-            ready = done + np.searchsorted(times[done:], until, side="right")
+            until = fence.crossing(solver)
+            reached = solver.t if until is None else until
+            ready = done + int(np.searchsorted(times[done:], reached, side="right"))
             if ready > done:
                 inner = times[done:ready]
-                dense = dense if dense is not None else solver.dense_output()
+                dense = solver.dense_output()
                 states[done:ready] = dense(inner).T
                 if inner[-1] == solver.t:
                     states[ready - 1] = solver.y
                 done = ready
-            if outside is not None and dense is not None:
+            if until is not None:
+                dense = dense or solver.dense_output()
+                verdict = fence.verdict(until, dense(until))
                 if times[done - 1] < until:
                     times = np.append(times[:done], until)
                     states = np.vstack([states[:done], dense(until)])
                     done += 1
-                return _end(outside, times[:done], states[:done], counts)
+                return _end(verdict, times[:done], states[:done], counts)
             if progress is not None:
                 progress(solver.t)
         t, x = float(edge), solver.y
@@ -166,51 +171,73 @@ def integrate(
     return Solution(times, states, statistics=counts)
 
 
-def _check_finite(sweep: Sweep, t: float, x: np.ndarray, u) -> None:
-    trouble = sweep.first_trouble(t, x, u(t))
-    if trouble is not None:
-        raise SimulationError(
-            f"the run cannot go on at t = {t:.9g}: {trouble} is not finite; "
-            "check the parameters of that block and the initial state"
-        )
-
-
 def _nearby(sweep: Sweep, solver: DOP853, u) -> str | None:
     """Look one small step ahead for what made the step fail."""
     for h in np.geomspace(1e-12, 1.0, 13):
         ahead = solver.t + h * (solver.t_bound - solver.t)
-        with np.errstate(all="ignore"):
-            trouble = sweep.first_trouble(ahead, solver.y + h * solver.f, u(ahead))
+        trouble = sweep.first_trouble(ahead, solver.y + h * solver.f, u(ahead))
         if trouble is not None:
             return trouble
     return None
 
 
-def _left(sweep: Sweep, t: float, x: np.ndarray, u) -> tuple[str, str] | None:
-    """Give (policy, sentence) of the first guard that is crossed."""
-    guarded = sweep.guards()
-    if not guarded:
+class Fence:
+    """The guards of a diagram: where a run may be.
+
+    Parameters
+    ----------
+    sweep : Sweep
+        The diagram.
+    u : callable
+        Inputs of the diagram as a function of time.
+    """
+
+    def __init__(self, sweep: Sweep, u: Callable[[float], Any]):
+        self.sweep, self.u = sweep, u
+        self.guarded = bool(sweep.guards())
+
+    def distance(self, t: float, x: np.ndarray) -> float:
+        """Give the smallest distance to a guard's edge, negative outside."""
+        if not self.guarded:
+            return 1.0
+        return min(distance for distance, *_ in self._looked_at(t, x))
+
+    def _looked_at(self, t: float, x: np.ndarray) -> list[tuple]:
+        with np.errstate(all="ignore"):
+            self.sweep.evaluate(t, x, self.u(t))
+        found = []
+        for node, p in self.sweep.guards():
+            block_inputs = self.sweep.inputs_of(node)
+            found.append((node.system.guard.distance(t, block_inputs, p), node, p, block_inputs))
+        return found
+
+    def crossing(self, solver: DOP853) -> float | None:
+        """Find the first time in the last step at which a guard is crossed.
+
+        The step's interpolant is looked at in sixteen places, so that a short
+        excursion within a step is found too.
+        """
+        if not self.guarded:
+            return None
+        dense = solver.dense_output()
+        times = np.linspace(solver.t_old, solver.t, 17)
+        inside = times[0]
+        for time in times[1:]:
+            if self.distance(time, dense(time)) < -OUTSIDE:
+                if self.distance(inside, dense(inside)) <= 0:
+                    return float(inside)
+                edge = brentq(
+                    lambda t: self.distance(t, dense(t)), inside, time, xtol=1e-12, rtol=1e-14
+                )
+                return float(edge)
+            inside = time
         return None
-    sweep.evaluate(t, x, u(t))
-    for node, p in guarded:
-        guard, block_inputs = node.system.guard, sweep.inputs_of(node)
-        if guard.distance(t, block_inputs, p) < -1e-9:
-            return guard.policy, guard.sentence(t, block_inputs, p)
-    return None
 
-
-def _crossing(sweep: Sweep, dense, t0: float, t1: float, u) -> float:
-    """Find the first time in a step at which a guard is crossed."""
-
-    def distance(t: float) -> float:
-        sweep.evaluate(t, dense(t), u(t))
-        return min(
-            node.system.guard.distance(t, sweep.inputs_of(node), p) for node, p in sweep.guards()
-        )
-
-    if distance(t0) <= 0:
-        return t0
-    return float(brentq(distance, t0, t1, xtol=1e-12 * max(1.0, abs(t1))))
+    def verdict(self, t: float, x: np.ndarray) -> tuple[str, str]:
+        """Give the policy and the sentence of the guard that is nearest."""
+        _, node, p, block_inputs = min(self._looked_at(t, x), key=lambda found: found[0])
+        guard = node.system.guard
+        return guard.policy, guard.sentence(t, block_inputs, p)
 
 
 def _end(outside: tuple[str, str], times, states, counts) -> Solution:

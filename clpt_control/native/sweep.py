@@ -184,7 +184,8 @@ class Sweep:
 
     def first_trouble(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> str | None:
         """Name the first block and signal that is not finite at (t, x, u)."""
-        dx = self.derivative(t, x, u)
+        with np.errstate(all="ignore"):
+            dx = self.derivative(t, x, u)
         for node in self.nodes:
             for state, label in zip(x[node.states], node.system.state_labels, strict=True):
                 if not np.isfinite(state):

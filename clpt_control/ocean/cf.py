@@ -134,7 +134,8 @@ def hours_since_first(when: "xarray.DataArray", path: Path) -> tuple[np.ndarray,
     """
     import cftime
 
-    unit, calendar = when.attrs.get("units", ""), when.attrs.get("calendar", "standard")
+    unit = str(when.attrs.get("units", ""))
+    calendar = str(when.attrs.get("calendar", "standard"))
     if len(when) < 2:
         raise DataError(f"{path}: {when.name} has {len(when)} step; at least 2 are needed")
     if not np.all(np.isfinite(when.values)):
@@ -151,7 +152,9 @@ def hours_since_first(when: "xarray.DataArray", path: Path) -> tuple[np.ndarray,
     return hours, str(first.isoformat())
 
 
-def surface_values(data: "xarray.Dataset", name: str, dims: tuple, path: Path) -> np.ndarray:
+def surface_values(
+    data: "xarray.Dataset", name: str, kept: dict[Any, np.ndarray], path: Path
+) -> np.ndarray:
     """Give a velocity in m/s at the level nearest the surface.
 
     Parameters
@@ -160,8 +163,8 @@ def surface_values(data: "xarray.Dataset", name: str, dims: tuple, path: Path) -
         The file.
     name : str
         Name of the velocity.
-    dims : tuple of str
-        Names of time, latitude and longitude.
+    kept : dict of str to ndarray
+        Names of time, latitude and longitude, and the indices to read.
     path : Path
         The file's name, for messages.
 
@@ -175,7 +178,7 @@ def surface_values(data: "xarray.Dataset", name: str, dims: tuple, path: Path) -
     DataError
         If units are missing or unknown, or a dimension is no depth.
     """
-    values = data[name]
+    values, dims = data[name], tuple(kept)
     if "units" not in values.attrs:
         raise DataError(f"{path}: {name} has no units; must be such as 'm/s' or 'cm s-1'")
     size = speed_in_metres_per_second(str(values.attrs["units"]), f"{path}: {name}")
@@ -193,11 +196,11 @@ def surface_values(data: "xarray.Dataset", name: str, dims: tuple, path: Path) -
                     f"{path}: {name} has the dimension {dim} of {values.sizes[dim]}; allowed are "
                     "time, latitude, longitude and a depth: choose one and write it alone"
                 )
-            level = int(np.nanargmin(np.abs(depth.values.astype(float))))
+            level = int(np.argmin(np.nan_to_num(np.abs(depth.values.astype(float)), nan=np.inf)))
         values = values.isel({dim: level})
     if set(values.dims) != set(dims):
         raise DataError(
             f"{path}: {name} has the dimensions ({', '.join(map(str, values.dims))}); must have "
             f"({', '.join(map(str, dims))})"
         )
-    return values.transpose(*dims).values.astype(float) * size
+    return values.isel(kept).transpose(*dims).values.astype(float) * size

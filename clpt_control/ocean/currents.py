@@ -97,23 +97,21 @@ def read_currents(
         for axis in (lat, lon):
             if not np.all(np.isfinite(axis.values)):
                 raise DataError(f"{path}: {axis.name} has values that are not finite")
-        dims = (when.dims[0], lat.dims[0], lon.dims[0])
-        u, v = (surface_values(data, name, dims, path) for name in (east, north))
         latitudes, longitudes = lat.values.astype(float), lon.values.astype(float)
-    wanted = _checked_box(box, latitudes, longitudes, path)
-    middle = wanted[2] + 0.5 * (wanted[3] - wanted[2])
-    longitudes = middle + (longitudes - middle + 180.0) % 360.0 - 180.0
-    order = (
-        np.argsort(hours),
-        _inside(latitudes, wanted[:2], "latitude", path),
-        _inside(longitudes, wanted[2:], "longitude", path),
-    )
-    if box is None:
-        wanted = (*np.sort(latitudes)[[0, -1]], *np.sort(longitudes)[[0, -1]])
-    hours = hours[order[0]]
-    if not np.all(np.diff(hours) > 0):
-        raise DataError(f"{path}: {when.name} has a step twice; keep each time once")
-    u, v = u[np.ix_(*order)], v[np.ix_(*order)]
+        wanted = _checked_box(box, latitudes, longitudes, path)
+        middle = wanted[2] + 0.5 * (wanted[3] - wanted[2])
+        longitudes = middle + (longitudes - middle + 180.0) % 360.0 - 180.0
+        if box is None:
+            wanted = (*np.sort(latitudes)[[0, -1]], *np.sort(longitudes)[[0, -1]])
+        kept = {
+            when.dims[0]: np.argsort(hours),
+            lat.dims[0]: _inside(latitudes, wanted[:2], "latitude", path),
+            lon.dims[0]: _inside(longitudes, wanted[2:], "longitude", path),
+        }
+        times, rows, columns = kept.values()
+        if not np.all(np.diff(hours[times]) > 0):
+            raise DataError(f"{path}: {when.name} has a step twice; keep each time once")
+        u, v = (surface_values(data, name, kept, path) for name in (east, north))
     gap = ~(np.isfinite(u) & np.isfinite(v))
     if gap.all():
         raise DataError(
@@ -127,7 +125,7 @@ def read_currents(
                 f"{path}: {name} reaches {np.nanmax(np.abs(values)):.4g} m/s; at most {FASTEST} "
                 "are allowed: check its units and _FillValue"
             )
-    axes = (latitudes[order[1]], longitudes[order[2]], hours)
+    axes = (latitudes[rows], longitudes[columns], hours[times])
     box_used = (float(wanted[0]), float(wanted[1]), float(wanted[2]), float(wanted[3]))
     return Currents(*axes, start, u, v, box_used, path.name)
 

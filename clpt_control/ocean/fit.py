@@ -127,6 +127,12 @@ def fit_scenario(
             f"{path}: a circle of {radius_km:g} km around the box's centre leaves the field, which "
             f"has {room:.3g} km there; choose a larger box or a smaller radius"
         )
+    N = _functions(constituents) * centers[0] * centers[1]
+    if currents.measured.sum() < N:
+        raise DataError(
+            f"{path}: {currents.measured.sum()} samples in the box cannot determine {N} basis "
+            "functions; use a larger box, fewer centers or fewer constituents"
+        )
     scenario = _scenario(
         currents, middles(plane, currents.box, centers), width_km, constituents, radius_km, gain
     )
@@ -142,7 +148,10 @@ def fit_scenario(
         )
     ]  # fmt: skip
     phi = evaluate(basis_of(scenario), t, np.column_stack([s1, s2]))
-    fit = least_squares(phi, np.column_stack([u[measured], v[measured]]), names)
+    try:
+        fit = least_squares(phi, np.column_stack([u[measured], v[measured]]), names)
+    except DataError as error:
+        raise DataError(f"{path}: {error}") from None
     if start_from_fit:
         scenario = scenario.with_values({"learning.parameters": (-fit.theta).tolist()})
     tables = scenario.model_dump(exclude_none=True, exclude_unset=True)
@@ -185,6 +194,11 @@ def _check(centers: Any, constituents: tuple[str, ...]) -> None:
         )
     for name in constituents:
         tides.period(name)
+
+
+def _functions(constituents: tuple[str, ...]) -> int:
+    """Give the number of functions at each place."""
+    return sum(1 if name == "steady" else 2 for name in constituents)
 
 
 def _scenario(

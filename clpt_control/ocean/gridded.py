@@ -133,9 +133,7 @@ def read_field(path: Path, units) -> GriddedField:
     with open_netcdf(path) as data:
         for name in ("time", "y", "x", "u", "v"):
             if name not in data.variables:
-                raise DataError(
-                    f"{path}: no variable '{name}'; a field has time, y, x, u and v"
-                )
+                raise DataError(f"{path}: no variable '{name}'; a field has time, y, x, u and v")
         axes = []
         for name in ("time", "y", "x"):
             sizes, own = (SECONDS, units.time) if name == "time" else (METRES, units.length)

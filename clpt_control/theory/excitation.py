@@ -9,6 +9,7 @@ depends on the learner, so a Gramian belongs to the trajectory it came from.
 """
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -138,7 +139,7 @@ def quadrature(scenario: Scenario, start: float, end: float) -> tuple[np.ndarray
     fastest = min([dwell, *(scenario.periods[np.isfinite(scenario.periods)] / 2)])
     edges = np.unique([start, *multiples(dwell, start, end), end])
     pieces = []
-    for a, b in zip(edges[:-1], edges[1:], strict=True):
+    for a, b in pairwise(edges):
         pieces.append(np.linspace(a, b, int(np.ceil((b - a) / fastest)) + 1))
     cuts = np.unique(np.concatenate(pieces))
     node, weight = np.polynomial.legendre.leggauss(NODES_PER_PIECE)

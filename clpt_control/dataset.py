@@ -1,0 +1,145 @@
+"""A run as an `xarray.Dataset` with CF attributes.
+
+dims time, axis, basis; units on every variable; the scenario, the versions and
+the solver's statistics in the attributes, so that a run repeats from its file.
+"""
+
+from collections.abc import Mapping
+from importlib.metadata import version
+from typing import TYPE_CHECKING, Any
+
+import control
+import numpy as np
+
+from . import __version__
+from .blocks.lyapunov import LyapunovParameters, lyapunov_candidate
+from .native.integrate import Solution
+from .native.record import sample_signals
+from .native.sweep import Sweep
+from .scenario import Scenario
+from .scenario_file import scenario_to_text
+
+if TYPE_CHECKING:
+    import xarray
+
+VARIABLES = {  # name -> (port, long name, unit of length or none, powers of 1/time)
+    "position": ("x", "true position", 1, 0),
+    "predicted_position": ("z", "predicted position", 1, 0),
+    "clpe": ("e", "controlled Lagrangian prediction error", 1, 0),
+    "reference": ("zc", "desired position", 1, 0),
+    "feedback_gain": ("K", "adapted feedback gain", 0, 1),
+    "feedforward_gain": ("Gamma", "adapted feedforward gain", 0, 1),
+    "alpha": ("alpha", "adapted parameter alpha", 1, 1),
+    "true_flow": ("flow_x", "true flow at the vehicle", 1, 1),
+}
+
+
+def run_dataset(
+    scenario: Scenario,
+    diagram: control.NonlinearIOSystem,
+    sweep: Sweep,
+    solution: Solution,
+    params: Mapping[str, Any] | None = None,
+) -> "xarray.Dataset":
+    """Give a scenario's solution as a Dataset.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The experiment.
+    diagram : control.NonlinearIOSystem
+        Its closed loop.
+    sweep : Sweep
+        The evaluator that was integrated.
+    solution : Solution
+        Times, states and how they were reached.
+    params : mapping, optional
+        Call-time parameters, recorded in the attributes.
+
+    Returns
+    -------
+    xarray.Dataset
+        Values at a jump are right limits.
+    """
+    import xarray
+
+    units, N, n = scenario.units, scenario.basis.N, len(solution.t)
+    signals = sample_signals(sweep, solution)
+    column = {label: k for k, label in enumerate(diagram.output_labels)}
+    data: dict[str, Any] = {}
+    for name, (port, long_name, lengths, rates) in VARIABLES.items():
+        size = 2 * N if port == "alpha" else 2
+        values = signals[:, [column[f"{port}[{k}]"] for k in range(size)]]
+        unit = " ".join([units.length] * lengths + [f"{units.time}-1"] * rates)
+        dims: tuple[str, ...] = ("time", "axis")
+        if port == "alpha":
+            values, dims = values.reshape(n, 2, N), ("time", "axis", "basis")
+        data[name] = (dims, values, {"long_name": long_name, "units": unit})
+    alpha = data["alpha"][1]
+    estimate = 0.0 - alpha  # without -0
+    if scenario.learning.law == "known-flow":
+        estimate = np.broadcast_to(np.array(scenario.learning.theta_estimate), alpha.shape).copy()
+    speed = {"units": f"{units.length} {units.time}-1"}
+    data["flow_parameters_estimate"] = (
+        ("time", "axis", "basis"),
+        estimate,
+        {"long_name": "estimate of the flow parameters theta", **speed},
+    )
+    if scenario.flow.parameters is not None:
+        true = np.array(scenario.flow.parameters)
+        data["flow_parameters"] = (
+            ("axis", "basis"), true, {"long_name": "true flow parameters theta", **speed},
+        )  # fmt: skip
+        data["lyapunov"] = (
+            ("time",),
+            _lyapunov(scenario, data),
+            {"long_name": "Lyapunov candidate V", "units": f"{units.length}2"},
+        )
+    return xarray.Dataset(
+        data,
+        {
+            "time": ("time", solution.t, {"long_name": "time since the start of the run",
+                                          "units": units.time, "axis": "T"}),
+            "axis": ("axis", [1, 2], {"long_name": "axis of the plane, x1 and x2"}),
+            "basis": ("basis", np.arange(1, N + 1), {"long_name": "flow basis function"}),
+        },
+        {
+            "Conventions": "CF-1.11",
+            "title": scenario.title,
+            "source": f"clpt-control {__version__}",
+            "references": "Cho, Zhang, Edwards (2016), Adaptive learning for controlled "
+                          "Lagrangian particle tracking, OCEANS 2016 MTS/IEEE Monterey",
+            "scenario": scenario_to_text(scenario),
+            "parameters_changed": str(dict(params or {})),
+            "software": ", ".join(f"{name} {version(name)}" for name in
+                                  ("clpt-control", "control", "numpy", "scipy")),
+            "status": solution.status,
+            "message": solution.message,
+            **{f"solver_{name}": value for name, value in solution.statistics.items()},
+        },
+    ).assign_coords().pipe(_with_folder, scenario)  # fmt: skip
+
+
+def _with_folder(run: "xarray.Dataset", scenario: Scenario) -> "xarray.Dataset":
+    run.encoding["folder"] = str(scenario._folder)
+    return run
+
+
+def _lyapunov(scenario: Scenario, data: dict[str, Any]) -> np.ndarray:
+    """V of Eq. (17) or (24) along the run."""
+    block = lyapunov_candidate(
+        scenario.learning.law,
+        LyapunovParameters(
+            scenario.basis.N,
+            scenario.learning.gain,
+            np.array(scenario.flow.parameters),
+            np.array(scenario.vehicle.feedback),
+            np.array(scenario.vehicle.feedforward),
+        ),
+    )
+    ports = [data[name][1] for name in ("clpe", "alpha", "feedback_gain", "feedforward_gain")]
+    inputs = np.column_stack([values.reshape(len(values), -1) for values in ports])
+    V = np.empty(len(inputs))
+    for k, u in enumerate(inputs):
+        block.output_function(0.0, np.zeros(0), u, block.parameters, V[k : k + 1])
+    return V
