@@ -11,7 +11,7 @@ from typing import Any
 import control
 
 from .blocks import Block
-from .blocks.block import labels
+from .blocks.ports import labels
 from .errors import BlockError, DiagramError
 from .wiring import read
 

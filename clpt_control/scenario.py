@@ -68,6 +68,12 @@ class Scenario(Part):
                 )
         return self
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Scenario) and self.__dict__ == other.__dict__
+
+    def __hash__(self) -> int:
+        return hash(tuple(self.__dict__.values()))
+
     @property
     def periods(self) -> np.ndarray:
         """Periods of the basis functions, units.time; inf is steady."""

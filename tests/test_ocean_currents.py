@@ -234,17 +234,33 @@ def test_filling_keeps_measured_values_and_their_range():
     assert full.share == pytest.approx(gap.mean())
 
 
-def test_filling_solves_the_laplace_equation():
-    t, y, x = np.meshgrid(np.arange(6.0), np.arange(5.0), np.arange(7.0), indexing="ij")
-    u, v = 1 + 2 * x - y + 0.3 * t, x * y  # both harmonic on the grid
-    gap = np.zeros(u.shape, bool)
+def interior(shape):
+    gap = np.zeros(shape, bool)
     gap[1:-1, 1:-1, 1:-1] = True
-    with_gap = (np.where(gap, np.nan, w) for w in (u, v))
-    full = fill_gaps(np.arange(6.0), np.arange(5.0), np.arange(7.0), *with_gap, speed=3.0)
+    return gap
+
+
+def test_filling_solves_the_laplace_equation():
+    """Quadratics that are harmonic in (c t, x2, x1) come back from their edges alone."""
+    axes, speed = (np.arange(6.0), 4 * np.arange(5.0), 6 * np.arange(7.0)), 3.0
+    t, y, x = np.meshgrid(*axes, indexing="ij")
+    u, v = 2 * (speed * t) ** 2 - x**2 - y**2, x * y + x**2 - y**2
+    with_gap = [np.where(interior(u.shape), np.nan, w) for w in (u, v)]
+    full = fill_gaps(*axes, *with_gap, speed=speed)
+    np.testing.assert_allclose(full.u, u, atol=1e-9)
+    np.testing.assert_allclose(full.v, v, atol=1e-9)
+    with pytest.raises(DataError, match="no finite value"):
+        fill_gaps(*axes, u * np.nan, v)
+
+
+def test_filling_on_uneven_axes_keeps_linear_flow():
+    axes = np.array([0, 1, 3, 4, 7.0]), np.array([0, 5, 6, 9.0]), np.array([-3, 0, 1, 8, 9.0])
+    t, y, x = np.meshgrid(*axes, indexing="ij")
+    u, v = 1 + 2 * x - y + 0.3 * t, 5 - t
+    with_gap = [np.where(interior(u.shape), np.nan, w) for w in (u, v)]
+    full = fill_gaps(*axes, *with_gap)
     np.testing.assert_allclose(full.u, u, atol=1e-10)
     np.testing.assert_allclose(full.v, v, atol=1e-10)
-    with pytest.raises(DataError, match="no finite value"):
-        fill_gaps(np.arange(6.0), np.arange(5.0), np.arange(7.0), u * np.nan, v)
 
 
 def test_field_of_a_plane_flow_is_that_flow():

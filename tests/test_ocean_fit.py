@@ -226,6 +226,35 @@ def test_shares_of_a_learner_that_knows_theta_and_of_one_that_knows_none(known, 
     assert basis_of(none).noutputs == 12
 
 
+def test_shares_are_what_their_definition_says(known, tmp_path):
+    """Written out here: theta_hat of each time on the track, of the end over the box."""
+    scenario = save_fit(fit_scenario(known[0], BOX, (2, 2), 20.0), tmp_path / "a.toml")
+    scenario = scenario.with_values({"run.duration": 4.0, "run.output_step": 0.25})
+    run = clpt.simulate(scenario)
+    centers, omega = np.array(scenario.basis.centers[:4]), np.radians(SPEED)
+
+    def phi(t, x1, x2):
+        d2 = (x1[..., None] - centers[:, 0]) ** 2 + (x2[..., None] - centers[:, 1]) ** 2
+        kernel = np.exp(-d2 / 800.0)
+        cos, sin = (f(omega * np.asarray(t))[..., None] for f in (np.cos, np.sin))
+        return np.concatenate([kernel, kernel * cos, kernel * sin], axis=-1)
+
+    theta = -run.alpha.values
+    late = run.time.values >= 3.0
+    x = run.position.values[late]
+    learned = np.einsum("tan,tn->ta", theta[late], phi(run.time.values[late], *x.T))
+    truth = run.true_flow.values[late]
+    shares = explained_variance(scenario, run)
+    track = 1 - np.sum((truth - learned) ** 2) / np.sum(truth**2)
+    assert shares["track"] == pytest.approx(track, rel=1e-9)
+    with netCDF4.Dataset(scenario.field_path) as file:
+        t, x2, x1 = np.meshgrid(file["time"][:], file["y"][:], file["x"][:], indexing="ij")
+        truth = np.stack([file["u"][:], file["v"][:]], axis=-1)
+    learned = phi(t, x1, x2) @ theta[-1].T
+    box = 1 - np.sum((truth - learned) ** 2) / np.sum(truth**2)
+    assert shares["box"] == pytest.approx(box, rel=1e-9)
+
+
 @pytest.fixture(scope="module")
 def nantucket(tmp_path_factory):
     if not MARACOOS.exists():

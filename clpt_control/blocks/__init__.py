@@ -5,7 +5,8 @@ use, `readers` runs, compiles and traces them; every other file is a page of
 the paper.
 """
 
-from .block import Block, Guard
+from .block import Block
+from .ports import Guard
 from .rules import opaque
 
 __all__ = ["Block", "Guard", "opaque"]

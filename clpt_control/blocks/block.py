@@ -10,61 +10,15 @@ is a source of time or tables that SymPy shall not look into (`opaque`).
 """
 
 from collections.abc import Callable, Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 import control
 import numpy as np
 
 from ..errors import BlockError
 from .parameters import NoParameters, checked_parameters
+from .ports import Equations, Guard, labels, states_as_outputs
 from .rules import check_equations
-
-Equations = Callable[[float, np.ndarray, np.ndarray, Any, np.ndarray], None]
-
-
-class Guard(NamedTuple):
-    """Where a block may be used, and what happens outside.
-
-    Attributes
-    ----------
-    distance : callable
-        ``distance(t, u, p)``: positive inside, negative outside.
-    policy : str
-        ``"raise"`` fails the run, ``"stop"`` ends it there and keeps it.
-    sentence : callable
-        ``sentence(t, u, p)``: position, time and bounds, for the message.
-    """
-
-    distance: Callable[[float, np.ndarray, Any], float]
-    policy: str
-    sentence: Callable[[float, np.ndarray, Any], str]
-
-
-def states_as_outputs(t, x, u, p, y):
-    """Y = x: the outputs are the states."""
-    for i in range(len(y)):
-        y[i] = x[i]
-
-
-def labels(ports: Mapping[str, int] | None) -> list[str]:
-    """Flatten ports to signal labels: ``{"e": 2}`` is ``e[0], e[1]``.
-
-    Parameters
-    ----------
-    ports : mapping of str to int
-        Port name -> number of signals.
-
-    Returns
-    -------
-    list of str
-        One label for each signal, in order.
-
-    Examples
-    --------
-    >>> labels({"x": 2, "phi_x": 1})
-    ['x[0]', 'x[1]', 'phi_x[0]']
-    """
-    return [f"{port}[{k}]" for port, size in (ports or {}).items() for k in range(size)]
 
 
 class Block(control.NonlinearIOSystem):
@@ -150,16 +104,12 @@ class Block(control.NonlinearIOSystem):
         self.opaque = opaque
         self.breakpoints_function = breakpoints
         self.guard = guard
-        self._jumps = np.zeros(0)
-        self._jumps_until = 0.0
-        self.parameters = checked_parameters(
-            name, NoParameters() if parameters is None else parameters
-        )
+        self.name = name
+        self.parameters = NoParameters() if parameters is None else parameters
         if breakpoints is not None and "interval" not in self.parameters._fields:
             raise BlockError(
                 f"{name}: a block with breakpoints needs a parameter `interval = -1.0`"
             )
-        self._current = self.parameters
         super().__init__(
             self._updfcn,
             self._outfcn,
@@ -171,6 +121,17 @@ class Block(control.NonlinearIOSystem):
         )
 
     # --- parameters -------------------------------------------------------------------
+
+    @property
+    def parameters(self) -> Any:
+        """The block's own parameters, a NamedTuple; checked when set."""
+        return self._parameters
+
+    @parameters.setter
+    def parameters(self, value: Any) -> None:
+        self._parameters = checked_parameters(self.name, value)
+        self._current = self._parameters
+        self._jumps, self._jumps_until = np.zeros(0), 0.0
 
     @property
     def params(self) -> dict[str, Any]:

@@ -13,7 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .block import Block, Guard
+from .block import Block
+from .ports import Guard
 from .words import clip, floor, lookup, minimum, where
 
 

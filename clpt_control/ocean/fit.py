@@ -69,7 +69,7 @@ def fit_scenario(
     gain: float = 5.0,
     start_from_fit: bool = False,
 ) -> Fit:
-    """Fit basis functions to a gridded current and make a scenario of it.
+    """Make a scenario of a gridded current, fitted by its basis.
 
     Parameters
     ----------

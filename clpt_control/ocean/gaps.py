@@ -3,10 +3,11 @@
 Gaps are filled harmonically in space and time: each missing value is the
 weighted mean of its neighbours,
 
-    sum_n w_n (f_n - f) = 0,   w_n = 1 / d_n^2,   d_n = |dx_n|, or c |dt_n| in time,
+    sum_n w_n (f_n - f) = 0,   w_n = 1 / (d_n h),   d_n = |dx_n|, or c |dt_n| in time,
 
-with no flow of information through the edge of the box.  This is the discrete
-Laplace equation with measured values as boundary values.  Reasons: one linear
+h the size of the cell along that axis, with no flow of information through the
+edge of the box.  This is the discrete Laplace equation (finite volumes) with
+measured values as boundary values.  Reasons: one linear
 equation does the work in time where a cell has hours nearby and in space where
 it has none, in proportion to the distances; a filled value never exceeds the
 measured ones (maximum principle), where splines and radial functions shoot
@@ -105,15 +106,16 @@ def fill_gaps(
     index = np.arange(gap.size).reshape(gap.shape)
     rows, columns, weights = [], [], []
     for axis, scale in zip(range(3), (speed * np.asarray(time), x2, x1), strict=True):
-        d = np.abs(np.diff(np.asarray(scale, float)))
+        d = np.diff(np.asarray(scale, float))
+        size = np.concatenate([d[:1], (d[1:] + d[:-1]) / 2, d[-1:]])
         shape = [1, 1, 1]
         shape[axis] = -1
         before = np.take(index, range(len(d)), axis)
         after = np.take(index, range(1, len(d) + 1), axis)
-        w = np.broadcast_to((1.0 / d**2).reshape(shape), before.shape).ravel()
-        rows += [before.ravel(), after.ravel()]
-        columns += [after.ravel(), before.ravel()]
-        weights += [w, w]
+        for row, column, h in ((before, after, size[:-1]), (after, before, size[1:])):
+            rows.append(row.ravel())
+            columns.append(column.ravel())
+            weights.append(np.broadcast_to((1 / (d * h)).reshape(shape), row.shape).ravel())
     links = coo_array(
         (np.concatenate(weights), (np.concatenate(rows), np.concatenate(columns))),
         shape=(gap.size, gap.size),

@@ -47,7 +47,7 @@ def read_centers(text: str) -> tuple[int, int]:
 
 
 def read_width(text: str) -> float:
-    """Read a length with its unit, such as ``"15km"``; in km without one.
+    """Read a length such as ``"15km"``; in km without a unit.
 
     Parameters
     ----------

@@ -1,0 +1,53 @@
+"""What a block shows to the outside: ports, their labels, and its guard."""
+
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+Equations = Callable[[float, np.ndarray, np.ndarray, Any, np.ndarray], None]
+
+
+class Guard(NamedTuple):
+    """Where a block may be used, and what happens outside.
+
+    Attributes
+    ----------
+    distance : callable
+        ``distance(t, u, p)``: positive inside, negative outside.
+    policy : str
+        ``"raise"`` fails the run, ``"stop"`` ends it there and keeps it.
+    sentence : callable
+        ``sentence(t, u, p)``: position, time and bounds, for the message.
+    """
+
+    distance: Callable[[float, np.ndarray, Any], float]
+    policy: str
+    sentence: Callable[[float, np.ndarray, Any], str]
+
+
+def states_as_outputs(t, x, u, p, y):
+    """Y = x: the outputs are the states."""
+    for i in range(len(y)):
+        y[i] = x[i]
+
+
+def labels(ports: Mapping[str, int] | None) -> list[str]:
+    """Flatten ports to signal labels: ``{"e": 2}`` is ``e[0], e[1]``.
+
+    Parameters
+    ----------
+    ports : mapping of str to int
+        Port name -> number of signals.
+
+    Returns
+    -------
+    list of str
+        One label for each signal, in order.
+
+    Examples
+    --------
+    >>> labels({"x": 2, "phi_x": 1})
+    ['x[0]', 'x[1]', 'phi_x[0]']
+    """
+    return [f"{port}[{k}]" for port, size in (ports or {}).items() for k in range(size)]
