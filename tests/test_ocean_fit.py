@@ -248,8 +248,10 @@ def test_shares_are_what_their_definition_says(known, tmp_path):
     track = 1 - np.sum((truth - learned) ** 2) / np.sum(truth**2)
     assert shares["track"] == pytest.approx(track, rel=1e-9)
     with netCDF4.Dataset(scenario.field_path) as file:
-        t, x2, x1 = np.meshgrid(file["time"][:], file["y"][:], file["x"][:], indexing="ij")
-        truth = np.stack([file["u"][:], file["v"][:]], axis=-1)
+        t, x2, x1 = np.meshgrid(
+            *(np.asarray(file[n][:]) for n in ("time", "y", "x")), indexing="ij"
+        )
+        truth = np.stack([np.asarray(file[n][:]) for n in ("u", "v")], axis=-1)
     learned = phi(t, x1, x2) @ theta[-1].T
     box = 1 - np.sum((truth - learned) ** 2) / np.sum(truth**2)
     assert shares["box"] == pytest.approx(box, rel=1e-9)
