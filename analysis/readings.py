@@ -15,11 +15,10 @@ from typing import Annotated, Any
 import typer
 
 import clpt_control as clpt
+from clpt_control.files import make_folder, write_text
 from clpt_control.plotting import BLUE, GREEN, RED, new_figure
 from clpt_control.progress import progress_bar
 from clpt_control.report import claims, run_and_report
-from clpt_control.runs import make_folder
-from clpt_control.scenario_file import write_text
 from clpt_control.theory.excitation import excitation, started_true
 
 KERNELS = ("exponential", "gaussian", "gaussian-sigma")
@@ -52,7 +51,8 @@ def table(rows: list[dict[str, Any]]) -> str:
     for row in rows:
         rms, theta, gains = row["rms"], row["parameters"], row["gains"]
         lines.append(
-            f"| {row['kernel']} | {row['unit'][-1:]} | {rms[0]:.3f}, {rms[1]:.4f}, {rms[-1]:.4f} | "
+            f"| {row['kernel']} | {row['unit'][-1:]} "
+            f"| {rms[0]:.3f}, {rms[1]:.4f}, {rms[-1]:.4f} | "
             f"{theta['200']:.3f}, {theta['2000']:.3f} | {gains['200']:.3f}, {gains['2000']:.3f} | "
             f"{_eigenvalue(row['kappa_1'])} | {' | '.join(row['verdicts'])} |"
         )
@@ -74,7 +74,8 @@ def figure(rows: list[dict[str, Any]], path: Path) -> None:
         ax.loglog(times, list(row["parameters"].values()), color=colour,
                   linestyle="--" if in_hours else "-", marker="s" if in_hours else "o",
                   markersize=4, markerfacecolor="none" if in_hours else colour,
-                  label=f"{row['kernel']}, {row['unit']}: {_eigenvalue(row['kappa_1'])}")  # fmt: skip
+                  label=f"{row['kernel']}, {row['unit']}: "
+                  + _eigenvalue(row["kappa_1"]))  # fmt: skip
     ax.axhline(0.05, color="black", linewidth=0.8, linestyle=":")
     ax.annotate("criterion 0.05", (10, 0.05), xytext=(0, 3), textcoords="offset points",
                 fontsize=8)  # fmt: skip

@@ -17,9 +17,8 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
+from clpt_control.files import make_folder, write_text
 from clpt_control.plotting import BLUE, RED, new_figure
-from clpt_control.runs import make_folder
-from clpt_control.scenario_file import write_text
 from clpt_control.theory.excitation import started_true
 
 TIME = 100.0  # frozen time, s

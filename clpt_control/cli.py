@@ -54,8 +54,8 @@ def init(
     file: Annotated[Path, typer.Argument(help="Where to write it.")] = Path("paper.toml"),
 ) -> None:
     """Write the paper's scenario, commented, to start from."""
+    from .files import write_text
     from .paper import paper_text
-    from .scenario_file import write_text
 
     if file.exists():
         raise ClptError(f"{file}: exists already; name another file, or move this one away")
@@ -69,11 +69,12 @@ def paper(
     as_json: Json = False,
 ) -> None:
     """Run section IV of the paper and judge its claims."""
+    from .files import make_folder
     from .paper import paper_scenario
     from .plotting import save_figures
     from .progress import progress_bar
     from .report import claims, run_and_report
-    from .runs import make_folder, save_run
+    from .runs import save_run
 
     scenario, folder = paper_scenario(), make_folder(out)
     with progress_bar("section IV", scenario.run.duration) as report:
@@ -100,9 +101,10 @@ def run(
     as_json: Json = False,
 ) -> None:
     """Run a scenario."""
+    from .files import check_writable, make_folder
     from .progress import progress_bar
     from .report import run_and_report
-    from .runs import check_writable, make_folder, save_run
+    from .runs import save_run
     from .scenario_file import load_scenario
 
     experiment = load_scenario(scenario)
@@ -124,6 +126,8 @@ def run(
     if rms:
         shown = ", ".join(f"{value:.3g}" for value in rms[:10]) + (", ..." if rms[10:] else "")
         rows.append([f"CLPE rms per cycle ({unit})", shown])
+    rows.append([f"CLPE rms, whole run ({unit})", f"{summary['clpe_rms']:.3g}"])
+    rows.append([f"CLPE rms, last quarter ({unit})", f"{summary['clpe_rms_last_quarter']:.3g}"])
     for key, name in (
         ("max_flow_parameter_error", "largest flow parameter error"),
         ("max_gain_error", "largest gain error"),
@@ -133,7 +137,8 @@ def run(
             rows.append([name, f"{error:.3g} at t = {time} {experiment.units.time}"])
     for place, share in summary.get("explained_variance", {}).items():
         if isinstance(share, float):
-            rows.append([f"variance of the flow that was learned, {place}", f"{share:.3f}"])
+            worse = "; negative: worse than no flow" if share < 0 else ""
+            rows.append([f"share of the flow's variance learned, {place}", f"{share:.3f}{worse}"])
     _table(experiment.title or str(scenario), ["", ""], rows)
     typer.echo(f"{out}: written")
 
@@ -175,6 +180,9 @@ def fit(
     constituents: Annotated[
         str, typer.Option(help="steady and named tides, such as steady,M2.")
     ] = "steady,M2",
+    start_from_fit: Annotated[
+        bool, typer.Option("--start-from-fit", help="Let the learner start with the fit.")
+    ] = False,
     as_json: Json = False,
 ) -> None:
     """Fit flow basis functions to a measured current."""
@@ -186,20 +194,25 @@ def fit(
         centers=read_centers(centers),
         width_km=read_width(width),
         constituents=tuple(name.strip() for name in constituents.split(",")),
+        start_from_fit=start_from_fit,
     )
     save_fit(fitted, out)
     if as_json:
         _print_json(fitted.report)
         return
-    rows = [[key.replace("_", " "), _shown(value)] for key, value in fitted.report.items()]
+    rows = [
+        [key.replace("_", " "), _shown(value)]
+        for key, value in fitted.report.items()
+        if key != "theta" and value != []
+    ]
     _table(f"{out}: written, with the field beside it", ["", ""], rows)
 
 
 def _shown(value: Any) -> str:
     if isinstance(value, float):
         return f"{value:.4g}"
-    if isinstance(value, dict):
-        return ", ".join(f"{key} {_shown(inner)}" for key, inner in value.items())
+    if isinstance(value, list | tuple):
+        return ", ".join(_shown(inner) for inner in value)
     return str(value)
 
 

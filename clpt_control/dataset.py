@@ -95,6 +95,11 @@ def run_dataset(
             _lyapunov(scenario, data),
             {"long_name": "Lyapunov candidate V", "units": f"{units.length}2"},
         )
+    origin = {}
+    if scenario.field_path is not None:
+        from .ocean.gridded import time_origin
+
+        origin = time_origin(scenario.field_path)
     return xarray.Dataset(
         data,
         {
@@ -110,6 +115,7 @@ def run_dataset(
             "references": "Cho, Zhang, Edwards (2016), Adaptive learning for controlled "
                           "Lagrangian particle tracking, OCEANS 2016 MTS/IEEE Monterey",
             "scenario": scenario_to_text(scenario),
+            **origin,
             "parameters_changed": str(dict(params or {})),
             "software": ", ".join(f"{name} {version(name)}" for name in
                                   ("clpt-control", "control", "numpy", "scipy")),

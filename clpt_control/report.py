@@ -132,6 +132,8 @@ def summarise(
         "message": dense.attrs["message"],
         "end": float(dense.time[-1]),
         "clpe_rms_per_cycle": clpe_rms(fine, scenario.cycle),
+        "clpe_rms": _rms(fine),
+        "clpe_rms_last_quarter": _rms(fine.isel(time=slice(-(len(fine.time) // 4 + 1), None))),
     }
     marks = {str(t): float(t) for t in TIMES if t <= summary["end"] * (1 + 1e-12)}
     at = {key: dense.sel(time=t, method="nearest") for key, t in marks.items()}
@@ -155,6 +157,10 @@ def summarise(
         if name.startswith("solver_")
     }
     return summary
+
+
+def _rms(run: "xarray.Dataset") -> float:
+    return float(np.sqrt(np.mean(np.sum(run.clpe.values**2, axis=1))))
 
 
 def clpe_rms(run: "xarray.Dataset", span: float) -> list[float]:

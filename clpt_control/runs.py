@@ -1,47 +1,13 @@
-"""A run as a file: NetCDF with CF attributes, written whole or not at all."""
+"""A run as a file: NetCDF with CF attributes and its own scenario."""
 
-import os
-import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .errors import ClptError, DataError
+from .errors import DataError
+from .files import open_netcdf, write_netcdf
 
 if TYPE_CHECKING:
     import xarray
-
-
-def write_netcdf(data: "xarray.Dataset", path: str | Path) -> None:
-    """Write a dataset beside its place, then rename it there.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        What to write.
-    path : str or Path
-        The file; its folder must exist.
-
-    Raises
-    ------
-    DataError
-        If the file cannot be written.
-    """
-    path = Path(path)
-    if not path.parent.is_dir():
-        raise DataError(f"{path}: cannot be written: the folder {path.parent} does not exist")
-    beside = None
-    try:
-        handle, beside = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-        os.close(handle)
-        no_fill = {name: {"_FillValue": None} for name in data.variables}
-        data.to_netcdf(beside, engine="netcdf4", encoding=no_fill)
-        Path(beside).chmod(0o644)
-        Path(beside).replace(path)
-    except OSError as error:
-        raise DataError(f"{path}: cannot be written: {error.strerror or error}") from None
-    finally:
-        if beside is not None:
-            Path(beside).unlink(missing_ok=True)
 
 
 def save_run(run: "xarray.Dataset", path: str | Path) -> None:
@@ -106,8 +72,6 @@ def load_run(path: str | Path) -> "xarray.Dataset":
     >>> clpt.load_run(file).sizes["time"]
     6
     """
-    from .ocean.gridded import open_netcdf
-
     with open_netcdf(Path(path)) as data:
         if "clpe" not in data.variables:
             raise DataError(f"{path}: is no run: it has no variable 'clpe'; `clpt run` writes one")
@@ -124,44 +88,7 @@ def scenario_text(path: str | Path) -> str:
     DataError
         If the file is missing, is not NetCDF, or carries no scenario.
     """
-    from .ocean.gridded import open_netcdf
-
     with open_netcdf(Path(path)) as data:
         if "scenario" not in data.attrs:
             raise DataError(f"{path}: carries no scenario; `clpt run` writes runs that do")
         return str(data.attrs["scenario"])
-
-
-def make_folder(path: str | Path) -> Path:
-    """Make a folder for results, or say in one sentence why not.
-
-    Raises
-    ------
-    ClptError
-        If a file is in the way or the place cannot be written to.
-    """
-    path = Path(path)
-    try:
-        path.mkdir(parents=True, exist_ok=True)
-    except FileExistsError:
-        raise ClptError(f"{path}: is a file; give a folder") from None
-    except OSError as error:
-        raise ClptError(f"{path}: cannot be made: {error.strerror}") from None
-    return path
-
-
-def check_writable(path: str | Path) -> None:
-    """Refuse, before work begins, a file that could not be written.
-
-    Raises
-    ------
-    DataError
-        If the folder is missing or closed, or a folder bears the name.
-    """
-    path = Path(path)
-    if path.is_dir():
-        raise DataError(f"{path}: is a folder; give a file name such as {path / 'run.nc'}")
-    if not path.parent.is_dir():
-        raise DataError(f"{path}: cannot be written: the folder {path.parent} does not exist")
-    if not os.access(path.parent, os.W_OK):
-        raise DataError(f"{path}: cannot be written: the folder {path.parent} is read-only")

@@ -6,7 +6,6 @@ is allowed.
 
 import difflib
 import os
-import tempfile
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -14,6 +13,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from .errors import ScenarioError
+from .files import write_text
 from .scenario import Scenario
 from .scenario_tables import (
     Basis,
@@ -220,13 +220,13 @@ def scenario_to_text(scenario: Scenario, folder: Path | None = None) -> str:
     str
         TOML that reads back to the same scenario.
     """
-    import tomli_w
+    import tomlkit
 
     tables = scenario_tables(scenario)
     if folder is not None and scenario.field_path is not None:
         relative = os.path.relpath(scenario.field_path.resolve(), Path(folder).resolve())
         tables["flow"]["field"] = Path(relative).as_posix()
-    return tomli_w.dumps(tables)
+    return tomlkit.dumps(tables)
 
 
 def save_scenario(scenario: Scenario, path: str | Path) -> None:
@@ -253,21 +253,3 @@ def save_scenario(scenario: Scenario, path: str | Path) -> None:
     """
     path = Path(path)
     write_text(path, scenario_to_text(scenario, path.parent))
-
-
-def write_text(path: Path, text: str) -> None:
-    """Write a text file whole or not at all.
-
-    Raises
-    ------
-    ScenarioError
-        If the folder does not exist or cannot be written to.
-    """
-    try:
-        handle, beside = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(text)
-        Path(beside).chmod(0o644)
-        Path(beside).replace(path)
-    except OSError as error:
-        raise ScenarioError(f"{path}: cannot be written: {error.strerror}") from None

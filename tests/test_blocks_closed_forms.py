@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
+import clpt_control as clpt
 from clpt_control.blocks import (
     adaptation,
     basis,
@@ -19,6 +20,7 @@ from clpt_control.blocks import (
     reference,
     vehicle,
 )
+from clpt_control.errors import ScenarioError
 from clpt_control.ocean.gridded import GriddedField
 
 # --- basis functions, Eq. (5) -----------------------------------------------------------------
@@ -472,6 +474,40 @@ def test_noise_across_seeds_at_one_interval():
         assert abs(np.mean(values)) < 5 / math.sqrt(5000)
         assert stats.kstest(values, "norm").pvalue > 1e-4
         assert abs(np.corrcoef(values[1:], values[:-1])[0, 1]) < 5 / math.sqrt(5000)
+
+
+@pytest.mark.parametrize("apart", [7919, 104729, 40503, 7919 + 104729])
+def test_seeds_and_axes_do_not_share_noise(apart):
+    one, other = noise_values(3, count=4000), noise_values(3 + apart, count=4000)
+    for a in (0, 1):
+        for b in (0, 1):
+            assert not np.any(one[:, a] == other[:, b])
+            assert abs(np.corrcoef(one[:, a], other[:, b])[0, 1]) < 5 / math.sqrt(4000)
+            sizes = np.abs(one[:, a]), np.abs(other[:, b])
+            assert abs(np.corrcoef(*sizes)[0, 1]) < 5 / math.sqrt(4000)
+
+
+def test_largest_seeds_are_not_the_smallest_again():
+    """Every seed that a scenario allows makes noise of its own."""
+    seeds = [*range(8), *range(2**26 - 8, 2**26)]
+    first = {}
+    for seed in seeds:
+        try:
+            clpt.paper_scenario().with_values(
+                {
+                    "flow.disturbance": {
+                        "kind": "noise",
+                        "amplitude": [1.0, 1.0],
+                        "period": 1.0,
+                        "seed": seed,
+                    }
+                }
+            )
+        except ScenarioError:
+            continue
+        first[seed] = tuple(noise_values(seed, count=2).ravel())
+    assert len(first) >= 8
+    assert len(set(first.values())) == len(first)
 
 
 def test_noise_has_no_memory_and_is_held():

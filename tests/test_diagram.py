@@ -9,8 +9,8 @@ from clpt_control import wiring
 from clpt_control.blocks import Block, basis, flow, lyapunov, reference, vehicle
 from clpt_control.blocks import clpe as clpe_block
 from clpt_control.diagram import initial_state, paper_blocks
-from clpt_control.interconnection import Diagram, connect
 from clpt_control.errors import BlockError, DiagramError
+from clpt_control.interconnection import Diagram, connect
 from clpt_control.native.sweep import Sweep
 
 PAPER = clpt.paper_scenario()

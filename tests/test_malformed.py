@@ -4,7 +4,7 @@ import tomllib
 
 import numpy as np
 import pytest
-import tomli_w
+import tomlkit
 import xarray
 
 from clpt_control.paper import paper_text
@@ -67,7 +67,7 @@ def write(path, changes):
             del table[last]
         else:
             table[last] = value
-    path.write_text(tomli_w.dumps(tables))
+    path.write_text(tomlkit.dumps(tables))
 
 
 def assert_refused(outcome, folder, before, words):

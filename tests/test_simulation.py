@@ -13,8 +13,8 @@ import clpt_control as clpt
 from clpt_control.blocks import Block, disturbance, field, reference, vehicle
 from clpt_control.blocks.ports import states_as_outputs
 from clpt_control.diagram import initial_state
-from clpt_control.interconnection import connect
 from clpt_control.errors import ClptError, DataError, SimulationError
+from clpt_control.interconnection import connect
 from clpt_control.native.integrate import integrate
 from clpt_control.native.sweep import Sweep
 from clpt_control.ocean.gridded import GriddedField

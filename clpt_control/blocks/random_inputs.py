@@ -218,7 +218,7 @@ class Reading(NamedTuple):
 
 
 def sympy_reading(block: Block, function: Equations, size: int) -> Reading:
-    """Trace a block's equations on symbols; whole numbers stay numbers.
+    """Trace a block's equations on symbols; integers stay.
 
     Parameters
     ----------

@@ -38,7 +38,7 @@ def branchings(paths: dict[tuple[int, str], list[Point]]) -> list[Point]:
 def strokes(
     paths: dict[tuple[int, str], list[Point]], nets: list[Net]
 ) -> dict[tuple[int, str], list[Point]]:
-    """Shorten paths to what the paths of the same net before them leave out.
+    """Shorten paths to what earlier paths of the net leave out.
 
     Parameters
     ----------

@@ -171,7 +171,7 @@ def sort_tracks(turns: list[Turn]) -> None:
 
 
 def overlap(a: Turn, b: Turn) -> bool:
-    """Tell whether two turns are too close in height to share a track.
+    """Tell whether two turns are too close to share a track.
 
     Parameters
     ----------

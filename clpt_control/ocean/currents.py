@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 
 from ..errors import DataError
+from ..files import open_netcdf
 from .cf import VELOCITY, find_axis, find_variable, hours_since_first, surface_values
-from .gridded import open_netcdf
 
 FASTEST = 15.0  # m/s; no current at sea is faster, a fill value taken as data is
 

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import DataError
+from ..files import open_netcdf, write_netcdf
 from ..tides import SECONDS
 
 METRES = {"m": 1.0, "km": 1000.0, "cm": 0.01}
@@ -79,37 +80,6 @@ def speed_in_metres_per_second(unit: str, where: str) -> float:
     raise DataError(f"{where}: units = '{unit}' is no speed; must be such as 'm/s' or 'cm s-1'")
 
 
-def open_netcdf(path: Path):
-    """Open a NetCDF file with xarray, or say in one sentence why not.
-
-    Parameters
-    ----------
-    path : Path
-        The file.
-
-    Returns
-    -------
-    xarray.Dataset
-        Times left as numbers.
-
-    Raises
-    ------
-    DataError
-        If the file is missing or not NetCDF.
-    """
-    import xarray
-
-    if not Path(path).exists():
-        raise DataError(f"{path}: no such file; must be a NetCDF file")
-    if not Path(path).is_file():
-        raise DataError(f"{path}: is not a file; must be a NetCDF file")
-    try:
-        return xarray.open_dataset(path, decode_times=False, engine="netcdf4")
-    except (OSError, ValueError, RuntimeError) as error:
-        reason = str(getattr(error, "strerror", None) or error).splitlines()[0][:120]
-        raise DataError(f"{path}: cannot be read as NetCDF: {reason}") from None
-
-
 def read_field(path: Path, units) -> GriddedField:
     """Read a gridded field in a scenario's units.
 
@@ -158,6 +128,19 @@ def read_field(path: Path, units) -> GriddedField:
     return GriddedField(*axes, *values)
 
 
+def time_origin(path: Path) -> dict[str, str]:
+    """Give the date of a field's t = 0, where its file has one.
+
+    Returns
+    -------
+    dict
+        ``{"time_origin": "2019-01-01T00:00:00"}``, or empty.
+    """
+    with open_netcdf(path) as data:
+        origin = data.attrs.get("time_origin")
+    return {} if origin is None else {"time_origin": str(origin)}
+
+
 def _regular(axis: np.ndarray, name: str, path: Path) -> np.ndarray:
     step = np.diff(axis)
     if axis.ndim != 1 or len(axis) < 2 or not np.all(step > 0):
@@ -187,8 +170,6 @@ def write_field(field: GriddedField, path: Path, units, attributes: dict) -> Non
         If the file cannot be written.
     """
     import xarray
-
-    from ..runs import write_netcdf
 
     speed = f"{units.length} {units.time}-1"
     dims = ("time", "y", "x")

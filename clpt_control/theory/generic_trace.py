@@ -97,9 +97,7 @@ def generic_parameters(block: Block) -> Any:
     return type(block.parameters)(*values)
 
 
-def generic_trace(
-    diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()
-) -> GenericLoop:
+def generic_trace(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()) -> GenericLoop:
     """Read a diagram's equations with the number of functions a symbol.
 
     Parameters
@@ -149,7 +147,11 @@ def generic_trace(
                     loop.signals[(port, None, j)] = Summed(element_symbol(port, None, j))
             continue
         found[block.name] = read_function(
-            block.output_function, block, generic_parameters(block), _both(block, functions), outputs
+            block.output_function,
+            block,
+            generic_parameters(block),
+            _both(block, functions),
+            outputs,
         )
         loop.signals.update(_composed(found[block.name], block, sources, loop, functions))
     for node in order:
@@ -182,7 +184,7 @@ def _both(block: Block, functions: int) -> dict[str, dict[str, Size]]:
     }
 
 
-def _sources(nodes: Iterable[Node]) -> dict[tuple[str, str], tuple[str, sympy.Expr] | None]:
+def _sources(nodes: Iterable[Node]) -> dict[tuple[str, str], tuple[str, sympy.Expr]]:
     """Tell, through the wires, which port feeds each input port, and its gain."""
     place = {}
     for node in nodes:
@@ -200,12 +202,15 @@ def _sources(nodes: Iterable[Node]) -> dict[tuple[str, str], tuple[str, sympy.Ex
                 feeds[wire.to + k] = (*place[wire.source + k], wire.gain)
         at = 0
         for port, size in node.system.input_ports.items():
-            run = [feeds.get(at + k) for k in range(size)]
+            nothing = ("", -1, 0.0)
+            run = [feeds.get(at + k, nothing) for k in range(size)]
             at += size
-            if any(feed is None or feed[1:] != (k, run[0][2]) or feed[0] != run[0][0]
-                   for k, feed in enumerate(run)):  # fmt: skip
-                raise DiagramError(f"{node.name}.{port}: must be fed by one port, whole and in order")
-            found[(node.system.name, port)] = (run[0][0], sympy.nsimplify(run[0][2]))
+            source, _, gain = run[0]
+            if not source or run != [(source, k, gain) for k in range(size)]:
+                raise DiagramError(
+                    f"{node.name}.{port}: must be fed by one port, whole and in order"
+                )
+            found[(node.system.name, port)] = (source, sympy.nsimplify(gain))
     return found
 
 
@@ -241,7 +246,7 @@ def _substituted(value: Summed, rows: dict, plain: dict[sympy.Expr, Summed]) -> 
     sums = {symbol: fed for symbol, fed in plain.items() if fed.term != 0}
     marks = {symbol: sympy.Dummy(str(symbol), real=True) for symbol in sums}
     base, term = (part.subs({**simple, **marks}, simultaneous=True) for part in (base, term))
-    result = Summed(base.subs({m: 0 for m in marks.values()}), term)
+    result = Summed(base.subs(dict.fromkeys(marks.values(), 0)), term)
     for symbol, mark in marks.items():
         slope = sympy.diff(base, mark)
         if slope.has(*marks.values()) or term.has(mark):

@@ -1,0 +1,46 @@
+"""Studies and examples: each leaves its table and figure, with figures that can be wrong."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+
+
+def run(*arguments):
+    return subprocess.run(
+        [sys.executable, *map(str, arguments)], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+
+
+def test_step_response_agrees_with_theory(tmp_path):
+    run("-m", "analysis.step_response", "--out", tmp_path)
+    text = (tmp_path / "step_response.md").read_text()
+    rows = dict(line.strip("| ").rsplit(" | ", 1) for line in text.splitlines()[2:])
+    values = {name: float(value) for name, value in rows.items()}
+    assert values["largest difference of the two responses"] < 1e-6
+    assert values["largest |zc -> e|, learner true"] < 1e-5
+    slope = values["initial slope of it (theory: GammaD - Gamma)"]
+    assert slope == pytest.approx(0.1, rel=0.02)
+    assert (tmp_path / "step_response.png").stat().st_size > 10_000
+
+
+@pytest.mark.slow
+def test_readings_find_the_one_that_reproduces_the_paper(tmp_path):
+    done = run("-m", "analysis.readings", "--out", tmp_path)
+    assert done.stdout.strip().endswith("end: exponential with periods in s")
+    text = (tmp_path / "readings.md").read_text()
+    assert "| 4.33 |" in text
+    assert "| 0.19 |" in text
+    assert text.count("below 1e-12") == 2
+
+
+def test_measured_current_example(shared, tmp_path):
+    done = run(
+        "examples/measured_current.py", shared / "field" / "maracoos_hfr_2019-01-01.nc", tmp_path
+    )
+    ratio = float(done.stdout.split("ratio ")[1].split()[0])
+    assert ratio <= 0.1
+    assert (tmp_path / "measured_current.png").stat().st_size > 10_000
