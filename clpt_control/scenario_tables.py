@@ -84,7 +84,7 @@ class Disturbance(Part):
     kind: Literal["constant", "sine", "square", "noise"]
     amplitude: Pair
     period: Positive | None = None
-    seed: Annotated[int, Strict(), Field(ge=0, lt=2**26)] | None = None
+    seed: Annotated[int, Strict(), Field(ge=0, lt=67108859)] | None = None
 
     @model_validator(mode="after")
     def _what_the_kind_needs(self) -> "Disturbance":

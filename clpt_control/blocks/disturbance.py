@@ -56,10 +56,12 @@ def scramble(seed, k, axis, stream):
 
     Rounds of h -> h^2 + c h + key modulo a prime, in exact double arithmetic.
     """
-    h = remainder(remainder(seed) + 40503.0 + 7919.0 * axis + 104729.0 * stream)
+    h = remainder(remainder(seed) + 40503.0)
+    which = axis * 2.0 + stream
     for i in range(4):
         h = remainder(h * h + 1299709.0 + 15485863.0 * i)
-        h = remainder(h * 31415821.0 + remainder(k) * (2.0 * i + 3.0))
+        h = h * 31415821.0 + remainder(k) * (2.0 * i + 3.0) + which * (7919.0 + 104729.0 * i)
+        h = remainder(h)
     return (h + 0.5) / MODULUS
 
 

@@ -98,7 +98,7 @@ def generic_parameters(block: Block) -> Any:
 
 
 def generic_trace(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()) -> GenericLoop:
-    """Read a diagram's equations with the number of functions a symbol.
+    """Read a diagram's equations with N a symbol.
 
     Parameters
     ----------
@@ -123,8 +123,8 @@ def generic_trace(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()
     --------
     >>> import clpt_control as clpt
     >>> loop = generic_trace(clpt.closed_loop(clpt.paper_scenario()), ("basis_x", "basis_z"))
-    >>> loop.rates[("alpha", 0, None)]
-    gamma*(-x_1 + z_1)*phi_x[k]
+    >>> loop.signals[("e", None, 0)].base
+    x_1 - z_1
     """
     wiring, kept = read(diagram), set(opaque)
     loop = GenericLoop()

@@ -10,9 +10,9 @@ from collections.abc import Iterator
 import control
 import numpy as np
 
-from ..errors import BlockError
-from .block import Block
-from .random_inputs import Sample, differ, equations, own_copy, python_values, sympy_reading
+from ...errors import BlockError
+from ..block import Block
+from .samples import Sample, differ, equations, own_copy, python_values, sympy_reading
 
 LINEAR = 1e-4
 KINKS = {"Piecewise", "Min", "Max", "sign", "floor", "Mod", "Abs", "Heaviside"}

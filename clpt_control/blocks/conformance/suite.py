@@ -12,9 +12,9 @@ Each check asks with random inputs and answers in plain sentences.
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
-from ..errors import BlockError
-from .block import Block
-from .block_checks import (
+from ...errors import BlockError
+from ..block import Block
+from .diagrams import (
     _copies,
     _interconnects,
     _jumps,
@@ -22,7 +22,7 @@ from .block_checks import (
     _parameters,
     _pickles,
 )
-from .equation_checks import (
+from .equations import (
     _docstrings,
     _feedthrough,
     _in_range,
@@ -31,7 +31,7 @@ from .equation_checks import (
     _writes,
     _zero,
 )
-from .random_inputs import Sample, draw
+from .samples import Sample, draw
 
 Check = Callable[[Block, list[Sample]], Iterator[str]]
 CHECKS: tuple[Check, ...] = (

@@ -9,8 +9,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from .block import Block
-from .random_inputs import (
+from ..block import Block
+from .samples import (
     Sample,
     differ,
     equations,

@@ -9,9 +9,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .block import Block
-from .ports import Equations
-from .readers import compiled, traced
+from ..block import Block
+from ..ports import Equations
+from ..readers import compiled, traced
 
 OUT_OF_RANGE = (ValueError, OverflowError, ZeroDivisionError, FloatingPointError)
 
