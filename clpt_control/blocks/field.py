@@ -64,8 +64,7 @@ def gridded(t, x, u, p, y):
     """F_R from the grid, in place of Eq. (3): u = x[2] (length), y = flow_x[2] (length/time)."""
     at, a2, a1 = coordinate(t, p, 0), coordinate(u[1], p, 1), coordinate(u[0], p, 2)
     m, j, i = cell(at, p, 0), cell(a2, p, 1), cell(a1, p, 2)
-    y[0] = 0.0
-    y[1] = 0.0
+    flow_1, flow_2 = 0, 0
     for km in range(4):
         wt = weight(at, m, km)
         for kj in range(4):
@@ -73,8 +72,9 @@ def gridded(t, x, u, p, y):
             row = ((m + km) * (p.shape[1] + 2) + j + kj) * (p.shape[2] + 2) + i
             for ki in range(4):
                 c = w * weight(a1, i, ki)
-                y[0] += c * lookup(p.u, row + ki)
-                y[1] += c * lookup(p.v, row + ki)
+                flow_1 += c * lookup(p.u, row + ki)
+                flow_2 += c * lookup(p.v, row + ki)
+    y[0], y[1] = flow_1, flow_2
 
 
 def gridded_disturbed(t, x, u, p, y):

@@ -6,24 +6,23 @@ Axis by axis the joint regressor is w = [phi(x), z_i, zc_i], of Eq. (31).  The
 integral is not divided by the window.  Its eigenvalues say how well the
 parameters of that axis can be told apart on this track; w holds z, which
 depends on the learner, so a Gramian belongs to the trajectory it came from.
+
+A Gramian is kept as a triangular factor R, Gramian = R^T R, so that small
+eigenvalues are squares of R's singular values and keep their digits.
 """
 
 from dataclasses import dataclass
-from itertools import pairwise
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..blocks.reference import multiples
 from ..errors import ScenarioError
-from ..flows import basis_functions
 from ..scenario import Scenario
-from ..simulation import simulate
+from .factors import joined, piece_factors
+from .recorded import Source
+from .regressor import Regressor, joint_regressor
 
-if TYPE_CHECKING:
-    import xarray
-
-NODES_PER_PIECE = 24
+NOT_LEARNABLE = 1e-9  # eigenvalues below this share of the largest say: not learnable
+INVOLVED = 0.05  # a parameter belongs to a subspace if its unit vector leans into it this far
 
 
 @dataclass(frozen=True)
@@ -34,35 +33,101 @@ class Excitation:
     ----------
     start, window : float
         The window [start, start + window], units.time.
+    trajectory : str
+        Which trajectory it was measured on.
+    time_unit : str
+        units.time.
     names : dict
         ``"x1"`` and ``"x2"`` -> names of the N + 2 parameters of that axis.
-    gramians : dict
-        ``"x1"`` and ``"x2"`` -> ndarray, shape (N + 2, N + 2).
+    factors : dict
+        ``"x1"`` and ``"x2"`` -> ndarray R, shape (N + 2, N + 2).
+    tolerance : float
+        Eigenvalues at or below this share of the largest are not excited.
     """
 
     start: float
     window: float
+    trajectory: str
+    time_unit: str
     names: dict[str, list[str]]
-    gramians: dict[str, np.ndarray]
+    factors: dict[str, np.ndarray]
+    tolerance: float = NOT_LEARNABLE
+
+    @property
+    def gramians(self) -> dict[str, np.ndarray]:
+        """Gramian int w w^T dt of each axis, shape (N + 2, N + 2)."""
+        return {axis: R.T @ R for axis, R in self.factors.items()}
 
     @property
     def eigenvalues(self) -> dict[str, np.ndarray]:
         """Eigenvalues of each axis, ascending: kappa_1 first, kappa_2 last."""
-        return {axis: np.linalg.eigvalsh(G) for axis, G in self.gramians.items()}
+        return {axis: self._spectrum(axis)[0] for axis in self.factors}
+
+    @property
+    def directions(self) -> dict[str, np.ndarray]:
+        """Unit eigenvectors as columns, in the order of the eigenvalues."""
+        return {axis: self._spectrum(axis)[1] for axis in self.factors}
 
     @property
     def least_excited(self) -> dict[str, dict[str, float]]:
         """Unit eigenvector of the smallest eigenvalue, by parameter name."""
         found = {}
-        for axis, G in self.gramians.items():
-            vector = np.linalg.eigh(G)[1][:, 0]
-            vector = vector * np.sign(vector[np.argmax(np.abs(vector))])
+        for axis, vectors in self.directions.items():
+            vector = vectors[:, 0] * np.sign(vectors[np.argmax(np.abs(vectors[:, 0])), 0])
             found[axis] = dict(zip(self.names[axis], map(float, vector), strict=True))
         return found
+
+    @property
+    def identifiable(self) -> dict[str, np.ndarray]:
+        """Orthonormal basis of what can be learned, shape (N + 2, dimension)."""
+        return {axis: self.directions[axis][:, ~idle] for axis, idle in self._idle().items()}
+
+    @property
+    def dimension(self) -> dict[str, int]:
+        """Dimension of the identifiable subspace of each axis."""
+        return {axis: basis.shape[1] for axis, basis in self.identifiable.items()}
+
+    @property
+    def not_learnable(self) -> list[str]:
+        """Sentences that name what cannot be learned on this track.
+
+        A parameter whose own direction is not excited is named alone; several
+        that appear only in combinations are named together.
+        """
+        sentences = []
+        for axis, idle in self._idle().items():
+            lean = np.linalg.norm(self.directions[axis][:, idle], axis=1)
+            mixed = []
+            for name, share in zip(self.names[axis], lean, strict=True):
+                if share > np.sqrt(1 - INVOLVED**2):
+                    sentences.append(f"{name} is not learnable on this track")
+                elif share > INVOLVED:
+                    mixed.append(name)
+            if mixed:
+                listed = ", ".join(mixed[:-1]) + f" and {mixed[-1]}" if mixed[1:] else mixed[0]
+                sentences.append(f"{listed} are not learnable one by one on this track")
+        return sentences
+
+    def _spectrum(self, axis: str) -> tuple[np.ndarray, np.ndarray]:
+        _, sizes, rows = np.linalg.svd(self.factors[axis])
+        return sizes[::-1] ** 2, rows[::-1].T
+
+    def _idle(self) -> dict[str, np.ndarray]:
+        return {a: values <= self.tolerance * values[-1] for a, values in self.eigenvalues.items()}
 
 
 def parameter_names(N: int) -> dict[str, list[str]]:
     """Name the parameters of each axis, numbered from 1.
+
+    Parameters
+    ----------
+    N : int
+        Number of basis functions.
+
+    Returns
+    -------
+    dict
+        ``"x1"`` and ``"x2"`` -> N + 2 names.
 
     Examples
     --------
@@ -111,76 +176,22 @@ def started_true(scenario: Scenario) -> Scenario:
     )
 
 
-def quadrature(scenario: Scenario, start: float, end: float) -> tuple[np.ndarray, np.ndarray]:
-    """Give quadrature nodes and weights between the switches.
-
-    Gauss-Legendre, with a piece for every half period of the fastest tide.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        Its dwell gives the switches.
-    start, end : float
-        The window, units.time.
-
-    Returns
-    -------
-    times, weights : ndarray
-        No node lies on a switch.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> times, weights = quadrature(clpt.paper_scenario(), 0.0, 50.0)
-    >>> float(weights.sum().round(9))
-    50.0
-    """
-    dwell = scenario.reference.dwell
-    fastest = min([dwell, *(scenario.periods[np.isfinite(scenario.periods)] / 2)])
-    edges = np.unique([start, *multiples(dwell, start, end), end])
-    pieces = []
-    for a, b in pairwise(edges):
-        pieces.append(np.linspace(a, b, int(np.ceil((b - a) / fastest)) + 1))
-    cuts = np.unique(np.concatenate(pieces))
-    node, weight = np.polynomial.legendre.leggauss(NODES_PER_PIECE)
-    half = np.diff(cuts)[:, None] / 2
-    times = cuts[:-1, None] + half * (1 + node)
-    return times.ravel(), (half * weight).ravel()
-
-
-def regressor(scenario: Scenario, run: "xarray.Dataset") -> np.ndarray:
-    """Give w = [phi(x), z_i, zc_i] of Eq. (31) along a run.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        Names the basis.
-    run : xarray.Dataset
-        As `simulate` gives it.
-
-    Returns
-    -------
-    ndarray, shape (2, ntimes, N + 2)
-        Axis first.
-    """
-    phi = basis_functions(scenario, run.position.values, run.time.values)
-    z, zc = run.predicted_position.values, run.reference.values
-    return np.stack([np.column_stack([phi, z[:, i], zc[:, i]]) for i in range(2)])
-
-
 def excitation(
-    scenario: Scenario, window: float | None = None, start: float | None = None
-) -> Excitation:
-    """Measure the joint excitation of a scenario over one window.
+    source: Source | Regressor, window: float | None = None, start: float | None = None,
+    tolerance: float = NOT_LEARNABLE,
+) -> Excitation:  # fmt: skip
+    """Measure the joint excitation over one window.
 
     Parameters
     ----------
-    scenario : Scenario
-        Run from its own initial values.
+    source : Scenario, xarray.Dataset or Regressor
+        A scenario is run from its own initial values; a run is read.
     window : float, optional
         Length of the window, units.time; one cycle of the waypoints.
     start : float, optional
         Start of the window; the second cycle, or as late as fits.
+    tolerance : float, optional
+        Eigenvalues up to this share of the largest are not excited.
 
     Returns
     -------
@@ -191,6 +202,8 @@ def excitation(
     ------
     ScenarioError
         If the window is not positive or does not fit into the run.
+    DataError
+        If the dataset is no run.
 
     Examples
     --------
@@ -200,18 +213,9 @@ def excitation(
     >>> [round(float(values[0]), 3) for values in found.eigenvalues.values()]
     [4.333, 4.669]
     """
-    duration = scenario.run.duration
-    window = min(scenario.cycle, duration) if window is None else window
-    start = max(0.0, min(scenario.cycle, duration - window)) if start is None else start
-    if not (window > 0 and start >= 0 and start + window <= duration * (1 + 1e-12)):
-        raise ScenarioError(
-            f"window {window:g} from {start:g}: must be positive and lie within the run, "
-            f"0 to {duration:g} {scenario.units.time}"
-        )
-    times, weights = quadrature(scenario, start, start + window)
-    run = simulate(scenario, times)
-    gramians = {
-        f"x{i}": np.einsum("t,ta,tb->ab", weights, w, w)
-        for i, w in enumerate(regressor(scenario, run), 1)
-    }
-    return Excitation(start, window, parameter_names(scenario.basis.N), gramians)
+    along = source if isinstance(source, Regressor) else joint_regressor(source, window, start)
+    names = parameter_names(along.scenario.basis.N)
+    factors = dict(zip(names, map(joined, piece_factors(along)), strict=True))
+    first, last = float(along.cuts[0]), float(along.cuts[-1])
+    unit = along.scenario.units.time
+    return Excitation(first, last - first, along.trajectory, unit, names, factors, tolerance)

@@ -133,7 +133,15 @@ def generic_trace(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()
         if not isinstance(node.system, Block):
             raise DiagramError(f"{node.name} is no block, so its equations cannot be read")
     functions = _number_of_functions(order)
-    sources = _sources(wiring.nodes)
+    outside = list(dict.fromkeys(label.split("[")[0] for label in diagram.input_labels))
+    for port in outside:
+        count = sum(label.split("[")[0] == port for label in diagram.input_labels)
+        size = generic_size(port, count, functions)
+        for row in range(size.rows):
+            loop.signals[(port, row, None)] = element_symbol(port, row, K)
+        for j in range(size.more):
+            loop.signals[(port, None, j)] = Summed(element_symbol(port, None, j))
+    sources = _sources(wiring.nodes, diagram.input_labels)
     found: dict[str, dict] = {}
     for node in order:
         block = node.system
@@ -184,7 +192,9 @@ def _both(block: Block, functions: int) -> dict[str, dict[str, Size]]:
     }
 
 
-def _sources(nodes: Iterable[Node]) -> dict[tuple[str, str], tuple[str, sympy.Expr]]:
+def _sources(
+    nodes: Iterable[Node], inputs: list[str]
+) -> dict[tuple[str, str], tuple[str, sympy.Expr]]:
     """Tell, through the wires, which port feeds each input port, and its gain."""
     place = {}
     for node in nodes:
@@ -197,9 +207,13 @@ def _sources(nodes: Iterable[Node]) -> dict[tuple[str, str], tuple[str, sympy.Ex
         feeds = {}
         for wire in node.wires:
             for k in range(wire.size):
-                if wire.external or wire.to + k in feeds:
-                    raise DiagramError(f"{node.name}: a generic N needs one block per input")
-                feeds[wire.to + k] = (*place[wire.source + k], wire.gain)
+                if wire.to + k in feeds:
+                    raise DiagramError(f"{node.name}: a generic N needs one source per input")
+                if wire.external:
+                    port, number = inputs[wire.source + k].rstrip("]").split("[")
+                    feeds[wire.to + k] = (port, int(number), wire.gain)
+                else:
+                    feeds[wire.to + k] = (*place[wire.source + k], wire.gain)
         at = 0
         for port, size in node.system.input_ports.items():
             nothing = ("", -1, 0.0)
