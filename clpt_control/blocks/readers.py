@@ -17,7 +17,7 @@ from .words import WORDS, symbolic_substitutes
 
 
 def rebind(
-    function: FunctionType,
+    function: Callable,
     substitutes: Mapping[str, Any],
     wrap: Callable[[FunctionType], Any] = lambda f: f,
     opaque: Callable[[FunctionType], Any] | None = None,
@@ -49,6 +49,7 @@ def rebind(
     >>> rebind(half, {"floor": lambda a: -1.0})(5.0)
     -1.0
     """
+    assert isinstance(function, FunctionType)
     space = dict(function.__globals__)
     for name in function.__code__.co_names:
         value = space.get(name)
@@ -97,7 +98,7 @@ def compiled(function: FunctionType) -> Callable:
     return rebind(function, {name: jit(word) for name, word in WORDS.items()}, jit)
 
 
-def traced(function: FunctionType, t: Any, x: Any, u: Any, p: Any, size: int) -> np.ndarray:
+def traced(function: Callable, t: Any, x: Any, u: Any, p: Any, size: int) -> np.ndarray:
     """Read a block's equations on symbols with SymPy.
 
     Parameters

@@ -107,12 +107,13 @@ def theorem_loop(
     blocks = paper_blocks(scenario)
     if law_block is not None:
         blocks = [law_block if block.name == "adaptation" else block for block in blocks]
+    gain = getattr(getattr(law_block, "parameters", None), "gain", scenario.learning.gain)
     if candidate is None:
         candidate = lyapunov_candidate(
             law,
             LyapunovParameters(
                 N,
-                scenario.learning.gain,
+                gain,
                 np.array(scenario.flow.parameters),
                 np.array(scenario.vehicle.feedback),
                 np.array(scenario.vehicle.feedforward),

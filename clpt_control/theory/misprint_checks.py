@@ -30,7 +30,7 @@ def _free_rate(law: str, disturbed: bool = False) -> tuple[sympy.Expr, dict]:
     loop = _loop(law, disturbed)
     V, rate, free = loop.signals["V"][0], sympy.Integer(0), {}
     for port, states in loop.states.items():
-        own = loop.rates[port]
+        own = list(loop.rates[port])
         if port in ("alpha", "K", "Gamma"):
             own = [sympy.Symbol(f"{s}'", real=True) for s in states]
             free[port] = own

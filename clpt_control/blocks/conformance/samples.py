@@ -259,7 +259,7 @@ def sympy_reading(block: Block, function: Equations, size: int) -> Reading:
             for name, value in zip(block.parameters._fields, block.parameters, strict=True)
         )
     )
-    out = traced(function, t, x, u, p, size)  # type: ignore[arg-type]
+    out = traced(function, t, x, u, p, size)
     numbers = [s for value in p if not isinstance(value, int) for s in np.ravel(value)]
     return Reading([t, *x, *u, *numbers], list(x), list(u), [sympy.sympify(value) for value in out])
 
