@@ -102,9 +102,9 @@ def mutants():
 
 
 def altered(function, which):
-    tree = ast.fix_missing_locations(
-        Flip(which).visit(ast.parse(textwrap.dedent(inspect.getsource(function))))
-    )
+    lines, first = inspect.getsourcelines(function)
+    tree = Flip(which).visit(ast.parse(textwrap.dedent("".join(lines))))
+    tree = ast.increment_lineno(ast.fix_missing_locations(tree), first - 1)
     space = {}
     exec(compile(tree, function.__code__.co_filename, "exec"), dict(function.__globals__), space)
     return space[function.__name__].__code__

@@ -135,10 +135,13 @@ def audit_latex(proofs: Mapping[str, Proof], listed: Sequence[Misprint]) -> str:
              r"\section*{Section III of the paper, checked on the equations that run}"]  # fmt: skip
     for number, proof in proofs.items():
         every = ", for every $N$" if proof.for_every_N else ""
-        lines += [rf"\subsection*{{Theorem {number}: {proof.status}{every}}}",
-                  rf"\emph{{Printed:}} {_tex(proof.printed)}.\par",
-                  rf"\emph{{Assumed:}} {_tex('; '.join(proof.assumptions))}.",
-                  r"\begin{longtable}{lp{2.2cm}p{12cm}}", r"holds & how & claim \\ \hline"]  # fmt: skip
+        lines += [
+            rf"\subsection*{{Theorem {number}: {proof.status}{every}}}",
+            rf"\emph{{Printed:}} {_tex(proof.printed)}.\par",
+            rf"\emph{{Assumed:}} {_tex('; '.join(proof.assumptions))}.",
+            r"\begin{longtable}{lp{2.2cm}p{12cm}}",
+            r"holds & how & claim \\ \hline",
+        ]
         for s in proof.steps:
             detail = f" ({s.detail})" if s.detail else ""
             lines.append(rf"{'yes' if s.holds else 'no'} & {s.how} & {_tex(s.claim + detail)} \\")

@@ -74,7 +74,7 @@ def influences(A: np.ndarray, step: float, targets: np.ndarray) -> np.ndarray:
     found = np.zeros((len(A) + 1, len(targets)))
     for j in range(targets.max(), -1, -1):
         if j < targets.max():
-            rows = rows @ moves[j]
+            rows = np.einsum("ti,ij->tj", rows, moves[j])
         rows[targets == j, 0] = 1.0
         found[j] = rows[:, 0]
     return found
