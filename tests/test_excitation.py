@@ -233,3 +233,41 @@ def test_the_circle_is_what_a_run_measures(paper):
     found = excitation(paper, 200.0, 200.0)
     for gramian in found.gramians.values():
         assert gramian[-1, -1] == pytest.approx(10 * 20 * 9 / 2, rel=1e-12)
+
+
+def test_the_command_prints_the_eigenvalues(clpt, tmp_path):
+    import json
+
+    import clpt_control
+
+    paper = clpt_control.paper_scenario()
+    for kernel, wanted in (("exponential", (4.3331, 4.6692)), ("gaussian", (0.19002, 0.19353))):
+        scenario = started_true(paper.with_values({"basis.kernel": kernel, "run.duration": 400}))
+        clpt_control.save_scenario(scenario, tmp_path / "true.toml")
+        outcome = clpt("excitation", tmp_path / "true.toml", "--window", "200", "--start", "200",
+                       "--figure", tmp_path / "true.png", "--json")  # fmt: skip
+        assert outcome.status == 0, outcome.err
+        printed = json.loads(outcome.out)
+        smallest = [printed["eigenvalues"][axis][0] for axis in ("x1", "x2")]
+        np.testing.assert_allclose(smallest, wanted, rtol=5e-3)
+        assert 0 < printed["rho"] <= 1 - printed["contraction"]
+        assert set(printed["least_excited"]["x1"]) == {
+            "theta_1[1]", "theta_1[2]", "theta_1[3]", "K_1", "Gamma_1",
+        }  # fmt: skip
+        assert (tmp_path / "true.png").stat().st_size > 10_000
+
+
+def test_the_command_names_what_is_not_learnable(clpt, tmp_path):
+    import clpt_control
+
+    scenario = started_true(
+        clpt_control.paper_scenario().with_values(
+            {"basis.kernel": "gaussian-sigma", "run.duration": 400}
+        )
+    )
+    clpt_control.save_scenario(scenario, tmp_path / "true.toml")
+    outcome = clpt("excitation", tmp_path / "true.toml", "--window", "200", "--start", "200")
+    assert "theta_1[2] is not learnable on this track" in outcome.out
+    outcome = clpt("excitation", tmp_path / "true.toml", "--window", "500")
+    assert outcome.status == 2
+    assert outcome.err.count("\n") == 1
