@@ -122,8 +122,8 @@ def figure(by_amplitude: list[Row], by_frequency: list[Row], path: Path) -> None
         below.set_xlabel(label)
     axes[0, 0].set(ylabel=r"|e| in units of $\Delta_{\max}/k$", ylim=(0, None))
     axes[1, 0].set_ylabel("|e| (m)")
-    axes[0, 0].annotate("Eq. (33) allows, at most", (AMPLITUDES[-1], 1.0), xytext=(0, -12),
-                        ha="right", textcoords="offset points", fontsize=8, color=RED)  # fmt: skip
+    axes[0, 1].annotate("Eq. (33) claims", (FREQUENCIES[-1], 1.0), xytext=(0, 3), ha="right",
+                        textcoords="offset points", fontsize=8, color=RED)  # fmt: skip
     picture.legend(*axes[1, 0].get_legend_handles_labels(), fontsize=8, frameon=False,
                    loc="outside lower center", ncols=2)  # fmt: skip
     picture.savefig(path)

@@ -138,7 +138,7 @@ def survivors(chosen):
 
 def test_there_are_signs_to_alter():
     listed = list(mutants())
-    assert len(listed) > 150
+    assert len(listed) > 130
     rooms = {key.split(".")[0] for key, _ in listed}
     assert {"vehicle", "learner", "adaptation", "basis", "clpe", "error_system"} <= rooms
 
@@ -158,5 +158,4 @@ def test_of_all_altered_signs_95_percent_fail_the_proof(capsys):
     with capsys.disabled():
         print(f"\n{len(listed)} mutants, {100 * share:.1f} % caught; survivors: {left}")
     assert share >= 0.95
-    # a sign inside the hash of the noise makes another hash, as random as before
-    assert {key for key, _ in left} <= {"disturbance.scramble", "disturbance.remainder"}
+    assert left == []
