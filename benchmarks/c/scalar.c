@@ -15,6 +15,7 @@
 #define SQRT sqrt
 #define ABSOLUTE fabs
 #define MAXIMUM(a, b) ((a) > (b) ? (a) : (b))
+#define MINIMUM(a, b) ((a) < (b) ? (a) : (b))
 #include "closed_loop.h"
 #include "dop853.h"
 
@@ -23,11 +24,11 @@ static double first_step(int n, double t, double edge, const double *y, const do
     double d0, d1, span = edge - t;
     scalar_norms(n, y, f, rtol, atol, &d0, &d1);
     double h0 = d0 < 1e-5 || d1 < 1e-5 ? 1e-6 : 0.01 * d0 / d1;
-    h0 = fmin(h0, span);
+    h0 = MINIMUM(h0, span);
     double d2 = scalar_curvature(n, t, h0, y, f, p, zc, rtol, atol);
-    double h1 = d1 <= 1e-15 && d2 <= 1e-15 ? fmax(1e-6, h0 * 1e-3)
-                                           : pow(0.01 / fmax(d1, d2), 1.0 / 8);
-    return fmin(fmin(100 * h0, h1), span);
+    double h1 = d1 <= 1e-15 && d2 <= 1e-15 ? MAXIMUM(1e-6, h0 * 1e-3)
+                                           : pow(0.01 / MAXIMUM(d1, d2), 1.0 / 8);
+    return MINIMUM(MINIMUM(100 * h0, h1), span);
 }
 
 /* Integrate one run; `record` (may be null) receives the states at the first waypoint ends. */
@@ -38,19 +39,19 @@ static void run(const Problem *problem, const double *p, double *y, double *reco
     for (int64_t interval = 0; t < problem->end; interval++) {
         int64_t at = interval % problem->waypoints;
         double zc[2] = {problem->w1[at], problem->w2[at]};
-        double edge = fmin((double)(interval + 1) * problem->dwell, problem->end);
+        double edge = MINIMUM((double)(interval + 1) * problem->dwell, problem->end);
         scalar_derivative(n, t, y, p, zc, k[0]);
         double h = first_step(n, t, edge, y, k[0], p, zc, rtol, atol);
         c->evaluations += 2;
         int rejected = 0;
         while (t < edge) {
             double least = 10 * (nextafter(t, INFINITY) - t);
-            if (!rejected) h = fmax(h, least);
+            if (!rejected) h = MAXIMUM(h, least);
             if (!(h >= least)) {
                 c->status = 1;
                 return;
             }
-            double next = fmin(t + h, edge);
+            double next = MINIMUM(t + h, edge);
             h = next - t;
             scalar_attempt(n, t, h, y, p, zc, k, new, rtol, atol, &norm5, &norm3);
             c->evaluations += 11;
@@ -58,7 +59,7 @@ static void run(const Problem *problem, const double *p, double *y, double *reco
             double factor = SAFETY / sqrt(sqrt(sqrt(error))); /* error^(-1/8) */
             if (error < 1) {
                 factor = factor < MAX_FACTOR ? factor : MAX_FACTOR;
-                h *= rejected ? fmin(1, factor) : factor;
+                h *= rejected ? MINIMUM(1, factor) : factor;
                 t = next;
                 memcpy(y, new, sizeof new);
                 rejected = 0;

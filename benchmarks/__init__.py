@@ -1,0 +1,1 @@
+"""Benchmarks: one interleaved run of several engines; see docs/performance.md."""

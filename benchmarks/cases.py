@@ -1,0 +1,134 @@
+"""The runs that are timed: the paper's, with N functions, and ensembles of it."""
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+import clpt_control as clpt
+from clpt_control.diagram import initial_state
+
+REFERENCE = Path(__file__).parent.parent / "tests" / "reference" / "paper.json"
+CHUNK = 4096  # members drawn at a time
+
+
+@dataclass(frozen=True)
+class Case:
+    """One run: a scenario and the times of the states wanted.
+
+    Attributes
+    ----------
+    name : str
+        What the tables call it.
+    scenario : Scenario
+        With N basis functions and the learned-flow law.
+    times : ndarray
+        From 0 to the end, the waypoint ends among them.
+    """
+
+    name: str
+    scenario: clpt.Scenario
+    times: np.ndarray
+
+    @property
+    def N(self) -> int:
+        """Number of basis functions."""
+        return self.scenario.basis.N
+
+
+def paper(end: float = 2000.0) -> Case:
+    """Give the paper's run; its states at the waypoint ends."""
+    scenario = clpt.paper_scenario().with_values({"run.duration": end})
+    return _case("the paper's run", scenario)
+
+
+def many(N: int, end: float = 2000.0, seed: int = 1) -> Case:
+    """Give the paper's run in a flow of N random functions, of the paper's strength.
+
+    Parameters
+    ----------
+    N : int
+        Number of exponential functions.
+    end : float, optional
+        Duration.
+    seed : int, optional
+        Of the random numbers.
+    """
+    draw = np.random.default_rng(seed)
+    theta = draw.normal(0.0, 1.2 / np.sqrt(N), (2, N))
+    values = {
+        "basis.centers": draw.uniform(-12, 12, (N, 2)).tolist(),
+        "basis.widths": draw.uniform(3, 8, N).tolist(),
+        "basis.periods": draw.uniform(8, 30, N).tolist(),
+        "basis.phases": draw.uniform(-np.pi, np.pi, N).tolist(),
+        "flow.parameters": theta.tolist(),
+        "model.parameters": np.zeros((2, N)).tolist(),
+        "learning.parameters": np.zeros((2, N)).tolist(),
+        "run.duration": end,
+    }
+    if N == 3:
+        return _case("N = 3", clpt.paper_scenario().with_values({"run.duration": end}))
+    document = clpt.paper_scenario().model_dump(exclude_none=True, exclude_defaults=True)
+    for key, value in values.items():
+        table, name = key.split(".")
+        document.setdefault(table, {})[name] = value
+    return _case(f"N = {N}", clpt.Scenario.model_validate(document))
+
+
+def _case(name: str, scenario: clpt.Scenario) -> Case:
+    end = scenario.run.duration
+    ends = scenario.reference.dwell * np.arange(1, np.ceil(end / scenario.reference.dwell) + 1)
+    return Case(name, scenario, np.concatenate([[0.0], np.minimum(ends, end)]))
+
+
+def flat_parameters(scenario: clpt.Scenario) -> np.ndarray:
+    """Give one run's parameters in the C programs' order, shape (9 N + 5,)."""
+    centers = np.array(scenario.basis.centers)
+    return np.concatenate(
+        [
+            centers[:, 0],
+            centers[:, 1],
+            scenario.basis.widths,
+            scenario.frequencies,
+            scenario.phases,
+            np.ravel(scenario.flow.parameters),
+            np.ravel(scenario.model_parameters),
+            scenario.vehicle.feedback,
+            scenario.vehicle.feedforward,
+            [scenario.learning.gain],
+        ]
+    )
+
+
+def members(scenario: clpt.Scenario, chunk: int, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Draw members that differ in parameters and initial states.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The middle of the ensemble.
+    chunk : int
+        Number of the chunk; each has its own random stream.
+    count : int
+        Members of this chunk.
+
+    Returns
+    -------
+    parameters, states : ndarray
+        Shapes (count, 9 N + 5) and (count, 2 N + 8), row by row a run:
+        theta within 10 percent, the gain from 0.4 to 1.2, x(0), z(0) within 1.
+    """
+    draw, N = np.random.default_rng([7, chunk]), scenario.basis.N
+    parameters = np.tile(flat_parameters(scenario), (count, 1))
+    parameters[:, 5 * N : 7 * N] *= draw.uniform(0.9, 1.1, (count, 2 * N))
+    parameters[:, -1] = draw.uniform(0.4, 1.2, count)
+    states = np.tile(initial_state(scenario), (count, 1))
+    states[:, :4] += draw.uniform(-1, 1, (count, 4))
+    return parameters, states
+
+
+def reference_states() -> tuple[np.ndarray, np.ndarray]:
+    """Give times and states of the independent reference, ordered x, z, alpha, K, Gamma."""
+    states = json.loads(REFERENCE.read_text())["paper"]["states"]
+    return np.array([float(t) for t in states]), np.array(list(states.values()))
