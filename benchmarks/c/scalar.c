@@ -27,7 +27,7 @@ static double first_step(int n, double t, double edge, const double *y, const do
     h0 = MINIMUM(h0, span);
     double d2 = scalar_curvature(n, t, h0, y, f, p, zc, rtol, atol);
     double h1 = d1 <= 1e-15 && d2 <= 1e-15 ? MAXIMUM(1e-6, h0 * 1e-3)
-                                           : pow(0.01 / MAXIMUM(d1, d2), 1.0 / 8);
+                                           : sqrt(sqrt(sqrt(0.01 / MAXIMUM(d1, d2))));
     return MINIMUM(MINIMUM(100 * h0, h1), span);
 }
 

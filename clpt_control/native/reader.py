@@ -7,6 +7,7 @@ arithmetic over named numbers: no calls, no views, no copies.
 """
 
 import ast
+import builtins
 import inspect
 import math
 import textwrap
@@ -27,6 +28,11 @@ ALWAYS_UNROLLED = 4
 
 class Unreadable(BlockError):
     """Equations the fuser cannot flatten; another engine runs them."""
+
+
+def _loaded(target: ast.expr) -> ast.expr:
+    """Give the target of `a += b` as an expression that is read."""
+    return ast.parse(ast.unparse(target), mode="eval").body
 
 
 class Lines:
@@ -187,7 +193,8 @@ class _Frame:
     def on_Name(self, node: ast.Name) -> Any:
         if node.id in self.names:
             return self.names[node.id]
-        return self.function.__globals__[node.id]
+        space = self.function.__globals__
+        return space[node.id] if node.id in space else getattr(builtins, node.id)
 
     def on_Tuple(self, node: ast.Tuple) -> Any:
         return tuple(self.value(part) for part in node.elts)

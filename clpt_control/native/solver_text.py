@@ -1,0 +1,264 @@
+'''The solver's own text, compiled together with a diagram's fused functions.
+
+One workspace Z holds the state, the stages K_0 ... K_15 and the argument of a
+stage behind each other, at places the compiler knows, so that sums over the
+state become vector code.  `advance` goes on where it stopped: Python calls it
+for some thousands of steps at a time and can be interrupted in between.
+'''
+
+from .dormand_prince import dense_lines, error_lines, extra_lines, stage_lines, stage_times
+
+RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT = 0, 1, 2, 3, 4
+
+SOLVER = '''
+Y = 17 * NX
+C = np.array({times})
+
+
+@njit({options})
+def far_derivative(t, X, P, T, W, D):
+    derivative(t, X, P, T, W, D)
+
+
+@njit({options})
+def first_step(t, span, Z, P, T, W, rtol, atol):
+    d0 = d1 = 0.0
+    for i in range(NX):
+        scale = atol + abs(Z[i]) * rtol
+        d0 += (Z[i] / scale) ** 2
+        d1 += (Z[NX + i] / scale) ** 2
+    d0, d1 = math.sqrt(d0 / NX), math.sqrt(d1 / NX)
+    h0 = 1e-6 if d0 < 1e-5 or d1 < 1e-5 else 0.01 * d0 / d1
+    h0 = min(h0, span)
+    for i in range(NX):
+        Z[Y + i] = Z[i] + h0 * Z[NX + i]
+    far_derivative(t + h0, Z[Y : Y + NX], P, T, W, Z[2 * NX : 3 * NX])
+    d2 = 0.0
+    for i in range(NX):
+        d2 += ((Z[2 * NX + i] - Z[NX + i]) / (atol + abs(Z[i]) * rtol)) ** 2
+    d2 = math.sqrt(d2 / NX) / h0
+    h1 = max(1e-6, h0 * 1e-3) if d1 <= 1e-15 and d2 <= 1e-15 else (0.01 / max(d1, d2)) ** 0.125
+    return min(100.0 * h0, h1, span)
+
+
+@njit({options})
+def interpolate(t_old, h, Z, P, T, W, F):
+    for s in range(13, 16):
+{extra}
+        far_derivative(t_old + C[s] * h, Z[Y : Y + NX], P, T, W, Z[(s + 1) * NX : (s + 2) * NX])
+    for i in range(NX):
+        Z[Y + i] = Z[i] + h * ({new_state})
+    for i in range(NX):
+{dense}
+
+
+@njit({options})
+def interpolant(share, Z, F, out):
+    for i in range(NX):
+        y = 0.0
+        for k in range(7):
+            y += F[(6 - k) * NX + i]
+            y *= share if k % 2 == 0 else 1.0 - share
+        out[i] = y + Z[i]
+
+
+@njit({options})
+def inside(t, X, P, T, W):
+    return margin(t, X, P, T, W)
+
+
+@njit({options})
+def advance(S, Z, P, T, W, F, edges, places, values, times, states, rtol, atol, budget, counts):
+    # S: time, step, edge number, samples done, 1 where a new piece begins
+    t, h_abs, edge, done, fresh = S[0], S[1], int(S[2]), int(S[3]), S[4] == 1.0
+    status = 0
+    steps = 0
+    while status == 0 and steps < budget:
+        end = edges[edge]
+        if fresh:
+            for j in range(len(places)):
+                P[places[j]] = values[edge, j]
+            far_derivative(t, Z[0:NX], P, T, W, Z[NX : 2 * NX])
+            counts[1] += 1
+            counts[2] += 1
+            bad = 0.0
+            for i in range(NX):
+                bad += 0.0 * Z[NX + i] + 0.0 * Z[i]
+            if bad != 0.0 or (GUARDED and inside(t, Z[0:NX], P, T, W) < -1e-9):
+                status = 3 if bad != 0.0 else 4
+                break
+            h_abs = first_step(t, end - t, Z, P, T, W, rtol, atol)
+            counts[1] += 1
+            fresh = False
+        smallest = 10.0 * abs(np.nextafter(t, np.inf) - t)
+        h_abs = max(h_abs, smallest)
+        rejected = False
+        while True:
+            if not h_abs >= smallest:
+                status = 2
+                break
+            t_new = min(t + h_abs, end)
+            h = t_new - t
+            h_abs = h
+            for s in range(1, 13):
+{stages}
+                derivative(t + C[s] * h, Z[Y : Y + NX], P, T, W, Z[(s + 1) * NX : (s + 2) * NX])
+            counts[1] += 12
+            sum5 = sum3 = 0.0
+            for i in range(NX):
+{errors}
+                scale = atol + max(abs(Z[i]), abs(Z[Y + i])) * rtol
+                sum5 += (e5 / scale) ** 2
+                sum3 += (e3 / scale) ** 2
+            if sum5 == 0.0 and sum3 == 0.0:
+                error = 0.0
+            else:
+                error = h * sum5 / math.sqrt((sum5 + 0.01 * sum3) * NX)
+            if error < 1.0:
+                factor = 10.0 if error == 0.0 else min(10.0, 0.9 * error**-0.125)
+                if rejected:
+                    factor = min(1.0, factor)
+                h_abs *= factor
+                break
+            h_abs *= max(0.2, 0.9 * error**-0.125) if error == error else 0.2
+            rejected = True
+            counts[3] += 1
+        if status != 0:
+            break
+        wanted = done < len(times) and times[done] <= t_new
+        if wanted or GUARDED:
+            for i in range(NX):
+                W[NW + i] = Z[Y + i]
+            interpolate(t, h, Z, P, T, W, F)
+            counts[1] += 3
+        if GUARDED:
+            for k in range(1, 17):
+                interpolant(k / 16.0, Z, F, Z[2 * NX : 3 * NX])
+                if inside(t + h * k / 16.0, Z[2 * NX : 3 * NX], P, T, W) < -1e-9:
+                    status = 4
+                    break
+            if status != 0:
+                break
+        if wanted:
+            while done < len(times) and times[done] <= t_new:
+                if times[done] == t_new:
+                    for i in range(NX):
+                        states[done, i] = Z[Y + i]
+                else:
+                    interpolant((times[done] - t) / h, Z, F, states[done])
+                done += 1
+        for i in range(NX):
+            Z[i] = Z[Y + i]
+            Z[NX + i] = Z[13 * NX + i]
+        t = t_new
+        steps += 1
+        counts[0] += 1
+        if t == end:
+            edge += 1
+            fresh = True
+            if edge == len(edges):
+                status = 1
+    S[0], S[1], S[2], S[3], S[4] = t, h_abs, edge, done, 1.0 if fresh else 0.0
+    return status
+
+
+@njit({options})
+def record(times, states, pieces, P, T, W, places, values, out):
+    piece = -1
+    for k in range(len(times)):
+        if pieces[k] != piece:
+            piece = pieces[k]
+            for j in range(len(places)):
+                P[places[j]] = values[piece, j]
+        signals(times[k], states[k], P, T, W)
+        for j in range(NW):
+            out[k, j] = W[j]
+'''
+
+HEADER = '''"""Made by clpt-control; read by the compiler, not to be edited."""
+
+import math
+
+import numpy as np
+from numba import njit
+
+NX = {nx}
+NW = {nw}
+GUARDED = {guarded}
+
+
+@njit({options})
+def where(condition, a, b):
+    return a if condition else b
+
+
+@njit({options})
+def minimum(a, b):
+    return a if a < b else b
+
+
+@njit({options})
+def maximum(a, b):
+    return a if a > b else b
+
+
+@njit({options})
+def clip(value, low, high):
+    return low if value < low else (high if value > high else value)
+
+
+@njit({options})
+def sign(value):
+    return 1.0 if value > 0 else (-1.0 if value < 0 else 0.0)
+
+
+@njit({options})
+def floor(value):
+    return math.floor(value) * 1.0
+
+
+@njit({options})
+def lookup(table, index):
+    return table[int(index)]
+'''
+
+OPTIONS = 'cache=True, nogil=True, error_model="numpy", fastmath={"contract"}'
+
+
+def module_text(fused_source: str, nx: int, nw: int, guarded: bool) -> str:
+    """Give the text of the module that is compiled.
+
+    Parameters
+    ----------
+    fused_source : str
+        The functions derivative, signals and margin.
+    nx, nw : int
+        Numbers of states and signals.
+    guarded : bool
+        Whether guards are watched.
+
+    Returns
+    -------
+    str
+        A whole module; its functions `advance` and `record` are called.
+    """
+    from scipy.integrate._ivp import dop853_coefficients as table
+
+    from .dormand_prince import _sum
+
+    header = HEADER.format(nx=nx, nw=nw, guarded=guarded, options=OPTIONS)
+    functions = fused_source.replace(
+        "def derivative(", f"@njit({OPTIONS}, forceinline=True)\ndef derivative("
+    )
+    for name in ("signals", "margin"):
+        functions = functions.replace(f"def {name}(", f"@njit({OPTIONS})\ndef {name}(")
+    solver = SOLVER.format(
+        options=OPTIONS,
+        times=stage_times(),
+        stages=stage_lines(" " * 16),
+        extra=extra_lines(" " * 8),
+        errors=error_lines(" " * 16),
+        dense=dense_lines(" " * 8),
+        new_state=_sum(table.B),
+    )
+    return f"{header}\n\n{functions}\n\n{solver}"
