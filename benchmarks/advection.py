@@ -93,7 +93,9 @@ def run_parcels(count: int) -> tuple[np.ndarray, float]:
             verbose_progress=False,
         )
         spent = time.perf_counter() - begin
-        ends = np.array([particles.lon, particles.lat])
+        # positions of the last step stand under these names until the next one begins
+        left = particles.particledata.data
+        ends = np.array([left["lon_nextloop"], left["lat_nextloop"]])
     return ends, spent
 
 

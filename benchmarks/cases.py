@@ -120,11 +120,12 @@ def members(scenario: clpt.Scenario, chunk: int, count: int) -> tuple[np.ndarray
         theta within 10 percent, the gain from 0.4 to 1.2, x(0), z(0) within 1.
     """
     draw, N = np.random.default_rng([7, chunk]), scenario.basis.N
+    numbers = draw.uniform(-1, 1, (count, 2 * N + 5))  # a member's do not depend on count
     parameters = np.tile(flat_parameters(scenario), (count, 1))
-    parameters[:, 5 * N : 7 * N] *= draw.uniform(0.9, 1.1, (count, 2 * N))
-    parameters[:, -1] = draw.uniform(0.4, 1.2, count)
+    parameters[:, 5 * N : 7 * N] *= 1 + 0.1 * numbers[:, : 2 * N]
+    parameters[:, -1] = 0.8 + 0.4 * numbers[:, 2 * N]
     states = np.tile(initial_state(scenario), (count, 1))
-    states[:, :4] += draw.uniform(-1, 1, (count, 4))
+    states[:, :4] += numbers[:, 2 * N + 1 :]
     return parameters, states
 
 

@@ -14,8 +14,6 @@ import numpy as np
 from . import __version__
 from .blocks.lyapunov import LyapunovParameters, lyapunov_candidate
 from .native.integrate import Solution
-from .native.record import sample_signals
-from .native.sweep import Sweep
 from .scenario import Scenario
 from .scenario_file import scenario_to_text
 
@@ -37,7 +35,7 @@ VARIABLES = {  # name -> (port, long name, unit of length or none, powers of 1/t
 def run_dataset(
     scenario: Scenario,
     diagram: control.NonlinearIOSystem,
-    sweep: Sweep,
+    signals: np.ndarray,
     solution: Solution,
     params: Mapping[str, Any] | None = None,
 ) -> "xarray.Dataset":
@@ -49,8 +47,8 @@ def run_dataset(
         The experiment.
     diagram : control.NonlinearIOSystem
         Its closed loop.
-    sweep : Sweep
-        The evaluator that was integrated.
+    signals : ndarray, shape (ntimes, nsignals)
+        All block outputs, right limits at jumps.
     solution : Solution
         Times, states and how they were reached.
     params : mapping, optional
@@ -64,7 +62,6 @@ def run_dataset(
     import xarray
 
     units, N, n = scenario.units, scenario.basis.N, len(solution.t)
-    signals = sample_signals(sweep, solution)
     column = {label: k for k, label in enumerate(diagram.output_labels)}
     data: dict[str, Any] = {}
     for name, (port, long_name, lengths, rates) in VARIABLES.items():

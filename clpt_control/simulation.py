@@ -13,9 +13,8 @@ import numpy as np
 from .dataset import run_dataset
 from .diagram import closed_loop, initial_state
 from .errors import SimulationError
-from .native.integrate import integrate
-from .native.record import sample_signals
-from .native.sweep import Sweep
+from .native.choice import Engine
+from .native.inputs import read_inputs
 from .scenario import Scenario
 
 if TYPE_CHECKING:
@@ -32,6 +31,7 @@ def simulate(
     rtol: float | None = None,
     atol: float | None = None,
     progress: Callable[[float], None] | None = None,
+    engine: str | None = None,
 ) -> Any:
     """Run a scenario, or any diagram of blocks.
 
@@ -53,7 +53,10 @@ def simulate(
     rtol, atol : float, optional
         Tolerances; the scenario's own, or 1e-8 and 1e-10.
     progress : callable, optional
-        Called with the time reached, after each step.
+        Called with the time reached.
+    engine : str, optional
+        ``"native"``, machine code, which gives way to ``"python"`` for what
+        cannot be compiled.
 
     Returns
     -------
@@ -76,9 +79,19 @@ def simulate(
     if isinstance(system, Scenario):
         if inputs is not None:
             raise SimulationError("a scenario has no inputs; simulate closed_loop(..., external=)")
-        return _simulate_scenario(system, timepts, initial_state, params, rtol, atol, progress)
+        return _simulate_scenario(
+            system, timepts, initial_state, params, rtol, atol, progress, engine
+        )
     return _simulate_diagram(
-        system, timepts, inputs, initial_state, params, rtol or 1e-8, atol or 1e-10, progress
+        system,
+        timepts,
+        inputs,
+        initial_state,
+        params,
+        rtol or 1e-8,
+        atol or 1e-10,
+        progress,
+        engine,
     )
 
 
@@ -116,26 +129,23 @@ def _checked_state(state: Any, count: int) -> np.ndarray:
 
 
 def _simulate_diagram(
-    diagram, timepts, inputs, x0, params, rtol, atol, progress
+    diagram, timepts, inputs, x0, params, rtol, atol, progress, engine
 ) -> control.TimeResponseData:
     if timepts is None:
         raise SimulationError("timepts: is required to simulate a diagram")
     times = _checked_times(timepts)
-    sweep = Sweep(diagram, params)
-    u, kinks = _input_function(inputs, times, diagram.ninputs or 0)
-    state = _checked_state(np.zeros(sweep.nstates) if x0 is None else x0, sweep.nstates)
-    solution = integrate(
-        sweep, state, times, rtol=rtol, atol=atol, inputs=u, stops=kinks, progress=progress
-    )
-    signals = sample_signals(sweep, solution, u)
-    outputs = sweep.wiring.output_map @ np.vstack(
-        [signals.T, np.array([u(t) for t in solution.t]).reshape(len(solution.t), -1).T]
-    )
+    read = read_inputs(inputs, times, diagram.ninputs or 0)
+    runner = Engine(diagram, params, read, engine)
+    nstates = runner.sweep.nstates
+    state = _checked_state(np.zeros(nstates) if x0 is None else x0, nstates)
+    solution = runner.run(state, times, rtol, atol, progress)
+    u = read.along(solution.t)
+    outputs = runner.sweep.wiring.output_map @ np.vstack([runner.signals(solution).T, u])
     return control.TimeResponseData(
         solution.t,
         outputs,
         solution.x.T,
-        np.array([u(t) for t in solution.t]).reshape(len(solution.t), -1).T,
+        u,
         output_labels=diagram.output_labels,
         state_labels=diagram.state_labels,
         input_labels=diagram.input_labels,
@@ -147,57 +157,19 @@ def _simulate_diagram(
     )
 
 
-def _input_function(inputs: Any, times: np.ndarray, count: int):
-    """Give u(t) and the times of its kinks."""
-    if callable(inputs):
-        shape = np.shape(np.atleast_1d(inputs(float(times[0]))))
-        if shape != (count,):
-            raise SimulationError(
-                f"inputs: the function gives shape {shape}, the diagram has {count} inputs"
-            )
-        return (lambda t: np.atleast_1d(np.asarray(inputs(t), dtype=float))), None
-    values = np.zeros(count) if inputs is None else np.asarray(inputs, dtype=float)
-    if values.ndim <= 1 and not (count == 1 and values.shape == times.shape and len(times) > 1):
-        try:
-            held = np.broadcast_to(values, count)
-        except ValueError:
-            raise SimulationError(
-                f"inputs: shape {values.shape} does not fit {count} inputs at {len(times)} times"
-            ) from None
-        return (lambda t: held), None
-    values = np.atleast_2d(values)
-    if values.shape != (count, len(times)):
-        raise SimulationError(
-            f"inputs: shape {values.shape} must be ({count}, {len(times)}): inputs x timepts"
-        )
-    if not np.all(np.isfinite(values)):
-        raise SimulationError("inputs: must be finite; fill the gaps before the run")
-
-    def straight(t: float) -> np.ndarray:
-        k = int(np.clip(np.searchsorted(times, t, side="right") - 1, 0, len(times) - 2))
-        share = (t - times[k]) / (times[k + 1] - times[k])
-        return values[:, k] + share * (values[:, k + 1] - values[:, k])
-
-    return straight, times
-
-
-def _simulate_scenario(scenario, timepts, x0, params, rtol, atol, progress) -> "xarray.Dataset":
+def _simulate_scenario(
+    scenario, timepts, x0, params, rtol, atol, progress, engine
+) -> "xarray.Dataset":
     run = scenario.run
     if timepts is None:
         times = sample_times(run.duration, run.output_step)
     else:
         times = _checked_times(timepts)
     diagram = closed_loop(scenario)
-    sweep = Sweep(diagram, params)
-    state = _checked_state(initial_state(scenario) if x0 is None else x0, sweep.nstates)
-    solution = integrate(
-        sweep,
-        state,
-        times if times[0] == 0 else np.concatenate([[0.0], times]),
-        rtol=rtol or run.rtol,
-        atol=atol or run.atol,
-        progress=progress,
-    )
+    runner = Engine(diagram, params, None, engine)
+    state = _checked_state(initial_state(scenario) if x0 is None else x0, runner.sweep.nstates)
+    from_zero = times if times[0] == 0 else np.concatenate([[0.0], times])
+    solution = runner.run(state, from_zero, rtol or run.rtol, atol or run.atol, progress)
     if times[0] != 0:
         solution.t, solution.x = solution.t[1:], solution.x[1:]
-    return run_dataset(scenario, diagram, sweep, solution, params)
+    return run_dataset(scenario, diagram, runner.signals(solution), solution, params)

@@ -583,6 +583,6 @@ def test_guard_is_positive_inside_alone():
         (10.01, [0, 0], False),
         (-0.01, [0, 0], False),
     ):
-        distance = block.guard.distance(t, np.array(position, float), block.parameters)
+        distance = block.guard.margin(t, np.array(position, float), block.parameters)
         assert (distance > 0) == inside
     assert gridded(lambda t, y, x: t, lambda t, y, x: t, outside="clip").guard is None

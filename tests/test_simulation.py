@@ -451,6 +451,7 @@ def test_out_and_back_within_a_step_is_found(farthest):
 # --- python-control's own systems beside blocks -----------------------------------------------
 
 
+@pytest.mark.filterwarnings("ignore:.*runs in Python, not as machine code")
 def test_plain_systems_in_a_loop_with_blocks():
     """An oscillator: a Block's integrator, closed by two of python-control's own parts."""
     integrator = Block("speed", update=passes, inputs={"u": 1}, states={"s": 1})
@@ -479,6 +480,7 @@ def passes(t, x, u, p, dx):
     dx[0] = u[0]
 
 
+@pytest.mark.filterwarnings("ignore:.*runs in Python, not as machine code")
 def test_parameters_of_a_plain_system():
     lag = control.nlsys(
         lambda t, x, u, params: -params["k"] * x, None, inputs=1, outputs=1, states=1, name="lag",
@@ -496,6 +498,7 @@ def test_parameters_of_a_plain_system():
         assert np.ravel(run.outputs)[-1] == pytest.approx((1 - math.exp(-2 * k)) / k, abs=1e-9)
 
 
+@pytest.mark.filterwarnings("ignore:.*runs in Python, not as machine code")
 def test_a_plain_system_alone():
     run = clpt.simulate(control.ss(-2, 1, 1, 0), [0.0, 1.0], 4.0, rtol=1e-11, atol=1e-13)
     assert np.ravel(run.outputs)[-1] == pytest.approx(2 - 2 * math.exp(-2), abs=1e-9)

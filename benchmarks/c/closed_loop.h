@@ -8,6 +8,7 @@
  *     c1[N] c2[N] sigma[N] omega[N] phase[N] theta[2][N] alpha_M[2][N] KD[2] GammaD[2] gamma
  */
 
+#ifndef BASIS_LANES /* else they stand in lane_basis.h */
 /* phi_k = exp(-|x - c_k| / (2 sigma_k)) cos(omega_k t + phase_k), Eq. (5); the cosines given. */
 static inline void FN(basis)(int n, const REAL *restrict p, REAL x1, REAL x2,
                              const REAL *restrict tide, REAL *restrict phi) {
@@ -21,6 +22,7 @@ static inline void FN(basis)(int n, const REAL *restrict p, REAL x1, REAL x2,
 static inline void FN(tides)(int n, const REAL *restrict p, REAL t, REAL *restrict tide) {
     for (int k = 0; k < n; k++) tide[k] = COS(p[3 * n + k] * t + p[4 * n + k]);
 }
+#endif
 
 static inline void FN(derivative)(int n, REAL t, const REAL *restrict y, const REAL *restrict p,
                                   const REAL *restrict zc, REAL *restrict dy) {

@@ -6,7 +6,7 @@
 #include "problem.h"
 
 #ifdef BASIS_LANES
-#include "lane_math.h"
+#include "lane_basis.h"
 #endif
 #define REAL double
 #define FN(name) scalar_##name

@@ -84,10 +84,17 @@ def gridded_disturbed(t, x, u, p, y):
         y[i] += u[2 + i]
 
 
-def distance_inside(t, u, p) -> float:
-    """Give the grid steps to the edge, negative outside."""
-    here = (np.array([t, u[1], u[0]]) - p.start) / p.step
-    return float(np.min(np.minimum(here, p.shape - 1 - here)))
+def steps_inside(value, p, axis):
+    """Grid steps from a coordinate to the nearer edge of its axis."""
+    here = (value - p.start[axis]) / p.step[axis]
+    return minimum(here, p.shape[axis] - 1 - here)
+
+
+def inside(t, x, u, p, y):
+    """Grid steps to the edge of the field, negative outside, beside Eq. (3): u = x[2] (length)."""
+    y[0] = minimum(
+        steps_inside(t, p, 0), minimum(steps_inside(u[1], p, 1), steps_inside(u[0], p, 2))
+    )
 
 
 def spline_coefficients(values: np.ndarray) -> np.ndarray:
@@ -161,7 +168,7 @@ def gridded_flow(grid, outside: str = "raise", disturbed: bool = False, units=No
         outputs={"flow_x": 2},
         parameters=parameters,
         opaque=True,
-        guard=None if outside == "clip" else Guard(distance_inside, outside, Leaving(length, time)),
+        guard=None if outside == "clip" else Guard(inside, outside, Leaving(length, time)),
     )
 
 

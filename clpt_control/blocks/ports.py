@@ -14,16 +14,23 @@ class Guard(NamedTuple):
     Attributes
     ----------
     distance : callable
-        ``distance(t, u, p)``: positive inside, negative outside.
+        ``distance(t, x, u, p, y)`` fills y[0], an equation like a block's own:
+        positive inside, negative outside.
     policy : str
         ``"raise"`` fails the run, ``"stop"`` ends it there and keeps it.
     sentence : callable
         ``sentence(t, u, p)``: position, time and bounds, for the message.
     """
 
-    distance: Callable[[float, np.ndarray, Any], float]
+    distance: Callable[[float, np.ndarray, np.ndarray, Any, np.ndarray], None]
     policy: str
     sentence: Callable[[float, np.ndarray, Any], str]
+
+    def margin(self, t: float, u: np.ndarray, p: Any) -> float:
+        """Give the distance at a time, for inputs and parameters."""
+        y = np.zeros(1)
+        self.distance(t, np.zeros(0), u, p, y)
+        return float(y[0])
 
 
 def states_as_outputs(t, x, u, p, y):

@@ -15,9 +15,7 @@ STAGES = DOP853.n_stages  # 12
 
 def _sum(weights: np.ndarray, rows: int = 1) -> str:
     """a_0 K_0 + a_1 K_1 + ..., the rows of K behind each other in Z."""
-    terms = [
-        f"{float(w)!r} * Z[{(rows + j)} * NX + i]" for j, w in enumerate(weights) if w != 0.0
-    ]
+    terms = [f"{float(w)!r} * Z[{(rows + j)} * NX + i]" for j, w in enumerate(weights) if w != 0.0]
     return " + ".join(terms) or "0.0"
 
 
@@ -49,7 +47,7 @@ def stage_lines(indent: str) -> str:
 
 
 def extra_lines(indent: str) -> str:
-    """Give the lines that fill the argument of the extra stages 13 to 15.
+    """Give the lines for the arguments of the stages 13 to 15.
 
     Examples
     --------
@@ -65,7 +63,7 @@ def extra_lines(indent: str) -> str:
 
 
 def error_lines(indent: str) -> str:
-    """Give the lines that compute both error estimates of component i.
+    """Give the lines for both error estimates of component i.
 
     Examples
     --------
@@ -77,7 +75,7 @@ def error_lines(indent: str) -> str:
 
 
 def dense_lines(indent: str) -> str:
-    """Give the lines that compute the interpolant's terms F of component i.
+    """Give the lines for the interpolant's terms of component i.
 
     Examples
     --------

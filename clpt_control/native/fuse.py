@@ -12,7 +12,7 @@ registers and finds what is computed twice; large ones keep loops over the basis
 functions and the array W.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -106,9 +106,7 @@ def fuse(diagram: control.NonlinearIOSystem, parameters: Sequence[Any] | None = 
     for kind in ("derivative", "signals", "margin"):
         writer = _Writer(wiring, parameters, layout, ramp, ninputs, unroll, kind)
         parts.append(writer.function())
-    return Fused(
-        wiring, layout, "\n\n".join(parts), nstates, nsignals, ninputs, ramp, guarded
-    )
+    return Fused(wiring, layout, "\n\n".join(parts), nstates, nsignals, ninputs, ramp, guarded)
 
 
 HEADS = {
@@ -148,7 +146,7 @@ class _Writer:
             self.guards()
         return "\n".join([HEADS[self.kind], *(self.lines.lines or ["    pass"])])
 
-    def run(self, function: Callable, k: int, node: Node, out: View) -> Any:
+    def run(self, function: Any, k: int, node: Node, out: View) -> Any:
         """Read one function of a block."""
         reader = FunctionReader(self.lines, self.unroll)
         x = View(self.state, None, node.states.start, node.system.nstates)
@@ -162,7 +160,7 @@ class _Writer:
             if guard is None:
                 continue
             found: dict[int, Any] = {}
-            out = View(lambda i, f=found: f[i], lambda i, v, f=found: f.__setitem__(i, v), 0, 1)
+            out = View(found.__getitem__, found.__setitem__, 0, 1)
             self.run(guard.distance, k, node, out)
             least = Code(f"minimum({text(least)}, {text(found[0])})")
         self.lines.add(f"return {text(least)}")

@@ -208,7 +208,7 @@ class Fence:
         found = []
         for node, p in self.sweep.guards():
             block_inputs = self.sweep.inputs_of(node)
-            found.append((node.system.guard.distance(t, block_inputs, p), node, p, block_inputs))
+            found.append((node.system.guard.margin(t, block_inputs, p), node, p, block_inputs))
         return found
 
     def crossing(self, solver: DOP853) -> float | None:

@@ -11,7 +11,6 @@ import builtins
 import inspect
 import math
 import textwrap
-from collections.abc import Callable
 from types import FunctionType
 from typing import Any
 
@@ -142,7 +141,8 @@ class _Frame:
         return value
 
     def loop(self, node: ast.For) -> None:
-        assert isinstance(node.iter, ast.Call) and isinstance(node.target, ast.Name)
+        assert isinstance(node.iter, ast.Call)
+        assert isinstance(node.target, ast.Name)
         bounds = [self.value(argument) for argument in node.iter.args]
         if not all(isinstance(bound, int) for bound in bounds):
             raise Unreadable(f"{self.function.__name__}: a loop whose length is not known")
@@ -182,10 +182,10 @@ class _Frame:
 
     def value(self, node: ast.expr) -> Any:
         """Give the value of an expression."""
-        method: Callable[[Any], Any] | None = getattr(self, f"on_{type(node).__name__}", None)
-        if method is None:
+        name = f"on_{type(node).__name__}"
+        if not hasattr(self, name):
             raise Unreadable(f"{self.function.__name__}: {type(node).__name__}")
-        return method(node)
+        return getattr(self, name)(node)
 
     def on_Constant(self, node: ast.Constant) -> Any:
         return node.value
@@ -247,7 +247,7 @@ class _Frame:
         return view.read(combined(view.offset, "+", index))
 
     def on_Call(self, node: ast.Call) -> Any:
-        function = self.value(node.func)
+        function: Any = self.value(node.func)
         if function is len:
             return self.value(node.args[0]).size
         arguments = [self.value(argument) for argument in node.args]
@@ -268,4 +268,4 @@ class _Frame:
         if isinstance(function, FunctionType):
             return self.reader.run(function, [self.named("", a) if isinstance(a, Code) else a
                                               for a in arguments])  # fmt: skip
-        return function(*arguments)
+        raise Unreadable(f"{self.function.__name__}: a call of {name or function}")

@@ -1,16 +1,21 @@
-'''The solver's own text, compiled together with a diagram's fused functions.
+"""The solver's own text, compiled together with a diagram's fused functions.
 
 One workspace Z holds the state, the stages K_0 ... K_15 and the argument of a
 stage behind each other, at places the compiler knows, so that sums over the
 state become vector code.  `advance` goes on where it stopped: Python calls it
 for some thousands of steps at a time and can be interrupted in between.
-'''
+"""
 
+import ast
+import inspect
+from collections.abc import Callable
+
+from ..blocks.words import WORDS
 from .dormand_prince import dense_lines, error_lines, extra_lines, stage_lines, stage_times
 
 RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT = 0, 1, 2, 3, 4
 
-SOLVER = '''
+SOLVER = """
 Y = 17 * NX
 C = np.array({times})
 
@@ -127,8 +132,6 @@ def advance(S, Z, P, T, W, F, edges, places, values, times, states, rtol, atol, 
             break
         wanted = done < len(times) and times[done] <= t_new
         if wanted or GUARDED:
-            for i in range(NX):
-                W[NW + i] = Z[Y + i]
             interpolate(t, h, Z, P, T, W, F)
             counts[1] += 3
         if GUARDED:
@@ -173,7 +176,7 @@ def record(times, states, pieces, P, T, W, places, values, out):
         signals(times[k], states[k], P, T, W)
         for j in range(NW):
             out[k, j] = W[j]
-'''
+"""
 
 HEADER = '''"""Made by clpt-control; read by the compiler, not to be edited."""
 
@@ -186,43 +189,17 @@ NX = {nx}
 NW = {nw}
 GUARDED = {guarded}
 
-
-@njit({options})
-def where(condition, a, b):
-    return a if condition else b
-
-
-@njit({options})
-def minimum(a, b):
-    return a if a < b else b
-
-
-@njit({options})
-def maximum(a, b):
-    return a if a > b else b
-
-
-@njit({options})
-def clip(value, low, high):
-    return low if value < low else (high if value > high else value)
-
-
-@njit({options})
-def sign(value):
-    return 1.0 if value > 0 else (-1.0 if value < 0 else 0.0)
-
-
-@njit({options})
-def floor(value):
-    return math.floor(value) * 1.0
-
-
-@njit({options})
-def lookup(table, index):
-    return table[int(index)]
 '''
 
 OPTIONS = 'cache=True, nogil=True, error_model="numpy", fastmath={"contract"}'
+
+
+def _compiled_word(word: Callable) -> str:
+    """Give the text of a word without its docstring."""
+    tree = ast.parse(inspect.getsource(word)).body[0]
+    assert isinstance(tree, ast.FunctionDef)
+    tree.body = tree.body[1:]
+    return f"@njit({OPTIONS})\n{ast.unparse(tree)}"
 
 
 def module_text(fused_source: str, nx: int, nw: int, guarded: bool) -> str:
@@ -246,6 +223,7 @@ def module_text(fused_source: str, nx: int, nw: int, guarded: bool) -> str:
 
     from .dormand_prince import _sum
 
+    words = "\n\n".join(_compiled_word(word) for word in WORDS.values())
     header = HEADER.format(nx=nx, nw=nw, guarded=guarded, options=OPTIONS)
     functions = fused_source.replace(
         "def derivative(", f"@njit({OPTIONS}, forceinline=True)\ndef derivative("
@@ -261,4 +239,4 @@ def module_text(fused_source: str, nx: int, nw: int, guarded: bool) -> str:
         dense=dense_lines(" " * 8),
         new_state=_sum(table.B),
     )
-    return f"{header}\n\n{functions}\n\n{solver}"
+    return f"{header}\n\n{words}\n\n{functions}\n\n{solver}"

@@ -54,7 +54,7 @@ class Sweep:
         self._parameters: list[Any] = [
             node.system._current if isinstance(node.system, Block) else None for node in self.nodes
         ]
-        self._given = list(self._parameters)
+        self.given = list(self._parameters)
         self._pinned = [
             p is not None and getattr(p, "interval", 0.0) >= 0.0 for p in self._parameters
         ]
@@ -109,7 +109,7 @@ class Sweep:
             block = node.system
             if isinstance(block, Block) and block.breakpoints_function and not self._pinned[k]:
                 p = self._parameters[k]
-                interval = block.interval_at(t, self._given[k])
+                interval = block.interval_at(t, self.given[k])
                 self._parameters[k] = p._replace(interval=interval)
 
     def evaluate(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:

@@ -25,7 +25,7 @@ def phi_at(kernel: str, position: tuple, t: sympy.Expr) -> sympy.Expr:
 
 
 def basis_steps() -> list[Step]:
-    """Check that phi of Eq. (5) is bounded, even, isotropic and placed.
+    """Check that phi of Eq. (5) is bounded, even and isotropic.
 
     Returns
     -------

@@ -19,7 +19,7 @@ from .trace import trace
 
 
 def definite_steps(law: str) -> list[Step]:
-    """Check that V is positive definite in e and the parameter errors.
+    """Check that V is positive definite in e and the errors.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ def dissipation_step() -> Step:
 
 
 def young_step() -> Step:
-    """Check e^T d <= k |e|^2/2 + |d|^2/(2k), for the mean-square bound."""
+    """Check e d <= k e^2/2 + d^2/(2k), for the mean square."""
     k = sympy.Symbol("k", positive=True)
     e, d = sympy.symbols("e d", real=True)
     whole = k * e**2 / 2 + d**2 / (2 * k) - e * d

@@ -31,7 +31,7 @@ PHI = ("basis_x", "basis_z")
 
 
 def theorem_scenario(N: int, law: str, disturbed: bool = False) -> Scenario:
-    """Give a scenario of section II with N functions; numbers do not matter.
+    """Give a scenario of section II with N functions.
 
     Parameters
     ----------
@@ -297,7 +297,7 @@ def decay(terms: Terms, k: Any) -> tuple[sympy.Expr, sympy.Expr]:
 
 
 def decay_and_known_error(terms: Terms, k: Any) -> tuple[sympy.Expr, sympy.Expr]:
-    """V' = -e^T KD e + e^T (theta - theta_hat) phi, the proof of Theorem 3.1."""
+    """V' = -e^T KD e + e^T (theta - theta_hat) phi, Theorem 3.1."""
     summand = sum(
         terms.e(i) * (terms.theta(i, k) - terms.theta_hat(i, k)) * terms.phi(k) for i in range(2)
     )

@@ -24,7 +24,7 @@ from .trace import SymbolicLoop, trace
 
 
 class ErrorDynamics(NamedTuple):
-    """Eq. (28) on symbols, from the traced error and parameter blocks.
+    """Eq. (28) on symbols, from the traced error blocks.
 
     Attributes
     ----------
@@ -77,7 +77,7 @@ def error_dynamics(N: int) -> ErrorDynamics:
 
 
 def eta_of(loop: SymbolicLoop) -> list[sympy.Expr]:
-    """Give eta = [theta + alpha, K - KD, GammaD - Gamma] of a closed loop.
+    """Give eta = [theta + alpha, K - KD, GammaD - Gamma].
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ def eta_of(loop: SymbolicLoop) -> list[sympy.Expr]:
 
 
 def same_dynamics(N: int) -> bool:
-    """Tell whether Eqs. (27)-(28) are the closed loop's own e' and eta'.
+    """Tell whether Eqs. (27)-(28) are the closed loop's own.
 
     Parameters
     ----------
@@ -132,7 +132,7 @@ def same_dynamics(N: int) -> bool:
 
 
 def generic_decay() -> bool:
-    """Tell whether X^T P X decays by e^T KD e along Eq. (28), every N."""
+    """Tell whether X^T P X decays by e^T KD e, every N."""
     loop = generic_trace(error_loop(theorem_scenario(3, "learned-flow")))
     gamma = sympy.Symbol("gamma", positive=True)
     e = [element_symbol("e", None, i) for i in range(2)]

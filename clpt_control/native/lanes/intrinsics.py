@@ -4,9 +4,10 @@ Repeat a number, choose, read and set one lane, ask a mask, round, and look at
 the bits of a double.  All are functions for compiled code.
 """
 
+from typing import Any
+
 from llvmlite import ir
 from numba.core import types
-from numba.extending import intrinsic
 
 from .kinds import (
     LANES,
@@ -15,12 +16,15 @@ from .kinds import (
     LaneMaskType,
     LanesType,
     constant,
+    intrinsic,
     intrinsic_call,
+    jit,
     lane_mask,
     lanes,
 )
 from .operators import is_laned, is_number
 
+EVERY = 2**LANES - 1  # the bits of a mask that holds everywhere
 MAGIC = 6755399441055744.0  # 1.5 * 2^52: added to a whole number, it stands in the low bits
 MAGIC_BITS = 0x4338000000000000
 ONE_BITS = 0x3FF0000000000000
@@ -114,21 +118,16 @@ def _elementwise(name, count, text):
 
         return kind(*[kind] * count), build
 
-    if count == 1:
+    def unary(typingctx, a):
+        return typed(typingctx, (a,))
 
-        def declared(typingctx, a):
-            return typed(typingctx, (a,))
+    def binary(typingctx, a, b):
+        return typed(typingctx, (a, b))
 
-    elif count == 2:
+    def ternary(typingctx, a, b, c):
+        return typed(typingctx, (a, b, c))
 
-        def declared(typingctx, a, b):
-            return typed(typingctx, (a, b))
-
-    else:
-
-        def declared(typingctx, a, b, c):
-            return typed(typingctx, (a, b, c))
-
+    declared: Any = (unary, binary, ternary)[count - 1]
     declared.__name__ = declared.__qualname__ = name
     declared.__doc__ = text
     return intrinsic(declared)
@@ -196,3 +195,13 @@ def negative_sign(typingctx, a):
     return lane_mask(lanes), build
 
 
+@jit
+def any_lane(mask):
+    """Tell whether the mask holds in any lane."""
+    return mask_bits(mask) != 0
+
+
+@jit
+def all_lanes(mask):
+    """Tell whether the mask holds in every lane."""
+    return mask_bits(mask) == EVERY

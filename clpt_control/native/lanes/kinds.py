@@ -8,10 +8,17 @@ memory, the last axis being the run; they own nothing, so whoever makes one
 keeps the memory alive.
 """
 
+from typing import Any
+
+import numba.extending
 from llvmlite import ir
 from numba.core import cgutils, types
 from numba.core.typeconv import Conversion
 from numba.extending import lower_cast, make_attribute_wrapper, models, register_model
+
+# typed loosely: what these make is called with other arguments than what they are given
+intrinsic: Any = numba.extending.intrinsic
+jit: Any = numba.njit(error_model="numpy", forceinline=True)
 
 LANES = 8
 DOUBLE, BIT, WORD = ir.DoubleType(), ir.IntType(1), ir.IntType(64)
@@ -122,13 +129,14 @@ def intrinsic_call(builder, name, *values, suffix="v8f64"):
 
 @lower_cast(types.Number, LanesType)
 @lower_cast(types.Boolean, LanesType)
-@lower_cast(types.Literal, LanesType)
+@lower_cast(types.IntegerLiteral, LanesType)
+@lower_cast(types.BooleanLiteral, LanesType)
 def _repeat_number(context, builder, fromty, toty, value):
     return repeat(builder, context.cast(builder, value, fromty, types.float64))
 
 
 @lower_cast(types.Boolean, LaneMaskType)
-@lower_cast(types.Literal, LaneMaskType)
+@lower_cast(types.BooleanLiteral, LaneMaskType)
 def _repeat_bool(context, builder, fromty, toty, value):
     return repeat(builder, context.cast(builder, value, fromty, types.boolean), MASK)
 

@@ -127,5 +127,3 @@ _unary(operator.neg, lanes, lanes, _negative)
 _unary(operator.pos, lanes, lanes, _itself)
 _unary(operator.invert, lane_mask, lane_mask, _invert)
 _unary(abs, lanes, lanes, _absolute)
-
-

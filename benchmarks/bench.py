@@ -1,0 +1,103 @@
+"""Time the engines against each other: `python -m benchmarks.bench`.
+
+One interleaved run, round-robin over the engines; medians, minima and ratios to
+a C program of the same method.  Leaves performance.json, performance.md and
+performance.png in the folder `--out`.
+"""
+
+import argparse
+import json
+import statistics
+import sys
+import time
+from pathlib import Path
+
+from . import cases, ensemble, report, single
+from .advection import ENGINES as PARTICLES
+from .engines import ENGINES
+from .measure import ROOT, alone, machine
+
+SECTIONS = ("paper", "basis", "ensemble", "particles")
+
+
+def particles(chosen: list[str], count: int, rounds: int, say) -> list[dict]:
+    """Move passive particles round-robin, each turn in a process of its own."""
+    titles = {"c": "C", "native": ENGINES["native"].title, "parcels": "Parcels 3, JIT"}
+    turns: dict[str, list[dict]] = {name: [] for name in PARTICLES if name in chosen}
+    for turn in range(rounds):
+        for name, done in turns.items():
+            if turn == 0 or done:
+                say(f"{count} particles, round {turn + 1}: {titles[name]}")
+                found = alone("benchmarks.advection", name, count)
+                done += [found] if found else []
+    rows = []
+    for name, done in turns.items():
+        if done:
+            rate = statistics.median(d["rate"] for d in done)
+            rows.append({**done[0], "title": titles[name], "rate": rate})
+    for row in rows:
+        if rows[0]["engine"] != "c":
+            continue
+        row["ratio"] = row["rate"] / rows[0]["rate"]
+        pairs = zip(row["ends"], rows[0]["ends"], strict=True)
+        row["difference"] = max(
+            abs(a / b - 1) for ours, c in pairs for a, b in zip(ours, c, strict=True)
+        )
+    return rows
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the benchmarks; give the exit status."""
+    names = [*ENGINES, "parcels"]
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.bench", description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="about a minute")
+    parser.add_argument("--engines", default=",".join(names), help=", ".join(names))
+    parser.add_argument("--sections", default=",".join(SECTIONS), help=", ".join(SECTIONS))
+    parser.add_argument("--out", type=Path, default=ROOT / "docs", help="folder of the tables")
+    options = parser.parse_args(arguments)
+    wanted, sections = options.engines.split(","), options.sections.split(",")
+    unknown = sorted(set(wanted) - set(names)) + sorted(set(sections) - set(SECTIONS))
+    if unknown:
+        parser.error(f"unknown: {', '.join(unknown)}")
+
+    def say(text: str) -> None:
+        print(f"{time.strftime('%H:%M:%S')} {text}", file=sys.stderr, flush=True)
+
+    lacking = {n: ENGINES[n].missing() for n in wanted if n in ENGINES}
+    left_out = [f"{ENGINES[n].title}: {why}" for n, why in lacking.items() if why]
+    for line in left_out:
+        say(f"left out: {line}")
+    chosen = [n for n in wanted if n in ENGINES and not lacking[n]]
+    quick = options.quick
+    rounds, budget = (2, 4.0) if quick else (15, 30.0)
+    results: dict = {"machine": machine(), "left_out": left_out, "quick": quick}
+    if "paper" in sections:
+        results["paper"] = single.measure(cases.paper(), chosen, rounds, budget, say)
+    if "basis" in sections:
+        sizes = (3, 50) if quick else (3, 50, 500)
+        few = [n for n in chosen if not (quick and ENGINES[n].waypoints)]
+        end = 200.0 if quick else 2000.0
+        results["basis_duration"] = end
+        results["basis"] = {
+            str(N): single.measure(cases.many(N, end), few, min(rounds, 5), budget, say)
+            for N in sizes
+        }
+    if "ensemble" in sections:
+        sizes = [10**k for k in range(4 if quick else 6)]
+        longest = 2.0 if quick else 90.0
+        results["ensemble"] = ensemble.compare(chosen, 1024, 1 if quick else 5, say)
+        results["growth"] = ensemble.grow(chosen, sizes, longest, say)
+    if "particles" in sections:
+        able = [n for n in wanted if n == "parcels" or n in chosen]
+        results["particles"] = particles(able, 200 if quick else 5000, 1 if quick else 5, say)
+    options.out.mkdir(parents=True, exist_ok=True)
+    (options.out / "performance.json").write_text(json.dumps(results, indent=1) + "\n")
+    text = report.markdown(results)
+    (options.out / "performance.md").write_text(text)
+    report.figure(results, options.out / "performance.png")
+    print(text)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,193 @@
+"""Tables and a figure from the results of the benchmarks."""
+
+from pathlib import Path
+
+HEAD = """# Performance
+
+Measured by `make bench`: the engines in turn, round after round, each on one thread. Compare
+ratios; times belong to the machine.
+
+Machine: {machine}.
+"""
+QUICK = "\nThis is a quick run: few rounds, short; its figures are rough.\n"
+LEFT_OUT = "\nLeft out: {lines}.\n"
+PAPER = """
+## The paper's run
+
+Section IV, t = 0 to 2000, {rounds} rounds at most; states at the 100 waypoint ends; rtol 1e-8, atol
+1e-10. Error: max |state - reference| at the times of `tests/reference/paper.json` that were reached
+(an independent simulation at 1e-12).
+
+| engine | median, ms | minimum, ms | ratio to C | error |
+|---|---|---|---|---|
+"""
+BASIS = """
+## Growth with the number of basis functions
+
+N = 3 is the paper's flow; else N random exponential functions of the same strength; t = 0 to
+{end:g}. Median time in ms, ratio to C; the largest error over the waypoint ends against C at 1e-12
+(N = 3: against `paper.json`).
+
+"""
+ENSEMBLE = """
+## Ensembles
+
+Each run differs in parameters (theta, gain) and initial states; t = 0 to 200, 1024 runs, one
+thread. Error: 64 of the final states against C at 1e-12. Memory: the most a process of its own
+ever held, the interpreter and its imports included.
+
+| engine | runs/s | ratio to C | error | peak, MB |
+|---|---|---|---|---|
+"""
+GROWTH = """
+## Growth with members
+
+Runs per second, and the peak in MB; members are drawn in chunks of 4096 and summaries are kept.
+
+"""
+PARTICLES = """
+## Passive particles in a gridded current
+
+RK4, 2000 steps of 300 s, 101 x 101 points hourly for a week, linear in space and time. Difference:
+relative, of eight end positions to those of C.
+
+| engine | particle-steps/s | ratio to C | difference | peak, MB |
+|---|---|---|---|---|
+"""
+
+
+def _number(value, pattern: str) -> str:
+    return "" if value is None else format(value, pattern)
+
+
+def _paper(rows: list[dict]) -> str:
+    lines, notes = [], []
+    for row in rows:
+        mark = ""
+        if row["note"]:
+            notes.append(row["note"])
+            mark = f" [{len(notes)}]"
+        lines.append(
+            f"| {row['title']}{mark} | {1e3 * row['median']:.3g} | {1e3 * row['minimum']:.3g} "
+            f"| {_number(row.get('ratio'), '.3g')} | {row['error']:.1e} |"
+        )
+    text = PAPER.format(rounds=max(row["rounds"] for row in rows)) + "\n".join(lines) + "\n"
+    return text + "".join(f"\n[{k}] {note}.\n" for k, note in enumerate(notes, 1))
+
+
+def _basis(results: dict) -> str:
+    sizes = list(results["basis"])
+    titles = list(dict.fromkeys(r["title"] for rows in results["basis"].values() for r in rows))
+    text = BASIS.format(end=results["basis_duration"])
+    text += "| engine | " + " | ".join(f"N = {N}" for N in sizes) + " |\n"
+    text += "|---" * (len(sizes) + 1) + "|\n"
+    for title in titles:
+        cells = []
+        for rows in results["basis"].values():
+            row = next((r for r in rows if r["title"] == title), None)
+            ratio = row and row.get("ratio")
+            beside = f" ({ratio:.3g})" if ratio else ""
+            cell = f"{1e3 * row['median']:.3g}{beside}, {row['error']:.0e}" if row else ""
+            cells.append(cell)
+        text += f"| {title} | " + " | ".join(cells) + " |\n"
+    return text
+
+
+def _ensemble(rows: list[dict]) -> str:
+    return ENSEMBLE + "".join(
+        f"| {row['title']} | {row['rate']:.4g} | {_number(row['ratio'], '.3g')} "
+        f"| {_number(row['error'], '.1e')} | {row['peak_mb']:.0f} |\n"
+        for row in rows
+    )
+
+
+def _growth(rows: list[dict]) -> str:
+    sizes = sorted({row["members"] for row in rows})
+    found = {(row["title"], row["members"]): row for row in rows}
+    text = GROWTH + "| engine | " + " | ".join(f"{n:,}" for n in sizes) + " |\n"
+    text += "|---" * (len(sizes) + 1) + "|\n"
+    for title in dict.fromkeys(row["title"] for row in rows):
+        cells = [
+            f"{found[title, n]['rate']:.4g}, {found[title, n]['peak_mb']:.0f} MB"
+            if (title, n) in found
+            else ""
+            for n in sizes
+        ]
+        text += f"| {title} | " + " | ".join(cells) + " |\n"
+    return text
+
+
+def _particles(rows: list[dict]) -> str:
+    return PARTICLES + "".join(
+        f"| {row['title']} | {row['rate']:.3g} | {_number(row.get('ratio'), '.3g')} "
+        f"| {_number(row.get('difference'), '.0e')} | {row['peak_mb']:.0f} |\n"
+        for row in rows
+    )
+
+
+def markdown(results: dict) -> str:
+    """Write the results as Markdown.
+
+    Parameters
+    ----------
+    results : dict
+        As `bench` keeps them in performance.json.
+
+    Returns
+    -------
+    str
+        A heading and a table per section that was run.
+    """
+    text = HEAD.format(machine=results["machine"])
+    text += QUICK if results["quick"] else ""
+    if results["left_out"]:
+        text += LEFT_OUT.format(lines="; ".join(results["left_out"]))
+    if results.get("paper"):
+        text += _paper(results["paper"])
+    if any(results.get("basis", {}).values()):
+        text += _basis(results)
+    for name, write in (("ensemble", _ensemble), ("growth", _growth), ("particles", _particles)):
+        if results.get(name):
+            text += write(results[name])
+    return text + "\n![Times, growth with N and with members](performance.png)\n"
+
+
+def figure(results: dict, path: Path) -> None:
+    """Draw times, growth with N and growth with members.
+
+    Parameters
+    ----------
+    results : dict
+        As `bench` keeps them.
+    path : Path
+        The PNG file.
+    """
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    drawing = Figure(figsize=(13, 4.2), layout="constrained")
+    FigureCanvasAgg(drawing)
+    bars, basis, members = drawing.subplots(1, 3)
+    rows = sorted(results.get("paper", []), key=lambda row: -row["median"])
+    bars.barh([row["title"] for row in rows], [1e3 * row["median"] for row in rows], color="0.6")
+    bars.set(xscale="log", xlabel="ms", title="The paper's run")
+    bars.tick_params(axis="y", labelsize=7)
+    lines: dict[str, list] = {}
+    for N, found in results.get("basis", {}).items():
+        for row in found:
+            lines.setdefault(row["title"], []).append((int(N), 1e3 * row["median"]))
+    _lines(basis, lines, "basis functions N", "ms", "One run")
+    lines = {}
+    for row in results.get("growth", []):
+        lines.setdefault(row["title"], []).append((row["members"], row["rate"]))
+    _lines(members, lines, "members", "runs per second", "Ensembles, one thread")
+    drawing.savefig(path, dpi=110)
+
+
+def _lines(axes, lines: dict[str, list], xlabel: str, ylabel: str, title: str) -> None:
+    for name, points in lines.items():
+        axes.plot(*zip(*points, strict=True), "o-", markersize=3, label=name)
+    axes.set(xscale="log", yscale="log", xlabel=xlabel, ylabel=ylabel, title=title)
+    axes.grid(alpha=0.3)
+    if lines:
+        axes.legend(fontsize=6)

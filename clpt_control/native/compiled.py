@@ -1,0 +1,93 @@
+"""Compiled diagrams, cached on disk.
+
+The generated module lies in the user's cache folder under a hash of its own
+text (which holds every block's equations and the whole solver) and of the
+versions and the processor, so that it is never stale; Numba keeps the machine
+code beside it.
+"""
+
+import hashlib
+import importlib.util
+import os
+import sys
+import tempfile
+from functools import lru_cache
+from pathlib import Path
+from types import ModuleType
+
+from .fuse import Fused
+from .solver_text import module_text
+
+FOLDER = "CLPT_CONTROL_CACHE"  # environment variable that names another folder
+
+
+def cache_folder() -> Path:
+    """Give the folder of compiled diagrams, made if need be.
+
+    Returns
+    -------
+    Path
+        ``$CLPT_CONTROL_CACHE``, the user's cache, or a temporary folder
+        where neither can be written to.
+
+    Examples
+    --------
+    >>> cache_folder().is_dir()
+    True
+    """
+    import platformdirs
+
+    wanted = os.environ.get(FOLDER) or platformdirs.user_cache_dir("clpt-control")
+    try:
+        Path(wanted).mkdir(parents=True, exist_ok=True)
+        if os.access(wanted, os.W_OK):
+            return Path(wanted)
+    except OSError:
+        pass
+    return Path(tempfile.mkdtemp(prefix="clpt-control-"))
+
+
+def compiled_module(fused: Fused) -> ModuleType:
+    """Compile a fused diagram, or load it from the cache.
+
+    Parameters
+    ----------
+    fused : Fused
+        As `fuse` gives it.
+
+    Returns
+    -------
+    module
+        With the functions `advance` and `record`.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> from clpt_control.native.fuse import fuse
+    >>> module = compiled_module(fuse(clpt.closed_loop(clpt.paper_scenario())))
+    >>> module.NX
+    14
+    """
+    text = module_text(fused.source, fused.nstates, fused.nsignals, fused.guarded)
+    return _module(text)
+
+
+@lru_cache(maxsize=64)
+def _module(text: str) -> ModuleType:
+    from importlib.metadata import version
+
+    made_of = "\n".join([text, sys.version, *(version(name) for name in ("numba", "llvmlite"))])
+    name = f"fused_{hashlib.sha256(made_of.encode()).hexdigest()[:24]}"
+    path = cache_folder() / f"{name}.py"
+    if not path.exists():
+        handle, beside = tempfile.mkstemp(dir=path.parent, prefix=f".{name}.")
+        with os.fdopen(handle, "w", encoding="utf-8") as file:
+            file.write(text)
+        Path(beside).replace(path)
+    spec = importlib.util.spec_from_file_location(f"clpt_control_{name}", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return module

@@ -1,0 +1,95 @@
+"""Inputs of a diagram as python-control gives them."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..errors import SimulationError
+
+
+@dataclass(frozen=True)
+class Inputs:
+    """The inputs of a diagram as a function of time.
+
+    Attributes
+    ----------
+    at : callable
+        ``at(t)`` -> ndarray, shape (ninputs,).
+    samples : tuple of ndarray or None
+        Times and values, shape (ninputs, nt), joined by straight lines; None
+        for a function of the user's.
+    """
+
+    at: Callable[[float], np.ndarray]
+    samples: tuple[np.ndarray, np.ndarray] | None
+
+    @property
+    def kinks(self) -> np.ndarray | None:
+        """Times at which the inputs may bend."""
+        return None if self.samples is None else self.samples[0]
+
+    def along(self, times: np.ndarray) -> np.ndarray:
+        """Give the inputs at times, shape (ninputs, nt)."""
+        return np.array([self.at(t) for t in times]).reshape(len(times), -1).T
+
+
+def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
+    """Read inputs in python-control's forms.
+
+    Parameters
+    ----------
+    inputs : array_like, callable or None
+        Shape (count, nt) at `times`, joined by straight lines; a number or
+        one number per input, held; or a function of time.
+    times : ndarray
+        Times of the samples.
+    count : int
+        Number of inputs of the diagram.
+
+    Returns
+    -------
+    Inputs
+        At any time.
+
+    Raises
+    ------
+    SimulationError
+        If the shape does not fit or a value is not finite.
+
+    Examples
+    --------
+    >>> read_inputs([1.0, 3.0], np.array([0.0, 2.0]), 1).at(1.0)
+    array([2.])
+    """
+    if callable(inputs):
+        shape = np.shape(np.atleast_1d(inputs(float(times[0]))))
+        if shape != (count,):
+            raise SimulationError(
+                f"inputs: the function gives shape {shape}, the diagram has {count} inputs"
+            )
+        return Inputs(lambda t: np.atleast_1d(np.asarray(inputs(t), dtype=float)), None)
+    values = np.zeros(count) if inputs is None else np.asarray(inputs, dtype=float)
+    if not np.all(np.isfinite(values)):
+        raise SimulationError("inputs: must be finite; fill the gaps before the run")
+    if values.ndim <= 1 and not (count == 1 and values.shape == times.shape and len(times) > 1):
+        try:
+            held = np.broadcast_to(values, count).astype(float)
+        except ValueError:
+            raise SimulationError(
+                f"inputs: shape {values.shape} does not fit {count} inputs at {len(times)} times"
+            ) from None
+        return Inputs(lambda t: held, (times[:1], held[:, None]))
+    values = np.atleast_2d(values)
+    if values.shape != (count, len(times)):
+        raise SimulationError(
+            f"inputs: shape {values.shape} must be ({count}, {len(times)}): inputs x timepts"
+        )
+
+    def straight(t: float) -> np.ndarray:
+        k = int(np.clip(np.searchsorted(times, t, side="right") - 1, 0, len(times) - 2))
+        share = (t - times[k]) / (times[k + 1] - times[k])
+        return values[:, k] + share * (values[:, k + 1] - values[:, k])
+
+    return Inputs(straight, (times, values))

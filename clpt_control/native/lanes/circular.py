@@ -1,0 +1,145 @@
+"""sin, cos, tan and their inverses in lanes.
+
+    x = n pi/2 + (r + d),  |r| <= pi/4
+
+pi/2 is subtracted in three parts (Cody and Waite) with fused multiply-add; the
+first difference is exact, and what the second rounds off is kept in d.  The
+range is |x| < 2^50, where doubles are a quarter of a radian apart; beyond it
+the angle is taken as 0.  Coefficients as in `exponentials`: interpolants of
+(sin(r)/r - 1)/r^2, (cos(r) - 1 + r^2/2)/r^4 and (atan(r)/r - 1)/r^2.
+"""
+
+import math
+
+from .intrinsics import (
+    absolute,
+    copysign,
+    fma,
+    nearest,
+    negative_sign,
+    odd,
+    round_down,
+    select,
+    splat,
+    square_root,
+)
+from .kinds import jit
+
+TWO_OVER_PI = 0.6366197723675814
+HALF_PI, HALF_PI_MIDDLE = 1.5707963267948966, 6.123233995736766e-17
+HALF_PI_LOW = -1.4973849048591698e-33
+RANGE = 1125899906842624.0  # 2^50
+
+
+@jit
+def _reduced(a):
+    """Give (n, r, d)."""
+    a = select((absolute(a) >= RANGE) & (absolute(a) < math.inf), 0.0, a)
+    n = nearest(a * TWO_OVER_PI)
+    first = fma(-n, HALF_PI, a)
+    r = fma(-n, HALF_PI_MIDDLE, first)
+    d = fma(-n, HALF_PI_LOW, fma(-n, HALF_PI_MIDDLE, first - r))
+    return n, r, d
+
+
+@jit
+def _both(r, d):
+    """Give (sin, cos) of r + d."""
+    z = r * r
+    q = fma(z, 1.591810123027412e-10, -2.5051131455427946e-08)
+    q = fma(z, q, 2.755731610068303e-06)
+    q = fma(z, q, -0.0001984126983675497)
+    q = fma(z, q, 0.008333333333330946)
+    q = fma(z, q, -0.16666666666666666)
+    # derivative of sin and cos at r, times d, to first order
+    sine = r + fma(z * r, q, fma(-0.5 * z, d, d))
+    c = fma(z, -1.1382614868556325e-11, 2.0876146024689747e-09)
+    c = fma(z, c, -2.7557317270560326e-07)
+    c = fma(z, c, 2.4801587298763433e-05)
+    c = fma(z, c, -0.0013888888888887395)
+    c = fma(z, c, 0.041666666666666664)
+    half = 0.5 * z
+    most = 1.0 - half
+    cosine = most + (((1.0 - most) - half) + fma(z * z, c, -r * d))
+    return sine, cosine
+
+
+@jit
+def sin(a):
+    """Give the sine of an angle in radians."""
+    n, r, d = _reduced(a)
+    sine, cosine = _both(r, d)
+    value = select(odd(n), cosine, sine)
+    return select(a == 0.0, a, select(odd(round_down(0.5 * n)), -value, value))
+
+
+@jit
+def cos(a):
+    """Give the cosine of an angle in radians."""
+    n, r, d = _reduced(a)
+    sine, cosine = _both(r, d)
+    value = select(odd(n), sine, cosine)
+    return select(odd(round_down(0.5 * (n + 1.0))), -value, value)
+
+
+@jit
+def tan(a):
+    """Give the tangent of an angle in radians."""
+    n, r, d = _reduced(a)
+    sine, cosine = _both(r, d)
+    turned = odd(n)
+    value = select(turned, -cosine, sine) / select(turned, sine, cosine)
+    return select(a == 0.0, a, value)
+
+
+@jit
+def atan2(b, a):
+    """Give the angle of the point (a, b), in [-pi, pi]."""
+    up, right = absolute(b), absolute(a)
+    steep, middle = up > 2.414213562373095 * right, up > 0.41421356237309503 * right
+    # the angle from 0, pi/4 or pi/2 to the point
+    rise = select(steep, -right, select(middle, up - right, up))
+    run = select(steep, up, select(middle, up + right, right))
+    base = select(steep, HALF_PI, select(middle, 0.5 * HALF_PI, 0.0))
+    low = select(steep, HALF_PI_MIDDLE, select(middle, 0.5 * HALF_PI_MIDDLE, 0.0))
+    ratio = rise / run
+    corner = (up == math.inf) & (right == math.inf)
+    ratio = select(corner | ((up == 0.0) & (right == 0.0)), 0.0, ratio)
+    base = select(corner, 0.5 * HALF_PI, base)
+    z = ratio * ratio
+    q = fma(z, 0.016282993238924487, -0.034568068014968874)
+    q = fma(z, q, 0.0455149623749493)
+    q = fma(z, q, -0.052304330074828924)
+    q = fma(z, q, 0.05878926110528101)
+    q = fma(z, q, -0.06666424634599337)
+    q = fma(z, q, 0.07692296361048218)
+    q = fma(z, q, -0.09090908753017178)
+    q = fma(z, q, 0.11111111105145725)
+    q = fma(z, q, -0.14285714285659729)
+    q = fma(z, q, 0.19999999999999804)
+    q = fma(z, q, -0.3333333333333333)
+    left = negative_sign(a)
+    # pi - angle, with the parts of pi that double precision cuts off
+    base = select(left, 2.0 * HALF_PI - base, base)
+    low = select(left, 2.0 * HALF_PI_MIDDLE - low, low)
+    ratio = select(left, -ratio, ratio)
+    angle = base + (ratio + fma(z * ratio, q, low))
+    return copysign(angle, b)
+
+
+@jit
+def atan(a):
+    """Give the angle in [-pi/2, pi/2] whose tangent is `a`."""
+    return atan2(a, splat(1.0))
+
+
+@jit
+def asin(a):
+    """Give the angle in [-pi/2, pi/2] whose sine is `a`."""
+    return atan2(a, square_root((1.0 - a) * (1.0 + a)))
+
+
+@jit
+def acos(a):
+    """Give the angle in [0, pi] whose cosine is `a`."""
+    return atan2(square_root((1.0 - a) * (1.0 + a)), a)

@@ -1,0 +1,235 @@
+"""exp, log and their kin in lanes: polynomials and the bits of a double.
+
+    exp(x) = 2^k exp(r),        k = round(x / ln 2), |r| <= ln(2)/2
+    log(x) = k ln 2 + log(m),   x = 2^k m, m in [sqrt(1/2), sqrt(2)]
+
+The coefficients interpolate (exp(r) - 1 - r)/r^2 and, with s = (m-1)/(m+1),
+(log(m)/s - 2)/s^2 at Chebyshev nodes, computed with 60 digits; what the
+polynomials leave out is below 2e-17.  ln 2 is subtracted in two parts.
+"""
+
+import math
+
+from .intrinsics import (
+    absolute,
+    copysign,
+    fma,
+    nearest,
+    odd,
+    power_of_two,
+    round_down,
+    select,
+    split,
+    square_root,
+)
+from .kinds import jit
+
+LN2, LN2_LOW = 0.6931471805599453, 2.3190468138462996e-17
+LOG2_E, LOG2_E_LOW = 1.4426950408889634, 2.0355273740931033e-17
+LOG10_E, LOG10_E_LOW = 0.4342944819032518, 1.098319650216765e-17
+TINY, HUGE = 2.2250738585072014e-308, 1.7976931348623157e308
+
+
+@jit
+def _reduced(a):
+    """Give (k, r) with a = k ln 2 + r, k within what doubles can hold."""
+    a = select(a > 710.0, 710.0, select(a < -746.0, -746.0, a))
+    k = nearest(a * LOG2_E)
+    return k, fma(-k, LN2_LOW, fma(-k, LN2, a))
+
+
+@jit
+def _exp_less_one(r):
+    """Give exp(r) - 1 for |r| <= ln(2)/2."""
+    q = fma(r, 2.5100472505694996e-08, 2.7620201591031547e-07)
+    q = fma(r, q, 2.7557268276905696e-06)
+    q = fma(r, q, 2.4801521057868204e-05)
+    q = fma(r, q, 0.00019841269863171557)
+    q = fma(r, q, 0.0013888888917367081)
+    q = fma(r, q, 0.008333333333330039)
+    q = fma(r, q, 0.041666666666623824)
+    q = fma(r, q, 0.16666666666666669)
+    q = fma(r, q, 0.5000000000000001)
+    return fma(r * r, q, r)
+
+
+@jit
+def exp(a):
+    """Give e^a."""
+    k, r = _reduced(a)
+    half = round_down(0.5 * k)
+    return (1.0 + _exp_less_one(r)) * power_of_two(half) * power_of_two(k - half)
+
+
+@jit
+def expm1(a):
+    """Give e^a - 1, accurate near 0."""
+    k, r = _reduced(a)
+    k = select(k > 1023.0, 1023.0, select(k < -60.0, -60.0, k))
+    scale = power_of_two(k)
+    value = fma(scale, _exp_less_one(r), scale - 1.0)
+    return select(a > 709.0, exp(a), select(a < -40.0, -1.0, select(a == 0.0, a, value)))
+
+
+@jit
+def _split_log(a):
+    """Give (k, log m) of a normal a > 0."""
+    k, m = split(a)
+    f = m - 1.0
+    s = f / (2.0 + f)
+    z = s * s
+    q = fma(z, 0.14616721179861816, 0.15331699633543858)
+    q = fma(z, q, 0.18182889786191042)
+    q = fma(z, q, 0.2222221112572281)
+    q = fma(z, q, 0.28571428626031065)
+    q = fma(z, q, 0.3999999999989938)
+    q = fma(z, q, 0.666666666666667)
+    # log m = f - (f^2/2 - s (f^2/2 + z q)): only small terms are rounded
+    half = 0.5 * f * f
+    return k, f, half - s * fma(z, q, half)
+
+
+@jit
+def _where_log_is(a, value):
+    """Put in what log is outside the positive numbers."""
+    value = select(a == math.inf, a, value)
+    value = select(a == 0.0, -math.inf, value)
+    return select(a >= 0.0, value, math.nan)
+
+
+@jit
+def _normal(a):
+    """Give (a, shift), multiplied into the normal numbers by 2^-shift."""
+    small = a < TINY
+    return select(small, a * 18014398509481984.0, a), select(small, -54.0, 0.0)
+
+
+@jit
+def log(a):
+    """Give the natural logarithm."""
+    scaled, shift = _normal(a)
+    k, f, less = _split_log(scaled)
+    k = k + shift
+    return _where_log_is(a, fma(k, LN2, f - fma(-k, LN2_LOW, less)))
+
+
+@jit
+def log2(a):
+    """Give the logarithm to base 2, exact for powers of two."""
+    scaled, shift = _normal(a)
+    k, f, less = _split_log(scaled)
+    m = f - less
+    return _where_log_is(a, k + shift + fma(m, LOG2_E, m * LOG2_E_LOW))
+
+
+@jit
+def log10(a):
+    """Give the logarithm to base 10."""
+    value = log(a)
+    return fma(value, LOG10_E, value * LOG10_E_LOW)
+
+
+@jit
+def log1p(a):
+    """Give log(1 + a), accurate near 0."""
+    u = 1.0 + a
+    value = log(u) + (a - (u - 1.0)) / u
+    return select((u == math.inf) | (u == 0.0), log(u), select(u == 1.0, a, value))
+
+
+@jit
+def power(a, b):
+    """Give a^b through exp and log, error about 2e-16 |b log a|."""
+    size = absolute(a)
+    logarithm = log(size)
+    high = b * logarithm
+    low = fma(b, logarithm, -high)
+    value = exp(high)
+    value = select(absolute(low) < 1.0, fma(value, low, value), value)
+    value = select(absolute(value) < math.inf, value, exp(high))
+    whole = round_down(b) == b
+    is_odd = whole & (absolute(b) < 4503599627370496.0) & odd(select(whole, b, 0.0))
+    value = select((size == 1.0) & (absolute(b) == math.inf), 1.0, value)
+    value = select(is_odd, copysign(value, a), value)
+    negative = (a < 0.0) & (size < math.inf) & ~whole
+    return select((b == 0.0) | (a == 1.0), 1.0, select(negative, math.nan, value))
+
+
+@jit
+def whole_power(a, n):
+    """Give a^n for a shared whole number n, by multiplication."""
+    left = abs(n)
+    factor, value = a, a * 0.0 + 1.0
+    first = True
+    while left > 0:
+        if left & 1:
+            value = factor if first else value * factor
+            first = False
+        left >>= 1
+        if left > 0:
+            factor = factor * factor
+    return select(n < 0, 1.0 / value, select(n == 0, 1.0, value))
+
+
+@jit
+def sinh(a):
+    """Give the hyperbolic sine."""
+    size = absolute(a)
+    less = expm1(size)
+    value = 0.5 * (less + less / (less + 1.0))
+    root = exp(0.5 * size)
+    return copysign(select(size > 700.0, 0.5 * root * root, value), a)
+
+
+@jit
+def cosh(a):
+    """Give the hyperbolic cosine."""
+    size = absolute(a)
+    root = exp(0.5 * size)
+    e = exp(size)
+    return select(size > 700.0, 0.5 * root * root, 0.5 * (e + 1.0 / e))
+
+
+@jit
+def tanh(a):
+    """Give the hyperbolic tangent."""
+    size = absolute(a)
+    less = expm1(select(size > 20.0, 40.0, 2.0 * size))
+    value = select(size > 20.0, 1.0, less / (less + 2.0))
+    return select(a == a, copysign(value, a), a)
+
+
+@jit
+def asinh(a):
+    """Give the inverse hyperbolic sine."""
+    size = absolute(a)
+    square = size * size
+    near = log1p(size + square / (1.0 + square_root(square + 1.0)))
+    return copysign(select(size > 1e150, log(size) + LN2, near), a)
+
+
+@jit
+def acosh(a):
+    """Give the inverse hyperbolic cosine."""
+    less = a - 1.0
+    near = log1p(less + square_root(less * (a + 1.0)))
+    return select(a > 1e150, log(a) + LN2, near)
+
+
+@jit
+def atanh(a):
+    """Give the inverse hyperbolic tangent."""
+    size = absolute(a)
+    return copysign(0.5 * log1p(2.0 * size / (1.0 - size)), a)
+
+
+@jit
+def hypot(a, b):
+    """Give sqrt(a^2 + b^2) without overflow between."""
+    a, b = absolute(a), absolute(b)
+    large = select(a > b, a, b)
+    up = power_of_two(select(large > 1e150, -600.0, select(large < 1e-150, 600.0, 0.0)))
+    down = power_of_two(select(large > 1e150, 600.0, select(large < 1e-150, -600.0, 0.0)))
+    a_scaled, b_scaled = a * up, b * up
+    value = square_root(fma(a_scaled, a_scaled, b_scaled * b_scaled)) * down
+    return select((a == math.inf) | (b == math.inf), math.inf, value)

@@ -1,0 +1,66 @@
+"""The C program of the benchmarks agrees with the reference; the harness leaves its table."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).parent.parent
+sys.path.insert(0, str(ROOT))  # benchmarks/ is no installed package
+
+from benchmarks import build, cases, traced  # noqa: E402
+from benchmarks.c_engine import Program  # noqa: E402
+
+pytestmark = pytest.mark.skipif(build.compiler() is None, reason="there is no C compiler here")
+
+
+@pytest.mark.parametrize("options", [(), ("-DSHARE_TIDE",), ("-DCANCEL",), ("-DBASIS_LANES",)])
+def test_c_agrees_with_the_reference(options):
+    times, reference = cases.reference_states()
+    program, case = Program(3, "scalar", *options), cases.paper()
+    states = program.run(case)[0][np.searchsorted(case.times, times[1:])]
+    early = program.run(cases.paper(10.0))[0][-1]
+    np.testing.assert_allclose(states, reference[1:], rtol=0, atol=1e-7)
+    np.testing.assert_allclose(early, reference[0], rtol=0, atol=1e-7)
+
+
+def test_lanes_agree_with_one_run_after_the_other_in_any_order():
+    scenario = cases.paper(60.0).scenario
+    parameters, states = cases.members(scenario, 0, 21)
+    expected, _ = Program(3).members(scenario, parameters, states)
+    lanes = Program(3, "lanes")
+    ours, _ = lanes.members(scenario, parameters, states)
+    np.testing.assert_allclose(ours, expected, rtol=0, atol=1e-9)
+    backwards, _ = lanes.members(scenario, parameters[::-1], states[::-1])
+    np.testing.assert_array_equal(backwards[::-1], ours)
+
+
+def test_traced_equations_are_the_diagram():
+    import math
+    from types import SimpleNamespace
+
+    import clpt_control as clpt
+    from clpt_control.native.sweep import Sweep
+
+    loop = clpt.closed_loop(clpt.paper_scenario())
+    x = np.linspace(-1.0, 2.0, 14)
+    words = {"math": SimpleNamespace(exp=math.exp, cos=math.cos, sqrt=math.sqrt)}
+    found = traced.rates(loop, 3.0, list(x), words, {"reference": [3.0, 0.0]})
+    np.testing.assert_allclose(found, Sweep(loop).derivative(3.0, x), rtol=1e-13, atol=1e-14)
+
+
+def test_the_quick_run_leaves_its_tables(tmp_path):
+    subprocess.run(
+        [sys.executable, "-m", "benchmarks.bench", "--quick", "--engines", "c",
+         "--sections", "paper,particles", "--out", str(tmp_path)],
+        cwd=ROOT, check=True, capture_output=True,
+    )  # fmt: skip
+    results = json.loads((tmp_path / "performance.json").read_text())
+    assert results["paper"][0]["error"] < 1e-7
+    text = (tmp_path / "performance.md").read_text()
+    assert "## The paper's run" in text
+    assert "| C, both phi as the diagram does |" in text
+    assert (tmp_path / "performance.png").stat().st_size > 5_000
