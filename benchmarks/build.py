@@ -7,6 +7,7 @@ sums over their non-zero entries into a header when the programs are built.
 import hashlib
 import shutil
 import subprocess
+import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -70,12 +71,16 @@ def library(source: str, *options: str) -> Path:
     folder = FOLDER / key[:12]
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / f"{source}.so"
-    if not path.exists():
-        (folder / "coefficients.h").write_text(header)
-        command = [cc, *FLAGS, *options, f"-I{folder}", str(SOURCES / f"{source}.c")]
+    if path.exists():
+        return path
+    with tempfile.TemporaryDirectory(dir=folder) as own:  # others may be compiling it too
+        (Path(own) / "coefficients.h").write_text(header)
+        made = Path(own) / path.name
+        command = [cc, *FLAGS, *options, f"-I{own}", str(SOURCES / f"{source}.c")]
         done = subprocess.run(
-            [*command, "-o", str(path), "-lm"], capture_output=True, text=True, check=False
+            [*command, "-o", str(made), "-lm"], capture_output=True, text=True, check=False
         )
         if done.returncode:
             raise RuntimeError(f"{source}.c does not compile: {done.stderr.strip()}")
+        made.replace(path)
     return path

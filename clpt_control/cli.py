@@ -6,6 +6,8 @@ each failure is one sentence.  Commands import what they need when they run, so
 that `clpt --help` answers at once.
 """
 
+import gc
+import os
 import sys
 
 import typer
@@ -36,6 +38,7 @@ for command in (init, paper, run, diagram, prove, excitation, fit):
 
 def main() -> None:
     """Run the command line; a failure is a sentence and a status."""
+    gc.set_threshold(200_000, 50, 50)  # imports make many objects and no garbage
     try:
         status = app(standalone_mode=False)
     except SimulationError as error:
@@ -50,6 +53,11 @@ def main() -> None:
         sys.exit(0)
     except MemoryError:
         _complain("out of memory; record fewer samples (run.output_step)", 1)
+    except Exception as error:  # a fault of ours: one line all the same
+        if os.environ.get("CLPT_TRACEBACK"):
+            raise
+        kind = type(error).__name__
+        _complain(f"fault in clpt: {kind}: {error}; CLPT_TRACEBACK=1 shows where", 1)
     if status == 130:
         _complain(INTERRUPTED, 130)
     sys.exit(status if isinstance(status, int) else 0)

@@ -27,6 +27,13 @@ def test_c_agrees_with_the_reference(options):
     np.testing.assert_allclose(early, reference[0], rtol=0, atol=1e-7)
 
 
+def test_simd_over_the_basis_agrees_with_one_function_after_the_other():
+    case = cases.many(21, 40.0)  # two blocks of eight, five left
+    expected, _ = Program(21).run(case)
+    ours, _ = Program(21, "scalar", "-DCANCEL", "-DBASIS_LANES").run(case)
+    np.testing.assert_allclose(ours, expected, rtol=0, atol=1e-9)
+
+
 def test_lanes_agree_with_one_run_after_the_other_in_any_order():
     scenario = cases.paper(60.0).scenario
     parameters, states = cases.members(scenario, 0, 21)

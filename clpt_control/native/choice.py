@@ -10,8 +10,8 @@ import numpy as np
 
 from ..errors import DiagramError, SimulationError
 from .inputs import Inputs
-from .integrate import Solution, integrate
 from .record import sample_signals
+from .solution import Solution
 from .sweep import Sweep
 
 ENGINES = ("native", "python")
@@ -81,6 +81,8 @@ class Engine:
             return self.native.run(
                 x0, times, rtol=rtol, atol=atol, samples=self._samples(), progress=progress
             )
+        from .integrate import integrate
+
         u, kinks = (None, None) if self.inputs is None else (self.inputs.at, self.inputs.kinks)
         return integrate(
             self.sweep, x0, times, rtol=rtol, atol=atol, inputs=u, stops=kinks, progress=progress

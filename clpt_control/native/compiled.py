@@ -16,7 +16,6 @@ from pathlib import Path
 from types import ModuleType
 
 from .fuse import Fused
-from .solver_text import module_text
 
 FOLDER = "CLPT_CONTROL_CACHE"  # environment variable that names another folder
 
@@ -68,18 +67,28 @@ def compiled_module(fused: Fused) -> ModuleType:
     >>> module.NX
     14
     """
-    text = module_text(fused.source, fused.nstates, fused.nsignals, fused.guarded)
-    return _module(text)
+    return _module(fused.source, fused.nstates, fused.nsignals, fused.guarded)
+
+
+def _solver_key() -> str:
+    """Give what the rest of the module's text is made of, without making it."""
+    from importlib.metadata import version
+
+    here = Path(__file__).parent
+    rooms = (here / "solver_text.py", here / "dormand_prince.py", here.parent / "blocks/words.py")
+    versions = [version(name) for name in ("numba", "llvmlite", "numpy", "scipy")]
+    return "\n".join([sys.version, *versions, *(room.read_text("utf-8") for room in rooms)])
 
 
 @lru_cache(maxsize=64)
-def _module(text: str) -> ModuleType:
-    from importlib.metadata import version
-
-    made_of = "\n".join([text, sys.version, *(version(name) for name in ("numba", "llvmlite"))])
+def _module(source: str, nx: int, nw: int, guarded: bool) -> ModuleType:
+    made_of = "\n".join([source, f"{nx} {nw} {guarded}", _solver_key()])
     name = f"fused_{hashlib.sha256(made_of.encode()).hexdigest()[:24]}"
     path = cache_folder() / f"{name}.py"
     if not path.exists():
+        from .solver_text import module_text
+
+        text = module_text(source, nx, nw, guarded)
         handle, beside = tempfile.mkstemp(dir=path.parent, prefix=f".{name}.")
         with os.fdopen(handle, "w", encoding="utf-8") as file:
             file.write(text)

@@ -15,7 +15,7 @@ import numpy as np
 
 from .compiled import compiled_module
 from .fuse import fuse
-from .integrate import Solution, integrate
+from .solution import Solution
 from .sweep import Sweep
 
 BUDGET = 20_000  # steps a call
@@ -171,6 +171,8 @@ class NativeDiagram:
 
             def u(t, at=samples[0], values=samples[1]):
                 return np.array([np.interp(t, at, row) for row in values])
+
+        from .integrate import integrate
 
         tail = integrate(
             self.sweep, x, np.append(t, rest), rtol=rtol, atol=atol, inputs=u,

@@ -7,7 +7,6 @@ interpolant of order 7.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -15,35 +14,10 @@ from scipy.integrate import DOP853
 from scipy.optimize import brentq
 
 from ..errors import SimulationError
+from .solution import Solution
 from .sweep import Sweep
 
 OUTSIDE = 1e-9  # grid steps beyond the edge that count as outside
-FINISHED = "finished: the end of the span was reached"
-
-
-@dataclass
-class Solution:
-    """States at the requested times, and how they were reached.
-
-    Attributes
-    ----------
-    t : ndarray, shape (n,)
-        Requested times that were reached.
-    x : ndarray, shape (n, nstates)
-        States at these times.
-    status : str
-        ``"finished"`` or ``"stopped"`` (a guard ended the run).
-    message : str
-        One sentence on how the run ended.
-    statistics : dict
-        Numbers of steps, evaluations and restarts.
-    """
-
-    t: np.ndarray
-    x: np.ndarray
-    status: str = "finished"
-    message: str = FINISHED
-    statistics: dict[str, int] = field(default_factory=dict)
 
 
 def integrate(

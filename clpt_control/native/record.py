@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from .integrate import Solution
+from .solution import Solution
 from .sweep import Sweep
 
 

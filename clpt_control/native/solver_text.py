@@ -166,6 +166,24 @@ def advance(S, Z, P, T, W, F, edges, places, values, times, states, rtol, atol, 
 
 
 @njit({options})
+def many(first, last, X0, Ps, T, group, edges, nedges, places, values, times, out, status,
+         reached, counts, rtol, atol):
+    Z, F, W, S = np.zeros(18 * NX), np.zeros(7 * NX), np.zeros(NW), np.zeros(5)
+    P = np.zeros(Ps.shape[1])
+    for m in range(first, last):
+        g = group[m]
+        for j in range(len(P)):
+            P[j] = Ps[m, j]
+        for i in range(NX):
+            Z[i] = X0[m, i]
+            out[m, 0, i] = X0[m, i]
+        S[0], S[1], S[2], S[3], S[4] = times[0], 0.0, 0.0, 1.0, 1.0
+        status[m] = advance(S, Z, P, T, W, F, edges[g, : nedges[g]], places, values[g], times,
+                            out[m], rtol, atol, 1 << 40, counts[m])
+        reached[m] = S[3]
+
+
+@njit({options})
 def record(times, states, pieces, P, T, W, places, values, out):
     piece = -1
     for k in range(len(times)):

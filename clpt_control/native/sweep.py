@@ -6,7 +6,7 @@ call its output, go on; then call each update.  It also knows which block and
 signal first became non-finite.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import control
@@ -96,7 +96,7 @@ class Sweep:
         """
         jumps = [
             node.system.breakpoints(t0, t1, p)
-            for node, p in zip(self.nodes, self._parameters, strict=True)
+            for node, p in zip(self.nodes, self.given, strict=True)
             if isinstance(node.system, Block) and node.system.breakpoints_function is not None
         ]
         times = np.unique(np.concatenate([np.zeros(0), *jumps]))
@@ -111,6 +111,12 @@ class Sweep:
                 p = self._parameters[k]
                 interval = block.interval_at(t, self.given[k])
                 self._parameters[k] = p._replace(interval=interval)
+
+    def use(self, parameters: Sequence[Any]) -> None:
+        """Take other parameters of the same blocks, in the order of the wiring."""
+        self.given = list(parameters)
+        self._parameters = list(parameters)
+        self.enter(0.0)
 
     def evaluate(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
         """Compute all block outputs at (t, x, u) within the entered interval.

@@ -3,10 +3,14 @@
     x = n pi/2 + (r + d),  |r| <= pi/4
 
 pi/2 is subtracted in three parts (Cody and Waite) with fused multiply-add; the
-first difference is exact, and what the second rounds off is kept in d.  The
-range is |x| < 2^50, where doubles are a quarter of a radian apart; beyond it
-the angle is taken as 0.  Coefficients as in `exponentials`: interpolants of
-(sin(r)/r - 1)/r^2, (cos(r) - 1 + r^2/2)/r^4 and (atan(r)/r - 1)/r^2.
+first difference is exact, and what the second rounds off is kept in d.  sin
+and cos are within 1.3e-16 of the true value for |x| <= 1e5 and within 5e-15
+for |x| < 2^50, where doubles are a quarter of a radian apart.  Beyond it an
+angle means nothing and is taken as 0: a branch to the C library for such lanes
+halves the speed of a basis function even when it is never taken.
+
+Coefficients as in `exponentials`: interpolants of (sin(r)/r - 1)/r^2,
+(cos(r) - 1 + r^2/2)/r^4 and (atan(r)/r - 1)/r^2 in r^2.
 """
 
 import math
@@ -37,8 +41,9 @@ def _reduced(a):
     a = select((absolute(a) >= RANGE) & (absolute(a) < math.inf), 0.0, a)
     n = nearest(a * TWO_OVER_PI)
     first = fma(-n, HALF_PI, a)
-    r = fma(-n, HALF_PI_MIDDLE, first)
-    d = fma(-n, HALF_PI_LOW, fma(-n, HALF_PI_MIDDLE, first - r))
+    middle = n * HALF_PI_MIDDLE
+    r = first - middle
+    d = fma(-n, HALF_PI_LOW, ((first - r) - middle) - fma(n, HALF_PI_MIDDLE, -middle))
     return n, r, d
 
 

@@ -213,7 +213,7 @@ def acosh(a):
     """Give the inverse hyperbolic cosine."""
     less = a - 1.0
     near = log1p(less + square_root(less * (a + 1.0)))
-    return select(a > 1e150, log(a) + LN2, near)
+    return select(a > 1e150, log(a) + LN2, select(a >= 1.0, near, math.nan))
 
 
 @jit

@@ -112,11 +112,8 @@ def _counted(builder, index, size):
 
 
 def _is_pair(kind) -> bool:
-    return (
-        isinstance(kind, types.BaseTuple)
-        and len(kind) == 2
-        and all(isinstance(part, types.Integer) for part in kind)
-    )
+    parts = getattr(kind, "types", ())
+    return len(parts) == 2 and all(isinstance(part, types.Integer) for part in parts)
 
 
 PAIR = types.UniTuple(types.intp, 2)
