@@ -71,3 +71,18 @@ def test_the_quick_run_leaves_its_tables(tmp_path):
     assert "## The paper's run" in text
     assert "| C, both phi as the diagram does |" in text
     assert (tmp_path / "performance.png").stat().st_size > 5_000
+
+
+def test_the_drifter_block_moves_as_the_c_program():
+    from benchmarks import advection
+    from benchmarks.drifter import drifter
+
+    block, h = drifter(*advection.current()), advection.STEP
+    expected, _ = advection.run_c(1)
+    x, k, p = np.array(advection.starts(1)).ravel(), np.zeros((4, 2)), block.parameters
+    for step in range(advection.STEPS):
+        for s, (lag, share) in enumerate([(0, 0.0), (0, 0.5), (1, 0.5), (2, 1.0)]):
+            there = x + h * share * k[lag]
+            block.update_function(h * (step + share), there, (), p, k[s])
+        x = x + h / 6 * (k[0] + 2 * k[1] + 2 * k[2] + k[3])
+    np.testing.assert_allclose(x, expected[:, 0], rtol=1e-12)

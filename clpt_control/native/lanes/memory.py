@@ -71,25 +71,62 @@ def _from_array(dimensions):
 
 @intrinsic
 def lane_vector(typingctx, array):
-    """View a float64 array of shape (n, 8) as n lanes; the array must stay alive."""
+    """View an array of shape (n, 8) as n lanes.
+
+    Parameters
+    ----------
+    array : ndarray, shape (n, 8)
+        C-contiguous float64; the view does not keep it alive, so it should be
+        an argument of the compiled function, not made inside it.
+
+    Returns
+    -------
+    LaneVector
+        ``v[i]`` is lanes, ``v[i] = a`` writes the array, ``v[a:b]`` is a view.
+    """
     return _from_array(2)(typingctx, array)
 
 
 @intrinsic
 def lane_matrix(typingctx, array):
-    """View a float64 array of shape (m, n, 8) as m x n lanes; it must stay alive."""
+    """View an array of shape (m, n, 8) as m times n lanes.
+
+    Parameters
+    ----------
+    array : ndarray, shape (m, n, 8)
+        C-contiguous float64, kept alive by the caller.
+
+    Returns
+    -------
+    LaneMatrix
+        ``m[i, k]`` is lanes, ``m[i]`` a lane vector.
+    """
     return _from_array(3)(typingctx, array)
 
 
 @intrinsic(prefer_literal=True)
 def lane_buffer(typingctx, n):
-    """Give room for `n` lanes, a literal number, until the function returns."""
+    """Give room for `n` lanes until the function returns.
+
+    Parameters
+    ----------
+    n : int
+        Written as a number in the code; what is small and indexed by numbers
+        known at compile time may stay in registers.
+
+    Returns
+    -------
+    LaneVector
+        Holds nothing sensible until it is written.
+    """
     if not isinstance(n, types.IntegerLiteral):
         return None
     size = n.literal_value
 
     def build(context, builder, sig, args):
-        room = cgutils.alloca_once(builder, ir.ArrayType(VECTOR, max(size, 1)))
+        with builder.goto_entry_block():
+            room = builder.alloca(ir.ArrayType(VECTOR, max(size, 1)))
+            room.align = 8 * LANES
         data = builder.bitcast(room, DOUBLE.as_pointer())
         return _view(context, builder, data, context.get_constant(types.intp, size))
 

@@ -15,9 +15,9 @@ from numba.extending import overload
 from .exponentials import power, whole_power
 from .intrinsics import (
     absolute,
+    any_lane,
     copysign,
     fma,
-    mask_bits,
     round_down,
     round_to_zero,
     select,
@@ -32,8 +32,10 @@ def remainder(a, b):
     """Give a % b as Python does; NaN where a/b overflows."""
     size = absolute(b)
     left = select(absolute(a) < math.inf, a, math.nan)
-    while mask_bits((absolute(left) >= size) & (size > 0.0)) != 0:
-        left = fma(-round_to_zero(left / size), size, left)
+    going = (absolute(left) >= size) & (size > 0.0)
+    while any_lane(going):
+        left = select(going, fma(-round_to_zero(left / size), size, left), left)
+        going = (absolute(left) >= size) & (size > 0.0)
     left = select(size > 0.0, left, math.nan)
     other_side = (left != 0.0) & ((left < 0.0) != (b < 0.0))
     return select(left == 0.0, copysign(0.0, b), select(other_side, left + b, left))

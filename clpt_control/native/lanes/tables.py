@@ -43,29 +43,29 @@ class _ReadTable(AbstractTemplate):
         return None
 
 
-def _gather(builder, index, data, size, stride, first=None):
-    """Read a table of doubles lane by lane; NaN where there is no such entry.
+def _gather(builder, data, index, size, place):
+    """Read doubles lane by lane; NaN where there is no such entry.
 
-    Entry i of lane k is ``first[k] + i stride`` bytes behind `data`.
+    ``place(whole)`` turns whole numbers into bytes behind `data`.
     """
-    tops, zero = repeat(builder, builder.sitofp(size, DOUBLE)), constant(0.0)
-    from_end = builder.fadd(index, tops)
-    index = builder.select(builder.fcmp_ordered("<", index, zero), from_end, index)
+    top = builder.sitofp(size, DOUBLE)
     inside = builder.and_(
-        builder.fcmp_ordered(">=", index, zero), builder.fcmp_ordered("<", index, tops)
+        builder.fcmp_ordered(">=", index, repeat(builder, builder.fneg(top))),
+        builder.fcmp_ordered("<", index, repeat(builder, top)),
     )
-    whole = builder.fptosi(builder.select(inside, index, zero), WORDS)
+    whole = builder.fptosi(index, WORDS)  # undefined outside, where nothing is read
+    from_end = builder.add(whole, repeat(builder, size, WORDS))
+    below = builder.icmp_signed("<", whole, constant(0, WORDS))
+    offsets = place(builder.select(below, from_end, whole))
     start = repeat(builder, builder.ptrtoint(data, WORD), WORDS)
-    address = builder.add(start, builder.mul(whole, repeat(builder, stride, WORDS)))
-    if first is not None:
-        address = builder.add(address, first)
-    places = builder.inttoptr(address, ir.VectorType(DOUBLE.as_pointer(), LANES))
-    kinds = (places.type, ir.IntType(32), MASK, VECTOR)
+    pointers = ir.VectorType(data.type, LANES)
+    addresses = builder.inttoptr(builder.add(start, offsets), pointers)
+    kinds = (pointers, ir.IntType(32), MASK, VECTOR)
     function = cgutils.get_or_insert_function(
         builder.module, ir.FunctionType(VECTOR, kinds), "llvm.masked.gather.v8f64.v8p0"
     )
     missing = constant(float("nan"))
-    return builder.call(function, (places, ir.Constant(ir.IntType(32), 8), inside, missing))
+    return builder.call(function, (addresses, ir.Constant(ir.IntType(32), 8), inside, missing))
 
 
 @lower_builtin(operator.getitem, types.Array, LanesType)
@@ -74,12 +74,19 @@ def _read_shared_table(context, builder, sig, args):
     (size,), (stride,) = (
         cgutils.unpack_tuple(builder, part) for part in (table.shape, table.strides)
     )
-    return _gather(builder, args[1], table.data, size, stride)
+    steps = constant(8, WORDS) if sig.args[0].layout == "C" else repeat(builder, stride, WORDS)
+    return _gather(builder, table.data, args[1], size, lambda whole: builder.mul(whole, steps))
 
 
 @lower_builtin(operator.getitem, LaneVectorType, LanesType)
 def _read_own_table(context, builder, sig, args):
     table = cgutils.create_struct_proxy(sig.args[0])(context, builder, value=args[0])
-    stride = ir.Constant(WORD, 8 * LANES)
-    first = ir.Constant(WORDS, [8 * k for k in range(LANES)])
-    return _gather(builder, args[1], table.data, table.size, stride, first)
+    columns = ir.Constant(WORDS, [8 * k for k in range(LANES)])
+    row = constant(8 * LANES, WORDS)
+    return _gather(
+        builder,
+        table.data,
+        args[1],
+        table.size,
+        lambda whole: builder.add(builder.mul(whole, row), columns),
+    )
