@@ -15,7 +15,7 @@ from pathlib import Path
 from . import cases, ensemble, report, single
 from .advection import ENGINES as PARTICLES
 from .engines import ENGINES
-from .measure import ROOT, alone, machine
+from .measure import FAILURES, ROOT, alone, machine
 
 SECTIONS = ("paper", "basis", "ensemble", "particles")
 
@@ -90,6 +90,7 @@ def main(arguments: list[str] | None = None) -> int:
     if "particles" in sections:
         able = [n for n in wanted if n == "parcels" or n in chosen]
         results["particles"] = particles(able, 200 if quick else 5000, 1 if quick else 5, say)
+    results["left_out"] += list(dict.fromkeys(FAILURES))
     options.out.mkdir(parents=True, exist_ok=True)
     (options.out / "performance.json").write_text(json.dumps(results, indent=1) + "\n")
     text = report.markdown(results)

@@ -96,9 +96,14 @@ def _basis(results: dict) -> str:
 def _ensemble(rows: list[dict]) -> str:
     return ENSEMBLE + "".join(
         f"| {row['title']} | {row['rate']:.4g} | {_number(row['ratio'], '.3g')} "
-        f"| {_number(row['error'], '.1e')} | {row['peak_mb']:.0f} |\n"
+        f"| {_number(row['error'], '.1e')} | {_number(row['peak_mb'], '.0f')} |\n"
         for row in rows
     )
+
+
+def _cell(row: dict) -> str:
+    peak = "" if row["peak_mb"] is None else f", {row['peak_mb']:.0f} MB"
+    return f"{row['rate']:.4g}{peak}"
 
 
 def _growth(rows: list[dict]) -> str:
@@ -107,12 +112,7 @@ def _growth(rows: list[dict]) -> str:
     text = GROWTH + "| engine | " + " | ".join(f"{n:,}" for n in sizes) + " |\n"
     text += "|---" * (len(sizes) + 1) + "|\n"
     for title in dict.fromkeys(row["title"] for row in rows):
-        cells = [
-            f"{found[title, n]['rate']:.4g}, {found[title, n]['peak_mb']:.0f} MB"
-            if (title, n) in found
-            else ""
-            for n in sizes
-        ]
+        cells = [_cell(found[title, n]) if (title, n) in found else "" for n in sizes]
         text += f"| {title} | " + " | ".join(cells) + " |\n"
     return text
 
@@ -120,7 +120,7 @@ def _growth(rows: list[dict]) -> str:
 def _particles(rows: list[dict]) -> str:
     return PARTICLES + "".join(
         f"| {row['title']} | {row['rate']:.3g} | {_number(row.get('ratio'), '.3g')} "
-        f"| {_number(row.get('difference'), '.0e')} | {row['peak_mb']:.0f} |\n"
+        f"| {_number(row.get('difference'), '.0e')} | {_number(row['peak_mb'], '.0f')} |\n"
         for row in rows
     )
 
@@ -142,6 +142,7 @@ def markdown(results: dict) -> str:
     text += QUICK if results["quick"] else ""
     if results["left_out"]:
         text += LEFT_OUT.format(lines="; ".join(results["left_out"]))
+    text += "".join(f"\n{remark}\n" for remark in results.get("remarks", []))
     if results.get("paper"):
         text += _paper(results["paper"])
     if any(results.get("basis", {}).values()):
@@ -165,7 +166,7 @@ def figure(results: dict, path: Path) -> None:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    drawing = Figure(figsize=(13, 4.2), layout="constrained")
+    drawing = Figure(figsize=(13, 5.6), layout="constrained")
     FigureCanvasAgg(drawing)
     bars, basis, members = drawing.subplots(1, 3)
     rows = sorted(results.get("paper", []), key=lambda row: -row["median"])
@@ -190,4 +191,4 @@ def _lines(axes, lines: dict[str, list], xlabel: str, ylabel: str, title: str) -
     axes.set(xscale="log", yscale="log", xlabel=xlabel, ylabel=ylabel, title=title)
     axes.grid(alpha=0.3)
     if lines:
-        axes.legend(fontsize=6)
+        axes.legend(fontsize=6, loc="upper center", bbox_to_anchor=(0.5, -0.15), ncol=2)

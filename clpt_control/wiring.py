@@ -8,7 +8,7 @@ proofs and the drawing all read a diagram through this file.
 """
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import control
 import numpy as np
@@ -75,50 +75,58 @@ class Wiring:
         Blocks in the diagram's own order.
     order : tuple of int
         Indices into `nodes`, in which outputs can be computed one by one.
-    output_map : ndarray
+    output_map : scipy.sparse array
         Diagram outputs from all block outputs and then all diagram inputs.
     """
 
     nodes: tuple[Node, ...]
     order: tuple[int, ...]
-    output_map: np.ndarray
+    output_map: Any
 
 
 class _Flat(NamedTuple):
-    """A system as leaves with U = C Y + D u and y = E Y + F u."""
+    """A system as leaves with U = C Y + D u and y = E Y + F u, sparse."""
 
     leaves: list[tuple[str, control.NonlinearIOSystem]]
-    C: np.ndarray
-    D: np.ndarray
-    E: np.ndarray
-    F: np.ndarray
+    C: Any
+    D: Any
+    E: Any
+    F: Any
 
 
 def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
-    from scipy.linalg import block_diag
+    from scipy.sparse import block_diag, csr_array, eye_array
 
     if not isinstance(system, control.InterconnectedSystem):
         m, n = system.ninputs, system.noutputs
-        return _Flat([(name, system)], np.zeros((m, n)), np.eye(m), np.eye(n), np.zeros((n, m)))
+        return _Flat(
+            [(name, system)],
+            csr_array((m, n)),
+            eye_array(m, format="csr"),
+            eye_array(n, format="csr"),
+            csr_array((n, m)),
+        )
     parts = []
     for part in system.syslist:
-        nested = isinstance(part, control.InterconnectedSystem)
         inner = _flatten(part, part.name)
-        if nested:
+        if isinstance(part, control.InterconnectedSystem):
             inner = inner._replace(leaves=[(f"{part.name}.{n}", s) for n, s in inner.leaves])
         parts.append(inner)
     leaves = [leaf for part in parts for leaf in part.leaves]
-    C, D, E, F = (block_diag(*(part[k] for part in parts)) for k in range(1, 5))
-    nested_outputs = system.connect_map.shape[1]
-    through = np.eye(len(F[0]) if F.size else 0) - system.connect_map @ F
-    try:
-        settle = np.linalg.inv(through)
-    except np.linalg.LinAlgError:
-        raise DiagramError(f"{name}: nested diagrams feed each other without a block") from None
-    U_from_Y = settle @ system.connect_map @ E
-    U_from_u = settle @ system.input_map
-    from_outputs = system.output_map[:, :nested_outputs]
-    from_inputs = system.output_map[:, nested_outputs:]
+    C, D, E, F = (block_diag([part[k] for part in parts], format="csr") for k in range(1, 5))
+    connections = csr_array(system.connect_map)
+    nested_outputs = connections.shape[1]
+    U_from_Y, U_from_u = connections @ E, csr_array(system.input_map)
+    through = connections @ F
+    for _ in range(len(parts)):  # signals that pass straight through nested diagrams
+        if not through.nnz:
+            break
+        U_from_Y, U_from_u = U_from_Y + through @ U_from_Y, U_from_u + through @ U_from_u
+        through = through @ through
+    if through.nnz:
+        raise DiagramError(f"{name}: nested diagrams feed each other without a block")
+    from_outputs = csr_array(system.output_map[:, :nested_outputs])
+    from_inputs = csr_array(system.output_map[:, nested_outputs:])
     return _Flat(
         leaves,
         C + D @ U_from_Y,
@@ -128,11 +136,15 @@ def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
     )
 
 
-def _runs(matrix: np.ndarray, external: bool) -> list[Wire]:
+def _runs(matrix: Any, external: bool) -> list[Wire]:
     """Gather a connection matrix into runs of consecutive signals."""
     wires: list[Wire] = []
-    for to, source in np.argwhere(matrix):
-        gain = float(matrix[to, source])
+    found = matrix.tocoo()
+    order = np.lexsort((found.coords[1], found.coords[0]))
+    for at in order:
+        to, source, gain = found.coords[0][at], found.coords[1][at], float(found.data[at])
+        if gain == 0.0:
+            continue
         for k, last in enumerate(wires):
             follows = (to, source) == (last.to + last.size, last.source + last.size)
             if follows and gain == last.gain:
@@ -200,6 +212,8 @@ def read(diagram: control.NonlinearIOSystem) -> Wiring:
     >>> [node.name for node in read(diagram).nodes][:3]
     ['reference', 'basis_x', 'basis_z']
     """
+    from scipy.sparse import hstack
+
     flat = _flatten(diagram, diagram.name)
     nodes, x, u, y = [], 0, 0, 0
     for name, system in flat.leaves:
@@ -209,7 +223,7 @@ def read(diagram: control.NonlinearIOSystem) -> Wiring:
         wires = _runs(flat.C[inputs], False) + _runs(flat.D[inputs], True)
         nodes.append(Node(system, name, states, inputs, outputs, tuple(wires)))
     order = _order(nodes)
-    return Wiring(tuple(nodes), order, np.hstack([flat.E, flat.F]))
+    return Wiring(tuple(nodes), order, hstack([flat.E, flat.F], format="csr"))
 
 
 def _order(nodes: list[Node]) -> tuple[int, ...]:

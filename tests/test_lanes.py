@@ -2,6 +2,9 @@
 
 import functools
 import math
+import os
+import subprocess
+import sys
 
 import mpmath
 import numba
@@ -553,3 +556,37 @@ def test_a_basis_function_calls_no_library():
     called = {line.split("@", 1)[1].split("(")[0] for line in body.splitlines() if " call " in line}
     assert "llvm.fma.v8f64" in called
     assert {name for name in called if not name.startswith("llvm.")} == set()
+
+
+FINGERPRINT = """
+import math, sys
+import numba, numpy as np
+from clpt_control.native import lanes
+
+@numba.njit(error_model="numpy")
+def run(a, out):
+    v, vout = lanes.lane_vector(a), lanes.lane_vector(out)
+    for i in range(len(v)):
+        wave = math.exp(-math.sqrt(abs(v[i]))) * math.cos(3 * v[i]) + math.tanh(v[i])
+        vout[i] = wave + math.log(abs(v[i])) + lanes.power(abs(v[i]), -0.125) + v[i] % 0.7
+
+a = np.linspace(-9, 9, 160).reshape(20, 8)
+out = np.zeros_like(a)
+run(a, out)
+sys.stdout.write(out.tobytes().hex())
+"""
+
+
+def test_bits_do_not_depend_on_the_processor():
+    found = set()
+    for settings_ in ({}, {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""}):
+        run = subprocess.run(
+            [sys.executable, "-c", FINGERPRINT],
+            env={**os.environ, **settings_},
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        found.add(run.stdout)
+    assert len(found) == 1
+    assert len(found.pop()) == 160 * 16

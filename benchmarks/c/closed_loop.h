@@ -41,7 +41,7 @@ static inline void FN(derivative)(int n, REAL t, const REAL *restrict y, const R
     for (int i = 0; i < 2; i++) {
         const REAL *a = alpha + i * n, *m = alpha_M + i * n, *th = theta + i * n;
         REAL gain_e = gamma * (x[i] - z[i]); /* e = x - z, Eq. (10) */
-        REAL flow = {0}, v_x = {0}, injected = {0};
+        REAL flow = {0}, injected = {0};
 #ifdef CANCEL
         /* phi(z) leaves Eq. (2): alpha_M - alpha - (alpha_M - alpha) = 0. */
         for (int k = 0; k < n; k++) {
@@ -51,9 +51,8 @@ static inline void FN(derivative)(int n, REAL t, const REAL *restrict y, const R
         }
         dy[2 + i] = -injected - K[i] * z[i] + G[i] * zc[i];
         dy[i] = flow - KD[i] * x[i] + GD[i] * zc[i];
-        (void)v_x;
 #else
-        REAL model = {0}, cancelled = {0};
+        REAL model = {0}, v_x = {0}, cancelled = {0};
         for (int k = 0; k < n; k++) {
             flow += th[k] * phi_x[k];                                          /* Eq. (3) */
             model += m[k] * phi_z[k];                                          /* Eq. (4) */

@@ -75,7 +75,8 @@ def _solver_key() -> str:
     from importlib.metadata import version
 
     here = Path(__file__).parent
-    rooms = (here / "solver_text.py", here / "dormand_prince.py", here.parent / "blocks/words.py")
+    own = ("solver_text.py", "dormand_prince.py", "elementary.py", "../blocks/words.py")
+    rooms = [here / name for name in own]
     versions = [version(name) for name in ("numba", "llvmlite", "numpy", "scipy")]
     return "\n".join([sys.version, *versions, *(room.read_text("utf-8") for room in rooms)])
 

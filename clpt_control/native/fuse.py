@@ -19,6 +19,7 @@ from typing import Any
 import control
 
 from ..blocks import Block
+from ..blocks.ports import states_as_outputs
 from ..errors import DiagramError
 from ..wiring import Node, Wiring, read
 from .layout import Layout, lay_out
@@ -127,11 +128,16 @@ class _Writer:
         self.named: dict[int, Any] = {}  # signal -> value, where loops are unrolled
         self.states: dict[int, Any] = {}
         self.rates: dict[int, Any] = {}
+        self.aliases: list[tuple[int, int, int]] = []  # outputs that are states
 
     def function(self) -> str:
         """Give the text of the function."""
         for k in self.wiring.order:
             node = self.wiring.nodes[k]
+            if node.system.output_function is states_as_outputs:
+                shift = node.states.start - node.outputs.start
+                self.aliases.append((node.outputs.start, node.outputs.stop, shift))
+                continue
             self.run(node.system.output_function, k, node, self.outputs(node))
         if self.kind == "derivative":
             for k, node in enumerate(self.wiring.nodes):
@@ -142,6 +148,9 @@ class _Writer:
         elif self.kind == "signals":
             for place, value in sorted(self.named.items()):
                 self.lines.add(f"W[{place}] = {text(value)}")
+            for start, stop, shift in self.aliases:
+                self.lines.add(f"for i in range({start}, {stop}):")
+                self.lines.add(f"    W[i] = X[i + {shift}]")
         else:
             self.guards()
         return "\n".join([HEADS[self.kind], *(self.lines.lines or ["    pass"])])
@@ -168,8 +177,10 @@ class _Writer:
     # --- the arrays that code speaks of ---------------------------------------------------
 
     def state(self, place: Any) -> Any:
-        if isinstance(place, Code) or not self.unroll:
+        if isinstance(place, Code):
             return Code(f"X[{text(place)}]")
+        if not self.unroll:
+            return Code(self.lines.steady(f"X[{place}]"))
         if place not in self.states:
             name = self.lines.fresh()
             self.lines.add(f"{name} = X[{place}]")
@@ -208,10 +219,13 @@ class _Writer:
 
         return View(read_one, write_one, node.states.start, node.system.nstates)
 
-    def signal(self, place: Any) -> Any:
-        if isinstance(place, int) and place in self.named:
+    def signal(self, place: int) -> Any:
+        for start, stop, shift in self.aliases:
+            if start <= place < stop:
+                return self.state(place + shift)
+        if place in self.named:
             return self.named[place]
-        return Code(f"W[{text(place)}]")
+        return Code(self.lines.steady(f"W[{place}]"))
 
     def external(self, place: int) -> Code:
         """A diagram's input: straight between its samples."""
@@ -236,7 +250,11 @@ class _Writer:
             run = sources[start]
             if len(run) != 1 or run[0][0] != 1.0 or run[0][1]:
                 raise Unreadable(f"{node.name}: a loop over inputs that are sums or from outside")
-            return Code(f"W[{run[0][2] - start} + {place.text}]")
+            first = run[0][2]
+            for begin, stop, shift in self.aliases:
+                if begin <= first < stop:
+                    return Code(f"X[{first + shift - start} + {place.text}]")
+            return Code(f"W[{first - start} + {place.text}]")
 
         return View(read_one, None, 0, node.system.ninputs)
 
@@ -259,11 +277,13 @@ class _Parameters:
         if isinstance(value, int):
             return value
         place = self._writer.layout.places[(self._k, name)]
+        lines = self._writer.lines
         if not place.shape:
-            return Code(f"{place.array}[{place.offset}]")
+            return Code(lines.steady(f"{place.array}[{place.offset}]"))
 
         def read_one(index: Any) -> Any:
-            return Code(f"{place.array}[{text(index)}]")
+            one = f"{place.array}[{text(index)}]"
+            return Code(lines.steady(one) if isinstance(index, int) else one)
 
         size = 1
         for side in place.shape:

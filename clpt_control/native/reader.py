@@ -41,10 +41,30 @@ class Lines:
         self.lines: list[str] = []
         self.depth = 1
         self.count = 0
+        self.loop_at = 0
+        self.hoisted: dict[str, str] = {}
 
     def add(self, line: str) -> None:
         """Add a line at the current depth."""
         self.lines.append("    " * self.depth + line)
+
+    def open_loop(self, line: str) -> None:
+        """Begin a loop; what does not change in it is read before it."""
+        if self.depth == 1:
+            self.loop_at, self.hoisted = len(self.lines), {}
+        self.add(line)
+        self.depth += 1
+
+    def steady(self, expression: str) -> str:
+        """Give a number that no loop changes, read before the loop."""
+        if self.depth == 1:
+            return expression
+        if expression not in self.hoisted:
+            name = self.fresh()
+            self.lines.insert(self.loop_at, f"    {name} = {expression}")
+            self.loop_at += 1
+            self.hoisted[expression] = name
+        return self.hoisted[expression]
 
     def fresh(self) -> str:
         """Give a name that is not used yet."""
@@ -167,8 +187,7 @@ class _Frame:
         self.kept.update(opened)
         counter = lines.fresh()
         self.names[node.target.id] = Code(counter)
-        lines.add(f"for {counter} in range({', '.join(map(str, bounds))}):")
-        lines.depth += 1
+        lines.open_loop(f"for {counter} in range({', '.join(map(str, bounds))}):")
         for statement in node.body:
             self.statement(statement)
         lines.depth -= 1

@@ -8,6 +8,7 @@ for some thousands of steps at a time and can be interrupted in between.
 
 import ast
 import inspect
+import re
 from collections.abc import Callable
 
 from ..blocks.words import WORDS
@@ -203,6 +204,8 @@ import math
 import numpy as np
 from numba import njit
 
+from clpt_control.native.elementary import cos, exp, sin
+
 NX = {nx}
 NW = {nw}
 GUARDED = {guarded}
@@ -210,6 +213,8 @@ GUARDED = {guarded}
 '''
 
 OPTIONS = 'cache=True, nogil=True, error_model="numpy", fastmath={"contract"}'
+
+SUMS = OPTIONS.replace('"contract"', '"contract", "reassoc"')  # sums over functions as vectors
 
 
 def _compiled_word(word: Callable) -> str:
@@ -243,11 +248,12 @@ def module_text(fused_source: str, nx: int, nw: int, guarded: bool) -> str:
 
     words = "\n\n".join(_compiled_word(word) for word in WORDS.values())
     header = HEADER.format(nx=nx, nw=nw, guarded=guarded, options=OPTIONS)
-    functions = fused_source.replace(
-        "def derivative(", f"@njit({OPTIONS}, forceinline=True)\ndef derivative("
+    vector_ready = re.sub(r"math\.(exp|cos|sin)\(", r"\1(", fused_source)
+    functions = vector_ready.replace(
+        "def derivative(", f"@njit({SUMS}, forceinline=True)\ndef derivative("
     )
     for name in ("signals", "margin"):
-        functions = functions.replace(f"def {name}(", f"@njit({OPTIONS})\ndef {name}(")
+        functions = functions.replace(f"def {name}(", f"@njit({SUMS})\ndef {name}(")
     solver = SOLVER.format(
         options=OPTIONS,
         times=stage_times(),

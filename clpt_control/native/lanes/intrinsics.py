@@ -35,7 +35,18 @@ TWO_52_BITS = 0x4330000000000000
 
 @intrinsic(prefer_literal=False)
 def splat(typingctx, value):
-    """Repeat a number in every lane; lanes stay as they are."""
+    """Repeat a number in every lane.
+
+    Parameters
+    ----------
+    value : float, int, bool or Lanes
+        Lanes stay as they are; a mask becomes 1.0 and 0.0.
+
+    Returns
+    -------
+    Lanes
+        The number, eight times.
+    """
     if not is_number(value):
         return None
     return lanes(lanes), lambda context, builder, sig, args: args[0]
@@ -43,7 +54,20 @@ def splat(typingctx, value):
 
 @intrinsic
 def select(typingctx, condition, a, b):
-    """Give `a` in the lanes where the condition holds, else `b`."""
+    """Give `a` in the lanes where the condition holds, else `b`.
+
+    Parameters
+    ----------
+    condition : LaneMask or bool
+        A bool chooses for all lanes.
+    a, b : Lanes, LaneMask or number
+        Both are computed.
+
+    Returns
+    -------
+    Lanes, LaneMask or number
+        A number where nothing is in lanes.
+    """
     if not isinstance(condition, LaneMaskType | types.Boolean):
         return None
     if not (is_number(a) and is_number(b)):

@@ -121,7 +121,7 @@ def constant(value, kind=VECTOR):
 
 
 def intrinsic_call(builder, name, *values, suffix="v8f64"):
-    """Build the call of an LLVM intrinsic on vectors, such as ``llvm.fma``."""
+    """Build the call of an LLVM intrinsic such as ``llvm.fma``."""
     kind = ir.FunctionType(values[0].type, [value.type for value in values])
     function = cgutils.get_or_insert_function(builder.module, kind, f"llvm.{name}.{suffix}")
     return builder.call(function, values)

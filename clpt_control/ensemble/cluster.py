@@ -1,0 +1,182 @@
+"""The same ensemble on a Dask cluster.
+
+Workers receive a scenario's text and rows of values, and write their chunks
+straight into the store, which they must be able to reach.  A worker that is
+lost costs the chunk it was at: the scheduler gives it to another one.
+"""
+
+import uuid
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..errors import ClptError, DataError, SimulationError
+from .plan import Plan
+from .store import open_store
+from .work import Recipe, rows, work_of
+
+PATIENCE = 30  # seconds to wait for a scheduler and its first worker
+RETRIES = 3  # times a chunk is given to a worker again
+
+
+def check_dask() -> None:
+    """Refuse a cluster where Dask is not installed.
+
+    Raises
+    ------
+    ClptError
+        With the command that installs it.
+    """
+    try:
+        import distributed  # noqa: F401
+    except ImportError:
+        raise ClptError(
+            "dask: is not installed; install it with: pip install 'clpt-control[dask]'"
+        ) from None
+
+
+@contextmanager
+def connected(address: str, workers: int) -> Iterator[Any]:
+    """Connect to a scheduler, or start a local cluster.
+
+    Parameters
+    ----------
+    address : str
+        ``"tcp://host:port"``, or ``"local"`` for processes on this machine.
+    workers : int
+        How many local processes.
+
+    Yields
+    ------
+    distributed.Client
+        With at least one worker.
+
+    Raises
+    ------
+    ClptError
+        If nobody answers there, or no worker comes.
+    """
+    from distributed import Client, LocalCluster
+
+    if address == "local":
+        with (
+            LocalCluster(
+                n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None
+            ) as cluster,
+            Client(cluster) as client,
+        ):
+            yield client
+        return
+    try:
+        client = Client(address, timeout=PATIENCE)
+    except (OSError, ValueError, TimeoutError):
+        raise ClptError(
+            f"dask = '{address}': no scheduler answers; must be local or tcp://HOST:PORT"
+        ) from None
+    try:
+        try:
+            client.wait_for_workers(1, timeout=PATIENCE)
+        except TimeoutError:
+            raise ClptError(f"dask = '{address}': the scheduler has no worker") from None
+        yield client
+    finally:
+        client.close()
+
+
+def run_on_cluster(plan: Plan, address: str, workers: int, report: Callable[[int], None]) -> None:
+    """Run the chunks that are missing on a cluster.
+
+    Parameters
+    ----------
+    plan : Plan
+        With a store in a folder.
+    address : str
+        As for `connected`.
+    workers : int
+        How many processes of a local cluster.
+    report : callable
+        Called with the number of members done.
+
+    Raises
+    ------
+    SimulationError
+        If a chunk was lost with its worker again and again.
+    ClptError
+        If there is no cluster, or a worker has other versions.
+    """
+    missing = plan.store.missing()
+    done = plan.store.members - sum(b - a for a, b in map(plan.store.range, missing))
+    report(done)
+    if not missing:
+        return
+    with connected(address, workers) as client:
+        from distributed import KilledWorker, as_completed
+
+        token, waiting = uuid.uuid4().hex[:12], iter(missing)
+
+        def submitted(index: int) -> Any:
+            values = rows(plan.values, *plan.store.range(index))
+            return client.submit(
+                run_chunk, plan.work.recipe, plan.work.code, str(plan.store.path), index, values,
+                pure=False, retries=RETRIES, key=f"clpt-ensemble-{token}-{index}",
+            )  # fmt: skip
+
+        slots = 2 * max(workers, sum(client.nthreads().values())) + 2
+        running = as_completed([submitted(k) for k, _ in zip(waiting, range(slots), strict=False)])
+        try:
+            for future in running:
+                done += future.result()
+                report(done)
+                following = next(waiting, None)
+                if following is not None:
+                    running.add(submitted(following))
+        except KilledWorker:
+            raise SimulationError(
+                "dask: a chunk was lost with its worker again and again (out of memory?); "
+                "what is done is kept, a smaller --chunk may go on from there"
+            ) from None
+        except BaseException:
+            client.cancel([future for future, _ in list(running.queue.queue)], force=True)
+            raise
+
+
+def run_chunk(
+    recipe: Recipe, code: str, path: str, index: int, values: Mapping[str, np.ndarray]
+) -> int:
+    """Run one chunk and write it; this is what workers do.
+
+    Parameters
+    ----------
+    recipe : Recipe
+        What to do.
+    code : str
+        `Work.code` of the one who asks.
+    path : str
+        The store's folder.
+    index : int
+        Which chunk.
+    values : mapping
+        What varies, key -> array with a row for each of its members.
+
+    Returns
+    -------
+    int
+        How many members.
+
+    Raises
+    ------
+    DataError
+        If the store cannot be reached, or the worker's versions differ.
+    """
+    work = work_of(recipe)
+    if work.code != code:
+        raise DataError(
+            "dask: a worker has other versions of clpt-control, numba, llvmlite or numpy, or "
+            "another Python; its numbers might differ in the last bit"
+        )
+    store = open_store(Path(path))
+    store.write(index, work.chunk(values))
+    return len(next(iter(values.values())))

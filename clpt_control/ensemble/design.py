@@ -1,0 +1,181 @@
+"""Which values each member has.
+
+    lhs       Latin hypercube: each number's range is cut into as many equal
+              parts as there are members, and each part is drawn from once
+    random    independent draws
+    grid      every combination
+
+Every number has its own stream of random numbers, made of the seed and its
+own name, so that a member's values depend on the seed, the design, how many
+members there are and its number: never on chunks, threads, order, or on what
+else varies.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ..errors import ScenarioError
+from ..scenario import Scenario
+from .vary import Vary, variable_values
+
+DESIGNS = ("lhs", "grid", "random")
+EDGE = 2.0**-53  # shares stay off 0 and 1, where the normal quantile is infinite
+
+
+def draw_members(
+    scenario: Scenario, varies: Sequence[Vary], members: int, design: str = "lhs", seed: int = 0
+) -> dict[str, np.ndarray]:
+    """Draw the members' values.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The base.
+    varies : sequence of Vary
+        As `read_varies` gives them.
+    members : int
+        How many; for a grid the number of combinations.
+    design : str, optional
+        ``"lhs"``, ``"grid"`` or ``"random"``.
+    seed : int, optional
+        Of the random numbers; a grid needs none.
+
+    Returns
+    -------
+    dict
+        Key -> array, shape (members,) + the key's shape.
+
+    Raises
+    ------
+    ScenarioError
+        If the design is unknown, the number of members does not suit it, or
+        a member has a value that the scenario does not allow.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> from clpt_control.ensemble.vary import read_vary
+    >>> vary = [read_vary("learning.gain=0.5:1.5")]
+    >>> draw_members(clpt.paper_scenario(), vary, 3, "grid")["learning.gain"]
+    array([0.5, 1. , 1.5])
+    """
+    if design not in DESIGNS:
+        raise ScenarioError(f"design = '{design}': must be one of {', '.join(DESIGNS)}")
+    for name, value, least in (("members", members, 1), ("seed", seed, 0)):
+        if not isinstance(value, int | np.integer) or isinstance(value, bool) or value < least:
+            raise ScenarioError(f"{name} = {value}: must be a whole number, at least {least}")
+    base = variable_values(scenario)
+    if design == "grid":
+        shares = _grid_shares(varies, base, int(members))
+    else:
+        shares = [_shares(one, base[one.key].size, members, design, seed) for one in varies]
+    values = {
+        one.key: _values(one, base[one.key], share)
+        for one, share in zip(varies, shares, strict=True)
+    }
+    check_members(scenario, varies, values)
+    return values
+
+
+def _shares(one: Vary, size: int, members: int, design: str, seed: int) -> np.ndarray:
+    """Give shares in (0, 1), a column for each number that varies."""
+    columns = 1 if one.kind == "levels" else size
+    shares = np.empty((members, columns))
+    for k in range(columns):
+        rng = np.random.default_rng([seed, int.from_bytes(one.key.encode(), "big"), k])
+        shares[:, k] = rng.random(members)
+        if design == "lhs":
+            shares[:, k] = (rng.permutation(members) + shares[:, k]) / members
+    return np.clip(shares, EDGE, 1 - EDGE)
+
+
+def _grid_shares(varies: Sequence[Vary], base: dict[str, Any], members: int) -> list[np.ndarray]:
+    """Give shares on a grid; the last number varies fastest."""
+    fixed = [len(one.numbers) if one.kind == "levels" else 0 for one in varies]
+    columns = [1 if count else base[one.key].size for one, count in zip(varies, fixed, strict=True)]
+    free = sum(c for c, count in zip(columns, fixed, strict=True) if not count)
+    lists = int(np.prod([count for count in fixed if count], dtype=float))
+    n = max(1, round((members / lists) ** (1 / free))) if free else 1
+    if lists * n**free != members:
+        allowed = sorted({lists * max(1, n + step) ** free for step in (-1, 0, 1)})
+        shown = " or ".join(f"{count:,}".replace(",", " ") for count in allowed[:3])
+        raise ScenarioError(
+            f"members = {members}: this grid must have "
+            + (f"{lists} n^{free} members, such as {shown}" if free else f"{lists} members")
+        )
+    sizes = [count or n for c, count in zip(columns, fixed, strict=True) for _ in range(c)]
+    index = iter(np.unravel_index(np.arange(members), sizes))
+    shares = []
+    for one, c, count in zip(varies, columns, fixed, strict=True):
+        numbers = np.stack([next(index) for _ in range(c)], axis=1)
+        if one.kind == "uniform" and n > 1:
+            shares.append(numbers / (n - 1))
+        else:
+            shares.append((numbers + 0.5) / (count or n))
+    return shares
+
+
+def _values(one: Vary, base: np.ndarray, shares: np.ndarray) -> np.ndarray:
+    """Turn shares into values."""
+    if one.kind == "levels":
+        levels = np.array(one.numbers, dtype=float)
+        return levels[np.minimum((shares[:, 0] * len(levels)).astype(int), len(levels) - 1)]
+    if one.kind == "uniform":
+        low, high = one.numbers
+        values = low + (high - low) * shares
+    else:
+        from scipy.special import ndtri
+
+        values = base.ravel() + one.numbers[0] * ndtri(shares)
+    return values.reshape(len(shares), *base.shape)
+
+
+def check_members(
+    scenario: Scenario, varies: Sequence[Vary], values: dict[str, np.ndarray]
+) -> None:
+    """Refuse members with values that the scenario does not allow.
+
+    A scenario allows intervals: where the least and the largest of all members
+    are allowed, so is what lies between.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The base.
+    varies : sequence of Vary
+        How the keys vary, for the message.
+    values : dict
+        As `draw_members` gives them.
+
+    Raises
+    ------
+    ScenarioError
+        Naming the first such member.
+    """
+    for one in varies:
+        own = values[one.key]
+        if _allowed(scenario, one.key, own):
+            continue
+        first, last = 0, len(own) - 1  # the first member refused lies in [first, last]
+        while first < last:
+            middle = (first + last) // 2
+            if _allowed(scenario, one.key, own[: middle + 1]):
+                first = middle + 1
+            else:
+                last = middle
+        try:
+            scenario.with_values({one.key: own[first]})
+        except ScenarioError as error:
+            sentence = str(error).removeprefix("scenario: ")
+            raise ScenarioError(f"member {first}: {sentence}; narrow {one.text}") from None
+
+
+def _allowed(scenario: Scenario, key: str, values: np.ndarray) -> bool:
+    try:
+        for extreme in (values.min(axis=0), values.max(axis=0)):
+            scenario.with_values({key: extreme})
+    except ScenarioError:
+        return False
+    return True

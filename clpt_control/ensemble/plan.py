@@ -1,0 +1,172 @@
+"""An ensemble before it runs: all that decides its numbers, checked."""
+
+from collections.abc import Iterable, Sequence
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from .. import __version__
+from ..errors import DataError, ScenarioError
+from ..files import check_writable
+from ..scenario import Scenario
+from ..scenario_file import scenario_to_text
+from .design import draw_members
+from .sampling import marks_of, samples_per_cycle
+from .store import CODE, Store, check_same, create_store, open_store
+from .summary import dims_of, kept_variables
+from .vary import Vary, read_varies
+from .work import Recipe, Work
+
+CHUNK = 1000  # members, where little is kept of each
+CHUNK_BYTES = 64_000_000  # trajectories of a chunk
+
+
+class Plan(NamedTuple):
+    """What to run and where to keep it.
+
+    Attributes
+    ----------
+    work : Work
+        Runs members.
+    values : dict
+        What varies, key -> array with a row for each member.
+    store : Store
+        Takes the chunks.
+    """
+
+    work: Work
+    values: dict[str, np.ndarray]
+    store: Store
+
+
+def make_plan(
+    scenario: Scenario,
+    vary: "str | Vary | Iterable[str | Vary]",
+    members: int,
+    design: str = "lhs",
+    seed: int = 0,
+    out: str | Path | None = None,
+    *,
+    trajectories: bool = False,
+    chunk: int | None = None,
+    samples: int | None = None,
+    times: Sequence[float] | None = None,
+) -> Plan:
+    """Check an ensemble and make or open its store.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The base.
+    vary : str, Vary or several
+        What varies.
+    members : int
+        How many.
+    design : str, optional
+        ``"lhs"``, ``"grid"`` or ``"random"``.
+    seed : int, optional
+        Of the design.
+    out : str or Path, optional
+        Folder of the store; in memory without.
+    trajectories : bool, optional
+        Whether states are kept.
+    chunk : int, optional
+        Members a chunk.
+    samples : int, optional
+        Samples a cycle for mean squares.
+    times : sequence of float, optional
+        When errors are kept.
+
+    Returns
+    -------
+    Plan
+        With a store that may hold chunks already.
+
+    Raises
+    ------
+    ScenarioError
+        If an argument is not allowed.
+    DataError
+        If the store cannot be made or holds another ensemble.
+    """
+    varies = read_varies(scenario, vary)
+    marks, per_cycle = marks_of(scenario, times), samples_per_cycle(scenario, samples)
+    path = None if out is None else Path(out).absolute()
+    if path is not None and not path.exists():
+        check_writable(path)
+    values = draw_members(scenario, varies, members, design, seed)
+    shapes = tuple((key, array.shape[1:]) for key, array in values.items())
+    folder = scenario._folder.absolute()
+    recipe = Recipe(
+        scenario_to_text(scenario), str(folder), shapes, per_cycle, marks, bool(trajectories)
+    )
+    work = Work(recipe)
+    kept = kept_variables(work.scenario, work.sampling, int(members), bool(trajectories))
+    own = sum(8 * int(np.prod(v.shape[1:])) for v in kept.values() if "time" in v.dims)
+    if chunk is None:
+        chunk = max(1, min(CHUNK, CHUNK_BYTES // own)) if own else CHUNK
+    if not isinstance(chunk, int) or isinstance(chunk, bool) or chunk < 1:
+        raise ScenarioError(f"chunk = {chunk}: must be a whole number, at least 1")
+    arguments = {
+        "scenario": scenario_to_text(scenario, None if path is None else path.parent),
+        "vary": [one.text for one in varies],
+        "members": int(members),
+        "design": design,
+        "seed": int(seed),
+        "chunk": min(chunk, int(members)),
+        "trajectories": bool(trajectories),
+        "samples": per_cycle,
+        "times": list(marks),
+    }
+    if path is not None and path.exists() and not (path.is_dir() and not any(path.iterdir())):
+        store = open_store(path)
+        check_same(store, arguments)
+        if store.group.attrs[CODE] != work.code and store.missing():
+            raise DataError(
+                f"{path}: was begun by other versions of the code ({store.group.attrs['software']})"
+                ", whose numbers may differ in the last bit; give another --out"
+            )
+        return Plan(work, values, store)
+    fixed = _fixed(work, values, int(members), kept)
+    attrs = {**_attributes(scenario, arguments), CODE: work.code}
+    return Plan(work, values, create_store(path, arguments, kept, fixed, attrs))
+
+
+def _fixed(work: Work, values: dict[str, np.ndarray], members: int, kept: Any) -> dict[str, Any]:
+    """Give coordinates and the members' values."""
+    times, time = work.sampling, work.scenario.units.time
+    used = {dim for variable in kept.values() for dim in variable.dims}
+    fixed: dict[str, Any] = {}
+    for key, array in values.items():
+        dims = ("member", *dims_of(key, array.ndim - 1))
+        used |= set(dims)
+        fixed[key] = (dims, array, {"long_name": f"{key}, which varies"})
+    cycle = np.arange(1, len(times.starts))
+    coordinates = {
+        "member": (np.arange(members), {"long_name": "member of the ensemble"}),
+        "cycle": (cycle, {"long_name": "round of the waypoints", "length": work.scenario.cycle}),
+        "mark": (times.times[times.marks], {"long_name": "time of an error", "units": time}),
+        "time": (times.times[times.own], {"long_name": "time since the start of the run",
+                                          "units": time, "axis": "T"}),
+        "axis": (np.array([1, 2]), {"long_name": "axis of the plane, x1 and x2"}),
+        "basis": (np.arange(1, work.scenario.basis.N + 1),
+                  {"long_name": "flow basis function"}),
+        "waypoint": (np.arange(1, len(work.scenario.waypoints) + 1), {"long_name": "waypoint"}),
+    }  # fmt: skip
+    for name, (numbers, attrs) in coordinates.items():
+        if name in used and numbers.size:
+            fixed[name] = ((name,), numbers, attrs)
+    return fixed
+
+
+def _attributes(scenario: Scenario, arguments: dict[str, Any]) -> dict[str, Any]:
+    software = ("clpt-control", "numba", "llvmlite", "numpy", "scipy", "zarr")
+    return {
+        "Conventions": "CF-1.11",
+        "title": scenario.title,
+        "source": f"clpt-control {__version__}",
+        "software": ", ".join(f"{name} {version(name)}" for name in software),
+        **{name: arguments[name] for name in ("scenario", "vary", "design", "seed", "samples")},
+    }

@@ -1,0 +1,177 @@
+"""Run an ensemble on the threads of one machine, or hand it to a cluster.
+
+Compiled members need no interpreter, so threads run side by side.  A chunk is
+cut into blocks, each a task; blocks differ with threads and memory, results do
+not: every member is integrated and summarised by itself.
+"""
+
+import os
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..errors import ScenarioError
+from ..scenario import Scenario
+from .plan import Plan, make_plan
+from .vary import Vary
+from .work import joined, rows
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def run_ensemble(
+    scenario: Scenario,
+    vary: "str | Vary | Iterable[str | Vary]",
+    members: int,
+    design: str = "lhs",
+    seed: int = 0,
+    out: str | Path | None = None,
+    *,
+    threads: int | None = None,
+    trajectories: bool = False,
+    chunk: int | None = None,
+    samples: int | None = None,
+    times: Sequence[float] | None = None,
+    progress: Callable[[int], None] | None = None,
+    dask: str | None = None,
+) -> "xarray.Dataset":
+    """Run many members of one scenario.
+
+    The result does not depend, to the last bit, on threads, cluster, chunks
+    or interruptions. Where `out` holds the same ensemble, only the chunks
+    that are missing are run.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The base.
+    vary : str, Vary or several
+        ``"learning.gain=0.2:2.0"``, ``"flow.parameters~normal:0.1"``,
+        ``"learning.gain=[0.5, 1, 2]"``.
+    members : int
+        How many; for a grid the number of combinations.
+    design : str, optional
+        ``"lhs"``, ``"grid"`` or ``"random"``.
+    seed : int, optional
+        Of the design.
+    out : str or Path, optional
+        Folder of a Zarr store; in memory without.
+    threads : int, optional
+        At most so many at once; all processors without.
+    trajectories : bool, optional
+        Keep the states at the scenario's own samples too.
+    chunk : int, optional
+        Members written at once; memory grows with it, not with `members`.
+    samples : int, optional
+        Samples a cycle for mean squares; 2000, as `clpt run`, up to ten
+        cycles, and at least 200 in longer runs.
+    times : sequence of float, optional
+        When errors are kept; 41 evenly spaced times without.
+    progress : callable, optional
+        Called with the number of members done.
+    dask : str, optional
+        Address of a Dask scheduler, or ``"local"``; needs `out`.
+
+    Returns
+    -------
+    xarray.Dataset
+        Summaries, values and, if asked for, trajectories; read from `out`
+        when used.
+
+    Raises
+    ------
+    ScenarioError
+        If an argument is not allowed; a member is named.
+    DataError
+        If `out` cannot be written or holds another ensemble.
+    SimulationError
+        If a cluster gives up on a chunk.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
+    >>> data = run_ensemble(scenario, "learning.gain=0.2:2.0", 3, seed=1)
+    >>> data["gain_error"].dims, data["status"].values
+    (('member', 'mark'), array([1, 1, 1], dtype=int8))
+    """
+    if threads is not None and (not isinstance(threads, int) or threads < 1):
+        raise ScenarioError(f"threads = {threads}: must be a whole number, at least 1")
+    if dask is not None and out is None:
+        raise ScenarioError("dask: needs out, a folder that all workers can reach")
+    if dask is not None:
+        from .cluster import check_dask
+
+        check_dask()
+    plan = make_plan(
+        scenario, vary, members, design, seed, out,
+        trajectories=trajectories, chunk=chunk, samples=samples, times=times,
+    )  # fmt: skip
+    report = progress or (lambda done: None)
+    count = threads or available_threads()
+    if dask is not None:
+        from .cluster import run_on_cluster
+
+        run_on_cluster(plan, dask, count, report)
+    else:
+        _run_here(plan, count, report)
+    plan.store.finish()
+    return plan.store.dataset()
+
+
+def available_threads() -> int:
+    """Give the number of processors this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def members_done(plan: Plan, missing: Iterable[int]) -> int:
+    """Give how many members need no work any more."""
+    ranges = [plan.store.range(index) for index in missing]
+    return plan.store.members - sum(last - first for first, last in ranges)
+
+
+def _blocks(plan: Plan, missing: list[int], size: int) -> Iterator[tuple[int, int, int]]:
+    """Cut chunks into blocks: chunk, first member, last member + 1."""
+    for index in missing:
+        first, last = plan.store.range(index)
+        for start in range(first, last, size):
+            yield index, start, min(start + size, last)
+
+
+def _run_here(plan: Plan, threads: int, report: Callable[[int], None]) -> None:
+    missing = plan.store.missing()
+    done = members_done(plan, missing)
+    report(done)
+    if not missing:
+        return
+    spread = -(-(plan.store.members - done) // (4 * threads))  # some blocks for every thread
+    size = min(plan.work.block, max(8, -(-spread // 8) * 8))
+    blocks = _blocks(plan, missing, size)
+    parts: dict[int, dict[int, dict[str, np.ndarray]]] = {}
+    running: dict[Future, tuple[int, int, int]] = {}
+    pool = ThreadPoolExecutor(threads)
+    try:
+        while True:
+            while len(running) < 2 * threads and (block := next(blocks, None)) is not None:
+                values = rows(plan.values, block[1], block[2])
+                running[pool.submit(plan.work.summaries, values)] = block
+            if not running:
+                return
+            for future in wait(running, return_when=FIRST_COMPLETED).done:
+                index, start, stop = running.pop(future)
+                own = parts.setdefault(index, {})
+                own[start] = future.result()
+                first, last = plan.store.range(index)
+                if sum(len(part["status"]) for part in own.values()) == last - first:
+                    plan.store.write(index, joined([own[key] for key in sorted(own)]))
+                    del parts[index]
+                done += stop - start
+                report(done)
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)

@@ -1,0 +1,271 @@
+"""Where an ensemble is kept: a Zarr folder, written chunk by chunk.
+
+A chunk is a fixed range of members.  Its arrays are written first and its mark
+last: a checksum of its summaries in `done`.  What has no mark, or a mark that
+does not agree with what is there, is run again; so an ensemble may be killed
+at any time and started again.  The folder itself appears whole or not at all.
+"""
+
+import json
+import os
+import shutil
+import tempfile
+import zlib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..errors import DataError
+from .summary import Variable
+
+if TYPE_CHECKING:
+    import xarray
+
+ARGUMENTS, CODE, MARK = "ensemble", "code", "done"
+
+
+class Store:
+    """An ensemble's arrays, in a folder or in memory.
+
+    Parameters
+    ----------
+    group : zarr.Group
+        As `create_store` or `open_store` gives it.
+    path : Path, optional
+        The folder; none in memory.
+    """
+
+    def __init__(self, group: Any, path: Path | None = None):
+        self.group, self.path = group, path
+        self.arguments: dict[str, Any] = json.loads(group.attrs[ARGUMENTS])
+        self.members, self.chunk = self.arguments["members"], self.arguments["chunk"]
+        self.kept = [
+            name for name, array in group.arrays() if array.attrs.get("kept") == "per member"
+        ]
+        self.kept.sort()
+
+    def range(self, index: int) -> tuple[int, int]:
+        """Give the first and the last member + 1 of a chunk."""
+        return index * self.chunk, min((index + 1) * self.chunk, self.members)
+
+    def write(self, index: int, arrays: Mapping[str, np.ndarray]) -> None:
+        """Write a chunk, then its mark.
+
+        Parameters
+        ----------
+        index : int
+            Which chunk.
+        arrays : mapping
+            All that is kept of its members.
+
+        Raises
+        ------
+        DataError
+            If the folder cannot be written to.
+        """
+        first, last = self.range(index)
+        try:
+            for name in self.kept:
+                if arrays[name].size:
+                    self.group[name][first:last] = arrays[name]
+            self.group[MARK][index] = self._checksum(arrays)
+        except OSError as error:
+            reason = error.strerror or error
+            raise DataError(f"{self.path}: cannot be written: {reason}") from None
+
+    def _checksum(self, arrays: Mapping[str, np.ndarray]) -> int:
+        """Give a number above zero that tells summaries from others."""
+        check = 0
+        for name in self.kept:
+            if "time" not in self._dims(name):
+                check = zlib.crc32(np.ascontiguousarray(arrays[name]).tobytes(), check)
+        return check + 1
+
+    def _dims(self, name: str) -> tuple[str, ...]:
+        return tuple(self.group[name].metadata.dimension_names)
+
+    def missing(self) -> list[int]:
+        """List the chunks that have no mark, or are not what it says."""
+        count = -(-self.members // self.chunk)
+        try:
+            marks = self.group[MARK][:]
+        except Exception:
+            marks = np.zeros(count, dtype="int64")
+        return [k for k in range(count) if not marks[k] or not self._whole(k, int(marks[k]))]
+
+    def _whole(self, index: int, mark: int) -> bool:
+        first, last = self.range(index)
+        try:
+            read = {
+                name: self.group[name][first:last]
+                for name in self.kept
+                if "time" not in self._dims(name)
+            }
+        except Exception:  # whatever a damaged file makes of itself
+            return False
+        return self._checksum(read) == mark and all(self._there(name, index) for name in self.kept)
+
+    def _there(self, name: str, index: int) -> bool:
+        """Tell whether a chunk's file of trajectories exists."""
+        dims = self._dims(name)
+        if self.path is None or "time" not in dims:
+            return True
+        return (self.path / name / "c" / "/".join([str(index)] + ["0"] * (len(dims) - 1))).is_file()
+
+    def finish(self) -> None:
+        """Remove what writers that were killed left beside their files."""
+        if self.path is not None:
+            for left in self.path.rglob("*.partial"):
+                left.unlink(missing_ok=True)
+
+    def dataset(self) -> "xarray.Dataset":
+        """Give the whole ensemble; a folder's arrays are read when used."""
+        import xarray
+
+        data = xarray.open_zarr(
+            self.group.store, chunks=None, consolidated=False, decode_times=False,
+            decode_timedelta=False,
+        )  # fmt: skip
+        data = data.drop_vars(MARK)
+        for array in data.variables.values():
+            array.attrs.pop("kept", None)
+        return data if self.path is not None else data.load()
+
+
+def create_store(
+    path: Path | None,
+    arguments: Mapping[str, Any],
+    kept: Mapping[str, Variable],
+    fixed: Mapping[str, tuple[tuple[str, ...], np.ndarray, dict[str, Any]]],
+    attrs: Mapping[str, Any],
+) -> Store:
+    """Make an empty store with the members' values.
+
+    Parameters
+    ----------
+    path : Path, optional
+        A folder that does not exist yet; in memory without.
+    arguments : mapping
+        What the ensemble is; `open_store` compares them.
+    kept : mapping
+        The arrays that chunks fill.
+    fixed : mapping
+        Coordinates and the members' values: name -> (dims, values, attributes).
+    attrs : mapping
+        Attributes of the whole.
+
+    Returns
+    -------
+    Store
+        Without any chunk.
+
+    Raises
+    ------
+    DataError
+        If the folder cannot be made.
+    """
+    import zarr
+    from zarr.storage import MemoryStore
+
+    if path is None:
+        return Store(_filled(zarr.create_group(MemoryStore()), arguments, kept, fixed, attrs))
+    beside = None
+    try:
+        beside = Path(tempfile.mkdtemp(dir=path.parent, prefix=f".{path.name}."))
+        _filled(zarr.create_group(beside), arguments, kept, fixed, attrs)
+        beside.chmod(0o755)
+        os.rename(beside, path)  # noqa: PTH104
+    except OSError as error:
+        raise DataError(f"{path}: cannot be written: {error.strerror or error}") from None
+    finally:
+        if beside is not None:
+            shutil.rmtree(beside, ignore_errors=True)
+    return Store(zarr.open_group(path, mode="r+"), path)
+
+
+def _filled(group: Any, arguments, kept, fixed, attrs) -> Any:
+    from zarr.codecs import Crc32cCodec, ZstdCodec
+
+    chunk, members = arguments["chunk"], arguments["members"]
+    group.attrs.update({**attrs, ARGUMENTS: json.dumps(arguments)})
+    compressors = (ZstdCodec(level=1), Crc32cCodec())
+
+    def make(name, dims, shape, dtype, own, first_chunk):
+        chunks = tuple(max(1, n) for n in (min(first_chunk, shape[0]), *shape[1:]))
+        fill = np.nan if np.dtype(dtype).kind == "f" else 0
+        return group.create_array(
+            name, shape=shape, dtype=dtype, chunks=chunks, fill_value=fill, attributes=own,
+            dimension_names=dims, compressors=compressors,
+        )  # fmt: skip
+
+    for name, variable in kept.items():
+        own = {**variable.attrs, "kept": "per member"}
+        make(name, variable.dims, variable.shape, variable.dtype, own, chunk)
+    for name, (dims, values, own) in fixed.items():
+        size = chunk if dims[0] == "member" else len(values)
+        array = make(name, dims, values.shape, values.dtype, own, size)
+        if values.size:
+            array[:] = values
+    count = -(-members // chunk)
+    make(MARK, ("chunk",), (count,), "int64", {"long_name": "checksum of a whole chunk"}, 1)
+    return group
+
+
+def open_store(path: Path) -> Store:
+    """Open a store to go on with or to read.
+
+    Parameters
+    ----------
+    path : Path
+        The folder.
+
+    Returns
+    -------
+    Store
+        With the chunks that are there.
+
+    Raises
+    ------
+    DataError
+        If the folder is no ensemble, or is damaged.
+    """
+    import zarr
+
+    if not path.exists():
+        raise DataError(f"{path}: no such folder; `clpt ensemble` writes one")
+    if not path.is_dir():
+        raise DataError(f"{path}: is a file; must be a folder such as ensemble.zarr")
+    if not (path / "zarr.json").is_file():
+        raise DataError(f"{path}: is a folder without an ensemble; give another name")
+    try:
+        store = Store(zarr.open_group(path, mode="r+"), path)
+        whole = MARK in store.group and "status" in store.kept
+    except Exception:  # whatever a damaged file makes of itself
+        whole = False
+    if not whole:
+        raise DataError(f"{path}: is no ensemble or is damaged; give another name or remove it")
+    return store
+
+
+def check_same(store: Store, arguments: Mapping[str, Any]) -> None:
+    """Refuse a store of another ensemble.
+
+    Raises
+    ------
+    DataError
+        Naming the first argument that differs.
+    """
+    for name, value in arguments.items():
+        held = store.arguments.get(name)
+        if held == value:
+            continue
+        what = "another scenario" if name == "scenario" else f"{name} = {_shown(held)}"
+        wanted = "" if name == "scenario" else f", not {_shown(value)}"
+        raise DataError(f"{store.path}: holds an ensemble of {what}{wanted}; give another --out")
+
+
+def _shown(value: Any) -> str:
+    text = ", ".join(map(str, value)) if isinstance(value, list) else str(value)
+    return text if len(text) <= 60 else text[:57] + "..."

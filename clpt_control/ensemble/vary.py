@@ -1,0 +1,261 @@
+"""What varies in an ensemble, as a user writes it.
+
+    learning.gain=0.2:2.0         uniform between two numbers
+    flow.parameters~normal:0.1    normal about the scenario's value, with an
+                                  absolute standard deviation
+    learning.gain=[0.5, 1, 2]     one of these values
+
+Shapes never change; an array varies element by element, a list gives whole values.
+"""
+
+import difflib
+import json
+import math
+import re
+from collections.abc import Iterable, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..errors import ScenarioError
+from ..scenario import Scenario
+from ..scenario_tables import Part
+
+FORMS = "KEY=LOW:HIGH, KEY~normal:DEVIATION or KEY=[VALUE, ...]"
+AXES = {  # names of the dimensions of arrays; all others have one number per axis
+    "basis.centers": ("basis", "axis"),
+    "basis.widths": ("basis",),
+    "basis.periods": ("basis",),
+    "basis.phases": ("basis",),
+    "flow.parameters": ("axis", "basis"),
+    "model.parameters": ("axis", "basis"),
+    "learning.parameters": ("axis", "basis"),
+    "learning.theta_estimate": ("axis", "basis"),
+    "reference.points": ("waypoint", "axis"),
+}
+
+
+class Vary(NamedTuple):
+    """One key of a scenario and how it varies.
+
+    Attributes
+    ----------
+    key : str
+        Dotted key, ``"learning.gain"``.
+    kind : str
+        ``"uniform"``, ``"normal"`` or ``"levels"``.
+    numbers : tuple
+        Low and high; the standard deviation; or the levels.
+
+    Examples
+    --------
+    >>> Vary("learning.gain", "uniform", (0.2, 2.0)).text
+    'learning.gain=0.2:2.0'
+    """
+
+    key: str
+    kind: str
+    numbers: tuple[Any, ...]
+
+    @property
+    def text(self) -> str:
+        """The same as `read_vary` reads it."""
+        if self.kind == "uniform":
+            return f"{self.key}={self.numbers[0]!r}:{self.numbers[1]!r}"
+        if self.kind == "normal":
+            return f"{self.key}~normal:{self.numbers[0]!r}"
+        return f"{self.key}={json.dumps(list(self.numbers))}"
+
+
+def read_vary(text: str) -> Vary:
+    """Read how a key varies.
+
+    Parameters
+    ----------
+    text : str
+        ``"learning.gain=0.2:2.0"``, ``"flow.parameters~normal:0.1"`` or
+        ``"learning.gain=[0.5, 1, 2]"``.
+
+    Returns
+    -------
+    Vary
+        Not yet compared with a scenario.
+
+    Raises
+    ------
+    ScenarioError
+        If it is none of these.
+
+    Examples
+    --------
+    >>> read_vary("flow.parameters~normal:0.1")
+    Vary(key='flow.parameters', kind='normal', numbers=(0.1,))
+    """
+    match = re.fullmatch(r"\s*([\w.]+)\s*([=~])\s*(.+?)\s*", text, re.DOTALL)
+    if match is None:
+        raise ScenarioError(f"vary = '{text}': must be {FORMS}, such as learning.gain=0.2:2.0")
+    key, sign, rest = match.groups()
+    if sign == "~":
+        kind, _, deviation = rest.partition(":")
+        if kind.strip() != "normal":
+            raise ScenarioError(f"vary = '{text}': after ~ must stand normal:DEVIATION")
+        size = _number(deviation, text)
+        if not size > 0:
+            raise ScenarioError(f"vary = '{text}': the standard deviation must be positive")
+        return Vary(key, "normal", (size,))
+    if rest.startswith("["):
+        try:
+            levels = json.loads(rest)
+        except json.JSONDecodeError:
+            raise ScenarioError(
+                f"vary = '{text}': the list cannot be read; write it as [0.5, 1, 2]"
+            ) from None
+        if not levels:
+            raise ScenarioError(f"vary = '{text}': the list must have at least one value")
+        return Vary(key, "levels", tuple(levels))
+    low, colon, high = rest.partition(":")
+    if not colon:
+        raise ScenarioError(f"vary = '{text}': must be {FORMS}, such as {key}=0.2:2.0")
+    ends = _number(low, text), _number(high, text)
+    if not ends[0] < ends[1]:
+        raise ScenarioError(f"vary = '{text}': the first number must be below the second")
+    return Vary(key, "uniform", ends)
+
+
+def _number(word: str, text: str) -> float:
+    try:
+        value = float(word)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise ScenarioError(f"vary = '{text}': '{word.strip()}' must be a finite number")
+    return value
+
+
+def read_varies(scenario: Scenario, vary: "str | Vary | Iterable[str | Vary]") -> tuple[Vary, ...]:
+    """Read what varies and compare it with a scenario.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The base.
+    vary : str, Vary, or several
+        As `read_vary` reads it.
+
+    Returns
+    -------
+    tuple of Vary
+        In the order given.
+
+    Raises
+    ------
+    ScenarioError
+        If a key is unknown, comes twice, is no number or cannot vary.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> len(read_varies(clpt.paper_scenario(), "learning.gain=0.2:2.0"))
+    1
+    """
+    given: Iterable[str | Vary] = [vary] if isinstance(vary, str | Vary) else vary
+    varies = tuple(read_vary(one) if isinstance(one, str) else one for one in given)
+    if not varies:
+        raise ScenarioError("vary: name at least one key, such as learning.gain=0.2:2.0")
+    values = variable_values(scenario)
+    keys = [one.key for one in varies]
+    for one in varies:
+        if one.key not in values:
+            raise ScenarioError(_why_not(scenario, one.key, list(values)))
+        if keys.count(one.key) > 1:
+            raise ScenarioError(f"vary: {one.key} is named {keys.count(one.key)} times, not once")
+        if one.kind == "levels":
+            _check_levels(one, values[one.key].shape)
+    return varies
+
+
+def _check_levels(one: Vary, shape: tuple[int, ...]) -> None:
+    allowed = "a number" if shape == () else f"an array of shape {shape}"
+    for level in one.numbers:
+        try:
+            fits = np.shape(np.asarray(level, dtype=float)) == shape and level is not None
+        except (TypeError, ValueError):
+            fits = False
+        if not fits or isinstance(level, bool):
+            shown = json.dumps(level)
+            shown = shown if len(shown) <= 40 else shown[:37] + "..."
+            raise ScenarioError(f"vary: {one.key} = {shown}: each value must be {allowed}")
+
+
+def variable_values(scenario: Scenario) -> dict[str, np.ndarray]:
+    """Give every key that may vary, with the scenario's value.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The base.
+
+    Returns
+    -------
+    dict
+        Dotted key -> value; what the scenario leaves out has its default.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> float(variable_values(clpt.paper_scenario())["learning.gain"])
+    0.8
+    """
+    defaults = {"basis.phases": scenario.phases, "model.parameters": scenario.model_parameters}
+    if scenario.learning.law == "learned-flow":
+        defaults["learning.parameters"] = scenario.learning_parameters
+    found: dict[str, np.ndarray] = {}
+
+    def walk(part: Part, prefix: str) -> None:
+        for name in type(part).model_fields:
+            value, key = getattr(part, name), f"{prefix}{name}"
+            if isinstance(value, Part):
+                if key != "run":
+                    walk(value, f"{key}.")
+                continue
+            value = defaults.get(key, value)
+            if isinstance(value, float) or _is_array(value):
+                found[key] = np.array(value, dtype=float)
+
+    walk(scenario, "")
+    if scenario.flow.disturbance is not None and scenario.flow.disturbance.kind == "constant":
+        found.pop("flow.disturbance.period", None)
+    return found
+
+
+def _is_array(value: Any) -> bool:
+    while isinstance(value, Sequence) and not isinstance(value, str) and value:
+        value = value[0]
+    return isinstance(value, float)
+
+
+def _why_not(scenario: Scenario, key: str, allowed: list[str]) -> str:
+    """Say why a key cannot vary."""
+    place: Any = scenario
+    for name in key.split("."):
+        known = isinstance(place, Part) and name in type(place).model_fields
+        place = getattr(place, name) if known else None
+        if not known or place is None:
+            break
+    if key.split(".")[0] == "run":
+        return f"vary: {key} cannot vary: members share duration, samples and tolerances"
+    if isinstance(place, int):
+        return f"vary: {key} = {place} cannot vary: counts and seeds are whole numbers"
+    if isinstance(place, Part):
+        return f"vary: {key} is a table; name one of its keys, such as {key}.{_first(place)}"
+    if place is not None and known:
+        return f"vary: {key} = {place!r} cannot vary: it is not a number"
+    if known:
+        return f"vary: {key} is not set in the scenario; may vary: {', '.join(allowed)}"
+    close = difflib.get_close_matches(key, allowed, n=1)
+    hint = f"; did you mean {close[0]}?" if close else ";"
+    return f"vary: unknown key {key}{hint} May vary: {', '.join(allowed)}".replace("; May", "; may")
+
+
+def _first(part: Part) -> str:
+    return next(iter(type(part).model_fields))

@@ -1,0 +1,152 @@
+"""The work on members: whoever does it, thread or far machine, does the same.
+
+A recipe is plain text and numbers; it is all that travels.  Of it a worker
+makes the compiled ensemble once and then summarises any members it is given.
+"""
+
+import hashlib
+import threading
+from collections.abc import Mapping
+from functools import cached_property, lru_cache
+from importlib.metadata import version
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from ..native.members import Ensemble
+from ..scenario_file import scenario_from_text
+from .sampling import sampling
+from .summary import summarise_members
+
+BLOCK_BYTES = 64_000_000  # states in flight, a thread
+MOST_MEMBERS = 512  # a block
+
+
+class Recipe(NamedTuple):
+    """All that a worker needs to know.
+
+    Attributes
+    ----------
+    text : str
+        The scenario as TOML.
+    folder : str
+        What a relative ``flow.field`` is relative to.
+    keys : tuple
+        What varies: pairs of a key and its shape.
+    samples : int
+        Samples a cycle.
+    marks : tuple of float
+        Times at which errors are kept.
+    trajectories : bool
+        Whether states are kept.
+    """
+
+    text: str
+    folder: str
+    keys: tuple[tuple[str, tuple[int, ...]], ...]
+    samples: int
+    marks: tuple[float, ...]
+    trajectories: bool
+
+
+class Work:
+    """Members of one recipe, run and summarised.
+
+    Parameters
+    ----------
+    recipe : Recipe
+        What to do.
+
+    Attributes
+    ----------
+    scenario : Scenario
+        The base.
+    sampling : Sampling
+        Times.
+    """
+
+    def __init__(self, recipe: Recipe):
+        self.recipe = recipe
+        self.scenario = scenario_from_text(recipe.text, "scenario", Path(recipe.folder))
+        self.sampling = sampling(self.scenario, recipe.samples, recipe.marks, recipe.trajectories)
+        self._lock = threading.Lock()
+
+    @cached_property
+    def ensemble(self) -> Ensemble:
+        """The compiled diagram."""
+        return Ensemble(self.scenario, dict(self.recipe.keys))
+
+    @cached_property
+    def code(self) -> str:
+        """A short name of the code and the versions that make the numbers."""
+        native = self.ensemble.native
+        made_of = [version(name) for name in ("clpt-control", "numba", "llvmlite", "numpy")]
+        made_of += [native.fused.source, native.module.__name__]
+        return hashlib.sha256("\n".join(made_of).encode()).hexdigest()[:16]
+
+    @property
+    def block(self) -> int:
+        """How many members' states fit into the memory of a thread."""
+        states = self.ensemble.native.fused.nstates
+        fit = BLOCK_BYTES // (8 * states * len(self.sampling.times))
+        return max(8, min(MOST_MEMBERS, fit // 8 * 8))
+
+    def summaries(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+        """Run members together and summarise them.
+
+        Parameters
+        ----------
+        values : mapping
+            Key -> array with a row for each member; at most a block.
+
+        Returns
+        -------
+        dict
+            As `summarise_members` gives it.
+        """
+        times, run = self.sampling.times, self.scenario.run
+        with self._lock:  # members are made by a shared evaluator
+            members = self.ensemble.members(values, float(times[-1]))
+        states = self.ensemble.run(members, times, run.rtol, run.atol)
+        return summarise_members(
+            self.scenario, self.sampling, values, states, self.recipe.trajectories
+        )
+
+    def chunk(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+        """Run and summarise any number of members, block by block.
+
+        Parameters
+        ----------
+        values : mapping
+            Key -> array with a row for each member.
+
+        Returns
+        -------
+        dict
+            As `summarise_members` gives it.
+        """
+        count = len(next(iter(values.values())))
+        parts = [
+            self.summaries(rows(values, first, min(first + self.block, count)))
+            for first in range(0, count, self.block)
+        ]
+        return joined(parts)
+
+
+def rows(values: Mapping[str, np.ndarray], first: int, last: int) -> dict[str, np.ndarray]:
+    """Give the rows of some members."""
+    return {name: array[first:last] for name, array in values.items()}
+
+
+def joined(parts: list[dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
+    """Join the summaries of blocks that follow each other."""
+    if len(parts) == 1:
+        return parts[0]
+    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+
+
+@lru_cache(maxsize=4)
+def work_of(recipe: Recipe) -> Work:
+    """Give the work of a recipe, made once in a process."""
+    return Work(recipe)
