@@ -117,7 +117,8 @@ def test_help_imports_nothing_heavy():
 
 
 def test_interrupt_ends_cleanly(tmp_path):
-    scenario = clpt_control.paper_scenario().with_values({"run.duration": 2e7, "run.output_step": 1e4})
+    longer = {"run.duration": 2e7, "run.output_step": 1e4}
+    scenario = clpt_control.paper_scenario().with_values(longer)
     clpt_control.save_scenario(scenario, tmp_path / "long.toml")
     process = subprocess.Popen(
         [sys.executable, "-c", "from clpt_control.cli import main; main()",

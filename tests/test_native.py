@@ -278,23 +278,70 @@ def aim(t, x, u, p, y):
         y[i] = u[i]
 
 
-def test_members_equal_single_runs_bit_for_bit():
-    scenario = clpt.paper_scenario().with_values({"run.duration": 60})
+def members_of(count):
     random = np.random.default_rng(5)
-    values = {
-        "learning.gain": random.uniform(0.2, 2.0, 5),
-        "flow.parameters": random.normal(0.5, 0.2, (5, 2, 3)),
-        "reference.dwell": random.uniform(5.0, 25.0, 5),
-        "basis.periods": random.uniform(5.0, 30.0, (5, 3)),
-        "learning.parameters": random.normal(0, 0.1, (5, 2, 3)),
+    return {
+        "learning.gain": random.uniform(0.2, 2.0, count),
+        "flow.parameters": random.normal(0.5, 0.2, (count, 2, 3)),
+        "reference.dwell": random.choice([7.0, 13.0, 21.0], count),
+        "basis.periods": random.uniform(5.0, 30.0, (count, 3)),
+        "learning.parameters": random.normal(0, 0.1, (count, 2, 3)),
     }
-    ensemble = Ensemble(scenario, {key: value.shape[1:] for key, value in values.items()})
+
+
+def ensemble_of(values, lanes):
+    scenario = clpt.paper_scenario().with_values({"run.duration": 60})
+    return Ensemble(scenario, {k: v.shape[1:] for k, v in values.items()}, lanes=lanes)
+
+
+TIMES = np.array([0.0, 3.3, 3.4, 17.0, 42.0, 60.0])
+
+
+@pytest.mark.parametrize("lanes", [False, True])
+def test_members_equal_single_runs(lanes):
+    values = members_of(5)
+    ensemble = ensemble_of(values, lanes)
     assert sorted(ensemble.computed) == ["basis.periods", "reference.dwell"]
-    times = np.array([0.0, 17.0, 60.0])
-    found = ensemble.run(ensemble.members(values, 60.0), times)
+    found = ensemble.run(ensemble.members(values, 60.0), TIMES)
     assert (found.status == 1).all()
+    tolerance = 1e-10 if lanes else 0.0
     for m in range(5):
-        own = scenario.with_values({key: value[m] for key, value in values.items()})
-        run = clpt.simulate(own, times)
-        np.testing.assert_array_equal(found.states[m, :, :2], run.position)
-        np.testing.assert_array_equal(found.states[m, :, 4:10].reshape(3, 2, 3), run.alpha)
+        own = ensemble.scenario.with_values({key: value[m] for key, value in values.items()})
+        run = clpt.simulate(own, TIMES)
+        alpha = found.states[m, :, 4:10].reshape(-1, 2, 3)
+        np.testing.assert_allclose(found.states[m, :, :2], run.position, rtol=0, atol=tolerance)
+        np.testing.assert_allclose(alpha, run.alpha, rtol=0, atol=tolerance)
+        assert found.counts[m, 0] == run.attrs["solver_steps"]
+
+
+@pytest.mark.parametrize("lanes", [False, True])
+def test_a_member_has_the_same_bits_in_any_company(lanes):
+    values = members_of(21)
+    ensemble = ensemble_of(values, lanes)
+    whole = ensemble.run(ensemble.members(values, 60.0), TIMES)
+    order = np.random.default_rng(1).permutation(21)
+    mixed = ensemble.run(
+        ensemble.members({key: value[order] for key, value in values.items()}, 60.0), TIMES
+    )
+    np.testing.assert_array_equal(mixed.states, whole.states[order])
+    for part in (slice(0, 1), slice(3, 12), slice(20, 21)):
+        alone = ensemble.run(
+            ensemble.members({key: value[part] for key, value in values.items()}, 60.0), TIMES
+        )
+        np.testing.assert_array_equal(alone.states, whole.states[part])
+
+
+@pytest.mark.parametrize("lanes", [False, True])
+def test_a_member_that_fails_leaves_the_others_alone(lanes):
+    values = {"learning.position": np.zeros((9, 2)), "learning.gain": np.full(9, 0.8)}
+    scenario = clpt.paper_scenario().with_values({"run.duration": 20})
+    ensemble = Ensemble(scenario, {"learning.position": (2,), "learning.gain": ()}, lanes=lanes)
+    members = ensemble.members(values, 20.0)
+    healthy = ensemble.run(members, np.array([0.0, 20.0]))
+    members.x0[4, 2] = np.nan
+    found = ensemble.run(members, np.array([0.0, 20.0]))
+    assert list(found.status) == [1, 1, 1, 1, 3, 1, 1, 1, 1]
+    assert found.reached[4] == 1
+    others = np.arange(9) != 4
+    np.testing.assert_array_equal(found.states[others], healthy.states[others])
+    assert np.isnan(found.states[4, -1]).all()

@@ -1,22 +1,21 @@
 """The same ensemble on a Dask cluster.
 
-Workers receive a scenario's text and rows of values, and write their chunks
-straight into the store, which they must be able to reach.  A worker that is
+Workers receive a scenario's text and a chunk's number; they read its members'
+values from the store, which they must be able to reach, and write the chunk
+straight into it.  A worker that is
 lost costs the chunk it was at: the scheduler gives it to another one.
 """
 
 import uuid
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from ..errors import ClptError, DataError, SimulationError
 from .plan import Plan
 from .store import open_store
-from .work import Recipe, rows, work_of
+from .work import Recipe, work_of
 
 PATIENCE = 30  # seconds to wait for a scheduler and its first worker
 RETRIES = 3  # times a chunk is given to a worker again
@@ -108,7 +107,7 @@ def run_on_cluster(plan: Plan, address: str, workers: int, report: Callable[[int
         If there is no cluster, or a worker has other versions.
     """
     missing = plan.store.missing()
-    done = plan.store.members - sum(b - a for a, b in map(plan.store.range, missing))
+    done = plan.store.done(missing)
     report(done)
     if not missing:
         return
@@ -118,9 +117,8 @@ def run_on_cluster(plan: Plan, address: str, workers: int, report: Callable[[int
         token, waiting = uuid.uuid4().hex[:12], iter(missing)
 
         def submitted(index: int) -> Any:
-            values = rows(plan.values, *plan.store.range(index))
             return client.submit(
-                run_chunk, plan.work.recipe, plan.work.code, str(plan.store.path), index, values,
+                run_chunk, plan.work.recipe, plan.work.code, str(plan.store.path), index,
                 pure=False, retries=RETRIES, key=f"clpt-ensemble-{token}-{index}",
             )  # fmt: skip
 
@@ -143,9 +141,7 @@ def run_on_cluster(plan: Plan, address: str, workers: int, report: Callable[[int
             raise
 
 
-def run_chunk(
-    recipe: Recipe, code: str, path: str, index: int, values: Mapping[str, np.ndarray]
-) -> int:
+def run_chunk(recipe: Recipe, code: str, path: str, index: int) -> int:
     """Run one chunk and write it; this is what workers do.
 
     Parameters
@@ -158,8 +154,6 @@ def run_chunk(
         The store's folder.
     index : int
         Which chunk.
-    values : mapping
-        What varies, key -> array with a row for each of its members.
 
     Returns
     -------
@@ -178,5 +172,6 @@ def run_chunk(
             "another Python; its numbers might differ in the last bit"
         )
     store = open_store(Path(path))
-    store.write(index, work.chunk(values))
-    return len(next(iter(values.values())))
+    kept = work.chunk(store.values(index))
+    store.write(index, kept)
+    return len(kept["status"])

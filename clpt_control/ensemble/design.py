@@ -68,13 +68,10 @@ def draw_members(
             raise ScenarioError(f"{name} = {value}: must be a whole number, at least {least}")
     base = variable_values(scenario)
     if design == "grid":
-        shares = _grid_shares(varies, base, int(members))
+        shares = iter(_grid_shares(varies, base, int(members)))
     else:
-        shares = [_shares(one, base[one.key].size, members, design, seed) for one in varies]
-    values = {
-        one.key: _values(one, base[one.key], share)
-        for one, share in zip(varies, shares, strict=True)
-    }
+        shares = (_shares(one, base[one.key].size, members, design, seed) for one in varies)
+    values = {one.key: _values(one, base[one.key], next(shares)) for one in varies}
     check_members(scenario, varies, values)
     return values
 

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     import xarray
 
 PERCENTS = (5, 25, 50, 75, 95)
-READ_BYTES = 32_000_000
+READ_BYTES = 8_000_000  # at once, so that memory does not grow with the members
 
 
 def percentiles(data: "xarray.Dataset", name: str) -> np.ndarray:

@@ -30,14 +30,11 @@ class Plan(NamedTuple):
     ----------
     work : Work
         Runs members.
-    values : dict
-        What varies, key -> array with a row for each member.
     store : Store
-        Takes the chunks.
+        Gives the members' values and takes the chunks.
     """
 
     work: Work
-    values: dict[str, np.ndarray]
     store: Store
 
 
@@ -112,6 +109,7 @@ def make_plan(
     arguments = {
         "scenario": scenario_to_text(scenario, None if path is None else path.parent),
         "vary": [one.text for one in varies],
+        "keys": [one.key for one in varies],
         "members": int(members),
         "design": design,
         "seed": int(seed),
@@ -128,10 +126,10 @@ def make_plan(
                 f"{path}: was begun by other versions of the code ({store.group.attrs['software']})"
                 ", whose numbers may differ in the last bit; give another --out"
             )
-        return Plan(work, values, store)
+        return Plan(work, store)
     fixed = _fixed(work, values, int(members), kept)
     attrs = {**_attributes(scenario, arguments), CODE: work.code}
-    return Plan(work, values, create_store(path, arguments, kept, fixed, attrs))
+    return Plan(work, create_store(path, arguments, kept, fixed, attrs))
 
 
 def _fixed(work: Work, values: dict[str, np.ndarray], members: int, kept: Any) -> dict[str, Any]:

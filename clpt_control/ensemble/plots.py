@@ -39,7 +39,9 @@ def ensemble_plot(data: "xarray.Dataset") -> "Figure":
     if len(cycles):
         _cycle_bands(top, cycles, percentiles(data, "clpe_rms"))
         top.set_xticks(cycles if len(cycles) <= 20 else cycles[:: len(cycles) // 10])
-        top.set(xlabel="cycle of the waypoints", ylabel=f"CLPE rms ({units})", yscale="log")
+        top.set(xlabel="cycle of the waypoints", ylabel=f"CLPE rms ({units})")
+        top.set_xlim(0, len(cycles) + 1)
+        _logarithmic(top)
         top.legend(frameon=False, fontsize=8)
     else:
         top.text(0.5, 0.5, "the runs are shorter than a cycle", ha="center", color=GREY,
@@ -60,9 +62,19 @@ def ensemble_plot(data: "xarray.Dataset") -> "Figure":
         xlim=(time[0], time[-1]) if len(time) > 1 else None,
     )
     if np.nanmin(bands, initial=1.0) > 0:
-        bottom.set_yscale("log")
+        _logarithmic(bottom)
     bottom.legend(frameon=False, fontsize=8)
     return figure
+
+
+def _logarithmic(ax: Any) -> None:
+    from matplotlib.ticker import LogLocator, NullFormatter
+
+    ax.set_yscale("log")
+    low, high = ax.get_ylim()
+    ax.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 200 * low else (1,)))
+    ax.yaxis.set_major_formatter("{x:g}")
+    ax.yaxis.set_minor_formatter(NullFormatter())
 
 
 def _bands(ax: Any, x: np.ndarray, bands: np.ndarray, colour: str) -> None:

@@ -130,23 +130,18 @@ def available_threads() -> int:
     return os.cpu_count() or 1
 
 
-def members_done(plan: Plan, missing: Iterable[int]) -> int:
-    """Give how many members need no work any more."""
-    ranges = [plan.store.range(index) for index in missing]
-    return plan.store.members - sum(last - first for first, last in ranges)
-
-
-def _blocks(plan: Plan, missing: list[int], size: int) -> Iterator[tuple[int, int, int]]:
-    """Cut chunks into blocks: chunk, first member, last member + 1."""
+def _blocks(plan: Plan, missing: list[int], size: int) -> Iterator[tuple[int, int, dict]]:
+    """Cut chunks into blocks: chunk, first row in it, and the values."""
     for index in missing:
+        values = plan.store.values(index)
         first, last = plan.store.range(index)
-        for start in range(first, last, size):
-            yield index, start, min(start + size, last)
+        for start in range(0, last - first, size):
+            yield index, start, rows(values, start, min(start + size, last - first))
 
 
 def _run_here(plan: Plan, threads: int, report: Callable[[int], None]) -> None:
     missing = plan.store.missing()
-    done = members_done(plan, missing)
+    done = plan.store.done(missing)
     report(done)
     if not missing:
         return
@@ -154,24 +149,24 @@ def _run_here(plan: Plan, threads: int, report: Callable[[int], None]) -> None:
     size = min(plan.work.block, max(8, -(-spread // 8) * 8))
     blocks = _blocks(plan, missing, size)
     parts: dict[int, dict[int, dict[str, np.ndarray]]] = {}
-    running: dict[Future, tuple[int, int, int]] = {}
+    running: dict[Future, tuple[int, int]] = {}
     pool = ThreadPoolExecutor(threads)
     try:
         while True:
             while len(running) < 2 * threads and (block := next(blocks, None)) is not None:
-                values = rows(plan.values, block[1], block[2])
-                running[pool.submit(plan.work.summaries, values)] = block
+                index, start, values = block
+                running[pool.submit(plan.work.summaries, values)] = index, start
             if not running:
                 return
             for future in wait(running, return_when=FIRST_COMPLETED).done:
-                index, start, stop = running.pop(future)
+                index, start = running.pop(future)
                 own = parts.setdefault(index, {})
                 own[start] = future.result()
+                done += len(own[start]["status"])
                 first, last = plan.store.range(index)
                 if sum(len(part["status"]) for part in own.values()) == last - first:
                     plan.store.write(index, joined([own[key] for key in sorted(own)]))
                     del parts[index]
-                done += stop - start
                 report(done)
     finally:
         pool.shutdown(wait=True, cancel_futures=True)

@@ -11,7 +11,7 @@ import os
 import shutil
 import tempfile
 import zlib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -49,6 +49,11 @@ class Store:
     def range(self, index: int) -> tuple[int, int]:
         """Give the first and the last member + 1 of a chunk."""
         return index * self.chunk, min((index + 1) * self.chunk, self.members)
+
+    def values(self, index: int) -> dict[str, np.ndarray]:
+        """Give what varies among the members of a chunk."""
+        first, last = self.range(index)
+        return {key: self.group[key][first:last] for key in self.arguments["keys"]}
 
     def write(self, index: int, arrays: Mapping[str, np.ndarray]) -> None:
         """Write a chunk, then its mark.
@@ -94,6 +99,11 @@ class Store:
         except Exception:
             marks = np.zeros(count, dtype="int64")
         return [k for k in range(count) if not marks[k] or not self._whole(k, int(marks[k]))]
+
+    def done(self, missing: Iterable[int]) -> int:
+        """Give how many members need no work, where some chunks are missing."""
+        ranges = [self.range(index) for index in missing]
+        return self.members - sum(last - first for first, last in ranges)
 
     def _whole(self, index: int, mark: int) -> bool:
         first, last = self.range(index)

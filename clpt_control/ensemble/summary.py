@@ -141,9 +141,10 @@ def summarise_members(
     def value(key: str) -> np.ndarray:
         return np.asarray(values.get(key, base[key]))
 
+    fine = slice(None) if len(sampling.fine) == len(sampling.times) else sampling.fine
     squares = np.zeros((m, len(sampling.fine)))
     for i in range(2):
-        squares += np.square(y[:, sampling.fine, i] - y[:, sampling.fine, 2 + i])
+        squares += np.square(y[:, fine, i] - y[:, fine, 2 + i])
     spans = zip(sampling.starts[:-1], sampling.starts[1:], strict=True)
     means = [np.mean(squares[:, first:last], axis=1) for first, last in spans]
     kept = {

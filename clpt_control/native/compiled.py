@@ -70,26 +70,44 @@ def compiled_module(fused: Fused) -> ModuleType:
     return _module(fused.source, fused.nstates, fused.nsignals, fused.guarded)
 
 
+def lane_module(fused: Fused) -> ModuleType:
+    """Compile a fused diagram for eight runs at once, or load it.
+
+    Parameters
+    ----------
+    fused : Fused
+        As `fuse` gives it.
+
+    Returns
+    -------
+    module
+        With the function `many`.
+    """
+    return _module(fused.source, fused.nstates, fused.nsignals, False, lanes=True)
+
+
 def _solver_key() -> str:
     """Give what the rest of the module's text is made of, without making it."""
     from importlib.metadata import version
 
     here = Path(__file__).parent
-    own = ("solver_text.py", "dormand_prince.py", "elementary.py", "../blocks/words.py")
-    rooms = [here / name for name in own]
+    own = ("solver_text.py", "lane_text.py", "dormand_prince.py", "elementary.py")
+    rooms = [here / name for name in own] + [here.parent / "blocks" / "words.py"]
+    rooms += sorted((here / "lanes").glob("*.py"))
     versions = [version(name) for name in ("numba", "llvmlite", "numpy", "scipy")]
     return "\n".join([sys.version, *versions, *(room.read_text("utf-8") for room in rooms)])
 
 
 @lru_cache(maxsize=64)
-def _module(source: str, nx: int, nw: int, guarded: bool) -> ModuleType:
-    made_of = "\n".join([source, f"{nx} {nw} {guarded}", _solver_key()])
+def _module(source: str, nx: int, nw: int, guarded: bool, lanes: bool = False) -> ModuleType:
+    made_of = "\n".join([source, f"{nx} {nw} {guarded} {lanes}", _solver_key()])
     name = f"fused_{hashlib.sha256(made_of.encode()).hexdigest()[:24]}"
     path = cache_folder() / f"{name}.py"
     if not path.exists():
+        from .lane_text import lane_module_text
         from .solver_text import module_text
 
-        text = module_text(source, nx, nw, guarded)
+        text = lane_module_text(source, nx, nw) if lanes else module_text(source, nx, nw, guarded)
         handle, beside = tempfile.mkstemp(dir=path.parent, prefix=f".{name}.")
         with os.fdopen(handle, "w", encoding="utf-8") as file:
             file.write(text)

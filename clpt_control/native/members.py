@@ -59,6 +59,8 @@ class Ensemble:
         The base.
     keys : mapping of str to tuple of int
         What varies: dotted key -> shape of its value, ``()`` for a number.
+    lanes : bool, optional
+        Eight members at once where the processor and the diagram allow it.
 
     Raises
     ------
@@ -74,10 +76,11 @@ class Ensemble:
     (2, 2, 14)
     """
 
-    def __init__(self, scenario: Scenario, keys: Mapping[str, tuple[int, ...]]):
+    def __init__(self, scenario: Scenario, keys: Mapping[str, tuple[int, ...]], lanes: bool = True):
         self.scenario, self.keys = scenario, dict(keys)
         spread = {key: _probe(_base(scenario, key, shape)) for key, shape in self.keys.items()}
         self.native = NativeDiagram(closed_loop(scenario.with_values(spread)))
+        self.lanes = _lane_module(self.native.fused) if lanes else None
         self.copied: dict[str, tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]] = {}
         self.computed: list[str] = []
         self._schedules: dict[bytes, int] = {}
@@ -188,11 +191,17 @@ class Ensemble:
         out = np.full((m, len(times), nx), np.nan)
         status, reached = np.zeros(m, dtype=np.int64), np.zeros(m, dtype=np.int64)
         counts = np.zeros((m, 4), dtype=np.int64)
-        self.native.module.many(
+        shared = (
             0, m, members.x0, members.P, self.native.fused.layout.T, members.group, members.edges,
             members.counts, members.places, members.values, np.asarray(times, float), out, status,
             reached, counts, rtol, atol,
         )  # fmt: skip
+        if self.lanes is None:
+            self.native.module.many(*shared)
+        else:
+            fused = self.native.fused
+            sizes = (18 * nx, members.P.shape[1], max(fused.nsignals, 1), 7 * nx, 6)
+            self.lanes.many(*shared, *(np.zeros((size, 8)) for size in sizes))
         return States(out, status, reached, counts)
 
 
@@ -216,6 +225,17 @@ class States:
     status: np.ndarray
     reached: np.ndarray
     counts: np.ndarray
+
+
+def _lane_module(fused: Any) -> Any:
+    """Compile for lanes where it pays: fused multiply-add, no guard."""
+    import llvmlite.binding as llvm
+
+    if fused.guarded or not llvm.get_host_cpu_features().get("fma", False):
+        return None
+    from .compiled import lane_module
+
+    return lane_module(fused)
 
 
 def _blocks(scenario: Scenario) -> list[Any]:

@@ -276,11 +276,11 @@ class _Frame:
                 array, offset = arguments[0].table
                 return Code(f"lookup({array}, {text(combined(offset, '+', arguments[1]))})")
             if not any(isinstance(argument, Code) for argument in arguments):
-                return function(*arguments)
+                return WORDS[name](*arguments)
             return Code(f"{name}({', '.join(map(text, arguments))})")
         if getattr(function, "__module__", None) == "math" or getattr(math, name, None) is function:
             if not any(isinstance(argument, Code) for argument in arguments):
-                return function(*arguments)
+                return getattr(math, name)(*arguments)
             return Code(f"math.{name}({', '.join(map(text, arguments))})")
         if function in (float, int) and isinstance(arguments[0], Code):
             return Code(f"{name}({arguments[0].text})")
