@@ -345,3 +345,27 @@ def test_a_member_that_fails_leaves_the_others_alone(lanes):
     others = np.arange(9) != 4
     np.testing.assert_array_equal(found.states[others], healthy.states[others])
     assert np.isnan(found.states[4, -1]).all()
+
+
+def test_the_fixed_step_has_order_four():
+    diagram = connect([vehicle.vehicle(), Block("drag", output=drag, inputs={"x": 2},
+                       outputs={"v_x": 2})], external=["flow_x"])  # fmt: skip
+    native, held = NativeDiagram(diagram), (np.array([0.0]), np.zeros((2, 1)))
+    exact = np.exp(-2.0) * np.array([1.0, -2.0])
+    errors = [
+        np.abs(native.run([1.0, -2.0], [0.0, 2.0], samples=held, step=h).x[-1] - exact).max()
+        for h in (0.2, 0.1, 0.05)
+    ]
+    orders = np.log2(np.array(errors[:-1]) / errors[1:])
+    np.testing.assert_allclose(orders, 4.0, atol=0.15)
+
+
+def test_the_fixed_step_stops_at_every_waypoint():
+    scenario = clpt.paper_scenario().with_values({"run.duration": 100})
+    native = NativeDiagram(clpt.closed_loop(scenario))
+    state, times = initial_state(scenario), np.array([0.0, 20.0, 33.3, 100.0])
+    fixed = native.run(state, times, step=0.02)
+    adaptive = native.run(state, times, rtol=1e-12, atol=1e-13)
+    np.testing.assert_allclose(fixed.x, adaptive.x, rtol=0, atol=2e-6)
+    with pytest.raises(SimulationError, match="must be positive"):
+        native.run(state, times, step=-1.0)

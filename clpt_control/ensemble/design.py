@@ -84,8 +84,9 @@ def _shares(one: Vary, size: int, members: int, design: str, seed: int) -> np.nd
         rng = np.random.default_rng([seed, int.from_bytes(one.key.encode(), "big"), k])
         shares[:, k] = rng.random(members)
         if design == "lhs":
-            shares[:, k] = (rng.permutation(members) + shares[:, k]) / members
-    return np.clip(shares, EDGE, 1 - EDGE)
+            shares[:, k] += rng.permutation(members)
+            shares[:, k] /= members
+    return np.clip(shares, EDGE, 1 - EDGE, out=shares)
 
 
 def _grid_shares(varies: Sequence[Vary], base: dict[str, Any], members: int) -> list[np.ndarray]:
@@ -115,18 +116,21 @@ def _grid_shares(varies: Sequence[Vary], base: dict[str, Any], members: int) -> 
 
 
 def _values(one: Vary, base: np.ndarray, shares: np.ndarray) -> np.ndarray:
-    """Turn shares into values."""
+    """Turn shares into values, in place where they are numbers."""
     if one.kind == "levels":
         levels = np.array(one.numbers, dtype=float)
         return levels[np.minimum((shares[:, 0] * len(levels)).astype(int), len(levels) - 1)]
     if one.kind == "uniform":
         low, high = one.numbers
-        values = low + (high - low) * shares
+        shares *= high - low
+        shares += low
     else:
         from scipy.special import ndtri
 
-        values = base.ravel() + one.numbers[0] * ndtri(shares)
-    return values.reshape(len(shares), *base.shape)
+        ndtri(shares, out=shares)
+        shares *= one.numbers[0]
+        shares += base.ravel()
+    return shares.reshape(len(shares), *base.shape)
 
 
 def check_members(

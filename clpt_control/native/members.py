@@ -169,7 +169,12 @@ class Ensemble:
         return self.native.pieces(0.0, duration, None)
 
     def run(
-        self, members: Members, times: np.ndarray, rtol: float = 1e-8, atol: float = 1e-10
+        self,
+        members: Members,
+        times: np.ndarray,
+        rtol: float = 1e-8,
+        atol: float = 1e-10,
+        step: float | None = None,
     ) -> "States":
         """Run members, each by itself, in the calling thread.
 
@@ -181,6 +186,9 @@ class Ensemble:
             Increasing, from 0; times at which states are wanted.
         rtol, atol : float, optional
             Tolerances.
+        step : float, optional
+            A fixed step: Runge and Kutta's classical method in place of
+            DOP853.
 
         Returns
         -------

@@ -185,6 +185,67 @@ def many(first, last, X0, Ps, T, group, edges, nedges, places, values, times, ou
 
 
 @njit({options})
+def many_rk4(first, last, X0, Ps, T, group, edges, nedges, places, values, times, out, status,
+             reached, counts, step):
+    # Runge and Kutta's classical method, steps no longer than `step`, stopping at every edge
+    W, P = np.zeros(NW), np.zeros(Ps.shape[1])
+    X, A, K, total = np.zeros(NX), np.zeros(NX), np.zeros(NX), np.zeros(NX)
+    for m in range(first, last):
+        g = group[m]
+        for j in range(len(P)):
+            P[j] = Ps[m, j]
+        for i in range(NX):
+            X[i] = X0[m, i]
+            out[m, 0, i] = X[i]
+        t, done, edge = times[0], 1, 0
+        while done < len(times) and status[m] == 0:
+            for j in range(len(places)):
+                P[places[j]] = values[g, edge, j]
+            counts[m, 2] += 1
+            while done < len(times) and status[m] == 0:
+                stop = min(times[done], edges[g, edge])
+                steps = max(1, math.ceil((stop - t) / step * (1.0 - 1e-12)))
+                h = (stop - t) / steps
+                start = t
+                for n in range(steps):
+                    t = start + n * h
+                    for i in range(NX):
+                        A[i] = X[i]
+                        total[i] = 0.0
+                    for s in range(4):
+                        part = 0.0 if s == 0 else (1.0 if s == 3 else 0.5)
+                        derivative(t + part * h, A, P, T, W, K)
+                        ahead = 1.0 if s == 2 else 0.5
+                        weight = 1.0 if s == 0 or s == 3 else 2.0
+                        for i in range(NX):
+                            total[i] += weight * K[i]
+                            A[i] = X[i] + ahead * h * K[i]
+                    for i in range(NX):
+                        X[i] += h / 6.0 * total[i]
+                    if GUARDED and inside(t + h, X, P, T, W) < -1e-9:
+                        status[m] = 4
+                        break
+                counts[m, 0] += steps
+                counts[m, 1] += 4 * steps
+                t = stop
+                bad = 0.0
+                for i in range(NX):
+                    bad += 0.0 * X[i]
+                if bad != 0.0:
+                    status[m] = 3
+                if status[m] == 0 and stop == times[done]:
+                    for i in range(NX):
+                        out[m, done, i] = X[i]
+                    done += 1
+                if t == edges[g, edge]:
+                    edge += 1
+                    break
+        if status[m] == 0:
+            status[m] = 1
+        reached[m] = done
+
+
+@njit({options})
 def record(times, states, pieces, P, T, W, places, values, out):
     piece = -1
     for k in range(len(times)):
