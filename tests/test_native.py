@@ -31,9 +31,10 @@ def python_derivative(fused, t, x):
     space = {**WORDS, "math": math}
     exec(compile(fused.source, "fused", "exec"), space)
     D, W = np.zeros(fused.nstates), np.zeros(fused.nsignals)
-    P = np.append(fused.layout.P, np.zeros(1 + 2 * fused.ninputs))
+    P = np.append(fused.layout.P, np.zeros(fused.size - len(fused.layout.P)))
     for k, place in fused.layout.intervals.items():
         P[place] = fused.wiring.nodes[k].system.interval_at(t)
+    space["prepare"](P, fused.layout.T)
     space["derivative"](t, x, P, fused.layout.T, W, D)
     space["signals"](t, x, P, fused.layout.T, W)
     return D, W

@@ -68,6 +68,9 @@ _CALLS = {
 }
 
 
+_passed: set = set()  # functions, with their code, that have been checked
+
+
 def opaque(function: Callable) -> Callable:
     """Mark a helper that SymPy reads as an undefined function.
 
@@ -143,7 +146,10 @@ def check_equations(function: Callable, role: str) -> None:
     >>> from clpt_control.blocks import vehicle
     >>> check_equations(vehicle.kinematics, "vehicle.update")
     """
-    _check(function, role, set())
+    key = (function, getattr(function, "__code__", None))
+    if key not in _passed:
+        _check(function, role, set())
+        _passed.add(key)
 
 
 def _check(function: Callable, role: str, seen: set[Callable]) -> None:

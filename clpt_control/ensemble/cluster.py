@@ -9,6 +9,7 @@ lost costs the chunk it was at: the scheduler gives it to another one.
 import uuid
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -123,21 +124,23 @@ def run_on_cluster(plan: Plan, address: str, workers: int, report: Callable[[int
             )  # fmt: skip
 
         slots = 2 * max(workers, sum(client.nthreads().values())) + 2
-        running = as_completed([submitted(k) for k, _ in zip(waiting, range(slots), strict=False)])
+        asked = {submitted(index) for index in islice(waiting, slots)}
+        running = as_completed(list(asked))
         try:
             for future in running:
                 done += future.result()
+                asked.discard(future)
                 report(done)
-                following = next(waiting, None)
-                if following is not None:
-                    running.add(submitted(following))
+                for index in islice(waiting, 1):
+                    asked.add(following := submitted(index))
+                    running.add(following)
         except KilledWorker:
             raise SimulationError(
                 "dask: a chunk was lost with its worker again and again (out of memory?); "
                 "what is done is kept, a smaller --chunk may go on from there"
             ) from None
         except BaseException:
-            client.cancel([future for future, _ in list(running.queue.queue)], force=True)
+            client.cancel(list(asked), force=True)
             raise
 
 

@@ -125,7 +125,16 @@ class Store:
         return (self.path / name / "c" / "/".join([str(index)] + ["0"] * (len(dims) - 1))).is_file()
 
     def finish(self) -> None:
-        """Remove what writers that were killed left beside their files."""
+        """Check every mark; remove what killed writers left beside files.
+
+        Raises
+        ------
+        DataError
+            If a chunk has no mark.
+        """
+        unmarked = np.flatnonzero(self.group[MARK][:] == 0)
+        if len(unmarked):
+            raise DataError(f"{self.path}: chunk {unmarked[0]} is missing; run the ensemble again")
         if self.path is not None:
             for left in self.path.rglob("*.partial"):
                 left.unlink(missing_ok=True)

@@ -86,16 +86,30 @@ def lane_module(fused: Fused) -> ModuleType:
     return _module(fused.source, fused.nstates, fused.nsignals, False, lanes=True)
 
 
+@lru_cache(maxsize=1)
 def _solver_key() -> str:
-    """Give what the rest of the module's text is made of, without making it."""
-    from importlib.metadata import version
+    """Give what the module's text is made of beside the diagram, without making it.
 
+    Taken from the functions and texts in memory, which make the module.
+    """
+    import marshal
+
+    import llvmlite
+    import numba
+    import numpy
+    import scipy
+
+    from ..blocks.words import WORDS
+    from . import dormand_prince, lane_text, solver_text
+
+    makers = [*vars(dormand_prince).values(), *WORDS.values()]
+    codes = [marshal.dumps(maker.__code__).hex() for maker in makers if hasattr(maker, "__code__")]
+    texts = [room.HEADER + room.SOLVER + room.OPTIONS for room in (solver_text, lane_text)]
     here = Path(__file__).parent
-    own = ("solver_text.py", "lane_text.py", "dormand_prince.py", "elementary.py")
-    rooms = [here / name for name in own] + [here.parent / "blocks" / "words.py"]
-    rooms += sorted((here / "lanes").glob("*.py"))
-    versions = [version(name) for name in ("numba", "llvmlite", "numpy", "scipy")]
-    return "\n".join([sys.version, *versions, *(room.read_text("utf-8") for room in rooms)])
+    rooms = [here / "elementary.py", *sorted((here / "lanes").glob("*.py"))]
+    versions = [package.__version__ for package in (numba, llvmlite, numpy, scipy)]
+    read = [room.read_text("utf-8") for room in rooms]
+    return "\n".join([sys.version, *versions, *codes, *texts, *read])
 
 
 @lru_cache(maxsize=64)

@@ -83,8 +83,9 @@ class NativeDiagram:
         return edges, places, values
 
     def parameters(self) -> np.ndarray:
-        """Give P with room for the diagram's inputs."""
-        return np.append(self.fused.layout.P, np.zeros(1 + 2 * self.fused.ninputs))
+        """Give P with room for inputs and what is prepared."""
+        P = self.fused.layout.P
+        return np.append(P, np.zeros(self.fused.size - len(P)))
 
     def run(
         self,

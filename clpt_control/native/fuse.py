@@ -6,6 +6,7 @@ flat code over x (states), P (parameters) and T (shared tables):
     derivative(t, X, P, T, W, D)      D = dx/dt
     signals(t, X, P, T, W)            W = all block outputs
     margin(t, X, P, T, W)             least distance to a guard's edge
+    prepare(P, T)                     what depends on parameters alone
 
 Small diagrams unroll into named numbers, so that the compiler keeps them in
 registers and finds what is computed twice; large ones keep loops over the basis
@@ -23,7 +24,7 @@ from ..blocks.ports import states_as_outputs
 from ..errors import DiagramError
 from ..wiring import Node, Wiring, read
 from .layout import Layout, lay_out
-from .reader import FunctionReader, Lines, Unreadable
+from .reader import FunctionReader, Lines, Prepared, Unreadable
 from .values import Code, View, combined, text
 
 SMALL = 16  # largest port of a diagram that is unrolled whole
@@ -45,6 +46,8 @@ class Fused:
         Sizes.
     ramp : int
         Offset in P of the inputs: time of the last sample, then values, slopes.
+    size : int
+        Length of P with the inputs and what is prepared for a piece of time.
     guarded : bool
         Whether a block has a guard.
     """
@@ -56,6 +59,7 @@ class Fused:
     nsignals: int
     ninputs: int
     ramp: int
+    size: int
     guarded: bool
 
 
@@ -103,11 +107,16 @@ def fuse(diagram: control.NonlinearIOSystem, parameters: Sequence[Any] | None = 
                   default=0)  # fmt: skip
     unroll = 64 if largest <= SMALL else 0
     guarded = any(node.system.guard is not None for node in wiring.nodes)
+    ready = Prepared(ramp + 1 + 2 * ninputs)
     parts = []
     for kind in ("derivative", "signals", "margin"):
-        writer = _Writer(wiring, parameters, layout, ramp, ninputs, unroll, kind)
+        writer = _Writer(wiring, parameters, layout, ramp, ninputs, unroll, kind, ready)
         parts.append(writer.function())
-    return Fused(wiring, layout, "\n\n".join(parts), nstates, nsignals, ninputs, ramp, guarded)
+    parts.append(ready.function())
+    size = ready.first + len(ready.places)
+    return Fused(
+        wiring, layout, "\n\n".join(parts), nstates, nsignals, ninputs, ramp, size, guarded
+    )
 
 
 HEADS = {
@@ -121,10 +130,10 @@ class _Writer:
     """Write one of the functions."""
 
     def __init__(self, wiring: Wiring, parameters: Sequence[Any], layout: Layout, ramp: int,
-                 ninputs: int, unroll: int, kind: str):  # fmt: skip
+                 ninputs: int, unroll: int, kind: str, ready: Prepared):  # fmt: skip
         self.wiring, self.parameters, self.layout = wiring, parameters, layout
         self.ramp, self.ninputs, self.unroll, self.kind = ramp, ninputs, unroll, kind
-        self.lines = Lines()
+        self.lines = Lines(ready)
         self.named: dict[int, Any] = {}  # signal -> value, where loops are unrolled
         self.states: dict[int, Any] = {}
         self.rates: dict[int, Any] = {}

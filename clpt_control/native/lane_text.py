@@ -16,8 +16,8 @@ import numpy as np
 from numba import njit
 
 from clpt_control.native.lanes import (
-    clip, floor, lane_get, lane_numbers, lane_set, lane_vector, lookup, maximum, minimum, power,
-    select, sign, splat, where,
+    clip, floor, fma, lane_get, lane_vector, lookup, maximum, minimum, power, select, sign, splat,
+    where,
 )
 
 NX = {nx}
@@ -37,6 +37,7 @@ def far_derivative(t, X, P, T, W, D):
 @njit({options})
 def begin(t, span, Z, P, T, W, rtol, atol):
     # the rate goes to row 2, the argument of a stage is scratch; gives the first step
+    prepare(P, T)
     far_derivative(t, Z[0:NX], P, T, W, Z[2 * NX : 3 * NX])
     d0 = splat(0.0)
     d1 = splat(0.0)
@@ -69,7 +70,7 @@ def interpolate(t_old, h, Z, P, T, W, F):
 {extra}
         far_derivative(t_old + C[s] * h, Z[Y : Y + NX], P, T, W, Z[(s + 1) * NX : (s + 2) * NX])
     for i in range(NX):
-        Z[Y + i] = Z[i] + h * ({new_state})
+        Z[Y + i] = fma(h, {new_state}, Z[i])
     for i in range(NX):
 {dense}
 
@@ -259,21 +260,19 @@ def lane_module_text(fused_source: str, nx: int, nw: int) -> str:
     str
         A whole module with the function `many`.
     """
-    from scipy.integrate._ivp import dop853_coefficients as table
+    from .dormand_prince import coefficients, weighted_sum
 
-    from .dormand_prince import _sum
-
-    derivative = fused_source.split("\n\ndef ")[0]
-    functions = derivative.replace(
-        "def derivative(", f"@njit({OPTIONS}, forceinline=True)\ndef derivative("
-    )
+    parts = fused_source.split("\n\ndef ")
+    prepare = next(part for part in parts if part.startswith("prepare("))
+    derivative = f"@njit({OPTIONS}, forceinline=True)\n{parts[0]}"
+    functions = f"{derivative}\n\n\n@njit({OPTIONS})\ndef {prepare}"
     solver = SOLVER.format(
         options=OPTIONS,
         times=stage_times(),
-        stages=stage_lines(" " * 12),
-        extra=extra_lines(" " * 8),
-        errors=error_lines(" " * 12),
-        dense=dense_lines(" " * 8),
-        new_state=_sum(table.B),
+        stages=stage_lines(" " * 12, True),
+        extra=extra_lines(" " * 8, True),
+        errors=error_lines(" " * 12, True),
+        dense=dense_lines(" " * 8, True),
+        new_state=weighted_sum(coefficients().B, True),
     )
     return f"{HEADER.format(nx=nx, nw=nw)}\n\n{functions}\n\n{solver}"

@@ -96,7 +96,8 @@ class Ensemble:
     def _packed(self, scenario: Scenario) -> tuple[np.ndarray, np.ndarray, list[Any]]:
         """Give P, the initial state and the blocks' parameters of a scenario."""
         blocks = [block.parameters for block in _blocks(scenario)]
-        P = np.append(self.native.fused.layout.packed(blocks), np.zeros(1))
+        own = self.native.fused.layout.packed(blocks)
+        P = np.append(own, np.zeros(self.native.fused.size - len(own)))
         return P, initial_state(scenario), blocks
 
     def _places(self, key: str, shape: tuple[int, ...], base) -> Any:
@@ -199,11 +200,15 @@ class Ensemble:
         out = np.full((m, len(times), nx), np.nan)
         status, reached = np.zeros(m, dtype=np.int64), np.zeros(m, dtype=np.int64)
         counts = np.zeros((m, 4), dtype=np.int64)
-        shared = (
+        shared: tuple[Any, ...] = (
             0, m, members.x0, members.P, self.native.fused.layout.T, members.group, members.edges,
             members.counts, members.places, members.values, np.asarray(times, float), out, status,
-            reached, counts, rtol, atol,
+            reached, counts,
         )  # fmt: skip
+        if step is not None:
+            self.native.module.many_rk4(*shared, float(step))
+            return States(out, status, reached, counts)
+        shared = (*shared, rtol, atol)
         if self.lanes is None:
             self.native.module.many(*shared)
         else:

@@ -10,11 +10,13 @@ import ast
 import builtins
 import inspect
 import math
+import re
 import textwrap
+from functools import lru_cache
 from types import FunctionType
 from typing import Any
 
-from ..blocks.words import WORDS
+from ..blocks.words import MATH, WORDS
 from ..errors import BlockError
 from .values import Code, View, combined, text
 
@@ -34,10 +36,58 @@ def _loaded(target: ast.expr) -> ast.expr:
     return ast.parse(ast.unparse(target), mode="eval").body
 
 
-class Lines:
-    """Lines of code as they grow, with fresh names."""
+@lru_cache(maxsize=1024)
+def syntax_tree(function: FunctionType, code: Any) -> ast.FunctionDef:
+    """Parse a function's source text, once for each code it has had."""
+    try:
+        source = textwrap.dedent(inspect.getsource(function))
+    except (OSError, TypeError):
+        raise Unreadable(f"{function.__name__}: its source text is not at hand") from None
+    tree = ast.parse(source).body[0]
+    assert isinstance(tree, ast.FunctionDef)
+    return tree
 
-    def __init__(self) -> None:
+
+class Prepared:
+    """What depends on parameters alone, computed once for a piece of time.
+
+    Attributes
+    ----------
+    first : int
+        First place in P.
+    places : dict
+        Expression -> its place, in order.
+    """
+
+    KNOWN = frozenset({"P", "T", "math", *WORDS, *MATH})
+
+    def __init__(self, first: int):
+        self.first = first
+        self.places: dict[str, int] = {}
+
+    def place(self, expression: str) -> int | None:
+        """Give a place to an expression of P and T alone; None to others."""
+        if not set(re.findall(r"[A-Za-z_]\w*", expression)) <= self.KNOWN:
+            return None
+        return self.places.setdefault(expression, self.first + len(self.places))
+
+    def function(self) -> str:
+        """Give the text of ``prepare(P, T)``."""
+        lines = [f"    P[{place}] = {expression}" for expression, place in self.places.items()]
+        return "\n".join(["def prepare(P, T):", *(lines or ["    pass"])])
+
+
+class Lines:
+    """Lines of code as they grow, with fresh names.
+
+    Parameters
+    ----------
+    ready : Prepared
+        Where expressions of parameters alone go.
+    """
+
+    def __init__(self, ready: Prepared) -> None:
+        self.ready = ready
         self.lines: list[str] = []
         self.depth = 1
         self.count = 0
@@ -47,6 +97,11 @@ class Lines:
     def add(self, line: str) -> None:
         """Add a line at the current depth."""
         self.lines.append("    " * self.depth + line)
+
+    def prepared(self, expression: str) -> Code:
+        """Give a call's code, or the place of its value where it is steady."""
+        place = self.ready.place(expression)
+        return Code(expression) if place is None else Code(self.steady(f"P[{place}]"))
 
     def open_loop(self, line: str) -> None:
         """Begin a loop; what does not change in it is read before it."""
@@ -88,12 +143,7 @@ class FunctionReader:
 
     def run(self, function: FunctionType, arguments: list[Any]) -> Any:
         """Read a function with its arguments known; give what it returns."""
-        try:
-            source = textwrap.dedent(inspect.getsource(function))
-        except (OSError, TypeError):
-            raise Unreadable(f"{function.__name__}: its source text is not at hand") from None
-        tree = ast.parse(source).body[0]
-        assert isinstance(tree, ast.FunctionDef)
+        tree = syntax_tree(function, function.__code__)
         names = [argument.arg for argument in tree.args.args]
         if len(names) != len(arguments):
             raise Unreadable(f"{function.__name__}: takes {len(names)} arguments")
@@ -274,14 +324,16 @@ class _Frame:
         if WORDS.get(name) is function:
             if name == "lookup":
                 array, offset = arguments[0].table
-                return Code(f"lookup({array}, {text(combined(offset, '+', arguments[1]))})")
+                index = text(combined(offset, "+", arguments[1]))
+                return self.reader.lines.prepared(f"lookup({array}, {index})")
             if not any(isinstance(argument, Code) for argument in arguments):
                 return WORDS[name](*arguments)
-            return Code(f"{name}({', '.join(map(text, arguments))})")
+            return self.reader.lines.prepared(f"{name}({', '.join(map(text, arguments))})")
         if getattr(function, "__module__", None) == "math" or getattr(math, name, None) is function:
             if not any(isinstance(argument, Code) for argument in arguments):
                 return getattr(math, name)(*arguments)
-            return Code(f"math.{name}({', '.join(map(text, arguments))})")
+            called = f"math.{name}({', '.join(map(text, arguments))})"
+            return self.reader.lines.prepared(called)
         if function in (float, int) and isinstance(arguments[0], Code):
             return Code(f"{name}({arguments[0].text})")
         if isinstance(function, FunctionType):

@@ -84,6 +84,7 @@ def advance(S, Z, P, T, W, F, edges, places, values, times, states, rtol, atol, 
         if fresh:
             for j in range(len(places)):
                 P[places[j]] = values[edge, j]
+            prepare(P, T)
             far_derivative(t, Z[0:NX], P, T, W, Z[NX : 2 * NX])
             counts[1] += 1
             counts[2] += 1
@@ -201,6 +202,7 @@ def many_rk4(first, last, X0, Ps, T, group, edges, nedges, places, values, times
         while done < len(times) and status[m] == 0:
             for j in range(len(places)):
                 P[places[j]] = values[g, edge, j]
+            prepare(P, T)
             counts[m, 2] += 1
             while done < len(times) and status[m] == 0:
                 stop = min(times[done], edges[g, edge])
@@ -253,6 +255,7 @@ def record(times, states, pieces, P, T, W, places, values, out):
             piece = pieces[k]
             for j in range(len(places)):
                 P[places[j]] = values[piece, j]
+            prepare(P, T)
         signals(times[k], states[k], P, T, W)
         for j in range(NW):
             out[k, j] = W[j]
@@ -303,9 +306,7 @@ def module_text(fused_source: str, nx: int, nw: int, guarded: bool) -> str:
     str
         A whole module; its functions `advance` and `record` are called.
     """
-    from scipy.integrate._ivp import dop853_coefficients as table
-
-    from .dormand_prince import _sum
+    from .dormand_prince import coefficients, weighted_sum
 
     words = "\n\n".join(_compiled_word(word) for word in WORDS.values())
     header = HEADER.format(nx=nx, nw=nw, guarded=guarded, options=OPTIONS)
@@ -313,7 +314,7 @@ def module_text(fused_source: str, nx: int, nw: int, guarded: bool) -> str:
     functions = vector_ready.replace(
         "def derivative(", f"@njit({SUMS}, forceinline=True)\ndef derivative("
     )
-    for name in ("signals", "margin"):
+    for name in ("signals", "margin", "prepare"):
         functions = functions.replace(f"def {name}(", f"@njit({SUMS})\ndef {name}(")
     solver = SOLVER.format(
         options=OPTIONS,
@@ -322,6 +323,6 @@ def module_text(fused_source: str, nx: int, nw: int, guarded: bool) -> str:
         extra=extra_lines(" " * 8),
         errors=error_lines(" " * 16),
         dense=dense_lines(" " * 8),
-        new_state=_sum(table.B),
+        new_state=weighted_sum(coefficients().B),
     )
     return f"{header}\n\n{words}\n\n{functions}\n\n{solver}"
