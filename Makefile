@@ -3,7 +3,9 @@ PYTHON ?= python3
 BIN := .venv/bin
 READY := .venv/.ready
 
-.PHONY: paper test test-slow lint format clean
+BENCH := build/benchmarks/venv
+
+.PHONY: paper test test-slow lint format clean bench bench-quick
 
 paper: $(READY)  ## section IV of the paper: figures and the table of claims
 	$(BIN)/clpt paper --out paper
@@ -19,6 +21,12 @@ lint: $(READY)  ## ruff and mypy
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 
+bench: $(BENCH)/.ready  ## time the engines against each other: docs/performance.md
+	$(BENCH)/bin/python -m benchmarks.bench
+
+bench-quick: $(READY)  ## the same in a minute or two, with what is installed
+	$(BIN)/python -m benchmarks.bench --quick --out build/benchmarks
+
 format: $(READY)
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
@@ -31,3 +39,11 @@ $(READY): pyproject.toml constraints.txt
 
 clean:
 	rm -rf .venv build dist paper out *.egg-info .pytest_cache .mypy_cache .ruff_cache
+
+$(BENCH)/.ready: pyproject.toml constraints.txt benchmarks/requirements.txt
+	test -x $(BENCH)/bin/python || $(PYTHON) -m venv $(BENCH)
+	$(BENCH)/bin/python -m pip install --quiet --disable-pip-version-check \
+		--constraint constraints.txt --editable .
+	-$(BENCH)/bin/python -m pip install --quiet --disable-pip-version-check \
+		--constraint constraints.txt --requirement benchmarks/requirements.txt
+	touch $@

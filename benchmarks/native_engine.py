@@ -41,10 +41,43 @@ def simulate(case: Case):
 
 
 def members(scenario):
-    """Prepare an ensemble; not there yet."""
-    raise NotImplementedError("clpt_control.native has no ensembles yet")
+    """Prepare an ensemble: eight members at once where the processor allows it."""
+    from clpt_control.native.members import Ensemble
+
+    N, run = scenario.basis.N, scenario.run
+    ensemble = Ensemble(
+        scenario,
+        {
+            "flow.parameters": (2, N),
+            "learning.gain": (),
+            "vehicle.position": (2,),
+            "learning.position": (2,),
+        },
+    )
+    times = np.array([0.0, run.duration])
+
+    def all_of_them(parameters, states) -> np.ndarray:
+        values = {
+            "flow.parameters": parameters[:, 5 * N : 7 * N].reshape(-1, 2, N),
+            "learning.gain": parameters[:, -1],
+            "vehicle.position": states[:, 0:2],
+            "learning.position": states[:, 2:4],
+        }
+        made = ensemble.members(values, run.duration)
+        return ensemble.run(made, times, run.rtol, run.atol).states[:, -1]
+
+    return lambda parameters, states: timed(all_of_them, parameters, states)
 
 
 def advect(time, axis, u, v, x1, x2, step: float, steps: int) -> tuple[np.ndarray, float]:
-    """Move passive particles; not there yet."""
-    raise NotImplementedError("clpt_control.native moves no passive particles yet")
+    """Move passive particles: a user's block, RK4; final positions (2, n) and seconds."""
+    from clpt_control.native.engine import NativeDiagram
+
+    from .drifter import drifter
+
+    native = NativeDiagram(clpt.connect([drifter(time, axis, u, v)], name="drifter"))
+    starts = np.column_stack([x1, x2])
+    ends = np.array([0.0, step * steps])
+    native.run_many(starts[:2], ends, step=step)
+    found, seconds = timed(lambda: native.run_many(starts, ends, step=step))
+    return found[:, -1].T, seconds

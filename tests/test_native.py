@@ -370,3 +370,17 @@ def test_the_fixed_step_stops_at_every_waypoint():
     np.testing.assert_allclose(fixed.x, adaptive.x, rtol=0, atol=2e-6)
     with pytest.raises(SimulationError, match="must be positive"):
         native.run(state, times, step=-1.0)
+
+
+def test_many_starts_in_lanes_equal_each_alone():
+    scenario = clpt.paper_scenario().with_values({"run.duration": 30})
+    native = NativeDiagram(clpt.closed_loop(scenario))
+    starts = initial_state(scenario) + np.random.default_rng(2).normal(0, 0.1, (11, 14))
+    times = np.array([0.0, 7.0, 20.0, 30.0])
+    fixed = native.run_many(starts, times, step=0.05)
+    adaptive = native.run_many(starts, times)
+    for k in (0, 6, 10):
+        alone = native.run(starts[k], times, step=0.05)
+        np.testing.assert_allclose(fixed[k], alone.x, rtol=0, atol=1e-12)
+        np.testing.assert_array_equal(adaptive[k], native.run(starts[k], times).x)
+    np.testing.assert_array_equal(native.run_many(starts[3:9], times, step=0.05), fixed[3:9])

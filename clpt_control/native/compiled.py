@@ -70,8 +70,8 @@ def compiled_module(fused: Fused) -> ModuleType:
     return _module(fused.source, fused.nstates, fused.nsignals, fused.guarded)
 
 
-def lane_module(fused: Fused) -> ModuleType:
-    """Compile a fused diagram for eight runs at once, or load it.
+def lane_module_or_none(fused: Fused) -> ModuleType | None:
+    """Compile for eight runs at once where it pays.
 
     Parameters
     ----------
@@ -80,9 +80,14 @@ def lane_module(fused: Fused) -> ModuleType:
 
     Returns
     -------
-    module
-        With the function `many`.
+    module or None
+        With the functions `many` and `many_rk4`; None for a diagram with a
+        guard and on a processor without fused multiply-add.
     """
+    import llvmlite.binding as llvm
+
+    if fused.guarded or not llvm.get_host_cpu_features().get("fma", False):
+        return None
     return _module(fused.source, fused.nstates, fused.nsignals, False, lanes=True)
 
 

@@ -14,7 +14,7 @@ import control
 import numpy as np
 
 from ..errors import SimulationError
-from .compiled import compiled_module
+from .compiled import compiled_module, lane_module_or_none
 from .fuse import fuse
 from .solution import Solution
 from .sweep import Sweep
@@ -156,6 +156,64 @@ class NativeDiagram:
         if status != FINISHED:
             return self._explained(S, Z[:nx], times, states, rtol, atol, samples, statistics)
         return Solution(times, states, statistics=statistics)
+
+    def run_many(
+        self,
+        starts: np.ndarray,
+        times: np.ndarray,
+        *,
+        rtol: float = 1e-8,
+        atol: float = 1e-10,
+        step: float | None = None,
+    ) -> np.ndarray:
+        """Integrate from many initial states, such as passive particles.
+
+        Parameters
+        ----------
+        starts : array_like, shape (m, nstates)
+            Initial states at ``times[0]``.
+        times : array_like, shape (n,)
+            Increasing times at which states are wanted.
+        rtol, atol : float, optional
+            Tolerances of DOP853.
+        step : float, optional
+            A fixed step: Runge and Kutta's classical method of order 4.
+
+        Returns
+        -------
+        ndarray, shape (m, n, nstates)
+            NaN from where a run could not go on.
+
+        Examples
+        --------
+        >>> import clpt_control as clpt
+        >>> scenario = clpt.paper_scenario()
+        >>> native = NativeDiagram(clpt.closed_loop(scenario))
+        >>> native.run_many([clpt.initial_state(scenario)] * 3, [0.0, 5.0]).shape
+        (3, 2, 14)
+        """
+        starts, times = np.array(starts, dtype=float), np.asarray(times, dtype=float)
+        edges, places, values = self.pieces(times[0], times[-1], None)
+        out = np.full((len(starts), len(times), starts.shape[1]), np.nan)
+        status, reached = (np.zeros(len(starts), np.int64) for _ in range(2))
+        counts = np.zeros((len(starts), 4), np.int64)
+        P = np.tile(self.parameters(), (len(starts), 1))
+        T, common = self.fused.layout.T, (times, out, status, reached, counts)
+        lanes = lane_module_or_none(self.fused) if step is not None and len(starts) > 1 else None
+        if lanes is not None:
+            sizes = (4 * self.fused.nstates, self.fused.size, max(self.fused.nsignals, 1))
+            lanes.many_rk4(
+                0, len(starts), starts, P, T, edges, places, values, *common, float(step or 0.0),
+                *(np.zeros((size, 8)) for size in sizes),
+            )  # fmt: skip
+            return out
+        schedule = (np.zeros(len(starts), np.int64), edges[None], np.array([len(edges)]))
+        arguments = (0, len(starts), starts, P, T, *schedule, places, values[None], *common)
+        if step is None:
+            self.module.many(*arguments, rtol, atol)
+        else:
+            self.module.many_rk4(*arguments, float(step))
+        return out
 
     def _fixed(self, x, times, step, P, edges, places, values) -> Solution:
         """Integrate with a fixed step."""

@@ -240,6 +240,68 @@ def many(first, last, X0, Ps, T, group, edges, nedges, places, values, times, ou
                         out[m, 0, i] = X0[m, i]
                     number[0, k], number[2, k], number[3, k] = times[0], edges[group[m], 0], 1.0
                     number[1, k], number[4, k] = 0.0, 0.0
+
+@njit({options})
+def many_rk4(first, last, X0, Ps, T, edges, places, values, times, out, status, reached, counts,
+             step, Zs, Pl, Ws):
+    # Runge and Kutta's classical method; all members follow one schedule
+    Z, P, W = lane_vector(Zs), lane_vector(Pl), lane_vector(Ws)
+    X, A, K, total = Z[0:NX], Z[NX : 2 * NX], Z[2 * NX : 3 * NX], Z[3 * NX : 4 * NX]
+    for base in range(first, last, 8):
+        for k in range(8):
+            m = min(base + k, last - 1)
+            for j in range(Ps.shape[1]):
+                Pl[j, k] = Ps[m, j]
+            for i in range(NX):
+                Zs[i, k] = X0[m, i]
+                out[m, 0, i] = X0[m, i]
+        t, done, edge, steps_done, pieces = times[0], 1, 0, 0, 0
+        while done < len(times):
+            for j in range(len(places)):
+                for k in range(8):
+                    Pl[places[j], k] = values[edge, j]
+            prepare(P, T)
+            pieces += 1
+            while done < len(times):
+                stop = min(times[done], edges[edge])
+                steps = max(1, math.ceil((stop - t) / step * (1.0 - 1e-12)))
+                h = (stop - t) / steps
+                start = t
+                for n in range(steps):
+                    t = start + n * h
+                    for i in range(NX):
+                        A[i] = X[i]
+                        total[i] = 0.0
+                    for s in range(4):
+                        part = 0.0 if s == 0 else (1.0 if s == 3 else 0.5)
+                        derivative(splat(t + part * h), A, P, T, W, K)
+                        ahead = h if s == 2 else 0.5 * h
+                        weight = h / 6.0 if s == 0 or s == 3 else h / 3.0
+                        for i in range(NX):
+                            total[i] = fma(K[i], weight, total[i])
+                            A[i] = fma(K[i], ahead, X[i])
+                    for i in range(NX):
+                        X[i] = X[i] + total[i]
+                steps_done += steps
+                t = stop
+                if stop == times[done]:
+                    for k in range(8):
+                        if base + k < last:
+                            for i in range(NX):
+                                out[base + k, done, i] = Zs[i, k]
+                    done += 1
+                if t == edges[edge]:
+                    edge += 1
+                    break
+        for k in range(8):
+            m = base + k
+            if m < last:
+                counts[m, 0], counts[m, 1], counts[m, 2] = steps_done, 4 * steps_done, pieces
+                bad = 0.0
+                for i in range(NX):
+                    bad += 0.0 * Zs[i, k]
+                status[m] = 1 if bad == 0.0 else 3
+                reached[m] = len(times)
 """
 
 OPTIONS = 'cache=True, nogil=True, error_model="numpy"'

@@ -15,6 +15,7 @@ import numpy as np
 from ..diagram import closed_loop, initial_state
 from ..errors import ScenarioError
 from ..scenario import Scenario
+from .compiled import lane_module_or_none
 from .engine import NativeDiagram
 
 MANY = 1 << 40
@@ -80,7 +81,7 @@ class Ensemble:
         self.scenario, self.keys = scenario, dict(keys)
         spread = {key: _probe(_base(scenario, key, shape)) for key, shape in self.keys.items()}
         self.native = NativeDiagram(closed_loop(scenario.with_values(spread)))
-        self.lanes = _lane_module(self.native.fused) if lanes else None
+        self.lanes = lane_module_or_none(self.native.fused) if lanes else None
         self.copied: dict[str, tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]] = {}
         self.computed: list[str] = []
         self._schedules: dict[bytes, int] = {}
@@ -238,17 +239,6 @@ class States:
     status: np.ndarray
     reached: np.ndarray
     counts: np.ndarray
-
-
-def _lane_module(fused: Any) -> Any:
-    """Compile for lanes where it pays: fused multiply-add, no guard."""
-    import llvmlite.binding as llvm
-
-    if fused.guarded or not llvm.get_host_cpu_features().get("fma", False):
-        return None
-    from .compiled import lane_module
-
-    return lane_module(fused)
 
 
 def _blocks(scenario: Scenario) -> list[Any]:
