@@ -120,18 +120,24 @@ def test_interrupt_ends_cleanly(tmp_path):
     longer = {"run.duration": 2e7, "run.output_step": 1e4}
     scenario = clpt_control.paper_scenario().with_values(longer)
     clpt_control.save_scenario(scenario, tmp_path / "long.toml")
-    process = subprocess.Popen(
-        [sys.executable, "-c", "from clpt_control.cli import main; main()",
-         "run", tmp_path / "long.toml", "--out", tmp_path / "run.nc"],
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env={**os.environ},
-    )  # fmt: skip
-    time.sleep(6.0)
-    assert process.poll() is None, process.communicate()
-    process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=30)
+    said = tmp_path / "said"
+    with said.open("w") as stderr:
+        process = subprocess.Popen(
+            [sys.executable, "-c", "from clpt_control.cli import main; main()",
+             "run", tmp_path / "long.toml", "--out", tmp_path / "run.nc"],
+            stdout=subprocess.PIPE, stderr=stderr, text=True, env={**os.environ},
+        )  # fmt: skip
+        for _ in range(300):
+            time.sleep(0.2)
+            assert process.poll() is None, said.read_text()
+            if "running long.toml" in said.read_text():
+                break
+        process.send_signal(signal.SIGINT)
+        out, _ = process.communicate(timeout=30)
+    err = said.read_text()
     assert process.returncode == 130
     assert "Traceback" not in err
     assert "clpt: interrupted" in err
     assert "running long.toml" in err, "no progress was shown on standard error"
     assert out == ""
-    assert [path.name for path in tmp_path.iterdir()] == ["long.toml"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["long.toml", "said"]

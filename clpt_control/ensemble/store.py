@@ -93,21 +93,20 @@ class Store:
 
     def missing(self) -> list[int]:
         """List the chunks that have no mark, or are not what it says."""
-        count = -(-self.members // self.chunk)
-        try:
-            marks = self.group[MARK][:]
-        except Exception:
-            marks = np.zeros(count, dtype="int64")
-        return [k for k in range(count) if not marks[k] or not self._whole(k, int(marks[k]))]
+        return [k for k in range(-(-self.members // self.chunk)) if not self.is_whole(k)]
 
     def done(self, missing: Iterable[int]) -> int:
         """Give how many members need no work, where some chunks are missing."""
         ranges = [self.range(index) for index in missing]
         return self.members - sum(last - first for first, last in ranges)
 
-    def _whole(self, index: int, mark: int) -> bool:
+    def is_whole(self, index: int) -> bool:
+        """Tell whether a chunk is there and what its mark says."""
         first, last = self.range(index)
         try:
+            mark = int(self.group[MARK][index])
+            if not mark:
+                return False
             read = {
                 name: self.group[name][first:last]
                 for name in self.kept

@@ -132,6 +132,11 @@ def summarise_members(
         Name -> array, as `kept_variables` lists them; NaN after the end of a
         member that failed.
     """
+    with np.errstate(all="ignore"):  # a member that failed may hold anything
+        return _summaries(scenario, sampling, values, run, trajectories)
+
+
+def _summaries(scenario, sampling, values, run, trajectories) -> dict[str, np.ndarray]:
     y, N = run.states, scenario.basis.N
     learned = scenario.learning.law == "learned-flow"
     alpha_end = 4 + 2 * N if learned else 4

@@ -21,7 +21,7 @@ def coefficients() -> Any:
 
 
 def weighted_sum(weights: np.ndarray, fused: bool = False) -> str:
-    """Give a_0 K_0 + a_1 K_1 + ..., the rows of K behind each other in Z.
+    """Give a_0 K_0 + a_1 K_1 + ..., rows of K behind each other.
 
     Parameters
     ----------

@@ -49,7 +49,7 @@ def syntax_tree(function: FunctionType, code: Any) -> ast.FunctionDef:
 
 
 class Prepared:
-    """What depends on parameters alone, computed once for a piece of time.
+    """What depends on parameters alone, computed once a piece.
 
     Attributes
     ----------
