@@ -78,17 +78,3 @@ def load_run(path: str | Path) -> "xarray.Dataset":
         run = data.load()
     run.encoding["folder"] = str(Path(path).parent)
     return run
-
-
-def scenario_text(path: str | Path) -> str:
-    """Give the scenario that a run's file carries, as TOML text.
-
-    Raises
-    ------
-    DataError
-        If the file is missing, is not NetCDF, or carries no scenario.
-    """
-    with open_netcdf(Path(path)) as data:
-        if "scenario" not in data.attrs:
-            raise DataError(f"{path}: carries no scenario; `clpt run` writes runs that do")
-        return str(data.attrs["scenario"])

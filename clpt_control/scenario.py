@@ -9,8 +9,10 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import numpy as np
-from pydantic import Field, PrivateAttr, model_validator
+from pydantic import Field, PrivateAttr, ValidationError, model_validator
 
+from .errors import ScenarioError
+from .scenario_errors import sentence
 from .scenario_tables import (
     Basis,
     Circle,
@@ -146,8 +148,6 @@ class Scenario(Part):
         >>> clpt.paper_scenario().with_values({"learning.gain": 2.0}).learning.gain
         2.0
         """
-        from .scenario_file import checked_scenario, scenario_tables
-
         tables = scenario_tables(self)
         for key, value in values.items():
             *path, last = key.split(".")
@@ -161,3 +161,56 @@ class Scenario(Part):
                     value.tolist() if isinstance(value, np.ndarray | np.generic) else value
                 )
         return checked_scenario(tables, "scenario", self._folder)
+
+
+def checked_scenario(tables: dict[str, Any], name: str, folder: Path = Path()) -> Scenario:
+    """Make a scenario of nested dicts, or say what is wrong.
+
+    Parameters
+    ----------
+    tables : dict
+        As TOML gives it.
+    name : str
+        How to call it in messages.
+    folder : Path, optional
+        What a relative ``flow.field`` is relative to.
+
+    Returns
+    -------
+    Scenario
+        Checked.
+
+    Raises
+    ------
+    ScenarioError
+        Naming the key, the value and what is allowed.
+    """
+    try:
+        scenario = Scenario.model_validate(tables)
+    except ValidationError as error:
+        problems = error.errors()
+        first = min(problems, key=lambda p: p["type"] != "extra_forbidden")
+        more = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
+        raise ScenarioError(
+            f"{name}: {sentence(first, list(Scenario.model_fields))}{more}"
+        ) from None
+    scenario._folder = Path(folder)
+    path = scenario.field_path
+    if path is not None and not path.is_file():
+        raise ScenarioError(
+            f'{name}: flow.field = "{scenario.flow.field}": no such file; '
+            "must be a NetCDF file, relative to the scenario"
+        )
+    return scenario
+
+
+def scenario_tables(scenario: Scenario) -> dict[str, Any]:
+    """Give a scenario as nested dicts, with the keys it was given.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario_tables(clpt.paper_scenario())["learning"]["gain"]
+    0.8
+    """
+    return scenario.model_dump(mode="python", exclude_none=True, exclude_unset=True)

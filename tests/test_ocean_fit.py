@@ -10,7 +10,8 @@ from pyproj import Proj
 
 import clpt_control as clpt
 from clpt_control.errors import ClptError, DataError, ScenarioError
-from clpt_control.ocean.fit import fit_scenario, read_centers, read_width, save_fit
+from clpt_control.ocean.fit import fit_scenario, read_centers, read_width
+from clpt_control.ocean.fit_file import save_fit
 from clpt_control.ocean.learned import basis_of, explained_variance
 
 MARACOOS = Path(__file__).parents[2] / "shared/data/field/maracoos_hfr_2019-01-01.nc"

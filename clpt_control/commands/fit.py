@@ -26,7 +26,8 @@ def fit(
     as_json: Json = False,
 ) -> None:
     """Fit flow basis functions to a measured current."""
-    from ..ocean.fit import fit_scenario, read_centers, read_width, save_fit
+    from ..ocean.fit import fit_scenario, read_centers, read_width
+    from ..ocean.fit_file import save_fit
 
     fitted = fit_scenario(
         currents,

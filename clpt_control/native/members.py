@@ -249,7 +249,7 @@ def _blocks(scenario: Scenario) -> list[Any]:
 
 def _base(scenario: Scenario, key: str, shape: tuple[int, ...]) -> np.ndarray:
     """Give a key's value in the scenario; zeros where it was left out."""
-    from ..scenario_file import scenario_tables
+    from ..scenario import scenario_tables
 
     place: Any = scenario_tables(scenario)
     for name in key.split("."):

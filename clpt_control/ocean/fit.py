@@ -25,14 +25,13 @@ from ..errors import DataError
 from ..estimation.least_squares import evaluate, least_squares
 from ..scenario import Scenario
 from .currents import Currents, read_currents
-from .fit_file import save_fit
 from .gaps import fill_gaps, regular_grid
 from .gridded import GriddedField
 from .learned import basis_of
 from .places import middles, read_centers, read_width
 from .plane import LocalPlane
 
-__all__ = ["Fit", "fit_scenario", "read_centers", "read_width", "save_fit"]
+__all__ = ["Fit", "fit_scenario", "read_centers", "read_width"]
 
 SINE = -np.pi / 2
 SPEED = "km h-1"
