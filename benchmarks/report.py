@@ -153,6 +153,10 @@ def markdown(results: dict) -> str:
     return text + "\n![Times, growth with N and with members](performance.png)\n"
 
 
+OURS = "#0072B2"
+GREYS = ("0.25", "0.45", "0.6", "#D55E00", "#009E73", "#E69F00", "#CC79A7")
+
+
 def figure(results: dict, path: Path) -> None:
     """Draw times, growth with N and growth with members.
 
@@ -170,7 +174,8 @@ def figure(results: dict, path: Path) -> None:
     FigureCanvasAgg(drawing)
     bars, basis, members = drawing.subplots(1, 3)
     rows = sorted(results.get("paper", []), key=lambda row: -row["median"])
-    bars.barh([row["title"] for row in rows], [1e3 * row["median"] for row in rows], color="0.6")
+    shades = [OURS if row["title"].startswith("clpt") else "0.7" for row in rows]
+    bars.barh([row["title"] for row in rows], [1e3 * row["median"] for row in rows], color=shades)
     bars.set(xscale="log", xlabel="ms", title="The paper's run")
     bars.tick_params(axis="y", labelsize=7)
     lines: dict[str, list] = {}
@@ -186,8 +191,12 @@ def figure(results: dict, path: Path) -> None:
 
 
 def _lines(axes, lines: dict[str, list], xlabel: str, ylabel: str, title: str) -> None:
-    for name, points in lines.items():
-        axes.plot(*zip(*points, strict=True), "o-", markersize=3, label=name)
+    for number, (name, points) in enumerate(lines.items()):
+        ours = name.startswith("clpt")
+        axes.plot(*zip(*points, strict=True), marker="os^vDPX*<>"[number % 10], markersize=4,
+                  color=OURS if ours else GREYS[number % len(GREYS)], zorder=3 if ours else 2,
+                  linewidth=2.2 if ours else 1.0, label=name,
+                  linestyle=("-", "--", "-.", ":")[number // 3 % 4])  # fmt: skip
     axes.set(xscale="log", yscale="log", xlabel=xlabel, ylabel=ylabel, title=title)
     axes.grid(alpha=0.3)
     if lines:

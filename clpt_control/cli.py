@@ -13,6 +13,7 @@ import sys
 import typer
 
 from .commands.diagram import diagram
+from .commands.ensemble import ensemble
 from .commands.excitation import excitation
 from .commands.fit import fit
 from .commands.init import init
@@ -32,7 +33,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 
-for command in (init, paper, run, diagram, prove, excitation, fit):
+for command in (init, paper, run, diagram, ensemble, prove, excitation, fit):
     app.command()(command)
 
 

@@ -304,7 +304,7 @@ def test_a_dask_worker_is_killed(scenario, tmp_path):
     members, killed = 240, []
     with (
         LocalCluster(
-            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0"
         ) as cluster,
         Client(cluster) as client,
     ):

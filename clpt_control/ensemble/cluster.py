@@ -64,7 +64,7 @@ def connected(address: str, workers: int) -> Iterator[Any]:
     if address == "local":
         with (
             LocalCluster(
-                n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None
+                n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=":0"
             ) as cluster,
             Client(cluster) as client,
         ):
@@ -124,16 +124,22 @@ def run_on_cluster(plan: Plan, address: str, workers: int, report: Callable[[int
             )  # fmt: skip
 
         slots = 2 * max(workers, sum(client.nthreads().values())) + 2
-        asked = {submitted(index) for index in islice(waiting, slots)}
-        running = as_completed(list(asked), with_results=True)
+        asked = {submitted(index): index for index in islice(waiting, slots)}
+        running = as_completed(list(asked))
         try:
-            for future, count in running:
-                done += count
-                asked.discard(future)
+            for future in running:
+                if future.status == "error":
+                    raise future.exception(timeout=PATIENCE)
+                # the store is asked, not the worker: that one may be lost by now
+                index = asked.pop(future)
+                if not plan.store.is_whole(index):
+                    raise SimulationError(f"dask: chunk {index} did not reach {plan.store.path}")
+                done += plan.store.range(index)[1] - plan.store.range(index)[0]
                 report(done)
-                for index in islice(waiting, 1):
-                    asked.add(following := submitted(index))
-                    running.add(following)
+                for following in islice(waiting, 1):
+                    future = submitted(following)
+                    asked[future] = following
+                    running.add(future)
         except KilledWorker:
             raise SimulationError(
                 "dask: a chunk was lost with its worker again and again (out of memory?); "
