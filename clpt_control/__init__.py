@@ -24,15 +24,17 @@ _NAMES = {
     "simulate": "simulation",
     "save_run": "runs",
     "load_run": "runs",
+    "run_ensemble": "ensemble.run",
     "ClptError": "errors",
 }
-_PACKAGES = ("blocks", "native", "theory", "estimation", "ocean", "plotting")
+_PACKAGES = ("blocks", "ensemble", "native", "theory", "estimation", "ocean", "plotting")
 
 __all__ = ["__version__", *_NAMES, *_PACKAGES]
 
 if TYPE_CHECKING:
     from .blocks import Block
     from .diagram import closed_loop, error_loop, initial_state
+    from .ensemble.run import run_ensemble
     from .errors import ClptError
     from .interconnection import connect
     from .paper import paper_scenario

@@ -384,3 +384,21 @@ def test_many_starts_in_lanes_equal_each_alone():
         np.testing.assert_allclose(fixed[k], alone.x, rtol=0, atol=1e-12)
         np.testing.assert_array_equal(adaptive[k], native.run(starts[k], times).x)
     np.testing.assert_array_equal(native.run_many(starts[3:9], times, step=0.05), fixed[3:9])
+
+
+@pytest.mark.parametrize("lanes", [False, True])
+def test_a_stiff_member_does_not_hold_up_the_rest(lanes, monkeypatch):
+    from clpt_control.native import compiled, solver_text
+
+    monkeypatch.setattr(solver_text, "MOST_STEPS", 40)
+    for cached in (compiled._solver_key, compiled._module):
+        cached.cache_clear()
+    try:
+        scenario = clpt.paper_scenario().with_values({"run.duration": 5})
+        ensemble = Ensemble(scenario, {"learning.gain": ()}, lanes=lanes)
+        values = {"learning.gain": np.array([0.01, 1e9, 0.01])}
+        found = ensemble.run(ensemble.members(values, 5.0), np.array([0.0, 5.0]))
+        assert list(found.status) == [1, 5, 1]
+    finally:
+        for cached in (compiled._solver_key, compiled._module):
+            cached.cache_clear()

@@ -1,6 +1,6 @@
 """An ensemble before it runs: all that decides its numbers, checked."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -14,7 +14,7 @@ from ..scenario import Scenario
 from ..scenario_file import scenario_to_text
 from .design import draw_members
 from .sampling import marks_of, samples_per_cycle
-from .store import CODE, Store, check_same, create_store, open_store
+from .store import CODE, Store, create_store, open_store
 from .summary import dims_of, kept_variables
 from .vary import Vary, read_varies
 from .work import Recipe, Work
@@ -168,3 +168,25 @@ def _attributes(scenario: Scenario, arguments: dict[str, Any]) -> dict[str, Any]
         "software": ", ".join(f"{name} {version(name)}" for name in software),
         **{name: arguments[name] for name in ("scenario", "vary", "design", "seed", "samples")},
     }
+
+
+def check_same(store: Store, arguments: Mapping[str, Any]) -> None:
+    """Refuse a store of another ensemble.
+
+    Raises
+    ------
+    DataError
+        Naming the first argument that differs.
+    """
+    for name, value in arguments.items():
+        held = store.arguments.get(name)
+        if held == value:
+            continue
+        what = "another scenario" if name == "scenario" else f"{name} = {_shown(held)}"
+        wanted = "" if name == "scenario" else f", not {_shown(value)}"
+        raise DataError(f"{store.path}: holds an ensemble of {what}{wanted}; give another --out")
+
+
+def _shown(value: Any) -> str:
+    text = ", ".join(map(str, value)) if isinstance(value, list) else str(value)
+    return text if len(text) <= 60 else text[:57] + "..."

@@ -265,25 +265,3 @@ def open_store(path: Path) -> Store:
     if not whole:
         raise DataError(f"{path}: is no ensemble or is damaged; give another name or remove it")
     return store
-
-
-def check_same(store: Store, arguments: Mapping[str, Any]) -> None:
-    """Refuse a store of another ensemble.
-
-    Raises
-    ------
-    DataError
-        Naming the first argument that differs.
-    """
-    for name, value in arguments.items():
-        held = store.arguments.get(name)
-        if held == value:
-            continue
-        what = "another scenario" if name == "scenario" else f"{name} = {_shown(held)}"
-        wanted = "" if name == "scenario" else f", not {_shown(value)}"
-        raise DataError(f"{store.path}: holds an ensemble of {what}{wanted}; give another --out")
-
-
-def _shown(value: Any) -> str:
-    text = ", ".join(map(str, value)) if isinstance(value, list) else str(value)
-    return text if len(text) <= 60 else text[:57] + "..."

@@ -18,9 +18,20 @@ import numpy as np
 from ..native.members import States
 from ..scenario import Scenario
 from .sampling import Sampling
-from .vary import AXES, variable_values
+from .vary import variable_values
 
-STATUS = ("not_run", "finished", "step_too_small", "not_finite", "left_the_field")
+AXES = {  # names of the dimensions of arrays; all others have one number per axis
+    "basis.centers": ("basis", "axis"),
+    "basis.widths": ("basis",),
+    "basis.periods": ("basis",),
+    "basis.phases": ("basis",),
+    "flow.parameters": ("axis", "basis"),
+    "model.parameters": ("axis", "basis"),
+    "learning.parameters": ("axis", "basis"),
+    "learning.theta_estimate": ("axis", "basis"),
+    "reference.points": ("waypoint", "axis"),
+}
+STATUS = ("not_run", "finished", "step_too_small", "not_finite", "left_the_field", "too_many_steps")
 
 
 class Variable(NamedTuple):

@@ -22,17 +22,6 @@ from ..scenario import Scenario
 from ..scenario_tables import Part
 
 FORMS = "KEY=LOW:HIGH, KEY~normal:DEVIATION or KEY=[VALUE, ...]"
-AXES = {  # names of the dimensions of arrays; all others have one number per axis
-    "basis.centers": ("basis", "axis"),
-    "basis.widths": ("basis",),
-    "basis.periods": ("basis",),
-    "basis.phases": ("basis",),
-    "flow.parameters": ("axis", "basis"),
-    "model.parameters": ("axis", "basis"),
-    "learning.parameters": ("axis", "basis"),
-    "learning.theta_estimate": ("axis", "basis"),
-    "reference.points": ("waypoint", "axis"),
-}
 
 
 class Vary(NamedTuple):

@@ -110,6 +110,7 @@ def _solver_key() -> str:
     makers = [*vars(dormand_prince).values(), *WORDS.values()]
     codes = [marshal.dumps(maker.__code__).hex() for maker in makers if hasattr(maker, "__code__")]
     texts = [room.HEADER + room.SOLVER + room.OPTIONS for room in (solver_text, lane_text)]
+    texts.append(str(solver_text.MOST_STEPS))
     here = Path(__file__).parent
     rooms = [here / "elementary.py", *sorted((here / "lanes").glob("*.py"))]
     versions = [package.__version__ for package in (numba, llvmlite, numpy, scipy)]

@@ -20,6 +20,7 @@ from .solution import Solution
 from .sweep import Sweep
 
 BUDGET = 20_000  # steps a call
+MOST_STEPS = 500_000_000  # tries; a run that needs more is stiff
 RUNNING, FINISHED, LEFT = 0, 1, 4
 
 
@@ -151,6 +152,11 @@ class NativeDiagram:
             )  # fmt: skip
             if progress is not None:
                 progress(S[0])
+            if counts[0] + counts[3] > MOST_STEPS:
+                raise SimulationError(
+                    f"too many steps: {counts[0] + counts[3]:,} by t = {S[0]:.9g}; the equations "
+                    "are stiff there: lower the gains, or loosen rtol and atol"
+                )
         statistics = {"steps": int(counts[0]), "evaluations": int(counts[1]),
                       "restarts": int(counts[2])}  # fmt: skip
         if status != FINISHED:

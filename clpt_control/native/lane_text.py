@@ -211,6 +211,8 @@ def many(first, last, X0, Ps, T, group, edges, nedges, places, values, times, ou
                 continue
             if lane_get(failing, k) > 0.5 and status[m] == 0:
                 status[m] = 2
+            if counts[m, 0] + counts[m, 3] >= {most} and status[m] == 0:
+                status[m] = 5
             if number[5, k] == 1.0 and status[m] == 0:
                 counts[m, 0] += 1
                 if number[0, k] == number[2, k]:
@@ -323,6 +325,7 @@ def lane_module_text(fused_source: str, nx: int, nw: int) -> str:
         A whole module with the function `many`.
     """
     from .dormand_prince import coefficients, weighted_sum
+    from .solver_text import MOST_STEPS
 
     parts = fused_source.split("\n\ndef ")
     prepare = next(part for part in parts if part.startswith("prepare("))
@@ -330,6 +333,7 @@ def lane_module_text(fused_source: str, nx: int, nw: int) -> str:
     functions = f"{derivative}\n\n\n@njit({OPTIONS})\ndef {prepare}"
     solver = SOLVER.format(
         options=OPTIONS,
+        most=MOST_STEPS,
         times=stage_times(),
         stages=stage_lines(" " * 12, True),
         extra=extra_lines(" " * 8, True),

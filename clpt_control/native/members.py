@@ -18,8 +18,6 @@ from ..scenario import Scenario
 from .compiled import lane_module_or_none
 from .engine import NativeDiagram
 
-MANY = 1 << 40
-
 
 @dataclass
 class Members:
@@ -228,7 +226,8 @@ class States:
     states : ndarray, shape (m, ntimes, nstates)
         NaN where a run did not come.
     status : ndarray of int, shape (m,)
-        1 finished, 2 step too small, 3 not finite, 4 left the field.
+        1 finished, 2 step too small, 3 not finite, 4 left the field, 5 too
+        many steps.
     reached : ndarray of int, shape (m,)
         Samples reached.
     counts : ndarray of int, shape (m, 4)
