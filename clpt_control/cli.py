@@ -19,6 +19,7 @@ from .commands.fit import fit
 from .commands.init import init
 from .commands.paper import paper
 from .commands.prove import prove
+from .commands.replay import replay
 from .commands.run import run
 from .errors import ClptError, SimulationError
 
@@ -33,7 +34,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 
-for command in (init, paper, run, diagram, ensemble, prove, excitation, fit):
+for command in (init, paper, run, diagram, ensemble, prove, excitation, fit, replay):
     app.command()(command)
 
 

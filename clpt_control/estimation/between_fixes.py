@@ -1,0 +1,70 @@
+"""Estimators between fixes, chosen by name.
+
+`gradient` is the paper's law, Eq. (22), in integral form; `rls` recursive least
+squares with forgetting; `kalman` a bank of Kalman filters.  All forecast a dive
+before they see its end.
+"""
+
+from typing import Any, Protocol
+
+import numpy as np
+
+from ..errors import ScenarioError
+from .fix_model import FixModel
+from .gradient import Gradient
+from .kalman import KalmanBank
+from .recursive import RecursiveLeastSquares
+
+ESTIMATORS: dict[str, type] = {
+    "gradient": Gradient,
+    "rls": RecursiveLeastSquares,
+    "kalman": KalmanBank,
+}
+
+
+class Estimator(Protocol):
+    """What an estimator between fixes can do."""
+
+    model: FixModel
+
+    def predict(self, dive: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Forecast a dive's miss: mean (2,) and covariance (2, 2), m."""
+
+    def update(self, dive: Any) -> None:
+        """Learn from a dive that has ended."""
+
+    def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Give mean, covariance and which parameters are learned."""
+
+    def forget_speed(self) -> None:
+        """Make the speed factor uncertain again, after a fault."""
+
+
+def make_estimator(name: str, model: FixModel) -> Estimator:
+    """Make an estimator by its name.
+
+    Parameters
+    ----------
+    name : str
+        ``"gradient"``, ``"rls"`` or ``"kalman"``.
+    model : FixModel
+        The parameters.
+
+    Returns
+    -------
+    Estimator
+        That has seen no dive.
+
+    Raises
+    ------
+    ScenarioError
+        If the name is unknown.
+
+    Examples
+    --------
+    >>> make_estimator("rls", FixModel()).estimate()[2].any()
+    np.False_
+    """
+    if name not in ESTIMATORS:
+        raise ScenarioError(f"estimator '{name}': must be one of {', '.join(ESTIMATORS)}")
+    return ESTIMATORS[name](model)

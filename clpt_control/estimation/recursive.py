@@ -1,0 +1,116 @@
+"""Recursive least squares between fixes, forgetting with time.
+
+    W <- l W + H^T H / r,  b <- l b + H^T y / r,  p = (W + P0^-1)^-1 b
+
+l = exp(-dt/MEMORY) forgets (L. Ljung, "System Identification", 2nd ed., 1999,
+section 11.2); the prior P0 is never forgotten, so that a quiet time does not
+wind the gain up.  r is the variance of a fix and of what nothing explains.  W
+is the Gramian of the dives: it says which parameters are learned.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from .fix_model import FIX, FixModel, hold, mid_time, miss
+
+MEMORY = 86400.0  # s
+UNEXPLAINED = 0.04  # m/s, before dives have told
+
+
+class RecursiveLeastSquares:
+    """Least squares with forgetting, the parameters of `FixModel`.
+
+    Parameters
+    ----------
+    model : FixModel
+        The parameters.
+
+    Examples
+    --------
+    >>> RecursiveLeastSquares(FixModel(("steady",))).estimate()[0]
+    array([0., 0., 0., 0.])
+    """
+
+    def __init__(self, model: FixModel) -> None:
+        self.model = model
+        self.prior_sd = model.prior_sd
+        n = len(self.prior_sd)
+        self.W, self.b = np.zeros((n, n)), np.zeros(n)
+        self.time: float | None = None
+        self.scale, self.count = 1.0, 4.0  # variance of forecasts over the expected, and its weight
+
+    def turned(self, dive: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Give W and b turned and faded to a dive's middle."""
+        dt = 0.0 if self.time is None else max(0.0, mid_time(dive) - self.time)
+        F = self.model.turning(dt, dive.lat_gps2)
+        fade = np.exp(-dt / MEMORY)
+        return fade * F @ self.W @ F.T, fade * F @ self.b
+
+    def solved(self, W: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Give mean, covariance and learned of W and b."""
+        P = np.linalg.inv(W + np.diag(self.prior_sd**-2.0))
+        mean, P, learned = hold((P @ b)[None], P[None], self.prior_sd[None])
+        return mean[0], P[0], learned[0]
+
+    def predict(self, dive: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Forecast fix less dead reckoning of a dive.
+
+        Parameters
+        ----------
+        dive : Dive
+            Its end fix is not read.
+
+        Returns
+        -------
+        mean : ndarray, shape (2,)
+            East and north, m.
+        covariance : ndarray, shape (2, 2)
+            m^2, scaled by how far earlier forecasts missed.
+        """
+        H = self.model.regressor(dive)
+        mean, P, _ = self.solved(*self.turned(dive))
+        return H @ mean, self.scale * (H @ P @ H.T + noise(dive) * np.eye(2))
+
+    def update(self, dive: Any) -> None:
+        """Learn from a dive that has ended.
+
+        Parameters
+        ----------
+        dive : Dive
+            With its end fix.
+        """
+        mean, S = self.predict(dive)
+        away = miss(dive) - mean
+        if self.time is not None:  # the first miss is the prior's
+            seen = 0.5 * float(away @ np.linalg.solve(S, away)) * self.scale
+            self.scale = (self.count * self.scale + seen) / (self.count + 1)
+            self.count = min(self.count + 1, 20.0)
+        H, (W, b) = self.model.regressor(dive), self.turned(dive)
+        self.W = W + H.T @ H / noise(dive)
+        self.b = b + H.T @ miss(dive) / noise(dive)
+        self.time = mid_time(dive)
+
+    def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Give the parameters after the last dive.
+
+        Returns
+        -------
+        mean : ndarray, shape (n,)
+            m/s, 1 and rad; held parameters stand at zero.
+        covariance : ndarray, shape (n, n)
+        learned : ndarray of bool, shape (n,)
+        """
+        mean, P, learned = self.solved(self.W, self.b)
+        return mean, self.scale * P, learned
+
+    def forget_speed(self) -> None:
+        """Forget what was learned of the speed factor, after a fault."""
+        if self.model.learn_speed:
+            k = len(self.b) - 2
+            self.W[k, :] = self.W[:, k] = self.b[k] = 0.0
+
+
+def noise(dive: Any) -> float:
+    """Give the variance of one component of y, m^2."""
+    return FIX**2 + (UNEXPLAINED * dive.duration) ** 2

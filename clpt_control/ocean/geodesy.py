@@ -1,0 +1,76 @@
+"""Ways between places on the WGS84 ellipsoid.
+
+Geodesics by `pyproj.Geod` (C. F. F. Karney, "Algorithms for geodesics", J. Geod.
+87, 43-55, 2013): the way from A to B has the length s of the geodesic and its
+azimuth a at A,
+
+    east = s sin(a),  north = s cos(a).
+"""
+
+from functools import cache
+from math import atan2, cos, degrees, hypot, isfinite, nan, radians, sin
+from typing import Any
+
+
+@cache
+def _ellipsoid() -> Any:
+    from pyproj import Geod
+
+    return Geod(ellps="WGS84")
+
+
+def is_place(lat: float, lon: float) -> bool:
+    """Whether two numbers are a place on Earth, degrees."""
+    return abs(lat) <= 90.0 and abs(lon) <= 360.0  # False where not a number
+
+
+def displacement(lat1: float, lon1: float, lat2: float, lon2: float) -> tuple[float, float]:
+    """Give the way between two places, resolved at the first.
+
+    Parameters
+    ----------
+    lat1, lon1, lat2, lon2 : float
+        Degrees north and east.
+
+    Returns
+    -------
+    east, north : float
+        m along the WGS84 geodesic; NaN where one is no place on Earth.
+
+    Examples
+    --------
+    >>> east, north = displacement(-43.0, 8.0, -42.9, 8.0)
+    >>> round(east, 6) + 0.0, round(north, 1)
+    (0.0, 11109.2)
+    """
+    if not (is_place(lat1, lon1) and is_place(lat2, lon2)):
+        return nan, nan
+    azimuth, _, length = _ellipsoid().inv(lon1, lat1, lon2, lat2)
+    return length * sin(radians(azimuth)), length * cos(radians(azimuth))
+
+
+def place_from(lat: float, lon: float, east: float, north: float) -> tuple[float, float]:
+    """Give the place at the end of a way, as `displacement` has it.
+
+    Parameters
+    ----------
+    lat, lon : float
+        The start, degrees.
+    east, north : float
+        The way, m.
+
+    Returns
+    -------
+    lat, lon : float
+        Degrees; NaN where anything is not finite.
+
+    Examples
+    --------
+    >>> round(place_from(-43.0, 8.0, *displacement(-43.0, 8.0, -42.9, 8.1))[1], 9)
+    8.1
+    """
+    length = hypot(east, north)
+    if not (is_place(lat, lon) and isfinite(length)):
+        return nan, nan
+    lon2, lat2, _ = _ellipsoid().fwd(lon, lat, degrees(atan2(east, north)), length)
+    return lat2, lon2

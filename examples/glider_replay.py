@@ -1,0 +1,51 @@
+"""Replay a glider's dives and look at what was learned.
+
+    python examples/glider_replay.py [FOLDER [FILES...]]
+
+Without FILES the fourteen dives of Seaglider SG542 that ship with the package
+are used.  Each dive is forecast from earlier dives alone, by three estimators;
+FOLDER (default: out) gets the Kalman filters' NetCDF file and figures.
+"""
+
+import sys
+from pathlib import Path
+
+import clpt_control as clpt
+from clpt_control.files import write_netcdf
+from clpt_control.ocean.dive_files import read_dives
+from clpt_control.ocean.dive_table import sample_dives
+from clpt_control.ocean.dives import usable
+from clpt_control.ocean.replay import replay_dives
+from clpt_control.ocean.replay_file import replay_dataset
+from clpt_control.ocean.replay_plots import save_replay_figures
+
+
+def main(folder="out", *files):
+    """Replay, compare, write."""
+    folder = Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    dives, unread = read_dives(files) if files else (sample_dives(), [])
+    used, unused = usable(dives)
+    for skipped in [*unread, *unused]:
+        print(f"dive {skipped.dive} skipped: {skipped.why}")
+    for name in ("gradient", "rls", "kalman"):
+        replay = replay_dives(used, name)
+        rms = replay.summary()["clpe_rms_after_3"]
+        if rms["adaptive"] is not None:
+            print(
+                f"{name}: CLPE rms after the third dive {rms['adaptive']:.0f} m; with the previous "
+                f"dive's current {rms['previous_dive']:.0f} m, without flow {rms['no_flow']:.0f} m"
+            )
+    last = replay.steps[-1]
+    print(f"speed factor {last.speed:.3f} +- {last.speed_error:.3f}")
+    print(f"learned {', '.join(last.learned)}; held {', '.join(last.held) or 'nothing'}")
+    write_netcdf(replay_dataset(replay), folder / "replay.nc")
+    for path in (folder / "replay.nc", *save_replay_figures(replay, folder)):
+        print(f"{path}: written")
+
+
+if __name__ == "__main__":
+    try:
+        main(*sys.argv[1:])
+    except clpt.ClptError as problem:
+        sys.exit(str(problem))
