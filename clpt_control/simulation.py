@@ -32,6 +32,7 @@ def simulate(
     atol: float | None = None,
     progress: Callable[[float], None] | None = None,
     engine: str | None = None,
+    method: str = "dop853",
 ) -> Any:
     """Run a scenario, or any diagram of blocks.
 
@@ -57,6 +58,9 @@ def simulate(
     engine : str, optional
         ``"native"``, machine code, which gives way to ``"python"`` for what
         cannot be compiled.
+    method : str, optional
+        ``"dop853"``, or ``"vern7"``: cheaper for few samples and errors above
+        1e-9; machine code only.
 
     Returns
     -------
@@ -80,7 +84,7 @@ def simulate(
         if inputs is not None:
             raise SimulationError("a scenario has no inputs; simulate closed_loop(..., external=)")
         return _simulate_scenario(
-            system, timepts, initial_state, params, rtol, atol, progress, engine
+            system, timepts, initial_state, params, rtol, atol, progress, engine, method
         )
     return _simulate_diagram(
         system,
@@ -92,6 +96,7 @@ def simulate(
         atol or 1e-10,
         progress,
         engine,
+        method,
     )
 
 
@@ -129,7 +134,7 @@ def _checked_state(state: Any, count: int) -> np.ndarray:
 
 
 def _simulate_diagram(
-    diagram, timepts, inputs, x0, params, rtol, atol, progress, engine
+    diagram, timepts, inputs, x0, params, rtol, atol, progress, engine, method
 ) -> control.TimeResponseData:
     if timepts is None:
         raise SimulationError("timepts: is required to simulate a diagram")
@@ -138,7 +143,7 @@ def _simulate_diagram(
     runner = Engine(diagram, params, read, engine)
     nstates = runner.sweep.nstates
     state = _checked_state(np.zeros(nstates) if x0 is None else x0, nstates)
-    solution = runner.run(state, times, rtol, atol, progress)
+    solution = runner.run(state, times, rtol, atol, progress, method)
     u = read.along(solution.t)
     outputs = runner.sweep.wiring.output_map @ np.vstack([runner.signals(solution).T, u])
     return control.TimeResponseData(
@@ -158,7 +163,7 @@ def _simulate_diagram(
 
 
 def _simulate_scenario(
-    scenario, timepts, x0, params, rtol, atol, progress, engine
+    scenario, timepts, x0, params, rtol, atol, progress, engine, method
 ) -> "xarray.Dataset":
     run = scenario.run
     if timepts is None:
@@ -169,7 +174,7 @@ def _simulate_scenario(
     runner = Engine(diagram, params, None, engine)
     state = _checked_state(initial_state(scenario) if x0 is None else x0, runner.sweep.nstates)
     from_zero = times if times[0] == 0 else np.concatenate([[0.0], times])
-    solution = runner.run(state, from_zero, rtol or run.rtol, atol or run.atol, progress)
+    solution = runner.run(state, from_zero, rtol or run.rtol, atol or run.atol, progress, method)
     if times[0] != 0:
         solution.t, solution.x = solution.t[1:], solution.x[1:]
     return run_dataset(scenario, diagram, runner.signals(solution), solution, params)

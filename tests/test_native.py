@@ -402,3 +402,27 @@ def test_a_stiff_member_does_not_hold_up_the_rest(lanes, monkeypatch):
     finally:
         for cached in (compiled._solver_key, compiled._module):
             cached.cache_clear()
+
+
+def test_the_table_of_verner_meets_its_order_conditions():
+    """Row sums and quadrature conditions, in exact fractions."""
+    from fractions import Fraction
+
+    from clpt_control.native import verner
+
+    c, b, b6 = (verner.row(text) for text in (verner.C, verner.B, verner.B6))
+    assert all(sum(verner.row(verner.A[s])) == c[s] for s in range(1, 10))
+    for weights, order in ((b, 7), (b6, 6)):
+        for k in range(order):
+            assert sum(w * x**k for w, x in zip(weights, c, strict=True)) == Fraction(1, k + 1)
+
+
+def test_verners_method_agrees_and_is_exact():
+    scenario = clpt.paper_scenario().with_values({"run.duration": 60})
+    times = np.array([0.0, 11.0, 20.0, 47.3, 60.0])
+    exact = clpt.simulate(scenario, times, rtol=1e-13, atol=1e-14)
+    found = clpt.simulate(scenario, times, method="vern7")
+    np.testing.assert_allclose(found.alpha, exact.alpha, rtol=0, atol=1e-7)
+    assert found.attrs["solver_restarts"] == 3
+    with pytest.raises(SimulationError, match="dop853, vern7"):
+        clpt.simulate(scenario, times, method="euler")

@@ -75,11 +75,18 @@ class Engine:
         rtol: float,
         atol: float,
         progress: Callable[[float], None] | None = None,
+        method: str = "dop853",
     ) -> Solution:
         """Integrate from the first to the last of the times."""
         if self.native is not None:
             return self.native.run(
-                x0, times, rtol=rtol, atol=atol, samples=self._samples(), progress=progress
+                x0,
+                times,
+                rtol=rtol,
+                atol=atol,
+                samples=self._samples(),
+                progress=progress,
+                method=method,
             )
         from .integrate import integrate
 

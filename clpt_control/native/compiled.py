@@ -46,13 +46,15 @@ def cache_folder() -> Path:
     return Path(tempfile.mkdtemp(prefix="clpt-control-"))
 
 
-def compiled_module(fused: Fused) -> ModuleType:
+def compiled_module(fused: Fused, method: str = "dop853") -> ModuleType:
     """Compile a fused diagram, or load it from the cache.
 
     Parameters
     ----------
     fused : Fused
         As `fuse` gives it.
+    method : str, optional
+        ``"dop853"``, or ``"vern7"`` with `advance` alone.
 
     Returns
     -------
@@ -67,7 +69,7 @@ def compiled_module(fused: Fused) -> ModuleType:
     >>> module.NX
     14
     """
-    return _module(fused.source, fused.nstates, fused.nsignals, fused.guarded)
+    return _module(fused.source, fused.nstates, fused.nsignals, fused.guarded, method=method)
 
 
 def lane_module_or_none(fused: Fused) -> ModuleType | None:
@@ -105,12 +107,12 @@ def _solver_key() -> str:
     import scipy
 
     from ..blocks.words import WORDS
-    from . import dormand_prince, lane_text, solver_text
+    from . import dormand_prince, lane_text, solver_text, verner
 
     makers = [*vars(dormand_prince).values(), *WORDS.values()]
     codes = [marshal.dumps(maker.__code__).hex() for maker in makers if hasattr(maker, "__code__")]
     texts = [room.HEADER + room.SOLVER + room.OPTIONS for room in (solver_text, lane_text)]
-    texts.append(str(solver_text.MOST_STEPS))
+    texts.append(f"{solver_text.MOST_STEPS} {verner.ADVANCE} {verner.A} {verner.B} {verner.B6}")
     here = Path(__file__).parent
     rooms = [here / "elementary.py", *sorted((here / "lanes").glob("*.py"))]
     versions = [package.__version__ for package in (numba, llvmlite, numpy, scipy)]
@@ -119,15 +121,21 @@ def _solver_key() -> str:
 
 
 @lru_cache(maxsize=64)
-def _module(source: str, nx: int, nw: int, guarded: bool, lanes: bool = False) -> ModuleType:
-    made_of = "\n".join([source, f"{nx} {nw} {guarded} {lanes}", _solver_key()])
+def _module(
+    source: str, nx: int, nw: int, guarded: bool, lanes: bool = False, method: str = "dop853"
+) -> ModuleType:
+    made_of = "\n".join([source, f"{nx} {nw} {guarded} {lanes} {method}", _solver_key()])
     name = f"fused_{hashlib.sha256(made_of.encode()).hexdigest()[:24]}"
     path = cache_folder() / f"{name}.py"
     if not path.exists():
         from .lane_text import lane_module_text
         from .solver_text import module_text
 
-        text = lane_module_text(source, nx, nw) if lanes else module_text(source, nx, nw, guarded)
+        text = (
+            lane_module_text(source, nx, nw)
+            if lanes
+            else module_text(source, nx, nw, guarded, method)
+        )
         handle, beside = tempfile.mkstemp(dir=path.parent, prefix=f".{name}.")
         with os.fdopen(handle, "w", encoding="utf-8") as file:
             file.write(text)

@@ -22,6 +22,7 @@ from .sweep import Sweep
 BUDGET = 20_000  # steps a call
 MOST_STEPS = 500_000_000  # tries; a run that needs more is stiff
 RUNNING, FINISHED, LEFT = 0, 1, 4
+METHODS = ("dop853", "vern7")
 
 
 class NativeDiagram:
@@ -98,6 +99,7 @@ class NativeDiagram:
         samples: tuple[np.ndarray, np.ndarray] | None = None,
         progress: Callable[[float], None] | None = None,
         step: float | None = None,
+        method: str = "dop853",
     ) -> Solution:
         """Integrate from the first to the last of the times.
 
@@ -117,6 +119,9 @@ class NativeDiagram:
         step : float, optional
             A fixed step: Runge and Kutta's classical method of order 4 in
             place of DOP853; steps end at every breakpoint and sample.
+        method : str, optional
+            ``"dop853"``, or ``"vern7"``, cheaper for few samples and errors
+            above 1e-9; its steps end at every sample.
 
         Returns
         -------
@@ -144,9 +149,9 @@ class NativeDiagram:
         states = np.full((len(times), nx), np.nan)
         states[0] = start
         counts = np.zeros(4, dtype=np.int64)
-        status = RUNNING
+        status, advance = RUNNING, self._advance(method)
         while status == RUNNING:
-            status = self.module.advance(
+            status = advance(
                 S, Z, P, T, W, F, edges, places, values, times, states,
                 max(rtol, 2.3e-14), atol, BUDGET, counts,
             )  # fmt: skip
@@ -220,6 +225,14 @@ class NativeDiagram:
         else:
             self.module.many_rk4(*arguments, float(step))
         return out
+
+    def _advance(self, method: str) -> Callable:
+        """Give the compiled stepping function of a method."""
+        if method not in METHODS:
+            raise SimulationError(f"method = '{method}': must be one of {', '.join(METHODS)}")
+        if method == "vern7" and not self.fused.guarded:
+            return compiled_module(self.fused, "vern7").advance
+        return self.module.advance
 
     def _fixed(self, x, times, step, P, edges, places, values) -> Solution:
         """Integrate with a fixed step."""

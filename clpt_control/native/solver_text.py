@@ -292,7 +292,7 @@ def _compiled_word(word: Callable) -> str:
     return f"@njit({OPTIONS})\n{ast.unparse(tree)}"
 
 
-def module_text(fused_source: str, nx: int, nw: int, guarded: bool) -> str:
+def module_text(fused_source: str, nx: int, nw: int, guarded: bool, method: str = "dop853") -> str:
     """Give the text of the module that is compiled.
 
     Parameters
@@ -303,6 +303,8 @@ def module_text(fused_source: str, nx: int, nw: int, guarded: bool) -> str:
         Numbers of states and signals.
     guarded : bool
         Whether guards are watched.
+    method : str, optional
+        ``"dop853"``, or ``"vern7"`` with `advance` alone.
 
     Returns
     -------
@@ -329,4 +331,10 @@ def module_text(fused_source: str, nx: int, nw: int, guarded: bool) -> str:
         dense=dense_lines(" " * 8),
         new_state=weighted_sum(coefficients().B),
     )
+    if method == "vern7":
+        from .verner import advance_text
+
+        start = solver.split("def interpolate(")[0].rsplit("@njit", 1)[0]
+        start = start.replace("** 0.125", "** (1.0 / 7.0)")
+        solver = f"{start}\n{advance_text(OPTIONS)}"
     return f"{header}\n\n{words}\n\n{functions}\n\n{solver}"
