@@ -1,6 +1,7 @@
 """Machine code: the same numbers as python-control, and what it cannot do is said."""
 
 import math
+import os
 from typing import NamedTuple
 
 import control
@@ -426,3 +427,16 @@ def test_verners_method_agrees_and_is_exact():
     assert found.attrs["solver_restarts"] == 3
     with pytest.raises(SimulationError, match="dop853, vern7"):
         clpt.simulate(scenario, times, method="euler")
+
+
+def test_the_key_of_compiled_code_is_the_same_in_every_process():
+    import subprocess
+    import sys
+
+    code = "from clpt_control.native import compiled; print(hash(compiled._solver_key()))"
+    found = {
+        subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True,
+                       env={**os.environ, "PYTHONHASHSEED": "7"}).stdout
+        for _ in range(3)
+    }  # fmt: skip
+    assert len(found) == 1

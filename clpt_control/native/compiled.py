@@ -13,7 +13,7 @@ import sys
 import tempfile
 from functools import lru_cache
 from pathlib import Path
-from types import ModuleType
+from types import CodeType, ModuleType
 
 from .fuse import Fused
 
@@ -93,14 +93,21 @@ def lane_module_or_none(fused: Fused) -> ModuleType | None:
     return _module(fused.source, fused.nstates, fused.nsignals, False, lanes=True)
 
 
+def _digest(code: CodeType) -> str:
+    """Give what a function does as text, the same in every process."""
+    constants = (
+        _digest(value) if isinstance(value, CodeType) else repr(value) for value in code.co_consts
+    )
+    names = (" ".join(code.co_names), " ".join(code.co_varnames))
+    return "\n".join([code.co_code.hex(), *names, *constants])
+
+
 @lru_cache(maxsize=1)
 def _solver_key() -> str:
     """Give what the module's text is made of beside the diagram, without making it.
 
     Taken from the functions and texts in memory, which make the module.
     """
-    import marshal
-
     import llvmlite
     import numba
     import numpy
@@ -110,7 +117,7 @@ def _solver_key() -> str:
     from . import dormand_prince, lane_text, solver_text, verner
 
     makers = [*vars(dormand_prince).values(), *WORDS.values()]
-    codes = [marshal.dumps(maker.__code__).hex() for maker in makers if hasattr(maker, "__code__")]
+    codes = [_digest(maker.__code__) for maker in makers if hasattr(maker, "__code__")]
     texts = [room.HEADER + room.SOLVER + room.OPTIONS for room in (solver_text, lane_text)]
     texts.append(f"{solver_text.MOST_STEPS} {verner.ADVANCE} {verner.A} {verner.B} {verner.B6}")
     here = Path(__file__).parent
