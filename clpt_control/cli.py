@@ -21,6 +21,7 @@ from .commands.paper import paper
 from .commands.prove import prove
 from .commands.replay import replay
 from .commands.run import run
+from .commands.tides import tides
 from .errors import ClptError, SimulationError
 
 INTERRUPTED = "interrupted; nothing half-written was left"
@@ -34,7 +35,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 
-for command in (init, paper, run, diagram, ensemble, prove, excitation, fit, replay):
+for command in (init, paper, run, diagram, ensemble, prove, excitation, fit, tides, replay):
     app.command()(command)
 
 

@@ -67,10 +67,37 @@ def period(constituent: str, unit: str = "h") -> float:
     >>> round(period("M2"), 2)
     12.42
     """
+    each = speed(constituent)
+    return 360.0 / each * 3600.0 / SECONDS[unit] if each else math.inf
+
+
+def speed(constituent: str) -> float:
+    """Give the angular speed of a named tidal constituent.
+
+    Parameters
+    ----------
+    constituent : str
+        A name such as ``"M2"``, or ``"steady"``.
+
+    Returns
+    -------
+    float
+        Degrees per hour; 0 for ``"steady"``.
+
+    Raises
+    ------
+    ScenarioError
+        If the name is unknown.
+
+    Examples
+    --------
+    >>> speed("S2"), speed("steady")
+    (30.0, 0.0)
+    """
     if constituent == "steady":
-        return math.inf
+        return 0.0
     if constituent not in SPEEDS:
         raise ScenarioError(
             f"unknown constituent '{constituent}': must be steady or one of {', '.join(SPEEDS)}"
         )
-    return 360.0 / SPEEDS[constituent] * 3600.0 / SECONDS[unit]
+    return SPEEDS[constituent]

@@ -91,10 +91,10 @@ def test_centimetres_per_second_give_the_same_theta(known, tmp_path):
 
 
 def test_functions_are_places_times_tides(known):
-    fit = fit_scenario(known[0], BOX, (3, 2), 20.0, ("M2", "steady", "K1"))
+    fit = fit_scenario(known[0], BOX, (3, 2), 20.0, ("M2", "steady", "M4"))
     basis = fit.scenario.basis
     assert basis.N == fit.report["functions"] == 3 * 2 * (2 + 1 + 2)
-    assert basis.constituents == ("M2",) * 12 + ("steady",) * 6 + ("K1",) * 12
+    assert basis.constituents == ("M2",) * 12 + ("steady",) * 6 + ("M4",) * 12
     sines = [k for k, phase in enumerate(basis.phases) if phase]
     assert sines == [*range(6, 12), *range(24, 30)]
     assert {basis.phases[k] for k in sines} == {-np.pi / 2}
@@ -103,10 +103,22 @@ def test_functions_are_places_times_tides(known):
     assert west_to_east[0, 1] == west_to_east[1, 1] < basis.centers[2][1]
 
 
-def test_constituents_that_the_record_cannot_separate_are_reported(known):
-    report = fit_scenario(known[0], BOX, (1, 1), 30.0, ("steady", "M2", "S2")).report
-    assert report["warnings"] == ["M2 and S2 cannot be told apart in 24 h; 354.4 h are needed"]
-    assert fit_scenario(known[0], BOX, (1, 1), 30.0).report["warnings"] == []
+def test_constituents_that_the_record_cannot_separate_are_refused(known):
+    sentence = "in 24 h, M2 and S2 cannot be told apart: 354.4 h are needed"
+    with pytest.raises(DataError, match=sentence):
+        fit_scenario(known[0], BOX, (1, 1), 30.0, ("steady", "M2", "S2"))
+    with pytest.raises(DataError, match=r"M2 and K1 cannot be told apart: 25.82 h"):
+        fit_scenario(known[0], BOX, (1, 1), 30.0, ("steady", "M2", "K1"))
+    report = fit_scenario(known[0], BOX, (1, 1), 30.0).report
+    assert "warnings" not in report
+    assert list(report["nodal"]) == ["M2"]
+
+
+def test_steps_without_any_measurement_do_not_lengthen_a_record(tmp_path):
+    u, v = np.random.default_rng(3).normal(size=(2, 25, 13, 14))
+    u[12:] = np.nan
+    with pytest.raises(DataError, match=r"in 11 h, steady and M2 cannot be told apart: 12.43 h"):
+        fit_scenario(write(tmp_path / "c.nc", u, v), BOX, (1, 1), 30.0)
 
 
 def test_saved_scenario_and_field_belong_together(known, tmp_path):

@@ -44,6 +44,9 @@ def fit(
     rows = [
         [key.replace("_", " "), shown(value)]
         for key, value in fitted.report.items()
-        if key != "theta" and value != []
+        if key not in ("theta", "nodal")
     ]
+    for name, found in (fitted.report["nodal"] or {}).items():
+        f, u, V = (shown(found[key]) for key in "fuV")
+        rows.append([f"{name} at the middle", f"f {f}, u {u} degrees, V {V} degrees"])
     print_table(f"{out}: written, with the field beside it", ["", ""], rows)

@@ -14,7 +14,6 @@ field itself, gaps filled; the learner has the basis and starts without theta.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +29,8 @@ from .gridded import GriddedField
 from .learned import basis_of
 from .places import middles, read_centers, read_width
 from .plane import LocalPlane
+from .rayleigh import check_separable
+from .tidal_nodal import nodal_report
 
 __all__ = ["Fit", "fit_scenario", "read_centers", "read_width"]
 
@@ -98,7 +99,8 @@ def fit_scenario(
     Raises
     ------
     DataError
-        If the file cannot be used, the circle leaves the field, or the
+        If the file cannot be used, the record is too short to tell the
+        constituents apart (`rayleigh`), the circle leaves the field, or the
         samples cannot separate the functions.
     ScenarioError
         If a constituent is unknown.
@@ -113,6 +115,8 @@ def fit_scenario(
         if not (np.isfinite(value) and value > 0):
             raise DataError(f"{what} = {value}{unit}: must be positive and finite")
     currents = read_currents(path, box)
+    seen = currents.time[currents.measured.any(axis=(1, 2))]
+    check_separable(constituents, float(np.ptp(seen)), str(path))
     lat0, lat1, lon0, lon1 = currents.box
     plane = LocalPlane(round((lat0 + lat1) / 2, 9), round((lon0 + lon1) / 2, 9))
     lat, lon = currents.lat[:, None], currents.lon[None, :]
@@ -178,7 +182,7 @@ def fit_scenario(
         "speed_units": SPEED,
         "condition_number": fit.condition_number,
         "theta": fit.theta.tolist(),
-        "warnings": _warnings(constituents, float(currents.time[-1])),
+        "nodal": _nodal(currents, constituents, plane.lat),
     }
     return Fit(Scenario.model_validate(tables), field, report)
 
@@ -193,6 +197,15 @@ def _check(centers: Any, constituents: tuple[str, ...]) -> None:
         )
     for name in constituents:
         tides.period(name)
+
+
+def _nodal(currents: Currents, constituents: tuple, latitude: float) -> dict | None:
+    """Give f, u and V at the record's middle, None without UTide or a real calendar."""
+    try:
+        middle = np.datetime64(currents.start, "s") + int(1800 * currents.time[-1])
+    except ValueError:
+        return None
+    return nodal_report(constituents, middle, latitude)
 
 
 def _functions(constituents: tuple[str, ...]) -> int:
@@ -235,14 +248,3 @@ def _scenario(
             "run": {"duration": float(currents.time[-1]), "output_step": 0.1},
         }
     )
-
-
-def _warnings(constituents: tuple[str, ...], hours: float) -> list[str]:
-    """Say which constituents the record is too short for (Rayleigh criterion)."""
-    speeds = {name: 0.0 if name == "steady" else tides.SPEEDS[name] for name in constituents}
-    return [
-        f"{a} and {b} cannot be told apart in {hours:g} h; "
-        f"{360 / abs(speeds[a] - speeds[b]):.4g} h are needed"
-        for a, b in combinations(constituents, 2)
-        if abs(speeds[a] - speeds[b]) * hours < 360
-    ]

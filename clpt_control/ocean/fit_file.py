@@ -110,6 +110,5 @@ def _header(report: dict) -> str:
         "The fitted theta is in the field file's attribute fit_report; the learner does not "
         "know it",
         "unless learning.parameters = -theta.",
-        *(f"Beware: {sentence}." for sentence in report["warnings"]),
     ]
     return "".join(f"# {line}\n" for line in lines) + "\n"
