@@ -6,6 +6,8 @@ interrupt leaves the old file or none.
 
 import os
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,6 +15,7 @@ from .errors import ClptError, DataError
 
 if TYPE_CHECKING:
     import xarray
+    from matplotlib.figure import Figure
 
 
 def open_netcdf(path: str | Path) -> "xarray.Dataset":
@@ -46,13 +49,49 @@ def open_netcdf(path: str | Path) -> "xarray.Dataset":
         raise DataError(f"{path}: cannot be read as NetCDF: {reason}") from None
 
 
+@contextmanager
+def beside(path: str | Path) -> Iterator[Path]:
+    """Give an empty file beside a place, then rename it there.
+
+    Parameters
+    ----------
+    path : str or Path
+        The place; its folder must exist.
+
+    Yields
+    ------
+    Path
+        Hidden, ``.NAME.`` and some letters; gone if the work fails.
+
+    Raises
+    ------
+    DataError
+        If the place cannot be written to.
+    """
+    path = Path(path)
+    if not path.parent.is_dir():
+        raise DataError(f"{path}: cannot be written: the folder {path.parent} does not exist")
+    made = None
+    try:
+        handle, made = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+        os.close(handle)
+        yield Path(made)
+        Path(made).chmod(0o644)
+        Path(made).replace(path)
+    except OSError as error:
+        raise DataError(f"{path}: cannot be written: {error.strerror or error}") from None
+    finally:
+        if made is not None:
+            Path(made).unlink(missing_ok=True)
+
+
 def write_netcdf(data: "xarray.Dataset", path: str | Path) -> None:
     """Write a dataset beside its place, then rename it there.
 
     Parameters
     ----------
     data : xarray.Dataset
-        What to write.
+        What to write; a variable with NaN gets them as its _FillValue.
     path : str or Path
         The file; its folder must exist.
 
@@ -61,22 +100,36 @@ def write_netcdf(data: "xarray.Dataset", path: str | Path) -> None:
     DataError
         If the file cannot be written.
     """
+    fill = {
+        name: {"_FillValue": float("nan") if _has_nan(values) else None}
+        for name, values in data.variables.items()
+    }
+    with beside(path) as made:
+        data.to_netcdf(made, engine="netcdf4", encoding=fill)
+
+
+def _has_nan(values: "xarray.Variable") -> bool:
+    return values.dtype.kind == "f" and bool(values.isnull().any())
+
+
+def write_figure(figure: "Figure", path: str | Path) -> None:
+    """Write a figure beside its place, then rename it there.
+
+    Parameters
+    ----------
+    figure : Figure
+        What to write.
+    path : str or Path
+        The file, such as ``map.png``; its folder must exist.
+
+    Raises
+    ------
+    DataError
+        If the file cannot be written.
+    """
     path = Path(path)
-    if not path.parent.is_dir():
-        raise DataError(f"{path}: cannot be written: the folder {path.parent} does not exist")
-    beside = None
-    try:
-        handle, beside = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-        os.close(handle)
-        no_fill = {name: {"_FillValue": None} for name in data.variables}
-        data.to_netcdf(beside, engine="netcdf4", encoding=no_fill)
-        Path(beside).chmod(0o644)
-        Path(beside).replace(path)
-    except OSError as error:
-        raise DataError(f"{path}: cannot be written: {error.strerror or error}") from None
-    finally:
-        if beside is not None:
-            Path(beside).unlink(missing_ok=True)
+    with beside(path) as made:
+        figure.savefig(made, format=path.suffix[1:])
 
 
 def make_folder(path: str | Path) -> Path:
@@ -122,12 +175,5 @@ def write_text(path: str | Path, text: str) -> None:
     DataError
         If the folder does not exist or cannot be written to.
     """
-    path = Path(path)
-    try:
-        handle, beside = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(text)
-        Path(beside).chmod(0o644)
-        Path(beside).replace(path)
-    except OSError as error:
-        raise DataError(f"{path}: cannot be written: {error.strerror}") from None
+    with beside(path) as made:
+        made.write_text(text, encoding="utf-8")

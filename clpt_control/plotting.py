@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .files import write_figure
 from .scenario import Scenario
 
 if TYPE_CHECKING:
@@ -235,5 +236,5 @@ def save_figures(run: "xarray.Dataset", scenario: Scenario, folder: Path) -> lis
     paths = []
     for number, figure in enumerate(figures, 1):
         paths.append(Path(folder) / f"figure{number}.png")
-        figure.savefig(paths[-1])
+        write_figure(figure, paths[-1])
     return paths

@@ -1,13 +1,16 @@
 """`clpt replay`: a glider's dives, each forecast before its end."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
-from .printing import Json, print_json, print_table
+from .printing import Json, print_json
+from .replay_table import show
+
+WRITTEN = ("replay.nc", "map.png", "clpe.png", "current.png")
 
 
 def replay(
@@ -22,6 +25,9 @@ def replay(
     learn_speed: Annotated[
         bool, typer.Option(help="Learn a factor on speed and a compass error.")
     ] = True,
+    flow_model: Annotated[
+        Path | None, typer.Option(help="Forecast (NetCDF) or fit (TOML) to compare with.")
+    ] = None,
     least_duration: Annotated[
         float, typer.Option(help="Dives must last longer than this, s.")
     ] = 4000.0,
@@ -43,6 +49,7 @@ def replay(
     from ..ocean.dive_files import read_dives
     from ..ocean.dive_table import sample_dives
     from ..ocean.dives import usable
+    from ..ocean.flow_models import carried, read_flow_model
     from ..ocean.replay import Replay
     from ..progress import progress_bar
 
@@ -54,13 +61,23 @@ def replay(
         raise ScenarioError("--least-duration and --patience must be 0 s or more, --every above 0")
     model = FixModel(tuple(name.strip() for name in flow.split(",")), learn_speed)
     make_estimator(estimator, model)
+    forecast = None if flow_model is None else read_flow_model(flow_model)
+    warned: list[str] = []
 
     def run(dives: list[Any], unread: list[Any]) -> tuple[Replay, list[Any]]:
         used, unused = usable(dives, least_duration)
-        result = Replay(estimator, model)
+        try:
+            check_tides(model.flow, used)
+        except DataError as error:
+            if follow is None:
+                raise
+            if not warned:  # the record grows
+                warned.append(str(error))
+                typer.echo(f"so far, {error}", err=True)
+        result = Replay(estimator, model, forecast)
         with progress_bar("replaying dives", max(len(used), 1)) as report:
             for k, dive in enumerate(used):
-                result.step(dive)
+                result.step(dive if forecast is None else carried(dive, forecast))
                 report(k + 1)
         return result, [*unread, *unused]
 
@@ -80,6 +97,31 @@ def replay(
     show(result, summary)
     for path in written:
         typer.echo(f"{path}: written")
+
+
+def check_tides(flow: Sequence[str], dives: Sequence[Any]) -> None:
+    """Refuse tides that the dives are too few to tell apart.
+
+    A single tide is allowed on any record: its prior holds it.
+
+    Parameters
+    ----------
+    flow : sequence of str
+        As ``--flow`` names it.
+    dives : sequence of Dive
+        By time.
+
+    Raises
+    ------
+    DataError
+        If two tides need a longer record.
+    """
+    from ..ocean.rayleigh import check_separable
+
+    tides = [name for name in flow if name not in ("steady", "inertial")]
+    if len(tides) > 1 and dives:
+        hours = (dives[-1].t_gpse - dives[0].t_gps2) / 3600
+        check_separable(tides, hours, f"--flow {','.join(flow)}")
 
 
 def watch(
@@ -103,8 +145,9 @@ def watch(
     """
     from ..ocean.follow import Follower
 
-    for left in (*out.glob(".replay.nc.*"), *out.glob(".state.json.*")):
-        left.unlink(missing_ok=True)  # of a run that was killed while it wrote
+    for name in (*WRITTEN, "state.json"):
+        for left in out.glob(f".{name}.*"):
+            left.unlink(missing_ok=True)  # of a run that was killed while it wrote
     follower = Follower(folder, out / "state.json")
     first, quiet = True, 0.0
     while True:
@@ -148,86 +191,3 @@ def write(result: Any, folder: Path) -> list[Path]:
 
     write_netcdf(replay_dataset(result), folder / "replay.nc")
     return [folder / "replay.nc", *save_replay_figures(result, folder)]
-
-
-def show(result: Any, summary: dict[str, Any]) -> None:
-    """Print a replay: a row per dive, then the whole.
-
-    Parameters
-    ----------
-    result : Replay
-        With one dive at least.
-    summary : dict
-        As `Replay.summary` gives it.
-    """
-    rows = []
-    for step in result.steps:
-        current = " ".join(
-            f"{v:+.3f}({1000 * e:.0f})"
-            for v, e in zip(step.current, step.current_error, strict=True)
-        )
-        long, short, angle = ellipse(step.covariance)
-        rows.append([
-            str(step.dive.number),
-            *(f"{step.clpe[key]:.0f}" for key in ("no_flow", "previous_dive", "adaptive")),
-            current,
-            f"{step.speed:.3f}({1000 * step.speed_error:.0f})",
-            f"{step.forecast[0]:+.0f} {step.forecast[1]:+.0f}",
-            f"{long:.0f} x {short:.0f}, {angle:.0f}",
-            "in" if step.inside else "OUT",
-            "SPEED" if step.anomaly else "",
-        ])  # fmt: skip
-    print_table(
-        "CLPE (m), one dive ahead; learned (standard error, last digits); forecast surfacing",
-        ["dive", "no flow", "previous", "adaptive", "current E N (m/s)", "speed", "E N of DR (m)",
-         "90 % ellipse (m, deg)", "", ""],
-        rows,
-    )  # fmt: skip
-    keys = (("clpe_rms", "CLPE rms (m)"), ("clpe_rms_after_1", "after the first dive"),
-            ("clpe_rms_after_3", "after the third dive"))  # fmt: skip
-    table = [
-        [name, *("-" if v is None else f"{v:.0f}" for v in summary[key].values())]
-        for key, name in keys
-    ]
-    print_table("", ["", "no flow", "previous dive", "adaptive"], table)
-    for step in result.steps:
-        if step.anomaly:
-            typer.echo(f"speed anomaly: {step.anomaly}")
-    if summary["dac_identity_median"] is not None:
-        typer.echo(
-            "miss / duration differs from the file's own current by "
-            f"{1000 * summary['dac_identity_median']:.2g} mm/s (median)"
-        )
-    if result.steps:
-        typer.echo(f"surfaced in the 90 % ellipse: {100 * summary['inside_90']:.0f} %")
-    typer.echo(f"learned: {', '.join(summary['learned']) or 'nothing'}")
-    if summary["held"]:
-        typer.echo(f"held, for the dives do not excite them: {', '.join(summary['held'])}")
-    for entry in summary["skipped"]:
-        name = "a file" if entry["dive"] is None else f"dive {entry['dive']}"
-        typer.echo(f"skipped {name}: {entry['why']}")
-
-
-def ellipse(covariance: Any) -> tuple[float, float, float]:
-    """Give half axes (m) and bearing of the long axis (degrees).
-
-    Parameters
-    ----------
-    covariance : ndarray, shape (2, 2)
-        East and north, m^2.
-
-    Returns
-    -------
-    long, short : float
-        Half axes of the 90 % ellipse, m.
-    bearing : float
-        Of the long one, degrees clockwise from north, 0 to 180.
-    """
-    import numpy as np
-
-    from ..ocean.replay import ELLIPSE
-
-    size, axes = np.linalg.eigh(covariance)
-    short, long = np.sqrt(ELLIPSE * size)
-    bearing = np.degrees(np.arctan2(axes[0, 1], axes[1, 1])) % 180.0
-    return float(long), float(short), float(bearing)

@@ -2,7 +2,8 @@
 
 `gradient` is the paper's law, Eq. (22), in integral form; `rls` recursive least
 squares with forgetting; `kalman` a bank of Kalman filters.  All forecast a dive
-before they see its end.
+before they see its end, and share the forecast with the previous dive's current
+as far as that has proved right (`combination`).
 """
 
 from typing import Any, Protocol
@@ -10,6 +11,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from ..errors import ScenarioError
+from .combination import Combination
 from .fix_model import FixModel
 from .gradient import Gradient
 from .kalman import KalmanBank
@@ -40,7 +42,7 @@ class Estimator(Protocol):
         """Make the speed factor uncertain again, after a fault."""
 
 
-def make_estimator(name: str, model: FixModel) -> Estimator:
+def make_estimator(name: str, model: FixModel) -> Combination:
     """Make an estimator by its name.
 
     Parameters
@@ -52,7 +54,7 @@ def make_estimator(name: str, model: FixModel) -> Estimator:
 
     Returns
     -------
-    Estimator
+    Combination
         That has seen no dive.
 
     Raises
@@ -67,4 +69,4 @@ def make_estimator(name: str, model: FixModel) -> Estimator:
     """
     if name not in ESTIMATORS:
         raise ScenarioError(f"estimator '{name}': must be one of {', '.join(ESTIMATORS)}")
-    return ESTIMATORS[name](model)
+    return Combination(ESTIMATORS[name](model))

@@ -1,23 +1,31 @@
 """The paper's law between fixes: the gradient of the error at a surfacing.
 
-    p <- p + mu P0 H^T (H P0 H^T + r)^-1 (y - H p)
+    p <- p + K (y - H p),  K = mu P0 H^T (H P0 H^T + r)^-1
 
 Eq. (22) moves theta along e phi at every instant; a vehicle under water has no
 e.  Integrated from fix to fix phi becomes H and e the miss y - H p at the
 surfacing.  P0 gives each parameter its unit, and the division keeps a long dive
 from overshooting (G. C. Goodwin, K. S. Sin, "Adaptive Filtering Prediction and
-Control", 1984, section 3.3).  The law keeps no covariance: what the dives
-excite is read from their Gramian, the spread of forecasts from earlier misses.
+Control", 1984, section 3.3).  The law itself needs no covariance; that of its
+error follows from any gain K, for a current that walks by WALK,
+
+    P <- (I - K H) (P + Q) (I - K H)^T + K r K^T,
+
+and says how far to trust it.  Which parameters are learned is read from the
+Gramian of the dives.
 """
 
 from typing import Any
 
 import numpy as np
 
-from .fix_model import LEARNED, FixModel, mid_time, miss
+from .fix_model import FixModel, mid_time, miss
+from .held import LEARNED
 from .recursive import noise
+from .wandering import QUARTER_DAY
 
 GAIN = 0.5  # mu, between 0 and 2 for stability
+WALK = 0.04  # m/s per sqrt(6 h)
 USUAL = 0.1  # m/s, a miss before dives have told
 
 
@@ -37,15 +45,24 @@ class Gradient:
 
     def __init__(self, model: FixModel) -> None:
         self.model = model
-        n = len(model.prior_sd)
+        n = len(model.names)
         self.mean, self.gramian = np.zeros(n), np.zeros((n, n))
+        self.covariance = np.diag(model.prior_sd**2)
         self.time: float | None = None
         self.variance, self.count = USUAL**2, 4.0  # of one component of the miss over time
 
-    def turn(self, dive: Any) -> np.ndarray:
-        """Give the rotation of the parameters to a dive's middle."""
+    def ahead(self, dive: Any) -> tuple[FixModel, np.ndarray, np.ndarray, np.ndarray]:
+        """Give model, parameters, Gramian and covariance at a dive's middle."""
+        model = self.model.reached(dive)
+        old, n = len(self.mean), len(model.names)
+        p, G = np.pad(self.mean, (0, n - old)), np.pad(self.gramian, (0, n - old))
+        P = np.diag(model.prior_sd**2)
+        P[:old, :old] = self.covariance
         dt = 0.0 if self.time is None else max(0.0, mid_time(dive) - self.time)
-        return self.model.turning(dt, dive.lat_gps2)
+        F = model.turning(dt, dive.lat_gps2)
+        P = F @ P @ F.T
+        P[[0, 1], [0, 1]] += WALK**2 * dt / QUARTER_DAY
+        return model, F @ np.where(excited(G, model), p, 0.0), F @ G @ F.T, P
 
     def predict(self, dive: Any) -> tuple[np.ndarray, np.ndarray]:
         """Forecast fix less dead reckoning of a dive.
@@ -60,17 +77,11 @@ class Gradient:
         mean : ndarray, shape (2,)
             East and north, m.
         covariance : ndarray, shape (2, 2)
-            m^2.
+            m^2, from how far earlier forecasts missed.
         """
-        mean = self.turn(dive) @ np.where(self.learned(self.gramian), self.mean, 0.0)
+        model, p, _, _ = self.ahead(dive)
         variance = self.variance * dive.duration**2
-        return self.model.regressor(dive) @ mean, variance * np.eye(2)
-
-    def learned(self, gramian: np.ndarray) -> np.ndarray:
-        """Say which parameters a Gramian of dives has excited."""
-        prior = self.model.prior_sd**2
-        P = np.linalg.inv(gramian + np.diag(1 / prior))
-        return np.diagonal(P) < LEARNED * prior
+        return model.regressor(dive) @ p, variance * np.eye(2)
 
     def update(self, dive: Any) -> None:
         """Learn from a dive that has ended.
@@ -80,17 +91,17 @@ class Gradient:
         dive : Dive
             With its end fix.
         """
-        mean, _ = self.predict(dive)
-        seen = 0.5 * float(np.sum((miss(dive) - mean) ** 2)) / dive.duration**2
+        seen = 0.5 * float(np.sum((miss(dive) - self.predict(dive)[0]) ** 2)) / dive.duration**2
         self.variance = (self.count * self.variance + seen) / (self.count + 1)
         self.count = min(self.count + 1, 20.0)
-        H, F = self.model.regressor(dive), self.turn(dive)
-        self.gramian = F @ self.gramian @ F.T + H.T @ H / noise(dive)
-        excited = self.learned(self.gramian)
-        p = F @ np.where(excited, self.mean, 0.0)
-        weight = np.diag(self.model.prior_sd**2 * excited)
-        inner = H @ weight @ H.T + noise(dive) * np.eye(2)
-        self.mean = p + GAIN * weight @ H.T @ np.linalg.solve(inner, miss(dive) - H @ p)
+        self.model, p, G, P = self.ahead(dive)
+        H, r = self.model.regressor(dive, ended=True), noise(dive)
+        self.gramian = G + H.T @ H / r
+        weight = np.diag(self.model.prior_sd**2 * excited(self.gramian, self.model))
+        gain = GAIN * weight @ H.T @ np.linalg.inv(H @ weight @ H.T + r * np.eye(2))
+        self.mean = p + gain @ (miss(dive) - H @ p)
+        rest = np.eye(len(p)) - gain @ H
+        self.covariance = rest @ P @ rest.T + r * gain @ gain.T
         self.time = mid_time(dive)
 
     def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -101,11 +112,22 @@ class Gradient:
         mean : ndarray, shape (n,)
             m/s, 1 and rad; held parameters stand at zero.
         covariance : ndarray, shape (n, n)
-            The prior's: the law keeps none.
+            Of the error, the prior's where held.
         learned : ndarray of bool, shape (n,)
         """
-        learned = self.learned(self.gramian)
-        return np.where(learned, self.mean, 0.0), np.diag(self.model.prior_sd**2), learned
+        learned = excited(self.gramian, self.model)
+        P = np.where(np.outer(learned, learned), self.covariance, np.diag(self.model.prior_sd**2))
+        return np.where(learned, self.mean, 0.0), P, learned
 
     def forget_speed(self) -> None:
-        """Do nothing: the law forgets by itself."""
+        """Make the speed factor uncertain again; the law forgets by itself."""
+        if self.model.learn_speed:
+            k = self.model.names.index("speed")
+            self.covariance[k, k] += self.model.prior_sd[k] ** 2
+
+
+def excited(gramian: np.ndarray, model: FixModel) -> np.ndarray:
+    """Say which parameters a Gramian of dives has excited."""
+    prior = model.prior_sd**2
+    P = np.linalg.inv(gramian + np.diag(1 / prior))
+    return np.diagonal(P) < LEARNED * prior

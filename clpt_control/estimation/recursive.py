@@ -12,7 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from .fix_model import FIX, FixModel, hold, mid_time, miss
+from .fix_model import FIX, FixModel, mid_time, miss
+from .held import hold
 
 MEMORY = 86400.0  # s
 UNEXPLAINED = 0.04  # m/s, before dives have told
@@ -34,24 +35,20 @@ class RecursiveLeastSquares:
 
     def __init__(self, model: FixModel) -> None:
         self.model = model
-        self.prior_sd = model.prior_sd
-        n = len(self.prior_sd)
+        n = len(model.names)
         self.W, self.b = np.zeros((n, n)), np.zeros(n)
         self.time: float | None = None
         self.scale, self.count = 1.0, 4.0  # variance of forecasts over the expected, and its weight
 
-    def turned(self, dive: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Give W and b turned and faded to a dive's middle."""
+    def ahead(self, dive: Any) -> tuple[FixModel, np.ndarray, np.ndarray]:
+        """Give model, W and b turned and faded to a dive's middle."""
+        model = self.model.reached(dive)
+        more = len(model.names) - len(self.b)
+        W, b = np.pad(self.W, (0, more)), np.pad(self.b, (0, more))
         dt = 0.0 if self.time is None else max(0.0, mid_time(dive) - self.time)
-        F = self.model.turning(dt, dive.lat_gps2)
+        F = model.turning(dt, dive.lat_gps2)
         fade = np.exp(-dt / MEMORY)
-        return fade * F @ self.W @ F.T, fade * F @ self.b
-
-    def solved(self, W: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Give mean, covariance and learned of W and b."""
-        P = np.linalg.inv(W + np.diag(self.prior_sd**-2.0))
-        mean, P, learned = hold((P @ b)[None], P[None], self.prior_sd[None])
-        return mean[0], P[0], learned[0]
+        return model, fade * F @ W @ F.T, fade * F @ b
 
     def predict(self, dive: Any) -> tuple[np.ndarray, np.ndarray]:
         """Forecast fix less dead reckoning of a dive.
@@ -68,8 +65,9 @@ class RecursiveLeastSquares:
         covariance : ndarray, shape (2, 2)
             m^2, scaled by how far earlier forecasts missed.
         """
-        H = self.model.regressor(dive)
-        mean, P, _ = self.solved(*self.turned(dive))
+        model, W, b = self.ahead(dive)
+        H = model.regressor(dive)
+        mean, P, _ = solved(W, b, model.prior_sd)
         return H @ mean, self.scale * (H @ P @ H.T + noise(dive) * np.eye(2))
 
     def update(self, dive: Any) -> None:
@@ -86,7 +84,8 @@ class RecursiveLeastSquares:
             seen = 0.5 * float(away @ np.linalg.solve(S, away)) * self.scale
             self.scale = (self.count * self.scale + seen) / (self.count + 1)
             self.count = min(self.count + 1, 20.0)
-        H, (W, b) = self.model.regressor(dive), self.turned(dive)
+        self.model, W, b = self.ahead(dive)
+        H = self.model.regressor(dive, ended=True)
         self.W = W + H.T @ H / noise(dive)
         self.b = b + H.T @ miss(dive) / noise(dive)
         self.time = mid_time(dive)
@@ -101,14 +100,23 @@ class RecursiveLeastSquares:
         covariance : ndarray, shape (n, n)
         learned : ndarray of bool, shape (n,)
         """
-        mean, P, learned = self.solved(self.W, self.b)
+        mean, P, learned = solved(self.W, self.b, self.model.prior_sd)
         return mean, self.scale * P, learned
 
     def forget_speed(self) -> None:
         """Forget what was learned of the speed factor, after a fault."""
         if self.model.learn_speed:
-            k = len(self.b) - 2
+            k = self.model.names.index("speed")
             self.W[k, :] = self.W[:, k] = self.b[k] = 0.0
+
+
+def solved(
+    W: np.ndarray, b: np.ndarray, prior_sd: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Give mean, covariance and learned of W and b."""
+    P = np.linalg.inv(W + np.diag(prior_sd**-2.0))
+    mean, P, learned = hold((P @ b)[None], P[None], prior_sd[None])
+    return mean[0], P[0], learned[0]
 
 
 def noise(dive: Any) -> float:

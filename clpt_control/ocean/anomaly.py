@@ -14,20 +14,22 @@ jumps in linear systems", IEEE Trans. Automatic Control 21, 108-112, 1976)
 One strange dive proves nothing: the two dives before the last are tried as j.
 A dive is flagged where l is beyond
 `SURE`, the jump is large enough to matter, a jump of the current (two numbers)
-explains no more than the speed (one), and what the speed leaves is no more than
-the flow's own scatter.
+explains no more than one number (the speed) and chance, and what the speed
+leaves is no more than the flow's own scatter.
 """
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from ..errors import DataError
 from ..estimation.fix_model import FixModel
-from ..estimation.kalman import KalmanBank
+from ..estimation.kalman import MEMORY, KalmanBank
 
-SURE = 10.0  # l of 3.2 standard deviations
-MATTERS = 0.05  # smallest change of the factor that is said
+SURE = 9.0  # l of 3 standard deviations
+NESTED = 2.0  # what a second number explains by chance (H. Akaike, 1974)
+MATTERS = 0.08  # smallest change of the factor that is said
 DIVES = 3  # dives that a jump may lie back
 SETTLED = 10  # dives before the watch speaks
 SCATTER = 3.0  # most the rest may weigh, in expected values
@@ -79,6 +81,9 @@ class SpeedWatch:
     ----------
     model : FixModel
         The flow; speed is always learned here.
+    bank : KalmanBank, optional
+        A bank that learns the speed and sees each dive before `step` does; by
+        default one of its own.
 
     Examples
     --------
@@ -86,8 +91,9 @@ class SpeedWatch:
     0
     """
 
-    def __init__(self, model: FixModel) -> None:
-        self.bank = KalmanBank(FixModel(model.flow, True))
+    def __init__(self, model: FixModel, bank: KalmanBank | None = None) -> None:
+        self.own = bank is None
+        self.bank = KalmanBank(replace(model, learn_speed=True)) if bank is None else bank
         self.windows: list[dict[str, Any]] = []
         self.count = 0
 
@@ -104,29 +110,32 @@ class SpeedWatch:
         Anomaly or None
             What was found, if anything.
         """
-        bank = self.bank
-        H, (F, _) = bank.model.regressor(dive), bank.transition(dive)
-        m, n = bank.mean.shape
+        if self.own:
+            self.bank.update(dive)
+        seen = self.bank.seen
+        if seen is None:
+            raise DataError(f"dive {dive.number}: its bank must learn from it before it is judged")
+        F, H = seen.F, seen.H
+        m, n = F.shape[:2]
+        speed = MEMORY + self.bank.model.names.index("speed")
         start = np.zeros((n, 3))
-        start[n - 2, 0] = start[0, 1] = start[1, 2] = 1.0
-        weights = bank.weights
-        before = float(1 + weights @ bank.mean[:, n - 2])
-        for window in self.windows:
-            window["e"] = F @ window["e"]
-        fresh = {"since": dive.number, "e": np.repeat(start[None], m, axis=0), "expected": before,
-                 "weights": weights, "A": np.zeros((m, 3, 3)), "b": np.zeros((m, 3)),
+        start[speed, 0] = start[MEMORY, 1] = start[MEMORY + 1, 2] = 1.0
+        for window in self.windows:  # places reached since then have no part in it
+            window["e"] = F @ np.pad(window["e"], ((0, 0), (0, n - window["e"].shape[1]), (0, 0)))
+        fresh = {"since": dive.number, "e": np.repeat(start[None], m, axis=0),
+                 "expected": float(1 + seen.weights @ seen.mean[:, speed]),
+                 "weights": seen.weights, "A": np.zeros((m, 3, 3)), "b": np.zeros((m, 3)),
                  "chi": np.zeros(m), "dives": 0}  # fmt: skip
         self.windows = [*self.windows[1 - DIVES :], fresh]
-        bank.update(dive)
         for window in self.windows:
             g = H @ window["e"]
-            weighed = g.transpose(0, 2, 1) @ bank.spread
+            weighed = g.transpose(0, 2, 1) @ seen.inverse
             window["A"] = window["A"] + weighed @ g
-            window["b"] = window["b"] + np.einsum("mij,mj->mi", weighed, bank.innovation)
+            window["b"] = window["b"] + np.einsum("mij,mj->mi", weighed, seen.innovation)
             window["chi"] = window["chi"] + np.einsum(
-                "mi,mij,mj->m", bank.innovation, bank.spread, bank.innovation
+                "mi,mij,mj->m", seen.innovation, seen.inverse, seen.innovation
             )
-            window["e"] = bank.rest @ window["e"]
+            window["e"] = seen.rest @ window["e"]
             window["dives"] += 1
         self.count += 1
         if self.count <= SETTLED:
@@ -135,7 +144,8 @@ class SpeedWatch:
         if not found:
             return None
         self.windows = []
-        bank.forget_speed()
+        if self.own:
+            self.bank.forget_speed()
         return max(found, key=lambda a: a.likelihood_ratio)
 
     def _judge(self, dive: Any, window: dict[str, Any]) -> Anomaly | None:
@@ -148,7 +158,7 @@ class SpeedWatch:
         rest = float(w @ (window["chi"] - speed)) / (2 * window["dives"] - 1)
         change = float(w @ (b[:, 0] / A[:, 0, 0]))
         error = float(np.sqrt(1.0 / (w @ A[:, 0, 0])))
-        if ratio < SURE or current > ratio or rest > SCATTER or abs(change) < MATTERS:
+        if ratio < SURE or current - ratio > NESTED or rest > SCATTER or abs(change) < MATTERS:
             return None
         return Anomaly(dive.number, window["since"], change, error, window["expected"], ratio,
                        current, rest)  # fmt: skip

@@ -101,7 +101,9 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
             raise DataError(f"{path}: damaged: a variable cannot be read: {reason}") from None
         known = ", ".join(map(str, list(data.variables)[:8])) or "no variables"
     raise DataError(
-        f"{path}: neither a Seaglider file (log_gps_time) nor OG1 (TIME_GPS); it has {known}"
+        f"{path}: neither a Seaglider file (with log_gps_time) nor OG1 (with LATITUDE_GPS): it has "
+        f"{known}, not the fixes and the way through the water that a dive needs; a CSV table of "
+        "dives can give both"
     )
 
 

@@ -4,7 +4,7 @@ One row per dive under a header.  Required columns: `dive`, `t_gps2`, `lat_gps2`
 `lon_gps2`, `t_gpse`, `lat_gpse`, `lon_gpse` (s since 1970 UTC, degrees),
 `dr_east_m`, `dr_north_m` (dead reckoning through the water, m).  Optional:
 `t_gps1`, `lat_gps1`, `lon_gps1`, `dac_east`, `dac_north` (m/s), `dac_qc`,
-`magvar` (degrees).  Lines that begin with `#` are comments, other columns are
+`magvar` (degrees), `depth_max` (m).  Lines that begin with `#` are comments, other columns are
 left alone, and the way between the fixes is computed, never read.
 """
 
@@ -26,6 +26,7 @@ REQUIRED = ("dive", *START, *END, *WAY)
 STRAY = 0.05  # largest share of characters that are no UTF-8 text
 OPTIONAL = (
     "t_gps1", "lat_gps1", "lon_gps1", "dac_east", "dac_north", "dac_qc", "magvar",
+    "depth_max",
 )  # fmt: skip
 
 

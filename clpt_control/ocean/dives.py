@@ -22,7 +22,7 @@ from typing import Any
 
 import numpy as np
 
-from .geodesy import displacement, is_place
+from ..geodesy import displacement, is_place
 
 LEAST_DURATION = 4000.0  # s
 FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is wrong
@@ -53,6 +53,10 @@ class Dive:
         Its quality flag, as the file has it.
     magvar : float or None
         Magnetic variation, degrees east.
+    depth_max : float or None
+        Greatest depth, m.
+    model_east, model_north : float or None
+        Way that a chosen flow model carries the vehicle, m (`flow_models`).
     track : tuple of ndarray or None
         Time since `t_gps2` (s), way east and north through the water (m).
     notes : tuple of str
@@ -77,6 +81,9 @@ class Dive:
     dac_north: float | None = None
     dac_qc: float | None = None
     magvar: float | None = None
+    depth_max: float | None = None
+    model_east: float | None = None
+    model_north: float | None = None
     track: tuple[np.ndarray, np.ndarray, np.ndarray] | None = field(
         default=None, compare=False, repr=False
     )
@@ -223,6 +230,8 @@ def _fault(dive: Dive, least_duration: float) -> str:
                 f"no fix {name} the dive (time {fix[0]:g}, latitude {fix[1]:g}, "
                 f"longitude {fix[2]:g})"
             )
+        if fix[1] == fix[2] == 0.0:
+            return f"no fix {name} the dive: 0 N 0 E is what a receiver without a fix gives"
     if dive.duration <= 0:
         return f"the fix after the dive is {-dive.duration:.0f} s before its start: swapped times"
     if not (isfinite(dive.dr_east) and isfinite(dive.dr_north)):

@@ -13,12 +13,14 @@ from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from ..errors import DataError
 from ..files import write_text
 from .dive_files import SUFFIXES, read_dive_file
 from .dives import Dive, Skipped
 
-FORMAT = 1
+FORMAT = 2  # 1 had no tracks
 KEPT = [f.name for f in fields(Dive) if f.name not in ("track", "notes")]
 
 
@@ -51,15 +53,20 @@ class Follower:
         if self.state.exists():
             try:
                 content = json.loads(self.state.read_text("utf-8"))
-                if content["format"] != FORMAT:
-                    raise ValueError
                 self.files = content["files"]
-                self.dives()
+                form = content["format"]
+                if form == FORMAT:
+                    self.dives()
             except (OSError, ValueError, KeyError, TypeError, AttributeError):
                 raise DataError(
                     f"{state}: is no state of clpt replay --follow; move it away to read all "
                     "files again"
                 ) from None
+            if form != FORMAT:
+                raise DataError(
+                    f"{state}: has the format {form} of another version, this one writes "
+                    f"{FORMAT}; move it away to read all files again"
+                )
 
     def look(self) -> list[str]:
         """Read new and changed files, and write the state.
@@ -91,10 +98,7 @@ class Follower:
                 dives, skipped = [], [Skipped(None, str(error))]
             self.files[path.name] = {
                 "stamp": stamp,
-                "dives": [
-                    {**{name: getattr(d, name) for name in KEPT}, "notes": list(d.notes)}
-                    for d in dives
-                ],
+                "dives": [_kept(dive) for dive in dives],
                 "skipped": [asdict(s) for s in skipped],
             }
             read.append(path.name)
@@ -108,15 +112,28 @@ class Follower:
         Returns
         -------
         dives : list of Dive
-            Without their tracks; `usable` sorts and chooses.
+            With their tracks; `usable` sorts and chooses.
         skipped : list of Skipped
         """
         dives: list[Dive] = []
         skipped: list[Skipped] = []
         for name in sorted(self.files):
-            dives += [
-                Dive(**{**kept, "notes": tuple(kept["notes"])})
-                for kept in self.files[name]["dives"]
-            ]
+            dives += map(_dive, self.files[name]["dives"])
             skipped += [Skipped(**entry) for entry in self.files[name]["skipped"]]
         return dives, skipped
+
+
+def _kept(dive: Dive) -> dict[str, Any]:
+    """Give a dive as JSON keeps it; a track is three lists."""
+    track = None if dive.track is None else [np.asarray(a).tolist() for a in dive.track]
+    kept = {name: getattr(dive, name) for name in KEPT}
+    return {**kept, "notes": list(dive.notes), "track": track}
+
+
+def _dive(kept: dict[str, Any]) -> Dive:
+    """Give back the dive, to the bit."""
+    track = kept["track"]
+    if track is not None:
+        time, east, north = (np.array(a, float) for a in track)
+        track = (time, east, north)
+    return Dive(**{**kept, "notes": tuple(kept["notes"]), "track": track})

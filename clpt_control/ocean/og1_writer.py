@@ -3,54 +3,43 @@
 A measurement is a fix or a sample of the track, in turn: GPS1, GPS2, samples,
 GPSE of each dive.  Positions of samples are dead reckoning plus the share of the
 miss that has passed, miss * (time since the fix) / duration, so that the track
-ends at the fix after the dive.  `DEPTH`, which OG1 wants, is not known here.
+ends at the fix after the dive.  `DEPTH`, which OG1 wants, is known at the fixes
+only; the greatest depth of a dive is `DEPTH_MAX` in each of its rows.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from datetime import UTC, datetime
 from math import nan
 from pathlib import Path
+from time import time
 
 import numpy as np
 
 from ..files import write_netcdf
+from ..geodesy import place_from
 from .dives import Dive
-from .geodesy import place_from
-from .og1_names import EAST, FIXES, GPS1, GPS2, GPSE, NORTH, QUALITY, STEPS, VARIATION
-
-SECONDS = "seconds since 1970-01-01T00:00:00Z"
-ATTRIBUTES: dict[str, dict[str, object]] = {
-    "TIME": {"long_name": "time of measurement and gps location", "standard_name": "time",
-             "units": SECONDS, "calendar": "gregorian"},
-    "TIME_GPS": {"long_name": "time of each gps location", "units": SECONDS,
-                 "calendar": "gregorian"},
-    "LATITUDE_GPS": {"long_name": "latitude of each gps location", "units": "degrees_north"},
-    "LONGITUDE_GPS": {"long_name": "longitude of each gps location", "units": "degrees_east"},
-    "GPS_FIX": {"long_name": "what the fix is to its dive", "units": "1",
-                "flag_values": np.array([0.0, GPS1, GPS2, GPSE]),
-                "flag_meanings": "none first_of_the_surfacing last_before_dive first_after_dive"},
-    "DIVE_NUMBER": {"long_name": "dive number", "units": "1"},
-    "EAST_DISPLACEMENT": {"long_name": "way east through the water since the sample before",
-                          "units": "m"},
-    "NORTH_DISPLACEMENT": {"long_name": "way north through the water since the sample before",
-                           "units": "m"},
-    "DAVG_CURR_EAST": {"long_name": "depth-averaged current in eastward direction",
-                       "standard_name": "eastward_sea_water_velocity", "units": "m s-1"},
-    "DAVG_CURR_NORTH": {"long_name": "depth-averaged current in northward direction",
-                        "standard_name": "northward_sea_water_velocity", "units": "m s-1"},
-    "DAVG_CURR_EAST_QC": {"long_name": "quality flag of the depth-averaged current",
-                          "standard_name": "status_flag", "units": "1"},
-    "MAGNETIC_VARIATION": {"long_name": "magnetic variation, east of north", "units": "degrees"},
-    "PHASE": {"long_name": "behaviour of the glider at sea", "units": "1",
-              "flag_values": np.array([0.0, 3.0]), "flag_meanings": "unknown surfacing"},
-    "LATITUDE": {"long_name": "latitude of each measurement and gps location",
-                 "standard_name": "latitude", "units": "degrees_north"},
-    "LONGITUDE": {"long_name": "longitude of each measurement and gps location",
-                  "standard_name": "longitude", "units": "degrees_east"},
-}  # fmt: skip
+from .og1_attributes import ATTRIBUTES, NOT_KNOWN, SCALARS
+from .og1_names import (
+    DEPTH,
+    DEPTH_MAX,
+    EAST,
+    FIXES,
+    GPS1,
+    GPS2,
+    GPSE,
+    NORTH,
+    QUALITY,
+    STEPS,
+    VARIATION,
+)
 
 
-def write_og1(dives: Iterable[Dive], path: str | Path, platform: str = "glider") -> None:
+def write_og1(
+    dives: Iterable[Dive],
+    path: str | Path,
+    platform: str = "glider",
+    attributes: Mapping[str, str] | None = None,
+) -> None:
     """Write dives as an OG1 trajectory file.
 
     Parameters
@@ -61,6 +50,9 @@ def write_og1(dives: Iterable[Dive], path: str | Path, platform: str = "glider")
         The file.
     platform : str
         Name of the vehicle, for the trajectory's identifier.
+    attributes : mapping of str to str, optional
+        Global attributes that dives do not know, such as `contributor_name`;
+        those that OG1 wants and that are not given are "unknown".
 
     Raises
     ------
@@ -69,25 +61,46 @@ def write_og1(dives: Iterable[Dive], path: str | Path, platform: str = "glider")
     """
     import xarray
 
+    from .. import __version__
+
     columns = dives_to_rows(dives)
-    times = columns["TIME"][np.isfinite(columns["TIME"])]
-    first = datetime.fromtimestamp(times.min() if times.size else 0.0, UTC)
-    identifier = f"{platform}_{first:%Y%m%dT%H%M%S}_delayed"
+    fixes = np.flatnonzero(np.isfinite(columns["TIME_GPS"]))
+    first = int(fixes[np.argmin(columns["TIME_GPS"][fixes])]) if fixes.size else None
+    deployed = [nan if first is None else float(columns[name][first]) for name in FIXES]
+    start = _stamp(0.0 if first is None else deployed[0])
+    identifier = f"{platform}_{start}_delayed"
+    now = _stamp(time())
+    scalars = (identifier, "unknown", platform, "unknown", *deployed)
     data = xarray.Dataset(
         {name: ("N_MEASUREMENTS", column, ATTRIBUTES[name]) for name, column in columns.items()}
-        | {"TRAJECTORY": ((), identifier, {"cf_role": "trajectory_id"})},
+        | {name: ((), value, SCALARS[name]) for name, value in zip(SCALARS, scalars, strict=True)},
         attrs={
             "title": "OceanGliders trajectory file",
-            "Conventions": "CF-1.8, ACDD-1.3, OG-1.0",
+            "Conventions": "CF-1.10, ACDD-1.3, OG-1.0",
             "featureType": "trajectory",
-            "platform": "Autonomous Underwater Vehicle",
+            "platform": "sub-surface gliders",
             "platform_vocabulary": "https://vocab.nerc.ac.uk/collection/L06/current/27/",
             "id": identifier,
-            "comment": "fixes and dead reckoning of dives; DIVE_NUMBER, displacements and "
-            "DAVG_CURR named as by seagliderOG1",
-        },
-    ).set_coords(["TIME", "LATITUDE", "LONGITUDE"])
+            "summary": "fixes of a glider's dives and its dead reckoning between them",
+            "keywords": "glider, dead reckoning, depth-averaged current",
+            "rtqc_method": "No QC applied",
+            "start_date": start,
+            "date_created": now,
+            "history": f"{now}: written by clpt-control {__version__}",
+            "comment": "DIVE_NUMBER, displacements and DAVG_CURR named as by seagliderOG1",
+        }
+        | dict.fromkeys(NOT_KNOWN, "unknown")
+        | dict(attributes or {}),
+    ).set_coords(["TIME", "LATITUDE", "LONGITUDE", "DEPTH"])
     write_netcdf(data, path)
+
+
+def _stamp(when: float) -> str:
+    """Date and time of day as OG1 has it in names and attributes."""
+    try:
+        return f"{datetime.fromtimestamp(when, UTC):%Y%m%dT%H%M%S}"
+    except (OverflowError, ValueError, OSError):
+        return f"{datetime.fromtimestamp(0.0, UTC):%Y%m%dT%H%M%S}"
 
 
 def dives_to_rows(dives: Iterable[Dive]) -> dict[str, np.ndarray]:
@@ -104,14 +117,16 @@ def dives_to_rows(dives: Iterable[Dive]) -> dict[str, np.ndarray]:
         A column per OG1 variable.
     """
     names = ("TIME", *FIXES, "GPS_FIX", "DIVE_NUMBER", *STEPS, EAST[0], NORTH[0], QUALITY[0],
-             VARIATION[0], "PHASE", "LATITUDE", "LONGITUDE")  # fmt: skip
+             VARIATION[0], DEPTH_MAX[0], "PHASE", "LATITUDE", "LONGITUDE", DEPTH[0])  # fmt: skip
     rows: list[tuple[float, ...]] = []
 
-    def add(dive, time, fix, kind, steps, place):
-        of_dive = (dive.dac_east, dive.dac_north, dive.dac_qc, dive.magvar)
+    def add(dive, at, fix, kind, steps, place):
+        of_dive = (dive.dac_east, dive.dac_north, dive.dac_qc, dive.magvar, dive.depth_max)
         phase = 3.0 if kind else 0.0  # surfacing; unknown, as depth is not known here
         known = (nan if value is None else value for value in of_dive)
-        rows.append((time, *fix, kind, dive.number, *steps, *known, phase, *place))
+        rows.append(
+            (at, *fix, kind, dive.number, *steps, *known, phase, *place, 0.0 if kind else nan)
+        )
 
     for dive in dives:
         if dive.t_gps1 is not None:
@@ -119,16 +134,16 @@ def dives_to_rows(dives: Iterable[Dive]) -> dict[str, np.ndarray]:
             add(dive, dive.t_gps1, first, GPS1, (nan, nan), first[1:])
         start = (dive.t_gps2, dive.lat_gps2, dive.lon_gps2)
         end = (dive.t_gpse, dive.lat_gpse, dive.lon_gpse)
-        time, east, north = _inside(dive)
+        when, east, north = _inside(dive)
         add(dive, start[0], start, GPS2, (nan, nan), start[1:])
         at_east, at_north = 0.0, 0.0
-        for k in range(len(time)):
-            share = time[k] / dive.duration
+        for k in range(len(when)):
+            share = when[k] / dive.duration
             step = east[k] - at_east, north[k] - at_north
             at_east, at_north = east[k], north[k]
             way = at_east + share * dive.miss_east, at_north + share * dive.miss_north
             place = place_from(start[1], start[2], *way)
-            add(dive, start[0] + time[k], (nan, nan, nan), 0, step, place)
+            add(dive, start[0] + when[k], (nan, nan, nan), 0, step, place)
         rest = dive.dr_east - at_east, dive.dr_north - at_north
         add(dive, end[0], end, GPSE, rest, end[1:])
     columns = np.array(rows, dtype=float).reshape(-1, len(names)).T

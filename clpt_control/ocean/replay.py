@@ -6,11 +6,14 @@ the dead reckoning carried by a modelled flow:
     no flow         z = start + d
     previous dive   z = start + d + T (y / T of the previous used dive)
     adaptive        z = start + d + forecast of an estimator
+    flow model      z = start + d + q, q as `flow_models.carried` has it
 
 d is the dead-reckoned displacement, y = fix - dead reckoning and T the duration
 of a dive.  Duration and d of the dive are taken as known, its end fix is not.
-The first used dive is forecast with no flow.  The state moves by `step` alone,
-so that feeding dives one by one is feeding them at once, bit for bit.
+The first used dive is forecast with no flow.  A given flow model is no part of
+the state: each dive brings its q, or None where the model does not cover it.
+The state moves by `step` alone, so that feeding dives one by one is feeding them
+at once, bit for bit.
 """
 
 from collections.abc import Iterable, Sequence
@@ -22,9 +25,12 @@ import numpy as np
 from ..errors import DataError
 from ..estimation.between_fixes import make_estimator
 from ..estimation.fix_model import FixModel, miss
+from ..estimation.kalman import KalmanBank
 from .anomaly import SpeedWatch
 from .dives import Dive
-from .replay_step import MODELS, Step
+from .flow_models import FlowModel, carried
+from .replay_step import FLOW_MODEL, MODELS, Step
+from .replay_summary import rms_of, summary_of
 
 ELLIPSE = 4.605170185988092  # chi-squared of two components, 90 %: 2 ln 10
 
@@ -39,6 +45,8 @@ class Replay:
         ``"kalman"``, ``"rls"`` or ``"gradient"``.
     model : FixModel
         The parameters.
+    flow_model : FlowModel or None
+        What the dives were `carried` by; it gets a CLPE of its own.
     steps : list of Step
         One per dive so far.
 
@@ -53,12 +61,20 @@ class Replay:
 
     estimator: str = "kalman"
     model: FixModel = field(default_factory=FixModel)
+    flow_model: FlowModel | None = None
     steps: list[Step] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         """Start without any dive."""
         self._learner = make_estimator(self.estimator, self.model)
-        self._watch = SpeedWatch(self.model) if self.model.learn_speed else None
+        inner = self._learner.estimator
+        bank = inner if isinstance(inner, KalmanBank) else None
+        self._watch = SpeedWatch(self.model, bank) if self.model.learn_speed else None
+
+    @property
+    def models(self) -> tuple[str, ...]:
+        """Names of the flow models that `Step.clpe` is asked for."""
+        return MODELS if self.flow_model is None else (*MODELS, FLOW_MODEL)
 
     def forecast(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
         """Forecast a dive's miss from the dives so far.
@@ -108,6 +124,10 @@ class Replay:
         previous = np.zeros(2) if last is None else miss(last) * (dive.duration / last.duration)
         mean, covariance = self.forecast(dive)
         away = y - mean
+        modelled = None
+        if dive.model_east is not None and dive.model_north is not None:
+            modelled = _size(y - (dive.model_east, dive.model_north))
+        share = self._learner.share if self.steps else 0.0
         self._learner.update(dive)
         anomaly = None if self._watch is None else self._watch.step(dive)
         if anomaly is not None:
@@ -115,11 +135,17 @@ class Replay:
         self.steps.append(
             Step(
                 dive,
-                dict(zip(MODELS, (_size(y), _size(y - previous), _size(away)), strict=True)),
+                {
+                    "no_flow": _size(y),
+                    "previous_dive": _size(y - previous),
+                    "adaptive": _size(away),
+                    FLOW_MODEL: modelled,
+                },
                 mean,
                 covariance,
                 bool(away @ np.linalg.solve(covariance, away) <= ELLIPSE),
                 anomaly,
+                previous_share=share,
                 **self._learned(dive),
             )
         )
@@ -128,21 +154,23 @@ class Replay:
     def _learned(self, dive: Dive) -> dict[str, Any]:
         """What `Step` keeps of the estimates after a dive."""
         p, P, learned = self._learner.estimate()
-        names = self.model.names
-        n = len(names) - 2 * self.model.learn_speed
-        H = self.model.regressor(dive)[:, :n] / dive.duration
+        model = self._learner.model
+        names = model.names
+        flow = [k for k, name in enumerate(names) if name not in ("speed", "compass")]
+        H = model.regressor(dive, ended=True)[:, flow] / dive.duration
         known: dict[str, Any] = {
-            "current": H @ p[:n],
-            "current_error": np.sqrt(np.diag(H @ P[:n, :n] @ H.T)),
+            "current": H @ p[flow],
+            "current_error": np.sqrt(np.diag(H @ P[np.ix_(flow, flow)] @ H.T)),
             "learned": tuple(name for name, on in zip(names, learned, strict=True) if on),
             "held": tuple(name for name, on in zip(names, learned, strict=True) if not on),
         }
-        if self.model.learn_speed:
-            factor, compass = np.sqrt(np.diag(P)[-2:])
+        if model.learn_speed:
+            k = names.index("speed")
+            factor, compass = np.sqrt(np.diag(P)[k : k + 2])
             known |= {
-                "speed": 1.0 + float(p[-2]),
+                "speed": 1.0 + float(p[k]),
                 "speed_error": float(factor),
-                "compass": float(np.degrees(p[-1])),
+                "compass": float(np.degrees(p[k + 1])),
                 "compass_error": float(np.degrees(compass)),
             }
         return known
@@ -160,34 +188,10 @@ class Replay:
         dict
             Lengths in m; what does not exist is None.
         """
-        steps = self.steps
-        own = [
-            float(np.hypot(*(miss(d) / d.duration - (d.dac_east, d.dac_north))))
-            for d in (step.dive for step in steps)
-            if d.dac_east is not None and d.dac_north is not None
-        ]
-        last = steps[-1] if steps else None
-        factor = last is not None and self.model.learn_speed
-        return {
-            "dives": len(steps) + len(skipped),
-            "used": len(steps),
-            "clpe_rms": self.rms(0),
-            "clpe_rms_after_1": self.rms(1),
-            "clpe_rms_after_3": self.rms(3),
-            "dac_identity_median": float(np.median(own)) if own else None,
-            "inside_90": float(np.mean([step.inside for step in steps])) if steps else None,
-            "speed_factor": {
-                "value": last.speed if last and factor else None,
-                "standard_error": last.speed_error if last and factor else None,
-            },
-            "learned": list(last.learned) if last else [],
-            "held": list(last.held) if last else [],
-            "anomalies": [step.anomaly.as_dict() for step in steps if step.anomaly],
-            "skipped": [{"dive": s.dive, "why": s.why} for s in skipped],
-        }
+        return summary_of(self, skipped)
 
     def rms(self, after: int) -> dict[str, float | None]:
-        """Give the CLPE rms of each model, m.
+        """Give the CLPE rms of each flow model, m.
 
         Parameters
         ----------
@@ -197,17 +201,16 @@ class Replay:
         Returns
         -------
         dict
-            None where no dive is left.
+            None where no dive is left or covered.
         """
-        rest = self.steps[after:]
-        return {
-            name: float(np.sqrt(np.mean([step.clpe[name] ** 2 for step in rest]))) if rest else None
-            for name in MODELS
-        }
+        return rms_of(self, after)
 
 
 def replay_dives(
-    dives: Iterable[Dive], estimator: str = "kalman", model: FixModel | None = None
+    dives: Iterable[Dive],
+    estimator: str = "kalman",
+    model: FixModel | None = None,
+    flow_model: FlowModel | None = None,
 ) -> Replay:
     """Feed used dives to a new replay.
 
@@ -219,6 +222,8 @@ def replay_dives(
         ``"kalman"``, ``"rls"`` or ``"gradient"``.
     model : FixModel, optional
         The parameters; by default steady, M2, inertial and speed.
+    flow_model : FlowModel, optional
+        Carries each dive before it is fed.
 
     Returns
     -------
@@ -232,9 +237,9 @@ def replay_dives(
     ScenarioError
         If the estimator is unknown.
     """
-    replay = Replay(estimator, model or FixModel())
+    replay = Replay(estimator, model or FixModel(), flow_model)
     for dive in dives:
-        replay.step(dive)
+        replay.step(dive if flow_model is None else carried(dive, flow_model))
     return replay
 
 

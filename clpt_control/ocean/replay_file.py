@@ -11,7 +11,6 @@ import numpy as np
 
 from .dives import Dive
 from .replay import Replay
-from .replay_step import MODELS
 
 if TYPE_CHECKING:
     import xarray
@@ -33,7 +32,8 @@ def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
     Returns
     -------
     xarray.Dataset
-        Dimension ``dive``; NaN where the vehicle's file had no value.
+        Dimension ``dive``; NaN where the vehicle's file had no value, or the
+        flow model does not cover the dive.
     """
     import xarray
 
@@ -80,9 +80,14 @@ def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
             ("forecast", list(forecast[:, int(k)]), "surfacing as forecast"),
         ):
             add(f"{key}_{axis}", values, where["units"], f"{axis}, {long_name}")
-    for model in MODELS:
+    for model in replay.models:
         add(f"clpe_{model}", [s.clpe[model] for s in steps], "m",
             f"prediction error at the surfacing, flow: {model.replace('_', ' ')}")  # fmt: skip
+    if replay.flow_model is not None:
+        data.attrs["flow_model"] = f"{replay.flow_model.source}: {replay.flow_model.about}"
+        for axis in ("east", "north"):
+            add(f"flow_model_{axis}", [getattr(d, f"model_{axis}") for d in dives], "m",
+                f"way that the flow model carries the vehicle, {axis}")  # fmt: skip
     for i, axis in enumerate(("east", "north")):
         sea = {"standard_name": f"{axis}ward_sea_water_velocity"}
         add(f"current_{axis}", [s.current[i] for s in steps], "m s-1",

@@ -1,6 +1,7 @@
 """What a replay says of one dive.
 
-CLPE is |x - z|, Eq. (10), at the surfacing; z follows one of three flow models.
+CLPE is |x - z|, Eq. (10), at the surfacing; z follows one of three flow models,
+or one that was given.
 """
 
 from dataclasses import dataclass
@@ -11,6 +12,7 @@ from .anomaly import Anomaly
 from .dives import Dive
 
 MODELS = ("no_flow", "previous_dive", "adaptive")
+FLOW_MODEL = "flow_model"  # a forecast or a fit that was given
 
 
 @dataclass(frozen=True)
@@ -21,8 +23,9 @@ class Step:
     ----------
     dive : Dive
         The dive.
-    clpe : dict of float
-        |x - z| for "no_flow", "previous_dive" and "adaptive", m.
+    clpe : dict of float or None
+        |x - z| for "no_flow", "previous_dive", "adaptive" and "flow_model", m;
+        the last is None where no such model covers the dive.
     forecast : ndarray, shape (2,)
         Fix less dead reckoning, east and north, as forecast, m.
     covariance : ndarray, shape (2, 2)
@@ -39,10 +42,12 @@ class Step:
         Learned factor on speed through water; 1 +- 0 where not a parameter.
     compass, compass_error : float
         Learned compass error, degrees clockwise; 0 +- 0 where none.
+    previous_share : float
+        Share of the previous dive's current in the forecast.
     """
 
     dive: Dive
-    clpe: dict[str, float]
+    clpe: dict[str, float | None]
     forecast: np.ndarray
     covariance: np.ndarray
     inside: bool
@@ -55,3 +60,4 @@ class Step:
     speed_error: float = 0.0
     compass: float = 0.0
     compass_error: float = 0.0
+    previous_share: float = 0.0

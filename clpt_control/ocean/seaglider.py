@@ -1,14 +1,14 @@
 """Seaglider basestation files: NetCDF, one per dive.
 
-The basestation (University of Washington and Kongsberg) stores the three fixes
-GPS1, GPS2, GPSE in `log_gps_time`, `log_gps_lat`, `log_gps_lon` and the way
-through the water since the sample before, by its hydrodynamic model, in
-`east_displacement`, `north_displacement`: their sums are the dead reckoning,
+The basestation (University of Washington and Kongsberg) stores the way through
+the water since the sample before, by its hydrodynamic model, in
+`east_displacement`, `north_displacement` (m): their sums are the dead reckoning,
 
     dr = sum_i (displacement of sample i),
 
-from which the file's own `depth_avg_curr_east`, `_north` was computed.  Where
-the hydrodynamic model is missing the glide-slope model (`_gsm`) is read.
+and where that model is missing the glide-slope model (`_gsm`) is read.  Times are
+`ctd_time` or `time`, whichever has the dimension of the displacement: one
+`sg_data_point` in files to version 2, one per instrument in those of version 3.
 """
 
 import re
@@ -22,16 +22,18 @@ from ..errors import DataError
 from ..files import open_netcdf
 from .classic import check_whole
 from .dives import Dive, make_dive
-from .samples import fill, scalar, track_of, values
+from .own_current import compared
+from .sample_units import metres, seconds
+from .samples import deepest, fill, hole_under_water, scalar, track_of, values
+from .seaglider_fixes import FIXES, fixes_of
 
 if TYPE_CHECKING:
     import xarray
 
-FIXES = ("log_gps_time", "log_gps_lat", "log_gps_lon")
 LONGEST_STEP = 1e5  # m in one sample: beyond, a fill value
 REPAIRABLE = 0.05  # largest share of samples that is filled from their neighbours
 LONGEST_GAP = 900.0  # s between samples that is mentioned
-GOOD = (0.0, 1.0, 2.0)  # flags of a fix: no change, good, probably good
+DEPTHS = ("depth", "ctd_depth", "eng_depth")
 
 
 def is_seaglider(data: "xarray.Dataset") -> bool:
@@ -84,39 +86,28 @@ def dive_of(data: "xarray.Dataset", path: Path) -> Dive:
     DataError
         If it has no fixes or no dive number.
     """
-    missing = [name for name in FIXES if name not in data.variables]
-    if missing:
-        raise DataError(
-            f"{path}: no variable {' and no '.join(missing)}; a Seaglider basestation file has "
-            "its fixes there"
-        )
-    fixes = [values(data, name) for name in FIXES]
-    if any(fix.shape != (3,) for fix in fixes):
-        raise DataError(
-            f"{path}: {len(fixes[0])} fixes in {FIXES[0]}; must be 3: GPS1, GPS2 and GPSE"
-        )
-    first, start, end = (tuple(float(fix[k]) for fix in fixes) for k in range(3))
-    through_water, track, notes = _way(data, start[0], end[0])
-    for name in ("GPS2_qc", "GPSE_qc"):
-        flag = scalar(data, name)
-        if flag is not None and flag not in GOOD:
-            notes.append(f"the file flags {name[:4]} {flag:g}")
-    known = all(np.isfinite(first))
-    return make_dive(
+    names = _displacement(data)
+    time, why_not = _times(data, names[0], path) if names else (None, "")
+    fixes = fixes_of(data, path, nan if time is None else float(time[0]))
+    start, end = fixes.start, fixes.end
+    through_water, track, notes = _way(data, names, time, start[0], end[0], path)
+    depths = (deepest(metres(data, name, path)) for name in DEPTHS if name in data.variables)
+    before = dict(zip(("t_gps1", "lat_gps1", "lon_gps1"), fixes.first or (None,) * 3, strict=True))
+    dive = make_dive(
         _number(data, path),
-        start,  # type: ignore[arg-type]
-        end,  # type: ignore[arg-type]
+        start,
+        end,
         through_water,
-        t_gps1=first[0] if known else None,
-        lat_gps1=first[1] if known else None,
-        lon_gps1=first[2] if known else None,
+        **before,
         dac_east=scalar(data, "depth_avg_curr_east"),
         dac_north=scalar(data, "depth_avg_curr_north"),
         dac_qc=scalar(data, "depth_avg_curr_qc"),
-        magvar=scalar(data, "magnetic_variation"),
+        magvar=_variation(data),
+        depth_max=next((depth for depth in depths if depth is not None), None),
         track=track,
-        notes=tuple(notes),
+        notes=(*notes, *([why_not] if why_not else []), *fixes.notes),
     )
+    return compared(dive)
 
 
 def number_in_name(path: Path) -> int | None:
@@ -137,37 +128,81 @@ def _number(data: "xarray.Dataset", path: Path) -> int:
     raise DataError(f"{path}: no attribute dive_number, and the name is not such as p5420304.nc")
 
 
-def _way(data: "xarray.Dataset", start: float, end: float) -> tuple[Any, Any, list[str]]:
-    """Sum the way through the water; give it, its track and notes."""
+def _variation(data: "xarray.Dataset") -> float | None:
+    """Magnetic variation, or that of GPS2 where the file has one per fix."""
+    found = scalar(data, "magnetic_variation")
+    if found is not None or "log_gps_magvar" not in data.variables:
+        return found
+    each = values(data, "log_gps_magvar")
+    return float(each[1]) if each.shape == (3,) and np.isfinite(each[1]) else None
+
+
+def _displacement(data: "xarray.Dataset") -> tuple[str, str] | None:
+    """Names of the displacement, the better model first."""
     for suffix in ("", "_gsm"):
-        names = [f"{axis}_displacement{suffix}" for axis in ("east", "north")]
-        if all(name in data.variables for name in names):
-            break
-    else:
-        return (nan, nan), None, ["no variables east_displacement, north_displacement"]
-    notes = [f"dead reckoning of the glide-slope model ({names[0]})"] if suffix else []
-    east, north = (values(data, name) for name in names)
-    time = values(data, "time") if "time" in data.variables else np.array([])
+        east, north = f"east_displacement{suffix}", f"north_displacement{suffix}"
+        if east in data.variables and north in data.variables:
+            return east, north
+    return None
+
+
+def _times(data: "xarray.Dataset", like: str, path: Path) -> tuple[np.ndarray | None, str]:
+    """Give times of the samples that a variable has, or why there are none."""
+    own = [name for name in map(str, data.variables) if name.endswith("_time")]
+    same = [
+        name
+        for name in dict.fromkeys(("ctd_time", "time", *sorted(own)))
+        if name in data.variables and data[name].dims == data[like].dims
+    ]
+    for name in same:
+        time = seconds(data, name, path)
+        if time.size and np.all(np.isfinite(time)) and np.all(np.diff(time) > 0):
+            return time, ""
+    if not same:
+        return None, f"no track: no times with the dimension of {like}"
+    return None, f"no track: the times {same[0]} are not finite or not in order"
+
+
+def _way(
+    data: "xarray.Dataset",
+    names: tuple[str, str] | None,
+    time: np.ndarray | None,
+    start: float,
+    end: float,
+    path: Path,
+) -> tuple[Any, Any, list[str]]:
+    """Sum the way through the water; give it, its track and notes."""
+    none = nan, nan
+    if names is None:
+        return none, None, ["no variables east_displacement, north_displacement"]
+    notes = []
+    if names[0].endswith("_gsm"):
+        notes.append(f"dead reckoning of the glide-slope model ({names[0]})")
+    east, north = (metres(data, name, path) for name in names)
     if east.shape != north.shape or east.ndim != 1 or not east.size:
-        return (
-            (nan, nan),
-            None,
-            [*notes, f"{names[0]} and {names[1]} differ in length or are empty"],
-        )
-    timed = time.shape == east.shape and bool(np.all(np.isfinite(time)))
-    timed = timed and bool(np.all(np.diff(time) > 0))
-    if not timed:
-        notes.append("no track: the times of the samples are missing, not finite or not in order")
+        return none, None, [*notes, f"{names[0]} and {names[1]} differ in length or are empty"]
     bad = ~((np.abs(east) < LONGEST_STEP) & (np.abs(north) < LONGEST_STEP))
     if bad.any():
         said = f"{bad.sum()} of {bad.size} samples of the displacement are not finite"
-        if not timed or bad.mean() > REPAIRABLE:
-            return (nan, nan), None, [*notes, said]
+        if time is None or bad.mean() > REPAIRABLE:
+            return none, None, [*notes, said]
         east, north = (fill(time, steps, bad) for steps in (east, north))
         notes.append(f"{said}, filled from their neighbours' speed")
     total = float(np.sum(east)), float(np.sum(north))
-    if not timed:
+    if time is None:
         return total, None, notes
     if time.size > 1 and np.max(np.diff(time)) > LONGEST_GAP:
         notes.append(f"a gap of {np.max(np.diff(time)):.0f} s in the samples")
-    return total, track_of(time - start, east, north, end - start), notes
+    since = time - start
+    hole = hole_under_water(since, _depths(data, names[0], path), end - start)
+    if hole:
+        return none, None, [*notes, hole]
+    return total, track_of(since, east, north, end - start), notes
+
+
+def _depths(data: "xarray.Dataset", like: str, path: Path) -> np.ndarray:
+    """Depths of the samples that a variable has; NaN where there are none."""
+    for name in DEPTHS:
+        if name in data.variables and data[name].dims == data[like].dims:
+            return metres(data, name, path)
+    return np.full(data[like].shape, nan)

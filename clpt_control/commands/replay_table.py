@@ -1,0 +1,145 @@
+"""The table of `clpt replay`: a row per dive, then the whole."""
+
+from typing import Any
+
+import typer
+
+from .printing import print_table
+
+COLUMNS = {
+    "no_flow": "no flow",
+    "previous_dive": "previous",
+    "adaptive": "adaptive",
+    "flow_model": "model",
+}
+ROWS = {
+    "clpe_rms": "after the first dive",
+    "clpe_rms_all": "all, the first with no flow",
+    "clpe_rms_after_3": "after the third dive",
+}
+
+
+def show(result: Any, summary: dict[str, Any]) -> None:
+    """Print a replay: a row per dive, then the whole.
+
+    Parameters
+    ----------
+    result : Replay
+        With one dive at least.
+    summary : dict
+        As `Replay.summary` gives it.
+    """
+    rows = []
+    for step in result.steps:
+        current = " ".join(
+            f"{v:+.3f}({1000 * e:.0f})"
+            for v, e in zip(step.current, step.current_error, strict=True)
+        )
+        long, short, angle = ellipse(step.covariance)
+        rows.append([
+            str(step.dive.number),
+            *(metres(step.clpe[key]) for key in result.models),
+            current,
+            f"{step.speed:.3f}({1000 * step.speed_error:.0f})",
+            f"{step.forecast[0]:+.0f} {step.forecast[1]:+.0f}",
+            f"{long:.0f} x {short:.0f}, {angle:.0f}",
+            "in" if step.inside else "OUT",
+            "SPEED" if step.anomaly else "",
+        ])  # fmt: skip
+    print_table(
+        "CLPE (m), one dive ahead; learned (standard error, last digits); forecast surfacing",
+        ["dive", *(COLUMNS[key] for key in result.models), "current E N (m/s)", "speed",
+         "E N of DR (m)", "90 % ellipse (m, deg)", "", ""],
+        rows,
+    )  # fmt: skip
+    means = {name: summary[key] for key, name in ROWS.items()}
+    if "flow_model" in summary and 0 < summary["flow_model"]["covered"] < summary["used"]:
+        means["covered, after the first dive"] = summary["flow_model"]["clpe_rms"]
+    table = [[name, *map(metres, rms.values())] for name, rms in means.items()]
+    print_table("CLPE rms (m)", ["", *(COLUMNS[key] for key in result.models)], table)
+    if "flow_model" in summary:
+        typer.echo("\n".join(coverage(summary["flow_model"], summary["used"])))
+    for step in result.steps:
+        if step.anomaly:
+            typer.echo(f"speed anomaly: {step.anomaly}")
+    if summary["dac_identity_median"] is not None:
+        typer.echo(
+            "miss / duration differs from the file's own current by "
+            f"{1000 * summary['dac_identity_median']:.2g} mm/s (median)"
+        )
+    if result.steps:
+        typer.echo(f"surfaced in the 90 % ellipse: {100 * summary['inside_90']:.0f} %")
+    typer.echo(f"learned: {', '.join(summary['learned']) or 'nothing'}")
+    if summary["held"]:
+        typer.echo(f"held, for the dives do not excite them: {', '.join(summary['held'])}")
+    for entry in summary["skipped"]:
+        name = "a file" if entry["dive"] is None else f"dive {entry['dive']}"
+        typer.echo(f"skipped {name}: {entry['why']}")
+
+
+def coverage(given: dict[str, Any], used: int) -> list[str]:
+    """Say which dives a flow model covers, and why not the others.
+
+    Parameters
+    ----------
+    given : dict
+        ``flow_model`` of `Replay.summary`.
+    used : int
+        Number of used dives.
+
+    Returns
+    -------
+    list of str
+        Lines; dives with the same reason share one.
+
+    Examples
+    --------
+    >>> none = {"dive": 7, "why": "outside the forecast's area"}
+    >>> given = {"source": "f.nc", "about": "gridded", "covered": 3, "uncovered": [none]}
+    >>> for line in coverage(given, 4):
+    ...     print(line)
+    flow model f.nc (gridded) covers 3 of 4 dives
+    no flow model for dive 7: outside the forecast's area
+    """
+    lines = [
+        f"flow model {given['source']} ({given['about']}) covers {given['covered']} of {used} dives"
+    ]
+    reasons: dict[str, list[str]] = {}
+    for entry in given["uncovered"]:
+        reasons.setdefault(entry["why"], []).append(str(entry["dive"]))
+    for why, dives in reasons.items():
+        named = f"dive{'s'[: len(dives) > 1]} {', '.join(dives)}"
+        if len(dives) > 6:
+            named = f"{len(dives)} dives from {dives[0]} to {dives[-1]}"
+        lines.append(f"no flow model for {named}: {why}")
+    return lines
+
+
+def metres(size: float | None) -> str:
+    """Give a length as the table shows it, m."""
+    return "-" if size is None else f"{size:.0f}"
+
+
+def ellipse(covariance: Any) -> tuple[float, float, float]:
+    """Give half axes (m) and bearing of the long axis (degrees).
+
+    Parameters
+    ----------
+    covariance : ndarray, shape (2, 2)
+        East and north, m^2.
+
+    Returns
+    -------
+    long, short : float
+        Half axes of the 90 % ellipse, m.
+    bearing : float
+        Of the long one, degrees clockwise from north, 0 to 180.
+    """
+    import numpy as np
+
+    from ..ocean.replay import ELLIPSE
+
+    size, axes = np.linalg.eigh(covariance)
+    short, long = np.sqrt(ELLIPSE * size)
+    bearing = np.degrees(np.arctan2(axes[0, 1], axes[1, 1])) % 180.0
+    return float(long), float(short), float(bearing)

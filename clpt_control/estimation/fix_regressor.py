@@ -1,0 +1,109 @@
+"""Columns of the regression between fixes: what one unit of a parameter does.
+
+    steady current      T                             two parameters, m/s
+    tide, speed w       T s(w) cos(w tm), T s(w) sin(w tm)    four, m/s
+    inertial current    T s(c)                        two, m/s, at mid-dive
+    forecast            its own way (east, north)     one, a factor
+    speed               (d_east, d_north)             f - 1
+    compass             (d_north, -d_east)            psi, rad, clockwise
+
+with T the duration, tm mid-dive, d the dead reckoning and s(w) = sin(w T/2)/(w T/2),
+the mean of a tide over a dive.  Between dives the inertial current turns by
+-c dt, c = 2 Omega sin(latitude) (A. E. Gill, "Atmosphere-Ocean Dynamics", 1982,
+section 8.3).
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+
+ROTATION = 7.292115e-5  # rad/s, of the Earth
+
+
+def mid_time(dive: Any) -> float:
+    """Give the middle of a dive, UTC, s."""
+    return 0.5 * (dive.t_gps2 + dive.t_gpse)
+
+
+def inertial_frequency(latitude: float) -> float:
+    """Give the Coriolis frequency, rad/s.
+
+    Parameters
+    ----------
+    latitude : float
+        Degrees, positive north.
+
+    Returns
+    -------
+    float
+        2 Omega sin(latitude): positive turns clockwise.
+
+    Examples
+    --------
+    >>> round(2 * math.pi / inertial_frequency(30.0) / 3600, 2)
+    23.93
+    """
+    return 2 * ROTATION * math.sin(math.radians(latitude))
+
+
+def ones(dive: Any) -> np.ndarray:
+    """Give the columns of a steady current, s, shape (2, 2)."""
+    return dive.duration * np.eye(2)
+
+
+def swing(dive: Any, w: float) -> float:
+    """Give T s(w): how far an oscillation of unit size carries.
+
+    Parameters
+    ----------
+    dive : Dive
+        Its duration T is used.
+    w : float
+        Angular speed, rad/s.
+
+    Returns
+    -------
+    float
+        s, times the oscillation at mid-dive.
+    """
+    T = dive.duration
+    return T * float(np.sinc(w * T / (2 * math.pi)))
+
+
+def tide(dive: Any, w: float) -> np.ndarray:
+    """Give the columns of a tide, s, shape (2, 4): cosine, then sine.
+
+    Parameters
+    ----------
+    dive : Dive
+        Its times are used.
+    w : float
+        Angular speed, rad/s; time counts from 1970 UTC.
+
+    Returns
+    -------
+    ndarray, shape (2, 4)
+        s; east and north of the cosine, then of the sine.
+    """
+    turn, mean = w * mid_time(dive), swing(dive, w)
+    return mean * np.hstack([math.cos(turn) * np.eye(2), math.sin(turn) * np.eye(2)])
+
+
+def inertial(dive: Any) -> np.ndarray:
+    """Give the columns of the inertial current, s, shape (2, 2)."""
+    return swing(dive, inertial_frequency(dive.lat_gps2)) * np.eye(2)
+
+
+def forecast_way(dive: Any) -> np.ndarray:
+    """Give the column of a flow model's own way, m, shape (2, 1).
+
+    Zero where it does not cover the dive, which then tells nothing of it.
+    """
+    way = (dive.model_east, dive.model_north)
+    return np.array([[0.0 if part is None else part] for part in way])
+
+
+def water(dive: Any) -> np.ndarray:
+    """Give the columns of speed and compass, m, shape (2, 2)."""
+    return np.array([[dive.dr_east, dive.dr_north], [dive.dr_north, -dive.dr_east]])

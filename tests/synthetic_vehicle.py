@@ -1,0 +1,43 @@
+"""A made vehicle whose current, speed and fixes are known, and its dives as files."""
+
+import math
+
+import numpy as np
+from scipy.integrate import trapezoid
+
+from clpt_control.estimation.fix_model import inertial_frequency
+from clpt_control.ocean.dive_table import write_dive_table
+from clpt_control.ocean.dives import Dive
+from clpt_control.tides import period
+
+STEADY = (0.1, -0.05)
+
+
+def vehicle(seed, count=30, flow="steady", factor=1.0, fault=None, lost=0.15, walk=0.0, noise=0.0,
+            hours=4.0, heading="any", fix=20.0, latitude=40.0):  # fmt: skip
+    """A vehicle at 0.25 m/s; `fix` is the noise of a displacement, m per component."""
+    rng = np.random.default_rng(seed)
+    time, dives, current = 1.6e9, [], np.array(STEADY)
+    phase = rng.uniform(0, 2 * math.pi)
+    w = inertial_frequency(latitude) if flow == "inertial" else 2 * math.pi / period("M2", "s")
+    for k in range(count):
+        T = 3600 * hours * rng.uniform(0.8, 1.2)
+        t = np.linspace(time + 600, time + 600 + T, 101)
+        u = np.tile(current, (101, 1))
+        if flow != "steady":
+            turn = (-1 if flow == "inertial" else 0.5) * np.sin(w * t + phase)
+            u = u + 0.15 * np.stack([np.cos(w * t + phase), turn], 1)
+        angle = rng.uniform(0, 2 * math.pi) if heading == "any" else 0.6 + 0.1 * rng.normal()
+        dr = 0.25 * T * np.array([math.cos(angle), math.sin(angle)])
+        f = factor * (1 - lost if fault is not None and k >= fault else 1)
+        way = f * dr + trapezoid(u, t, axis=0) + fix * rng.normal(size=2)
+        way = way + noise * T * rng.normal(size=2)
+        current = current + walk * math.sqrt((T + 600) / 21600) * rng.normal(size=2)
+        dives.append(Dive(k, t[0], latitude, 8.0, t[-1], latitude, 8.0, *way, *dr))
+        time = t[-1]
+    return dives
+
+
+def one_file_each(folder, dives):
+    for dive in dives:
+        write_dive_table([dive], folder / f"dive{dive.number}.csv")

@@ -1,0 +1,98 @@
+"""Following a folder: new files, kills, strange states."""
+
+import math
+import subprocess
+import sys
+import time
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from synthetic_vehicle import one_file_each
+
+from clpt_control.errors import DataError
+from clpt_control.ocean import follow
+from clpt_control.ocean.dive_table import sample_dives
+from clpt_control.ocean.dives import usable
+from clpt_control.ocean.follow import Follower
+from clpt_control.ocean.replay import replay_dives
+from clpt_control.ocean.replay_file import replay_dataset
+
+
+def test_following_a_folder_equals_reading_it(tmp_path):
+    dives = sample_dives()
+    for k, dive in enumerate(dives):
+        one_file_each(tmp_path, [dive])
+        (tmp_path / "half.nc").write_bytes(b"CDF\x01" + bytes(k))
+        follower = Follower(tmp_path, tmp_path / "state.json")  # begins anew, each time
+        assert set(follower.look()) == {f"dive{dive.number}.csv", "half.nc"}
+        assert follower.look() == []
+        used = usable(follower.dives()[0])[0]
+        assert [d.number for d in used] == [d.number for d in dives[: k + 1]]
+    (tmp_path / "dive304.csv").unlink()
+    again = Follower(tmp_path, tmp_path / "state.json")
+    assert again.look() == []
+    known, skipped = again.dives()
+    assert len(skipped) == 1
+    assert "half.nc" in skipped[0].why
+    assert replay_dataset(replay_dives(usable(known)[0])).identical(
+        replay_dataset(replay_dives(usable(dives)[0]))
+    )
+
+
+def test_a_killed_follower_loses_nothing(tmp_path):
+    """Kill -9 at random moments; what a last run gives is what reading gives."""
+    inbox, state = tmp_path / "inbox", tmp_path / "state.json"
+    inbox.mkdir()
+    code = (
+        "import sys, time\nfrom clpt_control.ocean.follow import Follower\n"
+        "f = Follower(sys.argv[1], sys.argv[2])\nprint('up', flush=True)\n"
+        "while True:\n    f.look()\n"
+    )
+    rng = np.random.default_rng(0)
+    dives = sample_dives()
+    for part in (dives[:3], dives[3:6], dives[6:10], dives[10:]):
+        process = subprocess.Popen(
+            [sys.executable, "-c", code, str(inbox), str(state)], stdout=subprocess.PIPE
+        )
+        process.stdout.readline()
+        one_file_each(inbox, part)
+        time.sleep(0.03 * rng.uniform())
+        process.kill()
+        process.wait()
+        process.stdout.close()
+    follower = Follower(inbox, state)
+    follower.look()
+    assert [d.number for d in usable(follower.dives()[0])[0]] == [d.number for d in dives]
+    assert follower.dives()[1] == []
+
+
+def test_a_strange_state_is_refused(tmp_path):
+    (tmp_path / "state.json").write_text("[1]")
+    with pytest.raises(DataError, match="is no state"):
+        Follower(tmp_path, tmp_path / "state.json")
+    (tmp_path / "state.json").write_text('{"format": 1, "files": {}}')
+    with pytest.raises(DataError, match="has the format 1 of another version"):
+        Follower(tmp_path, tmp_path / "state.json")
+    with pytest.raises(DataError, match="no such folder"):
+        Follower(tmp_path / "none", tmp_path / "other.json")
+
+
+def test_tracks_come_back_to_the_bit(tmp_path, monkeypatch):
+    rng = np.random.default_rng(2)
+    time_ = np.linspace(0, 9000, 40)
+    kept = [
+        replace(dive, track=(time_, *np.cumsum(rng.normal(size=(2, 40)), axis=1)))
+        for dive in sample_dives()[:3]
+    ]
+    kept[1] = replace(kept[1], track=None, notes=("no track",), depth_max=math.nan)
+    one_file_each(tmp_path, sample_dives()[:3])
+    read = {f"dive{dive.number}.csv": ([dive], []) for dive in kept}
+    monkeypatch.setattr(follow, "read_dive_file", lambda path: read[path.name])
+    Follower(tmp_path, tmp_path / "state.json").look()
+    again, _ = Follower(tmp_path, tmp_path / "state.json").dives()
+    assert again[1].track is None
+    assert again[1].notes == ("no track",)
+    for before, after in ((kept[0], again[0]), (kept[2], again[2])):
+        assert before == after
+        assert all(map(np.array_equal, before.track, after.track))

@@ -1,0 +1,161 @@
+"""`clpt replay` as a command: figures, table, JSON, mistakes, following."""
+
+import json
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+import xarray
+from synthetic_vehicle import one_file_each
+
+from clpt_control.ocean.dive_table import sample_dives
+
+
+@pytest.fixture
+def command():
+    """Run `clpt replay` without the rest of the command line."""
+    import typer
+    from typer.testing import CliRunner
+
+    from clpt_control.commands.replay import replay
+
+    app = typer.Typer()
+    app.command()(replay)
+    return lambda *words: CliRunner().invoke(app, list(map(str, words)))
+
+
+def test_the_command(command, tmp_path):
+    done = command("--sample", "--out", tmp_path / "out", "--json")
+    found = json.loads(done.stdout)
+    assert (found["dives"], found["used"], found["skipped"]) == (14, 14, [])
+    assert set(found["clpe_rms"]) == {"no_flow", "previous_dive", "adaptive"}
+    assert found["clpe_rms_after_3"]["adaptive"] < 0.88 * found["clpe_rms_after_3"]["previous_dive"]
+    assert 0.7 < found["speed_factor"]["value"] < 1
+    assert {p.name for p in (tmp_path / "out").iterdir()} == {
+        "replay.nc", "map.png", "clpe.png", "current.png"
+    }  # fmt: skip
+    table = command("--sample", "--no-learn-speed", "--flow", "steady", "--estimator", "rls")
+    assert table.exit_code == 0
+    assert "after the third dive" in table.stdout
+    for words, says in (
+        ((), "give files"),
+        (("--sample", "--follow", tmp_path), "give files"),
+        (("--follow", tmp_path), "needs --out"),
+        (("--sample", "--flow", "M2"), "must begin with steady"),
+        (("--sample", "--least-duration", "1e9"), "must last longer"),
+    ):
+        assert says in str(command(*words).exception)
+
+
+def test_the_command_follows(command, tmp_path):
+    (tmp_path / "in").mkdir()
+    words = ("--follow", tmp_path / "in", "--out", tmp_path / "out", "--every", "0.01",
+             "--patience", "0.01", "--json")  # fmt: skip
+    empty = json.loads(command(*words).stdout)
+    assert empty["used"] == 0
+    assert empty["clpe_rms"]["adaptive"] is None
+    for part in (sample_dives()[:5], sample_dives()[5:]):
+        one_file_each(tmp_path / "in", part)
+        followed = json.loads(command(*words).stdout)
+    assert followed == json.loads(command("--sample", "--json").stdout)
+    assert (tmp_path / "out" / "replay.nc").exists()
+
+
+@pytest.fixture
+def forecast(tmp_path):
+    """A forecast over SG542's area and first two days: u grows eastward, v with time."""
+    shape = (2, 2, 2)
+    u = np.broadcast_to(np.array([0.05, 0.15]), shape)
+    v = np.broadcast_to(np.array([0.02, 0.08])[:, None, None], shape)
+    units = {"units": "m/s"}
+    data = xarray.Dataset(
+        {"u": (("time", "lat", "lon"), u, units), "v": (("time", "lat", "lon"), v, units)},
+        {
+            "time": ("time", [0.0, 48.0], {"units": "hours since 2016-01-31"}),
+            "lat": ("lat", [-44.0, -42.0], {"units": "degrees_north"}),
+            "lon": ("lon", [7.5, 9.5], {"units": "degrees_east"}),
+        },
+    )
+    data.to_netcdf(tmp_path / "forecast.nc")
+    return tmp_path / "forecast.nc"
+
+
+def test_the_command_with_a_flow_model(command, forecast, tmp_path):
+    out = tmp_path / "out"
+    found = json.loads(command("--sample", "--flow-model", forecast, "--out", out, "--json").stdout)
+    given = found["flow_model"]
+    assert given["source"] == "forecast.nc"
+    assert 0 < given["covered"] < 14
+    assert {entry["why"] for entry in given["uncovered"]} == {"ends after the forecast's last step"}
+    with xarray.open_dataset(out / "replay.nc") as data:
+        covered = np.isfinite(data.clpe_flow_model.values)
+        assert covered.sum() == given["covered"]
+        # a flow of 0.05 to 0.15 and 0.02 to 0.08 m/s carries a dive so far
+        hours = (data.time - data.start_time).values[covered] / np.timedelta64(1, "s")
+        for axis, low, high in (("east", 0.05, 0.15), ("north", 0.02, 0.08)):
+            speed = data[f"flow_model_{axis}"].values[covered] / hours
+            assert np.all((low - 1e-3 < speed) & (speed < high + 1e-3))
+        rms = np.sqrt(np.mean(data.clpe_flow_model.values[covered][1:] ** 2))
+        bare = np.sqrt(np.mean(data.clpe_no_flow.values[covered][1:] ** 2))
+    assert found["clpe_rms"]["flow_model"] == given["clpe_rms"]["flow_model"] == pytest.approx(rms)
+    assert given["clpe_rms"]["no_flow"] == pytest.approx(bare)
+    table = command("--sample", "--flow-model", forecast)
+    assert "model" in table.stdout
+    assert "covered, after the first dive" in table.stdout
+    assert f"covers {given['covered']} of 14 dives" in table.stdout
+    for name, says in (("state.toml", "state.toml"), ("model.txt", "is no flow model")):
+        assert says in str(command("--sample", "--flow-model", tmp_path / name).exception)
+
+
+def test_tides_need_a_record(command, tmp_path):
+    words = ("--flow", "steady,M2,S2")
+    failed = str(command("--sample", *words).exception)
+    assert "M2 and S2 cannot be told apart" in failed
+    assert command("--sample", "--flow", "steady,M2,K1", "--estimator", "rls").exit_code == 0
+    (tmp_path / "in").mkdir()
+    one_file_each(tmp_path / "in", sample_dives()[:1])
+    follow = ("--follow", tmp_path / "in", "--out", tmp_path / "out", "--every", "0.01",
+              "--patience", "0.01", "--estimator", "rls", "--json")  # fmt: skip
+    done = command(*follow, *words)
+    assert "so far, --flow steady,M2,S2" in done.stderr
+    found = json.loads(done.stdout)
+    assert found["used"] == 1
+    assert set(found["clpe_rms"].values()) == {None}
+    assert found["clpe_rms_all"]["no_flow"] > 0
+
+
+def test_a_killed_command_loses_nothing(command, forecast, tmp_path):
+    """Kill -9 at random moments while files arrive; a restart gives what reading all gives."""
+    inbox, out = tmp_path / "in", tmp_path / "out"
+    inbox.mkdir()
+    words = ("--flow-model", forecast, "--estimator", "rls", "--json")
+    start = [sys.executable, "-c", "from clpt_control.cli import main; main()", "replay",
+             "--follow", inbox, "--out", out, "--every", "0.05", *words]  # fmt: skip
+    rng, dives = np.random.default_rng(4), sample_dives()
+    one_file_each(inbox, dives[:2])
+    for first in (2, 8):
+        process = subprocess.Popen(
+            list(map(str, start)), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
+        )
+        while "dives used" not in process.stderr.readline():  # other lines tell of progress
+            assert process.poll() is None
+        for dive in dives[first : first + 6]:
+            one_file_each(inbox, [dive])
+            time.sleep(0.25 * rng.uniform())
+        process.kill()
+        process.communicate()
+    quick = ("--every", "0.01", "--patience", "0.01")
+    followed = command("--follow", inbox, "--out", out, *quick, *words)
+    at_once = command(inbox, "--out", tmp_path / "whole", *words)
+    assert json.loads(followed.stdout) == json.loads(at_once.stdout)
+    assert json.loads(followed.stdout)["used"] == 14
+    with (
+        xarray.open_dataset(out / "replay.nc") as one,
+        xarray.open_dataset(tmp_path / "whole" / "replay.nc") as other,
+    ):
+        assert one.identical(other)
+    assert {path.name for path in out.iterdir()} == {
+        "replay.nc", "map.png", "clpe.png", "current.png", "state.json"
+    }  # fmt: skip
