@@ -12,12 +12,12 @@ from pathlib import Path
 
 import clpt_control as clpt
 from clpt_control.files import write_netcdf
-from clpt_control.ocean.dive_files import read_dives
-from clpt_control.ocean.dive_table import sample_dives
-from clpt_control.ocean.dives import usable
-from clpt_control.ocean.replay import replay_dives
-from clpt_control.ocean.replay_file import replay_dataset
-from clpt_control.ocean.replay_plots import save_replay_figures
+from clpt_control.ocean.gliders.dive_files import read_dives
+from clpt_control.ocean.gliders.dive_table import sample_dives
+from clpt_control.ocean.gliders.dives import usable
+from clpt_control.ocean.replay.file import replay_dataset
+from clpt_control.ocean.replay.plots import save_replay_figures
+from clpt_control.ocean.replay.replay import replay_dives
 
 
 def main(folder="out", *files):

@@ -9,10 +9,15 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from clpt_control.ocean.dive_files import read_dives
-from clpt_control.ocean.dive_table import OPTIONAL, read_dive_table, sample_dives, write_dive_table
-from clpt_control.ocean.dives import make_dive, usable
-from clpt_control.ocean.og1 import read_og1, write_og1
+from clpt_control.ocean.gliders.dive_files import read_dives
+from clpt_control.ocean.gliders.dive_table import (
+    OPTIONAL,
+    read_dive_table,
+    sample_dives,
+    write_dive_table,
+)
+from clpt_control.ocean.gliders.dives import make_dive, usable
+from clpt_control.ocean.gliders.og1 import read_og1, write_og1
 
 TABLE = [field.name for field in fields(make_dive(1, (0, 0, 0), (1, 0, 0), (0, 0)))]
 TABLE = [name for name in TABLE if name not in ("track", "notes")]

@@ -7,11 +7,11 @@ import netCDF4
 import pytest
 
 from clpt_control.errors import DataError
-from clpt_control.ocean.classic import least_size
-from clpt_control.ocean.dive_files import read_dive_file, read_dives
-from clpt_control.ocean.dive_table import sample_dives, write_dive_table
-from clpt_control.ocean.dives import usable
-from clpt_control.ocean.seaglider import read_seaglider
+from clpt_control.ocean.gliders.classic import least_size
+from clpt_control.ocean.gliders.dive_files import read_dive_file, read_dives
+from clpt_control.ocean.gliders.dive_table import sample_dives, write_dive_table
+from clpt_control.ocean.gliders.dives import usable
+from clpt_control.ocean.gliders.seaglider import read_seaglider
 
 
 @pytest.fixture(scope="module")

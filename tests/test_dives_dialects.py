@@ -26,11 +26,11 @@ from glider_dialects import (
     og1_rows,
 )
 
-from clpt_control.ocean.dive_files import read_dives
-from clpt_control.ocean.dive_table import read_dive_table, write_dive_table
-from clpt_control.ocean.dives import usable
-from clpt_control.ocean.og1 import read_og1, write_og1
-from clpt_control.ocean.seaglider import read_seaglider
+from clpt_control.ocean.gliders.dive_files import read_dives
+from clpt_control.ocean.gliders.dive_table import read_dive_table, write_dive_table
+from clpt_control.ocean.gliders.dives import usable
+from clpt_control.ocean.gliders.og1 import read_og1, write_og1
+from clpt_control.ocean.gliders.seaglider import read_seaglider
 
 DATE_LINE = 180.0 - DRIFT / 2
 

@@ -6,7 +6,7 @@ from math import inf, nan
 import numpy as np
 import pytest
 
-from clpt_control.ocean.dives import make_dive, usable
+from clpt_control.ocean.gliders.dives import make_dive, usable
 
 BASE = make_dive(10, (1e6, -43.0, 8.0), (1.01e6, -43.0, 8.02), (1000.0, 50.0))
 

@@ -23,13 +23,13 @@ from synthetic_forecast import (
 
 from clpt_control.errors import DataError
 from clpt_control.files import write_netcdf
-from clpt_control.ocean.dive_table import sample_dives
-from clpt_control.ocean.dives import usable
 from clpt_control.ocean.fit import fit_scenario
 from clpt_control.ocean.fit_file import save_fit
-from clpt_control.ocean.flow_models import carried, read_flow_model, why_uncovered
-from clpt_control.ocean.replay import replay_dives
-from clpt_control.ocean.replay_file import replay_dataset
+from clpt_control.ocean.gliders.dive_table import sample_dives
+from clpt_control.ocean.gliders.dives import usable
+from clpt_control.ocean.replay.file import replay_dataset
+from clpt_control.ocean.replay.flow_models import carried, read_flow_model, why_uncovered
+from clpt_control.ocean.replay.replay import replay_dives
 
 
 def test_solid_rotation():

@@ -11,12 +11,12 @@ import pytest
 from synthetic_vehicle import one_file_each
 
 from clpt_control.errors import DataError
-from clpt_control.ocean import follow
-from clpt_control.ocean.dive_table import sample_dives
-from clpt_control.ocean.dives import usable
-from clpt_control.ocean.follow import Follower
-from clpt_control.ocean.replay import replay_dives
-from clpt_control.ocean.replay_file import replay_dataset
+from clpt_control.ocean.gliders.dive_table import sample_dives
+from clpt_control.ocean.gliders.dives import usable
+from clpt_control.ocean.replay import follow
+from clpt_control.ocean.replay.file import replay_dataset
+from clpt_control.ocean.replay.follow import Follower
+from clpt_control.ocean.replay.replay import replay_dives
 
 
 def test_following_a_folder_equals_reading_it(tmp_path):
@@ -45,7 +45,7 @@ def test_a_killed_follower_loses_nothing(tmp_path):
     inbox, state = tmp_path / "inbox", tmp_path / "state.json"
     inbox.mkdir()
     code = (
-        "import sys, time\nfrom clpt_control.ocean.follow import Follower\n"
+        "import sys, time\nfrom clpt_control.ocean.replay.follow import Follower\n"
         "f = Follower(sys.argv[1], sys.argv[2])\nprint('up', flush=True)\n"
         "while True:\n    f.look()\n"
     )

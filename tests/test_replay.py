@@ -10,10 +10,10 @@ from synthetic_vehicle import vehicle
 from clpt_control.errors import DataError, ScenarioError
 from clpt_control.estimation.between_fixes import ESTIMATORS, make_estimator
 from clpt_control.estimation.fix_model import FixModel
-from clpt_control.ocean.dive_table import sample_dives
-from clpt_control.ocean.dives import usable
-from clpt_control.ocean.replay import Replay, replay_dives
-from clpt_control.ocean.replay_file import replay_dataset
+from clpt_control.ocean.gliders.dive_table import sample_dives
+from clpt_control.ocean.gliders.dives import usable
+from clpt_control.ocean.replay.file import replay_dataset
+from clpt_control.ocean.replay.replay import Replay, replay_dives
 
 
 @pytest.fixture(scope="module")

@@ -10,7 +10,7 @@ import pytest
 import xarray
 from synthetic_vehicle import one_file_each
 
-from clpt_control.ocean.dive_table import sample_dives
+from clpt_control.ocean.gliders.dive_table import sample_dives
 
 
 @pytest.fixture

@@ -4,7 +4,7 @@ import pytest
 from synthetic_vehicle import vehicle
 
 from clpt_control.estimation.fix_model import FixModel
-from clpt_control.ocean.anomaly import SpeedWatch
+from clpt_control.ocean.replay.anomaly import SpeedWatch
 
 
 @pytest.mark.parametrize("case", [{}, {"noise": 0.01}, {"walk": 0.01}, {"flow": "M2"}])

@@ -11,11 +11,11 @@ import pytest
 
 from clpt_control.errors import DataError, ScenarioError
 from clpt_control.ocean.fit import fit_scenario
-from clpt_control.ocean.rayleigh import check_separable, inseparable
-from clpt_control.ocean.tidal_analysis import fit_tides, predict
-from clpt_control.ocean.tidal_basis import tidal_basis
-from clpt_control.ocean.tidal_nodal import OTHER_NAMES, nodal_corrections
-from clpt_control.ocean.tidal_record import read_record
+from clpt_control.ocean.tidal.analysis import fit_tides, predict
+from clpt_control.ocean.tidal.basis import tidal_basis
+from clpt_control.ocean.tidal.nodal import OTHER_NAMES, nodal_corrections
+from clpt_control.ocean.tidal.rayleigh import check_separable, inseparable
+from clpt_control.ocean.tidal.record import read_record
 from clpt_control.tides import SPEEDS, period, speed
 
 MARACOOS = Path(__file__).parents[2] / "shared/data/field/maracoos_hfr_2019-01-01.nc"
@@ -477,7 +477,7 @@ def test_records_that_are_blind_to_a_tide(time, names, sentence):
 
 
 def test_without_utide_one_sentence_and_fits_of_grids_go_on(clpt, tmp_path, monkeypatch):
-    from clpt_control.ocean.tidal_nodal import nodal_report
+    from clpt_control.ocean.tidal.nodal import nodal_report
 
     path = write_table(tmp_path / "r.csv", times(2), waves(times(2)))
     monkeypatch.setitem(sys.modules, "utide", None)

@@ -46,11 +46,11 @@ def replay(
     from ..estimation.between_fixes import make_estimator
     from ..estimation.fix_model import FixModel
     from ..files import make_folder
-    from ..ocean.dive_files import read_dives
-    from ..ocean.dive_table import sample_dives
-    from ..ocean.dives import usable
-    from ..ocean.flow_models import carried, read_flow_model
-    from ..ocean.replay import Replay
+    from ..ocean.gliders.dive_files import read_dives
+    from ..ocean.gliders.dive_table import sample_dives
+    from ..ocean.gliders.dives import usable
+    from ..ocean.replay.flow_models import carried, read_flow_model
+    from ..ocean.replay.replay import Replay
     from ..progress import progress_bar
 
     if bool(files) + sample + (follow is not None) != 1:
@@ -116,7 +116,7 @@ def check_tides(flow: Sequence[str], dives: Sequence[Any]) -> None:
     DataError
         If two tides need a longer record.
     """
-    from ..ocean.rayleigh import check_separable
+    from ..ocean.tidal.rayleigh import check_separable
 
     tides = [name for name in flow if name not in ("steady", "inertial")]
     if len(tides) > 1 and dives:
@@ -143,7 +143,7 @@ def watch(
     result : Replay
     skipped : list of Skipped
     """
-    from ..ocean.follow import Follower
+    from ..ocean.replay.follow import Follower
 
     for name in (*WRITTEN, "state.json"):
         for left in out.glob(f".{name}.*"):
@@ -186,8 +186,8 @@ def write(result: Any, folder: Path) -> list[Path]:
         The files.
     """
     from ..files import write_netcdf
-    from ..ocean.replay_file import replay_dataset
-    from ..ocean.replay_plots import save_replay_figures
+    from ..ocean.replay.file import replay_dataset
+    from ..ocean.replay.plots import save_replay_figures
 
     write_netcdf(replay_dataset(result), folder / "replay.nc")
     return [folder / "replay.nc", *save_replay_figures(result, folder)]

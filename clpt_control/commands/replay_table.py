@@ -137,7 +137,7 @@ def ellipse(covariance: Any) -> tuple[float, float, float]:
     """
     import numpy as np
 
-    from ..ocean.replay import ELLIPSE
+    from ..ocean.replay.replay import ELLIPSE
 
     size, axes = np.linalg.eigh(covariance)
     short, long = np.sqrt(ELLIPSE * size)

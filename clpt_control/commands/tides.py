@@ -25,9 +25,9 @@ def tides(
 ) -> None:
     """Fit tidal constituents to a current record."""
     from ..files import make_folder, write_netcdf
-    from ..ocean.tidal_analysis import fit_tides
-    from ..ocean.tidal_constants import tides_report
-    from ..ocean.tidal_record import read_record
+    from ..ocean.tidal.analysis import fit_tides
+    from ..ocean.tidal.constants import tides_report
+    from ..ocean.tidal.record import read_record
 
     measured = read_record(record, latitude, at)
     names = [name.strip() for name in constituents.split(",")]
@@ -42,8 +42,8 @@ def tides(
     report = {"source": measured.source, **tides_report(fit)}
     written = []
     if out is not None:
-        from ..ocean.tidal_file import tides_dataset
-        from ..ocean.tidal_plots import tides_plot
+        from ..ocean.tidal.file import tides_dataset
+        from ..ocean.tidal.plots import tides_plot
 
         written = [make_folder(out) / "tides.nc", out / "tides.png"]
         write_netcdf(tides_dataset(fit, measured), written[0])

@@ -1,1 +1,1 @@
-"""Measured currents: readers, projection, gaps, fits and gridded fields."""
+"""Measured currents and gliders: readers, fits, tides and replay."""

@@ -29,8 +29,8 @@ from .gridded import GriddedField
 from .learned import basis_of
 from .places import middles, read_centers, read_width
 from .plane import LocalPlane
-from .rayleigh import check_separable
-from .tidal_nodal import nodal_report
+from .tidal.nodal import nodal_report
+from .tidal.rayleigh import check_separable
 
 __all__ = ["Fit", "fit_scenario", "read_centers", "read_width"]
 

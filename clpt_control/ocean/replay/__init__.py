@@ -1,0 +1,1 @@
+"""Replay of dives: each forecast before its end is seen."""

@@ -1,0 +1,136 @@
+"""A replay as NetCDF: CF discrete sampling geometry, one trajectory.
+
+CF conventions 1.11, appendix H.4: `dive` is the element dimension, `time`,
+`latitude` and `longitude` are where and when the vehicle surfaced, and a scalar
+`trajectory` bears `cf_role`.  Forecast places have their own coordinates.
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..gliders.dives import Dive
+from .replay import Replay
+
+if TYPE_CHECKING:
+    import xarray
+
+EPOCH = "seconds since 1970-01-01 00:00:00 UTC"
+ALONG = {"coordinates": "time latitude longitude"}
+
+
+def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
+    """Put a replay into a dataset.
+
+    Parameters
+    ----------
+    replay : Replay
+        With one dive at least.
+    name : str, optional
+        Of the trajectory.
+
+    Returns
+    -------
+    xarray.Dataset
+        Dimension ``dive``; NaN where the vehicle's file had no value, or the
+        flow model does not cover the dive.
+    """
+    import xarray
+
+    from ... import __version__
+
+    steps = replay.steps
+    dives = [step.dive for step in steps]
+    forecast = np.array([
+        place(d, d.dr_east + s.forecast[0], d.dr_north + s.forecast[1])
+        for s, d in zip(steps, dives, strict=True)
+    ]).reshape(-1, 2)  # fmt: skip
+    reckoned = np.array([place(d, d.dr_east, d.dr_north) for d in dives]).reshape(-1, 2)
+    time = {"units": EPOCH, "calendar": "standard", "standard_name": "time", "axis": "T"}
+    north = {"units": "degrees_north", "standard_name": "latitude"}
+    east = {"units": "degrees_east", "standard_name": "longitude"}
+    data = xarray.Dataset(
+        coords={
+            "dive": ("dive", np.array([d.number for d in dives], np.int32),
+                     {"long_name": "number of the dive"}),
+            "time": ("dive", [d.t_gpse for d in dives], {**time, "long_name": "surfacing"}),
+            "latitude": ("dive", [d.lat_gpse for d in dives], {**north, "axis": "Y"}),
+            "longitude": ("dive", [d.lon_gpse for d in dives], {**east, "axis": "X"}),
+        },
+        attrs={
+            "Conventions": "CF-1.11", "featureType": "trajectory",
+            "title": "dead reckoning, forecasts and learned flow of a glider, dive by dive",
+            "source": f"clpt-control {__version__}, estimator {replay.estimator}, "
+                      f"flow {','.join(replay.model.flow)}",
+        },
+    )  # fmt: skip
+    data["trajectory"] = ((), name, {"cf_role": "trajectory_id"})
+
+    def add(key: str, values: list, units: str, long_name: str, **more: str) -> None:
+        column = np.array([np.nan if v is None else v for v in values], float)
+        data[key] = ("dive", column, {"units": units, "long_name": long_name, **more, **ALONG})
+
+    add("start_time", [d.t_gps2 for d in dives], EPOCH, "last fix before the dive")
+    for axis, where in (("latitude", north), ("longitude", east)):
+        k = axis == "longitude"
+        start = [d.lon_gps2 if k else d.lat_gps2 for d in dives]
+        for key, values, long_name in (
+            ("start", start, "last fix before the dive"),
+            ("reckoned", list(reckoned[:, int(k)]), "end of the dive by dead reckoning"),
+            ("forecast", list(forecast[:, int(k)]), "surfacing as forecast"),
+        ):
+            add(f"{key}_{axis}", values, where["units"], f"{axis}, {long_name}")
+    for model in replay.models:
+        add(f"clpe_{model}", [s.clpe[model] for s in steps], "m",
+            f"prediction error at the surfacing, flow: {model.replace('_', ' ')}")  # fmt: skip
+    if replay.flow_model is not None:
+        data.attrs["flow_model"] = f"{replay.flow_model.source}: {replay.flow_model.about}"
+        for axis in ("east", "north"):
+            add(f"flow_model_{axis}", [getattr(d, f"model_{axis}") for d in dives], "m",
+                f"way that the flow model carries the vehicle, {axis}")  # fmt: skip
+    for i, axis in enumerate(("east", "north")):
+        sea = {"standard_name": f"{axis}ward_sea_water_velocity"}
+        add(f"current_{axis}", [s.current[i] for s in steps], "m s-1",
+            f"learned current over the dive, {axis}", **sea)  # fmt: skip
+        add(f"current_{axis}_error", [s.current_error[i] for s in steps], "m s-1",
+            f"standard error of current_{axis}")  # fmt: skip
+        add(f"file_current_{axis}", [getattr(d, f"dac_{axis}") for d in dives], "m s-1",
+            f"depth-averaged current of the vehicle's own file, {axis}")  # fmt: skip
+        add(f"forecast_{axis}", [s.forecast[i] for s in steps], "m",
+            f"fix less dead reckoning as forecast, {axis}")  # fmt: skip
+        add(f"forecast_variance_{axis}", [s.covariance[i, i] for s in steps], "m2",
+            f"variance of forecast_{axis}")  # fmt: skip
+    add("forecast_covariance", [s.covariance[0, 1] for s in steps], "m2",
+        "covariance of forecast_east and forecast_north")  # fmt: skip
+    add("inside_90", [float(s.inside) for s in steps], "1", "surfaced in the 90 % ellipse")
+    add("speed_factor", [s.speed for s in steps], "1", "factor on speed through water")
+    add("speed_factor_error", [s.speed_error for s in steps], "1", "its standard error")
+    add("compass_error", [s.compass for s in steps], "degree", "compass error, clockwise")
+    add("compass_error_error", [s.compass_error for s in steps], "degree", "its standard error")
+    add("speed_anomaly", [float(s.anomaly is not None) for s in steps], "1",
+        "speed factor left its credible range")  # fmt: skip
+    return data
+
+
+def place(dive: Dive, east: float, north: float) -> tuple[float, float]:
+    """Give the place at a displacement from a dive's start.
+
+    Parameters
+    ----------
+    dive : Dive
+        Its fix before the dive is the start.
+    east, north : float
+        m.
+
+    Returns
+    -------
+    latitude, longitude : float
+        Degrees, along the WGS84 geodesic.
+    """
+    from pyproj import Geod
+
+    azimuth = float(np.degrees(np.arctan2(east, north)))
+    lon, lat, _ = Geod(ellps="WGS84").fwd(
+        dive.lon_gps2, dive.lat_gps2, azimuth, float(np.hypot(east, north))
+    )
+    return lat, lon

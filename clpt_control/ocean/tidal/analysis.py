@@ -1,0 +1,196 @@
+"""Tidal constants of a current record, by least squares through UTide.
+
+    (u, v)(t) = mean + sum_k f_k(t) A_k cos(V_k(t) + u_k(t) - g_k) + residual
+
+for the component to the east and to the north; `tidal_nodal` says what f, u and
+V are.  The same tide drawn as an ellipse has a semi-major and a semi-minor axis
+(positive: it turns counter-clockwise), the major axis's inclination from east,
+counter-clockwise, and the phase lag of the greatest speed.  Solved by
+utide.solve (D. L. Codiga, URI/GSO technical report 2011-01).
+
+Standard errors: UTide's linear ones for white residuals, times `loudness`.  Its
+own coloured errors are not used: over 60 seeds of white noise they were 0.7 of
+the estimates' true spread, and 0.55 with 40 % of the samples missing.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ...errors import DataError, ScenarioError
+from .constants import Constituent, TidalFit
+from .nodal import checked_latitude, checked_times, load_utide, utide_names
+from .rayleigh import check_separable
+from .sampling import check_increasing, check_sampling, loudness
+
+CI = 1.96  # UTide's half widths, in standard errors
+
+
+def fit_tides(
+    time: np.ndarray,
+    u: np.ndarray,
+    v: np.ndarray,
+    latitude: float,
+    constituents: Sequence[str] | str,
+    where: str = "the record",
+) -> TidalFit:
+    """Fit tidal constants to a current record at one place.
+
+    Parameters
+    ----------
+    time : array_like of datetime64, shape (n,)
+        UTC, increasing; any spacing.
+    u, v : array_like, shape (n,)
+        To the east and to the north, m/s; NaN where not measured.
+    latitude : float
+        Degrees north.
+    constituents : sequence of str
+        Names of `tides.SPEEDS`, or UTide's own; the mean is always fitted.
+        ``"auto"``: all that UTide thinks the record can separate.
+    where : str, optional
+        The record, for messages.
+
+    Returns
+    -------
+    TidalFit
+        Constants, errors, mean and shares.
+
+    Raises
+    ------
+    DataError
+        If the record cannot be used, is too short or too sparse to separate
+        the constituents (which are named), or UTide is not installed.
+    ScenarioError
+        If a constituent is unknown.
+
+    Examples
+    --------
+    >>> time = np.datetime64("2019-01-01") + np.arange(721) * np.timedelta64(1, "h")
+    >>> wave = np.cos(np.radians(30.0) * np.arange(721) - 1.0)  # S2, so g = 1 rad and 12 h V = 0
+    >>> tide = fit_tides(time, 0.5 * wave + 0.1, 0.2 * wave, 41.0, ["M2", "S2"]).constituents[1]
+    >>> tide.name, round(tide.east, 3), round(tide.north, 3), round(tide.inclination, 1)
+    ('S2', 0.5, 0.2, 21.8)
+    """
+    utide = load_utide()
+    times, flow = _measured(time, u, v, where)
+    hours = (times - times[0]).astype(float) / 3.6e6
+    names = _names(constituents, hours[-1], where)
+    cycles = np.array([utide.cycles_per_hour[name] for name in utide_names(names)])
+    speeds = {"steady": 0.0} | dict(zip(names, 360.0 * cycles, strict=True))
+    check_separable(tuple(speeds), hours[-1], where, speeds)
+    check_sampling(hours, cycles, names, where)
+    options = {
+        "lat": checked_latitude(latitude), "constit": utide_names(names), "white": True,
+        "order_constit": utide_names(names), "trend": False, "verbose": False,
+    }  # fmt: skip
+    with np.errstate(all="ignore"):  # 0/0 where a tide or the residual is nought
+        both = utide.solve(times, flow.real, flow.imag, **options)
+        east, north = (utide.solve(times, part, **options) for part in (flow.real, flow.imag))
+    mean = both.umean + 1j * both.vmean
+    model = _predicted(both, times)
+    residual = flow - model
+    tides = tuple(
+        _constituent(name, k, both, east, north, loudness(residual, hours, cycles, k))
+        for k, name in enumerate(names)
+    )
+    power = float(np.mean(np.abs(residual) ** 2))
+    return TidalFit(
+        constituents=tides,
+        mean=(float(mean.real), float(mean.imag)),
+        explained_variance=1.0 - power / float(np.mean(np.abs(flow - flow.mean()) ** 2)),
+        residual_rms=power**0.5,
+        start=times[0],
+        end=times[-1],
+        samples=len(times),
+        latitude=float(latitude),
+        coefficients=both,
+    )
+
+
+def predict(fit: TidalFit, time: np.ndarray) -> np.ndarray:
+    """Give the current of a fit at any times.
+
+    Parameters
+    ----------
+    fit : TidalFit
+        From `fit_tides`.
+    time : array_like of datetime64, shape (n,)
+        UTC; nodal corrections are those of each time.
+
+    Returns
+    -------
+    ndarray, shape (2, n)
+        East and north, m/s: mean and tides.
+
+    Raises
+    ------
+    DataError
+        If a time is none, or not in the years that are allowed.
+
+    Examples
+    --------
+    >>> time = np.datetime64("2019-01-01") + np.arange(72) * np.timedelta64(1, "h")
+    >>> wave = np.cos(np.radians(28.9841042) * np.arange(72))
+    >>> fit = fit_tides(time, wave, 0 * wave, 41.0, ["M2"])
+    >>> bool(abs(predict(fit, time)[0] - wave).max() < 1e-3)
+    True
+    """
+    flow = _predicted(fit.coefficients, checked_times(time))
+    return np.array([flow.real, flow.imag])
+
+
+def _predicted(coefficients: Any, times: np.ndarray) -> np.ndarray:
+    out = load_utide().reconstruct(times, coefficients, min_SNR=0, verbose=False)
+    return out.u + 1j * out.v
+
+
+def _measured(time: Any, u: Any, v: Any, where: str) -> tuple[np.ndarray, np.ndarray]:
+    """Give the times and u + iv where both were measured."""
+    times = checked_times(time)
+    u, v = np.asarray(u, float), np.asarray(v, float)
+    if not u.shape == v.shape == times.shape or times.ndim != 1:
+        raise DataError(
+            f"{where}: time {times.shape}, u {u.shape} and v {v.shape}: must be one row, as long"
+        )
+    check_increasing(times, where)
+    kept = np.isfinite(u) & np.isfinite(v)
+    if kept.sum() < 2 or max(np.ptp(u[kept]), np.ptp(v[kept])) == 0:
+        raise DataError(
+            f"{where}: {kept.sum()} measurements of both components, which never change; a record "
+            "of a tide is needed"
+            if kept.sum() > 1
+            else f"{where}: {kept.sum()} of {len(u)} times have both components; a record of at "
+            "least one period of each tide is needed"
+        )
+    return times[kept], u[kept] + 1j * v[kept]
+
+
+def _names(constituents: Sequence[str] | str, hours: float, where: str) -> tuple[str, ...]:
+    if constituents in ("auto", ["auto"], ("auto",)):
+        const = load_utide().ut_constants.const  # df: cycles per hour to the next greater tide
+        names = tuple(str(n) for n, df in zip(const.name, const.df, strict=True) if df * hours >= 1)
+        if not names:
+            raise DataError(f"{where}: no tide can be told from the mean in {hours:.4g} h")
+        return names
+    names = tuple(name for name in constituents if name != "steady")  # the mean, always there
+    if not names or len(set(utide_names(names))) != len(names):
+        raise ScenarioError(
+            f"constituents = {','.join(constituents)}: must be at least one tide, each once, such "
+            "as M2,S2"
+        )
+    return names
+
+
+def _constituent(
+    name: str, k: int, both: Any, east: Any, north: Any, loud: np.ndarray
+) -> Constituent:
+    parts = {
+        "east": (east, "A", loud[1]), "east_phase": (east, "g", loud[1]),
+        "north": (north, "A", loud[2]), "north_phase": (north, "g", loud[2]),
+        "major": (both, "Lsmaj", loud[0]), "minor": (both, "Lsmin", loud[0]),
+        "inclination": (both, "theta", loud[0]), "phase": (both, "g", loud[0]),
+    }  # fmt: skip
+    values = {key: float(fit[own][k]) for key, (fit, own, _) in parts.items()}
+    errors = {key: float(fit[f"{own}_ci"][k] / CI * by) for key, (fit, own, by) in parts.items()}
+    return Constituent(name=name, errors=errors, **values)

@@ -1,0 +1,220 @@
+"""Nodal factor f, nodal angle u and astronomical argument V, through UTide.
+
+    tide(t) = f(t) A cos(V(t) + u(t) - g)
+
+A is the amplitude and g the Greenwich phase, both constants of the place; f
+and u turn slowly with the moon's nodes (18.6 years) and V with the clock.  The
+formula is that of D. L. Codiga, "Unified tidal analysis and prediction using
+the UTide Matlab functions", URI/GSO technical report 2011-01, section II; the
+numbers come from UTide's tables.  So a fit of one month holds in another year:
+A and g stay, f, u and V are taken anew.  Angles are in degrees.
+"""
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ...errors import DataError, ScenarioError
+
+OTHER_NAMES = {"M1": "NO1"}  # Schureman's name and UTide's, where they differ
+DAYS_TO_1970 = 719163  # of the proleptic calendar whose first day is 0001-01-01
+YEARS = (1700, 2200)  # the series of the moon's and the sun's longitudes hold well there
+
+
+class NodalCorrections(NamedTuple):
+    """What turns Greenwich constants into a tide at given times.
+
+    Attributes
+    ----------
+    f : ndarray, shape (nt, nc)
+        Nodal factor.
+    u : ndarray, shape (nt, nc)
+        Nodal angle, degrees, -180 to 180.
+    V : ndarray, shape (nt, nc)
+        Astronomical argument at Greenwich, degrees, 0 to 360.
+    """
+
+    f: np.ndarray
+    u: np.ndarray
+    V: np.ndarray
+
+
+def load_utide() -> Any:
+    """Import UTide, or say what to install.
+
+    Returns
+    -------
+    module
+        ``utide``.
+
+    Raises
+    ------
+    DataError
+        If it is not installed.
+    """
+    try:
+        import utide
+    except ImportError:
+        raise DataError(
+            "tides and nodal corrections need UTide, which is not installed; "
+            "pip install 'clpt-control[ocean]'"
+        ) from None
+    return utide
+
+
+def utide_names(constituents: Sequence[str]) -> list[str]:
+    """Give UTide's names of constituents.
+
+    Parameters
+    ----------
+    constituents : sequence of str
+        Names of `tides.SPEEDS`, or UTide's own.
+
+    Returns
+    -------
+    list of str
+        In the same order.
+
+    Raises
+    ------
+    ScenarioError
+        If UTide has no such name.
+    """
+    known = load_utide().constit_index_dict
+    names = [OTHER_NAMES.get(name, name) for name in constituents]
+    for name in names:
+        if name not in known or name == "Z0":
+            raise ScenarioError(
+                f"unknown constituent '{name}': must be one that UTide has, such as M2, S2, K1, O1"
+            )
+    return names
+
+
+def nodal_corrections(constituents: Sequence[str], time: Any, latitude: float) -> NodalCorrections:
+    """Give f, u and V of constituents at given times.
+
+    Parameters
+    ----------
+    constituents : sequence of str
+        Names of `tides.SPEEDS`, or UTide's own; nc of them.
+    time : array_like of datetime64, shape (nt,)
+        UTC.
+    latitude : float
+        Degrees north; within 5 degrees of the equator, 5 is used.
+
+    Returns
+    -------
+    NodalCorrections
+        Factors and angles, shape (nt, nc).
+
+    Raises
+    ------
+    DataError
+        If UTide is not installed, or a time or the latitude is not allowed.
+    ScenarioError
+        If a name is unknown.
+
+    Examples
+    --------
+    >>> m2 = nodal_corrections(["M2"], ["2024-06-01"], 41.0)
+    >>> m2.f.round(3), m2.u.round(1)
+    (array([[0.965]]), array([[-0.6]]))
+    """
+    names = utide_names(constituents)
+    utide = load_utide()
+    from utide.harmonics import FUV
+
+    which = np.array([utide.constit_index_dict[name] for name in names])
+    days = checked_times(time).astype(float) / 86400e3 + DAYS_TO_1970
+    exact = [False] * 4  # nodal corrections and arguments at each time, none linearized
+    f, u, V = FUV(days, days[0], which, checked_latitude(latitude), exact)
+    return NodalCorrections(f, (360.0 * u + 180.0) % 360.0 - 180.0, 360.0 * V % 360.0)
+
+
+def nodal_report(
+    constituents: Sequence[str], time: Any, latitude: float
+) -> dict[str, dict[str, float]] | None:
+    """Give f, u and V by name, or None where UTide is missing.
+
+    Parameters
+    ----------
+    constituents : sequence of str
+        As for `nodal_corrections`; "steady" is left out.
+    time : str or datetime64
+        One instant, UTC; None is given too where its calendar is no real one.
+    latitude : float
+        Degrees north.
+
+    Returns
+    -------
+    dict or None
+        Name -> ``{"f": 1, "u": degrees, "V": degrees}``.
+    """
+    names = [name for name in constituents if name != "steady"]
+    try:
+        found = nodal_corrections(names, [time], latitude) if names else ()
+    except DataError:
+        return None
+    return {
+        name: {key: float(value[0, k]) for key, value in zip("fuV", found, strict=True)}
+        for k, name in enumerate(names)
+    }
+
+
+def checked_times(time: Any) -> np.ndarray:
+    """Give times as datetime64 in ms, or say what is wrong.
+
+    Parameters
+    ----------
+    time : array_like of datetime64 or str, shape (nt,)
+        UTC.
+
+    Returns
+    -------
+    ndarray of datetime64[ms], shape (nt,)
+        The same instants.
+
+    Raises
+    ------
+    DataError
+        If one is no time, or lies outside the years that are allowed.
+    """
+    try:
+        times = np.atleast_1d(np.asarray(time, dtype="datetime64[ms]"))
+    except (ValueError, TypeError, OverflowError):
+        raise DataError(
+            f"time = {str(time)[:60]}: must be UTC times such as 2019-01-01T06:00"
+        ) from None
+    low, high = (np.datetime64(f"{year}-01-01") for year in YEARS)
+    wrong = ~((times >= low) & (times < high))
+    if times.size == 0 or wrong.any():
+        shown = times[wrong][0] if times.size else "none"
+        raise DataError(
+            f"time = {shown}: must be at least one, from the year {YEARS[0]} to {YEARS[1]}; "
+            "check the unit and the epoch of the times"
+        )
+    return times
+
+
+def checked_latitude(latitude: float) -> float:
+    """Give a latitude as UTide takes it, or say what is wrong.
+
+    Parameters
+    ----------
+    latitude : float
+        Degrees north.
+
+    Returns
+    -------
+    float
+        The same, but for 0, which UTide would divide by.
+
+    Raises
+    ------
+    DataError
+        If it is none.
+    """
+    if not (np.isfinite(latitude) and -90 <= latitude <= 90):
+        raise DataError(f"latitude = {latitude}: must be degrees north, from -90 to 90")
+    return float(latitude) or 1e-9

@@ -1,0 +1,217 @@
+"""Read a current record at one place: NetCDF, or a table (`tidal_table`).
+
+NetCDF: a time and two velocities, found by CF standard name or as u and v, of
+the one dimension time; dimensions of one value and a depth beside it are
+allowed (the level nearest the surface is taken).  From a grid of latitudes and
+longitudes the cell nearest to a given place is taken.  The latitude, which the
+nodal corrections need, is the file's variable, its attribute
+`geospatial_lat_min` (equal to `geospatial_lat_max`), `latitude` or `lat`, or
+given.  Gaps are kept as NaN.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...errors import DataError
+from ...files import open_netcdf
+from ..cf import AXES, VELOCITY, find_axis, find_variable, hours_since_first, surface_values
+from ..currents import FASTEST
+from .sampling import check_increasing
+from .table import is_table, read_table
+
+if TYPE_CHECKING:
+    import xarray
+
+CALENDARS = ("standard", "gregorian", "proleptic_gregorian")
+
+
+@dataclass(frozen=True)
+class CurrentRecord:
+    """A current at one place over time.
+
+    Attributes
+    ----------
+    time : ndarray of datetime64[ms], shape (n,)
+        UTC, increasing.
+    u, v : ndarray, shape (n,)
+        To the east and to the north, m/s; NaN where not measured.
+    latitude : float
+        Degrees north.
+    longitude : float or None
+        Degrees east, where the file says it.
+    source : str
+        Name of the file.
+    """
+
+    time: np.ndarray
+    u: np.ndarray
+    v: np.ndarray
+    latitude: float
+    longitude: float | None
+    source: str
+
+
+def read_record(
+    path: str | Path,
+    latitude: float | None = None,
+    at: tuple[float, float] | None = None,
+) -> CurrentRecord:
+    """Read a current record at one place.
+
+    Parameters
+    ----------
+    path : str or Path
+        NetCDF, or a table that `tidal_table` describes.
+    latitude : float, optional
+        Degrees north; the file's own by default.
+    at : tuple of float, optional
+        Latitude and longitude, degrees: the nearest cell of a grid is read.
+
+    Returns
+    -------
+    CurrentRecord
+        m/s and UTC, gaps as NaN.
+
+    Raises
+    ------
+    DataError
+        If the file cannot be read or used; one sentence says why.
+    """
+    path = Path(path)
+    if is_table(path):
+        if at is not None:
+            raise DataError(f"{path}: is a table of one place; --at is for gridded NetCDF files")
+        times, u, v, own = read_table(path)
+        place: tuple[float | None, float | None] = (own, None)
+    else:
+        with open_netcdf(path) as data:
+            times, u, v, place = _from_netcdf(data, path, at)
+    check_increasing(times, str(path))
+    gap = ~(np.isfinite(u) & np.isfinite(v))
+    if gap.all():
+        raise DataError(f"{path}: no time has a finite value of both components of the current")
+    for name, values in (("eastward", u), ("northward", v)):
+        if np.nanmax(np.abs(values[~gap])) > FASTEST:
+            raise DataError(
+                f"{path}: the {name} current reaches {np.nanmax(np.abs(values[~gap])):.4g} m/s; at "
+                f"most {FASTEST} are allowed: check its units and fill value"
+            )
+    found = place[0] if latitude is None else latitude
+    if found is None:
+        raise DataError(
+            f"{path}: does not say its latitude, which the nodal corrections need; give "
+            "--latitude DEG"
+        )
+    if not (np.isfinite(found) and -90 <= found <= 90):
+        raise DataError(f"{path}: latitude = {found}: must be degrees north, from -90 to 90")
+    u, v = np.where(gap, np.nan, u), np.where(gap, np.nan, v)
+    return CurrentRecord(times, u, v, float(found), place[1], path.name)
+
+
+def _from_netcdf(data: "xarray.Dataset", path: Path, at: tuple[float, float] | None) -> tuple:
+    """Give times, u, v and (latitude, longitude)."""
+    east = find_variable(data, VELOCITY, "eastward", path)
+    north = find_variable(data, VELOCITY, "northward", path)
+    when = find_axis_of_time(data, east, path)
+    hours, start = hours_since_first(when, path)
+    calendar = str(when.attrs.get("calendar", "standard"))
+    if calendar.lower() not in CALENDARS:
+        raise DataError(
+            f"{path}: {when.name} counts in the calendar {calendar}; tides need the days of the "
+            f"real one, {' or '.join(CALENDARS)}"
+        )
+    times = np.datetime64(start, "ms") + np.round(3.6e6 * hours).astype("timedelta64[ms]")
+    kept: dict[Any, np.ndarray] = {when.dims[0]: np.arange(len(times))}
+    place = _own_place(data)
+    if at is not None:
+        place = []
+        for what, wanted in zip(("latitude", "longitude"), at, strict=True):
+            axis = find_axis(data, east, what, path)
+            k = _nearest(axis.values.astype(float), wanted, what, path)
+            kept[axis.dims[0]] = np.array([k])
+            place.append(float(axis.values[k]))
+    others = {dim: data[east].sizes[dim] for dim in data[east].dims if dim not in kept}
+    horizontal = AXES["latitude"][1] + AXES["longitude"][1]
+    grid = [n for n, size in others.items() if size > 1 and str(n).lower() in horizontal]
+    if at is None and grid:
+        raise DataError(
+            f"{path}: is a grid of {' x '.join(str(others[n]) for n in grid)} places; --at LAT LON "
+            "takes the nearest"
+        )
+    u, v = (surface_values(data, name, kept, path).ravel() for name in (east, north))
+    return times, u, v, tuple(place)
+
+
+def find_axis_of_time(data: "xarray.Dataset", velocity: str, path: Path) -> "xarray.DataArray":
+    """Give the time, of one dimension that the velocity has.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        The file.
+    velocity : str
+        Name of a velocity.
+    path : Path
+        The file's name, for messages.
+
+    Returns
+    -------
+    xarray.DataArray, shape (n,)
+
+    Raises
+    ------
+    DataError
+        If there is none.
+    """
+    when = data[find_variable(data, AXES, "time", path)]
+    if when.ndim != 1 or when.dims[0] not in data[velocity].dims:
+        raise DataError(
+            f"{path}: {when.name} has the dimensions ({', '.join(map(str, when.dims))}) and "
+            f"{velocity} ({', '.join(map(str, data[velocity].dims))}); they must share one, time"
+        )
+    return when
+
+
+def _nearest(axis: np.ndarray, wanted: float, what: str, path: Path) -> int:
+    """Give the cell nearest to a place that lies in the grid."""
+    if not (np.isfinite(wanted) and np.all(np.isfinite(axis))):
+        raise DataError(f"{path}: {what} {wanted}: must be finite, as those of the grid")
+    apart = axis - wanted
+    if what == "longitude":
+        apart = (apart + 180.0) % 360.0 - 180.0
+    k = int(np.argmin(np.abs(apart)))
+    cell = np.abs(np.diff(np.sort(axis))).max() if len(axis) > 1 else 1.0
+    if abs(apart[k]) > cell:
+        raise DataError(
+            f"{path}: {what} {wanted:g} lies outside the grid, which covers {axis.min():.6g} to "
+            f"{axis.max():.6g}"
+        )
+    return k
+
+
+def _own_place(data: "xarray.Dataset") -> list[float | None]:
+    """Give latitude and longitude of a file of one place, None where it is silent."""
+    place: list[float | None] = []
+    for what, short in (("latitude", "lat"), ("longitude", "lon")):
+        values: list[Any] = [
+            data[name].values.ravel()[0]
+            for name in data.variables
+            if (data[name].attrs.get("standard_name") == what
+                or str(name).lower() in AXES[what][1]) and data[name].size == 1
+        ]  # fmt: skip
+        low, high = (data.attrs.get(f"geospatial_{short}_{end}") for end in ("min", "max"))
+        values += [low] if low is not None and low == high else []
+        values += [data.attrs[name] for name in (what, short) if name in data.attrs]
+        place.append(next(filter(lambda number: number is not None, map(_number, values)), None))
+    return place
+
+
+def _number(value: Any) -> float | None:
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        return None
+    return number if np.isfinite(number) else None
