@@ -24,13 +24,13 @@ def test_following_a_folder_equals_reading_it(tmp_path):
     for k, dive in enumerate(dives):
         one_file_each(tmp_path, [dive])
         (tmp_path / "half.nc").write_bytes(b"CDF\x01" + bytes(k))
-        follower = Follower(tmp_path, tmp_path / "state.json")  # begins anew, each time
+        follower = Follower(tmp_path, tmp_path / "state")  # begins anew, each time
         assert set(follower.look()) == {f"dive{dive.number}.csv", "half.nc"}
         assert follower.look() == []
         used = usable(follower.dives()[0])[0]
         assert [d.number for d in used] == [d.number for d in dives[: k + 1]]
     (tmp_path / "dive304.csv").unlink()
-    again = Follower(tmp_path, tmp_path / "state.json")
+    again = Follower(tmp_path, tmp_path / "state")
     assert again.look() == []
     known, skipped = again.dives()
     assert len(skipped) == 1
@@ -42,7 +42,7 @@ def test_following_a_folder_equals_reading_it(tmp_path):
 
 def test_a_killed_follower_loses_nothing(tmp_path):
     """Kill -9 at random moments; what a last run gives is what reading gives."""
-    inbox, state = tmp_path / "inbox", tmp_path / "state.json"
+    inbox, state = tmp_path / "inbox", tmp_path / "state"
     inbox.mkdir()
     code = (
         "import sys, time\nfrom clpt_control.ocean.replay.follow import Follower\n"
@@ -67,15 +67,16 @@ def test_a_killed_follower_loses_nothing(tmp_path):
     assert follower.dives()[1] == []
 
 
-def test_a_strange_state_is_refused(tmp_path):
-    (tmp_path / "state.json").write_text("[1]")
-    with pytest.raises(DataError, match="is no state"):
-        Follower(tmp_path, tmp_path / "state.json")
-    (tmp_path / "state.json").write_text('{"format": 1, "files": {}}')
-    with pytest.raises(DataError, match="has the format 1 of another version"):
-        Follower(tmp_path, tmp_path / "state.json")
+@pytest.mark.parametrize(
+    "text", ["[1]", '{"format": 0, "stamp": [1, 2], "dives": [], "skipped": []}', '{"form', "{}"]
+)
+def test_a_strange_state_is_refused(tmp_path, text):
+    (tmp_path / "state").mkdir()
+    (tmp_path / "state" / "dive1.csv.json").write_text(text)
+    with pytest.raises(DataError, match="is no state of this version"):
+        Follower(tmp_path, tmp_path / "state")
     with pytest.raises(DataError, match="no such folder"):
-        Follower(tmp_path / "none", tmp_path / "other.json")
+        Follower(tmp_path / "none", tmp_path / "other")
 
 
 def test_tracks_come_back_to_the_bit(tmp_path, monkeypatch):
@@ -89,8 +90,8 @@ def test_tracks_come_back_to_the_bit(tmp_path, monkeypatch):
     one_file_each(tmp_path, sample_dives()[:3])
     read = {f"dive{dive.number}.csv": ([dive], []) for dive in kept}
     monkeypatch.setattr(follow, "read_dive_file", lambda path: read[path.name])
-    Follower(tmp_path, tmp_path / "state.json").look()
-    again, _ = Follower(tmp_path, tmp_path / "state.json").dives()
+    Follower(tmp_path, tmp_path / "state").look()
+    again, _ = Follower(tmp_path, tmp_path / "state").dives()
     assert again[1].track is None
     assert again[1].notes == ("no track",)
     for before, after in ((kept[0], again[0]), (kept[2], again[2])):

@@ -157,5 +157,5 @@ def test_a_killed_command_loses_nothing(command, forecast, tmp_path):
     ):
         assert one.identical(other)
     assert {path.name for path in out.iterdir()} == {
-        "replay.nc", "map.png", "clpe.png", "current.png", "state.json"
+        "replay.nc", "map.png", "clpe.png", "current.png", "state"
     }  # fmt: skip

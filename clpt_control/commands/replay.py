@@ -20,13 +20,15 @@ def replay(
     sample: Annotated[bool, typer.Option("--sample", help="Replay the dives that ship.")] = False,
     estimator: Annotated[str, typer.Option(help="kalman, rls or gradient.")] = "kalman",
     flow: Annotated[
-        str, typer.Option(help="steady, then tides and inertial, such as steady,M2,inertial.")
+        str, typer.Option(help="steady, then any of tides, inertial and gaussians.")
     ] = "steady,M2,inertial",
+    width: Annotated[str, typer.Option(help="Width of the gaussians, such as 20km.")] = "20km",
     learn_speed: Annotated[
         bool, typer.Option(help="Learn a factor on speed and a compass error.")
     ] = True,
     flow_model: Annotated[
-        Path | None, typer.Option(help="Forecast (NetCDF) or fit (TOML) to compare with.")
+        Path | None,
+        typer.Option(help="Forecast (NetCDF) or fit (TOML) to compare with and learn from."),
     ] = None,
     least_duration: Annotated[
         float, typer.Option(help="Dives must last longer than this, s.")
@@ -49,7 +51,9 @@ def replay(
     from ..ocean.gliders.dive_files import read_dives
     from ..ocean.gliders.dive_table import sample_dives
     from ..ocean.gliders.dives import usable
+    from ..ocean.places import read_width
     from ..ocean.replay.flow_models import carried, read_flow_model
+    from ..ocean.replay.follow import continued
     from ..ocean.replay.replay import Replay
     from ..progress import progress_bar
 
@@ -59,10 +63,16 @@ def replay(
         raise ScenarioError("--follow needs --out, a folder for the results and the state")
     if not (least_duration >= 0 and every > 0 and patience >= 0):
         raise ScenarioError("--least-duration and --patience must be 0 s or more, --every above 0")
-    model = FixModel(tuple(name.strip() for name in flow.split(",")), learn_speed)
+    parts = tuple(name.strip() for name in flow.split(","))
+    if flow_model is None and "model" in parts:
+        raise ScenarioError(f"flow {flow}: its part model needs --flow-model FILE")
+    if flow_model is not None and "model" not in parts:
+        parts = (*parts, "model")  # a factor on it, that the dives may find to be none
+    model = FixModel(parts, learn_speed, 1000 * read_width(width))
     make_estimator(estimator, model)
     forecast = None if flow_model is None else read_flow_model(flow_model)
     warned: list[str] = []
+    state = [Replay(estimator, model, forecast)]
 
     def run(dives: list[Any], unread: list[Any]) -> tuple[Replay, list[Any]]:
         used, unused = usable(dives, least_duration)
@@ -74,12 +84,12 @@ def replay(
             if not warned:  # the record grows
                 warned.append(str(error))
                 typer.echo(f"so far, {error}", err=True)
-        result = Replay(estimator, model, forecast)
-        with progress_bar("replaying dives", max(len(used), 1)) as report:
-            for k, dive in enumerate(used):
-                result.step(dive if forecast is None else carried(dive, forecast))
+        state[0], rest = continued(state[0], used)
+        with progress_bar("replaying dives", max(len(rest), 1)) as report:
+            for k, dive in enumerate(rest):
+                state[0].step(dive if forecast is None else carried(dive, forecast))
                 report(k + 1)
-        return result, [*unread, *unused]
+        return state[0], [*unread, *unused]
 
     written: list[Path] = []
     if follow is not None and out is not None:
@@ -116,9 +126,10 @@ def check_tides(flow: Sequence[str], dives: Sequence[Any]) -> None:
     DataError
         If two tides need a longer record.
     """
+    from ..estimation.fix_model import OTHERS
     from ..ocean.tidal.rayleigh import check_separable
 
-    tides = [name for name in flow if name not in ("steady", "inertial")]
+    tides = [name for name in flow[1:] if name not in OTHERS]
     if len(tides) > 1 and dives:
         hours = (dives[-1].t_gpse - dives[0].t_gps2) / 3600
         check_separable(tides, hours, f"--flow {','.join(flow)}")
@@ -127,12 +138,12 @@ def check_tides(flow: Sequence[str], dives: Sequence[Any]) -> None:
 def watch(
     folder: Path, out: Path, run: Callable, every: float, patience: float
 ) -> tuple[Any, list[Any]]:
-    """Replay a folder again whenever a file arrives.
+    """Replay a folder on whenever a file arrives.
 
     Parameters
     ----------
     folder, out : Path
-        Where files arrive; where results and ``state.json`` lie.
+        Where files arrive; where results and the folder ``state`` lie.
     run : callable
         Dives and what was left out -> replay and all that was left out.
     every, patience : float
@@ -145,10 +156,10 @@ def watch(
     """
     from ..ocean.replay.follow import Follower
 
-    for name in (*WRITTEN, "state.json"):
+    for name in WRITTEN:
         for left in out.glob(f".{name}.*"):
             left.unlink(missing_ok=True)  # of a run that was killed while it wrote
-    follower = Follower(folder, out / "state.json")
+    follower = Follower(folder, out / "state")
     first, quiet = True, 0.0
     while True:
         arrived = follower.look()

@@ -19,18 +19,27 @@ import numpy as np
 
 from ..errors import ScenarioError
 from ..tides import period
-from .fix_regressor import forecast_way, inertial, inertial_frequency, mid_time, ones, tide, water
-from .gaussian_places import Places, miss, near, way_over_places
+from .fix_regressor import (
+    inertial,
+    inertial_frequency,
+    mid_time,
+    miss,
+    model_way,
+    ones,
+    tide,
+    water,
+)
+from .gaussian_places import Places, near, way_over_places
 
 __all__ = ["FixModel", "mid_time", "miss"]
 
 CURRENT, TIDE, INERTIAL = 0.3, 0.1, 0.05  # m/s, standard deviation before any dive
 GAUSSIAN = 0.15  # m/s, the same of a place's coefficient
-FORECAST = 0.7  # the same of the factor on a forecast of the flow
+MODEL = 0.7  # the same of the factor on a flow model
 SPEED, COMPASS = 0.15, 0.03  # the same of f - 1 and of psi (2 degrees)
 FIX = 30.0  # m, one component of the difference of two fixes
 WIDTH = 20e3  # m, of a gaussian
-OTHERS = {"inertial": 2, "gaussians": 0, "forecast": 1}  # parts that are no tide; parameters
+OTHERS = {"inertial": 2, "gaussians": 0, "model": 1}  # parts that are no tide; their parameters
 
 
 @dataclass(frozen=True)
@@ -40,8 +49,8 @@ class FixModel:
     Attributes
     ----------
     flow : tuple of str
-        ``"steady"``, then any of ``"inertial"``, ``"gaussians"``, ``"forecast"``
-        and constituents such as ``"M2"``.
+        ``"steady"``, then any of ``"inertial"``, ``"gaussians"``, ``"model"`` (a
+        factor on the dives' flow model) and constituents such as ``"M2"``.
     learn_speed : bool
         Whether a factor on speed and a compass error are parameters too.
     width : float
@@ -88,7 +97,7 @@ class FixModel:
         """Names of the n parameters, in their order."""
         names = ["current_east", "current_north"]
         for part in self.flow[1:]:
-            if part == "forecast":
+            if part == "model":
                 names.append(part)
             elif part != "gaussians":
                 middle = [""] if part == "inertial" else ["_cos", "_sin"]
@@ -103,7 +112,7 @@ class FixModel:
         """Standard deviations before any dive, shape (n,), m/s, 1 and rad."""
         sd = [CURRENT] * 2
         for part in self.flow[1:]:
-            usual = {"inertial": INERTIAL, "forecast": FORECAST}.get(part, TIDE)
+            usual = {"inertial": INERTIAL, "model": MODEL}.get(part, TIDE)
             sd += [usual] * OTHERS.get(part, 4)
         sd += [SPEED, COMPASS] if self.learn_speed else []
         return np.array(sd + [GAUSSIAN] * (2 * len(self.places.cells) if self.places else 0))
@@ -162,14 +171,14 @@ class FixModel:
         Returns
         -------
         ndarray, shape (2, n)
-            In s for currents, m for speed, compass and forecast.
+            In s for currents, m for speed, compass and model.
         """
         columns = [ones(dive)]
         for part in self.flow[1:]:
             if part == "inertial":
                 columns.append(inertial(dive))
-            elif part == "forecast":
-                columns.append(forecast_way(dive))
+            elif part == "model":
+                columns.append(model_way(dive))
             elif part != "gaussians":
                 columns.append(tide(dive, 2 * math.pi / period(part, "s")))
         if self.learn_speed:

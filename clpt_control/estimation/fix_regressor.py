@@ -3,7 +3,7 @@
     steady current      T                             two parameters, m/s
     tide, speed w       T s(w) cos(w tm), T s(w) sin(w tm)    four, m/s
     inertial current    T s(c)                        two, m/s, at mid-dive
-    forecast            its own way (east, north)     one, a factor
+    flow model          its own way (east, north)     one, a factor
     speed               (d_east, d_north)             f - 1
     compass             (d_north, -d_east)            psi, rad, clockwise
 
@@ -24,6 +24,11 @@ ROTATION = 7.292115e-5  # rad/s, of the Earth
 def mid_time(dive: Any) -> float:
     """Give the middle of a dive, UTC, s."""
     return 0.5 * (dive.t_gps2 + dive.t_gpse)
+
+
+def miss(dive: Any) -> np.ndarray:
+    """Give y, fix less dead reckoning at a dive's end, m, shape (2,)."""
+    return np.array([dive.miss_east, dive.miss_north])
 
 
 def inertial_frequency(latitude: float) -> float:
@@ -95,7 +100,7 @@ def inertial(dive: Any) -> np.ndarray:
     return swing(dive, inertial_frequency(dive.lat_gps2)) * np.eye(2)
 
 
-def forecast_way(dive: Any) -> np.ndarray:
+def model_way(dive: Any) -> np.ndarray:
     """Give the column of a flow model's own way, m, shape (2, 1).
 
     Zero where it does not cover the dive, which then tells nothing of it.

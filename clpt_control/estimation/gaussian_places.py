@@ -4,8 +4,8 @@
 
 The places c stand on a square lattice of 1.5 widths about the vehicle's first
 fix.  One joins the parameters when a track first comes near enough that
-H_c > `NEAR` T; before that it has its prior and nothing else, so joining late
-changes no estimate.  Whether the dives excite it is then read from their
+H_c > `NEAR` T; before that it has its prior and nothing else, so that joining
+late changes little.  Whether the dives excite it is then read from their
 Gramian, as for every parameter (`held`).
 
 Along a dive x(t) is the dead-reckoned track from the fix before it; when the
@@ -21,6 +21,7 @@ from scipy.integrate import trapezoid
 
 from ..blocks.basis import BasisParameters, flow_basis
 from ..geodesy import displacement
+from .fix_regressor import miss
 from .least_squares import evaluate
 
 SPACING = 1.5  # widths
@@ -46,11 +47,6 @@ class Places:
     longitude: float
     width: float
     cells: tuple[tuple[int, int], ...] = ()
-
-
-def miss(dive: Any) -> np.ndarray:
-    """Give y, fix less dead reckoning at a dive's end, m, shape (2,)."""
-    return np.array([dive.miss_east, dive.miss_north])
 
 
 def track(dive: Any, ended: bool = False) -> tuple[np.ndarray, np.ndarray]:

@@ -204,9 +204,10 @@ class KalmanBank:
         self.log_weight -= self.log_weight.max()
         gain = P @ H.T @ inverse
         self.mean = mean + np.einsum("mni,mi->mn", gain, innovation)
-        self.covariance = P - gain @ S @ gain.transpose(0, 2, 1)
-        self.time = mid_time(dive)
         rest = np.eye(P.shape[1]) - gain @ H
+        P = rest @ P @ rest.transpose(0, 2, 1) + gain @ R @ gain.transpose(0, 2, 1)
+        self.covariance = 0.5 * (P + P.transpose(0, 2, 1))
+        self.time = mid_time(dive)
         self.seen = Seen(F, H, innovation, inverse, rest, weights, before)
 
     def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -1,26 +1,29 @@
 """Dives as their files arrive, kept on disk.
 
-The state is one JSON file: of each file read its size, time of change, dives and
-what was left out.  It is written beside its place and renamed there after every
-look at the folder, so that a process killed at any moment leaves the old state
-or the new.  Estimators are not stored: fed the same dives they are the same, bit
-for bit, and JSON keeps every digit.  A file that is still being copied reads as
-damaged and is read again once it has changed; a file that is gone keeps its dives.
+The state is a folder with a JSON file for each file read: its size and time of
+change, its dives and what was left out.  Each is written beside its place and
+renamed there once its file is read, so that a process killed at any moment has
+lost nothing but the file it was reading, which is read again.  Estimators are
+not stored: fed the same dives they are the same, bit for bit, and JSON keeps
+every digit.  A file that is still being copied reads as damaged and is read
+again once it has changed; a file that is gone keeps its dives.
 """
 
 import json
-from dataclasses import asdict, fields
+from collections.abc import Sequence
+from dataclasses import asdict, fields, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from ...errors import DataError
-from ...files import write_text
+from ...files import make_folder, write_text
 from ..gliders.dive_files import SUFFIXES, read_dive_file
 from ..gliders.dives import Dive, Skipped
+from .replay import Replay
 
-FORMAT = 2  # 1 had no tracks
+FORMAT = 1
 KEPT = [f.name for f in fields(Dive) if f.name not in ("track", "notes")]
 
 
@@ -37,7 +40,7 @@ class Follower:
     folder : str or Path
         Where files arrive.
     state : str or Path
-        JSON file of what was read; made if missing.
+        Folder of what was read; made if missing.
 
     Raises
     ------
@@ -46,27 +49,15 @@ class Follower:
     """
 
     def __init__(self, folder: str | Path, state: str | Path) -> None:
-        self.folder, self.state = Path(folder), Path(state)
+        self.folder = Path(folder)
         if not self.folder.is_dir():
             raise DataError(f"{folder}: no such folder; give the folder where dives arrive")
+        self.state = make_folder(state)
+        for left in self.state.glob(".*"):
+            left.unlink()  # of a process that was killed while it wrote
         self.files: dict[str, dict[str, Any]] = {}
-        if self.state.exists():
-            try:
-                content = json.loads(self.state.read_text("utf-8"))
-                self.files = content["files"]
-                form = content["format"]
-                if form == FORMAT:
-                    self.dives()
-            except (OSError, ValueError, KeyError, TypeError, AttributeError):
-                raise DataError(
-                    f"{state}: is no state of clpt replay --follow; move it away to read all "
-                    "files again"
-                ) from None
-            if form != FORMAT:
-                raise DataError(
-                    f"{state}: has the format {form} of another version, this one writes "
-                    f"{FORMAT}; move it away to read all files again"
-                )
+        for path in sorted(self.state.iterdir()):
+            self.files[path.name.removesuffix(".json")] = _record(path)
 
     def look(self) -> list[str]:
         """Read new and changed files, and write the state.
@@ -96,14 +87,15 @@ class Follower:
                 dives, skipped = read_dive_file(path)
             except DataError as error:
                 dives, skipped = [], [Skipped(None, str(error))]
-            self.files[path.name] = {
+            record = {
+                "format": FORMAT,
                 "stamp": stamp,
                 "dives": [_kept(dive) for dive in dives],
                 "skipped": [asdict(s) for s in skipped],
             }
+            write_text(self.state / f"{path.name}.json", json.dumps(record))
+            self.files[path.name] = record
             read.append(path.name)
-        if read:
-            write_text(self.state, json.dumps({"format": FORMAT, "files": self.files}))
         return read
 
     def dives(self) -> tuple[list[Dive], list[Skipped]]:
@@ -123,6 +115,24 @@ class Follower:
         return dives, skipped
 
 
+def _record(path: Path) -> dict[str, Any]:
+    """Read the record of one file and see that it is whole."""
+    try:
+        record = json.loads(path.read_text("utf-8"))
+        if record["format"] != FORMAT or len(record["stamp"]) != 2:
+            raise ValueError
+        for kept in record["dives"]:
+            _dive(kept)
+        for entry in record["skipped"]:
+            Skipped(**entry)
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        raise DataError(
+            f"{path}: is no state of this version's clpt replay --follow; move the folder "
+            f"{path.parent} away to read all files again"
+        ) from None
+    return record
+
+
 def _kept(dive: Dive) -> dict[str, Any]:
     """Give a dive as JSON keeps it; a track is three lists."""
     track = None if dive.track is None else [np.asarray(a).tolist() for a in dive.track]
@@ -137,3 +147,26 @@ def _dive(kept: dict[str, Any]) -> Dive:
         time, east, north = (np.array(a, float) for a in track)
         track = (time, east, north)
     return Dive(**{**kept, "notes": tuple(kept["notes"]), "track": track})
+
+
+def continued(replay: Replay, dives: Sequence[Dive]) -> tuple[Replay, list[Dive]]:
+    """Give the replay to go on with, and the dives it has yet to see.
+
+    Parameters
+    ----------
+    replay : Replay
+        Of the dives that were known before.
+    dives : sequence of Dive
+        All used dives, by time.
+
+    Returns
+    -------
+    replay : Replay
+        The same where new dives come after the old ones; else, as when a file
+        arrived late, a new one.
+    rest : list of Dive
+    """
+    known = [replace(step.dive, model_east=None, model_north=None) for step in replay.steps]
+    if known == list(dives[: len(known)]):
+        return replay, list(dives[len(known) :])
+    return Replay(replay.estimator, replay.model, replay.flow_model), list(dives)
