@@ -101,7 +101,7 @@ def run_dataset(
         data,
         {
             "time": ("time", solution.t, {"long_name": "time since the start of the run",
-                                          "units": units.time, "axis": "T"}),
+                                          "units": units.time}),
             "axis": ("axis", [1, 2], {"long_name": "axis of the plane, x1 and x2"}),
             "basis": ("basis", np.arange(1, N + 1), {"long_name": "flow basis function"}),
         },

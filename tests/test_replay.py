@@ -124,3 +124,31 @@ def test_the_dataset_is_a_cf_trajectory(sg542, tmp_path):
             data.forecast_longitude, data.forecast_latitude, data.longitude, data.latitude
         )[2]
         assert far == pytest.approx(data.clpe_adaptive.values, rel=2e-2, abs=5)
+
+
+def test_the_next_surfacing_is_that_of_the_next_dive():
+    """Planned as it was flown, the next dive's forecast is the one the replay gives it."""
+    from clpt_control.geodesy import place_from
+    from clpt_control.ocean.replay.next_dive import next_dive
+
+    *earlier, last = usable(sample_dives())[0]
+    before = replay_dives(earlier)
+    found = next_dive(before, last.duration, (last.dr_east, last.dr_north))
+    step = before.step(last)
+    # but for the drift at the surface: it starts at the fix where the glider came up
+    assert found.forecast == pytest.approx(step.forecast, abs=15)
+    assert found.covariance == pytest.approx(step.covariance, rel=0.05, abs=1e4)
+    up = earlier[-1]
+    way = found.forecast + (last.dr_east, last.dr_north)
+    assert (found.latitude, found.longitude) == place_from(up.lat_gpse, up.lon_gpse, *way)
+    same = next_dive(before)
+    assert (same.plan.duration, same.plan.dr_east) == pytest.approx((last.duration, last.dr_east))
+    for plan in ((0.0, (0.0, 0.0)), (3600.0, (math.nan, 0.0))):
+        with pytest.raises(ScenarioError, match="must be finite"):
+            next_dive(before, *plan)
+
+
+def test_what_was_repaired_is_said():
+    noted = replace(vehicle(1, 3)[1], notes=("filled 2 samples",))
+    summary = replay_dives([vehicle(1, 3)[0], noted]).summary()
+    assert summary["notes"] == [{"dive": 1, "note": "filled 2 samples"}]

@@ -2,13 +2,14 @@
 
 import time
 from collections.abc import Callable, Sequence
+from math import isfinite
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 from .printing import Json, print_json
-from .replay_table import show
+from .replay_table import place, show
 
 WRITTEN = ("replay.nc", "map.png", "clpe.png", "current.png")
 
@@ -29,6 +30,10 @@ def replay(
     flow_model: Annotated[
         Path | None,
         typer.Option(help="Forecast (NetCDF) or fit (TOML) to compare with and learn from."),
+    ] = None,
+    plan: Annotated[
+        tuple[float, float, float] | None,
+        typer.Option("--next", help="Plan of the next dive: hours, m east, m north."),
     ] = None,
     least_duration: Annotated[
         float, typer.Option(help="Dives must last longer than this, s.")
@@ -54,6 +59,7 @@ def replay(
     from ..ocean.places import read_width
     from ..ocean.replay.flow_models import carried, read_flow_model
     from ..ocean.replay.follow import continued
+    from ..ocean.replay.next_dive import next_dive
     from ..ocean.replay.replay import Replay
     from ..progress import progress_bar
 
@@ -73,6 +79,11 @@ def replay(
     forecast = None if flow_model is None else read_flow_model(flow_model)
     warned: list[str] = []
     state = [Replay(estimator, model, forecast)]
+    if plan is not None and not (all(map(isfinite, plan)) and plan[0] > 0):
+        raise ScenarioError(f"--next {plan}: must be finite, its hours above 0")
+
+    def upcoming(result: Replay) -> Any:
+        return next_dive(result) if plan is None else next_dive(result, 3600 * plan[0], plan[1:])
 
     def run(dives: list[Any], unread: list[Any]) -> tuple[Replay, list[Any]]:
         used, unused = usable(dives, least_duration)
@@ -93,14 +104,15 @@ def replay(
 
     written: list[Path] = []
     if follow is not None and out is not None:
-        result, skipped = watch(follow, make_folder(out), run, every, patience)
+        result, skipped = watch(follow, make_folder(out), run, upcoming, every, patience)
     else:
         result, skipped = run(*((sample_dives(), []) if sample else read_dives(files or [])))
         if not result.steps:
             raise DataError(f"no dive can be used; dive {skipped[0].dive}: {skipped[0].why}")
         if out is not None:
-            written = write(result, make_folder(out))
+            written = write(result, make_folder(out), upcoming(result))
     summary = result.summary(skipped)
+    summary["next_dive"] = upcoming(result).as_dict() if result.steps else None
     if as_json:
         print_json(summary)
         return
@@ -136,7 +148,7 @@ def check_tides(flow: Sequence[str], dives: Sequence[Any]) -> None:
 
 
 def watch(
-    folder: Path, out: Path, run: Callable, every: float, patience: float
+    folder: Path, out: Path, run: Callable, upcoming: Callable, every: float, patience: float
 ) -> tuple[Any, list[Any]]:
     """Replay a folder on whenever a file arrives.
 
@@ -146,6 +158,8 @@ def watch(
         Where files arrive; where results and the folder ``state`` lie.
     run : callable
         Dives and what was left out -> replay and all that was left out.
+    upcoming : callable
+        Replay -> forecast of its next dive.
     every, patience : float
         Time between looks, and without a new file before the end, s.
 
@@ -165,13 +179,14 @@ def watch(
         arrived = follower.look()
         if arrived or first:
             result, skipped = run(*follower.dives())
-            if result.steps:
-                write(result, out)
             said = f"{len(arrived)} new files, {len(result.steps)} dives used"
             if result.steps:
-                step = result.steps[-1]
-                said += f"; dive {step.dive.number}: CLPE {step.clpe['adaptive']:.0f} m" + (
-                    f"; speed anomaly: {step.anomaly}" if step.anomaly else ""
+                ahead, step = upcoming(result), result.steps[-1]
+                write(result, out, ahead)
+                said += (
+                    f"; dive {step.dive.number}: CLPE {step.clpe['adaptive']:.0f} m"
+                    + (f"; speed anomaly: {step.anomaly}" if step.anomaly else "")
+                    + f"; next surfacing near {place(ahead.latitude, ahead.longitude)}"
                 )
             typer.echo(said, err=True)
             first, quiet = False, 0.0
@@ -181,7 +196,7 @@ def watch(
         quiet += every
 
 
-def write(result: Any, folder: Path) -> list[Path]:
+def write(result: Any, folder: Path, ahead: Any) -> list[Path]:
     """Write a replay's NetCDF and figures into a folder.
 
     Parameters
@@ -190,6 +205,8 @@ def write(result: Any, folder: Path) -> list[Path]:
         With one dive at least.
     folder : Path
         An existing folder.
+    ahead : NextDive
+        For the map.
 
     Returns
     -------
@@ -201,4 +218,4 @@ def write(result: Any, folder: Path) -> list[Path]:
     from ..ocean.replay.plots import save_replay_figures
 
     write_netcdf(replay_dataset(result), folder / "replay.nc")
-    return [folder / "replay.nc", *save_replay_figures(result, folder)]
+    return [folder / "replay.nc", *save_replay_figures(result, folder, ahead)]

@@ -29,6 +29,8 @@ def show(result: Any, summary: dict[str, Any]) -> None:
     summary : dict
         As `Replay.summary` gives it.
     """
+    from ..ocean.replay.ellipse import ellipse
+
     rows = []
     for step in result.steps:
         current = " ".join(
@@ -69,12 +71,56 @@ def show(result: Any, summary: dict[str, Any]) -> None:
         )
     if result.steps:
         typer.echo(f"surfaced in the 90 % ellipse: {100 * summary['inside_90']:.0f} %")
-    typer.echo(f"learned: {', '.join(summary['learned']) or 'nothing'}")
+    typer.echo(f"learned: {shortened(summary['learned']) or 'nothing'}")
     if summary["held"]:
-        typer.echo(f"held, for the dives do not excite them: {', '.join(summary['held'])}")
+        typer.echo(f"held, for the dives do not excite them: {shortened(summary['held'])}")
+    for line in by_reason(summary["notes"], "note"):
+        typer.echo(line)
     for entry in summary["skipped"]:
         name = "a file" if entry["dive"] is None else f"dive {entry['dive']}"
         typer.echo(f"skipped {name}: {entry['why']}")
+    ahead = summary["next_dive"]
+    if ahead is not None:
+        typer.echo(
+            f"next surfacing, after {ahead['duration'] / 3600:.2f} h and {ahead['dr_east']:+.0f} m "
+            f"east, {ahead['dr_north']:+.0f} m north through the water: "
+            f"{place(ahead['latitude'], ahead['longitude'])}, 90 % within "
+            f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
+        )
+
+
+def place(lat: float, lon: float) -> str:
+    """Give a place in words, degrees.
+
+    Examples
+    --------
+    >>> place(-42.93, 8.42)
+    '42.9300 S 8.4200 E'
+    """
+    return f"{abs(lat):.4f} {'NS'[lat < 0]} {abs(lon):.4f} {'EW'[lon < 0]}"
+
+
+def shortened(names: list[str]) -> str:
+    """Give names of parameters on a line, gaussians by their number.
+
+    Parameters
+    ----------
+    names : list of str
+        As `FixModel.names` has them.
+
+    Returns
+    -------
+    str
+        Separated by commas.
+
+    Examples
+    --------
+    >>> shortened(["speed", "gaussian[0,0]_east", "gaussian[0,0]_north"])
+    'speed, 2 of gaussians'
+    """
+    plain = [name for name in names if not name.startswith("gaussian[")]
+    places = len(names) - len(plain)
+    return ", ".join([*plain, *([f"{places} of gaussians"] if places else [])])
 
 
 def coverage(given: dict[str, Any], used: int) -> list[str]:
@@ -104,42 +150,42 @@ def coverage(given: dict[str, Any], used: int) -> list[str]:
     lines = [
         f"flow model {given['source']} ({given['about']}) covers {given['covered']} of {used} dives"
     ]
+    return [*lines, *by_reason(given["uncovered"], "why", "no flow model for ")]
+
+
+def by_reason(entries: list[dict[str, Any]], key: str, before: str = "") -> list[str]:
+    """Give a line for each reason, with the dives that share it.
+
+    Parameters
+    ----------
+    entries : list of dict
+        ``dive`` and the reason.
+    key : str
+        Under which the reason stands.
+    before : str, optional
+        What the line begins with.
+
+    Returns
+    -------
+    list of str
+
+    Examples
+    --------
+    >>> by_reason([{"dive": 3, "note": "odd"}, {"dive": 5, "note": "odd"}], "note")
+    ['dives 3, 5: odd']
+    """
     reasons: dict[str, list[str]] = {}
-    for entry in given["uncovered"]:
-        reasons.setdefault(entry["why"], []).append(str(entry["dive"]))
+    for entry in entries:
+        reasons.setdefault(entry[key], []).append(str(entry["dive"]))
+    lines = []
     for why, dives in reasons.items():
         named = f"dive{'s'[: len(dives) > 1]} {', '.join(dives)}"
         if len(dives) > 6:
             named = f"{len(dives)} dives from {dives[0]} to {dives[-1]}"
-        lines.append(f"no flow model for {named}: {why}")
+        lines.append(f"{before}{named}: {why}")
     return lines
 
 
 def metres(size: float | None) -> str:
     """Give a length as the table shows it, m."""
     return "-" if size is None else f"{size:.0f}"
-
-
-def ellipse(covariance: Any) -> tuple[float, float, float]:
-    """Give half axes (m) and bearing of the long axis (degrees).
-
-    Parameters
-    ----------
-    covariance : ndarray, shape (2, 2)
-        East and north, m^2.
-
-    Returns
-    -------
-    long, short : float
-        Half axes of the 90 % ellipse, m.
-    bearing : float
-        Of the long one, degrees clockwise from north, 0 to 180.
-    """
-    import numpy as np
-
-    from ..ocean.replay.replay import ELLIPSE
-
-    size, axes = np.linalg.eigh(covariance)
-    short, long = np.sqrt(ELLIPSE * size)
-    bearing = np.degrees(np.arctan2(axes[0, 1], axes[1, 1])) % 180.0
-    return float(long), float(short), float(bearing)

@@ -147,7 +147,7 @@ def _fixed(work: Work, values: dict[str, np.ndarray], members: int, kept: Any) -
         "cycle": (cycle, {"long_name": "round of the waypoints", "length": work.scenario.cycle}),
         "mark": (times.times[times.marks], {"long_name": "time of an error", "units": time}),
         "time": (times.times[times.own], {"long_name": "time since the start of the run",
-                                          "units": time, "axis": "T"}),
+                                          "units": time}),
         "axis": (np.array([1, 2]), {"long_name": "axis of the plane, x1 and x2"}),
         "basis": (np.arange(1, work.scenario.basis.N + 1),
                   {"long_name": "flow basis function"}),

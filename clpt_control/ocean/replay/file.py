@@ -46,7 +46,13 @@ def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
         for s, d in zip(steps, dives, strict=True)
     ]).reshape(-1, 2)  # fmt: skip
     reckoned = np.array([place(d, d.dr_east, d.dr_north) for d in dives]).reshape(-1, 2)
-    time = {"units": EPOCH, "calendar": "standard", "standard_name": "time", "axis": "T"}
+    time = {
+        "units": EPOCH,
+        "calendar": "standard",
+        "standard_name": "time",
+        "axis": "T",
+        "units_metadata": "leap_seconds: none",
+    }
     north = {"units": "degrees_north", "standard_name": "latitude"}
     east = {"units": "degrees_east", "standard_name": "longitude"}
     data = xarray.Dataset(
@@ -60,6 +66,7 @@ def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
         attrs={
             "Conventions": "CF-1.11", "featureType": "trajectory",
             "title": "dead reckoning, forecasts and learned flow of a glider, dive by dive",
+            "history": "written by clpt replay",
             "source": f"clpt-control {__version__}, estimator {replay.estimator}, "
                       f"flow {','.join(replay.model.flow)}",
         },
@@ -102,6 +109,8 @@ def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
             f"variance of forecast_{axis}")  # fmt: skip
     add("forecast_covariance", [s.covariance[0, 1] for s in steps], "m2",
         "covariance of forecast_east and forecast_north")  # fmt: skip
+    add("previous_share", [s.previous_share for s in steps], "1",
+        "share of the previous dive's current in the forecast")  # fmt: skip
     add("inside_90", [float(s.inside) for s in steps], "1", "surfaced in the 90 % ellipse")
     add("speed_factor", [s.speed for s in steps], "1", "factor on speed through water")
     add("speed_factor_error", [s.speed_error for s in steps], "1", "its standard error")

@@ -10,9 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...files import write_figure
-from ...plotting import BLUE, GREEN, GREY, ORANGE, RED, new_figure
+from ...plotting import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, new_figure
 from ..gliders.dives import Dive, displacement
-from .replay import ELLIPSE, Replay
+from .ellipse import CHI_SQUARED
+from .next_dive import NextDive
+from .replay import Replay
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -25,17 +27,19 @@ LINES = {
     "flow_model": (GREEN, "D", "-."),
 }
 CIRCLE = np.linspace(0, 2 * np.pi, 73)
-UNIT = np.sqrt(ELLIPSE) * np.array([np.cos(CIRCLE), np.sin(CIRCLE)])
+UNIT = np.sqrt(CHI_SQUARED) * np.array([np.cos(CIRCLE), np.sin(CIRCLE)])
 MANY = 40  # dives; beyond, no numbers, and ellipses of the last ones only
 
 
-def map_plot(replay: Replay) -> "Figure":
+def map_plot(replay: Replay, ahead: NextDive | None = None) -> "Figure":
     """Draw fixes, dead-reckoned ends and forecasts.
 
     Parameters
     ----------
     replay : Replay
         With one dive at least.
+    ahead : NextDive, optional
+        The next surfacing, drawn as a star.
 
     Returns
     -------
@@ -53,7 +57,11 @@ def map_plot(replay: Replay) -> "Figure":
         place[:, None] + np.linalg.cholesky(step.covariance) @ UNIT / 1000
         for step, place in zip(replay.steps, forecast, strict=True)
     ][1:][-MANY:]  # the first dive has no forecast
-    everything = np.concatenate([start, end, reckoned, *(ring.T for ring in rings)])
+    star = []
+    if ahead is not None:
+        goal = _km(dives[0], ahead.latitude, ahead.longitude)
+        star = [goal[:, None] + np.linalg.cholesky(ahead.covariance) @ UNIT / 1000]
+    everything = np.concatenate([start, end, reckoned, *(ring.T for ring in [*rings, *star])])
     wide, high = np.ptp(everything, axis=0) + 1e-3
     larger = max(wide, high)
     figure, ax = new_figure(max(6.5 * wide / larger, 3.8) + 0.8, max(6.5 * high / larger, 3) + 1)
@@ -62,13 +70,16 @@ def map_plot(replay: Replay) -> "Figure":
     for first, last, colour, width, style, name in (
         (start, end, BLUE, 1.3, "-", "way between fixes"),
         (end[:-1], start[1:], BLUE, 0.8, ":", "drift at the surface"),
-        (reckoned, end, RED, 0.6, "--", "miss of dead reckoning"),
+        (reckoned, end, RED, 0.6, "--", "miss"),
     ):
         ax.plot(*_pieces(first, last), color=colour, lw=width, ls=style, label=name)
     small = len(dives) > MANY
     ax.plot(*reckoned.T, "x", color=RED, ms=3 if small else 6, label="dead-reckoned end")
     ax.plot(*forecast[1:].T, "+", color=GREEN, ms=4 if small else 8, mew=1.4, label="forecast")
     ax.plot(*end.T, "o", color="black", ms=2 if small else 4.5, label="fix", zorder=4)
+    if ahead is not None:
+        ax.plot(*star[0], color=PURPLE, lw=1.2, ls="--")
+        ax.plot(*goal, "*", color=PURPLE, ms=11, label="next surfacing", zorder=5)
     for k, dive in enumerate(dives if not small else ()):
         away = 2 * end[k] - start[k] - (end[k + 1] if k + 1 < len(dives) else end[k])
         away = np.array([12, 8]) * away / max(np.hypot(*away), 1e-9)
@@ -154,7 +165,7 @@ def current_plot(replay: Replay) -> "Figure":
     return figure
 
 
-def save_replay_figures(replay: Replay, folder: Path) -> list[Path]:
+def save_replay_figures(replay: Replay, folder: Path, ahead: NextDive | None = None) -> list[Path]:
     """Write map.png, clpe.png and current.png.
 
     Parameters
@@ -163,16 +174,18 @@ def save_replay_figures(replay: Replay, folder: Path) -> list[Path]:
         With one dive at least.
     folder : Path
         An existing folder.
+    ahead : NextDive, optional
+        Drawn on the map.
 
     Returns
     -------
     list of Path
         The files.
     """
-    paths = []
-    for name, draw in (("map", map_plot), ("clpe", dive_clpe_plot), ("current", current_plot)):
-        paths.append(Path(folder) / f"{name}.png")
-        write_figure(draw(replay), paths[-1])
+    paths = [Path(folder) / f"{name}.png" for name in ("map", "clpe", "current")]
+    write_figure(map_plot(replay, ahead), paths[0])
+    write_figure(dive_clpe_plot(replay), paths[1])
+    write_figure(current_plot(replay), paths[2])
     return paths
 
 

@@ -28,11 +28,10 @@ from ...estimation.fix_model import FixModel, miss
 from ...estimation.kalman import KalmanBank
 from ..gliders.dives import Dive
 from .anomaly import SpeedWatch
+from .ellipse import CHI_SQUARED
 from .flow_models import FlowModel, carried
 from .step import FLOW_MODEL, MODELS, Step
 from .summary import rms_of, summary_of
-
-ELLIPSE = 4.605170185988092  # chi-squared of two components, 90 %: 2 ln 10
 
 
 @dataclass
@@ -143,7 +142,7 @@ class Replay:
                 },
                 mean,
                 covariance,
-                bool(away @ np.linalg.solve(covariance, away) <= ELLIPSE),
+                bool(away @ np.linalg.solve(covariance, away) <= CHI_SQUARED),
                 anomaly,
                 previous_share=share,
                 **self._learned(dive),

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...estimation.fix_model import miss
-from .flow_models import why_uncovered
+from .flow_models import NOTE, why_uncovered
 from .step import FLOW_MODEL
 
 if TYPE_CHECKING:
@@ -90,6 +90,12 @@ def summary_of(replay: "Replay", skipped: Sequence[Any] = ()) -> dict[str, Any]:
         "learned": list(last.learned) if last else [],
         "held": list(last.held) if last else [],
         "anomalies": [step.anomaly.as_dict() for step in steps if step.anomaly],
+        "notes": [
+            {"dive": step.dive.number, "note": note}
+            for step in steps
+            for note in step.dive.notes
+            if not note.startswith(NOTE)
+        ],
         "skipped": [{"dive": s.dive, "why": s.why} for s in skipped],
     }
 

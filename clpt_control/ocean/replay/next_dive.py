@@ -1,0 +1,121 @@
+"""Where a vehicle will surface next: the forecast of a dive not yet flown.
+
+    z(T) = last fix + d + forecast of the miss
+
+d is the planned way through the water and T its duration; by default both are
+those of the last dive.  The vehicle starts where it surfaced last: its drift at
+the surface is not known yet.
+"""
+
+from dataclasses import dataclass, replace
+from math import isfinite, nan
+
+import numpy as np
+
+from ...errors import ScenarioError
+from ...geodesy import place_from
+from ..gliders.dives import Dive
+from .ellipse import ellipse
+from .flow_models import carried
+from .replay import Replay
+
+
+@dataclass(frozen=True)
+class NextDive:
+    """A forecast surfacing.
+
+    Attributes
+    ----------
+    plan : Dive
+        From the last fix, without an end.
+    forecast : ndarray, shape (2,)
+        Fix less dead reckoning, east and north, m.
+    covariance : ndarray, shape (2, 2)
+        m^2.
+    latitude, longitude : float
+        Of the forecast surfacing, degrees.
+    """
+
+    plan: Dive
+    forecast: np.ndarray
+    covariance: np.ndarray
+    latitude: float
+    longitude: float
+
+    def as_dict(self) -> dict[str, float]:
+        """Give the forecast by name, for JSON: degrees, m and s."""
+        long, short, bearing = ellipse(self.covariance)
+        return {
+            "from_latitude": self.plan.lat_gps2,
+            "from_longitude": self.plan.lon_gps2,
+            "duration": self.plan.duration,
+            "dr_east": self.plan.dr_east,
+            "dr_north": self.plan.dr_north,
+            "latitude": self.latitude,
+            "longitude": self.longitude,
+            "ellipse_90_long": long,
+            "ellipse_90_short": short,
+            "ellipse_90_bearing": bearing,
+        }
+
+
+def next_dive(
+    replay: Replay, duration: float | None = None, way: tuple[float, float] | None = None
+) -> NextDive:
+    """Forecast the surfacing of the next dive.
+
+    Parameters
+    ----------
+    replay : Replay
+        With one dive at least.
+    duration : float, optional
+        Of the next dive, s; by default that of the last.
+    way : tuple of float, optional
+        Planned through the water, east and north, m; by default that of the
+        last dive.
+
+    Returns
+    -------
+    NextDive
+
+    Raises
+    ------
+    ScenarioError
+        If the plan is not finite or its duration not positive.
+
+    Examples
+    --------
+    >>> from clpt_control.ocean.gliders.dive_table import sample_dives
+    >>> from clpt_control.ocean.gliders.dives import usable
+    >>> from clpt_control.ocean.replay.replay import replay_dives
+    >>> found = next_dive(replay_dives(usable(sample_dives())[0]), 18000.0, (0.0, 3000.0))
+    >>> -42.93 < found.latitude < -42.89
+    True
+    """
+    last = replay.steps[-1].dive
+    T = last.duration if duration is None else duration
+    east, north = (last.dr_east, last.dr_north) if way is None else way
+    if not (isfinite(T) and T > 0 and isfinite(east) and isfinite(north)):
+        raise ScenarioError(
+            f"next dive of {T:g} s and {east:g} m east, {north:g} m north: must be finite, its "
+            "duration above 0"
+        )
+    fix = last.lat_gpse, last.lon_gpse
+    plan = Dive(
+        last.number + 1, last.t_gpse, *fix, last.t_gpse + T, nan, nan, nan, nan, east, north,
+        depth_max=last.depth_max,
+        track=_like(last, T, east, north) if way is None else None,
+    )  # fmt: skip
+    if replay.flow_model is not None:
+        plan = carried(plan, replay.flow_model)
+    mean, covariance = replay.forecast(plan)
+    place = place_from(*fix, east + mean[0], north + mean[1])
+    return NextDive(replace(plan, track=None), mean, covariance, *place)
+
+
+def _like(last: Dive, T: float, east: float, north: float) -> tuple | None:
+    """Give the last dive's track, stretched in time to the next one."""
+    if last.track is None:
+        return None
+    time, *way = last.track
+    return (time * (T / last.duration), *way)
