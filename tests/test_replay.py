@@ -139,7 +139,7 @@ def test_the_next_surfacing_is_that_of_the_next_dive():
     assert found.forecast == pytest.approx(step.forecast, abs=15)
     assert found.covariance == pytest.approx(step.covariance, rel=0.05, abs=1e4)
     up = earlier[-1]
-    way = found.forecast + (last.dr_east, last.dr_north)
+    way = found.forecast + np.array([last.dr_east, last.dr_north])
     assert (found.latitude, found.longitude) == place_from(up.lat_gpse, up.lon_gpse, *way)
     same = next_dive(before)
     assert (same.plan.duration, same.plan.dr_east) == pytest.approx((last.duration, last.dr_east))

@@ -42,7 +42,7 @@ def test_the_command(command, tmp_path):
     for words, says in (
         ((), "give files"),
         (("--sample", "--follow", tmp_path), "give files"),
-        (("--follow", tmp_path), "needs --out"),
+        (("--follow", tmp_path / "none"), "no such folder"),
         (("--sample", "--flow", "M2"), "must begin with steady"),
         (("--sample", "--least-duration", "1e9"), "must last longer"),
     ):
@@ -159,3 +159,52 @@ def test_a_killed_command_loses_nothing(command, forecast, tmp_path):
     assert {path.name for path in out.iterdir()} == {
         "replay.nc", "map.png", "clpe.png", "current.png", "state"
     }  # fmt: skip
+
+
+def test_results_of_following_lie_in_the_folder_by_default(command, tmp_path):
+    one_file_each(tmp_path, sample_dives()[:2])
+    words = ("--follow", tmp_path, "--every", "0.01", "--patience", "0.01", "--json")
+    assert json.loads(command(*words).stdout)["used"] == 2
+    assert (tmp_path / "replay" / "replay.nc").exists()
+    assert json.loads(command(*words).stdout)["used"] == 2  # its own results are no dives
+
+
+def test_an_interrupt_ends_following_with_its_results(tmp_path):
+    import signal
+
+    one_file_each(tmp_path, sample_dives()[:3])
+    start = [
+        sys.executable,
+        "-m",
+        "clpt_control",
+        "replay",
+        "--follow",
+        str(tmp_path),
+        "--json",
+    ]
+    process = subprocess.Popen(start, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    while "dives used" not in process.stderr.readline():
+        assert process.poll() is None
+    time.sleep(0.5)
+    process.send_signal(signal.SIGINT)
+    said, _ = process.communicate(timeout=60)
+    assert process.returncode == 0
+    assert json.loads(said)["used"] == 3
+
+
+def test_a_plan_of_the_next_dive(command):
+    found = json.loads(command("--sample", "--next", "4", "0", "3000", "--json").stdout)
+    ahead = found["next_dive"]
+    assert (ahead["duration"], ahead["dr_north"]) == (14400.0, 3000.0)
+    assert ahead["latitude"] > sample_dives()[-1].lat_gpse
+    assert "next surfacing, after 4.00 h" in command("--sample", "--next", "4", "0", "3000").stdout
+    assert "hours above 0" in str(command("--sample", "--next", "0", "0", "0").exception)
+
+
+def test_gaussians_from_the_command(command):
+    words = ("--sample", "--flow", "steady,gaussians", "--width", "30km")
+    found = json.loads(command(*words, "--json").stdout)
+    assert any(name.startswith("gaussian[") for name in [*found["learned"], *found["held"]])
+    assert "of gaussians" in command(*words).stdout
+    assert "needs --flow-model" in str(command("--sample", "--flow", "steady,model").exception)
+    assert "width" in str(command("--sample", "--width", "0km").exception)

@@ -40,7 +40,7 @@ def replay(
     ] = 4000.0,
     out: Annotated[Path | None, typer.Option(help="Folder for NetCDF and figures.")] = None,
     follow: Annotated[
-        Path | None, typer.Option(help="Folder to watch for new files; needs --out.")
+        Path | None, typer.Option(help="Folder to watch for new files; --out is its folder replay.")
     ] = None,
     every: Annotated[float, typer.Option(help="Time between looks at that folder, s.")] = 10.0,
     patience: Annotated[
@@ -65,8 +65,8 @@ def replay(
 
     if bool(files) + sample + (follow is not None) != 1:
         raise ScenarioError("give files of dives, --sample for those that ship, or --follow FOLDER")
-    if follow is not None and out is None:
-        raise ScenarioError("--follow needs --out, a folder for the results and the state")
+    if follow is not None:
+        out = follow / "replay" if out is None else out
     if not (least_duration >= 0 and every > 0 and patience >= 0):
         raise ScenarioError("--least-duration and --patience must be 0 s or more, --every above 0")
     parts = tuple(name.strip() for name in flow.split(","))
@@ -104,7 +104,7 @@ def replay(
 
     written: list[Path] = []
     if follow is not None and out is not None:
-        result, skipped = watch(follow, make_folder(out), run, upcoming, every, patience)
+        result, skipped = watch(follow, out, run, upcoming, every, patience)
     else:
         result, skipped = run(*((sample_dives(), []) if sample else read_dives(files or [])))
         if not result.steps:
@@ -170,10 +170,10 @@ def watch(
     """
     from ..ocean.replay.follow import Follower
 
+    follower = Follower(folder, out / "state")
     for name in WRITTEN:
         for left in out.glob(f".{name}.*"):
             left.unlink(missing_ok=True)  # of a run that was killed while it wrote
-    follower = Follower(folder, out / "state")
     first, quiet = True, 0.0
     while True:
         arrived = follower.look()
@@ -192,7 +192,10 @@ def watch(
             first, quiet = False, 0.0
         if quiet >= patience:
             return result, skipped
-        time.sleep(every)
+        try:
+            time.sleep(every)
+        except KeyboardInterrupt:  # the user's way to end it
+            return result, skipped
         quiet += every
 
 
