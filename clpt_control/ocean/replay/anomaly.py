@@ -27,7 +27,7 @@ from ...errors import DataError
 from ...estimation.fix_model import FixModel
 from ...estimation.kalman import MEMORY, KalmanBank
 
-SURE = 9.0  # l of 3 standard deviations
+SURE = 10.0  # l of 3.2 standard deviations
 NESTED = 2.0  # what a second number explains by chance (H. Akaike, 1974)
 MATTERS = 0.08  # smallest change of the factor that is said
 DIVES = 3  # dives that a jump may lie back
