@@ -44,3 +44,15 @@ def test_measured_current_example(shared, tmp_path):
     ratio = float(done.stdout.split("ratio ")[1].split()[0])
     assert ratio <= 0.1
     assert (tmp_path / "measured_current.png").stat().st_size > 10_000
+
+
+def test_forecasts_of_gliders_in_made_seas(tmp_path):
+    run("-m", "analysis.glider_forecasts", "--vehicles", "2", "--out", tmp_path)
+    text = (tmp_path / "glider_forecasts.md").read_text()
+    rows = {cells[1].strip(): cells for cells in (r.split("|") for r in text.splitlines()[2:18])}
+    assert len(rows) == 16
+    ratios = {name: float(cells[2]) for name, cells in rows.items()}
+    assert max(ratios.values()) < 1.06
+    assert ratios["shelf, M2"] < 0.4
+    assert sorted(ratios.values())[8] < 0.95
+    assert (tmp_path / "glider_forecasts.png").stat().st_size > 10_000

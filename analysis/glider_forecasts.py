@@ -1,0 +1,156 @@
+"""How good are forecasts of the next surfacing, sea by sea, with one set of defaults?
+
+In each made sea vehicles are replayed by every estimator; the ratio is CLPE rms
+after the third dive over that of the previous dive's current, one value a
+vehicle, their geometric mean in the table.  The watch on the speed is asked
+twice: how many of 100 healthy dives it flags, and how often a loss of 15 % at
+dive 20 is flagged within three dives, and within 25.  The Seaglider that ships is the last row.
+
+    python -m analysis.glider_forecasts [--vehicles 12] [--out FOLDER]
+"""
+
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+from typing import Annotated, Any
+
+import numpy as np
+import typer
+
+from clpt_control.estimation.between_fixes import ESTIMATORS
+from clpt_control.files import make_folder, write_figure, write_text
+from clpt_control.ocean.gliders.dive_table import sample_dives
+from clpt_control.ocean.gliders.dives import usable
+from clpt_control.ocean.replay.anomaly import SETTLED
+from clpt_control.ocean.replay.replay import Replay, replay_dives
+from clpt_control.plotting import BLUE, GREEN, ORANGE, new_figure
+from clpt_control.progress import progress_bar
+
+from .made_seas import DAY, QUARTER_DAY, Sea, made_dives
+
+WAVES = (0.03, QUARTER_DAY, 1)  # internal waves, forgotten in six hours
+SEAS = {
+    "keeps what it had, speed exact": Sea(walk=0.03, heading="any"),
+    "the same, restless": Sea(walk=0.1, heading="any"),
+    "the same, one heading": Sea(walk=0.03, heading="one"),
+    "wanders, scatters, speed 10 %": Sea(walk=0.03, scatter=0.02, speed_sd=0.1, compass_sd=0.03,
+                                         heading="mower"),
+    "scatters by 5 cm/s": Sea(scatter=0.05, heading="any"),
+    "steady, speed 10 %": Sea(speed_sd=0.1),
+    "quiet ocean": Sea(eddying=((0.05, 5 * DAY, 1), (0.02, 18000.0, 1)), speed_sd=0.07, dives=40),
+    "eddying ocean": Sea(eddying=((0.2, 3 * DAY, 1), WAVES), inertial=0.05, speed_sd=0.07,
+                         compass_sd=0.02, dives=40),
+    "the same, 8 h dives": Sea(eddying=((0.15, 3 * DAY, 1), WAVES), inertial=0.04, speed_sd=0.05,
+                               hours=8.0, dives=40),
+    "smooth eddies": Sea(eddying=((0.2, 2 * DAY, 2), (0.02, 14400.0, 1)), speed_sd=0.05,
+                         heading="wander", dives=40),
+    "across an eddy": Sea(eddy=(0.5, 25e3), eddying=((0.02, 14400.0, 1),), speed_sd=0.05,
+                          heading="one"),
+    "across a jet": Sea(jet=(1.4, 30e3), eddying=((0.03, 14400.0, 1),), speed_sd=0.05,
+                        heading="one", hours=5.0),
+    "shelf, M2": Sea(eddying=((0.07, 2 * DAY, 1), (0.02, 14400.0, 1)), tides=(("M2", 0.3),),
+                     speed_sd=0.07, hours=3.0, dives=40),
+    "shelf, four tides": Sea(eddying=((0.07, 2 * DAY, 1), (0.02, 14400.0, 1)), heading="mower",
+                             tides=(("M2", 0.2), ("S2", 0.08), ("K1", 0.1), ("O1", 0.06)),
+                             speed_sd=0.05, hours=3.0, dives=60),
+    "after a storm": Sea(eddying=((0.08, 3 * DAY, 1), (0.015, 14400.0, 1)), inertial=0.12,
+                         speed_sd=0.05, dives=40),
+    "fourteen dives only": Sea(eddying=((0.12, 3 * DAY, 1), WAVES), inertial=0.04, speed_sd=0.1,
+                               compass_sd=0.03, heading="mower", dives=14),
+}  # fmt: skip
+MARKS = {"kalman": (BLUE, "o"), "rls": (ORANGE, "^"), "gradient": (GREEN, "s")}
+
+
+def ratio(replay: Replay) -> float:
+    """Give the forecasts' CLPE rms over the previous dive's, after the third dive."""
+    rms = replay.rms(3)
+    return float(rms["adaptive"] or np.nan) / float(rms["previous_dive"] or np.nan)
+
+
+def judged(name: str, seed: int) -> dict[str, Any]:
+    """Replay one vehicle of a sea by every estimator, and once with a fault."""
+    sea = SEAS[name]
+    dives = made_dives(sea, seed)
+    found: dict[str, Any] = {"sea": name}
+    for estimator in ESTIMATORS:
+        replay = replay_dives(dives, estimator)
+        found[estimator] = ratio(replay)
+        if estimator == "kalman":
+            found["inside"] = replay.summary()["inside_90"]
+            found["flags"] = sum(step.anomaly is not None for step in replay.steps)
+            found["watched"] = max(len(dives) - SETTLED, 0)
+    faulty = replay_dives(made_dives(sea._replace(dives=45), seed, lost=0.15, since=20))
+    late = [step.dive.number for step in faulty.steps[20:] if step.anomaly]
+    found["soon"], found["caught"] = any(number < 23 for number in late), bool(late)
+    return found
+
+
+def geometric(values: list[float]) -> float:
+    """Give the geometric mean."""
+    return float(np.exp(np.mean(np.log(values))))
+
+
+def main(
+    vehicles: Annotated[int, typer.Option(help="Vehicles in each sea.")] = 12,
+    out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/glider_forecasts"),
+) -> None:
+    """Leave glider_forecasts.md and glider_forecasts.png."""
+    folder = make_folder(out)
+    jobs = [(name, 1000 + seed) for name in SEAS for seed in range(vehicles)]
+    records: dict[str, list[dict[str, Any]]] = {name: [] for name in SEAS}
+    with ProcessPoolExecutor() as pool, progress_bar("replaying", len(jobs)) as report:
+        for k, found in enumerate(pool.map(judged, *zip(*jobs, strict=True))):
+            records[found["sea"]].append(found)
+            report(k + 1)
+    lines = [
+        f"| sea | {' | '.join(MARKS)} | kalman, worst | in the 90 % ellipse | flags in 100 healthy "
+        "dives | lost speed caught in 3 dives | in 25 |",
+        "|---" * (len(MARKS) + 6) + "|",
+    ]
+    for name, rows in records.items():
+        watched = sum(row["watched"] for row in rows)
+        soon, caught = (100 * np.mean([row[key] for row in rows]) for key in ("soon", "caught"))
+        lines.append(
+            f"| {name} | "
+            + " | ".join(f"{geometric([row[e] for row in rows]):.2f}" for e in MARKS)
+            + f" | {max(row['kalman'] for row in rows):.2f}"
+            + f" | {100 * np.mean([row['inside'] for row in rows]):.0f} %"
+            + f" | {100 * sum(row['flags'] for row in rows) / max(watched, 1):.1f}"
+            + f" | {soon:.0f} % | {caught:.0f} % |"
+        )
+    real = {e: replay_dives(usable(sample_dives())[0], e) for e in MARKS}
+    inside = real["kalman"].summary()["inside_90"]
+    lines.append(
+        f"| Seaglider SG542 | {' | '.join(f'{ratio(real[e]):.2f}' for e in MARKS)} | - | "
+        f"{100 * inside:.0f} % | - | - | - |"
+    )
+    every = [row for rows in records.values() for row in rows]
+    flags = 100 * sum(row["flags"] for row in every) / sum(row["watched"] for row in every)
+    lines.append(f"\nOver all seas {flags:.2f} flags in 100 healthy dives.")
+    write_text(folder / "glider_forecasts.md", "\n".join(lines) + "\n")
+    write_figure(picture(records, real), folder / "glider_forecasts.png")
+    typer.echo("\n".join(lines))
+
+
+def picture(records: dict[str, list[dict[str, Any]]], real: dict[str, Replay]) -> Any:
+    """Draw a row for each sea: each vehicle a dot, geometric means as marks."""
+    figure, ax = new_figure(7.2, 5.6)
+    names = [*records, "Seaglider SG542"]
+    for k, rows in enumerate(records.values()):
+        ax.plot([row["kalman"] for row in rows], [k] * len(rows), ".", color=BLUE, ms=4, alpha=0.35)
+    for j, (estimator, (colour, mark)) in enumerate(MARKS.items()):
+        means = [geometric([row[estimator] for row in rows]) for rows in records.values()]
+        place = np.arange(len(names)) + 0.18 * (j - 1)
+        ax.plot([*means, ratio(real[estimator])], place, mark, color=colour, ms=5,
+                label=estimator)  # fmt: skip
+    ax.axvline(1, color="black", lw=0.8)
+    ax.set(yticks=range(len(names)), yticklabels=names, xscale="log", xticks=[0.2, 0.5, 1, 2],
+           xticklabels=["0.2", "0.5", "1", "2"],
+           xlabel="CLPE rms over that of the previous dive's current")  # fmt: skip
+    ax.minorticks_off()
+    ax.invert_yaxis()
+    figure.legend(loc="outside lower center", ncols=3, fontsize=8, frameon=False)
+    return figure
+
+
+if __name__ == "__main__":
+    typer.run(main)
