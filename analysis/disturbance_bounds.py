@@ -25,7 +25,7 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
-from clpt_control.files import make_folder, write_text
+from clpt_control.files import make_folder, write_figure, write_text
 from clpt_control.plotting import BLUE, COLOURS, GREEN, ORANGE, RED, new_figure
 from clpt_control.progress import progress_bar
 from clpt_control.simulation import sample_times
@@ -126,7 +126,7 @@ def figure(by_amplitude: list[Row], by_frequency: list[Row], path: Path) -> None
                         textcoords="offset points", fontsize=8, color=RED)  # fmt: skip
     picture.legend(*axes[1, 0].get_legend_handles_labels(), fontsize=8, frameon=False,
                    loc="outside lower center", ncols=2)  # fmt: skip
-    picture.savefig(path)
+    write_figure(picture, path)
 
 
 def main(

@@ -15,7 +15,7 @@ from typing import Annotated, Any
 import typer
 
 import clpt_control as clpt
-from clpt_control.files import make_folder, write_text
+from clpt_control.files import make_folder, write_figure, write_text
 from clpt_control.plotting import BLUE, GREEN, RED, new_figure
 from clpt_control.progress import progress_bar
 from clpt_control.report import claims, run_and_report
@@ -83,7 +83,7 @@ def figure(rows: list[dict[str, Any]], path: Path) -> None:
     ax.legend(title="reading: smallest Gramian eigenvalue (m$^2$ s)", fontsize=8,
               title_fontsize=8, frameon=False, loc="lower left")  # fmt: skip
     ax.set_ylim(0.008, 1.2)
-    picture.savefig(path)
+    write_figure(picture, path)
 
 
 def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/readings")) -> None:

@@ -17,7 +17,7 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
-from clpt_control.files import make_folder, write_text
+from clpt_control.files import make_folder, write_figure, write_text
 from clpt_control.plotting import BLUE, RED, new_figure
 from clpt_control.theory.excitation import started_true
 
@@ -107,7 +107,7 @@ def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/step_res
                 label=f"$\\Gamma$ {WRONG_BY} /s too small")  # fmt: skip
     bottom.set(xlabel="time after the step (s)", ylabel="$e_1$ (m/m)", xlim=(0, 10))
     bottom.legend(frameon=False, fontsize=8)
-    picture.savefig(folder / "step_response.png")
+    write_figure(picture, folder / "step_response.png")
     typer.echo(text)
 
 

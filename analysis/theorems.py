@@ -11,7 +11,7 @@ from typing import Annotated
 
 import typer
 
-from clpt_control.files import make_folder, write_text
+from clpt_control.files import make_folder, write_figure, write_text
 from clpt_control.progress import progress_bar
 from clpt_control.theory.audit import audit_latex, audit_markdown
 from clpt_control.theory.counterexample_plot import counterexample_plot
@@ -30,7 +30,7 @@ def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/theorems
     write_text(folder / "theorems.tex", audit_latex(proofs, listed))
     with progress_bar("the counterexample to Eq. (33)", 800.0) as report:
         found = disturbance_counterexample(progress=report)
-    counterexample_plot(found).savefig(folder / "theorems.png")
+    write_figure(counterexample_plot(found), folder / "theorems.png")
     typer.echo("| theorem | as printed | for every N | steps |\n|---|---|---|---|")
     for number, proof in proofs.items():
         every = "yes" if proof.for_every_N else "no"

@@ -37,7 +37,7 @@ def ensemble(
     from ..ensemble.percentiles import ensemble_summary
     from ..ensemble.run import run_ensemble
     from ..errors import ClptError
-    from ..files import check_writable
+    from ..files import check_writable, write_figure
     from ..scenario_file import load_scenario
 
     experiment = load_scenario(scenario)
@@ -54,7 +54,7 @@ def ensemble(
     if figure is not None:
         from ..ensemble.plots import ensemble_plot
 
-        ensemble_plot(data).savefig(figure)
+        write_figure(ensemble_plot(data), figure)
     if as_json:
         print_json(summary)
         return

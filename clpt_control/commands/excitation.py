@@ -23,7 +23,7 @@ def excitation(
     as_json: Json = False,
 ) -> None:
     """Tell what can be learned on a track, and how fast."""
-    from ..files import check_writable
+    from ..files import check_writable, write_figure
     from ..runs import load_run
     from ..scenario_file import load_scenario
     from ..theory.excitation_report import excitation_report
@@ -40,7 +40,7 @@ def excitation(
         from ..theory.sliding import sliding_excitation
 
         at = measured(source, report["window"], report["start"])
-        excitation_plot(sliding_excitation(source, report["window"]), at).savefig(figure)
+        write_figure(excitation_plot(sliding_excitation(source, report["window"]), at), figure)
     if as_json:
         print_json(report)
         return

@@ -24,7 +24,7 @@ def tides(
     as_json: Json = False,
 ) -> None:
     """Fit tidal constituents to a current record."""
-    from ..files import make_folder, write_netcdf
+    from ..files import make_folder, write_figure, write_netcdf
     from ..ocean.tidal.analysis import fit_tides
     from ..ocean.tidal.constants import tides_report
     from ..ocean.tidal.record import read_record
@@ -47,7 +47,7 @@ def tides(
 
         written = [make_folder(out) / "tides.nc", out / "tides.png"]
         write_netcdf(tides_dataset(fit, measured), written[0])
-        tides_plot(fit, measured).savefig(written[1])
+        write_figure(tides_plot(fit, measured), written[1])
     if as_json:
         print_json(report)
         return
