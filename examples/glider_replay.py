@@ -11,25 +11,20 @@ import sys
 from pathlib import Path
 
 import clpt_control as clpt
+from clpt_control import ocean
 from clpt_control.files import write_netcdf
-from clpt_control.ocean.gliders.dive_files import read_dives
-from clpt_control.ocean.gliders.dive_table import sample_dives
-from clpt_control.ocean.gliders.dives import usable
-from clpt_control.ocean.replay.file import replay_dataset
-from clpt_control.ocean.replay.plots import save_replay_figures
-from clpt_control.ocean.replay.replay import replay_dives
 
 
 def main(folder="out", *files):
     """Replay, compare, write."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    dives, unread = read_dives(files) if files else (sample_dives(), [])
-    used, unused = usable(dives)
+    dives, unread = ocean.read_dives(files) if files else (ocean.sample_dives(), [])
+    used, unused = ocean.usable(dives)
     for skipped in [*unread, *unused]:
         print(f"dive {skipped.dive} skipped: {skipped.why}")
     for name in ("gradient", "rls", "kalman"):
-        replay = replay_dives(used, name)
+        replay = ocean.replay_dives(used, name)
         rms = replay.summary()["clpe_rms_after_3"]
         if rms["adaptive"] is not None:
             print(
@@ -39,8 +34,8 @@ def main(folder="out", *files):
     last = replay.steps[-1]
     print(f"speed factor {last.speed:.3f} +- {last.speed_error:.3f}")
     print(f"learned {', '.join(last.learned)}; held {', '.join(last.held) or 'nothing'}")
-    write_netcdf(replay_dataset(replay), folder / "replay.nc")
-    for path in (folder / "replay.nc", *save_replay_figures(replay, folder)):
+    write_netcdf(ocean.replay_dataset(replay), folder / "replay.nc")
+    for path in (folder / "replay.nc", *ocean.save_replay_figures(replay, folder)):
         print(f"{path}: written")
 
 
