@@ -21,7 +21,8 @@ from clpt_control.files import make_folder, write_figure, write_text
 from clpt_control.ocean.gliders.dive_table import sample_dives
 from clpt_control.ocean.gliders.dives import usable
 from clpt_control.ocean.replay.anomaly import SETTLED
-from clpt_control.ocean.replay.replay import Replay, replay_dives
+from clpt_control.ocean.replay.replay import Replay
+from clpt_control.ocean.replay.session import replay_dives
 from clpt_control.plotting import BLUE, GREEN, ORANGE, new_figure
 from clpt_control.progress import progress_bar
 

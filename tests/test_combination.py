@@ -10,8 +10,9 @@ from clpt_control.estimation.between_fixes import ESTIMATORS, make_estimator
 from clpt_control.estimation.combination import SHARE, Combination
 from clpt_control.estimation.fix_model import FixModel, miss
 from clpt_control.ocean.gliders.dives import make_dive
-from clpt_control.ocean.replay.flow_models import read_flow_model, way_of_flow
-from clpt_control.ocean.replay.replay import replay_dives
+from clpt_control.ocean.replay.flow_model_file import read_flow_model
+from clpt_control.ocean.replay.flow_models import way_of_flow
+from clpt_control.ocean.replay.session import replay_dives
 
 FIELD = Path(__file__).parents[2] / "shared/data/field/maracoos_hfr_2019-01-01.nc"
 

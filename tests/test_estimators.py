@@ -9,7 +9,7 @@ from scipy.integrate import trapezoid
 from synthetic_vehicle import STEADY, vehicle
 
 from clpt_control.estimation.fix_model import FixModel, inertial_frequency, mid_time
-from clpt_control.ocean.replay.replay import replay_dives
+from clpt_control.ocean.replay.session import replay_dives
 from clpt_control.tides import period
 
 

@@ -6,7 +6,6 @@ from dataclasses import replace
 import netCDF4
 import numpy as np
 import pytest
-from pyproj import Proj
 from synthetic_forecast import (
     HOURS,
     LAT,
@@ -28,8 +27,9 @@ from clpt_control.ocean.fit_file import save_fit
 from clpt_control.ocean.gliders.dive_table import sample_dives
 from clpt_control.ocean.gliders.dives import usable
 from clpt_control.ocean.replay.file import replay_dataset
-from clpt_control.ocean.replay.flow_models import carried, read_flow_model, why_uncovered
-from clpt_control.ocean.replay.replay import replay_dives
+from clpt_control.ocean.replay.flow_model_file import read_flow_model
+from clpt_control.ocean.replay.flow_models import carried, why_uncovered
+from clpt_control.ocean.replay.session import replay_dives
 
 
 def test_solid_rotation():
@@ -97,17 +97,6 @@ def test_a_fitted_basis(tmp_path):
         assert most < 500  # m, of some 5 km
         assert np.hypot(*(model_way(dive, model) - expected)) < most
     assert "outside the fit's area" in why_uncovered(carried(dive_at(lat=39.0), model))
-    # theta phi at one place and time, written out
-    dive = dive_at(20.0, 1 / 3600, (0.0, 0.0), 41.2, -68.9)
-    plane = Proj(proj="aeqd", ellps="WGS84", lat_0=41.0, lon_0=-69.25)
-    x, y = (w / 1000 for w in plane(-68.9, 41.2))
-    basis, w, t = fit.scenario.basis, np.radians(28.9841042), 20 + 0.5 / 3600
-    kernel = np.exp(-np.sum((np.array(basis.centers) - (x, y)) ** 2, 1) / (2 * 60.0**2))
-    tide = np.concatenate([np.ones(16), np.full(16, np.cos(w * t)), np.full(16, np.sin(w * t))])
-    u1, u2 = np.array(fit.report["theta"]) @ (kernel * tide) / 3.6
-    there = np.array(plane(-68.9 + 1e-5, 41.2)) - np.array(plane(-68.9 - 1e-5, 41.2))
-    c, s = there / np.hypot(*there)
-    assert model_way(dive, model) == pytest.approx((c * u1 + s * u2, c * u2 - s * u1), rel=1e-4)
 
 
 def test_files_that_are_no_flow_model(tmp_path):
@@ -132,7 +121,7 @@ def test_files_that_are_no_flow_model(tmp_path):
         ("bare.toml", "has no fit_report"),
         ("days.nc", "calendar '360_day'"),
         ("deep.nc", "each once"),
-        ("sigma.nc", "levels in '1'"),
+        ("sigma.nc", "level has units '1'"),
         ("fast.nc", "check its units"),
     ):
         with pytest.raises(DataError, match=says):

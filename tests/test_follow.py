@@ -16,7 +16,7 @@ from clpt_control.ocean.gliders.dives import usable
 from clpt_control.ocean.replay import follow
 from clpt_control.ocean.replay.file import replay_dataset
 from clpt_control.ocean.replay.follow import Follower
-from clpt_control.ocean.replay.replay import replay_dives
+from clpt_control.ocean.replay.session import replay_dives
 
 
 def test_following_a_folder_equals_reading_it(tmp_path):

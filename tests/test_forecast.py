@@ -24,9 +24,10 @@ from synthetic_forecast import (
 from clpt_control.ocean.forecast_file import read_column
 from clpt_control.ocean.gliders.dive_table import sample_dives
 from clpt_control.ocean.gliders.dives import make_dive, usable
-from clpt_control.ocean.replay.flow_models import carried, read_flow_model, why_uncovered
+from clpt_control.ocean.replay.flow_model_file import read_flow_model
+from clpt_control.ocean.replay.flow_models import carried, why_uncovered
 from clpt_control.ocean.replay.forecast import depth_mean
-from clpt_control.ocean.replay.replay import replay_dives
+from clpt_control.ocean.replay.session import replay_dives
 
 MARACOOS = Path(__file__).parents[2] / "shared/data/field/maracoos_hfr_2019-01-01.nc"
 DEPTH = np.array([0.0, 10.0, 50.0, 100.0, 200.0, 400.0, 1000.0, 2000.0])

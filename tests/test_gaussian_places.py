@@ -13,7 +13,8 @@ from clpt_control.estimation.gaussian_places import SPACING, Places, near, way_o
 from clpt_control.geodesy import place_from
 from clpt_control.ocean.gliders.dives import Dive
 from clpt_control.ocean.replay.file import replay_dataset
-from clpt_control.ocean.replay.replay import Replay, replay_dives
+from clpt_control.ocean.replay.replay import Replay
+from clpt_control.ocean.replay.session import replay_dives
 
 WIDTH = 20e3
 

@@ -17,8 +17,8 @@ from tidal_records import (
 
 from clpt_control.errors import DataError, ScenarioError
 from clpt_control.ocean.fit import fit_scenario
+from clpt_control.ocean.rayleigh import check_separable, inseparable
 from clpt_control.ocean.tidal.analysis import fit_tides
-from clpt_control.ocean.tidal.rayleigh import check_separable, inseparable
 
 
 def test_rayleigh_says_which_and_how_long():
@@ -110,6 +110,3 @@ def test_a_grid_of_a_month_gives_every_constituent(tmp_path):
     assert list(report["nodal"]) == list(KNOWN)
     f = classical(np.array(["2019-01-16"], "datetime64[ms]"))["M2"][0][0]
     assert report["nodal"]["M2"]["f"] == pytest.approx(f, abs=2e-3)
-
-
-# ---------------------------------------------------------------------------- command and files

@@ -119,7 +119,7 @@ def test_tides_need_a_record(command, tmp_path):
     follow = ("--follow", tmp_path / "in", "--out", tmp_path / "out", "--every", "0.01",
               "--patience", "0.01", "--estimator", "rls", "--json")  # fmt: skip
     done = command(*follow, *words)
-    assert "so far, --flow steady,M2,S2" in done.stderr
+    assert "so far, flow steady,M2,S2" in done.stderr
     found = json.loads(done.stdout)
     assert found["used"] == 1
     assert set(found["clpe_rms"].values()) == {None}
@@ -198,7 +198,7 @@ def test_a_plan_of_the_next_dive(command):
     assert (ahead["duration"], ahead["dr_north"]) == (14400.0, 3000.0)
     assert ahead["latitude"] > sample_dives()[-1].lat_gpse
     assert "next surfacing, after 4.00 h" in command("--sample", "--next", "4", "0", "3000").stdout
-    assert "hours above 0" in str(command("--sample", "--next", "0", "0", "0").exception)
+    assert "duration above 0" in str(command("--sample", "--next", "0", "0", "0").exception)
 
 
 def test_gaussians_from_the_command(command):

@@ -5,9 +5,9 @@ import pytest
 from tidal_records import KNOWN, LATITUDE, classical, local, moon, times, waves
 
 from clpt_control.errors import DataError, ScenarioError
+from clpt_control.ocean.nodal import OTHER_NAMES, nodal_corrections
 from clpt_control.ocean.tidal.analysis import fit_tides, predict
 from clpt_control.ocean.tidal.basis import tidal_basis
-from clpt_control.ocean.tidal.nodal import OTHER_NAMES, nodal_corrections
 from clpt_control.tides import SPEEDS, period, speed
 
 
@@ -68,7 +68,6 @@ def test_a_fit_of_one_month_holds_in_another_year():
     assert abs(f[1, 0] / f[0, 0] - 1) > 0.03  # what would be lost without them
 
 
-# ----------------------------------------------------------------------------------------- fits
 @pytest.mark.parametrize("gaps", [False, True])
 def test_known_amplitudes_and_phases_are_recovered(gaps):
     time = times(60)
@@ -149,6 +148,3 @@ def test_utide_chooses_by_itself():
     assert "K2" not in names
     with pytest.raises(DataError, match="no tide can be told from the mean in 2 h"):
         fit_tides(time[:3], *waves(time)[:, :3], LATITUDE, "auto")
-
-
-# ------------------------------------------------------------------------------------- Rayleigh

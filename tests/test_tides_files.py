@@ -38,7 +38,10 @@ def test_the_command_writes_constants_and_a_picture(clpt, tmp_path):
         for name in ("amplitude", "amplitude_standard_error", "ellipse_major", "mean"):
             assert file[name].units == "m s-1"
         f, u, V, A, g = (file[n][:].data for n in ("f", "u", "V", "amplitude", "phase"))
-        middle = np.datetime64(file.nodal_time)
+        assert file["amplitude"].coordinates == "latitude"  # a table has no longitude
+        assert file.history == "written by clpt tides"
+        assert {file.time_coverage_start[-1], file.time_coverage_end[-1]} == {"Z"}
+        middle = np.datetime64(file.nodal_time.removesuffix("Z"))
     # what the file says, put together as its comment says
     tide = np.sum(f[:, None] * A * np.cos(np.radians((V + u)[:, None] - g)), axis=0)
     k = np.flatnonzero(time == middle)[0]
@@ -125,7 +128,7 @@ def test_each_bad_file_is_one_sentence(clpt, tmp_path):
         (write_netcdf(tmp_path / "c.nc", time[::-1], flow), "times must increase"),
         (write_netcdf(tmp_path / "d.nc", time, flow, units="kelvin"), "is no speed"),
         (write_netcdf(tmp_path / "e.nc", time[:1], flow[:, :1]), "at least 2 are needed"),
-        (write_netcdf(tmp_path / "f.nc", time, flow, calendar="360_day"), "the calendar 360_day"),
+        (write_netcdf(tmp_path / "f.nc", time, flow, calendar="360_day"), "the calendar '360_day'"),
     ):  # fmt: skip
         status, out, err = clpt("tides", path, "--constituents", "M2")
         assert (status, out, err.count("\n")) == (2, "", 1), path
@@ -162,7 +165,7 @@ def test_records_that_are_blind_to_a_tide(time, names, sentence):
 
 
 def test_without_utide_one_sentence_and_fits_of_grids_go_on(clpt, tmp_path, monkeypatch):
-    from clpt_control.ocean.tidal.nodal import nodal_report
+    from clpt_control.ocean.nodal import nodal_report
 
     path = write_table(tmp_path / "r.csv", times(2), waves(times(2)))
     monkeypatch.setitem(sys.modules, "utide", None)

@@ -5,7 +5,7 @@ from pathlib import Path
 import netCDF4
 import numpy as np
 
-from clpt_control.ocean.tidal.nodal import nodal_corrections
+from clpt_control.ocean.nodal import nodal_corrections
 from clpt_control.tides import SPEEDS
 
 MARACOOS = Path(__file__).parents[2] / "shared/data/field/maracoos_hfr_2019-01-01.nc"

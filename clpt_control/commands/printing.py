@@ -7,6 +7,7 @@ from typing import Annotated, Any
 import typer
 
 ScenarioFile = Annotated[Path, typer.Argument(help="A scenario's TOML file, or a run's NetCDF.")]
+LONG = 40  # characters; longer cells may be broken into lines
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
 
 
@@ -18,17 +19,19 @@ def print_json(value: dict[str, Any]) -> None:
 def print_table(title: str, columns: list[str], rows: list[list[str]]) -> None:
     """Print a table on standard output."""
     from rich.console import Console
+    from rich.measure import Measurement
     from rich.table import Table
 
     table = Table(title=title, title_justify="left")
-    for column in columns:
-        table.add_column(column)
+    for k, column in enumerate(columns):
+        short = all(len(row[k]) <= LONG for row in rows)  # numbers are never cut
+        table.add_column(column, no_wrap=short)
     for row in rows:
         table.add_row(*row)
     console = Console()
-    if not console.is_terminal:
-        console = Console(width=140)
-    console.print(table)
+    width = console.width if console.is_terminal else 140
+    least = Measurement.get(Console(width=1000), Console(width=1000).options, table).minimum
+    Console(width=max(width, least)).print(table)
 
 
 def shown(value: Any) -> str:

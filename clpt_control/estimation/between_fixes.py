@@ -6,40 +6,21 @@ before they see its end, and share the forecast with the previous dive's current
 as far as that has proved right (`combination`).
 """
 
-from typing import Any, Protocol
-
-import numpy as np
+from collections.abc import Callable
 
 from ..errors import ScenarioError
 from .combination import Combination
+from .estimator import Estimator
 from .fix_model import FixModel
 from .gradient import Gradient
 from .kalman import KalmanBank
 from .recursive import RecursiveLeastSquares
 
-ESTIMATORS: dict[str, type] = {
+ESTIMATORS: dict[str, Callable[[FixModel], Estimator]] = {
     "gradient": Gradient,
     "rls": RecursiveLeastSquares,
     "kalman": KalmanBank,
 }
-
-
-class Estimator(Protocol):
-    """What an estimator between fixes can do."""
-
-    model: FixModel
-
-    def predict(self, dive: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Forecast a dive's miss: mean (2,) and covariance (2, 2), m."""
-
-    def update(self, dive: Any) -> None:
-        """Learn from a dive that has ended."""
-
-    def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Give mean, covariance and which parameters are learned."""
-
-    def forget_speed(self) -> None:
-        """Make the speed factor uncertain again, after a fault."""
 
 
 def make_estimator(name: str, model: FixModel) -> Combination:

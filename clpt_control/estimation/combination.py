@@ -7,7 +7,7 @@ y what came, v the estimator's variance: s, kept in [0, 1], is the share that
 would have forecast the dives so far best (J. M. Bates, C. W. J. Granger, "The
 combination of forecasts", Operational Research Quarterly 20, 451-468, 1969).
 Where a current keeps what it had, the previous dive knows best, and an
-estimator that does not know so loses little.  Before dives have told, s is
+estimator that does not know so loses less with it than without.  Before dives have told, s is
 `SHARE`, weighing as much as `WEIGHT` dives on which the two differ as far as the
 estimator errs.
 """
@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from .estimator import Estimator
 from .fix_model import FixModel, miss
 
 SHARE, WEIGHT = 0.3, 8.0
@@ -43,7 +44,7 @@ class Combination:
     0.3
     """
 
-    def __init__(self, estimator: Any) -> None:
+    def __init__(self, estimator: Estimator) -> None:
         self.estimator = estimator
         self.gain, self.weight = SHARE * WEIGHT, WEIGHT
         self.rate: np.ndarray | None = None  # the previous dive's miss over its duration, m/s

@@ -42,6 +42,24 @@ WIDTH = 20e3  # m, of a gaussian
 OTHERS = {"inertial": 2, "gaussians": 0, "model": 1}  # parts that are no tide; their parameters
 
 
+def fix_variance(dive: Any, unexplained: Any) -> Any:
+    """Give the variance of one component of y, m^2.
+
+    Parameters
+    ----------
+    dive : Dive
+        Its duration T is used.
+    unexplained : float or ndarray
+        s, of a current that no parameter explains, m/s.
+
+    Returns
+    -------
+    float or ndarray
+        FIX^2 + (s T)^2.
+    """
+    return FIX**2 + (unexplained * dive.duration) ** 2
+
+
 @dataclass(frozen=True)
 class FixModel:
     """Parameters of the motion between fixes.
@@ -109,7 +127,7 @@ class FixModel:
 
     @property
     def prior_sd(self) -> np.ndarray:
-        """Standard deviations before any dive, shape (n,), m/s, 1 and rad."""
+        """Standard deviations before any dive, (n,), m/s, 1 and rad."""
         sd = [CURRENT] * 2
         for part in self.flow[1:]:
             usual = {"inertial": INERTIAL, "model": MODEL}.get(part, TIDE)
@@ -119,6 +137,8 @@ class FixModel:
 
     def choices(self) -> np.ndarray:
         """Give the models a bank compares: flow parts on or off.
+
+        All tides together are one part: a sea is a shelf's or it is not.
 
         Returns
         -------
@@ -132,10 +152,11 @@ class FixModel:
         array([[1, 1, 0, 0, 0],
                [1, 1, 1, 1, 0]])
         """
+        kinds = [part if part in OTHERS else "tides" for part in self.flow[1:]]
         rows = []
-        for pattern in product((False, True), repeat=len(self.flow) - 1):
-            on = dict(zip(self.flow[1:], pattern, strict=True))
-            flow = sum(([on[p]] * k for p, k in zip(on, self.sizes, strict=True)), [True, True])
+        for pattern in product((False, True), repeat=len(set(kinds))):
+            on = dict(zip(dict.fromkeys(kinds), pattern, strict=True))
+            flow = sum(([on[p]] * k for p, k in zip(kinds, self.sizes, strict=True)), [True, True])
             rows.append([*flow, *[True] * (2 * self.learn_speed), on.get("gaussians", False)])
         return np.array(rows)
 

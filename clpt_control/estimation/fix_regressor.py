@@ -31,6 +31,25 @@ def miss(dive: Any) -> np.ndarray:
     return np.array([dive.miss_east, dive.miss_north])
 
 
+def reckoned(dive: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Give a dive's dead reckoning in time, straight where it has no track.
+
+    Parameters
+    ----------
+    dive : Dive
+        Its end is not used.
+
+    Returns
+    -------
+    tuple of ndarray
+        Time since the fix before the dive, s; way east and north, m.
+    """
+    if dive.track is not None:
+        return dive.track
+    ends = np.array([[0.0, dive.duration], [0.0, dive.dr_east], [0.0, dive.dr_north]])
+    return ends[0], ends[1], ends[2]
+
+
 def inertial_frequency(latitude: float) -> float:
     """Give the Coriolis frequency, rad/s.
 

@@ -21,7 +21,7 @@ from scipy.integrate import trapezoid
 
 from ..blocks.basis import BasisParameters, flow_basis
 from ..geodesy import displacement
-from .fix_regressor import miss
+from .fix_regressor import miss, reckoned
 from .least_squares import evaluate
 
 SPACING = 1.5  # widths
@@ -55,7 +55,7 @@ def track(dive: Any, ended: bool = False) -> tuple[np.ndarray, np.ndarray]:
     Parameters
     ----------
     dive : Dive
-        Where it has no track, it went straight.
+        Its track, or a straight way.
     ended : bool, optional
         Whether to bend it to the fix after the dive.
 
@@ -67,13 +67,9 @@ def track(dive: Any, ended: bool = False) -> tuple[np.ndarray, np.ndarray]:
         East and north, m.
     """
     time = np.linspace(0.0, dive.duration, SAMPLES)
-    share = time / dive.duration
-    if dive.track is None:
-        way = share[:, None] * np.array([dive.dr_east, dive.dr_north])
-    else:
-        since, *ways = dive.track
-        way = np.stack([np.interp(time, since, w) for w in ways], axis=1)
-    return time, (way + share[:, None] * miss(dive) if ended else way)
+    since, *ways = reckoned(dive)
+    way = np.stack([np.interp(time, since, w) for w in ways], axis=1)
+    return time, (way + (time / dive.duration)[:, None] * miss(dive) if ended else way)
 
 
 def near(places: Places | None, dive: Any, width: float) -> Places:

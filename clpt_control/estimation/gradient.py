@@ -22,6 +22,7 @@ import numpy as np
 from .fix_model import FixModel, mid_time, miss
 from .held import LEARNED
 from .recursive import noise
+from .running import RunningMean
 from .wandering import QUARTER_DAY
 
 GAIN = 0.5  # mu, between 0 and 2 for stability
@@ -49,10 +50,10 @@ class Gradient:
         self.mean, self.gramian = np.zeros(n), np.zeros((n, n))
         self.covariance = np.diag(model.prior_sd**2)
         self.time: float | None = None
-        self.variance, self.count = USUAL**2, 4.0  # of one component of the miss over time
+        self.variance = RunningMean(USUAL**2)  # of one component of the miss over time
 
     def ahead(self, dive: Any) -> tuple[FixModel, np.ndarray, np.ndarray, np.ndarray]:
-        """Give model, parameters, Gramian and covariance at a dive's middle."""
+        """Give model, parameters, Gramian and covariance at a dive."""
         model = self.model.reached(dive)
         old, n = len(self.mean), len(model.names)
         p, G = np.pad(self.mean, (0, n - old)), np.pad(self.gramian, (0, n - old))
@@ -80,7 +81,7 @@ class Gradient:
             m^2, from how far earlier forecasts missed.
         """
         model, p, _, _ = self.ahead(dive)
-        variance = self.variance * dive.duration**2
+        variance = self.variance.value * dive.duration**2
         return model.regressor(dive) @ p, variance * np.eye(2)
 
     def update(self, dive: Any) -> None:
@@ -92,8 +93,7 @@ class Gradient:
             With its end fix.
         """
         seen = 0.5 * float(np.sum((miss(dive) - self.predict(dive)[0]) ** 2)) / dive.duration**2
-        self.variance = (self.count * self.variance + seen) / (self.count + 1)
-        self.count = min(self.count + 1, 20.0)
+        self.variance.add(seen)
         self.model, p, G, P = self.ahead(dive)
         H, r = self.model.regressor(dive, ended=True), noise(dive)
         self.gramian = G + H.T @ H / r
@@ -120,7 +120,7 @@ class Gradient:
         return np.where(learned, self.mean, 0.0), P, learned
 
     def forget_speed(self) -> None:
-        """Make the speed factor uncertain again; the law forgets by itself."""
+        """Make the speed factor uncertain again, after a fault."""
         if self.model.learn_speed:
             k = self.model.names.index("speed")
             self.covariance[k, k] += self.model.prior_sd[k] ** 2

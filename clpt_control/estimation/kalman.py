@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .fix_model import FIX, FixModel, mid_time, miss
+from .fix_model import FixModel, fix_variance, mid_time, miss
 from .held import hold
 from .mixture import mixed
 from .wandering import QUARTER_DAY, Kinds, kinds, wander
@@ -87,7 +87,7 @@ class KalmanBank:
         self.present = present[parts]
         self.log_weight = self.kinds.log_prior - 0.5 * (np.log(s / USUAL) / SPREAD) ** 2
         tides = [k for k, name in enumerate(model.names) if name.endswith("_cos_east")]
-        self.log_weight += self.present[:, tides].sum(axis=1) * np.log(SHELF / (1 - SHELF))
+        self.log_weight += self.present[:, tides].any(axis=1) * np.log(SHELF / (1 - SHELF))
         sd = self.prior_sd(model)
         self.mean, self.covariance = np.zeros(sd.shape), sd[:, :, None] ** 2 * np.eye(sd.shape[1])
         self.time: float | None = None
@@ -150,8 +150,7 @@ class KalmanBank:
 
     def noise(self, dive: Any) -> np.ndarray:
         """Give the m covariances of n for a dive, m^2."""
-        variance = FIX**2 + (self.unexplained * dive.duration) ** 2
-        return variance[:, None, None] * np.eye(2)
+        return fix_variance(dive, self.unexplained)[:, None, None] * np.eye(2)
 
     def predict(self, dive: Any) -> tuple[np.ndarray, np.ndarray]:
         """Forecast fix less dead reckoning of a dive.

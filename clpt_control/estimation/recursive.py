@@ -12,8 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from .fix_model import FIX, FixModel, mid_time, miss
+from .fix_model import FixModel, fix_variance, mid_time, miss
 from .held import hold
+from .running import RunningMean
 
 MEMORY = 86400.0  # s
 UNEXPLAINED = 0.04  # m/s, before dives have told
@@ -38,7 +39,7 @@ class RecursiveLeastSquares:
         n = len(model.names)
         self.W, self.b = np.zeros((n, n)), np.zeros(n)
         self.time: float | None = None
-        self.scale, self.count = 1.0, 4.0  # variance of forecasts over the expected, and its weight
+        self.scale = RunningMean(1.0)  # variance of forecasts over the expected
 
     def ahead(self, dive: Any) -> tuple[FixModel, np.ndarray, np.ndarray]:
         """Give model, W and b turned and faded to a dive's middle."""
@@ -68,7 +69,7 @@ class RecursiveLeastSquares:
         model, W, b = self.ahead(dive)
         H = model.regressor(dive)
         mean, P, _ = solved(W, b, model.prior_sd)
-        return H @ mean, self.scale * (H @ P @ H.T + noise(dive) * np.eye(2))
+        return H @ mean, self.scale.value * (H @ P @ H.T + noise(dive) * np.eye(2))
 
     def update(self, dive: Any) -> None:
         """Learn from a dive that has ended.
@@ -81,9 +82,7 @@ class RecursiveLeastSquares:
         mean, S = self.predict(dive)
         away = miss(dive) - mean
         if self.time is not None:  # the first miss is the prior's
-            seen = 0.5 * float(away @ np.linalg.solve(S, away)) * self.scale
-            self.scale = (self.count * self.scale + seen) / (self.count + 1)
-            self.count = min(self.count + 1, 20.0)
+            self.scale.add(0.5 * float(away @ np.linalg.solve(S, away)) * self.scale.value)
         self.model, W, b = self.ahead(dive)
         H = self.model.regressor(dive, ended=True)
         self.W = W + H.T @ H / noise(dive)
@@ -101,7 +100,7 @@ class RecursiveLeastSquares:
         learned : ndarray of bool, shape (n,)
         """
         mean, P, learned = solved(self.W, self.b, self.model.prior_sd)
-        return mean, self.scale * P, learned
+        return mean, self.scale.value * P, learned
 
     def forget_speed(self) -> None:
         """Forget what was learned of the speed factor, after a fault."""
@@ -121,4 +120,4 @@ def solved(
 
 def noise(dive: Any) -> float:
     """Give the variance of one component of y, m^2."""
-    return FIX**2 + (UNEXPLAINED * dive.duration) ** 2
+    return float(fix_variance(dive, UNEXPLAINED))

@@ -17,7 +17,7 @@ _NAMES = {
     "fit_tides": "tidal.analysis",
     "predict": "tidal.analysis",
     "tidal_basis": "tidal.basis",
-    "check_separable": "tidal.rayleigh",
+    "check_separable": "rayleigh",
     "Dive": "gliders.dives",
     "make_dive": "gliders.dives",
     "usable": "gliders.dives",
@@ -26,11 +26,11 @@ _NAMES = {
     "write_dive_table": "gliders.dive_table",
     "write_og1": "gliders.og1_writer",
     "Replay": "replay.replay",
-    "replay_dives": "replay.replay",
+    "replay_dives": "replay.session",
     "next_dive": "replay.next_dive",
     "replay_dataset": "replay.file",
     "save_replay_figures": "replay.plots",
-    "read_flow_model": "replay.flow_models",
+    "read_flow_model": "replay.flow_model_file",
     "carried": "replay.flow_models",
 }
 
@@ -44,14 +44,16 @@ if TYPE_CHECKING:
     from .gliders.dive_table import sample_dives, write_dive_table
     from .gliders.dives import Dive, make_dive, usable
     from .gliders.og1_writer import write_og1
+    from .rayleigh import check_separable
     from .replay.file import replay_dataset
-    from .replay.flow_models import carried, read_flow_model
+    from .replay.flow_model_file import read_flow_model
+    from .replay.flow_models import carried
     from .replay.next_dive import next_dive
     from .replay.plots import save_replay_figures
-    from .replay.replay import Replay, replay_dives
+    from .replay.replay import Replay
+    from .replay.session import replay_dives
     from .tidal.analysis import fit_tides, predict
     from .tidal.basis import tidal_basis
-    from .tidal.rayleigh import check_separable
     from .tidal.record import read_record
 
 __getattr__, __dir__ = lazily(__name__, _NAMES)

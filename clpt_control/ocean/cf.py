@@ -31,6 +31,7 @@ AXES = {
     "time": (("time",), ("time", "t", "ocean_time", "mtime")),
 }
 DEPTHS = ("depth", "altitude", "height", "depth_below_sea_surface", "ocean_s_coordinate")
+FASTEST = 15.0  # m/s; no current at sea is faster, a fill value taken as data is
 DEPTH_NAMES = ("depth", "z", "lev", "level", "altitude", "s_rho", "deptht", "depthu", "sigma")
 
 
@@ -104,52 +105,35 @@ def find_axis(data: "xarray.Dataset", velocity: str, what: str, path: Path) -> "
     if axis.ndim != 1 or axis.dims[0] not in data[velocity].dims:
         raise DataError(
             f"{path}: {name} has the dimensions ({', '.join(map(str, axis.dims))}); must be one "
-            f"of those of {velocity} ({', '.join(map(str, data[velocity].dims))}): "
-            "a grid of latitudes and longitudes"
+            f"of those of {velocity} ({', '.join(map(str, data[velocity].dims))})"
+            + ("" if what == "time" else ": a grid of latitudes and longitudes")
         )
     return axis
 
 
-def hours_since_first(when: "xarray.DataArray", path: Path) -> tuple[np.ndarray, str]:
-    """Give hours since the earliest step, and that step as ISO text.
+def check_speed(values: np.ndarray, what: str, path: Path) -> None:
+    """Refuse a speed that no sea has.
 
     Parameters
     ----------
-    when : xarray.DataArray, shape (nt,)
-        Times as numbers, with units such as "hours since 2019-01-01".
+    values : ndarray
+        m/s, NaN in gaps; at least one is finite.
+    what : str
+        The velocity, for the message.
     path : Path
-        The file's name, for messages.
-
-    Returns
-    -------
-    hours : ndarray, shape (nt,)
-        In the file's order.
-    start : str
-        The earliest step.
+        The file's name, for the message.
 
     Raises
     ------
     DataError
-        If there are fewer than two steps or the unit cannot be read.
+        If one is faster than `FASTEST`.
     """
-    import cftime
-
-    unit = str(when.attrs.get("units", ""))
-    calendar = str(when.attrs.get("calendar", "standard"))
-    if len(when) < 2:
-        raise DataError(f"{path}: {when.name} has {len(when)} step; at least 2 are needed")
-    if not np.all(np.isfinite(when.values)):
-        raise DataError(f"{path}: {when.name} has values that are not finite")
-    try:
-        dates = cftime.num2date(when.values, unit, calendar=calendar)
-    except (ValueError, TypeError, OverflowError):
+    most = np.nanmax(np.abs(values))
+    if most > FASTEST:
         raise DataError(
-            f"{path}: {when.name} has units '{unit}'; must be such as "
-            "'hours since 2019-01-01 00:00:00'"
-        ) from None
-    first = min(dates)
-    hours = np.array([(date - first).total_seconds() / 3600.0 for date in dates])
-    return hours, str(first.isoformat())
+            f"{path}: {what} reaches {most:.4g} m/s; at most {FASTEST} are allowed: check its "
+            "units and fill value"
+        )
 
 
 def surface_values(

@@ -18,9 +18,8 @@ import numpy as np
 
 from ..errors import DataError
 from ..files import open_netcdf
-from .cf import VELOCITY, find_axis, find_variable, hours_since_first, surface_values
-
-FASTEST = 15.0  # m/s; no current at sea is faster, a fill value taken as data is
+from .cf import VELOCITY, check_speed, find_axis, find_variable, surface_values
+from .cf_time import hours_since_first
 
 
 @dataclass(frozen=True)
@@ -120,11 +119,7 @@ def read_currents(
         )
     u, v = np.where(gap, np.nan, u), np.where(gap, np.nan, v)
     for name, values in ((east, u), (north, v)):
-        if np.nanmax(np.abs(values)) > FASTEST:
-            raise DataError(
-                f"{path}: {name} reaches {np.nanmax(np.abs(values)):.4g} m/s; at most {FASTEST} "
-                "are allowed: check its units and _FillValue"
-            )
+        check_speed(values, name, path)
     axes = (latitudes[rows], longitudes[columns], hours[times])
     box_used = (float(wanted[0]), float(wanted[1]), float(wanted[2]), float(wanted[3]))
     return Currents(*axes, start, u, v, box_used, path.name)

@@ -27,10 +27,10 @@ from .currents import Currents, read_currents
 from .gaps import fill_gaps, regular_grid
 from .gridded import GriddedField
 from .learned import basis_of
+from .nodal import nodal_report
 from .places import middles, read_centers, read_width
 from .plane import LocalPlane
-from .tidal.nodal import nodal_report
-from .tidal.rayleigh import check_separable
+from .rayleigh import check_separable
 
 __all__ = ["Fit", "fit_scenario", "read_centers", "read_width"]
 

@@ -17,20 +17,19 @@ from .cf import (
     DEPTH_NAMES,
     DEPTHS,
     VELOCITY,
+    check_speed,
     find_axis,
     find_variable,
-    hours_since_first,
     surface_values,
 )
-from .currents import FASTEST
+from .cf_time import check_calendar, hours_since_first
+from .gridded import length_in_metres
 
 if TYPE_CHECKING:
     import xarray
 
 DEEPEST = 1000.0  # m; no level further down is read, except the next
 MOST = 10**8  # values of one component: 0.8 GB
-METRES = ("m", "meter", "meters", "metre", "metres")
-CALENDARS = ("standard", "gregorian", "proleptic_gregorian")
 
 
 @dataclass(frozen=True)
@@ -120,11 +119,7 @@ def read_column(path: str | Path) -> Column:
         raise DataError(f"{path}: {names[0]} and {names[1]} have no finite value")
     u[gap] = v[gap] = np.nan
     for name, component in zip(names, (u, v), strict=True):
-        if np.nanmax(np.abs(component)) > FASTEST:
-            raise DataError(
-                f"{path}: {name} reaches {np.nanmax(np.abs(component)):.4g} m/s; at most {FASTEST} "
-                "are allowed: check its units and _FillValue"
-            )
+        check_speed(component, name, path)
     return Column(time[steps], depth[order], latitudes[rows], degrees, u, v, path.name)
 
 
@@ -132,12 +127,7 @@ def _seconds(when: "xarray.DataArray", path: Path) -> np.ndarray:
     """Give times in s since 1970 UTC."""
     from datetime import UTC, datetime
 
-    calendar = str(when.attrs.get("calendar", "standard")).lower()
-    if calendar not in CALENDARS:
-        raise DataError(
-            f"{path}: {when.name} has the calendar '{calendar}'; must be 'standard', for dives "
-            "have real dates"
-        )
+    check_calendar(when, path)
     hours, start = hours_since_first(when, path)
     try:
         first = datetime.fromisoformat(start).replace(tzinfo=UTC).timestamp()
@@ -170,12 +160,12 @@ def _levels(
             "are time, latitude, longitude and a depth"
         )
     depth = np.abs(coordinate.values.astype(float))
-    unit = str(coordinate.attrs.get("units", "")).strip().lower()
-    plain = not unit and str(dims[0]).lower().startswith(("depth", "z"))
-    if not (plain or unit in METRES) or not np.all(np.diff(np.sort(depth)) > 0):
+    unit = str(coordinate.attrs.get("units", "")).strip()
+    if unit or not str(dims[0]).lower().startswith(("depth", "z")):  # else taken as m
+        depth *= length_in_metres(unit, f"{path}: {dims[0]}")
+    if not np.all(np.diff(np.sort(depth)) > 0):
         raise DataError(
-            f"{path}: {dims[0]} has {len(depth)} levels in '{unit}'; must be finite depths in m, "
-            "each once"
+            f"{path}: {dims[0]} has {len(depth)} levels; must be finite depths, each once"
         )
     return dims[0], depth
 

@@ -14,6 +14,8 @@ from ..files import open_netcdf, write_netcdf
 from ..tides import SECONDS
 
 METRES = {"m": 1.0, "km": 1000.0, "cm": 0.01}
+WORDS = {"meter": "m", "meters": "m", "metre": "m", "metres": "m", "sec": "s",
+         "second": "s", "seconds": "s", "hour": "h", "hr": "h", "day": "d"}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -39,6 +41,38 @@ class GriddedField:
     x1: np.ndarray
     u: np.ndarray
     v: np.ndarray
+
+
+def length_in_metres(unit: str, where: str) -> float:
+    """Give the size of a unit of length such as ``"km"``.
+
+    Parameters
+    ----------
+    unit : str
+        As the file's attribute has it.
+    where : str
+        File and variable, for the message.
+
+    Returns
+    -------
+    float
+        In m.
+
+    Raises
+    ------
+    DataError
+        If the unit is no known length.
+
+    Examples
+    --------
+    >>> length_in_metres("km", "x"), length_in_metres("Meters", "depth")
+    (1000.0, 1.0)
+    """
+    word = unit.strip().lower()
+    size = METRES.get(WORDS.get(word, word))
+    if size is None:
+        raise DataError(f"{where} has units '{unit}'; must be one of {', '.join(METRES)}")
+    return size
 
 
 def speed_in_metres_per_second(unit: str, where: str) -> float:
@@ -70,9 +104,7 @@ def speed_in_metres_per_second(unit: str, where: str) -> float:
     for per in ("-1", "/"):
         text = text.replace(per, " ")
     words = text.split()
-    names = {"meter": "m", "meters": "m", "metre": "m", "metres": "m", "sec": "s",
-             "second": "s", "seconds": "s", "hour": "h", "hr": "h", "day": "d"}  # fmt: skip
-    words = [names.get(word, word) for word in words if word != "per"]
+    words = [WORDS.get(word, word) for word in words if word != "per"]
     if words in (["knot"], ["knots"], ["kt"]):
         return 1852.0 / 3600.0
     if len(words) == 2 and words[0] in METRES and words[1] in SECONDS:
@@ -106,16 +138,12 @@ def read_field(path: Path, units) -> GriddedField:
                 raise DataError(f"{path}: no variable '{name}'; a field has time, y, x, u and v")
         axes = []
         for name in ("time", "y", "x"):
-            sizes, own = (SECONDS, units.time) if name == "time" else (METRES, units.length)
-            unit = str(data[name].attrs.get("units", "")).split(" since ")[0].strip()
-            unit = {"hours": "h", "hour": "h", "seconds": "s", "days": "d", "minutes": "min"}.get(
-                unit, unit
-            )
-            if unit not in sizes:
-                raise DataError(
-                    f"{path}: {name} has units '{unit}'; must be one of {', '.join(sizes)}"
-                )
-            axes.append(_regular(data[name].values * (sizes[unit] / sizes[own]), name, path))
+            where, unit = f"{path}: {name}", str(data[name].attrs.get("units", ""))
+            if name == "time":
+                size = _seconds(unit, where) / SECONDS[units.time]
+            else:
+                size = length_in_metres(unit, where) / METRES[units.length]
+            axes.append(_regular(data[name].values * size, name, path))
         own = METRES[units.length] / SECONDS[units.time]
         values = []
         for name in ("u", "v"):
@@ -139,6 +167,17 @@ def time_origin(path: Path) -> dict[str, str]:
     with open_netcdf(path) as data:
         origin = data.attrs.get("time_origin")
     return {} if origin is None else {"time_origin": str(origin)}
+
+
+def _seconds(unit: str, where: str) -> float:
+    """Give the size of a unit of time in s, whatever it counts from."""
+    unit = unit.split(" since ")[0].strip()
+    unit = {"hours": "h", "hour": "h", "seconds": "s", "days": "d", "minutes": "min"}.get(
+        unit, unit
+    )
+    if unit not in SECONDS:
+        raise DataError(f"{where} has units '{unit}'; must be one of {', '.join(SECONDS)}")
+    return SECONDS[unit]
 
 
 def _regular(axis: np.ndarray, name: str, path: Path) -> np.ndarray:

@@ -8,8 +8,6 @@ One row per dive under a header.  Required columns: `dive`, `t_gps2`, `lat_gps2`
 left alone, and the way between the fixes is computed, never read.
 """
 
-import csv
-import io
 from collections.abc import Iterable
 from importlib import resources
 from math import isfinite, nan
@@ -17,13 +15,13 @@ from pathlib import Path
 
 from ...errors import DataError
 from ...files import write_text
+from ..text_table import cells_of, lines_of, read_text
 from .dives import Dive, Skipped, make_dive
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")
 END = ("t_gpse", "lat_gpse", "lon_gpse")
 WAY = ("dr_east_m", "dr_north_m")
 REQUIRED = ("dive", *START, *END, *WAY)
-STRAY = 0.05  # largest share of characters that are no UTF-8 text
 OPTIONAL = (
     "t_gps1", "lat_gps1", "lon_gps1", "dac_east", "dac_north", "dac_qc", "magvar",
     "depth_max",
@@ -50,14 +48,8 @@ def read_dive_table(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
     DataError
         If the file is missing, empty, no text or lacks required columns.
     """
-    try:
-        text = Path(path).read_bytes().decode("utf-8-sig", "replace")
-    except OSError as error:
-        raise DataError(f"{path}: cannot be read: {error.strerror}") from None
-    if "\0" in text or text.count("\ufffd") > STRAY * len(text):
-        raise DataError(
-            f"{path}: is neither NetCDF nor text; must be a Seaglider or OG1 file or a CSV table"
-        )
+    no_text = "is neither NetCDF nor text; must be a Seaglider or OG1 file or a CSV table"
+    text = read_text(path, no_text)
     return parse_dive_table(text, str(path))
 
 
@@ -88,19 +80,15 @@ def parse_dive_table(text: str, name: str) -> tuple[list[Dive], list[Skipped]]:
     >>> round(dives[0].miss_east), dives[0].magvar, skipped
     (154, None, [])
     """
-    kept = [
-        (number, line)
-        for number, line in enumerate(text.splitlines(), 1)
-        if line.strip() and not line.lstrip().startswith("#")
-    ]
-    if not kept:
+    lines = lines_of(text).lines
+    if not lines:
         raise DataError(f"{name}: is empty; must be NetCDF or a table with {', '.join(REQUIRED)}")
-    header = [cell.strip() for cell in _cells(kept[0][1])]
+    header = [cell.strip() for cell in cells_of(lines[0][1])]
     missing = [column for column in REQUIRED if column not in header]
     if missing == list(REQUIRED):
         raise DataError(
             f"{name}: neither NetCDF nor a table of dives; such a table begins with "
-            f"{','.join(REQUIRED)}, this file with {kept[0][1][:40]!r}"
+            f"{','.join(REQUIRED)}, this file with {lines[0][1][:40]!r}"
         )
     if missing:
         raise DataError(f"{name}: no column {', '.join(missing)}; has {', '.join(header)[:300]}")
@@ -111,20 +99,13 @@ def parse_dive_table(text: str, name: str) -> tuple[list[Dive], list[Skipped]]:
         )
     dives: list[Dive] = []
     skipped: list[Skipped] = []
-    for line, content in kept[1:]:
-        found = _dive(dict(zip(header, _cells(content), strict=False)), f"{name}, line {line}")
+    for line, content in lines[1:]:
+        found = _dive(dict(zip(header, cells_of(content), strict=False)), f"{name}, line {line}")
         if isinstance(found, Dive):
             dives.append(found)
         else:
             skipped.append(found)
     return dives, skipped
-
-
-def _cells(line: str) -> list[str]:
-    try:
-        return next(csv.reader(io.StringIO(line)), [])
-    except csv.Error:
-        return []
 
 
 def _dive(row: dict[str, str], where: str) -> Dive | Skipped:

@@ -24,6 +24,8 @@ import numpy as np
 
 from ...geodesy import displacement, is_place
 
+Fix = tuple[float, float, float]  # s since 1970 UTC, degrees north, degrees east
+
 LEAST_DURATION = 4000.0  # s
 FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is wrong
 OVERLAP = 60.0  # s that neighbours may share by rounding
@@ -122,11 +124,7 @@ class Skipped:
 
 
 def make_dive(
-    number: int,
-    start: tuple[float, float, float],
-    end: tuple[float, float, float],
-    through_water: tuple[float, float],
-    **optional: Any,
+    number: int, start: Fix, end: Fix, through_water: tuple[float, float], **optional: Any
 ) -> Dive:
     """Make a dive of its fixes and its way through the water.
 

@@ -20,7 +20,7 @@ import numpy as np
 from ...errors import DataError
 from ...files import open_netcdf
 from .classic import check_whole
-from .dives import Dive, make_dive
+from .dives import Dive, Fix, make_dive
 from .og1_columns import Columns, columns_of, fixes_in
 from .og1_columns import is_og1 as is_og1
 from .og1_names import GPS1, GPS2, GPSE, UNDER_WATER
@@ -31,8 +31,6 @@ from .samples import deepest
 
 if TYPE_CHECKING:
     import xarray
-
-Fix = tuple[float, float, float]  # s since 1970 UTC, degrees north, degrees east
 
 LEAST_GAP = 600.0  # s between two fixes with a dive between them
 LEAST_DEPTH = 5.0  # m that a dive reaches

@@ -19,10 +19,9 @@ from typing import NamedTuple
 import numpy as np
 
 from ...geodesy import displacement
+from .dives import Fix
 from .og1_columns import Columns
 from .samples import hole_under_water, track_of
-
-Fix = tuple[float, float, float]
 
 
 class Way(NamedTuple):

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...errors import DataError
-from ..gridded import speed_in_metres_per_second
+from ..gridded import length_in_metres, speed_in_metres_per_second
 from .samples import values
 
 if TYPE_CHECKING:
@@ -112,10 +112,7 @@ def metres(data: "xarray.Dataset", name: str, path: Path) -> np.ndarray:
     array([1.5])
     """
     units = str(data[name].attrs.get("units", "")).strip() or "m"
-    try:
-        size = speed_in_metres_per_second(f"{units.lower()} s-1", name)
-    except DataError:
-        raise DataError(f"{path}: {name} is in '{units}'; must be such as 'm' or 'cm'") from None
+    size = length_in_metres(units, f"{path}: {name}")
     up = str(data[name].attrs.get("positive", "")).lower() == "up"
     return values(data, name) * (-size if up else size)
 

@@ -15,6 +15,7 @@ import numpy as np
 
 from ...errors import DataError
 from ...geodesy import is_place
+from .dives import Fix
 from .sample_units import seconds
 from .samples import scalar, values
 
@@ -26,8 +27,6 @@ NAMES = ("GPS1", "GPS2", "GPSE")
 GOOD = (0.0, 1.0, 2.0)  # flags of a fix: no change, good, probably good
 POOR = 10.0  # hdop that is mentioned; a good one is about 1
 FAILED = 99.0  # hdop of a receiver that timed out
-
-Fix = tuple[float, float, float]  # s since 1970 UTC, degrees north, degrees east
 
 
 class Fixes(NamedTuple):

@@ -30,7 +30,7 @@ from ...estimation.kalman import MEMORY, KalmanBank
 SURE = 10.0  # l of 3.2 standard deviations
 NESTED = 2.0  # what a second number explains by chance (H. Akaike, 1974)
 MATTERS = 0.08  # smallest change of the factor that is said
-DIVES = 3  # dives that a jump may lie back
+DIVES = 3  # the last dive, and the two that are tried as the first of a slower speed
 SETTLED = 10  # dives before the watch speaks
 SCATTER = 3.0  # most the rest may weigh, in expected values
 

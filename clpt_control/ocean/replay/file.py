@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..gliders.dives import Dive
+from ...geodesy import place_from
 from .replay import Replay
 
 if TYPE_CHECKING:
@@ -42,17 +42,13 @@ def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
     steps = replay.steps
     dives = [step.dive for step in steps]
     forecast = np.array([
-        place(d, d.dr_east + s.forecast[0], d.dr_north + s.forecast[1])
+        place_from(d.lat_gps2, d.lon_gps2, d.dr_east + s.forecast[0], d.dr_north + s.forecast[1])
         for s, d in zip(steps, dives, strict=True)
     ]).reshape(-1, 2)  # fmt: skip
-    reckoned = np.array([place(d, d.dr_east, d.dr_north) for d in dives]).reshape(-1, 2)
-    time = {
-        "units": EPOCH,
-        "calendar": "standard",
-        "standard_name": "time",
-        "axis": "T",
-        "units_metadata": "leap_seconds: none",
-    }
+    reckoned = np.array(
+        [place_from(d.lat_gps2, d.lon_gps2, d.dr_east, d.dr_north) for d in dives]
+    ).reshape(-1, 2)
+    time = {"units": EPOCH, "calendar": "standard", "standard_name": "time", "axis": "T"}
     north = {"units": "degrees_north", "standard_name": "latitude"}
     east = {"units": "degrees_east", "standard_name": "longitude"}
     data = xarray.Dataset(
@@ -67,8 +63,12 @@ def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
             "Conventions": "CF-1.11", "featureType": "trajectory",
             "title": "dead reckoning, forecasts and learned flow of a glider, dive by dive",
             "history": "written by clpt replay",
-            "source": f"clpt-control {__version__}, estimator {replay.estimator}, "
-                      f"flow {','.join(replay.model.flow)}",
+            "source": f"clpt-control {__version__}",
+            "estimator": replay.estimator,
+            "flow": ",".join(replay.model.flow),
+            "learn_speed": int(replay.model.learn_speed),
+            "gaussian_width": replay.model.width,
+            "gaussian_width_units": "m",
         },
     )  # fmt: skip
     data["trajectory"] = ((), name, {"cf_role": "trajectory_id"})
@@ -111,35 +111,24 @@ def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
         "covariance of forecast_east and forecast_north")  # fmt: skip
     add("previous_share", [s.previous_share for s in steps], "1",
         "share of the previous dive's current in the forecast")  # fmt: skip
-    add("inside_90", [float(s.inside) for s in steps], "1", "surfaced in the 90 % ellipse")
-    add("speed_factor", [s.speed for s in steps], "1", "factor on speed through water")
-    add("speed_factor_error", [s.speed_error for s in steps], "1", "its standard error")
-    add("compass_error", [s.compass for s in steps], "degree", "compass error, clockwise")
-    add("compass_error_error", [s.compass_error for s in steps], "degree", "its standard error")
-    add("speed_anomaly", [float(s.anomaly is not None) for s in steps], "1",
-        "speed factor left its credible range")  # fmt: skip
+    if replay.model.learn_speed:
+        for key, values, errors, units, long_name in (
+            ("speed_factor", [s.speed for s in steps], [s.speed_error for s in steps], "1",
+             "factor on speed through water"),
+            ("compass_error", [s.compass for s in steps], [s.compass_error for s in steps],
+             "degree", "compass error, clockwise"),
+        ):  # fmt: skip
+            wrong = f"{key}_standard_error"
+            add(key, values, units, long_name, ancillary_variables=wrong)
+            add(wrong, errors, units, f"standard error of: {long_name}")
+    for key, said, no, yes, long_name in (
+        ("inside_90", [s.inside for s in steps], "outside", "inside",
+         "whether the vehicle surfaced in the 90 % ellipse of its forecast"),
+        ("speed_anomaly", [s.anomaly is not None for s in steps], "none", "flagged",
+         "whether the speed factor left its credible range"),
+    ):  # fmt: skip
+        data[key] = ("dive", np.array(said, np.int8), {
+            "long_name": long_name, "flag_values": np.array([0, 1], np.int8),
+            "flag_meanings": f"{no} {yes}", **ALONG,
+        })  # fmt: skip
     return data
-
-
-def place(dive: Dive, east: float, north: float) -> tuple[float, float]:
-    """Give the place at a displacement from a dive's start.
-
-    Parameters
-    ----------
-    dive : Dive
-        Its fix before the dive is the start.
-    east, north : float
-        m.
-
-    Returns
-    -------
-    latitude, longitude : float
-        Degrees, along the WGS84 geodesic.
-    """
-    from pyproj import Geod
-
-    azimuth = float(np.degrees(np.arctan2(east, north)))
-    lon, lat, _ = Geod(ellps="WGS84").fwd(
-        dive.lon_gps2, dive.lat_gps2, azimuth, float(np.hypot(east, north))
-    )
-    return lat, lon

@@ -22,11 +22,11 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import replace
 from math import isfinite
-from pathlib import Path
 
 import numpy as np
 
-from ...errors import ClptError, DataError
+from ...errors import ClptError
+from ...estimation.fix_regressor import reckoned
 from ..gliders.dives import Dive
 
 Flow = Callable[[float, float, float], tuple[float, float]]
@@ -110,10 +110,7 @@ def way_of_flow(dive: Dive, flow: Flow) -> tuple[float, float]:
     from scipy.integrate import solve_ivp
 
     T = dive.duration
-    if dive.track is None:
-        time, east, north = np.array([[0.0, T], [0.0, dive.dr_east], [0.0, dive.dr_north]])
-    else:
-        time, east, north = dive.track
+    time, east, north = reckoned(dive)
     if not (isfinite(T) and T > 0 and all(np.isfinite(a).all() for a in (time, east, north))):
         raise Uncovered("the dive's times and dead reckoning are not finite and in their order")
 
@@ -139,7 +136,7 @@ def carried(dive: Dive, flow_model: FlowModel) -> Dive:
     dive : Dive
         Its end fix is not read, and may be NaN.
     flow_model : FlowModel
-        As `read_flow_model` gives it.
+        As `flow_model_file.read_flow_model` gives it.
 
     Returns
     -------
@@ -158,38 +155,3 @@ def carried(dive: Dive, flow_model: FlowModel) -> Dive:
 def why_uncovered(dive: Dive) -> str:
     """Give why a flow model does not cover a dive; empty if it does."""
     return next((note[len(NOTE) :] for note in dive.notes if note.startswith(NOTE)), "")
-
-
-def read_flow_model(path: str | Path) -> FlowModel:
-    """Read a flow model: a gridded forecast, or a fitted basis.
-
-    Parameters
-    ----------
-    path : str or Path
-        NetCDF of a current on time, latitude, longitude and perhaps depth; or
-        the TOML file that `clpt fit` wrote, its field beside it.
-
-    Returns
-    -------
-    FlowModel
-        To be given to `carried` with each dive.
-
-    Raises
-    ------
-    DataError
-        If the file is neither, or lacks what a flow model needs.
-    """
-    path = Path(path)
-    kind = path.suffix.lower()
-    if kind == ".toml":
-        from .forecast_basis import read_fitted
-
-        return read_fitted(path)
-    if kind in (".nc", ".nc4", ".cdf", ".netcdf"):
-        from .forecast import read_forecast
-
-        return read_forecast(path)
-    raise DataError(
-        f"{path}: is no flow model; must be a NetCDF file (.nc) of a current on time, latitude and "
-        "longitude, or the .toml file of a `clpt fit`"
-    )

@@ -10,8 +10,7 @@ again once it has changed; a file that is gone keeps its dives.
 """
 
 import json
-from collections.abc import Sequence
-from dataclasses import asdict, fields, replace
+from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +20,6 @@ from ...errors import DataError
 from ...files import make_folder, write_text
 from ..gliders.dive_files import SUFFIXES, read_dive_file
 from ..gliders.dives import Dive, Skipped
-from .replay import Replay
 
 FORMAT = 1
 KEPT = [f.name for f in fields(Dive) if f.name not in ("track", "notes")]
@@ -147,26 +145,3 @@ def _dive(kept: dict[str, Any]) -> Dive:
         time, east, north = (np.array(a, float) for a in track)
         track = (time, east, north)
     return Dive(**{**kept, "notes": tuple(kept["notes"]), "track": track})
-
-
-def continued(replay: Replay, dives: Sequence[Dive]) -> tuple[Replay, list[Dive]]:
-    """Give the replay to go on with, and the dives it has yet to see.
-
-    Parameters
-    ----------
-    replay : Replay
-        Of the dives that were known before.
-    dives : sequence of Dive
-        All used dives, by time.
-
-    Returns
-    -------
-    replay : Replay
-        The same where new dives come after the old ones; else, as when a file
-        arrived late, a new one.
-    rest : list of Dive
-    """
-    known = [replace(step.dive, model_east=None, model_north=None) for step in replay.steps]
-    if known == list(dives[: len(known)]):
-        return replay, list(dives[len(known) :])
-    return Replay(replay.estimator, replay.model, replay.flow_model), list(dives)

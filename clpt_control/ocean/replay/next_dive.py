@@ -59,6 +59,29 @@ class NextDive:
         }
 
 
+def check_plan(duration: float, way: tuple[float, float]) -> None:
+    """Refuse a plan that no dive can follow.
+
+    Parameters
+    ----------
+    duration : float
+        s.
+    way : tuple of float
+        East and north through the water, m.
+
+    Raises
+    ------
+    ScenarioError
+        If it is not finite or its duration not positive.
+    """
+    east, north = way
+    if not (isfinite(duration) and duration > 0 and isfinite(east) and isfinite(north)):
+        raise ScenarioError(
+            f"next dive of {duration:g} s and {east:g} m east, {north:g} m north: must be finite, "
+            "its duration above 0"
+        )
+
+
 def next_dive(
     replay: Replay, duration: float | None = None, way: tuple[float, float] | None = None
 ) -> NextDive:
@@ -87,7 +110,7 @@ def next_dive(
     --------
     >>> from clpt_control.ocean.gliders.dive_table import sample_dives
     >>> from clpt_control.ocean.gliders.dives import usable
-    >>> from clpt_control.ocean.replay.replay import replay_dives
+    >>> from clpt_control.ocean.replay.session import replay_dives
     >>> found = next_dive(replay_dives(usable(sample_dives())[0]), 18000.0, (0.0, 3000.0))
     >>> -42.93 < found.latitude < -42.89
     True
@@ -95,11 +118,7 @@ def next_dive(
     last = replay.steps[-1].dive
     T = last.duration if duration is None else duration
     east, north = (last.dr_east, last.dr_north) if way is None else way
-    if not (isfinite(T) and T > 0 and isfinite(east) and isfinite(north)):
-        raise ScenarioError(
-            f"next dive of {T:g} s and {east:g} m east, {north:g} m north: must be finite, its "
-            "duration above 0"
-        )
+    check_plan(T, (east, north))
     fix = last.lat_gpse, last.lon_gpse
     plan = Dive(
         last.number + 1, last.t_gpse, *fix, last.t_gpse + T, nan, nan, nan, nan, east, north,

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...files import write_figure
+from ...geodesy import displacement
 from ...plotting import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, new_figure
-from ..gliders.dives import Dive, displacement
+from ..gliders.dives import Dive
 from .ellipse import CHI_SQUARED
 from .next_dive import NextDive
 from .replay import Replay

@@ -16,7 +16,7 @@ The state moves by `step` alone, so that feeding dives one by one is feeding the
 at once, bit for bit.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -29,7 +29,7 @@ from ...estimation.kalman import KalmanBank
 from ..gliders.dives import Dive
 from .anomaly import SpeedWatch
 from .ellipse import CHI_SQUARED
-from .flow_models import FlowModel, carried
+from .flow_models import FlowModel
 from .step import FLOW_MODEL, MODELS, Step
 from .summary import rms_of, summary_of
 
@@ -203,43 +203,6 @@ class Replay:
             None where no dive is left or covered.
         """
         return rms_of(self, after)
-
-
-def replay_dives(
-    dives: Iterable[Dive],
-    estimator: str = "kalman",
-    model: FixModel | None = None,
-    flow_model: FlowModel | None = None,
-) -> Replay:
-    """Feed used dives to a new replay.
-
-    Parameters
-    ----------
-    dives : iterable of Dive
-        In the order of their ends, as `usable` gives them.
-    estimator : str, optional
-        ``"kalman"``, ``"rls"`` or ``"gradient"``.
-    model : FixModel, optional
-        The parameters; by default steady, M2, inertial and speed.
-    flow_model : FlowModel, optional
-        Carries each dive before it is fed.
-
-    Returns
-    -------
-    Replay
-        After the last dive.
-
-    Raises
-    ------
-    DataError
-        If dives are out of order.
-    ScenarioError
-        If the estimator is unknown.
-    """
-    replay = Replay(estimator, model or FixModel(), flow_model)
-    for dive in dives:
-        replay.step(dive if flow_model is None else carried(dive, flow_model))
-    return replay
 
 
 def _size(vector: np.ndarray) -> float:

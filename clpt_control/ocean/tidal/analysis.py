@@ -2,7 +2,7 @@
 
     (u, v)(t) = mean + sum_k f_k(t) A_k cos(V_k(t) + u_k(t) - g_k) + residual
 
-for the component to the east and to the north; `tidal_nodal` says what f, u and
+for the component to the east and to the north; `nodal` says what f, u and
 V are.  The same tide drawn as an ellipse has a semi-major and a semi-minor axis
 (positive: it turns counter-clockwise), the major axis's inclination from east,
 counter-clockwise, and the phase lag of the greatest speed.  Solved by
@@ -19,9 +19,9 @@ from typing import Any
 import numpy as np
 
 from ...errors import DataError, ScenarioError
+from ..nodal import checked_latitude, checked_times, load_utide, utide_names
+from ..rayleigh import check_separable
 from .constants import Constituent, TidalFit
-from .nodal import checked_latitude, checked_times, load_utide, utide_names
-from .rayleigh import check_separable
 from .sampling import check_increasing, check_sampling, loudness
 
 CI = 1.96  # UTide's half widths, in standard errors

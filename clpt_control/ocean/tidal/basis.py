@@ -15,8 +15,8 @@ import numpy as np
 from ...errors import DataError
 from ...tides import SPEEDS
 from ..gridded import speed_in_metres_per_second
+from ..nodal import checked_times, nodal_corrections
 from .analysis import TidalFit
-from .nodal import checked_times, nodal_corrections
 
 
 class TidalBasis(NamedTuple):

@@ -1,6 +1,6 @@
 """Tidal constants of one place: what `fit_tides` gives, and its report.
 
-Amplitudes in m/s, phases in degrees of Greenwich lag, as `tidal_analysis` says.
+Amplitudes in m/s, phases in degrees of Greenwich lag, as `analysis` says.
 """
 
 from dataclasses import dataclass, field
@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from .nodal import nodal_report
+from ..nodal import nodal_report
 
 NUMBERS = {
     "east": ("amplitude of the eastward component", "m s-1"),

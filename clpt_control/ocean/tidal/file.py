@@ -3,7 +3,8 @@
 `amplitude` and `phase` have the dims (constituent, axis), the ellipse's numbers
 (constituent); each has its standard error beside it under `..._standard_error`.
 Phases are Greenwich lags in degrees, the mean is in m/s.  `f`, `u` and `V` are
-the nodal corrections at the record's middle.
+the nodal corrections at the record's middle.  Latitude and longitude are scalar
+coordinates of all; times are ISO 8601, UTC.
 """
 
 from typing import TYPE_CHECKING
@@ -11,8 +12,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ... import __version__
+from ..nodal import nodal_corrections
 from .constants import NUMBERS, TidalFit
-from .nodal import nodal_corrections
 from .record import CurrentRecord
 
 if TYPE_CHECKING:
@@ -66,24 +67,27 @@ def tides_dataset(fit: TidalFit, record: CurrentRecord) -> "xarray.Dataset":
         variables[key] = ("constituent", getattr(found, key)[0], attributes)
     words = {"long_name": "mean current", "units": "m s-1"}
     variables["mean"] = ("axis", np.array(fit.mean), words)
-    words = {"standard_name": "latitude", "units": "degrees_north"}
-    variables["latitude"] = ((), fit.latitude, words)
-    if record.longitude is not None:
-        attributes = {"standard_name": "longitude", "units": "degrees_east"}
-        variables["longitude"] = ((), record.longitude, attributes)
+    coordinates: dict[str, tuple] = {
+        "constituent": ("constituent", names, {"long_name": "tidal constituent"}),
+        "axis": ("axis", ["east", "north"], {"long_name": "component of the current"}),
+    }
+    for name, degrees, unit in (
+        ("latitude", fit.latitude, "degrees_north"),
+        ("longitude", record.longitude, "degrees_east"),
+    ):
+        if degrees is not None:
+            coordinates[name] = ((), degrees, {"standard_name": name, "units": unit})
     return xarray.Dataset(
         variables,
-        {
-            "constituent": ("constituent", names, {"long_name": "tidal constituent"}),
-            "axis": ("axis", ["east", "north"]),
-        },
+        coordinates,
         {
             "Conventions": "CF-1.11",
             "title": f"Tidal constants of {record.source}",
+            "history": "written by clpt tides",
             "source": f"{record.source}, by clpt-control {__version__} and UTide",
-            "time_coverage_start": str(fit.start),
-            "time_coverage_end": str(fit.end),
-            "nodal_time": str(fit.middle),
+            "time_coverage_start": f"{fit.start}Z",
+            "time_coverage_end": f"{fit.end}Z",
+            "nodal_time": f"{fit.middle}Z",
             "samples": fit.samples,
             "explained_variance": fit.explained_variance,
             "residual_rms": fit.residual_rms,

@@ -1,4 +1,4 @@
-"""Read a current record at one place: NetCDF, or a table (`tidal_table`).
+"""Read a current record at one place: NetCDF, or a table (`table`).
 
 NetCDF: a time and two velocities, found by CF standard name or as u and v, of
 the one dimension time; dimensions of one value and a depth beside it are
@@ -17,15 +17,13 @@ import numpy as np
 
 from ...errors import DataError
 from ...files import open_netcdf
-from ..cf import AXES, VELOCITY, find_axis, find_variable, hours_since_first, surface_values
-from ..currents import FASTEST
+from ..cf import AXES, VELOCITY, check_speed, find_axis, find_variable, surface_values
+from ..cf_time import check_calendar, hours_since_first
 from .sampling import check_increasing
 from .table import is_table, read_table
 
 if TYPE_CHECKING:
     import xarray
-
-CALENDARS = ("standard", "gregorian", "proleptic_gregorian")
 
 
 @dataclass(frozen=True)
@@ -64,7 +62,7 @@ def read_record(
     Parameters
     ----------
     path : str or Path
-        NetCDF, or a table that `tidal_table` describes.
+        NetCDF, or a table that `table` describes.
     latitude : float, optional
         Degrees north; the file's own by default.
     at : tuple of float, optional
@@ -93,12 +91,9 @@ def read_record(
     gap = ~(np.isfinite(u) & np.isfinite(v))
     if gap.all():
         raise DataError(f"{path}: no time has a finite value of both components of the current")
+    u, v = np.where(gap, np.nan, u), np.where(gap, np.nan, v)
     for name, values in (("eastward", u), ("northward", v)):
-        if np.nanmax(np.abs(values[~gap])) > FASTEST:
-            raise DataError(
-                f"{path}: the {name} current reaches {np.nanmax(np.abs(values[~gap])):.4g} m/s; at "
-                f"most {FASTEST} are allowed: check its units and fill value"
-            )
+        check_speed(values, f"the {name} current", path)
     found = place[0] if latitude is None else latitude
     if found is None:
         raise DataError(
@@ -107,7 +102,6 @@ def read_record(
         )
     if not (np.isfinite(found) and -90 <= found <= 90):
         raise DataError(f"{path}: latitude = {found}: must be degrees north, from -90 to 90")
-    u, v = np.where(gap, np.nan, u), np.where(gap, np.nan, v)
     return CurrentRecord(times, u, v, float(found), place[1], path.name)
 
 
@@ -115,14 +109,9 @@ def _from_netcdf(data: "xarray.Dataset", path: Path, at: tuple[float, float] | N
     """Give times, u, v and (latitude, longitude)."""
     east = find_variable(data, VELOCITY, "eastward", path)
     north = find_variable(data, VELOCITY, "northward", path)
-    when = find_axis_of_time(data, east, path)
+    when = find_axis(data, east, "time", path)
+    check_calendar(when, path)
     hours, start = hours_since_first(when, path)
-    calendar = str(when.attrs.get("calendar", "standard"))
-    if calendar.lower() not in CALENDARS:
-        raise DataError(
-            f"{path}: {when.name} counts in the calendar {calendar}; tides need the days of the "
-            f"real one, {' or '.join(CALENDARS)}"
-        )
     times = np.datetime64(start, "ms") + np.round(3.6e6 * hours).astype("timedelta64[ms]")
     kept: dict[Any, np.ndarray] = {when.dims[0]: np.arange(len(times))}
     place = _own_place(data)
@@ -143,36 +132,6 @@ def _from_netcdf(data: "xarray.Dataset", path: Path, at: tuple[float, float] | N
         )
     u, v = (surface_values(data, name, kept, path).ravel() for name in (east, north))
     return times, u, v, tuple(place)
-
-
-def find_axis_of_time(data: "xarray.Dataset", velocity: str, path: Path) -> "xarray.DataArray":
-    """Give the time, of one dimension that the velocity has.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        The file.
-    velocity : str
-        Name of a velocity.
-    path : Path
-        The file's name, for messages.
-
-    Returns
-    -------
-    xarray.DataArray, shape (n,)
-
-    Raises
-    ------
-    DataError
-        If there is none.
-    """
-    when = data[find_variable(data, AXES, "time", path)]
-    if when.ndim != 1 or when.dims[0] not in data[velocity].dims:
-        raise DataError(
-            f"{path}: {when.name} has the dimensions ({', '.join(map(str, when.dims))}) and "
-            f"{velocity} ({', '.join(map(str, data[velocity].dims))}); they must share one, time"
-        )
-    return when
 
 
 def _nearest(axis: np.ndarray, wanted: float, what: str, path: Path) -> int:

@@ -12,7 +12,6 @@ comment `# units: cm/s`; a table without units is refused.  Times are ISO 8601
 Lines that begin with `#` are comments; `# latitude: DEG` is read.
 """
 
-import csv
 import re
 from datetime import UTC, datetime
 from math import isfinite, nan
@@ -23,7 +22,8 @@ import numpy as np
 from ...errors import DataError
 from ..cf import VELOCITY
 from ..gridded import speed_in_metres_per_second
-from .nodal import checked_times
+from ..nodal import checked_times
+from ..text_table import cells_of, lines_of, read_text
 
 NAMES = {
     "time": ("time", "date", "datetime"),
@@ -32,8 +32,6 @@ NAMES = {
 }
 SUFFIXES = (".csv", ".txt", ".dat")
 HEADER = re.compile(r"\s*([^([]*?)\s*(?:[(\[]\s*([^)\]]*?)\s*[)\]])?\s*")
-COMMENT = re.compile(r"#\s*(\w+)\s*[:=]\s*(.+?)\s*")
-STRAY = 0.05  # largest share of characters that are no UTF-8 text
 
 
 def is_table(path: Path) -> bool:
@@ -69,26 +67,15 @@ def read_table(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray, float | 
     DataError
         If the file is missing, empty, no such table, or a cell is no number.
     """
-    try:
-        text = path.read_bytes().decode("utf-8-sig", "replace")
-    except OSError as error:
-        raise DataError(f"{path}: cannot be read: {error.strerror}") from None
-    if "\0" in text or text.count("\ufffd") > STRAY * len(text):
-        raise DataError(f"{path}: is no text; must be a table of time, u and v, or NetCDF (.nc)")
-    lines = [(k, line) for k, line in enumerate(text.splitlines(), 1) if line.strip()]
-    said = {
-        found[1].lower(): found[2]
-        for _, line in lines
-        if (found := COMMENT.fullmatch(line.strip()))
-    }
-    rows = [(k, line) for k, line in lines if not line.lstrip().startswith("#")]
-    if not rows:
+    text = read_text(path, "is no text; must be a table of time, u and v, or NetCDF (.nc)")
+    lines, said = lines_of(text)
+    if not lines:
         raise DataError(f"{path}: is empty; must be a table of time, u and v")
-    columns, sizes = _header(rows[0][1], said.get("units"), path)
+    columns, sizes = _header(lines[0][1], said.get("units"), path)
     table: list[list[float]] = []
-    for number, line in rows[1:]:
+    for number, line in lines[1:]:
         where = f"{path}, line {number}"
-        cells = _cells(line)
+        cells = cells_of(line)
         cells += [""] * (1 + max(columns) - len(cells))
         time, *flow = (cells[k].strip() for k in columns)
         table.append([_seconds(time, where), *(_value(cell, where) for cell in flow)])
@@ -105,16 +92,9 @@ def read_table(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray, float | 
     return times, u * sizes[0], v * sizes[1], latitude
 
 
-def _cells(line: str) -> list[str]:
-    try:
-        return next(csv.reader([line]), [])
-    except csv.Error:  # a cell of more than 128 KiB
-        return []
-
-
 def _header(line: str, units: str | None, path: Path) -> tuple[list[int], list[float]]:
     """Give the columns of time, u and v, and what one unit of u and v is in m/s."""
-    cells = [HEADER.fullmatch(cell) for cell in _cells(line)]
+    cells = [HEADER.fullmatch(cell) for cell in cells_of(line)]
     names = [cell[1].lower() if cell else "" for cell in cells]
     columns, sizes = [], []
     for what, allowed in NAMES.items():

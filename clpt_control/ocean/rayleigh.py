@@ -14,8 +14,8 @@ import math
 from collections.abc import Mapping, Sequence
 from itertools import combinations
 
-from ... import tides
-from ...errors import DataError
+from .. import tides
+from ..errors import DataError
 
 TURN = 360.0 * (1 - 1e-9)  # times in files are rounded
 
