@@ -18,17 +18,15 @@ import typer
 
 from clpt_control.estimation.between_fixes import ESTIMATORS
 from clpt_control.files import make_folder, write_figure, write_text
-from clpt_control.ocean.gliders.dive_table import sample_dives
-from clpt_control.ocean.gliders.dives import usable
+from clpt_control.ocean import Replay, replay_dives, sample_dives, usable
 from clpt_control.ocean.replay.anomaly import SETTLED
-from clpt_control.ocean.replay.replay import Replay
-from clpt_control.ocean.replay.session import replay_dives
 from clpt_control.plotting import BLUE, GREEN, ORANGE, new_figure
 from clpt_control.progress import progress_bar
 
 from .made_seas import DAY, QUARTER_DAY, Sea, made_dives
 
 WAVES = (0.03, QUARTER_DAY, 1)  # internal waves, forgotten in six hours
+SWING, STORM = (0.05, 2 * DAY), (0.12, 2 * DAY)  # inertial oscillations
 SEAS = {
     "keeps what it had, speed exact": Sea(walk=0.03, heading="any"),
     "the same, restless": Sea(walk=0.1, heading="any"),
@@ -38,9 +36,9 @@ SEAS = {
     "scatters by 5 cm/s": Sea(scatter=0.05, heading="any"),
     "steady, speed 10 %": Sea(speed_sd=0.1),
     "quiet ocean": Sea(eddying=((0.05, 5 * DAY, 1), (0.02, 18000.0, 1)), speed_sd=0.07, dives=40),
-    "eddying ocean": Sea(eddying=((0.2, 3 * DAY, 1), WAVES), inertial=0.05, speed_sd=0.07,
+    "eddying ocean": Sea(eddying=((0.2, 3 * DAY, 1), WAVES), inertial=SWING, speed_sd=0.07,
                          compass_sd=0.02, dives=40),
-    "the same, 8 h dives": Sea(eddying=((0.15, 3 * DAY, 1), WAVES), inertial=0.04, speed_sd=0.05,
+    "the same, 8 h dives": Sea(eddying=((0.15, 3 * DAY, 1), WAVES), inertial=SWING, speed_sd=0.05,
                                hours=8.0, dives=40),
     "smooth eddies": Sea(eddying=((0.2, 2 * DAY, 2), (0.02, 14400.0, 1)), speed_sd=0.05,
                          heading="wander", dives=40),
@@ -53,22 +51,22 @@ SEAS = {
     "shelf, four tides": Sea(eddying=((0.07, 2 * DAY, 1), (0.02, 14400.0, 1)), heading="mower",
                              tides=(("M2", 0.2), ("S2", 0.08), ("K1", 0.1), ("O1", 0.06)),
                              speed_sd=0.05, hours=3.0, dives=60),
-    "after a storm": Sea(eddying=((0.08, 3 * DAY, 1), (0.015, 14400.0, 1)), inertial=0.12,
+    "after a storm": Sea(eddying=((0.08, 3 * DAY, 1), (0.015, 14400.0, 1)), inertial=STORM,
                          speed_sd=0.05, dives=40),
-    "fourteen dives only": Sea(eddying=((0.12, 3 * DAY, 1), WAVES), inertial=0.04, speed_sd=0.1,
+    "fourteen dives only": Sea(eddying=((0.12, 3 * DAY, 1), WAVES), inertial=SWING, speed_sd=0.1,
                                compass_sd=0.03, heading="mower", dives=14),
 }  # fmt: skip
 MARKS = {"kalman": (BLUE, "o"), "rls": (ORANGE, "^"), "gradient": (GREEN, "s")}
 
 
 def ratio(replay: Replay) -> float:
-    """Give the forecasts' CLPE rms over the previous dive's, after the third dive."""
+    """Give CLPE rms after the third dive over the previous dive's."""
     rms = replay.rms(3)
     return float(rms["adaptive"] or np.nan) / float(rms["previous_dive"] or np.nan)
 
 
 def judged(name: str, seed: int) -> dict[str, Any]:
-    """Replay one vehicle of a sea by every estimator, and once with a fault."""
+    """Replay one vehicle of a sea, healthy and with a fault."""
     sea = SEAS[name]
     dives = made_dives(sea, seed)
     found: dict[str, Any] = {"sea": name}
@@ -133,11 +131,12 @@ def main(
 
 
 def picture(records: dict[str, list[dict[str, Any]]], real: dict[str, Replay]) -> Any:
-    """Draw a row for each sea: each vehicle a dot, geometric means as marks."""
+    """Draw a row for each sea: vehicles as dots, means as marks."""
     figure, ax = new_figure(7.2, 5.6)
     names = [*records, "Seaglider SG542"]
     for k, rows in enumerate(records.values()):
-        ax.plot([row["kalman"] for row in rows], [k] * len(rows), ".", color=BLUE, ms=4, alpha=0.35)
+        ax.plot([row["kalman"] for row in rows], [k] * len(rows), ".", color=BLUE, ms=4, alpha=0.35,
+                label=None if k else "kalman, each vehicle")  # fmt: skip
     for j, (estimator, (colour, mark)) in enumerate(MARKS.items()):
         means = [geometric([row[estimator] for row in rows]) for rows in records.values()]
         place = np.arange(len(names)) + 0.18 * (j - 1)
@@ -149,7 +148,7 @@ def picture(records: dict[str, list[dict[str, Any]]], real: dict[str, Replay]) -
            xlabel="CLPE rms over that of the previous dive's current")  # fmt: skip
     ax.minorticks_off()
     ax.invert_yaxis()
-    figure.legend(loc="outside lower center", ncols=3, fontsize=8, frameon=False)
+    figure.legend(loc="outside lower center", ncols=4, fontsize=8, frameon=False)
     return figure
 
 

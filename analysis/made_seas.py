@@ -6,9 +6,9 @@ A vehicle dives on headings of some pattern; between its fixes it moves by
 
 with u the sum of what a `Sea` names: a mean, a random walk, parts that are
 forgotten in a time (Ornstein-Uhlenbeck, once or twice), tides, inertial
-oscillations, an eddy, a jet.  The numbers are those of textbooks: 0.1 to 0.3 m/s
-of eddies that last days, tides of 0.3 m/s on shelves, jets of 1.4 m/s, internal
-waves of 2 to 3 cm/s, speeds known to 5 or 10 %.
+oscillations, an eddy, a jet.  Sizes are plausible, not measured: 0.1 to 0.3 m/s of
+eddies that last days, tides of 0.3 m/s on shelves, a jet of 1.4 m/s, internal waves
+of 2 to 3 cm/s, speeds known to 5 or 10 %.
 """
 
 import math
@@ -16,21 +16,22 @@ from typing import NamedTuple
 
 import numpy as np
 
-from clpt_control.ocean.gliders.dives import Dive
+from clpt_control.estimation.fix_regressor import inertial_frequency
+from clpt_control.estimation.wandering import QUARTER_DAY
+from clpt_control.ocean import Dive
 from clpt_control.tides import period
 
-DAY, QUARTER_DAY, TICK = 86400.0, 21600.0, 600.0  # s
-CORIOLIS = 2 * 7.292115e-5 * math.sin(math.radians(40.0))  # rad/s, at 40 N
+DAY, TICK = 86400.0, 600.0  # s
+LATITUDE, LONGITUDE = 40.0, 8.0  # degrees, of all dives
 SURFACE = 900.0  # s between dives
 SPEED, FIX = 0.25, 20.0  # m/s through the water; m, error of a displacement
-INERTIAL_FADING = 4 * DAY
 
 
 class Sea(NamedTuple):
     """A sea and a vehicle in it.
 
     `walk` is in m/s per sqrt(6 h); `eddying` lists (size m/s, memory s, order 1
-    or 2); `tides` amplitudes in m/s by name; `inertial` in m/s; `eddy` and `jet`
+    or 2); `tides` amplitudes in m/s by name; `inertial` (size m/s, memory s); `eddy` and `jet`
     (speed m/s, radius m); `scatter` in m/s per dive; `speed_sd`, `compass_sd`
     (rad) how wrong the vehicle is; `heading` any, one, legs, mower or wander;
     `hours` of a dive; `dives` of a record.
@@ -39,7 +40,7 @@ class Sea(NamedTuple):
     walk: float = 0.0
     eddying: tuple = ()
     tides: tuple = ()
-    inertial: float = 0.0
+    inertial: tuple = ()
     eddy: tuple = ()
     jet: tuple = ()
     scatter: float = 0.0
@@ -65,7 +66,7 @@ def headings(rng: np.random.Generator, count: int, kind: str) -> np.ndarray:
 
 
 def remembered(rng: np.random.Generator, size: float, memory: float, order: int, n: int):
-    """Give n ticks of an Ornstein-Uhlenbeck current, or one smoothed again."""
+    """Give n ticks of an Ornstein-Uhlenbeck current, order 1 or 2."""
     keep = math.exp(-TICK / memory)
     kicks = rng.normal(size=(n, 2))
     y = np.empty((n, 2))
@@ -82,7 +83,7 @@ def remembered(rng: np.random.Generator, size: float, memory: float, order: int,
 
 
 def background(sea: Sea, rng: np.random.Generator, end: float) -> np.ndarray:
-    """Give the current that is the same everywhere, (n, 2) m/s, every tick."""
+    """Give the current without eddy and jet, (n, 2) m/s, every tick."""
     n = int(end / TICK) + 2
     time = TICK * np.arange(n)
     u = np.tile([0.1, -0.05], (n, 1))
@@ -95,8 +96,9 @@ def background(sea: Sea, rng: np.random.Generator, end: float) -> np.ndarray:
         turn = 2 * np.pi / period(name, "s") * time + rng.uniform(0, 2 * np.pi)
         u += size * np.stack([np.cos(turn), rng.uniform(-0.7, 0.7) * np.sin(turn)], axis=1)
     if sea.inertial:  # what turns clockwise and is forgotten: a complex OU current
-        slow = remembered(rng, sea.inertial, INERTIAL_FADING, 1, n)
-        turning = (slow[:, 0] + 1j * slow[:, 1]) * np.exp(-1j * CORIOLIS * time)
+        slow = remembered(rng, *sea.inertial, 1, n)
+        turn = inertial_frequency(LATITUDE) * time
+        turning = (slow[:, 0] + 1j * slow[:, 1]) * np.exp(-1j * turn)
         u += np.stack([turning.real, turning.imag], axis=1)
     return u
 
@@ -149,5 +151,5 @@ def made_dives(sea: Sea, seed: int, lost: float = 0.0, since: int = 0) -> list[D
         way = x - here + FIX * rng.normal(size=2)
         way = way + sea.scatter * T[k] * rng.normal(size=2)
         t = 1.6e9 + start[k]
-        dives.append(Dive(k, t, 40.0, 8.0, t + T[k], 40.0, 8.0, *way, *dr))
+        dives.append(Dive(k, t, LATITUDE, LONGITUDE, t + T[k], LATITUDE, LONGITUDE, *way, *dr))
     return dives

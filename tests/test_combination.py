@@ -1,5 +1,6 @@
 """An estimator's forecast and the previous dive's, combined; the gradient's own errors."""
 
+import itertools
 from pathlib import Path
 
 import numpy as np
@@ -7,7 +8,7 @@ import pytest
 from synthetic_vehicle import STEADY, vehicle
 
 from clpt_control.estimation.between_fixes import ESTIMATORS, make_estimator
-from clpt_control.estimation.combination import SHARE, Combination
+from clpt_control.estimation.combination import SHARE, WEIGHT, Combination
 from clpt_control.estimation.fix_model import FixModel, miss
 from clpt_control.ocean.gliders.dives import make_dive
 from clpt_control.ocean.replay.flow_model_file import read_flow_model
@@ -44,19 +45,19 @@ class Silent:
         """Learn nothing."""
 
 
-def test_the_share_is_the_least_squares_one():
-    """Nothing forecast: the share is that of a current on the one before, and of the prior."""
+def test_the_share_is_the_one_that_would_have_forecast_best():
+    """By searching all shares: squared misses, and the first share as so many dives."""
     dives = vehicle(4, 40, noise=0.08)
     both = Combination(Silent())
     for dive in dives:
         both.update(dive)
-    T = np.array([d.duration for d in dives])
-    y = np.array([miss(d) for d in dives])
-    p = y[:-1] * (T[1:] / T[:-1])[:, None]
+    shares = np.linspace(0, 1, 100_001)
+    cost = WEIGHT * (shares - SHARE) ** 2
+    for before, dive in itertools.pairwise(dives):
+        forecast = np.outer(shares, miss(before) / before.duration * dive.duration)
+        cost += np.sum((miss(dive) - forecast) ** 2, axis=1) / 500.0**2
     assert 0.1 < both.share < 0.9
-    assert both.share == pytest.approx(
-        (SHARE * 8 + np.sum(y[1:] * p) / 250_000) / (8 + np.sum(p * p) / 250_000)
-    )
+    assert both.share == pytest.approx(shares[np.argmin(cost)], abs=2e-5)
 
 
 def test_who_knows_best_gets_the_share():

@@ -121,7 +121,7 @@ def test_files_that_are_no_flow_model(tmp_path):
         ("bare.toml", "has no fit_report"),
         ("days.nc", "calendar '360_day'"),
         ("deep.nc", "each once"),
-        ("sigma.nc", "level has units '1'"),
+        ("sigma.nc", "depth has units '1'"),
         ("fast.nc", "check its units"),
     ):
         with pytest.raises(DataError, match=says):

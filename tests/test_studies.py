@@ -56,3 +56,12 @@ def test_forecasts_of_gliders_in_made_seas(tmp_path):
     assert ratios["shelf, M2"] < 0.4
     assert sorted(ratios.values())[8] < 0.95
     assert (tmp_path / "glider_forecasts.png").stat().st_size > 10_000
+
+
+def test_priors_matter_little(tmp_path):
+    run("-m", "analysis.prior_sensitivity", "--out", tmp_path)
+    text = (tmp_path / "prior_sensitivity.md").read_text()
+    rows = [row.strip("| ").split(" | ") for row in text.splitlines()[2:33]]
+    assert len({name for name, _, _ in rows}) == 16
+    assert all(0.82 < float(found) < 0.92 for _, _, found in rows)
+    assert (tmp_path / "prior_sensitivity.png").stat().st_size > 10_000

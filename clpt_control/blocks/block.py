@@ -135,7 +135,7 @@ class Block(control.NonlinearIOSystem):
 
     @property
     def params(self) -> dict[str, Any]:
-        """The block's parameters under its name, as python-control sees them."""
+        """The block's parameters under its name, for python-control."""
         return {self.name: self.parameters}
 
     @params.setter

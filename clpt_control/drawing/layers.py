@@ -42,7 +42,7 @@ class Net:
 
     @property
     def named_at_source(self) -> bool:
-        """Whether the text stands at the block too: not for a single arrow."""
+        """Whether the text stands at the block too, not for one arrow."""
         return not self.source.startswith("in:") and (len(self.targets) != 1 or bool(self.back))
 
 
@@ -66,7 +66,7 @@ class Layered:
     layers: list[list[str]]
 
     def hop(self, k: int, layer: int) -> tuple[str, list[str]] | None:
-        """Give where net k comes from and goes to between a layer and the next."""
+        """Give where net k comes from and goes to between two layers."""
         net = self.nets[k]
         start, last = self.rank[net.source], max((self.rank[t] for t in net.onward), default=-1)
         if not start <= layer < last:

@@ -96,7 +96,7 @@ class Store:
         return [k for k in range(-(-self.members // self.chunk)) if not self.is_whole(k)]
 
     def done(self, missing: Iterable[int]) -> int:
-        """Give how many members need no work, where some chunks are missing."""
+        """Give how many members need no work where chunks are missing."""
         ranges = [self.range(index) for index in missing]
         return self.members - sum(last - first for first, last in ranges)
 

@@ -32,7 +32,7 @@ def miss(dive: Any) -> np.ndarray:
 
 
 def reckoned(dive: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Give a dive's dead reckoning in time, straight where it has no track.
+    """Give dead reckoning in time, straight where there is no track.
 
     Parameters
     ----------

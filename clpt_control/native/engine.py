@@ -66,7 +66,7 @@ class NativeDiagram:
         self.module = compiled_module(self.fused)
 
     def pieces(self, t0: float, t1: float, stops: np.ndarray | None) -> tuple[np.ndarray, ...]:
-        """Give edges, places of intervals in P, and their values per piece."""
+        """Give edges, places of intervals in P, their values per piece."""
         edges = self.sweep.breakpoints(t0, t1)
         if stops is not None:
             edges = np.union1d(edges, stops[(stops > t0) & (stops < t1)])
@@ -296,7 +296,7 @@ class NativeDiagram:
     def signals(
         self, solution: Solution, samples: tuple[np.ndarray, np.ndarray] | None = None
     ) -> np.ndarray:
-        """Give all block outputs at a solution's times, right limits at jumps.
+        """Give all block outputs at a solution's times.
 
         Parameters
         ----------

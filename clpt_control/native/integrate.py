@@ -186,7 +186,7 @@ class Fence:
         return found
 
     def crossing(self, solver: DOP853) -> float | None:
-        """Find the first time in the last step at which a guard is crossed.
+        """Find the first time in the last step that crosses a guard.
 
         The step's interpolant is looked at in sixteen places, so that a short
         excursion within a step is found too.

@@ -99,7 +99,7 @@ class Lines:
         self.lines.append("    " * self.depth + line)
 
     def prepared(self, expression: str) -> Code:
-        """Give a call's code, or the place of its value where it is steady."""
+        """Give a call's code, or where its steady value lies."""
         place = self.ready.place(expression)
         return Code(expression) if place is None else Code(self.steady(f"P[{place}]"))
 

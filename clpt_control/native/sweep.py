@@ -104,7 +104,7 @@ class Sweep:
         return times[apart[-len(times) :]] if len(times) else times
 
     def enter(self, t: float) -> None:
-        """Set every block's `interval` to the one that starts at or holds t."""
+        """Set every block's `interval` to the one that holds t."""
         for k, node in enumerate(self.nodes):
             block = node.system
             if isinstance(block, Block) and block.breakpoints_function and not self._pinned[k]:
@@ -113,13 +113,13 @@ class Sweep:
                 self._parameters[k] = p._replace(interval=interval)
 
     def use(self, parameters: Sequence[Any]) -> None:
-        """Take other parameters of the same blocks, in the order of the wiring."""
+        """Take other parameters of the same blocks, in wiring order."""
         self.given = list(parameters)
         self._parameters = list(parameters)
         self.enter(0.0)
 
     def evaluate(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
-        """Compute all block outputs at (t, x, u) within the entered interval.
+        """Compute all block outputs at (t, x, u) in the interval.
 
         Parameters
         ----------
@@ -191,7 +191,7 @@ class Sweep:
         return self.wiring.output_map @ np.concatenate([self.signals, self._external])
 
     def first_trouble(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> str | None:
-        """Name the first block and signal that is not finite at (t, x, u)."""
+        """Name the first block and signal not finite at (t, x, u)."""
         with np.errstate(all="ignore"):
             dx = self.derivative(t, x, u)
         for node in self.nodes:

@@ -71,7 +71,7 @@ def length_in_metres(unit: str, where: str) -> float:
     word = unit.strip().lower()
     size = METRES.get(WORDS.get(word, word))
     if size is None:
-        raise DataError(f"{where} has units '{unit}'; must be one of {', '.join(METRES)}")
+        raise DataError(f"{where} has units '{unit}'; must be such as 'm', 'km' or 'cm'")
     return size
 
 

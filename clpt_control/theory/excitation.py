@@ -60,7 +60,7 @@ class Excitation:
 
     @property
     def eigenvalues(self) -> dict[str, np.ndarray]:
-        """Eigenvalues of each axis, ascending: kappa_1 first, kappa_2 last."""
+        """Eigenvalues of each axis, from kappa_1 to kappa_2."""
         return {axis: self._spectrum(axis)[0] for axis in self.factors}
 
     @property
@@ -79,7 +79,7 @@ class Excitation:
 
     @property
     def identifiable(self) -> dict[str, np.ndarray]:
-        """Orthonormal basis of what can be learned, shape (N + 2, dimension)."""
+        """Orthonormal basis of what can be learned, (N + 2, dimension)."""
         return {axis: self.directions[axis][:, ~idle] for axis, idle in self._idle().items()}
 
     @property

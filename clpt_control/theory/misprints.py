@@ -34,7 +34,7 @@ class Misprint:
 
     @property
     def confirmed(self) -> bool:
-        """Whether the check fails on the print and passes on the correction."""
+        """Whether the check fails on the print, passes corrected."""
         try:
             return not self.holds(True) and self.holds(False)
         except Exception:  # equations so changed that the check cannot run

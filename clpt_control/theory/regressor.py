@@ -53,7 +53,7 @@ class Regressor:
 
     @property
     def w(self) -> np.ndarray:
-        """w = [phi, z_i, zc_i], shape (2, pieces, NODES, N + 2), axis first."""
+        """w = [phi, z_i, zc_i], shape (2, pieces, NODES, N + 2)."""
         return np.stack(
             [np.concatenate([self.phi, self.z[..., [i]], self.zc[..., [i]]], -1) for i in range(2)]
         )

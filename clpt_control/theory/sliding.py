@@ -36,7 +36,7 @@ class SlidingExcitation:
 
     @property
     def eigenvalues(self) -> dict[str, np.ndarray]:
-        """Eigenvalues along time, each axis shape (count, N + 2), ascending."""
+        """Eigenvalues in time, each axis (count, N + 2), ascending."""
         return {
             axis: np.array([found.eigenvalues[axis] for found in self.at])
             for axis in self.at[0].names

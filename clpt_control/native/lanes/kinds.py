@@ -33,7 +33,7 @@ class LanesType(types.Type):
         super().__init__(name="Lanes")
 
     def unify(self, typingctx, other):
-        """Give lanes for a variable that is a number first and lanes later."""
+        """Give lanes for what is a number first and lanes later."""
         if isinstance(other, (*SHARED, LaneMaskType)) and not isinstance(other, types.Complex):
             return self
         return None
@@ -50,7 +50,7 @@ class LaneMaskType(types.Type):
         super().__init__(name="LaneMask")
 
     def unify(self, typingctx, other):
-        """Give a mask for a variable that is a bool first and a mask later."""
+        """Give a mask for what is a bool first and a mask later."""
         return self if isinstance(other, types.Boolean) else None
 
     def can_convert_from(self, typingctx, other):

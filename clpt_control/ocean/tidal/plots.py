@@ -72,7 +72,7 @@ def tides_plot(fit: TidalFit, record: CurrentRecord) -> "Figure":
 
 
 class _Ellipse(NamedTuple):
-    """An ellipse as it is drawn: half its width and height, and how much larger."""
+    """An ellipse as drawn: half its width and height, how much larger."""
 
     of: Constituent
     wide: float
@@ -125,9 +125,8 @@ def _draw(ax, ellipses: list[_Ellipse], inch: float) -> None:
     bar = _bar(ellipses)
     ax.plot([x, x + bar], [0, 0], color="black", lw=2)
     ax.text(x + bar / 2, LINE / 2 * inch, f"{bar:g} m/s", ha="center", va="bottom", fontsize=8)
-    spare = (WIDE * inch - x - bar) / 2
+    spare = (WIDE * inch - x - bar) / 2 + LINE * inch  # also for the width of lines
     ax.set_aspect("equal")
-    spare += LINE * inch  # for the width of lines
     ax.set(xlim=(-spare, x + bar + spare), ylim=(-low - 4 * LINE * inch, low + LINE * inch))
     ax.axis("off")
     larger = any(each.larger > 1 for each in ellipses)
