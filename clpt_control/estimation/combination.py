@@ -9,7 +9,8 @@ combination of forecasts", Operational Research Quarterly 20, 451-468, 1969).
 Where a current keeps what it had, the previous dive knows best, and an
 estimator that does not know so loses less with it than without.  Before dives have told, s is
 `SHARE`, weighing as much as `WEIGHT` dives on which the two differ as far as the
-estimator errs.
+estimator errs; after weeks it is so again.  A dive that is strange to either
+counts less.
 """
 
 from typing import Any
@@ -17,9 +18,10 @@ from typing import Any
 import numpy as np
 
 from .estimator import Estimator
-from .fix_model import FixModel, miss
+from .fix_model import FAR, FixModel, miss
 
 SHARE, WEIGHT = 0.3, 8.0
+MEMORY = 20 * 86400.0  # s
 
 
 class Combination:
@@ -48,6 +50,8 @@ class Combination:
         self.estimator = estimator
         self.gain, self.weight = SHARE * WEIGHT, WEIGHT
         self.rate: np.ndarray | None = None  # the previous dive's miss over its duration, m/s
+        self.time = 0.0
+        self.asked: tuple[Any, tuple[np.ndarray, np.ndarray]] | None = None
 
     @property
     def model(self) -> FixModel:
@@ -74,7 +78,7 @@ class Combination:
         covariance : ndarray, shape (2, 2)
             m^2, of a mixture of both with the estimator's covariance.
         """
-        mean, covariance = self.estimator.predict(dive)
+        mean, covariance = self.own(dive)
         if self.rate is None:
             return mean, covariance
         s, apart = self.share, dive.duration * self.rate - mean
@@ -89,12 +93,23 @@ class Combination:
             With its end fix.
         """
         if self.rate is not None:
-            mean, covariance = self.estimator.predict(dive)
-            apart, variance = dive.duration * self.rate - mean, np.trace(covariance) / 2
-            self.gain += float((miss(dive) - mean) @ apart / variance)
+            mean, covariance = self.own(dive)
+            away, apart = miss(dive) - mean, dive.duration * self.rate - mean
+            variance = np.trace(covariance) / 2
+            variance *= max(1.0, max(away @ away, apart @ apart) / variance / FAR)
+            left = np.exp(-max(0.0, dive.t_gpse - self.time) / MEMORY)
+            self.gain = SHARE * WEIGHT + left * (self.gain - SHARE * WEIGHT)
+            self.weight = WEIGHT + left * (self.weight - WEIGHT)
+            self.gain += float(away @ apart / variance)
             self.weight += float(apart @ apart / variance)
-        self.rate = miss(dive) / dive.duration
+        self.rate, self.time, self.asked = miss(dive) / dive.duration, dive.t_gpse, None
         self.estimator.update(dive)
+
+    def own(self, dive: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Give the estimator's own forecast, asked for once a dive."""
+        if self.asked is None or self.asked[0] is not dive:
+            self.asked = (dive, self.estimator.predict(dive))
+        return self.asked[1]
 
     def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Give the estimator's mean, covariance and what is learned."""

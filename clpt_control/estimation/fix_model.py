@@ -38,6 +38,7 @@ GAUSSIAN = 0.15  # m/s, the same of a place's coefficient
 MODEL = 0.7  # the same of the factor on a flow model
 SPEED, COMPASS = 0.15, 0.03  # the same of f - 1 and of psi (2 degrees)
 FIX = 30.0  # m, one component of the difference of two fixes
+FAR = 13.82  # chi-squared of two components, 99.9 %: what lies beyond is strange
 WIDTH = 20e3  # m, of a gaussian
 OTHERS = {"inertial": 2, "gaussians": 0, "model": 1}  # parts that are no tide; their parameters
 
@@ -171,12 +172,31 @@ class FixModel:
         Returns
         -------
         FixModel
-            Itself where nothing is new; new parameters come last.
+            Itself where nothing is new; new parameters come last, and places
+            that are far by now may be gone.
         """
         if "gaussians" not in self.flow:
             return self
         places = near(self.places, dive, self.width)
         return self if places is self.places else replace(self, places=places)
+
+    def kept(self, before: "FixModel") -> tuple[np.ndarray, np.ndarray]:
+        """Give where the parameters of a model before stand in this one.
+
+        Parameters
+        ----------
+        before : FixModel
+            Whose `reached` gave this one.
+
+        Returns
+        -------
+        old, new : ndarray of int
+            Places in its parameters and in these.
+        """
+        here = {name: k for k, name in enumerate(self.names)}
+        pairs = [(k, here[name]) for k, name in enumerate(before.names) if name in here]
+        old, new = np.array(pairs, int).T
+        return old, new
 
     def regressor(self, dive: Any, ended: bool = False) -> np.ndarray:
         """Give H of y = H p for a dive.

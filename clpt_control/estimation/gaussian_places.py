@@ -8,7 +8,7 @@ H_c > `NEAR` T; before that it has its prior and nothing else, so that joining
 late changes little.  Whether the dives excite it is then read from their
 Gramian, as for every parameter (`held`).
 
-Along a dive x(t) is the dead-reckoned track from the fix before it; when the
+A long voyage keeps the `MOST` places nearest to its last track.  Along a dive x(t) is the dead-reckoned track from the fix before it; when the
 dive has ended, the track bent evenly to the fix after it.
 """
 
@@ -26,6 +26,7 @@ from .least_squares import evaluate
 
 SPACING = 1.5  # widths
 NEAR = 0.1  # share of a dive's time
+MOST = 40  # places that are kept; the farthest are forgotten
 SAMPLES = 25  # of a track
 
 
@@ -116,7 +117,11 @@ def near(places: Places | None, dive: Any, width: float) -> Places:
     fresh = [cell for cell, s in zip(around, support, strict=True) if s > NEAR * dive.duration]
     if places is not None and not fresh:
         return places
-    return Places(old.latitude, old.longitude, old.width, (*old.cells, *fresh))
+    cells = [*old.cells, *fresh]
+    away = np.hypot(*(pitch * np.array(cells) - x.mean(axis=0)).T)
+    nearest = set(np.argsort(away, kind="stable")[:MOST].tolist())
+    cells = [cell for k, cell in enumerate(cells) if k in nearest]
+    return Places(old.latitude, old.longitude, old.width, tuple(cells))
 
 
 def _along(places: Places, dive: Any, ended: bool) -> tuple[np.ndarray, np.ndarray]:

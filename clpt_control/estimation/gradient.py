@@ -11,7 +11,8 @@ error follows from any gain K, for a current that walks by WALK,
 
     P <- (I - K H) (P + Q) (I - K H)^T + K r K^T,
 
-and says how far to trust it.  Which parameters are learned is read from the
+and says how far to trust it.  A fix beyond the 99.9 % ellipse moves the law less, r
+times how far beyond.  Which parameters are learned is read from the
 Gramian of the dives.
 """
 
@@ -19,8 +20,9 @@ from typing import Any
 
 import numpy as np
 
-from .fix_model import FixModel, mid_time, miss
+from .fix_model import FAR, FixModel, mid_time, miss
 from .held import LEARNED
+from .kalman import faded
 from .recursive import noise
 from .running import RunningMean
 from .wandering import QUARTER_DAY
@@ -55,14 +57,17 @@ class Gradient:
     def ahead(self, dive: Any) -> tuple[FixModel, np.ndarray, np.ndarray, np.ndarray]:
         """Give model, parameters, Gramian and covariance at a dive."""
         model = self.model.reached(dive)
-        old, n = len(self.mean), len(model.names)
-        p, G = np.pad(self.mean, (0, n - old)), np.pad(self.gramian, (0, n - old))
-        P = np.diag(model.prior_sd**2)
-        P[:old, :old] = self.covariance
+        old, new = model.kept(self.model)
+        n = len(model.names)
+        p, G, P = np.zeros(n), np.zeros((n, n)), np.diag(model.prior_sd**2)
+        p[new], G[np.ix_(new, new)] = self.mean[old], self.gramian[np.ix_(old, old)]
+        P[np.ix_(new, new)] = self.covariance[np.ix_(old, old)]
         dt = 0.0 if self.time is None else max(0.0, mid_time(dive) - self.time)
-        F = model.turning(dt, dive.lat_gps2)
-        P = F @ P @ F.T
-        P[[0, 1], [0, 1]] += WALK**2 * dt / QUARTER_DAY
+        F = model.turning(dt, dive.lat_gps2) * faded(model, dt)
+        P = F @ P @ F.T + np.diag((1 - faded(model, dt) ** 2) * model.prior_sd**2)
+        for k in (0, 1):
+            walked = WALK**2 * dt / QUARTER_DAY
+            P[k, k] += min(walked, max(0.0, model.prior_sd[k] ** 2 - P[k, k]))
         return model, F @ np.where(excited(G, model), p, 0.0), F @ G @ F.T, P
 
     def predict(self, dive: Any) -> tuple[np.ndarray, np.ndarray]:
@@ -78,11 +83,13 @@ class Gradient:
         mean : ndarray, shape (2,)
             East and north, m.
         covariance : ndarray, shape (2, 2)
-            m^2, from how far earlier forecasts missed.
+            m^2: how far earlier forecasts missed, or the law's own errors if
+            they are larger.
         """
-        model, p, _, _ = self.ahead(dive)
-        variance = self.variance.value * dive.duration**2
-        return model.regressor(dive) @ p, variance * np.eye(2)
+        model, p, _, P = self.ahead(dive)
+        H = model.regressor(dive)
+        seen = self.variance.value * dive.duration**2
+        return H @ p, max(seen, np.trace(H @ P @ H.T) / 2 + noise(dive)) * np.eye(2)
 
     def update(self, dive: Any) -> None:
         """Learn from a dive that has ended.
@@ -92,10 +99,11 @@ class Gradient:
         dive : Dive
             With its end fix.
         """
-        seen = 0.5 * float(np.sum((miss(dive) - self.predict(dive)[0]) ** 2)) / dive.duration**2
-        self.variance.add(seen)
+        mean, S = self.predict(dive)
+        far = float(np.sum((miss(dive) - mean) ** 2)) / S[0, 0]
+        self.variance.add(0.5 * min(far, FAR) * S[0, 0] / dive.duration**2)
         self.model, p, G, P = self.ahead(dive)
-        H, r = self.model.regressor(dive, ended=True), noise(dive)
+        H, r = self.model.regressor(dive, ended=True), noise(dive) * max(1.0, far / FAR)
         self.gramian = G + H.T @ H / r
         weight = np.diag(self.model.prior_sd**2 * excited(self.gramian, self.model))
         gain = GAIN * weight @ H.T @ np.linalg.inv(H @ weight @ H.T + r * np.eye(2))

@@ -1,11 +1,13 @@
 """Hold what the dives do not excite at its prior value.
 
-    m_l <- m_l - P_lh P_hh^-1 m_h,  m_h <- 0
+    m_l <- m_l - B m_h,  m_h <- 0,  B = P_lh P_hh^-1
+    P_hh <- P0,  P_lh <- B P0,  P_ll <- P_ll - B P_hl + B P0 B^T
 
 A parameter is learned, l, when its variance is below `LEARNED` of the prior's:
 with G the Gramian of the dives, P = (G + P0^-1)^-1, that is when the dives tell
 at least a third of what was known before.  The others, h, return to zero with
-their prior variance, and the learned are what they would be had h been zero.
+their prior variance P0; the learned are what they would be had h been zero, and
+go on hanging together with h as the dives left them, l = m_l + B (h - m_h).
 """
 
 import numpy as np
@@ -53,8 +55,8 @@ def hold(
         prior = prior_sd[np.ix_(which, h)][:, :, None] ** 2 * np.eye(len(h))
         inner = P[np.ix_(which, keep, keep)] - back @ P[np.ix_(which, h, keep)]
         P[np.ix_(which, keep, keep)] = inner + back @ prior @ back.transpose(0, 2, 1)
-        P[np.ix_(which, keep, h)] = -back @ prior
-        P[np.ix_(which, h, keep)] = -(back @ prior).transpose(0, 2, 1)
+        P[np.ix_(which, keep, h)] = back @ prior
+        P[np.ix_(which, h, keep)] = (back @ prior).transpose(0, 2, 1)
         mean[np.ix_(which, h)] = 0.0
         P[np.ix_(which, h, h)] = prior
     return mean, P, learned

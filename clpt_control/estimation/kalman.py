@@ -7,9 +7,9 @@
 much of it no parameter explains (s), and which parts of the flow there are,
 differ from sea to sea.  A bank of filters holds a grid of them; each is weighed
 by the likelihood of the dives it has forecast (D. T. Magill, "Optimal adaptive
-estimation of sampled stochastic processes", 1965), so none is set by hand.  A
-fix beyond a filter's 99.9 % ellipse is taken for a front: that filter's current
-walks until the fix lies within.
+estimation of sampled stochastic processes", 1965), so none is set by hand, and
+what was likely weeks ago is forgotten.  A fix beyond a filter's 99.9 % ellipse
+is taken for a front: that filter's current walks until the fix lies about there.
 
 The state of a filter is that of `wandering`, continued by the other parameters.
 """
@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .fix_model import FixModel, fix_variance, mid_time, miss
+from .fix_model import FAR, FixModel, fix_variance, mid_time, miss
 from .held import hold
 from .mixture import mixed
 from .wandering import QUARTER_DAY, Kinds, kinds, wander
@@ -27,20 +27,24 @@ UNEXPLAINED = (0.003, 0.01, 0.03, 0.06, 0.12)  # s, m/s
 USUAL, SPREAD = 0.02, 1.5  # its usual value and the spread of its logarithm
 SHELF = 0.1  # odds before any dive that tides are strong: the share of shelves in the ocean
 ABSENT = 1e-4  # share of a prior's standard deviation where a part is absent
-FAR = 13.82  # chi-squared of two components, 99.9 %
 INERTIAL_FADING = 4 * 86400.0  # s
+TIDE_FADING = 15 * 86400.0  # s, of what neaps and another place change
+MEMORY_OF_WEIGHTS = 20 * 86400.0  # s
 MEMORY = 4  # numbers of a state before the parameters: trend and eddies
 SPEED_WALK = 0.002  # per sqrt(6 h): a factor changes by 0.04 in 100 days
+COMPASS_WALK = 0.001  # rad per sqrt(6 h): by a degree in 100 days
 
 
 class Seen(NamedTuple):
     """What the bank saw at its last dive, for who watches it.
 
-    `F` (m, n, n) turned the states, `H` (2, n) is the regressor, `innovation` (m, 2) the
+    `kept` is where the state before stands in the one that `F` (m, n, n) turned,
+    `H` (2, n) is the regressor, `innovation` (m, 2) the
     miss less what was expected, `inverse` (m, 2, 2) of its covariance, `rest`
     (m, n, n) is I - K H, `weights` and `mean` were before the dive.
     """
 
+    kept: tuple[np.ndarray, np.ndarray]
     F: np.ndarray
     H: np.ndarray
     innovation: np.ndarray
@@ -48,6 +52,29 @@ class Seen(NamedTuple):
     rest: np.ndarray
     weights: np.ndarray
     mean: np.ndarray
+
+
+def faded(model: FixModel, dt: float) -> np.ndarray:
+    """Give how much of each parameter is left after a time.
+
+    Parameters
+    ----------
+    model : FixModel
+    dt : float
+        s.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        One, but for what oscillates.
+    """
+    left = np.ones(len(model.names))
+    for k, name in enumerate(model.names):
+        if name.startswith("inertial_"):
+            left[k] = np.exp(-dt / INERTIAL_FADING)
+        elif "_cos_" in name or "_sin_" in name:
+            left[k] = np.exp(-dt / TIDE_FADING)
+    return left
 
 
 class KalmanBank:
@@ -88,6 +115,7 @@ class KalmanBank:
         self.log_weight = self.kinds.log_prior - 0.5 * (np.log(s / USUAL) / SPREAD) ** 2
         tides = [k for k, name in enumerate(model.names) if name.endswith("_cos_east")]
         self.log_weight += self.present[:, tides].any(axis=1) * np.log(SHELF / (1 - SHELF))
+        self.log_prior = self.log_weight
         sd = self.prior_sd(model)
         self.mean, self.covariance = np.zeros(sd.shape), sd[:, :, None] ** 2 * np.eye(sd.shape[1])
         self.time: float | None = None
@@ -99,13 +127,16 @@ class KalmanBank:
         w = np.exp(self.log_weight - self.log_weight.max())
         return w / w.sum()
 
+    def has(self, model: FixModel) -> np.ndarray:
+        """Give which filters have which parameters, shape (m, n)."""
+        fixed, last = self.present[:, :-1], self.present[:, -1:]
+        return np.hstack([fixed, np.repeat(last, len(model.names) - fixed.shape[1], axis=1)])
+
     def prior_sd(self, model: FixModel) -> np.ndarray:
         """Give the standard deviations before any dive, shape (m, n)."""
-        fixed, last = self.present[:, :-1], self.present[:, -1:]
-        present = np.hstack([fixed, np.repeat(last, len(model.names) - fixed.shape[1], axis=1)])
         memory = np.stack([self.kinds.trend / QUARTER_DAY, self.kinds.eddy], axis=1)
         return np.hstack(
-            [np.repeat(memory, 2, axis=1), model.prior_sd * np.where(present, 1.0, ABSENT)]
+            [np.repeat(memory, 2, axis=1), model.prior_sd * np.where(self.has(model), 1.0, ABSENT)]
         )
 
     def ahead(self, dive: Any) -> tuple[FixModel, np.ndarray, np.ndarray, np.ndarray]:
@@ -126,26 +157,27 @@ class KalmanBank:
         """
         model = self.model.reached(dive)
         sd = self.prior_sd(model)
-        old, n = len(self.mean[0]), len(sd[0])
+        n = len(sd[0])
         mean, P = np.zeros(sd.shape), sd[:, :, None] ** 2 * np.eye(n)
-        mean[:, :old], P[:, :old, :old] = self.mean, self.covariance
+        old, new = with_memory_kept(*model.kept(self.model))
+        mean[:, new] = self.mean[:, old]
+        P[np.ix_(np.arange(len(P)), new, new)] = self.covariance[:, old[:, None], old]
         dt = 0.0 if self.time is None else max(0.0, mid_time(dive) - self.time)
         F = np.tile(np.eye(n), (len(sd), 1, 1))
         F[:, MEMORY:, MEMORY:] = model.turning(dt, dive.lat_gps2)
         F[:, :6, :6], Q = wander(dt, self.kinds)
         k = MEMORY + model.moving  # what stands behind does not move
-        if "inertial" in model.flow:
-            i, fade = MEMORY + model.names.index("inertial_east"), np.exp(-dt / INERTIAL_FADING)
-            F[:, i : i + 2, i : i + 2] *= fade
+        fade = faded(model, dt)
+        F[:, MEMORY:, MEMORY:] *= fade
         mean[:, :k] = np.einsum("mij,mj->mi", F[:, :k, :k], mean[:, :k])
         P[:, :k, :] = F[:, :k, :k] @ P[:, :k, :]
         P[:, :, :k] = P[:, :, :k] @ F[:, :k, :k].transpose(0, 2, 1)
         P[:, :6, :6] += Q
-        if "inertial" in model.flow:
-            for j in (i, i + 1):
-                P[:, j, j] += sd[:, j] ** 2 * (1 - fade**2)
+        states = np.arange(MEMORY, n)
+        P[:, states, states] += sd[:, MEMORY:] ** 2 * (1 - fade**2)
         if model.learn_speed:
             P[:, k - 2, k - 2] += SPEED_WALK**2 * dt / QUARTER_DAY
+            P[:, k - 1, k - 1] += COMPASS_WALK**2 * dt / QUARTER_DAY
         return model, F, mean, P
 
     def noise(self, dive: Any) -> np.ndarray:
@@ -175,9 +207,9 @@ class KalmanBank:
     def held(
         self, model: FixModel, mean: np.ndarray, P: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Hold what is not excited; trend and eddies never are."""
+        """Hold what is not excited; what every dive excites never is."""
         sd = self.prior_sd(model)
-        sd[:, :MEMORY] = np.inf
+        sd[:, : MEMORY + 2] = np.inf  # trend, eddies and the current itself
         return hold(mean, P, sd)
 
     def update(self, dive: Any) -> None:
@@ -188,8 +220,9 @@ class KalmanBank:
         dive : Dive
             With its end fix.
         """
-        weights, before = self.weights, self.mean
+        weights, before, model = self.weights, self.mean, self.model
         self.model, F, mean, P = self.ahead(dive)
+        kept = with_memory_kept(*self.model.kept(model))
         H, R = with_memory(self.model.regressor(dive, ended=True)), self.noise(dive)
         innovation = miss(dive) - mean @ H.T
         S = H @ P @ H.T + R
@@ -199,7 +232,9 @@ class KalmanBank:
         S = H @ P @ H.T + R
         inverse = np.linalg.inv(S)
         far = np.einsum("mi,mij,mj->m", innovation, inverse, innovation)
-        self.log_weight = self.log_weight - 0.5 * (far + np.log(np.linalg.det(S)))
+        dt = 0.0 if self.time is None else max(0.0, mid_time(dive) - self.time)
+        remembered = np.exp(-dt / MEMORY_OF_WEIGHTS) * (self.log_weight - self.log_prior)
+        self.log_weight = self.log_prior + remembered - 0.5 * (far + np.log(np.linalg.det(S)))
         self.log_weight -= self.log_weight.max()
         gain = P @ H.T @ inverse
         self.mean = mean + np.einsum("mni,mi->mn", gain, innovation)
@@ -207,7 +242,7 @@ class KalmanBank:
         P = rest @ P @ rest.transpose(0, 2, 1) + gain @ R @ gain.transpose(0, 2, 1)
         self.covariance = 0.5 * (P + P.transpose(0, 2, 1))
         self.time = mid_time(dive)
-        self.seen = Seen(F, H, innovation, inverse, rest, weights, before)
+        self.seen = Seen(kept, F, H, innovation, inverse, rest, weights, before)
 
     def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Give the parameters after the last dive.
@@ -219,20 +254,30 @@ class KalmanBank:
         covariance : ndarray, shape (n, n)
             Of the whole bank.
         learned : ndarray of bool, shape (n,)
-            Which parameters the likelier half of the bank has learned.
+            Which parameters are learned by the likelier half of those filters
+            that have them; what is then found to be absent is near zero.
         """
         mean, P, learned = self.held(self.model, self.mean, self.covariance)
         p, C = mixed(mean, P, self.weights)
         add = with_memory(np.eye(len(p) - MEMORY))  # the current is the steady and the eddying
-        return add @ p, add @ C @ add.T, (self.weights @ learned > 0.5)[MEMORY:]
+        log_weight = np.where(self.has(self.model), self.log_weight[:, None], -np.inf)
+        within = np.exp(log_weight - log_weight.max(axis=0))
+        share = (within * learned[:, MEMORY:]).sum(axis=0) / within.sum(axis=0)
+        return add @ p, add @ C @ add.T, (share > 0.5) & (self.time is not None)
 
     def forget_speed(self) -> None:
-        """Give the speed factor its prior variance again, after a fault."""
+        """Make the speed factor uncertain by half its prior variance."""
         if self.model.learn_speed:
             k = MEMORY + self.model.names.index("speed")
-            self.covariance[:, k, k] += self.prior_sd(self.model)[:, k] ** 2
+            self.covariance[:, k, k] += 0.5 * self.prior_sd(self.model)[:, k] ** 2
 
 
 def with_memory(H: np.ndarray) -> np.ndarray:
     """Give the regressor of the state: eddies act as the current."""
     return np.hstack([np.zeros((len(H), 2)), H[:, :2], H])
+
+
+def with_memory_kept(old: np.ndarray, new: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Give where states stand, from where parameters do."""
+    memory = np.arange(MEMORY)
+    return np.concatenate([memory, MEMORY + old]), np.concatenate([memory, MEMORY + new])

@@ -1,18 +1,20 @@
 """Recursive least squares between fixes, forgetting with time.
 
-    W <- l W + H^T H / r,  b <- l b + H^T y / r,  p = (W + P0^-1)^-1 b
+    W <- l W + H^T H / r,  b <- l b + H^T y / r,  p = (W/c + P0^-1)^-1 b/c
 
 l = exp(-dt/MEMORY) forgets (L. Ljung, "System Identification", 2nd ed., 1999,
 section 11.2); the prior P0 is never forgotten, so that a quiet time does not
-wind the gain up.  r is the variance of a fix and of what nothing explains.  W
-is the Gramian of the dives: it says which parameters are learned.
+wind the gain up.  r is the variance of a fix and of what nothing explains, c what
+earlier misses make of it.  A fix beyond the 99.9 % ellipse weighs less, r times
+how far beyond.  W is the Gramian of the dives: it says which parameters are
+learned.
 """
 
 from typing import Any
 
 import numpy as np
 
-from .fix_model import FixModel, fix_variance, mid_time, miss
+from .fix_model import FAR, FixModel, fix_variance, mid_time, miss
 from .held import hold
 from .running import RunningMean
 
@@ -44,8 +46,10 @@ class RecursiveLeastSquares:
     def ahead(self, dive: Any) -> tuple[FixModel, np.ndarray, np.ndarray]:
         """Give model, W and b turned and faded to a dive's middle."""
         model = self.model.reached(dive)
-        more = len(model.names) - len(self.b)
-        W, b = np.pad(self.W, (0, more)), np.pad(self.b, (0, more))
+        old, new = model.kept(self.model)
+        n = len(model.names)
+        W, b = np.zeros((n, n)), np.zeros(n)
+        W[np.ix_(new, new)], b[new] = self.W[np.ix_(old, old)], self.b[old]
         dt = 0.0 if self.time is None else max(0.0, mid_time(dive) - self.time)
         F = model.turning(dt, dive.lat_gps2)
         fade = np.exp(-dt / MEMORY)
@@ -64,12 +68,12 @@ class RecursiveLeastSquares:
         mean : ndarray, shape (2,)
             East and north, m.
         covariance : ndarray, shape (2, 2)
-            m^2, scaled by how far earlier forecasts missed.
+            m^2.
         """
         model, W, b = self.ahead(dive)
         H = model.regressor(dive)
-        mean, P, _ = solved(W, b, model.prior_sd)
-        return H @ mean, self.scale.value * (H @ P @ H.T + noise(dive) * np.eye(2))
+        mean, P, _ = solved(W / self.scale.value, b / self.scale.value, model.prior_sd)
+        return H @ mean, H @ P @ H.T + self.scale.value * noise(dive) * np.eye(2)
 
     def update(self, dive: Any) -> None:
         """Learn from a dive that has ended.
@@ -81,12 +85,13 @@ class RecursiveLeastSquares:
         """
         mean, S = self.predict(dive)
         away = miss(dive) - mean
+        far = float(away @ np.linalg.solve(S, away))
         if self.time is not None:  # the first miss is the prior's
-            self.scale.add(0.5 * float(away @ np.linalg.solve(S, away)) * self.scale.value)
+            self.scale.add(0.5 * min(far, FAR) * self.scale.value)
         self.model, W, b = self.ahead(dive)
-        H = self.model.regressor(dive, ended=True)
-        self.W = W + H.T @ H / noise(dive)
-        self.b = b + H.T @ miss(dive) / noise(dive)
+        H, r = self.model.regressor(dive, ended=True), noise(dive) * max(1.0, far / FAR)
+        self.W = W + H.T @ H / r
+        self.b = b + H.T @ miss(dive) / r
         self.time = mid_time(dive)
 
     def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -99,14 +104,11 @@ class RecursiveLeastSquares:
         covariance : ndarray, shape (n, n)
         learned : ndarray of bool, shape (n,)
         """
-        mean, P, learned = solved(self.W, self.b, self.model.prior_sd)
-        return mean, self.scale.value * P, learned
+        c = self.scale.value
+        return solved(self.W / c, self.b / c, self.model.prior_sd)
 
     def forget_speed(self) -> None:
-        """Forget what was learned of the speed factor, after a fault."""
-        if self.model.learn_speed:
-            k = self.model.names.index("speed")
-            self.W[k, :] = self.W[:, k] = self.b[k] = 0.0
+        """Do nothing: all is forgotten in a day."""
 
 
 def solved(

@@ -67,9 +67,9 @@ def kinds() -> Kinds:
     rows += [(least, 0.0, S, memory, 2, S) for S in EDDIES for memory in MEMORIES]
     walk, trend, eddy, memory, kind, size = np.array(rows).T
     which = kind.astype(int)
-    log_prior = -0.5 * (np.log(size / np.array(USUAL)[which]) / SPREAD) ** 2
-    log_prior += np.log(np.array(SHARES)[which] / np.bincount(which)[which])
-    return Kinds(walk, trend, eddy, memory, log_prior)
+    weight = np.exp(-0.5 * (np.log(size / np.array(USUAL)[which]) / SPREAD) ** 2)
+    share = np.array(SHARES)[which] * weight / np.bincount(which, weight)[which]
+    return Kinds(walk, trend, eddy, memory, np.log(share))
 
 
 def wander(dt: float, kinds: Kinds) -> tuple[np.ndarray, np.ndarray]:

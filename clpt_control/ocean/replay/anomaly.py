@@ -12,10 +12,11 @@ jumps in linear systems", IEEE Trans. Automatic Control 21, 108-112, 1976)
     l = (sum g_i^T S_i^-1 nu_i)^2 / sum g_i^T S_i^-1 g_i.
 
 One strange dive proves nothing: the two dives before the last are tried as j.
-A dive is flagged where l is beyond
-`SURE`, the jump is large enough to matter, a jump of the current (two numbers)
-explains no more than one number (the speed) and chance, and what the speed
-leaves is no more than the flow's own scatter.
+A dive is flagged where l is beyond `SURE`, the jump is large enough to matter
+and what the speed leaves is no more than the flow's own scatter.  Where the speed
+(one number) explains more than a jump of the current (two), the flag is certain.
+On one heading a lost speed and a current from ahead look the same: then a loss of
+a plausible size is flagged as one or the other.
 """
 
 from dataclasses import asdict, dataclass, replace
@@ -29,7 +30,7 @@ from ...estimation.kalman import MEMORY, KalmanBank
 
 SURE = 10.0  # l of 3.2 standard deviations
 NESTED = 2.0  # what a second number explains by chance (H. Akaike, 1974)
-MATTERS = 0.08  # smallest change of the factor that is said
+MATTERS, PLAUSIBLE = 0.08, 0.4  # smallest change of the factor that is said; largest doubtful loss
 DIVES = 3  # the last dive, and the two that are tried as the first of a slower speed
 SETTLED = 10  # dives before the watch speaks
 SCATTER = 3.0  # most the rest may weigh, in expected values
@@ -50,6 +51,8 @@ class Anomaly:
     likelihood_ratio, of_current, rest : float
         l of the speed, of a jump of the current instead, and what the speed
         leaves of the misses over what is expected of them.
+    certain : bool
+        Whether a current cannot explain it as well.
     """
 
     dive: int
@@ -60,6 +63,7 @@ class Anomaly:
     likelihood_ratio: float
     of_current: float
     rest: float
+    certain: bool
 
     def __str__(self) -> str:
         return (
@@ -67,6 +71,7 @@ class Anomaly:
             f"{self.standard_error:.2f} since dive {self.since}; evidence "
             f"{self.likelihood_ratio:.0f} (a change of the current instead: {self.of_current:.0f}; "
             f"{SURE:g} is needed)"
+            + ("" if self.certain else "; on these headings a current from ahead looks the same")
         )
 
     def as_dict(self) -> dict[str, Any]:
@@ -120,8 +125,11 @@ class SpeedWatch:
         speed = MEMORY + self.bank.model.names.index("speed")
         start = np.zeros((n, 3))
         start[speed, 0] = start[MEMORY, 1] = start[MEMORY + 1, 2] = 1.0
+        old, new = seen.kept
         for window in self.windows:  # places reached since then have no part in it
-            window["e"] = F @ np.pad(window["e"], ((0, 0), (0, n - window["e"].shape[1]), (0, 0)))
+            e = np.zeros((m, n, 3))
+            e[:, new] = window["e"][:, old]
+            window["e"] = F @ e
         fresh = {"since": dive.number, "e": np.repeat(start[None], m, axis=0),
                  "expected": float(1 + seen.weights @ seen.mean[:, speed]),
                  "weights": seen.weights, "A": np.zeros((m, 3, 3)), "b": np.zeros((m, 3)),
@@ -144,12 +152,15 @@ class SpeedWatch:
         if not found:
             return None
         self.windows = []
-        if self.own:
+        best = max(found, key=lambda a: a.likelihood_ratio)
+        if self.own and best.certain:
             self.bank.forget_speed()
-        return max(found, key=lambda a: a.likelihood_ratio)
+        return best
 
     def _judge(self, dive: Any, window: dict[str, Any]) -> Anomaly | None:
         w, A, b = window["weights"], window["A"], window["b"]
+        if not (A[:, 0, 0] > 0).all():  # no way through the water, no speed
+            return None
         speed = b[:, 0] ** 2 / A[:, 0, 0]
         flow = np.einsum(
             "mi,mi->m", b[:, 1:], np.linalg.solve(A[:, 1:, 1:], b[:, 1:, None])[..., 0]
@@ -158,7 +169,11 @@ class SpeedWatch:
         rest = float(w @ (window["chi"] - speed)) / (2 * window["dives"] - 1)
         change = float(w @ (b[:, 0] / A[:, 0, 0]))
         error = float(np.sqrt(1.0 / (w @ A[:, 0, 0])))
-        if ratio < SURE or current - ratio > NESTED or rest > SCATTER or abs(change) < MATTERS:
+        certain = ratio - current > NESTED
+        doubtful = current - ratio <= NESTED and -PLAUSIBLE < change < 0
+        if not (ratio >= SURE and rest <= SCATTER and abs(change) >= MATTERS):
+            return None
+        if not (certain or doubtful):
             return None
         return Anomaly(dive.number, window["since"], change, error, window["expected"], ratio,
-                       current, rest)  # fmt: skip
+                       current, rest, certain)  # fmt: skip

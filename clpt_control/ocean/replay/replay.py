@@ -112,8 +112,13 @@ class Replay:
             If the dive ends before the last one, or is not finite.
         """
         y = miss(dive)
-        if not (np.all(np.isfinite(y)) and np.isfinite(dive.lat_gps2) and dive.duration > 0):
-            raise DataError(f"dive {dive.number}: fixes and dead reckoning must be finite")
+        numbers = [*y, dive.lat_gps2, dive.lon_gps2, dive.model_east or 0, dive.model_north or 0]
+        numbers += [np.sum(part) for part in dive.track or ()]
+        if not (np.all(np.isfinite(numbers)) and dive.duration > 0):
+            raise DataError(
+                f"dive {dive.number}: fixes, dead reckoning and flow model must be finite, its "
+                "duration above 0"
+            )
         last = self.steps[-1].dive if self.steps else None
         if last is not None and dive.t_gpse <= last.t_gpse:
             raise DataError(
@@ -129,7 +134,7 @@ class Replay:
         share = self._learner.share if self.steps else 0.0
         self._learner.update(dive)
         anomaly = None if self._watch is None else self._watch.step(dive)
-        if anomaly is not None:
+        if anomaly is not None and anomaly.certain:
             self._learner.forget_speed()
         self.steps.append(
             Step(
