@@ -1,12 +1,14 @@
 """An estimator's forecast and the previous dive's, combined; the gradient's own errors."""
 
 import itertools
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from synthetic_vehicle import STEADY, vehicle
 
+from clpt_control.estimation import combination
 from clpt_control.estimation.between_fixes import ESTIMATORS, make_estimator
 from clpt_control.estimation.combination import SHARE, WEIGHT, Combination
 from clpt_control.estimation.fix_model import FixModel, miss
@@ -34,20 +36,21 @@ def test_the_forecast_lies_between_the_two(estimator):
 
 
 class Silent:
-    """An estimator that forecasts nothing, 500 m wide."""
+    """An estimator that forecasts nothing, 2000 m wide."""
 
     model = FixModel()
 
     def predict(self, dive):
-        return np.zeros(2), 250_000.0 * np.eye(2)
+        return np.zeros(2), 4e6 * np.eye(2)
 
     def update(self, dive):
         """Learn nothing."""
 
 
-def test_the_share_is_the_one_that_would_have_forecast_best():
+def test_the_share_is_the_one_that_would_have_forecast_best(monkeypatch):
     """By searching all shares: squared misses, and the first share as so many dives."""
-    dives = vehicle(4, 40, noise=0.08)
+    monkeypatch.setattr(combination, "MEMORY", np.inf)
+    dives = vehicle(4, 40, walk=0.02)
     both = Combination(Silent())
     for dive in dives:
         both.update(dive)
@@ -55,9 +58,21 @@ def test_the_share_is_the_one_that_would_have_forecast_best():
     cost = WEIGHT * (shares - SHARE) ** 2
     for before, dive in itertools.pairwise(dives):
         forecast = np.outer(shares, miss(before) / before.duration * dive.duration)
-        cost += np.sum((miss(dive) - forecast) ** 2, axis=1) / 500.0**2
-    assert 0.1 < both.share < 0.9
+        cost += np.sum((miss(dive) - forecast) ** 2, axis=1) / 2000.0**2
+    assert 0.1 < both.share < 0.99
     assert both.share == pytest.approx(shares[np.argmin(cost)], abs=2e-5)
+
+
+def test_the_share_is_forgotten_in_time():
+    both = Combination(Silent())
+    *dives, last = vehicle(4, 41, walk=0.05)
+    for dive in dives:
+        both.update(dive)
+    learned = both.gain, both.weight
+    both.update(replace(last, t_gps2=last.t_gps2 + 2e7, t_gpse=last.t_gpse + 2e7))
+    # what is left is the first share and the last dive's word, of 13.82 at most
+    assert learned[1] > 8 + 20
+    assert both.weight < 8 + 14
 
 
 def test_who_knows_best_gets_the_share():

@@ -63,6 +63,7 @@ def test_a_filter_is_the_regression_on_all_dives(monkeypatch, kind):
         F, Q = np.eye(n), np.zeros((n, n))
         F[:6, :6], Q[:6, :6] = (a[0] for a in wander(dt, bank.kinds))
         Q[6, 6] = kalman.SPEED_WALK**2 * dt / QUARTER_DAY
+        Q[7, 7] = kalman.COMPASS_WALK**2 * dt / QUARTER_DAY
         for j in range(k):
             blocks[k, j] = F @ blocks[k - 1, j]
             blocks[j, k] = blocks[k, j].T
@@ -103,6 +104,24 @@ def test_holding_is_conditioning():
     assert mean[0, 2] == 0
     assert covariance[0, 2, 2] == pytest.approx(1e-6)
     assert np.all(np.diag(P)[:2] < LEARNED)
+
+
+def test_what_is_held_hangs_together_with_what_is_learned():
+    """Against samples: l drawn as the data leave it, h as it was before."""
+    rng = np.random.default_rng(3)
+    A = rng.normal(size=(3, 3))
+    P = A @ A.T * np.array([[0.05, 0.2, 0.2], [0.2, 1, 1], [0.2, 1, 1]])
+    sd = np.array([10.0, *np.sqrt(np.diag(P)[1:] / 0.8)])  # the first is learned
+    mean = rng.normal(size=3)
+    held, covariance, learned = hold(mean[None], P[None], sd[None])
+    assert learned[0].tolist() == [True, False, False]
+    h = sd[1:] * rng.normal(size=(400_000, 2))
+    inner = np.linalg.inv(P[1:, 1:])
+    error = np.sqrt(P[0, 0] - P[0, 1:] @ inner @ P[1:, 0])
+    drawn = mean[0] + (h - mean[1:]) @ inner @ P[1:, 0] + error * rng.normal(size=400_000)
+    both = np.column_stack([drawn, h])
+    assert both.mean(axis=0) == pytest.approx(held[0], abs=0.02)
+    assert np.cov(both.T) == pytest.approx(covariance[0], abs=0.02 * np.abs(covariance).max())
 
 
 def test_a_mixture_has_the_moments_of_its_samples():

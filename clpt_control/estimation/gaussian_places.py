@@ -8,7 +8,9 @@ H_c > `NEAR` T; before that it has its prior and nothing else, so that joining
 late changes little.  Whether the dives excite it is then read from their
 Gramian, as for every parameter (`held`).
 
-A long voyage keeps the `MOST` places nearest to its last track.  Along a dive x(t) is the dead-reckoned track from the fix before it; when the
+A long voyage keeps the `MOST` places nearest to its last track.
+
+Along a dive x(t) is the dead-reckoned track from the fix before it; when the
 dive has ended, the track bent evenly to the fix after it.
 """
 
@@ -20,6 +22,7 @@ import numpy as np
 from scipy.integrate import trapezoid
 
 from ..blocks.basis import BasisParameters, flow_basis
+from ..errors import ScenarioError
 from ..geodesy import displacement
 from .fix_regressor import miss, reckoned
 from .least_squares import evaluate
@@ -90,6 +93,11 @@ def near(places: Places | None, dive: Any, width: float) -> Places:
     Places
         The same object where nothing is new.
 
+    Raises
+    ------
+    ScenarioError
+        If the dive is more than fifteen widths long.
+
     Examples
     --------
     >>> from clpt_control.ocean.gliders.dives import make_dive
@@ -100,6 +108,11 @@ def near(places: Places | None, dive: Any, width: float) -> Places:
     old = places or Places(dive.lat_gps2, dive.lon_gps2, width)
     x = _along(old, dive, False)[1]
     pitch, reach = SPACING * old.width, old.width * math.sqrt(-2 * math.log(NEAR))
+    if np.ptp(x, axis=0).max() > 10 * pitch:
+        raise ScenarioError(
+            f"width of the gaussians = {old.width:g} m: must be more, for dive {dive.number} is "
+            f"{np.ptp(x, axis=0).max():.0f} m long"
+        )
     low, high = (
         np.rint((end(x, axis=0) + side * reach) / pitch).astype(int)
         for end, side in ((np.min, -1), (np.max, 1))
