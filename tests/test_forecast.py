@@ -21,12 +21,13 @@ from synthetic_forecast import (
     write,
 )
 
+from clpt_control.errors import DataError
 from clpt_control.ocean.forecast_file import read_column
 from clpt_control.ocean.gliders.dive_table import sample_dives
 from clpt_control.ocean.gliders.dives import make_dive, usable
 from clpt_control.ocean.replay.flow_model_file import read_flow_model
 from clpt_control.ocean.replay.flow_models import carried, why_uncovered
-from clpt_control.ocean.replay.forecast import depth_mean
+from clpt_control.ocean.replay.forecast import depth_mean, gaps_of
 from clpt_control.ocean.replay.session import replay_dives
 
 MARACOOS = Path(__file__).parents[2] / "shared/data/field/maracoos_hfr_2019-01-01.nc"
@@ -130,6 +131,37 @@ def test_what_is_not_covered(tmp_path):
         assert why in why_uncovered(found)
         assert carried(found, model).notes == found.notes  # said once
     assert carried(dive_at(), Made(lambda t, x, y: (nan, 0.0))).model_east is None
+
+
+def test_a_gap_of_the_steps_is_not_bridged(tmp_path):
+    """Six-hourly steps from 0 to 18 h, none until 84 h, then to 102 h: as files with a hole."""
+    hours = np.array([0.0, 6.0, 12.0, 18.0, 84.0, 90.0, 96.0, 102.0])
+    u = np.full((len(hours), len(LAT), len(LON)), 0.2)
+    model = read_flow_model(write(tmp_path / "hole.nc", u, 0 * u, hours=hours))
+    for hour, covered in ((11.9, True), (12.1, False), (18.0, False), (50, False), (83.9, False),
+                          (84.0, True), (90.0, True)):  # fmt: skip
+        found = carried(dive_at(hour=hour, way=(0.0, 0.0)), model)
+        assert (found.model_east is not None) == covered, hour
+        assert why_uncovered(found) == ("" if covered else "in a gap of the forecast's steps")
+    coarser = np.array([*range(10), 12.0, 15.0, 18.0, 21.0, 27.0, 33.0, 39.0])  # 1, 3 and 6 h
+    u = np.full((len(coarser), len(LAT), len(LON)), 0.2)
+    model = read_flow_model(write(tmp_path / "coarser.nc", u, 0 * u, hours=coarser))
+    for hour in range(33):
+        assert carried(dive_at(hour=hour, way=(0.0, 0.0)), model).model_east is not None, hour
+    assert gaps_of(np.array([0.0, 6.0])).tolist() == [False]
+    assert gaps_of(np.array([0.0, 6.0, 72.0])).tolist() == [False, True]
+    assert gaps_of(6 * np.array([0.0, 1, 2, 8, 15, 16, 17])).nonzero()[0].tolist() == [2, 3]
+
+
+def test_too_few_values_are_counted_in_words(tmp_path):
+    one = np.zeros((4, 1, len(LON)))
+    for path, said in (
+        (write(tmp_path / "a.nc", one, one, lat=LAT[:1], hours=HOURS[:4]), "lat has 1 value; a"),
+        (write(tmp_path / "b.nc", one[:1], one[:1], hours=HOURS[:1], lat=LAT[:1]), "has 1 step; a"),
+        (write(tmp_path / "c.nc", one[:0], one[:0], hours=HOURS[:0], lat=LAT[:1]), "has 0 steps;"),
+    ):
+        with pytest.raises(DataError, match=said):
+            read_column(path)
 
 
 @pytest.mark.skipif(not MARACOOS.exists(), reason="measured data (../shared/data) are not here")

@@ -1,6 +1,7 @@
 """`clpt tides`: records, files, pictures, mistakes."""
 
 import json
+import os
 import re
 import sys
 from pathlib import Path
@@ -101,6 +102,9 @@ def test_records_are_read_alike_from_every_file(tmp_path):
         (HEADER.replace("41", "141") + ROW.format(1), "latitude = 141.0"),
         (HEADER.replace("41", "north") + ROW.format(1), "'north' is no number"),
         (HEADER + ROW.format(1) + ROW.format(2), "which never change"),
+        (HEADER + "0,1e-300,0\n1,2e-300,0\n", "change by 1e-300 m/s only: check their units"),
+        (HEADER.replace(",", ";") + "0;1;2\n", "semicolons part its cells; use commas"),
+        (HEADER.replace(",", "\t") + "0\t1\t2\n", "tabs part its cells; use commas"),
         (HEADER + ROW.format(1), "1 of 1 times have both components"),
     ],
 )  # fmt: skip
@@ -116,6 +120,8 @@ def test_each_bad_file_is_one_sentence(clpt, tmp_path):
     time, flow = times(2), waves(times(2))
     (tmp_path / "text.nc").write_text("not NetCDF")
     (tmp_path / "bytes.csv").write_bytes(bytes(range(256)) * 9)
+    (tmp_path / "wide.csv").write_text(HEADER, encoding="utf-16")
+    os.mkfifo(tmp_path / "fifo.csv")
     net = tmp_path / "x.nc"
     for path, sentence in (
         (tmp_path / "none.nc", "no such file"),
@@ -123,6 +129,8 @@ def test_each_bad_file_is_one_sentence(clpt, tmp_path):
         (tmp_path, "is not a file"),
         (tmp_path / "text.nc", "cannot be read as NetCDF"),
         (tmp_path / "bytes.csv", "is no text"),
+        (tmp_path / "wide.csv", "is text in UTF-16; must be in UTF-8"),
+        (tmp_path / "fifo.csv", "is a pipe with a name; give a file"),
         (write_netcdf(tmp_path / "a.nc", time, np.nan * flow), "no time has a finite value"),
         (write_netcdf(tmp_path / "b.nc", time, flow, latitude=None), "--latitude DEG"),
         (write_netcdf(tmp_path / "c.nc", time[::-1], flow), "times must increase"),

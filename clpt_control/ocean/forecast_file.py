@@ -102,8 +102,8 @@ def read_column(path: str | Path) -> Column:
                              (lon.name, degrees)):  # fmt: skip
             if len(values) < 2 or not np.all(np.diff(values) > 0):  # also where not finite
                 raise DataError(
-                    f"{path}: {name} has {len(values)} values; a forecast needs at least 2, "
-                    "finite and each once"
+                    f"{path}: {name} has {_counted(len(values), 'value')}; a forecast needs at "
+                    "least 2, finite and each once"
                 )
         order = np.argsort(depth)
         order = order[: int(np.searchsorted(depth[order], DEEPEST)) + 1]
@@ -128,6 +128,10 @@ def _seconds(when: "xarray.DataArray", path: Path) -> np.ndarray:
     from datetime import UTC, datetime
 
     check_calendar(when, path)
+    if len(when) < 2:
+        raise DataError(
+            f"{path}: {when.name} has {_counted(len(when), 'step')}; a forecast needs at least 2"
+        )
     hours, start = hours_since_first(when, path)
     try:
         first = datetime.fromisoformat(start).replace(tzinfo=UTC).timestamp()
@@ -137,6 +141,10 @@ def _seconds(when: "xarray.DataArray", path: Path) -> np.ndarray:
             "2019-01-01T00:00:00"
         ) from None
     return first + 3600.0 * hours
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count} {what}{'' if count == 1 else 's'}"
 
 
 def _levels(
@@ -165,7 +173,8 @@ def _levels(
         depth *= length_in_metres(unit, f"{path}: {dims[0]}")
     if not np.all(np.diff(np.sort(depth)) > 0):
         raise DataError(
-            f"{path}: {dims[0]} has {len(depth)} levels; must be finite depths, each once"
+            f"{path}: {dims[0]} has {_counted(len(depth), 'level')}; must be finite depths, each "
+            "once"
         )
     return dims[0], depth
 

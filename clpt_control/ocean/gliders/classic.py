@@ -11,6 +11,7 @@ from pathlib import Path
 
 from ...errors import DataError
 
+HEADER = 2**22  # bytes that hold nearly every header
 SIZES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 4, 6: 8, 7: 1, 8: 2, 9: 4, 10: 8, 11: 8}  # bytes of a type
 
 
@@ -96,12 +97,19 @@ def check_whole(path: Path) -> None:
     DataError
         If the file is shorter than its header says.
     """
-    raw = path.read_bytes()
+    try:
+        size = path.stat().st_size
+        with path.open("rb") as file:
+            raw = file.read(HEADER)
+    except OSError as error:
+        raise DataError(f"{path}: cannot be read: {error.strerror}") from None
     if raw[:3] != b"CDF" or raw[3:4] not in (b"\x01", b"\x02", b"\x05"):
         return
     try:
         least = least_size(raw)
     except (struct.error, KeyError, IndexError, OverflowError):
+        if len(raw) < size:
+            return  # a header of more than 4 MB: left to the NetCDF library
         raise DataError(f"{path}: damaged: its NetCDF header cannot be read to its end") from None
-    if len(raw) < least:
-        raise DataError(f"{path}: cut short: has {len(raw)} of {least} bytes; fetch it again")
+    if size < least:
+        raise DataError(f"{path}: cut short: has {size} of {least} bytes; fetch it again")

@@ -8,12 +8,14 @@ used; what was named and does not exist is an error.
 
 from collections.abc import Iterable
 from pathlib import Path
+from stat import S_ISDIR
 
 from ...errors import DataError
 from ...files import open_netcdf
+from ..text_table import read_bytes, text_of
 from . import og1, seaglider
 from .classic import check_whole
-from .dive_table import read_dive_table
+from .dive_table import NO_TEXT, parse_dive_table
 from .dives import Dive, Skipped
 
 SUFFIXES = (".nc", ".csv")
@@ -40,22 +42,26 @@ def dive_paths(paths: Iterable[str | Path]) -> list[Path]:
     """
     files: list[Path] = []
     for path in map(Path, paths):
-        if path.is_dir():
-            inside = sorted(
-                file
-                for file in path.iterdir()
-                if file.suffix.lower() in SUFFIXES and not file.name.startswith(".")
-            )
-            if not inside:
-                raise DataError(f"{path}: the folder has no {' and no '.join(SUFFIXES)} file")
-            files += inside
-        elif path.exists():
-            files.append(path)
-        else:
+        try:
+            inside = list(path.iterdir()) if S_ISDIR(path.stat().st_mode) else None
+        except (FileNotFoundError, NotADirectoryError):
             raise DataError(
                 f"{path}: no such file; give Seaglider or OG1 NetCDF files, a CSV table of dives, "
                 "or a folder of them"
-            )
+            ) from None
+        except OSError as error:
+            raise DataError(f"{path}: cannot be read: {error.strerror}") from None
+        if inside is None:
+            files.append(path)
+            continue
+        dives = [
+            file
+            for file in inside
+            if file.suffix.lower() in SUFFIXES and not file.name.startswith(".")
+        ]
+        if not dives:
+            raise DataError(f"{path}: the folder has no {' and no '.join(SUFFIXES)} file")
+        files += sorted(dives)
     return files
 
 
@@ -65,7 +71,8 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
     Parameters
     ----------
     path : str or Path
-        Seaglider basestation file, OG1 trajectory or CSV table.
+        Seaglider basestation file, OG1 trajectory or CSV table; a table may
+        be a pipe that is open.
 
     Returns
     -------
@@ -80,15 +87,13 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
         If the file is missing, empty, damaged or of another kind.
     """
     path = Path(path)
-    try:
-        with path.open("rb") as file:
-            beginning = file.read(4)
-    except OSError as error:
-        raise DataError(f"{path}: cannot be read: {error.strerror}") from None
-    if not beginning:
+    raw = read_bytes(path, NETCDF)
+    if not raw:
         raise DataError(f"{path}: is empty; must be a Seaglider or OG1 file or a CSV table")
-    if beginning not in NETCDF:
-        return read_dive_table(path)
+    if raw not in NETCDF:
+        return parse_dive_table(text_of(raw, path, NO_TEXT), str(path))
+    if not path.is_file():
+        raise DataError(f"{path}: is NetCDF through a pipe; save it as a file and give that")
     check_whole(path)
     with open_netcdf(path) as data:
         try:
@@ -141,6 +146,8 @@ def read_dives(paths: str | Path | Iterable[str | Path]) -> tuple[list[Dive], li
         return dives, skipped
     if len(skipped) == 1:
         raise DataError(skipped[0].why)
+    if skipped and len(files) == 1:
+        raise DataError(f"{files[0]}: no line holds a dive; the first: {skipped[0].why}")
     if skipped:
         raise DataError(f"none of {len(files)} files holds a dive; the first: {skipped[0].why}")
     raise DataError(f"{', '.join(map(str, files)) or 'no file'}: no dives")

@@ -9,13 +9,15 @@ left alone, and the way between the fixes is computed, never read.
 """
 
 from collections.abc import Iterable
+from datetime import UTC, datetime
 from importlib import resources
 from math import isfinite, nan
 from pathlib import Path
 
 from ...errors import DataError
 from ...files import write_text
-from ..text_table import cells_of, lines_of, read_text
+from ..text_table import cells_of, lines_of, other_marks, read_text
+from .dive_faults import NUMBERS, whole_number
 from .dives import Dive, Skipped, make_dive
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")
@@ -26,6 +28,7 @@ OPTIONAL = (
     "t_gps1", "lat_gps1", "lon_gps1", "dac_east", "dac_north", "dac_qc", "magvar",
     "depth_max",
 )  # fmt: skip
+NO_TEXT = "is neither NetCDF nor text; must be a Seaglider or OG1 file or a CSV table"
 
 
 def read_dive_table(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
@@ -48,9 +51,7 @@ def read_dive_table(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
     DataError
         If the file is missing, empty, no text or lacks required columns.
     """
-    no_text = "is neither NetCDF nor text; must be a Seaglider or OG1 file or a CSV table"
-    text = read_text(path, no_text)
-    return parse_dive_table(text, str(path))
+    return parse_dive_table(read_text(path, NO_TEXT), str(path))
 
 
 def parse_dive_table(text: str, name: str) -> tuple[list[Dive], list[Skipped]]:
@@ -83,20 +84,7 @@ def parse_dive_table(text: str, name: str) -> tuple[list[Dive], list[Skipped]]:
     lines = lines_of(text).lines
     if not lines:
         raise DataError(f"{name}: is empty; must be NetCDF or a table with {', '.join(REQUIRED)}")
-    header = [cell.strip() for cell in cells_of(lines[0][1])]
-    missing = [column for column in REQUIRED if column not in header]
-    if missing == list(REQUIRED):
-        raise DataError(
-            f"{name}: neither NetCDF nor a table of dives; such a table begins with "
-            f"{','.join(REQUIRED)}, this file with {lines[0][1][:40]!r}"
-        )
-    if missing:
-        raise DataError(f"{name}: no column {', '.join(missing)}; has {', '.join(header)[:300]}")
-    double = [column for column in (*REQUIRED, *OPTIONAL) if header.count(column) > 1]
-    if double:
-        raise DataError(
-            f"{name}: the column {', '.join(double)} stands there twice; once is allowed"
-        )
+    header = _header(lines[0][1], name)
     dives: list[Dive] = []
     skipped: list[Skipped] = []
     for line, content in lines[1:]:
@@ -108,14 +96,41 @@ def parse_dive_table(text: str, name: str) -> tuple[list[Dive], list[Skipped]]:
     return dives, skipped
 
 
+def _header(line: str, name: str) -> list[str]:
+    """Give the names of the columns, or say which are missing."""
+    header = [cell.strip() for cell in cells_of(line)]
+    missing = [column for column in REQUIRED if column not in header]
+    marks = other_marks(line, REQUIRED[0])
+    if missing and marks:
+        raise DataError(f"{name}: {marks}")
+    if missing and not set(missing) - {cell.lower() for cell in header}:
+        raise DataError(f"{name}: no column {', '.join(missing)} in lower case; write it so")
+    if missing == list(REQUIRED):
+        raise DataError(
+            f"{name}: neither NetCDF nor a table of dives; such a table begins with "
+            f"{','.join(REQUIRED)}, this file with {line[:40]!r}"
+        )
+    if missing:
+        raise DataError(f"{name}: no column {', '.join(missing)}; has {', '.join(header)[:300]}")
+    double = [column for column in (*REQUIRED, *OPTIONAL) if header.count(column) > 1]
+    if double:
+        raise DataError(
+            f"{name}: the column {', '.join(double)} stands there twice; once is allowed"
+        )
+    return header
+
+
 def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
-    number = _number(row.get("dive"))
-    if number is None or not isfinite(number) or number != int(number):
-        return Skipped(None, f"{where}: dive is {row.get('dive', '')!r}; must be a whole number")
+    number = whole_number(row.get("dive"))
+    if number is None:
+        given = repr(row.get("dive", "")[:30])
+        return Skipped(None, f"{where}: dive is {given}; must be a whole number below {NUMBERS}")
     notes, found = [], {}
     for column in (*REQUIRED[1:], *OPTIONAL):
         text = (row.get(column) or "").strip()
         value = _number(text)
+        if value is None and text and column in (START[0], END[0]):
+            return Skipped(number, f"{where}: {column} is {text[:30]!r}; {_in_seconds(text)}")
         if value is None and text:
             notes.append(f"{where}: {column} is {text[:20]!r}, no number")
         elif column in REQUIRED and not text:
@@ -126,7 +141,7 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
             found[column] = value if value is not None and isfinite(value) else None  # type: ignore
     start, end, way = ([found[column] for column in columns] for columns in (START, END, WAY))
     return make_dive(
-        int(number),
+        number,
         (start[0], start[1], start[2]),
         (end[0], end[1], end[2]),
         (way[0], way[1]),
@@ -140,6 +155,16 @@ def _number(text: str | None) -> float | None:
         return float(text)  # type: ignore[arg-type]
     except (TypeError, ValueError):
         return None
+
+
+def _in_seconds(text: str) -> str:
+    """Say how a time that is no number must be written."""
+    try:
+        date = datetime.fromisoformat(text)
+    except ValueError:
+        return "must be seconds since 1970 UTC"
+    seconds = (date if date.tzinfo else date.replace(tzinfo=UTC)).timestamp()
+    return f"must be seconds since 1970 UTC, which is {seconds:.10g}"
 
 
 def write_dive_table(dives: Iterable[Dive], path: str | Path, comment: str = "") -> None:

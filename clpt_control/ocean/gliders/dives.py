@@ -12,23 +12,23 @@ the dive, as gliders report it (D. L. Rudnick, J. T. Sherman, A. P. Wu,
 Technol. 35, 1665-1673, 2018).  Displacements are WGS84 geodesics by
 `pyproj.Geod`, resolved east and north at the start fix.
 
-`usable` is the one place where dives are refused, each with its reason.
+`usable` is the one place where dives are refused, each with its reason
+(`dive_faults`, `dive_order`).
 """
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
-from math import hypot, isfinite
 from typing import Any
 
 import numpy as np
 
-from ...geodesy import displacement, is_place
+from ...geodesy import displacement
+from .dive_faults import fault_of
+from .dive_order import ANOTHER, by_time, overlap, too_far
 
 Fix = tuple[float, float, float]  # s since 1970 UTC, degrees north, degrees east
 
 LEAST_DURATION = 4000.0  # s
-FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is wrong
-OVERLAP = 60.0  # s that neighbours may share by rounding
 
 
 @dataclass(frozen=True)
@@ -154,10 +154,14 @@ def usable(
 ) -> tuple[list[Dive], list[Skipped]]:
     """Sort dives by time and leave out those that cannot be used.
 
-    A dive is used when it has both fixes in their order, finite dead reckoning,
-    lasts longer than `least_duration`, needs no speed above 5 m/s, and does
-    not overlap one that ended before it.  Whether a dive is used depends on
-    earlier ends only, so a later dive never changes it.
+    A dive is used when it has both fixes in their order and in the years 1970
+    to 2200, finite dead reckoning, lasts longer than `least_duration`, needs no
+    speed above 5 m/s, does not overlap one that ended before it, and starts where
+    a vehicle can have got to from the end of the used dive before.  Where the
+    latter is not so for two dives running that follow one another, the fix of the
+    used one is taken as wrong: the first of the two stays left out, and dives
+    are used from the second on.  Whether a dive is used depends on earlier ends
+    only, so a later dive never changes it.
 
     Parameters
     ----------
@@ -183,7 +187,7 @@ def usable(
     """
     fit, skipped, latest = [], [], -np.inf
     for dive in dives:
-        why = _fault(dive, least_duration)
+        why = fault_of(dive, least_duration)
         if why:
             skipped.append(Skipped(dive.number, "; ".join((why, *dive.notes))))
             continue
@@ -192,13 +196,26 @@ def usable(
         latest = max(latest, dive.t_gpse)
         fit.append(dive)
     used: list[Dive] = []
-    for dive in sorted(fit, key=lambda dive: (dive.t_gpse, dive.t_gps2, dive.number)):
+    stray: Dive | None = None  # the last one, if it starts too far from the used one
+    for dive in sorted(fit, key=by_time):
         before = used[-1] if used else None
-        if before is not None and dive.t_gps2 < before.t_gpse - OVERLAP:
-            skipped.append(Skipped(dive.number, _overlap(dive, before)))
+        if before is None:
+            used.append(dive)
             continue
-        missing = 0 if before is None else dive.number - before.number - 1
-        if before is not None and missing > 0:
+        why = overlap(dive, before)
+        if why:
+            skipped.append(Skipped(dive.number, why))
+            continue
+        why = too_far(dive, before)
+        if why and (stray is None or overlap(dive, stray) or too_far(dive, stray)):
+            skipped.append(Skipped(dive.number, f"{why}; {ANOTHER}"))
+            stray = dive
+            continue
+        if why and stray is not None:
+            dive = _noted(dive, f"{why}, but follows dive {stray.number}, which was left out: used")
+        stray = None
+        missing = dive.number - before.number - 1
+        if missing > 0:
             dive = _noted(dive, f"{missing} dive(s) missing after dive {before.number}")
         used.append(dive)
     return used, skipped
@@ -206,43 +223,3 @@ def usable(
 
 def _noted(dive: Dive, note: str) -> Dive:
     return dive if note in dive.notes else replace(dive, notes=(*dive.notes, note))
-
-
-def _overlap(dive: Dive, before: Dive) -> str:
-    if (dive.t_gps2, dive.t_gpse) == (before.t_gps2, before.t_gpse):
-        return f"duplicate: has the times of dive {before.number}, which is used"
-    return (
-        f"overlaps dive {before.number}, which is used: starts "
-        f"{before.t_gpse - dive.t_gps2:.0f} s before that ends"
-    )
-
-
-def _fault(dive: Dive, least_duration: float) -> str:
-    """Why a dive alone cannot be used; empty where it can."""
-    for name, fix in (
-        ("before", (dive.t_gps2, dive.lat_gps2, dive.lon_gps2)),
-        ("after", (dive.t_gpse, dive.lat_gpse, dive.lon_gpse)),
-    ):
-        if not (isfinite(fix[0]) and is_place(*fix[1:])):
-            return (
-                f"no fix {name} the dive (time {fix[0]:g}, latitude {fix[1]:g}, "
-                f"longitude {fix[2]:g})"
-            )
-        if fix[1] == fix[2] == 0.0:
-            return f"no fix {name} the dive: 0 N 0 E is what a receiver without a fix gives"
-    if dive.duration <= 0:
-        return f"the fix after the dive is {-dive.duration:.0f} s before its start: swapped times"
-    if not (isfinite(dive.dr_east) and isfinite(dive.dr_north)):
-        return "the displacement through the water is not finite"
-    if not dive.duration > least_duration:
-        return f"lasts {dive.duration:.0f} s; must last longer than {least_duration:g} s"
-    for name, way in (
-        ("the way between the fixes", hypot(dive.gps_east, dive.gps_north)),
-        ("the way through the water", hypot(dive.dr_east, dive.dr_north)),
-    ):
-        if way > FASTEST * dive.duration:
-            return (
-                f"{name} is {way / 1000:.4g} km, {way / dive.duration:.3g} m/s; "
-                f"at most {FASTEST:g} m/s can be"
-            )
-    return ""

@@ -21,6 +21,7 @@ import numpy as np
 from ...errors import DataError
 from ...files import open_netcdf
 from .classic import check_whole
+from .dive_faults import NUMBERS, whole_number
 from .dives import Dive, make_dive
 from .own_current import compared
 from .sample_units import metres, seconds
@@ -93,8 +94,9 @@ def dive_of(data: "xarray.Dataset", path: Path) -> Dive:
     through_water, track, notes = _way(data, names, time, start[0], end[0], path)
     depths = (deepest(metres(data, name, path)) for name in DEPTHS if name in data.variables)
     before = dict(zip(("t_gps1", "lat_gps1", "lon_gps1"), fixes.first or (None,) * 3, strict=True))
+    number, misnumbered = _number(data, path)
     dive = make_dive(
-        _number(data, path),
+        number,
         start,
         end,
         through_water,
@@ -105,7 +107,7 @@ def dive_of(data: "xarray.Dataset", path: Path) -> Dive:
         magvar=_variation(data),
         depth_max=next((depth for depth in depths if depth is not None), None),
         track=track,
-        notes=(*notes, *([why_not] if why_not else []), *fixes.notes),
+        notes=(*notes, *([why_not] if why_not else []), *fixes.notes, *misnumbered),
     )
     return compared(dive)
 
@@ -116,16 +118,23 @@ def number_in_name(path: Path) -> int | None:
     return int(named[1]) if named else None
 
 
-def _number(data: "xarray.Dataset", path: Path) -> int:
-    for text in (data.attrs.get("dive_number"), scalar(data, "log_DIVE")):
-        try:
-            return int(float(text))  # type: ignore[arg-type]
-        except (TypeError, ValueError, OverflowError):
-            continue
-    named = number_in_name(path)
-    if named is not None:
-        return named
-    raise DataError(f"{path}: no attribute dive_number, and the name is not such as p5420304.nc")
+def _number(data: "xarray.Dataset", path: Path) -> tuple[int, list[str]]:
+    """Give the number of the dive and what was wrong with others."""
+    notes: list[str] = []
+    for name, said in (
+        ("dive_number", data.attrs.get("dive_number")),
+        ("log_DIVE", scalar(data, "log_DIVE")),
+        ("name", number_in_name(path)),
+    ):
+        number = whole_number(said)
+        if number is not None:
+            return number, [f"{note}; taken from {name}" for note in notes]
+        if said is not None:
+            notes.append(f"{name} is {str(said)[:20]!r}, no whole number below {NUMBERS}")
+    raise DataError(
+        f"{path}: {notes[0] if notes else 'no attribute dive_number'}, and the name is not such as "
+        "p5420304.nc"
+    )
 
 
 def _variation(data: "xarray.Dataset") -> float | None:

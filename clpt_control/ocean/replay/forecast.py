@@ -6,9 +6,14 @@ over it, by trapezoids through the levels that have data,
     F = (1 / D) int_0^D u dz,    u linear between levels, constant above the first,
 
 as far down as there are data; D is `Dive.depth_max`, or 1000 m where it is not
-known.  F is linear between latitudes, longitudes and times, and nowhere
-extrapolated: outside the area, before the first step, after the last and where
-a corner of the cell has no data there is no model.
+known.  D is the one number of a dive that is read though it is measured during the
+dive: a pilot knows the depth that was planned, which it stands for.
+
+F is linear between latitudes, longitudes and times, and nowhere extrapolated:
+outside the area, before the first step, after the last, where a corner of the cell
+has no data and in a gap of the steps there is no model.  A gap is an interval that
+is longer than 2.5 times the median of the two before it and the two after it, so
+that steps may become coarser further ahead, as forecasts have them.
 """
 
 from dataclasses import dataclass
@@ -24,6 +29,7 @@ from ..plane import LocalPlane
 from .flow_models import Flow, FlowModel, Uncovered
 
 DEGREE = 110500.0  # m; no degree of latitude is shorter
+GAP = 2.5  # times the intervals around one: beyond, steps are missing
 
 
 def depth_mean(depth: np.ndarray, values: np.ndarray, deepest: float) -> np.ndarray:
@@ -70,6 +76,35 @@ def depth_mean(depth: np.ndarray, values: np.ndarray, deepest: float) -> np.ndar
         return np.where(last > 0, total / last, above)
 
 
+def gaps_of(time: np.ndarray) -> np.ndarray:
+    """Give which intervals between steps are gaps.
+
+    Parameters
+    ----------
+    time : ndarray, shape (nt,)
+        Increasing.
+
+    Returns
+    -------
+    ndarray of bool, shape (nt - 1,)
+        Whether an interval is longer than 2.5 times the median of the two
+        before and the two after it.
+
+    Examples
+    --------
+    >>> gaps_of(np.array([0.0, 6.0, 12.0, 78.0, 84.0])).tolist()
+    [False, False, True, False]
+    >>> gaps_of(np.array([0.0, 1.0, 2.0, 5.0, 8.0, 11.0])).tolist()
+    [False, False, False, False, False]
+    """
+    steps = np.diff(time)
+    gaps = np.zeros(len(steps), bool)
+    for k, step in enumerate(steps):
+        around = np.concatenate([steps[max(k - 2, 0) : k], steps[k + 1 : k + 3]])
+        gaps[k] = around.size > 0 and step > GAP * np.median(around)
+    return gaps
+
+
 @dataclass(frozen=True)
 class Forecast(FlowModel):
     """A gridded current that carries dead reckoning.
@@ -93,6 +128,11 @@ class Forecast(FlowModel):
         """Greatest speed anywhere in the file, m/s."""
         return float(np.sqrt(np.nanmax(self.column.u**2 + self.column.v**2)))
 
+    @cached_property
+    def gaps(self) -> np.ndarray:
+        """Which intervals of the steps are gaps, shape (nt - 1,)."""
+        return gaps_of(self.column.time)
+
     def along(self, dive: Dive) -> Flow:
         """Give the flow for one dive, averaged over its depths.
 
@@ -109,7 +149,8 @@ class Forecast(FlowModel):
         Raises
         ------
         Uncovered
-            If the dive begins outside the area or is not within the steps.
+            If the dive begins outside the area, is not within the steps or
+            reaches into a gap of them.
         """
         from scipy.interpolate import RegularGridInterpolator
 
@@ -120,6 +161,9 @@ class Forecast(FlowModel):
             raise Uncovered("begins before the forecast's first step")
         if not dive.t_gpse <= c.time[-1]:
             raise Uncovered("ends after the forecast's last step")
+        within = _bracket(c.time, dive.t_gps2, dive.t_gpse)
+        if self.gaps[within.start : within.stop - 1].any():
+            raise Uncovered("in a gap of the forecast's steps")
         plane = LocalPlane(dive.lat_gps2, dive.lon_gps2)
         steps, rows, columns = self._reached(dive)
         deepest = dive.depth_max

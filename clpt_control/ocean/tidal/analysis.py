@@ -24,6 +24,7 @@ from ..rayleigh import check_separable
 from .constants import Constituent, TidalFit
 from .sampling import check_increasing, check_sampling, loudness
 
+LEAST_CHANGE = 1e-9  # m/s in a record; less is no measured tide, and its squares vanish
 CI = 1.96  # UTide's half widths, in standard errors
 
 
@@ -155,13 +156,17 @@ def _measured(time: Any, u: Any, v: Any, where: str) -> tuple[np.ndarray, np.nda
         )
     check_increasing(times, where)
     kept = np.isfinite(u) & np.isfinite(v)
-    if kept.sum() < 2 or max(np.ptp(u[kept]), np.ptp(v[kept])) == 0:
+    if kept.sum() < 2:
         raise DataError(
-            f"{where}: {kept.sum()} measurements of both components, which never change; a record "
-            "of a tide is needed"
-            if kept.sum() > 1
-            else f"{where}: {kept.sum()} of {len(u)} times have both components; a record of at "
-            "least one period of each tide is needed"
+            f"{where}: {kept.sum()} of {len(u)} times have both components; a record of at least "
+            "one period of each tide is needed"
+        )
+    change = max(np.ptp(u[kept]), np.ptp(v[kept]))
+    if change < LEAST_CHANGE:
+        how = f"change by {change:.2g} m/s only: check their units" if change else "never change"
+        raise DataError(
+            f"{where}: {kept.sum()} measurements of both components, which {how}; a record of a "
+            "tide is needed"
         )
     return times[kept], u[kept] + 1j * v[kept]
 

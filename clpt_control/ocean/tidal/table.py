@@ -23,7 +23,7 @@ from ...errors import DataError
 from ..cf import VELOCITY
 from ..gridded import speed_in_metres_per_second
 from ..nodal import checked_times
-from ..text_table import cells_of, lines_of, read_text
+from ..text_table import cells_of, lines_of, other_marks, read_text
 
 NAMES = {
     "time": ("time", "date", "datetime"),
@@ -99,6 +99,8 @@ def _header(line: str, units: str | None, path: Path) -> tuple[list[int], list[f
     columns, sizes = [], []
     for what, allowed in NAMES.items():
         found = [k for k, name in enumerate(names) if name in allowed]
+        if not found and (marks := other_marks(line, NAMES["time"][0])):
+            raise DataError(f"{path}: {marks}")
         if len(found) != 1:
             raise DataError(
                 f"{path}: {'no column' if not found else 'more than one column'} {what}; the table "
