@@ -6,9 +6,11 @@ each failure is one sentence.  Commands import what they need when they run, so
 that `clpt --help` answers at once.
 """
 
+import errno
 import gc
 import os
 import sys
+from contextlib import suppress
 
 import typer
 
@@ -44,6 +46,7 @@ def main() -> None:
     gc.set_threshold(200_000, 50, 50)  # imports make many objects and no garbage
     try:
         status = app(standalone_mode=False)
+        sys.stdout.flush()
     except SimulationError as error:
         _complain(str(error), 1)
     except ClptError as error:
@@ -55,15 +58,31 @@ def main() -> None:
     except BrokenPipeError:
         sys.exit(0)
     except MemoryError:
-        _complain("out of memory; record fewer samples (run.output_step)", 1)
-    except Exception as error:  # a fault of ours: one line all the same
-        if os.environ.get("CLPT_TRACEBACK"):
-            raise
-        kind = type(error).__name__
-        _complain(f"fault in clpt: {kind}: {error}; CLPT_TRACEBACK=1 shows where", 1)
+        _complain("out of memory; give less at once: fewer samples, members, files or places", 1)
+    except OSError as error:
+        if error.errno != errno.ENOSPC or error.filename is not None:
+            _fault(error)
+        with suppress(OSError, ValueError):  # what is left to write is let go
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _complain("standard output: no space left; give it a place with more", 2)
+    except Exception as error:
+        _fault(error)
     if status == 130:
         _complain(INTERRUPTED, 130)
     sys.exit(status if isinstance(status, int) else 0)
+
+
+def _fault(error: Exception) -> None:
+    """Say that a fault is ours, in one line all the same."""
+    cause: BaseException | None = error
+    while cause is not None:  # an interrupted import of compiled code fails as it likes
+        if isinstance(cause, KeyboardInterrupt):
+            _complain(INTERRUPTED, 130)
+        cause = cause.__cause__ or cause.__context__
+    if os.environ.get("CLPT_TRACEBACK"):
+        raise error
+    kind = type(error).__name__
+    _complain(f"fault in clpt: {kind}: {error}; CLPT_TRACEBACK=1 shows where", 1)
 
 
 def _complain(sentence: str, status: int) -> None:

@@ -5,17 +5,22 @@ interrupt leaves the old file or none.
 """
 
 import os
+import re
+import shutil
 import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Iterator, Mapping
+from contextlib import ExitStack, contextmanager
+from fnmatch import fnmatch
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from .errors import ClptError, DataError
 
 if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
+
+PART = re.compile(r"\.(.+)\.[a-z0-9_]{8}\.part")  # what `beside` writes to
 
 
 def open_netcdf(path: str | Path) -> "xarray.Dataset":
@@ -61,7 +66,7 @@ def beside(path: str | Path) -> Iterator[Path]:
     Yields
     ------
     Path
-        Hidden, ``.NAME.`` and some letters; gone if the work fails.
+        Hidden, ``.NAME.`` with letters and ``.part``; gone if the work fails.
 
     Raises
     ------
@@ -73,7 +78,7 @@ def beside(path: str | Path) -> Iterator[Path]:
         raise DataError(f"{path}: cannot be written: the folder {path.parent} does not exist")
     made = None
     try:
-        handle, made = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+        handle, made = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
         os.close(handle)
         yield Path(made)
         Path(made).chmod(0o644)
@@ -85,51 +90,85 @@ def beside(path: str | Path) -> Iterator[Path]:
             Path(made).unlink(missing_ok=True)
 
 
-def write_netcdf(data: "xarray.Dataset", path: str | Path) -> None:
-    """Write a dataset beside its place, then rename it there.
+def remove_left(folder: str | Path, *names: str) -> None:
+    """Remove what `beside` left where it was killed.
 
     Parameters
     ----------
-    data : xarray.Dataset
-        What to write; a variable with NaN gets them as its _FillValue.
-    path : str or Path
-        The file; its folder must exist.
+    folder : str or Path
+        Where nobody else writes these files now.
+    *names : str
+        Of the files that were to be written, such as ``"*.json"``.
+    """
+    for path in Path(folder).glob(".*.part"):
+        found = PART.fullmatch(path.name)
+        if found and path.is_file() and any(fnmatch(found[1], name) for name in names):
+            path.unlink(missing_ok=True)
+
+
+def write_together(results: "Mapping[Path, xarray.Dataset | Figure]") -> None:
+    """Write files beside their places, then rename them all.
+
+    The first is renamed last: where it is new, all are.  If one cannot be
+    written, none is renamed.
+
+    Parameters
+    ----------
+    results : dict
+        By file: a dataset, whose variables with NaN get them as _FillValue, or
+        a figure.
 
     Raises
     ------
     DataError
-        If the file cannot be written.
+        If a file cannot be written.
     """
+    with ExitStack() as renamed:
+        for path, result in results.items():
+            _put(result, renamed.enter_context(beside(path)), Path(path))
+
+
+def _put(result: Any, made: Path, path: Path) -> None:
+    if hasattr(result, "savefig"):
+        result.savefig(made, format=path.suffix[1:])
+        return
     fill = {
         name: {"_FillValue": float("nan") if _has_nan(values) else None}
-        for name, values in data.variables.items()
+        for name, values in result.variables.items()
     }
-    with beside(path) as made:
-        data.to_netcdf(made, engine="netcdf4", encoding=fill)
+    try:
+        result.to_netcdf(made, engine="netcdf4", encoding=fill)
+    except (RuntimeError, PermissionError) as error:  # HDF5's words for a full disk, too
+        full = shutil.disk_usage(made.parent).free < 2**20
+        reason = getattr(error, "strerror", None) or str(error)
+        reason = "no space left" if full else f"{reason}; is there a limit on the size of files?"
+        raise DataError(f"{path}: cannot be written: {reason}") from None
 
 
 def _has_nan(values: "xarray.Variable") -> bool:
     return values.dtype.kind == "f" and bool(values.isnull().any())
 
 
-def write_figure(figure: "Figure", path: str | Path) -> None:
-    """Write a figure beside its place, then rename it there.
-
-    Parameters
-    ----------
-    figure : Figure
-        What to write.
-    path : str or Path
-        The file, such as ``map.png``; its folder must exist.
+def write_netcdf(data: "xarray.Dataset", path: str | Path) -> None:
+    """Write a dataset beside its place, then rename it there.
 
     Raises
     ------
     DataError
-        If the file cannot be written.
+        If the folder does not exist or cannot be written to.
     """
-    path = Path(path)
-    with beside(path) as made:
-        figure.savefig(made, format=path.suffix[1:])
+    write_together({Path(path): data})
+
+
+def write_figure(figure: "Figure", path: str | Path) -> None:
+    """Write a figure, such as ``map.png``, beside its place.
+
+    Raises
+    ------
+    DataError
+        If the folder does not exist or cannot be written to.
+    """
+    write_together({Path(path): figure})
 
 
 def make_folder(path: str | Path) -> Path:

@@ -141,3 +141,50 @@ def test_interrupt_ends_cleanly(tmp_path):
     assert "running long.toml" in err, "no progress was shown on standard error"
     assert out == ""
     assert sorted(path.name for path in tmp_path.iterdir()) == ["long.toml", "said"]
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full")
+@pytest.mark.parametrize("words", [("--help",), ("replay", "--sample"), ("init", "--help")])
+def test_a_full_standard_output_is_one_sentence(words):
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "clpt_control", *words],
+            stdout=full, stderr=subprocess.PIPE, text=True,
+        )  # fmt: skip
+    assert done.returncode == 2
+    assert done.stderr == "clpt: standard output: no space left; give it a place with more\n"
+
+
+def test_a_reader_that_goes_away_is_no_fault():
+    process = subprocess.Popen(
+        [sys.executable, "-m", "clpt_control", "replay", "--sample"],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+    )  # fmt: skip
+    process.stdout.close()
+    assert process.stderr.read() == ""
+    process.stderr.close()
+    process.wait()
+
+
+def test_an_interrupted_import_is_an_interrupt(clpt, monkeypatch):
+    from clpt_control import cli
+
+    def broken(standalone_mode):
+        try:
+            raise KeyboardInterrupt
+        except KeyboardInterrupt as error:
+            raise ImportError("initialization failed") from error
+
+    monkeypatch.setattr(cli, "app", broken)
+    outcome = clpt()
+    assert (outcome.status, outcome.err.count("\n")) == (130, 1)
+    assert "interrupted" in outcome.err
+
+
+def test_brackets_in_tables_are_as_they_are(capsys):
+    from clpt_control.commands.printing import print_table
+
+    print_table("x[b].csv [/]", ["[red]a"], [["[bold]1[/bold]"], ["[/x]"], [":smile:"]])
+    text = capsys.readouterr().out
+    for said in ("x[b].csv [/]", "[red]a", "[bold]1[/bold]", "[/x]", ":smile:"):
+        assert said in text

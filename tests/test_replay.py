@@ -97,7 +97,7 @@ def test_mistakes_are_sentences():
         FixModel(("M2",))
     with pytest.raises(ScenarioError, match="unknown constituent"):
         FixModel(("steady", "X9"))
-    with pytest.raises(ScenarioError, match="must be one of gradient, rls, kalman"):
+    with pytest.raises(ScenarioError, match="must be one of kalman, rls, gradient"):
         make_estimator("best", FixModel())
     dives, replay = vehicle(1, 2), Replay()
     replay.step(dives[1])

@@ -173,15 +173,7 @@ def test_an_interrupt_ends_following_with_its_results(tmp_path):
     import signal
 
     one_file_each(tmp_path, sample_dives()[:3])
-    start = [
-        sys.executable,
-        "-m",
-        "clpt_control",
-        "replay",
-        "--follow",
-        str(tmp_path),
-        "--json",
-    ]
+    start = [sys.executable, "-m", "clpt_control", "replay", "--follow", str(tmp_path), "--json"]
     process = subprocess.Popen(start, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     while "dives used" not in process.stderr.readline():
         assert process.poll() is None
@@ -198,7 +190,51 @@ def test_a_plan_of_the_next_dive(command):
     assert (ahead["duration"], ahead["dr_north"]) == (14400.0, 3000.0)
     assert ahead["latitude"] > sample_dives()[-1].lat_gpse
     assert "next surfacing, after 4.00 h" in command("--sample", "--next", "4", "0", "3000").stdout
-    assert "duration above 0" in str(command("--sample", "--next", "0", "0", "0").exception)
+    for words, says in (
+        (("0", "0", "0"), "duration above 0"),
+        (("nan", "0", "0"), "must be finite"),
+        (("5", "1e300", "0"), "at most 5 m/s can be"),
+        (("5", "1e308", "1e308"), "at most 5 m/s can be"),
+        (("5", "1e8", "0"), "5 hours and 1e+08 m east, 0 m north: is 5556 m/s"),
+        (("14400", "0", "3000"), "at most 720 hours (30 days); give hours, not seconds"),
+        (("1e200", "0", "0"), "at most 720 hours"),
+        (("1e306", "0", "0"), "must be finite"),
+    ):
+        assert says in str(command("--sample", "--next", *words).exception)
+    assert ahead["flow_model_covers"] is ahead["why_uncovered"] is None
+
+
+def test_whether_the_flow_model_covers_the_plan_is_said(command, forecast):
+    words = ("--sample", "--flow-model", forecast, "--least-duration", "15000")
+    ahead = json.loads(command(*words, "--json").stdout)["next_dive"]
+    assert ahead["flow_model_covers"] is False
+    assert "after the forecast's last step" in ahead["why_uncovered"]
+    said = f"; the flow model does not cover it: {ahead['why_uncovered']}"
+    assert said in command(*words).stdout
+
+
+def test_wordings(command, tmp_path):
+    for words, says in (
+        (("--flow", ""), "flow empty: unknown constituent '': must be one of steady, inertial"),
+        (("--flow", "steady,"), "gaussians, model, M2"),
+        (("--flow", "steady,m2"), "unknown constituent 'm2' (did you mean M2?)"),
+        (("--flow", "Steady"), "did you mean steady?"),
+        (("--estimator", "best"), "--estimator best: must be one of kalman, rls, gradient"),
+        (("--flow-model", tmp_path / "nope.toml"), "the .toml file that `clpt fit` writes"),
+    ):
+        assert says in str(command("--sample", *words).exception)
+
+
+def test_a_huge_number_of_a_dive_is_written(tmp_path):
+    from dataclasses import replace
+
+    from clpt_control.ocean.replay.file import replay_dataset
+    from clpt_control.ocean.replay.session import replay_dives
+
+    dives = sample_dives()[:2]
+    assert replay_dataset(replay_dives(dives)).dive.dtype == np.int32
+    huge = [dives[0], replace(dives[1], number=2**40)]
+    assert replay_dataset(replay_dives(huge)).dive.values.tolist() == [304, 2**40]
 
 
 def test_gaussians_from_the_command(command):

@@ -17,17 +17,18 @@ def print_json(value: dict[str, Any]) -> None:
 
 
 def print_table(title: str, columns: list[str], rows: list[list[str]]) -> None:
-    """Print a table on standard output."""
+    """Print a table on standard output, brackets in it as they are."""
     from rich.console import Console
     from rich.measure import Measurement
     from rich.table import Table
+    from rich.text import Text
 
-    table = Table(title=title, title_justify="left")
+    table = Table(title=Text(title), title_justify="left")
     for k, column in enumerate(columns):
         short = all(len(row[k]) <= LONG for row in rows)  # numbers are never cut
-        table.add_column(column, no_wrap=short)
+        table.add_column(Text(column), no_wrap=short)
     for row in rows:
-        table.add_row(*row)
+        table.add_row(*map(Text, row))
     console = Console()
     width = console.width if console.is_terminal else 140
     least = Measurement.get(Console(width=1000), Console(width=1000).options, table).minimum

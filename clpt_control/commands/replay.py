@@ -1,15 +1,22 @@
 """`clpt replay`: a glider's dives, each forecast before its end."""
 
-import time
+from math import inf
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 from .printing import Json, print_json
-from .replay_table import place, show
+from .replay_results import advance, summary_with_next, write
+from .replay_table import show
+from .replay_watch import check_pace, watch
 
-WRITTEN = ("replay.nc", "map.png", "clpe.png", "current.png")
+
+def folder_named(text: str) -> Path:
+    """Give the folder that an option names, which '' does not."""
+    if not text.strip():
+        raise typer.BadParameter("is empty; give the name of a folder")
+    return Path(text)
 
 
 def replay(
@@ -39,18 +46,25 @@ def replay(
     least_duration: Annotated[
         float | None, typer.Option(help="Dives must last longer than this, s.")
     ] = None,
-    out: Annotated[Path | None, typer.Option(help="Folder for NetCDF and figures.")] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option(parser=folder_named, metavar="PATH", help="Folder for NetCDF and figures."),
+    ] = None,
     follow: Annotated[
-        Path | None, typer.Option(help="Folder to watch for new files; --out is its folder replay.")
+        Path | None,
+        typer.Option(
+            parser=folder_named,
+            metavar="PATH",
+            help="Folder to watch for new files; --out is its folder replay.",
+        ),
     ] = None,
     every: Annotated[float, typer.Option(help="Time between looks at that folder, s.")] = 10.0,
-    patience: Annotated[
-        float, typer.Option(help="End after so long without a new file, s.")
-    ] = float("inf"),
+    patience: Annotated[float, typer.Option(help="End after so long without a new file, s.")] = inf,
     as_json: Json = False,
 ) -> None:
     """Replay a glider's dives, each forecast before its end."""
     from ..errors import DataError, ScenarioError
+    from ..estimation.between_fixes import ESTIMATORS
     from ..files import make_folder
     from ..ocean.gliders.dive_files import read_dives
     from ..ocean.gliders.dive_table import sample_dives
@@ -61,8 +75,9 @@ def replay(
 
     if bool(files) + sample + (follow is not None) != 1:
         raise ScenarioError("give files of dives, --sample for those that ship, or --follow FOLDER")
-    if not (every > 0 and patience >= 0):
-        raise ScenarioError("--every must be above 0 s, --patience 0 s or more")
+    check_pace(every, patience)
+    if estimator not in (None, *ESTIMATORS):
+        raise ScenarioError(f"--estimator {estimator}: must be one of {', '.join(ESTIMATORS)}")
     model = chosen_model(flow, width, learn_speed, flow_model is not None)
     forecast = None if flow_model is None else read_flow_model(flow_model)
     options: dict[str, Any] = {} if least_duration is None else {"least_duration": least_duration}
@@ -125,105 +140,3 @@ def chosen_model(flow: str | None, width: str | None, learn_speed: bool, given: 
         parts = (*parts, "model")
     sized: dict[str, Any] = {} if width is None else {"width": 1000 * read_width(width)}
     return FixModel(parts, learn_speed, **sized)
-
-
-def advance(session: Any) -> None:
-    """Replay what is new, with a bar on standard error."""
-    from ..progress import progress_bar
-
-    with progress_bar("replaying dives", max(len(session.used), 1)) as report:
-        session.run(report)
-
-
-def summary_with_next(session: Any, ahead: tuple) -> dict[str, Any]:
-    """Give what `--json` prints: the summary and the next surfacing."""
-    from ..ocean.replay.next_dive import next_dive
-
-    result = session.replay
-    summary = result.summary(session.skipped)
-    summary["next_dive"] = next_dive(result, *ahead).as_dict() if result.steps else None
-    return summary
-
-
-def watch(
-    session: Any, folder: Path, out: Path, ahead: tuple, every: float, patience: float
-) -> None:
-    """Replay a folder on whenever a file arrives.
-
-    Parameters
-    ----------
-    session : Session
-        That has taken no dive.
-    folder, out : Path
-        Where files arrive; where results and the folder ``state`` lie.
-    ahead : tuple
-        Plan of the next dive: duration, s, and way, m; empty is the last one's.
-    every, patience : float
-        Time between looks, and without a new file before the end, s.
-    """
-    from ..errors import DataError
-    from ..ocean.replay.follow import Follower
-    from ..ocean.replay.next_dive import next_dive
-    from ..ocean.replay.session import check_tides
-
-    follower = Follower(folder, out / "state")
-    for name in WRITTEN:
-        for left in out.glob(f".{name}.*"):
-            left.unlink(missing_ok=True)  # of a run that was killed while it wrote
-    first, quiet, said = True, 0.0, ""
-    while True:
-        arrived = follower.look()
-        if arrived or first:
-            session.take(*follower.dives())
-            try:
-                check_tides(session.replay.model.flow, session.used)
-            except DataError as error:
-                if not said:  # the record grows
-                    said = f"so far, {error}"
-                    typer.echo(said, err=True)
-            advance(session)
-            line = f"{len(arrived)} new files, {len(session.used)} dives used"
-            if session.used:
-                write(session.replay, out, ahead)
-                step, goal = session.replay.steps[-1], next_dive(session.replay, *ahead)
-                line += (
-                    f"; dive {step.dive.number}: CLPE {step.clpe['adaptive']:.0f} m"
-                    + (f"; speed anomaly: {step.anomaly}" if step.anomaly else "")
-                    + f"; next surfacing near {place(goal.latitude, goal.longitude)}"
-                )
-            typer.echo(line, err=True)
-            first, quiet = False, 0.0
-        if quiet >= patience:
-            return
-        try:
-            time.sleep(every)
-        except KeyboardInterrupt:  # the user's way to end it
-            return
-        quiet += every
-
-
-def write(result: Any, folder: Path, ahead: tuple) -> list[Path]:
-    """Write a replay's NetCDF and figures into a folder.
-
-    Parameters
-    ----------
-    result : Replay
-        With one dive at least.
-    folder : Path
-        An existing folder.
-    ahead : tuple
-        Plan of the next dive, for the map.
-
-    Returns
-    -------
-    list of Path
-        The files.
-    """
-    from ..files import write_netcdf
-    from ..ocean.replay.file import replay_dataset
-    from ..ocean.replay.next_dive import next_dive
-    from ..ocean.replay.plots import save_replay_figures
-
-    write_netcdf(replay_dataset(result), folder / "replay.nc")
-    figures = save_replay_figures(result, folder, next_dive(result, *ahead))
-    return [folder / "replay.nc", *figures]

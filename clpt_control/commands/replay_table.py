@@ -25,6 +25,55 @@ def show(result: Any, summary: dict[str, Any]) -> None:
     Parameters
     ----------
     result : Replay
+        With any number of dives.
+    summary : dict
+        As `Replay.summary` gives it, and ``next_dive``.
+    """
+    if result.steps:
+        tables(result, summary)
+    else:
+        typer.echo("no dives yet")
+    if "flow_model" in summary and result.steps:
+        typer.echo("\n".join(coverage(summary["flow_model"], summary["used"])))
+    for step in result.steps:
+        if step.anomaly:
+            typer.echo(f"speed anomaly: {step.anomaly}")
+    if summary["dac_identity_median"] is not None:
+        typer.echo(
+            "miss / duration differs from the file's own current by "
+            f"{1000 * summary['dac_identity_median']:.2g} mm/s (median)"
+        )
+    if result.steps:
+        typer.echo(f"surfaced in the 90 % ellipse: {100 * summary['inside_90']:.0f} %")
+        typer.echo(f"learned: {shortened(summary['learned']) or 'nothing'}")
+    if summary["held"]:
+        typer.echo(f"held, for the dives do not excite them: {shortened(summary['held'])}")
+    for line in by_reason(summary["notes"], "note"):
+        typer.echo(line)
+    for entry in summary["skipped"]:
+        name = "a file" if entry["dive"] is None else f"dive {entry['dive']}"
+        typer.echo(f"skipped {name}: {entry['why']}")
+    ahead = summary["next_dive"]
+    if ahead is not None:
+        typer.echo(
+            f"next surfacing, after {ahead['duration'] / 3600:.2f} h and {ahead['dr_east']:+.0f} m "
+            f"east, {ahead['dr_north']:+.0f} m north through the water: "
+            f"{place(ahead['latitude'], ahead['longitude'])}, 90 % within "
+            f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
+            + (
+                f"; the flow model does not cover it: {ahead['why_uncovered']}"
+                if ahead["flow_model_covers"] is False
+                else ""
+            )
+        )
+
+
+def tables(result: Any, summary: dict[str, Any]) -> None:
+    """Print a row per dive, then the CLPE rms.
+
+    Parameters
+    ----------
+    result : Replay
         With one dive at least.
     summary : dict
         As `Replay.summary` gives it.
@@ -46,7 +95,7 @@ def show(result: Any, summary: dict[str, Any]) -> None:
             f"{step.forecast[0]:+.0f} {step.forecast[1]:+.0f}",
             f"{long:.0f} x {short:.0f}, {angle:.0f}",
             "in" if step.inside else "OUT",
-            "SPEED" if step.anomaly else "",
+            speed_mark(step.anomaly),
         ])  # fmt: skip
     print_table(
         "CLPE (m), one dive ahead; learned (standard error, last digits); forecast surfacing",
@@ -59,34 +108,6 @@ def show(result: Any, summary: dict[str, Any]) -> None:
         means["covered, after the first dive"] = summary["flow_model"]["clpe_rms"]
     table = [[name, *map(metres, rms.values())] for name, rms in means.items()]
     print_table("CLPE rms (m)", ["", *(COLUMNS[key] for key in result.models)], table)
-    if "flow_model" in summary:
-        typer.echo("\n".join(coverage(summary["flow_model"], summary["used"])))
-    for step in result.steps:
-        if step.anomaly:
-            typer.echo(f"speed anomaly: {step.anomaly}")
-    if summary["dac_identity_median"] is not None:
-        typer.echo(
-            "miss / duration differs from the file's own current by "
-            f"{1000 * summary['dac_identity_median']:.2g} mm/s (median)"
-        )
-    if result.steps:
-        typer.echo(f"surfaced in the 90 % ellipse: {100 * summary['inside_90']:.0f} %")
-    typer.echo(f"learned: {shortened(summary['learned']) or 'nothing'}")
-    if summary["held"]:
-        typer.echo(f"held, for the dives do not excite them: {shortened(summary['held'])}")
-    for line in by_reason(summary["notes"], "note"):
-        typer.echo(line)
-    for entry in summary["skipped"]:
-        name = "a file" if entry["dive"] is None else f"dive {entry['dive']}"
-        typer.echo(f"skipped {name}: {entry['why']}")
-    ahead = summary["next_dive"]
-    if ahead is not None:
-        typer.echo(
-            f"next surfacing, after {ahead['duration'] / 3600:.2f} h and {ahead['dr_east']:+.0f} m "
-            f"east, {ahead['dr_north']:+.0f} m north through the water: "
-            f"{place(ahead['latitude'], ahead['longitude'])}, 90 % within "
-            f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
-        )
 
 
 def place(lat: float, lon: float) -> str:
@@ -184,6 +205,13 @@ def by_reason(entries: list[dict[str, Any]], key: str, before: str = "") -> list
             named = f"{len(dives)} dives from {dives[0]} to {dives[-1]}"
         lines.append(f"{before}{named}: {why}")
     return lines
+
+
+def speed_mark(anomaly: Any) -> str:
+    """Give the last cell of a dive's row: SPEED, in doubt SPEED?"""
+    if anomaly is None:
+        return ""
+    return "SPEED" if anomaly.certain else "SPEED?"
 
 
 def metres(size: float | None) -> str:

@@ -17,9 +17,9 @@ from .kalman import KalmanBank
 from .recursive import RecursiveLeastSquares
 
 ESTIMATORS: dict[str, Callable[[FixModel], Estimator]] = {
-    "gradient": Gradient,
-    "rls": RecursiveLeastSquares,
     "kalman": KalmanBank,
+    "rls": RecursiveLeastSquares,
+    "gradient": Gradient,
 }
 
 

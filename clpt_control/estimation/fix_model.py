@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ScenarioError
-from ..tides import period
+from ..tides import SPEEDS, period
 from .fix_regressor import (
     inertial,
     inertial_frequency,
@@ -90,9 +90,15 @@ class FixModel:
 
     def __post_init__(self) -> None:
         """Refuse flows that cannot be."""
+        known = ("steady", *OTHERS, *SPEEDS)
         for name in self.flow:
-            if name not in OTHERS:
-                period(name)
+            if name not in known:
+                meant = [k for k in known if k.casefold() == name.strip().casefold()]
+                raise ScenarioError(
+                    f"flow {','.join(self.flow) or 'empty'}: unknown constituent '{name}'"
+                    f"{' (did you mean ' + meant[0] + '?)' if meant else ''}: must be one of "
+                    f"{', '.join(known)}"
+                )
         if not self.flow or self.flow[0] != "steady" or len(set(self.flow)) < len(self.flow):
             raise ScenarioError(
                 f"flow {','.join(self.flow) or 'empty'}: must begin with steady and name each "

@@ -48,13 +48,15 @@ def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
     reckoned = np.array(
         [place_from(d.lat_gps2, d.lon_gps2, d.dr_east, d.dr_north) for d in dives]
     ).reshape(-1, 2)
+    numbers = np.array([d.number for d in dives], np.int64)
+    if np.all(np.abs(numbers) < 2**31):
+        numbers = numbers.astype(np.int32)
     time = {"units": EPOCH, "calendar": "standard", "standard_name": "time", "axis": "T"}
     north = {"units": "degrees_north", "standard_name": "latitude"}
     east = {"units": "degrees_east", "standard_name": "longitude"}
     data = xarray.Dataset(
         coords={
-            "dive": ("dive", np.array([d.number for d in dives], np.int32),
-                     {"long_name": "number of the dive"}),
+            "dive": ("dive", numbers, {"long_name": "number of the dive"}),
             "time": ("dive", [d.t_gpse for d in dives], {**time, "long_name": "surfacing"}),
             "latitude": ("dive", [d.lat_gpse for d in dives], {**north, "axis": "Y"}),
             "longitude": ("dive", [d.lon_gpse for d in dives], {**east, "axis": "X"}),

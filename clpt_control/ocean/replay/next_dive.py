@@ -8,16 +8,20 @@ the surface is not known yet.
 """
 
 from dataclasses import dataclass, replace
-from math import isfinite, nan
+from math import hypot, isfinite, nan
+from typing import Any
 
 import numpy as np
 
 from ...errors import ScenarioError
 from ...geodesy import place_from
+from ..gliders.dive_faults import FASTEST
 from ..gliders.dives import Dive
 from .ellipse import ellipse
-from .flow_models import carried
+from .flow_models import carried, why_uncovered
 from .replay import Replay
+
+LONGEST = 30 * 86400.0  # s, of a plan
 
 
 @dataclass(frozen=True)
@@ -34,6 +38,8 @@ class NextDive:
         m^2.
     latitude, longitude : float
         Of the forecast surfacing, degrees.
+    flow_model_covers : bool or None
+        Whether the given flow model covers the plan; None if none is given.
     """
 
     plan: Dive
@@ -41,8 +47,9 @@ class NextDive:
     covariance: np.ndarray
     latitude: float
     longitude: float
+    flow_model_covers: bool | None = None
 
-    def as_dict(self) -> dict[str, float]:
+    def as_dict(self) -> dict[str, Any]:
         """Give the forecast by name, for JSON: degrees, m and s."""
         long, short, bearing = ellipse(self.covariance)
         return {
@@ -56,6 +63,8 @@ class NextDive:
             "ellipse_90_long": long,
             "ellipse_90_short": short,
             "ellipse_90_bearing": bearing,
+            "flow_model_covers": self.flow_model_covers,
+            "why_uncovered": why_uncovered(self.plan) or None,
         }
 
 
@@ -72,13 +81,22 @@ def check_plan(duration: float, way: tuple[float, float]) -> None:
     Raises
     ------
     ScenarioError
-        If it is not finite or its duration not positive.
+        If it is not finite, lasts no time or over 30 days, or is too fast.
     """
     east, north = way
-    if not (isfinite(duration) and duration > 0 and isfinite(east) and isfinite(north)):
+    size = hypot(east, north)
+    given = f"next dive of {duration / 3600:g} hours and {east:g} m east, {north:g} m north"
+    if not (isfinite(duration) and duration > 0 and isfinite(size)):
+        raise ScenarioError(f"{given}: must be finite, its duration above 0")
+    if duration > LONGEST:
         raise ScenarioError(
-            f"next dive of {duration:g} s and {east:g} m east, {north:g} m north: must be finite, "
-            "its duration above 0"
+            f"{given}: must last at most {LONGEST / 3600:g} hours (30 days); give hours, not "
+            "seconds"
+        )
+    if size > FASTEST * duration:
+        raise ScenarioError(
+            f"{given}: is {size / duration:.4g} m/s through the water; at most {FASTEST:g} m/s can "
+            "be; give hours and m"
         )
 
 
@@ -104,7 +122,7 @@ def next_dive(
     Raises
     ------
     ScenarioError
-        If the plan is not finite or its duration not positive.
+        If a plan is given that no dive can follow, as `check_plan` has it.
 
     Examples
     --------
@@ -118,18 +136,21 @@ def next_dive(
     last = replay.steps[-1].dive
     T = last.duration if duration is None else duration
     east, north = (last.dr_east, last.dr_north) if way is None else way
-    check_plan(T, (east, north))
+    if duration is not None or way is not None:
+        check_plan(T, (east, north))
     fix = last.lat_gpse, last.lon_gpse
     plan = Dive(
         last.number + 1, last.t_gpse, *fix, last.t_gpse + T, nan, nan, nan, nan, east, north,
         depth_max=last.depth_max,
         track=_like(last, T, east, north) if way is None else None,
     )  # fmt: skip
+    covers = None
     if replay.flow_model is not None:
         plan = carried(plan, replay.flow_model)
+        covers = plan.model_east is not None
     mean, covariance = replay.forecast(plan)
     place = place_from(*fix, east + mean[0], north + mean[1])
-    return NextDive(replace(plan, track=None), mean, covariance, *place)
+    return NextDive(replace(plan, track=None), mean, covariance, *place, covers)
 
 
 def _like(last: Dive, T: float, east: float, north: float) -> tuple | None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...files import write_figure
+from ...files import write_together
 from ...geodesy import displacement
 from ...plotting import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, new_figure
 from ..gliders.dives import Dive
@@ -166,8 +166,30 @@ def current_plot(replay: Replay) -> "Figure":
     return figure
 
 
+def replay_figures(replay: Replay, ahead: NextDive | None = None) -> "dict[str, Figure]":
+    """Draw all figures of a replay, by the names of their files.
+
+    Parameters
+    ----------
+    replay : Replay
+        With one dive at least.
+    ahead : NextDive, optional
+        Drawn on the map.
+
+    Returns
+    -------
+    dict of Figure
+        map.png, clpe.png and current.png.
+    """
+    return {
+        "map.png": map_plot(replay, ahead),
+        "clpe.png": dive_clpe_plot(replay),
+        "current.png": current_plot(replay),
+    }
+
+
 def save_replay_figures(replay: Replay, folder: Path, ahead: NextDive | None = None) -> list[Path]:
-    """Write map.png, clpe.png and current.png.
+    """Write map.png, clpe.png and current.png: all or none.
 
     Parameters
     ----------
@@ -183,11 +205,9 @@ def save_replay_figures(replay: Replay, folder: Path, ahead: NextDive | None = N
     list of Path
         The files.
     """
-    paths = [Path(folder) / f"{name}.png" for name in ("map", "clpe", "current")]
-    write_figure(map_plot(replay, ahead), paths[0])
-    write_figure(dive_clpe_plot(replay), paths[1])
-    write_figure(current_plot(replay), paths[2])
-    return paths
+    figures = {Path(folder) / name: f for name, f in replay_figures(replay, ahead).items()}
+    write_together(figures)
+    return list(figures)
 
 
 def _km(origin: Dive, lat: float, lon: float) -> np.ndarray:
