@@ -11,10 +11,10 @@ paper: $(READY)  ## section IV of the paper: figures and the table of claims
 	$(BIN)/clpt paper --out paper
 
 test: $(READY)  ## every test but the slow ones
-	$(BIN)/pytest -n 2
+	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2
 
 test-slow: $(READY)  ## the minutes-long tests
-	$(BIN)/pytest -n 2 -m slow --no-header
+	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 -m slow --no-header
 
 lint: $(READY)  ## ruff and mypy
 	$(BIN)/ruff check .
