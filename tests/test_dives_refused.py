@@ -7,6 +7,7 @@ from math import inf, nan
 import numpy as np
 import pytest
 
+from clpt_control.ocean.gliders import dive_order
 from clpt_control.ocean.gliders.dives import make_dive, usable
 from clpt_control.ocean.nodal import YEARS
 
@@ -126,7 +127,10 @@ def test_two_vehicles_in_one_input_are_not_mixed():
 
 def test_what_can_be_reached_is_not_refused():
     assert numbers([at(10, 40.0), at(11, 40.04)]) == ([10, 11], [])  # 4.4 km in 1000 s
-    assert numbers([at(10, 40.0), at(11, 40.05)]) == ([10], [11])  # 5.6 km
+    used, skipped = usable([at(10, 40.0), at(11, 40.05)])
+    assert skipped == []
+    assert used[1].notes == ("starts 6 km from where dive 10 ended 0.3 h before",)
+    assert numbers([at(10, 40.0), at(11, 40.5)]) == ([10], [11])  # 56 km
     assert numbers([at(10, 40.0), at(11, 41.0, hours=6.0)]) == ([10, 11], [])  # 111 km at 4.9 m/s
     assert numbers([at(10, 40.0), at(11, 41.0, hours=5.0)]) == ([10], [11])
     assert numbers([at(10, 40.0), at(11, -40.0, hours=720.0)]) == ([10, 11], [])  # shipped
@@ -135,7 +139,8 @@ def test_what_can_be_reached_is_not_refused():
     assert numbers([replace(east, lon_gps2=179.99, lon_gpse=180.01), west]) == ([10, 11], [])
 
 
-def test_one_wrong_fix_costs_few_dives():
+def test_one_wrong_fix_costs_few_dives(monkeypatch):
+    monkeypatch.setattr(dive_order, "ASTRAY", 5000.0)
     astray = replace(at(11, 40.0), lat_gpse=40.3)  # its own way is 33 km in 10000 s: possible
     after = [at(k, 40.0) for k in (12, 13, 14)]
     assert numbers([at(10, 40.0), astray, *after]) == ([10, 11, 13, 14], [12])  # 60 km in 12000 s

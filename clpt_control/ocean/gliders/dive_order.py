@@ -4,10 +4,10 @@ Between two dives a vehicle drifts at the surface, or dives that are not known,
 from the fix at the end of the one (GPSE) to the last fix before the other (GPS2).
 That way is at most
 
-    max(5 m/s * time between them, 5 km);
+    max(5 m/s * time between them, `ASTRAY`);
 
 a longer one says that one of the fixes is wrong or that the dives are of two
-vehicles.
+vehicles.  One that is longer than 5 m/s allow and than `NEAR` is noted.
 """
 
 from math import hypot
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 OVERLAP = 60.0  # s that neighbours may share by rounding
 ANOTHER = "another vehicle? replay each on its own"
-NEAR = 5000.0  # m: what a vehicle may drift however short the time between
+NEAR, ASTRAY = 5e3, 50e3  # m: ways that are noted, and refused, however short the time
 
 
 def by_time(dive: "Dive") -> tuple:
@@ -61,7 +61,7 @@ def overlap(dive: "Dive", before: "Dive") -> str:
         return ""
     if (dive.t_gps2, dive.t_gpse) != (before.t_gps2, before.t_gpse):
         apart = _between(dive.lat_gps2, dive.lon_gps2, before.lat_gps2, before.lon_gps2)
-        other = apart > max(FASTEST * abs(dive.t_gps2 - before.t_gps2), NEAR)
+        other = apart > max(FASTEST * abs(dive.t_gps2 - before.t_gps2), ASTRAY)
         return (
             f"overlaps dive {before.number}, which is used: starts "
             f"{before.t_gpse - dive.t_gps2:.0f} s before that ends"
@@ -82,7 +82,7 @@ def overlap(dive: "Dive", before: "Dive") -> str:
     return f"duplicate: has the times of dive {before.number}, which is used"
 
 
-def too_far(dive: "Dive", before: "Dive") -> str:
+def too_far(dive: "Dive", before: "Dive", least: float | None = None) -> str:
     """Say how far from a dive's end another one starts, if too far.
 
     Parameters
@@ -91,6 +91,8 @@ def too_far(dive: "Dive", before: "Dive") -> str:
         The later one.
     before : Dive
         The one before it.
+    least : float, optional
+        Shorter ways are not too far, m; by default `ASTRAY`.
 
     Returns
     -------
@@ -99,7 +101,7 @@ def too_far(dive: "Dive", before: "Dive") -> str:
     """
     since = dive.t_gps2 - before.t_gpse
     way = _between(before.lat_gpse, before.lon_gpse, dive.lat_gps2, dive.lon_gps2)
-    if way <= max(FASTEST * since, NEAR):
+    if way <= max(FASTEST * since, ASTRAY if least is None else least):
         return ""
     return (
         f"starts {way / 1000:.0f} km from where dive {before.number} ended "

@@ -24,7 +24,7 @@ import numpy as np
 
 from ...geodesy import displacement
 from .dive_faults import fault_of
-from .dive_order import ANOTHER, by_time, overlap, too_far
+from .dive_order import ANOTHER, NEAR, by_time, overlap, too_far
 
 Fix = tuple[float, float, float]  # s since 1970 UTC, degrees north, degrees east
 
@@ -213,6 +213,8 @@ def usable(
             continue
         if why and stray is not None:
             dive = _noted(dive, f"{why}, but follows dive {stray.number}, which was left out: used")
+        elif odd := too_far(dive, before, NEAR):
+            dive = _noted(dive, odd)
         stray = None
         missing = dive.number - before.number - 1
         if missing > 0:
