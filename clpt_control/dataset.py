@@ -4,18 +4,21 @@ dims time, axis, basis; units on every variable; the scenario, the versions and
 the solver's statistics in the attributes, so that a run repeats from its file.
 """
 
-from collections.abc import Mapping
+import json
+from collections.abc import Mapping, Sequence
+from functools import cache
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
-import control
 import numpy as np
 
 from . import __version__
+from .blocks.arrays import on_arrays
 from .blocks.lyapunov import LyapunovParameters, lyapunov_candidate
 from .native.solution import Solution
 from .scenario import Scenario
-from .scenario_file import scenario_to_text
+from .scenario_file import CHANGED, scenario_to_text
+from .wiring import Wiring
 
 if TYPE_CHECKING:
     import xarray
@@ -34,25 +37,28 @@ VARIABLES = {  # name -> (port, long name, unit of length or none, powers of 1/t
 
 def run_dataset(
     scenario: Scenario,
-    diagram: control.NonlinearIOSystem,
+    wiring: Wiring,
+    given: Sequence[Any],
     signals: np.ndarray,
     solution: Solution,
-    params: Mapping[str, Any] | None = None,
+    left: Mapping[str, Any],
 ) -> "xarray.Dataset":
-    """Give a scenario's solution as a Dataset.
+    """Return a scenario's solution as a Dataset.
 
     Parameters
     ----------
     scenario : Scenario
         The experiment.
-    diagram : control.NonlinearIOSystem
+    wiring : Wiring
         Its closed loop.
+    given : sequence
+        Parameters of the blocks that ran.
     signals : ndarray, shape (ntimes, nsignals)
         All block outputs, right limits at jumps.
     solution : Solution
         Times, states and how they were reached.
-    params : mapping, optional
-        Call-time parameters, recorded in the attributes.
+    left : mapping
+        Call-time parameters that the scenario does not hold.
 
     Returns
     -------
@@ -62,7 +68,9 @@ def run_dataset(
     import xarray
 
     units, N, n = scenario.units, scenario.basis.N, len(solution.t)
-    column = {label: k for k, label in enumerate(diagram.output_labels)}
+    labels = [label for node in wiring.nodes for label in node.system.output_labels]
+    column = {label: k for k, label in enumerate(labels)}
+    ran = {node.name: p for node, p in zip(wiring.nodes, given, strict=True)}
     data: dict[str, Any] = {}
     for name, (port, long_name, lengths, rates) in VARIABLES.items():
         size = 2 * N if port == "alpha" else 2
@@ -75,7 +83,7 @@ def run_dataset(
     alpha = data["alpha"][1]
     estimate = 0.0 - alpha  # without -0
     if scenario.learning.law == "known-flow":
-        estimate = np.broadcast_to(np.array(scenario.learning.theta_estimate), alpha.shape).copy()
+        estimate = np.broadcast_to(ran["injection"].theta_hat, alpha.shape).copy()
     speed = {"units": f"{units.length} {units.time}-1"}
     data["flow_parameters_estimate"] = (
         ("time", "axis", "basis"),
@@ -83,13 +91,13 @@ def run_dataset(
         {"long_name": "estimate of the flow parameters theta", **speed},
     )
     if scenario.flow.parameters is not None:
-        true = np.array(scenario.flow.parameters)
+        true = ran["true_flow"].theta
         data["flow_parameters"] = (
             ("axis", "basis"), true, {"long_name": "true flow parameters theta", **speed},
         )  # fmt: skip
         data["lyapunov"] = (
             ("time",),
-            _lyapunov(scenario, data),
+            _lyapunov(scenario.learning.law, ran, data),
             {"long_name": "Lyapunov candidate V", "units": f"{units.length}2"},
         )
     origin = {}
@@ -113,9 +121,8 @@ def run_dataset(
                           "Lagrangian particle tracking, OCEANS 2016 MTS/IEEE Monterey",
             "scenario": scenario_to_text(scenario),
             **origin,
-            "parameters_changed": str(dict(params or {})),
-            "software": ", ".join(f"{name} {version(name)}" for name in
-                                  ("clpt-control", "control", "numpy", "scipy")),
+            **_changed(left),
+            "software": _software(),
             "status": solution.status,
             "message": solution.message,
             **{f"solver_{name}": value for name, value in solution.statistics.items()},
@@ -123,25 +130,29 @@ def run_dataset(
     ).assign_coords().pipe(_with_folder, scenario)  # fmt: skip
 
 
+@cache
+def _software() -> str:
+    packages = ("clpt-control", "control", "numpy", "scipy")
+    return ", ".join(f"{name} {version(name)}" for name in packages)
+
+
 def _with_folder(run: "xarray.Dataset", scenario: Scenario) -> "xarray.Dataset":
     run.encoding["folder"] = str(scenario._folder)
     return run
 
 
-def _lyapunov(scenario: Scenario, data: dict[str, Any]) -> np.ndarray:
-    """V of Eq. (17) or (24) along the run."""
-    block = lyapunov_candidate(
-        scenario.learning.law,
-        LyapunovParameters(
-            scenario.basis.N,
-            scenario.learning.gain,
-            np.array(scenario.flow.parameters),
-            np.array(scenario.vehicle.feedback),
-            np.array(scenario.vehicle.feedforward),
-        ),
-    )
+def _changed(left: Mapping[str, Any]) -> dict[str, str]:
+    """Say what the scenario does not: a run with such parameters cannot be repeated."""
+    plain = {name: np.asarray(value).tolist() for name, value in left.items()}
+    return {CHANGED: json.dumps(plain)} if plain else {}
+
+
+def _lyapunov(law: str, ran: Mapping[str, Any], data: dict[str, Any]) -> np.ndarray:
+    """V of Eq. (17) or (24) along the run, with the parameters that ran."""
+    car, adapting = ran["vehicle_controller"], ran["adaptation"]
+    gains = np.full(3, adapting.gain)
+    truth = LyapunovParameters(car.N, gains, ran["true_flow"].theta, car.KD, car.GammaD)
+    block = lyapunov_candidate(law, truth)
     ports = [data[name][1] for name in ("clpe", "alpha", "feedback_gain", "feedforward_gain")]
     inputs = np.column_stack([values.reshape(len(values), -1) for values in ports])
-    V = np.empty((1, len(inputs)))  # sums and squares alone: all times at once
-    block.output_function(0.0, np.zeros(0), inputs.T, block.parameters, V)
-    return V[0]
+    return on_arrays(block.output_record, np.zeros(len(inputs)), (), inputs.T, truth)[0]

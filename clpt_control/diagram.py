@@ -30,6 +30,33 @@ from .interconnection import Diagram, connect
 from .scenario import Scenario
 
 
+# scenario key -> parameters of blocks that hold its value as it is
+HELD = {
+    "basis.centers": ("basis_x.centers", "basis_z.centers"),
+    "basis.widths": ("basis_x.widths", "basis_z.widths"),
+    "basis.phases": ("basis_x.phases", "basis_z.phases"),
+    "flow.parameters": ("true_flow.theta",),
+    "flow.disturbance.amplitude": ("disturbance.amplitude",),
+    "flow.disturbance.period": ("disturbance.period",),
+    "model.parameters": ("modeled_flow.alpha_M", "vehicle_controller.alpha_M",
+                         "injection.alpha_M", "adaptation.alpha_M"),
+    "vehicle.feedback": ("vehicle_controller.KD",),
+    "vehicle.feedforward": ("vehicle_controller.GammaD",),
+    "reference.dwell": ("reference.dwell",),
+    "learning.gain": ("adaptation.gain",),
+    "learning.theta_estimate": ("injection.theta_hat",),
+}  # fmt: skip
+JUMPS = ("reference.dwell", "flow.disturbance.period")  # keys that move breakpoints
+# scenario key -> the state that starts there, in the order of the diagram's states
+STARTS = {
+    "vehicle.position": "x",
+    "learning.position": "z",
+    "learning.parameters": "alpha",
+    "learning.feedback": "K",
+    "learning.feedforward": "Gamma",
+}
+
+
 def paper_blocks(scenario: Scenario) -> list[Block]:
     """Make the blocks of the paper's closed loop.
 
@@ -189,6 +216,21 @@ def error_loop(scenario: Scenario) -> Diagram:
     )
 
 
+def started(scenario: Scenario) -> dict[str, np.ndarray]:
+    """Return what the states start at, by scenario key, in the order of the states."""
+    learning = scenario.learning
+    values = {
+        "vehicle.position": scenario.vehicle.position,
+        "learning.position": learning.position,
+        "learning.parameters": scenario.learning_parameters,
+        "learning.feedback": learning.feedback,
+        "learning.feedforward": learning.feedforward,
+    }
+    if learning.law == "known-flow":  # alpha is no state
+        del values["learning.parameters"]
+    return {key: np.asarray(value, dtype=float) for key, value in values.items()}
+
+
 def initial_state(scenario: Scenario, external: Iterable[str] = ()) -> np.ndarray:
     """Give the state at t = 0 of `closed_loop(scenario, external)`.
 
@@ -210,14 +252,9 @@ def initial_state(scenario: Scenario, external: Iterable[str] = ()) -> np.ndarra
     >>> initial_state(clpt.paper_scenario()).shape
     (14,)
     """
-    learning = scenario.learning
-    alpha = np.ravel(scenario.learning_parameters) if learning.law == "learned-flow" else ()
     external = (external,) if isinstance(external, str) else tuple(external)
-    values = {
-        "x": scenario.vehicle.position,
-        "z": learning.position,
-        "alpha": (*alpha, *learning.feedback, *learning.feedforward),
-    }
-    return np.concatenate(
-        [np.asarray(value, float) for port, value in values.items() if port not in external]
-    )
+    left_out = {"alpha", "K", "Gamma"} if "alpha" in external else set()
+    return np.concatenate([
+        value.ravel() for key, value in started(scenario).items()
+        if STARTS[key] not in {*external, *left_out}
+    ])  # fmt: skip

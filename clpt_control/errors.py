@@ -18,6 +18,10 @@ class DiagramError(ClptError, ValueError):
     """A diagram's blocks do not fit together."""
 
 
+class Uncompiled(DiagramError):
+    """A diagram of which no machine code is made; Python runs it."""
+
+
 class ScenarioError(ClptError, ValueError):
     """A scenario holds a key or a value that is not allowed."""
 

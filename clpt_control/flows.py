@@ -9,6 +9,7 @@ the same blocks that a run asks.
 
 import numpy as np
 
+from .blocks.arrays import on_arrays
 from .diagram import paper_blocks
 from .scenario import Scenario
 
@@ -85,13 +86,6 @@ def flow_velocity(
 
 
 def _outputs(block, points: np.ndarray, times: np.ndarray | float) -> np.ndarray:
-    """Run a block's output at each place and time, compiled."""
-    from .blocks.readers import compiled
-
+    """Return a block's outputs at all places and times at once."""
     times = np.broadcast_to(np.asarray(times, dtype=float), len(points))
-    output = compiled(block.output_function) if len(points) > 2000 else block.output_function
-    values = np.empty((len(points), block.noutputs))
-    nothing = np.zeros(0)
-    for t, point, value in zip(times, points, values, strict=True):
-        output(float(t), nothing, point, block.parameters, value)
-    return values
+    return on_arrays(block.output_record, times, (), points.T, block.parameters).T

@@ -12,6 +12,8 @@ from .errors import DataError, ScenarioError
 from .files import open_netcdf, write_text
 from .scenario import Scenario, checked_scenario, scenario_tables
 
+CHANGED = "parameters_changed"  # attribute of a run: parameters that its scenario does not hold
+
 
 def load_scenario(path: str | Path) -> Scenario:
     """Read a scenario from a TOML file or from a run's NetCDF file.
@@ -148,4 +150,10 @@ def scenario_text(path: str | Path) -> str:
     with open_netcdf(Path(path)) as data:
         if "scenario" not in data.attrs:
             raise DataError(f"{path}: carries no scenario; `clpt run` writes runs that do")
+        if CHANGED in data.attrs:
+            raise DataError(
+                f"{path}: was run with parameters that no key of a scenario holds, "
+                f"{data.attrs[CHANGED]}, so it cannot be repeated; give the scenario itself, and "
+                "the parameters to simulate(params=...)"
+            )
         return str(data.attrs["scenario"])

@@ -5,17 +5,21 @@ be repeated; a diagram gives python-control's own `TimeResponseData`.
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 import control
 import numpy as np
 
 from .dataset import run_dataset
-from .diagram import closed_loop, initial_state
-from .errors import SimulationError
-from .native.choice import Engine
+from .diagram import HELD, paper_blocks, started
+from .diagram import initial_state as scenario_state
+from .errors import ScenarioError, SimulationError
+from .interconnection import wire
+from .native.choice import chosen
 from .native.inputs import read_inputs
 from .scenario import Scenario
+from .wiring import read
 
 if TYPE_CHECKING:
     import xarray
@@ -32,7 +36,6 @@ def simulate(
     atol: float | None = None,
     progress: Callable[[float], None] | None = None,
     engine: str | None = None,
-    method: str = "dop853",
 ) -> Any:
     """Run a scenario, or any diagram of blocks.
 
@@ -58,9 +61,6 @@ def simulate(
     engine : str, optional
         ``"native"``, machine code, which gives way to ``"python"`` for what
         cannot be compiled.
-    method : str, optional
-        ``"dop853"``, or ``"vern7"``: cheaper for few samples and errors above
-        1e-9; machine code only.
 
     Returns
     -------
@@ -84,20 +84,12 @@ def simulate(
         if inputs is not None:
             raise SimulationError("a scenario has no inputs; simulate closed_loop(..., external=)")
         return _simulate_scenario(
-            system, timepts, initial_state, params, rtol, atol, progress, engine, method
+            system, timepts, initial_state, params, rtol, atol, progress, engine
         )
     return _simulate_diagram(
-        system,
-        timepts,
-        inputs,
-        initial_state,
-        params,
-        rtol or 1e-8,
-        atol or 1e-10,
-        progress,
+        system, timepts, inputs, initial_state, params, rtol or 1e-8, atol or 1e-10, progress,
         engine,
-        method,
-    )
+    )  # fmt: skip
 
 
 def sample_times(duration: float, step: float) -> np.ndarray:
@@ -134,18 +126,20 @@ def _checked_state(state: Any, count: int) -> np.ndarray:
 
 
 def _simulate_diagram(
-    diagram, timepts, inputs, x0, params, rtol, atol, progress, engine, method
+    diagram, timepts, inputs, x0, params, rtol, atol, progress, engine
 ) -> control.TimeResponseData:
     if timepts is None:
         raise SimulationError("timepts: is required to simulate a diagram")
     times = _checked_times(timepts)
-    read = read_inputs(inputs, times, diagram.ninputs or 0)
-    runner = Engine(diagram, params, read, engine)
-    nstates = runner.sweep.nstates
-    state = _checked_state(np.zeros(nstates) if x0 is None else x0, nstates)
-    solution = runner.run(state, times, rtol, atol, progress, method)
-    u = read.along(solution.t)
-    outputs = runner.sweep.wiring.output_map @ np.vstack([runner.signals(solution).T, u])
+    wiring = read(diagram)
+    given = read_inputs(inputs, times, wiring.ninputs)
+    runner = chosen(wiring, params, given, engine, diagram.name)
+    state = _checked_state(np.zeros(runner.nstates) if x0 is None else x0, runner.nstates)
+    solution = runner.run(
+        state, times, rtol=rtol, atol=atol, inputs=given, progress=progress
+    )
+    u = given.along(solution.t)
+    outputs = wiring.output_map @ np.vstack([runner.signals(solution, given).T, u])
     return control.TimeResponseData(
         solution.t,
         outputs,
@@ -163,18 +157,59 @@ def _simulate_diagram(
 
 
 def _simulate_scenario(
-    scenario, timepts, x0, params, rtol, atol, progress, engine, method
+    scenario, timepts, x0, params, rtol, atol, progress, engine
 ) -> "xarray.Dataset":
+    scenario, left = said_by_keys(scenario, params, x0)
     run = scenario.run
     if timepts is None:
         times = sample_times(run.duration, run.output_step)
     else:
         times = _checked_times(timepts)
-    diagram = closed_loop(scenario)
-    runner = Engine(diagram, params, None, engine)
-    state = _checked_state(initial_state(scenario) if x0 is None else x0, runner.sweep.nstates)
+    wiring = wire(paper_blocks(scenario))
+    runner = chosen(wiring, left, None, engine, "the closed loop")
     from_zero = times if times[0] == 0 else np.concatenate([[0.0], times])
-    solution = runner.run(state, from_zero, rtol or run.rtol, atol or run.atol, progress, method)
+    solution = runner.run(
+        scenario_state(scenario), from_zero, rtol=rtol or run.rtol, atol=atol or run.atol,
+        progress=progress,
+    )  # fmt: skip
     if times[0] != 0:
         solution.t, solution.x = solution.t[1:], solution.x[1:]
-    return run_dataset(scenario, diagram, runner.signals(solution), solution, params)
+    return run_dataset(scenario, wiring, runner.sweep.given, runner.signals(solution), solution, left)
+
+
+def said_by_keys(
+    scenario: Scenario, params: Mapping[str, Any] | None, x0: Any
+) -> tuple[Scenario, dict[str, Any]]:
+    """Put call-time parameters and the initial state into the scenario, where keys hold them.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The experiment.
+    params : mapping, optional
+        Call-time parameters by qualified name.
+    x0 : array_like, optional
+        State at t = 0.
+
+    Returns
+    -------
+    scenario : Scenario
+        The experiment that is run.
+    left : dict
+        Parameters that no key holds.
+    """
+    left = dict(params or {})
+    if x0 is not None:
+        starts = started(scenario)
+        state = _checked_state(x0, sum(start.size for start in starts.values()))
+        ends = np.cumsum([start.size for start in starts.values()])
+        parts = zip(starts.items(), np.split(state, ends[:-1]), strict=True)
+        scenario = scenario.with_values(
+            {key: part.reshape(start.shape) for (key, start), part in parts}
+        )
+    alone = {names[0]: key for key, names in HELD.items() if len(names) == 1}
+    for name in [name for name in left if name in alone]:
+        with suppress(ScenarioError):  # a value that a scenario may not have is run all the same
+            scenario = scenario.with_values({alone[name]: left[name]})
+            del left[name]
+    return scenario, left

@@ -7,6 +7,7 @@ when all signals that reach its outputs at once are known.  The engine, the
 proofs and the drawing all read a diagram through this file.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -14,6 +15,7 @@ import control
 import numpy as np
 
 from .blocks import Block
+from .blocks.linear import linear
 from .errors import DiagramError
 
 
@@ -75,12 +77,15 @@ class Wiring:
         Blocks in the diagram's own order.
     order : tuple of int
         Indices into `nodes`, in which outputs can be computed one by one.
+    ninputs : int
+        Inputs of the diagram.
     output_map : scipy.sparse array
         Diagram outputs from all block outputs and then all diagram inputs.
     """
 
     nodes: tuple[Node, ...]
     order: tuple[int, ...]
+    ninputs: int
     output_map: Any
 
 
@@ -97,15 +102,21 @@ class _Flat(NamedTuple):
 def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
     from scipy.sparse import block_diag, csr_array, eye_array
 
+    _check_continuous(system, name)
     if not isinstance(system, control.InterconnectedSystem):
-        m, n = system.ninputs, system.noutputs
-        return _Flat(
-            [(name, system)],
-            csr_array((m, n)),
-            eye_array(m, format="csr"),
-            eye_array(n, format="csr"),
-            csr_array((n, m)),
-        )
+        m, n = system.ninputs or 0, system.noutputs or 0
+        C, D = csr_array((m, n)), eye_array(m, format="csr")
+        return _Flat([(name, system)], C, D, eye_array(n, format="csr"), csr_array((n, m)))
+    connections, inputs = csr_array(system.connect_map), csr_array(system.input_map)
+    split = connections.shape[1]
+    from_outputs = csr_array(system.output_map[:, :split])
+    from_inputs = csr_array(system.output_map[:, split:])
+    if not any(isinstance(part, control.InterconnectedSystem) for part in system.syslist):
+        for part in system.syslist:
+            _check_continuous(part, part.name)
+        leaves = [(part.name, part) for part in system.syslist]
+        E, F = from_outputs + from_inputs @ connections, from_inputs @ inputs
+        return _Flat(leaves, connections, inputs, E, F)
     parts = []
     for part in system.syslist:
         inner = _flatten(part, part.name)
@@ -114,9 +125,7 @@ def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
         parts.append(inner)
     leaves = [leaf for part in parts for leaf in part.leaves]
     C, D, E, F = (block_diag([part[k] for part in parts], format="csr") for k in range(1, 5))
-    connections = csr_array(system.connect_map)
-    nested_outputs = connections.shape[1]
-    U_from_Y, U_from_u = connections @ E, csr_array(system.input_map)
+    U_from_Y, U_from_u = connections @ E, inputs
     through = connections @ F
     for _ in range(len(parts)):  # signals that pass straight through nested diagrams
         if not through.nnz:
@@ -125,8 +134,6 @@ def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
         through = through @ through
     if through.nnz:
         raise DiagramError(f"{name}: nested diagrams feed each other without a block")
-    from_outputs = csr_array(system.output_map[:, :nested_outputs])
-    from_inputs = csr_array(system.output_map[:, nested_outputs:])
     return _Flat(
         leaves,
         C + D @ U_from_Y,
@@ -136,27 +143,40 @@ def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
     )
 
 
-def _runs(matrix: Any, external: bool) -> list[Wire]:
-    """Gather a connection matrix into runs of consecutive signals."""
-    wires: list[Wire] = []
+def _check_continuous(system: control.NonlinearIOSystem, name: str) -> None:
+    if system.dt not in (None, 0):
+        raise DiagramError(
+            f"{name} is a system of discrete time (dt = {system.dt}): only continuous time can be "
+            "run here; make it with dt = 0, or run it with control.input_output_response"
+        )
+
+
+def _entries(matrix: Any) -> dict[int, list[tuple[int, float]]]:
+    """Return source and gain of what each row of a connection matrix is fed with."""
     found = matrix.tocoo()
-    order = np.lexsort((found.coords[1], found.coords[0]))
-    for at in order:
-        to, source, gain = found.coords[0][at], found.coords[1][at], float(found.data[at])
-        if gain == 0.0:
-            continue
-        for k, last in enumerate(wires):
-            follows = (to, source) == (last.to + last.size, last.source + last.size)
-            if follows and gain == last.gain:
-                wires[k] = last._replace(size=last.size + 1)
-                break
-        else:
-            wires.append(Wire(int(to), int(source), 1, gain, external))
+    rows: dict[int, list[tuple[int, float]]] = {}
+    for to, source, gain in zip(*(c.tolist() for c in found.coords), found.data.tolist(), strict=True):
+        if gain != 0.0:
+            rows.setdefault(to, []).append((source, gain))
+    return rows
+
+
+def _runs(rows: dict, first: int, last: int, external: bool) -> list[Wire]:
+    """Gather what feeds a block into runs of consecutive signals."""
+    following: dict[tuple, int] = {}  # what would go on with a run -> its place
+    wires: list[Wire] = []
+    for to in range(first, last):
+        for source, gain in sorted(rows.get(to, ())):
+            k = following.pop((to, source, gain), len(wires))
+            if k == len(wires):
+                wires.append(Wire(to - first, source, 0, gain, external))
+            wires[k] = wires[k]._replace(size=wires[k].size + 1)
+            following[to + 1, source + 1, gain] = k
     return wires
 
 
 def reaches_outputs(system: control.NonlinearIOSystem) -> bool:
-    """Tell whether a system's inputs reach its outputs at once.
+    """Whether a system's inputs reach its outputs at once.
 
     Parameters
     ----------
@@ -171,7 +191,8 @@ def reaches_outputs(system: control.NonlinearIOSystem) -> bool:
     Examples
     --------
     >>> import control
-    >>> reaches_outputs(control.ss(-1, 1, 1, 0))
+    >>> from clpt_control.blocks.linear import linear
+    >>> reaches_outputs(linear(control.ss(-1, 1, 1, 0)))
     False
     """
     if isinstance(system, Block):
@@ -193,7 +214,8 @@ def read(diagram: control.NonlinearIOSystem) -> Wiring:
     Parameters
     ----------
     diagram : control.NonlinearIOSystem
-        An interconnected system of blocks and any python-control systems.
+        An interconnected system of blocks and any python-control systems of
+        continuous time; linear ones become blocks.
 
     Returns
     -------
@@ -203,7 +225,8 @@ def read(diagram: control.NonlinearIOSystem) -> Wiring:
     Raises
     ------
     DiagramError
-        If blocks feed each other at once in a circle; the blocks are named.
+        If blocks feed each other at once in a circle (they are named), or a
+        system is one of discrete time.
 
     Examples
     --------
@@ -215,19 +238,55 @@ def read(diagram: control.NonlinearIOSystem) -> Wiring:
     from scipy.sparse import hstack
 
     flat = _flatten(diagram, diagram.name)
-    nodes, x, u, y = [], 0, 0, 0
+    leaves, fed, u = [], [], 0
+    outer, inner = _entries(flat.C), _entries(flat.D)
     for name, system in flat.leaves:
+        first, u = u, u + system.ninputs
+        fed.append((*_runs(outer, first, u, False), *_runs(inner, first, u, True)))
+        leaves.append((name, linear(system) if isinstance(system, control.StateSpace) else system))
+    return wired(leaves, fed, diagram.ninputs or 0, hstack([flat.E, flat.F], format="csr"))
+
+
+def wired(
+    systems: Sequence[tuple[str, control.NonlinearIOSystem]],
+    fed: Sequence[tuple[Wire, ...]],
+    ninputs: int,
+    output_map: Any,
+) -> Wiring:
+    """Make a wiring of systems and of the wires that feed each.
+
+    Parameters
+    ----------
+    systems : sequence of tuple
+        Name and system, in the diagram's order.
+    fed : sequence of tuple of Wire
+        What feeds each.
+    ninputs : int
+        Inputs of the diagram.
+    output_map : scipy.sparse array
+        Diagram outputs from all block outputs and then all diagram inputs.
+
+    Returns
+    -------
+    Wiring
+        With an order of evaluation.
+
+    Raises
+    ------
+    DiagramError
+        If blocks feed each other at once in a circle.
+    """
+    nodes, x, u, y = [], 0, 0, 0
+    for (name, system), wires in zip(systems, fed, strict=True):
         states = slice(x, x := x + (system.nstates or 0))
-        inputs = slice(u, u := u + system.ninputs)
-        outputs = slice(y, y := y + system.noutputs)
-        wires = _runs(flat.C[inputs], False) + _runs(flat.D[inputs], True)
-        nodes.append(Node(system, name, states, inputs, outputs, tuple(wires)))
-    order = _order(nodes)
-    return Wiring(tuple(nodes), order, hstack([flat.E, flat.F], format="csr"))
+        inputs = slice(u, u := u + (system.ninputs or 0))
+        outputs = slice(y, y := y + (system.noutputs or 0))
+        nodes.append(Node(system, name, states, inputs, outputs, wires))
+    return Wiring(tuple(nodes), _order(nodes), ninputs, output_map)
 
 
 def _order(nodes: list[Node]) -> tuple[int, ...]:
-    owner = [k for k, node in enumerate(nodes) for _ in range(node.system.noutputs)]
+    owner = [k for k, node in enumerate(nodes) for _ in range(node.system.noutputs or 0)]
     waits = {
         k: {owner[w.source + j] for w in node.wires if not w.external for j in range(w.size)}
         if reaches_outputs(node.system)

@@ -1,8 +1,7 @@
 """The paper's diagram, a file per room.
 
 `block` makes a block of equations, `words` and `rules` say what equations may
-use, `readers` runs, compiles and traces them; every other file is a page of
-the paper.
+use, `trace` records them; every other file is a page of the paper.
 """
 
 from .block import Block

@@ -2,14 +2,17 @@
 
     dx/dt = update(t, x, u, p),    y = output(t, x, u, p)
 
-The two functions fill their last argument and have no side effects.  The block
-adds what a diagram needs to know about them: the ports with their labels, the
+The two functions fill their last argument, zero at first, and have no side
+effects.  They are recorded when the block is made (`trace`), and refused there
+if they cannot be.  The block adds what a diagram needs to know about them: the ports with their labels, the
 typed parameters `p`, whether the inputs reach the outputs at once
 (`feedthrough`), at which times the block jumps (`breakpoints`), and whether it
 is a source of time or tables that SymPy shall not look into (`opaque`).
 """
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
+from functools import cached_property
 from typing import Any
 
 import control
@@ -18,11 +21,15 @@ import numpy as np
 from ..errors import BlockError
 from .parameters import NoParameters, checked_parameters
 from .ports import Equations, Guard, labels, states_as_outputs
+from .record import Record
 from .rules import check_equations
+from .running import running
+from .trace import trace
+from .tracers import TooLong
 
 
 class Block(control.NonlinearIOSystem):
-    """Equations with ports, run by three readers.
+    """Equations with ports: python-control runs them, the rest reads their record.
 
     Parameters
     ----------
@@ -110,6 +117,11 @@ class Block(control.NonlinearIOSystem):
             raise BlockError(
                 f"{name}: a block with breakpoints needs a parameter `interval = -1.0`"
             )
+        output = self._equations["output"][1]
+        if not self.feedthrough and output is not None and output.reads_inputs():
+            raise BlockError(
+                f"{name}: outputs change with inputs at once: declare feedthrough=True"
+            )
         super().__init__(
             self._updfcn,
             self._outfcn,
@@ -119,6 +131,55 @@ class Block(control.NonlinearIOSystem):
             name=name,
             dt=0,
         )
+
+    # --- the record -------------------------------------------------------------------
+
+    @cached_property
+    def _equations(self) -> dict[str, tuple[Callable, Record | None]]:
+        """For each role the equations as Python runs them, and their record."""
+        states, inputs = (sum(ports.values()) for ports in (self.state_ports, self.input_ports))
+        given: dict[str, tuple[Any, int]] = {
+            "update": (self.update_function, states),
+            "output": (self.output_function, sum(self.output_ports.values())),
+            "guard": (None if self.guard is None else self.guard.distance, 1),
+        }
+        found: dict[str, tuple[Callable, Record | None]] = {}
+        for role, (function, size) in given.items():
+            if function is not None:
+                record = None
+                with suppress(TooLong):  # Python runs it all the same
+                    sizes = (states, inputs, size)
+                    record = trace(function, f"{self.name}.{role}", sizes, self.parameters)
+                found[role] = running(function), record
+        return found
+
+    def _record(self, role: str) -> Record | None:
+        if role not in self._equations:
+            return None
+        record = self._equations[role][1]
+        if record is None:
+            raise TooLong(f"{self.name}.{role}: takes more operations than a record may have")
+        return record
+
+    @property
+    def update_record(self) -> Record | None:
+        """The record of `update`; None where there are no states."""
+        return self._record("update")
+
+    @property
+    def output_record(self) -> Record:
+        """The record of `output`."""
+        record = self._record("output")
+        assert record is not None
+        return record
+
+    @property
+    def guard_record(self) -> Record | None:
+        """The record of the distance to the guard's edge; None where there is none."""
+        return self._record("guard")
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in self.__dict__.items() if name != "_equations"}
 
     # --- parameters -------------------------------------------------------------------
 
@@ -130,6 +191,7 @@ class Block(control.NonlinearIOSystem):
     @parameters.setter
     def parameters(self, value: Any) -> None:
         self._parameters = checked_parameters(self.name, value)
+        self.__dict__.pop("_equations", None)
         self._current = self._parameters
         self._jumps, self._jumps_until = np.zeros(0), 0.0
 
@@ -168,11 +230,38 @@ class Block(control.NonlinearIOSystem):
             owner, _, field = key.rpartition(".")
             if owner == self.name and field in self.parameters._fields:
                 changes[field] = value
-            elif key == self.name and type(value) is type(self.parameters):
+            elif key == self.name and hasattr(value, "_fields"):
                 continue  # what python-control hands to every block of a diagram
             elif self.name in (owner, key) or not within_diagram:
                 known = ", ".join(f"{self.name}.{f}" for f in self.parameters._fields) or "none"
                 raise BlockError(f"unknown parameter '{key}': block {self.name} knows {known}")
+        return self.with_values(changes)
+
+    def with_values(self, changes: Mapping[str, Any]) -> Any:
+        """Give the parameters with some fields changed.
+
+        Parameters
+        ----------
+        changes : mapping
+            Field -> value.
+
+        Returns
+        -------
+        NamedTuple
+            The block's own, changed and checked.
+
+        Raises
+        ------
+        BlockError
+            If a value has another shape, or a count would change.
+        """
+        for field, value in changes.items():
+            fixed = getattr(self.parameters, field)
+            if isinstance(fixed, int) and not np.array_equal(value, fixed):
+                raise BlockError(
+                    f"{self.name}.{field} = {value}: is {fixed} since the block was made; "
+                    "make another block, or declare the parameter as a float"
+                )
         if not changes:
             return self.parameters
         return checked_parameters(self.name, self.parameters._replace(**changes), self.parameters)
@@ -202,17 +291,17 @@ class Block(control.NonlinearIOSystem):
         times = self.breakpoints_function(self.parameters if p is None else p, t0, t1)
         return np.asarray(times, dtype=float)
 
-    def interval_at(self, t: float, p: Any = None) -> float:
+    def interval_at(self, t: float, p: Any = None) -> np.float64:
         """Give the number of the interval that holds t, by bisection.
 
         A breakpoint belongs to the interval that it starts.
         """
         if p is not None and p is not self.parameters:
-            return float(len(self.breakpoints(0.0, t, p)))
+            return np.float64(len(self.breakpoints(0.0, t, p)))
         if t >= self._jumps_until:
             self._jumps_until = max(2.0 * t, t + 1.0)
             self._jumps = self.breakpoints(0.0, self._jumps_until)
-        return float(np.searchsorted(self._jumps, t, side="right"))
+        return np.float64(np.searchsorted(self._jumps, t, side="right"))
 
     def parameters_at(self, t: float, p: Any = None) -> Any:
         """Give the parameters with `interval` filled in for time t."""
@@ -221,17 +310,39 @@ class Block(control.NonlinearIOSystem):
             return p
         return p._replace(interval=self.interval_at(t, p))
 
-    # --- the reader that python-control runs --------------------------------------------
+    # --- the reading that python-control runs -------------------------------------------
+
+    def fill(self, role: str, t: float, x: Any, u: Any, p: Any, out: np.ndarray) -> None:
+        """Run the equations in Python on IEEE numbers.
+
+        Parameters
+        ----------
+        role : str
+            ``"update"``, ``"output"`` or ``"guard"``.
+        t : float
+            Time.
+        x, u : array_like
+            States and inputs.
+        p : NamedTuple
+            Parameters, `interval` filled in.
+        out : ndarray
+            Filled; set to zero first.
+        """
+        out[:] = 0.0
+        with np.errstate(all="ignore"):
+            self._equations[role][0](
+                np.float64(t), np.asarray(x, dtype=float), np.asarray(u, dtype=float), p, out
+            )
 
     def _rhs(self, t, x, u):
         dx = np.zeros(self.nstates)
         if self.update_function is not None:
-            self.update_function(t, np.asarray(x), np.asarray(u), self.parameters_at(t), dx)
+            self.fill("update", t, x, u, self.parameters_at(t), dx)
         return dx
 
     def _out(self, t, x, u):
         y = np.zeros(self.noutputs)
-        self.output_function(t, np.asarray(x), np.asarray(u), self.parameters_at(t), y)
+        self.fill("output", t, x, u, self.parameters_at(t), y)
         return y
 
     def _updfcn(self, t, x, u, params):

@@ -3,6 +3,8 @@
     V = (|e|^2 + |K - KD|^2/gamma + |GammaD - Gamma|^2/gamma) / 2               Eq. (17)
     V = Eq. (17) + |theta + alpha|^2 / (2 gamma)                                Eq. (24)
 
+The paper has one gain gamma; here alpha, K and Gamma may have one each.
+
 V is a signal like any other: a block that reads the diagram's outputs.  Runs
 record it and the proofs differentiate it, both from the functions here.
 """
@@ -21,8 +23,8 @@ class LyapunovParameters(NamedTuple):
     ----------
     N : int
         Number of basis functions.
-    gain : float
-        Adaptation gain gamma > 0.
+    gain : ndarray, shape (3,)
+        Adaptation gains gamma > 0 of alpha, K and Gamma, one number in the paper.
     theta : ndarray, shape (2, N)
         True flow parameters, length per time.
     KD, GammaD : ndarray, shape (2,)
@@ -30,7 +32,7 @@ class LyapunovParameters(NamedTuple):
     """
 
     N: int
-    gain: float
+    gain: np.ndarray
     theta: np.ndarray
     KD: np.ndarray
     GammaD: np.ndarray
@@ -43,8 +45,8 @@ def known_flow(t, x, u, p, y):
     V = 0.0
     for i in range(2):
         V += e[i] ** 2 / 2
-        V += (K[i] - p.KD[i]) ** 2 / (2 * p.gain)
-        V += (p.GammaD[i] - Gamma[i]) ** 2 / (2 * p.gain)
+        V += (K[i] - p.KD[i]) ** 2 / (2 * p.gain[1])
+        V += (p.GammaD[i] - Gamma[i]) ** 2 / (2 * p.gain[2])
     y[0] = V
 
 
@@ -56,7 +58,7 @@ def learned_flow(t, x, u, p, y):
         flow = 0.0
         for k in range(n):
             flow += (p.theta[i, k] + u[2 + i * n + k]) ** 2
-        y[0] += flow / (2 * p.gain)
+        y[0] += flow / (2 * p.gain[0])
 
 
 LAWS = {"known-flow": known_flow, "learned-flow": learned_flow}
@@ -73,7 +75,7 @@ def lyapunov_candidate(law: str, parameters: LyapunovParameters) -> Block:
     law : str
         ``"known-flow"`` for Eq. (17), ``"learned-flow"`` for Eq. (24).
     parameters : LyapunovParameters
-        The true parameters and the adaptation gain.
+        The true parameters and the adaptation gains.
 
     Returns
     -------
@@ -87,7 +89,7 @@ def lyapunov_candidate(law: str, parameters: LyapunovParameters) -> Block:
 
     Examples
     --------
-    >>> p = LyapunovParameters(1, 0.5, np.zeros((2, 1)), np.ones(2), np.ones(2))
+    >>> p = LyapunovParameters(1, np.full(3, 0.5), np.zeros((2, 1)), np.ones(2), np.ones(2))
     >>> block = lyapunov_candidate("learned-flow", p)
     >>> block.output(0, [], [3, 4, 1, 0, 1, 1, 1, 2])
     array([14.5])

@@ -46,10 +46,10 @@ def checked_parameters(name: str, parameters: Any, like: Any = None) -> Any:
     for field, value in zip(parameters._fields, parameters, strict=True):
         old = getattr(like, field) if like is not None else value
         try:
-            if isinstance(old, int) and not isinstance(old, bool):
+            if isinstance(old, int | np.integer) and not isinstance(old, bool):
                 values[field] = int(value) if int(value) == value else None
             elif np.ndim(old) == 0:
-                values[field] = float(value)
+                values[field] = np.float64(value)
             else:
                 values[field] = np.array(value, dtype=float)
         except (TypeError, ValueError):

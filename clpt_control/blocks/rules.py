@@ -1,9 +1,9 @@
 """What a block's equations may say, checked when the block is made.
 
-Three readers take the same function: python-control runs it, Numba compiles
-it, SymPy traces it.  What one of them cannot read is refused here, with the
-function, the line and the word to use instead, and not hours later by the
-reader that stumbles over it.
+What could not be recorded, or would have an effect beside filling the last
+argument, is refused with the function, the line and the word to use instead.
+This reads the source text to give a good sentence, where there is one; what
+equations mean is never taken from it but from running them (`trace`).
 """
 
 import ast
@@ -15,7 +15,8 @@ from collections.abc import Callable
 from types import FunctionType
 
 from ..errors import BlockError
-from .words import MATH, WORDS
+from .rebinding import helpers_of
+from .words import MATH
 
 ALLOWED_BUILTINS = {"range", "len", "float", "int"}
 
@@ -99,35 +100,8 @@ def opaque(function: Callable) -> Callable:
     return function
 
 
-def helpers_of(function: FunctionType) -> dict[str, FunctionType]:
-    """Give the plain Python functions that a function calls by name.
-
-    Parameters
-    ----------
-    function : function
-        A block's equation or a helper of one.
-
-    Returns
-    -------
-    dict
-        Global name -> function; the words of `words` are not among them.
-
-    Examples
-    --------
-    >>> from clpt_control.blocks import vehicle
-    >>> helpers_of(vehicle.kinematics)
-    {}
-    """
-    found = {name: function.__globals__.get(name) for name in function.__code__.co_names}
-    return {
-        name: value
-        for name, value in found.items()
-        if isinstance(value, FunctionType) and WORDS.get(value.__name__) is not value
-    }
-
-
 def check_equations(function: Callable, role: str) -> None:
-    """Refuse equations that one of the three readers cannot read.
+    """Refuse equations that cannot be recorded.
 
     Parameters
     ----------

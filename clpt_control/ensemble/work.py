@@ -80,15 +80,17 @@ class Work:
     @cached_property
     def code(self) -> str:
         """A short name of the code and the versions that make the numbers."""
+        from ..native.machine import processor
+
         native = self.ensemble.native
         made_of = [version(name) for name in ("clpt-control", "numba", "llvmlite", "numpy")]
-        made_of += [native.fused.source, native.module.__name__]
+        made_of += [repr(native.code.program), repr(processor())]
         return hashlib.sha256("\n".join(made_of).encode()).hexdigest()[:16]
 
     @property
     def block(self) -> int:
         """How many members' states fit into the memory of a thread."""
-        states = self.ensemble.native.fused.nstates
+        states = self.ensemble.native.nstates
         fit = BLOCK_BYTES // (8 * states * len(self.sampling.times))
         return max(8, min(MOST_MEMBERS, fit // 8 * 8))
 

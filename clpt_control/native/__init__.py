@@ -1,16 +1,21 @@
 """The engine: one pass over a diagram, and integration to every breakpoint.
 
-`compile(diagram)` fuses a diagram into machine code; `simulate` does so by
-itself.
+`compile(diagram)` makes machine code of a diagram; `simulate` does so by itself.
 """
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from ..lazy import lazily
+
 if TYPE_CHECKING:
     import control
 
     from .engine import NativeDiagram
+    from .readings import readings
+
+__all__ = ["compile", "readings"]
+__getattr__, __dir__ = lazily(__name__, {"readings": "readings"})
 
 
 def compile(
@@ -33,9 +38,8 @@ def compile(
     Raises
     ------
     DiagramError
-        If a system is no block, or blocks feed each other at once in a circle.
-    Unreadable
-        If a block's equations cannot be flattened.
+        If a system is no block, the diagram is too large, or blocks feed each
+        other at once in a circle.
 
     Examples
     --------

@@ -2,42 +2,46 @@
 
 import os
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import control
-import numpy as np
 
-from ..errors import DiagramError, SimulationError
+from ..errors import SimulationError, Uncompiled
+from ..wiring import Wiring, read
 from .inputs import Inputs
-from .record import sample_signals
-from .solution import Solution
-from .sweep import Sweep
+from .plain import PlainDiagram
 
 ENGINES = ("native", "python")
 VARIABLE = "CLPT_CONTROL_ENGINE"  # environment variable that names another default
 
 
-class Engine:
-    """A diagram ready to run.
+def chosen(
+    diagram: control.NonlinearIOSystem | Wiring,
+    params: Mapping[str, Any] | None = None,
+    inputs: Inputs | None = None,
+    engine: str | None = None,
+    name: str = "the diagram",
+) -> PlainDiagram:
+    """Return a diagram ready to run, as machine code where that can be.
 
     Parameters
     ----------
-    diagram : control.NonlinearIOSystem
+    diagram : control.NonlinearIOSystem or Wiring
         Any interconnected system.
     params : mapping, optional
         Call-time parameters by qualified name.
     inputs : Inputs, optional
-        Inputs of the diagram.
+        Inputs of the diagram; a function of the user's is called in Python.
     engine : str, optional
         ``"native"`` or ``"python"``.
+    name : str, optional
+        Of the diagram, for messages.
 
-    Attributes
-    ----------
-    sweep : Sweep
-        The plain evaluator.
-    native : NativeDiagram or None
-        The compiled one, where it is used.
+    Returns
+    -------
+    PlainDiagram
+        A NativeDiagram where it is compiled.
 
     Raises
     ------
@@ -47,72 +51,19 @@ class Engine:
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> Engine(clpt.closed_loop(clpt.paper_scenario()), engine="python").native is None
-    True
+    >>> type(chosen(clpt.closed_loop(clpt.paper_scenario()), engine="python")).__name__
+    'PlainDiagram'
     """
+    engine = engine or os.environ.get(VARIABLE) or "native"
+    if engine not in ENGINES:
+        raise SimulationError(f"engine = '{engine}': must be one of {', '.join(ENGINES)}")
+    wiring = diagram if isinstance(diagram, Wiring) else read(diagram)
+    by_function = inputs is not None and inputs.samples is None and bool(wiring.ninputs)
+    if engine == "native" and not by_function and wiring.nodes[-1].states.stop:
+        from .engine import NativeDiagram
 
-    def __init__(
-        self,
-        diagram: control.NonlinearIOSystem,
-        params: Mapping[str, Any] | None = None,
-        inputs: Inputs | None = None,
-        engine: str | None = None,
-    ):
-        engine = engine or os.environ.get(VARIABLE) or "native"
-        if engine not in ENGINES:
-            raise SimulationError(f"engine = '{engine}': must be one of {', '.join(ENGINES)}")
-        self.inputs = inputs
-        self.native: Any = None
-        self.sweep = Sweep(diagram, params)
-        by_function = inputs is not None and inputs.samples is None and bool(diagram.ninputs)
-        if engine == "native" and not by_function and self.sweep.nstates:
-            self.native = _compiled(diagram, params)
-
-    def run(
-        self,
-        x0: np.ndarray,
-        times: np.ndarray,
-        rtol: float,
-        atol: float,
-        progress: Callable[[float], None] | None = None,
-        method: str = "dop853",
-    ) -> Solution:
-        """Integrate from the first to the last of the times."""
-        if self.native is not None:
-            return self.native.run(
-                x0,
-                times,
-                rtol=rtol,
-                atol=atol,
-                samples=self._samples(),
-                progress=progress,
-                method=method,
-            )
-        from .integrate import integrate
-
-        u, kinks = (None, None) if self.inputs is None else (self.inputs.at, self.inputs.kinks)
-        return integrate(
-            self.sweep, x0, times, rtol=rtol, atol=atol, inputs=u, stops=kinks, progress=progress
-        )
-
-    def signals(self, solution: Solution) -> np.ndarray:
-        """Give all block outputs at a solution's times."""
-        if self.native is not None:
-            return self.native.signals(solution, self._samples())
-        return sample_signals(self.sweep, solution, None if self.inputs is None else self.inputs.at)
-
-    def _samples(self) -> tuple[np.ndarray, np.ndarray] | None:
-        if self.inputs is None or self.native is None or not self.native.fused.ninputs:
-            return None
-        return self.inputs.samples
-
-
-def _compiled(diagram: control.NonlinearIOSystem, params: Mapping[str, Any] | None) -> Any:
-    from .engine import NativeDiagram
-    from .reader import Unreadable
-
-    try:
-        return NativeDiagram(diagram, params)
-    except (Unreadable, DiagramError) as error:
-        warnings.warn(f"{diagram.name} runs in Python, not as machine code: {error}", stacklevel=4)
-        return None
+        try:
+            return NativeDiagram(wiring, params)
+        except Uncompiled as error:
+            warnings.warn(f"{name} runs in Python, not as machine code: {error}", stacklevel=4)
+    return PlainDiagram(wiring, params)

@@ -1,156 +1,144 @@
-"""Compiled diagrams, cached on disk.
+"""The solver as machine code, compiled once by Numba and kept in the user's cache.
 
-The generated module lies in the user's cache folder under a hash of its own
-text (which holds every block's equations and the whole solver) and of the
-versions and the processor, so that it is never stale; Numba keeps the machine
-code beside it.
+The text that is compiled is `solver.py` itself, copied into a folder named by a hash
+of what is compiled, the versions and the processor, so that what lies there
+is never stale; Numba keeps the machine code beside it.  Diagrams are not kept: LLVM
+prints them in a few hundredths of a second.
 """
 
 import hashlib
-import importlib.util
 import os
+import shutil
+import stat
 import sys
 import tempfile
-from functools import lru_cache
+from functools import cache
+from importlib import util
+from importlib.metadata import version
 from pathlib import Path
-from types import CodeType, ModuleType
+from types import FunctionType, ModuleType
+from typing import Any
 
-from .fuse import Fused
+from .machine import call_address, processor
 
 FOLDER = "CLPT_CONTROL_CACHE"  # environment variable that names another folder
+KEPT = 4  # compiled solvers of other versions that stay
+OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy"}
+ENTRIES = ("advance", "advance_fixed", "record", "between")  # what is called from Python
+APART = (*ENTRIES[:3], "watch", "take", "sample", "keep")  # the rest is put in where it is called
 
 
-def cache_folder() -> Path:
-    """Give the folder of compiled diagrams, made if need be.
+def cache_folder() -> Path | None:
+    """Return the folder of compiled code, made if need be.
 
     Returns
     -------
-    Path
-        ``$CLPT_CONTROL_CACHE``, the user's cache, or a temporary folder
-        where neither can be written to.
+    Path or None
+        ``$CLPT_CONTROL_CACHE`` or the user's cache; None where neither can be
+        written to, or where another user could have put code there.
 
     Examples
     --------
-    >>> cache_folder().is_dir()
+    >>> folder = cache_folder()
+    >>> folder is None or folder.is_dir()
     True
     """
     import platformdirs
 
-    wanted = os.environ.get(FOLDER) or platformdirs.user_cache_dir("clpt-control")
     try:
-        Path(wanted).mkdir(parents=True, exist_ok=True)
-        if os.access(wanted, os.W_OK):
-            return Path(wanted)
-    except OSError:
-        pass
-    return Path(tempfile.mkdtemp(prefix="clpt-control-"))
+        wanted = os.environ.get(FOLDER) or platformdirs.user_cache_dir("clpt-control")
+        folder = Path(wanted)
+        folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+        return folder if trusted(folder) and os.access(folder, os.W_OK) else None
+    except (OSError, RuntimeError):  # RuntimeError: a user without a home
+        return None
 
 
-def compiled_module(fused: Fused, method: str = "dop853") -> ModuleType:
-    """Compile a fused diagram, or load it from the cache.
+def trusted(folder: Path) -> bool:
+    """Whether a folder is the user's own and nobody else can write to it."""
+    if not hasattr(os, "getuid"):
+        return True  # Windows: the user's profile is closed to others
+    found = folder.stat()
+    others = found.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+    return found.st_uid in (os.getuid(), 0) and not others
 
-    Parameters
-    ----------
-    fused : Fused
-        As `fuse` gives it.
-    method : str, optional
-        ``"dop853"``, or ``"vern7"`` with `advance` alone.
 
-    Returns
-    -------
-    module
-        With the functions `advance` and `record`.
+@cache
+def solver() -> ModuleType:
+    """Return the solver's module with its functions compiled.
 
     Examples
     --------
-    >>> import clpt_control as clpt
-    >>> from clpt_control.native.fuse import fuse
-    >>> module = compiled_module(fuse(clpt.closed_loop(clpt.paper_scenario())))
-    >>> module.NX
-    14
+    >>> solver().advance.__name__
+    'advance'
     """
-    return _module(fused.source, fused.nstates, fused.nsignals, fused.guarded, method=method)
+    from . import solver as text
 
-
-def lane_module_or_none(fused: Fused) -> ModuleType | None:
-    """Compile for eight runs at once where it pays.
-
-    Parameters
-    ----------
-    fused : Fused
-        As `fuse` gives it.
-
-    Returns
-    -------
-    module or None
-        With the functions `many` and `many_rk4`; None for a diagram with a
-        guard and on a processor without fused multiply-add.
-    """
-    import llvmlite.binding as llvm
-
-    if fused.guarded or not llvm.get_host_cpu_features().get("fma", False):
-        return None
-    return _module(fused.source, fused.nstates, fused.nsignals, False, lanes=True)
-
-
-def _digest(code: CodeType) -> str:
-    """Give what a function does as text, the same in every process."""
-    constants = (
-        _digest(value) if isinstance(value, CodeType) else repr(value) for value in code.co_consts
-    )
-    names = (" ".join(code.co_names), " ".join(code.co_varnames))
-    return "\n".join([code.co_code.hex(), *names, *constants])
-
-
-@lru_cache(maxsize=1)
-def _solver_key() -> str:
-    """Give what the module's text is made of beside the diagram, without making it.
-
-    Taken from the functions and texts in memory, which make the module.
-    """
-    import llvmlite
-    import numba
-    import numpy
-    import scipy
-
-    from ..blocks.words import WORDS
-    from . import dormand_prince, lane_text, solver_text, verner
-
-    makers = [*vars(dormand_prince).values(), *WORDS.values()]
-    codes = [_digest(maker.__code__) for maker in makers if hasattr(maker, "__code__")]
-    texts = [room.HEADER + room.SOLVER + room.OPTIONS for room in (solver_text, lane_text)]
-    texts.append(f"{solver_text.MOST_STEPS} {verner.ADVANCE} {verner.A} {verner.B} {verner.B6}")
-    here = Path(__file__).parent
-    rooms = [here / "elementary.py", *sorted((here / "lanes").glob("*.py"))]
-    versions = [package.__version__ for package in (numba, llvmlite, numpy, scipy)]
-    read = [room.read_text("utf-8") for room in rooms]
-    return "\n".join([sys.version, *versions, *codes, *texts, *read])
-
-
-@lru_cache(maxsize=64)
-def _module(
-    source: str, nx: int, nw: int, guarded: bool, lanes: bool = False, method: str = "dop853"
-) -> ModuleType:
-    made_of = "\n".join([source, f"{nx} {nw} {guarded} {lanes} {method}", _solver_key()])
-    name = f"fused_{hashlib.sha256(made_of.encode()).hexdigest()[:24]}"
-    path = cache_folder() / f"{name}.py"
-    if not path.exists():
-        from .lane_text import lane_module_text
-        from .solver_text import module_text
-
-        text = (
-            lane_module_text(source, nx, nw)
-            if lanes
-            else module_text(source, nx, nw, guarded, method)
-        )
-        handle, beside = tempfile.mkstemp(dir=path.parent, prefix=f".{name}.")
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(text)
-        Path(beside).replace(path)
-    spec = importlib.util.spec_from_file_location(f"clpt_control_{name}", path)
+    folder = cache_folder()
+    place = None if folder is None else _place(folder, Path(text.__file__))
+    spec = util.spec_from_file_location("clpt_control_solver", place or text.__file__)
     assert spec is not None
     assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
+    module = util.module_from_spec(spec)
     sys.modules[spec.name] = module
     spec.loader.exec_module(module)
+    _compile(module, place is not None)
     return module
+
+
+def _place(folder: Path, text: Path) -> Path | None:
+    """Return the solver's text in the folder of this code and machine."""
+    own = folder / f"solver-{_key()}"
+    path = own / "solver.py"
+    try:
+        if not path.exists():
+            made = Path(tempfile.mkdtemp(prefix=".new-", dir=folder))
+            shutil.copyfile(text, made / "solver.py")
+            try:
+                made.rename(own)
+            except OSError:  # another process was first
+                shutil.rmtree(made, ignore_errors=True)
+            _forget(folder, own)
+        os.utime(own)
+        return path if trusted(own) and path.read_bytes() == text.read_bytes() else None
+    except OSError:
+        return None
+
+
+def _forget(folder: Path, own: Path) -> None:
+    """Remove all but the newest of what other versions left."""
+    others = [one for one in folder.glob("solver-*") if one != own and one.is_dir()]
+    others.sort(key=lambda one: one.stat().st_mtime, reverse=True)
+    for one in others[KEPT:]:
+        shutil.rmtree(one, ignore_errors=True)
+
+
+def _key() -> str:
+    """Return a name for the files that are compiled, the versions and the processor."""
+    import llvmlite.binding as llvm
+    from numba import config
+
+    files = (Path(__file__).with_name(f"{name}.py") for name in ("solver", "machine", "compiled"))
+    made_of = [file.read_text("utf-8") for file in files]
+    made_of += [version(name) for name in ("numba", "llvmlite", "numpy")]
+    made_of += [sys.version, *processor(), str(config.OPT), llvm.get_default_triple()]
+    return hashlib.sha256("\n".join(made_of).encode()).hexdigest()[:24]
+
+
+def _compile(module: ModuleType, kept: bool) -> None:
+    from numba import njit
+    from numba.extending import overload
+
+    @overload(module.call, inline="always")
+    def _(function, t, X, first, P, T, W, D, to):
+        def by_address(function, t, X, first, P, T, W, D, to):
+            call_address(function, t, X, first, P, T, W, D, to)
+
+        return by_address
+
+    for name, function in list(vars(module).items()):
+        if isinstance(function, FunctionType) and function is not module.call:
+            compiled = njit(function, forceinline=name not in APART, **OPTIONS)
+            if kept and name in ENTRIES:
+                compiled.enable_caching()
+            setattr(module, name, compiled)

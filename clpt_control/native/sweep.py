@@ -1,19 +1,18 @@
-"""One pass over a diagram: every signal once, in dependency order.
+"""One pass over a diagram in Python: every signal once, in dependency order.
 
 python-control finds the signals of a diagram by repeating all blocks until
 nothing changes.  A sweep follows the wiring instead: gather a block's inputs,
 call its output, go on; then call each update.  It also knows which block and
-signal first became non-finite.
+signal first became non-finite.  The blocks themselves are left as they are.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
-import control
 import numpy as np
 
 from ..blocks import Block
-from ..wiring import Node, read
+from ..wiring import Node, Wiring
 
 TROUBLE = (OverflowError, ValueError, ZeroDivisionError, FloatingPointError)
 
@@ -23,74 +22,68 @@ class Sweep:
 
     Parameters
     ----------
-    diagram : control.NonlinearIOSystem
-        Any interconnected system; blocks are called through their functions.
-    params : mapping, optional
-        Call-time parameters by qualified name.
+    wiring : Wiring
+        Blocks, and any python-control systems.
+    parameters : sequence
+        For each block its NamedTuple, for another system its dict of `params`.
 
     Attributes
     ----------
     signals : ndarray
         All block outputs of the last pass.
+    given : list
+        The parameters as given.
 
     Examples
     --------
     >>> import clpt_control as clpt
+    >>> from clpt_control.wiring import read
     >>> scenario = clpt.paper_scenario()
-    >>> sweep = Sweep(clpt.closed_loop(scenario))
+    >>> wiring = read(clpt.closed_loop(scenario))
+    >>> sweep = Sweep(wiring, [node.system.parameters for node in wiring.nodes])
     >>> sweep.derivative(0.0, clpt.initial_state(scenario)).shape
     (14,)
     """
 
-    def __init__(self, diagram: control.NonlinearIOSystem, params: Mapping[str, Any] | None = None):
-        diagram._update_params(params)
-        self.wiring = read(diagram)
-        self.nodes = self.wiring.nodes
+    def __init__(self, wiring: Wiring, parameters: Sequence[Any]):
+        self.wiring, self.nodes = wiring, wiring.nodes
         self.nstates = self.nodes[-1].states.stop
         self.signals = np.zeros(self.nodes[-1].outputs.stop)
         self._inputs = np.zeros(self.nodes[-1].inputs.stop)
-        self._rates = np.zeros(self.nstates)
-        self._external = np.zeros(diagram.ninputs or 0)
-        self._parameters: list[Any] = [
-            node.system._current if isinstance(node.system, Block) else None for node in self.nodes
-        ]
-        self.given = list(self._parameters)
-        self._pinned = [
-            p is not None and getattr(p, "interval", 0.0) >= 0.0 for p in self._parameters
-        ]
-        self._plan = [(k, self.nodes[k]) for k in self.wiring.order]
+        self._external = np.zeros(wiring.ninputs)
+        self._plan = [(k, self.nodes[k]) for k in wiring.order]
         self._wires = {k: self._views(node) for k, node in self._plan}
+        self.given = list(parameters)
+        self._parameters = list(parameters)
+        self._jumping = [
+            k
+            for k, node in enumerate(self.nodes)
+            if isinstance(node.system, Block)
+            and node.system.breakpoints_function is not None
+            and not self.given[k].interval >= 0.0
+        ]
         self.enter(0.0)
 
-    def _views(self, node: Node) -> tuple[bool, list[tuple[np.ndarray, np.ndarray, float]]]:
-        """Tell whether wires meet at one input, and view each (input, source, gain)."""
+    def _views(self, node: Node) -> list[tuple[np.ndarray, np.ndarray, float]]:
+        """View each input, its source and the gain."""
         block_inputs = self._inputs[node.inputs]
-        count = np.zeros(len(block_inputs), dtype=int)
         views = []
         for wire in node.wires:
-            to = slice(wire.to, wire.to + wire.size)
             source = self._external if wire.external else self.signals
-            count[to] += 1
-            views.append(
-                (block_inputs[to], source[wire.source : wire.source + wire.size], wire.gain)
-            )
-        return bool(np.any(count > 1)), views
+            to = block_inputs[wire.to : wire.to + wire.size]
+            views.append((to, source[wire.source : wire.source + wire.size], wire.gain))
+        return views
 
     def _gather(self, k: int) -> np.ndarray:
         """Bring a block's inputs up to date from the signals."""
         block_inputs = self._inputs[self.nodes[k].inputs]
-        meet, views = self._wires[k]
-        if meet:
-            block_inputs[:] = 0.0
-        for to, source, gain in views:
-            if meet:
-                to += gain * source
-            else:
-                to[:] = source if gain == 1.0 else gain * source
+        block_inputs[:] = 0.0
+        for to, source, gain in self._wires[k]:
+            to += source if gain == 1.0 else gain * source
         return block_inputs
 
     def breakpoints(self, t0: float, t1: float) -> np.ndarray:
-        """Give the times in (t0, t1] at which any block jumps, sorted.
+        """Return the times in (t0, t1] at which any block jumps, sorted.
 
         Times that differ by rounding alone are one time, the later.
         """
@@ -105,18 +98,9 @@ class Sweep:
 
     def enter(self, t: float) -> None:
         """Set every block's `interval` to the one that holds t."""
-        for k, node in enumerate(self.nodes):
-            block = node.system
-            if isinstance(block, Block) and block.breakpoints_function and not self._pinned[k]:
-                p = self._parameters[k]
-                interval = block.interval_at(t, self.given[k])
-                self._parameters[k] = p._replace(interval=interval)
-
-    def use(self, parameters: Sequence[Any]) -> None:
-        """Take other parameters of the same blocks, in wiring order."""
-        self.given = list(parameters)
-        self._parameters = list(parameters)
-        self.enter(0.0)
+        for k in self._jumping:
+            interval = self.nodes[k].system.interval_at(t, self.given[k])
+            self._parameters[k] = self.given[k]._replace(interval=interval)
 
     def evaluate(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
         """Compute all block outputs at (t, x, u) in the interval.
@@ -138,15 +122,7 @@ class Sweep:
         if u is not None:
             self._external[:] = u
         for k, node in self._plan:
-            system, y = node.system, self.signals[node.outputs]
-            block_inputs = self._gather(k)
-            try:
-                if isinstance(system, Block):
-                    system.output_function(t, x[node.states], block_inputs, self._parameters[k], y)
-                else:
-                    y[:] = system._out(t, x[node.states], block_inputs)
-            except TROUBLE:
-                y[:] = np.nan
+            self._call("output", k, t, x[node.states], self._gather(k), self.signals[node.outputs])
         return self.signals
 
     def derivative(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
@@ -164,31 +140,49 @@ class Sweep:
         Returns
         -------
         ndarray
-            dx/dt; NaN where a block could not compute it.
+            dx/dt; NaN where a system could not compute it.
         """
         self.evaluate(t, x, u)
         dx = np.zeros(self.nstates)
         # a block without feedthrough may come before its inputs are known
         for k, node in self._plan:
-            system = node.system
-            if not system.nstates:
-                continue
-            block_inputs = self._gather(k)
-            try:
-                if isinstance(system, Block):
-                    assert system.update_function is not None
-                    system.update_function(
-                        t, x[node.states], block_inputs, self._parameters[k], dx[node.states]
-                    )
-                else:
-                    dx[node.states] = system._rhs(t, x[node.states], block_inputs)
-            except TROUBLE:
-                dx[node.states] = np.nan
+            if node.system.nstates:
+                self._call("update", k, t, x[node.states], self._gather(k), dx[node.states])
         return dx
 
+    def _call(self, role: str, k: int, t: float, x: np.ndarray, u: np.ndarray, out: Any) -> None:
+        system, p = self.nodes[k].system, self._parameters[k]
+        if isinstance(system, Block):
+            system.fill(role, t, x, u, p, out)
+            return
+        function = system.updfcn if role == "update" else system.outfcn
+        try:
+            out[:] = x if function is None else np.reshape(function(t, x, u, p), -1)
+        except TROUBLE:
+            out[:] = np.nan
+
     def outputs(self, u: np.ndarray | None = None) -> np.ndarray:
-        """Give the diagram's outputs of the last pass."""
+        """Return the diagram's outputs of the last pass."""
         return self.wiring.output_map @ np.concatenate([self.signals, self._external])
+
+    def margin(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> tuple[float, str, str]:
+        """Return the least distance to a guard's edge, its policy and sentence."""
+        self.evaluate(t, x, u)
+        least = (1.0, "", "")
+        for k, node in enumerate(self.nodes):
+            guard = getattr(node.system, "guard", None)
+            if guard is not None:
+                found, p = np.zeros(1), self._parameters[k]
+                inputs = self._inputs[node.inputs]
+                node.system.fill("guard", t, x[node.states], inputs, p, found)
+                if not found[0] >= least[0]:
+                    least = (float(found[0]), guard.policy, guard.sentence(t, inputs, p))
+        return least
+
+    @property
+    def guarded(self) -> bool:
+        """Whether a block has a guard."""
+        return any(getattr(node.system, "guard", None) is not None for node in self.nodes)
 
     def first_trouble(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> str | None:
         """Name the first block and signal not finite at (t, x, u)."""
@@ -198,26 +192,23 @@ class Sweep:
             for state, label in zip(x[node.states], node.system.state_labels, strict=True):
                 if not np.isfinite(state):
                     return f"state {label} of block {node.name}"
-        for _, node in self._plan:
-            for value, label in zip(
-                self.signals[node.outputs], node.system.output_labels, strict=True
-            ):
-                if not np.isfinite(value):
-                    return f"signal {label} of block {node.name}"
+        found = first_not_finite(self.wiring, self.signals)
+        if found is not None:
+            return found
         for node in self.nodes:
             for value, label in zip(dx[node.states], node.system.state_labels, strict=True):
                 if not np.isfinite(value):
                     return f"derivative of {label} of block {node.name}"
         return None
 
-    def guards(self) -> list[tuple[Node, Any]]:
-        """Give the guarded blocks with their parameters."""
-        return [
-            (node, self._parameters[k])
-            for k, node in enumerate(self.nodes)
-            if isinstance(node.system, Block) and node.system.guard is not None
-        ]
 
-    def inputs_of(self, node: Node) -> np.ndarray:
-        """Give a block's inputs of the last pass."""
-        return self._inputs[node.inputs]
+def first_not_finite(wiring: Wiring, signals: np.ndarray) -> str | None:
+    """Name the first signal that is not finite, in the order of evaluation."""
+    if np.all(np.isfinite(signals)):
+        return None
+    for k in wiring.order:
+        node = wiring.nodes[k]
+        for value, label in zip(signals[node.outputs], node.system.output_labels, strict=True):
+            if not np.isfinite(value):
+                return f"signal {label} of block {node.name}"
+    return None

@@ -1,9 +1,9 @@
-"""The closed loop on symbols, from the functions that run.
+"""The closed loop on symbols, from the records of the blocks that run.
 
-Every block's own update and output are called on symbols, through the
-diagram's own connections, block by block in the order of the wiring.  Sources
-of time and tables stay undefined functions of time and their inputs, and so
-does any block named in `opaque`: what is proved then holds for all of them.
+Every block's update and output are read on symbols, through the diagram's own
+connections, block by block in the order of the wiring.  Sources of time and tables
+stay undefined functions of time and their inputs, and so does any block named in
+`opaque`: what is proved then holds for all of them.
 """
 
 from collections.abc import Iterable
@@ -15,10 +15,12 @@ import numpy as np
 import sympy
 
 from ..blocks import Block
-from ..blocks.readers import traced
+from ..blocks.record import Record
+from ..blocks.symbolic import exact, expressions
 from ..errors import DiagramError
-from ..wiring import read
-from .symbols import parameter_symbols, port_symbols
+from ..wiring import Wiring, read
+from .domain import undefined
+from .symbols import parameter_names, parameter_symbols, port_symbols, state_names
 
 TIME = sympy.Symbol("t", real=True)
 
@@ -30,17 +32,20 @@ class SymbolicLoop:
     Attributes
     ----------
     states : dict
-        Port -> ndarray of symbols, such as ``states["alpha"]``.
+        Port -> ndarray of symbols, such as ``states["alpha"]``; a state that is no
+        port of the diagram stands under ``"block:port"``.
     signals : dict
         Port -> ndarray of expressions in states, inputs and opaque functions.
     rates : dict
-        Port -> ndarray of expressions, the time derivatives of its states.
+        As `states`: the time derivatives, expressions.
     inputs : dict
         Port -> ndarray of symbols, the diagram's inputs.
     parameters : dict
         Block name -> NamedTuple of symbols.
     N : int or None
         Number of basis functions, where the blocks have one.
+    gaps : list of str
+        Where equations may have no value, a sentence each.
     """
 
     states: dict[str, np.ndarray] = field(default_factory=dict)
@@ -49,6 +54,7 @@ class SymbolicLoop:
     inputs: dict[str, np.ndarray] = field(default_factory=dict)
     parameters: dict[str, Any] = field(default_factory=dict)
     N: int | None = None
+    gaps: list[str] = field(default_factory=list)
 
     def derivative(self, expression: sympy.Expr) -> sympy.Expr:
         """Differentiate an expression of the states along the equations.
@@ -81,7 +87,8 @@ def trace(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()) -> Sym
     Raises
     ------
     DiagramError
-        If the diagram holds a system that is not a block.
+        If the diagram holds a system that is not a block, or two blocks of one
+        name or port.
 
     Examples
     --------
@@ -90,59 +97,90 @@ def trace(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()) -> Sym
     >>> loop.signals["e"]
     array([x_1 - z_1, x_2 - z_2], dtype=object)
     """
-    wiring = read(diagram)
-    kept = set(opaque)
-    for node in wiring.nodes:
-        if not isinstance(node.system, Block):
-            raise DiagramError(
-                f"{node.name} is no block, so its equations cannot be read; make it a Block"
-            )
-    blocks = [node.system for node in wiring.nodes]
+    wiring, kept = read(diagram), set(opaque)
+    blocks = blocks_of(wiring)
     loop = SymbolicLoop(parameters=parameter_symbols(blocks))
     sizes = {b.parameters.N for b in blocks if "N" in b.parameters._fields}
     loop.N = sizes.pop() if len(sizes) == 1 else None
+    states, fields = state_names(blocks), parameter_names(blocks)
     outside = _external(diagram, loop)
     bus = np.full(wiring.nodes[-1].outputs.stop, sympy.Integer(0), dtype=object)
-    gathered: dict[int, np.ndarray] = {}
 
     def inputs_of(k: int) -> np.ndarray:
         node = wiring.nodes[k]
         u = np.full(node.system.ninputs, sympy.Integer(0), dtype=object)
         for wire in node.wires:
             source = outside if wire.external else bus
-            gain = sympy.nsimplify(wire.gain)
-            u[wire.to : wire.to + wire.size] += gain * source[wire.source : wire.source + wire.size]
+            gained = exact(wire.gain) * source[wire.source : wire.source + wire.size]
+            u[wire.to : wire.to + wire.size] += gained
         return u
 
-    for k in wiring.order:
-        node, block = wiring.nodes[k], wiring.nodes[k].system
-        own = {port: port_symbols(port, size, loop.N) for port, size in block.state_ports.items()}
-        loop.states.update(own)
-        x = _flat(own)
-        u = inputs_of(k)
+    def ask(record: Record, role: str, block: Block, u: np.ndarray) -> np.ndarray:
+        x = _flat({port: loop.states[states[block.name, port]] for port in block.state_ports})
         p = loop.parameters[block.name]
+
+        def leaf(name: str, *where: Any) -> Any:
+            if name == "t":
+                return TIME
+            if name == "p":
+                return np.ravel(np.asarray(getattr(p, where[0]), dtype=object))[where[1]]
+            if name == "table":
+                (own, *places) = where[0]
+                return f"{fields[block.name, own]}_{'_'.join(map(str, places))}"
+            return (x if name == "x" else u)[where[0]]
+
+        def told(name: str, arguments: tuple) -> None:
+            gap = undefined(name, arguments)
+            if gap is not None:
+                loop.gaps.append(f"{block.name}.{role} {gap}")
+
+        found = expressions(record, leaf, told=told)
+        return np.array([sympy.sympify(e) for e in found], dtype=object)
+
+    for block in blocks:
+        for port, size in block.state_ports.items():
+            name = states[block.name, port]
+            loop.states[name] = port_symbols(name, size, loop.N)
+    for k in wiring.order:
+        node, block = wiring.nodes[k], blocks[k]
+        u = inputs_of(k)
         if block.opaque or block.name in kept:
             y = _flat({port: port_symbols(port, size, loop.N, (TIME, *u))
                        for port, size in block.output_ports.items()})  # fmt: skip
         else:
-            y = traced(block.output_function, TIME, x, u, p, block.noutputs)
-        bus[node.outputs] = [_exact(value) for value in y]
-        gathered[k] = x
-        at = node.outputs.start
+            y = ask(block.output_record, "output", block, u)
+        bus[node.outputs] = y
+        at = 0
         for port, size in block.output_ports.items():
-            loop.signals[port] = bus[at : at + size]
+            loop.signals[port] = y[at : at + size]
             at += size
     for k in wiring.order:
-        block = wiring.nodes[k].system
-        if not block.state_ports:
+        block = blocks[k]
+        if block.update_record is None:
             continue
-        p = loop.parameters[block.name]
-        dx = traced(block.update_function, TIME, gathered[k], inputs_of(k), p, block.nstates)
-        at = 0
+        dx, at = ask(block.update_record, "update", block, inputs_of(k)), 0
         for port, size in block.state_ports.items():
-            loop.rates[port] = np.array([_exact(value) for value in dx[at : at + size]], object)
+            loop.rates[states[block.name, port]] = dx[at : at + size]
             at += size
     return loop
+
+
+def blocks_of(wiring: Wiring) -> list[Block]:
+    """Return the blocks of a wiring; refuse what has no equations, or one name twice."""
+    blocks = []
+    for node in wiring.nodes:
+        if not isinstance(node.system, Block):
+            raise DiagramError(
+                f"{node.name} is no block, so its equations cannot be read; make it a Block"
+            )
+        blocks.append(node.system)
+    names = [block.name for block in blocks] + [p for block in blocks for p in block.output_ports]
+    twice = sorted({name for name in names if names.count(name) > 1 and name})
+    if len({block.name for block in blocks}) < len(blocks) or any(
+        sum(port in block.output_ports for block in blocks) > 1 for port in twice
+    ):
+        raise DiagramError(f"'{twice[0]}' is the name of two; rename one to tell them apart")
+    return blocks
 
 
 def _external(diagram: control.NonlinearIOSystem, loop: SymbolicLoop) -> np.ndarray:
@@ -156,8 +194,3 @@ def _external(diagram: control.NonlinearIOSystem, loop: SymbolicLoop) -> np.ndar
 
 def _flat(ports: dict[str, np.ndarray]) -> np.ndarray:
     return np.concatenate([np.zeros(0, dtype=object), *ports.values()])
-
-
-def _exact(value: Any) -> sympy.Expr:
-    """Turn floats such as 0.5 into rationals."""
-    return sympy.nsimplify(sympy.sympify(value), rational=True)

@@ -1,4 +1,4 @@
-"""Random inputs for a block, and what each reader makes of them.
+"""Random inputs for a block, and what Python makes of them.
 
 `conformance` asks every question with these: times up to 100, normal states
 and inputs, the block's own parameters.
@@ -11,10 +11,7 @@ import numpy as np
 
 from ..block import Block
 from ..ports import Equations
-from ..readers import compiled, traced
-
-OUT_OF_RANGE = (ValueError, OverflowError, ZeroDivisionError, FloatingPointError)
-
+from ..running import running
 
 class Sample(NamedTuple):
     """Arguments of a block's equations.
@@ -93,45 +90,8 @@ def equations(block: Block) -> Iterator[tuple[str, Equations, int]]:
     yield f"{block.name}.output", block.output_function, block.noutputs
 
 
-def python_values(
-    function: Equations, sample: Sample, size: int, fill: float = np.nan
-) -> np.ndarray:
+def python_values(function: Equations, sample: Sample, size: int) -> np.ndarray:
     """Give what Python makes of one sample.
-
-    Parameters
-    ----------
-    function : callable
-        A block's equations.
-    sample : Sample
-        Its arguments; copies are passed.
-    size : int
-        Length of the last argument.
-    fill : float, optional
-        What the last argument holds before.
-
-    Returns
-    -------
-    ndarray
-        The last argument after the call; NaN where it is out of range.
-
-    Examples
-    --------
-    >>> from clpt_control.blocks.clpe import clpe, prediction_error
-    >>> sample = Sample(0.0, np.zeros(0), np.array([3.0, 2.0, 1.0, 1.0]), clpe().parameters)
-    >>> python_values(prediction_error, sample, 2)
-    array([2., 1.])
-    """
-    out = np.full(size, fill)
-    with np.errstate(all="ignore"):
-        try:
-            function(sample.t, sample.x.copy(), sample.u.copy(), own_copy(sample.p), out)
-        except OUT_OF_RANGE:
-            out[:] = np.nan
-    return out
-
-
-def numba_values(function: Equations, sample: Sample, size: int) -> np.ndarray:
-    """Give what Numba makes of one sample.
 
     Parameters
     ----------
@@ -151,11 +111,14 @@ def numba_values(function: Equations, sample: Sample, size: int) -> np.ndarray:
     --------
     >>> from clpt_control.blocks.clpe import clpe, prediction_error
     >>> sample = Sample(0.0, np.zeros(0), np.array([3.0, 2.0, 1.0, 1.0]), clpe().parameters)
-    >>> numba_values(prediction_error, sample, 2)
+    >>> python_values(prediction_error, sample, 2)
     array([2., 1.])
     """
     out = np.zeros(size)
-    compiled(function)(sample.t, sample.x.copy(), sample.u.copy(), own_copy(sample.p), out)
+    with np.errstate(all="ignore"):
+        running(function)(
+            np.float64(sample.t), sample.x.copy(), sample.u.copy(), own_copy(sample.p), out
+        )
     return out
 
 
@@ -179,89 +142,6 @@ def own_copy(p: Any) -> Any:
     NoParameters()
     """
     return type(p)(*(value.copy() if isinstance(value, np.ndarray) else value for value in p))
-
-
-class Reading(NamedTuple):
-    """What SymPy reads: expressions of named symbols.
-
-    Attributes
-    ----------
-    symbols : list
-        Time, states, inputs, and the entries of float and array parameters.
-    states, inputs : list
-        The symbols of each.
-    expressions : list
-        One for each entry of the last argument.
-    """
-
-    symbols: list
-    states: list
-    inputs: list
-    expressions: list
-
-    def values(self, sample: Sample) -> list[float]:
-        """Give the numbers that the symbols stand for in a sample.
-
-        Parameters
-        ----------
-        sample : Sample
-            Arguments of the block that was read.
-
-        Returns
-        -------
-        list of float
-            One for each of `symbols`.
-        """
-        numbers = [value for value in sample.p if not isinstance(value, int)]
-        flat = np.concatenate([np.ravel(v) for v in (sample.t, sample.x, sample.u, *numbers)])
-        return [float(value) for value in flat]
-
-
-def sympy_reading(block: Block, function: Equations, size: int) -> Reading:
-    """Trace a block's equations on symbols; integers stay.
-
-    Parameters
-    ----------
-    block : Block
-        Gives the sizes and the parameters.
-    function : callable
-        Its update or output.
-    size : int
-        Length of the last argument.
-
-    Returns
-    -------
-    Reading
-        Symbols and expressions.
-
-    Examples
-    --------
-    >>> from clpt_control.blocks.clpe import clpe
-    >>> block = clpe()
-    >>> sympy_reading(block, block.output_function, 2).expressions
-    [u0 - u2, u1 - u3]
-    """
-    import sympy
-
-    def symbols(name: str, shape: tuple[int, ...]) -> np.ndarray:
-        found = [sympy.Symbol(f"{name}{k}", real=True) for k in range(int(np.prod(shape)))]
-        return np.array(found, dtype=object).reshape(shape)
-
-    t = sympy.Symbol("t", real=True)
-    x, u = symbols("x", (block.nstates or 0,)), symbols("u", (block.ninputs or 0,))
-    p = type(block.parameters)(
-        *(
-            value
-            if isinstance(value, int)
-            else symbols(f"p_{name}", np.shape(value))
-            if np.ndim(value)
-            else sympy.Symbol(name, real=True)
-            for name, value in zip(block.parameters._fields, block.parameters, strict=True)
-        )
-    )
-    out = traced(function, t, x, u, p, size)
-    numbers = [s for value in p if not isinstance(value, int) for s in np.ravel(value)]
-    return Reading([t, *x, *u, *numbers], list(x), list(u), [sympy.sympify(value) for value in out])
 
 
 def differ(a: np.ndarray, b: np.ndarray, tolerance: float = 1e-12) -> bool:

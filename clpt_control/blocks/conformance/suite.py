@@ -1,6 +1,6 @@
 """What every block must hold to, asked of one block.
 
-A block that passes can be wired, compiled, traced, copied, pickled, linearized
+A block that passes can be wired, compiled, proved with, copied, pickled, linearized
 and integrated like the paper's own.  Run it on a block of yours:
 
     from clpt_control.blocks.conformance import conformance
@@ -24,23 +24,19 @@ from .diagrams import (
 )
 from .equations import (
     _docstrings,
-    _feedthrough,
     _in_range,
-    _numba,
-    _sympy,
-    _writes,
+    _readings,
+    _repeats,
     _zero,
 )
 from .samples import Sample, draw
 
 Check = Callable[[Block, list[Sample]], Iterator[str]]
 CHECKS: tuple[Check, ...] = (
-    _writes,
+    _repeats,
     _zero,
-    _feedthrough,
     _docstrings,
-    _numba,
-    _sympy,
+    _readings,
     _copies,
     _pickles,
     _linearizes,
@@ -126,7 +122,7 @@ def check_block(block: Block, seed: int = 0, samples: int = 20) -> Report:
     --------
     >>> from clpt_control.blocks.vehicle import vehicle
     >>> print(check_block(vehicle()))
-    vehicle: conforms (12 checks)
+    vehicle: conforms (10 checks)
     """
     if not isinstance(block, Block):
         raise BlockError(f"{block!r}: must be a Block, not {type(block).__name__}")
@@ -140,7 +136,7 @@ def check_block(block: Block, seed: int = 0, samples: int = 20) -> Report:
         except Exception as error:  # whatever a user's function raises is its failure
             what = check.__name__.strip("_").replace("_", " ")
             failures.append(f"{block.name}: {what}: {type(error).__name__}: {error}")
-        if check is _writes:
+        if check is _repeats:
             if failures:
                 break
             drawn = [sample for sample in drawn if _in_range(block, sample)]

@@ -1,4 +1,4 @@
-"""sin, cos, tan and their inverses in lanes.
+"""sin, cos, tan and their inverses.
 
     x = n pi/2 + (r + d),  |r| <= pi/4
 
@@ -6,8 +6,7 @@ pi/2 is subtracted in three parts (Cody and Waite) with fused multiply-add; the
 first difference is exact, and what the second rounds off is kept in d.  sin
 and cos are within 1.3e-16 of the true value for |x| <= 1e5 and within 5e-15
 for |x| < 2^50, where doubles are a quarter of a radian apart.  Beyond it an
-angle means nothing and is taken as 0: a branch to the C library for such lanes
-halves the speed of a basis function even when it is never taken.
+angle means nothing and gives NaN, in every reading.
 
 Coefficients as in `exponentials`: interpolants of (sin(r)/r - 1)/r^2,
 (cos(r) - 1 + r^2/2)/r^4 and (atan(r)/r - 1)/r^2 in r^2.
@@ -15,7 +14,7 @@ Coefficients as in `exponentials`: interpolants of (sin(r)/r - 1)/r^2,
 
 import math
 
-from .intrinsics import (
+from .vectors import (
     absolute,
     copysign,
     fma,
@@ -24,10 +23,8 @@ from .intrinsics import (
     odd,
     round_down,
     select,
-    splat,
     square_root,
 )
-from .kinds import jit
 
 TWO_OVER_PI = 0.6366197723675814
 HALF_PI, HALF_PI_MIDDLE = 1.5707963267948966, 6.123233995736766e-17
@@ -35,10 +32,9 @@ HALF_PI_LOW = -1.4973849048591698e-33
 RANGE = 1125899906842624.0  # 2^50
 
 
-@jit
 def _reduced(a):
-    """Give (n, r, d)."""
-    a = select((absolute(a) >= RANGE) & (absolute(a) < math.inf), 0.0, a)
+    """Return (n, r, d)."""
+    a = select(absolute(a) < RANGE, a, math.nan)
     n = nearest(a * TWO_OVER_PI)
     first = fma(-n, HALF_PI, a)
     middle = n * HALF_PI_MIDDLE
@@ -47,9 +43,8 @@ def _reduced(a):
     return n, r, d
 
 
-@jit
 def _both(r, d):
-    """Give (sin, cos) of r + d."""
+    """Return (sin, cos) of r + d."""
     z = r * r
     q = fma(z, 1.591810123027412e-10, -2.5051131455427946e-08)
     q = fma(z, q, 2.755731610068303e-06)
@@ -69,27 +64,24 @@ def _both(r, d):
     return sine, cosine
 
 
-@jit
 def sin(a):
-    """Give the sine of an angle in radians."""
+    """Return the sine of an angle in radians."""
     n, r, d = _reduced(a)
     sine, cosine = _both(r, d)
     value = select(odd(n), cosine, sine)
     return select(a == 0.0, a, select(odd(round_down(0.5 * n)), -value, value))
 
 
-@jit
 def cos(a):
-    """Give the cosine of an angle in radians."""
+    """Return the cosine of an angle in radians."""
     n, r, d = _reduced(a)
     sine, cosine = _both(r, d)
     value = select(odd(n), sine, cosine)
     return select(odd(round_down(0.5 * (n + 1.0))), -value, value)
 
 
-@jit
 def tan(a):
-    """Give the tangent of an angle in radians."""
+    """Return the tangent of an angle in radians."""
     n, r, d = _reduced(a)
     sine, cosine = _both(r, d)
     turned = odd(n)
@@ -97,9 +89,8 @@ def tan(a):
     return select(a == 0.0, a, value)
 
 
-@jit
 def atan2(b, a):
-    """Give the angle of the point (a, b), in [-pi, pi]."""
+    """Return the angle of the point (a, b), in [-pi, pi]."""
     up, right = absolute(b), absolute(a)
     steep, middle = up > 2.414213562373095 * right, up > 0.41421356237309503 * right
     # the angle from 0, pi/4 or pi/2 to the point
@@ -132,19 +123,16 @@ def atan2(b, a):
     return copysign(angle, b)
 
 
-@jit
 def atan(a):
-    """Give the angle in [-pi/2, pi/2] whose tangent is `a`."""
-    return atan2(a, splat(1.0))
+    """Return the angle in [-pi/2, pi/2] whose tangent is `a`."""
+    return atan2(a, a.kind.number(1.0))
 
 
-@jit
 def asin(a):
-    """Give the angle in [-pi/2, pi/2] whose sine is `a`."""
+    """Return the angle in [-pi/2, pi/2] whose sine is `a`."""
     return atan2(a, square_root((1.0 - a) * (1.0 + a)))
 
 
-@jit
 def acos(a):
-    """Give the angle in [0, pi] whose cosine is `a`."""
+    """Return the angle in [0, pi] whose cosine is `a`."""
     return atan2(square_root((1.0 - a) * (1.0 + a)), a)

@@ -1,4 +1,4 @@
-"""exp, log and their kin in lanes: polynomials and the bits of a double.
+"""exp, log and their kin: polynomials and the bits of a double.
 
     exp(x) = 2^k exp(r),        k = round(x / ln 2), |r| <= ln(2)/2
     log(x) = k ln 2 + log(m),   x = 2^k m, m in [sqrt(1/2), sqrt(2)]
@@ -10,7 +10,8 @@ polynomials leave out is below 2e-17.  ln 2 is subtracted in two parts.
 
 import math
 
-from .intrinsics import (
+from .vectors import (
+    Number,
     absolute,
     copysign,
     fma,
@@ -22,7 +23,6 @@ from .intrinsics import (
     split,
     square_root,
 )
-from .kinds import jit
 
 LN2, LN2_LOW = 0.6931471805599453, 2.3190468138462996e-17
 LOG2_E, LOG2_E_LOW = 1.4426950408889634, 2.0355273740931033e-17
@@ -30,17 +30,15 @@ LOG10_E, LOG10_E_LOW = 0.4342944819032518, 1.098319650216765e-17
 TINY, HUGE = 2.2250738585072014e-308, 1.7976931348623157e308
 
 
-@jit
 def _reduced(a):
-    """Give (k, r) with a = k ln 2 + r, k within what doubles can hold."""
+    """Return (k, r) with a = k ln 2 + r, k within what doubles can hold."""
     a = select(a > 710.0, 710.0, select(a < -746.0, -746.0, a))
     k = nearest(a * LOG2_E)
     return k, fma(-k, LN2_LOW, fma(-k, LN2, a))
 
 
-@jit
 def _exp_less_one(r):
-    """Give exp(r) - 1 for |r| <= ln(2)/2."""
+    """Return exp(r) - 1 for |r| <= ln(2)/2."""
     q = fma(r, 2.5100472505694996e-08, 2.7620201591031547e-07)
     q = fma(r, q, 2.7557268276905696e-06)
     q = fma(r, q, 2.4801521057868204e-05)
@@ -53,17 +51,15 @@ def _exp_less_one(r):
     return fma(r * r, q, r)
 
 
-@jit
 def exp(a):
-    """Give e^a."""
+    """Return e^a."""
     k, r = _reduced(a)
     half = round_down(0.5 * k)
     return (1.0 + _exp_less_one(r)) * power_of_two(half) * power_of_two(k - half)
 
 
-@jit
 def expm1(a):
-    """Give e^a - 1, accurate near 0."""
+    """Return e^a - 1, accurate near 0."""
     k, r = _reduced(a)
     k = select(k > 1023.0, 1023.0, select(k < -60.0, -60.0, k))
     scale = power_of_two(k)
@@ -71,9 +67,8 @@ def expm1(a):
     return select(a > 709.0, exp(a), select(a < -40.0, -1.0, select(a == 0.0, a, value)))
 
 
-@jit
 def _split_log(a):
-    """Give (k, log m) of a normal a > 0."""
+    """Return (k, log m) of a normal a > 0."""
     k, m = split(a)
     f = m - 1.0
     s = f / (2.0 + f)
@@ -89,7 +84,6 @@ def _split_log(a):
     return k, f, half - s * fma(z, q, half)
 
 
-@jit
 def _where_log_is(a, value):
     """Put in what log is outside the positive numbers."""
     value = select(a == math.inf, a, value)
@@ -97,49 +91,43 @@ def _where_log_is(a, value):
     return select(a >= 0.0, value, math.nan)
 
 
-@jit
 def _normal(a):
-    """Give (a, shift), multiplied into the normal numbers by 2^-shift."""
+    """Return (a, shift), multiplied into the normal numbers by 2^-shift."""
     small = a < TINY
     return select(small, a * 18014398509481984.0, a), select(small, -54.0, 0.0)
 
 
-@jit
 def log(a):
-    """Give the natural logarithm."""
+    """Return the natural logarithm."""
     scaled, shift = _normal(a)
     k, f, less = _split_log(scaled)
     k = k + shift
     return _where_log_is(a, fma(k, LN2, f - fma(-k, LN2_LOW, less)))
 
 
-@jit
 def log2(a):
-    """Give the logarithm to base 2, exact for powers of two."""
+    """Return the logarithm to base 2, exact for powers of two."""
     scaled, shift = _normal(a)
     k, f, less = _split_log(scaled)
     m = f - less
     return _where_log_is(a, k + shift + fma(m, LOG2_E, m * LOG2_E_LOW))
 
 
-@jit
 def log10(a):
-    """Give the logarithm to base 10."""
+    """Return the logarithm to base 10."""
     value = log(a)
     return fma(value, LOG10_E, value * LOG10_E_LOW)
 
 
-@jit
 def log1p(a):
-    """Give log(1 + a), accurate near 0."""
+    """Return log(1 + a), accurate near 0."""
     u = 1.0 + a
     value = log(u) + (a - (u - 1.0)) / u
     return select((u == math.inf) | (u == 0.0), log(u), select(u == 1.0, a, value))
 
 
-@jit
 def _precise_log(a):
-    """Give (log a, what its rounding left out) of a normal a > 0."""
+    """Return (log a, what its rounding left out) of a normal a > 0."""
     scaled, shift = _normal(a)
     k, f, less = _split_log(scaled)
     k = k + shift
@@ -151,9 +139,8 @@ def _precise_log(a):
     return _where_log_is(a, value), (high - value) - less
 
 
-@jit
 def power(a, b):
-    """Give a^b through exp and log, error about 2e-16 + 4e-17 |b log a|."""
+    """Return a^b through exp and log, error about 2e-16 + 4e-17 |b log a|."""
     size = absolute(a)
     logarithm, rest = _precise_log(size)
     high = b * logarithm
@@ -169,25 +156,8 @@ def power(a, b):
     return select((b == 0.0) | (a == 1.0), 1.0, select(negative, math.nan, value))
 
 
-@jit
-def whole_power(a, n):
-    """Give a^n for a shared whole number n, by multiplication."""
-    left = abs(n)
-    factor, value = a, a * 0.0 + 1.0
-    first = True
-    while left > 0:
-        if left & 1:
-            value = factor if first else value * factor
-            first = False
-        left >>= 1
-        if left > 0:
-            factor = factor * factor
-    return select(n < 0, 1.0 / value, select(n == 0, 1.0, value))
-
-
-@jit
 def sinh(a):
-    """Give the hyperbolic sine."""
+    """Return the hyperbolic sine."""
     size = absolute(a)
     less = expm1(size)
     value = 0.5 * (less + less / (less + 1.0))
@@ -195,51 +165,45 @@ def sinh(a):
     return copysign(select(size > 700.0, 0.5 * root * root, value), a)
 
 
-@jit
 def cosh(a):
-    """Give the hyperbolic cosine."""
+    """Return the hyperbolic cosine."""
     size = absolute(a)
     root = exp(0.5 * size)
     e = exp(size)
     return select(size > 700.0, 0.5 * root * root, 0.5 * (e + 1.0 / e))
 
 
-@jit
 def tanh(a):
-    """Give the hyperbolic tangent."""
+    """Return the hyperbolic tangent."""
     size = absolute(a)
     less = expm1(select(size > 20.0, 40.0, 2.0 * size))
     value = select(size > 20.0, 1.0, less / (less + 2.0))
     return select(a == a, copysign(value, a), a)
 
 
-@jit
 def asinh(a):
-    """Give the inverse hyperbolic sine."""
+    """Return the inverse hyperbolic sine."""
     size = absolute(a)
     square = size * size
     near = log1p(size + square / (1.0 + square_root(square + 1.0)))
     return copysign(select(size > 1e150, log(size) + LN2, near), a)
 
 
-@jit
 def acosh(a):
-    """Give the inverse hyperbolic cosine."""
+    """Return the inverse hyperbolic cosine."""
     less = a - 1.0
     near = log1p(less + square_root(less * (a + 1.0)))
     return select(a > 1e150, log(a) + LN2, select(a >= 1.0, near, math.nan))
 
 
-@jit
 def atanh(a):
-    """Give the inverse hyperbolic tangent."""
+    """Return the inverse hyperbolic tangent."""
     size = absolute(a)
     return copysign(0.5 * log1p(2.0 * size / (1.0 - size)), a)
 
 
-@jit
 def hypot(a, b):
-    """Give sqrt(a^2 + b^2) without overflow between."""
+    """Return sqrt(a^2 + b^2) without overflow between."""
     a, b = absolute(a), absolute(b)
     large = select(a > b, a, b)
     up = power_of_two(select(large > 1e150, -600.0, select(large < 1e-150, 600.0, 0.0)))

@@ -1,0 +1,128 @@
+"""A record on NumPy's arrays: the same equations at many times and places at once."""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from .record import Record
+from .running import MOST_ANGLE
+
+
+def on_arrays(record: Record, t: Any, x: Sequence[Any], u: Sequence[Any], p: Any) -> np.ndarray:
+    """Run a record on arrays.
+
+    Parameters
+    ----------
+    record : Record
+        A block's update or output.
+    t : array_like, shape (n,)
+        Times.
+    x, u : sequence of array_like
+        For each state and input a number, or one for each time.
+    p : NamedTuple
+        The block's parameters, `interval` filled in.
+
+    Returns
+    -------
+    ndarray, shape (size, n)
+        What the block computes; NaN and infinity where IEEE has them.
+
+    Examples
+    --------
+    >>> from clpt_control.blocks.clpe import clpe
+    >>> on_arrays(clpe().output_record, np.zeros(2), (), [[3.0, 4.0], 2.0, 1.0, 1.0], ())
+    array([[2., 3.],
+           [1., 1.]])
+    """
+    t = np.asarray(t, dtype=float)
+    flat: dict[str, np.ndarray] = {}
+
+    def field(name: str) -> np.ndarray:
+        if name not in flat:
+            flat[name] = np.ravel(np.asarray(getattr(p, name), dtype=float))
+        return flat[name]
+
+    def leaf(name: str, *where: Any) -> Any:
+        if name == "t":
+            return t
+        if name == "p":
+            return field(where[0])[where[1]]
+        return np.asarray((x if name == "x" else u)[where[0]], dtype=float)
+
+    def apply(name: str, *arguments: Any) -> Any:
+        if name == "table":
+            numbers, first, stride, count = field(arguments[1][0]), *arguments[1][1:]
+            return _picked(numbers[first : first + stride * count : stride], arguments[0])
+        return OPERATIONS[name](*arguments)
+
+    with np.errstate(all="ignore"):
+        found = record.replay(leaf, apply)
+    return np.array([np.broadcast_to(value, t.shape) for value in found], dtype=float)
+
+
+def _picked(numbers: np.ndarray, index: Any) -> Any:
+    """Read numbers at whole places, from the end where negative; NaN outside."""
+    whole = np.trunc(index)
+    whole = np.where(whole < 0, whole + len(numbers), whole)
+    inside = (whole >= 0) & (whole < len(numbers))
+    at = np.where(inside, whole, 0).astype(int)
+    found = numbers[at] if numbers.ndim == 1 else np.take_along_axis(numbers, at[None], 0)[0]
+    return np.where(inside, found, np.nan)
+
+
+def _circular(function: Callable) -> Callable:
+    return lambda a: function(np.where(np.abs(a) < MOST_ANGLE, a, np.nan))
+
+
+def _sign(a: Any) -> Any:
+    return np.where(a > 0, 1.0, np.where(a < 0, -1.0, 0.0 * a))
+
+
+def _each(name: str) -> Callable:
+    from math import erf, erfc
+
+    return np.vectorize({"erf": erf, "erfc": erfc}[name], otypes=[float])
+
+
+OPERATIONS: dict[str, Callable[..., Any]] = {
+    "add": np.add,
+    "sub": np.subtract,
+    "mul": np.multiply,
+    "div": np.divide,
+    "mod": np.mod,
+    "floordiv": np.floor_divide,
+    "pow": np.power,
+    "neg": np.negative,
+    "lt": np.less,
+    "le": np.less_equal,
+    "gt": np.greater,
+    "ge": np.greater_equal,
+    "and": np.logical_and,
+    "or": np.logical_or,
+    "not": np.logical_not,
+    "where": np.where,
+    "minimum": lambda a, b: np.where((a < b) | (a != a), a, b),
+    "maximum": lambda a, b: np.where((a > b) | (a != a), a, b),
+    "clip": lambda a, low, high: np.where(a < low, low, np.where(a > high, high, a)),
+    "sign": _sign,
+    "floor": np.floor,
+    "trunc": np.trunc,
+    "ceil": np.ceil,
+    "pick": lambda index, *numbers: _picked(np.array(np.broadcast_arrays(*numbers)), index),
+    "opaque": lambda says, value, *arguments: value,
+    "erf": _each("erf"),
+    "erfc": _each("erfc"),
+    "sin": _circular(np.sin),
+    "cos": _circular(np.cos),
+    "tan": _circular(np.tan),
+    **{
+        name: getattr(np, ieee)
+        for name, ieee in {
+            **{n: n for n in ("exp", "expm1", "log", "log1p", "log2", "log10", "sqrt", "sinh",
+                              "cosh", "tanh", "fabs", "hypot")},
+            **{n: f"arc{n[1:]}" for n in ("asin", "acos", "atan", "atan2", "asinh", "acosh",
+                                          "atanh")},
+        }.items()
+    },
+}  # fmt: skip

@@ -1,0 +1,89 @@
+"""One record of running a block's equations, from which every other reading is made.
+
+Each operation on a number of the run is written down, in single assignment:
+
+    v0 = t    v1 = x[0]    v2 = u[0]    v3 = p.gain[0]    v4 = mul(v3, v2)
+
+An argument is a value (int: its place in the list), a constant (float), or a
+tuple that says more.  Where a loop begins, turns and ends is marked; nothing
+else is kept of it.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+LEAVES = frozenset({"t", "x", "u", "p"})
+Ref = int | float
+
+
+@dataclass(frozen=True, eq=False)
+class Record:
+    """What a function did, in single assignment.
+
+    Attributes
+    ----------
+    operations : tuple of tuple
+        Name and arguments: leaves ``("t",)``, ``("x", i)``, ``("u", i)``,
+        ``("p", field, k)``; arithmetic such as ``("add", 4, 2.0)``; words and
+        functions of `math` by their names; for `lookup`
+        ``("table", index, (field, first, stride, count))`` or
+        ``("pick", index, a, b, ...)``; ``("opaque", (name, ...), value, ...)``
+        is `value`, which SymPy reads as a function of the rest.
+    outputs : tuple of int or float
+        What the last argument holds at the end, value or constant.
+    marks : tuple of (int, str)
+        Before which operation a loop does ``"enter"``, ``"turn"``, ``"leave"``.
+    """
+
+    operations: tuple[tuple, ...]
+    outputs: tuple[Ref, ...]
+    marks: tuple[tuple[int, str], ...] = ()
+
+    def replay(self, leaf: Callable[..., Any], apply: Callable[..., Any]) -> list[Any]:
+        """Run the record on numbers of another kind.
+
+        Parameters
+        ----------
+        leaf : callable
+            ``leaf("x", 0)`` -> what stands for it.
+        apply : callable
+            ``apply("add", a, b)`` -> result; constants come as floats.
+
+        Returns
+        -------
+        list
+            One for each output.
+        """
+        values: list[Any] = []
+        for name, *arguments in self.operations:
+            if name in LEAVES:
+                values.append(leaf(name, *arguments))
+            else:
+                given = [values[a] if type(a) is int else a for a in arguments]
+                values.append(apply(name, *given))
+        return [values[ref] if type(ref) is int else ref for ref in self.outputs]
+
+    def reads_inputs(self) -> bool:
+        """Whether what it leaves depends on an input."""
+        reached = {ref for ref in self.outputs if type(ref) is int}
+        for k in range(len(self.operations) - 1, -1, -1):
+            if k in reached and self.operations[k][0] not in LEAVES:
+                reached.update(a for a in self.operations[k][1:] if type(a) is int)
+        return any(self.operations[k][0] == "u" for k in reached)
+
+    def __str__(self) -> str:
+        def shown(a: Any) -> str:
+            return f"v{a}" if type(a) is int else repr(a)
+
+        def line(name: str, arguments: tuple) -> str:
+            if name == "t":
+                return "t"
+            if name == "p":
+                return f"p.{arguments[0]}[{arguments[1]}]"
+            if name in LEAVES:
+                return f"{name}[{arguments[0]}]"
+            return f"{name}({', '.join(map(shown, arguments))})"
+
+        lines = [f"v{k} = {line(o[0], o[1:])}" for k, o in enumerate(self.operations)]
+        return "\n".join(lines + [f"out[{k}] = {shown(r)}" for k, r in enumerate(self.outputs)])

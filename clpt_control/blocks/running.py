@@ -1,0 +1,111 @@
+"""The reading that python-control runs: the block's own code on IEEE numbers.
+
+Python raises an exception where a function leaves its domain (`math.log(0.0)`)
+or a number its range (`math.exp(1e3)`), machine code goes on with infinity or
+NaN.  Here Python goes on too, so that every reading gives the same: `math` and
+the words return IEEE numbers, and what is not finite is told by the integrator.
+The sine of an angle beyond 2^50, which means nothing, is NaN in every reading.
+"""
+
+import math
+from collections.abc import Callable
+from functools import lru_cache
+from types import FunctionType
+from typing import Any
+
+import numpy as np
+
+from .rebinding import fingerprint, rebind
+from .words import MATH, WORDS
+
+MOST_ANGLE = 2.0**50  # rad; beyond it doubles are a quarter apart and an angle means nothing
+
+IEEE = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "pow": "power",
+        "asinh": "arcsinh", "acosh": "arccosh", "atanh": "arctanh"}  # fmt: skip
+
+
+def running(function: FunctionType) -> Callable:
+    """Return equations that run on IEEE numbers.
+
+    Parameters
+    ----------
+    function : function
+        ``f(t, x, u, p, out)`` as a block holds it.
+
+    Returns
+    -------
+    callable
+        The same code; call it with NumPy's floats and arrays.
+
+    Examples
+    --------
+    >>> import math
+    >>> def decibel(t, x, u, p, y):
+    ...     y[0] = 10 * math.log10(u[0])
+    >>> decibel.__globals__["math"] = math
+    >>> y = np.zeros(1)
+    >>> with np.errstate(all="ignore"):
+    ...     running(decibel)(0.0, np.zeros(0), np.zeros(1), (), y)
+    >>> y
+    array([-inf])
+    """
+    return _running(function, fingerprint(function))
+
+
+@lru_cache(maxsize=1024)
+def _running(function: FunctionType, code: tuple) -> Callable:
+    return rebind(function, SUBSTITUTES)
+
+
+def _on_run(function: Callable, on_run: Callable) -> Callable:
+    """Join what a word does with constants, as Python has it, and with numbers of the run."""
+
+    def word(*arguments: Any) -> Any:
+        run = any(isinstance(a, np.floating | np.bool_) for a in arguments)
+        return (on_run if run else function)(*arguments)
+
+    return word
+
+
+def _total(name: str, exact: Callable) -> Callable:
+    """Return a word that gives IEEE's value where Python raises an exception."""
+    ieee = getattr(np, IEEE.get(name, name), None)
+
+    def on_run(*arguments: Any) -> Any:
+        if name in ("sin", "cos", "tan") and not abs(arguments[0]) < MOST_ANGLE:
+            return np.float64(np.nan)
+        try:
+            return np.float64(exact(*arguments))
+        except (ValueError, OverflowError, ZeroDivisionError):
+            return np.float64(np.nan if ieee is None else ieee(*arguments))
+
+    return _on_run(exact, on_run)
+
+
+def _where(condition: Any, a: Any, b: Any) -> Any:
+    chosen = a if condition else b
+    return np.float64(chosen) if isinstance(condition, np.bool_) else chosen
+
+
+def _lookup(table: Any, index: Any) -> Any:
+    if not isinstance(index, np.floating):
+        return table[int(index)]
+    whole = int(index) if -len(table) - 1 < index < len(table) else -len(table) - 1
+    return np.float64(table[whole] if whole >= -len(table) else np.nan)
+
+
+class _Math:
+    def __init__(self) -> None:
+        for name in MATH:
+            value = getattr(math, name)
+            setattr(self, name, _total(name, value) if callable(value) else value)
+
+
+SUBSTITUTES: dict[str, Any] = {
+    **{name: _total(name, word) for name, word in WORDS.items()},
+    "where": _where,
+    "lookup": _lookup,
+    "math": _Math(),
+    "int": _total("trunc", int),
+    "float": _on_run(float, np.float64),
+}

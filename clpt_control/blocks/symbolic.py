@@ -1,0 +1,203 @@
+"""The SymPy reading of a record: expressions of symbols.
+
+Words with kinks, comparisons and remainders are functions of their names, which SymPy
+leaves as they stand: what is proved of them holds whatever they are.  What a helper
+marked opaque computes is an undefined function of all that it was given, and so is a
+number that is looked up, of the table's own name and the index.
+"""
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import numpy as np
+import sympy
+
+from . import arrays
+from .record import Record
+
+
+def exact(number: float) -> sympy.Expr:
+    """Return a constant as a rational: 0.1 is 1/10."""
+    return sympy.nsimplify(number, rational=True)
+
+
+def expressions(
+    record: Record,
+    leaf: Callable[..., Any],
+    constant: Callable[[float], Any] = exact,
+    told: Callable[[str, tuple], Any] = lambda name, arguments: None,
+) -> list[sympy.Expr]:
+    """Return what a record computes, on symbols.
+
+    Parameters
+    ----------
+    record : Record
+        A block's update or output.
+    leaf : callable
+        ``leaf("x", 0)`` -> expression; ``leaf("table", (field, first, stride,
+        count))`` -> a name for these numbers of a parameter.
+    constant : callable, optional
+        What a constant becomes.
+    told : callable, optional
+        Told each operation and the expressions that it is given.
+
+    Returns
+    -------
+    list of sympy.Expr
+        One for each output.
+
+    Examples
+    --------
+    >>> from clpt_control.blocks.clpe import clpe
+    >>> expressions(clpe().output_record, lambda name, k=0: sympy.Symbol(f"{name}{k}"))
+    [u0 - u2, u1 - u3]
+    """
+
+    def read(value: Any) -> Any:
+        return constant(value) if type(value) is float else value
+
+    def apply(name: str, *arguments: Any) -> Any:
+        if name == "table":
+            return sympy.Function(f"lookup_{leaf(name, arguments[1])}", real=True)(arguments[0])
+        if name == "opaque":
+            (helper, *says), _, *given = arguments
+            parts = [str(leaf("table", s) if isinstance(s, tuple) else s) for s in says if s != 0]
+            named = "_".join([f"{helper}()", *parts])
+            return sympy.Function(named, real=True)(*map(read, given))
+        given = tuple(map(read, arguments))
+        told(name, given)
+        return OPERATIONS[name](*given)
+
+    return [read(value) for value in record.replay(leaf, apply)]
+
+
+# what SymPy leaves as it stands, by the name it has there
+WORDS = {
+    **{name: name for name in ("where", "minimum", "maximum", "clip", "sign", "floor", "trunc",
+                               "ceil", "mod", "floordiv", "lt", "le", "gt", "ge", "pick")},
+    **{name: f"{name}_" for name in ("and", "or", "not")},
+}  # fmt: skip
+OPERATIONS: dict[str, Callable[..., Any]] = {
+    "add": lambda a, b: a + b,
+    "sub": lambda a, b: a - b,
+    "mul": lambda a, b: a * b,
+    "div": lambda a, b: a / b,
+    "pow": lambda a, b: a**b,
+    "neg": lambda a: -a,
+    "fabs": sympy.Abs,
+    "hypot": lambda a, b: sympy.sqrt(a**2 + b**2),
+    "log1p": lambda a: sympy.log(1 + a),
+    "expm1": lambda a: sympy.exp(a) - 1,
+    "log2": lambda a: sympy.log(a) / sympy.log(2),
+    "log10": lambda a: sympy.log(a) / sympy.log(10),
+    **{
+        name: getattr(sympy, name)
+        for name in (
+            *("exp", "log", "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2"),
+            *("sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "erf", "erfc"),
+        )
+    },
+    **{name: sympy.Function(told, real=True) for name, told in WORDS.items()},
+}
+
+
+class Reading:
+    """A record as SymPy reads it, ready to be asked with numbers.
+
+    What is used twice is a symbol of its own, so that expressions stay short.
+
+    Parameters
+    ----------
+    record : Record
+        A block's update or output.
+    """
+
+    def __init__(self, record: Record):
+        self.record = record
+        self.leaves: dict[tuple, sympy.Symbol] = {}
+        self.steps: list[tuple[sympy.Symbol, sympy.Expr]] = []
+        uses = [0] * len(record.operations)
+        for name, *arguments in record.operations:
+            for a in arguments if name not in ("x", "u", "p", "t") else ():
+                if type(a) is int:
+                    uses[a] += 1
+        names = iter(range(len(uses)))
+        often = (uses[k] > 1 for k, (name, *_) in enumerate(record.operations)
+                 if name not in ("x", "u", "p", "t"))  # fmt: skip
+
+        def leaf(*where: Any) -> Any:
+            return self.leaves.setdefault(where, sympy.Symbol(f"leaf{len(self.leaves)}", real=True))
+
+        def apply(name: str, *arguments: Any) -> Any:
+            shared = next(often)
+            read = [sympy.Float(a) if type(a) is float else a for a in arguments]
+            if name == "table":
+                field, first, stride, count = arguments[1]
+                numbers = [leaf("p", field, first + k * stride) for k in range(count)]
+                value = OPERATIONS["pick"](read[0], *numbers)
+            elif name == "opaque":
+                value = read[1]
+            else:
+                value = OPERATIONS[name](*read)
+            if not shared or not isinstance(value, sympy.Expr):
+                return value
+            symbol = sympy.Symbol(f"step{next(names)}", real=True)
+            self.steps.append((symbol, value))
+            return symbol
+
+        found = record.replay(leaf, apply)
+        self.outputs = [sympy.sympify(value) for value in found]
+        self._ask = self._function()
+
+    def _function(self) -> Callable:
+        from sympy.printing.numpy import SciPyPrinter
+
+        settings = {"fully_qualified_modules": True, "allow_unknown_functions": True}
+        printer = SciPyPrinter(settings)
+        lines = [f"    {symbol} = {printer.doprint(value)}" for symbol, value in self.steps]
+        outputs = ", ".join(printer.doprint(value) for value in self.outputs)
+        arguments = ", ".join(map(str, self.leaves.values()))
+        text = "\n".join([f"def ask({arguments}):", *lines, f"    return [{outputs}]"])
+        space: dict[str, Any] = {"numpy": np}
+        space |= {told: arrays.OPERATIONS[name] for name, told in WORDS.items()}
+        if "scipy" in text:
+            import scipy.special
+
+            space["scipy"] = scipy
+        exec(compile(text, "<the SymPy reading>", "exec"), space)
+        return space["ask"]
+
+    def ask(self, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+        """Return what the expressions are at numbers.
+
+        Parameters
+        ----------
+        t : float
+            Time.
+        x, u : array_like
+            States and inputs.
+        p : NamedTuple
+            Parameters, `interval` filled in.
+
+        Returns
+        -------
+        ndarray
+            One number for each output.
+        """
+        numbers = []
+        for name, *where in self.leaves:
+            if name == "t":
+                numbers.append(t)
+            elif name == "p":
+                numbers.append(np.ravel(getattr(p, where[0]))[where[1]])
+            else:
+                numbers.append((x if name == "x" else u)[where[0]])
+        with np.errstate(all="ignore"):
+            return np.array(self._ask(*map(np.float64, numbers)), dtype=float)
+
+
+@cache
+def reading(record: Record) -> Reading:
+    """Return the SymPy reading of a record, made once."""
+    return Reading(record)

@@ -1,0 +1,264 @@
+"""Run a block's equations once on tracers, and keep the record.
+
+The function's own code runs, with `math`, the words, `range`, `int` and `float`
+meaning what they mean on tracers.  Everything else, from a tuple assignment to
+the call of a helper, is Python's own.
+"""
+
+import math
+import traceback
+from collections import OrderedDict
+from collections.abc import Callable
+from types import FunctionType
+from typing import Any
+
+import numpy as np
+
+from ..errors import BlockError
+from .rebinding import fingerprint, reached, rebind
+from .record import Record
+from .tracers import Condition, Number, Refused, Table, Tape, TooLong, cells, operand
+from .words import MATH, WORDS
+
+LARGEST_ARRAY = 4096  # numbers; a longer parameter array can be read, not calculated with
+KEPT = 1024  # records
+_records: OrderedDict[Any, Record] = OrderedDict()
+
+
+def trace(function: FunctionType, role: str, sizes: tuple[int, int, int], p: Any) -> Record:
+    """Run equations on tracers and return the record.
+
+    Parameters
+    ----------
+    function : function
+        ``f(t, x, u, p, out)`` as a block holds it.
+    role : str
+        How to call it in messages, such as ``"adaptation.update"``.
+    sizes : tuple of int
+        Lengths of x, u and out.
+    p : NamedTuple
+        The block's parameters: whole numbers stay, of the rest the shapes count.
+
+    Returns
+    -------
+    Record
+        The same object for the same code, sizes and shapes.
+
+    Raises
+    ------
+    BlockError
+        If something cannot be read; the line and what to write are named.
+    TooLong
+        If the record would be too long to keep.
+
+    Examples
+    --------
+    >>> from clpt_control.blocks import clpe
+    >>> print(trace(clpe.prediction_error, "clpe.output", (0, 4, 2), ()))
+    v0 = t
+    v1 = u[0]
+    v2 = u[1]
+    v3 = u[2]
+    v4 = u[3]
+    v5 = sub(v1, v3)
+    v6 = sub(v2, v4)
+    out[0] = v5
+    out[1] = v6
+    """
+    shapes = tuple(value if isinstance(value, int) else np.shape(value) for value in p)
+    key = (fingerprint(function), sizes, type(p), shapes)
+    if key not in _records:
+        _records[key] = _run(function, role, sizes, p)
+        if len(_records) > KEPT:
+            _records.popitem(last=False)
+    _records.move_to_end(key)
+    return _records[key]
+
+
+def _run(function: FunctionType, role: str, sizes: tuple[int, int, int], p: Any) -> Record:
+    tape = Tape()
+
+    def leaves(name: tuple, size: int) -> list[int]:
+        return [tape.add(*name, k).ref for k in range(size)]
+
+    def parameter(field: str, value: Any) -> Any:
+        if isinstance(value, int):
+            return value
+        shape, size = np.shape(value), np.size(value)
+        if size > LARGEST_ARRAY:
+            return Table(tape, field, np.arange(size).reshape(shape))
+        return cells(tape, leaves(("p", field), size), shape) if shape else tape.add("p", field, 0)
+
+    try:
+        t = tape.add("t")
+        x, u = (cells(tape, leaves((name,), n), (n,)) for name, n in zip("xu", sizes, strict=False))
+        fields = getattr(p, "_fields", ())
+        traced_p = type(p)(*(parameter(f, v) for f, v in zip(fields, p, strict=True)))
+        out = cells(tape, [0.0] * sizes[2], (sizes[2],))
+        arrays = [x, u, *(value for value in traced_p if isinstance(value, np.ndarray))]
+        before, unset = [list(array.flat) for array in arrays], list(out)
+        substitutes = {**SUBSTITUTES, "range": tape.turns}
+        given = rebind(function, substitutes, _opaque)(t, x, u, traced_p, out)
+        if given is not None:
+            raise Refused("returning a value", "fill the last argument: out[0] = ...")
+        for array, held in zip(arrays, before, strict=True):
+            if any(a is not b for a, b in zip(array.flat, held, strict=True)):
+                raise Refused("changing states, inputs or parameters", "write the last argument")
+        for k, value in enumerate(out):
+            if value is unset[k]:
+                raise BlockError(
+                    f"never sets entry {k} of its last argument; set each, out[{k}] = 0.0 if it "
+                    "is zero"
+                )
+        refs = tuple(operand(value) for value in out)
+    except TooLong as error:
+        raise TooLong(f"{role}: {error}") from None
+    except Exception as error:  # whatever Python says of these equations
+        raise BlockError(f"{_place(error, function, role)}: {_sentence(error)}") from None
+    return Record(tuple(tape.operations), refs, tuple(tape.marks))  # type: ignore[arg-type]
+
+
+def _sentence(error: Exception) -> str:
+    if isinstance(error, IndexError) and "only integers" in str(error):
+        return str(Refused("a number of the run as an index", "use lookup(table, index)"))
+    if isinstance(error, Refused | BlockError):
+        return str(error)
+    return f"cannot be run: {type(error).__name__}: {error}"
+
+
+def _place(error: Exception, function: FunctionType, role: str) -> str:
+    """Name the line of the block's own code at which an error was raised."""
+    codes = {one.__code__ for one in reached(function)}
+    frames = traceback.walk_tb(error.__traceback__)
+    lines = [line for frame, line in frames if frame.f_code in codes]
+    return f"{role}, line {lines[-1]}" if lines else role
+
+
+# --- words on tracers ---------------------------------------------------------------------
+
+
+def _word(name: str, word: Callable) -> Callable:
+    def traced(*arguments: Any) -> Any:
+        tracer = next((a for a in arguments if isinstance(a, Number | Condition)), None)
+        if tracer is None:
+            return word(*arguments)
+        refs = [operand(a) for a in arguments]
+        if None in refs:
+            raise Refused(f"`{name}` of what is no number", "use `for i in range(n)`")
+        if len(refs) != COUNTS.get(name, 1):
+            raise Refused(f"`{name}` of {len(refs)} numbers", f"it takes {COUNTS.get(name, 1)}")
+        return tracer.tape.add(name, *refs)
+
+    return traced
+
+
+def _where(condition: Any, a: Any, b: Any) -> Any:
+    if isinstance(condition, Number):
+        raise Refused("`where` of a number", "give it a comparison, such as a > 0")
+    if not isinstance(condition, Condition):
+        return a if condition else b  # Python itself knows
+    refs = operand(a), operand(b)
+    if None in refs:
+        raise Refused("`where` of what is no number", "use `for i in range(n)`")
+    return condition.tape.add("where", condition.ref, *refs)
+
+
+def _lookup(table: Any, index: Any) -> Any:
+    """Record a run of one parameter field, or numbers side by side."""
+    if not isinstance(index, Number):
+        return table[int(index)]
+    if isinstance(table, Table):
+        field, places = table.field, table.places.ravel()
+    else:
+        refs = [operand(value) for value in np.ravel(np.asarray(table, dtype=object))]
+        if None in refs or not refs:
+            raise Refused("`lookup` in what is no array of numbers", "give an array")
+        known = [index.tape.operations[r] if type(r) is int else () for r in refs]
+        field = known[0][1] if known[0][:1] == ("p",) else ""
+        if any(operation[:2] != ("p", field) for operation in known):
+            return index.tape.add("pick", index.ref, *refs)
+        places = np.array([operation[2] for operation in known])
+    stride = int(places[1] - places[0]) if len(places) > 1 else 1
+    if np.any(np.diff(places) != stride):
+        raise Refused("`lookup` in numbers that are not evenly spaced", "give a slice")
+    return index.tape.add("table", index.ref, (field, int(places[0]), stride, len(places)))
+
+
+def _opaque(rebound: FunctionType, helper: FunctionType) -> Callable:
+    """Let a helper marked opaque say so in the record."""
+    if not getattr(helper, "opaque", False):
+        return rebound
+
+    def stand_in(*arguments: Any) -> Any:
+        tape = next((a.tape for a in arguments if hasattr(a, "tape")), None)
+        if tape is None:
+            return rebound(*arguments)
+        says: list[Any] = [f"{helper.__module__}.{helper.__qualname__}"]
+        refs: list[Any] = []
+        for argument in arguments:
+            if isinstance(argument, Table):
+                says.append((argument.field, *argument.places.ravel()[[0, 1, -1]].tolist()))
+            elif isinstance(argument, np.ndarray):
+                refs += [operand(value) for value in argument.flat]
+            elif (ref := operand(argument)) is not None:
+                refs.append(ref)
+            else:
+                raise Refused(f"`{helper.__name__}` of a {type(argument).__name__}",
+                              "an opaque helper takes numbers and arrays")  # fmt: skip
+
+        def hidden(k: int, value: Any) -> Any:
+            return tape.add("opaque", (*says, k), operand(value), *refs)
+
+        held = [list(a.flat) if isinstance(a, np.ndarray) else [] for a in arguments]
+        result = rebound(*arguments)
+        written = 0
+        for array, before in zip(arguments, held, strict=True):
+            for place, value in enumerate(before):
+                if array.flat[place] is not value:
+                    written += 1
+                    array.flat[place] = hidden(-written, array.flat[place])
+        if isinstance(result, tuple):
+            return tuple(hidden(k, value) for k, value in enumerate(result))
+        return None if result is None else hidden(0, result)
+
+    return stand_in
+
+
+class _Math:
+    """The module `math` for tracers."""
+
+    def __init__(self) -> None:
+        for name in MATH:
+            value = getattr(math, name)
+            setattr(self, name, _word(name, value) if callable(value) else value)
+        self.degrees, self.radians = _times(180.0 / math.pi), _times(math.pi / 180.0)
+
+    def __getattr__(self, name: str) -> Any:
+        raise Refused(f"`math.{name}`", f"use one of {', '.join(sorted(MATH))}")
+
+
+
+
+def _times(factor: float) -> Callable:
+    return lambda a: a * factor
+
+
+def _int(a: Any) -> Any:
+    return a.tape.add("trunc", a.ref) if isinstance(a, Number) else int(a)
+
+
+def _float(a: Any) -> Any:
+    if isinstance(a, Condition):
+        return a.number()
+    return a if isinstance(a, Number) else float(a)
+
+
+COUNTS = {"minimum": 2, "maximum": 2, "clip": 3, "atan2": 2, "hypot": 2, "pow": 2}
+SUBSTITUTES: dict[str, Any] = {
+    **{name: _word(name, word) for name, word in WORDS.items()},
+    "where": _where,
+    "lookup": _lookup,
+    "math": _Math(),
+    "int": _int,
+    "float": _float,
+}

@@ -1,0 +1,235 @@
+"""Tracers: numbers of a run of which only the place in the record is known.
+
+A function that is called with them computes nothing; what it does is written
+down on the tape.  Whatever asks for a tracer's value (`if`, `==`, an index) is
+refused, with what to write instead.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+import numpy as np
+
+from ..errors import BlockError
+from .record import Ref
+
+MOST_OPERATIONS = 300_000  # a longer record is given up: Python runs the diagram
+
+
+class Refused(Exception):
+    """What is not allowed, and what to write instead."""
+
+    def __init__(self, what: str, instead: str):
+        super().__init__(f"{what} is not allowed here; {instead}")
+
+
+class TooLong(BlockError):
+    """Equations whose record would be too long to keep; Python runs them."""
+
+
+class Tape:
+    """A record as it grows."""
+
+    def __init__(self) -> None:
+        self.operations: list[tuple] = []
+        self.marks: list[tuple[int, str]] = []
+
+    def add(self, *operation: Any) -> "Number":
+        """Write down an operation; return its value."""
+        self.operations.append(operation)
+        if len(self.operations) > MOST_OPERATIONS:
+            raise TooLong(f"takes more than {MOST_OPERATIONS} operations")
+        return Number(self, len(self.operations) - 1)
+
+    def turns(self, *bounds: Any) -> Iterator[int]:
+        """Stand for `range`, and mark every turn."""
+        numbers = range(*bounds)
+        self.marks.append((len(self.operations), "enter"))
+        try:
+            for k in numbers:
+                self.marks.append((len(self.operations), "turn"))
+                yield k
+        finally:
+            self.marks.append((len(self.operations), "leave"))
+
+
+def operand(value: Any) -> Ref | None:
+    """Return the place of a value, or a constant; None for what is no number."""
+    if isinstance(value, Number):
+        return value.ref
+    if isinstance(value, Condition):
+        return value.number().ref
+    if isinstance(value, int | float | np.integer | np.floating | np.bool_):
+        return float(value)
+    return None
+
+
+def _refuse(what: str, instead: str) -> Callable[..., Any]:
+    def refused(self: Any, *arguments: Any) -> Any:
+        raise Refused(what, instead)
+
+    return refused
+
+
+_EQUAL = _refuse(
+    "`==` of numbers of a run",
+    "compare with <, <=, >, >=, or write where(math.fabs(a - b) < tolerance, ...)",
+)
+_CHOICE = _refuse("a choice by a number of the run", "use where(condition, a, b)")
+_INDEX = _refuse("a number of the run as an index or a count", "use lookup(table, index)")
+_VALUE = _refuse(
+    "asking for the value of a number of the run",
+    "use arithmetic, math.*, and the words of blocks.words",
+)
+
+
+def _binary(name: str) -> tuple[Callable, Callable]:
+    def forward(self: Any, other: Any) -> Any:
+        ref = operand(other)
+        return NotImplemented if ref is None else self.tape.add(name, self.ref, ref)
+
+    def backward(self: Any, other: Any) -> Any:
+        ref = operand(other)
+        return NotImplemented if ref is None else self.tape.add(name, ref, self.ref)
+
+    return forward, backward
+
+
+def _comparison(name: str) -> Callable:
+    def compare(self: Any, other: Any) -> Any:
+        ref = operand(other)
+        if ref is None:
+            return NotImplemented
+        return Condition(self.tape, self.tape.add(name, self.ref, ref).ref)
+
+    return compare
+
+
+class Number:
+    """A number of the run."""
+
+    __slots__ = ("ref", "tape")
+
+    def __init__(self, tape: Tape, ref: Ref):
+        self.tape, self.ref = tape, ref
+
+    __add__, __radd__ = _binary("add")
+    __sub__, __rsub__ = _binary("sub")
+    __mul__, __rmul__ = _binary("mul")
+    __truediv__, __rtruediv__ = _binary("div")
+    __floordiv__, __rfloordiv__ = _binary("floordiv")
+    __mod__, __rmod__ = _binary("mod")
+    _pow, __rpow__ = _binary("pow")
+    __lt__, __le__, __gt__, __ge__ = map(_comparison, ("lt", "le", "gt", "ge"))
+
+    def __pow__(self, other: Any) -> Any:
+        if isinstance(other, int | float) and other in (2, 3, 4):
+            square = self * self
+            return square if other == 2 else square * (self if other == 3 else square)
+        return self._pow(other)
+
+    def __neg__(self) -> "Number":
+        return self.tape.add("neg", self.ref)
+
+    def __pos__(self) -> "Number":
+        return self
+
+    def __abs__(self) -> "Number":
+        return self.tape.add("fabs", self.ref)
+
+    __eq__ = __ne__ = _EQUAL  # type: ignore[assignment]
+    __hash__ = None  # type: ignore[assignment]
+    __bool__ = _CHOICE
+    __index__ = __int__ = _INDEX
+    __float__ = __complex__ = __round__ = _VALUE
+
+
+class Condition:
+    """A comparison of numbers of the run; as a number it is 1 or 0."""
+
+    __slots__ = ("ref", "tape")
+
+    def __init__(self, tape: Tape, ref: Ref):
+        self.tape, self.ref = tape, ref
+
+    def number(self) -> Number:
+        """Return 1 where it holds, else 0."""
+        return self.tape.add("where", self.ref, 1.0, 0.0)
+
+    def _joined(self, name: str, other: Any) -> Any:
+        if not isinstance(other, Condition):
+            return NotImplemented
+        return Condition(self.tape, self.tape.add(name, self.ref, other.ref).ref)
+
+    def __and__(self, other: Any) -> Any:
+        return self._joined("and", other)
+
+    def __or__(self, other: Any) -> Any:
+        return self._joined("or", other)
+
+    def __invert__(self) -> "Condition":
+        return Condition(self.tape, self.tape.add("not", self.ref).ref)
+
+    __eq__ = __ne__ = _EQUAL  # type: ignore[assignment]
+    __hash__ = None  # type: ignore[assignment]
+    __bool__ = _CHOICE
+    __index__ = __int__ = _INDEX
+
+
+def _times(self: Condition, other: Any) -> Any:
+    return NotImplemented if isinstance(other, Condition) else self.number() * other
+
+
+Condition.__mul__ = Condition.__rmul__ = _times  # type: ignore[attr-defined]
+
+
+class Cells(np.ndarray):
+    """An array of tracers; what is written into it becomes a number, as in one of floats."""
+
+    tape: Tape
+
+    def __setitem__(self, index: Any, value: Any) -> None:
+        if isinstance(value, np.ndarray | tuple | list):
+            given = np.asarray(value, dtype=object)
+            numbers = np.empty(given.shape, dtype=object)
+            for place in np.ndindex(given.shape):
+                numbers[place] = self._number(given[place])
+            super().__setitem__(index, numbers)
+            return
+        super().__setitem__(index, self._number(value))
+
+    def _number(self, value: Any) -> Number:
+        ref = operand(value)
+        if ref is None:
+            raise Refused(f"writing a {type(value).__name__}", "a block computes numbers only")
+        return value if isinstance(value, Number) else Number(self.tape, ref)
+
+    def __array_finalize__(self, other: Any) -> None:
+        self.tape = getattr(other, "tape", None)
+
+
+def cells(tape: Tape, refs: Sequence[Ref], shape: tuple[int, ...]) -> Cells:
+    """Return an array that holds these values."""
+    array = np.empty(len(refs), dtype=object)
+    for k, ref in enumerate(refs):
+        array[k] = Number(tape, ref)
+    made = array.reshape(shape).view(Cells)
+    made.tape = tape
+    return made
+
+
+class Table:
+    """A long parameter array, of which slices and single numbers can be read."""
+
+    def __init__(self, tape: Tape, field: str, places: np.ndarray):
+        self.tape, self.field, self.places = tape, field, places
+        self.shape = places.shape
+
+    def __len__(self) -> int:
+        return len(self.places)
+
+    def __getitem__(self, index: Any) -> Any:
+        found = self.places[index]
+        if isinstance(found, np.ndarray):
+            return Table(self.tape, self.field, found)
+        return self.tape.add("p", self.field, int(found))

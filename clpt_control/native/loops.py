@@ -1,0 +1,477 @@
+"""Loops, where a record shows that turns are the same.
+
+The marks of a record say where turns begin.  Turns are the same if they do the same
+operations in the same order, read places that are affine in the turn, and hand on
+nothing but a sum.  Constants that differ from turn to turn become a table.  What is
+found is expanded again, turn by turn, and must give the record; else turns stay apart.
+
+Arrays of a block's loops: t, x, u, ("p", field), out, K (constants) and S (what turns
+compute and others read).
+"""
+
+from collections.abc import Iterable
+from math import copysign, inf
+from typing import Any, NamedTuple
+
+from ..blocks.record import LEAVES, Record
+from ..errors import BlockError
+from .program import Loop, Ref, Step, Steps, Store, Sum
+
+LEAST = 5  # turns; fewer stay apart
+
+
+class Place(NamedTuple):
+    """A number in an array, at a place affine in the turns of loops."""
+
+    array: Any
+    base: int
+    steps: Steps = ()
+
+
+class Constant(NamedTuple):
+    """A number; 0.0 is not -0.0."""
+
+    value: float
+    sign: float
+
+
+class Run(NamedTuple):
+    """Numbers of a parameter that `lookup` reads: from a place, so many, so far apart."""
+
+    place: Place
+    stride: int
+    count: int
+
+
+class Rolled(NamedTuple):
+    """A record with its loops.
+
+    Attributes
+    ----------
+    items : tuple
+        Steps, stores and loops; arguments are values, constants, places and runs.
+    constants : tuple of float
+        K.
+    room : int
+        Length of S.
+    """
+
+    items: tuple
+    constants: tuple[float, ...]
+    room: int
+
+
+class _Different(Exception):
+    """Turns that do not do the same."""
+
+
+class _Carried(NamedTuple):
+    """What the turn before computed; at first something else."""
+
+    value: int
+    first: Any
+
+
+class _Turns(NamedTuple):
+    turns: list[list]
+    end: int  # the first operation behind the loop
+
+
+def rolled(record: Record, least: int = LEAST) -> Rolled:
+    """Return a record with the loops that can be kept.
+
+    Parameters
+    ----------
+    record : Record
+        What a function did.
+    least : int, optional
+        Loops of fewer turns stay apart.
+
+    Returns
+    -------
+    Rolled
+        Without loops where nothing could be kept.
+    """
+    found = _Roller(record, least).run()
+    known: dict = {}
+    if _expanded(found, len(record.outputs), known) == _recorded(record, known):
+        return found
+    return _Roller(record, inf).run()
+
+
+class _Roller:
+    def __init__(self, record: Record, least: float):
+        self.record, self.least = record, least
+        self.constants: list[float] = []
+        self.tables: dict[tuple, int] = {}
+        self.room = 0
+        self.alias: dict[int, Place] = {}
+        self.fresh = len(record.operations)
+        self.last_use = [0] * len(record.operations)
+        for k, (name, *arguments) in enumerate(record.operations):
+            if name not in LEAVES:
+                for a in arguments:
+                    if type(a) is int:
+                        self.last_use[a] = k
+        for ref in record.outputs:
+            if type(ref) is int:
+                self.last_use[ref] = len(record.operations)
+
+    def run(self) -> Rolled:
+        items = self.items(self.tree())
+        items += stored([self.argument(ref) for ref in self.record.outputs])
+        return Rolled(tuple(items), tuple(self.constants), self.room)
+
+    def tree(self) -> list:
+        """Return operations, those of a loop turn by turn."""
+        root: list = []
+        lists: list[list] = [root]
+        open_loops: list[list] = []
+        marks = list(self.record.marks)
+        at = 0
+        for k in range(len(self.record.operations) + 1):
+            while at < len(marks) and marks[at][0] == k:
+                event = marks[at][1]
+                at += 1
+                if event in ("enter", "every"):
+                    turns: list[list] = []
+                    lists[-1].append([turns, k, event])
+                    open_loops.append(lists[-1][-1])
+                    lists.append([])
+                elif open_loops:
+                    lists.pop()
+                    if event == "turn":
+                        lists.append([])
+                        open_loops[-1][0].append(lists[-1])
+                    else:
+                        open_loops.pop()[1] = k
+            if k < len(self.record.operations):
+                lists[-1].append(k)
+        return root
+
+    def argument(self, a: Any) -> Any:
+        if type(a) is float:
+            return Constant(a, copysign(1.0, a))
+        name, *where = self.record.operations[a]
+        if name == "t":
+            return Place("t", 0)
+        if name == "p":
+            return Place(("p", where[0]), where[1])
+        if name in LEAVES:
+            return Place(name, where[0])
+        return self.alias.get(a, a)
+
+    def items(self, nodes: Iterable) -> list:
+        found: list = []
+        for node in nodes:
+            if type(node) is not int:
+                found += self.loop(*node)
+                continue
+            name, *arguments = self.record.operations[node]
+            if name in LEAVES:
+                continue
+            if name == "opaque":
+                arguments = arguments[1:2]
+            elif name == "table":
+                field, first, stride, count = arguments[1]
+                run = Run(Place(("p", field), first), stride, count)
+                found.append(Step(node, name, (self.argument(arguments[0]), run)))
+                continue
+            found.append(Step(node, name, tuple(map(self.argument, arguments))))
+        return found
+
+    def loop(self, nodes: list[list], end: int, event: str) -> list:
+        turns = [self.items(turn) for turn in nodes]
+        apart = [item for turn in turns for item in turn]
+        if event == "enter" and (len(turns) < self.least or not apart):
+            return apart
+        kept = self.room, len(self.constants), dict(self.alias), dict(self.tables)
+        try:
+            return [_Merge(self, turns, end).loop()]
+        except _Different:
+            if event == "every":
+                raise BlockError(
+                    "turns of a loop over all functions differ, or hand on more than a sum"
+                ) from None
+            self.room, self.alias, self.tables = kept[0], kept[2], kept[3]
+            del self.constants[kept[1] :]
+            return apart
+
+    def table(self, column: list[Constant]) -> int:
+        """Return the place in K of constants, kept once."""
+        key = tuple(column)
+        if key not in self.tables:
+            self.tables[key] = len(self.constants)
+            self.constants += [constant.value for constant in column]
+        return self.tables[key]
+
+
+class _Merge:
+    """Make one loop of turns that do the same."""
+
+    def __init__(self, roller: _Roller, turns: list[list], end: int):
+        self.roller, self.turns, self.end = roller, turns, end
+        self.level = 1 + max((i.level for i in turns[0] if isinstance(i, Loop)), default=-1)
+        # value of a turn -> the same one of the first turn
+        self.same: list[dict[int, int]] = [{} for _ in turns]
+
+    def loop(self) -> Loop:
+        self.pair(self.turns)
+        body, sums = self.summed(self.merged(self.turns))
+        body += self.kept(body, {s.turned for s in sums} | self.links)
+        return Loop(self.level, len(self.turns), tuple(body), tuple(sums))
+
+    def pair(self, parallel: list[list]) -> None:
+        """Note which values of the turns are the same one; refuse what does not pair."""
+        if len({len(items) for items in parallel}) > 1:
+            raise _Different
+        for column in zip(*parallel, strict=True):
+            shapes = {
+                (type(o), o.name, len(o.arguments)) if isinstance(o, Step)
+                else (type(o), o.level, o.count, len(o.sums)) if isinstance(o, Loop) else type(o)
+                for o in column
+            }  # fmt: skip
+            if len(shapes) > 1:
+                raise _Different
+            if isinstance(column[0], Step):
+                self.note(one.value for one in column)
+            elif isinstance(column[0], Loop):
+                for s in range(len(column[0].sums)):
+                    self.note(one.sums[s].within for one in column)
+                    self.note(one.sums[s].result for one in column)
+                self.pair([list(one.body) for one in column])
+
+    def merged(self, parallel: list[list]) -> list:
+        return [self.item(list(column)) for column in zip(*parallel, strict=True)]
+
+    def item(self, column: list) -> Any:
+        first = column[0]
+        if isinstance(first, Step):
+            arguments = zip(*(one.arguments for one in column), strict=True)
+            return first._replace(arguments=tuple(map(self.argument, arguments)))
+        if isinstance(first, Store):
+            at = self.argument([Place(o.array, o.base, o.steps) for o in column])
+            return Store(at.array, at.base, at.steps, self.argument([o.value for o in column]))
+        starts = (self.argument([o.sums[s].first for o in column]) for s in range(len(first.sums)))
+        sums = tuple(own._replace(first=new) for own, new in zip(first.sums, starts, strict=True))
+        return first._replace(body=tuple(self.merged([list(o.body) for o in column])), sums=sums)
+
+    def note(self, values: Iterable[int]) -> None:
+        values = list(values)
+        for same, value in zip(self.same, values, strict=True):
+            same[value] = values[0]
+
+    def argument(self, column: Iterable) -> Any:
+        column = list(column)
+        first, rest = column[0], column[1:]
+        kinds = {type(a) for a in column}
+        if kinds == {Constant}:
+            if len(set(column)) == 1:
+                return first
+            return Place("K", self.roller.table(column), ((self.level, 1),))
+        if kinds == {Place}:
+            step = column[1].base - first.base
+            for k, place in enumerate(column):
+                if place != (first.array, first.base + k * step, first.steps):
+                    raise _Different
+            own = ((self.level, step),) if step else ()
+            return Place(first.array, first.base, first.steps + own)
+        if kinds == {Run}:
+            if any(a[1:] != first[1:] for a in rest):
+                raise _Different
+            return first._replace(place=self.argument([a.place for a in column]))
+        if any(type(a) is not int for a in rest):
+            raise _Different
+        here = [same.get(a) for same, a in zip(self.same[1:], rest, strict=True)]
+        if type(first) is int and set(here) == {self.same[0].get(first)} != {None}:
+            return first
+        if len(set(column)) == 1 and set(here) == {None}:
+            return first
+        before = {same.get(a) for same, a in zip(self.same, rest, strict=False)}
+        if len(before) == 1 and None not in before and self.same[0].get(first) is None:
+            return _Carried(before.pop(), first)  # type: ignore[arg-type]
+        raise _Different
+
+    # --- sums -----------------------------------------------------------------------------
+
+    def summed(self, body: list) -> tuple[list, list[Sum]]:
+        """Turn what is carried into sums; refuse what is carried otherwise."""
+        carried = {a for item in body for a in _read(item, True) if isinstance(a, _Carried)}
+        self.links: set[int] = set()
+        sums = []
+        for one in sorted(carried):
+            self.follow(body, one)
+            self.roller.fresh += 1
+            last = {same: own for own, same in self.same[-1].items()}
+            sums.append(Sum(one.first, self.roller.fresh, one.value, last[one.value]))
+        names = {one: s.within for one, s in zip(sorted(carried), sums, strict=True)}
+        return [_renamed(item, names) for item in body], sums
+
+    def follow(self, body: list, carried: _Carried) -> None:
+        """Follow a sum from its start to its end within a turn."""
+        uses: dict[Any, list] = {}
+        for item in body:
+            for a in _read(item):
+                uses.setdefault(a, []).append(item)
+        at: Any = carried
+        while True:
+            users = uses.get(at, [])
+            if len(users) != 1:
+                raise _Different
+            at = _added(users[0], at)
+            if at is None:
+                raise _Different
+            last = at == carried.value
+            turns = self.same[:-1] if last else self.same
+            for same in turns:
+                own = [value for value, first in same.items() if first == at]
+                if any(self.read_outside(value) for value in own):
+                    raise _Different
+            if last:
+                if at in uses:
+                    raise _Different
+                return
+            self.links.add(at)
+
+    def read_outside(self, value: int) -> bool:
+        uses = self.roller.last_use
+        return value < len(uses) and uses[value] >= self.end
+
+    def kept(self, body: list, sums: set[int]) -> list[Store]:
+        """Keep what is read outside of the loop, a number a turn."""
+        stores = []
+        for item in body:
+            values = [item.value] if isinstance(item, Step) else []
+            values += [s.result for s in item.sums] if isinstance(item, Loop) else []
+            for value in values:
+                own = [next(v for v, first in same.items() if first == value)
+                       for same in self.same]  # fmt: skip
+                if value in sums or not any(map(self.read_outside, own)):
+                    continue
+                base = self.roller.room
+                self.roller.room += len(own)
+                stores.append(Store("S", base, ((self.level, 1),), value))
+                self.roller.alias.update({v: Place("S", base + k) for k, v in enumerate(own)})
+        return stores
+
+
+def _read(item: Any, deep: bool = False) -> list:
+    """Return what an item reads; of a loop all that its turns read, too."""
+    if isinstance(item, Step):
+        return list(item.arguments)
+    if isinstance(item, Store):
+        return [item.value]
+    inner = [a for part in item.body for a in _read(part)]
+    return [s.first for s in item.sums] + inner
+
+
+def _added(item: Any, value: Any) -> int | None:
+    """Return the sum to which an item adds, or None."""
+    if isinstance(item, Loop):
+        own = [s.result for s in item.sums if s.first == value]
+        inner = any(a == value for part in item.body for a in _read(part))
+        return own[0] if len(own) == 1 and not inner else None
+    if not isinstance(item, Step) or sum(a == value for a in item.arguments) != 1:
+        return None
+    if item.name == "add" or (item.name == "sub" and item.arguments[0] == value):
+        return item.value
+    return None
+
+
+def _renamed(item: Any, names: dict) -> Any:
+    def new(a: Any) -> Any:
+        return names[a] if isinstance(a, _Carried) else a
+
+    if isinstance(item, Step):
+        return item._replace(arguments=tuple(map(new, item.arguments)))
+    if isinstance(item, Store):
+        return item._replace(value=new(item.value))
+    body = tuple(_renamed(part, names) for part in item.body)
+    return item._replace(body=body, sums=tuple(s._replace(first=new(s.first)) for s in item.sums))
+
+
+def stored(values: list) -> list:
+    """Return the stores that fill `out`; a run of numbers side by side is a loop."""
+    items: list = []
+    k = 0
+    while k < len(values):
+        first, count = values[k], 1
+        if isinstance(first, Place) and k + 1 < len(values) and isinstance(values[k + 1], Place):
+            step = values[k + 1].base - first.base
+            while k + count < len(values) and values[k + count] == Place(
+                first.array, first.base + count * step
+            ):
+                count += 1
+        if count >= LEAST:
+            source = first._replace(steps=((0, step),) if step else ())
+            items.append(Loop(0, count, (Store("out", k, ((0, 1),), source),), ()))
+        else:
+            count = 1
+            items.append(Store("out", k, (), first))
+        k += count
+    return items
+
+
+# --- what is found, expanded again --------------------------------------------------------
+
+
+def _recorded(record: Record, known: dict) -> list:
+    """Return the expressions that a record leaves; equal ones are one number."""
+
+    def name(*key: Any) -> int:
+        return known.setdefault(key, len(known))
+
+    def told(a: Any) -> Any:
+        return name("constant", a, copysign(1.0, a)) if type(a) is float else a
+
+    def apply(operation: str, *arguments: Any) -> int:
+        if operation == "opaque":
+            return told(arguments[1])
+        return name(operation, *map(told, arguments))
+
+    return [told(value) for value in record.replay(name, apply)]
+
+
+def _expanded(found: Rolled, size: int, known: dict) -> list:
+    """Return the expressions that items leave, turn by turn, in the same numbers."""
+    memory: dict[tuple, int] = {}
+    values: dict[int, int] = {}
+
+    def name(*key: Any) -> int:
+        return known.setdefault(key, len(known))
+
+    def at(place: Place, turns: dict) -> tuple:
+        return place.array, place.base + sum(step * turns[level] for level, step in place.steps)
+
+    def told(a: Any, turns: dict) -> Any:
+        if isinstance(a, Constant):
+            return name("constant", *a)
+        if isinstance(a, Run):
+            field, first = at(a.place, turns)
+            return field[1], first, a.stride, a.count
+        if not isinstance(a, Place):
+            return values[a]
+        array, place = at(a, turns)
+        if array == "K":
+            number = found.constants[place]
+            return name("constant", number, copysign(1.0, number))
+        if array in ("S", "out"):
+            return memory[array, place]
+        return name("t") if array == "t" else name(*(array if array[0] == "p" else (array,)), place)
+
+    def run(items: Iterable, turns: dict) -> None:
+        for item in items:
+            if isinstance(item, Step):
+                values[item.value] = name(item.name, *(told(a, turns) for a in item.arguments))
+            elif isinstance(item, Store):
+                place = at(Place(item.array, item.base, item.steps), turns)
+                memory[place] = told(item.value, turns)
+            else:
+                values.update({s.within: told(s.first, turns) for s in item.sums})
+                for k in range(item.count):
+                    run(item.body, {**turns, item.level: k})
+                    values.update({s.within: values[s.turned] for s in item.sums})
+                values.update({s.result: values[s.turned] for s in item.sums})
+
+    run(found.items, {})
+    return [memory.get(("out", k)) for k in range(size)]

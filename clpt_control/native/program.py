@@ -1,0 +1,85 @@
+"""A program: what machine code is printed from.
+
+A list of items in single assignment: numbers are read from arrays (`Load`),
+calculated (`Step`), kept (`Store`); a `Loop` repeats its items.  Arrays: t, X
+(states), P (parameters), T (tables that runs share), K (constants), W (signals and
+room), D (what is computed).  Places within a loop are affine in its turns:
+
+    base + sum over levels of step * turn,    level 0 the innermost loop
+"""
+
+from typing import NamedTuple, Union
+
+CONDITIONS = ("lt", "le", "gt", "ge", "and", "or", "not")  # whose values are yes or no
+Ref = int | float  # a value by its number, or a constant
+Steps = tuple[tuple[int, int], ...]  # (level of a loop, step)
+
+
+class Load(NamedTuple):
+    """value = array[place]."""
+
+    value: int
+    array: str
+    base: int
+    steps: Steps = ()
+
+
+class Step(NamedTuple):
+    """value = name(arguments): values, constants, and a tuple that says more."""
+
+    value: int
+    name: str
+    arguments: tuple
+
+
+class Store(NamedTuple):
+    """array[place] = value."""
+
+    array: str
+    base: int
+    steps: Steps
+    value: Ref
+
+
+class Sum(NamedTuple):
+    """A number that turns add to: before the loop, within, after a turn, after the loop."""
+
+    first: Ref
+    within: int
+    turned: int
+    result: int
+
+
+class Loop(NamedTuple):
+    """Items for every turn; nothing is carried from turn to turn but sums."""
+
+    level: int
+    count: int
+    body: "tuple[Item, ...]"
+    sums: tuple[Sum, ...]
+
+
+Item = Union[Load, Step, Store, Loop]
+
+
+class Program(NamedTuple):
+    """The functions of a diagram.
+
+    Attributes
+    ----------
+    derivative, signals, margin, prepare : tuple of Item
+        D = dx/dt; W = all block outputs; D[0] = least distance to a guard's edge; what
+        depends on parameters alone, kept at the end of P.
+    constants : tuple of float
+        K.
+    parameters, room : int
+        Lengths of P and W.
+    """
+
+    derivative: tuple[Item, ...]
+    signals: tuple[Item, ...]
+    margin: tuple[Item, ...]
+    prepare: tuple[Item, ...]
+    constants: tuple[float, ...]
+    parameters: int
+    room: int

@@ -1,0 +1,169 @@
+"""Every reading of a diagram by name, to be asked at a point.
+
+    python      the blocks in Python, one pass in the order of the wiring
+    control     python-control's own evaluation of the diagram
+    scalar      machine code, all loops unrolled
+    looped      machine code, every loop kept that can be
+    lanes       machine code, one of eight runs side by side
+    symbolic    SymPy's expressions, block by block; opaque blocks stand for themselves
+
+All of them are made from the same functions; they agree, or one refuses with a
+sentence.
+"""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import control
+import numpy as np
+
+from ..blocks import Block
+from ..blocks.symbolic import reading
+from ..errors import DiagramError
+from ..wiring import read
+from .code import code_of
+from .engine import NativeDiagram
+from .plain import PlainDiagram
+from .printing import LANES
+from .sweep import Sweep
+
+Reading = Callable[[float, Any, Any], tuple[np.ndarray, np.ndarray]]
+
+
+def readings(
+    diagram: control.NonlinearIOSystem, params: Mapping[str, Any] | None = None
+) -> dict[str, Reading]:
+    """Return every reading of a diagram, as a function of a point.
+
+    Parameters
+    ----------
+    diagram : control.NonlinearIOSystem
+        A block, or blocks and other systems, wired.
+    params : mapping, optional
+        Call-time parameters by qualified name.
+
+    Returns
+    -------
+    dict
+        Name -> ``function(t, x, u)``, which returns the state derivative and
+        the diagram's outputs; one that cannot read the diagram raises a
+        ClptError.
+
+    Raises
+    ------
+    DiagramError
+        If the diagram itself cannot be read.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> from clpt_control.blocks.clpe import clpe
+    >>> for name, ask in clpt.native.readings(clpe()).items():
+    ...     print(name, ask(0.0, [], [3.0, 2.0, 1.0, 1.0])[1])
+    python [2. 1.]
+    control [2. 1.]
+    scalar [2. 1.]
+    looped [2. 1.]
+    lanes [2. 1.]
+    symbolic [2. 1.]
+    """
+    plain = PlainDiagram(diagram, params)
+    made: dict[tuple[str, int], Callable] = {}
+
+    def machine(form: str, lanes: int) -> Reading:
+        def ask(t: float, x: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
+            if (form, lanes) not in made:
+                made[form, lanes] = _machine(diagram, params, form, lanes)
+            return made[form, lanes](t, x, u)
+
+        return ask
+
+    def python(t: float, x: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
+        plain.sweep.enter(t)
+        x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
+        dx = plain.sweep.derivative(t, x, u)
+        return dx, plain.sweep.outputs(u)
+
+    def by_control(t: float, x: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
+        arguments = (t, np.asarray(x, dtype=float), np.asarray(u, dtype=float), params)
+        return np.asarray(diagram.dynamics(*arguments)), np.asarray(diagram.output(*arguments))
+
+    return {
+        "python": python,
+        "control": by_control,
+        "scalar": machine("unrolled", 1),
+        "looped": machine("looped", 1),
+        "lanes": machine("unrolled", LANES),
+        "symbolic": _symbolic(plain),
+    }
+
+
+def _machine(diagram: Any, params: Any, form: str, lanes: int) -> Reading:
+    """Ask machine code: of lanes one, the others being elsewhere."""
+    native = NativeDiagram(diagram, params, form)
+    native.code = code_of(native.wiring, native.layout, form, 2)
+    addresses = [native.code.address(name, lanes) for name in ("prepare", "derivative", "signals")]
+    lane, n, m = lanes - 1, native.nstates, native.wiring.ninputs
+    arrays = _arrays(native, lanes)
+
+    def ask(t: float, x: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
+        x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
+        time, X, P, T, W, D = arrays
+        own = native.parameters()
+        own[native.ramp : native.ramp + 1 + 2 * m] = [t, *u, *np.zeros(m)]
+        for k, place in native.layout.intervals.items():
+            block, given = native.wiring.nodes[k].system, native.sweep.given[k]
+            own[place] = block.parameters_at(t, given).interval
+        for k in range(lanes):
+            elsewhere = 1.0 + 0.1 * (lane - k)
+            time[k], X[:n, k], P[: len(own), k] = t, x * elsewhere, own
+        for address in addresses:
+            _call(address, arrays)
+        signals = W[: native.nsignals, lane]
+        return D[:n, lane].copy(), native.wiring.output_map @ np.concatenate([signals, u])
+
+    return ask
+
+
+def _arrays(native: NativeDiagram, lanes: int) -> tuple[np.ndarray, ...]:
+    """Return t, X, P, T, W and D for so many lanes."""
+    program = native.code.program
+    sizes = native.nstates, program.parameters, program.room, native.nstates
+    X, P, W, D = (np.zeros((max(size, 1), lanes)) for size in sizes)
+    return np.zeros(lanes), X, P, np.append(native.layout.T, 0.0), W, D
+
+
+def _call(address: int, arrays: tuple[np.ndarray, ...]) -> None:
+    import ctypes
+
+    function = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 6)(int(address))
+    function(*(array.ctypes.data for array in arrays))
+
+
+def _symbolic(plain: PlainDiagram) -> Reading:
+    def ask(t: float, x: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
+        sweep = _SymbolicSweep(plain.wiring, plain.sweep.given)
+        sweep.enter(t)
+        u = np.asarray(u, dtype=float)
+        dx = sweep.derivative(t, np.asarray(x, dtype=float), u)
+        return dx, sweep.outputs(u)
+
+    return ask
+
+
+class _SymbolicSweep(Sweep):
+    """A pass over the diagram that asks SymPy's expressions."""
+
+    def _call(self, role: str, k: int, t: float, x: np.ndarray, u: np.ndarray, out: Any) -> None:
+        block = self.nodes[k].system
+        if not isinstance(block, Block):
+            raise DiagramError(f"{self.nodes[k].name} is no block, so it has no expressions")
+        if block.opaque:
+            super()._call(role, k, t, x, u, out)
+            return
+        record = block.update_record if role == "update" else block.output_record
+        assert record is not None
+        out[:] = reading(record).ask(t, x, u, self._parameters[k])
+
+
+__all__ = ["readings"]

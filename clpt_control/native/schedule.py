@@ -1,0 +1,101 @@
+"""Pieces of time: where a run stops exactly, and what every piece sets in P.
+
+A piece ends at a breakpoint of a block or at a sample of the diagram's inputs.  It
+sets the `interval` of blocks that jump, and the straight line of each input.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .sweep import Sweep
+
+Samples = tuple[np.ndarray, np.ndarray]  # times, and values of shape (ninputs, ntimes)
+
+
+class Schedule(NamedTuple):
+    """The pieces of a run.
+
+    Attributes
+    ----------
+    edges : ndarray, shape (n,)
+        Ends of pieces, increasing; the last is the end of the run.
+    places : ndarray of int, shape (m,)
+        Places in P.
+    values : ndarray, shape (n + 1, m)
+        What each piece sets there; one more, for the time of the end.
+    """
+
+    edges: np.ndarray
+    places: np.ndarray
+    values: np.ndarray
+
+
+def schedule(
+    sweep: Sweep,
+    intervals: dict[int, int],
+    t0: float,
+    t1: float,
+    kinks: np.ndarray | None = None,
+) -> Schedule:
+    """Return the pieces of a run from t0 to t1.
+
+    Parameters
+    ----------
+    sweep : Sweep
+        The diagram, with its parameters.
+    intervals : dict
+        Block index -> place in P of its `interval`.
+    t0, t1 : float
+        The span.
+    kinks : ndarray, optional
+        More times to stop at exactly: samples of the diagram's inputs.
+
+    Returns
+    -------
+    Schedule
+        Places and values empty where nothing is set.
+    """
+    edges = sweep.breakpoints(t0, t1)
+    if kinks is not None:
+        edges = np.union1d(edges, kinks[(kinks > t0) & (kinks < t1)])
+    edges = np.append(edges[edges < t1], t1)
+    starts = np.append(t0, edges)
+    places = np.array(list(intervals.values()), dtype=np.int64)
+    values = np.empty((len(starts), len(places)))
+    for j, k in enumerate(intervals):
+        block, given = sweep.nodes[k].system, sweep.given[k]
+        if given.interval >= 0:
+            values[:, j] = given.interval
+        else:
+            jumps = block.breakpoints(0.0, t1, given)
+            values[:, j] = np.searchsorted(jumps, starts, side="right")
+    return Schedule(edges, places, values)
+
+
+def with_inputs(pieces: Schedule, t0: float, samples: Samples, ramp: int) -> Schedule:
+    """Add the diagram's inputs, straight within a piece, to what a piece sets.
+
+    Parameters
+    ----------
+    pieces : Schedule
+        That stop at every sample.
+    t0 : float
+        Start of the run.
+    samples : tuple of ndarray
+        Times, and values of shape (ninputs, ntimes).
+    ramp : int
+        Place in P of the inputs: time, values, slopes.
+
+    Returns
+    -------
+    Schedule
+        With more places.
+    """
+    at, u = samples
+    starts = np.append(t0, pieces.edges)
+    k = np.clip(np.searchsorted(at, starts, side="right") - 1, 0, max(len(at) - 2, 0))
+    slopes = np.diff(u, axis=1) / np.diff(at) if len(at) > 1 else np.zeros((len(u), 1))
+    rows = np.column_stack([at[k], u[:, k].T, slopes[:, k].T])
+    more = np.arange(ramp, ramp + 1 + 2 * len(u))
+    return Schedule(pieces.edges, np.append(pieces.places, more), np.hstack([pieces.values, rows]))

@@ -1,0 +1,354 @@
+"""Runs, exactly to every breakpoint: what comes after what in a step.
+
+One text for one run and for several side by side (lanes).  Numba compiles it for
+machine code; equations in Python run it as it stands.  Every lane has its own run,
+time, step and piece of time; a lane whose run has ended takes the next.  Nothing is
+summed across lanes, so a run gives the same numbers beside any others.
+
+Arrays are flat: number i of row r in lane k lies at (r n + i) lanes + k.  Numbers
+are computed through `call`, by the diagram's functions and the formulas of `method`,
+which say what the rows are.
+"""
+
+import math
+
+import numpy as np
+
+RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT, TOO_MANY = range(6)  # as in `status`
+TIME, STEP, END, FRESH, REJECTED, GOOD, TAKEN, NEW, AT, FAILING, SIZE, TROUBLE = range(12)
+RATE, ARGUMENT, TERMS, STAGES = 1, 17, 18, 12
+MEMBER, EDGE, DONE = range(3)  # rows of `whole`
+STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of `counts`
+# places of `code`: the diagram's functions, then the formulas; stage s stands at STAGE + s
+DERIVATIVE, PREPARE, MARGIN, SIGNALS, ATTEMPT, JUDGE, SIZES, TRIAL, FIRST, ACCEPT, DENSE = range(11)
+STAGE, FIXED = 10, 25
+OUTSIDE = 1e-9  # grid steps beyond the edge that count as outside
+LOOKS = 16  # places within a step at which guards are looked at
+
+
+def call(function, t, X, first, P, T, W, D, to):
+    """Call function(t, X[first:], P, T, W, D[to:]); for machine code, by its address."""
+    function(t, X, first, P, T, W, D, to)
+
+
+def advance(code, shape, tolerances, runs, schedule, times, out, status, reached, counts,
+            numbers, whole, queue, Z, P, T, W, D, budget, most, guarded):  # fmt: skip
+    """Take up to `budget` steps in every lane; return how many lanes are at work.
+
+    Parameters
+    ----------
+    code : sequence
+        Functions, or their addresses.
+    shape : tuple of int
+        Numbers of lanes, states and parameters.
+    tolerances : ndarray, shape (2,)
+        rtol, atol.
+    runs : tuple of ndarray
+        Initial states (m, n), parameters (m, nP) and schedule of each run (m,).
+    schedule : tuple of ndarray
+        Ends of pieces of time (g, ne), how many there are (g,), places in P that
+        a piece sets, and their values (g, ne, np).
+    times : ndarray
+        When states are wanted; a run starts at the first.
+    out, status, reached, counts : ndarray
+        Of each run: states at `times`, how it ended, samples done, numbers of
+        steps, evaluations, restarts and rejected steps.
+    numbers, whole, queue : ndarray
+        What lanes are doing; the next run, the one behind the last, and 1 where
+        a lane begins a piece.
+    Z, P, T, W, D : ndarray
+        States and stages, parameters, tables, signals, results.
+    budget, most : int
+        Steps of this call, and of a run.
+    guarded : bool
+        Whether guards are watched.
+    """
+    lanes, n, _ = shape
+    span, now, at = n * lanes, numbers[TIME], numbers[AT]
+    flat = numbers.reshape(-1)
+    active = start(shape, runs, schedule, times, out, numbers, whole, queue, Z, P)
+    while active > 0 and budget > 0:
+        budget -= 1
+        if queue[2] == 1:
+            queue[2] = 0
+            call(code[PREPARE], now, Z, 0, P, T, W, D, 0)
+            call(code[DERIVATIVE], now, Z, 0, P, T, W, Z, (RATE + 1) * span)
+            if guarded:
+                call(code[MARGIN], now, Z, 0, P, T, W, D, 0)
+            call(code[SIZES], flat, Z, 0, P, tolerances, W, D, 0)
+            call(code[TRIAL], flat, Z, 0, P, T, W, D, 0)
+            call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + 2) * span)
+            call(code[FIRST], flat, Z, 0, P, tolerances, W, D, 0)
+            begin(lanes, status, counts, numbers, whole, D, guarded)
+        call(code[ATTEMPT], flat, Z, 0, P, T, W, D, 0)
+        for s in range(1, STAGES + 1):
+            call(code[STAGE + s], flat, Z, 0, P, T, W, D, 0)
+            call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + s) * span)
+        call(code[JUDGE], flat, Z, 0, P, tolerances, W, D, 0)
+        wanted = False
+        for k in range(lanes):
+            m, done = whole[MEMBER, k], whole[DONE, k]
+            if m >= 0:
+                counts[m, EVALUATIONS] += STAGES
+                if numbers[FAILING, k] > 0.5:
+                    fail(status, whole, k, TOO_SMALL)
+                if numbers[GOOD, k] < 0.5:
+                    counts[m, REJECTIONS] += 1
+                else:
+                    counts[m, STEPS] += 1
+                    if done < len(times) and times[done] <= numbers[NEW, k]:
+                        wanted = True
+        if wanted or guarded:
+            for s in range(STAGES + 1, STAGES + 4):
+                call(code[STAGE + s], flat, Z, 0, P, T, W, D, 0)
+                call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + s) * span)
+            call(code[STAGE + STAGES], flat, Z, 0, P, T, W, D, 0)
+            call(code[DENSE], flat, Z, 0, P, T, W, D, 0)
+            if guarded:
+                watch(code, shape, numbers, whole, status, Z, P, T, W, D)
+            sample(shape, times, out, status, counts, numbers, whole, Z)
+        call(code[ACCEPT], flat, Z, 0, P, T, W, D, 0)
+        for k in range(lanes):
+            m = whole[MEMBER, k]
+            if m < 0:
+                rest(k, shape, runs, numbers, Z)
+                continue
+            if counts[m, STEPS] + counts[m, REJECTIONS] >= most:
+                fail(status, whole, k, TOO_MANY)
+            if numbers[GOOD, k] > 0.5 and numbers[TIME, k] == numbers[END, k]:
+                enter(k, lanes, runs, schedule, status, numbers, whole, queue, P)
+            if status[m] != RUNNING:
+                reached[m] = whole[DONE, k]
+                whole[MEMBER, k] = -1
+                active -= 1
+                active += take(k, shape, runs, schedule, times, out, numbers, whole, queue, Z, P)
+    return active
+
+
+def fail(status, whole, k, why):
+    """End the run of a lane."""
+    m = whole[MEMBER, k]
+    if m >= 0 and status[m] == RUNNING:
+        status[m] = why
+
+
+# --- which run a lane works on --------------------------------------------------------------
+
+
+def start(shape, runs, schedule, times, out, numbers, whole, queue, Z, P):
+    """Give idle lanes a run; return how many lanes are at work."""
+    active = 0
+    for k in range(shape[0]):
+        if whole[MEMBER, k] >= 0:
+            active += 1
+        else:
+            active += take(k, shape, runs, schedule, times, out, numbers, whole, queue, Z, P)
+    return active
+
+
+def take(k, shape, runs, schedule, times, out, numbers, whole, queue, Z, P):
+    """Begin the next run in a lane; return 0 where there is none."""
+    lanes, n, parameters = shape
+    X0, Ps, group = runs
+    edges, _, places, values = schedule
+    m, more = queue[0], queue[0] < queue[1]
+    if more:
+        queue[0], queue[2] = m + 1, 1
+        whole[MEMBER, k], whole[EDGE, k], whole[DONE, k] = m, 0, 1
+        for i in range(n):
+            out[m, 0, i] = X0[m, i]
+    else:
+        m = 0
+    for j in range(parameters):
+        P[j * lanes + k] = Ps[m, j]
+    for j in range(len(places)):
+        P[places[j] * lanes + k] = values[group[m], 0, j]
+    if not more:
+        rest(k, shape, runs, numbers, Z)
+        return 0
+    for i in range(n):
+        Z[i * lanes + k] = X0[m, i]
+    numbers[TIME, k], numbers[END, k], numbers[STEP, k] = times[0], edges[group[m], 0], 0.0
+    numbers[FRESH, k], numbers[REJECTED, k] = 1.0, 0.0
+    return 1
+
+
+def rest(k, shape, runs, numbers, Z):
+    """Let an idle lane take the same harmless step again."""
+    lanes, n, _ = shape
+    for i in range(n):
+        Z[i * lanes + k] = runs[0][0, i]
+    numbers[TIME, k], numbers[STEP, k], numbers[END, k] = 0.0, 0.5, 1.0
+    numbers[FRESH, k], numbers[REJECTED, k] = 0.0, 0.0
+
+
+def begin(lanes, status, counts, numbers, whole, D, guarded):
+    """Note that lanes have begun a piece of time."""
+    for k in range(lanes):
+        if numbers[FRESH, k] > 0.5:
+            numbers[FRESH, k], numbers[REJECTED, k] = 0.0, 0.0
+            counts[whole[MEMBER, k], EVALUATIONS] += 2
+            counts[whole[MEMBER, k], RESTARTS] += 1
+            if numbers[TROUBLE, k] != 0.0:
+                fail(status, whole, k, NOT_FINITE)
+            if guarded and D[k] < -OUTSIDE:
+                fail(status, whole, k, LEFT)
+                numbers[END, k] = numbers[TIME, k]
+
+
+def enter(k, lanes, runs, schedule, status, numbers, whole, queue, P):
+    """Enter the next piece of time, or end the run."""
+    edges, ends, places, values = schedule
+    m = whole[MEMBER, k]
+    g = runs[2][m]
+    whole[EDGE, k] += 1
+    if whole[EDGE, k] == ends[g]:
+        if status[m] == RUNNING:
+            status[m] = FINISHED
+        return
+    numbers[END, k], numbers[FRESH, k] = edges[g, whole[EDGE, k]], 1.0
+    queue[2] = 1
+    for j in range(len(places)):
+        P[places[j] * lanes + k] = values[g, whole[EDGE, k], j]
+
+
+# --- within a step --------------------------------------------------------------------------
+
+
+def between(Z, n, lanes, k, i, share):
+    """Return state i of a lane at a share of the step."""
+    y = 0.0
+    for r in range(7):
+        y += Z[((TERMS + 6 - r) * n + i) * lanes + k]
+        y *= share if r % 2 == 0 else 1.0 - share
+    return y + Z[i * lanes + k]
+
+
+def sample(shape, times, out, status, counts, numbers, whole, Z):
+    """Write the states at times within the step."""
+    lanes, n, _ = shape
+    for k in range(lanes):
+        m, done = whole[MEMBER, k], whole[DONE, k]
+        if m < 0 or numbers[GOOD, k] < 0.5 or status[m] != RUNNING:
+            continue
+        counts[m, EVALUATIONS] += 3
+        t, h, new = numbers[TIME, k], numbers[TAKEN, k], numbers[NEW, k]
+        while done < len(times) and times[done] <= new:
+            for i in range(n):
+                if times[done] == new:
+                    out[m, done, i] = Z[(ARGUMENT * n + i) * lanes + k]
+                else:
+                    out[m, done, i] = between(Z, n, lanes, k, i, (times[done] - t) / h)
+            done += 1
+        whole[DONE, k] = done
+
+
+def watch(code, shape, numbers, whole, status, Z, P, T, W, D):
+    """End the run of a lane that leaves a guard within the step, and do not take it."""
+    lanes, n, _ = shape
+    for look in range(1, LOOKS + 1):
+        share = look / LOOKS
+        for k in range(lanes):
+            numbers[AT, k] = numbers[TIME, k] + share * numbers[TAKEN, k]
+            for i in range(n):
+                Z[((RATE + 1) * n + i) * lanes + k] = between(Z, n, lanes, k, i, share)
+        call(code[MARGIN], numbers[AT], Z, (RATE + 1) * n * lanes, P, T, W, D, 0)
+        for k in range(lanes):
+            if numbers[GOOD, k] > 0.5 and D[k] < -OUTSIDE:
+                fail(status, whole, k, LEFT)
+                numbers[GOOD, k] = 0.0
+
+
+# --- steps of one length, and signals -------------------------------------------------------
+
+
+def advance_fixed(code, shape, step, runs, schedule, times, out, status, reached, counts,
+                  numbers, whole, Z, P, T, W, D, guarded):  # fmt: skip
+    """Run all to the end by Runge and Kutta's method of order 4, as many at once as lanes.
+
+    Arguments as for `advance`; runs that are taken together follow one schedule.
+    """
+    lanes, n, parameters = shape
+    X0, Ps, group = runs
+    edges, _, places, values = schedule
+    span, now, at, flat = n * lanes, numbers[TIME], numbers[AT], numbers.reshape(-1)
+    for base in range(0, len(X0), lanes):
+        count = min(lanes, len(X0) - base)
+        for k in range(lanes):
+            m = base + min(k, count - 1)
+            whole[MEMBER, k] = m if k < count else -1
+            for j in range(parameters):
+                P[j * lanes + k] = Ps[m, j]
+            for i in range(n):
+                Z[i * lanes + k] = out[m, 0, i] = X0[m, i]
+        t, done, edge, g = times[0], 1, 0, group[base]
+        while done < len(times):
+            for j in range(len(places)):
+                for k in range(lanes):
+                    P[places[j] * lanes + k] = values[g, edge, j]
+            numbers[TIME, :] = t
+            call(code[PREPARE], now, Z, 0, P, T, W, D, 0)
+            while done < len(times):
+                stop = min(times[done], edges[g, edge])
+                steps = max(1, math.ceil((stop - t) / step * (1.0 - 1e-12)))
+                h, first = (stop - t) / steps, t
+                numbers[TAKEN, :] = h
+                for number in range(steps):
+                    numbers[TIME, :] = first + number * h
+                    call(code[DERIVATIVE], now, Z, 0, P, T, W, Z, RATE * span)
+                    for s in range(1, 4):
+                        call(code[FIXED + s], flat, Z, 0, P, T, W, D, 0)
+                        call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z,
+                             (RATE + s) * span)  # fmt: skip
+                    call(code[FIXED + 4], flat, Z, 0, P, T, W, D, 0)
+                    if guarded:
+                        call(code[MARGIN], at, Z, 0, P, T, W, D, 0)
+                        for k in range(count):
+                            if D[k] < -OUTSIDE:
+                                fail(status, whole, k, LEFT)
+                t = stop
+                for k in range(count):
+                    keep(k, shape, steps, done, stop == times[done], times, out, status, reached,
+                         counts, whole, Z)  # fmt: skip
+                if stop == times[done]:
+                    done += 1
+                if t == edges[g, edge]:
+                    edge += 1
+                    break
+        for k in range(count):
+            counts[base + k, RESTARTS] = edge
+            if status[base + k] == RUNNING:
+                status[base + k] = FINISHED
+
+
+def keep(k, shape, steps, done, sampled, times, out, status, reached, counts, whole, Z):
+    """Count steps of a lane and keep its state at a sample."""
+    lanes, n, _ = shape
+    m, trouble = whole[MEMBER, k], 0.0
+    if status[m] != RUNNING:
+        return
+    counts[m, STEPS] += steps
+    counts[m, EVALUATIONS] += 4 * steps
+    for i in range(n):
+        trouble += 0.0 * Z[i * lanes + k]
+    if trouble != 0.0:
+        fail(status, whole, k, NOT_FINITE)
+    elif sampled:
+        for i in range(n):
+            out[m, done, i] = Z[i * lanes + k]
+        reached[m] = done + 1
+
+
+def record(code, times, states, n, pieces, places, values, P, T, W, out):
+    """Write all signals at times; `states` holds n states behind each other for each."""
+    t, piece = np.zeros(1), -1
+    for k in range(len(times)):
+        t[0] = times[k]
+        if pieces[k] != piece:
+            piece = pieces[k]
+            for j in range(len(places)):
+                P[places[j]] = values[piece, j]
+            call(code[PREPARE], t, states, k * n, P, T, W, W, 0)
+        call(code[SIGNALS], t, states, k * n, P, T, W, W, 0)
+        for j in range(out.shape[1]):
+            out[k, j] = W[j]

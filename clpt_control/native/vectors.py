@@ -1,0 +1,266 @@
+"""Numbers of machine code: a double, or several at once in a SIMD register.
+
+A `Number` is a value of LLVM with Python's operators, so that a formula reads
+the same for one run, for eight runs side by side, and for eight turns of a loop.
+Every operation is IEEE's own, number by number: nothing is reassociated or
+contracted, so that a result depends on no neighbour and on no processor.
+"""
+
+import math
+from functools import lru_cache
+from typing import Any, Union
+
+from llvmlite import ir
+
+DOUBLE, BIT, WORD, INT32 = ir.DoubleType(), ir.IntType(1), ir.IntType(64), ir.IntType(32)
+MAGIC = 6755399441055744.0  # 1.5 * 2^52: added to a whole number, it stands in the low bits
+
+
+class Kind:
+    """How many numbers are worked on at once, and where the code goes.
+
+    Parameters
+    ----------
+    builder : llvmlite.ir.IRBuilder
+        Where instructions are put.
+    width : int
+        1 for a double; 2, 4 or 8 for a vector of so many.
+    """
+
+    def __init__(self, builder: ir.IRBuilder, width: int):
+        self.builder, self.width = builder, width
+
+    def type(self, entry: ir.Type = DOUBLE) -> ir.Type:
+        """Return the type of numbers, or of their bits."""
+        return entry if self.width == 1 else ir.VectorType(entry, self.width)
+
+    def constant(self, value: float, entry: ir.Type = DOUBLE) -> ir.Constant:
+        """Return a constant, the same in every place."""
+        return _constant(self.type(entry), value, math.copysign(1.0, value), self.width)
+
+    def number(self, value: Any) -> "Number":
+        """Return a number of a constant, of a double, or of as many as there are."""
+        if isinstance(value, Number):
+            return value
+        if isinstance(value, int | float):
+            return Number(self, self.constant(float(value)))
+        if self.width > 1 and value.type == DOUBLE:
+            empty = ir.Constant(self.type(), ir.Undefined)
+            first = self.builder.insert_element(empty, value, ir.Constant(INT32, 0))
+            zeros = ir.Constant(ir.VectorType(INT32, self.width), [0] * self.width)
+            value = self.builder.shuffle_vector(first, empty, zeros)
+        return Number(self, value)
+
+    def call(self, name: str, *arguments: "Number") -> "Number":
+        """Call an intrinsic of LLVM, such as ``"fma"``."""
+        suffix = "f64" if self.width == 1 else f"v{self.width}f64"
+        function = declared(self.builder.module, f"llvm.{name}.{suffix}", self.type(),
+                            [self.type()] * len(arguments))  # fmt: skip
+        return Number(self, self.builder.call(function, [a.value for a in arguments]))
+
+    def each(self, name: str, *arguments: "Number") -> "Number":
+        """Call a function of the C library for one number after the other."""
+        function = declared(self.builder.module, name, DOUBLE, [DOUBLE] * len(arguments))
+        if self.width == 1:
+            return Number(self, self.builder.call(function, [a.value for a in arguments]))
+        result: Any = ir.Constant(self.type(), ir.Undefined)
+        for k in range(self.width):
+            place = ir.Constant(INT32, k)
+            one = [self.builder.extract_element(a.value, place) for a in arguments]
+            result = self.builder.insert_element(result, self.builder.call(function, one), place)
+        return Number(self, result)
+
+
+@lru_cache(maxsize=4096)
+def _constant(kind: ir.Type, value: float, sign: float, width: int) -> ir.Constant:
+    """Return a constant; the same one again, for LLVM's text of it is long to make."""
+    return ir.Constant(kind, value if width == 1 else [value] * width)
+
+
+def declared(module: ir.Module, name: str, result: ir.Type, arguments: list[ir.Type]) -> Any:
+    """Return a function of the module, declared if it is not."""
+    if name in module.globals:
+        return module.globals[name]
+    return ir.Function(module, ir.FunctionType(result, arguments), name)
+
+
+Like = Union["Number", float, int]
+
+
+class Number:
+    """One number, or several at once.
+
+    Parameters
+    ----------
+    kind : Kind
+        How many.
+    value : llvmlite.ir.Value
+        In LLVM.
+    """
+
+    __slots__ = ("kind", "value")
+
+    def __init__(self, kind: Kind, value: Any):
+        self.kind, self.value = kind, value
+
+    def _with(self, other: Like, instruction: str, swapped: bool = False) -> "Number":
+        values = [self.value, self.kind.number(other).value]
+        build = getattr(self.kind.builder, instruction)
+        return Number(self.kind, build(*(values[::-1] if swapped else values)))
+
+    def __add__(self, other: Like) -> "Number":
+        return self._with(other, "fadd")
+
+    def __radd__(self, other: Like) -> "Number":
+        return self._with(other, "fadd", True)
+
+    def __sub__(self, other: Like) -> "Number":
+        return self._with(other, "fsub")
+
+    def __rsub__(self, other: Like) -> "Number":
+        return self._with(other, "fsub", True)
+
+    def __mul__(self, other: Like) -> "Number":
+        return self._with(other, "fmul")
+
+    def __rmul__(self, other: Like) -> "Number":
+        return self._with(other, "fmul", True)
+
+    def __truediv__(self, other: Like) -> "Number":
+        return self._with(other, "fdiv")
+
+    def __rtruediv__(self, other: Like) -> "Number":
+        return self._with(other, "fdiv", True)
+
+    def __neg__(self) -> "Number":
+        return Number(self.kind, self.kind.builder.fneg(self.value))
+
+    def _compare(self, other: Like, symbol: str, ordered: bool = True) -> "Mask":
+        builder = self.kind.builder
+        compare = builder.fcmp_ordered if ordered else builder.fcmp_unordered
+        return Mask(self.kind, compare(symbol, self.value, self.kind.number(other).value))
+
+    def __lt__(self, other: Like) -> "Mask":
+        return self._compare(other, "<")
+
+    def __le__(self, other: Like) -> "Mask":
+        return self._compare(other, "<=")
+
+    def __gt__(self, other: Like) -> "Mask":
+        return self._compare(other, ">")
+
+    def __ge__(self, other: Like) -> "Mask":
+        return self._compare(other, ">=")
+
+    def __eq__(self, other: Like) -> "Mask":  # type: ignore[override]
+        return self._compare(other, "==")
+
+    def __ne__(self, other: Like) -> "Mask":  # type: ignore[override]
+        return self._compare(other, "!=", False)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def bits(self) -> Any:
+        """The bits, as whole numbers of 64 bits."""
+        return self.kind.builder.bitcast(self.value, self.kind.type(WORD))
+
+
+class Mask:
+    """An answer, yes or no, for each number."""
+
+    __slots__ = ("kind", "value")
+
+    def __init__(self, kind: Kind, value: Any):
+        self.kind, self.value = kind, value
+
+    def __and__(self, other: "Mask") -> "Mask":
+        return Mask(self.kind, self.kind.builder.and_(self.value, other.value))
+
+    def __or__(self, other: "Mask") -> "Mask":
+        return Mask(self.kind, self.kind.builder.or_(self.value, other.value))
+
+    def __invert__(self) -> "Mask":
+        return Mask(self.kind, self.kind.builder.xor(self.value, self.kind.constant(1, BIT)))
+
+    def __ne__(self, other: object) -> "Mask":  # type: ignore[override]
+        assert isinstance(other, Mask)
+        return Mask(self.kind, self.kind.builder.xor(self.value, other.value))
+
+    __hash__ = None  # type: ignore[assignment]
+
+
+def select(mask: Mask, a: Like, b: Like) -> Number:
+    """`a` where the mask holds, else `b`; both are computed."""
+    kind = mask.kind
+    chosen = kind.builder.select(mask.value, kind.number(a).value, kind.number(b).value)
+    return Number(kind, chosen)
+
+
+def fma(a: Like, b: Like, c: Like) -> Number:
+    """Return a b + c, rounded once."""
+    kind = next(n.kind for n in (a, b, c) if isinstance(n, Number))
+    return kind.call("fma", *(kind.number(n) for n in (a, b, c)))
+
+
+def absolute(a: Number) -> Number:
+    """Return the absolute value."""
+    return a.kind.call("fabs", a)
+
+
+def square_root(a: Number) -> Number:
+    """Return the square root, correctly rounded."""
+    return a.kind.call("sqrt", a)
+
+
+def round_down(a: Number) -> Number:
+    """Return the largest whole number not above."""
+    return a.kind.call("floor", a)
+
+
+def round_to_zero(a: Number) -> Number:
+    """Return the whole number next towards zero."""
+    return a.kind.call("trunc", a)
+
+
+def copysign(a: Number, b: Number) -> Number:
+    """Return `a` with the sign of `b`."""
+    return a.kind.call("copysign", a, b)
+
+
+def nearest(a: Number) -> Number:
+    """Return the nearest whole number, for |a| < 2^51."""
+    return (a + MAGIC) - MAGIC
+
+
+def odd(k: Number) -> Mask:
+    """Whether whole numbers are odd, for |k| < 2^51."""
+    kind = k.kind
+    one = kind.builder.and_((k + MAGIC).bits(), kind.constant(1, WORD))
+    return Mask(kind, kind.builder.icmp_unsigned("!=", one, kind.constant(0, WORD)))
+
+
+def negative_sign(a: Number) -> Mask:
+    """Whether the sign bit is set, of -0.0 and NaN too."""
+    return Mask(a.kind, a.kind.builder.icmp_signed("<", a.bits(), a.kind.constant(0, WORD)))
+
+
+def power_of_two(k: Number) -> Number:
+    """Return 2^k for whole numbers k in [-1022, 1023]."""
+    kind = k.kind
+    shifted = kind.builder.shl((k + (MAGIC + 1023.0)).bits(), kind.constant(52, WORD))
+    return Number(kind, kind.builder.bitcast(shifted, kind.type()))
+
+
+def split(a: Number) -> tuple[Number, Number]:
+    """Return (k, m) with a = 2^k m and sqrt(1/2) <= m < sqrt(2), for normal a > 0."""
+    kind, builder = a.kind, a.kind.builder
+    half_root, one = 0x3FE6A09E667F3BCD, 0x3FF0000000000000  # bits of sqrt(1/2) and of 1
+    above = builder.add(
+        builder.sub(a.bits(), kind.constant(half_root, WORD)), kind.constant(one, WORD)
+    )
+    k = builder.lshr(above, kind.constant(52, WORD))  # exponent + 1023
+    number = builder.bitcast(builder.or_(k, kind.constant(0x4330000000000000, WORD)), kind.type())
+    exponent = Number(kind, number) - float(2**52 + 1023)
+    fraction = builder.and_(above, kind.constant(0x000FFFFFFFFFFFFF, WORD))
+    m = builder.bitcast(builder.add(fraction, kind.constant(half_root, WORD)), kind.type())
+    return exponent, Number(kind, m)

@@ -1,0 +1,68 @@
+"""Where equations have a value: no division by what may be zero, no root of what may be less.
+
+SymPy cancels z z/z to z; the equations that run give NaN at z = 0.  So every operation
+of a record that has no value somewhere is asked whether it can come there.
+"""
+
+from collections.abc import Callable
+
+import sympy
+
+
+def _power(base: sympy.Expr, exponent: sympy.Expr) -> bool:
+    whole = bool(exponent.is_integer)
+    return bool(
+        (whole and (exponent.is_nonnegative or base.is_nonzero))
+        or base.is_positive
+        or (base.is_nonnegative and exponent.is_positive)
+    )
+
+
+# operation -> (what must hold, as a sentence, whether it is known to)
+DEMANDS: dict[str, tuple[str, Callable[..., bool]]] = {
+    "div": ("divides by {1}, which may be zero", lambda a, b: bool(b.is_nonzero)),
+    "mod": ("takes the remainder by {1}, which may be zero", lambda a, b: bool(b.is_nonzero)),
+    "floordiv": ("divides by {1}, which may be zero", lambda a, b: bool(b.is_nonzero)),
+    "pow": ("raises {0} to the power {1}, which may have no value", _power),
+    "sqrt": ("takes the root of {0}, which may be negative", lambda a: bool(a.is_nonnegative)),
+    "log1p": ("takes log(1 + {0}), which may have no value",
+              lambda a: bool((1 + a).is_positive)),
+    "tan": ("takes the tangent of {0}, which may have no value", lambda a: False),
+    "atanh": ("takes atanh of {0}, which may have no value",
+              lambda a: bool((1 - a**2).is_positive)),
+    "acosh": ("takes acosh of {0}, which may have no value", lambda a: bool((a - 1).is_nonnegative)),
+    **dict.fromkeys(("log", "log2", "log10"), (
+        "takes the logarithm of {0}, which may have no value", lambda a: bool(a.is_positive))),
+    **dict.fromkeys(("asin", "acos"), (
+        "takes an angle of {0}, which may have none", lambda a: bool((1 - a**2).is_nonnegative))),
+}  # fmt: skip
+
+
+def undefined(name: str, arguments: tuple) -> str | None:
+    """Return what may have no value here, or None where it always has.
+
+    Parameters
+    ----------
+    name : str
+        Operation of a record.
+    arguments : tuple of sympy.Expr
+        What it is given.
+
+    Returns
+    -------
+    str or None
+        A sentence without its subject.
+
+    Examples
+    --------
+    >>> z, gamma = sympy.Symbol("z", real=True), sympy.Symbol("gamma", positive=True)
+    >>> undefined("div", (z, z))
+    'divides by z, which may be zero'
+    >>> undefined("div", (z, gamma)), undefined("div", (z, 1 + z**2))
+    (None, None)
+    """
+    if name not in DEMANDS:
+        return None
+    sentence, known = DEMANDS[name]
+    arguments = tuple(map(sympy.sympify, arguments))
+    return None if known(*arguments) else sentence.format(*arguments)
