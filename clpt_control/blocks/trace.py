@@ -98,7 +98,7 @@ def _run(function: FunctionType, role: str, sizes: tuple[int, int, int], p: Any)
         arrays = [x, u, *(value for value in traced_p if isinstance(value, np.ndarray))]
         before, unset = [list(array.flat) for array in arrays], list(out)
         substitutes = {**SUBSTITUTES, "range": tape.turns}
-        given = rebind(function, substitutes, _opaque)(t, x, u, traced_p, out)
+        given = rebind(function, substitutes, stand_in_for_opaque)(t, x, u, traced_p, out)
         if given is not None:
             raise Refused("returning a value", "fill the last argument: out[0] = ...")
         for array, held in zip(arrays, before, strict=True):
@@ -184,7 +184,7 @@ def _lookup(table: Any, index: Any) -> Any:
     return index.tape.add("table", index.ref, (field, int(places[0]), stride, len(places)))
 
 
-def _opaque(rebound: FunctionType, helper: FunctionType) -> Callable:
+def stand_in_for_opaque(rebound: FunctionType, helper: FunctionType) -> Callable:
     """Let a helper marked opaque say so in the record."""
     if not getattr(helper, "opaque", False):
         return rebound

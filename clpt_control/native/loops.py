@@ -72,11 +72,6 @@ class _Carried(NamedTuple):
     first: Any
 
 
-class _Turns(NamedTuple):
-    turns: list[list]
-    end: int  # the first operation behind the loop
-
-
 def rolled(record: Record, least: int = LEAST) -> Rolled:
     """Return a record with the loops that can be kept.
 
@@ -96,6 +91,8 @@ def rolled(record: Record, least: int = LEAST) -> Rolled:
     known: dict = {}
     if _expanded(found, len(record.outputs), known) == _recorded(record, known):
         return found
+    if least == inf:
+        raise BlockError("loops that do not expand to what was recorded")
     return _Roller(record, inf).run()
 
 

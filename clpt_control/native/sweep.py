@@ -26,6 +26,8 @@ class Sweep:
         Blocks, and any python-control systems.
     parameters : sequence
         For each block its NamedTuple, for another system its dict of `params`.
+    only : set of int, optional
+        The blocks to run, with all that feed them.
 
     Attributes
     ----------
@@ -45,13 +47,13 @@ class Sweep:
     (14,)
     """
 
-    def __init__(self, wiring: Wiring, parameters: Sequence[Any]):
+    def __init__(self, wiring: Wiring, parameters: Sequence[Any], only: set[int] | None = None):
         self.wiring, self.nodes = wiring, wiring.nodes
         self.nstates = self.nodes[-1].states.stop
         self.signals = np.zeros(self.nodes[-1].outputs.stop)
         self._inputs = np.zeros(self.nodes[-1].inputs.stop)
         self._external = np.zeros(wiring.ninputs)
-        self._plan = [(k, self.nodes[k]) for k in wiring.order]
+        self._plan = [(k, self.nodes[k]) for k in wiring.order if only is None or k in only]
         self._wires = {k: self._views(node) for k, node in self._plan}
         self.given = list(parameters)
         self._parameters = list(parameters)

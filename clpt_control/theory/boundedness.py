@@ -1,25 +1,28 @@
-"""The chain behind Theorem 3.2: bounded signals, then Barbalat's lemma.
+"""The chain behind Theorem 3.2: bounded signals, then no way for e but to zero.
 
     x' = (theta - alpha_M) phi - KD x + GammaD zc              Eq. (9)
     z  = x - e
-    V'' = -2 e^T KD e',   e' = -KD e + W^T eta
+    e' = -KD e + W^T eta,    V'' = -2 e^T KD e'
+    g = -V' >= 0,  int g dt <= V(0),  |g'| <= B                so g -> 0
 
-V of Eq. (24) bounds e and eta; x is bounded by Eq. (9), stable and linear in x
-but for the bounded phi; z = x - e then is bounded, and so are e' and V''.  The
-print bounds z by calling Eq. (8) "linear with sinusoidal inputs", which is no
-argument: its gains adapt.
+V of Eq. (24) bounds e and eta; x is bounded by Eq. (9), stable and linear in x but for
+the bounded phi; z = x - e then is bounded, and so are e' and V''.  The print bounds z by
+calling Eq. (8) "linear with sinusoidal inputs", which is no argument: its gains adapt.
+The last line is what Barbalat's lemma says: wherever g = eps, it stays above
+eps - B s for the time eps/B, which takes eps^2/(2 B) out of int g dt <= V(0).
 """
 
 import sympy
 
-from .lyapunov import PHI, lyapunov_derivative, theorem_loop
-from .observability import eta_of
+from .generic import Summed
+from .generic_trace import GenericLoop, element_symbol, generic_trace
+from .lyapunov import generic_terms
 from .proof import Step, checked
-from .trace import trace
+from .theorem_loop import theorem_loop
 
 
-def definite_steps(law: str) -> list[Step]:
-    """Check that V is positive definite in e and the errors.
+def definite_step(law: str) -> Step:
+    """Check that V is positive definite in e and the errors, every N.
 
     Parameters
     ----------
@@ -28,56 +31,58 @@ def definite_steps(law: str) -> list[Step]:
 
     Returns
     -------
-    list of Step
-        One, a definite form.
+    Step
+        Exact.
 
     Examples
     --------
-    >>> definite_steps("learned-flow")[0].holds
+    >>> definite_step("learned-flow").holds
     True
     """
     equation = "(17)" if law == "known-flow" else "(24)"
 
     def check() -> bool:
-        loop = trace(theorem_loop(2, law), PHI)
-        V = loop.signals["V"][0]
-        p = loop.parameters["vehicle_controller"]
-        states = [*loop.states["x"], *loop.states["K"], *loop.states["Gamma"]]
-        true = dict(zip(states, [*loop.states["z"], *p.KD, *p.GammaD], strict=True))
-        if law == "learned-flow":
-            alpha = loop.states["alpha"]
-            states += list(alpha)
-            theta = loop.parameters["true_flow"].theta.ravel()
-            true |= dict(zip(alpha, -theta, strict=True))
-        H = sympy.hessian(V, states)
-        slopes = [sympy.diff(V, s).subs(true, simultaneous=True) for s in states]
-        return (
-            H.is_diagonal()
-            and all(H[i, i].is_positive for i in range(len(states)))
-            and all(sympy.expand(slope) == 0 for slope in slopes)
-            and sympy.expand(V.subs(true, simultaneous=True)) == 0
-        )
+        loop = generic_trace(theorem_loop(3, law))
+        V = loop.signals["V", None, 0]
+        terms, truth = generic_terms(loop), {}
+        singles = []
+        for i in range(2):
+            KD, GammaD = terms.KD(i), loop.parameter("GammaD", i)
+            own = [element_symbol(port, None, i) for port in ("x", "K", "Gamma")]
+            truth |= dict(zip(own, (element_symbol("z", None, i), KD, GammaD), strict=True))
+            singles += own
+        rows = [element_symbol("alpha", i) for i in range(2)] if law == "learned-flow" else []
+        truth |= {row: -terms.theta(i, None) for i, row in enumerate(rows)}
+        return _form(V.base, singles, truth) and (_form(V.term, rows, truth) if rows else not V.term)
 
-    return [
-        checked(
-            f"V of Eq. {equation} is positive definite in e and the parameter errors, and "
-            "radially unbounded: a constant positive diagonal Hessian, zero at the truth",
-            "definite form",
-            check,
-        )
-    ]
+    return checked(
+        f"V of Eq. {equation} is positive definite in e and the parameter errors, and radially "
+        "unbounded: a constant positive diagonal Hessian, zero at the truth", "exact", check
+    )  # fmt: skip
+
+
+def _form(V: sympy.Expr, states: list, truth: dict) -> bool:
+    """Tell whether V is a sum of squares of the errors, each with a positive weight."""
+    H = sympy.hessian(V, states)
+    at_truth = [V, *(sympy.diff(V, s) for s in states)]
+    return (
+        H.is_diagonal()
+        and all(H[i, i].is_positive and not H[i, i].free_symbols & set(truth)
+                for i in range(len(states)))
+        and all(sympy.expand(v.subs(truth, simultaneous=True)) == 0 for v in at_truth)
+    )  # fmt: skip
 
 
 def dissipation_step() -> Step:
     """Check that -e^T KD e is not positive where KD > 0."""
 
     def check() -> bool:
-        loop, rate = lyapunov_derivative(theorem_loop(1, "learned-flow"))
-        H = sympy.hessian(rate, list(loop.states["x"]))
-        return H.is_diagonal() and all(H[i, i].is_negative for i in range(2))
+        loop = generic_trace(theorem_loop(3, "learned-flow"))
+        rate = loop.derivative(loop.signals["V", None, 0])
+        H = sympy.hessian(rate.base, [element_symbol("x", None, i) for i in range(2)])
+        return not rate.term and H.is_diagonal() and all(H[i, i].is_negative for i in range(2))
 
-    claim = "V' <= 0: -e^T KD e is negative definite in e for KD > 0"
-    return checked(claim, "definite form", check)
+    return checked("V' <= 0: -e^T KD e is negative definite in e for KD > 0", "exact", check)
 
 
 def young_step() -> Step:
@@ -86,67 +91,99 @@ def young_step() -> Step:
     e, d = sympy.symbols("e d", real=True)
     whole = k * e**2 / 2 + d**2 / (2 * k) - e * d
     return checked(
-        "-k e^2 + e d <= -k e^2/2 + d^2/(2k): what is left is (k/2)(e - d/k)^2",
-        "definite form",
+        "-k e^2 + e d <= -k e^2/2 + d^2/(2k): what is left is (k/2)(e - d/k)^2; its integral "
+        "bounds the mean square",
+        "exact",
         lambda: sympy.expand(whole - k * (e - d / k) ** 2 / 2) == 0,
     )
 
 
-def barbalat_steps() -> list[Step]:
-    """Check the boundedness chain of Theorem 3.2.
+def error_rate(loop: GenericLoop) -> tuple[Summed, Summed]:
+    """Return e' = -KD e + W^T eta as the paper has it, for each axis."""
+    terms, rates = generic_terms(loop), []
+    for i in range(2):
+        K, Gamma = element_symbol("K", None, i), element_symbol("Gamma", None, i)
+        joint = loop.signals["z", None, i].base * (K - terms.KD(i))
+        joint += loop.signals["zc", None, i].base * (loop.parameter("GammaD", i) - Gamma)
+        learned = terms.phi(None) * (terms.theta(i, None) + element_symbol("alpha", i))
+        rates.append(Summed(joint - terms.KD(i) * terms.e(i), learned))
+    return rates[0], rates[1]
+
+
+def convergence_steps() -> list[Step]:
+    """Check the chain of Theorem 3.2 after V' = -e^T KD e.
 
     Returns
     -------
     list of Step
-        Symbolic; with |phi| <= 1 from the basis steps.
+        Exact, every N.
 
     Examples
     --------
-    >>> all(step.holds for step in barbalat_steps())
+    >>> all(step.holds for step in convergence_steps())
     True
     """
-    loop = trace(theorem_loop(2, "learned-flow"), PHI)
-    p = loop.parameters["vehicle_controller"]
-    e, phi = loop.signals["e"], loop.signals["phi_x"]
-    phis = {f: sympy.Dummy() for f in phi}
+
+    def loop() -> GenericLoop:
+        return generic_trace(theorem_loop(3, "learned-flow"))
 
     def vehicle_stable() -> bool:
+        own = loop()
         for i in range(2):
-            rest = sympy.expand(loop.rates["x"][i] + p.KD[i] * loop.states["x"][i])
-            rest = rest.subs(phis)
-            moving = {s for port in loop.states.values() for s in port}
-            if rest.free_symbols & moving or not p.KD[i].is_positive:
+            KD, rate = generic_terms(own).KD(i), own.rates["x", None, i]
+            rest = sympy.expand(rate.base + KD * element_symbol("x", None, i))
+            given = {s for s in own.given if str(s) in ("phi_x[k]", f"zc_{i + 1}")}
+            fixed = {s for s in (rest + rate.term).free_symbols if _is_state(own, s)}
+            moving = (rest + rate.term).free_symbols & own.given
+            if fixed or not moving <= given or not KD.is_positive:
                 return False
-            flow = sympy.expand(rest - rest.subs(dict.fromkeys(phis.values(), 0)))
-            if flow.has(*loop.signals["zc"]):
+            if sympy.diff(rate.term, own.signals["phi_x", 0, None], 2) != 0:
                 return False
         return True
 
     def prediction() -> bool:
-        return all(
-            sympy.expand(loop.states["z"][i] - (loop.states["x"][i] - e[i])) == 0 for i in range(2)
-        )
+        own = loop()
+        x, z = ([element_symbol(port, None, i) for i in range(2)] for port in "xz")
+        return all(own.signals["e", None, i] == Summed(x[i] - z[i]) for i in range(2))
 
-    def error_rate() -> bool:
-        eta, z, zc, N = eta_of(loop), loop.states["z"], loop.signals["zc"], 2
-        for i in range(2):
-            joint = sum(phi[k] * eta[i * N + k] for k in range(N))
-            joint += z[i] * eta[2 * N + i] + zc[i] * eta[2 * N + 2 + i]
-            if sympy.expand(loop.derivative(e[i]) + p.KD[i] * e[i] - joint) != 0:
+    def rate() -> bool:
+        own = loop()
+        for i, wanted in enumerate(error_rate(own)):
+            found = own.derivative(own.signals["e", None, i])
+            if sympy.expand(found.base - wanted.base) or sympy.expand(found.term - wanted.term):
                 return False
         return True
 
     def second() -> bool:
-        _, rate = lyapunov_derivative(theorem_loop(2, "learned-flow"))
-        twice = loop.derivative(rate)
-        wanted = -2 * sum(p.KD[i] * e[i] * loop.derivative(e[i]) for i in range(2))
-        return sympy.expand(twice - wanted) == 0 and not twice.has(sympy.Derivative)
+        own = loop()
+        terms = generic_terms(own)
+        twice = own.derivative(own.derivative(own.signals["V", None, 0]))
+        wanted = Summed(sympy.Integer(0))
+        for i in range(2):
+            slope = Summed(-2 * terms.KD(i) * terms.e(i))
+            wanted = wanted.plus(slope.times(own.derivative(own.signals["e", None, i])))
+        return twice == wanted.expanded()
+
+    def squeezed() -> bool:
+        eps, B, s = sympy.symbols("epsilon B s", positive=True)
+        taken = sympy.integrate(eps - B * s, (s, 0, eps / B))
+        return sympy.simplify(taken - eps**2 / (2 * B)) == 0 and bool(taken.is_positive)
 
     return [
-        checked("Eq. (9): x' + KD x holds only phi and zc, so x is bounded", "symbolic",
+        checked("Eq. (9): x' + KD x holds only phi and zc, so x is bounded", "exact",
                 vehicle_stable),
-        checked("z = x - e, so z is bounded where x and e are", "symbolic", prediction),
-        checked("e' = -KD e + W^T eta, products of bounded signals", "symbolic", error_rate),
-        checked("V'' = -2 e^T KD e' holds no derivative of phi or zc, so it is bounded",
-                "symbolic", second),
+        checked("z = x - e, so z is bounded where x and e are", "exact", prediction),
+        checked("e' = -KD e + W^T eta, products of bounded signals", "exact", rate),
+        checked("V'' = -2 e^T KD e' holds no derivative of phi or zc, so it is bounded by some B",
+                "exact", second),
+        checked("where g = -V' reaches eps, V loses int_0^(eps/B) (eps - B s) ds = eps^2/(2B) > 0: "
+                "that can happen finitely often only, so V' -> 0", "exact", squeezed),
     ]  # fmt: skip
+
+
+def _is_state(loop: GenericLoop, symbol: sympy.Symbol) -> bool:
+    own = [element_symbol(port, row, None) for port, size in loop.states.items()
+           for row in range(size.rows)]  # fmt: skip
+    own += [element_symbol(port, None, j) for port, size in loop.states.items()
+            for j in range(size.more)]  # fmt: skip
+    return symbol in own

@@ -1,29 +1,28 @@
-"""A block's equations for a generic number of basis functions.
+"""A block's equations for every number N of basis functions.
 
-The function is called with N a symbol.  Its vectors answer to indices such as
-2 + N or i N + k, and `range(N)` runs its body with one symbolic index k.  A
-term that holds k then stands for its sum over k = 1 ... N:
+The record of a run for every N (`generic_run`) is rolled into its loops, of which all
+turns are the same and hand on nothing but sums.  One turn on symbols then gives
 
-    f(N) = base + sum_k term(k)
+    y = base + sum_k term(k),    k = 1 ... N
 
-The reading is sound where sums are used linearly.  That is checked by running
-the body for no index, for k, and for k and l: with linear use the three
-results superpose, f(k, l) - f(k) - f(l) + f() = 0; otherwise it is refused.
+for a single number, and an expression of k for the element k of a row of N.
 """
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
+import numpy as np
 import sympy
 
 from ..blocks import Block
-from ..blocks.readers import rebind, undefined
-from ..blocks.words import symbolic_substitutes
+from ..blocks.symbolic import OPERATIONS, exact
+from ..blocks.tracers import Tape
 from ..errors import BlockError
-
-N = sympy.Symbol("N", integer=True, positive=True)
-K, L = sympy.symbols("k l", integer=True, positive=True)
+from ..native.loops import Constant, Place, Rolled, rolled
+from ..native.program import Loop, Step, Store
+from .domain import undefined
+from .generic_run import run
+from .whole import BIG, TURNS, Cells, Held, Whole
 
 
 class Summed(NamedTuple):
@@ -40,7 +39,7 @@ class Summed(NamedTuple):
     base: sympy.Expr
     term: sympy.Expr = sympy.Integer(0)
 
-    def __add__(self, other: Any) -> "Summed":
+    def plus(self, other: "Summed") -> "Summed":
         """Add two sums term by term."""
         return Summed(self.base + other.base, self.term + other.term)
 
@@ -71,191 +70,257 @@ class Size(NamedTuple):
 
 
 KNOWN_SIZES = {"phi_x": Size(1, 0), "phi_z": Size(1, 0), "alpha": Size(2, 0), "eta": Size(2, 4)}
+Key = tuple[str, int | None, int | None]  # (port, row, None) or (port, None, number)
 
 
 def generic_size(port: str, size: int, functions: int) -> Size:
-    """Tell how a port grows with N.
-
-    Examples
-    --------
-    >>> generic_size("alpha", 6, 3)
-    Size(rows=2, more=0)
-    """
-    if port in KNOWN_SIZES and size == KNOWN_SIZES[port].rows * functions + KNOWN_SIZES[port].more:
-        return KNOWN_SIZES[port]
-    if port in KNOWN_SIZES or (functions > 4 and size >= functions):
-        return Size(*divmod(size, functions))
-    return Size(0, size)
-
-
-@dataclass
-class Vector:
-    """A vector of ports whose sizes may hold N.
-
-    Attributes
-    ----------
-    ports : dict
-        Port -> Size, in order.
-    element : callable
-        ``element(port, row, index)``: what stands there; row is None past the
-        rows of N.
-    start : sympy.Expr
-        Where this view starts in the whole.
-    stored : dict
-        What was written, by (port, row, index).
-    """
-
-    ports: Mapping[str, Size]
-    element: Callable[[str, Any, Any], Any]
-    start: Any = 0
-    stored: dict | None = None
-
-    def _place(self, index: Any) -> tuple[str, Any, Any]:
-        position = sympy.expand(sympy.sympify(index) + self.start)
-        for port, size in self.ports.items():
-            rows = position.coeff(N)
-            rest = sympy.expand(position - rows * N)
-            if rows.is_Integer and 0 <= rows < size.rows:
-                if rest in (K, L):
-                    return port, int(rows), rest
-                if rest.is_Integer and rest >= 0:
-                    return port, int(rows), int(rest)
-            if rows == size.rows and rest.is_Integer and 0 <= rest < size.more:
-                return port, None, int(rest)
-            position = sympy.expand(position - size.rows * N - size.more)
-        raise BlockError(f"index {index} lies in no port of {', '.join(self.ports)}")
-
-    def __getitem__(self, index: Any) -> Any:
-        """Read an element, or view a slice from its start."""
-        if isinstance(index, slice):
-            start = 0 if index.start is None else index.start
-            return Vector(self.ports, self.element, self.start + start, self.stored)
-        place = self._place(index)
-        if self.stored is not None:
-            if place not in self.stored:
-                raise BlockError(f"{place[0]} is read before it is written")
-            return self.stored[place]
-        return self.element(*place)
-
-    def __setitem__(self, index: Any, value: Any) -> None:
-        """Write an element of an output."""
-        if self.stored is None:
-            raise BlockError("a block writes only its last argument")
-        self.stored[self._place(index)] = sympy.sympify(value)
-
-
-def element_symbol(name: str, row: Any, index: Any) -> sympy.Expr:
-    """Give the symbol of one signal: alpha_1[k], K_2, phi_x[k].
-
-    Examples
-    --------
-    >>> element_symbol("alpha", 0, K)
-    alpha_1[k]
-    """
-    if row is None:
-        return sympy.Symbol(f"{name}_{index + 1}", real=True)
-    label = name if name.startswith("phi") else f"{name}_{row + 1}"
-    return sympy.IndexedBase(label, real=True)[index if index in (K, L) else index + 1]
-
-
-class ParameterArray:
-    """A parameter array on symbols, such as theta[i, k] or KD[i]."""
-
-    def __init__(self, name: str, positive: bool):
-        self.name, self.positive = name, positive
-
-    def __getitem__(self, index: Any) -> sympy.Expr:
-        """Give the symbol: theta_1[k] for two indices, KD_1 for one."""
-        if isinstance(index, tuple):
-            row, place = index
-            return sympy.IndexedBase(f"{self.name}_{row + 1}", real=True)[place]
-        sort = {"positive": True} if self.positive else {"real": True}
-        return sympy.Symbol(f"{self.name}_{index + 1}", **sort)
-
-
-def _range_over(indices: tuple) -> Callable:
-    def symbolic_range(count: Any) -> Iterator:
-        if isinstance(count, int):
-            return iter(range(count))
-        if count == N:
-            return iter(indices)
-        raise BlockError(f"range({count}): with a generic N only range(p.N) can be read")
-
-    return symbolic_range
-
-
-class GenericBlock(NamedTuple):
-    """A block's outputs and rates for a generic N.
-
-    Attributes
-    ----------
-    outputs, rates : dict
-        (port, row) -> the element k of that row, an expression; (port, j) with
-        an ordinary number past the rows -> `Summed`.
-    """
-
-    outputs: dict
-    rates: dict
-
-
-def read_function(function: Any, block: Block, p: Any, sizes: Mapping, out: Mapping) -> dict:
-    """Read one of a block's functions with N a symbol.
+    """Tell how a port grows with N, by its name.
 
     Parameters
     ----------
-    function : function
-        The block's update or output.
-    block : Block
-        The block.
-    p : NamedTuple
-        Its parameters on symbols.
-    sizes : mapping
-        ``"states"`` and ``"inputs"`` -> {port: Size}.
-    out : mapping
-        The ports written, {port: Size}.
+    port : str
+        Its name: phi, alpha and eta grow, others keep their size.
+    size : int
+        Its size for the diagram's own N.
+    functions : int
+        The diagram's own N.
 
     Returns
     -------
-    dict
-        (port, row, None) -> element k of a row, (port, None, j) -> Summed.
+    Size
+        Rows of N, and more.
 
     Raises
     ------
     BlockError
-        If a sum over k is used in a way that does not superpose, or an
-        element of the output is left unwritten.
-    """
-    from .trace import TIME
+        If a port of such a name has another size.
 
-    results = []
-    for indices in ((), (K,), (K, L)):
-        substitutes = {**symbolic_substitutes(), "range": _range_over(indices)}
-        stored: dict = {}
-        x, u = (Vector(sizes[part], element_symbol) for part in ("states", "inputs"))
-        y = Vector(out, element_symbol, 0, stored)
-        rebind(function, substitutes, opaque=undefined)(TIME, x, u, p, y)
-        results.append({key: sympy.nsimplify(value, rational=True)
-                        for key, value in stored.items()})  # fmt: skip
-    none, one, two = results
-    read: dict = {}
-    for port, size in out.items():
+    Examples
+    --------
+    >>> generic_size("alpha", 6, 3), generic_size("e", 2, 3)
+    (Size(rows=2, more=0), Size(rows=0, more=2))
+    """
+    known = KNOWN_SIZES.get(port)
+    if known is None:
+        return Size(0, size)
+    if size != known.rows * functions + known.more:
+        raise BlockError(f"{port} has {size} signals, which does not go with N = {functions}")
+    return known
+
+
+def keys(ports: dict[str, Size]) -> dict[tuple[int, int], Key]:
+    """Return what stands where in a vector of ports: by (c, n), the place c + n N."""
+    found: dict[tuple[int, int], Key] = {}
+    c = n = 0
+    for port, size in ports.items():
         for row in range(size.rows):
-            if (port, row, K) not in one:
-                raise BlockError(f"{block.name}: {port}_{row + 1}[k] is not written")
-            value = one[(port, row, K)]
-            if two[(port, row, K)] != value or two[(port, row, L)] != value.subs(K, L):
-                raise BlockError(f"{block.name}: {port}_{row + 1}[k] depends on other k")
-            read[(port, row, None)] = value
-        for j in range(size.more):
-            place = (port, None, j)
-            if place not in one or place not in none:
-                raise BlockError(f"{block.name}: {port}_{j + 1} is not written for every N")
-            alone = one[place]
-            rest = two[place] - alone - alone.subs(K, L) + none[place]
-            if sympy.expand(rest) != 0:
-                raise BlockError(
-                    f"{block.name}: {port}_{j + 1} uses a sum over k = 1 ... N in a way that is "
-                    "not linear; keep sums apart until they are complete"
-                )
-            read[place] = Summed(none[place], sympy.expand(alone - none[place]))
-    return read
+            found[c, n] = (port, row, None)
+            n += 1
+        for number in range(size.more):
+            found[c, n] = (port, None, number)
+            c += 1
+    return found
+
+
+def read_function(
+    block: Block,
+    role: str,
+    sizes: dict[str, dict[str, Size]],
+    leaf: Callable[..., Any],
+    told: Callable[[str], None],
+) -> dict[Key, Any]:
+    """Read one of a block's functions for every N.
+
+    Parameters
+    ----------
+    block : Block
+        The block, made for some N.
+    role : str
+        ``"update"`` or ``"output"``.
+    sizes : dict
+        ``"x"``, ``"u"`` and ``"out"`` -> {port: Size}.
+    leaf : callable
+        ``leaf("t")``, ``leaf("u", key)``, ``leaf("p", field, places)`` -> expression or
+        Summed; a place None is the index k.
+    told : callable
+        Told what may have no value.
+
+    Returns
+    -------
+    dict
+        (port, row, None) -> element k of a row; (port, None, j) -> Summed.
+
+    Raises
+    ------
+    BlockError
+        If the function is not read for every N; it may be right all the same.
+    """
+    function = getattr(block, f"{role}_function")
+    tape, written = Tape(), {}
+    N = getattr(block.parameters, "N", 0)
+    lengths = {name: Whole(sum(s.more for s in ports.values()), sum(s.rows for s in ports.values()))
+               for name, ports in sizes.items()}  # fmt: skip
+    given = [Cells(tape, name, Whole(0), lengths[name]) for name in "xu"]
+
+    def parameter(field: str, value: Any) -> Any:
+        if field == "N":
+            return Whole(0, 1)
+        if isinstance(value, int):
+            return value
+        return Held(tape, field, np.shape(value), N) if np.ndim(value) else tape.add("p", field, 0)
+
+    fields = zip(block.parameters._fields, block.parameters, strict=True)
+    p = type(block.parameters)(*(parameter(field, value) for field, value in fields))
+    out = Cells(tape, "out", Whole(0), lengths["out"], written)
+    try:
+        record = run(function, tape, (tape.add("t"), *given, p, out), written)
+        reader = _Reader(block, {name: keys(ports) for name, ports in sizes.items()}, leaf, told)
+        raw = reader.read(rolled(record, least=float("inf")))
+        found = {key: raw[k] for k, key in enumerate(written)}
+        values = {key: reader.row([found.pop((*at, turn)) for turn in range(TURNS)])
+                  if key[1] is not None else reader.single(found.pop((*at, None)))
+                  for at, key in keys(sizes["out"]).items()}  # fmt: skip
+        if found:
+            raise BlockError("it writes a single place among N")
+        return values
+    except Exception as error:  # whatever Python says of these equations
+        raise BlockError(f"{block.name}.{role} is not read for every N: {error}") from None
+
+
+class _Reader:
+    """Evaluate a rolled record on symbols, one turn for all."""
+
+    def __init__(self, block: Block, layout: dict, leaf: Callable, told: Callable):
+        self.block, self.layout, self.leaf, self.told = block, layout, leaf, told
+        self.values: dict[int, Any] = {}
+        self.memory: dict[int, sympy.Expr] = {}  # S
+
+    def read(self, found: Rolled) -> dict[int, Any]:
+        """Run the items; return what is stored for each output, not yet evaluated."""
+        outputs: dict[int, Any] = {}
+        for item in found.items:
+            first = item.body[0] if isinstance(item, Loop) and item.body else item
+            if isinstance(first, Store) and first.array == "out":
+                value, count = first.value, item.count if isinstance(item, Loop) else 1
+                step = dict(first.steps) and dict(getattr(value, "steps", ())).get(0, 0)
+                for k in range(count):
+                    moved = value._replace(base=value.base + k * step, steps=()) if step else value
+                    outputs[first.base + k] = moved
+            else:
+                self.do(item, None)
+        return outputs
+
+    def do(self, item: Any, level: int | None) -> None:
+        if isinstance(item, Step):
+            self.values[item.value] = self.step(item, level)
+        elif isinstance(item, Loop):
+            self.loop(item, level)
+        else:  # S, a number for each turn
+            value = self.argument(item.value, level)
+            if isinstance(value, Summed):
+                raise BlockError("an element depends on a sum over k = 1 ... N")
+            self.memory[item.base] = value
+
+    def loop(self, item: Loop, level: int | None) -> None:
+        if level is not None:
+            raise BlockError("a loop inside a loop over all functions")
+        firsts = [self.argument(s.first, None) for s in item.sums]
+        self.values.update({s.within: sympy.Integer(0) for s in item.sums})
+        for part in item.body:
+            self.do(part, item.level)
+        for s, first in zip(item.sums, firsts, strict=True):
+            turned = self.values[s.turned]
+            if isinstance(turned, Summed):
+                raise BlockError("a sum over k = 1 ... N of sums over k = 1 ... N")
+            start = first if isinstance(first, Summed) else Summed(first)
+            self.values[s.result] = start.plus(Summed(sympy.Integer(0), turned))
+
+    def single(self, raw: Any) -> Summed:
+        """Return one number of the output."""
+        value = self.argument(raw, None)
+        return value if isinstance(value, Summed) else Summed(value)
+
+    def row(self, turns: list[Any]) -> sympy.Expr:
+        """Return the element k of a row, from what the turns left."""
+        first, last = turns[0], turns[-1]
+        if isinstance(first, Place) and isinstance(last, Place) and first != last:
+            step, odd = divmod(last.base - first.base, TURNS - 1)
+            if odd or turns != [Place(first.array, first.base + k * step) for k in range(TURNS)]:
+                raise BlockError("the elements of a row differ")
+            value = self.argument(Place(first.array, first.base, ((0, step),)), 0)
+        elif any(turn != first for turn in turns):
+            raise BlockError("the elements of a row differ")
+        else:
+            value = self.argument(first, None)
+        if isinstance(value, Summed) and value.term == 0:
+            return value.base
+        if isinstance(value, Summed):
+            raise BlockError("an element depends on a sum over k = 1 ... N")
+        return value
+
+    def step(self, item: Step, level: int | None) -> Any:
+        arguments = [self.argument(a, level) for a in item.arguments]
+        if not any(isinstance(a, Summed) and a.term != 0 for a in arguments):
+            arguments = [a.base if isinstance(a, Summed) else a for a in arguments]
+            gap = undefined(item.name, tuple(arguments))
+            if gap is not None:
+                self.told(gap)
+            return OPERATIONS[item.name](*arguments)
+        sums = [a if isinstance(a, Summed) else Summed(a) for a in arguments]
+        minus = Summed(sympy.Integer(-1))
+        if item.name == "neg":
+            return sums[0].times(minus)
+        if item.name in ("add", "sub"):
+            return sums[0].plus(sums[1] if item.name == "add" else sums[1].times(minus))
+        if item.name == "mul":
+            return sums[0].times(sums[1])
+        if item.name == "div" and sums[1].term == 0:
+            gap = undefined("div", (sums[0].base, sums[1].base))
+            if gap is not None:
+                self.told(gap)
+            return sums[0].times(Summed(1 / sums[1].base))
+        raise BlockError(f"`{item.name}` of a sum over k = 1 ... N")
+
+    def argument(self, a: Any, level: int | None) -> Any:
+        if isinstance(a, Constant):
+            return exact(a.value)
+        if isinstance(a, int):
+            return self.values[a]
+        if not isinstance(a, Place):
+            raise BlockError("a table that is looked up")
+        if a.array == "t":
+            return self.leaf("t")
+        if a.array == "S":
+            if level is not None and a.steps == ((level, 1),) and a.base in self.memory:
+                return self.memory[a.base]
+            raise BlockError("what a single turn computed is used behind its loop")
+        if a.array not in ("x", "u") and a.array[0] != "p":
+            raise BlockError("turns differ in a constant")
+        steps = dict(a.steps)
+        if set(steps) - {level}:
+            raise BlockError("turns read places far apart")
+        step = steps.get(level, 0)
+        if a.array in ("x", "u"):
+            n, c = divmod(a.base, BIG)
+            if step not in (0, 1):
+                raise BlockError("turns read places far apart")
+            key = self.layout[a.array].get((c, n))
+            if step and key is not None and key[1] is not None:
+                return self.leaf(a.array, key)
+            if not step and key is not None and key[1] is None:
+                return self.leaf(a.array, key)
+            raise BlockError("a single place among N is read, or places side by side")
+        field = a.array[1]
+        return self.leaf("p", field, self.places(field, a.base, step))
+
+    def places(self, field: str, code: int, step: int) -> tuple[int | None, ...]:
+        """Return where in a parameter array; None is the index k."""
+        found: list[int | None] = []
+        for _ in range(np.ndim(getattr(self.block.parameters, field))):
+            code, place = divmod(code, BIG)
+            step, here = divmod(step, BIG)
+            if here not in (0, 1) or (here and place):
+                raise BlockError(f"`p.{field}` is read at places far apart")
+            found.insert(0, None if here else place)
+        return tuple(found)
+
