@@ -33,10 +33,13 @@ def prove(
     else:
         for number, proof in proofs.items():
             rows = [["yes" if s.holds else "NO", s.how, s.claim, s.detail] for s in proof.steps]
-            print_table(f"Theorem {number}: {proof.status}", ["holds", "how", "claim", ""], rows)
+            every = ", for every N" if proof.for_every_N else ""
+            print_table(f"Theorem {number}: {proof.status}{every}", ["holds", "how", "claim", ""], rows)
             typer.echo(f"printed: {proof.printed}")
             if proof.corrected:
                 typer.echo(f"holds:   {proof.corrected}")
+            if proof.cited:
+                typer.echo(f"cited:   {proof.cited}")
             for rest in proof.not_proved:
                 typer.echo(f"not shown: {rest}")
             typer.echo("")

@@ -40,11 +40,13 @@ def audit_json(proofs: Mapping[str, Proof], listed: Sequence[Misprint]) -> dict[
                 "printed": proof.printed,
                 "assumptions": list(proof.assumptions),
                 "steps": [
-                    {"claim": s.claim, "holds": s.holds, "how": s.how, "detail": s.detail}
+                    {"claim": s.claim, "holds": s.holds, "how": s.how, "detail": s.detail,
+                     "every_N": s.every_N}
                     for s in proof.steps
                 ],
                 "conclusion": proof.conclusion,
                 "corrected": proof.corrected,
+                "cited": proof.cited,
                 "not_proved": list(proof.not_proved),
             }
             for number, proof in proofs.items()
@@ -100,6 +102,8 @@ def audit_markdown(proofs: Mapping[str, Proof], listed: Sequence[Misprint]) -> s
         lines += ["", proof.conclusion, ""]
         if proof.corrected:
             lines += [f"*What holds:* {proof.corrected}.", ""]
+        if proof.cited:
+            lines += [f"*Cited:* {proof.cited}.", ""]
         if proof.not_proved:
             lines += [f"*Not shown:* {'; '.join(proof.not_proved)}.", ""]
     lines += ["## Misprints", "", "| equation | printed | should be | told apart by | confirmed |",
@@ -148,6 +152,8 @@ def audit_latex(proofs: Mapping[str, Proof], listed: Sequence[Misprint]) -> str:
         lines += [r"\end{longtable}", _tex(proof.conclusion) + r"\par"]
         if proof.corrected:
             lines.append(rf"\emph{{What holds:}} {_tex(proof.corrected)}.\par")
+        if proof.cited:
+            lines.append(rf"\emph{{Cited:}} {_tex(proof.cited)}.\par")
         if proof.not_proved:
             lines.append(rf"\emph{{Not shown:}} {_tex('; '.join(proof.not_proved))}.")
     lines += [r"\subsection*{Misprints}", r"\begin{longtable}{p{2.2cm}p{4cm}p{4.5cm}p{4.5cm}}",

@@ -74,14 +74,9 @@ MISPRINTS = (
     Misprint("figures 3 and 4", "parameters converge to the true values",
              "alpha converges to -theta; -alpha is plotted",
              "V of (24) has its minimum there", check.converges_to),
-    Misprint("section IV", "periods in hours beside a dwell of 20 seconds",
-             "periods in the unit of time of the run",
-             "the tide turns within a cycle of the waypoints", check.periods),
     Misprint("proof of 3.2", "z is bounded because (8) is linear with sinusoidal inputs",
              "z = x - e, with x bounded by (9) and e by V",
              "dz'/dz of the traced loop is free of adapting gains; z = x - e", check.bounded_z),
-    Misprint("Remark 3.3", "two remarks are numbered 3.3", "the second is Remark 3.4",
-             "remarks are numbered apart", check.remarks),
 )  # fmt: skip
 
 

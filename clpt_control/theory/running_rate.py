@@ -135,8 +135,8 @@ class Draw:
         known = np.concatenate([np.array(sorted(numbers)), np.zeros(1), *held])
         self.kinks = np.concatenate([known, -known])
 
-    def parameters(self, kept: tuple[str, ...] = ()) -> dict[str, np.ndarray]:
-        """Return the values of names: of the size 10^-1.5 to 10^1.5, zero where they are."""
+    def parameters(self, kept: tuple[str, ...] = (), largest: float = 1.5) -> dict[str, np.ndarray]:
+        """Return the values of names: of the size 10^-1.5 to 10^largest, zero where they are."""
         values: dict[str, np.ndarray] = {}
         for block in self.blocks:
             for field, value in zip(block.parameters._fields, block.parameters, strict=True):
@@ -147,7 +147,7 @@ class Draw:
                 if block.name in kept:
                     values[name] = own
                     continue
-                drawn = 10.0 ** self.random.uniform(-1.5, 1.5, own.shape)
+                drawn = 10.0 ** self.random.uniform(-1.5, largest, own.shape)
                 if name in SCALARS:
                     drawn = np.full(own.shape, np.ravel(drawn)[0])
                 if not np.any(own):

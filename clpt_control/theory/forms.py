@@ -1,0 +1,171 @@
+"""Signs of quadratic forms: what is negative whatever the states are, and what is bounded.
+
+    r <= 0                                     factors and squares, or -s^T M s with M >= 0
+    -a s^2 + b s <= -(a/2) s^2 + b^2/(2 a)     a term that pulls back, and one that does not
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import sympy
+
+
+class Pull(NamedTuple):
+    """V' <= -rate V + push, or -e^T KD e/2 + push where rate is zero.
+
+    Attributes
+    ----------
+    rate, push : sympy.Expr
+        In what the law does not know, theta, KD and GammaD.
+    """
+
+    rate: sympy.Expr
+    push: sympy.Expr
+
+
+def tidied(expression: sympy.Expr) -> sympy.Expr:
+    """Return an expression multiplied out, sines and cosines joined."""
+    expression = sympy.expand(expression)
+    if expression.has(sympy.sin, sympy.cos, sympy.tan, sympy.sinh, sympy.cosh):
+        expression = sympy.expand(sympy.trigsimp(expression))
+    return expression
+
+
+def positive_definite(
+    V: sympy.Expr, states: Sequence[sympy.Symbol], truth: dict, values: dict
+) -> bool:
+    """Tell whether V is a positive definite quadratic form in the errors.
+
+    Parameters
+    ----------
+    V : sympy.Expr
+        The candidate.
+    states : sequence of sympy.Symbol
+        The states that have an error.
+    truth : dict
+        State -> where its error is zero.
+    values : dict
+        Parameter -> the number it has.
+
+    Returns
+    -------
+    bool
+        True where it is known: a constant Hessian, positive definite, and V and its slopes
+        zero at the truth.
+
+    Examples
+    --------
+    >>> x, y, a = sympy.symbols("x y a", real=True)
+    >>> V = a * (x - y) ** 2
+    >>> positive_definite(V, [x], {x: y}, {a: 2}), positive_definite(V, [x], {x: y}, {a: -2})
+    (True, False)
+    """
+    H = sympy.hessian(V, list(states)).subs(values)
+    if H.free_symbols or H.atoms(sympy.Function):
+        return False
+    at_truth = [V, *(sympy.diff(V, s) for s in states)]
+    zero = all(tidied(v.subs(truth, simultaneous=True)) == 0 for v in at_truth)
+    return zero and bool(H.is_positive_definite)
+
+
+def nonpositive(expression: sympy.Expr, apart: set, values: dict) -> bool:
+    """Tell whether an expression is never positive.
+
+    Parameters
+    ----------
+    expression : sympy.Expr
+        Multiplied out.
+    apart : set of sympy.Symbol
+        Terms that share none of these are judged apart: states and truths.
+    values : dict
+        Parameter -> the number it has.
+
+    Returns
+    -------
+    bool
+        True where it is known.
+
+    Examples
+    --------
+    >>> x, y = sympy.symbols("x y", real=True)
+    >>> nonpositive(-(x**2) - 2 * x * y - y**2, {x, y}, {}), nonpositive(-x * y, {x, y}, {})
+    (True, False)
+    """
+    return all(_negative(group, apart, values) for group in _groups(expression, apart))
+
+
+def _groups(expression: sympy.Expr, apart: set) -> list[sympy.Expr]:
+    groups: list[tuple[set, sympy.Expr]] = []
+    for term in sympy.Add.make_args(sympy.expand(expression)):
+        own = term.free_symbols & apart
+        joined = [g for g in groups if g[0] & own]
+        groups = [g for g in groups if not g[0] & own]
+        symbols = own.union(*(g[0] for g in joined))
+        groups.append((symbols, sympy.Add(term, *(g[1] for g in joined))))
+    return [total for _, total in groups]
+
+
+def _negative(group: sympy.Expr, apart: set, values: dict) -> bool:
+    if sympy.factor(group).is_nonpositive:
+        return True
+    own = sorted(group.free_symbols & apart, key=str)
+    if not own or not group.is_polynomial(*own):
+        return False
+    H = sympy.hessian(group, own)
+    at_zero = dict.fromkeys(own, 0)
+    rest = [group.subs(at_zero), *(sympy.diff(group, s).subs(at_zero) for s in own)]
+    if any(sympy.expand(value) != 0 for value in rest):
+        return False
+    H = H.subs(values)
+    return not H.free_symbols and not H.atoms(sympy.Function) and bool(
+        (-H).is_positive_semidefinite)  # fmt: skip
+
+
+def pulled(
+    rate: sympy.Expr, V: sympy.Expr, states: Sequence[sympy.Symbol], truth: dict, values: dict
+) -> Pull | None:
+    """Bound V' by what pulls back and a constant, state by state.
+
+    Parameters
+    ----------
+    rate, V : sympy.Expr
+        V' and V.
+    states : sequence of sympy.Symbol
+        The states that have an error.
+    truth : dict
+        State -> where its error is zero.
+    values : dict
+        Parameter -> the number it has.
+
+    Returns
+    -------
+    Pull or None
+        None where V' is not a sum of a term -a s^2 + b s for each error s.
+
+    Examples
+    --------
+    >>> s, c = sympy.symbols("s c", real=True)
+    >>> pulled(-2 * s**2 + c * s, s**2, [s], {s: 0}, {})
+    Pull(rate=1, push=c**2/4)
+    """
+    shifted = {s: s + truth[s] for s in states}
+    rate, V = (sympy.expand(one.subs(shifted, simultaneous=True)) for one in (rate, V))
+    if not rate.is_polynomial(*states) or sympy.Poly(rate, *states).total_degree() > 2:
+        return None
+    H, slopes = sympy.hessian(rate, list(states)), {s: sympy.diff(rate, s) for s in states}
+    weights = sympy.hessian(V, list(states))
+    zero = dict.fromkeys(states, 0)
+    if not H.is_diagonal() or not weights.is_diagonal() or rate.subs(zero) != 0:
+        return None
+    push, rates = sympy.Integer(0), []
+    for k, s in enumerate(states):
+        a, b = (-H[k, k] / 2).subs(values), slopes[s].subs(zero).subs(values)
+        if not a.is_nonnegative or _moving(a, states) or _moving(b, states) or (a == 0 and b != 0):
+            return None
+        push += b**2 / (2 * a) if b != 0 else 0
+        rates.append(a / weights[k, k].subs(values))
+    return None if push == 0 else Pull(sympy.Min(*rates), push)
+
+
+def _moving(expression: sympy.Expr, states: Sequence[sympy.Symbol]) -> bool:
+    return bool(expression.free_symbols & set(states) or expression.atoms(sympy.Function))
