@@ -72,14 +72,14 @@ class _Carried(NamedTuple):
     first: Any
 
 
-def rolled(record: Record, least: int = LEAST) -> Rolled:
+def rolled(record: Record, least: float = LEAST) -> Rolled:
     """Return a record with the loops that can be kept.
 
     Parameters
     ----------
     record : Record
         What a function did.
-    least : int, optional
+    least : float, optional
         Loops of fewer turns stay apart.
 
     Returns

@@ -40,8 +40,13 @@ def audit_json(proofs: Mapping[str, Proof], listed: Sequence[Misprint]) -> dict[
                 "printed": proof.printed,
                 "assumptions": list(proof.assumptions),
                 "steps": [
-                    {"claim": s.claim, "holds": s.holds, "how": s.how, "detail": s.detail,
-                     "every_N": s.every_N}
+                    {
+                        "claim": s.claim,
+                        "holds": s.holds,
+                        "how": s.how,
+                        "detail": s.detail,
+                        "every_N": s.every_N,
+                    }
                     for s in proof.steps
                 ],
                 "conclusion": proof.conclusion,

@@ -44,7 +44,8 @@ def definite_step(law: str) -> Step:
     def check() -> bool:
         loop = generic_trace(theorem_loop(3, law))
         V = loop.signals["V", None, 0]
-        terms, truth = generic_terms(loop), {}
+        terms = generic_terms(loop)
+        truth: dict[sympy.Expr, sympy.Expr] = {}
         singles = []
         for i in range(2):
             KD, GammaD = terms.KD(i), loop.parameter("GammaD", i)
@@ -53,7 +54,8 @@ def definite_step(law: str) -> Step:
             singles += own
         rows = [element_symbol("alpha", i) for i in range(2)] if law == "learned-flow" else []
         truth |= {row: -terms.theta(i, None) for i, row in enumerate(rows)}
-        return _form(V.base, singles, truth) and (_form(V.term, rows, truth) if rows else not V.term)
+        learned = _form(V.term, rows, truth) if rows else V.term == 0
+        return learned and _form(V.base, singles, truth)
 
     return checked(
         f"V of Eq. {equation} is positive definite in e and the parameter errors, and radially "

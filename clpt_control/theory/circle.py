@@ -28,7 +28,7 @@ def telescopes() -> bool:
 
 
 def root_of_unity() -> bool:
-    """Tell whether q = exp(4 pi i/n) has q^n = 1, and q = 1 for n = 2 alone of n >= 2."""
+    """Tell whether q = exp(4 pi i/n) is a root of 1, not 1, n > 2."""
     n = sympy.Symbol("n", integer=True, positive=True)
     m = sympy.Symbol("m", integer=True, nonnegative=True)
     q = sympy.exp(4 * sympy.pi * sympy.I / n)
@@ -44,7 +44,7 @@ def root_of_unity() -> bool:
 
 
 def entries() -> bool:
-    """Tell whether cos^2, sin^2 and cos sin of a are parts of exp(2 i a)."""
+    """Tell whether cos^2, sin^2, cos sin are parts of exp(2 i a)."""
     a = sympy.Symbol("a", real=True)
     re, im = sympy.re(sympy.exp(2 * sympy.I * a)), sympy.im(sympy.exp(2 * sympy.I * a))
     cosine, sine = sympy.cos(a), sympy.sin(a)
@@ -56,7 +56,7 @@ def entries() -> bool:
 
 
 def circle_step() -> Step:
-    """Prove the Gramian (n tau r^2/2) I of n >= 3 waypoints on a circle.
+    """Prove the Gramian (n tau r^2/2) I of points on a circle.
 
     Returns
     -------

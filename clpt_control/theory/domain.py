@@ -30,7 +30,8 @@ DEMANDS: dict[str, tuple[str, Callable[..., bool]]] = {
     "tan": ("takes the tangent of {0}, which may have no value", lambda a: False),
     "atanh": ("takes atanh of {0}, which may have no value",
               lambda a: bool((1 - a**2).is_positive)),
-    "acosh": ("takes acosh of {0}, which may have no value", lambda a: bool((a - 1).is_nonnegative)),
+    "acosh": ("takes acosh of {0}, which may have no value",
+              lambda a: bool((a - 1).is_nonnegative)),
     **dict.fromkeys(("log", "log2", "log10"), (
         "takes the logarithm of {0}, which may have no value", lambda a: bool(a.is_positive))),
     **dict.fromkeys(("asin", "acos"), (
@@ -39,7 +40,7 @@ DEMANDS: dict[str, tuple[str, Callable[..., bool]]] = {
 
 
 def undefined(name: str, arguments: tuple) -> str | None:
-    """Return what may have no value here, or None where it always has.
+    """Return what may have no value here, None if it always has.
 
     Parameters
     ----------

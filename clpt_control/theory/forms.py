@@ -1,7 +1,9 @@
-"""Signs of quadratic forms: what is negative whatever the states are, and what is bounded.
+"""Signs of quadratic forms: what is negative for all states, and what is bounded.
 
-    r <= 0                                     factors and squares, or -s^T M s with M >= 0
-    -a s^2 + b s <= -(a/2) s^2 + b^2/(2 a)     a term that pulls back, and one that does not
+A residual r is never positive where it factors into squares with a minus, or is
+-s^T M s with M >= 0.  A term that pulls back bounds one that does not:
+
+    -a s^2 + b s <= -(a/2) s^2 + b^2/(2 a)
 """
 
 from collections.abc import Sequence
@@ -24,17 +26,30 @@ class Pull(NamedTuple):
 
 
 def tidied(expression: sympy.Expr) -> sympy.Expr:
-    """Return an expression multiplied out, sines and cosines joined."""
-    expression = sympy.expand(expression)
-    if expression.has(sympy.sin, sympy.cos, sympy.tan, sympy.sinh, sympy.cosh):
-        expression = sympy.expand(sympy.trigsimp(expression))
-    return expression
+    """Return an expression multiplied out, cos^2 as 1 - sin^2.
+
+    Examples
+    --------
+    >>> e = sympy.Symbol("e", real=True)
+    >>> tidied(e * sympy.sin(e) ** 2 + e * sympy.cos(e) ** 2)
+    e
+    """
+    pairs = ((sympy.cos, sympy.sin, -1), (sympy.cosh, sympy.sinh, 1))
+    known = {f(a): sympy.expand_trig(f(a)) for pair in pairs for f in pair[:2]
+             for a in {one.args[0] for one in expression.atoms(f)}}  # fmt: skip
+    expression = sympy.expand(expression.subs(known))
+    for even, odd, sign in pairs:
+        for one in expression.atoms(even):
+            square = 1 + sign * odd(one.args[0]) ** 2
+            for n in range(4, 1, -1):  # higher powers stay
+                expression = expression.subs(one**n, square ** (n // 2) * one ** (n % 2))
+    return sympy.expand(expression)
 
 
 def positive_definite(
     V: sympy.Expr, states: Sequence[sympy.Symbol], truth: dict, values: dict
 ) -> bool:
-    """Tell whether V is a positive definite quadratic form in the errors.
+    """Tell whether V is positive definite in the errors.
 
     Parameters
     ----------

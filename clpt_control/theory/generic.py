@@ -9,6 +9,7 @@ for a single number, and an expression of k for the element k of a row of N.
 """
 
 from collections.abc import Callable
+from math import inf
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -109,7 +110,7 @@ def generic_size(port: str, size: int, functions: int) -> Size:
 
 
 def keys(ports: dict[str, Size]) -> dict[tuple[int, int], Key]:
-    """Return what stands where in a vector of ports: by (c, n), the place c + n N."""
+    """Return what stands where in ports: by (c, n), the place c + n N."""
     found: dict[tuple[int, int], Key] = {}
     c = n = 0
     for port, size in ports.items():
@@ -156,7 +157,7 @@ def read_function(
         If the function is not read for every N; it may be right all the same.
     """
     function = getattr(block, f"{role}_function")
-    tape, written = Tape(), {}
+    tape, written = Tape(), {}  # type: ignore[var-annotated]
     N = getattr(block.parameters, "N", 0)
     lengths = {name: Whole(sum(s.more for s in ports.values()), sum(s.rows for s in ports.values()))
                for name, ports in sizes.items()}  # fmt: skip
@@ -175,7 +176,7 @@ def read_function(
     try:
         record = run(function, tape, (tape.add("t"), *given, p, out), written)
         reader = _Reader(block, {name: keys(ports) for name, ports in sizes.items()}, leaf, told)
-        raw = reader.read(rolled(record, least=float("inf")))
+        raw = reader.read(rolled(record, least=inf))
         found = {key: raw[k] for k, key in enumerate(written)}
         values = {key: reader.row([found.pop((*at, turn)) for turn in range(TURNS)])
                   if key[1] is not None else reader.single(found.pop((*at, None)))
@@ -185,6 +186,13 @@ def read_function(
         return values
     except Exception as error:  # whatever Python says of these equations
         raise BlockError(f"{block.name}.{role} is not read for every N: {error}") from None
+
+
+def _moved(value: Any, k: int) -> Any:
+    """Return what the turn k of a loop that fills `out` stores."""
+    if not isinstance(value, Place) or not value.steps:
+        return value
+    return Place(value.array, value.base + k * value.steps[0][1])
 
 
 class _Reader:
@@ -202,10 +210,8 @@ class _Reader:
             first = item.body[0] if isinstance(item, Loop) and item.body else item
             if isinstance(first, Store) and first.array == "out":
                 value, count = first.value, item.count if isinstance(item, Loop) else 1
-                step = dict(first.steps) and dict(getattr(value, "steps", ())).get(0, 0)
                 for k in range(count):
-                    moved = value._replace(base=value.base + k * step, steps=()) if step else value
-                    outputs[first.base + k] = moved
+                    outputs[first.base + k] = _moved(value, k)
             else:
                 self.do(item, None)
         return outputs
@@ -299,7 +305,7 @@ class _Reader:
         steps = dict(a.steps)
         if set(steps) - {level}:
             raise BlockError("turns read places far apart")
-        step = steps.get(level, 0)
+        step = steps.get(level or 0, 0)
         if a.array in ("x", "u"):
             n, c = divmod(a.base, BIG)
             if step not in (0, 1):
@@ -323,4 +329,3 @@ class _Reader:
                 raise BlockError(f"`p.{field}` is read at places far apart")
             found.insert(0, None if here else place)
         return tuple(found)
-

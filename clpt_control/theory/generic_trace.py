@@ -228,10 +228,9 @@ def _ports(ports: dict[str, int], N: int) -> dict[str, Size]:
 
 def _keys_by_place(ports: dict[str, int], N: int) -> list[tuple[Key, int]]:
     """Return, for every signal of ports as they are for this N, its key and function."""
-    return [((port, *rest), j) if rest[0] is not None else ((port, *rest), 0)
-            for port, size in ports.items()
-            for (_, *rest) in keys({port: generic_size(port, size, N)}).values()
-            for j in range(N if rest[0] is not None else 1)]  # fmt: skip
+    return [(key, j) for port, size in ports.items()
+            for key in keys({port: generic_size(port, size, N)}).values()
+            for j in range(N if key[1] is not None else 1)]  # fmt: skip
 
 
 def _places(nodes: tuple[Node, ...], blocks: list[Block], N: int) -> dict[int, tuple[Key, int]]:

@@ -58,7 +58,7 @@ def concrete_terms(loop: SymbolicLoop) -> Terms:
 
 
 def generic_terms(loop: GenericLoop) -> Terms:
-    """Return the paper's symbols of a loop traced for every N; k is None, the index."""
+    """Return the paper's symbols for every N; k is None, the index."""
 
     def own(block: str, field: str) -> Callable:
         return lambda *places: loop.parameter(loop.names[block, field], *places)
@@ -197,7 +197,7 @@ def generic_residual(diagram: Diagram, claim: Claim) -> tuple[GenericLoop, Summe
 def identity_steps(
     text: str, law: str, claim: Claim, points: int, disturbed: bool = False
 ) -> list[Step]:
-    """Check V' for N = 1, 2, 3, for every N, and on the running blocks.
+    """Check V' for N = 1, 2, 3, every N, and the running blocks.
 
     Parameters
     ----------
@@ -231,11 +231,11 @@ def identity_steps(
                 return False, f"N = {N}, left over: {short(rest)}"
             if loop.gaps:
                 return False, loop.gaps[0]
-        loop, every = generic_residual(theorem_loop(3, law, disturbed), claim)
+        whole, every = generic_residual(theorem_loop(3, law, disturbed), claim)
         if every.base != 0 or every.term != 0:
             left = f"left over: {short(every.base)}; summand {short(every.term)}"
             return False, f"every N, {left}"
-        return not loop.gaps, loop.gaps[0] if loop.gaps else "base and summand over k vanish"
+        return not whole.gaps, whole.gaps[0] if whole.gaps else "base and summand over k vanish"
 
     def running() -> tuple[bool, str]:
         diagram = theorem_loop(3, law, disturbed)

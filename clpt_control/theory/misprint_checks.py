@@ -200,7 +200,7 @@ def hats(printed: bool) -> bool:
 
 
 def gaussian(printed: bool) -> bool:
-    """Check whether Eq. (5) is Gaussian: log phi is quadratic in the distance."""
+    """Check whether log phi of Eq. (5) is quadratic in distance."""
     d, width = sympy.symbols("d sigma", positive=True)
     one = basis.BasisParameters(1, np.zeros((1, 2)), np.ones(1), np.zeros(1), np.zeros(1))
     block = basis.flow_basis("basis_x", "x", "exponential" if printed else "gaussian", one)

@@ -16,7 +16,7 @@ from typing import NamedTuple
 import sympy
 
 from ..diagram import error_loop
-from .generic import Summed
+from .generic import Key, Summed
 from .generic_trace import GenericLoop, element_symbol, generic_trace
 from .lyapunov import generic_terms
 from .proof import Step, checked, cited
@@ -104,7 +104,6 @@ def eta_of(loop: SymbolicLoop) -> list[sympy.Expr]:
     ]
 
 
-
 def same_dynamics() -> bool:
     """Tell whether Eqs. (27)-(28) are the closed loop's own, every N.
 
@@ -115,7 +114,9 @@ def same_dynamics() -> bool:
     """
     whole = generic_trace(theorem_loop(3, "learned-flow"))
     parts = generic_trace(error_loop(theorem_scenario(3, "learned-flow")))
-    terms, places, wanted = generic_terms(whole), {}, {}
+    terms = generic_terms(whole)
+    places: dict[sympy.Expr, sympy.Expr] = {}
+    wanted: dict[Key, Summed] = {}
     for i in range(2):
         error = terms.theta(i, None) + element_symbol("alpha", i)
         places[element_symbol("eta", i)] = error

@@ -94,7 +94,7 @@ class Proof:
 
     @property
     def status(self) -> str:
-        """``"proved"``, ``"cited"``, ``"corrected"``, ``"refuted"``, ``"sampled"``, ``"failed"``.
+        """What the steps add up to.
 
         ``"proved"``: by exact steps alone; ``"cited"``: some of them are cited;
         ``"corrected"``: false as printed, and another statement holds; ``"refuted"``:

@@ -13,7 +13,7 @@ from ..errors import DiagramError
 from .running_rate import Draw, Point, RunningRate, degree_of, numeric, symbol_values
 from .trace import SymbolicLoop
 
-DRAWS, PER_DRAW, TRIED = 100, 200, 30
+DRAWS, PER_DRAW, TRIED = 100, 200, 3
 FARTHER = (1.0, 10.0, 100.0)
 
 
@@ -56,13 +56,13 @@ def rising_point(
             values = draw.parameters(kept, largest=0.0)
             params = draw.params(values)
             x, far, u = _around_the_truth(loop, draw, values)
-            order = np.arange(PER_DRAW)
+            order = list(range(PER_DRAW))
             if function is not None:
                 known = symbol_values(loop, draw, values, np.zeros(PER_DRAW), x, u)
                 with np.errstate(all="ignore"):
                     rates = np.broadcast_to(function(*(known[s] for s in symbols)), PER_DRAW)
-                size = np.sum(far**2, axis=1)
-                order = [k for k in np.argsort(-rates / size) if rates[k] > 0][: max(1, TRIED // 10)]
+                steepest = np.argsort(-rates / np.sum(far**2, axis=1))
+                order = [int(k) for k in steepest if rates[k] > 0][:TRIED]
             if len(order):
                 running.set(params)
             for k in order:

@@ -78,7 +78,7 @@ class RunningRate:
         return float(self._sweep.evaluate(t, x, u)[self._place])
 
     def rate(self, t: float, x: np.ndarray, u: np.ndarray, degree: float) -> tuple[float, float]:
-        """Return V', and how large V is over the time between which it is taken."""
+        """Return V', and V over the time between which it is taken."""
         try:
             rates = self.diagram._rhs(t, x, u)
         except RuntimeError:  # python-control's word for a NaN on its way
@@ -115,7 +115,7 @@ def _ancestors(wiring: Wiring, blocks: list[Block]) -> set[int]:
 
 
 class Draw:
-    """Random parameters and points, with the signs that a diagram's own values have.
+    """Random parameters and points; parameters keep their signs.
 
     Parameters
     ----------
@@ -136,7 +136,7 @@ class Draw:
         self.kinks = np.concatenate([known, -known])
 
     def parameters(self, kept: tuple[str, ...] = (), largest: float = 1.5) -> dict[str, np.ndarray]:
-        """Return the values of names: of the size 10^-1.5 to 10^largest, zero where they are."""
+        """Return values by name, of the size 10^-1.5 to 10^largest."""
         values: dict[str, np.ndarray] = {}
         for block in self.blocks:
             for field, value in zip(block.parameters._fields, block.parameters, strict=True):
@@ -174,7 +174,7 @@ class Draw:
         return found
 
     def points(self, count: int, n: int) -> np.ndarray:
-        """Return points of n numbers: wide ranges, zeros, kinks, and equal pairs."""
+        """Return points of n numbers: wide ranges, zeros, kinks."""
         random = self.random
         found = random.standard_normal((count, n)) * 10.0 ** random.uniform(-2, 2, (count, 1))
         found *= random.random((count, n)) > 0.1 * (random.random((count, 1)) < 0.5)
@@ -208,6 +208,7 @@ def compared(
     count: int,
     seed: int = 0,
     given: Mapping[str, Any] | None = None,
+    kept: tuple[str, ...] = (),
 ) -> Comparison:
     """Compare V' of the running blocks with an expression.
 
@@ -225,6 +226,8 @@ def compared(
         Of the points.
     given : mapping, optional
         Name of a parameter -> expressions of the others, which it follows.
+    kept : tuple of str, optional
+        Blocks whose parameters keep their own values.
 
     Returns
     -------
@@ -243,7 +246,7 @@ def compared(
     worst, done = 0.0, 0
     try:
         while done < count:
-            values = draw.parameters()
+            values = draw.parameters(kept)
             for name, expressions in (given or {}).items():
                 known = symbol_values(loop, draw, values)
                 values[name] = np.array([float(e.subs(known)) for e in expressions])
@@ -272,7 +275,7 @@ def compared(
 
 
 def numeric(expression: sympy.Expr) -> tuple[Any, list[Any]]:
-    """Return a function of arrays for an expression, and its symbols in order.
+    """Return an expression as a function of arrays, and its symbols.
 
     Raises
     ------
@@ -298,7 +301,7 @@ def numeric(expression: sympy.Expr) -> tuple[Any, list[Any]]:
 def symbol_values(
     loop: SymbolicLoop, draw: Draw, values: Mapping[str, np.ndarray], *point: Any
 ) -> dict[Any, Any]:
-    """Return symbol -> number, of parameters and, where points are given, of (t, x, u)."""
+    """Return symbol -> number, of parameters and of points (t, x, u)."""
     found: dict[Any, Any] = {}
     for block in draw.blocks:
         own = loop.parameters[block.name]
@@ -318,7 +321,7 @@ def symbol_values(
 
 
 def degree_of(loop: SymbolicLoop) -> float:
-    """Return the degree of V in the states; infinite where it is no polynomial."""
+    """Return the degree of V in the states; inf for no polynomial."""
     V, states = loop.signals["V"][0], [s for port in loop.states.values() for s in port]
     if not V.is_polynomial(*states):
         return np.inf

@@ -77,7 +77,7 @@ def port_symbols(port: str, size: int, N: int | None = None, function_of: tuple 
 
 
 def state_names(blocks: Iterable[Block]) -> dict[tuple[str, str], str]:
-    """Return what each state is called: its port, or block and port where it is none."""
+    """Return what each state is called: its port, or block:port."""
     made = {port: block.name for block in blocks for port in block.output_ports}
     return {
         (block.name, port): port if made.get(port) == block.name else f"{block.name}:{port}"
@@ -155,7 +155,7 @@ def parameter_symbols(blocks: Sequence[Block]) -> dict[str, Any]:
 
 
 def signed(name: str, value: Any) -> sympy.Expr:
-    """Return a symbol with the sign that all of these values have; zero if they are."""
+    """Return a symbol with the sign that all values have, or zero."""
     value = np.asarray(value, dtype=float)
     if value.size and not np.any(value):
         return sympy.Integer(0)

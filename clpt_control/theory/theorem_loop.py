@@ -106,7 +106,7 @@ def theorem_loop(
 
 
 def theorem_candidate(N: int, law: str, gains: np.ndarray) -> Block:
-    """Return V of Eq. (17) or (24) with the truth of `theorem_scenario`.
+    """Return V of Eq. (17) or (24) with the scenario's truth.
 
     Parameters
     ----------

@@ -136,7 +136,7 @@ def theorem_3_3() -> Proof:
 
 
 def ultimate_steps() -> list[Step]:
-    """Check the ultimate bound under a disturbance and an exciting regressor.
+    """Check the ultimate bound where the regressor excites.
 
     Returns
     -------

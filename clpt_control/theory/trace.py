@@ -166,7 +166,7 @@ def trace(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()) -> Sym
 
 
 def blocks_of(wiring: Wiring) -> list[Block]:
-    """Return the blocks of a wiring; refuse what has no equations, or one name twice."""
+    """Return the blocks of a wiring; refuse what has no equations."""
     blocks = []
     for node in wiring.nodes:
         if not isinstance(node.system, Block):

@@ -38,12 +38,12 @@ class Whole:
         self.c, self.n, self.m, self.turn = c, n, m, turn
 
     @classmethod
-    def of(cls, value: Any) -> "Whole | None":
-        """Return a whole number; None for what is none."""
+    def of(cls, value: Any) -> "Whole":
+        """Return a whole number; refuse what is none."""
         if type(value) is int:
             return cls(value)
         if not isinstance(value, Whole):
-            return None
+            raise Refused("what is no whole number, as an index or a count", "use lookup")
         if value.turn is not None and value.turn.over:
             raise Refused("an index behind its loop", "use it within the loop over all functions")
         return value
@@ -59,9 +59,9 @@ class Whole:
         return self.c, self.n, self.turn.number if self.turn else None
 
     def _added(self, other: Any, sign: int) -> Any:
-        a, b = Whole.of(self), Whole.of(other)
-        if b is None or a is None:
+        if not isinstance(other, int | Whole):
             return NotImplemented
+        a, b = Whole.of(self), Whole.of(other)
         if a.turn and b.turn and a.turn is not b.turn:
             raise Refused("two indices in one place", "use one loop over all functions")
         m = a.m + sign * b.m
@@ -86,16 +86,15 @@ class Whole:
         return -self + other
 
     __radd__, __rmul__ = __add__, __mul__
-    __eq__ = __ne__ = __lt__ = __le__ = __gt__ = __ge__ = _refuse(  # type: ignore[assignment]
-        "comparing an index or a number of functions"
-    )
+    __eq__ = __ne__ = _refuse("comparing an index or a number of functions")
+    __lt__ = __le__ = __gt__ = __ge__ = _refuse("comparing an index or a number of functions")
     __hash__ = None  # type: ignore[assignment]
     __bool__ = _refuse("a choice by an index or a number of functions")
     __float__ = __int__ = __index__ = _refuse("the value of an index or a number of functions")
 
 
 class Cells:
-    """A vector of which the length is a whole number; a view of another or the whole.
+    """A vector as long as a whole number, or a view of one.
 
     Parameters
     ----------
@@ -117,8 +116,6 @@ class Cells:
 
     def _place(self, index: Any) -> Whole:
         at = Whole.of(index)
-        if at is None:
-            raise Refused(f"`{self.name}[...]` at what is no whole number", "use lookup")
         n = self.length.n - at.n - at.m  # room behind it: c + n N, for k = N - 1
         c = self.length.c - at.c - (0 if at.m else 1)
         if at.c < 0 or at.n < 0 or at.m not in (0, 1) or n < 0 or c + n < 0:
@@ -138,7 +135,7 @@ class Cells:
     def _view(self, index: slice) -> "Cells":
         first = Whole.of(0 if index.start is None else index.start)
         last = self.length if index.stop is None else Whole.of(index.stop)
-        if index.step is not None or first is None or last is None or first.m or last.m:
+        if index.step is not None or first.m or last.m:
             raise Refused("a slice like this one", "for every N use a slice from place to place")
         size, rest = last - first, self.length - last
         if any(one.n < 0 or one.c + one.n < 0 for one in (size, rest)) or min(first.c, first.n) < 0:
@@ -149,11 +146,13 @@ class Cells:
         ref = operand(value)
         if self.written is None or ref is None:
             raise Refused("this assignment", "write numbers, into the last argument only")
-        self.written[self._place(index).key] = value if isinstance(value, Number) else Number(self.tape, ref)
+        self.written[self._place(index).key] = (
+            value if isinstance(value, Number) else Number(self.tape, ref)
+        )
 
 
 class Held:
-    """A parameter array; an axis of N numbers takes the index of a loop."""
+    """A parameter array; an axis of N numbers takes an index k."""
 
     __iter__ = None  # nothing walks through it but a loop over range
 
@@ -165,9 +164,8 @@ class Held:
         for one in index if isinstance(index, tuple) else (index,):
             at = Whole.of(one)
             size = self.shape[len(places)] if len(places) < len(self.shape) else 0
-            single = at is not None and at.m == 0 and at.n == 0 and 0 <= at.c < size
-            every = at is not None and (at.c, at.n, at.m) == (0, 0, 1) and size == self.N
-            if at is None or not (single or every):
+            single = at.m == 0 and at.n == 0 and 0 <= at.c < size
+            if not single and ((at.c, at.n, at.m) != (0, 0, 1) or size != self.N):
                 raise Refused(f"this place of `p.{self.field}`", "for every N use i or k itself")
             places.append(at)
         if len(places) < len(self.shape):

@@ -1,0 +1,300 @@
+"""Adaptive laws as users write them: right ones, wrong ones, and odd ones.
+
+u = e[2], phi_x[N], z[2], zc[2]; states alpha[2N], K[2], Gamma[2], section III.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from clpt_control.blocks import Block, opaque
+from clpt_control.blocks.words import clip, floor, lookup, maximum, sign, where
+from clpt_control.theory.theorem_loop import theorem_scenario
+
+N = 2
+
+
+class Gain(NamedTuple):
+    N: int
+    gain: float
+
+
+class Rate(NamedTuple):
+    N: int
+    rate: float
+
+
+class Gamma(NamedTuple):
+    N: int
+    gamma: float
+
+
+class Two(NamedTuple):
+    N: int
+    gain: float
+    c: float
+
+
+class Three(NamedTuple):
+    N: int
+    gains: np.ndarray
+
+
+class Arrays(NamedTuple):
+    N: int
+    gain: float
+    K: np.ndarray
+    z: np.ndarray
+
+
+class Truth(NamedTuple):
+    N: int
+    gain: float
+    theta: np.ndarray
+    KD: np.ndarray
+    GammaD: np.ndarray
+
+
+def law(update, parameters, more=None, **ports):
+    n = parameters.N
+    return Block(
+        "own", update=update, inputs={"e": 2, "phi_x": n, "z": 2, "zc": 2, **(more or {})},
+        parameters=parameters, **(ports or {"states": {"alpha": 2 * n, "K": 2, "Gamma": 2}}),
+    )  # fmt: skip
+
+
+def filled(x, u, p, dx, gain, e, i):
+    """Eqs. (21)-(23) for axis i, with this gain and this error."""
+    n = p.N
+    for k in range(n):
+        dx[i * n + k] = -gain * e * u[2 + k]
+    dx[2 * n + i] = -gain * u[2 + n + i] * e
+    dx[2 * n + 2 + i] = gain * u[4 + n + i] * e
+
+
+def shipped(t, x, u, p, dx):
+    """The paper's law, section III."""
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+
+
+def flipped(t, x, u, p, dx):
+    """Every sign flipped, section III."""
+    for i in range(2):
+        filled(x, u, p, dx, -p.gain, u[i], i)
+
+
+def called_rate(t, x, u, p, dx):
+    """The gain's field is called rate, section III."""
+    for i in range(2):
+        filled(x, u, p, dx, p.rate, u[i], i)
+
+
+def called_gamma(t, x, u, p, dx):
+    """The gain's field is called gamma, section III."""
+    for i in range(2):
+        filled(x, u, p, dx, p.gamma, u[i], i)
+
+
+def times_one(t, x, u, p, dx):
+    """Times sin^2 + cos^2, section III."""
+    one = math.sin(u[0]) ** 2 + math.cos(u[0]) ** 2
+    for i in range(2):
+        filled(x, u, p, dx, p.gain * one, u[i], i)
+
+
+def clipped_and_back(t, x, u, p, dx):
+    """e as clip(e) + (e - clip(e)), section III."""
+    for i in range(2):
+        inner = clip(u[i], -1.0, 1.0)
+        filled(x, u, p, dx, p.gain, inner + (u[i] - inner), i)
+
+
+def three_gains(t, x, u, p, dx):
+    """A gain each for alpha, K and Gamma, section III."""
+    n = p.N
+    for i in range(2):
+        for k in range(n):
+            dx[i * n + k] = -p.gains[0] * u[i] * u[2 + k]
+        dx[2 * n + i] = -p.gains[1] * u[2 + n + i] * u[i]
+        dx[2 * n + 2 + i] = p.gains[2] * u[4 + n + i] * u[i]
+
+
+def composite(t, x, u, p, dx):
+    """With the flow's own prediction error, section III: u ends with flow_x[2]."""
+    n = p.N
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+        off = u[6 + n + i]
+        for k in range(n):
+            off += x[i * n + k] * u[2 + k]
+        for k in range(n):
+            dx[i * n + k] -= p.c * off * u[2 + k]
+
+
+def leak(t, x, u, p, dx):
+    """With a leak c of all that is learned, section III."""
+    n = p.N
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+    for j in range(2 * n + 4):
+        dx[j] -= p.gain * p.c * x[j]
+
+
+def leak_of_alpha(t, x, u, p, dx):
+    """With a leak c of alpha alone, section III."""
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+    for j in range(2 * p.N):
+        dx[j] -= p.gain * p.c * x[j]
+
+
+def projection(t, x, u, p, dx):
+    """alpha kept within a ball of radius c on each axis, section III."""
+    n = p.N
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+        size, outward = 0.0, 0.0
+        for k in range(n):
+            size += x[i * n + k] ** 2
+            outward += dx[i * n + k] * x[i * n + k]
+        off = where(size > p.c**2, maximum(outward, 0.0) / maximum(size, 1e-9), 0.0)
+        for k in range(n):
+            dx[i * n + k] -= off * x[i * n + k]
+
+
+def equal_gain(t, x, u, p, dx):
+    """The sign turns at one gain, section III."""
+    for i in range(2):
+        filled(x, u, p, dx, p.gain * where(p.gain == 0.5, -1.0, 1.0), u[i], i)
+
+
+def equal_sign(t, x, u, p, dx):
+    """Nothing is learned where e > 0, section III."""
+    for i in range(2):
+        filled(x, u, p, dx, p.gain * where(sign(u[i]) == 1.0, 0.0, 1.0), u[i], i)
+
+
+def named_like_signals(t, x, u, p, dx):
+    """Leaks towards parameters K and z, not signals, section III."""
+    n = p.N
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+        dx[2 * n + i] -= p.gain * (x[2 * n + i] - p.K[i])
+        dx[2 * n + 2 + i] += 0.3 * (u[2 + n + i] - p.z[i])
+
+
+def wrong_fifth(t, x, u, p, dx):
+    """The fifth function is learned backwards, section III."""
+    n = p.N
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+        for k in range(n):
+            dx[i * n + k] = -p.gain * u[i] * u[2 + k] * where(k == 4, -1.0, 1.0)
+
+
+def two_tables(t, x, u, p, dx):
+    """Two tables at one index, subtracted, section III."""
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+        j = clip(floor(u[0]), 0.0, 1.0)
+        dx[i] += lookup(p.K, j) - lookup(p.z, j)
+
+
+@opaque
+def hidden(table, s):
+    return table[0] * s
+
+
+def two_hidden(t, x, u, p, dx):
+    """Two arrays through one opaque helper, subtracted, section III."""
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+        dx[i] += hidden(p.K, u[4]) - hidden(p.z, u[4])
+
+
+def own_x(t, x, u, p, dx):
+    """A private state called x pushes alpha, section III."""
+    n = p.N
+    for i in range(2):
+        for k in range(n):
+            dx[2 + i * n + k] = -p.gain * u[i] * u[2 + k] - 0.1 * (x[i] - u[2 + n + i])
+        dx[2 + 2 * n + i] = -p.gain * u[2 + n + i] * u[i]
+        dx[4 + 2 * n + i] = p.gain * u[4 + n + i] * u[i]
+        dx[i] = -x[i]
+
+
+def behind_x(t, x, u, p, y):
+    """All states but the private one, section III."""
+    for j in range(2 * p.N + 4):
+        y[j] = x[2 + j]
+
+
+def without_value(t, x, u, p, dx):
+    """z z/z in place of z, section III."""
+    n = p.N
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+        z = u[2 + n + i]
+        dx[2 * n + i] = -p.gain * (z * z / z) * u[i]
+
+
+def indefinite(t, x, u, p, y):
+    """V of Eq. (24) with the parameter errors' sign turned."""
+    n, V = p.N, 0.0
+    for i in range(2):
+        V += u[i] ** 2 / 2
+        for k in range(n):
+            V -= (p.theta[i, k] + u[2 + i * n + k]) ** 2 / (2 * p.gain)
+        V -= (u[2 + 2 * n + i] - p.KD[i]) ** 2 / (2 * p.gain)
+        V -= (p.GammaD[i] - u[4 + 2 * n + i]) ** 2 / (2 * p.gain)
+    y[0] = V
+
+
+def turned_V():
+    scenario = theorem_scenario(N, "learned-flow")
+    car = scenario.vehicle
+    truth = map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward))
+    return Block(
+        "lyapunov", output=indefinite, inputs={"e": 2, "alpha": 2 * N, "K": 2, "Gamma": 2},
+        outputs={"V": 1}, parameters=Truth(N, 0.5, *truth),
+    )  # fmt: skip
+
+
+FLOW = {"flow_x": 2}
+ARRAYS = Arrays(N, 0.5, np.array([1.0, 2.0]), np.array([0.1, 0.2]))
+PRIVATE = {
+    "states": {"x": 2, "alpha": 2 * N, "K": 2, "Gamma": 2}, "output": behind_x,
+    "outputs": {"alpha": 2 * N, "K": 2, "Gamma": 2}, "feedthrough": False,
+}  # fmt: skip
+RIGHT = {  # name -> (law, whether for every N too)
+    "the paper's": (lambda: law(shipped, Gain(N, 0.5)), True),
+    "its gain called rate": (lambda: law(called_rate, Rate(N, 0.5)), True),
+    "its gain called gamma": (lambda: law(called_gamma, Gamma(N, 0.5)), True),
+    "times sin^2 + cos^2": (lambda: law(times_one, Gain(N, 0.5)), True),
+    "clip(e) + (e - clip(e))": (lambda: law(clipped_and_back, Gain(N, 0.5)), True),
+    "three gains": (lambda: law(three_gains, Three(N, np.array([0.5, 0.2, 0.7]))), True),
+    "composite": (lambda: law(composite, Two(N, 0.5, 0.5), FLOW), False),
+    "a leak of 0": (lambda: law(leak, Two(N, 0.5, 0.0)), False),
+    "wrong from N = 5 on": (lambda: law(wrong_fifth, Gain(N, 0.5)), False),
+}
+BOUNDED = {
+    "leak": lambda: law(leak, Two(N, 0.5, 0.1)),
+    "leak of alpha": lambda: law(leak_of_alpha, Two(N, 0.5, 0.1)),
+}
+REFUTED = {
+    "gain -0.5": lambda: law(shipped, Gain(N, -0.5)),
+    "every sign flipped": lambda: law(flipped, Gain(N, 0.5)),
+    "a leak of -0.1": lambda: law(leak, Two(N, 0.5, -0.1)),
+    "composite, c = -0.5": lambda: law(composite, Two(N, 0.5, -0.5), FLOW),
+    "wrong from N = 5 on, N = 6": lambda: law(wrong_fifth, Gain(6, 0.5)),
+}
+NOT_PROVED = {  # wrong, or right but not known to be
+    "parameters called K and z": lambda: law(named_like_signals, ARRAYS),
+    "two tables": lambda: law(two_tables, ARRAYS),
+    "one opaque helper": lambda: law(two_hidden, ARRAYS),
+    "a private state called x": lambda: law(own_x, Gain(N, 0.5), **PRIVATE),
+    "z z/z": lambda: law(without_value, Gain(N, 0.5)),
+}
+REFUSED = {"p.gain == 0.5": equal_gain, "sign(e) == 1": equal_sign}
