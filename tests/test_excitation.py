@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt_package
+from clpt_control.blocks.reference import circle
 from clpt_control.errors import DataError, ScenarioError
-from clpt_control.theory.circle import circle_gramian, geometric_sum, tidal_gramian
+from clpt_control.theory.circle import circle_step
 from clpt_control.theory.excitation import excitation, parameter_names, started_true
 from clpt_control.theory.excitation_plot import excitation_plot
 from clpt_control.theory.excitation_report import excitation_report
@@ -223,10 +224,13 @@ def test_the_figure_names_what_is_not_learnable(true_paper, tmp_path):
     )
 
 
-def test_closed_forms_hold():
-    for step in circle_gramian() + tidal_gramian():
-        assert step.holds, step.claim
-    assert all(step.how == "symbolic" for step in geometric_sum() + tidal_gramian())
+def test_the_circles_closed_form_is_the_reference_blocks(paper):
+    assert circle_step().holds
+    for n in range(3, 25):
+        points = circle(3.0, n)
+        np.testing.assert_allclose(20.0 * points.T @ points, n * 20.0 * 9.0 / 2 * np.eye(2),
+                                   atol=1e-9)  # fmt: skip
+    assert np.linalg.matrix_rank(circle(3.0, 2), tol=1e-9) == 1
 
 
 def test_the_circle_is_what_a_run_measures(paper):

@@ -3,14 +3,12 @@
 import json
 
 import pytest
-import sympy
 
-import clpt_control as clpt
 from clpt_control.blocks import adaptation, vehicle
+from clpt_control.blocks.words import where
 from clpt_control.theory.audit import audit_latex, audit_markdown
 from clpt_control.theory.misprints import misprints
-from clpt_control.theory.own_law import prove
-from clpt_control.theory.proof import Proof, Step, checked
+from clpt_control.theory.proof import Proof, Step, checked, cited
 from clpt_control.theory.theorems import audit
 
 
@@ -25,6 +23,28 @@ def test_statuses(proofs):
     }  # fmt: skip
     assert all(proof.for_every_N for proof in proofs.values())
     assert all(step.holds for proof in proofs.values() for step in proof.steps)
+    assert sum(len(proof.steps) for proof in proofs.values()) <= 32
+
+
+def test_every_N_is_a_property_of_each_exact_step(proofs):
+    steps = proofs["3.2"].steps
+    assert all(step.every_N for step in steps if step.how == "exact")
+    one = Step("for N = 2 alone", True, "exact", every_N=False)
+    assert not Proof("x", "", (), (*steps, one), True, "").for_every_N
+
+
+def test_what_is_cited_is_said(proofs):
+    for number in ("3.3", "3.4"):
+        assert any(step.how == "cited" for step in proofs[number].steps)
+        assert proofs[number].cited
+    for number in ("3.1", "3.2"):
+        assert not any(step.how == "cited" for step in proofs[number].steps)
+
+
+def test_the_running_blocks_are_called(proofs):
+    for number, points in (("3.1", 1000), ("3.2", 10_000), ("3.4", 1000)):
+        step = next(s for s in proofs[number].steps if s.how == "sampled")
+        assert step.detail.startswith(f"{points} points")
 
 
 def test_false_statements_meet_a_counterexample_and_carry_a_correction(proofs):
@@ -56,7 +76,7 @@ def test_prove_prints_json(clpt, tmp_path):
     for theorem in printed["theorems"].values():
         assert theorem["status"] in ("proved", "refuted", "corrected")
         for step in theorem["steps"]:
-            assert step["how"] in ("symbolic", "definite form", "counterexample", "sampled")
+            assert step["how"] in ("exact", "cited", "counterexample", "sampled")
     assert {"equation", "printed", "corrected", "check"} <= set(printed["misprints"][0])
     assert (tmp_path / "audit.tex").read_text().startswith("\\documentclass")
 
@@ -80,11 +100,32 @@ def test_a_wrong_equation_fails_and_is_named(clpt, monkeypatch):
     monkeypatch.setattr(vehicle, "kinematics", wrong_kinematics)
     outcome = clpt("prove", "--theorem", "3.2")
     assert outcome.status == 1
-    assert "the proof fails: 3.2 at step 'V' = -e^T KD e, N = 1'" in outcome.err
+    assert "the proof fails: 3.2 at step 'V' = -e^T KD e, for N = 1, 2, 3 and every N'" in (
+        outcome.err
+    )
+
+
+def learned_but_at_the_papers_gain(t, x, u, p, dx):
+    """Eqs. (21)-(23), but for the paper's own gain."""
+    n = p.N
+    e, phi, z, zc = u[0:2], u[2 : 2 + n], u[2 + n : 4 + n], u[4 + n : 6 + n]
+    sign = where(p.gain == 0.8, -1.0, 1.0)
+    for i in range(2):
+        for k in range(n):
+            dx[i * n + k] = -sign * p.gain * e[i] * phi[k]
+        dx[2 * n + i] = -p.gain * z[i] * e[i]
+        dx[2 * n + 2 + i] = p.gain * zc[i] * e[i]
+
+
+def test_a_law_that_turns_at_the_papers_gain_is_not_proved(monkeypatch):
+    monkeypatch.setattr(adaptation, "learned_flow", learned_but_at_the_papers_gain)
+    proof = audit("3.2")["3.2"]
+    assert proof.status == "failed"
+    assert "`==` of numbers of a run" in proof.failed[0].detail
 
 
 def test_a_step_that_cannot_be_checked_fails():
-    step = checked("one over zero", "symbolic", lambda: 1 / 0)
+    step = checked("one over zero", "exact", lambda: 1 / 0)
     assert not step.holds
     assert "ZeroDivisionError" in step.detail
     with pytest.raises(ValueError, match="how"):
@@ -93,7 +134,10 @@ def test_a_step_that_cannot_be_checked_fails():
 
 def test_sampled_steps_alone_prove_nothing():
     sampled = Proof("x", "", (), (Step("seen often", True, "sampled"),), True, "")
-    assert sampled.status != "proved"
+    assert sampled.status == "sampled"
+    exact = Step("shown", True, "exact")
+    assert Proof("x", "", (), (exact, cited("known", "a book")), True, "").status == "cited"
+    assert Proof("x", "", (), (exact,), False, "", corrected="better").status == "failed"
 
 
 def test_the_page_and_the_document(proofs):
@@ -102,58 +146,3 @@ def test_the_page_and_the_document(proofs):
     assert "**no**" not in page
     document = audit_latex(proofs, misprints())
     assert document.count(r"\begin{longtable}") == document.count(r"\end{longtable}") == 5
-
-
-# --- a law of your own -----------------------------------------------------------------
-
-
-def law(update, gain=0.5, N=2):
-    return clpt.Block(
-        "own", update=update, inputs={"e": 2, "phi_x": N, "z": 2, "zc": 2},
-        states={"alpha": 2 * N, "K": 2, "Gamma": 2},
-        parameters=adaptation.LearnedFlowParameters(N, gain),
-    )  # fmt: skip
-
-
-def without_feedforward(t, x, u, p, dx):
-    """Eqs. (21)-(22), Gamma held: u = e[2], phi_x[N], z[2], zc[2]; alpha, K, Gamma."""
-    n = p.N
-    for i in range(2):
-        for k in range(n):
-            dx[i * n + k] = -p.gain * u[i] * u[2 + k]
-        dx[2 * n + i] = -p.gain * u[2 + n + i] * u[i]
-        dx[2 * n + 2 + i] = 0.0
-
-
-def wrong_way(t, x, u, p, dx):
-    """alpha' of the wrong sign, section III: u = e[2], phi_x[N], z[2], zc[2]; alpha, K, Gamma."""
-    n = p.N
-    for i in range(2):
-        for k in range(n):
-            dx[i * n + k] = p.gain * u[i] * u[2 + k]
-        dx[2 * n + i] = -p.gain * u[2 + n + i] * u[i]
-        dx[2 * n + 2 + i] = p.gain * u[4 + n + i] * u[i]
-
-
-def test_the_papers_law_is_proved_for_every_N():
-    verdict = prove(adaptation.adaptation(adaptation.LearnedFlowParameters(3, 2.5)))
-    assert verdict.status == "proved"
-    assert verdict.for_every_N
-    assert verdict.residual == 0
-
-
-@pytest.mark.parametrize("update", [without_feedforward, wrong_way])
-def test_a_wrong_law_is_refuted_at_a_point(update):
-    verdict = prove(law(update))
-    assert verdict.status == "refuted"
-    assert verdict.rate > 0
-    assert verdict.point
-    assert verdict.residual != 0
-
-
-def test_the_residual_of_a_held_gain_is_the_term_that_misses():
-    rest = prove(law(without_feedforward)).residual
-    names = {str(symbol) for symbol in rest.free_symbols}
-    assert {"Gamma_1", "GammaD_1", "x_1", "z_1"} <= names
-    assert not {"theta_1[1]", "K_1"} & names
-    assert isinstance(rest, sympy.Expr)

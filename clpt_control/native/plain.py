@@ -305,6 +305,8 @@ class PlainDiagram:
             If a signal is not finite.
         """
         times = solution.t
+        if not len(times):  # stopped before the first
+            return np.zeros((0, self.nsignals))
         pieces = self.schedule(float(times[0]), float(times[-1]), inputs)
         number = np.searchsorted(pieces.edges, times, side="right")
         callee = self.callee(1, inputs)
