@@ -19,6 +19,8 @@ from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any
 
+from numba.core.compiler_lock import global_compiler_lock
+
 from .machine import call_address, processor
 
 FOLDER = "CLPT_CONTROL_CACHE"  # environment variable that names another folder
@@ -63,6 +65,7 @@ def trusted(folder: Path) -> bool:
     return found.st_uid in (os.getuid(), 0) and not others
 
 
+@global_compiler_lock
 @cache
 def solver() -> ModuleType:
     """Return the solver's module with its functions compiled.

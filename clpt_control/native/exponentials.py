@@ -11,7 +11,6 @@ polynomials leave out is below 2e-17.  ln 2 is subtracted in two parts.
 import math
 
 from .vectors import (
-    Number,
     absolute,
     copysign,
     fma,

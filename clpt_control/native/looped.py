@@ -296,9 +296,13 @@ def prepared(items: list[Item], first: int) -> tuple[tuple[Item, ...], list[Item
             steady.add(item.value)
             early.append(item)
             left.append(item)
-        elif isinstance(item, Step) and item.name not in CONDITIONS and all(
-            type(a) is float or a in steady or (type(a) is tuple and a[0] in "PT")
-            for a in item.arguments
+        elif (
+            isinstance(item, Step)
+            and item.name not in CONDITIONS
+            and all(
+                type(a) is float or a in steady or (type(a) is tuple and a[0] in "PT")
+                for a in item.arguments
+            )
         ):
             steady.add(item.value)
             early.append(item)

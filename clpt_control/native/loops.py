@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 from ..blocks.record import LEAVES, Record
 from ..errors import BlockError
-from .program import Loop, Ref, Step, Steps, Store, Sum
+from .program import Loop, Step, Steps, Store, Sum
 
 LEAST = 5  # turns; fewer stay apart
 

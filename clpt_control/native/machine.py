@@ -7,6 +7,7 @@ import llvmlite.binding as llvm
 from llvmlite import ir
 from numba import config
 from numba.core import types
+from numba.core.compiler_lock import global_compiler_lock
 from numba.extending import intrinsic
 
 from .printing import print_function
@@ -31,6 +32,7 @@ class Machine:
         Name -> where its code lies, for as long as this object lives.
     """
 
+    @global_compiler_lock  # LLVM is not made for threads
     def __init__(
         self, functions: dict[str, tuple[Item, ...]], constants: tuple[float, ...], lanes: int
     ):

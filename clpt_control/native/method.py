@@ -287,7 +287,9 @@ def kernel(formula: Formula, n: int) -> tuple[Item, ...]:
 def on_rows(formula: Formula, n: int) -> Callable:
     """Return what applies a formula to n states in NumPy, called as the kernel is."""
 
-    def apply(numbers: Any, Z: np.ndarray, at: int, P: Any, T: Any, W: Any, D: Any, to: int) -> None:
+    def apply(
+        numbers: Any, Z: np.ndarray, at: int, P: Any, T: Any, W: Any, D: Any, to: int
+    ) -> None:
         def z(r: int) -> np.ndarray:
             return Z[r * n : (r + 1) * n]
 

@@ -266,7 +266,11 @@ class PlainDiagram:
                 break
             inside = share
         x = state(share)
-        return (t + share * h, x, *self.sweep.margin(t + share * h, x, _at(inputs, t + share * h))[1:])
+        return (
+            t + share * h,
+            x,
+            *self.sweep.margin(t + share * h, x, _at(inputs, t + share * h))[1:],
+        )
 
     def _until(
         self, runs: Runs, t: float, x: np.ndarray, done: int

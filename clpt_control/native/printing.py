@@ -19,8 +19,31 @@ from .vectors import DOUBLE, INT32, WORD, Kind, Mask, Number, round_to_zero, sel
 ARRAYS = ("t", "X", "P", "T", "W", "D")
 LANES = 8
 SLOW = frozenset(
-    "exp expm1 log log1p log2 log10 pow sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh "
-    "atanh hypot sqrt div".split()
+    [
+        "exp",
+        "expm1",
+        "log",
+        "log1p",
+        "log2",
+        "log10",
+        "pow",
+        "sin",
+        "cos",
+        "tan",
+        "asin",
+        "acos",
+        "atan",
+        "atan2",
+        "sinh",
+        "cosh",
+        "tanh",
+        "asinh",
+        "acosh",
+        "atanh",
+        "hypot",
+        "sqrt",
+        "div",
+    ]
 )  # several at once cost little more than one
 LONG = SLOW - {"sqrt", "div"} | {"mod", "floordiv"}
 
@@ -343,5 +366,3 @@ def _joined(part: Number, kind: Kind) -> Number:
         ]  # fmt: skip
         value = builder.fadd(*halves)
     return Number(kind, builder.extract_element(value, ir.Constant(INT32, 0)))
-
-

@@ -20,7 +20,6 @@ import numpy as np
 from ..blocks import Block
 from ..blocks.symbolic import reading
 from ..errors import DiagramError
-from ..wiring import read
 from .code import code_of
 from .engine import NativeDiagram
 from .plain import PlainDiagram

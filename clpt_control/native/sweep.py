@@ -165,7 +165,9 @@ class Sweep:
         """Return the diagram's outputs of the last pass."""
         return self.wiring.output_map @ np.concatenate([self.signals, self._external])
 
-    def margin(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> tuple[float, str, str]:
+    def margin(
+        self, t: float, x: np.ndarray, u: np.ndarray | None = None
+    ) -> tuple[float, str, str]:
         """Return the least distance to a guard's edge, its policy and sentence."""
         self.evaluate(t, x, u)
         least = (1.0, "", "")
