@@ -164,7 +164,8 @@ def take(k, shape, runs, schedule, times, out, numbers, whole, queue, Z, P):
     for j in range(len(places)):
         P[places[j] * lanes + k] = values[group[m], 0, j]
     if not more:
-        rest(k, shape, runs, numbers, Z)
+        if lanes > 1:  # beside others; a run alone stays where it ended, to be looked at
+            rest(k, shape, runs, numbers, Z)
         return 0
     for i in range(n):
         Z[i * lanes + k] = X0[m, i]
