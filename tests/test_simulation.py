@@ -13,7 +13,7 @@ import clpt_control as clpt
 from clpt_control.blocks import Block, disturbance, field, reference, vehicle
 from clpt_control.blocks.ports import states_as_outputs
 from clpt_control.diagram import initial_state
-from clpt_control.errors import ClptError, DataError, SimulationError
+from clpt_control.errors import ClptError, DataError, ScenarioError, SimulationError
 from clpt_control.interconnection import connect
 from clpt_control.native.plain import PlainDiagram
 from clpt_control.ocean.gridded import GriddedField
@@ -326,8 +326,11 @@ def test_infinite_parameter_is_named():
 def test_infinite_state_is_named():
     x0 = initial_state(PAPER)
     x0[1] = np.nan
-    with pytest.raises(SimulationError, match=r"t = 0.*x\[1\].*vehicle"):
+    with pytest.raises(ScenarioError, match=r"vehicle\.position\[1\] = nan: must be a finite"):
         clpt.simulate(PAPER, [0, 1], initial_state=x0)
+    for engine in ("native", "python"):
+        with pytest.raises(SimulationError, match=r"t = 0.*x\[1\].*vehicle"):
+            clpt.simulate(clpt.closed_loop(PAPER), [0, 1], initial_state=x0, engine=engine)
 
 
 class Nothing(NamedTuple):

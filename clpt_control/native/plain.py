@@ -238,7 +238,8 @@ class PlainDiagram:
         ahead = float(runs.numbers[method.END, 0]) - t
         self.sweep.enter(t)
         for h in (0.0, *(ahead * np.geomspace(1e-12, 1.0, 13))):
-            found = self.sweep.first_trouble(t + h, x + h * rate, _at(inputs, t + h))
+            near = x + h * rate if h else x  # the rate itself may be what is not finite
+            found = self.sweep.first_trouble(t + h, near, _at(inputs, t + h))
             if found is not None:
                 return f"{found} is not finite"
         return None
