@@ -18,7 +18,7 @@ import numpy as np
 from clpt_control.blocks import Block
 from clpt_control.blocks import words as clpt_words
 
-HELPERS = '''
+HELPERS = """
 def bend(a, b):
     c = a * b
     return c / (1.5 + c * c), a - b
@@ -32,7 +32,7 @@ def mix(v, k):
 def damp(v, out, n):
     for i in range(n):
         out[i] = math.tanh(v[i])
-'''
+"""
 _files = count()
 
 

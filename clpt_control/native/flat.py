@@ -30,8 +30,6 @@ class Flat:
 
     def add(self, name: str, *arguments: Any) -> Ref:
         """Add an operation, or find it; return its value."""
-        if name == "opaque":
-            return arguments[1]
         keys = [_key(a) for a in arguments]
         key = (name, *(sorted(keys) if name in ("add", "mul") else keys))
         if key not in self._known:
@@ -82,7 +80,7 @@ def run_block(flat: Flat, record: Record, sources: Sources, k: int, inputs: list
             return flat.add(name, arguments[0], (array, start + first, (), stride, count))
         return flat.add(name, *arguments)
 
-    return record.replay(leaf, apply)
+    return record.opened().replay(leaf, apply)
 
 
 def gather(flat: Flat, sources: Sources, node: Node, signals: list[Ref]) -> list[Ref]:

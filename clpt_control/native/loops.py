@@ -72,11 +72,6 @@ class _Carried(NamedTuple):
     first: Any
 
 
-class _Turns(NamedTuple):
-    turns: list[list]
-    end: int  # the first operation behind the loop
-
-
 def rolled(record: Record, least: int = LEAST) -> Rolled:
     """Return a record with the loops that can be kept.
 
@@ -92,6 +87,7 @@ def rolled(record: Record, least: int = LEAST) -> Rolled:
     Rolled
         Without loops where nothing could be kept.
     """
+    record = record.opened()
     found = _Roller(record, least).run()
     known: dict = {}
     if _expanded(found, len(record.outputs), known) == _recorded(record, known):
@@ -170,9 +166,7 @@ class _Roller:
             name, *arguments = self.record.operations[node]
             if name in LEAVES:
                 continue
-            if name == "opaque":
-                arguments = arguments[1:2]
-            elif name == "table":
+            if name == "table":
                 field, first, stride, count = arguments[1]
                 run = Run(Place(("p", field), first), stride, count)
                 found.append(Step(node, name, (self.argument(arguments[0]), run)))
@@ -296,7 +290,7 @@ class _Merge:
 
     def summed(self, body: list) -> tuple[list, list[Sum]]:
         """Turn what is carried into sums; refuse what is carried otherwise."""
-        carried = {a for item in body for a in _read(item, True) if isinstance(a, _Carried)}
+        carried = {a for item in body for a in _read(item) if isinstance(a, _Carried)}
         self.links: set[int] = set()
         sums = []
         for one in sorted(carried):
@@ -355,7 +349,7 @@ class _Merge:
         return stores
 
 
-def _read(item: Any, deep: bool = False) -> list:
+def _read(item: Any) -> list:
     """Return what an item reads; of a loop all that its turns read, too."""
     if isinstance(item, Step):
         return list(item.arguments)
@@ -425,8 +419,6 @@ def _recorded(record: Record, known: dict) -> list:
         return name("constant", a, copysign(1.0, a)) if type(a) is float else a
 
     def apply(operation: str, *arguments: Any) -> int:
-        if operation == "opaque":
-            return told(arguments[1])
         return name(operation, *map(told, arguments))
 
     return [told(value) for value in record.replay(name, apply)]
