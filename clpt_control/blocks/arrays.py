@@ -106,9 +106,9 @@ OPERATIONS: dict[str, Callable[..., Any]] = {
     "maximum": lambda a, b: np.where((a > b) | (a != a), a, b),
     "clip": lambda a, low, high: np.where(a < low, low, np.where(a > high, high, a)),
     "sign": _sign,
-    "floor": np.floor,
-    "trunc": np.trunc,
-    "ceil": np.ceil,
+    "floor": lambda a: np.floor(a) + 0.0,  # Python's are whole numbers, which have no -0
+    "trunc": lambda a: np.trunc(a) + 0.0,
+    "ceil": lambda a: np.ceil(a) + 0.0,
     "pick": lambda index, *numbers: _picked(np.array(np.broadcast_arrays(*numbers)), index),
     "opaque": lambda says, value, *arguments: value,
     "erf": _each("erf"),
