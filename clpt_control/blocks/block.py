@@ -29,7 +29,7 @@ from .tracers import TooLong
 
 
 class Block(control.NonlinearIOSystem):
-    """Equations with ports: python-control runs them, the rest reads their record.
+    """Equations with ports, which python-control can run.
 
     Parameters
     ----------

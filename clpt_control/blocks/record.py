@@ -73,7 +73,7 @@ class Record:
         return any(self.operations[k][0] == "u" for k in reached)
 
     def opened(self) -> "Record":
-        """Return the record with what opaque helpers computed in their place."""
+        """Return the record in which no helper is opaque."""
         behind: dict[int, Ref] = {}
         operations: list[tuple] = []
 

@@ -24,7 +24,7 @@ class Refused(Exception):
 
 
 class TooLong(BlockError):
-    """Equations whose record would be too long to keep; Python runs them."""
+    """Equations whose record is too long to keep; Python runs them."""
 
 
 class Tape:
