@@ -135,9 +135,7 @@ def _simulate_diagram(
     given = read_inputs(inputs, times, wiring.ninputs)
     runner = chosen(wiring, params, given, engine, diagram.name)
     state = _checked_state(np.zeros(runner.nstates) if x0 is None else x0, runner.nstates)
-    solution = runner.run(
-        state, times, rtol=rtol, atol=atol, inputs=given, progress=progress
-    )
+    solution = runner.run(state, times, rtol=rtol, atol=atol, inputs=given, progress=progress)
     u = given.along(solution.t)
     outputs = wiring.output_map @ np.vstack([runner.signals(solution, given).T, u])
     return control.TimeResponseData(
@@ -174,7 +172,8 @@ def _simulate_scenario(
     )  # fmt: skip
     if times[0] != 0:
         solution.t, solution.x = solution.t[1:], solution.x[1:]
-    return run_dataset(scenario, wiring, runner.sweep.given, runner.signals(solution), solution, left)
+    signals = runner.signals(solution)
+    return run_dataset(scenario, wiring, runner.sweep.given, signals, solution, left)
 
 
 def said_by_keys(

@@ -1,6 +1,6 @@
 """A record on NumPy's arrays: the same equations at many times and places at once."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -9,7 +9,7 @@ from .record import Record
 from .running import MOST_ANGLE
 
 
-def on_arrays(record: Record, t: Any, x: Sequence[Any], u: Sequence[Any], p: Any) -> np.ndarray:
+def on_arrays(record: Record, t: Any, x: Any, u: Any, p: Any) -> np.ndarray:
     """Run a record on arrays.
 
     Parameters
@@ -52,8 +52,9 @@ def on_arrays(record: Record, t: Any, x: Sequence[Any], u: Sequence[Any], p: Any
 
     def apply(name: str, *arguments: Any) -> Any:
         if name == "table":
-            numbers, first, stride, count = field(arguments[1][0]), *arguments[1][1:]
-            return _picked(numbers[first : first + stride * count : stride], arguments[0])
+            which, first, stride, count = arguments[1]
+            numbers = field(which)[first : first + stride * count : stride]
+            return _picked(numbers, arguments[0])
         return OPERATIONS[name](*arguments)
 
     with np.errstate(all="ignore"):

@@ -1,6 +1,6 @@
 """A linear system as a block, so that `control.ss` and `tf` are parts like any other.
 
-    x' = A x + B u,    y = C x + D u         Eqs. (1), (2) of linear systems
+x' = A x + B u,    y = C x + D u         Eqs. (1), (2) of linear systems
 """
 
 from typing import NamedTuple

@@ -124,7 +124,7 @@ def _key() -> str:
     files = (Path(__file__).with_name(f"{name}.py") for name in ("solver", "machine", "compiled"))
     made_of = [file.read_text("utf-8") for file in files]
     made_of += [version(name) for name in ("numba", "llvmlite", "numpy")]
-    made_of += [sys.version, *processor(), str(config.OPT), llvm.get_default_triple()]
+    made_of += [sys.version, *processor(), str(vars(config)["OPT"]), llvm.get_default_triple()]
     return hashlib.sha256("\n".join(made_of).encode()).hexdigest()[:24]
 
 
@@ -135,7 +135,7 @@ def _compile(module: ModuleType, kept: bool) -> None:
     @overload(module.call, inline="always")
     def _(function, t, X, first, P, T, W, D, to):
         def by_address(function, t, X, first, P, T, W, D, to):
-            call_address(function, t, X, first, P, T, W, D, to)
+            call_address(function, t, X, first, P, T, W, D, to)  # type: ignore[call-arg]
 
         return by_address
 

@@ -166,8 +166,8 @@ def programmed(
         return (*items, *(Store(array, k, (), root) for k, root in enumerate(roots)))
 
     derivative, of_signals = function("D", rates), function("W", signals)
-    margin = function("D", [least])
+    distance = function("D", [least])
     prepare = [item(value) for value in flat.reached(places)]
     prepare += [Store("P", place, (), value) for value, place in places.items()]
     size = sources.prepared + len(places)
-    return Program(derivative, of_signals, margin, tuple(prepare), (), size, len(signals))
+    return Program(derivative, of_signals, distance, tuple(prepare), (), size, len(signals))

@@ -40,7 +40,7 @@ class Run(NamedTuple):
 
     place: Place
     stride: int
-    count: int
+    count: int  # type: ignore[assignment]
 
 
 class Rolled(NamedTuple):

@@ -55,10 +55,11 @@ class Machine:
 
 def processor() -> tuple[str, str]:
     """Return name and features of this processor, or of the one Numba is told of."""
-    name = config.CPU_NAME or llvm.get_host_cpu_name()
-    features = config.CPU_FEATURES
+    told: Any = config  # Numba makes its names when it is imported
+    name = told.CPU_NAME or llvm.get_host_cpu_name()
+    features = told.CPU_FEATURES
     if features is None:
-        features = "" if config.CPU_NAME else llvm.get_host_cpu_features().flatten()
+        features = "" if told.CPU_NAME else llvm.get_host_cpu_features().flatten()
     return name, features
 
 

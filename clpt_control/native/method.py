@@ -247,7 +247,8 @@ def formulas(n: int) -> dict[str, Formula]:
 
 def kernel(formula: Formula, n: int) -> tuple[Item, ...]:
     """Return the program of a formula for n states; numbers are its t, Z its X."""
-    tape, items, sums = Tape(), [], []
+    tape, sums = Tape(), []
+    items: list[Item] = []
     held: dict[Any, Number] = {}
 
     def load(array: str, base: int, steps: tuple = ()) -> Number:
@@ -268,7 +269,7 @@ def kernel(formula: Formula, n: int) -> tuple[Item, ...]:
         rows, summed = formula.each(
             lambda r: load("X", r * n, ((0, 1),)), lane, lambda k: load("T", k)
         )
-        body = written(0)
+        body: list[Item] = written(0)
         body += [Store("X", r * n, ((0, 1),), value.ref) for r, value in rows.items()]
         for number in summed:
             within, turned, result = (tape.add("number").ref for _ in range(3))

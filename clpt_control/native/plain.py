@@ -211,7 +211,8 @@ class PlainDiagram:
     # --- how a run ended ------------------------------------------------------------------
 
     def _ended(self, runs: Runs, inputs: Inputs | None) -> Solution:
-        status, done = Status(runs.status[0]), int(runs.reached[0])
+        status = Status(runs.status[0])  # type: ignore[call-arg]
+        done = int(runs.reached[0])
         names = ("steps", "evaluations", "restarts")
         statistics = dict(zip(names, map(int, runs.counts[0]), strict=False))
         times, states = runs.times, runs.out[0]

@@ -8,7 +8,7 @@ room), D (what is computed).  Places within a loop are affine in its turns:
     base + sum over levels of step * turn,    level 0 the innermost loop
 """
 
-from typing import NamedTuple, Union
+from typing import NamedTuple
 
 CONDITIONS = ("lt", "le", "gt", "ge", "and", "or", "not")  # whose values are yes or no
 Ref = int | float  # a value by its number, or a constant
@@ -54,12 +54,12 @@ class Loop(NamedTuple):
     """Items for every turn; nothing is carried from turn to turn but sums."""
 
     level: int
-    count: int
+    count: int  # type: ignore[assignment]
     body: "tuple[Item, ...]"
     sums: tuple[Sum, ...]
 
 
-Item = Union[Load, Step, Store, Loop]
+Item = Load | Step | Store | Loop
 
 
 class Program(NamedTuple):
