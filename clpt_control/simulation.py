@@ -179,7 +179,7 @@ def _simulate_scenario(
 def said_by_keys(
     scenario: Scenario, params: Mapping[str, Any] | None, x0: Any
 ) -> tuple[Scenario, dict[str, Any]]:
-    """Put call-time parameters and the initial state into the scenario, where keys hold them.
+    """Put call-time values into the scenario, where keys hold them.
 
     Parameters
     ----------

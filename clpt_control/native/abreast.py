@@ -20,7 +20,7 @@ class Abreast(NamedTuple):
 
 
 def abreast(items: tuple[Item, ...]) -> tuple[Item | Abreast, ...]:
-    """Bring functions of `math` together that do not wait for each other.
+    """Bring together functions that do not wait for each other.
 
     What a function waits for is a number of others before it; those with the same
     number are taken at once.  Loads come first and stores last, so items that loop, or

@@ -29,7 +29,7 @@ FORMS = ("unrolled", "looped")
 
 
 class Structure(NamedTuple):
-    """All that machine code depends on; parameters are numbers it is given.
+    """All that machine code depends on; it is given parameters.
 
     Attributes
     ----------
@@ -53,7 +53,7 @@ class Structure(NamedTuple):
 
 
 class Code:
-    """The program of a structure, and its machine code when it is asked for.
+    """The program of a structure, and its code once it is asked for.
 
     Attributes
     ----------
@@ -72,7 +72,7 @@ class Code:
 
     @global_compiler_lock  # threads that ask at once are given the same code
     def address(self, name: str, lanes: int) -> int:
-        """Return where a function of the program lies, compiled when first asked for."""
+        """Return where a function lies, compiled when first asked for."""
         if (name, lanes) not in self._machines:
             together = ("margin",) if name == "margin" else ("derivative", "prepare", "signals")
             functions = {one: getattr(self.program, one) for one in together}

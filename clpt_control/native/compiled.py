@@ -57,7 +57,7 @@ def cache_folder() -> Path | None:
 
 
 def trusted(folder: Path) -> bool:
-    """Whether a folder is the user's own and nobody else can write to it."""
+    """Whether a folder is the user's own and closed to others."""
     if not hasattr(os, "getuid"):
         return True  # Windows: the user's profile is closed to others
     found = folder.stat()

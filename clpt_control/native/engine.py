@@ -95,7 +95,7 @@ class NativeDiagram(PlainDiagram):
                       guarded, self.most, (self.code, formulas))  # fmt: skip
 
     def lanes(self, count: int) -> int:
-        """Return how many of so many runs are taken at once: where it pays, eight."""
+        """Return how many runs are taken at once: eight where it pays."""
         return LANES if count > 1 and self.code.unrolled and fuses() else 1
 
 

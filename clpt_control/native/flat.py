@@ -40,7 +40,7 @@ class Flat:
     def reached(
         self, roots: Iterable[Ref], ready: Callable[[int], bool] = lambda value: False
     ) -> list[int]:
-        """Return what values are made of, in order; not what is ready is made of."""
+        """Return what values are made of, in order, up to what is ready."""
         found: set[int] = set()
         stack = [root for root in roots if type(root) is int]
         while stack:

@@ -15,7 +15,7 @@ from .sources import Sources, Term
 
 
 def looped_program(sources: Sources, least: int = LEAST) -> Program:
-    """Return the program of a diagram, with every loop that can be kept.
+    """Return the program of a diagram with its loops.
 
     Parameters
     ----------
@@ -279,7 +279,7 @@ class _Block:
 
 
 def prepared(items: list[Item], first: int) -> tuple[tuple[Item, ...], list[Item], int]:
-    """Move what depends on parameters alone, outside of loops, to places in P.
+    """Move what depends on parameters alone to places in P.
 
     Returns
     -------

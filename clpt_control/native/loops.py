@@ -36,7 +36,7 @@ class Constant(NamedTuple):
 
 
 class Run(NamedTuple):
-    """Numbers of a parameter that `lookup` reads: from a place, so many, so far apart."""
+    """Numbers of a parameter that `lookup` reads, evenly spaced."""
 
     place: Place
     stride: int
@@ -385,7 +385,7 @@ def _renamed(item: Any, names: dict) -> Any:
 
 
 def stored(values: list) -> list:
-    """Return the stores that fill `out`; a run of numbers side by side is a loop."""
+    """Return the stores that fill `out`, in loops where they can be."""
     items: list = []
     k = 0
     while k < len(values):

@@ -54,7 +54,7 @@ class Machine:
 
 
 def processor() -> tuple[str, str]:
-    """Return name and features of this processor, or of the one Numba is told of."""
+    """Return name and features of the processor that is compiled for."""
     told: Any = config  # Numba makes its names when it is imported
     name = told.CPU_NAME or llvm.get_host_cpu_name()
     features = told.CPU_FEATURES
@@ -64,7 +64,7 @@ def processor() -> tuple[str, str]:
 
 
 def fuses() -> bool:
-    """Whether a product and a sum are one instruction, without which lanes are slow."""
+    """Whether a product and a sum are one instruction."""
     return "+fma" in processor()[1] or "+neon" in processor()[1]
 
 

@@ -71,7 +71,7 @@ class PlainDiagram:
     # --- what machine code does otherwise -------------------------------------------------
 
     def parameters(self) -> np.ndarray:
-        """Return P, the parameters as the solver carries them; none in Python."""
+        """Return P, which the solver carries; empty in Python."""
         return np.zeros(0)
 
     def schedule(self, t0: float, t1: float, inputs: Inputs | None = None) -> Schedule:
@@ -291,7 +291,9 @@ class PlainDiagram:
         return times.copy(), states.copy()
 
     def signals(self, solution: Solution, inputs: Inputs | None = None) -> np.ndarray:
-        """Return all block outputs at a solution's times; right limits at jumps.
+        """Return all block outputs at a solution's times.
+
+        Values at a jump are right limits.
 
         Parameters
         ----------

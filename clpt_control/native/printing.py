@@ -266,7 +266,7 @@ class _Printer:
 
 
 def calculated(name: str, kind: Kind, arguments: list[Any]) -> Any:
-    """Calculate an operation; a long one is a function of the module, printed once."""
+    """Calculate an operation; a long one is printed once a module."""
     if name not in LONG:
         return OPERATIONS[name](*arguments)
     module = kind.builder.module

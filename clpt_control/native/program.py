@@ -25,7 +25,7 @@ class Load(NamedTuple):
 
 
 class Step(NamedTuple):
-    """value = name(arguments): values, constants, and a tuple that says more."""
+    """value = name(arguments): values, constants, tuples."""
 
     value: int
     name: str
@@ -42,7 +42,7 @@ class Store(NamedTuple):
 
 
 class Sum(NamedTuple):
-    """A number that turns add to: before the loop, within, after a turn, after the loop."""
+    """A number that turns add to: before, within, turned and after."""
 
     first: Ref
     within: int
@@ -51,7 +51,7 @@ class Sum(NamedTuple):
 
 
 class Loop(NamedTuple):
-    """Items for every turn; nothing is carried from turn to turn but sums."""
+    """Items for every turn; turns hand on nothing but sums."""
 
     level: int
     count: int  # type: ignore[assignment]

@@ -27,13 +27,13 @@ LOOKS = 16  # places within a step at which guards are looked at
 
 
 def call(function, t, X, first, P, T, W, D, to):
-    """Call function(t, X[first:], P, T, W, D[to:]); for machine code, by its address."""
+    """Call function(t, X[first:], P, T, W, D[to:]), or an address."""
     function(t, X, first, P, T, W, D, to)
 
 
 def advance(code, shape, tolerances, runs, schedule, times, out, status, reached, counts,
             numbers, whole, queue, Z, P, T, W, D, budget, most, guarded):  # fmt: skip
-    """Take up to `budget` steps in every lane; return how many lanes are at work.
+    """Take some steps in every lane; return how many are at work.
 
     Parameters
     ----------
@@ -245,7 +245,9 @@ def sample(shape, times, out, status, counts, numbers, whole, Z):
 
 
 def watch(code, shape, numbers, whole, status, Z, P, T, W, D):
-    """End the run of a lane that leaves a guard within the step, and do not take it."""
+    """End the run of a lane that leaves a guard within the step.
+
+    That step is not taken."""
     lanes, n, _ = shape
     for look in range(1, LOOKS + 1):
         share = look / LOOKS
@@ -265,7 +267,7 @@ def watch(code, shape, numbers, whole, status, Z, P, T, W, D):
 
 def advance_fixed(code, shape, step, runs, schedule, times, out, status, reached, counts,
                   numbers, whole, Z, P, T, W, D, guarded):  # fmt: skip
-    """Run all to the end by Runge and Kutta's method of order 4, as many at once as lanes.
+    """Run all to the end by Runge and Kutta's method of order 4.
 
     Arguments as for `advance`; runs that are taken together follow one schedule.
     """
@@ -341,7 +343,7 @@ def keep(k, shape, steps, done, sampled, times, out, status, reached, counts, wh
 
 
 def record(code, times, states, n, pieces, places, values, P, T, W, out):
-    """Write all signals at times; `states` holds n states behind each other for each."""
+    """Write all signals at times; `states` holds n for each."""
     t, piece = np.zeros(1), -1
     for k in range(len(times)):
         t[0] = times[k]
