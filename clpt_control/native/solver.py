@@ -247,7 +247,8 @@ def sample(shape, times, out, status, counts, numbers, whole, Z):
 def watch(code, shape, numbers, whole, status, Z, P, T, W, D):
     """End the run of a lane that leaves a guard within the step.
 
-    That step is not taken."""
+    That step is not taken.
+    """
     lanes, n, _ = shape
     for look in range(1, LOOKS + 1):
         share = look / LOOKS

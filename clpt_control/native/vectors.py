@@ -254,7 +254,8 @@ def power_of_two(k: Number) -> Number:
 def split(a: Number) -> tuple[Number, Number]:
     """Return (k, m) with a = 2^k m and m near 1, for normal a > 0.
 
-    sqrt(1/2) <= m < sqrt(2)."""
+    sqrt(1/2) <= m < sqrt(2).
+    """
     kind, builder = a.kind, a.kind.builder
     half_root, one = 0x3FE6A09E667F3BCD, 0x3FF0000000000000  # bits of sqrt(1/2) and of 1
     above = builder.add(
