@@ -302,6 +302,8 @@ def random_diagram(random, blocks=None, nested=True):
             parts.append(inner)
         else:
             parts.append(random_block(random, f"block{k}"))
+    if all(isinstance(part, control.StateSpace) for part in parts):
+        parts.append(random_block(random, "more"))  # python-control refuses some of linear parts
     return wired(random, parts)
 
 
