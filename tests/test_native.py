@@ -18,6 +18,7 @@ from clpt_control.interconnection import connect
 from clpt_control.native import readings
 from clpt_control.native.engine import NativeDiagram
 from clpt_control.native.inputs import read_inputs
+from clpt_control.native.plain import PlainDiagram
 from clpt_control.ocean.gridded import GriddedField
 
 
@@ -217,6 +218,10 @@ def test_a_field_is_left_where_and_as_it_says():
         clpt.simulate(field("raise"), [0.0, 10.0])
     stopped = clpt.simulate(field("stop"), [0.0, 1.0, 2.0, 10.0])
     np.testing.assert_allclose(stopped.time, [0, 1, 2, 2 / 0.7], rtol=1e-9)
+    for made in (NativeDiagram, PlainDiagram):
+        fixed = made(field("stop")).run([0.0, 0.0], [0.0, 1.0, 2.0, 10.0], step=0.05)
+        np.testing.assert_allclose(fixed.t, [0, 1, 2, 2 / 0.7], rtol=1e-9)
+        np.testing.assert_allclose(fixed.x[:, 0], 0.7 * fixed.t, rtol=1e-9)
     clipped = clpt.simulate(field("clip"), [0.0, 10.0])
     assert clipped.states[0, -1] == pytest.approx(7.0, abs=1e-9)
 
