@@ -158,6 +158,9 @@ def _simulate_scenario(
     scenario, timepts, x0, params, rtol, atol, progress, engine
 ) -> "xarray.Dataset":
     scenario, left = said_by_keys(scenario, params, x0)
+    tolerances = {"run.rtol": rtol, "run.atol": atol}
+    given = {key: value for key, value in tolerances.items() if value is not None}
+    scenario = scenario.with_values(given) if given else scenario
     run = scenario.run
     if timepts is None:
         times = sample_times(run.duration, run.output_step)
@@ -167,8 +170,7 @@ def _simulate_scenario(
     runner = chosen(wiring, left, None, engine, "the closed loop")
     from_zero = times if times[0] == 0 else np.concatenate([[0.0], times])
     solution = runner.run(
-        scenario_state(scenario), from_zero, rtol=rtol or run.rtol, atol=atol or run.atol,
-        progress=progress,
+        scenario_state(scenario), from_zero, rtol=run.rtol, atol=run.atol, progress=progress,
     )  # fmt: skip
     if times[0] != 0:
         solution.t, solution.x = solution.t[1:], solution.x[1:]
