@@ -1,7 +1,5 @@
 """diffrax: Dopri8 on the traced diagram, started again at each waypoint."""
 
-from types import SimpleNamespace
-
 import diffrax
 import jax
 import jax.numpy as jnp
@@ -15,7 +13,7 @@ from .engines import timed
 from .traced import boxed, rates
 
 jax.config.update("jax_enable_x64", True)
-MATH = SimpleNamespace(exp=jnp.exp, cos=jnp.cos, sin=jnp.sin, sqrt=jnp.sqrt, pi=np.pi)
+FUNCTIONS = {"exp": jnp.exp, "cos": jnp.cos, "sin": jnp.sin, "sqrt": jnp.sqrt}
 
 
 def _stretch(scenario):
@@ -28,7 +26,7 @@ def _stretch(scenario):
             ("true_flow", "theta"): boxed(theta).reshape(2, N),
             ("adaptation", "gain"): gain,
         }
-        found = rates(diagram, t, y, {"math": MATH}, {"reference": zc}, own)
+        found = rates(diagram, t, y, FUNCTIONS, {"reference": zc}, own)
         return jnp.stack([jnp.asarray(f) for f in found])
 
     def stretch(y, start, end, zc, theta, gain):

@@ -127,7 +127,7 @@ ENGINES = {
     "simulate": Engine(
         "clpt-control, simulate() to a Dataset", _from("native_engine", "simulate"), largest=50
     ),
-    "sweep": Engine("scipy DOP853, blocks in Python", _from("python_engines", "sweep"), largest=3),
+    "python": Engine("clpt-control, blocks in Python", _from("python_engines", "plain"), largest=3),
     "python-control": Engine(
         "python-control, input_output_response",
         _from("python_engines", "python_control"),

@@ -1,7 +1,5 @@
 """heyoka: Taylor series of high order through LLVM, on the traced diagram."""
 
-from types import SimpleNamespace
-
 import heyoka as hy
 import numpy as np
 
@@ -14,9 +12,7 @@ from .traced import rates
 
 # The derivatives of |x - c| are not finite at x = c, where the paper's run starts.
 KINK = 1e-24
-MATH = SimpleNamespace(
-    exp=hy.exp, cos=hy.cos, sin=hy.sin, sqrt=lambda a: hy.sqrt(a + KINK), pi=np.pi
-)
+FUNCTIONS = {"exp": hy.exp, "cos": hy.cos, "sin": hy.sin, "sqrt": lambda a: hy.sqrt(a + KINK)}
 
 
 def system(scenario, parameters=None) -> list:
@@ -24,8 +20,7 @@ def system(scenario, parameters=None) -> list:
     diagram = clpt.closed_loop(scenario)
     states = hy.make_vars(*[f"s{i}" for i in range(2 * scenario.basis.N + 8)])
     given = {"reference": [hy.par[0], hy.par[1]]}
-    words = {"math": MATH}
-    found = rates(diagram, hy.time, states, words, given, parameters)
+    found = rates(diagram, hy.time, states, FUNCTIONS, given, parameters)
     return list(zip(states, [hy.expression(0.0) + f for f in found], strict=True))
 
 

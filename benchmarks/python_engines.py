@@ -1,26 +1,23 @@
-"""python-control as it stands, and scipy's DOP853 over the blocks in Python."""
+"""python-control as it stands, and the engine with the blocks in Python."""
 
 import control
 import numpy as np
 
 import clpt_control as clpt
 from clpt_control.diagram import initial_state
-from clpt_control.native.integrate import integrate
-from clpt_control.native.sweep import Sweep
+from clpt_control.native.plain import PlainDiagram
 
 from .cases import Case
 from .engines import timed
 
 
-def sweep(case: Case):
-    """Prepare scipy's DOP853 with one pass over the blocks per evaluation."""
-    run, one = case.scenario.run, Sweep(clpt.closed_loop(case.scenario))
+def plain(case: Case):
+    """Prepare the engine in Python: one pass over the blocks per evaluation."""
+    run, one = case.scenario.run, PlainDiagram(clpt.closed_loop(case.scenario))
     x0 = initial_state(case.scenario)
 
     def go():
-        solution, seconds = timed(
-            lambda: integrate(one, x0, case.times, rtol=run.rtol, atol=run.atol)
-        )
+        solution, seconds = timed(lambda: one.run(x0, case.times, rtol=run.rtol, atol=run.atol))
         return solution.x, seconds
 
     return go

@@ -1,17 +1,25 @@
 """A diagram's equations in another library's algebra, from the functions that run.
 
-heyoka and diffrax get their right-hand sides by calling each block's own update
-and output on their expressions, through the diagram's wiring: no equation is
-written a second time.
+heyoka and diffrax get their right-hand sides from each block's own record, run on
+their expressions through the diagram's wiring: no equation is written a second
+time.
 """
 
-from collections.abc import Mapping
+import operator
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
 
-from clpt_control.blocks.readers import rebind
 from clpt_control.wiring import read
+
+ARITHMETIC = {
+    "add": operator.add,
+    "sub": operator.sub,
+    "mul": operator.mul,
+    "div": operator.truediv,
+    "neg": operator.neg,
+}
 
 
 def boxed(values: Any) -> np.ndarray:
@@ -26,11 +34,11 @@ def rates(
     diagram: Any,
     t: Any,
     x: list,
-    words: Mapping[str, Any],
+    functions: Mapping[str, Callable],
     given: Mapping[str, list],
     parameters: Mapping[tuple[str, str], Any] | None = None,
 ) -> list:
-    """Call a diagram's equations on expressions; give the state derivatives.
+    """Run a diagram's equations on expressions; give the state derivatives.
 
     Parameters
     ----------
@@ -40,8 +48,8 @@ def rates(
         Time.
     x : list of expressions
         States.
-    words : mapping
-        What ``math`` (and other words) mean in that algebra.
+    functions : mapping
+        What the functions of ``math`` and the words are in that algebra.
     given : mapping
         Outputs of blocks that are not traced: ``{"reference": [zc1, zc2]}``.
     parameters : mapping, optional
@@ -72,18 +80,28 @@ def rates(
     for (block, field), value in (parameters or {}).items():
         changed.setdefault(block, {})[field] = value
 
-    def call(function, node, out) -> None:
-        p = node.system.parameters
-        p = p._replace(**changed[node.name]) if node.name in changed else p
-        rebind(function, words)(t, states[node.states], inputs(node), p, out)
+    operations = {**ARITHMETIC, **functions}
+
+    def run(record, node) -> list:
+        u, own = inputs(node), {**node.system.parameters._asdict(), **changed.get(node.name, {})}
+
+        def leaf(name, *where):
+            if name == "t":
+                return t
+            if name == "p":
+                value = own[where[0]]
+                return value.flat[where[1]] if isinstance(value, np.ndarray) else value
+            return (states[node.states] if name == "x" else u)[where[0]]
+
+        return record.opened().replay(leaf, lambda name, *given: operations[name](*given))
 
     nodes = [wiring.nodes[k] for k in wiring.order]
     for node in nodes:
         if node.name in given:
             signals[node.outputs] = boxed(given[node.name])
         else:
-            call(node.system.output_function, node, signals[node.outputs])
+            signals[node.outputs] = boxed(run(node.system.output_record, node))
     for node in nodes:
         if node.system.nstates:
-            call(node.system.update_function, node, derivative[node.states])
+            derivative[node.states] = boxed(run(node.system.update_record, node))
     return list(derivative)

@@ -29,7 +29,6 @@ from .errors import DiagramError
 from .interconnection import Diagram, connect
 from .scenario import Scenario
 
-
 # scenario key -> parameters of blocks that hold its value as it is
 HELD = {
     "basis.centers": ("basis_x.centers", "basis_z.centers"),
@@ -217,7 +216,7 @@ def error_loop(scenario: Scenario) -> Diagram:
 
 
 def started(scenario: Scenario) -> dict[str, np.ndarray]:
-    """Return what the states start at, by scenario key, in the order of the states."""
+    """Return what the states start at, by key, in their own order."""
     learning = scenario.learning
     values = {
         "vehicle.position": scenario.vehicle.position,

@@ -36,7 +36,7 @@ class Diagram(control.InterconnectedSystem):
 
 
 def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list[Any]:
-    """Return the parameters of all blocks, with call-time values put in.
+    """Return the parameters of all blocks, call-time values put in.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list
             found.append(system.with_values(changes))
             known |= set(own)
         else:
-            found.append({**system.params, **{k: v for k, v in params.items() if k in system.params}})
+            found.append({key: params.get(key, value) for key, value in system.params.items()})
             known |= set(system.params)
     for key in params:
         if key not in known:
@@ -212,7 +212,9 @@ def connect(
 
 
 def wire(blocks: Sequence[Block], external: Iterable[str] = ()) -> Wiring:
-    """Return what `read(connect(blocks, external))` does, without python-control's matrices.
+    """Return what `read(connect(blocks, external))` does, sooner.
+
+    It makes none of python-control's matrices.
 
     Parameters
     ----------
@@ -248,7 +250,7 @@ def wire(blocks: Sequence[Block], external: Iterable[str] = ()) -> Wiring:
     fed = []
     for block in blocks:
         to = 0
-        wires = {False: [], True: []}
+        wires: dict[bool, list[Wire]] = {False: [], True: []}
         for port, size in block.input_ports.items():
             external_port = port in outside
             source = outside[port] if external_port else places[port]

@@ -135,9 +135,7 @@ def _simulate_diagram(
     given = read_inputs(inputs, times, wiring.ninputs)
     runner = chosen(wiring, params, given, engine, diagram.name)
     state = _checked_state(np.zeros(runner.nstates) if x0 is None else x0, runner.nstates)
-    solution = runner.run(
-        state, times, rtol=rtol, atol=atol, inputs=given, progress=progress
-    )
+    solution = runner.run(state, times, rtol=rtol, atol=atol, inputs=given, progress=progress)
     u = given.along(solution.t)
     outputs = wiring.output_map @ np.vstack([runner.signals(solution, given).T, u])
     return control.TimeResponseData(
@@ -160,6 +158,9 @@ def _simulate_scenario(
     scenario, timepts, x0, params, rtol, atol, progress, engine
 ) -> "xarray.Dataset":
     scenario, left = said_by_keys(scenario, params, x0)
+    tolerances = {"run.rtol": rtol, "run.atol": atol}
+    given = {key: value for key, value in tolerances.items() if value is not None}
+    scenario = scenario.with_values(given) if given else scenario
     run = scenario.run
     if timepts is None:
         times = sample_times(run.duration, run.output_step)
@@ -169,18 +170,18 @@ def _simulate_scenario(
     runner = chosen(wiring, left, None, engine, "the closed loop")
     from_zero = times if times[0] == 0 else np.concatenate([[0.0], times])
     solution = runner.run(
-        scenario_state(scenario), from_zero, rtol=rtol or run.rtol, atol=atol or run.atol,
-        progress=progress,
+        scenario_state(scenario), from_zero, rtol=run.rtol, atol=run.atol, progress=progress,
     )  # fmt: skip
     if times[0] != 0:
         solution.t, solution.x = solution.t[1:], solution.x[1:]
-    return run_dataset(scenario, wiring, runner.sweep.given, runner.signals(solution), solution, left)
+    signals = runner.signals(solution)
+    return run_dataset(scenario, wiring, runner.sweep.given, signals, solution, left)
 
 
 def said_by_keys(
     scenario: Scenario, params: Mapping[str, Any] | None, x0: Any
 ) -> tuple[Scenario, dict[str, Any]]:
-    """Put call-time parameters and the initial state into the scenario, where keys hold them.
+    """Put call-time values into the scenario, where keys hold them.
 
     Parameters
     ----------

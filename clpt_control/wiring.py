@@ -155,7 +155,8 @@ def _entries(matrix: Any) -> dict[int, list[tuple[int, float]]]:
     """Return source and gain of what each row of a connection matrix is fed with."""
     found = matrix.tocoo()
     rows: dict[int, list[tuple[int, float]]] = {}
-    for to, source, gain in zip(*(c.tolist() for c in found.coords), found.data.tolist(), strict=True):
+    columns = [column.tolist() for column in (*found.coords, found.data)]
+    for to, source, gain in zip(*columns, strict=True):
         if gain != 0.0:
             rows.setdefault(to, []).append((source, gain))
     return rows

@@ -18,7 +18,7 @@ import numpy as np
 from clpt_control.blocks import Block
 from clpt_control.blocks import words as clpt_words
 
-HELPERS = '''
+HELPERS = """
 def bend(a, b):
     c = a * b
     return c / (1.5 + c * c), a - b
@@ -32,7 +32,7 @@ def mix(v, k):
 def damp(v, out, n):
     for i in range(n):
         out[i] = math.tanh(v[i])
-'''
+"""
 _files = count()
 
 
@@ -302,6 +302,8 @@ def random_diagram(random, blocks=None, nested=True):
             parts.append(inner)
         else:
             parts.append(random_block(random, f"block{k}"))
+    if all(isinstance(part, control.StateSpace) for part in parts):
+        parts.append(random_block(random, "more"))  # python-control refuses some of linear parts
     return wired(random, parts)
 
 
@@ -324,7 +326,7 @@ def wired(random, parts):
     for k, part in enumerate(parts):
         signals += [(k, part.name, j) for j in range(part.noutputs)]
     late = {k for k, part in enumerate(parts) if not reaches_outputs(part)}
-    connections, inplist, outside = [], [], random.randrange(0, 4)
+    connections, outside = [], random.randrange(0, 4)
     fed: dict[int, list[str]] = {k: [] for k in range(outside)}
     for k, part in enumerate(parts):
         allowed = [s for s in signals if s[0] < k or s[0] in late]
@@ -345,10 +347,8 @@ def wired(random, parts):
                 gain = 1.0 if in_order or random.random() < 0.7 else random.uniform(-2, 2)
                 sources.append((number, index, -gain if sign else gain))
             connections.append([f"{part.name}.{part.input_labels[j]}", *sources])
-    for targets in fed.values():
-        inplist.append(targets or [f"{parts[0].name}.{parts[0].input_labels[0]}"]
-                       if parts[0].ninputs else targets)  # fmt: skip
-    inplist = [targets for targets in inplist if targets]
+    spare = [f"{parts[0].name}.{label}" for label in parts[0].input_labels[:1]]
+    inplist = [targets or spare for targets in fed.values() if targets or spare]
     chosen = [s for s in signals if random.random() < 0.7] or signals[:1]
     outlist = [f"{name}.{parts[k].output_labels[j]}" for k, name, j in chosen]
     with warnings.catch_warnings():

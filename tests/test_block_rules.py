@@ -9,10 +9,12 @@ import pytest
 import sympy
 
 from clpt_control.blocks import Block, opaque, words
-from clpt_control.blocks.readers import compiled, traced
-from clpt_control.blocks.rules import check_equations, helpers_of
+from clpt_control.blocks.rebinding import helpers_of
+from clpt_control.blocks.rules import check_equations
+from clpt_control.blocks.symbolic import expressions
 from clpt_control.blocks.words import clip, floor, lookup, maximum, minimum, sign, where
 from clpt_control.errors import BlockError
+from clpt_control.native import readings
 
 TABLE = [1.0, 2.0]
 RATE = 0.5
@@ -353,16 +355,12 @@ def test_allowed(function):
     check_equations(function, "mine.output")
 
 
-def test_everything_allowed_has_three_readings():
+def test_everything_allowed_is_read_alike():
     block = Block("mine", output=says_everything, inputs={"u": 4}, outputs={"y": 2})
-    u, out = np.array([0.3, -0.8, 2.6, 1.1]), np.zeros(2)
-    python = block.output(0.7, [], u)
-    compiled(says_everything)(0.7, np.zeros(0), u, (), out)
-    np.testing.assert_allclose(out, python, rtol=1e-14)
-    symbols = np.array(sympy.symbols("u0:4", real=True), dtype=object)
-    expressions = traced(says_everything, sympy.Symbol("t"), None, symbols, None, 2)
-    numbers = dict(zip(symbols, u, strict=True)) | {sympy.Symbol("t"): 0.7}
-    np.testing.assert_allclose([float(e.subs(numbers)) for e in expressions], python, rtol=1e-14)
+    u, out = [0.3, -0.8, 2.6, 1.1], np.zeros(2)
+    says_everything(0.7, None, u, None, out)
+    for name, ask in readings(block).items():
+        np.testing.assert_allclose(ask(0.7, [], u)[1], out, rtol=1e-14, err_msg=name)
 
 
 # --- opaque helpers ---------------------------------------------------------------------------
@@ -378,19 +376,20 @@ def windy(t, x, u, p, y):
 
 
 def test_opaque_helper_is_an_undefined_function():
-    t, h = sympy.symbols("t h")
-    out = traced(windy, t, None, np.array([h], dtype=object), None, 1)
-    assert out[0] == 2.0 * sympy.Function("gust")(t, h)
-    assert out[0].diff(h) != 0
-
-
-def test_opaque_helper_runs_and_compiles_as_itself():
     block = Block("mine", output=windy, inputs={"u": 1}, outputs={"y": 1})
-    quarter = math.pi / 2
-    assert block.output(quarter, [], [3.0]) == pytest.approx([6.0], rel=1e-15)
-    out = np.zeros(1)
-    compiled(windy)(quarter, np.zeros(0), np.array([3.0]), (), out)
-    assert out == pytest.approx([6.0], rel=1e-15)
+    t, h = sympy.symbols("t h", real=True)
+    (found,) = expressions(block.output_record, lambda name, *where: t if name == "t" else h)
+    (gusts,) = found.atoms(sympy.core.function.AppliedUndef)
+    assert gusts.func.__name__.endswith("gust()")
+    assert gusts.args == (t, h)
+    assert found == 2 * gusts
+    assert found.diff(h) != 0
+
+
+def test_opaque_helper_is_run_in_every_reading():
+    block = Block("mine", output=windy, inputs={"u": 1}, outputs={"y": 1})
+    for name, ask in readings(block).items():
+        assert ask(math.pi / 2, [], [3.0])[1] == pytest.approx([6.0], rel=1e-15), name
 
 
 @opaque
@@ -402,7 +401,7 @@ def windy_and_bad(t, x, u, p, y):
     y[0] = bad_gust(t)
 
 
-def test_opaque_helpers_are_still_compiled_so_still_checked():
+def test_opaque_helpers_are_run_so_they_are_checked():
     with pytest.raises(BlockError, match="bad_gust, line"):
         check_equations(windy_and_bad, "mine.output")
 

@@ -288,7 +288,11 @@ def test_error_system_has_z_where_the_print_has_x():
 # --- Lyapunov candidates, Eqs. (17) and (24) --------------------------------------------------
 
 TRUE = lyapunov.LyapunovParameters(
-    2, 0.5, np.array([[1.0, 2], [3, 4]]), np.array([1.0, 2]), np.array([3.0, 4])
+    2,
+    np.array([0.5, 0.25, 1.0]),
+    np.array([[1.0, 2], [3, 4]]),
+    np.array([1.0, 2]),
+    np.array([3.0, 4]),
 )
 AT_TRUTH = [0, 0, -1, -2, -3, -4, 1, 2, 3, 4]  # e, alpha = -theta, K = KD, Gamma = GammaD
 
@@ -301,8 +305,8 @@ def test_candidate_is_zero_at_the_true_parameters_alone(law):
         away = np.array(AT_TRUTH, dtype=float)
         away[k] += 1.0
         counts = law == "learned-flow" or not 2 <= k < 6
-        # |e|^2/2 for an error, |.|^2/(2 gamma) = 1 for a parameter with gamma = 1/2
-        expected = 0.5 if k < 2 else 1.0
+        # |e|^2/2 for an error, |.|^2/(2 gamma) for a parameter; gammas 1/2, 1/4 and 1
+        expected = [0.5, 0.5, 1.0, 1.0, 1.0, 1.0, 2.0, 2.0, 0.5, 0.5][k]
         assert block.output(0, [], away)[0] == (expected if counts else 0.0)
 
 

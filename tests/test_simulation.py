@@ -13,10 +13,9 @@ import clpt_control as clpt
 from clpt_control.blocks import Block, disturbance, field, reference, vehicle
 from clpt_control.blocks.ports import states_as_outputs
 from clpt_control.diagram import initial_state
-from clpt_control.errors import ClptError, DataError, SimulationError
+from clpt_control.errors import ClptError, DataError, ScenarioError, SimulationError
 from clpt_control.interconnection import connect
-from clpt_control.native.integrate import integrate
-from clpt_control.native.sweep import Sweep
+from clpt_control.native.plain import PlainDiagram
 from clpt_control.ocean.gridded import GriddedField
 from clpt_control.simulation import sample_times
 
@@ -234,7 +233,7 @@ def test_jumps_of_two_blocks_at_one_time():
     delta = disturbance.disturbance("square", [1.0, -2.0], period=0.2)
     sum_up = Block("sum", update=sums, inputs={"delta": 2, "zc": 2}, states={"s": 4})
     loop = connect([reference.reference([[1.0, 0.0], [0.0, 1.0]], dwell=0.3), delta, sum_up])
-    solution = integrate(Sweep(loop), np.zeros(4), 0.1 * np.arange(31), rtol=1e-11, atol=1e-13)
+    solution = PlainDiagram(loop).run(np.zeros(4), 0.1 * np.arange(31), rtol=1e-11, atol=1e-13)
     k = np.arange(31)
     np.testing.assert_allclose(solution.x[:, 0], 0.1 * (k % 2), atol=1e-12)
     np.testing.assert_allclose(solution.x[:, 1], -0.2 * (k % 2), atol=1e-12)
@@ -327,8 +326,11 @@ def test_infinite_parameter_is_named():
 def test_infinite_state_is_named():
     x0 = initial_state(PAPER)
     x0[1] = np.nan
-    with pytest.raises(SimulationError, match=r"t = 0.*x\[1\].*vehicle"):
+    with pytest.raises(ScenarioError, match=r"vehicle\.position\[1\] = nan: must be a finite"):
         clpt.simulate(PAPER, [0, 1], initial_state=x0)
+    for engine in ("native", "python"):
+        with pytest.raises(SimulationError, match=r"t = 0.*x\[1\].*vehicle"):
+            clpt.simulate(clpt.closed_loop(PAPER), [0, 1], initial_state=x0, engine=engine)
 
 
 class Nothing(NamedTuple):
@@ -541,11 +543,11 @@ def test_what_is_no_run_is_an_error(tmp_path):
 
 
 def test_runs_are_the_same_in_any_order():
-    sweep = Sweep(clpt.closed_loop(CALM))
+    plain = PlainDiagram(clpt.closed_loop(CALM))
     x0 = initial_state(CALM)
-    first = integrate(sweep, x0, [0.0, 3.0]).x
-    integrate(sweep, x0 + 1.0, [1.0, 2.0])
-    np.testing.assert_array_equal(integrate(sweep, x0, [0.0, 3.0]).x, first)
+    first = plain.run(x0, [0.0, 3.0]).x
+    plain.run(x0 + 1.0, [1.0, 2.0])
+    np.testing.assert_array_equal(plain.run(x0, [0.0, 3.0]).x, first)
 
 
 def test_a_run_in_two_parts_is_the_run():

@@ -1,6 +1,6 @@
 """A record on NumPy's arrays: the same equations at many times and places at once."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -9,7 +9,7 @@ from .record import Record
 from .running import MOST_ANGLE
 
 
-def on_arrays(record: Record, t: Any, x: Sequence[Any], u: Sequence[Any], p: Any) -> np.ndarray:
+def on_arrays(record: Record, t: Any, x: Any, u: Any, p: Any) -> np.ndarray:
     """Run a record on arrays.
 
     Parameters
@@ -52,8 +52,9 @@ def on_arrays(record: Record, t: Any, x: Sequence[Any], u: Sequence[Any], p: Any
 
     def apply(name: str, *arguments: Any) -> Any:
         if name == "table":
-            numbers, first, stride, count = field(arguments[1][0]), *arguments[1][1:]
-            return _picked(numbers[first : first + stride * count : stride], arguments[0])
+            which, first, stride, count = arguments[1]
+            numbers = field(which)[first : first + stride * count : stride]
+            return _picked(numbers, arguments[0])
         return OPERATIONS[name](*arguments)
 
     with np.errstate(all="ignore"):
@@ -106,9 +107,9 @@ OPERATIONS: dict[str, Callable[..., Any]] = {
     "maximum": lambda a, b: np.where((a > b) | (a != a), a, b),
     "clip": lambda a, low, high: np.where(a < low, low, np.where(a > high, high, a)),
     "sign": _sign,
-    "floor": np.floor,
-    "trunc": np.trunc,
-    "ceil": np.ceil,
+    "floor": lambda a: np.floor(a) + 0.0,  # Python's are whole numbers, which have no -0
+    "trunc": lambda a: np.trunc(a) + 0.0,
+    "ceil": lambda a: np.ceil(a) + 0.0,
     "pick": lambda index, *numbers: _picked(np.array(np.broadcast_arrays(*numbers)), index),
     "opaque": lambda says, value, *arguments: value,
     "erf": _each("erf"),

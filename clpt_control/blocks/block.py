@@ -4,10 +4,11 @@
 
 The two functions fill their last argument, zero at first, and have no side
 effects.  They are recorded when the block is made (`trace`), and refused there
-if they cannot be.  The block adds what a diagram needs to know about them: the ports with their labels, the
-typed parameters `p`, whether the inputs reach the outputs at once
-(`feedthrough`), at which times the block jumps (`breakpoints`), and whether it
-is a source of time or tables that SymPy shall not look into (`opaque`).
+if they cannot be.  The block adds what a diagram needs to know about them: the
+ports with their labels, the typed parameters `p`, whether the inputs reach the
+outputs at once (`feedthrough`), at which times the block jumps (`breakpoints`),
+and whether it is a source of time or tables that SymPy shall not look into
+(`opaque`).
 """
 
 from collections.abc import Callable, Mapping
@@ -29,7 +30,7 @@ from .tracers import TooLong
 
 
 class Block(control.NonlinearIOSystem):
-    """Equations with ports: python-control runs them, the rest reads their record.
+    """Equations with ports, which python-control can run.
 
     Parameters
     ----------
@@ -117,8 +118,8 @@ class Block(control.NonlinearIOSystem):
             raise BlockError(
                 f"{name}: a block with breakpoints needs a parameter `interval = -1.0`"
             )
-        output = self._equations["output"][1]
-        if not self.feedthrough and output is not None and output.reads_inputs():
+        record = self._equations["output"][1]
+        if not self.feedthrough and record is not None and record.reads_inputs():
             raise BlockError(
                 f"{name}: outputs change with inputs at once: declare feedthrough=True"
             )
@@ -175,7 +176,7 @@ class Block(control.NonlinearIOSystem):
 
     @property
     def guard_record(self) -> Record | None:
-        """The record of the distance to the guard's edge; None where there is none."""
+        """The record of the distance to a guard's edge, if there is one."""
         return self._record("guard")
 
     def __getstate__(self) -> dict[str, Any]:

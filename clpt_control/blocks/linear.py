@@ -1,6 +1,6 @@
 """A linear system as a block, so that `control.ss` and `tf` are parts like any other.
 
-    x' = A x + B u,    y = C x + D u
+x' = A x + B u,    y = C x + D u         Eqs. (1), (2) of linear systems
 """
 
 from typing import NamedTuple
@@ -32,7 +32,7 @@ class LinearParameters(NamedTuple):
 
 
 def rate(t, x, u, p, dx):
-    """X' = A x + B u: u[inputs], states x[n]."""
+    """Eq. (1) of linear systems, x' = A x + B u: u[inputs], x[n]."""
     for i in range(p.n):
         total = 0.0
         for k in range(p.n):
@@ -43,7 +43,7 @@ def rate(t, x, u, p, dx):
 
 
 def output(t, x, u, p, y):
-    """Y = C x + D u: u[inputs], states x[n], y[outputs]."""
+    """Eq. (2) of linear systems, y = C x + D u: u[inputs], x[n], y[outputs]."""
     for i in range(p.outputs):
         total = 0.0
         for k in range(p.n):
@@ -54,7 +54,7 @@ def output(t, x, u, p, y):
 
 
 def output_later(t, x, u, p, y):
-    """Y = C x, for D = 0: states x[n], y[outputs]."""
+    """Eq. (2) of linear systems with D = 0, y = C x: x[n], y[outputs]."""
     for i in range(p.outputs):
         total = 0.0
         for k in range(p.n):

@@ -13,7 +13,7 @@ from .words import WORDS
 
 
 def helpers_of(function: FunctionType) -> dict[str, FunctionType]:
-    """Return the plain Python functions that a function calls by name.
+    """Return the plain functions that a function calls by name.
 
     Examples
     --------
@@ -93,7 +93,7 @@ def reached(function: FunctionType) -> list[FunctionType]:
 
 
 def fingerprint(function: FunctionType) -> tuple:
-    """Return what a function's reading depends on: code and module-level numbers."""
+    """Return what a reading depends on: code, and numbers of modules."""
     parts = []
     for one in reached(function):
         space = one.__globals__

@@ -72,6 +72,23 @@ class Record:
                 reached.update(a for a in self.operations[k][1:] if type(a) is int)
         return any(self.operations[k][0] == "u" for k in reached)
 
+    def opened(self) -> "Record":
+        """Return the record in which no helper is opaque."""
+        behind: dict[int, Ref] = {}
+        operations: list[tuple] = []
+
+        def same(a: Any) -> Any:
+            return behind.get(a, a) if type(a) is int else a
+
+        for k, (name, *arguments) in enumerate(self.operations):
+            given = arguments if name in LEAVES else map(same, arguments)
+            operation = (name, *given)
+            if name == "opaque":
+                behind[k] = operation[2]
+                operation = ("t",)  # keeps the place; nobody reads it
+            operations.append(operation)
+        return Record(tuple(operations), tuple(map(same, self.outputs)), self.marks)
+
     def __str__(self) -> str:
         def shown(a: Any) -> str:
             return f"v{a}" if type(a) is int else repr(a)

@@ -24,7 +24,7 @@ IEEE = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2"
         "asinh": "arcsinh", "acosh": "arccosh", "atanh": "arctanh"}  # fmt: skip
 
 
-def running(function: FunctionType) -> Callable:
+def running(function: Any) -> Callable:
     """Return equations that run on IEEE numbers.
 
     Parameters

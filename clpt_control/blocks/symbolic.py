@@ -65,9 +65,9 @@ def expressions(
             parts = [str(leaf("table", s) if isinstance(s, tuple) else s) for s in says if s != 0]
             named = "_".join([f"{helper}()", *parts])
             return sympy.Function(named, real=True)(*map(read, given))
-        given = tuple(map(read, arguments))
-        told(name, given)
-        return OPERATIONS[name](*given)
+        numbers = tuple(map(read, arguments))
+        told(name, numbers)
+        return OPERATIONS[name](*numbers)
 
     return [read(value) for value in record.replay(leaf, apply)]
 

@@ -237,8 +237,6 @@ class _Math:
         raise Refused(f"`math.{name}`", f"use one of {', '.join(sorted(MATH))}")
 
 
-
-
 def _times(factor: float) -> Callable:
     return lambda a: a * factor
 

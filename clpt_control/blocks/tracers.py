@@ -24,7 +24,7 @@ class Refused(Exception):
 
 
 class TooLong(BlockError):
-    """Equations whose record would be too long to keep; Python runs them."""
+    """Equations whose record is too long to keep; Python runs them."""
 
 
 class Tape:
@@ -54,7 +54,7 @@ class Tape:
 
 
 def operand(value: Any) -> Ref | None:
-    """Return the place of a value, or a constant; None for what is no number."""
+    """Return a value's place, or a constant; None for no number."""
     if isinstance(value, Number):
         return value.ref
     if isinstance(value, Condition):
@@ -111,7 +111,8 @@ class Number:
     __slots__ = ("ref", "tape")
 
     def __init__(self, tape: Tape, ref: Ref):
-        self.tape, self.ref = tape, ref
+        self.tape = tape
+        self.ref: Any = ref
 
     __add__, __radd__ = _binary("add")
     __sub__, __rsub__ = _binary("sub")
@@ -137,7 +138,7 @@ class Number:
     def __abs__(self) -> "Number":
         return self.tape.add("fabs", self.ref)
 
-    __eq__ = __ne__ = _EQUAL  # type: ignore[assignment]
+    __eq__ = __ne__ = _EQUAL
     __hash__ = None  # type: ignore[assignment]
     __bool__ = _CHOICE
     __index__ = __int__ = _INDEX
@@ -170,21 +171,18 @@ class Condition:
     def __invert__(self) -> "Condition":
         return Condition(self.tape, self.tape.add("not", self.ref).ref)
 
-    __eq__ = __ne__ = _EQUAL  # type: ignore[assignment]
+    def __mul__(self, other: Any) -> Any:
+        return NotImplemented if isinstance(other, Condition) else self.number() * other
+
+    __rmul__ = __mul__
+    __eq__ = __ne__ = _EQUAL
     __hash__ = None  # type: ignore[assignment]
     __bool__ = _CHOICE
     __index__ = __int__ = _INDEX
 
 
-def _times(self: Condition, other: Any) -> Any:
-    return NotImplemented if isinstance(other, Condition) else self.number() * other
-
-
-Condition.__mul__ = Condition.__rmul__ = _times  # type: ignore[attr-defined]
-
-
 class Cells(np.ndarray):
-    """An array of tracers; what is written into it becomes a number, as in one of floats."""
+    """An array of tracers; what is written becomes a number."""
 
     tape: Tape
 
@@ -205,7 +203,7 @@ class Cells(np.ndarray):
         return value if isinstance(value, Number) else Number(self.tape, ref)
 
     def __array_finalize__(self, other: Any) -> None:
-        self.tape = getattr(other, "tape", None)
+        self.tape = getattr(other, "tape", None)  # type: ignore[assignment]
 
 
 def cells(tape: Tape, refs: Sequence[Ref], shape: tuple[int, ...]) -> Cells:
@@ -219,7 +217,7 @@ def cells(tape: Tape, refs: Sequence[Ref], shape: tuple[int, ...]) -> Cells:
 
 
 class Table:
-    """A long parameter array, of which slices and single numbers can be read."""
+    """A long parameter array: its slices and numbers can be read."""
 
     def __init__(self, tape: Tape, field: str, places: np.ndarray):
         self.tape, self.field, self.places = tape, field, places

@@ -77,7 +77,9 @@ def floor(value):
 
 
 def lookup(table, index):
-    """Read an array at a whole number given as a float, from the end where negative.
+    """Read an array at a whole number, from the end where negative.
+
+    The number is a float; what it has behind the point is left out.
 
     Examples
     --------
@@ -91,7 +93,8 @@ WORDS: dict[str, Callable] = {
     word.__name__: word for word in (where, minimum, maximum, clip, sign, floor, lookup)
 }
 
-MATH = frozenset(
-    "pi e tau exp log sqrt sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh fabs "
-    "hypot log1p expm1 log2 log10 pow degrees radians erf erfc ceil".split()
-)  # the names of `math` that every reading knows
+MATH = frozenset({
+    "pi", "e", "tau", "exp", "log", "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2",
+    "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "fabs", "hypot", "log1p", "expm1", "log2",
+    "log10", "pow", "degrees", "radians", "erf", "erfc", "ceil",
+})  # the names of `math` that every reading knows  # fmt: skip

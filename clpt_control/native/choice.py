@@ -23,7 +23,7 @@ def chosen(
     engine: str | None = None,
     name: str = "the diagram",
 ) -> PlainDiagram:
-    """Return a diagram ready to run, as machine code where that can be.
+    """Return a diagram ready to run, compiled where that can be.
 
     Parameters
     ----------

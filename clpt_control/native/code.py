@@ -7,6 +7,8 @@ twice is found; larger ones keep their loops.
 from functools import lru_cache
 from typing import Any, NamedTuple
 
+from numba.core.compiler_lock import global_compiler_lock
+
 from ..blocks import Block
 from ..blocks.tracers import TooLong
 from ..errors import Uncompiled
@@ -27,7 +29,7 @@ FORMS = ("unrolled", "looped")
 
 
 class Structure(NamedTuple):
-    """All that machine code depends on; parameters are numbers it is given.
+    """All that machine code depends on; it is given parameters.
 
     Attributes
     ----------
@@ -51,7 +53,7 @@ class Structure(NamedTuple):
 
 
 class Code:
-    """The program of a structure, and its machine code when it is asked for.
+    """The program of a structure, and its code once it is asked for.
 
     Attributes
     ----------
@@ -68,8 +70,9 @@ class Code:
         self.unrolled = not any(isinstance(item, Loop) for item in program.derivative)
         self._machines: dict[tuple[str, int], Machine] = {}
 
+    @global_compiler_lock  # threads that ask at once are given the same code
     def address(self, name: str, lanes: int) -> int:
-        """Return where a function of the program lies, compiled when first asked for."""
+        """Return where a function lies, compiled when first asked for."""
         if (name, lanes) not in self._machines:
             together = ("margin",) if name == "margin" else ("derivative", "prepare", "signals")
             functions = {one: getattr(self.program, one) for one in together}
@@ -131,6 +134,7 @@ class _Hidden:
         return 0
 
 
+@global_compiler_lock
 @lru_cache(maxsize=64)
 def _code(structure: Structure, form: str | None, least: int, hidden: _Hidden) -> Code:
     sources, nodes = hidden.sources, hidden.sources.wiring.nodes
@@ -156,6 +160,7 @@ def count(items: tuple[Item, ...]) -> int:
     return sum(1 + (count(item.body) if isinstance(item, Loop) else 0) for item in items)
 
 
+@global_compiler_lock
 @lru_cache(maxsize=16)
 def kernels(n: int, lanes: int) -> Machine:
     """Return the formulas of the method for n states as machine code."""

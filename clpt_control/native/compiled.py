@@ -19,6 +19,8 @@ from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any
 
+from numba.core.compiler_lock import global_compiler_lock
+
 from .machine import call_address, processor
 
 FOLDER = "CLPT_CONTROL_CACHE"  # environment variable that names another folder
@@ -55,7 +57,7 @@ def cache_folder() -> Path | None:
 
 
 def trusted(folder: Path) -> bool:
-    """Whether a folder is the user's own and nobody else can write to it."""
+    """Whether a folder is the user's own and closed to others."""
     if not hasattr(os, "getuid"):
         return True  # Windows: the user's profile is closed to others
     found = folder.stat()
@@ -63,6 +65,7 @@ def trusted(folder: Path) -> bool:
     return found.st_uid in (os.getuid(), 0) and not others
 
 
+@global_compiler_lock
 @cache
 def solver() -> ModuleType:
     """Return the solver's module with its functions compiled.
@@ -121,7 +124,7 @@ def _key() -> str:
     files = (Path(__file__).with_name(f"{name}.py") for name in ("solver", "machine", "compiled"))
     made_of = [file.read_text("utf-8") for file in files]
     made_of += [version(name) for name in ("numba", "llvmlite", "numpy")]
-    made_of += [sys.version, *processor(), str(config.OPT), llvm.get_default_triple()]
+    made_of += [sys.version, *processor(), str(vars(config)["OPT"]), llvm.get_default_triple()]
     return hashlib.sha256("\n".join(made_of).encode()).hexdigest()[:24]
 
 
@@ -132,7 +135,7 @@ def _compile(module: ModuleType, kept: bool) -> None:
     @overload(module.call, inline="always")
     def _(function, t, X, first, P, T, W, D, to):
         def by_address(function, t, X, first, P, T, W, D, to):
-            call_address(function, t, X, first, P, T, W, D, to)
+            call_address(function, t, X, first, P, T, W, D, to)  # type: ignore[call-arg]
 
         return by_address
 

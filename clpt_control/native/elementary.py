@@ -65,7 +65,7 @@ def sign(value: Number) -> Number:
 
 
 def pick(index: Number, *numbers: Number) -> Number:
-    """Return the number at a whole index, from the end where negative; NaN outside."""
+    """Return the number at a whole index; NaN outside."""
     whole, count = round_to_zero(index), len(numbers)
     whole = select(whole < 0.0, whole + float(count), whole)
     found = index.kind.number(math.nan)

@@ -10,10 +10,10 @@ from ..errors import SimulationError
 from ..wiring import Wiring
 from .code import Code, code_of, kernels
 from .compiled import solver
-from .plain import PlainDiagram
 from .inputs import Inputs
 from .layout import lay_out
 from .machine import fuses
+from .plain import PlainDiagram
 from .printing import LANES
 from .runs import Callee
 from .schedule import Schedule, schedule, with_inputs
@@ -88,13 +88,14 @@ class NativeDiagram(PlainDiagram):
             0 if name == "margin" and not guarded else self.code.address(name, lanes)
             for name in FUNCTIONS
         ]
-        formulas = kernels(n, lanes).addresses.values() if n else ()
-        functions = np.array([*own, *formulas], dtype=np.int64)
+        formulas = kernels(n, lanes) if n else None
+        more = formulas.addresses.values() if formulas else ()
+        functions = np.array([*own, *more], dtype=np.int64)
         return Callee(solver(), functions, lanes, n, self.code.program.room, self.layout.T,
-                      guarded, self.most)  # fmt: skip
+                      guarded, self.most, (self.code, formulas))  # fmt: skip
 
     def lanes(self, count: int) -> int:
-        """Return how many of so many runs are taken at once: where it pays, eight."""
+        """Return how many runs are taken at once: eight where it pays."""
         return LANES if count > 1 and self.code.unrolled and fuses() else 1
 
 

@@ -11,7 +11,6 @@ polynomials leave out is below 2e-17.  ln 2 is subtracted in two parts.
 import math
 
 from .vectors import (
-    Number,
     absolute,
     copysign,
     fma,
@@ -140,7 +139,7 @@ def _precise_log(a):
 
 
 def power(a, b):
-    """Return a^b through exp and log, error about 2e-16 + 4e-17 |b log a|."""
+    """Return a^b; error about 2e-16 + 4e-17 |b log a|."""
     size = absolute(a)
     logarithm, rest = _precise_log(size)
     high = b * logarithm

@@ -30,8 +30,6 @@ class Flat:
 
     def add(self, name: str, *arguments: Any) -> Ref:
         """Add an operation, or find it; return its value."""
-        if name == "opaque":
-            return arguments[1]
         keys = [_key(a) for a in arguments]
         key = (name, *(sorted(keys) if name in ("add", "mul") else keys))
         if key not in self._known:
@@ -42,7 +40,7 @@ class Flat:
     def reached(
         self, roots: Iterable[Ref], ready: Callable[[int], bool] = lambda value: False
     ) -> list[int]:
-        """Return what values are made of, in order; not what is ready is made of."""
+        """Return what values are made of, in order, up to what is ready."""
         found: set[int] = set()
         stack = [root for root in roots if type(root) is int]
         while stack:
@@ -82,7 +80,7 @@ def run_block(flat: Flat, record: Record, sources: Sources, k: int, inputs: list
             return flat.add(name, arguments[0], (array, start + first, (), stride, count))
         return flat.add(name, *arguments)
 
-    return record.replay(leaf, apply)
+    return record.opened().replay(leaf, apply)
 
 
 def gather(flat: Flat, sources: Sources, node: Node, signals: list[Ref]) -> list[Ref]:
@@ -168,8 +166,8 @@ def programmed(
         return (*items, *(Store(array, k, (), root) for k, root in enumerate(roots)))
 
     derivative, of_signals = function("D", rates), function("W", signals)
-    margin = function("D", [least])
+    distance = function("D", [least])
     prepare = [item(value) for value in flat.reached(places)]
     prepare += [Store("P", place, (), value) for value, place in places.items()]
     size = sources.prepared + len(places)
-    return Program(derivative, of_signals, margin, tuple(prepare), (), size, len(signals))
+    return Program(derivative, of_signals, distance, tuple(prepare), (), size, len(signals))

@@ -15,7 +15,7 @@ from .sources import Sources, Term
 
 
 def looped_program(sources: Sources, least: int = LEAST) -> Program:
-    """Return the program of a diagram, with every loop that can be kept.
+    """Return the program of a diagram with its loops.
 
     Parameters
     ----------
@@ -43,22 +43,24 @@ def looped_program(sources: Sources, least: int = LEAST) -> Program:
             place = writer.room
             writer.room += 1
             guards += writer.block(k, node.system.guard_record, "W", place)
-            guards.append(Load(writer.value(), "W", place))
-            margins.append(guards[-1].value)
+            margin = writer.value()
+            guards.append(Load(margin, "W", place))
+            margins.append(margin)
     least_margin: Ref = 1.0
-    for margin in margins:
-        guards.append(Step(writer.value(), "minimum", (least_margin, margin)))
-        least_margin = guards[-1].value
+    for one in margins:
+        least_margin = writer.step(guards, "minimum", least_margin, one)
     guards.append(Store("D", 0, (), least_margin))
     first = sources.prepared
     prepare: list[Item] = []
-    functions = []
+    functions: list[tuple[Item, ...]] = []
     for items in ([*outputs, *rates], [*outputs, *states], [*outputs, *guards]):
         left, early, count = prepared(items, first)
         functions.append(left)
         prepare += early
         first += count
-    return Program(*functions, tuple(prepare), tuple(writer.constants), first, writer.room)
+    derivative, signals, distance = functions
+    return Program(derivative, signals, distance, tuple(prepare), tuple(writer.constants), first,
+                   writer.room)  # fmt: skip
 
 
 class _Writer:
@@ -73,6 +75,12 @@ class _Writer:
     def value(self) -> int:
         self.values += 1
         return self.values
+
+    def step(self, items: list[Item], name: str, a: Ref, b: Ref) -> int:
+        """Add a calculation to items; return its value."""
+        value = self.value()
+        items.append(Step(value, name, (a, b)))
+        return value
 
     def output(self, k: int) -> list[Item]:
         """Return what computes a block's outputs; nothing where they are its states."""
@@ -219,12 +227,8 @@ class _Block:
             for at, (gain, external, source) in enumerate(self.terms[j]):
                 value = self.signal(body, external, source, steps[at] if count > 1 else 0)
                 if gain != 1.0:
-                    body.append(Step(writer.value(), "mul", (gain, value)))
-                    value = body[-1].value
-                if at:
-                    body.append(Step(writer.value(), "add", (total, value)))
-                    value = body[-1].value
-                total = value
+                    value = writer.step(body, "mul", gain, value)
+                total = writer.step(body, "add", total, value) if at else value
             body.append(Store("W", self.gathered + j, turn, total))
             self.before += body if count == 1 else [Loop(0, count, tuple(body), ())]
             j += count
@@ -262,23 +266,20 @@ class _Block:
         steps = ((0, step),) if step else ()
 
         def load(array: str, place: int, steps: Any) -> int:
-            body.append(Load(writer.value(), array, place, steps))
-            return body[-1].value
-
-        def calculated(name: str, a: Ref, b: Ref) -> Ref:
-            body.append(Step(writer.value(), name, (a, b)))
-            return body[-1].value
+            value = writer.value()
+            body.append(Load(value, array, place, steps))
+            return value
 
         if not external:
             return load(*writer.sources.signals[source], steps)
         begin, value, slope = writer.sources.external(source)
-        since = calculated("sub", load("t", 0, ()), load("P", begin, ()))
-        return calculated("add", load("P", value, steps),
-                          calculated("mul", since, load("P", slope, steps)))  # fmt: skip
+        since = writer.step(body, "sub", load("t", 0, ()), load("P", begin, ()))
+        rise = writer.step(body, "mul", since, load("P", slope, steps))
+        return writer.step(body, "add", load("P", value, steps), rise)
 
 
 def prepared(items: list[Item], first: int) -> tuple[tuple[Item, ...], list[Item], int]:
-    """Move what depends on parameters alone, outside of loops, to places in P.
+    """Move what depends on parameters alone to places in P.
 
     Returns
     -------
@@ -296,9 +297,13 @@ def prepared(items: list[Item], first: int) -> tuple[tuple[Item, ...], list[Item
             steady.add(item.value)
             early.append(item)
             left.append(item)
-        elif isinstance(item, Step) and item.name not in CONDITIONS and all(
-            type(a) is float or a in steady or (type(a) is tuple and a[0] in "PT")
-            for a in item.arguments
+        elif (
+            isinstance(item, Step)
+            and item.name not in CONDITIONS
+            and all(
+                type(a) is float or a in steady or (type(a) is tuple and a[0] in "PT")
+                for a in item.arguments
+            )
         ):
             steady.add(item.value)
             early.append(item)

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 from ..blocks.record import LEAVES, Record
 from ..errors import BlockError
-from .program import Loop, Ref, Step, Steps, Store, Sum
+from .program import Loop, Step, Steps, Store, Sum
 
 LEAST = 5  # turns; fewer stay apart
 
@@ -36,11 +36,11 @@ class Constant(NamedTuple):
 
 
 class Run(NamedTuple):
-    """Numbers of a parameter that `lookup` reads: from a place, so many, so far apart."""
+    """Numbers of a parameter that `lookup` reads, evenly spaced."""
 
     place: Place
     stride: int
-    count: int
+    count: int  # type: ignore[assignment]
 
 
 class Rolled(NamedTuple):
@@ -87,6 +87,7 @@ def rolled(record: Record, least: float = LEAST) -> Rolled:
     Rolled
         Without loops where nothing could be kept.
     """
+    record = record.opened()
     found = _Roller(record, least).run()
     known: dict = {}
     if _expanded(found, len(record.outputs), known) == _recorded(record, known):
@@ -167,9 +168,7 @@ class _Roller:
             name, *arguments = self.record.operations[node]
             if name in LEAVES:
                 continue
-            if name == "opaque":
-                arguments = arguments[1:2]
-            elif name == "table":
+            if name == "table":
                 field, first, stride, count = arguments[1]
                 run = Run(Place(("p", field), first), stride, count)
                 found.append(Step(node, name, (self.argument(arguments[0]), run)))
@@ -293,7 +292,7 @@ class _Merge:
 
     def summed(self, body: list) -> tuple[list, list[Sum]]:
         """Turn what is carried into sums; refuse what is carried otherwise."""
-        carried = {a for item in body for a in _read(item, True) if isinstance(a, _Carried)}
+        carried = {a for item in body for a in _read(item) if isinstance(a, _Carried)}
         self.links: set[int] = set()
         sums = []
         for one in sorted(carried):
@@ -352,7 +351,7 @@ class _Merge:
         return stores
 
 
-def _read(item: Any, deep: bool = False) -> list:
+def _read(item: Any) -> list:
     """Return what an item reads; of a loop all that its turns read, too."""
     if isinstance(item, Step):
         return list(item.arguments)
@@ -388,7 +387,7 @@ def _renamed(item: Any, names: dict) -> Any:
 
 
 def stored(values: list) -> list:
-    """Return the stores that fill `out`; a run of numbers side by side is a loop."""
+    """Return the stores that fill `out`, in loops where they can be."""
     items: list = []
     k = 0
     while k < len(values):
@@ -422,8 +421,6 @@ def _recorded(record: Record, known: dict) -> list:
         return name("constant", a, copysign(1.0, a)) if type(a) is float else a
 
     def apply(operation: str, *arguments: Any) -> int:
-        if operation == "opaque":
-            return told(arguments[1])
         return name(operation, *map(told, arguments))
 
     return [told(value) for value in record.replay(name, apply)]

@@ -7,6 +7,7 @@ import llvmlite.binding as llvm
 from llvmlite import ir
 from numba import config
 from numba.core import types
+from numba.core.compiler_lock import global_compiler_lock
 from numba.extending import intrinsic
 
 from .printing import print_function
@@ -31,6 +32,7 @@ class Machine:
         Name -> where its code lies, for as long as this object lives.
     """
 
+    @global_compiler_lock  # LLVM is not made for threads
     def __init__(
         self, functions: dict[str, tuple[Item, ...]], constants: tuple[float, ...], lanes: int
     ):
@@ -52,16 +54,17 @@ class Machine:
 
 
 def processor() -> tuple[str, str]:
-    """Return name and features of this processor, or of the one Numba is told of."""
-    name = config.CPU_NAME or llvm.get_host_cpu_name()
-    features = config.CPU_FEATURES
+    """Return name and features of the processor that is compiled for."""
+    told: Any = config  # Numba makes its names when it is imported
+    name = told.CPU_NAME or llvm.get_host_cpu_name()
+    features = told.CPU_FEATURES
     if features is None:
-        features = "" if config.CPU_NAME else llvm.get_host_cpu_features().flatten()
+        features = "" if told.CPU_NAME else llvm.get_host_cpu_features().flatten()
     return name, features
 
 
 def fuses() -> bool:
-    """Whether a product and a sum are one instruction, without which lanes are slow."""
+    """Whether a product and a sum are one instruction."""
     return "+fma" in processor()[1] or "+neon" in processor()[1]
 
 

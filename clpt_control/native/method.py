@@ -54,6 +54,7 @@ def _word(name: str, on_rows: Callable) -> Callable:
             return on_rows(*arguments)
         return tape.add(name, *(getattr(a, "ref", a) for a in arguments))
 
+    word.__doc__ = f"Return {name} of tracers, or of rows."
     return word
 
 
@@ -228,7 +229,7 @@ def _fixed(s: int) -> Formula:
 
 
 def formulas(n: int) -> dict[str, Formula]:
-    """Return the formulas for n states, in the order in which the solver knows them."""
+    """Return the formulas for n states, in the solver's order."""
     return {
         "attempt": _attempt(),
         "judge": _judge(n),
@@ -246,8 +247,9 @@ def formulas(n: int) -> dict[str, Formula]:
 
 
 def kernel(formula: Formula, n: int) -> tuple[Item, ...]:
-    """Return the program of a formula for n states; numbers are its t, Z its X."""
-    tape, items, sums = Tape(), [], []
+    """Return the program of a formula; numbers are its t, Z its X."""
+    tape, sums = Tape(), []
+    items: list[Item] = []
     held: dict[Any, Number] = {}
 
     def load(array: str, base: int, steps: tuple = ()) -> Number:
@@ -268,7 +270,7 @@ def kernel(formula: Formula, n: int) -> tuple[Item, ...]:
         rows, summed = formula.each(
             lambda r: load("X", r * n, ((0, 1),)), lane, lambda k: load("T", k)
         )
-        body = written(0)
+        body: list[Item] = written(0)
         body += [Store("X", r * n, ((0, 1),), value.ref) for r, value in rows.items()]
         for number in summed:
             within, turned, result = (tape.add("number").ref for _ in range(3))
@@ -285,9 +287,11 @@ def kernel(formula: Formula, n: int) -> tuple[Item, ...]:
 
 
 def on_rows(formula: Formula, n: int) -> Callable:
-    """Return what applies a formula to n states in NumPy, called as the kernel is."""
+    """Return what applies a formula in NumPy, called like a kernel."""
 
-    def apply(numbers: Any, Z: np.ndarray, at: int, P: Any, T: Any, W: Any, D: Any, to: int) -> None:
+    def apply(
+        numbers: Any, Z: np.ndarray, at: int, P: Any, T: Any, W: Any, D: Any, to: int
+    ) -> None:
         def z(r: int) -> np.ndarray:
             return Z[r * n : (r + 1) * n]
 

@@ -71,7 +71,7 @@ class PlainDiagram:
     # --- what machine code does otherwise -------------------------------------------------
 
     def parameters(self) -> np.ndarray:
-        """Return P, the parameters as the solver carries them; none in Python."""
+        """Return P, which the solver carries; empty in Python."""
         return np.zeros(0)
 
     def schedule(self, t0: float, t1: float, inputs: Inputs | None = None) -> Schedule:
@@ -211,7 +211,8 @@ class PlainDiagram:
     # --- how a run ended ------------------------------------------------------------------
 
     def _ended(self, runs: Runs, inputs: Inputs | None) -> Solution:
-        status, done = Status(runs.status[0]), int(runs.reached[0])
+        status = Status(runs.status[0])  # type: ignore[call-arg]
+        done = int(runs.reached[0])
         names = ("steps", "evaluations", "restarts")
         statistics = dict(zip(names, map(int, runs.counts[0]), strict=False))
         times, states = runs.times, runs.out[0]
@@ -238,7 +239,8 @@ class PlainDiagram:
         ahead = float(runs.numbers[method.END, 0]) - t
         self.sweep.enter(t)
         for h in (0.0, *(ahead * np.geomspace(1e-12, 1.0, 13))):
-            found = self.sweep.first_trouble(t + h, x + h * rate, _at(inputs, t + h))
+            near = x + h * rate if h else x  # the rate itself may be what is not finite
+            found = self.sweep.first_trouble(t + h, near, _at(inputs, t + h))
             if found is not None:
                 return f"{found} is not finite"
         return None
@@ -266,7 +268,11 @@ class PlainDiagram:
                 break
             inside = share
         x = state(share)
-        return (t + share * h, x, *self.sweep.margin(t + share * h, x, _at(inputs, t + share * h))[1:])
+        return (
+            t + share * h,
+            x,
+            *self.sweep.margin(t + share * h, x, _at(inputs, t + share * h))[1:],
+        )
 
     def _until(
         self, runs: Runs, t: float, x: np.ndarray, done: int
@@ -285,7 +291,9 @@ class PlainDiagram:
         return times.copy(), states.copy()
 
     def signals(self, solution: Solution, inputs: Inputs | None = None) -> np.ndarray:
-        """Return all block outputs at a solution's times; right limits at jumps.
+        """Return all block outputs at a solution's times.
+
+        Values at a jump are right limits.
 
         Parameters
         ----------

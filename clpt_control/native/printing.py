@@ -8,27 +8,18 @@ sums, which are gathered in eight parts and then joined, in the same order on
 every processor.
 """
 
-from typing import Any, NamedTuple
+from typing import Any
 
 from llvmlite import ir
 
+from .abreast import SLOW, Abreast, abreast
 from .elementary import OPERATIONS
 from .program import Item, Load, Loop, Step, Steps, Store
 from .vectors import DOUBLE, INT32, WORD, Kind, Mask, Number, round_to_zero, select
 
 ARRAYS = ("t", "X", "P", "T", "W", "D")
 LANES = 8
-SLOW = frozenset(
-    "exp expm1 log log1p log2 log10 pow sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh "
-    "atanh hypot sqrt div".split()
-)  # several at once cost little more than one
 LONG = SLOW - {"sqrt", "div"} | {"mod", "floordiv"}
-
-
-class Abreast(NamedTuple):
-    """The same function of several numbers."""
-
-    steps: tuple[Step, ...]
 
 
 def print_function(
@@ -64,37 +55,6 @@ def print_function(
     builder.ret_void()
 
 
-def abreast(items: tuple[Item, ...]) -> tuple[Item, ...]:
-    """Bring functions of `math` together that do not wait for each other.
-
-    What a function waits for is a number of others before it; those with the same
-    number are taken at once.  Loads come first and stores last, so items that loop, or
-    read what they have stored, stay as they are.
-    """
-    if any(isinstance(i, Loop) or (isinstance(i, Load) and i.array in "WD") for i in items):
-        return items
-    depth: dict[int, int] = {}
-    rounds: dict[tuple[int, int, str], list[Item]] = {}
-    for item in items:
-        if isinstance(item, Load):
-            depth[item.value] = 0
-        deepest = 0
-        if isinstance(item, Step | Store):
-            given = item.arguments if isinstance(item, Step) else (item.value,)
-            deepest = max((depth[a] for a in given if type(a) is int), default=0)
-        heavy = isinstance(item, Step) and item.name in SLOW
-        if isinstance(item, Step):
-            depth[item.value] = deepest + heavy
-        name = item.name if heavy else ""
-        rounds.setdefault((deepest, heavy, name), []).append(item)
-    stores = [item for item in items if isinstance(item, Store)]
-    found: list[Item] = []
-    for (_, heavy, _), group in sorted(rounds.items(), key=lambda pair: pair[0]):
-        own = [item for item in group if not isinstance(item, Store)]
-        found += [Abreast(tuple(own))] if heavy and len(own) > 1 else own
-    return (*found, *stores)
-
-
 def _constants(module: ir.Module, builder: ir.IRBuilder, values: tuple[float, ...]) -> Any:
     kind = ir.ArrayType(DOUBLE, len(values))
     if "K" not in module.globals:
@@ -112,7 +72,11 @@ class _Printer:
         self.builder, self.arrays, self.lanes = builder, arrays, lanes
 
     def print_items(
-        self, items: tuple[Item, ...], kind: Kind, values: dict[int, Any], turns: dict[int, Any]
+        self,
+        items: tuple[Item | Abreast, ...],
+        kind: Kind,
+        values: dict[int, Any],
+        turns: dict[int, Any],
     ) -> None:
         """Print items one after the other; `values` takes what they compute."""
         for item in items:
@@ -242,10 +206,8 @@ class _Printer:
             if columns > 1:
                 address = self.builder.gep(address, [self._whole(k)])
             number = self.builder.load(address)
-            if kind.width == 1:
-                found = number
-            else:
-                found = self.builder.insert_element(found, number, lane)
+            wide = kind.width > 1
+            found = self.builder.insert_element(found, number, lane) if wide else number
         return select(inside, Number(kind, found), float("nan"))
 
     # --- loops --------------------------------------------------------------------------
@@ -304,7 +266,7 @@ class _Printer:
 
 
 def calculated(name: str, kind: Kind, arguments: list[Any]) -> Any:
-    """Calculate an operation; a long one is a function of the module, printed once."""
+    """Calculate an operation; a long one is printed once a module."""
     if name not in LONG:
         return OPERATIONS[name](*arguments)
     module = kind.builder.module
@@ -343,5 +305,3 @@ def _joined(part: Number, kind: Kind) -> Number:
         ]  # fmt: skip
         value = builder.fadd(*halves)
     return Number(kind, builder.extract_element(value, ir.Constant(INT32, 0)))
-
-

@@ -8,7 +8,7 @@ room), D (what is computed).  Places within a loop are affine in its turns:
     base + sum over levels of step * turn,    level 0 the innermost loop
 """
 
-from typing import NamedTuple, Union
+from typing import NamedTuple
 
 CONDITIONS = ("lt", "le", "gt", "ge", "and", "or", "not")  # whose values are yes or no
 Ref = int | float  # a value by its number, or a constant
@@ -25,7 +25,7 @@ class Load(NamedTuple):
 
 
 class Step(NamedTuple):
-    """value = name(arguments): values, constants, and a tuple that says more."""
+    """value = name(arguments): values, constants, tuples."""
 
     value: int
     name: str
@@ -42,7 +42,7 @@ class Store(NamedTuple):
 
 
 class Sum(NamedTuple):
-    """A number that turns add to: before the loop, within, after a turn, after the loop."""
+    """A number that turns add to: before, within, turned and after."""
 
     first: Ref
     within: int
@@ -51,15 +51,15 @@ class Sum(NamedTuple):
 
 
 class Loop(NamedTuple):
-    """Items for every turn; nothing is carried from turn to turn but sums."""
+    """Items for every turn; turns hand on nothing but sums."""
 
     level: int
-    count: int
+    count: int  # type: ignore[assignment]
     body: "tuple[Item, ...]"
     sums: tuple[Sum, ...]
 
 
-Item = Union[Load, Step, Store, Loop]
+Item = Load | Step | Store | Loop
 
 
 class Program(NamedTuple):

@@ -20,7 +20,6 @@ import numpy as np
 from ..blocks import Block
 from ..blocks.symbolic import reading
 from ..errors import DiagramError
-from ..wiring import read
 from .code import code_of
 from .engine import NativeDiagram
 from .plain import PlainDiagram
@@ -108,7 +107,7 @@ def _machine(diagram: Any, params: Any, form: str, lanes: int) -> Reading:
 
     def ask(t: float, x: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
         x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
-        time, X, P, T, W, D = arrays
+        time, X, P, _, W, D = arrays
         own = native.parameters()
         own[native.ramp : native.ramp + 1 + 2 * m] = [t, *u, *np.zeros(m)]
         for k, place in native.layout.intervals.items():

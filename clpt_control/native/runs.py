@@ -39,6 +39,8 @@ class Callee(NamedTuple):
         Whether guards are watched.
     most : int
         Tries that a single run may take.
+    code : tuple
+        What must live for as long as addresses are used.
     """
 
     solver: ModuleType
@@ -49,6 +51,7 @@ class Callee(NamedTuple):
     tables: np.ndarray
     guarded: bool
     most: int
+    code: tuple = ()
 
 
 class Runs:

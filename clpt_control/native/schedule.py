@@ -74,7 +74,7 @@ def schedule(
 
 
 def with_inputs(pieces: Schedule, t0: float, samples: Samples, ramp: int) -> Schedule:
-    """Add the diagram's inputs, straight within a piece, to what a piece sets.
+    """Add the diagram's inputs, straight within a piece.
 
     Parameters
     ----------

@@ -27,13 +27,13 @@ LOOKS = 16  # places within a step at which guards are looked at
 
 
 def call(function, t, X, first, P, T, W, D, to):
-    """Call function(t, X[first:], P, T, W, D[to:]); for machine code, by its address."""
+    """Call function(t, X[first:], P, T, W, D[to:]), or an address."""
     function(t, X, first, P, T, W, D, to)
 
 
 def advance(code, shape, tolerances, runs, schedule, times, out, status, reached, counts,
             numbers, whole, queue, Z, P, T, W, D, budget, most, guarded):  # fmt: skip
-    """Take up to `budget` steps in every lane; return how many lanes are at work.
+    """Take some steps in every lane; return how many are at work.
 
     Parameters
     ----------
@@ -164,7 +164,8 @@ def take(k, shape, runs, schedule, times, out, numbers, whole, queue, Z, P):
     for j in range(len(places)):
         P[places[j] * lanes + k] = values[group[m], 0, j]
     if not more:
-        rest(k, shape, runs, numbers, Z)
+        if lanes > 1:  # beside others; a run alone stays where it ended, to be looked at
+            rest(k, shape, runs, numbers, Z)
         return 0
     for i in range(n):
         Z[i * lanes + k] = X0[m, i]
@@ -244,7 +245,10 @@ def sample(shape, times, out, status, counts, numbers, whole, Z):
 
 
 def watch(code, shape, numbers, whole, status, Z, P, T, W, D):
-    """End the run of a lane that leaves a guard within the step, and do not take it."""
+    """End the run of a lane that leaves a guard within the step.
+
+    That step is not taken.
+    """
     lanes, n, _ = shape
     for look in range(1, LOOKS + 1):
         share = look / LOOKS
@@ -264,14 +268,13 @@ def watch(code, shape, numbers, whole, status, Z, P, T, W, D):
 
 def advance_fixed(code, shape, step, runs, schedule, times, out, status, reached, counts,
                   numbers, whole, Z, P, T, W, D, guarded):  # fmt: skip
-    """Run all to the end by Runge and Kutta's method of order 4, as many at once as lanes.
+    """Run all to the end by Runge and Kutta's method of order 4.
 
     Arguments as for `advance`; runs that are taken together follow one schedule.
     """
     lanes, n, parameters = shape
     X0, Ps, group = runs
     edges, _, places, values = schedule
-    span, now, at, flat = n * lanes, numbers[TIME], numbers[AT], numbers.reshape(-1)
     for base in range(0, len(X0), lanes):
         count = min(lanes, len(X0) - base)
         for k in range(lanes):
@@ -281,36 +284,24 @@ def advance_fixed(code, shape, step, runs, schedule, times, out, status, reached
                 P[j * lanes + k] = Ps[m, j]
             for i in range(n):
                 Z[i * lanes + k] = out[m, 0, i] = X0[m, i]
+            reached[m] = 1
         t, done, edge, g = times[0], 1, 0, group[base]
         while done < len(times):
             for j in range(len(places)):
                 for k in range(lanes):
                     P[places[j] * lanes + k] = values[g, edge, j]
             numbers[TIME, :] = t
-            call(code[PREPARE], now, Z, 0, P, T, W, D, 0)
+            call(code[PREPARE], numbers[TIME], Z, 0, P, T, W, D, 0)
             while done < len(times):
                 stop = min(times[done], edges[g, edge])
                 steps = max(1, math.ceil((stop - t) / step * (1.0 - 1e-12)))
-                h, first = (stop - t) / steps, t
-                numbers[TAKEN, :] = h
-                for number in range(steps):
-                    numbers[TIME, :] = first + number * h
-                    call(code[DERIVATIVE], now, Z, 0, P, T, W, Z, RATE * span)
-                    for s in range(1, 4):
-                        call(code[FIXED + s], flat, Z, 0, P, T, W, D, 0)
-                        call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z,
-                             (RATE + s) * span)  # fmt: skip
-                    call(code[FIXED + 4], flat, Z, 0, P, T, W, D, 0)
-                    if guarded:
-                        call(code[MARGIN], at, Z, 0, P, T, W, D, 0)
-                        for k in range(count):
-                            if D[k] < -OUTSIDE:
-                                fail(status, whole, k, LEFT)
+                if march(code, shape, t, (stop - t) / steps, steps, status, counts, numbers, whole,
+                         Z, P, T, W, D, guarded) == 0:  # fmt: skip
+                    done = len(times)
+                    break
                 t = stop
-                for k in range(count):
-                    keep(k, shape, steps, done, stop == times[done], times, out, status, reached,
-                         counts, whole, Z)  # fmt: skip
                 if stop == times[done]:
+                    keep(shape, done, out, status, reached, whole, Z)
                     done += 1
                 if t == edges[g, edge]:
                     edge += 1
@@ -321,26 +312,60 @@ def advance_fixed(code, shape, step, runs, schedule, times, out, status, reached
                 status[base + k] = FINISHED
 
 
-def keep(k, shape, steps, done, sampled, times, out, status, reached, counts, whole, Z):
-    """Count steps of a lane and keep its state at a sample."""
+def march(code, shape, first, h, steps, status, counts, numbers, whole,
+          Z, P, T, W, D, guarded):  # fmt: skip
+    """Take steps of length h; return how many lanes are at work."""
     lanes, n, _ = shape
-    m, trouble = whole[MEMBER, k], 0.0
-    if status[m] != RUNNING:
-        return
-    counts[m, STEPS] += steps
-    counts[m, EVALUATIONS] += 4 * steps
-    for i in range(n):
-        trouble += 0.0 * Z[i * lanes + k]
-    if trouble != 0.0:
-        fail(status, whole, k, NOT_FINITE)
-    elif sampled:
+    span, now, at, flat = n * lanes, numbers[TIME], numbers[AT], numbers.reshape(-1)
+    numbers[TAKEN, :] = h
+    active = 0
+    for number in range(steps):
+        numbers[TIME, :], numbers[END, :] = first + number * h, first + (number + 1) * h
+        for i in range(span):
+            Z[TERMS * span + i] = Z[i]
+        call(code[DERIVATIVE], now, Z, 0, P, T, W, Z, RATE * span)
+        for s in range(1, 4):
+            call(code[FIXED + s], flat, Z, 0, P, T, W, D, 0)
+            call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + s) * span)
+        call(code[FIXED + 4], flat, Z, 0, P, T, W, D, 0)
+        if guarded:
+            call(code[MARGIN], at, Z, 0, P, T, W, D, 0)
+        active = 0
+        for k in range(lanes):
+            m, trouble = whole[MEMBER, k], 0.0
+            if m < 0 or status[m] != RUNNING:
+                continue
+            counts[m, STEPS] += 1
+            counts[m, EVALUATIONS] += 4
+            for i in range(n):
+                trouble += 0.0 * Z[i * lanes + k]
+            if trouble != 0.0:
+                fail(status, whole, k, NOT_FINITE)
+            elif guarded and D[k] < -OUTSIDE:
+                fail(status, whole, k, LEFT)
+            else:
+                active += 1
+        if active == 0:
+            break
+    if active == 0 and lanes == 1:  # a run alone goes back by that step, to be looked at
         for i in range(n):
-            out[m, done, i] = Z[i * lanes + k]
-        reached[m] = done + 1
+            Z[i], Z[TERMS * n + i] = Z[TERMS * n + i], Z[i] - Z[TERMS * n + i]
+    return active
+
+
+def keep(shape, done, out, status, reached, whole, Z):
+    """Keep the states of lanes at a sample."""
+    lanes, n, _ = shape
+    for k in range(lanes):
+        m = whole[MEMBER, k]
+        if m >= 0 and status[m] == RUNNING:
+            for i in range(n):
+                out[m, done, i] = Z[i * lanes + k]
+            reached[m] = done + 1
 
 
 def record(code, times, states, n, pieces, places, values, P, T, W, out):
-    """Write all signals at times; `states` holds n states behind each other for each."""
+    """Write all signals at times; `states` holds n for each."""
     t, piece = np.zeros(1), -1
     for k in range(len(times)):
         t[0] = times[k]

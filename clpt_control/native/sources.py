@@ -71,5 +71,5 @@ class Sources:
         return place.array, place.offset
 
     def external(self, place: int) -> tuple[int, int, int]:
-        """Return the places in P of an input's beginning, value and slope."""
+        """Return where an input's beginning, value and slope lie in P."""
         return self.ramp, self.ramp + 1 + place, self.ramp + 1 + self.ninputs + place

@@ -25,4 +25,7 @@ class Status(IntEnum):
     TOO_SMALL = 2, "the step became too small; loosen rtol and atol, or look for a singularity"
     NOT_FINITE = 3, "a number is not finite; check parameters and the initial state"
     LEFT = 4, "a guard was left; flow.outside says what happens there"
-    TOO_MANY = 5, "too many steps: the equations are stiff; lower the gains, or loosen rtol and atol"
+    TOO_MANY = (
+        5,
+        "too many steps: the equations are stiff; lower the gains, or loosen rtol and atol",
+    )

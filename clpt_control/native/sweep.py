@@ -167,8 +167,10 @@ class Sweep:
         """Return the diagram's outputs of the last pass."""
         return self.wiring.output_map @ np.concatenate([self.signals, self._external])
 
-    def margin(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> tuple[float, str, str]:
-        """Return the least distance to a guard's edge, its policy and sentence."""
+    def margin(
+        self, t: float, x: np.ndarray, u: np.ndarray | None = None
+    ) -> tuple[float, str, str]:
+        """Return the least distance to an edge, its policy and sentence."""
         self.evaluate(t, x, u)
         least = (1.0, "", "")
         for k, node in enumerate(self.nodes):
@@ -205,7 +207,7 @@ class Sweep:
 
 
 def first_not_finite(wiring: Wiring, signals: np.ndarray) -> str | None:
-    """Name the first signal that is not finite, in the order of evaluation."""
+    """Name the first signal that is not finite, as evaluated."""
     if np.all(np.isfinite(signals)):
         return None
     for k in wiring.order:

@@ -17,7 +17,7 @@ MAGIC = 6755399441055744.0  # 1.5 * 2^52: added to a whole number, it stands in 
 
 
 class Kind:
-    """How many numbers are worked on at once, and where the code goes.
+    """How many numbers are worked on at once, and where code goes.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ class Kind:
         return _constant(self.type(entry), value, math.copysign(1.0, value), self.width)
 
     def number(self, value: Any) -> "Number":
-        """Return a number of a constant, of a double, or of as many as there are."""
+        """Return a number of a constant, a double, or a vector."""
         if isinstance(value, Number):
             return value
         if isinstance(value, int | float):
@@ -59,7 +59,7 @@ class Kind:
         return Number(self, self.builder.call(function, [a.value for a in arguments]))
 
     def each(self, name: str, *arguments: "Number") -> "Number":
-        """Call a function of the C library for one number after the other."""
+        """Call a function of the C library number by number."""
         function = declared(self.builder.module, name, DOUBLE, [DOUBLE] * len(arguments))
         if self.width == 1:
             return Number(self, self.builder.call(function, [a.value for a in arguments]))
@@ -252,7 +252,10 @@ def power_of_two(k: Number) -> Number:
 
 
 def split(a: Number) -> tuple[Number, Number]:
-    """Return (k, m) with a = 2^k m and sqrt(1/2) <= m < sqrt(2), for normal a > 0."""
+    """Return (k, m) with a = 2^k m and m near 1, for normal a > 0.
+
+    sqrt(1/2) <= m < sqrt(2).
+    """
     kind, builder = a.kind, a.kind.builder
     half_root, one = 0x3FE6A09E667F3BCD, 0x3FF0000000000000  # bits of sqrt(1/2) and of 1
     above = builder.add(

@@ -17,7 +17,9 @@ from ..symbolic import expressions
 from .samples import Sample, differ, equations, own_copy, python_values
 
 LINEAR = 1e-4
-SMOOTH = frozenset("exp log sin cos tan sinh cosh tanh atan asinh erf erfc".split())
+SMOOTH = frozenset({
+    "exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh", "atan", "asinh", "erf", "erfc",
+})  # fmt: skip
 
 
 def _copies(block: Block, drawn: list[Sample]) -> Iterator[str]:

@@ -13,6 +13,7 @@ from ..block import Block
 from ..ports import Equations
 from ..running import running
 
+
 class Sample(NamedTuple):
     """Arguments of a block's equations.
 

@@ -1,0 +1,65 @@
+"""Parameters given at call time: what is recorded is what ran, and it runs again or says no."""
+
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.errors import DataError
+
+PAPER = clpt.paper_scenario().with_values({"run.duration": 40})
+
+
+def identical(one, other):
+    assert set(one.variables) == set(other.variables)
+    for name in one.variables:
+        np.testing.assert_array_equal(one[name], other[name], err_msg=name)
+
+
+@pytest.mark.parametrize(
+    ("name", "key", "value"),
+    [
+        ("adaptation.gain", "learning.gain", 2.0),
+        ("true_flow.theta", "flow.parameters", [[0.5, 0.1, 0.2], [0.3, 0.4, 0.1]]),
+        ("vehicle_controller.KD", "vehicle.feedback", [2.0, 1.5]),
+        ("vehicle_controller.GammaD", "vehicle.feedforward", [0.5, 2.0]),
+        ("reference.dwell", "reference.dwell", 7.0),
+    ],
+)
+def test_a_run_is_that_of_the_scenario_that_says_so(name, key, value, tmp_path):
+    run = clpt.simulate(PAPER, params={name: value})
+    identical(run, clpt.simulate(PAPER.with_values({key: value})))
+    assert np.all(np.diff(run.lyapunov.values) <= 1e-9)  # V of the parameters that ran falls
+    clpt.save_run(run, tmp_path / "run.nc")
+    again = clpt.load_scenario(tmp_path / "run.nc")
+    assert again == PAPER.with_values({key: value})
+    identical(clpt.simulate(again), run)
+
+
+def test_lyapunov_is_measured_to_the_true_parameters_that_ran():
+    theta = np.array([[0.5, 0.1, 0.2], [0.3, 0.4, 0.1]])
+    run = clpt.simulate(PAPER, params={"true_flow.theta": theta, "adaptation.gain": 2.0})
+    np.testing.assert_array_equal(run.flow_parameters, theta)
+    e, alpha = run.clpe.values[-1], run.alpha.values[-1]
+    K, Gamma = run.feedback_gain.values[-1], run.feedforward_gain.values[-1]
+    squares = np.sum((theta + alpha) ** 2) + np.sum((K - 1) ** 2) + np.sum((1 - Gamma) ** 2)
+    assert float(run.lyapunov[-1]) == pytest.approx(np.sum(e**2) / 2 + squares / 4, rel=1e-12)
+
+
+def test_an_initial_state_and_tolerances_are_the_files(tmp_path):
+    state = clpt.initial_state(PAPER) + 0.25
+    run = clpt.simulate(PAPER, initial_state=state, rtol=1e-11, atol=1e-12)
+    clpt.save_run(run, tmp_path / "run.nc")
+    identical(clpt.simulate(clpt.load_scenario(tmp_path / "run.nc")), run)
+
+
+@pytest.mark.parametrize(
+    "params", [{"basis_x.widths": [4.0, 5.0, 6.0]}, {"injection.alpha_M": np.ones((2, 3))}]
+)
+def test_what_no_key_holds_is_refused_when_run_again(params, tmp_path):
+    run = clpt.simulate(PAPER, params=params)
+    assert not np.array_equal(run.alpha, clpt.simulate(PAPER).alpha)
+    clpt.save_run(run, tmp_path / "run.nc")
+    (name,) = params
+    with pytest.raises(DataError, match=rf"{name}.*cannot be repeated"):
+        clpt.load_scenario(tmp_path / "run.nc")
+    identical(clpt.load_run(tmp_path / "run.nc"), run)

@@ -1,0 +1,139 @@
+"""Flows that are known in closed form, on every engine and by both methods."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+from clpt_control.blocks import Block
+from clpt_control.native.engine import NativeDiagram
+from clpt_control.native.plain import PlainDiagram
+from clpt_control.native.printing import LANES
+from clpt_control.native.runs import Runs
+from clpt_control.native.status import Status
+
+N = 6  # copies of a flow, each with its rate; a loop of so many turns is kept
+RATES = np.linspace(0.5, 2.0, N)
+TIMES = np.array([0.0, 0.3, 1.0, 1.7, 2.0])
+
+
+class Rates(NamedTuple):
+    n: int
+    a: np.ndarray
+
+
+class Jumping(NamedTuple):
+    n: int
+    a: np.ndarray
+    interval: float = -1.0
+
+
+def rotation(t, x, u, p, dx):
+    for i in range(p.n):
+        dx[i] = -p.a[i] * x[p.n + i]
+        dx[p.n + i] = p.a[i] * x[i]
+
+
+def saddle(t, x, u, p, dx):
+    for i in range(p.n):
+        dx[i] = p.a[i] * x[i]
+        dx[p.n + i] = -p.a[i] * x[p.n + i]
+
+
+def growth(t, x, u, p, dx):
+    for i in range(p.n):
+        dx[i] = p.a[i] * x[i] * (1.0 - x[i])
+        dx[p.n + i] = p.a[i] * x[p.n + i]
+
+
+def oscillator(t, x, u, p, dx):
+    for i in range(p.n):
+        dx[i] = x[p.n + i]
+        dx[p.n + i] = -(p.a[i] ** 2) * x[i] + math.cos(t)
+
+
+def jump(t, x, u, p, dx):
+    for i in range(p.n):
+        dx[i] = p.a[i] * p.interval
+        dx[p.n + i] = p.interval * x[i]
+
+
+def rotated(t, x, y, a):
+    return x * np.cos(a * t) - y * np.sin(a * t), x * np.sin(a * t) + y * np.cos(a * t)
+
+
+def torn(t, x, y, a):
+    return x * np.exp(a * t), y * np.exp(-a * t)
+
+
+def grown(t, x, y, a):
+    return x / (x + (1 - x) * np.exp(-a * t)), y * np.exp(a * t)
+
+
+def driven(t, x, y, a):
+    """x'' = -a^2 x + cos t: the forced part and what starts freely."""
+    forced = 1 / (a**2 - 1)
+    free = x - forced
+    place = free * np.cos(a * t) + y / a * np.sin(a * t) + forced * np.cos(t)
+    speed = -free * a * np.sin(a * t) + y * np.cos(a * t) - forced * np.sin(t)
+    return place, speed
+
+
+def jumped(t, x, y, a, dwell=0.7):
+    """Interval k from k dwell on: x is straight there and y a parabola."""
+    k = 0
+    while t > 0:
+        h = min(t, dwell)
+        x, y, t, k = x + a * k * h, y + k * (x * h + a * k * h**2 / 2), t - h, k + 1
+    return x, y
+
+
+def every(p, t0, t1):
+    times = 0.7 * np.arange(1, math.floor(t1 / 0.7) + 1)
+    return times[(times > t0) & (times <= t1)]
+
+
+FLOWS = {
+    "rotation": (rotation, rotated),
+    "saddle": (saddle, torn),
+    "growth": (growth, grown),
+    "oscillator": (oscillator, driven),
+    "jump": (jump, jumped),
+}
+ENGINES = ("python", "scalar", "looped", "lanes")
+
+
+def states(engine, block, x0, step):
+    if engine == "python":
+        runner = PlainDiagram(block)
+    else:
+        runner = NativeDiagram(block, form="looped" if engine == "looped" else "unrolled")
+        assert runner.code.unrolled == (engine != "looped")
+    count = LANES + 3 if engine == "lanes" else 1
+    P, starts = np.tile(runner.parameters(), (count, 1)), np.tile(x0, (count, 1))
+    callee = runner.callee(LANES if engine == "lanes" else 1)
+    runs = Runs(callee, starts, P, TIMES, [runner.schedule(0.0, TIMES[-1])])
+    if step is None:
+        runs.adaptive(1e-11, 1e-12)
+    else:
+        runs.fixed(step)
+    assert set(runs.status) == {Status.FINISHED}
+    np.testing.assert_array_equal(runs.out, runs.out[:1].repeat(count, 0))
+    return runs.out[0]
+
+
+@pytest.mark.parametrize("method", ["DOP853", "RK4"])
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("flow", FLOWS)
+def test_flow(flow, engine, method):
+    update, exact = FLOWS[flow]
+    jumps = flow == "jump"
+    parameters = Jumping(N, RATES) if jumps else Rates(N, RATES)
+    block = Block(flow, update=update, states={"s": 2 * N}, parameters=parameters,
+                  breakpoints=every if jumps else None)  # fmt: skip
+    x, y = np.linspace(0.2, 1.5, N), np.linspace(-1.0, 1.0, N)
+    found = states(engine, block, np.concatenate([x, y]), 0.02 if method == "RK4" else None)
+    wanted = [np.concatenate(exact(t, x, y, RATES)) for t in TIMES]
+    error = 3e-7 if method == "RK4" else 1e-9
+    np.testing.assert_allclose(found, wanted, rtol=error, atol=error)

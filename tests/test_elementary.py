@@ -1,0 +1,305 @@
+"""Elementary functions as machine code: accuracy, special numbers, and words, of any width."""
+
+import ctypes
+import math
+import os
+import subprocess
+import sys
+from functools import cache
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from llvmlite import ir
+from test_conformance import BLOCKS
+
+from clpt_control.blocks import words
+from clpt_control.native.code import code_of
+from clpt_control.native.engine import NativeDiagram
+from clpt_control.native.machine import Machine
+from clpt_control.native.printing import print_function
+from clpt_control.native.program import Load, Loop, Step, Store
+
+mpmath.mp.dps = 40
+COLUMNS = 8
+TURNS = 15  # in a loop: eight, four, two and one at once
+FORMS = ("scalar", "turns", "lanes")
+
+
+@cache
+def machine(name, count, form):
+    """Machine code of an operation of `count` numbers, in one form."""
+    turn = ((0, 1),) if form == "turns" else ()
+    items = [Load(k, "X", k * TURNS if turn else k, turn) for k in range(count)]
+    arguments = tuple(range(count))
+    if name == "where":
+        items.append(Step(count, "lt", (0, 1)))
+        arguments = (count, 1, 2)
+    items += [Step(count + 1, name, arguments), Store("D", 0, turn, count + 1)]
+    body = (Loop(0, TURNS, tuple(items), ()),) if turn else tuple(items)
+    made = Machine({"f": body}, (), COLUMNS if form == "lanes" else 1)
+    kind = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 6)
+    return made, kind(made.addresses["f"])
+
+
+def calculated(name, form, *arrays):
+    """Call an operation for every number of arrays."""
+    arrays = [np.asarray(a, dtype=float).ravel() for a in np.broadcast_arrays(*arrays)]
+    _, call = machine(name, len(arrays), form)
+    together = {"scalar": 1, "turns": TURNS, "lanes": COLUMNS}[form]
+    size = len(arrays[0])
+    rows = -(-size // together)
+    given = np.ascontiguousarray([np.resize(a, (rows, together)) for a in arrays])
+    out = np.zeros((rows, together))
+    for row in range(rows):
+        X = np.ascontiguousarray(given[:, row])
+        call(0, X.ctypes.data, 0, 0, 0, out[row].ctypes.data)
+    return out.ravel()[:size]
+
+
+def everywhere(name, *arrays):
+    """What an operation gives; the same numbers in every form."""
+    found = [calculated(name, form, *arrays) for form in FORMS]
+    for form, other in zip(FORMS[1:], found[1:], strict=True):
+        np.testing.assert_allclose(other, found[0], rtol=1e-15, err_msg=form)
+    return found[0]
+
+
+def relative_error(got, a, exact):
+    worst = 0.0
+    for value, arguments in zip(got, a, strict=True):
+        true = exact(*map(mpmath.mpf, np.atleast_1d(arguments)))
+        worst = max(worst, float(abs(mpmath.mpf(value) - true) / abs(true)) if true else abs(value))
+    return worst
+
+
+# --- accuracy ---------------------------------------------------------------------------------
+
+RNG = np.random.default_rng(3)
+COUNT = 400
+
+
+def uniform(low, high):
+    return RNG.uniform(low, high, COUNT)
+
+
+def powers(low, high):
+    return 10.0 ** uniform(low, high)
+
+
+def both(a):
+    return a * RNG.choice([-1.0, 1.0], COUNT)
+
+
+QUARTERS = np.round(uniform(0, 60000)) * (math.pi / 2)  # where sin or cos nearly vanishes
+ACCURACY = {
+    "exp": (3e-16, [uniform(-700, 700), uniform(-1, 1), both(powers(-20, 0))]),
+    "log": (3e-16, [powers(-307, 308), uniform(0.5, 2), 1 + both(powers(-12, -1))]),
+    "sin": (2e-16, [uniform(-1e5, 1e5), uniform(-10, 10), both(powers(-300, 0)), QUARTERS]),
+    "cos": (2e-16, [uniform(-1e5, 1e5), uniform(-10, 10), both(powers(-300, 0)), QUARTERS]),
+    "tan": (4e-16, [uniform(-1e5, 1e5), uniform(-3, 3), QUARTERS]),
+    "asin": (4e-16, [uniform(-1, 1), 1 - powers(-15, -1)]),
+    "acos": (5e-16, [uniform(-1, 1), 1 - powers(-15, -1)]),
+    "atan": (3e-16, [uniform(-3, 3), both(powers(-10, 10))]),
+    "sinh": (5e-16, [uniform(-710, 710), uniform(-2, 2), both(powers(-10, 0))]),
+    "cosh": (4e-16, [uniform(-710, 710), uniform(-2, 2)]),
+    "tanh": (5e-16, [uniform(-25, 25), uniform(-1, 1), both(powers(-10, 0))]),
+    "asinh": (5e-16, [uniform(-3, 3), both(powers(-10, 300))]),
+    "acosh": (5e-16, [1 + powers(-10, 10), powers(1, 300)]),
+    "atanh": (5e-16, [uniform(-1, 1), both(powers(-10, 0))]),
+    "log1p": (4e-16, [uniform(-1, 3), powers(-20, 300)]),
+    "expm1": (4e-16, [uniform(-50, 700), uniform(-1, 1), both(powers(-20, 0))]),
+    "log2": (3e-16, [powers(-300, 300), uniform(0.5, 2)]),
+    "log10": (3e-16, [powers(-300, 300), uniform(0.5, 2)]),
+    "sqrt": (1.2e-16, [powers(-300, 300)]),
+    "erf": (4e-16, [uniform(-3, 3)]),
+    "erfc": (6e-16, [uniform(-3, 20)]),
+    "fabs": (0.0, [uniform(-3, 3)]),
+    "ceil": (0.0, [uniform(-30, 30)]),
+}
+EXACT = {
+    "log2": lambda a: mpmath.log(a, 2),
+    "log10": lambda a: mpmath.log(a, 10),
+    "fabs": abs,
+    "ceil": mpmath.ceil,
+}
+
+
+@pytest.mark.parametrize("name", ACCURACY)
+def test_accuracy(name):
+    tolerance, arguments = ACCURACY[name]
+    exact = EXACT.get(name) or getattr(mpmath, name)
+    for a in arguments:
+        assert relative_error(everywhere(name, a), a, exact) <= tolerance
+
+
+def test_every_name_of_math_is_asked_here():
+    constants = {"pi", "e", "tau"}
+    by_others = {"degrees", "radians", "atan2", "hypot", "pow"}  # a product, or asked below
+    assert set(ACCURACY) | constants | by_others == words.MATH
+
+
+@pytest.mark.parametrize("name", ["sin", "cos"])
+def test_large_angles_stay_sane(name):
+    a = both(powers(5, 15))
+    exact = np.array([float(getattr(mpmath, name)(mpmath.mpf(v))) for v in a])
+    assert np.max(np.abs(everywhere(name, a) - exact)) < 5e-15
+    beyond = everywhere(name, [2.0**50, -(2.0**60), 1e300, -1.7e308])
+    assert np.isnan(beyond).all()
+
+
+SPECIAL = np.array(
+    [
+        *(0.0, -0.0, 5e-324, -5e-324, 1e-310, np.inf, -np.inf, np.nan, 1.0, -1.0, 709.78271),
+        *(709.79, -745.13, -746.0, -708.5, 710.4, 711.0, 0.5, 2.0, 1024.0, 1e14),
+    ]
+)
+NUMPY = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "asinh": "arcsinh",
+         "acosh": "arccosh", "atanh": "arctanh"}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", [n for n in ACCURACY if hasattr(np, NUMPY.get(n, n))])
+def test_special_arguments(name):
+    with np.errstate(all="ignore"):
+        wanted = getattr(np, NUMPY.get(name, name))(SPECIAL)
+    if name == "ceil":
+        wanted += 0.0  # Python's are whole numbers, which have no -0
+    got = everywhere(name, SPECIAL)
+    assert np.array_equal(np.isnan(got), np.isnan(wanted))
+    real = ~np.isnan(wanted)
+    assert np.array_equal(np.signbit(got[real]), np.signbit(wanted[real]))
+    np.testing.assert_allclose(got, wanted, rtol=6e-16, atol=5e-324)
+
+
+def test_atan2():
+    a, b = both(powers(-5, 5)), both(powers(-5, 5))
+    found = everywhere("atan2", b, a)
+    assert relative_error(found, np.stack([b, a], 1), mpmath.atan2) <= 3e-16
+    some = np.array([0.0, -0.0, 1.0, -1.0, np.inf, -np.inf, np.nan])
+    b, a = (grid.ravel() for grid in np.meshgrid(some, some))
+    wanted, got = np.arctan2(b, a), everywhere("atan2", b, a)
+    np.testing.assert_allclose(got, wanted, rtol=3e-16)
+    real = ~np.isnan(wanted)
+    assert np.array_equal(np.signbit(got[real]), np.signbit(wanted[real]))
+
+
+def test_hypot():
+    a, b = both(powers(-2, 2)), both(powers(-2, 2))
+    for scale in (1.0, 1e-300, 1e300):
+        pairs = np.stack([a * scale, b * scale], 1)
+        assert relative_error(everywhere("hypot", *pairs.T), pairs, mpmath.hypot) <= 3e-16
+    some = [0.0, -1.0, np.inf, -np.inf, np.nan]
+    b, a = (grid.ravel() for grid in np.meshgrid(some, some))
+    np.testing.assert_allclose(everywhere("hypot", a, b), np.hypot(a, b), rtol=3e-16)
+
+
+def test_powers():
+    a = powers(-8, 8)
+    for n in (2.0, 3.0, 0.0, -2.0, 2.5, -0.125, 0.5):
+        found = everywhere("pow", a, n)
+        assert relative_error(found, a, lambda v, n=n: v ** mpmath.mpf(n)) <= 2e-15
+    some = [0.0, -0.0, 0.5, -2.0, 3.0, 1.0, -1.0, np.inf, -np.inf, np.nan, 2.0, -0.5]
+    b, a = (grid.ravel() for grid in np.meshgrid(some, some))
+    with np.errstate(all="ignore"):
+        wanted = np.power(a, b)
+    np.testing.assert_allclose(everywhere("pow", a, b), wanted, rtol=3e-15)
+
+
+# --- words and operators ------------------------------------------------------------------------
+
+ANY = st.floats(allow_nan=True, allow_infinity=True)
+SOME = st.lists(ANY, min_size=8, max_size=8).map(np.array)
+FEW = settings(max_examples=40, deadline=None, derandomize=True)
+
+
+def same(a, b):
+    return np.array_equal(a, b, equal_nan=True)
+
+
+@FEW
+@given(SOME, SOME, SOME)
+def test_choosing_words_are_the_words_bit_for_bit(a, b, c):
+    for name in ("minimum", "maximum"):
+        wanted = [getattr(words, name)(*pair) for pair in zip(a, b, strict=True)]
+        assert same(everywhere(name, a, b), wanted)
+    wanted = [words.clip(*three) for three in zip(a, b, c, strict=True)]
+    assert same(everywhere("clip", a, b, c), wanted)
+    wanted = [words.where(v < w, w, z) for v, w, z in zip(a, b, c, strict=True)]
+    assert same(everywhere("where", a, b, c), wanted)
+    assert same(everywhere("sign", a), [words.sign(v) for v in a])
+
+
+IEEE = {"add": np.add, "sub": np.subtract, "mul": np.multiply, "div": np.divide}
+WHOLE = {"floor": np.floor, "trunc": np.trunc, "ceil": np.ceil, "neg": np.negative}
+
+
+@FEW
+@given(SOME, SOME)
+def test_operators_are_ieee(a, b):
+    with np.errstate(all="ignore"):
+        for name, operator in IEEE.items():
+            assert same(everywhere(name, a, b), operator(a, b))
+        for name, operator in WHOLE.items():
+            assert same(everywhere(name, a), operator(a))
+
+
+@FEW
+@given(
+    st.lists(st.floats(-1e12, 1e12), min_size=8, max_size=8).map(np.array),
+    st.lists(st.floats(1e-3, 1e9), min_size=8, max_size=8).map(np.array),
+)
+def test_remainders_are_python_ones_bit_for_bit(a, b):
+    for sign in (1.0, -1.0):
+        with np.errstate(under="ignore"):
+            assert same(everywhere("mod", a, sign * b), np.remainder(a, sign * b))
+            assert same(everywhere("floordiv", a, sign * b), np.floor_divide(a, sign * b))
+
+
+def test_remainders_of_special_numbers():
+    a = np.array([-1.0, 1.0, np.inf, np.nan, 1.0, 1e300, 6.0, -6.0, 3.0, 7.0, -0.0])
+    b = np.array([np.inf, -np.inf, 2.0, 2.0, 0.0, 7.0, 3.0, 3.0, np.nan, -2.0, 3.0])
+    with np.errstate(all="ignore"):
+        wanted = np.remainder(a, b)
+    assert same(everywhere("mod", a, b), wanted)
+
+
+# --- what code is made of ---------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("lanes", [1, COLUMNS])
+def test_a_basis_function_calls_no_library(lanes):
+    native = NativeDiagram(BLOCKS["basis_x-exponential-3"])
+    program = code_of(native.wiring, native.layout, "unrolled").program
+    module = ir.Module()
+    print_function(module, "signals", program.signals, program.constants, lanes)
+    declared = {f.name for f in module.functions if f.is_declaration}
+    wide = f"v{COLUMNS}f64" if lanes > 1 else ""
+    assert any(name.startswith("llvm.fma") and name.endswith(wide) for name in declared)
+    assert {name for name in declared if not name.startswith("llvm.")} == set()
+
+
+OTHER_PROCESSOR = """
+import sys
+import numpy as np
+import clpt_control as clpt
+
+scenario = clpt.paper_scenario().with_values({"run.duration": 45})
+native = clpt.native.compile(clpt.closed_loop(scenario))
+starts = np.tile(clpt.initial_state(scenario), (9, 1))
+sys.stdout.write(repr(native.run_many(starts, [0.0, 45.0])[:, -1].tolist()))
+"""
+
+
+def test_another_processor_gives_the_same_numbers():
+    found = []
+    for processor in ({}, {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""}):
+        done = subprocess.run(
+            [sys.executable, "-c", OTHER_PROCESSOR], env={**os.environ, **processor},
+            capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        assert done.returncode == 0, done.stderr
+        found.append(np.array(eval(done.stdout)))
+    np.testing.assert_allclose(found[1], found[0], rtol=1e-9, atol=1e-10)
+    np.testing.assert_allclose(found[0], np.tile(found[0][0], (9, 1)), rtol=1e-12, atol=1e-13)

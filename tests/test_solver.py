@@ -1,0 +1,48 @@
+"""The solver takes the steps of SciPy's DOP853, and its dense output is SciPy's."""
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from clpt_control.blocks import Block
+from clpt_control.native.engine import NativeDiagram
+from clpt_control.native.plain import PlainDiagram
+
+START, TIMES = np.array([1.0, 0.4]), np.linspace(0.0, 9.0, 91)
+
+
+def hunted(t, x, u, p, dx):
+    """Lotka and Volterra's equations."""
+    dx[0] = x[0] * (1.1 - 0.9 * x[1])
+    dx[1] = x[1] * (1.3 * x[0] - 0.7)
+
+
+def by_scipy(tolerance):
+    def rate(t, x):
+        return [x[0] * (1.1 - 0.9 * x[1]), x[1] * (1.3 * x[0] - 0.7)]
+
+    return solve_ivp(rate, (0.0, 9.0), START, "DOP853", rtol=tolerance, atol=tolerance,
+                     dense_output=True)  # fmt: skip
+
+
+@pytest.mark.parametrize("engine", [NativeDiagram, PlainDiagram])
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-9, 1e-12])
+def test_steps_and_dense_output_are_scipys(engine, tolerance):
+    block = Block("hunted", update=hunted, states={"s": 2})
+    found = engine(block).run(START, TIMES, rtol=tolerance, atol=tolerance)
+    theirs = by_scipy(tolerance)
+    assert found.statistics["steps"] == len(theirs.t) - 1
+    np.testing.assert_allclose(found.x, theirs.sol(TIMES).T, rtol=0, atol=1e-10)
+
+
+def test_dense_output_has_order_seven():
+    """Between the ends of steps, the error falls as the seventh power of the step or faster."""
+    block = Block("hunted", update=hunted, states={"s": 2})
+    exact = by_scipy(1e-13).sol(TIMES).T
+    errors, steps = [], []
+    for tolerance in (1e-4, 1e-7, 1e-10):
+        found = NativeDiagram(block).run(START, TIMES, rtol=tolerance, atol=tolerance)
+        errors.append(np.abs(found.x - exact).max())
+        steps.append(found.statistics["steps"])
+    orders = np.diff(np.log(errors)) / -np.diff(np.log(steps))
+    assert np.all(orders > 6.0), orders

@@ -1,0 +1,276 @@
+"""What is written is what runs: legal blocks and wirings that once ran as something else.
+
+Each is asked in every reading and compared with a number worked out by hand, or is
+refused in one sentence by every reading alike.
+"""
+
+import math
+from typing import NamedTuple
+
+import control
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.blocks import Block
+from clpt_control.blocks.words import lookup, maximum
+from clpt_control.errors import BlockError, DiagramError
+from clpt_control.interconnection import connect
+from clpt_control.native import readings
+
+
+def alike(diagram, x=(), u=(), t=0.0, rate=None, outputs=None):
+    """Every reading gives these numbers."""
+    for name, ask in readings(diagram).items():
+        found = ask(t, np.asarray(x, dtype=float), np.asarray(u, dtype=float))
+        for got, wanted in zip(found, (rate, outputs), strict=True):
+            if wanted is not None:
+                np.testing.assert_allclose(got, wanted, rtol=1e-12, atol=1e-12, err_msg=name)
+
+
+def static(function, inputs, outputs=1, parameters=None, name="mine"):
+    return Block(name, output=function, inputs={"u": inputs} if inputs else {},
+                 outputs={"y": outputs}, parameters=parameters)  # fmt: skip
+
+
+# --- loops ------------------------------------------------------------------------------------
+
+
+def legendre(t, x, u, p, y):
+    a, b = 1.0, u[0]
+    y[0] = 0.0
+    for k in range(1, 7):
+        a, b = b, ((2 * k + 1) * u[0] * b - k * a) / (k + 1)
+    y[0] = b
+    for k in range(20):
+        y[1 + k] = u[k]
+
+
+def test_a_recurrence_beside_a_wide_port():
+    from numpy.polynomial.legendre import legval
+
+    u = np.linspace(0.3, 1.0, 20)
+    alike(static(legendre, 20, 21), u=u, outputs=[legval(0.3, [0] * 7 + [1]), *u])
+
+
+def differences(t, x, u, p, y):
+    s, total = 0.0, 0.0
+    for _ in range(70):
+        old = s
+        s = s + u[0]
+        total += s - old
+    y[0] = total
+
+
+def test_what_a_turn_keeps_of_itself():
+    alike(static(differences, 1), u=[0.9], outputs=[63.0])
+
+
+def summed(t, x, u, p, y):
+    s = 0.0
+    for i in range(40):
+        s += (i + 1) * u[i]
+    y[0] = s
+
+
+def line(t, x, u, p, y):
+    for i in range(20):
+        y[i] = u[0] + i
+
+
+def summing():
+    return Block("sum", output=summed, inputs={"a": 20, "b": 20}, outputs={"y": 1})
+
+
+def test_a_loop_over_ports_of_two_blocks():
+    first = Block("first", output=line, inputs={"u": 1}, outputs={"a": 20})
+    second = Block("second", output=line, inputs={"v": 1}, outputs={"b": 20})
+    diagram = connect([second, first, summing()], external=["u", "v"])
+    wanted = sum((i + 1) * (3.0 + i) for i in range(20))
+    wanted += sum((i + 21) * (7.0 + i) for i in range(20))
+    for name, ask in readings(diagram).items():
+        found = ask(0.0, [], [3.0, 7.0])[1]
+        assert found[diagram.output_labels.index("y[0]")] == pytest.approx(wanted), name
+
+
+def ramp(t, x, u, p, y):
+    for i in range(20):
+        y[i] = i + 1.0
+
+
+def each(t, x, u, p, y):
+    s = 0.0
+    for i in range(20):
+        s += (i + 1) * u[i]
+    y[0] = s
+
+
+WIRINGS = {
+    "signs": [[(j, 1.0 if j % 2 else -1.0)] for j in range(20)],
+    "halves": [[(j, 1.0 if j < 10 else -1.0)] for j in range(20)],
+    "backwards": [[(19 - j, 1.0)] for j in range(20)],
+    "mixed": [[(7 * j % 20, 1.0)] for j in range(20)],
+    "one unfed": [[(j, 1.0)] if j != 11 else [] for j in range(20)],
+    "two on one": [[(j, 1.0)] + ([(3, 1.0)] if j == 5 else []) for j in range(20)],
+    "gains": [[(j, 0.5 * j)] for j in range(20)],
+}
+
+
+@pytest.mark.parametrize("case", WIRINGS)
+def test_a_loop_reads_the_wiring_as_it_is(case):
+    source = Block("source", output=ramp, outputs={"a": 20})
+    reader = Block("reader", output=each, inputs={"u": 20}, outputs={"y": 1})
+    terms = WIRINGS[case]
+    diagram = control.interconnect(
+        [source, reader], inplist=[], inputs=0, outlist=["reader.y[0]"], outputs=["y"],
+        connections=[[f"reader.u[{j}]", *((0, k, gain) for k, gain in feeds)]
+                     for j, feeds in enumerate(terms) if feeds], check_unused=False,
+    )  # fmt: skip
+    fed = [sum(gain * (k + 1) for k, gain in feeds) for feeds in terms]
+    alike(diagram, outputs=[sum((j + 1) * value for j, value in enumerate(fed))])
+
+
+def one_behind(t, x, u, p, y):
+    s = 0.0
+    for i in range(1, 21):
+        s += u[i - 1]
+    y[0] = s
+
+
+def test_a_loop_that_starts_at_one():
+    alike(static(one_behind, 20), u=np.arange(1, 21), outputs=[210.0])
+
+
+def spread(t, x, u, p, dx):
+    for i in range(20):
+        dx[i] = -x[i]
+    for i in range(20):
+        dx[i] += u[0]
+
+
+def test_a_derivative_that_is_added_to():
+    block = Block("mine", update=spread, inputs={"u": 1}, states={"x": 20})
+    x = np.linspace(-1, 1, 20)
+    alike(block, x, [0.25], rate=0.25 - x, outputs=x)
+
+
+# --- indices, slices and returns ---------------------------------------------------------------
+
+
+class Matrix(NamedTuple):
+    m: np.ndarray
+    table: np.ndarray
+
+
+def from_the_end(t, x, u, p, dx):
+    for i in range(3):
+        dx[-1 - i] = p.m[i, -1] * x[i]
+
+
+def test_indices_from_the_end():
+    m = np.arange(12.0).reshape(3, 4)
+    block = Block("mine", update=from_the_end, states={"x": 3}, parameters=Matrix(m, np.zeros(2)))
+    alike(block, [1.0, 2.0, 3.0], rate=[33.0, 14.0, 3.0])
+
+
+def returns_early(t, x, u, p, y):
+    y[0] = 2.0 * u[0]
+    return
+    y[0] = 17.0
+
+
+def backwards(t, x, u, p, y):
+    v = u[::-1]
+    for i in range(3):
+        y[i] = v[i] - v[-1]
+
+
+def running_maximum(t, x, u, p, y):
+    m = u[0]
+    for i in range(8):
+        m = maximum(m, u[i])
+        y[i] = m
+
+
+def large_powers(t, x, u, p, y):
+    s = 0.0
+    for i in range(70):
+        s += u[0] / 2**i
+    y[0] = s
+    y[1] = u[0] * 2**69
+
+
+def looks_from_the_end(t, x, u, p, y):
+    y[0] = lookup(p.table, -1.0 + 0.0 * u[0])
+    y[1] = lookup(p.table, -2.0 + 0.0 * u[0])
+    y[2] = lookup(p.table, 1.9 + 0.0 * u[0])
+
+
+def test_an_early_return():
+    alike(static(returns_early, 1), u=[4.0], outputs=[8.0])
+
+
+def test_a_slice_backwards():
+    alike(static(backwards, 3, 3), u=[1.0, 2.0, 5.0], outputs=[4.0, 1.0, 0.0])
+
+
+def test_a_running_maximum():
+    u = [1.0, -2.0, 3.0, 2.0, 7.0, 7.0, -9.0, 8.0]
+    alike(static(running_maximum, 8, 8), u=u, outputs=[1, 1, 3, 3, 7, 7, 7, 8])
+
+
+def test_powers_of_a_counter():
+    alike(static(large_powers, 1, 2), u=[0.75], outputs=[1.5, 0.75 * 2.0**69])
+
+
+def test_a_table_from_its_end():
+    p = Matrix(np.zeros((1, 1)), np.array([3.0, 5.0, 7.0]))
+    alike(static(looks_from_the_end, 1, 3, p), u=[0.3], outputs=[7.0, 5.0, 5.0])
+
+
+# --- refused in one sentence -------------------------------------------------------------------
+
+
+def returns_its_rate(t, x, u, p, dx):
+    return -x[0] + u[0]
+
+
+def test_an_update_that_returns_its_rate_makes_no_block():
+    with pytest.raises(BlockError) as caught:
+        Block("lag", update=returns_its_rate, inputs={"u": 1}, states={"x": 1})
+    assert "returning a value is not allowed here; fill the last argument" in str(caught.value)
+    assert str(caught.value).startswith("lag.update")
+
+
+def discrete():
+    return control.ss([[1.2]], [[1.0]], [[1.0]], 0, dt=0.1, name="sampled")
+
+
+def around(system):
+    return control.interconnect(
+        [system], inplist=[f"{system.name}.u[0]"], outlist=[f"{system.name}.y[0]"],
+        connections=False, name="around",
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("place", ["alone", "in a diagram", "in a diagram in a diagram"])
+def test_discrete_time_is_refused_by_name(place):
+    system = discrete()
+    for _ in range(["alone", "in a diagram", "in a diagram in a diagram"].index(place)):
+        system = around(system)
+        system.name = f"around {system.syslist[0].name}"
+    for call in (
+        lambda: clpt.simulate(system, [0.0, 1.0], 1.0),
+        lambda: clpt.simulate(system, [0.0, 1.0], 1.0, engine="python"),
+        lambda: clpt.native.compile(system),
+        lambda: readings(system),
+    ):
+        with pytest.raises(DiagramError, match=r"discrete time \(dt = 0\.1\)") as caught:
+            call()
+        assert "\n" not in str(caught.value)
+
+
+def test_continuous_systems_of_python_control_are_run():
+    system = around(control.ss([[-2.0]], [[1.0]], [[1.0]], 0, name="lag"))
+    found = clpt.simulate(system, [0.0, 1.0], 1.0)
+    assert found.outputs[0, -1] == pytest.approx((1 - math.exp(-2)) / 2, abs=1e-9)
