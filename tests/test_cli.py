@@ -169,13 +169,13 @@ def test_a_reader_that_goes_away_is_no_fault():
 def test_an_interrupted_import_is_an_interrupt(clpt, monkeypatch):
     from clpt_control import cli
 
-    def broken(standalone_mode):
+    def broken():
         try:
             raise KeyboardInterrupt
         except KeyboardInterrupt as error:
             raise ImportError("initialization failed") from error
 
-    monkeypatch.setattr(cli, "app", broken)
+    monkeypatch.setattr(cli, "_run", broken)
     outcome = clpt()
     assert (outcome.status, outcome.err.count("\n")) == (130, 1)
     assert "interrupted" in outcome.err

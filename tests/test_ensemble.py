@@ -485,12 +485,7 @@ def test_the_figure(scenario, duration):
 
 @pytest.fixture
 def ensemble(clpt):
-    """`clpt ensemble`, registered here if the command line does not yet know it."""
-    from clpt_control import cli
-    from clpt_control.commands.ensemble import ensemble as command
-
-    if command not in [known.callback for known in cli.app.registered_commands]:
-        cli.app.command()(command)
+    """`clpt ensemble`."""
     return lambda *arguments: clpt("ensemble", *arguments)
 
 

@@ -9,11 +9,13 @@ lost costs the chunk it was at: the scheduler gives it to another one.
 import uuid
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from importlib.util import find_spec
 from itertools import islice
 from pathlib import Path
 from typing import Any
 
 from ..errors import ClptError, DataError, SimulationError
+from ..interrupt import check
 from .plan import Plan
 from .store import open_store
 from .work import Recipe, work_of
@@ -30,12 +32,8 @@ def check_dask() -> None:
     ClptError
         With the command that installs it.
     """
-    try:
-        import distributed  # noqa: F401
-    except ImportError:
-        raise ClptError(
-            "dask: is not installed; install it with: pip install 'clpt-control[dask]'"
-        ) from None
+    if find_spec("distributed") is None:
+        raise ClptError("dask: is not installed; install it with: pip install 'clpt-control[dask]'")
 
 
 @contextmanager
@@ -128,6 +126,7 @@ def run_on_cluster(plan: Plan, address: str, workers: int, report: Callable[[int
         running = as_completed(list(asked))
         try:
             for future in running:
+                check()
                 if future.status == "error":
                     raise future.exception(timeout=PATIENCE)
                 # the store is asked, not the worker: that one may be lost by now
