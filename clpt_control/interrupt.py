@@ -8,6 +8,7 @@ every loop that waits or runs long.  A thread is told by the system itself (POSI
 ends a process that still lives some seconds later.
 """
 
+import atexit
 import os
 import signal
 import sys
@@ -46,6 +47,7 @@ def listen() -> None:
     if handler is not signal.default_int_handler:
         return
     _before[:] = [handler, sys.excepthook, sys.unraisablehook, -1, -1]
+    atexit.register(_last)
     signal.signal(signal.SIGINT, _on_signal)
     sys.excepthook, sys.unraisablehook = _uncaught, _dropped
     if os.name == "posix":
@@ -62,6 +64,7 @@ def forget() -> None:
     if _before:
         handler, sys.excepthook, sys.unraisablehook, writer, descriptor = _before
         signal.signal(signal.SIGINT, handler)
+        atexit.unregister(_last)
         if writer >= 0:
             signal.set_wakeup_fd(descriptor)
             os.close(writer)
@@ -166,6 +169,17 @@ def _dropped(problem: Any) -> None:
     """Say nothing of an interrupt that a callback dropped: the flag is set."""
     if not (_asked and isinstance(problem.exc_value, KeyboardInterrupt)):
         sys.__unraisablehook__(problem)
+
+
+def _last() -> None:
+    """End as was said, after all else that Python calls at its end.
+
+    Python would take back the handler next, and end by the signal where code that it
+    ran from text, as that of a named tuple, had seen the interrupt.
+    """
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    if _said:
+        os._exit(130)
 
 
 def _watch(reader: int) -> None:
