@@ -18,7 +18,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import FrameType
-from typing import Any
+from typing import Any, NoReturn
 
 SENTENCE = "clpt: interrupted; nothing half-written was left\n"
 PATIENCE = 3.0  # seconds that an interrupted process may take to end by itself
@@ -136,6 +136,21 @@ def say() -> None:
             sys.stderr.flush()
 
 
+def leave() -> NoReturn:
+    """End the process here and now, without half-written files."""
+    global _said
+    for path in list(unfinished):
+        with suppress(OSError):
+            path.unlink()
+    with suppress(OSError):
+        if os.isatty(2):
+            os.write(2, b"\r\x1b[?25h")  # the cursor, which a bar hides
+        if not _said:
+            _said = True
+            os.write(2, SENTENCE.encode())
+    os._exit(130)
+
+
 @contextmanager
 def terminated() -> Iterator[None]:
     """Take SIGTERM, as a machine that stops sends it, for an interrupt."""
@@ -190,7 +205,7 @@ def _watch(reader: int) -> None:
     while True:
         left = None if last is None else max(0.0, last - time.monotonic())
         if not select([reader], [], [], left)[0]:
-            _kill()
+            leave()
         heard = os.read(reader, 64)
         if not heard:
             os.close(reader)
@@ -200,17 +215,3 @@ def _watch(reader: int) -> None:
                 last = None
             elif byte in SIGNALS and last is None:
                 last = time.monotonic() + PATIENCE
-
-
-def _kill() -> None:
-    global _said
-    for path in list(unfinished):
-        with suppress(OSError):
-            path.unlink()
-    with suppress(OSError):
-        if os.isatty(2):
-            os.write(2, b"\r\x1b[?25h")  # the cursor, which a bar hides
-        if not _said:
-            _said = True
-            os.write(2, SENTENCE.encode())
-    os._exit(130)
