@@ -4,8 +4,10 @@ BIN := .venv/bin
 READY := .venv/.ready
 
 BENCH := build/benchmarks/venv
+LOWEST := build/lowest
+ENGINE := native lanes trace words simulation conformance ensemble
 
-.PHONY: paper test test-slow lint format clean bench bench-quick
+.PHONY: paper test test-slow test-generic test-lowest lint format clean bench bench-quick
 
 paper: $(READY)  ## section IV of the paper: figures and the table of claims
 	$(BIN)/clpt paper --out paper
@@ -15,6 +17,13 @@ test: $(READY)  ## every test but the slow ones
 
 test-slow: $(READY)  ## the minutes-long tests
 	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 -m slow --no-header
+
+test-generic: $(READY)  ## the engine's tests as on a processor without vector extensions
+	NUMBA_CPU_NAME=generic OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 \
+		$(wildcard $(ENGINE:%=tests/test_%.py))
+
+test-lowest: $(LOWEST)/.ready  ## every test, with the lowest versions that pyproject.toml allows
+	OPENBLAS_NUM_THREADS=1 $(LOWEST)/bin/python -m pytest -n 2
 
 lint: $(READY)  ## ruff and mypy
 	$(BIN)/ruff check .
@@ -46,4 +55,11 @@ $(BENCH)/.ready: pyproject.toml constraints.txt benchmarks/requirements.txt
 		--constraint constraints.txt --editable .
 	-$(BENCH)/bin/python -m pip install --quiet --disable-pip-version-check \
 		--constraint constraints.txt --requirement benchmarks/requirements.txt
+	touch $@
+
+$(LOWEST)/.ready: pyproject.toml
+	$(PYTHON) -m venv --clear $(LOWEST)
+	$(LOWEST)/bin/python -m pip install --quiet --disable-pip-version-check uv
+	$(LOWEST)/bin/uv pip install --quiet --python $(LOWEST)/bin/python \
+		--resolution lowest-direct --editable ".[test,docs]"
 	touch $@

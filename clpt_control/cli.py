@@ -12,80 +12,79 @@ import os
 import sys
 from contextlib import suppress
 
-import typer
-
-from .commands.diagram import diagram
-from .commands.ensemble import ensemble
-from .commands.excitation import excitation
-from .commands.fit import fit
-from .commands.init import init
-from .commands.paper import paper
-from .commands.prove import prove
-from .commands.replay import replay
-from .commands.run import run
-from .commands.tides import tides
+from . import interrupt
 from .errors import ClptError, SimulationError
-
-INTERRUPTED = "interrupted; nothing half-written was left"
-
-app = typer.Typer(
-    name="clpt",
-    help="Adaptive learning for controlled Lagrangian particle tracking.",
-    no_args_is_help=True,
-    add_completion=False,
-    rich_markup_mode=None,
-    pretty_exceptions_enable=False,
-)
-
-for command in (init, paper, run, diagram, ensemble, prove, excitation, fit, tides, replay):
-    app.command()(command)
 
 
 def main() -> None:
     """Run the command line; a failure is a sentence and a status."""
+    interrupt.listen()
     gc.set_threshold(200_000, 50, 50)  # imports make many objects and no garbage
     try:
-        status = app(standalone_mode=False)
+        status = _run()
         sys.stdout.flush()
-    except SimulationError as error:
-        _complain(str(error), 1)
-    except ClptError as error:
-        _complain(str(error), 2)
-    except typer.TyperException as error:
-        _complain(error.format_message(), 2)
-    except (KeyboardInterrupt, typer.Abort):
-        _complain(INTERRUPTED, 130)
-    except BrokenPipeError:
-        sys.exit(0)
-    except MemoryError:
-        _complain("out of memory; give less at once: fewer samples, members, files or places", 1)
-    except OSError as error:
-        if error.errno != errno.ENOSPC or error.filename is not None:
-            _fault(error)
-        with suppress(OSError, ValueError):  # what is left to write is let go
-            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        _complain("standard output: no space left; give it a place with more", 2)
-    except Exception as error:
-        _fault(error)
+    except (KeyboardInterrupt, SystemExit, Exception) as error:
+        status = _answer(error)
+    interrupt.end()
+    if interrupt.asked():
+        status = 130
     if status == 130:
-        _complain(INTERRUPTED, 130)
-    sys.exit(status if isinstance(status, int) else 0)
+        interrupt.say()
+    sys.exit(status)
 
 
-def _fault(error: Exception) -> None:
-    """Say that a fault is ours, in one line all the same."""
-    cause: BaseException | None = error
-    while cause is not None:  # an interrupted import of compiled code fails as it likes
-        if isinstance(cause, KeyboardInterrupt):
-            _complain(INTERRUPTED, 130)
-        cause = cause.__cause__ or cause.__context__
+def _run() -> int:
+    from .commands.app import app
+
+    status = app(standalone_mode=False)
+    return status if isinstance(status, int) else 0
+
+
+def _answer(error: BaseException) -> int:
+    """Say in one line what went wrong; give the status."""
+    if interrupt.asked() or _interrupted(error):  # whatever an interrupted import makes of it
+        return 130
+    if isinstance(error, SimulationError):
+        return _complain(str(error), 1)
+    if isinstance(error, ClptError):
+        return _complain(str(error), 2)
+    if isinstance(error, BrokenPipeError | SystemExit):  # typer's exit where the reader went away
+        _let_go()
+        return 0
+    if isinstance(error, MemoryError):
+        return _complain(
+            "out of memory; give less at once: fewer samples, members, files or places", 1
+        )
+    if isinstance(error, OSError) and error.errno == errno.ENOSPC and error.filename is None:
+        _let_go()
+        return _complain("standard output: no space left; give it a place with more", 2)
+    import typer
+
+    if isinstance(error, typer.Abort):
+        return 130
+    if isinstance(error, typer.TyperException):
+        return _complain(error.format_message(), 2)
     if os.environ.get("CLPT_TRACEBACK"):
         raise error
     kind = type(error).__name__
-    _complain(f"fault in clpt: {kind}: {error}; CLPT_TRACEBACK=1 shows where", 1)
+    return _complain(f"fault in clpt: {kind}: {error}; CLPT_TRACEBACK=1 shows where", 1)
 
 
-def _complain(sentence: str, status: int) -> None:
-    line = " ".join(sentence.split())
-    typer.echo(f"clpt: {line}", err=True)
-    sys.exit(status)
+def _interrupted(error: BaseException | None) -> bool:
+    """Whether an interrupt is behind an error."""
+    while error is not None:
+        if isinstance(error, KeyboardInterrupt):
+            return True
+        error = error.__cause__ or error.__context__
+    return False
+
+
+def _let_go() -> None:
+    """Write nothing that is left for standard output."""
+    with suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _complain(sentence: str, status: int) -> int:
+    print("clpt:", " ".join(sentence.split()), file=sys.stderr)
+    return status

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .errors import ClptError, DataError
+from .interrupt import check, unfinished
 
 if TYPE_CHECKING:
     import xarray
@@ -80,7 +81,9 @@ def beside(path: str | Path) -> Iterator[Path]:
     try:
         handle, made = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
         os.close(handle)
+        unfinished.add(Path(made))
         yield Path(made)
+        check()  # an interrupt that was dropped may have changed what was written
         Path(made).chmod(0o644)
         Path(made).replace(path)
     except OSError as error:
@@ -88,6 +91,7 @@ def beside(path: str | Path) -> Iterator[Path]:
     finally:
         if made is not None:
             Path(made).unlink(missing_ok=True)
+            unfinished.discard(Path(made))
 
 
 def remove_left(folder: str | Path, *names: str) -> None:

@@ -21,6 +21,7 @@ class Outcome(NamedTuple):
 @pytest.fixture
 def clpt(monkeypatch, capsys):
     """Run `clpt ARGUMENTS` and give its outcome."""
+    from clpt_control import interrupt
     from clpt_control.cli import main
 
     def run(*arguments):
@@ -28,6 +29,7 @@ def clpt(monkeypatch, capsys):
         capsys.readouterr()
         with pytest.raises(SystemExit) as ended:
             main()
+        interrupt.forget()
         text = capsys.readouterr()
         return Outcome(ended.value.code or 0, text.out, text.err)
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pictures import inked
 
 ROOT = Path(__file__).parent.parent
 sys.path.insert(0, str(ROOT))  # benchmarks/ is no installed package
@@ -42,7 +43,7 @@ def test_lanes_agree_with_one_run_after_the_other_in_any_order():
     ours, _ = lanes.members(scenario, parameters, states)
     np.testing.assert_allclose(ours, expected, rtol=0, atol=1e-9)
     backwards, _ = lanes.members(scenario, parameters[::-1], states[::-1])
-    np.testing.assert_array_equal(backwards[::-1], ours)
+    np.testing.assert_allclose(backwards[::-1], ours, rtol=0, atol=1e-12)
 
 
 def test_traced_equations_are_the_diagram():
@@ -68,7 +69,7 @@ def test_the_quick_run_leaves_its_tables(tmp_path):
     text = (tmp_path / "performance.md").read_text()
     assert "## The paper's run" in text
     assert "| C, both phi as the diagram does |" in text
-    assert (tmp_path / "performance.png").stat().st_size > 5_000
+    assert inked(tmp_path / "performance.png") > 0.01
 
 
 def test_the_drifter_block_moves_as_the_c_program():

@@ -1,15 +1,13 @@
 """The command line: figures within 1e-6 of independent numbers, and what it leaves."""
 
 import json
-import os
-import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import numpy as np
 import pytest
+from processes import CLPT, await_line, interrupt, started, without_progress
 
 import clpt_control
 
@@ -120,27 +118,12 @@ def test_interrupt_ends_cleanly(tmp_path):
     longer = {"run.duration": 2e7, "run.output_step": 1e4}
     scenario = clpt_control.paper_scenario().with_values(longer)
     clpt_control.save_scenario(scenario, tmp_path / "long.toml")
-    said = tmp_path / "said"
-    with said.open("w") as stderr:
-        process = subprocess.Popen(
-            [sys.executable, "-c", "from clpt_control.cli import main; main()",
-             "run", tmp_path / "long.toml", "--out", tmp_path / "run.nc"],
-            stdout=subprocess.PIPE, stderr=stderr, text=True, env={**os.environ},
-        )  # fmt: skip
-        for _ in range(300):
-            time.sleep(0.2)
-            assert process.poll() is None, said.read_text()
-            if "running long.toml" in said.read_text():
-                break
-        process.send_signal(signal.SIGINT)
-        out, _ = process.communicate(timeout=30)
-    err = said.read_text()
+    words = ("run", tmp_path / "long.toml", "--out", tmp_path / "run.nc")
+    with started([*CLPT, *words]) as process:
+        await_line(process, process.stderr, "running long.toml")  # its progress
+        assert interrupt(process) == ("", "clpt: interrupted; nothing half-written was left\n")
     assert process.returncode == 130
-    assert "Traceback" not in err
-    assert "clpt: interrupted" in err
-    assert "running long.toml" in err, "no progress was shown on standard error"
-    assert out == ""
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["long.toml", "said"]
+    assert [path.name for path in tmp_path.iterdir()] == ["long.toml"]
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full")
@@ -152,30 +135,27 @@ def test_a_full_standard_output_is_one_sentence(words):
             stdout=full, stderr=subprocess.PIPE, text=True,
         )  # fmt: skip
     assert done.returncode == 2
-    assert done.stderr == "clpt: standard output: no space left; give it a place with more\n"
+    said = without_progress(done.stderr)
+    assert said == "clpt: standard output: no space left; give it a place with more\n"
 
 
 def test_a_reader_that_goes_away_is_no_fault():
-    process = subprocess.Popen(
-        [sys.executable, "-m", "clpt_control", "replay", "--sample"],
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-    )  # fmt: skip
-    process.stdout.close()
-    assert process.stderr.read() == ""
-    process.stderr.close()
-    process.wait()
+    with started([*CLPT, "replay", "--sample"]) as process:
+        process.stdout.close()
+        assert without_progress(process.stderr.read()) == ""
+        assert process.wait() == 0
 
 
 def test_an_interrupted_import_is_an_interrupt(clpt, monkeypatch):
     from clpt_control import cli
 
-    def broken(standalone_mode):
+    def broken():
         try:
             raise KeyboardInterrupt
         except KeyboardInterrupt as error:
             raise ImportError("initialization failed") from error
 
-    monkeypatch.setattr(cli, "app", broken)
+    monkeypatch.setattr(cli, "_run", broken)
     outcome = clpt()
     assert (outcome.status, outcome.err.count("\n")) == (130, 1)
     assert "interrupted" in outcome.err

@@ -1,13 +1,13 @@
 """Following a folder: new files, kills, strange states."""
 
 import math
-import subprocess
 import sys
 import time
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from processes import started
 from synthetic_vehicle import one_file_each
 
 from clpt_control.errors import DataError
@@ -52,15 +52,10 @@ def test_a_killed_follower_loses_nothing(tmp_path):
     rng = np.random.default_rng(0)
     dives = sample_dives()
     for part in (dives[:3], dives[3:6], dives[6:10], dives[10:]):
-        process = subprocess.Popen(
-            [sys.executable, "-c", code, str(inbox), str(state)], stdout=subprocess.PIPE
-        )
-        process.stdout.readline()
-        one_file_each(inbox, part)
-        time.sleep(0.03 * rng.uniform())
-        process.kill()
-        process.wait()
-        process.stdout.close()
+        with started([sys.executable, "-c", code, inbox, state]) as process:
+            process.stdout.readline()
+            one_file_each(inbox, part)
+            time.sleep(0.03 * rng.uniform())  # any moment will do
     follower = Follower(inbox, state)
     follower.look()
     assert [d.number for d in usable(follower.dives()[0])[0]] == [d.number for d in dives]

@@ -4,10 +4,10 @@ import json
 import os
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from processes import CLPT, await_line, started
 from synthetic_vehicle import one_file_each, vehicle
 
 from clpt_control.errors import DataError
@@ -162,21 +162,16 @@ def test_strange_names_in_the_state_are_left_alone(inbox, tmp_path):
 
 def test_one_process_follows_at_a_time(inbox, tmp_path):
     out = tmp_path / "out"
-    start = [sys.executable, "-m", "clpt_control", "replay", "--follow", inbox, "--out", out]
-    first = subprocess.Popen(
-        [*start, "--json"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
-    )
-    while "dives used" not in first.stderr.readline():
-        assert first.poll() is None
-    left = out / ".replay.nc.abcdefgh.part"
-    left.write_text("half")
-    second = subprocess.run([*start, "--patience", "0"], capture_output=True, text=True)
-    assert second.returncode == 2
-    assert f"another clpt follows here (process {first.pid}); end it" in second.stderr
-    assert second.stderr.count("\n") == 1
-    assert left.exists()
-    first.kill()
-    first.communicate()
+    start = [*CLPT, "replay", "--follow", inbox, "--out", out]
+    with started([*start, "--json"], stdout=subprocess.DEVNULL) as first:
+        await_line(first, first.stderr, "dives used")
+        left = out / ".replay.nc.abcdefgh.part"
+        left.write_text("half")
+        second = subprocess.run([*start, "--patience", "0"], capture_output=True, text=True)
+        assert second.returncode == 2
+        assert f"another clpt follows here (process {first.pid}); end it" in second.stderr
+        assert second.stderr.count("\n") == 1
+        assert left.exists()
     third = subprocess.run(
         [*start, "--patience", "0", "--json"], capture_output=True, text=True, check=True
     )

@@ -2,12 +2,12 @@
 
 import json
 import subprocess
-import sys
 import time
 
 import numpy as np
 import pytest
 import xarray
+from processes import CLPT, await_line, interrupt, started
 from synthetic_vehicle import one_file_each
 
 from clpt_control.ocean.gliders.dive_table import sample_dives
@@ -131,21 +131,15 @@ def test_a_killed_command_loses_nothing(command, forecast, tmp_path):
     inbox, out = tmp_path / "in", tmp_path / "out"
     inbox.mkdir()
     words = ("--flow-model", forecast, "--estimator", "rls", "--json")
-    start = [sys.executable, "-c", "from clpt_control.cli import main; main()", "replay",
-             "--follow", inbox, "--out", out, "--every", "0.05", *words]  # fmt: skip
+    start = [*CLPT, "replay", "--follow", inbox, "--out", out, "--every", "0.05", *words]
     rng, dives = np.random.default_rng(4), sample_dives()
     one_file_each(inbox, dives[:2])
     for first in (2, 8):
-        process = subprocess.Popen(
-            list(map(str, start)), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
-        )
-        while "dives used" not in process.stderr.readline():  # other lines tell of progress
-            assert process.poll() is None
-        for dive in dives[first : first + 6]:
-            one_file_each(inbox, [dive])
-            time.sleep(0.25 * rng.uniform())
-        process.kill()
-        process.communicate()
+        with started(start, stdout=subprocess.DEVNULL) as process:
+            await_line(process, process.stderr, "dives used")
+            for dive in dives[first : first + 6]:
+                one_file_each(inbox, [dive])
+                time.sleep(0.25 * rng.uniform())  # any moment will do
     quick = ("--every", "0.01", "--patience", "0.01")
     followed = command("--follow", inbox, "--out", out, *quick, *words)
     at_once = command(inbox, "--out", tmp_path / "whole", *words)
@@ -170,16 +164,10 @@ def test_results_of_following_lie_in_the_folder_by_default(command, tmp_path):
 
 
 def test_an_interrupt_ends_following_with_its_results(tmp_path):
-    import signal
-
     one_file_each(tmp_path, sample_dives()[:3])
-    start = [sys.executable, "-m", "clpt_control", "replay", "--follow", str(tmp_path), "--json"]
-    process = subprocess.Popen(start, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    while "dives used" not in process.stderr.readline():
-        assert process.poll() is None
-    time.sleep(0.5)
-    process.send_signal(signal.SIGINT)
-    said, _ = process.communicate(timeout=60)
+    with started([*CLPT, "replay", "--follow", tmp_path, "--json"]) as process:
+        await_line(process, process.stderr, "dives used")
+        said, _ = interrupt(process)
     assert process.returncode == 0
     assert json.loads(said)["used"] == 3
 

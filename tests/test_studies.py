@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from pictures import inked
 
 ROOT = Path(__file__).parent.parent
 
@@ -24,7 +25,7 @@ def test_step_response_agrees_with_theory(tmp_path):
     assert values["largest |zc -> e|, learner true"] < 1e-5
     slope = values["initial slope of it (theory: GammaD - Gamma)"]
     assert slope == pytest.approx(0.1, rel=0.02)
-    assert (tmp_path / "step_response.png").stat().st_size > 10_000
+    assert inked(tmp_path / "step_response.png") > 0.01
 
 
 @pytest.mark.slow
@@ -43,7 +44,7 @@ def test_measured_current_example(shared, tmp_path):
     )
     ratio = float(done.stdout.split("ratio ")[1].split()[0])
     assert ratio <= 0.1
-    assert (tmp_path / "measured_current.png").stat().st_size > 10_000
+    assert inked(tmp_path / "measured_current.png") > 0.01
 
 
 def test_forecasts_of_gliders_in_made_seas(tmp_path):
@@ -55,7 +56,7 @@ def test_forecasts_of_gliders_in_made_seas(tmp_path):
     assert max(ratios.values()) < 1.15
     assert ratios["shelf, M2"] < 0.4
     assert sorted(ratios.values())[8] < 0.99
-    assert (tmp_path / "glider_forecasts.png").stat().st_size > 10_000
+    assert inked(tmp_path / "glider_forecasts.png") > 0.01
 
 
 def test_priors_matter_little(tmp_path):
@@ -64,4 +65,4 @@ def test_priors_matter_little(tmp_path):
     rows = [row.strip("| ").split(" | ") for row in text.splitlines()[2:33]]
     assert len({name for name, _, _ in rows}) == 16
     assert all(0.82 < float(found) < 0.92 for _, _, found in rows)
-    assert (tmp_path / "prior_sensitivity.png").stat().st_size > 10_000
+    assert inked(tmp_path / "prior_sensitivity.png") > 0.01

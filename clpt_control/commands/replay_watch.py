@@ -1,16 +1,13 @@
 """`clpt replay --follow`: a folder, watched for new files of dives."""
 
-import signal
-import threading
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 from math import isfinite
 from pathlib import Path
 from typing import Any
 
 import typer
 
+from .. import interrupt
 from .replay_results import RESULT, advance, write
 from .replay_table import place
 
@@ -69,7 +66,7 @@ def watch(
     from ..ocean.replay.follow_alone import alone, check_folders
 
     check_folders(folder, out)
-    with _terminated_as_interrupted(), alone(out / "state") as state:
+    with interrupt.terminated(), alone(out / "state") as state:
         remove_left(state, "*.json")
         remove_left(out, RESULT, "map.png", "clpe.png", "current.png")
         follower = Follower(folder, state)
@@ -91,10 +88,11 @@ def watch(
                 left = since + patience - time.monotonic()
                 if left <= 0:
                     return
-                time.sleep(min(every, left))
+                interrupt.wait(min(every, left))
         except KeyboardInterrupt:  # the user's way to end it
             if not settled:
                 raise
+            interrupt.answer()
 
 
 def learn(session: Any, out: Path, ahead: tuple, arrived: int, said: set[str]) -> str:
@@ -140,16 +138,3 @@ def learn(session: Any, out: Path, ahead: tuple, arrived: int, said: set[str]) -
             + f"; next surfacing near {place(goal.latitude, goal.longitude)}"
         )
     return line
-
-
-@contextmanager
-def _terminated_as_interrupted() -> Iterator[None]:
-    """Take SIGTERM, as a machine that stops sends it, for an interrupt."""
-    if threading.current_thread() is not threading.main_thread():
-        yield  # handlers are the main thread's
-        return
-    before = signal.signal(signal.SIGTERM, signal.default_int_handler)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, before or signal.SIG_DFL)

@@ -6,14 +6,20 @@ straight into it.  A worker that is
 lost costs the chunk it was at: the scheduler gives it to another one.
 """
 
+import multiprocessing
+import signal
+import sys
 import uuid
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from importlib.util import find_spec
 from itertools import islice
+from multiprocessing import resource_tracker
 from pathlib import Path
 from typing import Any
 
 from ..errors import ClptError, DataError, SimulationError
+from ..interrupt import asked, check, leave
 from .plan import Plan
 from .store import open_store
 from .work import Recipe, work_of
@@ -30,12 +36,8 @@ def check_dask() -> None:
     ClptError
         With the command that installs it.
     """
-    try:
-        import distributed  # noqa: F401
-    except ImportError:
-        raise ClptError(
-            "dask: is not installed; install it with: pip install 'clpt-control[dask]'"
-        ) from None
+    if find_spec("distributed") is None:
+        raise ClptError("dask: is not installed; install it with: pip install 'clpt-control[dask]'")
 
 
 @contextmanager
@@ -63,11 +65,15 @@ def connected(address: str, workers: int) -> Iterator[Any]:
 
     if address == "local":
         with (
+            _interrupted_at_once(),
             LocalCluster(
-                n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=":0"
+                n_workers=0, threads_per_worker=1, processes=True, dashboard_address=":0"
             ) as cluster,
             Client(cluster) as client,
+            _interrupted_at_once(),
         ):
+            cluster.sync(_deaf)
+            cluster.scale(workers)
             yield client
         return
     try:
@@ -84,6 +90,33 @@ def connected(address: str, workers: int) -> Iterator[Any]:
         yield client
     finally:
         client.close()
+
+
+@contextmanager
+def _interrupted_at_once() -> Iterator[None]:
+    """End the command `clpt` with its workers at an interrupt.
+
+    Dask would take its time, and print at length that workers are lost.
+    """
+    quiet = "ignore:resource_tracker"  # handed on to Python's own process that tidies up
+    sys.warnoptions.append(quiet)
+    try:
+        yield
+    except BaseException:
+        if asked():
+            for process in multiprocessing.active_children():
+                process.kill()
+            leave()
+        raise
+    finally:
+        sys.warnoptions.remove(quiet)
+
+
+async def _deaf() -> None:
+    """Let workers, which come from this thread, not hear Ctrl-C: their master ends them."""
+    if hasattr(signal, "pthread_sigmask"):
+        resource_tracker.ensure_running()  # it would let this thread hear again
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
 
 
 def run_on_cluster(plan: Plan, address: str, workers: int, report: Callable[[int], None]) -> None:
@@ -124,21 +157,22 @@ def run_on_cluster(plan: Plan, address: str, workers: int, report: Callable[[int
             )  # fmt: skip
 
         slots = 2 * max(workers, sum(client.nthreads().values())) + 2
-        asked = {submitted(index): index for index in islice(waiting, slots)}
-        running = as_completed(list(asked))
+        given = {submitted(index): index for index in islice(waiting, slots)}
+        running = as_completed(list(given))
         try:
             for future in running:
+                check()
                 if future.status == "error":
                     raise future.exception(timeout=PATIENCE)
                 # the store is asked, not the worker: that one may be lost by now
-                index = asked.pop(future)
+                index = given.pop(future)
                 if not plan.store.is_whole(index):
                     raise SimulationError(f"dask: chunk {index} did not reach {plan.store.path}")
                 done += plan.store.range(index)[1] - plan.store.range(index)[0]
                 report(done)
                 for following in islice(waiting, 1):
                     future = submitted(following)
-                    asked[future] = following
+                    given[future] = following
                     running.add(future)
         except KilledWorker:
             raise SimulationError(
@@ -146,7 +180,8 @@ def run_on_cluster(plan: Plan, address: str, workers: int, report: Callable[[int
                 "what is done is kept, a smaller --chunk may go on from there"
             ) from None
         except BaseException:
-            client.cancel(list(asked), force=True)
+            if not asked():
+                client.cancel(list(given), force=True)
             raise
 
 

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import ScenarioError
+from ..interrupt import SLICE, check
 from ..scenario import Scenario
 from .plan import Plan, make_plan
 from .vary import Vary
@@ -158,7 +159,9 @@ def _run_here(plan: Plan, threads: int, report: Callable[[int], None]) -> None:
                 running[pool.submit(plan.work.summaries, values)] = index, start
             if not running:
                 return
-            for future in wait(running, return_when=FIRST_COMPLETED).done:
+            finished = wait(running, timeout=SLICE, return_when=FIRST_COMPLETED).done
+            check()
+            for future in finished:
                 index, start = running.pop(future)
                 own = parts.setdefault(index, {})
                 own[start] = future.result()

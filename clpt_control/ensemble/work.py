@@ -108,8 +108,9 @@ class Work:
             As `summarise_members` gives it.
         """
         times, run = self.sampling.times, self.scenario.run
-        with self._lock:  # members are made by a shared evaluator
+        with self._lock:  # members are made by a shared evaluator, machine code once for all
             members = self.ensemble.members(values, float(times[-1]))
+            self.ensemble.native.callee(self.ensemble.lanes)
         states = self.ensemble.run(members, times, run.rtol, run.atol)
         return summarise_members(
             self.scenario, self.sampling, values, states, self.recipe.trajectories

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..errors import SimulationError
+from ..interrupt import check
 from . import method
 from .schedule import Schedule
 from .status import Status
@@ -138,6 +139,7 @@ class Runs:
         tolerances = np.array([max(rtol, 2.3e-14), atol])
         active, budget = 1, 64
         while active:
+            check()
             begin = time.perf_counter()
             active = self.callee.solver.advance(
                 self.callee.functions, self.shape, tolerances, self.runs, self.schedule, self.times,
@@ -152,6 +154,7 @@ class Runs:
         """Run to the end with steps of one length, of order 4."""
         if not step > 0:
             raise SimulationError(f"step = {step}: must be positive")
+        check()
         self.callee.solver.advance_fixed(
             self.callee.functions, self.shape, float(step), self.runs, self.schedule, self.times,
             self.out, self.status, self.reached, self.counts, self.numbers, self.whole, self.Z,

@@ -11,6 +11,7 @@ A and g stay, f, u and V are taken anew.  Angles are in degrees.
 """
 
 from collections.abc import Sequence
+from importlib.util import find_spec
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -53,13 +54,13 @@ def load_utide() -> Any:
     DataError
         If it is not installed.
     """
-    try:
-        import utide
-    except ImportError:
+    if find_spec("utide") is None:
         raise DataError(
             "tides and nodal corrections need UTide, which is not installed; "
             "pip install 'clpt-control[ocean]'"
-        ) from None
+        )
+    import utide
+
     return utide
 
 

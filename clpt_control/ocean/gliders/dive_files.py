@@ -12,6 +12,7 @@ from stat import S_ISDIR
 
 from ...errors import DataError
 from ...files import open_netcdf
+from ...interrupt import check
 from ..text_table import read_bytes, text_of
 from . import og1, seaglider
 from .classic import check_whole
@@ -136,6 +137,7 @@ def read_dives(paths: str | Path | Iterable[str | Path]) -> tuple[list[Dive], li
     dives: list[Dive] = []
     skipped: list[Skipped] = []
     for file in files:
+        check()
         try:
             found, bad = read_dive_file(file)
         except DataError as error:

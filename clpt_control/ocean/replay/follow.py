@@ -20,6 +20,7 @@ from typing import Any
 
 from ...errors import DataError
 from ...files import make_folder, write_text
+from ...interrupt import check
 from ..gliders.dive_files import SUFFIXES, read_dive_file
 from ..gliders.dives import Dive, Skipped
 from .follow_record import dive_of, fixes_of, read_record, record_of
@@ -77,6 +78,7 @@ class Follower:
         read, here = [], set()
         lost = f"cannot be looked into; what was read is kept in {self.state}"
         for path in _inside(self.folder, lost):
+            check()
             if path.suffix.lower() not in SUFFIXES or path.name.startswith("."):
                 continue
             record = self._record(path)

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 from ...errors import ScenarioError
 from ...estimation.fix_model import OTHERS, FixModel
+from ...interrupt import check
 from ..gliders.dives import LEAST_DURATION, Dive, Skipped, usable
 from ..rayleigh import check_separable
 from .flow_models import FlowModel, carried
@@ -71,6 +72,7 @@ class Session:
         self.replay, rest = continued(self.replay, self.used)
         known = len(self.used) - len(rest)
         for k, dive in enumerate(rest):
+            check()
             model = self.replay.flow_model
             self.replay.step(dive if model is None else carried(dive, model))
             report(known + k + 1)
@@ -157,5 +159,6 @@ def replay_dives(
     replay = Replay(estimator, model or FixModel(), flow_model)
     check_tides(replay.model.flow, dives)
     for dive in dives:
+        check()
         replay.step(dive if flow_model is None else carried(dive, flow_model))
     return replay

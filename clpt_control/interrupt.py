@@ -1,0 +1,217 @@
+"""Interrupts that cannot be lost.
+
+Python makes a KeyboardInterrupt of Ctrl-C, in the main thread, between two of its
+own instructions.  In a callback of compiled code that exception is dropped, in an
+import it may come out as an ImportError, and within one long call of compiled code it
+is not raised at all.  So the handler here also sets a flag; `check` looks at it in
+every loop that waits or runs long.  A thread is told by the system itself (POSIX) and
+ends a process that still lives some seconds later.
+"""
+
+import atexit
+import os
+import signal
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from types import FrameType
+from typing import Any, NoReturn
+
+SENTENCE = "clpt: interrupted; nothing half-written was left\n"
+PATIENCE = 3.0  # seconds that an interrupted process may take to end by itself
+SLICE = 0.5  # seconds of a wait between two looks at the flag
+SIGNALS = (signal.SIGINT, signal.SIGTERM)  # those that may interrupt
+ANSWERED = b"\0"  # to the thread: the interrupt was dealt with
+
+unfinished: set[Path] = set()  # files being written, removed where the process is ended
+
+_asked = False  # whether an interrupt waits for its answer
+_over = False  # whether the command has ended: an interrupt changes nothing any more
+_said = False  # whether the sentence was printed
+_before: list[Any] = []  # the handler, hooks and descriptors to put back
+
+
+def listen() -> None:
+    """Take interrupts from here on; only a process's main thread can.
+
+    A process that was started with interrupts ignored goes on ignoring them.
+    """
+    global _asked, _over, _said
+    _asked = _over = _said = False
+    if _before or threading.current_thread() is not threading.main_thread():
+        return
+    handler = signal.getsignal(signal.SIGINT)
+    if handler is not signal.default_int_handler:
+        return
+    _before[:] = [handler, sys.excepthook, sys.unraisablehook, -1, -1]
+    atexit.register(_last)
+    signal.signal(signal.SIGINT, _on_signal)
+    sys.excepthook, sys.unraisablehook = _uncaught, _dropped
+    if os.name == "posix":
+        reader, writer = os.pipe()
+        os.set_blocking(writer, False)
+        _before[3:] = writer, signal.set_wakeup_fd(writer, warn_on_full_buffer=False)
+        threading.Thread(target=_watch, args=(reader,), daemon=True).start()
+
+
+def forget() -> None:
+    """Put everything back, for a caller that goes on after a command."""
+    global _asked, _over
+    _asked = _over = False
+    if _before:
+        handler, sys.excepthook, sys.unraisablehook, writer, descriptor = _before
+        signal.signal(signal.SIGINT, handler)
+        atexit.unregister(_last)
+        if writer >= 0:
+            signal.set_wakeup_fd(descriptor)
+            os.close(writer)
+        _before.clear()
+
+
+def asked() -> bool:
+    """Whether an interrupt came and has no answer yet."""
+    return _asked
+
+
+def check() -> None:
+    """Raise the interrupt that came; in any thread.
+
+    Raises
+    ------
+    KeyboardInterrupt
+        If one came.
+
+    Examples
+    --------
+    >>> check()
+    """
+    if _asked and not _over:
+        raise KeyboardInterrupt
+
+
+def wait(seconds: float) -> None:
+    """Sleep, but for an interrupt.
+
+    Parameters
+    ----------
+    seconds : float
+        How long, s.
+
+    Raises
+    ------
+    KeyboardInterrupt
+        If one came.
+    """
+    end = time.monotonic() + seconds
+    check()
+    while (left := end - time.monotonic()) > 0:
+        time.sleep(min(SLICE, left))
+        check()
+
+
+def answer() -> None:
+    """Take the interrupt for the end of a wait: the command goes on from there."""
+    global _asked
+    _asked = False
+    if _before and _before[3] >= 0:
+        os.write(_before[3], ANSWERED)
+
+
+def end() -> None:
+    """Let the command end: what comes now changes nothing any more."""
+    global _over
+    _over = True
+
+
+def say() -> None:
+    """Say on standard error, once, that the process was interrupted."""
+    global _said
+    if not _said:
+        _said = True
+        with suppress(OSError, ValueError):
+            sys.stderr.write(SENTENCE)
+            sys.stderr.flush()
+
+
+def leave() -> NoReturn:
+    """End the process here and now, without half-written files."""
+    global _said
+    for path in list(unfinished):
+        with suppress(OSError):
+            path.unlink()
+    with suppress(OSError):
+        if os.isatty(2):
+            os.write(2, b"\r\x1b[?25h")  # the cursor, which a bar hides
+        if not _said:
+            _said = True
+            os.write(2, SENTENCE.encode())
+    os._exit(130)
+
+
+@contextmanager
+def terminated() -> Iterator[None]:
+    """Take SIGTERM, as a machine that stops sends it, for an interrupt."""
+    if threading.current_thread() is not threading.main_thread():
+        yield  # handlers are the main thread's
+        return
+    before = signal.signal(signal.SIGTERM, _on_signal)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before or signal.SIG_DFL)
+
+
+def _on_signal(number: int, frame: FrameType | None) -> None:
+    global _asked
+    first, _asked = not _asked, True
+    if first and not _over:
+        raise KeyboardInterrupt
+
+
+def _uncaught(kind: type[BaseException], error: BaseException, traceback: Any) -> None:
+    """End by an interrupt that nobody took."""
+    if not issubclass(kind, KeyboardInterrupt):
+        sys.__excepthook__(kind, error, traceback)
+        return
+    say()
+    os._exit(130)
+
+
+def _dropped(problem: Any) -> None:
+    """Say nothing of an interrupt that a callback dropped: the flag is set."""
+    if not (_asked and isinstance(problem.exc_value, KeyboardInterrupt)):
+        sys.__unraisablehook__(problem)
+
+
+def _last() -> None:
+    """End as was said, after all else that Python calls at its end.
+
+    Python would take back the handler next, and end by the signal where code that it
+    ran from text, as that of a named tuple, had seen the interrupt.
+    """
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    if _said:
+        os._exit(130)
+
+
+def _watch(reader: int) -> None:
+    """End the process where an interrupt is not answered in time."""
+    from select import select
+
+    last = None
+    while True:
+        left = None if last is None else max(0.0, last - time.monotonic())
+        if not select([reader], [], [], left)[0]:
+            leave()
+        heard = os.read(reader, 64)
+        if not heard:
+            os.close(reader)
+            return
+        for byte in heard:
+            if byte == ANSWERED[0]:
+                last = None
+            elif byte in SIGNALS and last is None:
+                last = time.monotonic() + PATIENCE

@@ -1,0 +1,45 @@
+"""Processes that tests start: killed at the end whatever happens, and heard without noise."""
+
+import re
+import signal
+import subprocess
+import sys
+from contextlib import contextmanager
+
+GUARD = 600  # seconds after which a test that hangs is given up, on any machine
+CODE = (
+    "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # as in a terminal
+    "from clpt_control.cli import main; main()"
+)
+CLPT = [sys.executable, "-c", CODE]
+PROGRESS = re.compile(r".*: \d+ %|.* of \d+ members.*")  # lines that only a slow machine shows
+
+
+@contextmanager
+def started(words, **options):
+    """Start a process; its pipes are closed and it is gone at the end."""
+    options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, **options}
+    with subprocess.Popen(list(map(str, words)), **options) as process:
+        try:
+            yield process
+        finally:
+            process.kill()
+
+
+def await_line(process, stream, part):
+    """Read lines until one has a part; the process must not end before."""
+    while part not in (line := stream.readline()):
+        assert line, f"it ended, with status {process.wait()}, before it said '{part}'"
+    return line
+
+
+def interrupt(process):
+    """Interrupt a process and give what it says to its end, without progress."""
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=GUARD)
+    return out, without_progress(err)
+
+
+def without_progress(text):
+    """Leave out the lines that tell how far a command has come."""
+    return "".join(line for line in text.splitlines(True) if not PROGRESS.fullmatch(line.strip()))
