@@ -8,6 +8,7 @@ import os
 import re
 import shutil
 import tempfile
+import warnings
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from fnmatch import fnmatch
@@ -39,19 +40,47 @@ def open_netcdf(path: str | Path) -> "xarray.Dataset":
     Raises
     ------
     DataError
-        If the file is missing or not NetCDF.
+        If the file is missing, not NetCDF, damaged or cut short.
     """
     import xarray
 
-    if not Path(path).exists():
-        raise DataError(f"{path}: no such file; must be a NetCDF file")
-    if not Path(path).is_file():
-        raise DataError(f"{path}: is not a file; must be a NetCDF file")
     try:
+        if not Path(path).exists():
+            raise DataError(f"{path}: no such file; must be a NetCDF file")
+        if not Path(path).is_file():
+            raise DataError(f"{path}: is not a file; must be a NetCDF file")
+        _check_classic(Path(path))
         return xarray.open_dataset(path, decode_times=False, engine="netcdf4")
+    except DataError:
+        raise
     except (OSError, ValueError, RuntimeError) as error:
         reason = str(getattr(error, "strerror", None) or error).splitlines()[0][:120]
         raise DataError(f"{path}: cannot be read as NetCDF: {reason}") from None
+
+
+def _check_classic(path: Path) -> None:
+    """Refuse a classic file that was cut, which the NetCDF library fills with zeros."""
+    with path.open("rb") as file:
+        start = file.read(4)
+        if start == b"CDF\x05":
+            raise DataError(
+                f"{path}: is classic NetCDF of 64-bit data, of which a part could be missing "
+                "unseen; `nccopy -k nc4 FILE NEW` writes it as NetCDF-4"
+            )
+        if start[:3] != b"CDF":
+            return
+        from scipy.io import netcdf_file
+
+        file.seek(0)
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # of memory that is still mapped
+                netcdf_file(file, mmap=True).close()
+        except Exception:  # whatever a damaged header makes of itself
+            raise DataError(
+                f"{path}: damaged or cut short: it holds less than its NetCDF header says; "
+                "fetch it again"
+            ) from None
 
 
 @contextmanager

@@ -11,7 +11,6 @@ from glider_dialects import basestation, og1, og1_rows
 
 from clpt_control.errors import DataError
 from clpt_control.ocean import text_table
-from clpt_control.ocean.gliders import classic
 from clpt_control.ocean.gliders.dive_files import dive_paths, read_dive_file, read_dives
 from clpt_control.ocean.gliders.dive_table import sample_dives, write_dive_table
 from clpt_control.ocean.gliders.dives import usable
@@ -144,12 +143,6 @@ def test_a_table_is_not_larger_than_can_be_held(table, monkeypatch):
     monkeypatch.setattr(text_table, "LARGEST", 10**3)
     with pytest.raises(DataError, match=r"dives.csv: is larger than 0 MB, the most that a table"):
         read_dives(table)
-
-
-def test_a_long_header_of_a_classic_file_is_left_to_the_library(tmp_path, monkeypatch):
-    path = basestation(tmp_path / "p1230007.nc")
-    monkeypatch.setattr(classic, "HEADER", 100)
-    assert len(read_dives(path)[0]) == 1
 
 
 def test_folders_that_may_not_be_entered(tmp_path, monkeypatch):

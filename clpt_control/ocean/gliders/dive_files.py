@@ -14,7 +14,6 @@ from ...errors import DataError
 from ...files import open_netcdf
 from ..text_table import read_bytes, text_of
 from . import og1, seaglider
-from .classic import check_whole
 from .dive_table import NO_TEXT, parse_dive_table
 from .dives import Dive, Skipped
 
@@ -94,7 +93,6 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
         return parse_dive_table(text_of(raw, path, NO_TEXT), str(path))
     if not path.is_file():
         raise DataError(f"{path}: is NetCDF through a pipe; save it as a file and give that")
-    check_whole(path)
     with open_netcdf(path) as data:
         try:
             if seaglider.is_seaglider(data):
