@@ -8,8 +8,10 @@ that `clpt --help` answers at once.
 
 import errno
 import gc
+import io
 import os
 import sys
+import warnings
 from contextlib import suppress
 
 import typer
@@ -26,6 +28,7 @@ from .commands.run import run
 from .commands.tides import tides
 from .errors import ClptError, SimulationError
 
+LONGEST = 1200  # letters of a sentence; names and values may have more
 INTERRUPTED = "interrupted; nothing half-written was left"
 
 app = typer.Typer(
@@ -44,6 +47,9 @@ for command in (init, paper, run, diagram, ensemble, prove, excitation, fit, tid
 def main() -> None:
     """Run the command line; a failure is a sentence and a status."""
     gc.set_threshold(200_000, 50, 50)  # imports make many objects and no garbage
+    warnings.showwarning = lambda *_: None  # what is wrong is said by sentences
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")  # names of files may hold any bytes
     try:
         status = app(standalone_mode=False)
         sys.stdout.flush()
@@ -87,5 +93,7 @@ def _fault(error: Exception) -> None:
 
 def _complain(sentence: str, status: int) -> None:
     line = " ".join(sentence.split())
+    if len(line) > LONGEST:
+        line = f"{line[: LONGEST // 2]} ... {line[-LONGEST // 2 :]}"
     typer.echo(f"clpt: {line}", err=True)
     sys.exit(status)

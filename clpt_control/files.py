@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
+LONGEST_NAME, LONGEST_PATH = 200, 3000  # bytes, with room for what is written beside
 PART = re.compile(r"\.(.+)\.[a-z0-9_]{8}\.part")  # what `beside` writes to
 
 
@@ -103,6 +104,7 @@ def beside(path: str | Path) -> Iterator[Path]:
         If the place cannot be written to.
     """
     path = Path(path)
+    check_name(path)
     if not path.parent.is_dir():
         raise DataError(f"{path}: cannot be written: the folder {path.parent} does not exist")
     made = None
@@ -167,7 +169,11 @@ def _put(result: Any, made: Path, path: Path) -> None:
     }
     try:
         result.to_netcdf(made, engine="netcdf4", encoding=fill)
-    except (RuntimeError, PermissionError) as error:  # HDF5's words for a full disk, too
+    except (
+        RuntimeError,
+        PermissionError,
+        UnicodeError,
+    ) as error:  # HDF5's words for a full disk, too
         full = shutil.disk_usage(made.parent).free < 2**20
         reason = getattr(error, "strerror", None) or str(error)
         reason = "no space left" if full else f"{reason}; is there a limit on the size of files?"
@@ -200,6 +206,27 @@ def write_figure(figure: "Figure", path: str | Path) -> None:
     write_together({Path(path): figure})
 
 
+def check_name(path: str | Path) -> None:
+    """Refuse a name under which nothing can be written.
+
+    Raises
+    ------
+    DataError
+        If it is too long or no text.
+    """
+    try:
+        longest = max((len(part.encode()) for part in Path(path).parts), default=0)
+    except UnicodeEncodeError:
+        raise DataError(
+            f"{path}: its name holds bytes that are no text; give another name"
+        ) from None
+    if longest > LONGEST_NAME or len(str(path)) > LONGEST_PATH:
+        raise DataError(
+            f"{str(path)[:40]}...: the name is too long; at most {LONGEST_NAME} letters are "
+            f"allowed, and {LONGEST_PATH} with all folders"
+        )
+
+
 def make_folder(path: str | Path) -> Path:
     """Make a folder for results, or say in one sentence why not.
 
@@ -209,6 +236,7 @@ def make_folder(path: str | Path) -> Path:
         If a file is in the way or the place cannot be written to.
     """
     path = Path(path)
+    check_name(path)
     try:
         path.mkdir(parents=True, exist_ok=True)
     except FileExistsError:
@@ -227,6 +255,7 @@ def check_writable(path: str | Path) -> None:
         If the folder is missing or closed, or a folder bears the name.
     """
     path = Path(path)
+    check_name(path)
     if path.is_dir():
         raise DataError(f"{path}: is a folder; give a file name such as {path / 'run.nc'}")
     if not path.parent.is_dir():

@@ -9,8 +9,8 @@ import netCDF4
 import pytest
 from glider_dialects import basestation, og1, og1_rows
 
+from clpt_control import reading
 from clpt_control.errors import DataError
-from clpt_control.ocean import text_table
 from clpt_control.ocean.gliders.dive_files import dive_paths, read_dive_file, read_dives
 from clpt_control.ocean.gliders.dive_table import sample_dives, write_dive_table
 from clpt_control.ocean.gliders.dives import usable
@@ -140,8 +140,10 @@ def test_a_table_comes_through_an_open_pipe(table, tmp_path):
 
 
 def test_a_table_is_not_larger_than_can_be_held(table, monkeypatch):
-    monkeypatch.setattr(text_table, "LARGEST", 10**3)
-    with pytest.raises(DataError, match=r"dives.csv: is larger than 0 MB, the most that a table"):
+    monkeypatch.setattr(reading, "LARGEST", 10**3)
+    with pytest.raises(
+        DataError, match=r"dives.csv: is larger than 0 MB, the most that text may be"
+    ):
         read_dives(table)
 
 

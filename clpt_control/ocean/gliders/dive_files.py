@@ -12,7 +12,7 @@ from stat import S_ISDIR
 
 from ...errors import DataError
 from ...files import open_netcdf
-from ..text_table import read_bytes, text_of
+from ...reading import read_bytes, text_of
 from . import og1, seaglider
 from .dive_table import NO_TEXT, parse_dive_table
 from .dives import Dive, Skipped
