@@ -25,7 +25,8 @@ LONGEST_NAME, LONGEST_PATH = 200, 3000  # bytes, with room for what is written b
 PART = re.compile(r"\.(.+)\.[a-z0-9_]{8}\.part")  # what `beside` writes to
 
 
-def open_netcdf(path: str | Path) -> "xarray.Dataset":
+@contextmanager
+def open_netcdf(path: str | Path) -> "Iterator[xarray.Dataset]":
     """Open a NetCDF file with xarray, or say in one sentence why not.
 
     Parameters
@@ -33,15 +34,16 @@ def open_netcdf(path: str | Path) -> "xarray.Dataset":
     path : str or Path
         The file.
 
-    Returns
-    -------
+    Yields
+    ------
     xarray.Dataset
-        Times left as numbers.
+        Times left as numbers; values are read when used.
 
     Raises
     ------
     DataError
-        If the file is missing, not NetCDF, damaged or cut short.
+        If the file is missing, not NetCDF, damaged or cut short, also where
+        that is seen first when a variable is read.
     """
     import xarray
 
@@ -51,12 +53,24 @@ def open_netcdf(path: str | Path) -> "xarray.Dataset":
         if not Path(path).is_file():
             raise DataError(f"{path}: is not a file; must be a NetCDF file")
         _check_classic(Path(path))
-        return xarray.open_dataset(path, decode_times=False, engine="netcdf4")
+        data = xarray.open_dataset(path, decode_times=False, engine="netcdf4")
     except DataError:
         raise
-    except (OSError, ValueError, RuntimeError) as error:
-        reason = str(getattr(error, "strerror", None) or error).splitlines()[0][:120]
-        raise DataError(f"{path}: cannot be read as NetCDF: {reason}") from None
+    except (OSError, ValueError, TypeError, RuntimeError) as error:
+        raise DataError(f"{path}: cannot be read as NetCDF: {_reason(error)}") from None
+    with data:
+        try:
+            yield data
+        except ClptError:
+            raise
+        except (OSError, RuntimeError) as error:
+            reason = _reason(error)
+            raise DataError(f"{path}: damaged: a variable cannot be read: {reason}") from None
+
+
+def _reason(error: Exception) -> str:
+    words = str(getattr(error, "strerror", None) or error) or type(error).__name__
+    return words.splitlines()[0][:120]
 
 
 def _check_classic(path: Path) -> None:

@@ -108,6 +108,18 @@ def find_axis(data: "xarray.Dataset", velocity: str, what: str, path: Path) -> "
             f"of those of {velocity} ({', '.join(map(str, data[velocity].dims))})"
             + ("" if what == "time" else ": a grid of latitudes and longitudes")
         )
+    if what == "time":
+        return axis
+    if axis.dtype.kind not in "iuf" or not axis.size:
+        holds = f"holds {axis.dtype}" if axis.size else "has the length zero"
+        raise DataError(f"{path}: {name} {holds}; must hold degrees of at least one place")
+    most = 90.0 if what == "latitude" else 720.0
+    degrees = axis.values[np.isfinite(axis.values)]
+    if np.any(np.abs(degrees) > most + 1e-6):
+        raise DataError(
+            f"{path}: {name} goes from {degrees.min():.6g} to {degrees.max():.6g}; must be "
+            f"a {what} in degrees"
+        )
     return axis
 
 

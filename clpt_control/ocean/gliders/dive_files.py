@@ -94,14 +94,10 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
     if not path.is_file():
         raise DataError(f"{path}: is NetCDF through a pipe; save it as a file and give that")
     with open_netcdf(path) as data:
-        try:
-            if seaglider.is_seaglider(data):
-                return [seaglider.dive_of(data, path)], []
-            if og1.is_og1(data):
-                return og1.dives_of(data, path), []
-        except (OSError, RuntimeError) as error:
-            reason = str(error).splitlines()[0][:120]
-            raise DataError(f"{path}: damaged: a variable cannot be read: {reason}") from None
+        if seaglider.is_seaglider(data):
+            return [seaglider.dive_of(data, path)], []
+        if og1.is_og1(data):
+            return og1.dives_of(data, path), []
         known = ", ".join(map(str, list(data.variables)[:8])) or "no variables"
     raise DataError(
         f"{path}: neither a Seaglider file (with log_gps_time) nor OG1 (with LATITUDE_GPS): it has "
