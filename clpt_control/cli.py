@@ -8,18 +8,25 @@ that `clpt --help` answers at once.
 
 import errno
 import gc
+import io
 import os
 import sys
+import warnings
 from contextlib import suppress
 
 from . import interrupt
 from .errors import ClptError, SimulationError
+
+LONGEST = 1200  # letters of a sentence; names and values may have more
 
 
 def main() -> None:
     """Run the command line; a failure is a sentence and a status."""
     interrupt.listen()
     gc.set_threshold(200_000, 50, 50)  # imports make many objects and no garbage
+    warnings.showwarning = lambda *_: None  # what is wrong is said by sentences
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")  # names of files may hold any bytes
     try:
         status = _run()
         sys.stdout.flush()
@@ -86,5 +93,8 @@ def _let_go() -> None:
 
 
 def _complain(sentence: str, status: int) -> int:
-    print("clpt:", " ".join(sentence.split()), file=sys.stderr)
+    line = " ".join(sentence.split())
+    if len(line) > LONGEST:
+        line = f"{line[: LONGEST // 2]} ... {line[-LONGEST // 2 :]}"
+    print("clpt:", line, file=sys.stderr)
     return status

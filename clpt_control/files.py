@@ -8,6 +8,7 @@ import os
 import re
 import shutil
 import tempfile
+import warnings
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from fnmatch import fnmatch
@@ -21,10 +22,12 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
+LONGEST_NAME, LONGEST_PATH = 200, 3000  # bytes, with room for what is written beside
 PART = re.compile(r"\.(.+)\.[a-z0-9_]{8}\.part")  # what `beside` writes to
 
 
-def open_netcdf(path: str | Path) -> "xarray.Dataset":
+@contextmanager
+def open_netcdf(path: str | Path) -> "Iterator[xarray.Dataset]":
     """Open a NetCDF file with xarray, or say in one sentence why not.
 
     Parameters
@@ -32,27 +35,68 @@ def open_netcdf(path: str | Path) -> "xarray.Dataset":
     path : str or Path
         The file.
 
-    Returns
-    -------
+    Yields
+    ------
     xarray.Dataset
-        Times left as numbers.
+        Times left as numbers; values are read when used.
 
     Raises
     ------
     DataError
-        If the file is missing or not NetCDF.
+        If the file is missing, not NetCDF, damaged or cut short, also where
+        that is seen first when a variable is read.
     """
     import xarray
 
-    if not Path(path).exists():
-        raise DataError(f"{path}: no such file; must be a NetCDF file")
-    if not Path(path).is_file():
-        raise DataError(f"{path}: is not a file; must be a NetCDF file")
     try:
-        return xarray.open_dataset(path, decode_times=False, engine="netcdf4")
-    except (OSError, ValueError, RuntimeError) as error:
-        reason = str(getattr(error, "strerror", None) or error).splitlines()[0][:120]
-        raise DataError(f"{path}: cannot be read as NetCDF: {reason}") from None
+        if not Path(path).exists():
+            raise DataError(f"{path}: no such file; must be a NetCDF file")
+        if not Path(path).is_file():
+            raise DataError(f"{path}: is not a file; must be a NetCDF file")
+        _check_classic(Path(path))
+        data = xarray.open_dataset(path, decode_times=False, engine="netcdf4")
+    except DataError:
+        raise
+    except (OSError, ValueError, TypeError, RuntimeError) as error:
+        raise DataError(f"{path}: cannot be read as NetCDF: {_reason(error)}") from None
+    with data:
+        try:
+            yield data
+        except ClptError:
+            raise
+        except (OSError, RuntimeError) as error:
+            reason = _reason(error)
+            raise DataError(f"{path}: damaged: a variable cannot be read: {reason}") from None
+
+
+def _reason(error: Exception) -> str:
+    words = str(getattr(error, "strerror", None) or error) or type(error).__name__
+    return words.splitlines()[0][:120]
+
+
+def _check_classic(path: Path) -> None:
+    """Refuse a classic file that was cut, which the NetCDF library fills with zeros."""
+    with path.open("rb") as file:
+        start = file.read(4)
+        if start == b"CDF\x05":
+            raise DataError(
+                f"{path}: is classic NetCDF of 64-bit data, of which a part could be missing "
+                "unseen; `nccopy -k nc4 FILE NEW` writes it as NetCDF-4"
+            )
+        if start[:3] != b"CDF":
+            return
+        from scipy.io import netcdf_file
+
+        file.seek(0)
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # of memory that is still mapped
+                netcdf_file(file, mmap=True).close()
+        except Exception:  # whatever a damaged header makes of itself
+            raise DataError(
+                f"{path}: damaged or cut short: it holds less than its NetCDF header says; "
+                "fetch it again"
+            ) from None
 
 
 @contextmanager
@@ -75,6 +119,7 @@ def beside(path: str | Path) -> Iterator[Path]:
         If the place cannot be written to.
     """
     path = Path(path)
+    check_name(path)
     if not path.parent.is_dir():
         raise DataError(f"{path}: cannot be written: the folder {path.parent} does not exist")
     made = None
@@ -142,7 +187,11 @@ def _put(result: Any, made: Path, path: Path) -> None:
     }
     try:
         result.to_netcdf(made, engine="netcdf4", encoding=fill)
-    except (RuntimeError, PermissionError) as error:  # HDF5's words for a full disk, too
+    except (
+        RuntimeError,
+        PermissionError,
+        UnicodeError,
+    ) as error:  # HDF5's words for a full disk, too
         full = shutil.disk_usage(made.parent).free < 2**20
         reason = getattr(error, "strerror", None) or str(error)
         reason = "no space left" if full else f"{reason}; is there a limit on the size of files?"
@@ -175,6 +224,27 @@ def write_figure(figure: "Figure", path: str | Path) -> None:
     write_together({Path(path): figure})
 
 
+def check_name(path: str | Path) -> None:
+    """Refuse a name under which nothing can be written.
+
+    Raises
+    ------
+    DataError
+        If it is too long or no text.
+    """
+    try:
+        longest = max((len(part.encode()) for part in Path(path).parts), default=0)
+    except UnicodeEncodeError:
+        raise DataError(
+            f"{path}: its name holds bytes that are no text; give another name"
+        ) from None
+    if longest > LONGEST_NAME or len(str(path)) > LONGEST_PATH:
+        raise DataError(
+            f"{str(path)[:40]}...: the name is too long; at most {LONGEST_NAME} letters are "
+            f"allowed, and {LONGEST_PATH} with all folders"
+        )
+
+
 def make_folder(path: str | Path) -> Path:
     """Make a folder for results, or say in one sentence why not.
 
@@ -184,6 +254,7 @@ def make_folder(path: str | Path) -> Path:
         If a file is in the way or the place cannot be written to.
     """
     path = Path(path)
+    check_name(path)
     try:
         path.mkdir(parents=True, exist_ok=True)
     except FileExistsError:
@@ -202,6 +273,7 @@ def check_writable(path: str | Path) -> None:
         If the folder is missing or closed, or a folder bears the name.
     """
     path = Path(path)
+    check_name(path)
     if path.is_dir():
         raise DataError(f"{path}: is a folder; give a file name such as {path / 'run.nc'}")
     if not path.parent.is_dir():

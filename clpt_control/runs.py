@@ -3,6 +3,8 @@
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from .errors import DataError
 from .files import open_netcdf, write_netcdf
 
@@ -60,7 +62,7 @@ def load_run(path: str | Path) -> "xarray.Dataset":
     Raises
     ------
     DataError
-        If the file is missing, is not NetCDF, or is no run.
+        If the file is missing, is not NetCDF, is no run, or one with gaps.
 
     Examples
     --------
@@ -76,5 +78,12 @@ def load_run(path: str | Path) -> "xarray.Dataset":
         if "clpe" not in data.variables:
             raise DataError(f"{path}: is no run: it has no variable 'clpe'; `clpt run` writes one")
         run = data.load()
+    for name in ("time", "position", "predicted_position", "clpe"):
+        values = run[name].values if name in run.variables else np.zeros(0)
+        if values.dtype.kind not in "iuf" or not np.all(np.isfinite(values)):
+            raise DataError(
+                f"{path}: is no whole run: {name} holds what is no finite number; `clpt run` writes "
+                "one"
+            )
     run.encoding["folder"] = str(Path(path).parent)
     return run

@@ -5,6 +5,7 @@ same thing as a TOML file, in the file's own units of length and time.  Nothing
 in here integrates: `diagram.closed_loop` makes blocks of it.
 """
 
+import os
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -27,6 +28,8 @@ from .scenario_tables import (
     Waypoints,
 )
 from .tides import period
+
+MOST_JUMPS = 10**7  # of one block in a run
 
 
 class Scenario(Part):
@@ -67,6 +70,21 @@ class Scenario(Part):
                 raise ValueError(
                     f"{table}.{key}: must be 2 rows of {self.basis.N} numbers, one per basis "
                     f"function; the rows have {len(rows[0])} and {len(rows[1])}"
+                )
+        return self
+
+    @model_validator(mode="after")
+    def _countable_jumps(self) -> "Scenario":
+        disturbance = self.flow.disturbance
+        spans = {"reference.dwell": self.reference.dwell}
+        if disturbance is not None and disturbance.kind in ("square", "noise"):
+            spans["flow.disturbance.period"] = disturbance.period or 1.0
+        for key, span in spans.items():
+            least = self.run.duration / MOST_JUMPS
+            if span < least:
+                raise ValueError(
+                    f"{key} = {span}: more than {MOST_JUMPS:.0e} times in run.duration; must be at "
+                    f"least {least:.3g}"
                 )
         return self
 
@@ -196,7 +214,7 @@ def checked_scenario(tables: dict[str, Any], name: str, folder: Path = Path()) -
         ) from None
     scenario._folder = Path(folder)
     path = scenario.field_path
-    if path is not None and not path.is_file():
+    if path is not None and not os.path.isfile(path):  # noqa: PTH113 - never raises
         raise ScenarioError(
             f'{name}: flow.field = "{scenario.flow.field}": no such file; '
             "must be a NetCDF file, relative to the scenario"

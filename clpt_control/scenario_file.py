@@ -4,12 +4,16 @@ Every mistake is one sentence that names the file, the key, the value and what
 is allowed.
 """
 
+import errno
 import os
+import re
 import tomllib
 from pathlib import Path
+from typing import Any
 
 from .errors import DataError, ScenarioError
 from .files import open_netcdf, write_text
+from .reading import read_bytes
 from .scenario import Scenario, checked_scenario, scenario_tables
 
 CHANGED = "parameters_changed"  # attribute of a run: parameters that its scenario does not hold
@@ -46,17 +50,15 @@ def load_scenario(path: str | Path) -> Scenario:
     if path.suffix == ".nc":
         return scenario_from_text(scenario_text(path), str(path), path.parent)
     try:
-        text = path.read_text(encoding="utf-8")
-    except FileNotFoundError:
-        raise ScenarioError(
-            f"{path}: no such file; `clpt init` writes a scenario to start from"
-        ) from None
-    except IsADirectoryError:
-        raise ScenarioError(f"{path}: is a folder; give a scenario's TOML file") from None
+        text = read_bytes(path).decode("utf-8")
     except UnicodeDecodeError:
         raise ScenarioError(f"{path}: is not text; a scenario is a TOML file in UTF-8") from None
-    except OSError as error:
-        raise ScenarioError(f"{path}: cannot be read: {error.strerror}") from None
+    except DataError as error:
+        if str(error).endswith(os.strerror(errno.ENOENT)):
+            raise ScenarioError(
+                f"{path}: no such file; `clpt init` writes a scenario to start from"
+            ) from None
+        raise ScenarioError(str(error)) from None
     return scenario_from_text(text, str(path), path.parent)
 
 
@@ -86,6 +88,12 @@ def scenario_from_text(text: str, name: str, folder: Path) -> Scenario:
         tables = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise ScenarioError(f"{name}: is not valid TOML: {error}") from None
+    except RecursionError:
+        raise ScenarioError(
+            f"{name}: brackets stand too deep in each other; at most 3 do"
+        ) from None
+    except ValueError:  # of whole numbers of some thousand digits
+        raise ScenarioError(f"{name}: a number has too many digits; write it as 1e300") from None
     return checked_scenario(tables, name, folder)
 
 
@@ -110,7 +118,21 @@ def scenario_to_text(scenario: Scenario, folder: Path | None = None) -> str:
     if folder is not None and scenario.field_path is not None:
         relative = os.path.relpath(scenario.field_path.resolve(), Path(folder).resolve())
         tables["flow"]["field"] = Path(relative).as_posix()
-    return tomlkit.dumps(tables)
+    return tomlkit.dumps(_with_long_rows(tables))
+
+
+def _with_long_rows(tables: dict[str, Any]) -> dict[str, Any]:
+    """Put text for rows of numbers: what tomlkit makes of a row grows with its square."""
+    from tomlkit.items import Float, Trivia
+
+    def item(value: Any) -> Any:
+        if isinstance(value, dict):
+            return {key: item(inner) for key, inner in value.items()}
+        if isinstance(value, list | tuple) and value and not isinstance(value[0], str):
+            return Float(0.0, Trivia(), re.sub(r",?\)", "]", repr(value).replace("(", "[")))
+        return value
+
+    return item(tables)
 
 
 def save_scenario(scenario: Scenario, path: str | Path) -> None:

@@ -27,7 +27,7 @@ def _period(value: float) -> float:
 Number = Annotated[float, Strict(), AfterValidator(_finite)]
 Positive = Annotated[Number, Field(gt=0)]
 Period = Annotated[float, Strict(), AfterValidator(_period)]
-Count = Annotated[int, Strict(), Field(ge=1)]
+Count = Annotated[int, Strict(), Field(ge=1, le=10**6)]
 Pair = tuple[Number, Number]
 PositivePair = tuple[Positive, Positive]
 Row = tuple[Number, ...]

@@ -4,10 +4,10 @@ from math import inf, nan
 from pathlib import Path
 
 import netCDF4
+import numpy as np
 import pytest
 
 from clpt_control.errors import DataError
-from clpt_control.ocean.gliders.classic import least_size
 from clpt_control.ocean.gliders.dive_files import read_dive_file, read_dives
 from clpt_control.ocean.gliders.dive_table import sample_dives, write_dive_table
 from clpt_control.ocean.gliders.dives import usable
@@ -20,6 +20,7 @@ def folder(shared):
 
 
 GOOD = (304, 305, 307)
+NEEDED = 477085  # bytes of p5420306.nc that its header speaks of; as many lie unused behind
 
 
 def small(source, target, change=lambda data: None, drop=()):
@@ -51,7 +52,7 @@ def put(name, where, value):
 def cut(share):
     def damage(source, target):
         raw = source.read_bytes()
-        target.write_bytes(raw[: int(share * least_size(raw))])
+        target.write_bytes(raw[: int(share * NEEDED)])
 
     return damage
 
@@ -174,6 +175,19 @@ def test_what_can_be_repaired_is_and_says_so(folder, tmp_path):
             assert dive.dr_east == pytest.approx(whole.dr_east, rel=0.01)
     changed(drop=("depth_avg_curr_east",))(source, tmp_path / "p5420306.nc")
     assert read_seaglider(tmp_path / "p5420306.nc").dac_east is None
+
+
+def test_a_cut_mission_of_no_fixed_length_is_refused(tmp_path):
+    """The NetCDF library reads zeros where a part with an unlimited dimension is missing."""
+    with netCDF4.Dataset(tmp_path / "og1.nc", "w", format="NETCDF3_CLASSIC") as data:
+        data.createDimension("N_MEASUREMENTS", None)
+        for name in ("TIME_GPS", "LATITUDE_GPS", "LONGITUDE_GPS"):
+            data.createVariable(name, float, ("N_MEASUREMENTS",))[:] = np.linspace(1, 2e4, 40)
+    whole = (tmp_path / "og1.nc").read_bytes()
+    for percent in (1, 30, 50, 70, 99, 99.99):
+        (tmp_path / "og1.nc").write_bytes(whole[: int(percent * len(whole) / 100)])
+        with pytest.raises(DataError, match=r"og1.nc: (damaged or cut short|neither NetCDF)"):
+            read_dives(tmp_path / "og1.nc")
 
 
 def test_what_was_named_must_exist(tmp_path):

@@ -9,9 +9,8 @@ import netCDF4
 import pytest
 from glider_dialects import basestation, og1, og1_rows
 
+from clpt_control import reading
 from clpt_control.errors import DataError
-from clpt_control.ocean import text_table
-from clpt_control.ocean.gliders import classic
 from clpt_control.ocean.gliders.dive_files import dive_paths, read_dive_file, read_dives
 from clpt_control.ocean.gliders.dive_table import sample_dives, write_dive_table
 from clpt_control.ocean.gliders.dives import usable
@@ -141,15 +140,11 @@ def test_a_table_comes_through_an_open_pipe(table, tmp_path):
 
 
 def test_a_table_is_not_larger_than_can_be_held(table, monkeypatch):
-    monkeypatch.setattr(text_table, "LARGEST", 10**3)
-    with pytest.raises(DataError, match=r"dives.csv: is larger than 0 MB, the most that a table"):
+    monkeypatch.setattr(reading, "LARGEST", 10**3)
+    with pytest.raises(
+        DataError, match=r"dives.csv: is larger than 0 MB, the most that text may be"
+    ):
         read_dives(table)
-
-
-def test_a_long_header_of_a_classic_file_is_left_to_the_library(tmp_path, monkeypatch):
-    path = basestation(tmp_path / "p1230007.nc")
-    monkeypatch.setattr(classic, "HEADER", 100)
-    assert len(read_dives(path)[0]) == 1
 
 
 def test_folders_that_may_not_be_entered(tmp_path, monkeypatch):

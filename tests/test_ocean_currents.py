@@ -5,6 +5,7 @@ from pathlib import Path
 import netCDF4
 import numpy as np
 import pytest
+import xarray
 from pyproj import Geod
 from scipy.interpolate import make_interp_spline
 
@@ -130,6 +131,42 @@ def test_packed_values_and_gaps_of_either_component(tmp_path):
     np.testing.assert_array_equal(~currents.measured, gap)
     np.testing.assert_array_equal(np.isnan(currents.v), gap)
     np.testing.assert_allclose(currents.u[~gap], u[~gap], atol=1e-12)
+
+
+@pytest.mark.parametrize("gap", [-32768, -32767, 32767])
+def test_packed_gaps_that_the_fill_value_does_not_name_are_refused(tmp_path, gap):
+    scale = 1e-4  # of which every number of 16 bits is a speed that a sea has
+    packed = np.round(0.1 * sample() / scale)
+    packed[:, 2:4, :, 1] = gap
+    path = write(tmp_path / "c.nc", *packed * scale, dtype="i2", scale=scale, fill=-999)
+    with pytest.raises(DataError, match=f"u holds {gap} of int16 12 times.* fill value -999"):
+        read_currents(path)
+    right = write(tmp_path / "c.nc", *packed * scale, dtype="i2", scale=scale, fill=gap)
+    assert np.isnan(read_currents(right).u[2:4, :, 1]).all()
+    packed[:, 2:4, :, 1] = 0
+    packed *= 32767 / np.abs(packed).max()  # whole range: its ends are data
+    whole = write(tmp_path / "c.nc", *np.rint(packed) * scale, dtype="i2", scale=scale, fill=-32768)
+    assert np.isfinite(read_currents(whole).u).all()
+
+
+@pytest.mark.parametrize("unlimited", [(), ("time",)])
+@pytest.mark.parametrize("kind", ["NETCDF3_CLASSIC", "NETCDF3_64BIT"])
+def test_every_cut_of_a_classic_file_is_refused(tmp_path, kind, unlimited):
+    write(tmp_path / "c.nc", *sample())
+    with xarray.open_dataset(tmp_path / "c.nc", decode_times=False) as data:
+        data.to_netcdf(tmp_path / "whole.nc", format=kind, unlimited_dims=unlimited)
+    whole = (tmp_path / "whole.nc").read_bytes()
+    np.testing.assert_array_equal(read_currents(tmp_path / "whole.nc").u, sample()[0])
+    for percent in (1, 5, 20, 50, 80, 95, 99, 99.9, 99.99):
+        (tmp_path / "cut.nc").write_bytes(whole[: int(percent * len(whole) / 100)])
+        with pytest.raises(DataError, match=r"cut.nc: damaged or cut short: it holds less than"):
+            read_currents(tmp_path / "cut.nc")
+
+
+def test_a_classic_file_of_64_bit_data_is_refused(tmp_path):
+    (tmp_path / "c.nc").write_bytes(b"CDF\x05" + bytes(200))
+    with pytest.raises(DataError, match="of 64-bit data, of which a part could be missing unseen"):
+        read_currents(tmp_path / "c.nc")
 
 
 def test_box_across_180_degrees(tmp_path):

@@ -206,7 +206,9 @@ def test_centers_that_cannot_be_read(text):
         read_centers(text)
 
 
-@pytest.mark.parametrize("text", ["", "km", "-15km", "15 miles", "nan", "inf km", "0"])
+@pytest.mark.parametrize(
+    "text", ["", "km", "-15km", "15 miles", "nan", "inf km", "0", "١٥km", "1_5", "1e999"]
+)
 def test_widths_that_cannot_be_read(text):
     with pytest.raises(DataError, match="positive length"):
         read_width(text)

@@ -13,8 +13,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..errors import BlockError
 from .block import Block
 from .words import lookup
+
+MOST = 2 * 10**7  # times of jumps that are listed
 
 
 class WaypointParameters(NamedTuple):
@@ -54,11 +57,22 @@ def multiples(period: float, t0: float, t1: float) -> np.ndarray:
     ndarray
         Sorted times, each the one rounded product k * period.
 
+    Raises
+    ------
+    BlockError
+        If they are more than can be held.
+
     Examples
     --------
     >>> multiples(20.0, 0.0, 60.0)
     array([20., 40., 60.])
     """
+    count = abs(t1 - t0) / period if period > 0 else math.inf
+    if not count <= MOST:
+        raise BlockError(
+            f"a period of {period:g} has {count:.3g} multiples from {t0:g} to {t1:g}; at most "
+            f"{MOST:.0e} are allowed"
+        )
     first = max(1, math.floor(t0 / period) - 1)
     last = math.floor(t1 / period) + 1
     times = period * np.arange(first, last + 1)

@@ -12,9 +12,10 @@ def init(
     file: Annotated[Path, typer.Argument(help="Where to write it.")] = Path("paper.toml"),
 ) -> None:
     """Write the paper's scenario, commented, to start from."""
-    from ..files import write_text
+    from ..files import check_name, write_text
     from ..paper import paper_text
 
+    check_name(file)
     if file.exists():
         raise ClptError(f"{file}: exists already; name another file, or move this one away")
     write_text(file, paper_text())

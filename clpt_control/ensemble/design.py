@@ -21,6 +21,7 @@ from ..scenario import Scenario
 from .vary import Vary, variable_values
 
 DESIGNS = ("lhs", "grid", "random")
+MOST_NUMBERS = 2 * 10**8  # 1.6 GB
 EDGE = 2.0**-53  # shares stay off 0 and 1, where the normal quantile is infinite
 
 
@@ -67,6 +68,12 @@ def draw_members(
         if not isinstance(value, int | np.integer) or isinstance(value, bool) or value < least:
             raise ScenarioError(f"{name} = {value}: must be a whole number, at least {least}")
     base = variable_values(scenario)
+    count = int(members) * sum(1 if one.kind == "levels" else base[one.key].size for one in varies)
+    if count > MOST_NUMBERS:
+        raise ScenarioError(
+            f"members = {members}: would draw {count:.3g} numbers; at most {MOST_NUMBERS:.0e} are "
+            "allowed"
+        )
     if design == "grid":
         shares = iter(_grid_shares(varies, base, int(members)))
     else:

@@ -9,7 +9,7 @@ import numpy as np
 
 from .. import __version__
 from ..errors import DataError, ScenarioError
-from ..files import check_writable
+from ..files import check_name, check_writable
 from ..scenario import Scenario
 from ..scenario_file import scenario_to_text
 from .design import draw_members
@@ -91,6 +91,8 @@ def make_plan(
     varies = read_varies(scenario, vary)
     marks, per_cycle = marks_of(scenario, times), samples_per_cycle(scenario, samples)
     path = None if out is None else Path(out).absolute()
+    if path is not None:
+        check_name(path)
     if path is not None and not path.exists():
         check_writable(path)
     values = draw_members(scenario, varies, members, design, seed)

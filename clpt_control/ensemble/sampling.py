@@ -11,6 +11,7 @@ from ..scenario import Scenario
 from ..simulation import sample_times
 
 FEWEST = 20  # samples a cycle that may be asked for
+MOST_TIMES = 10**8  # samples of a run
 MOST_SAMPLES = 20_000  # a member, unless asked for; at least 200 a cycle
 MARKS = 41  # times at which errors are kept, unless asked for
 
@@ -60,7 +61,7 @@ def samples_per_cycle(scenario: Scenario, samples: int | None = None) -> int:
     Raises
     ------
     ScenarioError
-        If the wish is not a whole number of at least 20.
+        If the wish is not a whole number of at least 20, or too many for a run.
 
     Examples
     --------
@@ -73,6 +74,8 @@ def samples_per_cycle(scenario: Scenario, samples: int | None = None) -> int:
         return min(SAMPLES_PER_CYCLE, max(200, int(MOST_SAMPLES / max(cycles, 1))))
     if not isinstance(samples, int) or isinstance(samples, bool) or samples < FEWEST:
         raise ScenarioError(f"samples = {samples}: must be a whole number, at least {FEWEST}")
+    if samples * max(1.0, scenario.run.duration / scenario.cycle) > MOST_TIMES:
+        raise ScenarioError(f"samples = {samples}: more than {MOST_TIMES:.0e} in a run; take fewer")
     return samples
 
 

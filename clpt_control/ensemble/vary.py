@@ -95,7 +95,7 @@ def read_vary(text: str) -> Vary:
     if rest.startswith("["):
         try:
             levels = json.loads(rest)
-        except json.JSONDecodeError:
+        except (ValueError, RecursionError):  # no list, one of too many brackets or digits
             raise ScenarioError(
                 f"vary = '{text}': the list cannot be read; write it as [0.5, 1, 2]"
             ) from None
@@ -113,7 +113,7 @@ def read_vary(text: str) -> Vary:
 
 def _number(word: str, text: str) -> float:
     try:
-        value = float(word)
+        value = float(word) if word.isascii() else math.nan
     except ValueError:
         value = math.nan
     if not math.isfinite(value):
@@ -168,7 +168,7 @@ def _check_levels(one: Vary, shape: tuple[int, ...]) -> None:
     for level in one.numbers:
         try:
             fits = np.shape(np.asarray(level, dtype=float)) == shape and level is not None
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             fits = False
         if not fits or isinstance(level, bool):
             shown = json.dumps(level)

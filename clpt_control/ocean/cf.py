@@ -108,6 +108,18 @@ def find_axis(data: "xarray.Dataset", velocity: str, what: str, path: Path) -> "
             f"of those of {velocity} ({', '.join(map(str, data[velocity].dims))})"
             + ("" if what == "time" else ": a grid of latitudes and longitudes")
         )
+    if what == "time":
+        return axis
+    if axis.dtype.kind not in "iuf" or not axis.size:
+        holds = f"holds {axis.dtype}" if axis.size else "has the length zero"
+        raise DataError(f"{path}: {name} {holds}; must hold degrees of at least one place")
+    most = 90.0 if what == "latitude" else 720.0
+    degrees = axis.values[np.isfinite(axis.values)]
+    if np.any(np.abs(degrees) > most + 1e-6):
+        raise DataError(
+            f"{path}: {name} goes from {degrees.min():.6g} to {degrees.max():.6g}; must be "
+            f"a {what} in degrees"
+        )
     return axis
 
 
@@ -187,4 +199,45 @@ def surface_values(
             f"{path}: {name} has the dimensions ({', '.join(map(str, values.dims))}); must have "
             f"({', '.join(map(str, dims))})"
         )
-    return values.isel(kept).transpose(*dims).values.astype(float) * size
+    chosen = values.isel(kept).transpose(*dims)
+    numbers = chosen.values.astype(float)
+    check_packing(chosen, numbers, f"{path}: {name}")
+    return numbers * size
+
+
+def check_packing(packed: "xarray.DataArray", numbers: np.ndarray, where: str) -> None:
+    """Refuse packed numbers whose gaps are not those that the file declares.
+
+    A gap is packed as an end of the integers.  Where such a number is left as
+    data, twice or more and further from all others than these are apart, the
+    fill value of the file is another than the one that it declares.
+
+    Parameters
+    ----------
+    packed : xarray.DataArray
+        As the file has it.
+    numbers : ndarray
+        Its values, NaN in gaps.
+    where : str
+        File and variable, for the message.
+
+    Raises
+    ------
+    DataError
+        If there are such numbers.
+    """
+    kind = np.dtype(packed.encoding.get("dtype", float))
+    if kind.kind not in "iu":
+        return
+    scale = float(packed.encoding.get("scale_factor", 1.0))
+    offset = float(packed.encoding.get("add_offset", 0.0))
+    raw = (numbers[np.isfinite(numbers)] - offset) / scale
+    limits = np.iinfo(kind)
+    for end in (limits.min, limits.min + 1, limits.max):
+        at_end = np.abs(raw - end) <= 0.5
+        rest = raw[~at_end]
+        if at_end.sum() > 1 and rest.size and np.abs(rest - end).min() > np.ptp(rest):
+            raise DataError(
+                f"{where} holds {end} of {kind} {at_end.sum()} times, which marks a gap, but "
+                f"declares the fill value {packed.encoding.get('_FillValue')}; correct _FillValue"
+            )

@@ -14,6 +14,8 @@ from ..errors import DataError
 if TYPE_CHECKING:
     import xarray
 
+KNOWN = ("standard", "gregorian", "proleptic_gregorian", "julian", "noleap", "365_day", "all_leap",
+         "366_day", "360_day")  # fmt: skip
 CALENDARS = ("standard", "gregorian", "proleptic_gregorian")  # of real dates
 
 
@@ -68,6 +70,12 @@ def hours_since_first(when: "xarray.DataArray", path: Path) -> tuple[np.ndarray,
     calendar = str(when.attrs.get("calendar", "standard"))
     if len(when) < 2:
         raise DataError(f"{path}: {when.name} has {len(when)} step; at least 2 are needed")
+    if when.dtype.kind not in "iuf":
+        raise DataError(f"{path}: {when.name} holds {when.dtype}; must hold numbers since a date")
+    if calendar.lower() not in KNOWN:
+        raise DataError(
+            f"{path}: {when.name} has the calendar '{calendar}'; must be one of {', '.join(KNOWN)}"
+        )
     if not np.all(np.isfinite(when.values)):
         raise DataError(f"{path}: {when.name} has values that are not finite")
     try:

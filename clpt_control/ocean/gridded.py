@@ -136,6 +136,8 @@ def read_field(path: Path, units) -> GriddedField:
         for name in ("time", "y", "x", "u", "v"):
             if name not in data.variables:
                 raise DataError(f"{path}: no variable '{name}'; a field has time, y, x, u and v")
+            if data[name].dtype.kind not in "iuf":
+                raise DataError(f"{path}: {name} holds {data[name].dtype}; must hold numbers")
         axes = []
         for name in ("time", "y", "x"):
             where, unit = f"{path}: {name}", str(data[name].attrs.get("units", ""))
@@ -149,7 +151,9 @@ def read_field(path: Path, units) -> GriddedField:
         for name in ("u", "v"):
             if data[name].dims != ("time", "y", "x"):
                 raise DataError(f"{path}: {name} must have the dimensions time, y, x")
-            size = speed_in_metres_per_second(data[name].attrs.get("units", ""), f"{path}: {name}")
+            size = speed_in_metres_per_second(
+                str(data[name].attrs.get("units", "")), f"{path}: {name}"
+            )
             values.append(data[name].values.astype(float) * (size / own))
             if not np.all(np.isfinite(values[-1])):
                 raise DataError(f"{path}: {name} has gaps; `clpt fit` fills them")

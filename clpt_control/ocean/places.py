@@ -38,10 +38,11 @@ def read_centers(text: str) -> tuple[int, int]:
     >>> read_centers("2x3")
     (2, 3)
     """
-    match = re.fullmatch(r"\s*0*([1-9]\d*)\s*[x×*]\s*0*([1-9]\d*)\s*", text.lower())
+    form = r"\s*0*([1-9][0-9]{0,3})\s*[x×*]\s*0*([1-9][0-9]{0,3})\s*"
+    match = re.fullmatch(form, text.lower())
     if match is None:
         raise DataError(
-            f"centers = '{text}': must be rows x columns, two whole numbers >= 1 such as 3x3"
+            f"centers = '{text}': must be rows x columns, two whole numbers, 1 to 9999, such as 3x3"
         )
     return int(match[1]), int(match[2])
 
@@ -69,11 +70,9 @@ def read_width(text: str) -> float:
     >>> read_width("15km"), read_width("800 m"), read_width("15")
     (15.0, 0.8, 15.0)
     """
-    match = re.fullmatch(r"\s*([^a-z\s]+(?:e[+-]?\d+)?)\s*(km|m)?\s*", text.lower())
-    try:
-        number = float(match[1]) if match else np.nan
-    except ValueError:
-        number = np.nan
+    form = r"\s*(\+?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:e[+-]?[0-9]+)?)\s*(km|m)?\s*"
+    match = re.fullmatch(form, text.lower())
+    number = float(match[1]) if match else np.nan
     if match is None or not (np.isfinite(number) and number > 0):
         raise DataError(f"width = '{text}': must be a positive length such as 15km or 800m")
     return number * METRES[match[2] or "km"] / METRES["km"]

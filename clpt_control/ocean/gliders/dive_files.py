@@ -13,9 +13,8 @@ from stat import S_ISDIR
 from ...errors import DataError
 from ...files import open_netcdf
 from ...interrupt import check
-from ..text_table import read_bytes, text_of
+from ...reading import read_bytes, text_of
 from . import og1, seaglider
-from .classic import check_whole
 from .dive_table import NO_TEXT, parse_dive_table
 from .dives import Dive, Skipped
 
@@ -95,16 +94,11 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
         return parse_dive_table(text_of(raw, path, NO_TEXT), str(path))
     if not path.is_file():
         raise DataError(f"{path}: is NetCDF through a pipe; save it as a file and give that")
-    check_whole(path)
     with open_netcdf(path) as data:
-        try:
-            if seaglider.is_seaglider(data):
-                return [seaglider.dive_of(data, path)], []
-            if og1.is_og1(data):
-                return og1.dives_of(data, path), []
-        except (OSError, RuntimeError) as error:
-            reason = str(error).splitlines()[0][:120]
-            raise DataError(f"{path}: damaged: a variable cannot be read: {reason}") from None
+        if seaglider.is_seaglider(data):
+            return [seaglider.dive_of(data, path)], []
+        if og1.is_og1(data):
+            return og1.dives_of(data, path), []
         known = ", ".join(map(str, list(data.variables)[:8])) or "no variables"
     raise DataError(
         f"{path}: neither a Seaglider file (with log_gps_time) nor OG1 (with LATITUDE_GPS): it has "

@@ -16,7 +16,8 @@ from pathlib import Path
 
 from ...errors import DataError
 from ...files import write_text
-from ..text_table import cells_of, lines_of, other_marks, read_text
+from ...reading import read_text
+from ..text_table import cells_of, lines_of, other_marks
 from .dive_faults import NUMBERS, whole_number
 from .dives import Dive, Skipped, make_dive
 

@@ -19,7 +19,6 @@ import numpy as np
 
 from ...errors import DataError
 from ...files import open_netcdf
-from .classic import check_whole
 from .dives import Dive, Fix, make_dive
 from .og1_columns import Columns, columns_of, fixes_in
 from .og1_columns import is_og1 as is_og1
@@ -55,8 +54,6 @@ def read_og1(path: str | Path) -> list[Dive]:
         If the file is missing, damaged or without fixes.
     """
     path = Path(path)
-    if path.is_file():
-        check_whole(path)
     with open_netcdf(path) as data:
         return dives_of(data, path)
 

@@ -20,7 +20,6 @@ import numpy as np
 
 from ...errors import DataError
 from ...files import open_netcdf
-from .classic import check_whole
 from .dive_faults import NUMBERS, whole_number
 from .dives import Dive, make_dive
 from .own_current import compared
@@ -61,8 +60,6 @@ def read_seaglider(path: str | Path) -> Dive:
         If the file is missing, damaged, or without fixes or dive number.
     """
     path = Path(path)
-    if path.is_file():
-        check_whole(path)
     with open_netcdf(path) as data:
         return dive_of(data, path)
 

@@ -79,24 +79,36 @@ def alone(state: str | Path) -> Iterator[Path]:
     if fcntl is None:  # pragma: no cover - Windows
         yield state
         return
+    handle = _locked(state)
     try:
-        handle = os.open(state / LOCK, os.O_RDWR | os.O_CREAT, 0o644)
-    except OSError as error:
-        raise DataError(f"{state}: cannot be written to: {error.strerror}") from None
-    try:
-        try:
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            number = os.read(handle, 20).decode("ascii", "replace").strip() or "unknown"
-            raise DataError(
-                f"{state}: another clpt follows here (process {number}); end it, or give another "
-                "--out"
-            ) from None
-        except OSError:  # a file system without locks
-            pass
         with suppress(OSError):  # a full disk: the number is for the message alone
             os.truncate(handle, 0)
             os.pwrite(handle, str(os.getpid()).encode(), 0)
         yield state
     finally:
+        (state / LOCK).unlink(missing_ok=True)  # before it is free: the next makes its own
+        os.close(handle)
+
+
+def _locked(state: Path) -> int:
+    """Open and lock the file; one that another removed meanwhile locks nothing."""
+    while True:
+        try:
+            handle = os.open(state / LOCK, os.O_RDWR | os.O_CREAT, 0o644)
+        except OSError as error:
+            raise DataError(f"{state}: cannot be written to: {error.strerror}") from None
+        try:
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            number = os.read(handle, 20).decode("ascii", "replace").strip() or "unknown"
+            os.close(handle)
+            raise DataError(
+                f"{state}: another clpt follows here (process {number}); end it, or give another "
+                "--out"
+            ) from None
+        except OSError:  # a file system without locks
+            return handle
+        with suppress(OSError):
+            if os.path.samestat(os.fstat(handle), os.stat(state / LOCK)):  # noqa: PTH116
+                return handle
         os.close(handle)

@@ -20,10 +20,11 @@ from pathlib import Path
 import numpy as np
 
 from ...errors import DataError
+from ...reading import read_text
 from ..cf import VELOCITY
 from ..gridded import speed_in_metres_per_second
 from ..nodal import checked_times
-from ..text_table import cells_of, lines_of, other_marks, read_text
+from ..text_table import cells_of, lines_of, other_marks
 
 NAMES = {
     "time": ("time", "date", "datetime"),
