@@ -34,7 +34,9 @@ def prove(
         for number, proof in proofs.items():
             rows = [["yes" if s.holds else "NO", s.how, s.claim, s.detail] for s in proof.steps]
             every = ", for every N" if proof.for_every_N else ""
-            print_table(f"Theorem {number}: {proof.status}{every}", ["holds", "how", "claim", ""], rows)
+            print_table(
+                f"Theorem {number}: {proof.status}{every}", ["holds", "how", "claim", ""], rows
+            )
             typer.echo(f"printed: {proof.printed}")
             if proof.corrected:
                 typer.echo(f"holds:   {proof.corrected}")
