@@ -1,6 +1,7 @@
 """The cache of compiled code: whose it is, how much it holds, and what goes on without it."""
 
 import os
+import pickle
 import subprocess
 import sys
 from pathlib import Path
@@ -76,6 +77,22 @@ def test_the_text_lies_beside_its_code_and_is_checked(folder):
         place.parent.chmod(0o700)
     place.write_text("print('not ours')\n")
     assert compiled._place(folder, TEXT) is None
+
+
+def test_files_cut_short_are_made_again(folder):
+    place = compiled._place(cache_folder(), TEXT)
+    kept = place.parent / "__pycache__"
+    kept.mkdir()
+    index, code = kept / "solver.advance-1.nbi", kept / "solver.advance-1.1.nbc"
+    index.write_bytes(pickle.dumps("0.60") + pickle.dumps(("stamp", {})))
+    code.write_bytes(pickle.dumps(("code", b"0123456789")))
+    assert compiled._place(folder, TEXT) == place
+    assert code.exists()
+    for file, whole in ((index, index.read_bytes()), (code, code.read_bytes())):
+        file.write_bytes(whole[:-4])
+        assert compiled._place(folder, TEXT) == place
+        assert not kept.exists()
+        kept.mkdir()
 
 
 def test_few_of_other_versions_stay(folder):
