@@ -5,7 +5,9 @@ is allowed.
 """
 
 import os
+import pickle
 import tomllib
+from functools import lru_cache
 from pathlib import Path
 
 from .errors import DataError, ScenarioError
@@ -104,13 +106,19 @@ def scenario_to_text(scenario: Scenario, folder: Path | None = None) -> str:
     str
         TOML that reads back to the same scenario.
     """
-    import tomlkit
-
     tables = scenario_tables(scenario)
     if folder is not None and scenario.field_path is not None:
         relative = os.path.relpath(scenario.field_path.resolve(), Path(folder).resolve())
         tables["flow"]["field"] = Path(relative).as_posix()
-    return tomlkit.dumps(tables)
+    return _dumped(pickle.dumps(tables))
+
+
+@lru_cache(maxsize=64)
+def _dumped(tables: bytes) -> str:
+    """Write tables as TOML; the same scenario is run again and again."""
+    import tomlkit
+
+    return tomlkit.dumps(pickle.loads(tables))
 
 
 def save_scenario(scenario: Scenario, path: str | Path) -> None:

@@ -1,5 +1,6 @@
 """The cache of compiled code: whose it is, how much it holds, and what goes on without it."""
 
+import inspect
 import os
 import pickle
 import subprocess
@@ -110,7 +111,7 @@ def test_nothing_can_be_kept_and_the_work_goes_on(monkeypatch):
     kept = []
     monkeypatch.setattr(compiled, "_compile", lambda module, keep: kept.append(keep))
     monkeypatch.setitem(sys.modules, "clpt_control_solver", None)
-    module = compiled.solver.__wrapped__.__wrapped__()
+    module = inspect.unwrap(compiled.solver)()
     assert kept == [False]
     assert Path(module.__file__) == TEXT
 

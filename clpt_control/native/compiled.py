@@ -66,6 +66,7 @@ def trusted(folder: Path) -> bool:
     return found.st_uid in (os.getuid(), 0) and not others
 
 
+@cache
 @global_compiler_lock
 @cache
 def solver() -> ModuleType:
