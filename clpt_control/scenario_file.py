@@ -6,8 +6,10 @@ is allowed.
 
 import errno
 import os
+import pickle
 import re
 import tomllib
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -112,13 +114,19 @@ def scenario_to_text(scenario: Scenario, folder: Path | None = None) -> str:
     str
         TOML that reads back to the same scenario.
     """
-    import tomlkit
-
     tables = scenario_tables(scenario)
     if folder is not None and scenario.field_path is not None:
         relative = os.path.relpath(scenario.field_path.resolve(), Path(folder).resolve())
         tables["flow"]["field"] = Path(relative).as_posix()
-    return tomlkit.dumps(_with_long_rows(tables))
+    return _dumped(pickle.dumps(tables))
+
+
+@lru_cache(maxsize=64)
+def _dumped(tables: bytes) -> str:
+    """Write tables as TOML; the same scenario is run again and again."""
+    import tomlkit
+
+    return tomlkit.dumps(_with_long_rows(pickle.loads(tables)))
 
 
 def _with_long_rows(tables: dict[str, Any]) -> dict[str, Any]:

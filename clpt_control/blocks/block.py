@@ -331,9 +331,13 @@ class Block(control.NonlinearIOSystem):
         """
         out[:] = 0.0
         with np.errstate(all="ignore"):
-            self._equations[role][0](
+            self.equations(role)(
                 np.float64(t), np.asarray(x, dtype=float), np.asarray(u, dtype=float), p, out
             )
+
+    def equations(self, role: str) -> Callable:
+        """Return the equations of a role as Python runs them, on IEEE numbers."""
+        return self._equations[role][0]
 
     def _rhs(self, t, x, u):
         dx = np.zeros(self.nstates)

@@ -98,6 +98,7 @@ def fingerprint(function: FunctionType) -> tuple:
     for one in reached(function):
         space = one.__globals__
         used = ((name, space.get(name)) for name in one.__code__.co_names)
-        numbers = tuple(pair for pair in used if isinstance(pair[1], int | float))
-        parts.append((one.__code__, one.__defaults__, numbers, getattr(one, "opaque", False)))
+        numbers = [(name, repr(value)) for name, value in used if isinstance(value, int | float)]
+        defaults = repr((one.__defaults__, one.__kwdefaults__))
+        parts.append((one.__code__, defaults, tuple(numbers), getattr(one, "opaque", False)))
     return tuple(parts)

@@ -15,6 +15,7 @@ from collections.abc import Callable
 from types import FunctionType
 
 from ..errors import BlockError
+from .bytecode import effects, names_read
 from .rebinding import helpers_of
 from .words import MATH
 
@@ -141,9 +142,21 @@ def _check(function: Callable, role: str, seen: set[Callable]) -> None:
             f"{role}: {function.__name__} closes over {names}, which cannot be compiled, traced "
             "or pickled; put the values into the block's parameters"
         )
+    for value in (*(function.__defaults__ or ()), *(function.__kwdefaults__ or {}).values()):
+        if not isinstance(value, int | float):
+            raise BlockError(
+                f"{role}: {function.__name__} has a default argument that is a "
+                f"{type(value).__name__}; only numbers can be, put it into the block's parameters"
+            )
     tree, first_line = _syntax_tree(function)
     if tree is not None:
         _Reader(function, role, first_line).visit(tree.body[0])
+    for line, name in names_read(function):
+        refused = _refused_name(function, name)
+        if refused is not None:
+            _refuse(role, line, *refused)
+    for line, what, instead in effects(function):
+        _refuse(role, line, what, instead)
     for name, helper in helpers_of(function).items():
         _check(helper, f"{role} -> {name}", seen)
 
@@ -165,8 +178,7 @@ class _Reader(ast.NodeVisitor):
         self.local_names = set(function.__code__.co_varnames)
 
     def refuse(self, node: ast.AST, what: str, instead: str) -> None:
-        line = self.first_line + getattr(node, "lineno", 1) - 1
-        raise BlockError(f"{self.role}, line {line}: {what} is not allowed here; {instead}")
+        _refuse(self.role, self.first_line + getattr(node, "lineno", 1) - 1, what, instead)
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> None:
         if node.name != self.function.__name__ or node.lineno > 1 + len(node.decorator_list):
@@ -221,23 +233,31 @@ class _Reader(ast.NodeVisitor):
     def visit_Name(self, node: ast.Name) -> None:
         if node.id in self.local_names or isinstance(node.ctx, ast.Store):
             return
-        if node.id in ALLOWED_BUILTINS:
-            return
-        space = self.function.__globals__
-        if node.id not in space:
-            if node.id in _CALLS:
-                self.refuse(node, f"`{node.id}`", f"use {_CALLS[node.id]}")
-            if not hasattr(builtins, node.id):
-                self.refuse(node, f"the unknown name `{node.id}`", "define it in the module")
-            self.refuse(node, f"`{node.id}`", "use arithmetic, math and the words of blocks.words")
-        value = space[node.id]
-        if value is math or isinstance(value, int | float | FunctionType):
-            return
-        if getattr(value, "__module__", None) == "math":
-            return
-        module = getattr(value, "__name__", type(value).__name__)
-        self.refuse(
-            node,
-            f"`{node.id}` ({module})",
-            "use arithmetic, math.*, and where, minimum, maximum, clip, sign, floor, lookup",
-        )
+        refused = _refused_name(self.function, node.id)
+        if refused is not None:
+            self.refuse(node, *refused)
+
+
+def _refuse(role: str, line: int, what: str, instead: str) -> None:
+    raise BlockError(f"{role}, line {line}: {what} is not allowed here; {instead}")
+
+
+def _refused_name(function: FunctionType, name: str) -> tuple[str, str] | None:
+    """Return what to say of a name of the module; None where it may be used."""
+    space = function.__globals__
+    if name not in space:
+        if name in ALLOWED_BUILTINS:
+            return None
+        if name in _CALLS:
+            return f"`{name}`", f"use {_CALLS[name]}"
+        if not hasattr(builtins, name):
+            return f"the unknown name `{name}`", "define it in the module"
+        return f"`{name}`", "use arithmetic, math and the words of blocks.words"
+    value = space[name]
+    known = value is math or isinstance(value, int | float | FunctionType)
+    if known or getattr(value, "__module__", None) == "math":
+        return None
+    return (
+        f"`{name}` ({getattr(value, '__name__', type(value).__name__)})",
+        "use arithmetic, math.*, and where, minimum, maximum, clip, sign, floor, lookup",
+    )

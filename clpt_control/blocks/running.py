@@ -18,6 +18,7 @@ import numpy as np
 from .rebinding import fingerprint, rebind
 from .words import MATH, WORDS
 
+ON_RUN = (np.floating, np.bool_)  # what numbers of the run are, and no constant is
 MOST_ANGLE = 2.0**50  # rad; beyond it doubles are a quarter apart and an angle means nothing
 
 IEEE = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "pow": "power",
@@ -61,8 +62,10 @@ def _on_run(function: Callable, on_run: Callable) -> Callable:
     """Join what a word does with constants, as Python has it, and with numbers of the run."""
 
     def word(*arguments: Any) -> Any:
-        run = any(isinstance(a, np.floating | np.bool_) for a in arguments)
-        return (on_run if run else function)(*arguments)
+        for a in arguments:
+            if isinstance(a, ON_RUN):
+                return on_run(*arguments)
+        return function(*arguments)
 
     return word
 

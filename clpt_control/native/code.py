@@ -70,15 +70,19 @@ class Code:
         self.unrolled = not any(isinstance(item, Loop) for item in program.derivative)
         self._machines: dict[tuple[str, int], Machine] = {}
 
-    @global_compiler_lock  # threads that ask at once are given the same code
     def address(self, name: str, lanes: int) -> int:
         """Return where a function lies, compiled when first asked for."""
         if (name, lanes) not in self._machines:
+            self._make(name, lanes)
+        return self._machines[name, lanes].addresses[name]
+
+    @global_compiler_lock
+    def _make(self, name: str, lanes: int) -> None:
+        if (name, lanes) not in self._machines:  # another thread may have been first
             together = ("margin",) if name == "margin" else ("derivative", "prepare", "signals")
             functions = {one: getattr(self.program, one) for one in together}
             made = Machine(functions, self.program.constants, lanes)
             self._machines.update({(one, lanes): made for one in together})
-        return self._machines[name, lanes].addresses[name]
 
 
 def code_of(wiring: Wiring, layout: Layout, form: str | None = None, least: int = LEAST) -> Code:
@@ -134,7 +138,8 @@ class _Hidden:
         return 0
 
 
-@global_compiler_lock
+@lru_cache(maxsize=64)
+@global_compiler_lock  # threads that ask at once are given the same code
 @lru_cache(maxsize=64)
 def _code(structure: Structure, form: str | None, least: int, hidden: _Hidden) -> Code:
     sources, nodes = hidden.sources, hidden.sources.wiring.nodes
@@ -160,6 +165,7 @@ def count(items: tuple[Item, ...]) -> int:
     return sum(1 + (count(item.body) if isinstance(item, Loop) else 0) for item in items)
 
 
+@lru_cache(maxsize=16)
 @global_compiler_lock
 @lru_cache(maxsize=16)
 def kernels(n: int, lanes: int) -> Machine:

@@ -8,6 +8,7 @@ prints them in a few hundredths of a second.
 
 import hashlib
 import os
+import pickletools
 import shutil
 import stat
 import sys
@@ -65,6 +66,7 @@ def trusted(folder: Path) -> bool:
     return found.st_uid in (os.getuid(), 0) and not others
 
 
+@cache
 @global_compiler_lock
 @cache
 def solver() -> ModuleType:
@@ -94,6 +96,8 @@ def _place(folder: Path, text: Path) -> Path | None:
     own = folder / f"solver-{_key()}"
     path = own / "solver.py"
     try:
+        if path.exists() and trusted(own) and not _whole(own):
+            shutil.rmtree(own)
         if not path.exists():
             made = Path(tempfile.mkdtemp(prefix=".new-", dir=folder))
             shutil.copyfile(text, made / "solver.py")
@@ -106,6 +110,21 @@ def _place(folder: Path, text: Path) -> Path | None:
         return path if trusted(own) and path.read_bytes() == text.read_bytes() else None
     except OSError:
         return None
+
+
+def _whole(own: Path) -> bool:
+    """Whether Numba's files can be read to their ends, as after a full disk they cannot."""
+    for file in own.glob("__pycache__/*.nb[ci]"):
+        try:
+            with file.open("rb") as data:
+                for _ in range(2 if file.suffix == ".nbi" else 1):  # .nbi: a version, an index
+                    for _ in pickletools.genops(data):  # read, not run
+                        pass
+        except FileNotFoundError:  # another process is at it
+            continue
+        except ValueError:
+            return False
+    return True
 
 
 def _forget(folder: Path, own: Path) -> None:

@@ -55,6 +55,12 @@ class Sweep:
         self._external = np.zeros(wiring.ninputs)
         self._plan = [(k, self.nodes[k]) for k in wiring.order if only is None or k in only]
         self._wires = {k: self._views(node) for k, node in self._plan}
+        self._equations = {
+            (role, k): node.system.equations(role)
+            for k, node in enumerate(self.nodes)
+            if isinstance(node.system, Block)
+            for role in (("output", "update") if node.system.nstates else ("output",))
+        }
         self.given = list(parameters)
         self._parameters = list(parameters)
         self._jumping = [
@@ -123,8 +129,11 @@ class Sweep:
         """
         if u is not None:
             self._external[:] = u
-        for k, node in self._plan:
-            self._call("output", k, t, x[node.states], self._gather(k), self.signals[node.outputs])
+        t = np.float64(t)
+        with np.errstate(all="ignore"):
+            for k, node in self._plan:
+                out = self.signals[node.outputs]
+                self._call("output", k, t, x[node.states], self._gather(k), out)
         return self.signals
 
     def derivative(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
@@ -145,17 +154,19 @@ class Sweep:
             dx/dt; NaN where a system could not compute it.
         """
         self.evaluate(t, x, u)
-        dx = np.zeros(self.nstates)
+        dx, t = np.zeros(self.nstates), np.float64(t)
         # a block without feedthrough may come before its inputs are known
-        for k, node in self._plan:
-            if node.system.nstates:
-                self._call("update", k, t, x[node.states], self._gather(k), dx[node.states])
+        with np.errstate(all="ignore"):
+            for k, node in self._plan:
+                if node.system.nstates:
+                    self._call("update", k, t, x[node.states], self._gather(k), dx[node.states])
         return dx
 
     def _call(self, role: str, k: int, t: float, x: np.ndarray, u: np.ndarray, out: Any) -> None:
         system, p = self.nodes[k].system, self._parameters[k]
         if isinstance(system, Block):
-            system.fill(role, t, x, u, p, out)
+            out[:] = 0.0
+            self._equations[role, k](t, x, u, p, out)
             return
         function = system.updfcn if role == "update" else system.outfcn
         try:

@@ -110,7 +110,7 @@ def generic_size(port: str, size: int, functions: int) -> Size:
 
 
 def keys(ports: dict[str, Size]) -> dict[tuple[int, int], Key]:
-    """Return what stands where in ports: by (c, n), the place c + n N."""
+    """Return what stands at the place c + n N of ports, by (c, n)."""
     found: dict[tuple[int, int], Key] = {}
     c = n = 0
     for port, size in ports.items():
