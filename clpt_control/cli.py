@@ -8,6 +8,7 @@ that `clpt --help` answers at once.
 
 import errno
 import gc
+import logging
 import os
 import sys
 from contextlib import suppress
@@ -36,6 +37,7 @@ def main() -> None:
 def _run() -> int:
     from .commands.app import app
 
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it warns where there is no home
     status = app(standalone_mode=False)
     return status if isinstance(status, int) else 0
 
