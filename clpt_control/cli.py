@@ -9,6 +9,7 @@ that `clpt --help` answers at once.
 import errno
 import gc
 import io
+import logging
 import os
 import sys
 import warnings
@@ -43,6 +44,7 @@ def main() -> None:
 def _run() -> int:
     from .commands.app import app
 
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it warns where there is no home
     status = app(standalone_mode=False)
     return status if isinstance(status, int) else 0
 

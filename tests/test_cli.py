@@ -1,13 +1,14 @@
 """The command line: figures within 1e-6 of independent numbers, and what it leaves."""
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
-from processes import CLPT, await_line, interrupt, started, without_progress
+from processes import CLPT, GUARD, await_line, interrupt, started, without_progress
 
 import clpt_control
 
@@ -144,6 +145,22 @@ def test_a_reader_that_goes_away_is_no_fault():
         process.stdout.close()
         assert without_progress(process.stderr.read()) == ""
         assert process.wait() == 0
+
+
+def test_without_a_home_and_a_cache_the_work_goes_on(tmp_path):
+    """A folder inside a file can be made by nobody."""
+    (tmp_path / "file").write_text("")
+    scenario = clpt_control.paper_scenario().with_values({"run.duration": 20})
+    clpt_control.save_scenario(scenario, tmp_path / "s.toml")
+    nowhere = str(tmp_path / "file" / "folder")
+    own = {"HOME": nowhere, "CLPT_CONTROL_CACHE": nowhere}
+    hidden = ("MPLCONFIGDIR", "XDG_CACHE_HOME", "XDG_CONFIG_HOME")
+    env = {name: value for name, value in os.environ.items() if name not in hidden} | own
+    words = ("run", tmp_path / "s.toml", "--out", tmp_path / "r.nc", "--figures", tmp_path)
+    with started([*CLPT, *words], env=env) as process:
+        _, err = process.communicate(timeout=GUARD)
+    assert (process.returncode, without_progress(err)) == (0, "")
+    assert (tmp_path / "figure1.png").exists()
 
 
 def test_an_interrupted_import_is_an_interrupt(clpt, monkeypatch):
