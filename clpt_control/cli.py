@@ -92,7 +92,7 @@ def _fault(error: Exception) -> None:
 
 
 def _complain(sentence: str, status: int) -> None:
-    line = " ".join(sentence.split())
+    line = " ".join(sentence.split()).encode(errors="backslashreplace").decode()
     if len(line) > LONGEST:
         line = f"{line[: LONGEST // 2]} ... {line[-LONGEST // 2 :]}"
     typer.echo(f"clpt: {line}", err=True)
