@@ -9,6 +9,7 @@ import pytest
 import tomlkit
 import xarray
 
+from clpt_control import interconnection
 from clpt_control.blocks.disturbance import disturbance
 from clpt_control.blocks.reference import multiples
 from clpt_control.errors import BlockError
@@ -182,6 +183,13 @@ def test_a_scenario_with_many_waypoints_is_read_and_written(tmp_path):
     )  # fmt: skip
     save_scenario(scenario, tmp_path / "s.toml")
     assert load_scenario(tmp_path / "s.toml") == scenario
+
+
+def test_a_diagram_that_python_control_cannot_hold_is_refused(clpt, tmp_path, monkeypatch):
+    (tmp_path / "p.toml").write_text(paper_text())
+    monkeypatch.setattr(interconnection, "MOST_BYTES", 1000)
+    outcome = clpt("diagram", tmp_path / "p.toml")
+    assert_refused(outcome, tmp_path, ["p.toml"], ["closed_loop: has 3", "fewer basis functions"])
 
 
 def test_jumps_are_not_listed_without_end():
