@@ -2,6 +2,8 @@
 
 import math
 import os
+import subprocess
+import sys
 import tomllib
 
 import numpy as np
@@ -229,6 +231,16 @@ def test_a_run_with_gaps_is_no_run(clpt, tmp_path):
         save_run(gaps, tmp_path / "run.nc")
         outcome = clpt("excitation", tmp_path / "run.nc")
         assert_refused(outcome, tmp_path, ["run.nc"], ["run.nc: is no whole run", name])
+
+
+def test_warnings_of_libraries_are_no_words_of_a_command():
+    code = (
+        "import warnings; from clpt_control import cli\n"
+        "cli.app = lambda **options: warnings.warn('a word of a library', RuntimeWarning)\n"
+        "cli.main()"
+    )
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert (ended.returncode, ended.stdout, ended.stderr) == (0, "", "")
 
 
 def test_places_that_cannot_be_written(clpt, tmp_path):
