@@ -15,6 +15,8 @@ from .blocks.ports import labels
 from .errors import BlockError, DiagramError
 from .wiring import Wire, Wiring, read, wired
 
+MOST_BYTES = 10**9  # of python-control's matrices
+
 
 class Diagram(control.InterconnectedSystem):
     """A python-control diagram whose parameter names are checked.
@@ -67,7 +69,13 @@ def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list
             found.append(system.with_values(changes))
             known |= set(own)
         else:
+<<<<<<< HEAD
             found.append({key: params.get(key, value) for key, value in system.params.items()})
+=======
+            found.append(
+                {**system.params, **{k: v for k, v in params.items() if k in system.params}}
+            )
+>>>>>>> abf275395ad46a95e21a4a064e858d68e6ff66b4
             known |= set(system.params)
     for key in params:
         if key not in known:
@@ -176,7 +184,8 @@ def connect(
     ------
     DiagramError
         If two blocks make the same port, a port is fed by nothing, sizes
-        differ, or an external port is made or not used.
+        differ, an external port is made or not used, or the diagram is larger
+        than python-control can hold.
 
     Examples
     --------
@@ -187,6 +196,14 @@ def connect(
     """
     fitted = fit(blocks, external)
     made = [(port, *maker) for port, maker in fitted.makers.items()]
+    fed, makes = (sum(block.ninputs for block in blocks), sum(block.noutputs for block in blocks))
+    size = 8 * (2 * fed + makes) * makes  # bytes of its full matrices of connections and outputs
+    if size > MOST_BYTES:
+        raise DiagramError(
+            f"{name or 'the diagram'}: has {makes} signals, for which python-control needs "
+            f"{size / 1e9:.1f} GB; at most {MOST_BYTES / 1e9:g} GB: take fewer basis functions, or "
+            "simulate the scenario itself"
+        )
     diagram = control.interconnect(
         list(blocks),
         connections=[

@@ -3,6 +3,7 @@
 import importlib.util
 import json
 import os
+import re
 import shutil
 import signal
 import sys
@@ -298,6 +299,83 @@ def test_damaged_chunks_are_run_again(quick, tmp_path, damage):
     assert files(out) == before
 
 
+def edited(key, value):
+    def edit(path):
+        metadata = json.loads(path.read_text())
+        metadata[key] = value
+        path.write_text(json.dumps(metadata))
+
+    return edit
+
+
+def flipped(path):
+    raw = bytearray(path.read_bytes())
+    raw[len(raw) // 2] ^= 0xFF
+    path.write_bytes(raw)
+
+
+LOST = {  # file -> (what happens to it, what is said)
+    "gain_error/zarr.json": (Path.unlink, "gain_error has lost its files"),
+    "learning.gain/zarr.json": (edited("shape", [7]), "learning.gain has lost its shape"),
+    "end/zarr.json": (edited("data_type", "float32"), "end has lost its dtype"),
+    "mark/zarr.json": (edited("dimension_names", ["time"]), "mark has lost its dimension names"),
+    "alpha/zarr.json": (edited("attributes", {}), "alpha has lost its attributes"),
+    "done/zarr.json": (edited("shape", [9]), "done has lost its shape"),
+    "zarr.json": (flipped, "is no ensemble or is damaged"),
+    "time/c/0": (flipped, "time has lost its files"),
+    "learning.gain/c/1": (flipped, "learning.gain has lost its files"),
+    "member/c/0": (Path.unlink, "member has lost its values"),
+}
+
+
+@pytest.fixture(scope="module")
+def stored(scenario, tmp_path_factory):
+    """A whole store of a short ensemble, with how to run it."""
+    quick = scenario.with_values({"run.duration": 10})
+    out = tmp_path_factory.mktemp("stored") / "e.zarr"
+
+    def run(path):
+        return run_ensemble(
+            quick, VARY[0], 6, out=path, chunk=3, threads=1, trajectories=True, samples=100
+        )
+
+    run(out)
+    return out, run
+
+
+@pytest.mark.parametrize("name", LOST)
+def test_a_store_without_what_it_must_hold_is_named_and_left(stored, tmp_path, name):
+    whole, run = stored
+    out = tmp_path / "e.zarr"
+    shutil.copytree(whole, out)
+    damage, sentence = LOST[name]
+    damage(out / name)
+    before = files(out)
+    with pytest.raises(DataError, match=rf"e\.zarr: .*{re.escape(sentence)}"):
+        run(out)
+    assert files(out) == before
+
+
+@pytest.mark.parametrize("name", ["alpha/c/1/0/0/0", "gain_error/c/0/0"])
+def test_a_flipped_byte_of_a_chunk_is_run_again(stored, tmp_path, name):
+    whole, run = stored
+    out = tmp_path / "e.zarr"
+    shutil.copytree(whole, out)
+    flipped(out / name)
+    run(out)
+    assert files(out) == files(whole)
+
+
+def test_a_store_that_memory_does_not_suffice_for_is_removed(quick, tmp_path, monkeypatch):
+    def too_much(work, values):
+        raise MemoryError
+
+    monkeypatch.setattr(Work, "summaries", too_much)
+    with pytest.raises(MemoryError):
+        run_ensemble(quick, VARY[0], 4, out=tmp_path / "e.zarr", threads=1)
+    assert not list(tmp_path.iterdir())
+
+
 # ---- a cluster
 
 
@@ -369,6 +447,13 @@ MISTAKES = [
     ({"vary": "vehicle.feedback~normal:9"}, "vehicle.feedback"),
     ({"vary": VARY[0], "members": 0}, "members = 0: must be a whole number, at least 1"),
     ({"vary": VARY[0], "members": 2.5}, "members = 2.5: must be a whole number"),
+    ({"vary": VARY[0], "members": 10**20}, "would draw 1e+20 numbers; at most 2e+08"),
+    ({"vary": VARY[0], "members": 10**20, "design": "grid"}, "would draw 1e+20 numbers"),
+    ({"vary": VARY[0], "members": 2, "samples": 10**20}, "more than 1e+08 in a run"),
+    ({"vary": "learning.gain=٢:٣", "members": 2}, "'٢' must be a finite number"),
+    ({"vary": "learning.gain=" + "[" * 5000, "members": 2}, "the list cannot be read"),
+    ({"vary": f"learning.gain=[{'1' * 5000}]", "members": 2}, "the list cannot be read"),
+    ({"vary": f"learning.gain=[{'1' * 400}]", "members": 2}, "each value must be a number"),
     ({"vary": VARY[0], "seed": -1}, "seed = -1: must be a whole number"),
     ({"vary": VARY[0], "design": "sobol"}, "must be one of lhs, grid, random"),
     ({"vary": VARY[0], "chunk": 0}, "chunk = 0: must be a whole number"),

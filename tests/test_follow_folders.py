@@ -179,3 +179,4 @@ def test_one_process_follows_at_a_time(inbox, tmp_path):
     assert not left.exists()
     with alone(out / "state"):
         assert (out / "state" / LOCK).read_text() == str(os.getpid())
+    assert not (out / "state" / LOCK).exists()

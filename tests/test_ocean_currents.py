@@ -13,9 +13,11 @@ from clpt_control.blocks.field import gridded_flow
 from clpt_control.errors import DataError
 from clpt_control.estimation.least_squares import evaluate
 from clpt_control.ocean.currents import read_currents
+from clpt_control.ocean.forecast_file import read_column
 from clpt_control.ocean.gaps import fill_gaps, regular_grid
 from clpt_control.ocean.gridded import GriddedField, read_field, write_field
 from clpt_control.ocean.plane import LocalPlane
+from clpt_control.ocean.tidal.record import read_record
 from clpt_control.scenario_tables import Units
 
 MARACOOS = Path(__file__).parents[2] / "shared/data/field/maracoos_hfr_2019-01-01.nc"
@@ -42,9 +44,14 @@ def write(path, u, v, lat=LAT, lon=LON, time=TIME, **options):
                 file.createDimension(name, len(values))
                 continue
             file.createDimension(name, len(values))
-            file.createVariable(name, "f8", (name,))[:] = values
+            made = file.createVariable(
+                name, str if name in options.get("words", ()) else "f8", (name,)
+            )
+            made[:] = values.astype(str).astype(object) if made.dtype is str else values
             if unit:
-                file[name].units = unit
+                made.units = unit
+            if name == "time" and "calendar" in options:
+                made.calendar = options["calendar"]
         dims = order
         if "depth" in options:
             file.createDimension("depth", len(options["depth"]))
@@ -190,6 +197,11 @@ def test_box_across_180_degrees(tmp_path):
         ({"time_units": "hours"}, BOX, "time has units 'hours'; must be such as 'hours since"),
         ({"time_units": None}, BOX, "time has units ''"),
         ({"time": np.zeros(10)}, BOX, "time has a step twice"),
+        ({"words": ("time",)}, BOX, "time holds .*; must hold numbers"),
+        ({"words": ("lat",)}, BOX, "lat holds .*; must hold numbers"),
+        ({"calendar": ""}, BOX, "time has the calendar ''; must be one of standard"),
+        ({"calendar": "mayan"}, BOX, "time has the calendar 'mayan'; must be one of standard"),
+        ({"lat": 1e300 * LAT}, BOX, "lat goes from 4.1e.301 to 4.15e.301; must be a latitude"),
         ({"lat": np.full(6, 41.2)}, BOX, "latitude has a value twice"),
         ({}, (50, 51, -69.9, -69), "latitude 50 to 51 holds 0 cells; .*covers 41 to 41.5"),
         ({}, (41, 41.5, 10, 11), "longitude 10 to 11 holds 0 cells"),
@@ -204,6 +216,50 @@ def test_each_mistake_is_one_sentence(tmp_path, options, box, sentence):
     with pytest.raises(DataError, match=sentence) as caught:
         read_currents(path, box)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("name", ["lat", "lon"])
+def test_an_axis_of_length_zero_is_refused(tmp_path, name):
+    empty = dict.fromkeys([name], np.zeros(0))
+    sizes = [0 if axis == name else 6 for axis in ("lat", "lon")]
+    path = write(
+        tmp_path / "c.nc", *np.zeros((2, 10, *sizes)), **{"lat": LAT, "lon": LON[:6]} | empty
+    )
+    for read in (read_currents, read_column):
+        with pytest.raises(DataError, match=f"{name} has the length zero; must hold at least one"):
+            read(path)
+    with pytest.raises(DataError, match=f"{name} has the length zero"):
+        read_record(path, 41.0, (41.2, -69.5))
+
+
+def test_ragged_velocities_and_fields_are_refused(tmp_path):
+    with netCDF4.Dataset(tmp_path / "r.nc", "w") as file:
+        for name in ("time", "y", "x"):
+            file.createDimension(name, 3)
+            file.createVariable(name, "f8", (name,))[:] = np.arange(3.0)
+            file[name].units = "hours since 2019-01-01" if name == "time" else "m"
+        ragged = file.createVLType(np.float64, "ragged")
+        for name in ("u", "v"):
+            made = file.createVariable(name, ragged, ("time",))
+            made.units = "m/s"
+            for k in range(3):
+                made[k] = np.arange(k + 1.0)
+    with pytest.raises(DataError, match="u holds object; must hold numbers"):
+        read_record(tmp_path / "r.nc", 41.0)
+    with pytest.raises(DataError, match=r"r.nc: u .*must"):
+        read_field(tmp_path / "r.nc", Units())
+
+
+def test_a_chunk_that_cannot_be_read_is_said(tmp_path):
+    with xarray.open_dataset(write(tmp_path / "c.nc", *sample()), decode_times=False) as data:
+        checked = {name: {"fletcher32": True, "zlib": True} for name in "uv"}
+        data.to_netcdf(tmp_path / "f.nc", encoding=checked)
+    raw = bytearray((tmp_path / "f.nc").read_bytes())
+    at = len(raw) // 2
+    raw[at - 400 : at + 400] = bytes(800)
+    (tmp_path / "f.nc").write_bytes(raw)
+    with pytest.raises(DataError, match=r"f.nc: (damaged|cannot be read)"):
+        read_currents(tmp_path / "f.nc")
 
 
 def test_files_that_are_no_data(tmp_path):

@@ -13,6 +13,7 @@ from ..files import check_name, check_writable
 from ..scenario import Scenario
 from ..scenario_file import scenario_to_text
 from .design import draw_members
+from .layout import check_store
 from .sampling import marks_of, samples_per_cycle
 from .store import CODE, Store, create_store, open_store
 from .summary import dims_of, kept_variables
@@ -120,16 +121,17 @@ def make_plan(
         "samples": per_cycle,
         "times": list(marks),
     }
+    fixed = _fixed(work, values, int(members), kept)
     if path is not None and path.exists() and not (path.is_dir() and not any(path.iterdir())):
         store = open_store(path)
         check_same(store, arguments)
+        check_store(store, arguments, kept, fixed)
         if store.group.attrs[CODE] != work.code and store.missing():
             raise DataError(
                 f"{path}: was begun by other versions of the code ({store.group.attrs['software']})"
                 ", whose numbers may differ in the last bit; give another --out"
             )
         return Plan(work, store)
-    fixed = _fixed(work, values, int(members), kept)
     attrs = {**_attributes(scenario, arguments), CODE: work.code}
     return Plan(work, create_store(path, arguments, kept, fixed, attrs))
 

@@ -17,6 +17,7 @@ from ..errors import ScenarioError
 from ..interrupt import SLICE, check
 from ..scenario import Scenario
 from .plan import Plan, make_plan
+from .store import remove_empty
 from .vary import Vary
 from .work import joined, rows
 
@@ -119,7 +120,11 @@ def run_ensemble(
 
         run_on_cluster(plan, dask, count, report)
     else:
-        _run_here(plan, count, report)
+        try:
+            _run_here(plan, count, report)
+        except Exception:
+            remove_empty(plan.store)
+            raise
     plan.store.finish()
     return plan.store.dataset()
 

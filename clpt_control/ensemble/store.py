@@ -10,6 +10,7 @@ import json
 import os
 import shutil
 import tempfile
+import warnings
 import zlib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -18,12 +19,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import DataError
+from .layout import MARK, layout_of
 from .summary import Variable
 
 if TYPE_CHECKING:
     import xarray
 
-ARGUMENTS, CODE, MARK = "ensemble", "code", "done"
+ARGUMENTS, CODE = "ensemble", "code"
 
 
 class Store:
@@ -107,11 +109,7 @@ class Store:
             mark = int(self.group[MARK][index])
             if not mark:
                 return False
-            read = {
-                name: self.group[name][first:last]
-                for name in self.kept
-                if "time" not in self._dims(name)
-            }
+            read = {name: self.group[name][first:last] for name in self.kept}
         except Exception:  # whatever a damaged file makes of itself
             return False
         return self._checksum(read) == mark and all(self._there(name, index) for name in self.kept)
@@ -206,29 +204,20 @@ def create_store(
 def _filled(group: Any, arguments, kept, fixed, attrs) -> Any:
     from zarr.codecs import Crc32cCodec, ZstdCodec
 
-    chunk, members = arguments["chunk"], arguments["members"]
     group.attrs.update({**attrs, ARGUMENTS: json.dumps(arguments)})
     compressors = (ZstdCodec(level=1), Crc32cCodec())
-
-    def make(name, dims, shape, dtype, own, first_chunk):
-        chunks = tuple(max(1, n) for n in (min(first_chunk, shape[0]), *shape[1:]))
-        fill = np.nan if np.dtype(dtype).kind == "f" else 0
-        return group.create_array(
-            name, shape=shape, dtype=dtype, chunks=chunks, fill_value=fill, attributes=own,
-            dimension_names=dims, compressors=compressors,
-        )  # fmt: skip
-
-    for name, variable in kept.items():
-        own = {**variable.attrs, "kept": "per member"}
-        make(name, variable.dims, variable.shape, variable.dtype, own, chunk)
-    for name, (dims, values, own) in fixed.items():
-        size = chunk if dims[0] == "member" else len(values)
-        array = make(name, dims, values.shape, values.dtype, own, size)
-        if values.size:
-            array[:] = values
-    count = -(-members // chunk)
-    make(MARK, ("chunk",), (count,), "int64", {"long_name": "checksum of a whole chunk"}, 1)
+    for name, made in layout_of(arguments, kept, fixed).items():
+        fill = np.nan if np.dtype(made["dtype"]).kind == "f" else 0
+        array = group.create_array(name, fill_value=fill, compressors=compressors, **made)
+        if name in fixed and fixed[name][1].size:
+            array[:] = fixed[name][1]
     return group
+
+
+def remove_empty(store: Store) -> None:
+    """Remove a store without any chunk, as one that memory did not suffice for."""
+    if store.path is not None and not np.any(store.group[MARK][:]):
+        shutil.rmtree(store.path, ignore_errors=True)
 
 
 def open_store(path: Path) -> Store:
@@ -258,7 +247,9 @@ def open_store(path: Path) -> Store:
     if not (path / "zarr.json").is_file():
         raise DataError(f"{path}: is a folder without an ensemble; give another name")
     try:
-        store = Store(zarr.open_group(path, mode="r+"), path)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of arrays that are none: `check_store` names them
+            store = Store(zarr.open_group(path, mode="r+"), path)
         whole = MARK in store.group and "status" in store.kept
     except Exception:  # whatever a damaged file makes of itself
         whole = False

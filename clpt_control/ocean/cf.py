@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import DataError
-from .gridded import speed_in_metres_per_second
+from .gridded import numbers_of, speed_in_metres_per_second
 
 if TYPE_CHECKING:
     import xarray
@@ -110,11 +110,11 @@ def find_axis(data: "xarray.Dataset", velocity: str, what: str, path: Path) -> "
         )
     if what == "time":
         return axis
-    if axis.dtype.kind not in "iuf" or not axis.size:
-        holds = f"holds {axis.dtype}" if axis.size else "has the length zero"
-        raise DataError(f"{path}: {name} {holds}; must hold degrees of at least one place")
+    if not axis.size:
+        raise DataError(f"{path}: {name} has the length zero; must hold at least one {what}")
     most = 90.0 if what == "latitude" else 720.0
-    degrees = axis.values[np.isfinite(axis.values)]
+    degrees = numbers_of(axis, f"{path}: {name}")
+    degrees = degrees[np.isfinite(degrees)]
     if np.any(np.abs(degrees) > most + 1e-6):
         raise DataError(
             f"{path}: {name} goes from {degrees.min():.6g} to {degrees.max():.6g}; must be "
@@ -178,8 +178,6 @@ def surface_values(
     if "units" not in values.attrs:
         raise DataError(f"{path}: {name} has no units; must be such as 'm/s' or 'cm s-1'")
     size = speed_in_metres_per_second(str(values.attrs["units"]), f"{path}: {name}")
-    if values.dtype.kind not in "iuf":
-        raise DataError(f"{path}: {name} holds {values.dtype}; must hold numbers")
     for dim in set(values.dims) - set(dims):
         level = 0
         if values.sizes[dim] != 1:
@@ -200,7 +198,7 @@ def surface_values(
             f"({', '.join(map(str, dims))})"
         )
     chosen = values.isel(kept).transpose(*dims)
-    numbers = chosen.values.astype(float)
+    numbers = numbers_of(chosen, f"{path}: {name}")
     check_packing(chosen, numbers, f"{path}: {name}")
     return numbers * size
 

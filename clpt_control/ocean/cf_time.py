@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import DataError
+from .gridded import numbers_of
 
 if TYPE_CHECKING:
     import xarray
@@ -70,8 +71,7 @@ def hours_since_first(when: "xarray.DataArray", path: Path) -> tuple[np.ndarray,
     calendar = str(when.attrs.get("calendar", "standard"))
     if len(when) < 2:
         raise DataError(f"{path}: {when.name} has {len(when)} step; at least 2 are needed")
-    if when.dtype.kind not in "iuf":
-        raise DataError(f"{path}: {when.name} holds {when.dtype}; must hold numbers since a date")
+    numbers_of(when, f"{path}: {when.name}")
     if calendar.lower() not in KNOWN:
         raise DataError(
             f"{path}: {when.name} has the calendar '{calendar}'; must be one of {', '.join(KNOWN)}"

@@ -6,12 +6,16 @@ CF units; `read_field` turns it to the scenario's units of length and time.
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..errors import DataError
 from ..files import open_netcdf, write_netcdf
 from ..tides import SECONDS
+
+if TYPE_CHECKING:
+    import xarray
 
 METRES = {"m": 1.0, "km": 1000.0, "cm": 0.01}
 WORDS = {"meter": "m", "meters": "m", "metre": "m", "metres": "m", "sec": "s",
@@ -112,6 +116,32 @@ def speed_in_metres_per_second(unit: str, where: str) -> float:
     raise DataError(f"{where}: units = '{unit}' is no speed; must be such as 'm/s' or 'cm s-1'")
 
 
+def numbers_of(variable: "xarray.DataArray", where: str) -> np.ndarray:
+    """Give a variable's values as floats.
+
+    Parameters
+    ----------
+    variable : xarray.DataArray
+        Of a file.
+    where : str
+        File and variable, for the message.
+
+    Returns
+    -------
+    ndarray
+        Of the variable's shape.
+
+    Raises
+    ------
+    DataError
+        If they are characters or rows of different lengths.
+    """
+    values = variable.values  # where rows are ragged, the variable says numbers and these do not
+    if values.dtype.kind not in "iuf":
+        raise DataError(f"{where} holds {values.dtype}; must hold numbers")
+    return values.astype(float)
+
+
 def read_field(path: Path, units) -> GriddedField:
     """Read a gridded field in a scenario's units.
 
@@ -136,8 +166,6 @@ def read_field(path: Path, units) -> GriddedField:
         for name in ("time", "y", "x", "u", "v"):
             if name not in data.variables:
                 raise DataError(f"{path}: no variable '{name}'; a field has time, y, x, u and v")
-            if data[name].dtype.kind not in "iuf":
-                raise DataError(f"{path}: {name} holds {data[name].dtype}; must hold numbers")
         axes = []
         for name in ("time", "y", "x"):
             where, unit = f"{path}: {name}", str(data[name].attrs.get("units", ""))
@@ -145,7 +173,7 @@ def read_field(path: Path, units) -> GriddedField:
                 size = _seconds(unit, where) / SECONDS[units.time]
             else:
                 size = length_in_metres(unit, where) / METRES[units.length]
-            axes.append(_regular(data[name].values * size, name, path))
+            axes.append(_regular(numbers_of(data[name], where) * size, name, path))
         own = METRES[units.length] / SECONDS[units.time]
         values = []
         for name in ("u", "v"):
@@ -154,7 +182,7 @@ def read_field(path: Path, units) -> GriddedField:
             size = speed_in_metres_per_second(
                 str(data[name].attrs.get("units", "")), f"{path}: {name}"
             )
-            values.append(data[name].values.astype(float) * (size / own))
+            values.append(numbers_of(data[name], f"{path}: {name}") * (size / own))
             if not np.all(np.isfinite(values[-1])):
                 raise DataError(f"{path}: {name} has gaps; `clpt fit` fills them")
     return GriddedField(*axes, *values)
