@@ -79,7 +79,6 @@ def _answer(error: BaseException) -> int:
     return _complain(f"fault in clpt: {kind}: {error}; CLPT_TRACEBACK=1 shows where", 1)
 
 
-<<<<<<< HEAD
 def _interrupted(error: BaseException | None) -> bool:
     """Whether an interrupt is behind an error."""
     while error is not None:
@@ -96,11 +95,7 @@ def _let_go() -> None:
 
 
 def _complain(sentence: str, status: int) -> int:
-    line = " ".join(sentence.split())
-=======
-def _complain(sentence: str, status: int) -> None:
     line = " ".join(sentence.split()).encode(errors="backslashreplace").decode()
->>>>>>> abf275395ad46a95e21a4a064e858d68e6ff66b4
     if len(line) > LONGEST:
         line = f"{line[: LONGEST // 2]} ... {line[-LONGEST // 2 :]}"
     print("clpt:", line, file=sys.stderr)

@@ -69,13 +69,7 @@ def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list
             found.append(system.with_values(changes))
             known |= set(own)
         else:
-<<<<<<< HEAD
             found.append({key: params.get(key, value) for key, value in system.params.items()})
-=======
-            found.append(
-                {**system.params, **{k: v for k, v in params.items() if k in system.params}}
-            )
->>>>>>> abf275395ad46a95e21a4a064e858d68e6ff66b4
             known |= set(system.params)
     for key in params:
         if key not in known:
