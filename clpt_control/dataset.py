@@ -14,7 +14,7 @@ import numpy as np
 
 from . import __version__
 from .blocks.arrays import on_arrays
-from .blocks.lyapunov import LyapunovParameters, lyapunov_candidate
+from .blocks.lyapunov import lyapunov_candidate, one_gain
 from .native.solution import Solution
 from .scenario import Scenario
 from .scenario_file import CHANGED, scenario_to_text
@@ -150,8 +150,7 @@ def _changed(left: Mapping[str, Any]) -> dict[str, str]:
 def _lyapunov(law: str, ran: Mapping[str, Any], data: dict[str, Any]) -> np.ndarray:
     """V of Eq. (17) or (24) along the run, with the parameters that ran."""
     car, adapting = ran["vehicle_controller"], ran["adaptation"]
-    gains = np.full(3, adapting.gain)
-    truth = LyapunovParameters(car.N, gains, ran["true_flow"].theta, car.KD, car.GammaD)
+    truth = one_gain(adapting.gain, ran["true_flow"].theta, car.KD, car.GammaD)
     block = lyapunov_candidate(law, truth)
     ports = [data[name][1] for name in ("clpe", "alpha", "feedback_gain", "feedforward_gain")]
     inputs = np.column_stack([values.reshape(len(values), -1) for values in ports])

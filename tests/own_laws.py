@@ -41,6 +41,11 @@ class Three(NamedTuple):
     gains: np.ndarray
 
 
+class Each(NamedTuple):
+    N: int
+    gains: np.ndarray
+
+
 class Arrays(NamedTuple):
     N: int
     gain: float
@@ -119,6 +124,22 @@ def three_gains(t, x, u, p, dx):
             dx[i * n + k] = -p.gains[0] * u[i] * u[2 + k]
         dx[2 * n + i] = -p.gains[1] * u[2 + n + i] * u[i]
         dx[2 * n + 2 + i] = p.gains[2] * u[4 + n + i] * u[i]
+
+
+def a_gain_each(t, x, u, p, dx):
+    """A gain for each function, and K held apart, section III."""
+    n = p.N
+    for i in range(2):
+        for k in range(n):
+            dx[i * n + k] = -p.gains[k] * u[i] * u[2 + k]
+        dx[2 * n + i] = -(1.0 + i) * u[2 + n + i] * u[i]
+        dx[2 * n + 2 + i] = 0.3 * u[4 + n + i] * u[i]
+
+
+def tanh_of_e(t, x, u, p, dx):
+    """tanh(e) in place of e: falls with another V, ln cosh(e), section III."""
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, math.tanh(u[i]), i)
 
 
 def composite(t, x, u, p, dx):
@@ -275,6 +296,7 @@ RIGHT = {  # name -> (law, whether for every N too)
     "times sin^2 + cos^2": (lambda: law(times_one, Gain(N, 0.5)), True),
     "clip(e) + (e - clip(e))": (lambda: law(clipped_and_back, Gain(N, 0.5)), True),
     "three gains": (lambda: law(three_gains, Three(N, np.array([0.5, 0.2, 0.7]))), True),
+    "a gain each": (lambda: law(a_gain_each, Each(N, np.array([0.5, 2.0]))), True),
     "composite": (lambda: law(composite, Two(N, 0.5, 0.5), FLOW), False),
     "a leak of 0": (lambda: law(leak, Two(N, 0.5, 0.0)), False),
     "wrong from N = 5 on": (lambda: law(wrong_fifth, Gain(N, 0.5)), False),
@@ -295,6 +317,7 @@ NOT_PROVED = {  # wrong, or right but not known to be
     "two tables": lambda: law(two_tables, ARRAYS),
     "one opaque helper": lambda: law(two_hidden, ARRAYS),
     "a private state called x": lambda: law(own_x, Gain(N, 0.5), **PRIVATE),
+    "tanh(e)": lambda: law(tanh_of_e, Gain(N, 0.5)),
     "z z/z": lambda: law(without_value, Gain(N, 0.5)),
 }
 REFUSED = {"p.gain == 0.5": equal_gain, "sign(e) == 1": equal_sign}

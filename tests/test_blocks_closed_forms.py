@@ -289,7 +289,9 @@ def test_error_system_has_z_where_the_print_has_x():
 
 TRUE = lyapunov.LyapunovParameters(
     2,
-    np.array([0.5, 0.25, 1.0]),
+    np.array([[0.5, 0.5], [0.5, 0.5]]),
+    np.array([0.25, 0.25]),
+    np.array([1.0, 1.0]),
     np.array([[1.0, 2], [3, 4]]),
     np.array([1.0, 2]),
     np.array([3.0, 4]),

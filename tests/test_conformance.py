@@ -106,7 +106,7 @@ def package_blocks():
             error_system.parameter_system(error_system.ParameterParameters(N, 0.7)),
         )
         for law in lyapunov.LAWS:
-            p = lyapunov.LyapunovParameters(N, np.full(3, 0.7), theta, KD, GammaD)
+            p = lyapunov.one_gain(0.7, theta, KD, GammaD)
             yield f"lyapunov-{law}-{N}", lyapunov.lyapunov_candidate(law, p)
 
 

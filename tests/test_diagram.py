@@ -346,8 +346,7 @@ def monitored(scenario):
     """The closed loop, its Lyapunov candidate, and the integral of e^T KD e beside it."""
     theta = np.array(scenario.flow.parameters)
     KD, GammaD = np.array(scenario.vehicle.feedback), np.array(scenario.vehicle.feedforward)
-    gain = np.full(3, scenario.learning.gain)
-    p = lyapunov.LyapunovParameters(scenario.basis.N, gain, theta, KD, GammaD)
+    p = lyapunov.one_gain(scenario.learning.gain, theta, KD, GammaD)
     dissipation = Block(
         "dissipation",
         update=dissipate,

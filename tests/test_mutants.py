@@ -49,7 +49,7 @@ def every_block():
         yield field.gridded_flow(grid, disturbed=disturbed)
     yield error_system.error_system(error_system.ErrorParameters(3, np.ones(2)))
     yield error_system.parameter_system(error_system.ParameterParameters(3, 0.8))
-    truth = lyapunov.LyapunovParameters(3, np.full(3, 0.8), np.ones((2, 3)), np.ones(2), np.ones(2))
+    truth = lyapunov.one_gain(0.8, np.ones((2, 3)), np.ones(2), np.ones(2))
     for law in lyapunov.LAWS:
         yield lyapunov.lyapunov_candidate(law, truth)
 

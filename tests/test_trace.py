@@ -280,7 +280,7 @@ def test_two_values_of_one_name_are_two_symbols():
     candidate = theorem_loop(2, "learned-flow").syslist[-1]
     loop = trace(theorem_loop(2, "learned-flow", law_block=law, candidate=candidate))
     assert str(loop.parameters["adaptation"].gain) == "adaptation.gain"
-    assert str(loop.parameters["lyapunov"].gain[0]) == "lyapunov.gain[1]"
+    assert str(loop.parameters["lyapunov"].gain_K[0]) == "lyapunov.gain_K[1]"
 
 
 def test_terms_speak_the_papers_symbols():

@@ -3,7 +3,8 @@
     V = (|e|^2 + |K - KD|^2/gamma + |GammaD - Gamma|^2/gamma) / 2               Eq. (17)
     V = Eq. (17) + |theta + alpha|^2 / (2 gamma)                                Eq. (24)
 
-The paper has one gain gamma; here alpha, K and Gamma may have one each.
+The paper has one gain gamma; here each error is weighed by its own, `one_gain` is the
+paper's.
 
 V is a signal like any other: a block that reads the diagram's outputs.  Runs
 record it and the proofs differentiate it, both from the functions here.
@@ -23,8 +24,10 @@ class LyapunovParameters(NamedTuple):
     ----------
     N : int
         Number of basis functions.
-    gain : ndarray, shape (3,)
-        Adaptation gains gamma > 0 of alpha, K and Gamma, one number in the paper.
+    gain : ndarray, shape (2, N)
+        Adaptation gains gamma > 0 of alpha, one number in the paper.
+    gain_K, gain_Gamma : ndarray, shape (2,)
+        Adaptation gains of K and Gamma, the same number.
     theta : ndarray, shape (2, N)
         True flow parameters, length per time.
     KD, GammaD : ndarray, shape (2,)
@@ -33,9 +36,41 @@ class LyapunovParameters(NamedTuple):
 
     N: int
     gain: np.ndarray
+    gain_K: np.ndarray
+    gain_Gamma: np.ndarray
     theta: np.ndarray
     KD: np.ndarray
     GammaD: np.ndarray
+
+
+def one_gain(
+    gain: float, theta: np.ndarray, KD: np.ndarray, GammaD: np.ndarray
+) -> LyapunovParameters:
+    """Return the parameters of Eqs. (17) and (24): one gain gamma.
+
+    Parameters
+    ----------
+    gain : float
+        Adaptation gain gamma > 0.
+    theta : array_like, shape (2, N)
+        True flow parameters, length per time.
+    KD, GammaD : array_like, shape (2,)
+        Gains of the vehicle controller, per time.
+
+    Returns
+    -------
+    LyapunovParameters
+        Every error weighed by the same gain.
+
+    Examples
+    --------
+    >>> one_gain(0.5, np.zeros((2, 1)), np.ones(2), np.ones(2)).gain_K
+    array([0.5, 0.5])
+    """
+    theta, KD, GammaD = (np.asarray(a, dtype=float) for a in (theta, KD, GammaD))
+    two = np.full(2, gain)
+    N = theta.shape[1]
+    return LyapunovParameters(N, np.full(theta.shape, gain), two, two, theta, KD, GammaD)
 
 
 def known_flow(t, x, u, p, y):
@@ -45,8 +80,8 @@ def known_flow(t, x, u, p, y):
     V = 0.0
     for i in range(2):
         V += e[i] ** 2 / 2
-        V += (K[i] - p.KD[i]) ** 2 / (2 * p.gain[1])
-        V += (p.GammaD[i] - Gamma[i]) ** 2 / (2 * p.gain[2])
+        V += (K[i] - p.KD[i]) ** 2 / (2 * p.gain_K[i])
+        V += (p.GammaD[i] - Gamma[i]) ** 2 / (2 * p.gain_Gamma[i])
     y[0] = V
 
 
@@ -55,10 +90,8 @@ def learned_flow(t, x, u, p, y):
     n = p.N
     known_flow(t, x, u, p, y)
     for i in range(2):
-        flow = 0.0
         for k in range(n):
-            flow += (p.theta[i, k] + u[2 + i * n + k]) ** 2
-        y[0] += flow / (2 * p.gain[0])
+            y[0] += (p.theta[i, k] + u[2 + i * n + k]) ** 2 / (2 * p.gain[i, k])
 
 
 LAWS = {"known-flow": known_flow, "learned-flow": learned_flow}
@@ -89,7 +122,7 @@ def lyapunov_candidate(law: str, parameters: LyapunovParameters) -> Block:
 
     Examples
     --------
-    >>> p = LyapunovParameters(1, np.full(3, 0.5), np.zeros((2, 1)), np.ones(2), np.ones(2))
+    >>> p = one_gain(0.5, np.zeros((2, 1)), np.ones(2), np.ones(2))
     >>> block = lyapunov_candidate("learned-flow", p)
     >>> block.output(0, [], [3, 4, 1, 0, 1, 1, 1, 2])
     array([14.5])

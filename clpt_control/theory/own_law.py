@@ -99,19 +99,22 @@ def prove(law_block: Block, V: Block | None = None, points: int = 10_000, seed: 
     'proved'
     """
     N = _functions(law_block)
-    candidate, gains = V, []
+    candidate, fitted = V, True
+    gains: list[sympy.Expr] = []
     if candidate is None:
         alone = trace(_alone(law_block))
         own = _values(alone, [law_block])
-        gains = weights(law_block, N)
-        numbers = np.array([float(gain.subs(own)) for gain in gains])
-        candidate = theorem_candidate(N, "learned-flow", numbers)
+        gains, fitted = weights(law_block, N)
+        numbers = [float(gain.subs(own)) for gain in gains]
+        parts = (np.reshape(numbers[: 2 * N], (2, N)), *np.split(np.array(numbers[2 * N :]), 2))
+        candidate = theorem_candidate(N, "learned-flow", 1.0, parts)
     diagram = theorem_loop(N, "learned-flow", law_block=law_block, candidate=candidate)
     loop = trace(diagram)
     if gains:  # in the names of the whole diagram
         here, there = (_flat(one.parameters[law_block.name]) for one in (alone, loop))
         gains = [gain.subs(dict(zip(here, there, strict=True))) for gain in gains]
-    return _Case(diagram, loop, candidate, law_block, gains, points, seed).verdict()
+    case = _Case(diagram, loop, candidate, law_block, gains, points, seed)
+    return case.verdict(fitted)
 
 
 def _flat(parameters: Any) -> list[Any]:
@@ -143,7 +146,7 @@ def _values(loop: SymbolicLoop, blocks: list[Block]) -> dict[Any, sympy.Rational
             for symbol, value in symbol_values(loop, draw, own).items()}  # fmt: skip
 
 
-def weights(law: Block, N: int) -> list[sympy.Expr]:
+def weights(law: Block, N: int) -> tuple[list[sympy.Expr], bool]:
     """Return the gains with which a law adapts alpha, K and Gamma.
 
     Parameters
@@ -155,37 +158,49 @@ def weights(law: Block, N: int) -> list[sympy.Expr]:
 
     Returns
     -------
-    list of sympy.Expr
-        Factors of -e phi, -e z and e zc in its rates, without their sign, in the symbols
-        of its parameters; 1 where there is no such term.
+    gains : list of sympy.Expr
+        For alpha, row by row, K and Gamma the factors of -e phi, -e z and e zc in their
+        rates, without their sign, in the symbols of the law's parameters; 1 where there
+        is none.
+    fitted : bool
+        Whether each that is not held has one: else V is no more than a guess.
 
     Examples
     --------
     >>> from clpt_control.blocks.adaptation import LearnedFlowParameters, adaptation
-    >>> weights(adaptation(LearnedFlowParameters(N=2, gain=0.5)), 2)
-    [gamma, gamma, gamma]
+    >>> weights(adaptation(LearnedFlowParameters(N=1, gain=0.5)), 1)
+    ([gamma, gamma, gamma, gamma, gamma, gamma], True)
     """
     loop = trace(_alone(law))
     values = _values(loop, [law])
-    e = loop.inputs.get("e")
-    found = []
-    for port, signal in (("alpha", "phi_x"), ("K", "z"), ("Gamma", "zc")):
-        factors = set()
-        if e is not None and signal in loop.inputs and port in loop.rates:
-            with_ = loop.inputs[signal]
-            for j, rate in enumerate(loop.rates[port]):
-                i, k = divmod(j, N) if port == "alpha" else (j, j)
-                factors.add(_factor(tidied(rate), e[i] * with_[k], set(values)))
-        factor = factors.pop() if len(factors) == 1 else sympy.Integer(0)
-        number = factor.subs(values)
-        found.append(sympy.Integer(1) if number == 0 else factor if number > 0 else -factor)
-    return found
+    nothing = np.zeros(2 * N, dtype=object)
+    e = loop.inputs.get("e", nothing)
+    gains: list[sympy.Expr] = []
+    fitted = True
+    for port, signal, size in (("alpha", "phi_x", N), ("K", "z", 1), ("Gamma", "zc", 1)):
+        with_ = loop.inputs.get(signal, nothing)
+        rates = loop.rates.get(port, nothing[: 2 * size])
+        for j, rate in enumerate(rates):
+            i, k = (divmod(j, N)) if port == "alpha" else (j, j)
+            product = e[i] * with_[k]
+            factor = _factor(tidied(rate), product, set(values)) if product != 0 else product
+            number = sympy.sympify(factor).subs(values)
+            fitted &= bool(number != 0 or rate == 0)
+            gains.append(sympy.Integer(1) if number == 0 else factor if number > 0 else -factor)
+    return gains, fitted
 
 
 def _factor(rate: sympy.Expr, product: sympy.Expr, parameters: set) -> sympy.Expr:
     terms = (term / product for term in sympy.Add.make_args(rate))
     return sympy.Add(*(q for q in terms if not q.atoms(sympy.Function)
                        and q.free_symbols <= parameters))  # fmt: skip
+
+
+def _renamed(expression: sympy.Expr, last: str, new: str) -> sympy.Expr:
+    """Return an expression with another last index in the names of its symbols."""
+    names = {s: sympy.Symbol(s.name.removesuffix(last) + new, **s.assumptions0)
+             for s in expression.free_symbols if s.name.endswith(last)}  # fmt: skip
+    return expression.subs(names)
 
 
 class _Case:
@@ -197,11 +212,16 @@ class _Case:
         self.points, self.seed = points, seed
         self.blocks = [node for node in diagram.syslist if isinstance(node, Block)]
         names = Draw(self.blocks, 0).names
-        own = list(np.ravel(loop.parameters[V.name].gain)) if gains else []
-        self.weights = dict(zip(own, gains, strict=True))
-        # values that V's gains follow, where they are not one symbol with the law's
-        apart = any(a != b for a, b in self.weights.items())
-        self.given = {names[V.name, "gain"]: gains} if apart else {}
+        self.weights: dict[sympy.Expr, sympy.Expr] = {}
+        self.given: dict[str, list[sympy.Expr]] = {}  # V's gains, where they are apart
+        at = 0
+        for field in ("gain", "gain_K", "gain_Gamma") if gains else ():
+            own = list(np.ravel(getattr(loop.parameters[V.name], field)))
+            theirs = gains[at : at + len(own)]
+            at += len(own)
+            self.weights.update(zip(own, theirs, strict=True))
+            if own != theirs:
+                self.given[names[V.name, field]] = theirs
         self.values = {s: v for s, v in _values(loop, self.blocks).items()
                        if not any(s.name.startswith(f"{t}_") for t in TRUTH)}  # fmt: skip
         law_and_V = {s for b in (law, V) for s in _flat(loop.parameters[b.name])}
@@ -222,8 +242,8 @@ class _Case:
                 true |= dict(zip(states[port], where, strict=True))
         return true
 
-    def verdict(self) -> Verdict:
-        """Judge the law."""
+    def verdict(self, fitted: bool) -> Verdict:
+        """Judge the law; a V that does not fit it refutes nothing."""
         truth = self.truth()
         definite = checked(
             "V is positive definite in e and the parameter errors, at the blocks' own values",
@@ -250,7 +270,7 @@ class _Case:
                 return self.found("proved", [*steps, every], every.holds)
             if running.holds and pull is not None:
                 return self.found("bounded", steps, reached=self.reached(pull))
-        if definite.holds:
+        if definite.holds and fitted:
             kept = (self.law.name, self.V.name)
             point, rate = rising_point(self.diagram, self.loop, self.rate, kept, self.seed)
             claim = "the running blocks give V' > 0, ten and a hundred times as far off as well"
@@ -297,7 +317,8 @@ class _Case:
         def holds() -> tuple[bool, str]:
             loop, rest = generic_residual(self.diagram, decay)
             at = self.own if self.kept else {}
-            base, term = (tidied(part.subs(self.weights).subs(at)) for part in rest)
+            weights = {**self.weights, **self.generic_weights()}
+            base, term = (tidied(part.subs(weights).subs(at)) for part in rest)
             if loop.gaps:
                 return False, loop.gaps[0]
             if self.falls(base) and self.falls(term):
@@ -305,6 +326,20 @@ class _Case:
             return False, f"left over: {short(base)}; summand {short(term)}"
 
         return checked("the same for every N", "exact", holds)
+
+    def generic_weights(self) -> dict[sympy.Expr, sympy.Expr]:
+        """Return V's gains of the element k, where they are alike for every function."""
+        found, N = {}, self.loop.N or 0
+        own = np.reshape(getattr(self.loop.parameters[self.V.name], "gain", 0), (2, -1))
+        for row in own if self.weights and own.shape[1] == N else ():
+            if row[0] not in self.weights:
+                continue
+            theirs = [self.weights[symbol] for symbol in row]
+            one = len(set(theirs)) == 1
+            whole = theirs[0] if one else _renamed(theirs[0], "[1]", "[k]")
+            if one or all(_renamed(whole, "[k]", f"[{k + 1}]") == g for k, g in enumerate(theirs)):
+                found[_renamed(row[0], "[1]", "[k]")] = whole
+        return found
 
     def reached(self, pull: Any) -> str:
         """Say where a bounded law comes to."""

@@ -144,12 +144,12 @@ class Draw:
                 if isinstance(value, int) or name in values or field == "interval":
                     continue
                 own = np.asarray(value, dtype=float)
+                if name in SCALARS:
+                    own = np.ravel(own)[0]
                 if block.name in kept:
                     values[name] = own
                     continue
                 drawn = 10.0 ** self.random.uniform(-1.5, largest, own.shape)
-                if name in SCALARS:
-                    drawn = np.full(own.shape, np.ravel(drawn)[0])
                 if not np.any(own):
                     drawn = own
                 elif np.all(own < 0):
@@ -169,7 +169,7 @@ class Draw:
                     continue
                 value = values[name]
                 if name in SCALARS:
-                    value = np.full(np.shape(own), np.ravel(value)[0])
+                    value = np.full(np.shape(own), float(value))
                 found[f"{block.name}.{field}"] = float(value) if np.ndim(own) == 0 else value
         return found
 
@@ -249,7 +249,9 @@ def compared(
             values = draw.parameters(kept)
             for name, expressions in (given or {}).items():
                 known = symbol_values(loop, draw, values)
-                values[name] = np.array([float(e.subs(known)) for e in expressions])
+                numbers = np.array([float(e.subs(known)) for e in expressions])
+                shape = np.shape(values[name])  # one number where all of them are one symbol
+                values[name] = numbers.reshape(shape) if shape else numbers[0]
             params = draw.params(values)
             running.set(params)
             size = min(PER_DRAW, count - done)

@@ -23,7 +23,13 @@ ONE = {
     "theta_hat": ("injection.theta_hat",),
     "KD": ("vehicle_controller.KD", "lyapunov.KD", "error_system.KD"),
     "GammaD": ("vehicle_controller.GammaD", "lyapunov.GammaD"),
-    "gamma": ("adaptation.gain", "parameter_system.gain", "lyapunov.gain"),
+    "gamma": (
+        "adaptation.gain",
+        "parameter_system.gain",
+        "lyapunov.gain",
+        "lyapunov.gain_K",
+        "lyapunov.gain_Gamma",
+    ),
 }
 SCALARS = ("gamma",)  # one number in the paper, whatever shape a block keeps it in
 _NAMES = {field: name for name, fields in ONE.items() for field in fields}

@@ -7,7 +7,7 @@ holds for every phi_x, phi_z, zc and Delta, and the running blocks are called wi
 import numpy as np
 
 from ..blocks import Block
-from ..blocks.lyapunov import LyapunovParameters, lyapunov_candidate
+from ..blocks.lyapunov import lyapunov_candidate, one_gain
 from ..diagram import paper_blocks
 from ..interconnection import Diagram, connect
 from ..paper import paper_scenario
@@ -100,12 +100,12 @@ def theorem_loop(
     if law_block is not None:
         blocks = [law_block if block.name == "adaptation" else block for block in blocks]
     if candidate is None:
-        candidate = theorem_candidate(N, law, np.full(3, scenario.learning.gain))
+        candidate = theorem_candidate(N, law, scenario.learning.gain)
     return connect([*blocks, candidate], sorted(external, key=list(SOURCES.values()).index),
                    name="theorem")  # fmt: skip
 
 
-def theorem_candidate(N: int, law: str, gains: np.ndarray) -> Block:
+def theorem_candidate(N: int, law: str, gain: float, weights: tuple = ()) -> Block:
     """Return V of Eq. (17) or (24) with the scenario's truth.
 
     Parameters
@@ -114,8 +114,10 @@ def theorem_candidate(N: int, law: str, gains: np.ndarray) -> Block:
         Number of basis functions.
     law : str
         ``"known-flow"`` or ``"learned-flow"``.
-    gains : ndarray, shape (3,)
-        Adaptation gains of alpha, K and Gamma.
+    gain : float
+        Adaptation gain gamma.
+    weights : tuple of ndarray, optional
+        Gains of alpha, shape (2, N), K and Gamma, shape (2,), in place of the one.
 
     Returns
     -------
@@ -124,9 +126,14 @@ def theorem_candidate(N: int, law: str, gains: np.ndarray) -> Block:
 
     Examples
     --------
-    >>> theorem_candidate(1, "known-flow", np.ones(3)).output_ports
+    >>> theorem_candidate(1, "known-flow", 1.0).output_ports
     {'V': 1}
     """
     scenario = theorem_scenario(N, law)
-    truth = (scenario.flow.parameters, scenario.vehicle.feedback, scenario.vehicle.feedforward)
-    return lyapunov_candidate(law, LyapunovParameters(N, gains, *map(np.array, truth)))
+    car = scenario.vehicle
+    truth = map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward))
+    p = one_gain(gain, *truth)
+    if weights:
+        alpha, K, Gamma = weights
+        p = p._replace(gain=alpha, gain_K=K, gain_Gamma=Gamma)
+    return lyapunov_candidate(law, p)
