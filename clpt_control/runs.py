@@ -82,7 +82,8 @@ def load_run(path: str | Path) -> "xarray.Dataset":
         values = run[name].values if name in run.variables else np.zeros(0)
         if values.dtype.kind not in "iuf" or not np.all(np.isfinite(values)):
             raise DataError(
-                f"{path}: is no whole run: {name} holds no finite number; `clpt run` writes one"
+                f"{path}: is no whole run: {name} holds what is no finite number; `clpt "
+                "run` writes one"
             )
     run.encoding["folder"] = str(Path(path).parent)
     return run

@@ -62,7 +62,7 @@ def check_store(
     kept: Mapping[str, Variable],
     fixed: Mapping[str, Fixed],
 ) -> None:
-    """Refuse a store whose arrays are not those that `create_store` makes.
+    """Refuse a store that is not as `create_store` makes it.
 
     Parameters
     ----------

@@ -215,7 +215,7 @@ def _filled(group: Any, arguments, kept, fixed, attrs) -> Any:
 
 
 def remove_empty(store: Store) -> None:
-    """Remove a store without any chunk, as one that memory did not suffice for."""
+    """Remove a store without any chunk: memory did not suffice."""
     if store.path is not None and not np.any(store.group[MARK][:]):
         shutil.rmtree(store.path, ignore_errors=True)
 

@@ -204,7 +204,7 @@ def surface_values(
 
 
 def check_packing(packed: "xarray.DataArray", numbers: np.ndarray, where: str) -> None:
-    """Refuse packed numbers with gaps that the file does not name.
+    """Refuse packed gaps that the fill value does not name.
 
     A gap is packed as an end of the integers.  Where such a number is left as
     data, twice or more and further from all others than these are apart, the
