@@ -113,7 +113,7 @@ def wait(seconds: float) -> None:
 
 
 def answer() -> None:
-    """Take the interrupt for the end of a wait, and go on."""
+    """Take the interrupt for the end of a wait, after which work goes on."""
     global _asked
     _asked = False
     if _before and _before[3] >= 0:
@@ -153,7 +153,7 @@ def leave() -> NoReturn:
 
 @contextmanager
 def terminated() -> Iterator[None]:
-    """Take SIGTERM for an interrupt."""
+    """Take SIGTERM, sent by a machine that stops, for an interrupt."""
     if threading.current_thread() is not threading.main_thread():
         yield  # handlers are the main thread's
         return

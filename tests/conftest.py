@@ -24,6 +24,9 @@ def clpt(monkeypatch, capsys):
     from clpt_control import interrupt
     from clpt_control.cli import main
 
+    for module in ("progress", "ensemble.counter"):  # no lines that only a slow machine shows
+        monkeypatch.setattr(f"clpt_control.{module}.PATIENCE", float("inf"))
+
     def run(*arguments):
         monkeypatch.setattr(sys, "argv", ["clpt", *map(str, arguments)])
         capsys.readouterr()
