@@ -13,7 +13,7 @@ from .program import Step, Store
 
 
 def recorded(record: Record, known: dict) -> list:
-    """Return the expressions that a record leaves; equal ones are one number."""
+    """Return the expressions that a record leaves, numbered."""
 
     def name(*key: Any) -> int:
         return known.setdefault(key, len(known))
@@ -28,7 +28,7 @@ def recorded(record: Record, known: dict) -> list:
 
 
 def expanded(found: Rolled, size: int, known: dict) -> list:
-    """Return the expressions that items leave, turn by turn, in the same numbers."""
+    """Return the expressions that items leave, turn by turn."""
     memory: dict[tuple, int] = {}
     values: dict[int, int] = {}
 
