@@ -5,8 +5,10 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from clpt_control.blocks import Block
-from clpt_control.native.engine import NativeDiagram
+from clpt_control.native import method, solver
+from clpt_control.native.engine import FUNCTIONS, NativeDiagram
 from clpt_control.native.plain import PlainDiagram
+from clpt_control.native.status import Status
 
 START, TIMES = np.array([1.0, 0.4]), np.linspace(0.0, 9.0, 91)
 
@@ -23,6 +25,24 @@ def by_scipy(tolerance):
 
     return solve_ivp(rate, (0.0, 9.0), START, "DOP853", rtol=tolerance, atol=tolerance,
                      dense_output=True)  # fmt: skip
+
+
+def test_numbers_that_the_solver_and_its_readers_share_are_one():
+    for status in Status:
+        assert getattr(solver, status.name) == status
+        assert status.sentence
+    for name in ("TIME", "STEP", "END", "FRESH", "REJECTED", "GOOD", "TAKEN", "NEW", "AT",
+                 "FAILING", "SIZE", "TROUBLE", "RATE", "ARGUMENT", "TERMS", "STAGES"):  # fmt: skip
+        assert getattr(solver, name) == getattr(method, name)
+    places = list(method.formulas(1))
+    for name in ("ATTEMPT", "JUDGE", "SIZES", "TRIAL", "FIRST", "ACCEPT", "DENSE"):
+        assert places[getattr(solver, name) - len(FUNCTIONS)] == name.lower()
+    for s in range(1, solver.STAGES + 4):
+        assert places[solver.STAGE + s - len(FUNCTIONS)] == f"stage_{s}"
+    for s in range(1, 5):
+        assert places[solver.FIXED + s - len(FUNCTIONS)] == f"fixed_{s}"
+    for k, name in enumerate(FUNCTIONS):
+        assert getattr(solver, name.upper()) == k
 
 
 @pytest.mark.parametrize("engine", [NativeDiagram, PlainDiagram])

@@ -336,7 +336,7 @@ class Block(control.NonlinearIOSystem):
             )
 
     def equations(self, role: str) -> Callable:
-        """Return the equations of a role as Python runs them, on IEEE numbers."""
+        """Return the equations of a role as Python runs them."""
         return self._equations[role][0]
 
     def _rhs(self, t, x, u):

@@ -49,7 +49,7 @@ def names_read(function: FunctionType) -> Iterator[tuple[int, str]]:
 
 
 def effects(function: FunctionType) -> Iterator[tuple[int, str, str]]:
-    """Give what code does beside calculating, with what to do instead.
+    """Give what code does beside calculating, and what to write.
 
     Parameters
     ----------

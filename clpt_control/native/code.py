@@ -5,7 +5,7 @@ twice is found; larger ones keep their loops.
 """
 
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from numba.core.compiler_lock import global_compiler_lock
 
@@ -25,7 +25,6 @@ from .sources import Sources
 
 UNROLLED = 3_000  # items of a derivative; a larger one keeps its loops
 MOST = 30_000  # items of a derivative; a larger one is left to Python
-FORMS = ("unrolled", "looped")
 
 
 class Structure(NamedTuple):
@@ -174,4 +173,4 @@ def kernels(n: int, lanes: int) -> Machine:
     return Machine({name: method.kernel(f, n) for name, f in formulas.items()}, (), lanes)
 
 
-__all__: list[Any] = ["FORMS", "LANES", "Code", "code_of", "kernels"]
+__all__ = ["LANES", "Code", "code_of", "kernels"]

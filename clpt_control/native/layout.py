@@ -6,7 +6,7 @@ tides, and the compiler sees that their cosines are one.  Tables that are large
 lie in T, which runs share.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -143,8 +143,3 @@ def lay_out(wiring: Wiring, parameters: Sequence[Any]) -> Layout:
     layout.T = np.concatenate([np.zeros(0), *tables])
     layout.pattern = " ".join(names)
     return layout
-
-
-def changed(parameters: Any, changes: Mapping[str, Any]) -> Any:
-    """Give a NamedTuple of parameters with some fields changed."""
-    return parameters._replace(**changes) if changes else parameters

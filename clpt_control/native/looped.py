@@ -9,7 +9,8 @@ from itertools import product
 from typing import Any
 
 from ..blocks.record import Record
-from .loops import LEAST, Constant, Place, Rolled, Run, rolled
+from .loops import LEAST, rolled
+from .places import Constant, Place, Rolled, Run
 from .program import CONDITIONS, Item, Load, Loop, Program, Ref, Step, Store
 from .sources import Sources, Term
 

@@ -4,9 +4,6 @@ The marks of a record say where turns begin.  Turns are the same if they do the 
 operations in the same order, read places that are affine in the turn, and hand on
 nothing but a sum.  Constants that differ from turn to turn become a table.  What is
 found is expanded again, turn by turn, and must give the record; else turns stay apart.
-
-Arrays of a block's loops: t, x, u, ("p", field), out, K (constants) and S (what turns
-compute and others read).
 """
 
 from collections.abc import Iterable
@@ -15,50 +12,11 @@ from typing import Any, NamedTuple
 
 from ..blocks.record import LEAVES, Record
 from ..errors import BlockError
-from .program import Loop, Step, Steps, Store, Sum
+from .expanding import expanded, recorded
+from .places import Constant, Place, Rolled, Run
+from .program import Loop, Step, Store, Sum
 
 LEAST = 5  # turns; fewer stay apart
-
-
-class Place(NamedTuple):
-    """A number in an array, at a place affine in the turns of loops."""
-
-    array: Any
-    base: int
-    steps: Steps = ()
-
-
-class Constant(NamedTuple):
-    """A number; 0.0 is not -0.0."""
-
-    value: float
-    sign: float
-
-
-class Run(NamedTuple):
-    """Numbers of a parameter that `lookup` reads, evenly spaced."""
-
-    place: Place
-    stride: int
-    count: int  # type: ignore[assignment]
-
-
-class Rolled(NamedTuple):
-    """A record with its loops.
-
-    Attributes
-    ----------
-    items : tuple
-        Steps, stores and loops; arguments are values, constants, places and runs.
-    constants : tuple of float
-        K.
-    room : int
-        Length of S.
-    """
-
-    items: tuple
-    constants: tuple[float, ...]
-    room: int
 
 
 class _Different(Exception):
@@ -90,7 +48,7 @@ def rolled(record: Record, least: float = LEAST) -> Rolled:
     record = record.opened()
     found = _Roller(record, least).run()
     known: dict = {}
-    if _expanded(found, len(record.outputs), known) == _recorded(record, known):
+    if expanded(found, len(record.outputs), known) == recorded(record, known):
         return found
     if least == inf:
         raise BlockError("loops that do not expand to what was recorded")
@@ -406,66 +364,3 @@ def stored(values: list) -> list:
             items.append(Store("out", k, (), first))
         k += count
     return items
-
-
-# --- what is found, expanded again --------------------------------------------------------
-
-
-def _recorded(record: Record, known: dict) -> list:
-    """Return the expressions that a record leaves; equal ones are one number."""
-
-    def name(*key: Any) -> int:
-        return known.setdefault(key, len(known))
-
-    def told(a: Any) -> Any:
-        return name("constant", a, copysign(1.0, a)) if type(a) is float else a
-
-    def apply(operation: str, *arguments: Any) -> int:
-        return name(operation, *map(told, arguments))
-
-    return [told(value) for value in record.replay(name, apply)]
-
-
-def _expanded(found: Rolled, size: int, known: dict) -> list:
-    """Return the expressions that items leave, turn by turn, in the same numbers."""
-    memory: dict[tuple, int] = {}
-    values: dict[int, int] = {}
-
-    def name(*key: Any) -> int:
-        return known.setdefault(key, len(known))
-
-    def at(place: Place, turns: dict) -> tuple:
-        return place.array, place.base + sum(step * turns[level] for level, step in place.steps)
-
-    def told(a: Any, turns: dict) -> Any:
-        if isinstance(a, Constant):
-            return name("constant", *a)
-        if isinstance(a, Run):
-            field, first = at(a.place, turns)
-            return field[1], first, a.stride, a.count
-        if not isinstance(a, Place):
-            return values[a]
-        array, place = at(a, turns)
-        if array == "K":
-            number = found.constants[place]
-            return name("constant", number, copysign(1.0, number))
-        if array in ("S", "out"):
-            return memory[array, place]
-        return name("t") if array == "t" else name(*(array if array[0] == "p" else (array,)), place)
-
-    def run(items: Iterable, turns: dict) -> None:
-        for item in items:
-            if isinstance(item, Step):
-                values[item.value] = name(item.name, *(told(a, turns) for a in item.arguments))
-            elif isinstance(item, Store):
-                place = at(Place(item.array, item.base, item.steps), turns)
-                memory[place] = told(item.value, turns)
-            else:
-                values.update({s.within: told(s.first, turns) for s in item.sums})
-                for k in range(item.count):
-                    run(item.body, {**turns, item.level: k})
-                    values.update({s.within: values[s.turned] for s in item.sums})
-                values.update({s.result: values[s.turned] for s in item.sums})
-
-    run(found.items, {})
-    return [memory.get(("out", k)) for k in range(size)]
