@@ -113,7 +113,7 @@ def wait(seconds: float) -> None:
 
 
 def answer() -> None:
-    """Take the interrupt for the end of a wait, after which work goes on."""
+    """Take the interrupt for the end of a wait, and go on."""
     global _asked
     _asked = False
     if _before and _before[3] >= 0:
