@@ -162,12 +162,15 @@ def _check(function: Callable, role: str, seen: set[Callable]) -> None:
 
 
 def _syntax_tree(function: FunctionType) -> tuple[ast.Module | None, int]:
-    """Parse the source; None where Python kept none, as at a bare prompt."""
+    """Parse the source; None where Python kept none or another, as at a bare prompt."""
     try:
         lines, first = inspect.getsourcelines(function)
-        return ast.parse(textwrap.dedent("".join(lines))), first
+        tree = ast.parse(textwrap.dedent("".join(lines)))
     except (OSError, TypeError, SyntaxError):
         return None, 0
+    own = tree.body[:1]
+    known = own and isinstance(own[0], ast.FunctionDef) and own[0].name == function.__name__
+    return (tree, first) if known else (None, 0)
 
 
 class _Reader(ast.NodeVisitor):
