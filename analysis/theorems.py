@@ -13,7 +13,7 @@ import typer
 
 from clpt_control.files import make_folder, write_figure, write_text
 from clpt_control.progress import progress_bar
-from clpt_control.theory.audit import audit_latex, audit_markdown
+from clpt_control.theory.audit_page import audit_latex, audit_markdown
 from clpt_control.theory.counterexample_plot import counterexample_plot
 from clpt_control.theory.counterexamples import disturbance_counterexample
 from clpt_control.theory.misprints import misprints

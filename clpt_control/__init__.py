@@ -18,6 +18,7 @@ _NAMES = {
     "load_scenario": "scenario_file",
     "save_scenario": "scenario_file",
     "paper_scenario": "paper",
+    "paper_blocks": "diagram",
     "closed_loop": "diagram",
     "error_loop": "diagram",
     "connect": "interconnection",
@@ -26,17 +27,36 @@ _NAMES = {
     "save_run": "runs",
     "load_run": "runs",
     "run_ensemble": "ensemble.run",
-    "ClptError": "errors",
+    "draw": "drawing",
+    **dict.fromkeys(
+        (
+            "ClptError",
+            "BlockError",
+            "DiagramError",
+            "ScenarioError",
+            "DataError",
+            "SimulationError",
+        ),
+        "errors",
+    ),
 }
-_PACKAGES = ("blocks", "ensemble", "native", "theory", "estimation", "ocean", "plotting")
+_PACKAGES = ("blocks", "drawing", "ensemble", "native", "theory", "estimation", "ocean", "plotting")
 
 __all__ = ["__version__", *_NAMES, *_PACKAGES]
 
 if TYPE_CHECKING:
     from .blocks import Block
-    from .diagram import closed_loop, error_loop, initial_state
+    from .diagram import closed_loop, error_loop, initial_state, paper_blocks
+    from .drawing import draw
     from .ensemble.run import run_ensemble
-    from .errors import ClptError
+    from .errors import (
+        BlockError,
+        ClptError,
+        DataError,
+        DiagramError,
+        ScenarioError,
+        SimulationError,
+    )
     from .interconnection import connect
     from .paper import paper_scenario
     from .runs import load_run, save_run

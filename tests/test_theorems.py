@@ -6,7 +6,7 @@ import pytest
 
 from clpt_control.blocks import adaptation, vehicle
 from clpt_control.blocks.words import where
-from clpt_control.theory.audit import audit_latex, audit_markdown
+from clpt_control.theory.audit_page import audit_latex, audit_markdown
 from clpt_control.theory.misprints import misprints
 from clpt_control.theory.proof import Proof, Step, checked, cited
 from clpt_control.theory.theorems import audit

@@ -4,8 +4,10 @@
 use, `trace` records them; every other file is a page of the paper.
 """
 
+from ..lazy import lazily
 from .block import Block
 from .ports import Guard
 from .rules import opaque
 
-__all__ = ["Block", "Guard", "opaque"]
+__all__ = ["Block", "Guard", "conformance", "opaque"]
+__getattr__, __dir__ = lazily(__name__, {}, ["conformance"])

@@ -17,7 +17,7 @@ def prove(
     """Check the paper's theorems on the equations that run."""
     from ..files import check_writable, write_text
     from ..progress import progress_bar
-    from ..theory.audit import audit_json, audit_latex
+    from ..theory.audit_page import audit_json, audit_latex
     from ..theory.misprints import misprints
     from ..theory.theorems import audit
 
