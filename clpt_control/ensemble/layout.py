@@ -2,15 +2,12 @@
 
 import json
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ..errors import DataError
 from .summary import Variable
-
-if TYPE_CHECKING:
-    from .store import Store
 
 MARK = "done"
 Fixed = tuple[tuple[str, ...], np.ndarray, dict[str, Any]]
@@ -57,7 +54,7 @@ def layout_of(
 
 
 def check_store(
-    store: "Store",
+    store: Any,
     arguments: Mapping[str, Any],
     kept: Mapping[str, Variable],
     fixed: Mapping[str, Fixed],
