@@ -4,10 +4,23 @@ import numpy as np
 import own_laws
 import pytest
 import sympy
-from own_laws import BOUNDED, NOT_PROVED, REFUSED, REFUTED, RIGHT, Gain, N, Two, filled, law
+from own_laws import (
+    BOUNDED,
+    NOT_PROVED,
+    NOT_REFUTED,
+    REFUSED,
+    REFUTED,
+    RIGHT,
+    TOO_MUCH,
+    Gain,
+    N,
+    Two,
+    filled,
+    law,
+)
 
-from clpt_control.blocks import adaptation
-from clpt_control.errors import BlockError, DiagramError
+from clpt_control.blocks import Block, adaptation
+from clpt_control.errors import BlockError, ClptError, DiagramError
 from clpt_control.theory.own_law import prove
 
 POINTS = 400  # of running blocks in each case; the default is 10,000
@@ -61,9 +74,23 @@ def test_equality_of_signals_is_refused(name):
         prove(law(REFUSED[name], Gain(N, 0.5)))
 
 
-def test_laws_that_fall_with_another_V_are_not_refuted():
-    for own in (law(own_laws.projection, Two(N, 0.5, 2.0)), law(own_laws.tanh_of_e, Gain(N, 0.5))):
-        assert prove(own, points=POINTS).status == "open"
+@pytest.mark.parametrize("name", NOT_REFUTED)
+def test_laws_that_fall_with_another_V_are_not_refuted(name):
+    assert prove(NOT_REFUTED[name](), points=POINTS).status == "open"
+
+
+@pytest.mark.parametrize("name", TOO_MUCH)
+def test_what_cannot_be_judged_is_refused_in_a_sentence(name):
+    make, said = TOO_MUCH[name]
+    with pytest.raises(ClptError, match=said):
+        prove(make(), points=POINTS)
+
+
+def test_a_law_may_have_any_name():
+    own = law(own_laws.leak, Two(N, 0.5, 0.1))
+    own = Block("theta_x", update=own.update_function, inputs=own.input_ports,
+                states=own.state_ports, parameters=own.parameters)  # fmt: skip
+    assert prove(own, points=POINTS).status == "bounded"
 
 
 def test_what_has_no_value_says_so():
