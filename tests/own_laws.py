@@ -206,6 +206,15 @@ def named_like_signals(t, x, u, p, dx):
         dx[2 * n + 2 + i] += 0.3 * (u[2 + n + i] - p.z[i])
 
 
+def by_shape(t, x, u, p, dx):
+    """A leak of alpha where there are other than two gains, section III."""
+    n = p.N
+    for i in range(2):
+        filled(x, u, p, dx, p.gains[0], u[i], i)
+        for k in range(n):
+            dx[i * n + k] -= (p.gains.shape[0] - 2.0) * x[i * n + k]
+
+
 def wrong_fifth(t, x, u, p, dx):
     """The fifth function is learned backwards, section III."""
     n = p.N
@@ -383,6 +392,7 @@ RIGHT = {  # name -> (law, whether for every N too)
     "x - z and exp(c)": (lambda: law(x_less_z, Two(N, 0.5, 0.3), {"x": 2}), True),
     "composite": (lambda: law(composite, Two(N, 0.5, 0.5), FLOW), False),
     "a leak of 0": (lambda: law(leak, Two(N, 0.5, 0.0)), False),
+    "as many gains as functions": (lambda: law(by_shape, Each(N, np.array([0.5, 0.5]))), False),
     "wrong from N = 5 on": (lambda: law(wrong_fifth, Gain(N, 0.5)), False),
 }
 BOUNDED = {

@@ -19,9 +19,13 @@ from own_laws import (
     law,
 )
 
+from clpt_control import interrupt
 from clpt_control.blocks import Block, adaptation
+from clpt_control.blocks.lyapunov import lyapunov_candidate, one_gain
 from clpt_control.errors import BlockError, ClptError, DiagramError
 from clpt_control.theory.own_law import prove
+from clpt_control.theory.theorem_loop import theorem_scenario
+from clpt_control.theory.theorems import audit
 
 POINTS = 400  # of running blocks in each case; the default is 10,000
 
@@ -66,6 +70,30 @@ def test_an_indefinite_V_proves_nothing():
     assert verdict.residual == 0
     assert verdict.status == "open"
     assert "positive definite" in next(s.claim for s in verdict.steps if not s.holds)
+
+
+def test_a_V_that_does_not_fit_refutes_no_law():
+    scenario = theorem_scenario(N, "learned-flow")
+    car = scenario.vehicle
+    truth = (scenario.flow.parameters, car.feedback, car.feedforward)
+    own = law(own_laws.shipped, Gain(N, 0.5))
+    for gain, status in ((0.5, "proved"), (0.7, "open")):
+        V = lyapunov_candidate("learned-flow", one_gain(gain, *truth))
+        assert prove(own, V, points=POINTS).status == status
+
+
+@pytest.mark.parametrize(("own", "V"), [(3, None), (None, 3), (None, None)])
+def test_what_is_no_block_or_makes_no_V_is_refused(own, V):
+    mine = law(own_laws.shipped, Gain(N, 0.5))
+    with pytest.raises(DiagramError, match=r"give a Block|makes V\[1\] and nothing else"):
+        prove(own or mine, V or mine)
+
+
+def test_a_proof_can_be_interrupted(monkeypatch):
+    monkeypatch.setattr(interrupt, "_asked", True)
+    for work in (lambda: prove(law(own_laws.shipped, Gain(N, 0.5))), lambda: audit("3.2")):
+        with pytest.raises(KeyboardInterrupt):
+            work()
 
 
 @pytest.mark.parametrize("name", REFUSED)

@@ -16,7 +16,8 @@ from sympy.core.function import AppliedUndef
 from ..errors import DiagramError
 
 MOST_TERMS = 20_000  # more are not multiplied out
-MOST_FACTORED, HIGHEST = 400, 4  # nor are more, or higher powers, factored
+MOST_JUDGED = 400  # of more no sign is known
+HIGHEST = 4  # higher powers are not factored
 
 
 class Pull(NamedTuple):
@@ -136,21 +137,27 @@ def nonpositive(expression: sympy.Expr, apart: set, values: dict) -> bool:
 
 
 def _groups(expression: sympy.Expr, apart: set) -> list[sympy.Expr]:
-    groups: list[tuple[set, sympy.Expr]] = []
+    groups: list[tuple[set, list]] = []
     for term in sympy.Add.make_args(sympy.expand(expression)):
         own = term.free_symbols & apart
         joined = [g for g in groups if g[0] & own]
         groups = [g for g in groups if not g[0] & own]
-        symbols = own.union(*(g[0] for g in joined))
-        groups.append((symbols, sympy.Add(term, *(g[1] for g in joined))))
-    return [total for _, total in groups]
+        first = joined[0] if joined else (set(), [])
+        for symbols, terms in joined[1:]:
+            first[0].update(symbols)
+            first[1].extend(terms)
+        first[0].update(own)
+        first[1].append(term)
+        groups.append(first)
+    return [sympy.Add(*terms) for _, terms in groups]
 
 
 def _negative(group: sympy.Expr, apart: set, values: dict) -> bool:
-    simple = len(sympy.Add.make_args(group)) <= MOST_FACTORED and all(
-        power.exp.is_Integer and power.exp <= HIGHEST for power in group.atoms(sympy.Pow)
-    )
-    if simple and sympy.factor(group).is_nonpositive:
+    if len(sympy.Add.make_args(group)) > MOST_JUDGED:
+        return False
+    powers = [power.exp for power in group.atoms(sympy.Pow)]
+    low = all(exponent.is_Integer and exponent <= HIGHEST for exponent in powers)
+    if low and sympy.factor(group).is_nonpositive:
         return True
     own = sorted(group.free_symbols & apart, key=str)
     if not own or not group.is_polynomial(*own):

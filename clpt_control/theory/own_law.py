@@ -98,6 +98,11 @@ def prove(law_block: Block, V: Block | None = None, points: int = 10_000, seed: 
     >>> prove(adaptation(LearnedFlowParameters(N=2, gain=0.5)), points=200).status
     'proved'
     """
+    for block in (law_block, *(() if V is None else (V,))):
+        if not isinstance(block, Block):
+            raise DiagramError(f"{block!r} is a {type(block).__name__}: give a Block")
+    if V is not None and V.output_ports != {"V": 1}:
+        raise DiagramError(f"{V.name}: a candidate makes V[1] and nothing else")
     N = _functions(law_block)
     diagram = theorem_loop(N, "learned-flow", law_block=law_block, candidate=V)
     try:
@@ -112,7 +117,7 @@ def prove(law_block: Block, V: Block | None = None, points: int = 10_000, seed: 
 def _judged(
     diagram: Diagram, law: Block, V: Block | None, N: int, points: int, seed: int
 ) -> Verdict:
-    candidate, fitted = V, True
+    candidate, fitted = V, False  # one V that does not fall refutes no law
     gains: list[sympy.Expr] = []
     if candidate is None:
         alone = trace(_alone(law))
@@ -382,9 +387,11 @@ class _Case:
 
     def generic_weights(self) -> dict[sympy.Expr, sympy.Expr]:
         """Return V's gains of the element k, where they are alike for every function."""
-        found, N = {}, self.loop.N or 0
-        own = np.reshape(getattr(self.loop.parameters[self.V.name], "gain", 0), (2, -1))
-        for row in own if self.weights and own.shape[1] == N else ():
+        found: dict[sympy.Expr, sympy.Expr] = {}
+        if not self.weights:
+            return found
+        own = np.reshape(self.loop.parameters[self.V.name].gain, (2, -1))
+        for row in own if own.shape[1] == self.loop.N else ():
             if row[0] not in self.weights:
                 continue
             theirs = [self.weights[symbol] for symbol in row]

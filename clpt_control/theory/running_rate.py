@@ -21,6 +21,7 @@ from ..blocks.arrays import OPERATIONS
 from ..blocks.symbolic import WORDS
 from ..errors import DiagramError
 from ..interconnection import changed_parameters
+from ..interrupt import check
 from ..native.sweep import Sweep
 from ..wiring import Wiring, read
 from .symbols import SCALARS, parameter_names
@@ -248,6 +249,7 @@ def compared(
     worst, done = 0.0, 0
     try:
         while done < count:
+            check()
             values = draw.parameters(kept if done else [block.name for block in running.blocks])
             for name, expressions in (given or {}).items():
                 known = symbol_values(loop, draw, values)
