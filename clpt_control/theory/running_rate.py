@@ -86,7 +86,7 @@ class RunningRate:
         except RuntimeError:  # python-control's word for a NaN on its way
             return np.nan, np.nan
         fastest = np.max(np.abs(rates))
-        if not fastest > 0.0:
+        if not 0.0 < fastest < np.inf:
             return (0.0, 1.0) if fastest == 0.0 else (np.nan, np.nan)
         h = (0.1 if degree <= 4 else 2e-3) * max(np.max(np.abs(x)), 1e-3) / fastest
         ahead, behind = self.value(t, x + h * rates, u), self.value(t, x - h * rates, u)
