@@ -206,6 +206,15 @@ def named_like_signals(t, x, u, p, dx):
         dx[2 * n + 2 + i] += 0.3 * (u[2 + n + i] - p.z[i])
 
 
+def by_shape(t, x, u, p, dx):
+    """A leak of alpha where there are other than two gains, section III."""
+    n = p.N
+    for i in range(2):
+        filled(x, u, p, dx, p.gains[0], u[i], i)
+        for k in range(n):
+            dx[i * n + k] -= (p.gains.shape[0] - 2.0) * x[i * n + k]
+
+
 def wrong_fifth(t, x, u, p, dx):
     """The fifth function is learned backwards, section III."""
     n = p.N
@@ -261,6 +270,88 @@ def without_value(t, x, u, p, dx):
         dx[2 * n + i] = -p.gain * (z * z / z) * u[i]
 
 
+def x_less_z(t, x, u, p, dx):
+    """x - z in place of e, a gain exp(c), section III: u ends with x[2]."""
+    n = p.N
+    for i in range(2):
+        filled(x, u, p, dx, math.exp(p.c), u[6 + n + i] - u[2 + n + i], i)
+
+
+def e_and_its_cube(t, x, u, p, dx):
+    """e + e^3 in place of e: falls with (e + e^3) in V, section III."""
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i] + u[i] ** 3, i)
+
+
+def a_matrix_of_gains(t, x, u, p, dx):
+    """K and Gamma adapted by each other's signals, section III."""
+    n = p.N
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+        dx[2 * n + i] += p.c * u[4 + n + i] * u[i]
+        dx[2 * n + 2 + i] -= p.c * u[2 + n + i] * u[i]
+
+
+def memory(t, x, u, p, dx):
+    """With a remembered prediction error, never negative, section III: u ends with flow_x[2]."""
+    n, own = p.N, 2 * p.N + 4
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+        dx[own + i] = u[2] ** 2 - x[own + i]
+        dx[own + 2 + i] = u[2] * u[6 + n + i] - x[own + 2 + i]
+        dx[i * n] -= p.c * (x[own + i] * x[i * n] + x[own + 2 + i])
+
+
+def pulled_to_a_runaway(t, x, u, p, dx):
+    """alpha is pulled to a private state that grows, section III."""
+    n = p.N
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+    dx[2 * n + 4] = x[2 * n + 4]
+    dx[0] -= p.gain * (x[0] - x[2 * n + 4])
+
+
+def pulled_to_time(t, x, u, p, dx):
+    """alpha is pulled to the time, section III."""
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+    dx[0] -= p.gain * (x[0] - t)
+
+
+def too_large(t, x, u, p, dx):
+    """e as log(exp(e)), infinite beyond 709, section III."""
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, math.log(math.exp(u[i])), i)
+
+
+def rounded_away(t, x, u, p, dx):
+    """e as (e + c) - c, zero for a large c, section III."""
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, (u[i] + p.c) - p.c, i)
+
+
+def divided(t, x, u, p, dx):
+    """The gain divided by c, section III."""
+    for i in range(2):
+        filled(x, u, p, dx, p.gain / p.c, u[i], i)
+
+
+def to_the_fortieth(t, x, u, p, dx):
+    """A sum to the power 40, section III."""
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+    dx[0] += (x[0] + x[1] + u[0] + u[1] + u[2]) ** 40
+
+
+def without_end(t, x, u, p, dx):
+    """A choice of choices of choices, section III."""
+    s = u[0]
+    for j in range(40):
+        s = where(s > j, s * u[2], s + x[0])
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i] + s, i)
+
+
 def indefinite(t, x, u, p, y):
     """V of Eq. (24) with the parameter errors' sign turned."""
     n, V = p.N, 0.0
@@ -289,6 +380,7 @@ PRIVATE = {
     "states": {"x": 2, "alpha": 2 * N, "K": 2, "Gamma": 2}, "output": behind_x,
     "outputs": {"alpha": 2 * N, "K": 2, "Gamma": 2}, "feedthrough": False,
 }  # fmt: skip
+MORE = {"alpha": 2 * N, "K": 2, "Gamma": 2, "s": 1}
 RIGHT = {  # name -> (law, whether for every N too)
     "the paper's": (lambda: law(shipped, Gain(N, 0.5)), True),
     "its gain called rate": (lambda: law(called_rate, Rate(N, 0.5)), True),
@@ -297,8 +389,10 @@ RIGHT = {  # name -> (law, whether for every N too)
     "clip(e) + (e - clip(e))": (lambda: law(clipped_and_back, Gain(N, 0.5)), True),
     "three gains": (lambda: law(three_gains, Three(N, np.array([0.5, 0.2, 0.7]))), True),
     "a gain each": (lambda: law(a_gain_each, Each(N, np.array([0.5, 2.0]))), True),
+    "x - z and exp(c)": (lambda: law(x_less_z, Two(N, 0.5, 0.3), {"x": 2}), True),
     "composite": (lambda: law(composite, Two(N, 0.5, 0.5), FLOW), False),
     "a leak of 0": (lambda: law(leak, Two(N, 0.5, 0.0)), False),
+    "as many gains as functions": (lambda: law(by_shape, Each(N, np.array([0.5, 0.5]))), False),
     "wrong from N = 5 on": (lambda: law(wrong_fifth, Gain(N, 0.5)), False),
 }
 BOUNDED = {
@@ -319,5 +413,28 @@ NOT_PROVED = {  # wrong, or right but not known to be
     "a private state called x": lambda: law(own_x, Gain(N, 0.5), **PRIVATE),
     "tanh(e)": lambda: law(tanh_of_e, Gain(N, 0.5)),
     "z z/z": lambda: law(without_value, Gain(N, 0.5)),
+    "pulled to a private state": lambda: law(pulled_to_a_runaway, Gain(N, 0.5), states=MORE),
+    "pulled to the time": lambda: law(pulled_to_time, Gain(N, 0.5)),
+    "log(exp(e))": lambda: law(too_large, Gain(N, 0.5)),
+    "(e + 1e16) - 1e16": lambda: law(rounded_away, Two(N, 0.5, 1e16)),
 }
+NOT_REFUTED = {  # right, or right with another V
+    "projection": lambda: law(projection, Two(N, 0.5, 2.0)),
+    "tanh(e)": lambda: law(tanh_of_e, Gain(N, 0.5)),
+    "e + e^3": lambda: law(e_and_its_cube, Gain(N, 0.5)),
+    "a matrix of gains": lambda: law(a_matrix_of_gains, Two(N, 0.5, 0.1)),
+    "a memory": lambda: law(memory, Two(N, 0.5, 0.3), FLOW,
+                            states={"alpha": 2 * N, "K": 2, "Gamma": 2, "M": 4}),
+}  # fmt: skip
+TOO_MUCH = {  # -> what is said
+    "a gain divided by zero": (lambda: law(divided, Two(N, 0.5, 0.0)), "have no value .own.update "
+                               "divides by 0"),
+    "a power of 40": (lambda: law(to_the_fortieth, Gain(N, 0.5)), "V' has more than 20000 terms"),
+    "choices of choices": (lambda: law(without_end, Gain(N, 0.5)), "own.update has more than 5000"),
+    "one z": (lambda: Block("own", update=shipped, inputs={"e": 2, "phi_x": 2, "zc": 3, "z": 1},
+                            parameters=Gain(N, 0.5), states={"alpha": 4, "K": 2, "Gamma": 2}),
+              "'zc' has 2 signals"),
+    "no name": (lambda: Block("", update=shipped, inputs={}, states=MORE), "must not be empty"),
+    "a port with a dot": (lambda: law(shipped, Gain(N, 0.5), {"a.b": 1}), "'a.b' of a block"),
+}  # fmt: skip
 REFUSED = {"p.gain == 0.5": equal_gain, "sign(e) == 1": equal_sign}

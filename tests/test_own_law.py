@@ -4,11 +4,28 @@ import numpy as np
 import own_laws
 import pytest
 import sympy
-from own_laws import BOUNDED, NOT_PROVED, REFUSED, REFUTED, RIGHT, Gain, N, Two, filled, law
+from own_laws import (
+    BOUNDED,
+    NOT_PROVED,
+    NOT_REFUTED,
+    REFUSED,
+    REFUTED,
+    RIGHT,
+    TOO_MUCH,
+    Gain,
+    N,
+    Two,
+    filled,
+    law,
+)
 
-from clpt_control.blocks import adaptation
-from clpt_control.errors import BlockError, DiagramError
+from clpt_control import interrupt
+from clpt_control.blocks import Block, adaptation
+from clpt_control.blocks.lyapunov import lyapunov_candidate, one_gain
+from clpt_control.errors import BlockError, ClptError, DiagramError
 from clpt_control.theory.own_law import prove
+from clpt_control.theory.theorem_loop import theorem_scenario
+from clpt_control.theory.theorems import audit
 
 POINTS = 400  # of running blocks in each case; the default is 10,000
 
@@ -55,15 +72,53 @@ def test_an_indefinite_V_proves_nothing():
     assert "positive definite" in next(s.claim for s in verdict.steps if not s.holds)
 
 
+def test_a_V_that_does_not_fit_refutes_no_law():
+    scenario = theorem_scenario(N, "learned-flow")
+    car = scenario.vehicle
+    truth = (scenario.flow.parameters, car.feedback, car.feedforward)
+    own = law(own_laws.shipped, Gain(N, 0.5))
+    for gain, status in ((0.5, "proved"), (0.7, "open")):
+        V = lyapunov_candidate("learned-flow", one_gain(gain, *truth))
+        assert prove(own, V, points=POINTS).status == status
+
+
+@pytest.mark.parametrize(("own", "V"), [(3, None), (None, 3), (None, None)])
+def test_what_is_no_block_or_makes_no_V_is_refused(own, V):
+    mine = law(own_laws.shipped, Gain(N, 0.5))
+    with pytest.raises(DiagramError, match=r"give a Block|makes V\[1\] and nothing else"):
+        prove(own or mine, V or mine)
+
+
+def test_a_proof_can_be_interrupted(monkeypatch):
+    monkeypatch.setattr(interrupt, "_asked", True)
+    for work in (lambda: prove(law(own_laws.shipped, Gain(N, 0.5))), lambda: audit("3.2")):
+        with pytest.raises(KeyboardInterrupt):
+            work()
+
+
 @pytest.mark.parametrize("name", REFUSED)
 def test_equality_of_signals_is_refused(name):
     with pytest.raises(BlockError, match=r"`==` of numbers of a run .* compare with <"):
         prove(law(REFUSED[name], Gain(N, 0.5)))
 
 
-def test_laws_that_fall_with_another_V_are_not_refuted():
-    for own in (law(own_laws.projection, Two(N, 0.5, 2.0)), law(own_laws.tanh_of_e, Gain(N, 0.5))):
-        assert prove(own, points=POINTS).status == "open"
+@pytest.mark.parametrize("name", NOT_REFUTED)
+def test_laws_that_fall_with_another_V_are_not_refuted(name):
+    assert prove(NOT_REFUTED[name](), points=POINTS).status == "open"
+
+
+@pytest.mark.parametrize("name", TOO_MUCH)
+def test_what_cannot_be_judged_is_refused_in_a_sentence(name):
+    make, said = TOO_MUCH[name]
+    with pytest.raises(ClptError, match=said):
+        prove(make(), points=POINTS)
+
+
+def test_a_law_may_have_any_name():
+    own = law(own_laws.leak, Two(N, 0.5, 0.1))
+    own = Block("theta_x", update=own.update_function, inputs=own.input_ports,
+                states=own.state_ports, parameters=own.parameters)  # fmt: skip
+    assert prove(own, points=POINTS).status == "bounded"
 
 
 def test_what_has_no_value_says_so():

@@ -94,6 +94,12 @@ class Block(control.NonlinearIOSystem):
         breakpoints: Callable[[Any, float, float], np.ndarray] | None = None,
         guard: Guard | None = None,
     ):
+        for one in (name, *(inputs or {}), *(outputs or {}), *(states or {})):
+            if not one or one[0] in "-+" or set(one) & set(".[]"):
+                raise BlockError(
+                    f"{name!r}: the name {one!r} of a block or port must not be empty, begin with "
+                    "a sign or hold . [ ]; use letters, digits and _"
+                )
         if output is None and not states:
             raise BlockError(f"{name}: a block without states needs `output`")
         if (update is None) != (not states):

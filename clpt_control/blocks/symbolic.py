@@ -7,7 +7,7 @@ number that is looked up, of the table's own name and the index.
 """
 
 from collections.abc import Callable
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 import numpy as np
@@ -17,6 +17,7 @@ from . import arrays
 from .record import Record
 
 
+@lru_cache(maxsize=10_000)
 def exact(number: float) -> sympy.Expr:
     """Return a constant as a rational: 0.1 is 1/10."""
     return sympy.nsimplify(number, rational=True)

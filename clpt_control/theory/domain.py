@@ -5,8 +5,33 @@ of a record that has no value somewhere is asked whether it can come there.
 """
 
 from collections.abc import Callable
+from functools import lru_cache
 
 import sympy
+
+ASKED = 12  # levels of operations; of deeper ones SymPy is not asked, which takes too long
+
+
+@lru_cache(maxsize=100_000)
+def extent(expression: sympy.Basic) -> tuple[int, int]:
+    """Return how many parts an expression has, written out, and how many levels.
+
+    Examples
+    --------
+    >>> extent(sympy.Symbol("a") + 1)
+    (3, 2)
+    """
+    parts = [extent(part) for part in expression.args]
+    return 1 + sum(size for size, _ in parts), 1 + max((depth for _, depth in parts), default=0)
+
+
+def _parameters(expression: sympy.Expr) -> bool:
+    return all("." in symbol.name for symbol in expression.free_symbols)
+
+
+def _not_huge(a: sympy.Expr) -> bool:
+    """Tell whether exp(a) stays a number; parameters are what their block makes of them."""
+    return bool(a.is_nonpositive) or _parameters(a)
 
 
 def _power(base: sympy.Expr, exponent: sympy.Expr) -> bool:
@@ -32,6 +57,9 @@ DEMANDS: dict[str, tuple[str, Callable[..., bool]]] = {
               lambda a: bool((1 - a**2).is_positive)),
     "acosh": ("takes acosh of {0}, which may have no value",
               lambda a: bool((a - 1).is_nonnegative)),
+    **dict.fromkeys(("exp", "expm1"), ("takes exp of {0}, which may be too large", _not_huge)),
+    **dict.fromkeys(("sinh", "cosh"), (
+        "takes sinh or cosh of {0}, which may be too large", _parameters)),
     **dict.fromkeys(("log", "log2", "log10"), (
         "takes the logarithm of {0}, which may have no value", lambda a: bool(a.is_positive))),
     **dict.fromkeys(("asin", "acos"), (
@@ -66,4 +94,5 @@ def undefined(name: str, arguments: tuple) -> str | None:
         return None
     sentence, known = DEMANDS[name]
     arguments = tuple(map(sympy.sympify, arguments))
-    return None if known(*arguments) else sentence.format(*arguments)
+    shallow = all(extent(a)[1] <= ASKED for a in arguments)
+    return None if shallow and known(*arguments) else sentence.format(*arguments)

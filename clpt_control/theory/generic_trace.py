@@ -208,7 +208,7 @@ def _give(loop: GenericLoop, key: Key) -> None:
 
 
 def _number_of_functions(blocks: list[Block]) -> int:
-    found = {b.parameters.N for b in blocks if "N" in b.parameters._fields}
+    found = {N for b in blocks if isinstance(N := getattr(b.parameters, "N", None), int)}
     if len(found) != 1:
         raise BlockError(f"blocks have different numbers of functions: {sorted(found)}")
     return found.pop()

@@ -13,19 +13,19 @@ from typing import Any
 
 import numpy as np
 import sympy
+from sympy.core.function import AppliedUndef
 
 from ..blocks import Block
-from ..errors import DiagramError
+from ..errors import ClptError, DiagramError
 from ..interconnection import Diagram, connect
 from .forms import nonpositive, positive_definite, pulled, tidied
 from .lyapunov import claimed, decay, generic_residual, short
 from .proof import Step, checked
 from .rising import rising_point
 from .running_rate import Draw, Point, compared, symbol_values
+from .symbols import port_symbols
 from .theorem_loop import theorem_candidate, theorem_loop
 from .trace import TIME, SymbolicLoop, trace
-
-TRUTH = ("theta", "KD", "GammaD", "alpha_M")  # what a law does not know
 
 
 @dataclass(frozen=True)
@@ -98,23 +98,40 @@ def prove(law_block: Block, V: Block | None = None, points: int = 10_000, seed: 
     >>> prove(adaptation(LearnedFlowParameters(N=2, gain=0.5)), points=200).status
     'proved'
     """
+    for block in (law_block, *(() if V is None else (V,))):
+        if not isinstance(block, Block):
+            raise DiagramError(f"{block!r} is a {type(block).__name__}: give a Block")
+    if V is not None and V.output_ports != {"V": 1}:
+        raise DiagramError(f"{V.name}: a candidate makes V[1] and nothing else")
     N = _functions(law_block)
-    candidate, fitted = V, True
+    diagram = theorem_loop(N, "learned-flow", law_block=law_block, candidate=V)
+    try:
+        return _judged(diagram, law_block, V, N, points, seed)
+    except ClptError:
+        raise
+    except Exception as error:  # whatever SymPy says of these equations
+        kind = type(error).__name__
+        raise DiagramError(f"{law_block.name}: V' cannot be worked out: {kind}: {error}") from None
+
+
+def _judged(
+    diagram: Diagram, law: Block, V: Block | None, N: int, points: int, seed: int
+) -> Verdict:
+    candidate, fitted = V, False  # one V that does not fall refutes no law
     gains: list[sympy.Expr] = []
     if candidate is None:
-        alone = trace(_alone(law_block))
-        own = _values(alone, [law_block])
-        gains, fitted = weights(law_block, N)
+        alone = trace(_alone(law))
+        own = _values(alone, [law])
+        gains, fitted = weights(law, N)
         numbers = [float(gain.subs(own)) for gain in gains]
         parts = (np.reshape(numbers[: 2 * N], (2, N)), *np.split(np.array(numbers[2 * N :]), 2))
         candidate = theorem_candidate(N, "learned-flow", 1.0, parts)
-    diagram = theorem_loop(N, "learned-flow", law_block=law_block, candidate=candidate)
+        diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=candidate)
     loop = trace(diagram)
     if gains:  # in the names of the whole diagram
-        here, there = (_flat(one.parameters[law_block.name]) for one in (alone, loop))
+        here, there = (_flat(one.parameters[law.name]) for one in (alone, loop))
         gains = [gain.subs(dict(zip(here, there, strict=True))) for gain in gains]
-    case = _Case(diagram, loop, candidate, law_block, gains, points, seed)
-    return case.verdict(fitted)
+    return _Case(diagram, loop, candidate, law, gains, points, seed).verdict(fitted)
 
 
 def _flat(parameters: Any) -> list[Any]:
@@ -163,7 +180,8 @@ def weights(law: Block, N: int) -> tuple[list[sympy.Expr], bool]:
         rates, without their sign, in the symbols of the law's parameters; 1 where there
         is none.
     fitted : bool
-        Whether each that is not held has one: else V is no more than a guess.
+        Whether each that is not held has one, and what is beside it may be judged by this
+        V; else V is no more than a guess, and refutes nothing.
 
     Examples
     --------
@@ -173,26 +191,61 @@ def weights(law: Block, N: int) -> tuple[list[sympy.Expr], bool]:
     """
     loop = trace(_alone(law))
     values = _values(loop, [law])
+    _refuse_no_value(loop, law.name)
     nothing = np.zeros(2 * N, dtype=object)
-    e = loop.inputs.get("e", nothing)
+    e, apart = port_symbols("e", 2, None, (TIME,)), {}
+    if {"x", "z"} <= set(loop.inputs):  # e may be written x - z
+        apart = dict(zip(loop.inputs["x"], e + loop.inputs["z"], strict=True))
     gains: list[sympy.Expr] = []
+    rests: dict[sympy.Expr, sympy.Expr] = {}
     fitted = True
     for port, signal, size in (("alpha", "phi_x", N), ("K", "z", 1), ("Gamma", "zc", 1)):
         with_ = loop.inputs.get(signal, nothing)
-        rates = loop.rates.get(port, nothing[: 2 * size])
-        for j, rate in enumerate(rates):
+        states = loop.states.get(port, nothing[: 2 * size])
+        for j, state in enumerate(states):
             i, k = (divmod(j, N)) if port == "alpha" else (j, j)
-            product = e[i] * with_[k]
-            factor = _factor(tidied(rate), product, set(values)) if product != 0 else product
+            product, rate = e[i] * with_[k], sympy.Integer(0)
+            if state != 0:
+                rate = tidied(loop.rates[port][j].subs(apart))
+            factor = _factor(rate, product, set(values)) if product != 0 else product
             number = sympy.sympify(factor).subs(values)
-            fitted &= bool(number != 0 or rate == 0)
-            gains.append(sympy.Integer(1) if number == 0 else factor if number > 0 else -factor)
-    return gains, fitted
+            positive, negative = number.is_positive, number.is_negative
+            fitted &= bool(positive or negative or rate == 0)
+            gains.append(factor if positive else -factor if negative else sympy.Integer(1))
+            rests[state] = sympy.expand(rate - factor * product) / gains[-1]
+    rests.pop(sympy.Integer(0), None)
+    given = [s for port, symbols in loop.inputs.items() if port != "e" for s in symbols]
+    held = {s: sympy.Dummy(real=True) for s in given}
+    rests = {s: rest.xreplace(held) for s, rest in rests.items()}
+    return gains, fitted and _judged_by_squares(rests, {*values, *held.values()})
+
+
+def _refuse_no_value(loop: SymbolicLoop, name: str) -> None:
+    """Refuse equations that have no value whatever the states are."""
+    none = (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo, sympy.I)
+    if any(one.has(*none) for ports in (loop.rates, loop.signals)
+           for port in ports.values() for one in port):  # fmt: skip
+        raise DiagramError(
+            f"{name}: with the parameters as they are its equations have no value"
+            + (f" ({loop.gaps[0]})" if loop.gaps else "")
+        )
+
+
+def _judged_by_squares(rests: dict, known: set) -> bool:
+    """Tell whether a V of squares can judge what a law has beside its gains.
+
+    It cannot where that holds e or time, as gains that change do, or states of the law's
+    own, which need not come to every value, or where it weighs the errors in another way.
+    """
+    if any(rest.free_symbols - set(rests) - known for rest in rests.values()):
+        return False
+    slopes = {(a, b): sympy.diff(rest, b) for a, rest in rests.items() for b in rests}
+    return all(sympy.expand(slope - slopes[b, a]) == 0 for (a, b), slope in slopes.items())
 
 
 def _factor(rate: sympy.Expr, product: sympy.Expr, parameters: set) -> sympy.Expr:
     terms = (term / product for term in sympy.Add.make_args(rate))
-    return sympy.Add(*(q for q in terms if not q.atoms(sympy.Function)
+    return sympy.Add(*(q for q in terms if not q.atoms(AppliedUndef)
                        and q.free_symbols <= parameters))  # fmt: skip
 
 
@@ -209,6 +262,7 @@ class _Case:
     def __init__(self, diagram: Diagram, loop: SymbolicLoop, V: Block, law: Block,
                  gains: list[sympy.Expr], points: int, seed: int):  # fmt: skip
         self.diagram, self.loop, self.V, self.law = diagram, loop, V, law
+        _refuse_no_value(loop, V.name)
         self.points, self.seed = points, seed
         self.blocks = [node for node in diagram.syslist if isinstance(node, Block)]
         names = Draw(self.blocks, 0).names
@@ -222,10 +276,10 @@ class _Case:
             self.weights.update(zip(own, theirs, strict=True))
             if own != theirs:
                 self.given[names[V.name, field]] = theirs
-        self.values = {s: v for s, v in _values(loop, self.blocks).items()
-                       if not any(s.name.startswith(f"{t}_") for t in TRUTH)}  # fmt: skip
-        law_and_V = {s for b in (law, V) for s in _flat(loop.parameters[b.name])}
-        self.own = {s: v for s, v in self.values.items() if s in law_and_V}
+        hidden = {s for b in self.blocks if b.name not in (law.name, V.name)
+                  for s in _flat(loop.parameters[b.name])}  # fmt: skip
+        self.values = {s: v for s, v in _values(loop, self.blocks).items() if s not in hidden}
+        self.moving = {TIME, *(s for port in loop.states.values() for s in port)}
         self.kept: tuple[str, ...] = ()
         self.Vs = loop.signals["V"][0].subs(self.weights)
         self.rate = tidied(loop.derivative(loop.signals["V"][0]).subs(self.weights))
@@ -251,7 +305,7 @@ class _Case:
         )  # fmt: skip
         total = Step("the equations have a value everywhere", not self.loop.gaps, "exact",
                      self.loop.gaps[0] if self.loop.gaps else "", False)  # fmt: skip
-        if self.rest != 0 and tidied(self.rest.subs(self.own)) == 0:
+        if self.rest != 0 and tidied(self.rest.subs(self.values)) == 0:
             self.rest, self.given = sympy.Integer(0), {}  # for the values that they have
             self.kept = (self.law.name, self.V.name)
         falls = self.falls(self.rest)
@@ -260,8 +314,8 @@ class _Case:
         left = "" if self.rest == 0 else f"left over: {short(self.rest)}"
         steps = [definite, total, Step(claim, falls, "exact", left, False)]
         pull = None
-        if definite.holds and not falls:
-            pull = pulled(self.rate, self.Vs, list(truth), truth, self.values)
+        if definite.holds and not falls and self.keeps_decay():
+            pull = pulled(self.rate, self.Vs, truth, self.values, self.moving)
         if definite.holds and total.holds and (falls or pull is not None):
             running = self.running()
             steps.append(running)
@@ -280,10 +334,14 @@ class _Case:
                 return self.found("refuted", steps, point=point, rate=rate)
         return self.found("open", steps)
 
+    def keeps_decay(self) -> bool:
+        """Tell whether V' has -e^T KD e, or more of it."""
+        return all(sympy.diff(self.rest.subs(self.values), s, 2).is_nonpositive
+                   for s in self.loop.states["x"])  # fmt: skip
+
     def falls(self, rest: sympy.Expr) -> bool:
         """Tell whether what V' has beyond -e^T KD e is known not to be positive."""
-        apart = {s for port in self.loop.states.values() for s in port} - {TIME}
-        apart |= rest.free_symbols - set(self.values) - {TIME}
+        apart = self.moving - {TIME} | rest.free_symbols - set(self.values) - {TIME}
         return bool(rest == 0 or nonpositive(rest, apart, self.values))
 
     def found(
@@ -316,7 +374,7 @@ class _Case:
 
         def holds() -> tuple[bool, str]:
             loop, rest = generic_residual(self.diagram, decay)
-            at = self.own if self.kept else {}
+            at = self.values if self.kept else {}
             weights = {**self.weights, **self.generic_weights()}
             base, term = (tidied(part.subs(weights).subs(at)) for part in rest)
             if loop.gaps:
@@ -329,9 +387,11 @@ class _Case:
 
     def generic_weights(self) -> dict[sympy.Expr, sympy.Expr]:
         """Return V's gains of the element k, where they are alike for every function."""
-        found, N = {}, self.loop.N or 0
-        own = np.reshape(getattr(self.loop.parameters[self.V.name], "gain", 0), (2, -1))
-        for row in own if self.weights and own.shape[1] == N else ():
+        found: dict[sympy.Expr, sympy.Expr] = {}
+        if not self.weights:
+            return found
+        own = np.reshape(self.loop.parameters[self.V.name].gain, (2, -1))
+        for row in own if own.shape[1] == self.loop.N else ():
             if row[0] not in self.weights:
                 continue
             theirs = [self.weights[symbol] for symbol in row]

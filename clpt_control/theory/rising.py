@@ -10,6 +10,7 @@ import numpy as np
 import sympy
 
 from ..errors import DiagramError
+from ..interrupt import check
 from .running_rate import Draw, Point, RunningRate, degree_of, numeric, symbol_values
 from .trace import SymbolicLoop
 
@@ -53,6 +54,7 @@ def rising_point(
         function, symbols = None, []
     try:
         for _ in range(DRAWS if function is not None else 4):
+            check()
             values = draw.parameters(kept, largest=0.0)
             params = draw.params(values)
             x, far, u = _around_the_truth(loop, draw, values)

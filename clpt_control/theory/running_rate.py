@@ -9,7 +9,7 @@ python-control gives at (t, x, u),
 which is exact for a V of degree four and less, whatever h.
 """
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Any, NamedTuple
 
 import control
@@ -21,6 +21,7 @@ from ..blocks.arrays import OPERATIONS
 from ..blocks.symbolic import WORDS
 from ..errors import DiagramError
 from ..interconnection import changed_parameters
+from ..interrupt import check
 from ..native.sweep import Sweep
 from ..wiring import Wiring, read
 from .symbols import SCALARS, parameter_names
@@ -28,6 +29,7 @@ from .trace import TIME, SymbolicLoop, blocks_of
 
 PER_DRAW = 100  # points for each draw of the parameters
 CLOSE = 1e-9
+LARGEST = 1e6  # of the kinks that are tried
 HUGE = 1e100  # beyond, numbers say nothing
 
 
@@ -84,7 +86,7 @@ class RunningRate:
         except RuntimeError:  # python-control's word for a NaN on its way
             return np.nan, np.nan
         fastest = np.max(np.abs(rates))
-        if not fastest > 0.0:
+        if not 0.0 < fastest < np.inf:
             return (0.0, 1.0) if fastest == 0.0 else (np.nan, np.nan)
         h = (0.1 if degree <= 4 else 2e-3) * max(np.max(np.abs(x)), 1e-3) / fastest
         ahead, behind = self.value(t, x + h * rates, u), self.value(t, x - h * rates, u)
@@ -133,9 +135,10 @@ class Draw:
                    if type(a) is float and np.isfinite(a)}  # fmt: skip
         held = [np.ravel(v) for b in blocks for v in b.parameters if not isinstance(v, int)]
         known = np.concatenate([np.array(sorted(numbers)), np.zeros(1), *held])
+        known = known[np.abs(known) <= LARGEST]
         self.kinks = np.concatenate([known, -known])
 
-    def parameters(self, kept: tuple[str, ...] = (), largest: float = 1.5) -> dict[str, np.ndarray]:
+    def parameters(self, kept: Collection[str] = (), largest: float = 1.5) -> dict[str, np.ndarray]:
         """Return values by name, of the size 10^-1.5 to 10^largest."""
         values: dict[str, np.ndarray] = {}
         for block in self.blocks:
@@ -176,7 +179,7 @@ class Draw:
     def points(self, count: int, n: int) -> np.ndarray:
         """Return points of n numbers: wide ranges, zeros, kinks."""
         random = self.random
-        found = random.standard_normal((count, n)) * 10.0 ** random.uniform(-2, 2, (count, 1))
+        found = random.standard_normal((count, n)) * 10.0 ** random.uniform(-2, 4, (count, 1))
         found *= random.random((count, n)) > 0.1 * (random.random((count, 1)) < 0.5)
         kinked = random.random((count, n)) < 0.15 * (random.random((count, 1)) < 0.3)
         found[kinked] = random.choice(self.kinks, int(kinked.sum()))
@@ -221,7 +224,7 @@ def compared(
     wanted : sympy.Expr
         What V' should be.
     count : int
-        Random points; every 100 have other parameters.
+        Random points; the first 100 have the blocks' own parameters, then every 100 others.
     seed : int, optional
         Of the points.
     given : mapping, optional
@@ -246,7 +249,8 @@ def compared(
     worst, done = 0.0, 0
     try:
         while done < count:
-            values = draw.parameters(kept)
+            check()
+            values = draw.parameters(kept if done else [block.name for block in running.blocks])
             for name, expressions in (given or {}).items():
                 known = symbol_values(loop, draw, values)
                 numbers = np.array([float(e.subs(known)) for e in expressions])

@@ -11,6 +11,7 @@ import numpy as np
 import sympy
 
 from ..errors import ClptError
+from ..interrupt import check
 from .boundedness import convergence_steps, definite_step, dissipation_step, young_step
 from .circle import circle_step
 from .counterexamples import disturbance_counterexample, known_flow_counterexample
@@ -268,6 +269,7 @@ def audit(
     wanted = list(THEOREMS) if theorem is None else [theorem]
     proofs = {}
     for done, number in enumerate(wanted, 1):
+        check()
         proofs[number] = _judged(number)
         if progress is not None:
             progress(done)

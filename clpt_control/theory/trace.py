@@ -19,9 +19,10 @@ from ..blocks.record import Record
 from ..blocks.symbolic import exact, expressions
 from ..errors import DiagramError
 from ..wiring import Wiring, read
-from .domain import undefined
+from .domain import extent, undefined
 from .symbols import parameter_names, parameter_symbols, port_symbols, state_names
 
+LONGEST, DEEPEST = 5_000, 30  # parts and levels of an expression
 TIME = sympy.Symbol("t", real=True)
 
 
@@ -87,8 +88,8 @@ def trace(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()) -> Sym
     Raises
     ------
     DiagramError
-        If the diagram holds a system that is not a block, or two blocks of one
-        name or port.
+        If the diagram holds a system that is not a block, two blocks of one name or
+        port, or equations that are too long.
 
     Examples
     --------
@@ -100,7 +101,7 @@ def trace(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()) -> Sym
     wiring, kept = read(diagram), set(opaque)
     blocks = blocks_of(wiring)
     loop = SymbolicLoop(parameters=parameter_symbols(blocks))
-    sizes = {b.parameters.N for b in blocks if "N" in b.parameters._fields}
+    sizes = {N for b in blocks if isinstance(N := getattr(b.parameters, "N", None), int)}
     loop.N = sizes.pop() if len(sizes) == 1 else None
     states, fields = state_names(blocks), parameter_names(blocks)
     outside = _external(diagram, loop)
@@ -130,6 +131,12 @@ def trace(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()) -> Sym
             return (x if name == "x" else u)[where[0]]
 
         def told(name: str, arguments: tuple) -> None:
+            sizes = [extent(a) for a in arguments if isinstance(a, sympy.Basic)]
+            if any(parts > LONGEST or levels > DEEPEST for parts, levels in sizes):
+                raise DiagramError(
+                    f"{block.name}.{role} has more than {LONGEST} parts or {DEEPEST} levels on "
+                    "symbols, too long to prove anything of; make it simpler or its N smaller"
+                )
             gap = undefined(name, arguments)
             if gap is not None:
                 loop.gaps.append(f"{block.name}.{role} {gap}")

@@ -152,24 +152,30 @@ class Cells:
 
 
 class Held:
-    """A parameter array; an axis of N numbers takes an index k."""
+    """A parameter array; an axis of N numbers takes an index k. It has no `shape` to ask."""
 
     __iter__ = None  # nothing walks through it but a loop over range
 
-    def __init__(self, tape: Tape, field: str, shape: tuple[int, ...], N: int, before: tuple = ()):
-        self.tape, self.field, self.shape, self.N, self.before = tape, field, shape, N, before
+    def __init__(self, tape: Tape, field: str, sizes: tuple[int, ...], N: int, before: tuple = ()):
+        self.tape, self.field, self.sizes, self.functions, self.before = (
+            tape,
+            field,
+            sizes,
+            N,
+            before,
+        )
 
     def __getitem__(self, index: Any) -> Any:
         places = list(self.before)
         for one in index if isinstance(index, tuple) else (index,):
             at = Whole.of(one)
-            size = self.shape[len(places)] if len(places) < len(self.shape) else 0
+            size = self.sizes[len(places)] if len(places) < len(self.sizes) else 0
             single = at.m == 0 and at.n == 0 and 0 <= at.c < size
-            if not single and ((at.c, at.n, at.m) != (0, 0, 1) or size != self.N):
+            if not single and ((at.c, at.n, at.m) != (0, 0, 1) or size != self.functions):
                 raise Refused(f"this place of `p.{self.field}`", "for every N use i or k itself")
             places.append(at)
-        if len(places) < len(self.shape):
-            return Held(self.tape, self.field, self.shape, self.N, tuple(places))
+        if len(places) < len(self.sizes):
+            return Held(self.tape, self.field, self.sizes, self.functions, tuple(places))
         code = 0
         for at in places:
             code = code * BIG + at.code
