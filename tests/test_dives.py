@@ -16,8 +16,9 @@ from clpt_control.ocean.gliders.dive_table import (
     sample_dives,
     write_dive_table,
 )
-from clpt_control.ocean.gliders.dives import make_dive, usable
+from clpt_control.ocean.gliders.dives import make_dive
 from clpt_control.ocean.gliders.og1 import read_og1, write_og1
+from clpt_control.ocean.gliders.usable_dives import usable
 
 TABLE = [field.name for field in fields(make_dive(1, (0, 0, 0), (1, 0, 0), (0, 0)))]
 TABLE = [name for name in TABLE if name not in ("track", "notes")]

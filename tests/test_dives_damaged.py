@@ -10,8 +10,8 @@ import pytest
 from clpt_control.errors import DataError
 from clpt_control.ocean.gliders.dive_files import read_dive_file, read_dives
 from clpt_control.ocean.gliders.dive_table import sample_dives, write_dive_table
-from clpt_control.ocean.gliders.dives import usable
 from clpt_control.ocean.gliders.seaglider import read_seaglider
+from clpt_control.ocean.gliders.usable_dives import usable
 
 
 @pytest.fixture(scope="module")

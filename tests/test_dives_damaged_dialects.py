@@ -19,9 +19,9 @@ from glider_dialects import (
 
 from clpt_control.errors import DataError
 from clpt_control.ocean.gliders.dive_files import read_dives
-from clpt_control.ocean.gliders.dives import usable
 from clpt_control.ocean.gliders.og1 import read_og1
 from clpt_control.ocean.gliders.seaglider import read_seaglider
+from clpt_control.ocean.gliders.usable_dives import usable
 
 CTD, LEGATO, GPS = ("ctd_data_point",), ("legato_data_point",), ("gps_info",)
 STEPS = ("EAST_DISPLACEMENT", "NORTH_DISPLACEMENT")

@@ -28,9 +28,9 @@ from glider_dialects import (
 
 from clpt_control.ocean.gliders.dive_files import read_dives
 from clpt_control.ocean.gliders.dive_table import read_dive_table, write_dive_table
-from clpt_control.ocean.gliders.dives import usable
 from clpt_control.ocean.gliders.og1 import read_og1, write_og1
 from clpt_control.ocean.gliders.seaglider import read_seaglider
+from clpt_control.ocean.gliders.usable_dives import usable
 
 DATE_LINE = 180.0 - DRIFT / 2
 

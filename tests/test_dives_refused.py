@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from clpt_control.ocean.gliders import dive_order
-from clpt_control.ocean.gliders.dives import make_dive, usable
+from clpt_control.ocean.gliders.dives import make_dive
+from clpt_control.ocean.gliders.usable_dives import usable
 from clpt_control.ocean.nodal import YEARS
 
 BASE = make_dive(10, (1e6, -43.0, 8.0), (1.01e6, -43.0, 8.02), (1000.0, 50.0))

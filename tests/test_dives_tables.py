@@ -13,8 +13,8 @@ from clpt_control import reading
 from clpt_control.errors import DataError
 from clpt_control.ocean.gliders.dive_files import dive_paths, read_dive_file, read_dives
 from clpt_control.ocean.gliders.dive_table import sample_dives, write_dive_table
-from clpt_control.ocean.gliders.dives import usable
 from clpt_control.ocean.gliders.seaglider import read_seaglider
+from clpt_control.ocean.gliders.usable_dives import usable
 
 HEAD = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m\n"
 ROW = "{},{},-43,8,{},-43,8.1,8000,0\n"

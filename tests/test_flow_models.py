@@ -25,7 +25,7 @@ from clpt_control.files import write_netcdf
 from clpt_control.ocean.fit import fit_scenario
 from clpt_control.ocean.fit_file import save_fit
 from clpt_control.ocean.gliders.dive_table import sample_dives
-from clpt_control.ocean.gliders.dives import usable
+from clpt_control.ocean.gliders.usable_dives import usable
 from clpt_control.ocean.replay.file import replay_dataset
 from clpt_control.ocean.replay.flow_model_file import read_flow_model
 from clpt_control.ocean.replay.flow_models import carried, why_uncovered

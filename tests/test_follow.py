@@ -12,7 +12,7 @@ from synthetic_vehicle import one_file_each
 
 from clpt_control.errors import DataError
 from clpt_control.ocean.gliders.dive_table import sample_dives
-from clpt_control.ocean.gliders.dives import usable
+from clpt_control.ocean.gliders.usable_dives import usable
 from clpt_control.ocean.replay import follow
 from clpt_control.ocean.replay.file import replay_dataset
 from clpt_control.ocean.replay.follow import Follower

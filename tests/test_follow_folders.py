@@ -13,7 +13,7 @@ from synthetic_vehicle import one_file_each, vehicle
 from clpt_control.errors import DataError
 from clpt_control.files import remove_left
 from clpt_control.ocean.gliders.dive_table import sample_dives
-from clpt_control.ocean.gliders.dives import usable
+from clpt_control.ocean.gliders.usable_dives import usable
 from clpt_control.ocean.replay.follow import Follower
 from clpt_control.ocean.replay.follow_alone import LOCK, alone, check_folders
 

@@ -24,7 +24,8 @@ from synthetic_forecast import (
 from clpt_control.errors import DataError
 from clpt_control.ocean.forecast_file import read_column
 from clpt_control.ocean.gliders.dive_table import sample_dives
-from clpt_control.ocean.gliders.dives import make_dive, usable
+from clpt_control.ocean.gliders.dives import make_dive
+from clpt_control.ocean.gliders.usable_dives import usable
 from clpt_control.ocean.replay.flow_model_file import read_flow_model
 from clpt_control.ocean.replay.flow_models import carried, why_uncovered
 from clpt_control.ocean.replay.forecast import depth_mean, gaps_of

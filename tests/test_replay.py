@@ -11,7 +11,7 @@ from clpt_control.errors import DataError, ScenarioError
 from clpt_control.estimation.between_fixes import ESTIMATORS, make_estimator
 from clpt_control.estimation.fix_model import FixModel
 from clpt_control.ocean.gliders.dive_table import sample_dives
-from clpt_control.ocean.gliders.dives import usable
+from clpt_control.ocean.gliders.usable_dives import usable
 from clpt_control.ocean.replay.file import replay_dataset
 from clpt_control.ocean.replay.replay import Replay
 from clpt_control.ocean.replay.session import replay_dives

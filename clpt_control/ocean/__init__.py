@@ -20,7 +20,7 @@ _NAMES = {
     "check_separable": "rayleigh",
     "Dive": "gliders.dives",
     "make_dive": "gliders.dives",
-    "usable": "gliders.dives",
+    "usable": "gliders.usable_dives",
     "read_dives": "gliders.dive_files",
     "sample_dives": "gliders.dive_table",
     "write_dive_table": "gliders.dive_table",
@@ -42,8 +42,9 @@ if TYPE_CHECKING:
     from .fit_file import save_fit
     from .gliders.dive_files import read_dives
     from .gliders.dive_table import sample_dives, write_dive_table
-    from .gliders.dives import Dive, make_dive, usable
+    from .gliders.dives import Dive, make_dive
     from .gliders.og1_writer import write_og1
+    from .gliders.usable_dives import usable
     from .rayleigh import check_separable
     from .replay.file import replay_dataset
     from .replay.flow_model_file import read_flow_model

@@ -127,7 +127,7 @@ def next_dive(
     Examples
     --------
     >>> from clpt_control.ocean.gliders.dive_table import sample_dives
-    >>> from clpt_control.ocean.gliders.dives import usable
+    >>> from clpt_control.ocean.gliders.usable_dives import usable
     >>> from clpt_control.ocean.replay.session import replay_dives
     >>> found = next_dive(replay_dives(usable(sample_dives())[0]), 18000.0, (0.0, 3000.0))
     >>> -42.93 < found.latitude < -42.89

@@ -12,7 +12,8 @@ from dataclasses import replace
 from ...errors import ScenarioError
 from ...estimation.fix_model import OTHERS, FixModel
 from ...interrupt import check
-from ..gliders.dives import LEAST_DURATION, Dive, Skipped, usable
+from ..gliders.dives import Dive, Skipped
+from ..gliders.usable_dives import LEAST_DURATION, usable
 from ..rayleigh import check_separable
 from .flow_models import FlowModel, carried
 from .replay import Replay
