@@ -3,6 +3,8 @@
 from collections.abc import Iterable
 from dataclasses import replace
 
+import numpy as np
+
 from .dive_faults import fault_of
 from .dive_order import ANOTHER, NEAR, by_time, overlap, too_far
 from .dives import Dive, Skipped
