@@ -42,6 +42,7 @@ def usable(
 
     Examples
     --------
+    >>> from clpt_control.ocean.gliders.dives import make_dive
     >>> fixes = (0.0, -43.0, 8.0), (9000.0, -43.0, 8.01)
     >>> dives = [make_dive(7, *fixes, (500.0, 0.0)), make_dive(8, *fixes, (float("nan"), 0.0))]
     >>> used, skipped = usable(dives)
