@@ -70,6 +70,8 @@ def _without_pairs(flat: Any, root: Ref) -> Ref:
     left = list(range(len(terms)))
 
     def opposite(sign: int, product: tuple, among: list[int]) -> int | None:
+        if len(product) < 2 or not all(type(factor) is int for factor in product):
+            return None  # a large number is added and taken away to round
         for k in among:
             if terms[k][0] == -sign and _product(flat, terms[k][1]) == product:
                 return k
