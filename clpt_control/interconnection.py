@@ -118,6 +118,8 @@ def fit(blocks: Sequence[Block], external: Iterable[str] = ()) -> Fit:
         differ, or an external port is made or not used.
     """
     external = list(external)
+    if not blocks:
+        raise DiagramError("a diagram of no blocks: give at least one")
     names = [block.name for block in blocks]
     for name_ in names:
         if names.count(name_) > 1:

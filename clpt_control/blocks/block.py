@@ -21,7 +21,7 @@ import numpy as np
 
 from ..errors import BlockError
 from .parameters import NoParameters, checked_parameters
-from .ports import Equations, Guard, labels, states_as_outputs
+from .ports import Equations, Guard, check_names, labels, states_as_outputs
 from .record import Record
 from .rules import check_equations
 from .running import running
@@ -94,6 +94,7 @@ class Block(control.NonlinearIOSystem):
         breakpoints: Callable[[Any, float, float], np.ndarray] | None = None,
         guard: Guard | None = None,
     ):
+        check_names(name, inputs, outputs, states)
         if output is None and not states:
             raise BlockError(f"{name}: a block without states needs `output`")
         if (update is None) != (not states):
