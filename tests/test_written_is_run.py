@@ -434,3 +434,47 @@ def test_what_is_no_system_of_states_is_refused(system):
 def test_a_diagram_of_no_blocks_is_refused():
     with pytest.raises(DiagramError, match="no blocks"):
         connect([])
+
+
+# --- what a run is given -----------------------------------------------------------------------
+
+
+class Phase(NamedTuple):
+    interval: float = -1.0
+
+
+def turns_round(t, x, u, p, dx):
+    dx[0] = where(p.interval > 0.5, -1.0, 1.0) + u[0]
+
+
+def jumping(breakpoints):
+    return Block("mine", update=turns_round, inputs={"u": 1}, states={"x": 1},
+                 parameters=Phase(), breakpoints=breakpoints)  # fmt: skip
+
+
+@pytest.mark.parametrize("times", [[1.5, 0.5], [0.5, math.nan], None, 0.5, ["a"], [[0.5, 1.5]]])
+@pytest.mark.parametrize("engine", ["python", "native"])
+def test_breakpoints_that_are_no_increasing_times_are_refused(times, engine):
+    with pytest.raises(BlockError, match="must be increasing times"):
+        clpt.simulate(jumping(lambda p, t0, t1: times), [0.0, 2.0], engine=engine)
+
+
+GIVEN = {
+    "timepts": ("abc", ["a", "b"]),
+    "initial_state": ("a", [[1.0], [2.0, 3.0]]),
+    "inputs": ("ab", [[1.0], [1.0, 2.0]], lambda t: [t, t] if t > 1 else [t], lambda t: ["a"]),
+    "rtol": (-1.0, math.nan, "a"),
+    "atol": (-1.0, "a"),
+    "params": ([1.0], "a"),
+}
+
+
+@pytest.mark.parametrize("engine", ["python", "native"])
+@pytest.mark.parametrize(
+    ("name", "k"), [(name, k) for name in GIVEN for k in range(len(GIVEN[name]))]
+)
+def test_what_is_no_number_is_refused_by_its_name(name, k, engine):
+    given = {"timepts": [0.0, 2.0], name: GIVEN[name][k]}
+    with pytest.raises(clpt.errors.ClptError, match=name) as caught:
+        clpt.simulate(jumping(lambda p, t0, t1: [0.5]), **given, engine=engine)
+    assert "\n" not in str(caught.value)

@@ -290,8 +290,16 @@ class Block(control.NonlinearIOSystem):
         """
         if self.breakpoints_function is None:
             return np.zeros(0)
-        times = self.breakpoints_function(self.parameters if p is None else p, t0, t1)
-        return np.asarray(times, dtype=float)
+        given = self.breakpoints_function(self.parameters if p is None else p, t0, t1)
+        try:
+            times = np.asarray(given, dtype=float)
+        except (TypeError, ValueError):
+            times = np.full(1, np.nan)
+        if times.ndim != 1 or not np.all(times[1:] >= times[:-1]) or np.any(np.isnan(times)):
+            raise BlockError(
+                f"{self.name}: breakpoints gives {given!r:.60}; must be increasing times"
+            )
+        return times
 
     def interval_at(self, t: float, p: Any = None) -> np.float64:
         """Give the number of the interval that holds t, by bisection.
