@@ -58,7 +58,9 @@ def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list
     BlockError
         If a name is unknown or a value has another shape.
     """
-    params = params or {}
+    params = {} if params is None else params
+    if not isinstance(params, Mapping):
+        raise BlockError(f"params = {params!r}: must be a dict, such as {{'adaptation.gain': 2.0}}")
     known: set[str] = set()
     found: list[Any] = []
     for node in wiring.nodes:
@@ -118,6 +120,8 @@ def fit(blocks: Sequence[Block], external: Iterable[str] = ()) -> Fit:
         differ, or an external port is made or not used.
     """
     external = list(external)
+    if not blocks:
+        raise DiagramError("a diagram of no blocks: give at least one")
     names = [block.name for block in blocks]
     for name_ in names:
         if names.count(name_) > 1:

@@ -17,7 +17,7 @@ from .diagram import initial_state as scenario_state
 from .errors import ScenarioError, SimulationError
 from .interconnection import wire
 from .native.choice import chosen
-from .native.inputs import read_inputs
+from .native.inputs import numbers, read_inputs
 from .scenario import Scenario
 from .wiring import read
 
@@ -106,7 +106,7 @@ def sample_times(duration: float, step: float) -> np.ndarray:
 
 
 def _checked_times(timepts: Any) -> np.ndarray:
-    times = np.atleast_1d(np.asarray(timepts, dtype=float))
+    times = np.atleast_1d(numbers("timepts", timepts))
     if times.ndim != 1 or len(times) < 2 or not np.all(np.diff(times) > 0):
         raise SimulationError("timepts: must be at least two increasing times")
     if not np.all(np.isfinite(times)):
@@ -115,7 +115,7 @@ def _checked_times(timepts: Any) -> np.ndarray:
 
 
 def _checked_state(state: Any, count: int) -> np.ndarray:
-    values = np.asarray(state, dtype=float)
+    values = numbers("initial_state", state)
     if values.ndim == 0:
         values = np.full(count, float(values))
     if values.shape != (count,):
@@ -131,6 +131,9 @@ def _simulate_diagram(
     if timepts is None:
         raise SimulationError("timepts: is required to simulate a diagram")
     times = _checked_times(timepts)
+    for name, value in (("rtol", rtol), ("atol", atol)):
+        if not numbers(name, value) >= 0.0:
+            raise SimulationError(f"{name} = {value}: must be a number, 0 or more")
     wiring = read(diagram)
     given = read_inputs(inputs, times, wiring.ninputs)
     runner = chosen(wiring, params, given, engine, diagram.name)

@@ -144,6 +144,11 @@ def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
 
 
 def _check_continuous(system: control.NonlinearIOSystem, name: str) -> None:
+    if not isinstance(system, control.NonlinearIOSystem):
+        raise DiagramError(
+            f"{name} is a {type(system).__name__}: must be blocks, wired, or a system with states, "
+            "such as control.ss(...)"
+        )
     if system.dt not in (None, 0):
         raise DiagramError(
             f"{name} is a system of discrete time (dt = {system.dt}): only continuous time can be "
@@ -238,7 +243,9 @@ def read(diagram: control.NonlinearIOSystem) -> Wiring:
     """
     from scipy.sparse import hstack
 
-    flat = _flatten(diagram, diagram.name)
+    flat = _flatten(diagram, getattr(diagram, "name", repr(diagram)))
+    if not flat.leaves:
+        raise DiagramError(f"{diagram.name}: has no blocks; give at least one")
     leaves, fed, u = [], [], 0
     outer, inner = _entries(flat.C), _entries(flat.D)
     for name, system in flat.leaves:

@@ -185,3 +185,35 @@ def test_few_turns_stay_apart():
 
     block = Block("few", output=few, inputs={"u": 4}, outputs={"y": 1})
     assert loops(rolled(block.output_record).items) == []
+
+
+def many_terms(t, x, u, p, dx):
+    s = u[0]
+    for i in range(3000):
+        s = s + 0.001 * i * u[1]
+    dx[0] = s
+    for _ in range(60):
+        s = 0.25 * (s + s)
+    dx[1] = s + s
+
+
+def test_sums_of_very_many_terms_are_left_as_they_are():
+    block = Block("many", update=many_terms, inputs={"u": 2}, states={"x": 2})
+    total = 1.0 + 0.001 * sum(range(3000))
+    for name, ask in readings(block).items():
+        if name not in ("symbolic", "lanes"):
+            found = ask(0.0, [0.0, 0.0], [1.0, 1.0])[0]
+            np.testing.assert_allclose(found, [total, total * 2.0**-59], rtol=1e-12, err_msg=name)
+
+
+def doubles(t, x, u, p, dx):
+    s = u[0]
+    for _ in range(60):
+        s = s + s
+    dx[0] = s
+
+
+def test_a_sum_that_doubles_sixty_times():
+    block = Block("doubles", update=doubles, inputs={"u": 1}, states={"x": 1})
+    for name, ask in readings(block).items():
+        assert ask(0.0, [0.0], [1.5])[0] == [1.5 * 2.0**60], name

@@ -53,8 +53,8 @@ def on_arrays(record: Record, t: Any, x: Any, u: Any, p: Any) -> np.ndarray:
     def apply(name: str, *arguments: Any) -> Any:
         if name == "table":
             which, first, stride, count = arguments[1]
-            numbers = field(which)[first : first + stride * count : stride]
-            return _picked(numbers, arguments[0])
+            numbers = field(which)[first + stride * np.arange(count)]
+            return picked(numbers, arguments[0])
         return OPERATIONS[name](*arguments)
 
     with np.errstate(all="ignore"):
@@ -62,7 +62,7 @@ def on_arrays(record: Record, t: Any, x: Any, u: Any, p: Any) -> np.ndarray:
     return np.array([np.broadcast_to(value, t.shape) for value in found], dtype=float)
 
 
-def _picked(numbers: np.ndarray, index: Any) -> Any:
+def picked(numbers: np.ndarray, index: Any) -> Any:
     """Read numbers at whole places, from the end where negative; NaN outside."""
     whole = np.trunc(index)
     whole = np.where(whole < 0, whole + len(numbers), whole)
@@ -110,7 +110,7 @@ OPERATIONS: dict[str, Callable[..., Any]] = {
     "floor": lambda a: np.floor(a) + 0.0,  # Python's are whole numbers, which have no -0
     "trunc": lambda a: np.trunc(a) + 0.0,
     "ceil": lambda a: np.ceil(a) + 0.0,
-    "pick": lambda index, *numbers: _picked(np.array(np.broadcast_arrays(*numbers)), index),
+    "pick": lambda index, *numbers: picked(np.array(np.broadcast_arrays(*numbers)), index),
     "opaque": lambda says, value, *arguments: value,
     "erf": _each("erf"),
     "erfc": _each("erfc"),

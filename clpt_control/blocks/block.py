@@ -21,7 +21,7 @@ import numpy as np
 
 from ..errors import BlockError
 from .parameters import NoParameters, checked_parameters
-from .ports import Equations, Guard, labels, states_as_outputs
+from .ports import Equations, Guard, check_names, labels, states_as_outputs
 from .record import Record
 from .rules import check_equations
 from .running import running
@@ -94,12 +94,7 @@ class Block(control.NonlinearIOSystem):
         breakpoints: Callable[[Any, float, float], np.ndarray] | None = None,
         guard: Guard | None = None,
     ):
-        for one in (name, *(inputs or {}), *(outputs or {}), *(states or {})):
-            if not one or one[0] in "-+" or set(one) & set(".[]"):
-                raise BlockError(
-                    f"{name!r}: the name {one!r} of a block or port must not be empty, begin with "
-                    "a sign or hold . [ ]; use letters, digits and _"
-                )
+        check_names(name, inputs, outputs, states)
         if output is None and not states:
             raise BlockError(f"{name}: a block without states needs `output`")
         if (update is None) != (not states):
@@ -295,8 +290,16 @@ class Block(control.NonlinearIOSystem):
         """
         if self.breakpoints_function is None:
             return np.zeros(0)
-        times = self.breakpoints_function(self.parameters if p is None else p, t0, t1)
-        return np.asarray(times, dtype=float)
+        given = self.breakpoints_function(self.parameters if p is None else p, t0, t1)
+        try:
+            times = np.asarray(given, dtype=float)
+        except (TypeError, ValueError):
+            times = np.full(1, np.nan)
+        if times.ndim != 1 or not np.all(times[1:] >= times[:-1]) or np.any(np.isnan(times)):
+            raise BlockError(
+                f"{self.name}: breakpoints gives {given!r:.60}; must be increasing times"
+            )
+        return times
 
     def interval_at(self, t: float, p: Any = None) -> np.float64:
         """Give the number of the interval that holds t, by bisection.

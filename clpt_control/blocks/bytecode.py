@@ -7,7 +7,8 @@ read as safely as one in a file.
 
 import dis
 from collections.abc import Iterator
-from types import FunctionType
+from functools import lru_cache
+from types import CodeType, FunctionType
 
 EFFECTS = {
     "STORE_GLOBAL": ("`global`", "put the number into the block's parameters"),
@@ -20,6 +21,19 @@ EFFECTS = {
     "LOAD_BUILD_CLASS": ("a class inside a function", "a block computes numbers only"),
     "RAISE_VARARGS": ("`raise` or `assert`", "check parameters before the block is made"),
     "YIELD_VALUE": ("`yield`", "fill the output array"),
+    **dict.fromkeys(
+        ("STORE_ATTR", "DELETE_ATTR"), ("setting an attribute", "fill the output array")
+    ),
+    **dict.fromkeys(("IS_OP", "CONTAINS_OP"), ("`is` or `in`", "compare with <, <=, >, >=")),
+    **dict.fromkeys(
+        ("MATCH_CLASS", "MATCH_SEQUENCE", "MATCH_MAPPING"),
+        ("`match`", "use where(condition, a, b)"),
+    ),
+    **dict.fromkeys(
+        ("FORMAT_VALUE", "FORMAT_SIMPLE", "FORMAT_WITH_SPEC", "BUILD_STRING"),
+        ("a string", "a block computes numbers only"),
+    ),
+    "RETURN_GENERATOR": ("`async` or `yield`", "fill the output array"),
     "PUSH_EXC_INFO": ("`try` or `with`", "keep the arguments in range with where or clip"),
 }
 
@@ -43,9 +57,9 @@ def names_read(function: FunctionType) -> Iterator[tuple[int, str]]:
     >>> sorted({name for _, name in names_read(basis.tide)})
     ['math']
     """
-    for line, operation, name in _instructions(function):
-        if operation == "LOAD_GLOBAL":
-            yield line, name
+    for one in _code(function.__code__):
+        if one.opname == "LOAD_GLOBAL":
+            yield _line(one, function), one.argval
 
 
 def effects(function: FunctionType) -> Iterator[tuple[int, str, str]]:
@@ -61,12 +75,19 @@ def effects(function: FunctionType) -> Iterator[tuple[int, str, str]]:
     tuple
         Line, what it does, what to write instead.
     """
-    for line, operation, _ in _instructions(function):
-        if operation in EFFECTS:
-            yield line, *EFFECTS[operation]
+    for one in _code(function.__code__):
+        line = _line(one, function)
+        if one.opname in EFFECTS:
+            yield line, *EFFECTS[one.opname]
+        elif one.opname == "LOAD_CONST" and isinstance(one.argval, str | bytes):
+            yield line, *EFFECTS["BUILD_STRING"]
 
 
-def _instructions(function: FunctionType) -> Iterator[tuple[int, str, str]]:
-    for one in dis.get_instructions(function):
-        line = one.positions.lineno if one.positions else None
-        yield line or function.__code__.co_firstlineno, one.opname, str(one.argval)
+@lru_cache(maxsize=1024)
+def _code(code: CodeType) -> tuple[dis.Instruction, ...]:
+    return tuple(dis.get_instructions(code))
+
+
+def _line(one: dis.Instruction, function: FunctionType) -> int:
+    line = one.positions.lineno if one.positions else None
+    return line or function.__code__.co_firstlineno

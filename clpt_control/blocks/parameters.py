@@ -46,17 +46,21 @@ def checked_parameters(name: str, parameters: Any, like: Any = None) -> Any:
     for field, value in zip(parameters._fields, parameters, strict=True):
         old = getattr(like, field) if like is not None else value
         try:
+            shape = np.shape(old)
+        except ValueError:
+            raise BlockError(f"{name}.{field}: its rows differ in length; give an array") from None
+        try:
             if isinstance(old, int | np.integer) and not isinstance(old, bool):
                 values[field] = int(value) if int(value) == value else None
-            elif np.ndim(old) == 0:
+            elif not shape:
                 values[field] = np.float64(value)
             else:
                 values[field] = np.array(value, dtype=float)
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             values[field] = None
-        if values[field] is None or np.shape(values[field]) != np.shape(old):
-            kind = f"an array of shape {np.shape(old)}" if np.ndim(old) else type(old).__name__
+        if values[field] is None or np.shape(values[field]) != shape:
+            kind = f"an array of shape {shape}" if shape else type(old).__name__
             raise BlockError(f"{name}.{field} = {value!r}: must be {kind}")
-        if np.any(np.isnan(values[field])):
+        if not isinstance(values[field], int) and np.any(np.isnan(values[field])):
             raise BlockError(f"{name}.{field} = {value!r}: NaN is not allowed")
     return type(parameters)(**values)

@@ -5,6 +5,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..errors import BlockError
+
 Equations = Callable[[float, np.ndarray, np.ndarray, Any, np.ndarray], None]
 
 
@@ -37,6 +39,19 @@ def states_as_outputs(t, x, u, p, y):
     """Y = x: the outputs are the states."""
     for i in range(len(y)):
         y[i] = x[i]
+
+
+def check_names(name: str, *ports: Mapping[str, int] | None) -> None:
+    """Refuse names and sizes that python-control cannot wire."""
+    for word in (name, *(port for own in ports for port in own or ())):
+        if not isinstance(word, str) or not word or word[0] in "-+" or set(word) & set(".[]\n"):
+            raise BlockError(
+                f"the name {word!r} of a block or port must not be empty, begin with a sign or "
+                "hold . [ ] or a line end; use letters, digits and _"
+            )
+    for port, size in (item for own in ports for item in (own or {}).items()):
+        if not isinstance(size, int | np.integer) or size < 0:
+            raise BlockError(f"{name}.{port}: size {size!r} must be a whole number, 0 or more")
 
 
 def labels(ports: Mapping[str, int] | None) -> list[str]:

@@ -9,7 +9,14 @@ from collections.abc import Callable, Mapping
 from types import FunctionType
 from typing import Any
 
+from .bytecode import names_read
 from .words import WORDS
+
+
+def is_word(value: Any) -> bool:
+    """Whether a name of a module stands for a word or a function of `math`."""
+    called = getattr(value, "__name__", "")
+    return WORDS.get(called) is value is not None or getattr(value, "__module__", None) == "math"
 
 
 def helpers_of(function: FunctionType) -> dict[str, FunctionType]:
@@ -21,7 +28,8 @@ def helpers_of(function: FunctionType) -> dict[str, FunctionType]:
     >>> helpers_of(vehicle.kinematics)
     {}
     """
-    found = {name: function.__globals__.get(name) for name in function.__code__.co_names}
+    names = dict.fromkeys(name for _, name in names_read(function))
+    found = {name: function.__globals__.get(name) for name in names}
     return {
         name: value
         for name, value in found.items()
@@ -93,12 +101,16 @@ def reached(function: FunctionType) -> list[FunctionType]:
 
 
 def fingerprint(function: FunctionType) -> tuple:
-    """Return what a reading depends on: code, and numbers of modules."""
+    """Return what a reading depends on: code, numbers of modules, and what words are called."""
     parts = []
-    for one in reached(function):
+    found = reached(function)
+    for one in found:
         space = one.__globals__
-        used = ((name, space.get(name)) for name in one.__code__.co_names)
+        used = [(name, space.get(name)) for name in one.__code__.co_names]
         numbers = [(name, repr(value)) for name, value in used if isinstance(value, int | float)]
+        words = [(name, value) for name, value in used if is_word(value)]
         defaults = repr((one.__defaults__, one.__kwdefaults__))
-        parts.append((one.__code__, defaults, tuple(numbers), getattr(one, "opaque", False)))
+        helpers = [(name, found.index(helper)) for name, helper in helpers_of(one).items()]
+        marked = getattr(one, "opaque", False)
+        parts.append((one.__code__, defaults, (*numbers, *words, *helpers), marked))
     return tuple(parts)

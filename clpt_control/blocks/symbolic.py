@@ -8,11 +8,13 @@ number that is looked up, of the table's own name and the index.
 
 from collections.abc import Callable
 from functools import cache, lru_cache
+from math import copysign, isfinite
 from typing import Any
 
 import numpy as np
 import sympy
 
+from ..errors import BlockError
 from . import arrays
 from .record import Record
 
@@ -130,13 +132,15 @@ class Reading:
         def leaf(*where: Any) -> Any:
             return self.leaves.setdefault(where, sympy.Symbol(f"leaf{len(self.leaves)}", real=True))
 
+        def constant(number: float) -> Any:
+            known = number and isfinite(number)  # SymPy makes no more of 0 * x than of x
+            return sympy.Float(number) if known else leaf("constant", number, copysign(1.0, number))
+
         def apply(name: str, *arguments: Any) -> Any:
             shared = next(often)
-            read = [sympy.Float(a) if type(a) is float else a for a in arguments]
+            read = [constant(a) if type(a) is float else a for a in arguments]
             if name == "table":
-                field, first, stride, count = arguments[1]
-                numbers = [leaf("p", field, first + k * stride) for k in range(count)]
-                value = OPERATIONS["pick"](read[0], *numbers)
+                value = sympy.Function("picked", real=True)(leaf(name, *arguments[1]), read[0])
             elif name == "opaque":
                 value = read[1]
             else:
@@ -148,7 +152,10 @@ class Reading:
             return symbol
 
         found = record.replay(leaf, apply)
-        self.outputs = [sympy.sympify(value) for value in found]
+        self.outputs = [constant(v) if type(v) is float else sympy.sympify(v) for v in found]
+        for value in (*self.outputs, *(value for _, value in self.steps)):
+            if value.has(sympy.zoo, sympy.nan, sympy.I):
+                raise BlockError(f"SymPy finds that the equations divide by zero: {value}")
         self._ask = self._function()
 
     def _function(self) -> Callable:
@@ -160,7 +167,7 @@ class Reading:
         outputs = ", ".join(printer.doprint(value) for value in self.outputs)
         arguments = ", ".join(map(str, self.leaves.values()))
         text = "\n".join([f"def ask({arguments}):", *lines, f"    return [{outputs}]"])
-        space: dict[str, Any] = {"numpy": np}
+        space: dict[str, Any] = {"numpy": np, "picked": arrays.picked}
         space |= {told: arrays.OPERATIONS[name] for name, told in WORDS.items()}
         if "scipy" in text:
             import scipy.special
@@ -192,10 +199,18 @@ class Reading:
                 numbers.append(t)
             elif name == "p":
                 numbers.append(np.ravel(getattr(p, where[0]))[where[1]])
+            elif name == "constant":
+                numbers.append(where[0])
+            elif name == "table":
+                field, first, stride, count = where
+                places = first + stride * np.arange(count)
+                numbers.append(np.ravel(getattr(p, field))[places])
             else:
                 numbers.append((x if name == "x" else u)[where[0]])
         with np.errstate(all="ignore"):
-            return np.array(self._ask(*map(np.float64, numbers)), dtype=float)
+            return np.array(
+                self._ask(*(np.asarray(n, dtype=float)[()] for n in numbers)), dtype=float
+            )
 
 
 @cache

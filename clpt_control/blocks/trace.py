@@ -167,6 +167,9 @@ def _lookup(table: Any, index: Any) -> Any:
     """Record a run of one parameter field, or numbers side by side."""
     if not isinstance(index, Number):
         return table[int(index)]
+    shape = getattr(table, "shape", None)
+    if len(np.shape(table) if shape is None else shape) != 1:
+        raise Refused("`lookup` in what is no row of numbers", "give an array of one dimension")
     if isinstance(table, Table):
         field, places = table.field, table.places.ravel()
     else:
@@ -189,7 +192,10 @@ def stand_in_for_opaque(rebound: FunctionType, helper: FunctionType) -> Callable
     if not getattr(helper, "opaque", False):
         return rebound
 
-    def stand_in(*arguments: Any) -> Any:
+    def stand_in(*arguments: Any, **named: Any) -> Any:
+        if named:
+            raise Refused(f"`{helper.__name__}({', '.join(named)}=...)`",
+                          "an opaque helper takes its arguments by position")  # fmt: skip
         tape = next((a.tape for a in arguments if hasattr(a, "tape")), None)
         if tape is None:
             return rebound(*arguments)
@@ -207,6 +213,9 @@ def stand_in_for_opaque(rebound: FunctionType, helper: FunctionType) -> Callable
                               "an opaque helper takes numbers and arrays")  # fmt: skip
 
         def hidden(k: int, value: Any) -> Any:
+            if operand(value) is None:
+                raise Refused(f"`{helper.__name__}` returning a {type(value).__name__}",
+                              "an opaque helper returns numbers, or fills an array")  # fmt: skip
             return tape.add("opaque", (*says, k), operand(value), *refs)
 
         held = [list(a.flat) if isinstance(a, np.ndarray) else [] for a in arguments]

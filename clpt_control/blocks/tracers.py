@@ -48,6 +48,8 @@ class Tape:
         try:
             for k in numbers:
                 self.marks.append((len(self.operations), "turn"))
+                if len(self.marks) > MOST_OPERATIONS:
+                    raise TooLong(f"takes more than {MOST_OPERATIONS} turns")
                 yield k
         finally:
             self.marks.append((len(self.operations), "leave"))
@@ -181,14 +183,30 @@ class Condition:
     __index__ = __int__ = _INDEX
 
 
+SHOWN = ("shape", "size", "ndim", "T", "flat", "tape")  # of an array, to equations and the trace
+
+
 class Cells(np.ndarray):
     """An array of tracers; what is written becomes a number."""
 
     tape: Tape
 
+    def __getattribute__(self, name: str) -> Any:
+        if name in SHOWN or name.startswith("_"):
+            return super().__getattribute__(name)
+        raise Refused(f"`{name}` of an array", "use a `for i in range(n)` loop")
+
+    def __array_wrap__(self, array: Any, context: Any = None, scalar: bool = False) -> Any:
+        return array.view(Cells) if array.ndim else array[()]
+
     def __setitem__(self, index: Any, value: Any) -> None:
         if isinstance(value, np.ndarray | tuple | list):
             given = np.asarray(value, dtype=object)
+            if not given.ndim:
+                super().__setitem__(index, self._number(given[()]))
+                return
+            if not isinstance(self[index], np.ndarray):
+                raise Refused("writing an array into one number", "give one, as in u[0]")
             numbers = np.empty(given.shape, dtype=object)
             for place in np.ndindex(given.shape):
                 numbers[place] = self._number(given[place])

@@ -86,12 +86,15 @@ def run_block(flat: Flat, record: Record, sources: Sources, k: int, inputs: list
 def gather(flat: Flat, sources: Sources, node: Node, signals: list[Ref]) -> list[Ref]:
     """Return what the wiring brings to a block's inputs."""
     found: list[Ref] = []
+    signed = sources.signed(node)
     for terms in sources.inputs(node):
         total: Ref | None = None
         for gain, external, source in terms:
             value = _external(flat, sources, source) if external else signals[source]
             gained = value if gain == 1.0 else flat.add("mul", gain, value)
             total = gained if total is None else flat.add("add", total, gained)
+        if signed and total is not None:
+            total = flat.add("add", total, 0.0)
         found.append(0.0 if total is None else total)
     return found
 

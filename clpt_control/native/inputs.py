@@ -35,6 +35,14 @@ class Inputs:
         return np.array([self.at(t) for t in times]).reshape(len(times), -1).T
 
 
+def numbers(name: str, values: Any) -> np.ndarray:
+    """Return an array of numbers, or refuse what is none by its name."""
+    try:
+        return np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        raise SimulationError(f"{name} = {values!r:.60}: must be an array of numbers") from None
+
+
 def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
     """Read inputs in python-control's forms.
 
@@ -64,13 +72,18 @@ def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
     array([2.])
     """
     if callable(inputs):
-        shape = np.shape(np.atleast_1d(inputs(float(times[0]))))
-        if shape != (count,):
-            raise SimulationError(
-                f"inputs: the function gives shape {shape}, the diagram has {count} inputs"
-            )
-        return Inputs(lambda t: np.atleast_1d(np.asarray(inputs(t), dtype=float)), None)
-    values = np.zeros(count) if inputs is None else np.asarray(inputs, dtype=float)
+
+        def given(t: float) -> np.ndarray:
+            u = np.atleast_1d(numbers("inputs", inputs(float(t))))
+            if u.shape != (count,):
+                raise SimulationError(
+                    f"inputs: the function gives shape {u.shape}, the diagram has {count} inputs"
+                )
+            return u
+
+        given(times[0])
+        return Inputs(given, None)
+    values = np.zeros(count) if inputs is None else numbers("inputs", inputs)
     if not np.all(np.isfinite(values)):
         raise SimulationError("inputs: must be finite; fill the gaps before the run")
     if values.ndim <= 1 and not (count == 1 and values.shape == times.shape and len(times) > 1):

@@ -125,6 +125,7 @@ class _Block:
         self.names: dict[int, int] = {}
         self.before: list[Item] = []
         self.terms = writer.sources.inputs(self.node)
+        self.signed = writer.sources.signed(self.node)
         self.gathered: int | None = None
 
     def items(self, items: Iterable, counts: dict[int, int], held: dict) -> list[Item]:
@@ -192,7 +193,7 @@ class _Block:
 
     def source(self, j: int) -> tuple[str, int] | None:
         """Return where one input comes from; None for a sum, a gain or nothing."""
-        if len(self.terms[j]) != 1:
+        if len(self.terms[j]) != 1 or self.signed:
             return None
         gain, external, source = self.terms[j][0]
         return None if external or gain != 1.0 else self.writer.sources.signals[source]
@@ -230,6 +231,8 @@ class _Block:
                 if gain != 1.0:
                     value = writer.step(body, "mul", gain, value)
                 total = writer.step(body, "add", total, value) if at else value
+            if self.signed:
+                total = writer.step(body, "add", total, 0.0)
             body.append(Store("W", self.gathered + j, turn, total))
             self.before += body if count == 1 else [Loop(0, count, tuple(body), ())]
             j += count

@@ -141,11 +141,12 @@ class Runs:
         while active:
             check()
             begin = time.perf_counter()
-            active = self.callee.solver.advance(
-                self.callee.functions, self.shape, tolerances, self.runs, self.schedule, self.times,
-                self.out, self.status, self.reached, self.counts, self.numbers, self.whole,
-                self.queue, self.Z, *self.room, budget, most, self.callee.guarded,
-            )  # fmt: skip
+            with np.errstate(all="ignore"):
+                active = self.callee.solver.advance(
+                    self.callee.functions, self.shape, tolerances, self.runs, self.schedule,
+                    self.times, self.out, self.status, self.reached, self.counts, self.numbers,
+                    self.whole, self.queue, self.Z, *self.room, budget, most, self.callee.guarded,
+                )  # fmt: skip
             spent = time.perf_counter() - begin
             budget = int(np.clip(budget * PAUSE / max(spent, 1e-6), budget / 2 + 1, 4 * budget))
             watch(self)
@@ -155,11 +156,12 @@ class Runs:
         if not step > 0:
             raise SimulationError(f"step = {step}: must be positive")
         check()
-        self.callee.solver.advance_fixed(
-            self.callee.functions, self.shape, float(step), self.runs, self.schedule, self.times,
-            self.out, self.status, self.reached, self.counts, self.numbers, self.whole, self.Z,
-            *self.room, self.callee.guarded,
-        )  # fmt: skip
+        with np.errstate(all="ignore"):
+            self.callee.solver.advance_fixed(
+                self.callee.functions, self.shape, float(step), self.runs, self.schedule,
+                self.times, self.out, self.status, self.reached, self.counts, self.numbers,
+                self.whole, self.Z, *self.room, self.callee.guarded,
+            )  # fmt: skip
 
 
 def _together(schedules: list[Schedule]) -> tuple[np.ndarray, ...]:

@@ -13,6 +13,7 @@ from typing import Any
 from .program import Ref
 
 Term = tuple[int, Ref]  # sign, value
+MOST_TERMS = 1000  # of a sum in which is looked for what cancels
 
 
 def simplified(flat: Any, roots: list[Ref]) -> list[Ref]:
@@ -36,15 +37,21 @@ def simplified(flat: Any, roots: list[Ref]) -> list[Ref]:
 
 
 def _terms(flat: Any, sign: int, ref: Ref) -> list[Term]:
-    """Open sums, differences and signs."""
-    if type(ref) is int:
-        name, *arguments = flat.operations[ref]
+    """Open sums, differences and signs; a sum of very many terms is one term."""
+    found: list[Term] = []
+    stack = [(sign, ref)]
+    while stack:
+        s, one = stack.pop()
+        name, *arguments = flat.operations[one] if type(one) is int else ("",)
         if name in ("add", "sub"):
-            other = sign if name == "add" else -sign
-            return [*_terms(flat, sign, arguments[0]), *_terms(flat, other, arguments[1])]
-        if name == "neg":
-            return _terms(flat, -sign, arguments[0])
-    return [(sign, ref)]
+            stack += [(s if name == "add" else -s, arguments[1]), (s, arguments[0])]
+        elif name == "neg":
+            stack.append((-s, arguments[0]))
+        else:
+            found.append((s, one))
+        if len(found) > MOST_TERMS:
+            return [(sign, ref)]
+    return found
 
 
 def _product(flat: Any, ref: Ref) -> tuple:
@@ -70,6 +77,8 @@ def _without_pairs(flat: Any, root: Ref) -> Ref:
     left = list(range(len(terms)))
 
     def opposite(sign: int, product: tuple, among: list[int]) -> int | None:
+        if len(product) < 2 or not all(type(factor) is int for factor in product):
+            return None  # a large number is added and taken away to round
         for k in among:
             if terms[k][0] == -sign and _product(flat, terms[k][1]) == product:
                 return k

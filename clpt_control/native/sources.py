@@ -14,6 +14,8 @@ from ..blocks.ports import states_as_outputs
 from ..wiring import Node, Wiring
 from .layout import Layout
 
+SIGNED = {"div", "atan2", "pow", "floordiv", "mod"}  # that tell -0.0 from 0.0
+
 
 class Term(NamedTuple):
     """gain times a signal, or times an input of the diagram."""
@@ -56,6 +58,12 @@ class Sources:
     def direct(self, k: int) -> bool:
         """Whether the outputs of block k are its states."""
         return self.wiring.nodes[k].system.output_function is states_as_outputs
+
+    def signed(self, node: Node) -> bool:
+        """Whether a block tells -0.0 from 0.0; sums of Python, from 0.0 on, are never -0.0."""
+        block = node.system
+        records = (block.update_record, block.output_record, block.guard_record)
+        return any(o[0] in SIGNED for r in records if r is not None for o in r.operations)
 
     def inputs(self, node: Node) -> list[list[Term]]:
         """Return the terms that each input of a block is the sum of."""
