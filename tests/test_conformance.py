@@ -377,16 +377,8 @@ def mostly_out_of_range(t, x, u, p, y):
     y[0] = math.sqrt(u[0] - 9.0)
 
 
-@pytest.mark.parametrize(
-    ("breakpoints", "sentence"),
-    [
-        (unsorted, "breakpoints are not increasing"),
-        (outside, "breakpoints are not increasing"),
-        (from_the_start_of_the_span, "differ from those over both"),
-    ],
-)
-def test_wrong_breakpoints_are_told(breakpoints, sentence):
-    block = Block(
+def ticking(breakpoints):
+    return Block(
         "mine",
         output=held,
         outputs={"y": 1},
@@ -395,7 +387,22 @@ def test_wrong_breakpoints_are_told(breakpoints, sentence):
         opaque=True,
         breakpoints=breakpoints,
     )
-    assert sentence in failures(block)
+
+
+@pytest.mark.parametrize(
+    ("breakpoints", "sentence"),
+    [
+        (outside, "breakpoints are not increasing"),
+        (from_the_start_of_the_span, "differ from those over both"),
+    ],
+)
+def test_wrong_breakpoints_are_told(breakpoints, sentence):
+    assert sentence in failures(ticking(breakpoints))
+
+
+def test_breakpoints_that_do_not_increase_are_refused():
+    with pytest.raises(BlockError, match="must be increasing times"):
+        failures(ticking(unsorted))
 
 
 def test_good_user_blocks_pass():

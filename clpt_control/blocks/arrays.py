@@ -63,7 +63,7 @@ def on_arrays(record: Record, t: Any, x: Any, u: Any, p: Any) -> np.ndarray:
 
 
 def picked(numbers: np.ndarray, index: Any) -> Any:
-    """Read numbers at whole places, from the end where negative; NaN outside."""
+    """Read numbers at whole places; NaN outside."""
     whole = np.trunc(index)
     whole = np.where(whole < 0, whole + len(numbers), whole)
     inside = (whole >= 0) & (whole < len(numbers))

@@ -14,7 +14,7 @@ from .words import WORDS
 
 
 def is_word(value: Any) -> bool:
-    """Whether a name of a module stands for a word or a function of `math`."""
+    """Whether a value is a word or a function of `math`."""
     called = getattr(value, "__name__", "")
     return WORDS.get(called) is value is not None or getattr(value, "__module__", None) == "math"
 
@@ -101,7 +101,7 @@ def reached(function: FunctionType) -> list[FunctionType]:
 
 
 def fingerprint(function: FunctionType) -> tuple:
-    """Return what a reading depends on: code, numbers of modules, and what words are called."""
+    """Return what a reading depends on: code, numbers, words."""
     parts = []
     found = reached(function)
     for one in found:

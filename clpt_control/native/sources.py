@@ -60,7 +60,10 @@ class Sources:
         return self.wiring.nodes[k].system.output_function is states_as_outputs
 
     def signed(self, node: Node) -> bool:
-        """Whether a block tells -0.0 from 0.0; sums of Python, from 0.0 on, are never -0.0."""
+        """Whether a block tells -0.0 from 0.0.
+
+        Sums in Python begin at 0.0 and are never -0.0.
+        """
         block = node.system
         records = (block.update_record, block.output_record, block.guard_record)
         return any(o[0] in SIGNED for r in records if r is not None for o in r.operations)
