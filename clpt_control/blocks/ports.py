@@ -43,8 +43,9 @@ def states_as_outputs(t, x, u, p, y):
 
 def check_names(name: str, *ports: Mapping[str, int] | None) -> None:
     """Refuse names and sizes that python-control cannot wire."""
-    for word in (name, *(port for own in ports for port in own or ())):
-        if not isinstance(word, str) or not word or word[0] in "-+" or set(word) & set(".[]\n"):
+    words = [(name, ".\n"), *((port, ".[]\n") for own in ports for port in own or ())]
+    for word, not_in in words:  # python-control itself calls a system sys[0]
+        if not isinstance(word, str) or not word or word[0] in "-+" or set(word) & set(not_in):
             raise BlockError(
                 f"the name {word!r} of a block or port must not be empty, begin with a sign or "
                 "hold . [ ] or a line end; use letters, digits and _"

@@ -152,7 +152,10 @@ class Cells:
 
 
 class Held:
-    """A parameter array; an axis of N numbers takes an index k. It has no `shape` to ask."""
+    """A parameter array; an axis of N numbers takes an index k.
+
+    It has no `shape` to ask.
+    """
 
     __iter__ = None  # nothing walks through it but a loop over range
 
