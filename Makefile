@@ -21,7 +21,7 @@ test-slow: $(READY)  ## the minutes-long tests
 
 test-generic: $(READY)  ## the engine's tests as on a processor without vector extensions
 	NUMBA_CPU_NAME=generic OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 \
-		$(wildcard $(ENGINE:%=tests/test_%.py))
+		$(wildcard $(ENGINE:%=tests/*/test_%.py))
 
 test-lowest: $(LOWEST)/.ready  ## every test, with the lowest versions that pyproject.toml allows
 	OPENBLAS_NUM_THREADS=1 $(LOWEST)/bin/python -m pytest -n 2

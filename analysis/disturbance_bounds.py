@@ -25,16 +25,16 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
+from clpt_control.figures import BLUE, COLOURS, GREEN, ORANGE, RED, new_figure
 from clpt_control.files import make_folder, write_figure, write_text
-from clpt_control.plotting import BLUE, COLOURS, GREEN, ORANGE, RED, new_figure
 from clpt_control.progress import progress_bar
-from clpt_control.simulation import sample_times
-from clpt_control.theory.bounds import ultimate_bound
-from clpt_control.theory.certificates import certificate
-from clpt_control.theory.counterexamples import RESONANT, with_square_wave
-from clpt_control.theory.mean_square import mean_square_bound
-from clpt_control.theory.printed_bounds import measured
-from clpt_control.theory.worst_disturbance import worst_disturbance
+from clpt_control.simulation.simulate import sample_times
+from clpt_control.theory.counterexamples.mean_square import mean_square_bound
+from clpt_control.theory.counterexamples.paper_system import RESONANT, with_square_wave
+from clpt_control.theory.counterexamples.printed_bounds import measured
+from clpt_control.theory.counterexamples.worst_disturbance import worst_disturbance
+from clpt_control.theory.excitation.bounds import ultimate_bound
+from clpt_control.theory.excitation.certificates import certificate
 
 AMPLITUDES = (0.01, 0.02, 0.05, 0.1, 0.15, 0.2)  # m/s
 FREQUENCIES = (0.5, 1.0, 1.5, 2.0, 2.5, 3.0, RESONANT, 4.0, 4.5, 5.0, 6.0, 8.0)  # rad/s

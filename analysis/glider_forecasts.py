@@ -17,11 +17,12 @@ import numpy as np
 import typer
 
 from clpt_control.estimation.between_fixes import ESTIMATORS
+from clpt_control.figures import BLUE, GREEN, ORANGE, new_figure
 from clpt_control.files import make_folder, write_figure, write_text
-from clpt_control.ocean import Replay, replay_dives, sample_dives, usable
-from clpt_control.ocean.replay.anomaly import SETTLED
-from clpt_control.plotting import BLUE, GREEN, ORANGE, new_figure
+from clpt_control.gliders import sample_dives, usable
 from clpt_control.progress import progress_bar
+from clpt_control.replay import Replay, replay_dives
+from clpt_control.replay.anomaly import SETTLED
 
 from .made_seas import DAY, QUARTER_DAY, Sea, made_dives
 

@@ -15,10 +15,11 @@ import numpy as np
 import typer
 
 from clpt_control.estimation import combination, fix_model, held, kalman, wandering
+from clpt_control.figures import BLUE, GREY, new_figure
 from clpt_control.files import make_folder, write_figure, write_text
-from clpt_control.ocean import Dive, read_dives, replay_dives, sample_dives, usable
-from clpt_control.plotting import BLUE, GREY, new_figure
+from clpt_control.gliders import Dive, read_dives, sample_dives, usable
 from clpt_control.progress import progress_bar
+from clpt_control.replay import replay_dives
 
 PRIORS: dict[str, tuple[Any, str, Any, Any]] = {
     "current": (fix_model, "CURRENT", 0.5, 2.0),

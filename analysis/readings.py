@@ -15,11 +15,11 @@ from typing import Annotated, Any
 import typer
 
 import clpt_control as clpt
+from clpt_control.figures import BLUE, GREEN, RED, new_figure
 from clpt_control.files import make_folder, write_figure, write_text
-from clpt_control.plotting import BLUE, GREEN, RED, new_figure
 from clpt_control.progress import progress_bar
-from clpt_control.report import claims, run_and_report
-from clpt_control.theory.excitation import excitation, started_true
+from clpt_control.simulation.report import claims, run_and_report
+from clpt_control.theory.excitation.gramian import excitation, started_true
 
 KERNELS = ("exponential", "gaussian", "gaussian-sigma")
 UNITS = {"periods in s": 1.0, "periods in h": 3600.0}

@@ -17,9 +17,9 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
+from clpt_control.figures import BLUE, RED, new_figure
 from clpt_control.files import make_folder, write_figure, write_text
-from clpt_control.plotting import BLUE, RED, new_figure
-from clpt_control.theory.excitation import started_true
+from clpt_control.theory.excitation.gramian import started_true
 
 TIME = 100.0  # frozen time, s
 WRONG_BY = 0.1  # 1/s: how far the second learner's feedforward gain is off
@@ -41,7 +41,7 @@ def linear_model(scenario: clpt.Scenario, state: np.ndarray) -> control.StateSpa
 
 def flow_gradient(scenario: clpt.Scenario, state: np.ndarray, step: float = 1e-6) -> np.ndarray:
     """Give (theta - alpha_M) dphi/dx at the vehicle by central differences."""
-    from clpt_control.flows import flow_velocity
+    from clpt_control.simulation.flows import flow_velocity
 
     left = np.array(scenario.flow.parameters) - np.array(scenario.model_parameters)
     gradient = np.empty((2, 2))

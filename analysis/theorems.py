@@ -13,11 +13,11 @@ import typer
 
 from clpt_control.files import make_folder, write_figure, write_text
 from clpt_control.progress import progress_bar
-from clpt_control.theory.audit_page import audit_latex, audit_markdown
-from clpt_control.theory.counterexample_plot import counterexample_plot
-from clpt_control.theory.counterexamples import disturbance_counterexample
-from clpt_control.theory.misprints import misprints
-from clpt_control.theory.theorems import audit
+from clpt_control.theory.counterexamples.paper_system import disturbance_counterexample
+from clpt_control.theory.counterexamples.plot import counterexample_plot
+from clpt_control.theory.proving.audit_page import audit_latex, audit_markdown
+from clpt_control.theory.proving.misprints import misprints
+from clpt_control.theory.proving.theorems import audit
 
 
 def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/theorems")) -> None:

@@ -3,7 +3,7 @@
 import numpy as np
 
 import clpt_control as clpt
-from clpt_control.diagram import initial_state
+from clpt_control.simulation.closed_loop import initial_state
 
 from .cases import Case
 from .engines import timed
@@ -42,7 +42,7 @@ def simulate(case: Case):
 
 def members(scenario):
     """Prepare an ensemble: eight members at once where the processor allows it."""
-    from clpt_control.native.members import Ensemble
+    from clpt_control.ensemble.members import Ensemble
 
     N, run = scenario.basis.N, scenario.run
     ensemble = Ensemble(

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from clpt_control.wiring import read
+from clpt_control.diagrams.wiring import read
 
 ARITHMETIC = {
     "add": operator.add,

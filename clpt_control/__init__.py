@@ -14,20 +14,20 @@ __version__ = "0.1.0"
 
 _NAMES = {
     "Block": "blocks",
-    "Scenario": "scenario",
-    "load_scenario": "scenario_file",
-    "save_scenario": "scenario_file",
-    "paper_scenario": "paper",
-    "paper_blocks": "diagram",
-    "closed_loop": "diagram",
-    "error_loop": "diagram",
-    "connect": "interconnection",
-    "initial_state": "diagram",
-    "simulate": "simulation",
-    "save_run": "runs",
-    "load_run": "runs",
+    "Scenario": "scenario.experiment",
+    "load_scenario": "scenario.file",
+    "save_scenario": "scenario.file",
+    "paper_scenario": "scenario.paper",
+    "paper_blocks": "simulation.closed_loop",
+    "closed_loop": "simulation.closed_loop",
+    "error_loop": "simulation.closed_loop",
+    "connect": "diagrams.interconnection",
+    "initial_state": "simulation.closed_loop",
+    "simulate": "simulation.simulate",
+    "save_run": "simulation.runs",
+    "load_run": "simulation.runs",
     "run_ensemble": "ensemble.run",
-    "draw": "drawing",
+    "draw": "diagrams.drawing",
     **dict.fromkeys(
         (
             "ClptError",
@@ -40,14 +40,26 @@ _NAMES = {
         "errors",
     ),
 }
-_PACKAGES = ("blocks", "drawing", "ensemble", "native", "theory", "estimation", "ocean", "plotting")
+_PACKAGES = (
+    "blocks",
+    "currents",
+    "diagrams",
+    "ensemble",
+    "estimation",
+    "gliders",
+    "native",
+    "replay",
+    "scenario",
+    "simulation",
+    "theory",
+)
 
 __all__ = ["__version__", *_NAMES, *_PACKAGES]
 
 if TYPE_CHECKING:
     from .blocks import Block
-    from .diagram import closed_loop, error_loop, initial_state, paper_blocks
-    from .drawing import draw
+    from .diagrams.drawing import draw
+    from .diagrams.interconnection import connect
     from .ensemble.run import run_ensemble
     from .errors import (
         BlockError,
@@ -57,11 +69,11 @@ if TYPE_CHECKING:
         ScenarioError,
         SimulationError,
     )
-    from .interconnection import connect
-    from .paper import paper_scenario
-    from .runs import load_run, save_run
-    from .scenario import Scenario
-    from .scenario_file import load_scenario, save_scenario
-    from .simulation import simulate
+    from .scenario.experiment import Scenario
+    from .scenario.file import load_scenario, save_scenario
+    from .scenario.paper import paper_scenario
+    from .simulation.closed_loop import closed_loop, error_loop, initial_state, paper_blocks
+    from .simulation.runs import load_run, save_run
+    from .simulation.simulate import simulate
 
 __getattr__, __dir__ = lazily(__name__, _NAMES, _PACKAGES)

@@ -11,7 +11,6 @@ import sys
 from pathlib import Path
 
 import clpt_control as clpt
-from clpt_control import ocean
 from clpt_control.files import write_netcdf
 
 
@@ -19,12 +18,12 @@ def main(folder="out", *files):
     """Replay, compare, write."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    dives, unread = ocean.read_dives(files) if files else (ocean.sample_dives(), [])
-    used, unused = ocean.usable(dives)
+    dives, unread = clpt.gliders.read_dives(files) if files else (clpt.gliders.sample_dives(), [])
+    used, unused = clpt.gliders.usable(dives)
     for skipped in [*unread, *unused]:
         print(f"dive {skipped.dive} skipped: {skipped.why}")
     for name in ("gradient", "rls", "kalman"):
-        replay = ocean.replay_dives(used, name)
+        replay = clpt.replay.replay_dives(used, name)
         rms = replay.summary()["clpe_rms_after_3"]
         if rms["adaptive"] is not None:
             print(
@@ -34,8 +33,8 @@ def main(folder="out", *files):
     last = replay.steps[-1]
     print(f"speed factor {last.speed:.3f} +- {last.speed_error:.3f}")
     print(f"learned {', '.join(last.learned)}; held {', '.join(last.held) or 'nothing'}")
-    write_netcdf(ocean.replay_dataset(replay), folder / "replay.nc")
-    for path in (folder / "replay.nc", *ocean.save_replay_figures(replay, folder)):
+    write_netcdf(clpt.replay.replay_dataset(replay), folder / "replay.nc")
+    for path in (folder / "replay.nc", *clpt.replay.save_replay_figures(replay, folder)):
         print(f"{path}: written")
 
 

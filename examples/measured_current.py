@@ -18,9 +18,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import clpt_control as clpt
-from clpt_control.ocean.fit import fit_scenario
-from clpt_control.ocean.fit_file import save_fit
-from clpt_control.ocean.learned import basis_of, explained_variance
+from clpt_control.currents.fit import fit_scenario
+from clpt_control.currents.fit_file import save_fit
+from clpt_control.simulation.learned import basis_of, explained_variance
 
 BOX = (40.9, 41.55, -69.9, -69.0)
 LATE = (18.0, 23.0)  # h

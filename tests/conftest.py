@@ -21,8 +21,8 @@ class Outcome(NamedTuple):
 @pytest.fixture
 def clpt(monkeypatch, capsys):
     """Run `clpt ARGUMENTS` and give its outcome."""
-    from clpt_control import interrupt
     from clpt_control.cli import main
+    from clpt_control.progress import interrupt
 
     for module in ("progress", "ensemble.counter"):  # no lines that only a slow machine shows
         monkeypatch.setattr(f"clpt_control.{module}.PATIENCE", float("inf"))

@@ -10,7 +10,7 @@ import numpy as np
 
 from clpt_control.blocks import Block, opaque
 from clpt_control.blocks.words import clip, floor, lookup, maximum, sign, where
-from clpt_control.theory.theorem_loop import theorem_scenario
+from clpt_control.theory.proving.theorem_loop import theorem_scenario
 
 N = 2
 

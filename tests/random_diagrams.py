@@ -320,7 +320,7 @@ def linear_part(random, name):
 
 def wired(random, parts):
     """Wire parts: most inputs from signals before them or from states, some from outside."""
-    from clpt_control.wiring import reaches_outputs
+    from clpt_control.diagrams.wiring import reaches_outputs
 
     signals: list[tuple[int, str, int]] = []
     for k, part in enumerate(parts):

@@ -6,9 +6,9 @@ import numpy as np
 from scipy.integrate import trapezoid
 
 from clpt_control.estimation.fix_model import inertial_frequency
-from clpt_control.ocean.gliders.dive_table import write_dive_table
-from clpt_control.ocean.gliders.dives import Dive
-from clpt_control.tides import period
+from clpt_control.gliders.dive_table import write_dive_table
+from clpt_control.gliders.dives import Dive
+from clpt_control.scenario.tides import period
 
 STEADY = (0.1, -0.05)
 

@@ -5,8 +5,8 @@ from pathlib import Path
 import netCDF4
 import numpy as np
 
-from clpt_control.ocean.nodal import nodal_corrections
-from clpt_control.tides import SPEEDS
+from clpt_control.currents.nodal import nodal_corrections
+from clpt_control.scenario.tides import SPEEDS
 
 MARACOOS = Path(__file__).parents[2] / "shared/data/field/maracoos_hfr_2019-01-01.nc"
 LATITUDE = 41.2

@@ -129,7 +129,7 @@ def gridded_flow(grid, outside: str = "raise", disturbed: bool = False, units=No
 
     Parameters
     ----------
-    grid : clpt_control.ocean.gridded.GriddedField
+    grid : clpt_control.currents.gridded.GriddedField
         The current on a regular grid, in the units of the diagram.
     outside : str, optional
         ``"raise"``, ``"clip"`` or ``"stop"``.
@@ -145,7 +145,7 @@ def gridded_flow(grid, outside: str = "raise", disturbed: bool = False, units=No
 
     Examples
     --------
-    >>> from clpt_control.ocean.gridded import GriddedField
+    >>> from clpt_control.currents.gridded import GriddedField
     >>> axis = np.arange(4.0)
     >>> grid = GriddedField(axis, axis, axis, np.ones((4, 4, 4)), np.zeros((4, 4, 4)))
     >>> gridded_flow(grid).output(1.3, [], [2.2, 0.4]).round(12)

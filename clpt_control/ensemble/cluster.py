@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import ClptError, DataError, SimulationError
-from ..interrupt import asked, check, leave
+from ..progress.interrupt import asked, check, leave
 from .plan import Plan
 from .store import open_store
 from .work import Recipe, work_of

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ScenarioError
-from ..scenario import Scenario
+from ..scenario.experiment import Scenario
 from .vary import Vary, variable_values
 
 DESIGNS = ("lhs", "grid", "random")

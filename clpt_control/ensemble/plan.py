@@ -7,11 +7,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .. import __version__
 from ..errors import DataError, ScenarioError
 from ..files import check_name, check_writable
-from ..scenario import Scenario
-from ..scenario_file import scenario_to_text
+from ..scenario.experiment import Scenario
+from ..scenario.file import scenario_to_text
 from .design import draw_members
 from .layout import check_store
 from .sampling import marks_of, samples_per_cycle
@@ -168,7 +167,7 @@ def _attributes(scenario: Scenario, arguments: dict[str, Any]) -> dict[str, Any]
     return {
         "Conventions": "CF-1.11",
         "title": scenario.title,
-        "source": f"clpt-control {__version__}",
+        "source": f"clpt-control {version('clpt-control')}",
         "software": ", ".join(f"{name} {version(name)}" for name in software),
         **{name: arguments[name] for name in ("scenario", "vary", "design", "seed", "samples")},
     }

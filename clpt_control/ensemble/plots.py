@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..plotting import BLUE, GREY, RED, new_figure
+from ..figures import BLUE, GREY, RED, new_figure
 from .percentiles import percentiles
 
 if TYPE_CHECKING:

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import ScenarioError
-from ..interrupt import SLICE, check
-from ..scenario import Scenario
+from ..progress.interrupt import SLICE, check
+from ..scenario.experiment import Scenario
 from .plan import Plan, make_plan
 from .store import remove_empty
 from .vary import Vary

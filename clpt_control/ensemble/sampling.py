@@ -6,9 +6,9 @@ from typing import NamedTuple
 import numpy as np
 
 from ..errors import ScenarioError
-from ..report import SAMPLES_PER_CYCLE
-from ..scenario import Scenario
-from ..simulation import sample_times
+from ..scenario.experiment import Scenario
+from ..simulation.report import SAMPLES_PER_CYCLE
+from ..simulation.simulate import sample_times
 
 FEWEST = 20  # samples a cycle that may be asked for
 MOST_TIMES = 10**8  # samples of a run

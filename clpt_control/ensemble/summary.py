@@ -15,8 +15,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..native.members import States
-from ..scenario import Scenario
+from ..scenario.experiment import Scenario
+from .members import States
 from .sampling import Sampling
 from .vary import variable_values
 

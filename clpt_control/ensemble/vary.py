@@ -18,8 +18,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..errors import ScenarioError
-from ..scenario import Scenario
-from ..scenario_tables import Part
+from ..scenario.experiment import Scenario
+from ..scenario.tables import Part
 
 FORMS = "KEY=LOW:HIGH, KEY~normal:DEVIATION or KEY=[VALUE, ...]"
 

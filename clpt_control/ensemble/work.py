@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..native.members import Ensemble
-from ..scenario_file import scenario_from_text
+from ..scenario.file import scenario_from_text
+from .members import Ensemble
 from .sampling import sampling
 from .summary import summarise_members
 

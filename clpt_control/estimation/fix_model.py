@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ScenarioError
-from ..tides import SPEEDS, period
+from ..scenario.tides import SPEEDS, period
 from .fix_regressor import (
     inertial,
     inertial_frequency,

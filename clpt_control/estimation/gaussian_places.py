@@ -100,7 +100,7 @@ def near(places: Places | None, dive: Any, width: float) -> Places:
 
     Examples
     --------
-    >>> from clpt_control.ocean.gliders.dives import make_dive
+    >>> from clpt_control.gliders.dives import make_dive
     >>> dive = make_dive(1, (0.0, 40.0, 8.0), (9000.0, 40.0, 8.02), (500.0, 0.0))
     >>> near(None, dive, 20e3).cells
     ((-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 0), (0, 1), (1, -1), (1, 0), (1, 1))

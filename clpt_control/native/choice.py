@@ -7,8 +7,8 @@ from typing import Any
 
 import control
 
+from ..diagrams.wiring import Wiring, read
 from ..errors import SimulationError, Uncompiled
-from ..wiring import Wiring, read
 from .inputs import Inputs
 from .plain import PlainDiagram
 

@@ -11,8 +11,8 @@ from numba.core.compiler_lock import global_compiler_lock
 
 from ..blocks import Block
 from ..blocks.tracers import TooLong
+from ..diagrams.wiring import Wiring
 from ..errors import Uncompiled
-from ..wiring import Wiring
 from . import method
 from .flat import flat_program
 from .layout import Layout

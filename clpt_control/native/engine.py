@@ -6,8 +6,8 @@ from typing import Any
 import control
 import numpy as np
 
+from ..diagrams.wiring import Wiring
 from ..errors import SimulationError
-from ..wiring import Wiring
 from .code import Code, code_of, kernels
 from .compiled import solver
 from .inputs import Inputs

@@ -9,7 +9,7 @@ from math import copysign
 from typing import Any
 
 from ..blocks.record import Record
-from ..wiring import Node
+from ..diagrams.wiring import Node
 from .program import CONDITIONS, Item, Load, Program, Ref, Step, Store
 from .simplify import simplified
 from .sources import Sources

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from ..blocks import Block
-from ..wiring import Wiring
+from ..diagrams.wiring import Wiring
 
 LARGE = 512  # numbers: a larger array is a table that runs share
 
@@ -108,7 +108,7 @@ def lay_out(wiring: Wiring, parameters: Sequence[Any]) -> Layout:
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> from clpt_control.wiring import read
+    >>> from clpt_control.diagrams.wiring import read
     >>> wiring = read(clpt.closed_loop(clpt.paper_scenario()))
     >>> layout = lay_out(wiring, [node.system.parameters for node in wiring.nodes])
     >>> layout.places[(1, "widths")] == layout.places[(2, "widths")]

@@ -9,9 +9,9 @@ from typing import Any
 import control
 import numpy as np
 
+from ..diagrams.interconnection import changed_parameters
+from ..diagrams.wiring import Wiring, read
 from ..errors import SimulationError
-from ..interconnection import changed_parameters
-from ..wiring import Wiring, read
 from . import method, solver
 from .ending import ended
 from .inputs import Inputs

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..errors import SimulationError
-from ..interrupt import check
+from ..progress.interrupt import check
 from . import method
 from .schedule import Schedule
 from .status import Status

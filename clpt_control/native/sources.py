@@ -11,7 +11,7 @@ the slope.
 from typing import NamedTuple
 
 from ..blocks.ports import states_as_outputs
-from ..wiring import Node, Wiring
+from ..diagrams.wiring import Node, Wiring
 from .layout import Layout
 
 SIGNED = {"div", "atan2", "pow", "floordiv", "mod"}  # that tell -0.0 from 0.0

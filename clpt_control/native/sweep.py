@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..blocks import Block
-from ..wiring import Node, Wiring
+from ..diagrams.wiring import Node, Wiring
 
 TROUBLE = (OverflowError, ValueError, ZeroDivisionError, FloatingPointError)
 
@@ -39,7 +39,7 @@ class Sweep:
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> from clpt_control.wiring import read
+    >>> from clpt_control.diagrams.wiring import read
     >>> scenario = clpt.paper_scenario()
     >>> wiring = read(clpt.closed_loop(scenario))
     >>> sweep = Sweep(wiring, [node.system.parameters for node in wiring.nodes])

@@ -8,10 +8,13 @@ from typing import TYPE_CHECKING
 from ..lazy import lazily
 
 if TYPE_CHECKING:
-    from .own_law import Verdict, prove
-    from .theorems import audit
+    from .proving.own_law import Verdict, prove
+    from .proving.theorems import audit
 
 __all__ = ["Verdict", "audit", "prove"]
-__getattr__, __dir__ = lazily(
-    __name__, {"audit": "theorems", "prove": "own_law", "Verdict": "own_law"}
-)
+_NAMES = {
+    "audit": "proving.theorems",
+    "prove": "proving.own_law",
+    "Verdict": "proving.own_law",
+}
+__getattr__, __dir__ = lazily(__name__, _NAMES)

@@ -14,21 +14,8 @@ from typing import NamedTuple
 
 from ...errors import BlockError
 from ..block import Block
-from .diagrams import (
-    _copies,
-    _interconnects,
-    _jumps,
-    _linearizes,
-    _parameters,
-    _pickles,
-)
-from .equations import (
-    _docstrings,
-    _in_range,
-    _readings,
-    _repeats,
-    _zero,
-)
+from .diagrams import _copies, _interconnects, _jumps, _linearizes, _parameters, _pickles
+from .equations import _docstrings, _in_range, _readings, _repeats, _zero
 from .samples import Sample, draw
 
 Check = Callable[[Block, list[Sample]], Iterator[str]]

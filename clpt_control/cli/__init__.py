@@ -1,0 +1,102 @@
+"""The command `clpt`.
+
+Results go to standard output, progress and complaints to standard error.  Exit
+status 0 is done, 1 a run that failed, 2 a user's mistake, 130 an interrupt;
+each failure is one sentence.  Commands import what they need when they run, so
+that `clpt --help` answers at once.
+"""
+
+import errno
+import gc
+import io
+import logging
+import os
+import sys
+import warnings
+from contextlib import suppress
+
+from ..errors import ClptError, SimulationError
+from ..progress import interrupt
+
+LONGEST = 1200  # letters of a sentence; names and values may have more
+
+
+def main() -> None:
+    """Run the command line; a failure is a sentence and a status."""
+    interrupt.listen()
+    gc.set_threshold(200_000, 50, 50)  # imports make many objects and no garbage
+    warnings.showwarning = lambda *_: None  # what is wrong is said by sentences
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")  # names of files may hold any bytes
+    try:
+        status = _run()
+        sys.stdout.flush()
+    except (KeyboardInterrupt, SystemExit, Exception) as error:
+        status = _answer(error)
+    interrupt.end()
+    if interrupt.asked():
+        status = 130
+    if status == 130:
+        interrupt.say()
+    sys.exit(status)
+
+
+def _run() -> int:
+    from .app import app
+
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it warns where there is no home
+    status = app(standalone_mode=False)
+    return status if isinstance(status, int) else 0
+
+
+def _answer(error: BaseException) -> int:
+    """Say in one line what went wrong; give the status."""
+    if interrupt.asked() or _interrupted(error):  # whatever an interrupted import makes of it
+        return 130
+    if isinstance(error, SimulationError):
+        return _complain(str(error), 1)
+    if isinstance(error, ClptError):
+        return _complain(str(error), 2)
+    if isinstance(error, BrokenPipeError | SystemExit):  # typer's exit where the reader went away
+        _let_go()
+        return 0
+    if isinstance(error, MemoryError):
+        return _complain(
+            "out of memory; give less at once: fewer samples, members, files or places", 1
+        )
+    if isinstance(error, OSError) and error.errno == errno.ENOSPC and error.filename is None:
+        _let_go()
+        return _complain("standard output: no space left; give it a place with more", 2)
+    import typer
+
+    if isinstance(error, typer.Abort):
+        return 130
+    if isinstance(error, typer.TyperException):
+        return _complain(error.format_message(), 2)
+    if os.environ.get("CLPT_TRACEBACK"):
+        raise error
+    kind = type(error).__name__
+    return _complain(f"fault in clpt: {kind}: {error}; CLPT_TRACEBACK=1 shows where", 1)
+
+
+def _interrupted(error: BaseException | None) -> bool:
+    """Whether an interrupt is behind an error."""
+    while error is not None:
+        if isinstance(error, KeyboardInterrupt):
+            return True
+        error = error.__cause__ or error.__context__
+    return False
+
+
+def _let_go() -> None:
+    """Write nothing that is left for standard output."""
+    with suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _complain(sentence: str, status: int) -> int:
+    line = " ".join(sentence.split()).encode(errors="backslashreplace").decode()
+    if len(line) > LONGEST:
+        line = f"{line[: LONGEST // 2]} ... {line[-LONGEST // 2 :]}"
+    print("clpt:", line, file=sys.stderr)
+    return status

@@ -1,0 +1,82 @@
+"""`clpt ensemble`: many runs of one scenario."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from .printing import Json, ScenarioFile, print_json, print_table, shown
+
+
+def ensemble(
+    scenario: ScenarioFile,
+    members: Annotated[int, typer.Option(help="How many runs.")],
+    vary: Annotated[
+        list[str],
+        typer.Option(help="KEY=LOW:HIGH, KEY~normal:DEVIATION or KEY=[VALUE, ...]; repeat it."),
+    ],
+    out: Annotated[Path, typer.Option(help="Zarr folder; if it holds a part, go on from there.")],
+    design: Annotated[str, typer.Option(help="lhs (Latin hypercube), grid or random.")] = "lhs",
+    seed: Annotated[int, typer.Option(help="Of the design.")] = 0,
+    threads: Annotated[int | None, typer.Option(help="Default: all processors.")] = None,
+    trajectories: Annotated[
+        bool, typer.Option("--trajectories", help="Keep the states too.")
+    ] = False,
+    figure: Annotated[
+        Path | None, typer.Option(help=".png, .pdf or .svg: percentiles of CLPE and errors.")
+    ] = None,
+    dask: Annotated[
+        str | None, typer.Option(help="Run on a cluster: tcp://HOST:PORT, or local.")
+    ] = None,
+    chunk: Annotated[int | None, typer.Option(help="Members written at once.")] = None,
+    samples: Annotated[int | None, typer.Option(help="Samples a cycle for CLPE rms.")] = None,
+    as_json: Json = False,
+) -> None:
+    """Run a scenario many times with values that vary."""
+    from ..ensemble.counter import member_counter
+    from ..ensemble.percentiles import ensemble_summary
+    from ..ensemble.run import run_ensemble
+    from ..errors import ClptError
+    from ..files import check_writable, write_figure
+    from ..scenario.file import load_scenario
+
+    experiment = load_scenario(scenario)
+    if figure is not None:
+        check_writable(figure)
+        if figure.suffix not in (".png", ".pdf", ".svg"):
+            raise ClptError(f"{figure}: a figure's name must end in .png, .pdf or .svg")
+    with member_counter(f"running {scenario.name}", members) as report:
+        data = run_ensemble(
+            experiment, vary, members, design, seed, out, threads=threads,
+            trajectories=trajectories, chunk=chunk, samples=samples, progress=report, dask=dask,
+        )  # fmt: skip
+    summary = ensemble_summary(data)
+    if figure is not None:
+        from ..ensemble.plots import ensemble_plot
+
+        write_figure(ensemble_plot(data), figure)
+    if as_json:
+        print_json(summary)
+        return
+    length, time = experiment.units.length, experiment.units.time
+    rows = []
+    for number, column in enumerate(summary["clpe_rms_per_cycle"], 1):
+        if number <= 3 or number == len(summary["clpe_rms_per_cycle"]):
+            rows.append([f"CLPE rms, cycle {number} ({length})", *_cells(column)])
+    rows.append([f"CLPE rms, whole run ({length})", *_cells(summary["clpe_rms"])])
+    for key, name in (("flow_parameter_error", "flow parameter"), ("gain_error", "gain")):
+        if f"{key}_at_end" in summary:
+            end = f"t = {experiment.run.duration:g} {time}"
+            rows.append([f"largest {name} error, {end}", *_cells(summary[f"{key}_at_end"])])
+    columns = ["percentile", *(f"{p} %" for p in summary["percents"])]
+    ended = ", ".join(
+        f"{count} {name.replace('_', ' ')}" for name, count in summary["ended"].items()
+    )
+    print_table(f"{experiment.title or scenario}: {ended}", columns, rows)
+    if summary["first_failed"] is not None:
+        typer.echo(f"the first member that did not finish is {summary['first_failed']}")
+    typer.echo(f"{out}: written")
+
+
+def _cells(column: list[float] | None) -> list[str]:
+    return ["-"] * 5 if column is None else [shown(value) for value in column]

@@ -1,0 +1,70 @@
+"""`clpt excitation`: what can be learned on a track, and how fast."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from ..errors import ClptError
+from .printing import Json, ScenarioFile, print_json, print_table
+
+
+def excitation(
+    scenario: ScenarioFile,
+    window: Annotated[
+        float | None, typer.Option(help="Length of the window; default: one cycle of waypoints.")
+    ] = None,
+    start: Annotated[
+        float | None, typer.Option(help="Start of the window; default: the second cycle.")
+    ] = None,
+    figure: Annotated[
+        Path | None, typer.Option(help=".png, .pdf or .svg: eigenvalues and directions.")
+    ] = None,
+    as_json: Json = False,
+) -> None:
+    """Tell what can be learned on a track, and how fast."""
+    from ..files import check_writable, write_figure
+    from ..scenario.file import load_scenario
+    from ..simulation.runs import load_run
+    from ..theory.excitation.report import excitation_report
+
+    source = load_run(scenario) if scenario.suffix == ".nc" else load_scenario(scenario)
+    if figure is not None:
+        check_writable(figure)
+        if figure.suffix not in (".png", ".pdf", ".svg"):
+            raise ClptError(f"{figure}: a figure's name must end in .png, .pdf or .svg")
+    report = excitation_report(source, window, start)
+    if figure is not None:
+        from ..theory.excitation.gramian import excitation as measured
+        from ..theory.excitation.plot import excitation_plot
+        from ..theory.excitation.sliding import sliding_excitation
+
+        at = measured(source, report["window"], report["start"])
+        write_figure(excitation_plot(sliding_excitation(source, report["window"]), at), figure)
+    if as_json:
+        print_json(report)
+        return
+    unit = report["time_unit"]
+    rows = []
+    for axis, values in report["eigenvalues"].items():
+        rows.append([f"{axis}: eigenvalues", ", ".join(f"{value:.4g}" for value in values)])
+        parts = sorted(report["least_excited"][axis].items(), key=lambda part: -abs(part[1]))[:8]
+        listed = ", ".join(f"{name} {share:+.2f}" for name, share in parts)
+        rows.append([f"{axis}: least excited direction", listed])
+    if report["contraction"] is None:
+        rows.append(["contraction of V", report["not_certified"]])
+    else:
+        rows.append(["contraction of V, exact, at worst", f"{report['contraction']:.6g}"])
+        rows.append(["guaranteed drop of V, rho", f"{report['rho']:.3g}"])
+        time = report["time_to_tenth"]
+        within = "never" if time is None else f"{time:.6g} {unit}, in windows like this one"
+        rows.append(["errors fall to a tenth within", within])
+    if "accuracy" in report:
+        rows.append(["accuracy of the eigenvalues", f"{report['accuracy']:.2g} relative"])
+    end = report["start"] + report["window"]
+    title = f"Excitation from {report['start']:g} to {end:g} {unit}, {report['trajectory']}"
+    print_table(title, ["", ""], rows)
+    for sentence in report["not_learnable"]:
+        typer.echo(sentence)
+    if figure is not None:
+        typer.echo(f"{figure}: written")

@@ -1,0 +1,57 @@
+"""`clpt prove`: the paper's theorems on the equations that run."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from ..errors import SimulationError
+from .printing import Json, print_json, print_table
+
+
+def prove(
+    theorem: Annotated[str | None, typer.Option(help="3.1, 3.2, 3.3 or 3.4; default: all.")] = None,
+    tex: Annotated[Path | None, typer.Option(help="Write the audit as LaTeX.")] = None,
+    as_json: Json = False,
+) -> None:
+    """Check the paper's theorems on the equations that run."""
+    from ..files import check_writable, write_text
+    from ..progress import progress_bar
+    from ..theory.proving.audit_page import audit_json, audit_latex
+    from ..theory.proving.misprints import misprints
+    from ..theory.proving.theorems import audit
+
+    if tex is not None:
+        check_writable(tex)
+    with progress_bar("proving", 4 if theorem is None else 1) as report:
+        proofs = audit(theorem, report)
+        listed = misprints()
+    if tex is not None:
+        write_text(tex, audit_latex(proofs, listed))
+    if as_json:
+        print_json(audit_json(proofs, listed))
+    else:
+        for number, proof in proofs.items():
+            rows = [["yes" if s.holds else "NO", s.how, s.claim, s.detail] for s in proof.steps]
+            every = ", for every N" if proof.for_every_N else ""
+            print_table(
+                f"Theorem {number}: {proof.status}{every}", ["holds", "how", "claim", ""], rows
+            )
+            typer.echo(f"printed: {proof.printed}")
+            if proof.corrected:
+                typer.echo(f"holds:   {proof.corrected}")
+            if proof.cited:
+                typer.echo(f"cited:   {proof.cited}")
+            for rest in proof.not_proved:
+                typer.echo(f"not shown: {rest}")
+            typer.echo("")
+        print_table(
+            "Misprints",
+            ["equation", "printed", "should be", "confirmed"],
+            [[m.equation, m.printed, m.corrected, "yes" if m.confirmed else "NO"] for m in listed],
+        )
+    wrong = [f"{n} at step '{s.claim}'" for n, p in proofs.items() for s in p.failed]
+    wrong += [f"the misprint of {m.equation} is not confirmed" for m in listed if not m.confirmed]
+    if wrong:
+        more = f" (and {len(wrong) - 1} more)" if len(wrong) > 1 else ""
+        raise SimulationError(f"the proof fails: {wrong[0]}{more}")

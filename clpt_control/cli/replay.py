@@ -1,0 +1,142 @@
+"""`clpt replay`: a glider's dives, each forecast before its end."""
+
+from math import inf
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from .printing import Json, print_json
+from .replay_results import advance, summary_with_next, write
+from .replay_table import show
+from .replay_watch import check_pace, watch
+
+
+def folder_named(text: str) -> Path:
+    """Give the folder that an option names, which '' does not."""
+    if not text.strip():
+        raise typer.BadParameter("is empty; give the name of a folder")
+    return Path(text)
+
+
+def replay(
+    files: Annotated[
+        list[Path] | None, typer.Argument(help="Seaglider, OG1 or CSV files, or folders of them.")
+    ] = None,
+    sample: Annotated[bool, typer.Option("--sample", help="Replay the dives that ship.")] = False,
+    estimator: Annotated[
+        str | None, typer.Option(help="kalman (if not said), rls or gradient.")
+    ] = None,
+    flow: Annotated[
+        str | None,
+        typer.Option(help="steady, then any of tides, inertial, gaussians, model: steady,M2,K1."),
+    ] = None,
+    width: Annotated[str | None, typer.Option(help="Of the gaussians, such as 20km.")] = None,
+    learn_speed: Annotated[
+        bool, typer.Option(help="Learn a factor on speed and a compass error.")
+    ] = True,
+    flow_model: Annotated[
+        Path | None,
+        typer.Option(help="Forecast (NetCDF) or fit (TOML) to compare with and learn from."),
+    ] = None,
+    plan: Annotated[
+        tuple[float, float, float] | None,
+        typer.Option("--next", help="Plan of the next dive: hours, m east, m north."),
+    ] = None,
+    least_duration: Annotated[
+        float | None, typer.Option(help="Dives must last longer than this, s.")
+    ] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option(parser=folder_named, metavar="PATH", help="Folder for NetCDF and figures."),
+    ] = None,
+    follow: Annotated[
+        Path | None,
+        typer.Option(
+            parser=folder_named,
+            metavar="PATH",
+            help="Folder to watch for new files; --out is its folder replay.",
+        ),
+    ] = None,
+    every: Annotated[float, typer.Option(help="Time between looks at that folder, s.")] = 10.0,
+    patience: Annotated[float, typer.Option(help="End after so long without a new file, s.")] = inf,
+    as_json: Json = False,
+) -> None:
+    """Replay a glider's dives, each forecast before its end."""
+    from ..errors import DataError, ScenarioError
+    from ..estimation.between_fixes import ESTIMATORS
+    from ..files import make_folder
+    from ..gliders.dive_files import read_dives
+    from ..gliders.dive_table import sample_dives
+    from ..replay.flow_model_file import read_flow_model
+    from ..replay.replay import Replay
+    from ..replay.session import Session, check_tides
+    from ..replay.surfacing import check_plan
+
+    if bool(files) + sample + (follow is not None) != 1:
+        raise ScenarioError("give files of dives, --sample for those that ship, or --follow FOLDER")
+    check_pace(every, patience)
+    if estimator not in (None, *ESTIMATORS):
+        raise ScenarioError(f"--estimator {estimator}: must be one of {', '.join(ESTIMATORS)}")
+    model = chosen_model(flow, width, learn_speed, flow_model is not None)
+    forecast = None if flow_model is None else read_flow_model(flow_model)
+    options: dict[str, Any] = {} if least_duration is None else {"least_duration": least_duration}
+    named: dict[str, Any] = {} if estimator is None else {"estimator": estimator}
+    session = Session(Replay(**named, model=model, flow_model=forecast), **options)
+    ahead = () if plan is None else (3600 * plan[0], plan[1:])
+    if ahead:
+        check_plan(*ahead)
+    written: list[Path] = []
+    if follow is not None:
+        watch(session, follow, follow / "replay" if out is None else out, ahead, every, patience)
+    else:
+        session.take(*((sample_dives(), []) if sample else read_dives(files or [])))
+        if not session.used:
+            first = session.skipped[0]
+            raise DataError(f"no dive can be used; dive {first.dive}: {first.why}")
+        check_tides(model.flow, session.used)
+        advance(session)
+        if out is not None:
+            written = write(session.replay, make_folder(out), ahead)
+    summary = summary_with_next(session, ahead)
+    if as_json:
+        print_json(summary)
+        return
+    show(session.replay, summary)
+    for path in written:
+        typer.echo(f"{path}: written")
+
+
+def chosen_model(flow: str | None, width: str | None, learn_speed: bool, given: bool) -> Any:
+    """Give the parameters that options ask for.
+
+    Parameters
+    ----------
+    flow, width : str or None
+        As given; None is `FixModel`'s own.
+    learn_speed : bool
+        Whether speed and compass are parameters.
+    given : bool
+        Whether a flow model is; then a factor on it is a parameter, which the
+        dives may find to be none.
+
+    Returns
+    -------
+    FixModel
+
+    Raises
+    ------
+    ScenarioError
+        If the flow asks for a model that is not given.
+    """
+    from ..currents.places import read_width
+    from ..errors import ScenarioError
+    from ..estimation.fix_model import FixModel
+
+    parts = FixModel().flow if flow is None else tuple(name.strip() for name in flow.split(","))
+    if not given and "model" in parts:
+        raise ScenarioError(f"flow {flow}: its part model needs --flow-model FILE")
+    if given and "model" not in parts:
+        parts = (*parts, "model")
+    sized: dict[str, Any] = {} if width is None else {"width": 1000 * read_width(width)}
+    return FixModel(parts, learn_speed, **sized)

@@ -1,0 +1,219 @@
+"""The table of `clpt replay`: a row per dive, then the whole."""
+
+from typing import Any
+
+import typer
+
+from .printing import print_table
+
+COLUMNS = {
+    "no_flow": "no flow",
+    "previous_dive": "previous",
+    "adaptive": "adaptive",
+    "flow_model": "model",
+}
+ROWS = {
+    "clpe_rms": "after the first dive",
+    "clpe_rms_all": "all, the first with no flow",
+    "clpe_rms_after_3": "after the third dive",
+}
+
+
+def show(result: Any, summary: dict[str, Any]) -> None:
+    """Print a replay: a row per dive, then the whole.
+
+    Parameters
+    ----------
+    result : Replay
+        With any number of dives.
+    summary : dict
+        As `Replay.summary` gives it, and ``next_dive``.
+    """
+    if result.steps:
+        tables(result, summary)
+    else:
+        typer.echo("no dives yet")
+    if "flow_model" in summary and result.steps:
+        typer.echo("\n".join(coverage(summary["flow_model"], summary["used"])))
+    for step in result.steps:
+        if step.anomaly:
+            typer.echo(f"speed anomaly: {step.anomaly}")
+    if summary["dac_identity_median"] is not None:
+        typer.echo(
+            "miss / duration differs from the file's own current by "
+            f"{1000 * summary['dac_identity_median']:.2g} mm/s (median)"
+        )
+    if result.steps:
+        typer.echo(f"surfaced in the 90 % ellipse: {100 * summary['inside_90']:.0f} %")
+        typer.echo(f"learned: {shortened(summary['learned']) or 'nothing'}")
+    if summary["held"]:
+        typer.echo(f"held, for the dives do not excite them: {shortened(summary['held'])}")
+    for line in by_reason(summary["notes"], "note"):
+        typer.echo(line)
+    for entry in summary["skipped"]:
+        name = "a file" if entry["dive"] is None else f"dive {entry['dive']}"
+        typer.echo(f"skipped {name}: {entry['why']}")
+    ahead = summary["next_dive"]
+    if ahead is not None:
+        typer.echo(
+            f"next surfacing, after {ahead['duration'] / 3600:.2f} h and {ahead['dr_east']:+.0f} m "
+            f"east, {ahead['dr_north']:+.0f} m north through the water: "
+            f"{place(ahead['latitude'], ahead['longitude'])}, 90 % within "
+            f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
+            + (
+                f"; the flow model does not cover it: {ahead['why_uncovered']}"
+                if ahead["flow_model_covers"] is False
+                else ""
+            )
+        )
+
+
+def tables(result: Any, summary: dict[str, Any]) -> None:
+    """Print a row per dive, then the CLPE rms.
+
+    Parameters
+    ----------
+    result : Replay
+        With one dive at least.
+    summary : dict
+        As `Replay.summary` gives it.
+    """
+    from ..replay.ellipse import ellipse
+
+    rows = []
+    for step in result.steps:
+        current = " ".join(
+            f"{v:+.3f}({1000 * e:.0f})"
+            for v, e in zip(step.current, step.current_error, strict=True)
+        )
+        long, short, angle = ellipse(step.covariance)
+        rows.append([
+            str(step.dive.number),
+            *(metres(step.clpe[key]) for key in result.models),
+            current,
+            f"{step.speed:.3f}({1000 * step.speed_error:.0f})",
+            f"{step.forecast[0]:+.0f} {step.forecast[1]:+.0f}",
+            f"{long:.0f} x {short:.0f}, {angle:.0f}",
+            "in" if step.inside else "OUT",
+            speed_mark(step.anomaly),
+        ])  # fmt: skip
+    print_table(
+        "CLPE (m), one dive ahead; learned (standard error, last digits); forecast surfacing",
+        ["dive", *(COLUMNS[key] for key in result.models), "current E N (m/s)", "speed",
+         "E N of DR (m)", "90 % ellipse (m, deg)", "", ""],
+        rows,
+    )  # fmt: skip
+    means = {name: summary[key] for key, name in ROWS.items()}
+    if "flow_model" in summary and 0 < summary["flow_model"]["covered"] < summary["used"]:
+        means["covered, after the first dive"] = summary["flow_model"]["clpe_rms"]
+    table = [[name, *map(metres, rms.values())] for name, rms in means.items()]
+    print_table("CLPE rms (m)", ["", *(COLUMNS[key] for key in result.models)], table)
+
+
+def place(lat: float, lon: float) -> str:
+    """Give a place in words, degrees.
+
+    Examples
+    --------
+    >>> place(-42.93, 8.42)
+    '42.9300 S 8.4200 E'
+    """
+    return f"{abs(lat):.4f} {'NS'[lat < 0]} {abs(lon):.4f} {'EW'[lon < 0]}"
+
+
+def shortened(names: list[str]) -> str:
+    """Give names of parameters on a line, gaussians by their number.
+
+    Parameters
+    ----------
+    names : list of str
+        As `FixModel.names` has them.
+
+    Returns
+    -------
+    str
+        Separated by commas.
+
+    Examples
+    --------
+    >>> shortened(["speed", "gaussian[0,0]_east", "gaussian[0,0]_north"])
+    'speed, 2 of gaussians'
+    """
+    plain = [name for name in names if not name.startswith("gaussian[")]
+    places = len(names) - len(plain)
+    return ", ".join([*plain, *([f"{places} of gaussians"] if places else [])])
+
+
+def coverage(given: dict[str, Any], used: int) -> list[str]:
+    """Say which dives a flow model covers, and why not the others.
+
+    Parameters
+    ----------
+    given : dict
+        ``flow_model`` of `Replay.summary`.
+    used : int
+        Number of used dives.
+
+    Returns
+    -------
+    list of str
+        Lines; dives with the same reason share one.
+
+    Examples
+    --------
+    >>> none = {"dive": 7, "why": "outside the forecast's area"}
+    >>> given = {"source": "f.nc", "about": "gridded", "covered": 3, "uncovered": [none]}
+    >>> for line in coverage(given, 4):
+    ...     print(line)
+    flow model f.nc (gridded) covers 3 of 4 dives
+    no flow model for dive 7: outside the forecast's area
+    """
+    lines = [
+        f"flow model {given['source']} ({given['about']}) covers {given['covered']} of {used} dives"
+    ]
+    return [*lines, *by_reason(given["uncovered"], "why", "no flow model for ")]
+
+
+def by_reason(entries: list[dict[str, Any]], key: str, before: str = "") -> list[str]:
+    """Give a line for each reason, with the dives that share it.
+
+    Parameters
+    ----------
+    entries : list of dict
+        ``dive`` and the reason.
+    key : str
+        Under which the reason stands.
+    before : str, optional
+        What the line begins with.
+
+    Returns
+    -------
+    list of str
+
+    Examples
+    --------
+    >>> by_reason([{"dive": 3, "note": "odd"}, {"dive": 5, "note": "odd"}], "note")
+    ['dives 3, 5: odd']
+    """
+    reasons: dict[str, list[str]] = {}
+    for entry in entries:
+        reasons.setdefault(entry[key], []).append(str(entry["dive"]))
+    lines = []
+    for why, dives in reasons.items():
+        named = f"dive{'s'[: len(dives) > 1]} {', '.join(dives)}"
+        if len(dives) > 6:
+            named = f"{len(dives)} dives from {dives[0]} to {dives[-1]}"
+        lines.append(f"{before}{named}: {why}")
+    return lines
+
+
+def speed_mark(anomaly: Any) -> str:
+    """Give the last cell of a dive's row: SPEED, in doubt SPEED?"""
+    if anomaly is None:
+        return ""
+    return "SPEED" if anomaly.certain else "SPEED?"
+
+
+def metres(size: float | None) -> str:
+    """Give a length as the table shows it, m."""
+    return "-" if size is None else f"{size:.0f}"

@@ -1,0 +1,93 @@
+"""`clpt tides`: tidal constants of a current record."""
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from .printing import Json, print_json, print_table
+
+
+def tides(
+    record: Annotated[Path, typer.Argument(help="NetCDF, or CSV with time, u and v.")],
+    constituents: Annotated[
+        str, typer.Option(help="Named tides, such as M2,S2,K1; auto: all that can be told apart.")
+    ],
+    latitude: Annotated[
+        float | None, typer.Option(help="Degrees north; default: the file's own.")
+    ] = None,
+    at: Annotated[
+        tuple[float, float] | None,
+        typer.Option(help="LAT LON, degrees: the nearest cell of a grid."),
+    ] = None,
+    out: Annotated[Path | None, typer.Option(help="Folder for tides.nc and tides.png.")] = None,
+    as_json: Json = False,
+) -> None:
+    """Fit tidal constituents to a current record."""
+    from ..currents.tidal.analysis import fit_tides
+    from ..currents.tidal.constants import tides_report
+    from ..currents.tidal.record import read_record
+    from ..files import make_folder, write_figure, write_netcdf
+
+    measured = read_record(record, latitude, at)
+    names = [name.strip() for name in constituents.split(",")]
+    fit = fit_tides(
+        measured.time,
+        measured.u,
+        measured.v,
+        measured.latitude,
+        "auto" if names == ["auto"] else names,
+        where=str(record),
+    )
+    report = {"source": measured.source, **tides_report(fit)}
+    written = []
+    if out is not None:
+        from ..currents.tidal.file import tides_dataset
+        from ..currents.tidal.plots import tides_plot
+
+        written = [make_folder(out) / "tides.nc", out / "tides.png"]
+        write_netcdf(tides_dataset(fit, measured), written[0])
+        write_figure(tides_plot(fit, measured), written[1])
+    if as_json:
+        print_json(report)
+        return
+    show(report)
+    for path in written:
+        typer.echo(f"{path}: written")
+
+
+def show(report: dict[str, Any]) -> None:
+    """Print tidal constants: a row per constituent, then the whole.
+
+    Parameters
+    ----------
+    report : dict
+        As `tides_report` gives it, with its source.
+    """
+    rows = []
+    for name, each in report["constituents"].items():
+        row = [name]
+        for key, error in each["standard_errors"].items():
+            digits = 4 if key in ("east", "north", "major", "minor") else 1
+            if error is None or (digits == 1 and error > 90.0):
+                shown = "any"  # an angle as good as unknown
+            else:
+                shown = f"{error:.{digits}f}"
+            row.append(f"{each[key]:.{digits}f} ({shown})")
+        rows.append(row)
+    print_table(
+        f"Tides of {report['source']}: amplitudes and axes in m/s, Greenwich phases and "
+        "inclination in degrees (standard error)",
+        ["", "east", "phase", "north", "phase", "major", "minor", "incl.", "phase"],
+        rows,
+    )  # fmt: skip
+    east, north = report["mean"]
+    typer.echo(
+        f"{report['samples']} measurements over {report['hours']:.6g} h from "
+        f"{report['start'][:16]} UTC, latitude {report['latitude']:g}"
+    )
+    typer.echo(f"mean current: {east:+.4f} east, {north:+.4f} north (m/s)")
+    typer.echo(
+        f"explained: {report['explained_variance']:.1%} of the variance; residual rms "
+        f"{report['residual_rms']:.4f} m/s"
+    )

@@ -1,1 +1,0 @@
-"""The commands of `clpt`, one file each; they import what they need when run."""

@@ -1,0 +1,250 @@
+"""A scenario from a measured current: the field is the truth, the basis learns.
+
+    F(x, t) = theta phi(x, t) + Delta,  |Delta| <= its largest residual    Eq. (32)
+
+A gridded current is projected to a local plane in km and h (origin at the
+box's centre, x1 east, x2 north, t = 0 at the first step) and fitted by basis
+functions of Eq. (5): gaussian kernels at the middles of rows x columns equal
+parts of the box, times cos and sin of each constituent (a rotary tide needs
+both; the sine is the phase -pi/2), one function for "steady".  Places are
+repeated, one entry per function: all places of the first tide, then of the
+next.  The fit sees measured samples only.  The scenario's true flow is the
+field itself, gaps filled; the learner has the basis and starts without theta.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..diagrams.scenario_basis import scenario_basis
+from ..errors import DataError
+from ..estimation.least_squares import evaluate, least_squares
+from ..scenario import tides
+from ..scenario.experiment import Scenario
+from .currents import Currents, read_currents
+from .gaps import fill_gaps, regular_grid
+from .gridded import GriddedField
+from .nodal import nodal_report
+from .places import middles, read_centers, read_width
+from .plane import LocalPlane
+from .rayleigh import check_separable
+
+__all__ = ["Fit", "fit_scenario", "read_centers", "read_width"]
+
+SINE = -np.pi / 2
+SPEED = "km h-1"
+KM_PER_HOUR = 3.6  # one m/s
+
+
+@dataclass(frozen=True)
+class Fit:
+    """A scenario made from a measured current.
+
+    Attributes
+    ----------
+    scenario : Scenario
+        In km and h; its field is not on disk before `save_fit`.
+    field : GriddedField
+        The true flow, km/h on a grid in km and h.
+    report : dict
+        What was read, filled and fitted; fit for JSON.
+    """
+
+    scenario: Scenario
+    field: GriddedField
+    report: dict[str, Any]
+
+
+def fit_scenario(
+    path: str | Path,
+    box: tuple[float, float, float, float] | None = None,
+    centers: tuple[int, int] = (3, 3),
+    width_km: float = 15.0,
+    constituents: Sequence[str] = ("steady", "M2"),
+    *,
+    radius_km: float = 10.0,
+    gain: float = 5.0,
+    start_from_fit: bool = False,
+) -> Fit:
+    """Make a scenario of a gridded current, fitted by its basis.
+
+    Parameters
+    ----------
+    path : str or Path
+        NetCDF file that `read_currents` reads.
+    box : tuple of float, optional
+        lat0, lat1, lon0, lon1, degrees; the whole file by default.
+    centers : tuple of int, optional
+        Rows (south to north) and columns (west to east) of places.
+    width_km : float, optional
+        Width of every gaussian kernel, km.
+    constituents : sequence of str, optional
+        Names of `tides.SPEEDS`, and "steady".
+    radius_km : float, optional
+        Radius of the circle of 12 waypoints around the origin, km.
+    gain : float, optional
+        Adaptation gain of the scenario.
+    start_from_fit : bool, optional
+        Let the learner start at alpha(0) = -theta. (alpha_M stays 0: Eqs. (7)
+        and (20) cancel it, so it would teach the learner nothing.)
+
+    Returns
+    -------
+    Fit
+        Scenario, field and report.
+
+    Raises
+    ------
+    DataError
+        If the file cannot be used, the record is too short to tell the
+        constituents apart (`rayleigh`), the circle leaves the field, or the
+        samples cannot separate the functions.
+    ScenarioError
+        If a constituent is unknown.
+    """
+    constituents = tuple(constituents)
+    _check(centers, constituents)
+    for what, value, unit in (
+        ("width", width_km, " km"),
+        ("radius", radius_km, " km"),
+        ("gain", gain, ""),
+    ):
+        if not (np.isfinite(value) and value > 0):
+            raise DataError(f"{what} = {value}{unit}: must be positive and finite")
+    currents = read_currents(path, box)
+    seen = currents.time[currents.measured.any(axis=(1, 2))]
+    check_separable(constituents, float(np.ptp(seen)), str(path))
+    lat0, lat1, lon0, lon1 = currents.box
+    plane = LocalPlane(round((lat0 + lat1) / 2, 9), round((lon0 + lon1) / 2, 9))
+    lat, lon = currents.lat[:, None], currents.lon[None, :]
+    x1, x2 = plane.to_plane(lat, lon)
+    u, v = (KM_PER_HOUR * w for w in plane.turn(lat, lon, currents.u, currents.v))
+    filled = fill_gaps(currents.time, x2.mean(axis=1), x1.mean(axis=0), u, v)
+    field = regular_grid(currents.time, currents.lat, currents.lon, filled.u, filled.v, plane)
+    room = min(-field.x1[0], field.x1[-1], -field.x2[0], field.x2[-1])
+    if not radius_km < room:
+        raise DataError(
+            f"{path}: a circle of {radius_km:g} km around the box's centre leaves the field, which "
+            f"has {room:.3g} km there; choose a larger box or a smaller radius"
+        )
+    N = _functions(constituents) * centers[0] * centers[1]
+    if currents.measured.sum() < N:
+        raise DataError(
+            f"{path}: {currents.measured.sum()} samples in the box cannot determine {N} basis "
+            "functions; use a larger box, fewer centers or fewer constituents"
+        )
+    scenario = _scenario(
+        currents, middles(plane, currents.box, centers), width_km, constituents, radius_km, gain
+    )
+    measured = currents.measured
+    t, s1, s2 = (
+        np.broadcast_to(a, measured.shape)[measured] for a in (currents.time[:, None, None], x1, x2)
+    )
+    names = [
+        f"{'sin' if phase else 'cos'} {tide} at ({x:.3g}, {y:.3g}) km" if tide != "steady"
+        else f"steady at ({x:.3g}, {y:.3g}) km"
+        for tide, phase, (x, y) in zip(
+            scenario.basis.constituents or (), scenario.phases, scenario.basis.centers, strict=True
+        )
+    ]  # fmt: skip
+    phi = evaluate(scenario_basis(scenario), t, np.column_stack([s1, s2]))
+    try:
+        fit = least_squares(phi, np.column_stack([u[measured], v[measured]]), names)
+    except DataError as error:
+        raise DataError(f"{path}: {error}") from None
+    if start_from_fit:
+        scenario = scenario.with_values({"learning.parameters": (-fit.theta).tolist()})
+    tables = scenario.model_dump(exclude_none=True, exclude_unset=True)
+    tables["flow"] = {"field": "field.nc", "outside": "raise"}
+    report = {
+        "source": currents.source,
+        "box": list(currents.box),
+        "origin": [plane.lat, plane.lon],
+        "start": currents.start,
+        "hours": float(currents.time[-1]),
+        "functions": scenario.basis.N,
+        "places": list(centers),
+        "width": float(width_km),
+        "width_units": "km",
+        "constituents": list(constituents),
+        "samples": len(t),
+        "missing_fraction": float(1 - measured.mean()),
+        "filled": filled.filled,
+        "cells": filled.cells,
+        "cells_never_measured": filled.never,
+        "rms_speed": float(np.sqrt(np.mean(u[measured] ** 2 + v[measured] ** 2))),
+        "explained_variance": fit.explained_variance,
+        "residual_rms": fit.residual_rms,
+        "residual_max": fit.residual_max,
+        "speed_units": SPEED,
+        "condition_number": fit.condition_number,
+        "theta": fit.theta.tolist(),
+        "nodal": _nodal(currents, constituents, plane.lat),
+    }
+    return Fit(Scenario.model_validate(tables), field, report)
+
+
+def _check(centers: Any, constituents: tuple[str, ...]) -> None:
+    if len(centers) != 2 or not all(isinstance(n, int) and n >= 1 for n in centers):
+        raise DataError(f"centers = {centers}: must be two whole numbers, rows and columns, >= 1")
+    if not constituents or len(set(constituents)) != len(constituents):
+        raise DataError(
+            f"constituents = {','.join(constituents)}: must be at least one name, each once, "
+            "such as steady,M2"
+        )
+    for name in constituents:
+        tides.period(name)
+
+
+def _nodal(currents: Currents, constituents: tuple, latitude: float) -> dict | None:
+    """Give f, u and V at the record's middle, None without UTide or a real calendar."""
+    try:
+        middle = np.datetime64(currents.start, "s") + int(1800 * currents.time[-1])
+    except ValueError:
+        return None
+    return nodal_report(constituents, middle, latitude)
+
+
+def _functions(constituents: tuple[str, ...]) -> int:
+    """Give the number of functions at each place."""
+    return sum(1 if name == "steady" else 2 for name in constituents)
+
+
+def _scenario(
+    currents: Currents, places: list, width: float, constituents: tuple, radius: float, gain: float
+) -> Scenario:
+    """Give the scenario without its field: the truth is zero for now."""
+    phased = [(c, p) for c in constituents for p in ((0.0,) if c == "steady" else (0.0, SINE))]
+    N = len(phased) * len(places)
+    zero = [[0.0] * N] * 2
+    return Scenario.model_validate(
+        {
+            "title": f"Measured current of {currents.source} from {currents.start}",
+            "units": {"length": "km", "time": "h"},
+            "basis": {
+                "kernel": "gaussian",
+                "centers": [place for _ in phased for place in places],
+                "widths": [float(width)] * N,
+                "constituents": [name for name, _ in phased for _ in places],
+                "phases": [phase for _, phase in phased for _ in places],
+            },
+            "flow": {"parameters": zero},
+            "vehicle": {
+                "feedback": [1.0, 1.0],
+                "feedforward": [1.0, 1.0],
+                "position": [float(radius), 0.0],
+            },
+            "reference": {"kind": "circle", "radius": float(radius), "count": 12, "dwell": 2.0},
+            "learning": {
+                "law": "learned-flow",
+                "gain": float(gain),
+                "position": [float(radius), 0.0],
+                "feedback": [1.0, 1.0],
+                "feedforward": [1.0, 1.0],
+            },
+            "run": {"duration": float(currents.time[-1]), "output_step": 0.1},
+        }
+    )

@@ -1,0 +1,261 @@
+"""A current on a regular grid of a local plane: the file beside a scenario.
+
+NetCDF with dims time, y, x (uniform, increasing), variables `u` and `v`, and
+CF units; `read_field` turns it to the scenario's units of length and time.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..errors import DataError
+from ..files import open_netcdf, write_netcdf
+from ..scenario.tides import SECONDS
+
+if TYPE_CHECKING:
+    import xarray
+
+METRES = {"m": 1.0, "km": 1000.0, "cm": 0.01}
+WORDS = {"meter": "m", "meters": "m", "metre": "m", "metres": "m", "sec": "s",
+         "second": "s", "seconds": "s", "hour": "h", "hr": "h", "day": "d"}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class GriddedField:
+    """A current on a regular grid, without gaps.
+
+    Attributes
+    ----------
+    time, x2, x1 : ndarray
+        Uniform axes, at least two points each, time and length.
+    u, v : ndarray, shape (nt, n2, n1)
+        Flow along x1 and x2, length per time.
+
+    Examples
+    --------
+    >>> axis = np.arange(3.0)
+    >>> GriddedField(axis, axis, axis, np.ones((3, 3, 3)), np.zeros((3, 3, 3))).u.shape
+    (3, 3, 3)
+    """
+
+    time: np.ndarray
+    x2: np.ndarray
+    x1: np.ndarray
+    u: np.ndarray
+    v: np.ndarray
+
+
+def length_in_metres(unit: str, where: str) -> float:
+    """Give the size of a unit of length such as ``"km"``.
+
+    Parameters
+    ----------
+    unit : str
+        As the file's attribute has it.
+    where : str
+        File and variable, for the message.
+
+    Returns
+    -------
+    float
+        In m.
+
+    Raises
+    ------
+    DataError
+        If the unit is no known length.
+
+    Examples
+    --------
+    >>> length_in_metres("km", "x"), length_in_metres("Meters", "depth")
+    (1000.0, 1.0)
+    """
+    word = unit.strip().lower()
+    size = METRES.get(WORDS.get(word, word))
+    if size is None:
+        raise DataError(f"{where} has units '{unit}'; must be such as 'm', 'km' or 'cm'")
+    return size
+
+
+def speed_in_metres_per_second(unit: str, where: str) -> float:
+    """Give the size of a unit of speed such as ``"cm/s"``.
+
+    Parameters
+    ----------
+    unit : str
+        As the file's attribute has it.
+    where : str
+        File and variable, for the message.
+
+    Returns
+    -------
+    float
+        In m/s.
+
+    Raises
+    ------
+    DataError
+        If the unit is no known speed.
+
+    Examples
+    --------
+    >>> speed_in_metres_per_second("cm s-1", "u")
+    0.01
+    """
+    text = unit.strip().replace("**", "").replace("^", "").replace(".", " ")
+    for per in ("-1", "/"):
+        text = text.replace(per, " ")
+    words = text.split()
+    words = [WORDS.get(word, word) for word in words if word != "per"]
+    if words in (["knot"], ["knots"], ["kt"]):
+        return 1852.0 / 3600.0
+    if len(words) == 2 and words[0] in METRES and words[1] in SECONDS:
+        return METRES[words[0]] / SECONDS[words[1]]
+    raise DataError(f"{where}: units = '{unit}' is no speed; must be such as 'm/s' or 'cm s-1'")
+
+
+def numbers_of(variable: "xarray.DataArray", where: str) -> np.ndarray:
+    """Give a variable's values as floats.
+
+    Parameters
+    ----------
+    variable : xarray.DataArray
+        Of a file.
+    where : str
+        File and variable, for the message.
+
+    Returns
+    -------
+    ndarray
+        Of the variable's shape.
+
+    Raises
+    ------
+    DataError
+        If they are characters or rows of different lengths.
+    """
+    values = variable.values  # where rows are ragged, the variable says numbers and these do not
+    if values.dtype.kind not in "iuf":
+        raise DataError(f"{where} holds {values.dtype}; must hold numbers")
+    return values.astype(float)
+
+
+def read_field(path: Path, units) -> GriddedField:
+    """Read a gridded field in a scenario's units.
+
+    Parameters
+    ----------
+    path : Path
+        A file that `clpt fit` or `write_field` wrote, or one like it.
+    units : Units
+        The scenario's units of length and time.
+
+    Returns
+    -------
+    GriddedField
+        Axes and values in these units.
+
+    Raises
+    ------
+    DataError
+        If variables, units or values are missing or the grid is not regular.
+    """
+    with open_netcdf(path) as data:
+        for name in ("time", "y", "x", "u", "v"):
+            if name not in data.variables:
+                raise DataError(f"{path}: no variable '{name}'; a field has time, y, x, u and v")
+        axes = []
+        for name in ("time", "y", "x"):
+            where, unit = f"{path}: {name}", str(data[name].attrs.get("units", ""))
+            if name == "time":
+                size = _seconds(unit, where) / SECONDS[units.time]
+            else:
+                size = length_in_metres(unit, where) / METRES[units.length]
+            axes.append(_regular(numbers_of(data[name], where) * size, name, path))
+        own = METRES[units.length] / SECONDS[units.time]
+        values = []
+        for name in ("u", "v"):
+            if data[name].dims != ("time", "y", "x"):
+                raise DataError(f"{path}: {name} must have the dimensions time, y, x")
+            size = speed_in_metres_per_second(
+                str(data[name].attrs.get("units", "")), f"{path}: {name}"
+            )
+            values.append(numbers_of(data[name], f"{path}: {name}") * (size / own))
+            if not np.all(np.isfinite(values[-1])):
+                raise DataError(f"{path}: {name} has gaps; `clpt fit` fills them")
+    return GriddedField(*axes, *values)
+
+
+def time_origin(path: Path) -> dict[str, str]:
+    """Give the date of a field's t = 0, where its file has one.
+
+    Returns
+    -------
+    dict
+        ``{"time_origin": "2019-01-01T00:00:00"}``, or empty.
+    """
+    with open_netcdf(path) as data:
+        origin = data.attrs.get("time_origin")
+    return {} if origin is None else {"time_origin": str(origin)}
+
+
+def _seconds(unit: str, where: str) -> float:
+    """Give the size of a unit of time in s, whatever it counts from."""
+    unit = unit.split(" since ")[0].strip()
+    unit = {"hours": "h", "hour": "h", "seconds": "s", "days": "d", "minutes": "min"}.get(
+        unit, unit
+    )
+    if unit not in SECONDS:
+        raise DataError(f"{where} has units '{unit}'; must be one of {', '.join(SECONDS)}")
+    return SECONDS[unit]
+
+
+def _regular(axis: np.ndarray, name: str, path: Path) -> np.ndarray:
+    step = np.diff(axis)
+    if axis.ndim != 1 or len(axis) < 2 or not np.all(step > 0):
+        raise DataError(f"{path}: {name} must increase and have at least two points")
+    if np.ptp(step) > 1e-6 * step.mean():
+        raise DataError(f"{path}: {name} must be evenly spaced; `clpt fit` writes such a field")
+    return axis.astype(float)
+
+
+def write_field(field: GriddedField, path: Path, units, attributes: dict) -> None:
+    """Write a gridded field as NetCDF, whole or not at all.
+
+    Parameters
+    ----------
+    field : GriddedField
+        The current.
+    path : Path
+        The file.
+    units : Units
+        Units of the field's numbers.
+    attributes : dict
+        Global attributes: title, source, history.
+
+    Raises
+    ------
+    DataError
+        If the file cannot be written.
+    """
+    import xarray
+
+    speed = f"{units.length} {units.time}-1"
+    dims = ("time", "y", "x")
+    data = xarray.Dataset(
+        {
+            "u": (dims, field.u, {"long_name": "flow along x1 (east)", "units": speed}),
+            "v": (dims, field.v, {"long_name": "flow along x2 (north)", "units": speed}),
+        },
+        {
+            "time": ("time", field.time, {"long_name": "time since start", "units": units.time}),
+            "y": ("y", field.x2, {"standard_name": "projection_y_coordinate",
+                                  "units": units.length}),
+            "x": ("x", field.x1, {"standard_name": "projection_x_coordinate",
+                                  "units": units.length}),
+        },
+        {"Conventions": "CF-1.11", **attributes},
+    )  # fmt: skip
+    write_netcdf(data, path)

@@ -1,0 +1,138 @@
+"""One picture of tidal constants: ellipses, and the record beside the fit.
+
+All ellipses have one scale, but for those that would be dots: they are thin,
+drawn five times as large and marked so.  A solid one is run through
+counter-clockwise, a dashed one clockwise; the dot is where the current is when
+V + u = 0.
+"""
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from ...figures import BLUE, GREY, RED, new_figure
+from .analysis import predict
+from .constants import Constituent, TidalFit
+from .record import CurrentRecord
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+MOST = 6  # ellipses that are drawn, the greatest
+SMALL = 1 / 8  # of the greatest: below it an ellipse is drawn larger
+LARGER = 5
+WIDE, HIGH, ROOM = 6.2, 1.3, 0.45  # of the row, its ellipses and between two, inches
+LINE = 0.14  # of small print, inches
+SPAN = np.timedelta64(15 * 24, "h")  # of the record that is drawn, about its middle
+DAY = np.timedelta64(1, "D")
+
+
+def tides_plot(fit: TidalFit, record: CurrentRecord) -> "Figure":
+    """Draw tidal ellipses, and the record against the fit.
+
+    Parameters
+    ----------
+    fit : TidalFit
+        From `fit_tides`.
+    record : CurrentRecord
+        What was fitted.
+
+    Returns
+    -------
+    Figure
+        m/s; of a long record the middle 15 days.
+    """
+    ellipses = _chosen(fit)
+    inch = _inch(ellipses)
+    row = 2 * max(each.high for each in ellipses) / inch + 5 * LINE
+    figure, axes = new_figure(7.2, 4.9 + row, nrows=3, height_ratios=(row, 2, 2))
+    _draw(axes[0], ellipses, inch)
+    begin = max(fit.start, fit.middle - SPAN // 2)
+    end = min(fit.end, fit.middle + SPAN // 2)
+    kept = (record.time >= begin) & (record.time <= end)
+    fine = begin + np.linspace(0, 1, 1500) * (end - begin)
+    model = predict(fit, fine)
+    origin = fit.start.astype("datetime64[D]")
+    days = [(t - origin) / DAY for t in (record.time[kept], fine)]
+    for ax, name, measured, tide in zip(
+        axes[1:], ("east", "north"), (record.u[kept], record.v[kept]), model, strict=True
+    ):
+        ax.plot(days[0], measured, ".", color=GREY, ms=3.5, label="measured")
+        ax.plot(days[1], tide, color=BLUE, lw=1.1, label="mean and tides")
+        ax.set_ylabel(f"current {name} (m/s)")
+    axes[1].sharex(axes[2])
+    axes[1].tick_params(labelbottom=False)
+    axes[1].legend(fontsize=8, frameon=False, ncols=2, loc="lower right", bbox_to_anchor=(1, 1))
+    axes[1].set_title(
+        f"Explained: {fit.explained_variance:.1%}; residual rms "
+        f"{fit.residual_rms:.3g} m/s", loc="left", fontsize=10,
+    )  # fmt: skip
+    axes[2].set_xlabel(f"days since {origin} UTC")
+    return figure
+
+
+class _Ellipse(NamedTuple):
+    """An ellipse as drawn: half its width and height, how much larger."""
+
+    of: Constituent
+    wide: float
+    high: float
+    larger: int
+
+
+def _chosen(fit: TidalFit) -> list[_Ellipse]:
+    """Give the greatest tides in the order of the fit."""
+    shown = sorted(fit.constituents, key=lambda each: -each.major)[:MOST]
+    ellipses = []
+    for each in (tide for tide in fit.constituents if tide in shown):
+        larger = LARGER if each.major < SMALL * shown[0].major else 1
+        c, s = (larger * part(np.radians(each.inclination)) for part in (np.cos, np.sin))
+        wide = float(np.hypot(each.major * c, each.minor * s))
+        high = float(np.hypot(each.major * s, each.minor * c))
+        ellipses.append(_Ellipse(each, wide, high, larger))
+    return ellipses
+
+
+def _bar(ellipses: list[_Ellipse]) -> float:
+    """Give a round speed of half the greatest, m/s."""
+    return float(f"{max(each.of.major for each in ellipses) / 2:.1g}")
+
+
+def _inch(ellipses: list[_Ellipse]) -> float:
+    """Give the speed that an inch stands for, so that the row is full, m/s."""
+    length = 2 * sum(each.wide for each in ellipses) + _bar(ellipses)
+    high = 2 * max(each.high for each in ellipses)
+    return max(length / (WIDE - ROOM * len(ellipses)), high / HIGH)
+
+
+def _draw(ax, ellipses: list[_Ellipse], inch: float) -> None:
+    turn = np.exp(1j * np.linspace(0, 2 * np.pi, 181))
+    low = max(each.high for each in ellipses)
+    x = 0.0
+    for each in ellipses:
+        tide, x = each.of, x + each.wide
+        lean = each.larger * np.exp(1j * np.radians(tide.inclination))
+        path = x + lean * (tide.major * turn.real + 1j * tide.minor * turn.imag)
+        lag = np.radians(-tide.phase)
+        dot = x + lean * (tide.major * np.cos(lag) + 1j * tide.minor * np.sin(lag))
+        thick = 1.5 if each.larger == 1 else 0.8
+        ax.plot(path.real, path.imag, color=BLUE, lw=thick, ls="-" if tide.minor >= 0 else "--")
+        ax.plot([x, dot.real], [0, dot.imag], color=RED, lw=0.6 * thick)
+        ax.plot(dot.real, dot.imag, "o", color=RED, ms=2 + thick)
+        label = f"{tide.name}\n{tide.major:.3f}" + (f"\n× {LARGER}" if each.larger > 1 else "")
+        ax.text(x, -low - LINE * inch, label, ha="center", va="top", fontsize=8)
+        x += each.wide + ROOM * inch
+    bar = _bar(ellipses)
+    ax.plot([x, x + bar], [0, 0], color="black", lw=2)
+    ax.text(x + bar / 2, LINE / 2 * inch, f"{bar:g} m/s", ha="center", va="bottom", fontsize=8)
+    spare = (WIDE * inch - x - bar) / 2 + LINE * inch  # also for the width of lines
+    ax.set_aspect("equal")
+    ax.set(xlim=(-spare, x + bar + spare), ylim=(-low - 4 * LINE * inch, low + LINE * inch))
+    ax.axis("off")
+    larger = any(each.larger > 1 for each in ellipses)
+    ax.figure.suptitle(
+        "Tidal ellipses, east to the right, semi-major axis in m/s "
+        "(dashed: clockwise; dot: V + u = 0)"
+        + (f"\n× {LARGER}: drawn {LARGER} times as large as the others" if larger else ""),
+        x=0.01, ha="left", fontsize=10,
+    )  # fmt: skip

@@ -1,0 +1,1 @@
+"""Blocks wired by python-control: `connect`, what is wired to what, pictures."""

@@ -1,0 +1,210 @@
+"""A diagram as a block diagram on paper: SVG, PNG or PDF.
+
+Thick frame and integral sign: a block with states.  Grey: a source of time or
+tables (`Block.opaque`).  Dashed: feedback.  The number under a name is the
+equation of the paper that the block's function names.
+"""
+
+import os
+from pathlib import Path
+from typing import Any
+
+import control
+
+from ...blocks import Block
+from ...errors import DiagramError
+from ...files import check_name
+from ..wiring import Node, read
+from .arrows import mermaid
+from .captions import lines_of, note, width
+from .layers import arrange, gather
+from .routing import Routed, route
+from .strokes import strokes
+
+NAME, NOTE, PORT = 8.0, 6.5, 7.0
+MARGIN, KEY = 6.0, 18.0
+SUFFIXES = (".svg", ".png", ".pdf", ".mmd", ".md")
+STYLE: dict[Any, Any] = {
+    "font.family": "sans-serif",
+    "font.sans-serif": ["DejaVu Sans", "Bitstream Vera Sans", "Verdana", "Arial", "Helvetica"],
+    "svg.fonttype": "none",
+    "svg.hashsalt": "clpt-control",
+    "pdf.fonttype": 42,
+    "path.simplify": False,
+    "text.usetex": False,
+    "text.parse_math": False,
+}
+
+
+def layout(diagram: control.NonlinearIOSystem) -> tuple[Routed, list[Any], dict[str, Node]]:
+    """Lay out a diagram without drawing it.
+
+    Parameters
+    ----------
+    diagram : control.NonlinearIOSystem
+        An interconnected system.
+
+    Returns
+    -------
+    routed : Routed
+        Boxes and arrows, in points.
+    nets : list of Net
+        What the arrows carry.
+    nodes : dict of str to Node
+        The blocks by name.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> routed, nets, nodes = layout(clpt.error_loop(clpt.paper_scenario()))
+    >>> list(nodes)
+    ['error_system', 'parameter_system']
+    """
+    wiring = read(diagram)
+    nets = gather(diagram, wiring)
+    layered = arrange(nets, wiring)
+    sizes = {name: (width(name[3:], PORT) + 4, PORT) for name in layered.rank if name[:3] == "in:"}
+    for node in wiring.nodes:
+        widths = [width(line, NAME, "bold") for line in lines_of(node.name)]
+        widths.append(width(note(node.system), NOTE))
+        rows = len(lines_of(node.name)) + bool(note(node.system))
+        sizes[node.name] = (max(widths) + 11, rows * 10 + 10)
+    routed = route(layered, sizes, lambda text: width(text, PORT))
+    return routed, nets, {node.name: node for node in wiring.nodes}
+
+
+def draw(diagram: control.NonlinearIOSystem, path: str | os.PathLike[str]) -> None:
+    """Draw a diagram into a file.
+
+    Parameters
+    ----------
+    diagram : control.NonlinearIOSystem
+        An interconnected system; blocks of nested ones are drawn one by one.
+    path : str or path
+        Ends in ``.svg``, ``.png`` or ``.pdf``; ``.mmd`` gets Mermaid text,
+        ``.md`` the same in a fence. The same diagram gives the same bytes.
+
+    Raises
+    ------
+    DiagramError
+        If the ending is another, or the folder is missing.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import clpt_control as clpt
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     draw(clpt.closed_loop(clpt.paper_scenario()), folder + "/loop.svg")
+    """
+    path = Path(path)
+    check_name(path)
+    suffix = path.suffix.lower()
+    if suffix not in SUFFIXES:
+        raise DiagramError(
+            f"{path}: a diagram is drawn as {', '.join(SUFFIXES)}, not '{path.suffix}'"
+        )
+    if not path.parent.is_dir():
+        raise DiagramError(f"{path}: the folder {path.parent} does not exist; make it first")
+    figure = None if suffix in (".mmd", ".md") else _figure(diagram)
+    part = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        if figure is None:
+            text = mermaid(diagram)
+            text = f"```mermaid\n{text}```\n" if suffix == ".md" else text
+            part.write_text(text, encoding="utf-8")
+        else:
+            _save(figure, part, suffix)
+        part.replace(path)
+    except OSError as error:
+        raise DiagramError(f"{path}: cannot be written, {error.strerror}") from error
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def _save(figure: Any, path: Path, suffix: str) -> None:
+    from matplotlib import style
+
+    dates = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}, ".png": {}}
+    with style.context(["default", STYLE]):
+        figure.savefig(path, format=suffix[1:], dpi=200, metadata=dates[suffix])
+
+
+def _figure(diagram: control.NonlinearIOSystem) -> Any:
+    from matplotlib import style
+    from matplotlib.figure import Figure
+
+    routed, nets, nodes = layout(diagram)
+    key = _key(nets, nodes)
+    across = max(routed.width, width(key, NOTE)) + 2 * MARGIN
+    height = routed.height + 2 * MARGIN + (KEY if key else 0)
+    with style.context(["default", STYLE]):
+        figure = Figure(figsize=(across / 72, height / 72), facecolor="white")
+        axes = figure.add_axes((0, 0, 1, 1))
+        axes.set_axis_off()
+        axes.set_xlim(-MARGIN, across - MARGIN)
+        axes.set_ylim(height - MARGIN, -MARGIN)
+        _draw_arrows(axes, routed, nets)
+        for name, box in routed.boxes.items():
+            if name.startswith("in:"):
+                axes.text(box.x + box.width - 4, box.y, name[3:], size=PORT, ha="right",
+                          va="center_baseline", style="italic")  # fmt: skip
+            elif name in nodes:
+                _draw_block(axes, box, name, nodes[name].system)
+        if key:
+            axes.text(0, height - MARGIN - 4, key, size=NOTE, va="baseline", color="0.25")
+    return figure
+
+
+def _key(nets: list[Any], nodes: dict[str, Node]) -> str:
+    systems = [node.system for node in nodes.values()]
+    parts = []
+    if any(system.nstates for system in systems):
+        parts.append("∫ thick frame: block with states")
+    if any(isinstance(system, Block) and system.opaque for system in systems):
+        parts.append("grey: source of time or tables")
+    if any(net.back for net in nets):
+        parts.append("dashed: feedback")
+    return "      ".join(parts)
+
+
+def _draw_arrows(axes: Any, routed: Routed, nets: list[Any]) -> None:
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Circle, Polygon
+
+    for (k, target), path in strokes(routed.paths, nets).items():
+        net = nets[k]
+        back = target in net.back
+        (x0, y0), (x1, y1) = routed.paths[k, target][0], path[-1]
+        xs, ys = zip(*path[:-1], (x1 - 3, y1), strict=True)
+        line = Line2D(xs, ys, lw=0.8, color="black", zorder=1, solid_joinstyle="miter")
+        if back:
+            line.set_dashes((5, 2.2))
+        line.set_gid(f"arrow:{net.source}:{net.text}:{target}".replace(" ", ""))
+        axes.add_line(line)
+        head = [(x1, y1), (x1 - 6, y1 - 2.2), (x1 - 6, y1 + 2.2)]
+        axes.add_patch(Polygon(head, closed=True, fc="black", ec="none", zorder=3))
+        if target:
+            axes.text(x1 - 8, y1 - 2, net.targets[target], size=PORT, ha="right", va="baseline",
+                      style="italic")  # fmt: skip
+        if net.named_at_source and target == next(iter(net.targets), ""):
+            axes.text(x0 + 3, y0 - 2, net.text, size=PORT, va="baseline", style="italic")
+    for x, y in routed.dots:
+        axes.add_patch(Circle((x, y), 1.7, fc="black", ec="none", zorder=3))
+
+
+def _draw_block(axes: Any, box: Any, name: str, system: control.NonlinearIOSystem) -> None:
+    from matplotlib.patches import Rectangle
+
+    opaque = isinstance(system, Block) and system.opaque
+    frame = Rectangle((box.x, box.y - box.height / 2), box.width, box.height,
+                      fc="0.88" if opaque else "white", ec="black",
+                      lw=1.8 if system.nstates else 0.8, zorder=4)  # fmt: skip
+    frame.set_gid(f"block:{name}")
+    axes.add_patch(frame)
+    rows = [(line, NAME, "bold") for line in lines_of(name)]
+    if text := note(system):
+        rows.append((text, NOTE, "normal"))
+    for k, (line, size, weight) in enumerate(rows):
+        y = box.y + (k - (len(rows) - 1) / 2) * 10 + size * 0.36
+        axes.text(box.x + box.width / 2, y, line, size=size, weight=weight, ha="center",
+                  va="baseline", zorder=5)  # fmt: skip

@@ -1,0 +1,257 @@
+"""Which column a block stands in, and in which order: Sugiyama's method.
+
+Arrows that would close a circle are feedback and set aside; the rest give each
+block a layer by its longest path; a net that skips layers leaves a passage in
+each; sweeps over the barycentres order every layer so that few nets cross.
+"""
+
+import copy
+from dataclasses import dataclass, field
+
+import control
+
+from ..wiring import Wiring
+from .arrows import arrows, ports
+
+
+@dataclass
+class Net:
+    """Signals of one block that go the same ways.
+
+    Attributes
+    ----------
+    source : str
+        Block name, or ``"in:port"`` for an input of the diagram.
+    text : str
+        The ports carried, such as ``"K, Gamma"``.
+    targets : dict of str to str
+        Block that is fed -> the text at its arrow, gains included.
+    back : set of str
+        Targets reached by feedback.
+    """
+
+    source: str
+    text: str
+    targets: dict[str, str]
+    back: set[str] = field(default_factory=set)
+
+    @property
+    def onward(self) -> list[str]:
+        """Targets that are not reached by feedback."""
+        return [target for target in self.targets if target not in self.back]
+
+    @property
+    def named_at_source(self) -> bool:
+        """Whether the text stands at the block too, not for one arrow."""
+        return not self.source.startswith("in:") and (len(self.targets) != 1 or bool(self.back))
+
+
+@dataclass
+class Layered:
+    """Blocks, inputs and passages in ordered layers.
+
+    Attributes
+    ----------
+    nets : list of Net
+        What is connected.
+    rank : dict of str to int
+        Block or input -> number of its layer.
+    layers : list of list of str
+        From left to right, each from top to bottom; a passage of net 3
+        through layer 2 is ``"pass:3:2"``.
+    """
+
+    nets: list[Net]
+    rank: dict[str, int]
+    layers: list[list[str]]
+
+    def hop(self, k: int, layer: int) -> tuple[str, list[str]] | None:
+        """Give where net k comes from and goes to between two layers."""
+        net = self.nets[k]
+        start, last = self.rank[net.source], max((self.rank[t] for t in net.onward), default=-1)
+        if not start <= layer < last:
+            return None
+        ends = [t for t in net.onward if self.rank[t] == layer + 1]
+        if last > layer + 1:
+            ends.append(f"pass:{k}:{layer + 1}")
+        return (net.source if start == layer else f"pass:{k}:{layer}"), ends
+
+
+def gather(diagram: control.NonlinearIOSystem, wiring: Wiring) -> list[Net]:
+    """Gather the arrows of a diagram into nets.
+
+    Parameters
+    ----------
+    diagram : control.NonlinearIOSystem
+        The diagram.
+    wiring : Wiring
+        The same, as read.
+
+    Returns
+    -------
+    list of Net
+        Ports of one block that feed the same blocks share a net; ports that
+        feed nothing make one without targets.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> from clpt_control.diagrams.wiring import read
+    >>> diagram = clpt.closed_loop(clpt.paper_scenario())
+    >>> [net.text for net in gather(diagram, read(diagram)) if net.source == "adaptation"]
+    ['alpha', 'K, Gamma']
+    """
+    reached: dict[tuple[str, str], dict[str, str]] = {
+        (node.name, port): {} for node in wiring.nodes for port in ports(node.system.output_labels)
+    }
+    for arrow in arrows(diagram, wiring):
+        source = f"in:{arrow.source}" if arrow.external else arrow.source
+        targets = reached.setdefault((source, arrow.port), {})
+        gain = "" if arrow.gain == 1 else f"{arrow.gain:g} "
+        targets[arrow.target] = (
+            f"{targets[arrow.target]}, {gain}" if arrow.target in targets else gain
+        )
+    partly = {(source, port.partition("[")[0]) for source, port in reached if "[" in port}
+    together: dict[tuple[str, tuple[tuple[str, str], ...]], list[str]] = {}
+    for (source, port), targets in reached.items():
+        if targets or (source, port) not in partly:
+            together.setdefault((source, tuple(targets.items())), []).append(port)
+    return [
+        Net(source, ", ".join(names), {t: ", ".join(gain + n for n in names) for t, gain in ends})
+        for (source, ends), names in together.items()
+    ]
+
+
+def arrange(nets: list[Net], wiring: Wiring) -> Layered:
+    """Put blocks into ordered layers and mark feedback.
+
+    Parameters
+    ----------
+    nets : list of Net
+        From `gather`; their `back` is filled.
+    wiring : Wiring
+        The diagram as read.
+
+    Returns
+    -------
+    Layered
+        Sources at the left; inputs of the diagram in the first layer.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> from clpt_control.diagrams.wiring import read
+    >>> diagram = clpt.error_loop(clpt.paper_scenario())
+    >>> layered = arrange(gather(diagram, read(diagram)), read(diagram))
+    >>> layered.rank["error_system"], layered.rank["parameter_system"]
+    (1, 2)
+    """
+    names = [net.source for net in nets if net.source.startswith("in:")]
+    names = list(dict.fromkeys(names)) + [node.name for node in wiring.nodes]
+    after = _mark_feedback(nets, wiring, names)
+    rank = _ranks(nets, names, after)
+    layered = Layered(nets, rank, [[] for _ in range(max(rank.values()) + 1)])
+    for name in names:
+        layered.layers[rank[name]].append(name)
+    for k, _ in enumerate(nets):
+        for layer in range(len(layered.layers)):
+            hop = layered.hop(k, layer)
+            if hop and hop[1][-1].startswith("pass:"):
+                layered.layers[layer + 1].append(hop[1][-1])
+    _order(layered)
+    return layered
+
+
+def _mark_feedback(nets: list[Net], wiring: Wiring, names: list[str]) -> dict[str, set[str]]:
+    """Mark arrows that close a circle; those out of states are asked last."""
+    after: dict[str, set[str]] = {name: set() for name in names}
+    with_states = {node.name for node in wiring.nodes if node.system.nstates}
+    found = _found(nets, names)
+    for net in sorted(nets, key=lambda net: (net.source in with_states, found.index(net.source))):
+        for target in net.targets:
+            if _reaches(after, target, net.source):
+                net.back.add(target)
+            else:
+                after[net.source].add(target)
+    return after
+
+
+def _found(nets: list[Net], names: list[str]) -> list[str]:
+    """Walk depth first from where signals come in, and list what is met."""
+    fed = {target for net in nets for target in net.targets}
+    found: dict[str, None] = {}
+    waiting = sorted(names, key=lambda name: name in fed)[::-1]
+    while waiting:
+        name = waiting.pop()
+        if name not in found:
+            found[name] = None
+            ends = dict.fromkeys(t for net in nets if net.source == name for t in net.targets)
+            waiting += list(ends)[::-1]
+    return list(found)
+
+
+def _reaches(after: dict[str, set[str]], start: str, end: str) -> bool:
+    seen, waiting = set(), [start]
+    while waiting:
+        name = waiting.pop()
+        if name == end:
+            return True
+        if name not in seen:
+            seen.add(name)
+            waiting += after[name]
+    return False
+
+
+def _ranks(nets: list[Net], names: list[str], after: dict[str, set[str]]) -> dict[str, int]:
+    rank = dict.fromkeys(names, 0)
+    for _ in names:
+        for name in names:
+            for target in after[name]:
+                rank[target] = max(rank[target], rank[name] + 1)
+    for name in sorted(names, key=lambda name: -rank[name]):
+        right = min((rank[target] for target in after[name]), default=0) - 1
+        comes = sum(name in net.onward for net in nets)
+        goes = sum(bool(net.onward) for net in nets if net.source == name)
+        if name.startswith("in:") or right <= rank[name] or goes < comes:
+            continue
+        crowd = list(rank.values())
+        free = range(right, rank[name], -1)
+        best = min(free, key=crowd.count)
+        if goes > comes:
+            rank[name] = right
+        elif crowd.count(best) + 1 < crowd.count(rank[name]):
+            rank[name] = best
+    return rank
+
+
+def _order(layered: Layered) -> None:
+    layers, best = layered.layers, copy.deepcopy(layered.layers)
+    fewest = _crossings(layered)
+    for sweep in range(24):
+        down = sweep % 2 == 0
+        steps = range(1, len(layers)) if down else range(len(layers) - 2, -1, -1)
+        for layer in steps:
+            near: dict[str, list[int]] = {name: [] for name in layers[layer]}
+            place = {name: k for one in layers for k, name in enumerate(one)}
+            for start, end in _links(layered, layer - 1 if down else layer):
+                name, other = (end, start) if down else (start, end)
+                near[name].append(place[other])
+            mean = {n: sum(at) / len(at) if at else place[n] for n, at in near.items()}
+            layers[layer].sort(key=mean.__getitem__)
+        if (crossings := _crossings(layered)) < fewest:
+            fewest, best = crossings, copy.deepcopy(layers)
+    layered.layers = best
+
+
+def _links(layered: Layered, layer: int) -> list[tuple[str, str]]:
+    hops = [layered.hop(k, layer) for k in range(len(layered.nets))]
+    return [(hop[0], end) for hop in hops if hop for end in hop[1]]
+
+
+def _crossings(layered: Layered) -> int:
+    place = {name: k for one in layered.layers for k, name in enumerate(one)}
+    total = 0
+    for layer in range(len(layered.layers) - 1):
+        pairs = [(place[a], place[b]) for a, b in _links(layered, layer)]
+        total += sum(a < c and b > d for a, b in pairs for c, d in pairs)
+    return total

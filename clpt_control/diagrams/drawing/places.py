@@ -1,0 +1,245 @@
+"""How high each box stands, and in which order its ports lie.
+
+Every box moves towards the boxes that it is connected with, as far as the
+order of its layer allows; all heights lie on one grid, so that arrows are
+either straight or visibly bent.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+from statistics import mean, median
+
+from .layers import Layered
+
+GRID, PITCH, GAP = 7.0, 14.0, 14.0
+
+
+@dataclass
+class Box:
+    """A block, an input of the diagram, or a passage for a net.
+
+    Attributes
+    ----------
+    width, height : float
+        Its size; a passage has none.
+    x, y : float
+        Left edge and centre.
+    ins, outs : list of int
+        Nets at its left and right side, from top to bottom.
+    """
+
+    width: float
+    height: float
+    x: float = 0.0
+    y: float = 0.0
+    ins: list[int] = field(default_factory=list)
+    outs: list[int] = field(default_factory=list)
+
+    def port(self, net: int, out: bool) -> float:
+        """Give the height at which a net meets the box."""
+        side = self.outs if out else self.ins
+        if net not in side:
+            return self.y
+        return self.y + (side.index(net) - (len(side) - 1) / 2) * PITCH
+
+
+def place(
+    layered: Layered, sizes: dict[str, tuple[float, float]]
+) -> tuple[dict[str, Box], dict[int, bool]]:
+    """Give boxes their heights and their ports an order.
+
+    Parameters
+    ----------
+    layered : Layered
+        Blocks in ordered layers.
+    sizes : dict of str to (float, float)
+        Width and height that the text of each block or input needs.
+
+    Returns
+    -------
+    boxes : dict of str to Box
+        Passages among them; x is not yet given.
+    above : dict of int to bool
+        For each net with feedback, whether it returns above the boxes.
+
+    Examples
+    --------
+    >>> from clpt_control.diagrams.drawing.layers import Net
+    >>> layered = Layered([Net("a", "y", {"b": "y"})], {"a": 0, "b": 1}, [["a"], ["b"]])
+    >>> place(layered, {"a": (40, 20), "b": (40, 20)})[0]["b"].y
+    0.0
+    """
+    boxes = _boxes(layered, sizes)
+    above: dict[int, bool] = {}
+    for _ in range(3):
+        _settle_layers(layered, boxes)
+        above = _sides(layered, boxes)
+        _sort_ports(layered, boxes, above)
+    _settle_layers(layered, boxes)
+    for _ in range(3):
+        _straighten(layered, boxes)
+        _align(layered, boxes)
+    return boxes, above
+
+
+def _boxes(layered: Layered, sizes: dict[str, tuple[float, float]]) -> dict[str, Box]:
+    boxes = {name: Box(*sizes.get(name, (0.0, 0.0))) for layer in layered.layers for name in layer}
+    for k, net in enumerate(layered.nets):
+        boxes[net.source].outs.append(k)
+        for target in net.targets:
+            boxes[target].ins.append(k)
+    for name, box in boxes.items():
+        if not name.startswith(("in:", "pass:")):
+            rows = max(len(box.ins), len(box.outs))
+            box.height = max(box.height, rows * PITCH)
+    return boxes
+
+
+def _settle_layers(layered: Layered, boxes: dict[str, Box]) -> None:
+    """Move each layer towards its neighbours, as far as its order allows."""
+    wishes: dict[str, list[tuple[str, int, str]]] = {name: [] for name in boxes}
+    for layer in range(len(layered.layers)):
+        for k in range(len(layered.nets)):
+            start, ends = layered.hop(k, layer) or ("", [])
+            for end in ends:
+                wishes[start].append((end, k, "right"))
+                wishes[end].append((start, k, "left"))
+    last = len(layered.layers) - 1
+    steps = [*range(last + 1), *range(last, -1, -1)] * 6
+    for step, layer in enumerate(steps):
+        names = layered.layers[layer]
+        back = (step // (last + 1)) % 2 == 1
+        wanted = []
+        for name in names:
+            box = boxes[name]
+            pulls = [
+                boxes[other].port(k, side == "left") - box.port(k, side == "right") + box.y
+                for other, k, side in wishes[name]
+                if step > 2 * last + 1 or side == ("right" if back else "left")
+            ]
+            wanted.append(median(pulls) if pulls else box.y)
+        for name, y in zip(names, settle(wanted, _spacing(boxes, names)), strict=True):
+            boxes[name].y = y
+
+
+def _spacing(boxes: dict[str, Box], names: list[str]) -> list[float]:
+    spaces = []
+    for a, b in pairwise(names):
+        room = (boxes[a].height + boxes[b].height) / 2 + GAP
+        spaces.append(math.ceil(room / GRID) * GRID)
+    return spaces
+
+
+def settle(wanted: Sequence[float], spaces: Sequence[float]) -> list[float]:
+    """Give places on the grid near those wanted, in order and apart.
+
+    Parameters
+    ----------
+    wanted : sequence of float
+        Where each would stand alone.
+    spaces : sequence of float
+        Least distance to the one before.
+
+    Returns
+    -------
+    list of float
+        Least squares by pooling neighbours, then rounded to the grid.
+
+    Examples
+    --------
+    >>> settle([0, 0, 70], [14, 14])
+    [-7.0, 7.0, 70.0]
+    """
+    offsets = [sum(spaces[:k]) for k in range(len(wanted))]
+    pools: list[list[float]] = []
+    for want, offset in zip(wanted, offsets, strict=True):
+        pools.append([want - offset])
+        while len(pools) > 1 and mean(pools[-2]) >= mean(pools[-1]):
+            pools[-2:] = [pools[-2] + pools[-1]]
+    levels = [round(mean(pool) / GRID) * GRID for pool in pools for _ in pool]
+    return [level + offset for level, offset in zip(levels, offsets, strict=True)]
+
+
+def _straighten(layered: Layered, boxes: dict[str, Box]) -> None:
+    """Give the passages of a net one height where their neighbours leave room."""
+    for k, net in enumerate(layered.nets):
+        chain = [
+            (layer, f"pass:{k}:{layer}")
+            for layer in range(len(layered.layers))
+            if f"pass:{k}:{layer}" in boxes
+        ]
+        before = boxes[net.source].port(k, True)
+        while chain:
+            low, high, size = -math.inf, math.inf, 0
+            for layer, name in chain:
+                least, most = _room(boxes, layered.layers[layer], name)
+                if max(low, least) > min(high, most):
+                    break
+                low, high, size = max(low, least), min(high, most), size + 1
+            ends = {t for layer, _ in chain[:size] for t in (layered.hop(k, layer) or ("", []))[1]}
+            levels = [before, *(boxes[t].port(k, False) for t in ends if not t.startswith("pass:"))]
+            tries = sorted(min(max(level, low), high) for level in levels)
+            y = min(tries, key=lambda y: (-levels.count(y), sum(abs(y - z) for z in levels)))
+            for _, name in chain[:size]:
+                boxes[name].y = y
+            before, chain = y, chain[size:]
+
+
+def _room(boxes: dict[str, Box], names: list[str], name: str) -> tuple[float, float]:
+    """Give the heights between the neighbours of a passage."""
+    here = names.index(name)
+    spaces = _spacing(boxes, names)
+    low = boxes[names[here - 1]].y + spaces[here - 1] if here else -math.inf
+    last = here == len(names) - 1
+    return low, math.inf if last else boxes[names[here + 1]].y - spaces[here]
+
+
+def _align(layered: Layered, boxes: dict[str, Box]) -> None:
+    """Shift each box to where most of its arrows are straight."""
+    links: dict[str, list[tuple[str, int, bool]]] = {name: [] for name in boxes}
+    for layer in range(len(layered.layers)):
+        for k in range(len(layered.nets)):
+            start, ends = layered.hop(k, layer) or ("", [])
+            for end in ends:
+                links[start].append((end, k, True))
+                links[end].append((start, k, False))
+    for names in layered.layers:
+        for name in names:
+            low, high = _room(boxes, names, name)
+            box = boxes[name]
+            fits: list[float] = []
+            for passages in (False, True):
+                steps = [
+                    boxes[to].port(k, not out) - box.port(k, out)
+                    for to, k, out in links[name]
+                    if to.startswith("pass:") == passages
+                ]
+                fits = fits or [step for step in steps if low <= box.y + step <= high]
+            box.y += min(fits, key=lambda step: (-fits.count(step), abs(step)), default=0.0)
+
+
+def _sides(layered: Layered, boxes: dict[str, Box]) -> dict[int, bool]:
+    """Tell for each net with feedback whether its lane is above the boxes."""
+    middle = mean([box.y for name, box in boxes.items() if not name.startswith("pass:")])
+    return {
+        k: mean([boxes[name].y for name in (net.source, *net.back)]) < middle
+        for k, net in enumerate(layered.nets)
+        if net.back
+    }
+
+
+def _sort_ports(layered: Layered, boxes: dict[str, Box], above: dict[int, bool]) -> None:
+    came: dict[tuple[str, int], float] = {}
+    went: dict[int, float] = {}
+    for layer in range(len(layered.layers)):
+        for k in range(len(layered.nets)):
+            start, ends = layered.hop(k, layer) or ("", [])
+            came |= {(end, k): boxes[start].port(k, True) for end in ends}
+            if start == layered.nets[k].source:
+                went[k] = mean([boxes[end].port(k, False) for end in ends])
+    for name, box in boxes.items():
+        far = {k: -math.inf if above.get(k) else math.inf for k in (*box.ins, *box.outs)}
+        box.ins.sort(key=lambda k: (came.get((name, k), far[k]), k))
+        box.outs.sort(key=lambda k: (went.get(k, far[k]), k))

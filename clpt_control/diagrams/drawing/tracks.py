@@ -1,0 +1,191 @@
+"""Which lane and which track each net turns in.
+
+Between two columns of boxes lies a channel with one vertical track for each
+net that turns there; feedback runs in lanes above and below all boxes.
+"""
+
+from dataclasses import dataclass
+
+from .layers import Layered
+from .places import Box
+
+LANE, APART = 10.0, 7.0
+
+
+@dataclass
+class Turn:
+    """What one net does in one channel.
+
+    Attributes
+    ----------
+    net : int
+        The net.
+    lefts, rights : list of float
+        The heights at which it meets them.
+    lane : float or None
+        Height of the feedback lane it comes from or goes to.
+    x : float
+        Its track.
+    """
+
+    net: int
+    lefts: list[float]
+    rights: list[float]
+    lane: float | None = None
+    x: float = 0.0
+
+    @property
+    def ends(self) -> list[float]:
+        """All heights it joins."""
+        return self.lefts + self.rights + ([] if self.lane is None else [self.lane])
+
+
+def lanes_of(layered: Layered, boxes: dict[str, Box], above: dict[int, bool]) -> dict[int, float]:
+    """Give each feedback net a lane; short ones run inside.
+
+    Parameters
+    ----------
+    layered : Layered
+        Blocks in ordered layers.
+    boxes : dict of str to Box
+        With their heights.
+    above : dict of int to bool
+        Net with feedback -> whether it returns above the boxes.
+
+    Returns
+    -------
+    dict of int to float
+        Net -> height of its lane.
+
+    Examples
+    --------
+    >>> from clpt_control.diagrams.drawing.layers import Net
+    >>> layered = Layered([Net("a", "y", {"a": "y"}, {"a"})], {"a": 0}, [["a"]])
+    >>> lanes_of(layered, {"a": Box(40, 20)}, {0: True})
+    {0: -20.0}
+    """
+    top = min(box.y - box.height / 2 for box in boxes.values()) - LANE
+    bottom = max(box.y + box.height / 2 for box in boxes.values()) + LANE
+    spans = {}
+    for k in above:
+        net = layered.nets[k]
+        spans[k] = (min(layered.rank[t] for t in net.back) - 1, layered.rank[net.source])
+    lanes: dict[int, float] = {}
+    for side in (True, False):
+        taken: list[list[tuple[int, int]]] = []
+        for k in sorted(
+            (k for k in above if above[k] == side), key=lambda k: spans[k][1] - spans[k][0]
+        ):
+            start, end = spans[k]
+            row = next(
+                (r for r, used in enumerate(taken) if all(end < a or b < start for a, b in used)),
+                len(taken),
+            )
+            if row == len(taken):
+                taken.append([])
+            taken[row].append(spans[k])
+            lanes[k] = top - row * LANE if side else bottom + row * LANE
+    return lanes
+
+
+def channels_of(
+    layered: Layered, boxes: dict[str, Box], lanes: dict[int, float]
+) -> dict[int, list[Turn]]:
+    """Say what each net does in each channel.
+
+    Parameters
+    ----------
+    layered : Layered
+        Blocks in ordered layers.
+    boxes : dict of str to Box
+        With their heights.
+    lanes : dict of int to float
+        Height of each feedback lane.
+
+    Returns
+    -------
+    dict of int to list of Turn
+        Channel 2 lies right of layer 2; -1 left of all.
+
+    Examples
+    --------
+    >>> from clpt_control.diagrams.drawing.layers import Net
+    >>> layered = Layered([Net("a", "y", {"a": "y"}, {"a"})], {"a": 0}, [["a"]])
+    >>> [t.ends for t in channels_of(layered, {"a": Box(40, 20)}, {0: -20.0})[0]]
+    [[0.0, -20.0]]
+    """
+    channels: dict[int, list[Turn]] = {c: [] for c in range(-1, len(layered.layers))}
+    for k, net in enumerate(layered.nets):
+        out = boxes[net.source].port(k, True)
+        for c, turns in channels.items():
+            hop = layered.hop(k, c) if c >= 0 else None
+            if hop:
+                start, ends = hop
+                rights = [boxes[end].port(k, False) for end in ends]
+                turns.append(Turn(k, [boxes[start].port(k, True)], rights))
+            ends = [t for t in net.targets if t in net.back and layered.rank[t] == c + 1]
+            starts = [net.source] if net.back and layered.rank[net.source] == c else []
+            if starts or ends:
+                rights = [boxes[end].port(k, False) for end in ends]
+                turns.append(Turn(k, [out] * len(starts), rights, lanes[k]))
+    return channels
+
+
+def sort_tracks(turns: list[Turn]) -> None:
+    """Order tracks so that few cross and none run on top of another.
+
+    Parameters
+    ----------
+    turns : list of Turn
+        Of one channel; sorted in place, from left to right.
+
+    Examples
+    --------
+    >>> turns = [Turn(0, [0.0], [14.0]), Turn(1, [14.0], [28.0])]
+    >>> sort_tracks(turns)
+    >>> [turn.net for turn in turns]
+    [1, 0]
+    """
+
+    def cost(a: Turn, b: Turn) -> float:
+        if a.net == b.net:
+            return 0.0
+        crossed = sum(min(b.ends) <= y <= max(b.ends) for y in a.rights)
+        crossed += sum(min(a.ends) <= y <= max(a.ends) for y in b.lefts)
+        return crossed + 1000 * sum(abs(y - z) < 1 for y in a.rights for z in b.lefts)
+
+    better = True
+    while better:
+        better = False
+        for turn in list(turns):
+            here = turns.index(turn)
+            rest = turns[:here] + turns[here + 1 :]
+            costs = [
+                sum(cost(a, turn) for a in rest[:k]) + sum(cost(turn, b) for b in rest[k:])
+                for k in range(len(turns))
+            ]
+            best = costs.index(min(costs))
+            if costs[best] < costs[here]:
+                turns[:] = [*rest[:best], turn, *rest[best:]]
+                better = True
+
+
+def overlap(a: Turn, b: Turn) -> bool:
+    """Tell whether two turns are too close to share a track.
+
+    Parameters
+    ----------
+    a, b : Turn
+        Of one channel.
+
+    Returns
+    -------
+    bool
+        True where they need a track each.
+
+    Examples
+    --------
+    >>> overlap(Turn(0, [0.0], [14.0]), Turn(1, [42.0], [28.0]))
+    False
+    """
+    return min(a.ends) < max(b.ends) + APART and min(b.ends) < max(a.ends) + APART

@@ -1,0 +1,288 @@
+"""Wire blocks by the names of their ports, with `control.interconnect`.
+
+python-control adds two outputs of one name, warns of an input that nothing
+feeds, and passes over a mistyped parameter; here all three are errors that
+name the block and the port.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import control
+
+from ..blocks import Block
+from ..blocks.ports import labels
+from ..errors import BlockError, DiagramError
+from .wiring import Wire, Wiring, read, wired
+
+MOST_BYTES = 10**9  # of python-control's matrices
+
+
+class Diagram(control.InterconnectedSystem):
+    """A python-control diagram whose parameter names are checked.
+
+    Made by `connect`; everything else is python-control's own.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> clpt.closed_loop(clpt.paper_scenario()).nstates
+    14
+    """
+
+    def _update_params(self, params: Mapping[str, Any] | None) -> None:
+        inside_another = bool(self.params) and set(self.params) <= set(params or {})
+        if params and not inside_another:
+            changed_parameters(read(self), params)
+        super()._update_params(params)
+
+
+def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list[Any]:
+    """Return the parameters of all blocks, call-time values put in.
+
+    Parameters
+    ----------
+    wiring : Wiring
+        The diagram.
+    params : mapping, optional
+        ``{"adaptation.gain": 2.0}``.
+
+    Returns
+    -------
+    list
+        A NamedTuple for each block, a dict for another system; the blocks
+        themselves are left as they are.
+
+    Raises
+    ------
+    BlockError
+        If a name is unknown or a value has another shape.
+    """
+    params = {} if params is None else params
+    if not isinstance(params, Mapping):
+        raise BlockError(f"params = {params!r}: must be a dict, such as {{'adaptation.gain': 2.0}}")
+    known: set[str] = set()
+    found: list[Any] = []
+    for node in wiring.nodes:
+        system = node.system
+        if isinstance(system, Block):
+            own = {f"{system.name}.{field}": field for field in system.parameters._fields}
+            changes = {own[key]: value for key, value in params.items() if key in own}
+            found.append(system.with_values(changes))
+            known |= set(own)
+        else:
+            found.append({key: params.get(key, value) for key, value in system.params.items()})
+            known |= set(system.params)
+    for key in params:
+        if key not in known:
+            names = ", ".join(sorted(known)) or "none"
+            raise BlockError(f"unknown parameter '{key}': this diagram knows {names}")
+    return found
+
+
+class Fit(NamedTuple):
+    """Blocks that fit together by the names of their ports.
+
+    Attributes
+    ----------
+    makers : dict
+        Port -> the block that makes it and its size.
+    users : dict
+        Port -> the blocks that take it.
+    outside : dict
+        Port that comes from outside -> its size.
+    """
+
+    makers: dict[str, tuple[str, int]]
+    users: dict[str, list[str]]
+    outside: dict[str, int]
+
+
+def fit(blocks: Sequence[Block], external: Iterable[str] = ()) -> Fit:
+    """Check that blocks fit together, and say how.
+
+    Parameters
+    ----------
+    blocks : sequence of Block
+        Each output port feeds every input port of the same name.
+    external : iterable of str, optional
+        Ports that come from outside.
+
+    Returns
+    -------
+    Fit
+        Who makes and who takes each port.
+
+    Raises
+    ------
+    DiagramError
+        If two blocks make the same port, a port is fed by nothing, sizes
+        differ, or an external port is made or not used.
+    """
+    external = list(external)
+    if not blocks:
+        raise DiagramError("a diagram of no blocks: give at least one")
+    names = [block.name for block in blocks]
+    for name_ in names:
+        if names.count(name_) > 1:
+            raise DiagramError(f"two blocks are called '{name_}': rename one")
+    makers: dict[str, tuple[str, int]] = {}
+    for block in blocks:
+        for port, size in block.output_ports.items():
+            if port in makers:
+                raise DiagramError(
+                    f"'{port}' is made by both {makers[port][0]} and {block.name}: "
+                    "python-control would add them; rename one port"
+                )
+            makers[port] = (block.name, size)
+    users: dict[str, list[str]] = {}
+    sizes: dict[str, int] = {}
+    for block in blocks:
+        for port, size in block.input_ports.items():
+            if port not in makers and port not in external:
+                raise DiagramError(
+                    f"'{port}', an input of {block.name}, is made by no block; blocks make "
+                    f"{', '.join(sorted(makers))}"
+                )
+            wanted = makers[port][1] if port in makers else sizes.setdefault(port, size)
+            if wanted != size:
+                raise DiagramError(f"'{port}' has {wanted} signals, but {block.name} takes {size}")
+            users.setdefault(port, []).append(block.name)
+    for port in external:
+        if port in makers:
+            raise DiagramError(f"'{port}' cannot come from outside: {makers[port][0]} makes it")
+        if port not in users:
+            raise DiagramError(
+                f"'{port}' cannot come from outside: no block takes it; blocks take "
+                f"{', '.join(sorted(users))}"
+            )
+    return Fit(makers, users, {port: sizes[port] for port in external})
+
+
+def connect(
+    blocks: Sequence[Block], external: Iterable[str] = (), name: str = "diagram"
+) -> Diagram:
+    """Wire blocks by the names of their ports, and check the fit.
+
+    Parameters
+    ----------
+    blocks : sequence of Block
+        Each output port feeds every input port of the same name.
+    external : iterable of str, optional
+        Ports that come from outside: they become the diagram's inputs.
+    name : str, optional
+        Name of the diagram.
+
+    Returns
+    -------
+    Diagram
+        With every output port of every block as outputs.
+
+    Raises
+    ------
+    DiagramError
+        If two blocks make the same port, a port is fed by nothing, sizes
+        differ, an external port is made or not used, or the diagram is larger
+        than python-control can hold.
+
+    Examples
+    --------
+    >>> from clpt_control.blocks import clpe, vehicle
+    >>> diagram = connect([vehicle.vehicle(), clpe.clpe()], external=["flow_x", "v_x", "z"])
+    >>> diagram.output_labels
+    ['x[0]', 'x[1]', 'e[0]', 'e[1]']
+    """
+    fitted = fit(blocks, external)
+    made = [(port, *maker) for port, maker in fitted.makers.items()]
+    fed, makes = (sum(block.ninputs for block in blocks), sum(block.noutputs for block in blocks))
+    size = 8 * (2 * fed + makes) * makes  # bytes of its full matrices of connections and outputs
+    if size > MOST_BYTES:
+        raise DiagramError(
+            f"{name or 'the diagram'}: has {makes} signals, for which python-control needs "
+            f"{size / 1e9:.1f} GB; at most {MOST_BYTES / 1e9:g} GB: take fewer basis functions, or "
+            "simulate the scenario itself"
+        )
+    diagram = control.interconnect(
+        list(blocks),
+        connections=[
+            [f"{user}.{port}[{k}]", f"{maker}.{port}[{k}]"]
+            for port, maker, size in made
+            for user in fitted.users.get(port, ())
+            for k in range(size)
+        ]
+        or False,
+        inplist=[
+            [f"{user}.{port}[{k}]" for user in fitted.users[port]]
+            for port, size in fitted.outside.items()
+            for k in range(size)
+        ],
+        outlist=[f"{maker}.{port}[{k}]" for port, maker, size in made for k in range(size)],
+        inputs=labels(fitted.outside),
+        outputs=labels({port: size for port, _, size in made}),
+        name=name,
+        check_unused=False,
+    )
+    diagram.__class__ = Diagram
+    return diagram
+
+
+def wire(blocks: Sequence[Block], external: Iterable[str] = ()) -> Wiring:
+    """Return what `read(connect(blocks, external))` does, sooner.
+
+    It makes none of python-control's matrices.
+
+    Parameters
+    ----------
+    blocks : sequence of Block
+        As for `connect`.
+    external : iterable of str, optional
+        As for `connect`.
+
+    Returns
+    -------
+    Wiring
+        The same nodes, wires and order; `output_map` is the identity, all
+        block outputs being outputs.
+
+    Raises
+    ------
+    DiagramError
+        As `connect` does.
+    """
+    from scipy.sparse import eye_array
+
+    fitted = fit(blocks, external)
+    places: dict[str, int] = {}
+    at = 0
+    for block in blocks:
+        for port, size in block.output_ports.items():
+            places[port] = at
+            at += size
+    outside, inputs = {}, 0
+    for port, size in fitted.outside.items():
+        outside[port] = inputs
+        inputs += size
+    fed = []
+    for block in blocks:
+        to = 0
+        wires: dict[bool, list[Wire]] = {False: [], True: []}
+        for port, size in block.input_ports.items():
+            external_port = port in outside
+            source = outside[port] if external_port else places[port]
+            wires[external_port].append(Wire(to, source, size, 1.0, external_port))
+            to += size
+        fed.append((*_joined(wires[False]), *_joined(wires[True])))
+    return wired([(block.name, block) for block in blocks], fed, inputs,
+                 eye_array(at, at + inputs, format="csr"))  # fmt: skip
+
+
+def _joined(wires: list[Wire]) -> list[Wire]:
+    """Join wires that go on with each other."""
+    found: list[Wire] = []
+    for one in wires:
+        last = found[-1] if found else None
+        if last and (last.to + last.size, last.source + last.size) == (one.to, one.source):
+            found[-1] = last._replace(size=last.size + one.size)
+        elif one.size:
+            found.append(one)
+    return found

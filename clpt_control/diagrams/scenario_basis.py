@@ -1,0 +1,38 @@
+"""phi of Eq. (5) as a scenario has it."""
+
+import numpy as np
+
+from ..blocks import Block
+from ..blocks.basis import BasisParameters, flow_basis
+from ..scenario.experiment import Scenario
+
+
+def scenario_basis(scenario: Scenario, position: str = "x") -> Block:
+    """Return the block phi(x, t) of a scenario, Eq. (5).
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Its field, if any, is not read.
+    position : str, optional
+        ``"x"`` at the vehicle, ``"z"`` at its prediction.
+
+    Returns
+    -------
+    Block
+        ``basis_x`` or ``basis_z`` as in `closed_loop`.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario_basis(clpt.paper_scenario()).noutputs
+    3
+    """
+    functions = BasisParameters(
+        scenario.basis.N,
+        np.array(scenario.basis.centers),
+        np.array(scenario.basis.widths),
+        scenario.frequencies,
+        np.array(scenario.phases),
+    )
+    return flow_basis(f"basis_{position}", position, scenario.basis.kernel, functions)

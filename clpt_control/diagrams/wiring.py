@@ -1,0 +1,321 @@
+"""Read what is wired to what out of an interconnected system.
+
+python-control keeps a diagram as matrices: `connect_map` (block outputs to
+block inputs), `input_map` and `output_map`.  Here they become a list of blocks
+in the order in which one pass computes every signal once: a block's turn comes
+when all signals that reach its outputs at once are known.  The engine, the
+proofs and the drawing all read a diagram through this file.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import control
+import numpy as np
+
+from ..blocks import Block
+from ..blocks.linear import linear
+from ..errors import DiagramError
+
+
+class Wire(NamedTuple):
+    """A run of consecutive signals, ``u += gain * source``.
+
+    Attributes
+    ----------
+    to : int
+        First input of the block that is fed.
+    source : int
+        First signal among all block outputs, or among the diagram's inputs.
+    size : int
+        Number of consecutive signals.
+    gain : float
+        Factor on each.
+    external : bool
+        True where the source is an input of the diagram.
+    """
+
+    to: int
+    source: int
+    size: int
+    gain: float
+    external: bool
+
+
+@dataclass(frozen=True)
+class Node:
+    """One block in its place.
+
+    Attributes
+    ----------
+    system : control.NonlinearIOSystem
+        The block.
+    name : str
+        Its name; inside a nested diagram ``"outer.inner"``.
+    states, inputs, outputs : slice
+        Where its signals stand among all states, block inputs, block outputs.
+    wires : tuple of Wire
+        What feeds it.
+    """
+
+    system: control.NonlinearIOSystem
+    name: str
+    states: slice
+    inputs: slice
+    outputs: slice
+    wires: tuple[Wire, ...]
+
+
+@dataclass(frozen=True)
+class Wiring:
+    """A diagram as an ordered list of blocks.
+
+    Attributes
+    ----------
+    nodes : tuple of Node
+        Blocks in the diagram's own order.
+    order : tuple of int
+        Indices into `nodes`, in which outputs can be computed one by one.
+    ninputs : int
+        Inputs of the diagram.
+    output_map : scipy.sparse array
+        Diagram outputs from all block outputs and then all diagram inputs.
+    """
+
+    nodes: tuple[Node, ...]
+    order: tuple[int, ...]
+    ninputs: int
+    output_map: Any
+
+
+class _Flat(NamedTuple):
+    """A system as leaves with U = C Y + D u and y = E Y + F u, sparse."""
+
+    leaves: list[tuple[str, control.NonlinearIOSystem]]
+    C: Any
+    D: Any
+    E: Any
+    F: Any
+
+
+def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
+    from scipy.sparse import block_diag, csr_array, eye_array
+
+    _check_continuous(system, name)
+    if not isinstance(system, control.InterconnectedSystem):
+        m, n = system.ninputs or 0, system.noutputs or 0
+        C, D = csr_array((m, n)), eye_array(m, format="csr")
+        return _Flat([(name, system)], C, D, eye_array(n, format="csr"), csr_array((n, m)))
+    connections, inputs = csr_array(system.connect_map), csr_array(system.input_map)
+    split = connections.shape[1]
+    from_outputs = csr_array(system.output_map[:, :split])
+    from_inputs = csr_array(system.output_map[:, split:])
+    if not any(isinstance(part, control.InterconnectedSystem) for part in system.syslist):
+        for part in system.syslist:
+            _check_continuous(part, part.name)
+        leaves = [(part.name, part) for part in system.syslist]
+        E, F = from_outputs + from_inputs @ connections, from_inputs @ inputs
+        return _Flat(leaves, connections, inputs, E, F)
+    parts = []
+    for part in system.syslist:
+        inner = _flatten(part, part.name)
+        if isinstance(part, control.InterconnectedSystem):
+            inner = inner._replace(leaves=[(f"{part.name}.{n}", s) for n, s in inner.leaves])
+        parts.append(inner)
+    leaves = [leaf for part in parts for leaf in part.leaves]
+    C, D, E, F = (block_diag([part[k] for part in parts], format="csr") for k in range(1, 5))
+    U_from_Y, U_from_u = connections @ E, inputs
+    through = connections @ F
+    for _ in range(len(parts)):  # signals that pass straight through nested diagrams
+        if not through.nnz:
+            break
+        U_from_Y, U_from_u = U_from_Y + through @ U_from_Y, U_from_u + through @ U_from_u
+        through = through @ through
+    if through.nnz:
+        raise DiagramError(f"{name}: nested diagrams feed each other without a block")
+    return _Flat(
+        leaves,
+        C + D @ U_from_Y,
+        D @ U_from_u,
+        from_outputs @ (E + F @ U_from_Y) + from_inputs @ U_from_Y,
+        (from_outputs @ F + from_inputs) @ U_from_u,
+    )
+
+
+def _check_continuous(system: control.NonlinearIOSystem, name: str) -> None:
+    if not isinstance(system, control.NonlinearIOSystem):
+        raise DiagramError(
+            f"{name} is a {type(system).__name__}: must be blocks, wired, or a system with states, "
+            "such as control.ss(...)"
+        )
+    if system.dt not in (None, 0):
+        raise DiagramError(
+            f"{name} is a system of discrete time (dt = {system.dt}): only continuous time can be "
+            "run here; make it with dt = 0, or run it with control.input_output_response"
+        )
+
+
+def _entries(matrix: Any) -> dict[int, list[tuple[int, float]]]:
+    """Return source and gain of what each row of a connection matrix is fed with."""
+    found = matrix.tocoo()
+    rows: dict[int, list[tuple[int, float]]] = {}
+    columns = [column.tolist() for column in (*found.coords, found.data)]
+    for to, source, gain in zip(*columns, strict=True):
+        if gain != 0.0:
+            rows.setdefault(to, []).append((source, gain))
+    return rows
+
+
+def _runs(rows: dict, first: int, last: int, external: bool) -> list[Wire]:
+    """Gather what feeds a block into runs of consecutive signals."""
+    following: dict[tuple, int] = {}  # what would go on with a run -> its place
+    wires: list[Wire] = []
+    for to in range(first, last):
+        for source, gain in sorted(rows.get(to, ())):
+            k = following.pop((to, source, gain), len(wires))
+            if k == len(wires):
+                wires.append(Wire(to - first, source, 0, gain, external))
+            wires[k] = wires[k]._replace(size=wires[k].size + 1)
+            following[to + 1, source + 1, gain] = k
+    return wires
+
+
+def reaches_outputs(system: control.NonlinearIOSystem) -> bool:
+    """Whether a system's inputs reach its outputs at once.
+
+    Parameters
+    ----------
+    system : control.NonlinearIOSystem
+        A block says so itself; others are asked with a few random inputs.
+
+    Returns
+    -------
+    bool
+        True where there is feedthrough.
+
+    Examples
+    --------
+    >>> import control
+    >>> from clpt_control.blocks.linear import linear
+    >>> reaches_outputs(linear(control.ss(-1, 1, 1, 0)))
+    False
+    """
+    if isinstance(system, Block):
+        return system.feedthrough and system.ninputs > 0
+    if not system.ninputs or not system.noutputs:
+        return False
+    random = np.random.default_rng(0)
+    for _ in range(3):
+        x = random.standard_normal(system.nstates or 0)
+        u = random.standard_normal((2, system.ninputs))
+        if not np.array_equal(system._out(0, x, u[0]), system._out(0, x, u[1])):
+            return True
+    return False
+
+
+def read(diagram: control.NonlinearIOSystem) -> Wiring:
+    """Read a diagram, nested ones included, into an ordered wiring.
+
+    Parameters
+    ----------
+    diagram : control.NonlinearIOSystem
+        An interconnected system of blocks and any python-control systems of
+        continuous time; linear ones become blocks.
+
+    Returns
+    -------
+    Wiring
+        Blocks, wires, and an order of evaluation.
+
+    Raises
+    ------
+    DiagramError
+        If blocks feed each other at once in a circle (they are named), or a
+        system is one of discrete time.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> diagram = clpt.closed_loop(clpt.paper_scenario())
+    >>> [node.name for node in read(diagram).nodes][:3]
+    ['reference', 'basis_x', 'basis_z']
+    """
+    from scipy.sparse import hstack
+
+    flat = _flatten(diagram, getattr(diagram, "name", repr(diagram)))
+    if not flat.leaves:
+        raise DiagramError(f"{diagram.name}: has no blocks; give at least one")
+    leaves, fed, u = [], [], 0
+    outer, inner = _entries(flat.C), _entries(flat.D)
+    for name, system in flat.leaves:
+        first, u = u, u + system.ninputs
+        fed.append((*_runs(outer, first, u, False), *_runs(inner, first, u, True)))
+        leaves.append((name, linear(system) if isinstance(system, control.StateSpace) else system))
+    return wired(leaves, fed, diagram.ninputs or 0, hstack([flat.E, flat.F], format="csr"))
+
+
+def wired(
+    systems: Sequence[tuple[str, control.NonlinearIOSystem]],
+    fed: Sequence[tuple[Wire, ...]],
+    ninputs: int,
+    output_map: Any,
+) -> Wiring:
+    """Make a wiring of systems and of the wires that feed each.
+
+    Parameters
+    ----------
+    systems : sequence of tuple
+        Name and system, in the diagram's order.
+    fed : sequence of tuple of Wire
+        What feeds each.
+    ninputs : int
+        Inputs of the diagram.
+    output_map : scipy.sparse array
+        Diagram outputs from all block outputs and then all diagram inputs.
+
+    Returns
+    -------
+    Wiring
+        With an order of evaluation.
+
+    Raises
+    ------
+    DiagramError
+        If blocks feed each other at once in a circle.
+    """
+    nodes, x, u, y = [], 0, 0, 0
+    for (name, system), wires in zip(systems, fed, strict=True):
+        states = slice(x, x := x + (system.nstates or 0))
+        inputs = slice(u, u := u + (system.ninputs or 0))
+        outputs = slice(y, y := y + (system.noutputs or 0))
+        nodes.append(Node(system, name, states, inputs, outputs, wires))
+    return Wiring(tuple(nodes), _order(nodes), ninputs, output_map)
+
+
+def _order(nodes: list[Node]) -> tuple[int, ...]:
+    owner = [k for k, node in enumerate(nodes) for _ in range(node.system.noutputs or 0)]
+    waits = {
+        k: {owner[w.source + j] for w in node.wires if not w.external for j in range(w.size)}
+        if reaches_outputs(node.system)
+        else set()
+        for k, node in enumerate(nodes)
+    }
+    order: list[int] = []
+    while waits:
+        ready = [k for k in waits if not waits[k] - set(order)]
+        if not ready:
+            raise DiagramError(
+                f"algebraic loop: {_circle(waits, nodes)} feed each other at once; "
+                "break the circle with a block that has states"
+            )
+        order.append(ready[0])
+        del waits[ready[0]]
+    return tuple(order)
+
+
+def _circle(waits: dict[int, set[int]], nodes: list[Node]) -> str:
+    path = [next(iter(waits))]
+    while path.count(path[-1]) < 2:
+        path.append(next(k for k in waits[path[-1]] if k in waits))
+    return " <- ".join(nodes[k].name for k in path[path.index(path[-1]) :])

@@ -1,0 +1,222 @@
+"""Many runs of one scenario that differ in numbers, not in shape.
+
+A member is the scenario with some values changed.  Where a key's value lies in P and
+in the initial state is declared (`diagram.HELD`, `diagram.STARTS`), so members are
+filled in whole columns; what is computed from values, such as frequencies from
+periods, is made member by member.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..diagrams.interconnection import wire
+from ..errors import ScenarioError
+from ..native.engine import NativeDiagram
+from ..native.printing import LANES
+from ..native.runs import Runs
+from ..native.schedule import Schedule, schedule
+from ..native.sweep import Sweep
+from ..scenario.experiment import Scenario, scenario_tables
+from ..simulation.closed_loop import HELD, JUMPS, STARTS, initial_state, paper_blocks, started
+
+
+@dataclass
+class Members:
+    """Parameters and initial states of many runs.
+
+    Attributes
+    ----------
+    P : ndarray, shape (m, nP)
+        Parameters of each member.
+    x0 : ndarray, shape (m, nstates)
+        Initial states.
+    group : ndarray of int, shape (m,)
+        Which of the schedules a member follows.
+    schedules : list of Schedule
+        Pieces of time.
+    """
+
+    P: np.ndarray
+    x0: np.ndarray
+    group: np.ndarray
+    schedules: list[Schedule]
+
+
+class Ensemble:
+    """One scenario, compiled, from which members are made.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The base.
+    keys : mapping of str to tuple of int
+        What varies: dotted key -> shape of its value, ``()`` for a number.
+    lanes : bool, optional
+        Eight members at once where that is quicker.
+
+    Raises
+    ------
+    ScenarioError
+        If a key is unknown, its value has another shape, or is too large to
+        vary.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> ensemble = Ensemble(clpt.paper_scenario(), {"learning.gain": ()})
+    >>> members = ensemble.members({"learning.gain": np.array([0.5, 2.0])}, 20.0)
+    >>> ensemble.run(members, np.array([0.0, 20.0])).states.shape
+    (2, 2, 14)
+    """
+
+    def __init__(self, scenario: Scenario, keys: Mapping[str, tuple[int, ...]], lanes: bool = True):
+        self.scenario, self.keys = scenario, dict(keys)
+        for key, shape in self.keys.items():
+            _check(scenario, key, tuple(shape))
+        self.blocks = paper_blocks(scenario)
+        self.native = NativeDiagram(wire(self.blocks))
+        self.lanes = self.native.lanes(LANES) if lanes else 1
+        copied = {key: self._places(key) for key in self.keys}
+        self.copied = {key: places for key, places in copied.items() if places is not None}
+        self.computed = [key for key, places in copied.items() if places is None]
+        self.base = self.native.parameters(), initial_state(scenario)
+
+    def _places(self, key: str) -> tuple[list[int], list[int]] | None:
+        """Return where in P and in the initial state a value begins; None if it is computed."""
+        if key in JUMPS or key not in {**HELD, **STARTS}:
+            return None
+        names = {block.name: k for k, block in enumerate(self.blocks)}
+        in_P = []
+        for name in HELD.get(key, ()):
+            block, field = name.split(".")
+            place = self.native.layout.places.get((names.get(block, -1), field))
+            if place is not None and place.array != "P":
+                raise ScenarioError(f"{key}: has too many numbers to vary")
+            if place is not None and place.offset not in in_P:
+                in_P.append(place.offset)
+        starts, in_x = started(self.scenario), []
+        if key in starts:
+            before = list(starts)[: list(starts).index(key)]
+            in_x.append(sum(starts[other].size for other in before))
+        return (in_P, in_x) if in_P or in_x else None
+
+    def members(self, values: Mapping[str, np.ndarray], duration: float) -> Members:
+        """Make members of arrays of values.
+
+        Parameters
+        ----------
+        values : mapping
+            Key -> array, shape (m,) + the key's shape.
+        duration : float
+            Length of the runs, units.time.
+
+        Returns
+        -------
+        Members
+            Ready to run.
+
+        Raises
+        ------
+        ScenarioError
+            If a value is not allowed; the member is named.
+        """
+        count = len(next(iter(values.values())))
+        P, x0 = np.tile(self.base[0], (count, 1)), np.tile(self.base[1], (count, 1))
+        group = np.zeros(count, dtype=np.int64)
+        schedules = [self.native.schedule(0.0, duration)]
+        if self.computed:
+            known: dict[tuple, int] = {}
+            for m in range(count):
+                own = {key: values[key][m] for key in self.computed}
+                made = self.scenario.with_values(own)
+                parameters = [block.parameters for block in paper_blocks(made)]
+                packed = self.native.layout.packed(parameters)
+                P[m, : len(packed)], x0[m] = packed, initial_state(made)
+                one = self._schedule(parameters, duration)
+                name = (one.edges.tobytes(), one.values.tobytes())
+                if name not in known:
+                    known[name] = len(schedules)
+                    schedules.append(one)
+                group[m] = known[name]
+        for key, (in_P, in_x) in self.copied.items():
+            flat = np.reshape(values[key], (count, -1))
+            for columns, places in ((P, in_P), (x0, in_x)):
+                for place in places:
+                    columns[:, place : place + flat.shape[1]] = flat
+        return Members(P, x0, group, schedules)
+
+    def _schedule(self, parameters: list[Any], duration: float) -> Schedule:
+        sweep = Sweep(self.native.wiring, parameters)
+        return schedule(sweep, self.native.layout.intervals, 0.0, duration)
+
+    def run(
+        self,
+        members: Members,
+        times: np.ndarray,
+        rtol: float = 1e-8,
+        atol: float = 1e-10,
+        step: float | None = None,
+    ) -> "States":
+        """Run members, each by itself, in the calling thread.
+
+        Parameters
+        ----------
+        members : Members
+            As `members` gives them; their duration is ``times[-1]``.
+        times : ndarray
+            Increasing, from 0; times at which states are wanted.
+        rtol, atol : float, optional
+            Tolerances.
+        step : float, optional
+            A fixed step: Runge and Kutta's classical method in place of
+            DOP853.
+
+        Returns
+        -------
+        States
+            NaN after the time a failed member reached.
+        """
+        lanes = self.lanes if step is None or len(members.schedules) == 1 else 1
+        runs = Runs(
+            self.native.callee(lanes), members.x0, members.P, np.asarray(times, dtype=float),
+            members.schedules, members.group,
+        )  # fmt: skip
+        if step is None:
+            runs.adaptive(rtol, atol)
+        else:
+            runs.fixed(step)
+        return States(runs.out, runs.status, runs.reached, runs.counts)
+
+
+@dataclass(frozen=True)
+class States:
+    """States of many runs.
+
+    Attributes
+    ----------
+    states : ndarray, shape (m, ntimes, nstates)
+        NaN where a run did not come.
+    status : ndarray of int, shape (m,)
+        How each ended, as `Status` numbers it.
+    reached : ndarray of int, shape (m,)
+        Samples reached.
+    counts : ndarray of int, shape (m, 4)
+        Steps, evaluations, restarts, rejected steps.
+    """
+
+    states: np.ndarray
+    status: np.ndarray
+    reached: np.ndarray
+    counts: np.ndarray
+
+
+def _check(scenario: Scenario, key: str, shape: tuple[int, ...]) -> None:
+    """Refuse a shape that is not the key's; what the scenario leaves out is zero."""
+    place: Any = scenario_tables(scenario)
+    for name in key.split("."):
+        place = place.get(name) if isinstance(place, dict) else None
+    if place is not None and np.shape(place) != shape:
+        raise ScenarioError(f"{key}: has shape {np.shape(place)}, not {shape}")

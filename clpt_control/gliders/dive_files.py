@@ -1,0 +1,149 @@
+"""Files of dives, told apart by what is in them.
+
+Each path is a file or a folder of `*.nc` and `*.csv`; a file is a Seaglider
+basestation file, an OG1 trajectory or a CSV table, found by its content.  A
+damaged file among good ones is left out with its reason and the good dives are
+used; what was named and does not exist is an error.
+"""
+
+from collections.abc import Iterable
+from pathlib import Path
+from stat import S_ISDIR
+
+from ..errors import DataError
+from ..files import open_netcdf
+from ..files.reading import read_bytes, text_of
+from ..progress.interrupt import check
+from . import og1, seaglider
+from .dive_table import NO_TEXT, parse_dive_table
+from .dives import Dive, Skipped
+
+SUFFIXES = (".nc", ".csv")
+NETCDF = (b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF")
+
+
+def dive_paths(paths: Iterable[str | Path]) -> list[Path]:
+    """Give the files that paths name, folders opened.
+
+    Parameters
+    ----------
+    paths : iterable of str or Path
+        Files and folders.
+
+    Returns
+    -------
+    list of Path
+        Files of a folder by name, those that begin with a dot left out.
+
+    Raises
+    ------
+    DataError
+        If a path does not exist or a folder has no such file.
+    """
+    files: list[Path] = []
+    for path in map(Path, paths):
+        try:
+            inside = list(path.iterdir()) if S_ISDIR(path.stat().st_mode) else None
+        except (FileNotFoundError, NotADirectoryError):
+            raise DataError(
+                f"{path}: no such file; give Seaglider or OG1 NetCDF files, a CSV table of dives, "
+                "or a folder of them"
+            ) from None
+        except OSError as error:
+            raise DataError(f"{path}: cannot be read: {error.strerror}") from None
+        if inside is None:
+            files.append(path)
+            continue
+        dives = [
+            file
+            for file in inside
+            if file.suffix.lower() in SUFFIXES and not file.name.startswith(".")
+        ]
+        if not dives:
+            raise DataError(f"{path}: the folder has no {' and no '.join(SUFFIXES)} file")
+        files += sorted(dives)
+    return files
+
+
+def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
+    """Read a file of dives, whichever kind it is.
+
+    Parameters
+    ----------
+    path : str or Path
+        Seaglider basestation file, OG1 trajectory or CSV table; a table may
+        be a pipe that is open.
+
+    Returns
+    -------
+    dives : list of Dive
+        In the file's order.
+    skipped : list of Skipped
+        Lines of a table that hold no dive.
+
+    Raises
+    ------
+    DataError
+        If the file is missing, empty, damaged or of another kind.
+    """
+    path = Path(path)
+    raw = read_bytes(path, NETCDF)
+    if not raw:
+        raise DataError(f"{path}: is empty; must be a Seaglider or OG1 file or a CSV table")
+    if raw not in NETCDF:
+        return parse_dive_table(text_of(raw, path, NO_TEXT), str(path))
+    if not path.is_file():
+        raise DataError(f"{path}: is NetCDF through a pipe; save it as a file and give that")
+    with open_netcdf(path) as data:
+        if seaglider.is_seaglider(data):
+            return [seaglider.dive_of(data, path)], []
+        if og1.is_og1(data):
+            return og1.dives_of(data, path), []
+        known = ", ".join(map(str, list(data.variables)[:8])) or "no variables"
+    raise DataError(
+        f"{path}: neither a Seaglider file (with log_gps_time) nor OG1 (with LATITUDE_GPS): it has "
+        f"{known}, not the fixes and the way through the water that a dive needs; a CSV table of "
+        "dives can give both"
+    )
+
+
+def read_dives(paths: str | Path | Iterable[str | Path]) -> tuple[list[Dive], list[Skipped]]:
+    """Read all dives of files and folders.
+
+    Parameters
+    ----------
+    paths : str, Path or iterable of them
+        Files and folders, of any kinds together.
+
+    Returns
+    -------
+    dives : list of Dive
+        As the files have them; `usable` sorts and chooses.
+    skipped : list of Skipped
+        Damaged files and lines, each with its reason.
+
+    Raises
+    ------
+    DataError
+        If a path does not exist, or no file holds a dive.
+    """
+    files = dive_paths([paths] if isinstance(paths, str | Path) else paths)
+    dives: list[Dive] = []
+    skipped: list[Skipped] = []
+    for file in files:
+        check()
+        try:
+            found, bad = read_dive_file(file)
+        except DataError as error:
+            found, bad = [], [Skipped(seaglider.number_in_name(file), str(error))]
+        dives += found
+        skipped += bad
+    if dives:
+        return dives, skipped
+    if len(skipped) == 1:
+        raise DataError(skipped[0].why)
+    if skipped and len(files) == 1:
+        raise DataError(f"{files[0]}: no line holds a dive; the first: {skipped[0].why}")
+    if skipped:
+        raise DataError(f"none of {len(files)} files holds a dive; the first: {skipped[0].why}")
+    raise DataError(f"{', '.join(map(str, files)) or 'no file'}: no dives")

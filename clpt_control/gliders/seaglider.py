@@ -1,0 +1,214 @@
+"""Seaglider basestation files: NetCDF, one per dive.
+
+The basestation (University of Washington and Kongsberg) stores the way through
+the water since the sample before, by its hydrodynamic model, in
+`east_displacement`, `north_displacement` (m): their sums are the dead reckoning,
+
+    dr = sum_i (displacement of sample i),
+
+and where that model is missing the glide-slope model (`_gsm`) is read.  Times are
+`ctd_time` or `time`, whichever has the dimension of the displacement: one
+`sg_data_point` in files to version 2, one per instrument in those of version 3.
+"""
+
+import re
+from math import nan
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..errors import DataError
+from ..files import open_netcdf
+from .dive_faults import NUMBERS, whole_number
+from .dives import Dive, make_dive
+from .own_current import compared
+from .sample_units import metres, seconds
+from .samples import deepest, fill, hole_under_water, scalar, track_of, values
+from .seaglider_fixes import FIXES, fixes_of
+
+if TYPE_CHECKING:
+    import xarray
+
+LONGEST_STEP = 1e5  # m in one sample: beyond, a fill value
+REPAIRABLE = 0.05  # largest share of samples that is filled from their neighbours
+LONGEST_GAP = 900.0  # s between samples that is mentioned
+DEPTHS = ("depth", "ctd_depth", "eng_depth")
+
+
+def is_seaglider(data: "xarray.Dataset") -> bool:
+    """Whether a NetCDF file is of the Seaglider basestation."""
+    return any(name in data.variables for name in FIXES) or "sg_data_point" in data.dims
+
+
+def read_seaglider(path: str | Path) -> Dive:
+    """Read one dive of a Seaglider basestation file.
+
+    Parameters
+    ----------
+    path : str or Path
+        Such as ``p5420304.nc``.
+
+    Returns
+    -------
+    Dive
+        NaN where a fix or the way through the water is missing.
+
+    Raises
+    ------
+    DataError
+        If the file is missing, damaged, or without fixes or dive number.
+    """
+    path = Path(path)
+    with open_netcdf(path) as data:
+        return dive_of(data, path)
+
+
+def dive_of(data: "xarray.Dataset", path: Path) -> Dive:
+    """Give the dive of an open basestation file.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        The file.
+    path : Path
+        Its name, for messages and for a missing dive number.
+
+    Returns
+    -------
+    Dive
+        As `read_seaglider`.
+
+    Raises
+    ------
+    DataError
+        If it has no fixes or no dive number.
+    """
+    names = _displacement(data)
+    time, why_not = _times(data, names[0], path) if names else (None, "")
+    fixes = fixes_of(data, path, nan if time is None else float(time[0]))
+    start, end = fixes.start, fixes.end
+    through_water, track, notes = _way(data, names, time, start[0], end[0], path)
+    depths = (deepest(metres(data, name, path)) for name in DEPTHS if name in data.variables)
+    before = dict(zip(("t_gps1", "lat_gps1", "lon_gps1"), fixes.first or (None,) * 3, strict=True))
+    number, misnumbered = _number(data, path)
+    dive = make_dive(
+        number,
+        start,
+        end,
+        through_water,
+        **before,
+        dac_east=scalar(data, "depth_avg_curr_east"),
+        dac_north=scalar(data, "depth_avg_curr_north"),
+        dac_qc=scalar(data, "depth_avg_curr_qc"),
+        magvar=_variation(data),
+        depth_max=next((depth for depth in depths if depth is not None), None),
+        track=track,
+        notes=(*notes, *([why_not] if why_not else []), *fixes.notes, *misnumbered),
+    )
+    return compared(dive)
+
+
+def number_in_name(path: Path) -> int | None:
+    """Give the dive of a name pSSSDDDD.nc (vehicle, dive), or None."""
+    named = re.fullmatch(r"p\d{3}(\d{4})", path.stem)
+    return int(named[1]) if named else None
+
+
+def _number(data: "xarray.Dataset", path: Path) -> tuple[int, list[str]]:
+    """Give the number of the dive and what was wrong with others."""
+    notes: list[str] = []
+    for name, said in (
+        ("dive_number", data.attrs.get("dive_number")),
+        ("log_DIVE", scalar(data, "log_DIVE")),
+        ("name", number_in_name(path)),
+    ):
+        number = whole_number(said)
+        if number is not None:
+            return number, [f"{note}; taken from {name}" for note in notes]
+        if said is not None:
+            notes.append(f"{name} is {str(said)[:20]!r}, no whole number below {NUMBERS}")
+    raise DataError(
+        f"{path}: {notes[0] if notes else 'no attribute dive_number'}, and the name is not such as "
+        "p5420304.nc"
+    )
+
+
+def _variation(data: "xarray.Dataset") -> float | None:
+    """Magnetic variation, or that of GPS2 where the file has one per fix."""
+    found = scalar(data, "magnetic_variation")
+    if found is not None or "log_gps_magvar" not in data.variables:
+        return found
+    each = values(data, "log_gps_magvar")
+    return float(each[1]) if each.shape == (3,) and np.isfinite(each[1]) else None
+
+
+def _displacement(data: "xarray.Dataset") -> tuple[str, str] | None:
+    """Names of the displacement, the better model first."""
+    for suffix in ("", "_gsm"):
+        east, north = f"east_displacement{suffix}", f"north_displacement{suffix}"
+        if east in data.variables and north in data.variables:
+            return east, north
+    return None
+
+
+def _times(data: "xarray.Dataset", like: str, path: Path) -> tuple[np.ndarray | None, str]:
+    """Give times of the samples that a variable has, or why there are none."""
+    own = [name for name in map(str, data.variables) if name.endswith("_time")]
+    same = [
+        name
+        for name in dict.fromkeys(("ctd_time", "time", *sorted(own)))
+        if name in data.variables and data[name].dims == data[like].dims
+    ]
+    for name in same:
+        time = seconds(data, name, path)
+        if time.size and np.all(np.isfinite(time)) and np.all(np.diff(time) > 0):
+            return time, ""
+    if not same:
+        return None, f"no track: no times with the dimension of {like}"
+    return None, f"no track: the times {same[0]} are not finite or not in order"
+
+
+def _way(
+    data: "xarray.Dataset",
+    names: tuple[str, str] | None,
+    time: np.ndarray | None,
+    start: float,
+    end: float,
+    path: Path,
+) -> tuple[Any, Any, list[str]]:
+    """Sum the way through the water; give it, its track and notes."""
+    none = nan, nan
+    if names is None:
+        return none, None, ["no variables east_displacement, north_displacement"]
+    notes = []
+    if names[0].endswith("_gsm"):
+        notes.append(f"dead reckoning of the glide-slope model ({names[0]})")
+    east, north = (metres(data, name, path) for name in names)
+    if east.shape != north.shape or east.ndim != 1 or not east.size:
+        return none, None, [*notes, f"{names[0]} and {names[1]} differ in length or are empty"]
+    bad = ~((np.abs(east) < LONGEST_STEP) & (np.abs(north) < LONGEST_STEP))
+    if bad.any():
+        said = f"{bad.sum()} of {bad.size} samples of the displacement are not finite"
+        if time is None or bad.mean() > REPAIRABLE:
+            return none, None, [*notes, said]
+        east, north = (fill(time, steps, bad) for steps in (east, north))
+        notes.append(f"{said}, filled from their neighbours' speed")
+    total = float(np.sum(east)), float(np.sum(north))
+    if time is None:
+        return total, None, notes
+    if time.size > 1 and np.max(np.diff(time)) > LONGEST_GAP:
+        notes.append(f"a gap of {np.max(np.diff(time)):.0f} s in the samples")
+    since = time - start
+    hole = hole_under_water(since, _depths(data, names[0], path), end - start)
+    if hole:
+        return none, None, [*notes, hole]
+    return total, track_of(since, east, north, end - start), notes
+
+
+def _depths(data: "xarray.Dataset", like: str, path: Path) -> np.ndarray:
+    """Depths of the samples that a variable has; NaN where there are none."""
+    for name in DEPTHS:
+        if name in data.variables and data[name].dims == data[like].dims:
+            return metres(data, name, path)
+    return np.full(data[like].shape, nan)

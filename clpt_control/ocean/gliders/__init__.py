@@ -1,1 +1,0 @@
-"""Files of gliders, and the dives in them."""

@@ -1,1 +1,0 @@
-"""Replay of dives: each forecast before its end is seen."""

@@ -1,0 +1,135 @@
+"""A replay as NetCDF: CF discrete sampling geometry, one trajectory.
+
+CF conventions 1.11, appendix H.4: `dive` is the element dimension, `time`,
+`latitude` and `longitude` are where and when the vehicle surfaced, and a scalar
+`trajectory` bears `cf_role`.  Forecast places have their own coordinates.
+"""
+
+from importlib.metadata import version
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..geodesy import place_from
+from .replay import Replay
+
+if TYPE_CHECKING:
+    import xarray
+
+EPOCH = "seconds since 1970-01-01 00:00:00 UTC"
+ALONG = {"coordinates": "time latitude longitude"}
+
+
+def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
+    """Put a replay into a dataset.
+
+    Parameters
+    ----------
+    replay : Replay
+        With one dive at least.
+    name : str, optional
+        Of the trajectory.
+
+    Returns
+    -------
+    xarray.Dataset
+        Dimension ``dive``; NaN where the vehicle's file had no value, or the
+        flow model does not cover the dive.
+    """
+    import xarray
+
+    steps = replay.steps
+    dives = [step.dive for step in steps]
+    forecast = np.array([
+        place_from(d.lat_gps2, d.lon_gps2, d.dr_east + s.forecast[0], d.dr_north + s.forecast[1])
+        for s, d in zip(steps, dives, strict=True)
+    ]).reshape(-1, 2)  # fmt: skip
+    reckoned = np.array(
+        [place_from(d.lat_gps2, d.lon_gps2, d.dr_east, d.dr_north) for d in dives]
+    ).reshape(-1, 2)
+    numbers = np.array([d.number for d in dives], np.int64)
+    if np.all(np.abs(numbers) < 2**31):
+        numbers = numbers.astype(np.int32)
+    time = {"units": EPOCH, "calendar": "standard", "standard_name": "time", "axis": "T"}
+    north = {"units": "degrees_north", "standard_name": "latitude"}
+    east = {"units": "degrees_east", "standard_name": "longitude"}
+    data = xarray.Dataset(
+        coords={
+            "dive": ("dive", numbers, {"long_name": "number of the dive"}),
+            "time": ("dive", [d.t_gpse for d in dives], {**time, "long_name": "surfacing"}),
+            "latitude": ("dive", [d.lat_gpse for d in dives], {**north, "axis": "Y"}),
+            "longitude": ("dive", [d.lon_gpse for d in dives], {**east, "axis": "X"}),
+        },
+        attrs={
+            "Conventions": "CF-1.11", "featureType": "trajectory",
+            "title": "dead reckoning, forecasts and learned flow of a glider, dive by dive",
+            "history": "written by clpt replay",
+            "source": f"clpt-control {version('clpt-control')}",
+            "estimator": replay.estimator,
+            "flow": ",".join(replay.model.flow),
+            "learn_speed": int(replay.model.learn_speed),
+            "gaussian_width": replay.model.width,
+            "gaussian_width_units": "m",
+        },
+    )  # fmt: skip
+    data["trajectory"] = ((), name, {"cf_role": "trajectory_id"})
+
+    def add(key: str, values: list, units: str, long_name: str, **more: str) -> None:
+        column = np.array([np.nan if v is None else v for v in values], float)
+        data[key] = ("dive", column, {"units": units, "long_name": long_name, **more, **ALONG})
+
+    add("start_time", [d.t_gps2 for d in dives], EPOCH, "last fix before the dive")
+    for axis, where in (("latitude", north), ("longitude", east)):
+        k = axis == "longitude"
+        start = [d.lon_gps2 if k else d.lat_gps2 for d in dives]
+        for key, values, long_name in (
+            ("start", start, "last fix before the dive"),
+            ("reckoned", list(reckoned[:, int(k)]), "end of the dive by dead reckoning"),
+            ("forecast", list(forecast[:, int(k)]), "surfacing as forecast"),
+        ):
+            add(f"{key}_{axis}", values, where["units"], f"{axis}, {long_name}")
+    for model in replay.models:
+        add(f"clpe_{model}", [s.clpe[model] for s in steps], "m",
+            f"prediction error at the surfacing, flow: {model.replace('_', ' ')}")  # fmt: skip
+    if replay.flow_model is not None:
+        data.attrs["flow_model"] = f"{replay.flow_model.source}: {replay.flow_model.about}"
+        for axis in ("east", "north"):
+            add(f"flow_model_{axis}", [getattr(d, f"model_{axis}") for d in dives], "m",
+                f"way that the flow model carries the vehicle, {axis}")  # fmt: skip
+    for i, axis in enumerate(("east", "north")):
+        sea = {"standard_name": f"{axis}ward_sea_water_velocity"}
+        add(f"current_{axis}", [s.current[i] for s in steps], "m s-1",
+            f"learned current over the dive, {axis}", **sea)  # fmt: skip
+        add(f"current_{axis}_error", [s.current_error[i] for s in steps], "m s-1",
+            f"standard error of current_{axis}")  # fmt: skip
+        add(f"file_current_{axis}", [getattr(d, f"dac_{axis}") for d in dives], "m s-1",
+            f"depth-averaged current of the vehicle's own file, {axis}")  # fmt: skip
+        add(f"forecast_{axis}", [s.forecast[i] for s in steps], "m",
+            f"fix less dead reckoning as forecast, {axis}")  # fmt: skip
+        add(f"forecast_variance_{axis}", [s.covariance[i, i] for s in steps], "m2",
+            f"variance of forecast_{axis}")  # fmt: skip
+    add("forecast_covariance", [s.covariance[0, 1] for s in steps], "m2",
+        "covariance of forecast_east and forecast_north")  # fmt: skip
+    add("previous_share", [s.previous_share for s in steps], "1",
+        "share of the previous dive's current in the forecast")  # fmt: skip
+    if replay.model.learn_speed:
+        for key, values, errors, units, long_name in (
+            ("speed_factor", [s.speed for s in steps], [s.speed_error for s in steps], "1",
+             "factor on speed through water"),
+            ("compass_error", [s.compass for s in steps], [s.compass_error for s in steps],
+             "degree", "compass error, clockwise"),
+        ):  # fmt: skip
+            wrong = f"{key}_standard_error"
+            add(key, values, units, long_name, ancillary_variables=wrong)
+            add(wrong, errors, units, f"standard error of: {long_name}")
+    for key, said, no, yes, long_name in (
+        ("inside_90", [s.inside for s in steps], "outside", "inside",
+         "whether the vehicle surfaced in the 90 % ellipse of its forecast"),
+        ("speed_anomaly", [s.anomaly is not None for s in steps], "none", "flagged",
+         "whether the speed factor left its credible range"),
+    ):  # fmt: skip
+        data[key] = ("dive", np.array(said, np.int8), {
+            "long_name": long_name, "flag_values": np.array([0, 1], np.int8),
+            "flag_meanings": f"{no} {yes}", **ALONG,
+        })  # fmt: skip
+    return data

@@ -1,0 +1,44 @@
+"""Flow models from their files: a gridded forecast, or a fitted basis."""
+
+from pathlib import Path
+
+from ..errors import DataError
+from .flow_models import FlowModel
+from .forecast import read_forecast
+from .forecast_basis import read_fitted
+
+NETCDF = (".nc", ".nc4", ".cdf", ".netcdf")
+
+
+def read_flow_model(path: str | Path) -> FlowModel:
+    """Read a flow model: a gridded forecast, or a fitted basis.
+
+    Parameters
+    ----------
+    path : str or Path
+        NetCDF of a current on time, latitude, longitude and perhaps depth; or
+        the TOML file that `clpt fit` wrote, its field beside it.
+
+    Returns
+    -------
+    FlowModel
+        To be given to `carried` with each dive.
+
+    Raises
+    ------
+    DataError
+        If the file is missing or neither, or lacks what a flow model needs.
+    """
+    path = Path(path)
+    kind = path.suffix.lower()
+    if kind not in (".toml", *NETCDF):
+        raise DataError(
+            f"{path}: is no flow model; must be a NetCDF file (.nc) of a current on time, latitude "
+            "and longitude, or the .toml file of a `clpt fit`"
+        )
+    if not path.exists():
+        raise DataError(
+            f"{path}: no such file; a flow model is a NetCDF file (.nc) of a current, or the .toml "
+            "file that `clpt fit` writes"
+        )
+    return read_fitted(path) if kind == ".toml" else read_forecast(path)

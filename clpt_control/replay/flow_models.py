@@ -1,0 +1,157 @@
+"""The way that a modelled flow carries a glider during a dive.
+
+Dead reckoning carried by a flow model F is
+
+    dz/dt = v_dr(t) + F(z, t),    z(GPS2) = the fix,
+
+Eq. (10)'s z between two fixes; what F adds to the dead reckoning,
+
+    q(T) = int_0^T F(z(t), t) dt,    dq/dt = F(z_dr(t) + q, t),  q(0) = 0,
+
+is the model's forecast of the miss, m east and north.  z_dr is the dive's
+track, or a straight way at constant speed where it has none.  Places are in the
+plane about GPS2 (`LocalPlane`), times in s since GPS2.  Integration: Dormand
+and Prince, order 5(4) (`scipy.integrate.solve_ivp`), to 1e-8 or 1 mm per step,
+steps of a quarter of an hour at most.
+
+Of the dive, the fix GPS2, the times and the dead reckoning are used and never
+the fix after it: the forecast is one.
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from dataclasses import replace
+from math import isfinite
+
+import numpy as np
+
+from ..errors import ClptError
+from ..estimation.fix_regressor import reckoned
+from ..gliders.dives import Dive
+
+Flow = Callable[[float, float, float], tuple[float, float]]
+NOTE = "flow model: "
+LONGEST_STEP = 900.0  # s; a glider crosses no cell of a forecast in less
+RELATIVE, ABSOLUTE = 1e-8, 1e-3  # error of a step: share of q, and m
+
+
+class Uncovered(ClptError):
+    """A flow model says nothing here or now; the message is why."""
+
+
+class FlowModel(ABC):
+    """A flow that was modelled elsewhere, to carry dead reckoning.
+
+    Attributes
+    ----------
+    source : str
+        Name of its file.
+    about : str
+        What it is, in a few words.
+
+    Examples
+    --------
+    >>> from clpt_control.gliders.dives import make_dive
+    >>> class Stream(FlowModel):
+    ...     source, about = "none", "0.1 m/s to the east"
+    ...
+    ...     def along(self, dive):
+    ...         return lambda t, east, north: (0.1, 0.0)
+    >>> dive = make_dive(1, (0.0, 40.0, 8.0), (9000.0, 40.0, 8.02), (500.0, 0.0))
+    >>> round(carried(dive, Stream()).model_east, 6)
+    900.0
+    """
+
+    source: str
+    about: str
+
+    @abstractmethod
+    def along(self, dive: Dive) -> Flow:
+        """Give the flow for one dive.
+
+        Parameters
+        ----------
+        dive : Dive
+            Its end fix is not read.
+
+        Returns
+        -------
+        callable
+            (s since GPS2, m east, m north of it) -> flow east and north, m/s;
+            it raises `Uncovered` where the model says nothing.
+
+        Raises
+        ------
+        Uncovered
+            If no part of the dive is covered.
+        """
+
+
+def way_of_flow(dive: Dive, flow: Flow) -> tuple[float, float]:
+    """Integrate a flow along a dive's dead reckoning.
+
+    Parameters
+    ----------
+    dive : Dive
+        Times, track or dead-reckoned displacement.
+    flow : callable
+        (s since GPS2, m east, m north of it) -> flow east and north, m/s.
+
+    Returns
+    -------
+    east, north : float
+        Way that the flow carries the vehicle, m.
+
+    Raises
+    ------
+    Uncovered
+        If the flow says nothing on the way, or the way cannot be followed.
+    """
+    from scipy.integrate import solve_ivp
+
+    T = dive.duration
+    time, east, north = reckoned(dive)
+    if not (isfinite(T) and T > 0 and all(np.isfinite(a).all() for a in (time, east, north))):
+        raise Uncovered("the dive's times and dead reckoning are not finite and in their order")
+
+    def rate(t: float, q: np.ndarray) -> tuple[float, float]:
+        u, v = flow(t, np.interp(t, time, east) + q[0], np.interp(t, time, north) + q[1])
+        if not (isfinite(u) and isfinite(v)):
+            raise Uncovered(f"its flow is not finite {t / 3600:.2g} h into the dive")
+        return u, v
+
+    found = solve_ivp(
+        rate, (0.0, T), np.zeros(2), rtol=RELATIVE, atol=ABSOLUTE, max_step=LONGEST_STEP
+    )
+    if not found.success:  # pragma: no cover - only a flow that jumps endlessly
+        raise Uncovered(f"its way cannot be integrated: {found.message}")
+    return float(found.y[0, -1]), float(found.y[1, -1])
+
+
+def carried(dive: Dive, flow_model: FlowModel) -> Dive:
+    """Give a dive with the way that a flow model carries it.
+
+    Parameters
+    ----------
+    dive : Dive
+        Its end fix is not read, and may be NaN.
+    flow_model : FlowModel
+        As `flow_model_file.read_flow_model` gives it.
+
+    Returns
+    -------
+    Dive
+        With `model_east` and `model_north`, m; None, and the reason in
+        `notes`, where the model does not cover the whole dive.
+    """
+    rest = tuple(note for note in dive.notes if not note.startswith(NOTE))
+    try:
+        east, north = way_of_flow(dive, flow_model.along(dive))
+    except Uncovered as why:
+        return replace(dive, model_east=None, model_north=None, notes=(*rest, f"{NOTE}{why}"))
+    return replace(dive, model_east=east, model_north=north, notes=rest)
+
+
+def why_uncovered(dive: Dive) -> str:
+    """Give why a flow model does not cover a dive; empty if it does."""
+    return next((note[len(NOTE) :] for note in dive.notes if note.startswith(NOTE)), "")

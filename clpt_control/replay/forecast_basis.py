@@ -1,0 +1,152 @@
+"""A fitted basis as a flow model: theta phi of a scenario that `clpt fit` wrote.
+
+    F(x, t) = theta phi(x, t)    Eq. (3)
+
+with the basis of the scenario, evaluated by its block, and theta, the origin of
+its plane, t = 0 and its box from the field file beside it.  Constituents go on
+in time, before and after the record that was fitted; in space there is a model
+within the box alone.
+"""
+
+import json
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+
+from ..blocks import Block
+from ..currents.gridded import METRES, SECONDS
+from ..currents.plane import LocalPlane
+from ..diagrams.scenario_basis import scenario_basis
+from ..errors import DataError
+from ..estimation.least_squares import evaluate
+from ..files import open_netcdf
+from ..gliders.dives import Dive
+from ..scenario.experiment import Scenario
+from ..scenario.file import load_scenario
+from .flow_models import Flow, FlowModel, Uncovered
+
+
+@dataclass(frozen=True)
+class Fitted(FlowModel):
+    """A basis with its parameters, on the plane of its fit.
+
+    Attributes
+    ----------
+    scenario : Scenario
+        Its basis and units.
+    theta : ndarray, shape (2, N)
+        Flow parameters along x1 and x2, units.length per units.time.
+    plane : LocalPlane
+        About the origin of the fit.
+    start : float
+        Its t = 0, s since 1970 UTC.
+    box : tuple of float
+        lat0, lat1, lon0, lon1 that was fitted, degrees.
+    source : str
+        Name of the scenario's file.
+    about : str
+        What it is, in a few words.
+    """
+
+    scenario: Scenario
+    theta: np.ndarray
+    plane: LocalPlane
+    start: float
+    box: tuple[float, float, float, float]
+    source: str = ""
+    about: str = "fitted basis"
+
+    @cached_property
+    def basis(self) -> Block:
+        """The block phi(x, t), Eq. (5)."""
+        return scenario_basis(self.scenario)
+
+    def along(self, dive: Dive) -> Flow:
+        """Give theta phi for one dive.
+
+        Parameters
+        ----------
+        dive : Dive
+            Its fix GPS2 and that fix's time.
+
+        Returns
+        -------
+        callable
+            (s since GPS2, m east, m north of it) -> flow east and north, m/s.
+
+        Raises
+        ------
+        Uncovered
+            If the dive begins outside the fit's area.
+        """
+        here, units = LocalPlane(dive.lat_gps2, dive.lon_gps2), self.scenario.units
+        long, second = METRES[units.length], SECONDS[units.time]
+
+        def flow(t: float, east: float, north: float) -> tuple[float, float]:
+            lat, lon = here.to_earth(east / 1000, north / 1000)
+            lat0, lat1, lon0, lon1 = self.box
+            if not (lat0 <= lat <= lat1 and (lon - lon0) % 360.0 <= lon1 - lon0):
+                raise Uncovered("outside the fit's area")
+            x1, x2 = (1000.0 * float(x) / long for x in self.plane.to_plane(lat, lon))
+            when = np.array([(dive.t_gps2 + t - self.start) / second])
+            phi = evaluate(self.basis, when, np.array([[x1, x2]]))[0]
+            u1, u2 = self.theta @ phi * (long / second)
+            c, s = self.plane.turn(lat, lon, 1.0, 0.0)  # where east points in the fit's plane
+            u1, u2 = here.turn(lat, lon, c * u1 + s * u2, c * u2 - s * u1)
+            return float(u1), float(u2)
+
+        flow(0.0, 0.0, 0.0)
+        return flow
+
+
+def read_fitted(path: str | Path) -> Fitted:
+    """Read what `clpt fit` wrote as a flow model.
+
+    Parameters
+    ----------
+    path : str or Path
+        Its TOML file; the field lies beside it.
+
+    Returns
+    -------
+    Fitted
+        With the fitted theta, not the learner's.
+
+    Raises
+    ------
+    DataError
+        If the scenario is none of a fit, or does not belong to its field.
+    """
+    path = Path(path)
+    scenario = load_scenario(path)
+    if scenario.field_path is None:
+        raise DataError(
+            f"{path}: has no flow.field, so neither origin nor date; a flow model is a scenario "
+            "that `clpt fit` wrote"
+        )
+    with open_netcdf(scenario.field_path) as data:
+        text = data.attrs.get("fit_report", "")
+    try:
+        report = json.loads(text)
+        theta = np.array(report["theta"], float)
+        plane = LocalPlane(*map(float, report["origin"]))
+        moment = datetime.fromisoformat(report["start"])
+        start = (moment if moment.tzinfo else moment.replace(tzinfo=UTC)).timestamp()
+        lat0, lat1, lon0, lon1 = map(float, report["box"])
+        tides = ", ".join(report["constituents"])
+    except (ValueError, KeyError, TypeError):
+        raise DataError(
+            f"{scenario.field_path}: has no fit_report with theta, origin, start and box; write "
+            "scenario and field anew with `clpt fit`"
+        ) from None
+    if theta.shape != (2, scenario.basis.N) or not np.all(np.isfinite(theta)):
+        raise DataError(
+            f"{path}: its basis has {scenario.basis.N} functions, the theta in "
+            f"{scenario.field_path.name} has the shape {theta.shape}; write both anew with "
+            "`clpt fit`"
+        )
+    about = f"fitted basis of {scenario.basis.N} functions, {tides}"
+    return Fitted(scenario, theta, plane, start, (lat0, lat1, lon0, lon1), path.name, about)

@@ -1,0 +1,112 @@
+"""What a replay comes to: root mean squares, what was learned, what was left out.
+
+    rms = sqrt(mean |x - z|^2)
+
+over used dives.  The first used dive has no dive before it: its forecast is the
+dead reckoning, and it stands in `clpe_rms_all` only.  A given flow model is
+judged on the dives that it covers.
+"""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..estimation.fix_model import miss
+from .flow_models import NOTE, why_uncovered
+from .step import FLOW_MODEL
+
+if TYPE_CHECKING:
+    from .replay import Replay
+
+
+def rms_of(replay: "Replay", after: int, covered: bool = False) -> dict[str, float | None]:
+    """Give the CLPE rms of each flow model, m.
+
+    Parameters
+    ----------
+    replay : Replay
+        With any number of dives.
+    after : int
+        How many first dives are left out.
+    covered : bool, optional
+        Whether to leave out what the given flow model does not cover, too.
+
+    Returns
+    -------
+    dict
+        By name of the model; None where no dive is left.
+    """
+    rest = [
+        step.clpe
+        for step in replay.steps[after:]
+        if not covered or step.clpe[FLOW_MODEL] is not None
+    ]
+    found: dict[str, float | None] = {}
+    for name in replay.models:
+        known = np.array([size for size in (clpe[name] for clpe in rest) if size is not None])
+        found[name] = float(np.sqrt(np.mean(known**2))) if len(known) else None
+    return found
+
+
+def summary_of(replay: "Replay", skipped: Sequence[Any] = ()) -> dict[str, Any]:
+    """Summarize, as `clpt replay --json` prints it.
+
+    Parameters
+    ----------
+    replay : Replay
+        With any number of dives.
+    skipped : sequence of Skipped
+        Dives that were not fed, from `usable` and the readers.
+
+    Returns
+    -------
+    dict
+        Lengths in m; what does not exist is None. ``flow_model`` is there if
+        one was given.
+    """
+    steps = replay.steps
+    own = [
+        float(np.hypot(*(miss(d) / d.duration - (d.dac_east, d.dac_north))))
+        for d in (step.dive for step in steps)
+        if d.dac_east is not None and d.dac_north is not None
+    ]
+    last = steps[-1] if steps else None
+    factor = last is not None and replay.model.learn_speed
+    given = {} if replay.flow_model is None else {"flow_model": _of_flow_model(replay)}
+    return {
+        "dives": len(steps) + len(skipped),
+        "used": len(steps),
+        "clpe_rms": rms_of(replay, 1),
+        "clpe_rms_all": rms_of(replay, 0),
+        "clpe_rms_after_3": rms_of(replay, 3),
+        **given,
+        "dac_identity_median": float(np.median(own)) if own else None,
+        "inside_90": float(np.mean([step.inside for step in steps])) if steps else None,
+        "speed_factor": {
+            "value": last.speed if last and factor else None,
+            "standard_error": last.speed_error if last and factor else None,
+        },
+        "learned": list(last.learned) if last else [],
+        "held": list(last.held) if last else [],
+        "anomalies": [step.anomaly.as_dict() for step in steps if step.anomaly],
+        "notes": [
+            {"dive": step.dive.number, "note": note}
+            for step in steps
+            for note in step.dive.notes
+            if not note.startswith(NOTE)
+        ],
+        "skipped": [{"dive": s.dive, "why": s.why} for s in skipped],
+    }
+
+
+def _of_flow_model(replay: "Replay") -> dict[str, Any]:
+    """Say what was given, how many dives it covers, and why not the others."""
+    bare = [step.dive for step in replay.steps if step.clpe[FLOW_MODEL] is None]
+    return {
+        "source": replay.flow_model.source if replay.flow_model else None,
+        "about": replay.flow_model.about if replay.flow_model else None,
+        "clpe_rms": rms_of(replay, 1, covered=True),
+        "covered": len(replay.steps) - len(bare),
+        "uncovered": [{"dive": dive.number, "why": why_uncovered(dive)} for dive in bare],
+    }

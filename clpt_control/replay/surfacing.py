@@ -1,0 +1,161 @@
+"""Where a vehicle will surface next: the forecast of a dive not yet flown.
+
+    z(T) = last fix + d + forecast of the miss
+
+d is the planned way through the water and T its duration; by default both are
+those of the last dive.  The vehicle starts where it surfaced last: its drift at
+the surface is not known yet.
+"""
+
+from dataclasses import dataclass, replace
+from math import hypot, isfinite, nan
+from typing import Any
+
+import numpy as np
+
+from ..errors import ScenarioError
+from ..geodesy import place_from
+from ..gliders.dive_faults import FASTEST
+from ..gliders.dives import Dive
+from .ellipse import ellipse
+from .flow_models import carried, why_uncovered
+from .replay import Replay
+
+LONGEST = 30 * 86400.0  # s, of a plan
+
+
+@dataclass(frozen=True)
+class NextDive:
+    """A forecast surfacing.
+
+    Attributes
+    ----------
+    plan : Dive
+        From the last fix, without an end.
+    forecast : ndarray, shape (2,)
+        Fix less dead reckoning, east and north, m.
+    covariance : ndarray, shape (2, 2)
+        m^2.
+    latitude, longitude : float
+        Of the forecast surfacing, degrees.
+    flow_model_covers : bool or None
+        Whether the given flow model covers the plan; None if none is given.
+    """
+
+    plan: Dive
+    forecast: np.ndarray
+    covariance: np.ndarray
+    latitude: float
+    longitude: float
+    flow_model_covers: bool | None = None
+
+    def as_dict(self) -> dict[str, Any]:
+        """Give the forecast by name, for JSON: degrees, m and s."""
+        long, short, bearing = ellipse(self.covariance)
+        return {
+            "from_latitude": self.plan.lat_gps2,
+            "from_longitude": self.plan.lon_gps2,
+            "duration": self.plan.duration,
+            "dr_east": self.plan.dr_east,
+            "dr_north": self.plan.dr_north,
+            "latitude": self.latitude,
+            "longitude": self.longitude,
+            "ellipse_90_long": long,
+            "ellipse_90_short": short,
+            "ellipse_90_bearing": bearing,
+            "flow_model_covers": self.flow_model_covers,
+            "why_uncovered": why_uncovered(self.plan) or None,
+        }
+
+
+def check_plan(duration: float, way: tuple[float, float]) -> None:
+    """Refuse a plan that no dive can follow.
+
+    Parameters
+    ----------
+    duration : float
+        s.
+    way : tuple of float
+        East and north through the water, m.
+
+    Raises
+    ------
+    ScenarioError
+        If it is not finite, lasts no time or over 30 days, or is too fast.
+    """
+    east, north = way
+    size = hypot(east, north)
+    given = f"next dive of {duration / 3600:g} hours and {east:g} m east, {north:g} m north"
+    if not (isfinite(duration) and duration > 0 and isfinite(size)):
+        raise ScenarioError(f"{given}: must be finite, its duration above 0")
+    if duration > LONGEST:
+        raise ScenarioError(
+            f"{given}: must last at most {LONGEST / 3600:g} hours (30 days); give hours, not "
+            "seconds"
+        )
+    if size > FASTEST * duration:
+        raise ScenarioError(
+            f"{given}: is {size / duration:.4g} m/s through the water; at most {FASTEST:g} m/s can "
+            "be; give hours and m"
+        )
+
+
+def next_dive(
+    replay: Replay, duration: float | None = None, way: tuple[float, float] | None = None
+) -> NextDive:
+    """Forecast the surfacing of the next dive.
+
+    Parameters
+    ----------
+    replay : Replay
+        With one dive at least.
+    duration : float, optional
+        Of the next dive, s; by default that of the last.
+    way : tuple of float, optional
+        Planned through the water, east and north, m; by default that of the
+        last dive.
+
+    Returns
+    -------
+    NextDive
+
+    Raises
+    ------
+    ScenarioError
+        If a plan is given that no dive can follow, as `check_plan` has it.
+
+    Examples
+    --------
+    >>> from clpt_control.gliders.dive_table import sample_dives
+    >>> from clpt_control.gliders.usable_dives import usable
+    >>> from clpt_control.replay.session import replay_dives
+    >>> found = next_dive(replay_dives(usable(sample_dives())[0]), 18000.0, (0.0, 3000.0))
+    >>> -42.93 < found.latitude < -42.89
+    True
+    """
+    last = replay.steps[-1].dive
+    T = last.duration if duration is None else duration
+    east, north = (last.dr_east, last.dr_north) if way is None else way
+    if duration is not None or way is not None:
+        check_plan(T, (east, north))
+    fix = last.lat_gpse, last.lon_gpse
+    plan = Dive(
+        last.number + 1, last.t_gpse, *fix, last.t_gpse + T, nan, nan, nan, nan, east, north,
+        depth_max=last.depth_max,
+        track=_like(last, T, east, north) if way is None else None,
+    )  # fmt: skip
+    covers = None
+    if replay.flow_model is not None:
+        plan = carried(plan, replay.flow_model)
+        covers = plan.model_east is not None
+    mean, covariance = replay.forecast(plan)
+    place = place_from(*fix, east + mean[0], north + mean[1])
+    return NextDive(replace(plan, track=None), mean, covariance, *place, covers)
+
+
+def _like(last: Dive, T: float, east: float, north: float) -> tuple | None:
+    """Give the last dive's track, stretched in time to the next one."""
+    if last.track is None:
+        return None
+    time, *way = last.track
+    return (time * (T / last.duration), *way)

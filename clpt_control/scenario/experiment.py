@@ -1,0 +1,234 @@
+"""One experiment, typed and checked.
+
+A scenario says what flows, what swims, what learns and how long; it is the
+same thing as a TOML file, in the file's own units of length and time.  Nothing
+in here integrates: `diagram.closed_loop` makes blocks of it.
+"""
+
+import os
+from pathlib import Path
+from typing import Annotated, Any
+
+import numpy as np
+from pydantic import Field, PrivateAttr, ValidationError, model_validator
+
+from ..errors import ScenarioError
+from .sentences import sentence
+from .tables import (
+    Basis,
+    Circle,
+    Flow,
+    Learning,
+    Model,
+    Part,
+    Run,
+    TwoRows,
+    Units,
+    Vehicle,
+    Waypoints,
+)
+from .tides import period
+
+MOST_JUMPS = 10**7  # of one block in a run
+
+
+class Scenario(Part):
+    """One experiment: flow, vehicle, waypoints, law and run.
+
+    Made by `load_scenario`, or from keywords of the same names as the tables
+    of the TOML file. All numbers are in ``units.length`` and ``units.time``.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario = clpt.paper_scenario()
+    >>> scenario.basis.N, scenario.learning.gain
+    (3, 0.8)
+    """
+
+    title: str = ""
+    units: Units = Units()
+    basis: Basis
+    flow: Flow
+    model: Model = Model()
+    vehicle: Vehicle
+    reference: Annotated[Circle | Waypoints, Field(discriminator="kind")]
+    learning: Learning
+    run: Run
+    _folder: Path = PrivateAttr(default_factory=Path)
+
+    @model_validator(mode="after")
+    def _two_rows_of_N(self) -> "Scenario":
+        for table, key in (
+            ("flow", "parameters"),
+            ("model", "parameters"),
+            ("learning", "parameters"),
+            ("learning", "theta_estimate"),
+        ):
+            rows = getattr(getattr(self, table), key)
+            if rows is not None and any(len(row) != self.basis.N for row in rows):
+                raise ValueError(
+                    f"{table}.{key}: must be 2 rows of {self.basis.N} numbers, one per basis "
+                    f"function; the rows have {len(rows[0])} and {len(rows[1])}"
+                )
+        return self
+
+    @model_validator(mode="after")
+    def _countable_jumps(self) -> "Scenario":
+        disturbance = self.flow.disturbance
+        spans = {"reference.dwell": self.reference.dwell}
+        if disturbance is not None and disturbance.kind in ("square", "noise"):
+            spans["flow.disturbance.period"] = disturbance.period or 1.0
+        for key, span in spans.items():
+            least = self.run.duration / MOST_JUMPS
+            if span < least:
+                raise ValueError(
+                    f"{key} = {span}: more than {MOST_JUMPS:.0e} times in run.duration; must be at "
+                    f"least {least:.3g}"
+                )
+        return self
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Scenario) and self.__dict__ == other.__dict__
+
+    def __hash__(self) -> int:
+        return hash(tuple(self.__dict__.values()))
+
+    @property
+    def periods(self) -> np.ndarray:
+        """Periods of the basis functions, units.time; inf is steady."""
+        if self.basis.periods is not None:
+            return np.array(self.basis.periods)
+        return np.array([period(c, self.units.time) for c in self.basis.constituents or ()])
+
+    @property
+    def frequencies(self) -> np.ndarray:
+        """Angular frequencies omega_i of Eq. (5), rad per units.time."""
+        return 2 * np.pi / self.periods
+
+    @property
+    def phases(self) -> tuple[float, ...]:
+        """Phases of the basis functions, rad."""
+        return self.basis.phases or (0.0,) * self.basis.N
+
+    @property
+    def model_parameters(self) -> TwoRows:
+        """alpha_M of Eq. (4), zero where the scenario leaves it out."""
+        return self.model.parameters or ((0.0,) * self.basis.N,) * 2
+
+    @property
+    def learning_parameters(self) -> TwoRows:
+        """alpha(0); the known-flow law keeps alpha_M."""
+        if self.learning.law == "known-flow":
+            return self.model_parameters
+        return self.learning.parameters or ((0.0,) * self.basis.N,) * 2
+
+    @property
+    def waypoints(self) -> np.ndarray:
+        """Waypoints, shape (n, 2), units.length."""
+        from ..blocks.reference import circle
+
+        if isinstance(self.reference, Circle):
+            return circle(self.reference.radius, self.reference.count)
+        return np.array(self.reference.points)
+
+    @property
+    def cycle(self) -> float:
+        """Time to visit every waypoint once, units.time."""
+        return len(self.waypoints) * self.reference.dwell
+
+    @property
+    def field_path(self) -> Path | None:
+        """Where the gridded field lies; None where theta is the truth."""
+        return None if self.flow.field is None else self._folder / self.flow.field
+
+    def with_values(self, values: dict[str, Any]) -> "Scenario":
+        """Give a scenario with some values changed and checked again.
+
+        Parameters
+        ----------
+        values : dict
+            ``{"learning.gain": 2.0}``: dotted keys as in the TOML file.
+
+        Returns
+        -------
+        Scenario
+            A new scenario.
+
+        Raises
+        ------
+        ScenarioError
+            If a key or value is not allowed.
+
+        Examples
+        --------
+        >>> import clpt_control as clpt
+        >>> clpt.paper_scenario().with_values({"learning.gain": 2.0}).learning.gain
+        2.0
+        """
+        tables = scenario_tables(self)
+        for key, value in values.items():
+            *path, last = key.split(".")
+            table = tables
+            for name in path:
+                table = table.setdefault(name, {})
+            if value is None:
+                table.pop(last, None)
+            else:
+                table[last] = (
+                    value.tolist() if isinstance(value, np.ndarray | np.generic) else value
+                )
+        return checked_scenario(tables, "scenario", self._folder)
+
+
+def checked_scenario(tables: dict[str, Any], name: str, folder: Path = Path()) -> Scenario:
+    """Make a scenario of nested dicts, or say what is wrong.
+
+    Parameters
+    ----------
+    tables : dict
+        As TOML gives it.
+    name : str
+        How to call it in messages.
+    folder : Path, optional
+        What a relative ``flow.field`` is relative to.
+
+    Returns
+    -------
+    Scenario
+        Checked.
+
+    Raises
+    ------
+    ScenarioError
+        Naming the key, the value and what is allowed.
+    """
+    try:
+        scenario = Scenario.model_validate(tables)
+    except ValidationError as error:
+        problems = error.errors()
+        first = min(problems, key=lambda p: p["type"] != "extra_forbidden")
+        more = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
+        raise ScenarioError(
+            f"{name}: {sentence(first, list(Scenario.model_fields))}{more}"
+        ) from None
+    scenario._folder = Path(folder)
+    path = scenario.field_path
+    if path is not None and not os.path.isfile(path):  # noqa: PTH113 - never raises
+        raise ScenarioError(
+            f'{name}: flow.field = "{scenario.flow.field}": no such file; '
+            "must be a NetCDF file, relative to the scenario"
+        )
+    return scenario
+
+
+def scenario_tables(scenario: Scenario) -> dict[str, Any]:
+    """Give a scenario as nested dicts, with the keys it was given.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario_tables(clpt.paper_scenario())["learning"]["gain"]
+    0.8
+    """
+    return scenario.model_dump(mode="python", exclude_none=True, exclude_unset=True)

@@ -1,0 +1,1 @@
+"""The paper's closed loop and its runs: `simulate`, data, report, pictures."""

@@ -1,0 +1,252 @@
+r"""The paper's block diagram: `control.interconnect` and nothing else.
+
+    reference -> vehicle_controller -> vehicle -> clpe -> adaptation
+              \> learning_controller -> learning_model /
+
+`closed_loop` wires the whole system of sections II and III, `error_loop` the
+error and parameter systems of Eqs. (27)-(28).
+"""
+
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+
+from ..blocks import (
+    Block,
+    adaptation,
+    clpe,
+    disturbance,
+    error_system,
+    field,
+    flow,
+    learner,
+    reference,
+    vehicle,
+)
+from ..diagrams.interconnection import Diagram, connect
+from ..diagrams.scenario_basis import scenario_basis
+from ..errors import DiagramError
+from ..scenario.experiment import Scenario
+
+# scenario key -> parameters of blocks that hold its value as it is
+HELD = {
+    "basis.centers": ("basis_x.centers", "basis_z.centers"),
+    "basis.widths": ("basis_x.widths", "basis_z.widths"),
+    "basis.phases": ("basis_x.phases", "basis_z.phases"),
+    "flow.parameters": ("true_flow.theta",),
+    "flow.disturbance.amplitude": ("disturbance.amplitude",),
+    "flow.disturbance.period": ("disturbance.period",),
+    "model.parameters": ("modeled_flow.alpha_M", "vehicle_controller.alpha_M",
+                         "injection.alpha_M", "adaptation.alpha_M"),
+    "vehicle.feedback": ("vehicle_controller.KD",),
+    "vehicle.feedforward": ("vehicle_controller.GammaD",),
+    "reference.dwell": ("reference.dwell",),
+    "learning.gain": ("adaptation.gain",),
+    "learning.theta_estimate": ("injection.theta_hat",),
+}  # fmt: skip
+JUMPS = ("reference.dwell", "flow.disturbance.period")  # keys that move breakpoints
+# scenario key -> the state that starts there, in the order of the diagram's states
+STARTS = {
+    "vehicle.position": "x",
+    "learning.position": "z",
+    "learning.parameters": "alpha",
+    "learning.feedback": "K",
+    "learning.feedforward": "Gamma",
+}
+
+
+def paper_blocks(scenario: Scenario) -> list[Block]:
+    """Make the blocks of the paper's closed loop.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The experiment.
+
+    Returns
+    -------
+    list of Block
+        In the order of the table in the documentation; `disturbance` is among
+        them where the scenario has one.
+
+    Raises
+    ------
+    DataError
+        If the scenario's field cannot be read.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> len(paper_blocks(clpt.paper_scenario()))
+    12
+    """
+    N, alpha_M = scenario.basis.N, np.array(scenario.model_parameters)
+    car = scenario.vehicle
+    desired = vehicle.ControllerParameters(
+        N, alpha_M, np.array(car.feedback), np.array(car.feedforward)
+    )
+    learning = scenario.learning
+    if learning.law == "known-flow":
+        theta_hat = np.array(learning.theta_estimate)
+        inject: Any = learner.KnownFlowInjectionParameters(N, theta_hat, alpha_M)
+        law: Any = adaptation.KnownFlowParameters(N, learning.gain, alpha_M)
+    else:
+        inject = learner.LearnedFlowInjectionParameters(N, alpha_M)
+        law = adaptation.LearnedFlowParameters(N, learning.gain)
+    delta = scenario.flow.disturbance
+    disturbances = []
+    if delta is not None:
+        disturbances.append(
+            disturbance.disturbance(
+                delta.kind, delta.amplitude, delta.period or 1.0, float(delta.seed or 0)
+            )
+        )
+    return [
+        reference.reference(scenario.waypoints, scenario.reference.dwell),
+        scenario_basis(scenario, "x"),
+        scenario_basis(scenario, "z"),
+        *disturbances,
+        _true_flow(scenario, disturbed=delta is not None),
+        flow.modeled_flow(flow.ModeledFlowParameters(N, alpha_M)),
+        vehicle.vehicle_controller(desired),
+        vehicle.vehicle(),
+        learner.learning_controller(N),
+        learner.learning_model(),
+        learner.injection(inject),
+        clpe.clpe(),
+        adaptation.adaptation(law),
+    ]
+
+
+def _true_flow(scenario: Scenario, disturbed: bool) -> Block:
+    if scenario.field_path is None:
+        theta = np.array(scenario.flow.parameters)
+        return flow.true_flow(flow.TrueFlowParameters(scenario.basis.N, theta), disturbed)
+    from ..currents.gridded import read_field
+
+    gridded = read_field(scenario.field_path, scenario.units)
+    return field.gridded_flow(gridded, scenario.flow.outside, disturbed, scenario.units)
+
+
+def closed_loop(scenario: Scenario, external: Iterable[str] = ()) -> Diagram:
+    """Wire the paper's closed loop.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The experiment.
+    external : iterable of str, optional
+        Ports taken from outside in place of the blocks that make them, such
+        as ``("zc",)`` for step responses, or ``("x",)`` for the learner alone,
+        fed by a measured track. Blocks that then feed nothing are left out.
+
+    Returns
+    -------
+    Diagram
+        A `control.InterconnectedSystem`; states x, z, alpha, K, Gamma.
+
+    Raises
+    ------
+    DiagramError
+        If an external port is unknown.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> loop = closed_loop(clpt.paper_scenario(), external=("zc",))
+    >>> loop.input_labels
+    ['zc[0]', 'zc[1]']
+    """
+    blocks = paper_blocks(scenario)
+    external = [external] if isinstance(external, str) else list(external)
+    ports = {port for block in blocks for port in block.output_ports}
+    for port in external:
+        if port not in ports:
+            raise DiagramError(
+                f"external = '{port}': must be among the ports {', '.join(sorted(ports))}"
+            )
+    kept = [block for block in blocks if not set(block.output_ports) & set(external)]
+    while True:
+        used = {port for block in kept for port in block.input_ports}
+        idle = [b for b in kept if b.name != "clpe" and not set(b.output_ports) & used]
+        if not idle or len(kept) == len(blocks):
+            break
+        kept = [block for block in kept if block not in idle]
+    return connect(kept, external, name="closed_loop")
+
+
+def error_loop(scenario: Scenario) -> Diagram:
+    """Wire the error and parameter systems, Eqs. (27)-(28).
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Gives N, KD and the adaptation gain.
+
+    Returns
+    -------
+    Diagram
+        Inputs phi_x[N], z[2], zc[2]; states and outputs e[2], eta[2N+4].
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> error_loop(clpt.paper_scenario()).nstates
+    12
+    """
+    N, KD = scenario.basis.N, np.array(scenario.vehicle.feedback)
+    return connect(
+        [
+            error_system.error_system(error_system.ErrorParameters(N, KD)),
+            error_system.parameter_system(
+                error_system.ParameterParameters(N, scenario.learning.gain)
+            ),
+        ],
+        external=("phi_x", "z", "zc"),
+        name="error_loop",
+    )
+
+
+def started(scenario: Scenario) -> dict[str, np.ndarray]:
+    """Return what the states start at, by key, in their own order."""
+    learning = scenario.learning
+    values = {
+        "vehicle.position": scenario.vehicle.position,
+        "learning.position": learning.position,
+        "learning.parameters": scenario.learning_parameters,
+        "learning.feedback": learning.feedback,
+        "learning.feedforward": learning.feedforward,
+    }
+    if learning.law == "known-flow":  # alpha is no state
+        del values["learning.parameters"]
+    return {key: np.asarray(value, dtype=float) for key, value in values.items()}
+
+
+def initial_state(scenario: Scenario, external: Iterable[str] = ()) -> np.ndarray:
+    """Give the state at t = 0 of `closed_loop(scenario, external)`.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The experiment.
+    external : iterable of str, optional
+        As given to `closed_loop`.
+
+    Returns
+    -------
+    ndarray
+        x(0), z(0), alpha(0) row by row where it is a state, K(0), Gamma(0).
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> initial_state(clpt.paper_scenario()).shape
+    (14,)
+    """
+    external = (external,) if isinstance(external, str) else tuple(external)
+    left_out = {"alpha", "K", "Gamma"} if "alpha" in external else set()
+    return np.concatenate([
+        value.ravel() for key, value in started(scenario).items()
+        if STARTS[key] not in {*external, *left_out}
+    ])  # fmt: skip

@@ -1,0 +1,156 @@
+"""A run as an `xarray.Dataset` with CF attributes.
+
+dims time, axis, basis; units on every variable; the scenario, the versions and
+the solver's statistics in the attributes, so that a run repeats from its file.
+"""
+
+import json
+from collections.abc import Mapping, Sequence
+from functools import cache
+from importlib.metadata import version
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..blocks.arrays import on_arrays
+from ..blocks.lyapunov import lyapunov_candidate, one_gain
+from ..diagrams.wiring import Wiring
+from ..native.solution import Solution
+from ..scenario.experiment import Scenario
+from ..scenario.file import CHANGED, scenario_to_text
+
+if TYPE_CHECKING:
+    import xarray
+
+VARIABLES = {  # name -> (port, long name, unit of length or none, powers of 1/time)
+    "position": ("x", "true position", 1, 0),
+    "predicted_position": ("z", "predicted position", 1, 0),
+    "clpe": ("e", "controlled Lagrangian prediction error", 1, 0),
+    "reference": ("zc", "desired position", 1, 0),
+    "feedback_gain": ("K", "adapted feedback gain", 0, 1),
+    "feedforward_gain": ("Gamma", "adapted feedforward gain", 0, 1),
+    "alpha": ("alpha", "adapted parameter alpha", 1, 1),
+    "true_flow": ("flow_x", "true flow at the vehicle", 1, 1),
+}
+
+
+def run_dataset(
+    scenario: Scenario,
+    wiring: Wiring,
+    given: Sequence[Any],
+    signals: np.ndarray,
+    solution: Solution,
+    left: Mapping[str, Any],
+) -> "xarray.Dataset":
+    """Return a scenario's solution as a Dataset.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The experiment.
+    wiring : Wiring
+        Its closed loop.
+    given : sequence
+        Parameters of the blocks that ran.
+    signals : ndarray, shape (ntimes, nsignals)
+        All block outputs, right limits at jumps.
+    solution : Solution
+        Times, states and how they were reached.
+    left : mapping
+        Call-time parameters that the scenario does not hold.
+
+    Returns
+    -------
+    xarray.Dataset
+        Values at a jump are right limits.
+    """
+    import xarray
+
+    units, N, n = scenario.units, scenario.basis.N, len(solution.t)
+    labels = [label for node in wiring.nodes for label in node.system.output_labels]
+    column = {label: k for k, label in enumerate(labels)}
+    ran = {node.name: p for node, p in zip(wiring.nodes, given, strict=True)}
+    data: dict[str, Any] = {}
+    for name, (port, long_name, lengths, rates) in VARIABLES.items():
+        size = 2 * N if port == "alpha" else 2
+        values = signals[:, [column[f"{port}[{k}]"] for k in range(size)]]
+        unit = " ".join([units.length] * lengths + [f"{units.time}-1"] * rates)
+        dims: tuple[str, ...] = ("time", "axis")
+        if port == "alpha":
+            values, dims = values.reshape(n, 2, N), ("time", "axis", "basis")
+        data[name] = (dims, values, {"long_name": long_name, "units": unit})
+    alpha = data["alpha"][1]
+    estimate = 0.0 - alpha  # without -0
+    if scenario.learning.law == "known-flow":
+        estimate = np.broadcast_to(ran["injection"].theta_hat, alpha.shape).copy()
+    speed = {"units": f"{units.length} {units.time}-1"}
+    data["flow_parameters_estimate"] = (
+        ("time", "axis", "basis"),
+        estimate,
+        {"long_name": "estimate of the flow parameters theta", **speed},
+    )
+    if scenario.flow.parameters is not None:
+        true = ran["true_flow"].theta
+        data["flow_parameters"] = (
+            ("axis", "basis"), true, {"long_name": "true flow parameters theta", **speed},
+        )  # fmt: skip
+        data["lyapunov"] = (
+            ("time",),
+            _lyapunov(scenario.learning.law, ran, data),
+            {"long_name": "Lyapunov candidate V", "units": f"{units.length}2"},
+        )
+    origin = {}
+    if scenario.field_path is not None:
+        from ..currents.gridded import time_origin
+
+        origin = time_origin(scenario.field_path)
+    return xarray.Dataset(
+        data,
+        {
+            "time": ("time", solution.t, {"long_name": "time since the start of the run",
+                                          "units": units.time}),
+            "axis": ("axis", [1, 2], {"long_name": "axis of the plane, x1 and x2"}),
+            "basis": ("basis", np.arange(1, N + 1), {"long_name": "flow basis function"}),
+        },
+        {
+            "Conventions": "CF-1.11",
+            "title": scenario.title,
+            "source": f"clpt-control {version('clpt-control')}",
+            "references": "Cho, Zhang, Edwards (2016), Adaptive learning for controlled "
+                          "Lagrangian particle tracking, OCEANS 2016 MTS/IEEE Monterey",
+            "scenario": scenario_to_text(scenario),
+            **origin,
+            **_changed(left),
+            "software": _software(),
+            "status": solution.status,
+            "message": solution.message,
+            **{f"solver_{name}": value for name, value in solution.statistics.items()},
+        },
+    ).assign_coords().pipe(_with_folder, scenario)  # fmt: skip
+
+
+@cache
+def _software() -> str:
+    packages = ("clpt-control", "control", "numpy", "scipy")
+    return ", ".join(f"{name} {version(name)}" for name in packages)
+
+
+def _with_folder(run: "xarray.Dataset", scenario: Scenario) -> "xarray.Dataset":
+    run.encoding["folder"] = str(scenario._folder)
+    return run
+
+
+def _changed(left: Mapping[str, Any]) -> dict[str, str]:
+    """Say what the scenario does not: a run with such parameters cannot be repeated."""
+    plain = {name: np.asarray(value).tolist() for name, value in left.items()}
+    return {CHANGED: json.dumps(plain)} if plain else {}
+
+
+def _lyapunov(law: str, ran: Mapping[str, Any], data: dict[str, Any]) -> np.ndarray:
+    """V of Eq. (17) or (24) along the run, with the parameters that ran."""
+    car, adapting = ran["vehicle_controller"], ran["adaptation"]
+    truth = one_gain(adapting.gain, ran["true_flow"].theta, car.KD, car.GammaD)
+    block = lyapunov_candidate(law, truth)
+    ports = [data[name][1] for name in ("clpe", "alpha", "feedback_gain", "feedforward_gain")]
+    inputs = np.column_stack([values.reshape(len(values), -1) for values in ports])
+    return on_arrays(block.output_record, np.zeros(len(inputs)), (), inputs.T, truth)[0]

@@ -1,0 +1,90 @@
+"""How much of a gridded current the learned flow explains.
+
+    share = 1 - sum |F - theta_hat phi|^2 / sum |F|^2
+
+over the samples of a set, both components together: 0 for a learner that knows
+no flow, 1 for one that knows it all.  Two sets, because a small CLPE does not
+mean a right flow (K and Gamma adapt too, and can stand in for it):
+
+    track   F at x(t), with theta_hat(t) of that time, over a window of the run
+            (its last quarter by default): what the learner follows
+    box     F at all places and times of the field's grid, with theta_hat of
+            the end of the run: what the learner has understood
+
+F is the gridded field without the disturbance Delta; phi is the scenario's
+basis, Eq. (5), evaluated by the basis block.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..blocks.field import gridded_flow
+from ..currents.gridded import read_field
+from ..diagrams.scenario_basis import scenario_basis
+from ..errors import DataError
+from ..estimation.least_squares import evaluate, explained_share
+from ..scenario.experiment import Scenario
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def explained_variance(
+    scenario: Scenario, run: "xarray.Dataset", window: tuple[float, float] | None = None
+) -> dict[str, Any]:
+    """Give the shares of variance that the learned flow explains.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Its true flow must be a gridded field.
+    run : xarray.Dataset
+        As `simulate` gives it for this scenario.
+    window : tuple of float, optional
+        First and last time of the samples along the track, units.time; the
+        last quarter of the run by default.
+
+    Returns
+    -------
+    dict
+        ``track`` and ``box``, shares without unit (at most 1; negative where
+        the learned flow is worse than none), and ``window``, units.time.
+
+    Raises
+    ------
+    DataError
+        If the scenario has no field, the run has another basis, or the window
+        holds no sample.
+    """
+    if scenario.field_path is None:
+        raise DataError(
+            "the scenario's true flow is no gridded field; shares of variance are for scenarios "
+            "with flow.field, such as `clpt fit` writes"
+        )
+    phi = scenario_basis(scenario)
+    if run.sizes.get("basis") != phi.noutputs:
+        raise DataError(
+            f"the run has {run.sizes.get('basis')} basis functions, the scenario {phi.noutputs}; "
+            "give the scenario that was run"
+        )
+    field = read_field(scenario.field_path, scenario.units)
+    truth = gridded_flow(field, "clip")
+    t = run.time.values
+    first, last = window or (float(t[-1] - 0.25 * (t[-1] - t[0])), float(t[-1]))
+    inside = (t >= first) & (t <= last)
+    if not inside.any():
+        raise DataError(
+            f"the window {first:g} to {last:g} holds no sample of the run, which covers "
+            f"{t[0]:g} to {t[-1]:g} {scenario.units.time}"
+        )
+    times, places = t[inside], run.position.values[inside]
+    estimate = run.flow_parameters_estimate.values
+    learned = np.einsum("taN,tN->ta", estimate[inside], evaluate(phi, times, places))
+    track = explained_share(evaluate(truth, times, places), learned)
+
+    grid = np.meshgrid(field.time, field.x2, field.x1, indexing="ij")
+    at, x2, x1 = (axis.ravel() for axis in grid)
+    model = evaluate(phi, at, np.column_stack([x1, x2])) @ estimate[-1].T
+    box = explained_share(np.column_stack([field.u.ravel(), field.v.ravel()]), model)
+    return {"track": track, "box": box, "window": [float(first), float(last)]}

@@ -1,0 +1,89 @@
+"""A run as a file: NetCDF with CF attributes and its own scenario."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..errors import DataError
+from ..files import open_netcdf, write_netcdf
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def save_run(run: "xarray.Dataset", path: str | Path) -> None:
+    """Write a run to NetCDF; its scenario goes along.
+
+    Parameters
+    ----------
+    run : xarray.Dataset
+        As `simulate` gives it.
+    path : str or Path
+        The file.
+
+    Raises
+    ------
+    DataError
+        If the file cannot be written.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> import tempfile, pathlib
+    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 5})
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "run.nc"
+    >>> clpt.save_run(clpt.simulate(scenario), file)
+    >>> clpt.load_scenario(file) == scenario
+    True
+    """
+    from ..scenario.file import scenario_from_text, scenario_to_text
+
+    path, text = Path(path), run.attrs.get("scenario")
+    if text is not None:
+        scenario = scenario_from_text(text, "scenario", Path(run.encoding.get("folder", ".")))
+        run = run.assign_attrs(scenario=scenario_to_text(scenario, path.parent))
+    write_netcdf(run, path)
+
+
+def load_run(path: str | Path) -> "xarray.Dataset":
+    """Read a run that `save_run` or `clpt run` wrote.
+
+    Parameters
+    ----------
+    path : str or Path
+        A NetCDF file.
+
+    Returns
+    -------
+    xarray.Dataset
+        In memory, as `simulate` gave it.
+
+    Raises
+    ------
+    DataError
+        If the file is missing, is not NetCDF, is no run, or one with gaps.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> import tempfile, pathlib
+    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 5})
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "run.nc"
+    >>> clpt.save_run(clpt.simulate(scenario), file)
+    >>> clpt.load_run(file).sizes["time"]
+    6
+    """
+    with open_netcdf(Path(path)) as data:
+        if "clpe" not in data.variables:
+            raise DataError(f"{path}: is no run: it has no variable 'clpe'; `clpt run` writes one")
+        run = data.load()
+    for name in ("time", "position", "predicted_position", "clpe"):
+        values = run[name].values if name in run.variables else np.zeros(0)
+        if values.dtype.kind not in "iuf" or not np.all(np.isfinite(values)):
+            raise DataError(
+                f"{path}: is no whole run: {name} holds what is no finite number; `clpt "
+                "run` writes one"
+            )
+    run.encoding["folder"] = str(Path(path).parent)
+    return run

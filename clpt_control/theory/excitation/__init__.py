@@ -1,0 +1,1 @@
+"""How exciting a track is: the joint Gramian and what follows from it."""

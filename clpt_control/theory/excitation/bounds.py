@@ -1,0 +1,144 @@
+"""What a certificate is good for: bounds under a disturbance, and times.
+
+    limsup |e| <= T Dmax (1 + 1/(1 - sqrt(1 - rho)))              Theorem 3.4, corrected
+    |eta(t + n T)| <= sqrt(2 gamma V(t)) (1 - drop)^{n/2}         from V, Eq. (24)
+    |eta(t + T)|^2 <= (1 - 2 gamma a/(2 + gamma^2 b^4 T^2)) |eta(t)|^2
+                                        eta' = -gamma phi phi^T eta, the gradient law
+
+The first holds because v = sqrt(2 V) obeys v' <= |Delta| beside the linear
+part: from window to window v <= sqrt(1 - rho) v + T Dmax, and within a window v
+grows by T Dmax at most.  It asks that w does not depend on Delta.
+"""
+
+import numpy as np
+
+from ...errors import ScenarioError
+
+
+def ultimate_bound(window: float, largest_disturbance: float, drop: float) -> float:
+    """Bound |e| in the long run under a disturbance.
+
+    Parameters
+    ----------
+    window : float
+        Length T of the windows, time.
+    largest_disturbance : float
+        Dmax = sup |Delta|, Euclidean norm, length per time.
+    drop : float
+        rho, or the exact drop, of every window, in [0, 1].
+
+    Returns
+    -------
+    float
+        The bound on limsup |e|, length; inf where the drop is zero.
+
+    Raises
+    ------
+    ScenarioError
+        If the drop is not in [0, 1].
+
+    Examples
+    --------
+    >>> round(ultimate_bound(2.0, 0.5, 0.75), 12)
+    3.0
+    """
+    if not 0 <= drop <= 1:
+        raise ScenarioError(f"drop = {drop:g}: must lie in [0, 1]")
+    if drop == 0:
+        return float("inf")
+    # 1 - sqrt(1 - rho) = rho/(1 + sqrt(1 - rho)) keeps the digits of a small rho
+    return float(window * largest_disturbance * (1 + (1 + np.sqrt(1 - drop)) / drop))
+
+
+def time_to_error(window: float, drop: float, start: float, error: float) -> float:
+    """Give the time until the parameter error must be small.
+
+    Parameters
+    ----------
+    window : float
+        Length T of the window, time.
+    drop : float
+        Exact drop of V over each window.
+    start : float
+        sqrt(2 gamma V) at the start; |eta(0)| where e(0) = 0.
+    error : float
+        The |eta| asked for, in the unit of `start`.
+
+    Returns
+    -------
+    float
+        Whole windows times T; inf where the drop is zero.
+
+    Raises
+    ------
+    ScenarioError
+        If an error is not positive or the drop is not in [0, 1].
+
+    Examples
+    --------
+    >>> time_to_error(10.0, 0.75, 1.0, 0.25)
+    20.0
+    """
+    if not (0 <= drop <= 1 and start > 0 and error > 0):
+        raise ScenarioError(
+            f"drop = {drop:g}, start = {start:g}, error = {error:g}: "
+            "the drop must lie in [0, 1], the errors be positive"
+        )
+    if error >= start:
+        return 0.0
+    if drop == 0:
+        return float("inf")
+    if drop == 1:
+        return float(window)
+    windows = 2 * np.log(start / error) / -np.log1p(-drop)
+    return float(window * np.ceil(windows * (1 - 1e-12)))
+
+
+def gradient_drop(gain: float, excitation: float, largest: float, window: float) -> float:
+    """Guarantee the drop of |eta|^2 under the gradient law.
+
+    Parameters
+    ----------
+    gain : float
+        gamma > 0.
+    excitation : float
+        a, smallest eigenvalue of int phi phi^T over the window.
+    largest : float
+        b with |phi| <= b.
+    window : float
+        Length T, time.
+
+    Returns
+    -------
+    float
+        rho in |eta(t+T)|^2 <= (1 - rho) |eta(t)|^2.
+
+    Examples
+    --------
+    >>> round(gradient_drop(1.0, 1.0, 1.0, 1.0), 4)
+    0.6667
+    """
+    return 2 * gain * excitation / (2 + (gain * largest**2 * window) ** 2)
+
+
+def best_gradient_gain(largest: float, window: float) -> float:
+    """Give the gain with the largest guaranteed drop.
+
+    Parameters
+    ----------
+    largest : float
+        b with |phi| <= b.
+    window : float
+        Length T, time.
+
+    Returns
+    -------
+    float
+        sqrt(2)/(b^2 T).
+
+    Examples
+    --------
+    >>> round(best_gradient_gain(2.0, 5.0), 6)
+    0.070711
+    """
+    return float(np.sqrt(2) / (largest**2 * window))

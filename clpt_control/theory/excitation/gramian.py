@@ -1,0 +1,221 @@
+"""Persistent excitation, Definition 3.1, measured along a trajectory.
+
+    kappa_2 I > int_t^{t+T} w(s) w(s)^T ds > kappa_1 I            Definition 3.1
+
+Axis by axis the joint regressor is w = [phi(x), z_i, zc_i], of Eq. (31).  The
+integral is not divided by the window.  Its eigenvalues say how well the
+parameters of that axis can be told apart on this track; w holds z, which
+depends on the learner, so a Gramian belongs to the trajectory it came from.
+
+A Gramian is kept as a triangular factor R, Gramian = R^T R, so that small
+eigenvalues are squares of R's singular values and keep their digits.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...errors import ScenarioError
+from ...scenario.experiment import Scenario
+from .factors import joined, piece_factors
+from .recorded import Source
+from .regressor import Regressor, joint_regressor
+
+NOT_LEARNABLE = 1e-9  # eigenvalues below this share of the largest say: not learnable
+INVOLVED = 0.05  # a parameter belongs to a subspace if its unit vector leans into it this far
+
+
+@dataclass(frozen=True)
+class Excitation:
+    """Gramians of the joint regressor over one window.
+
+    Attributes
+    ----------
+    start, window : float
+        The window [start, start + window], units.time.
+    trajectory : str
+        Which trajectory it was measured on.
+    time_unit : str
+        units.time.
+    names : dict
+        ``"x1"`` and ``"x2"`` -> names of the N + 2 parameters of that axis.
+    factors : dict
+        ``"x1"`` and ``"x2"`` -> ndarray R, shape (N + 2, N + 2).
+    tolerance : float
+        Eigenvalues at or below this share of the largest are not excited.
+    """
+
+    start: float
+    window: float
+    trajectory: str
+    time_unit: str
+    names: dict[str, list[str]]
+    factors: dict[str, np.ndarray]
+    tolerance: float = NOT_LEARNABLE
+
+    @property
+    def gramians(self) -> dict[str, np.ndarray]:
+        """Gramian int w w^T dt of each axis, shape (N + 2, N + 2)."""
+        return {axis: R.T @ R for axis, R in self.factors.items()}
+
+    @property
+    def eigenvalues(self) -> dict[str, np.ndarray]:
+        """Eigenvalues of each axis, from kappa_1 to kappa_2."""
+        return {axis: self._spectrum(axis)[0] for axis in self.factors}
+
+    @property
+    def directions(self) -> dict[str, np.ndarray]:
+        """Unit eigenvectors as columns, in the order of the eigenvalues."""
+        return {axis: self._spectrum(axis)[1] for axis in self.factors}
+
+    @property
+    def least_excited(self) -> dict[str, dict[str, float]]:
+        """Unit eigenvector of the smallest eigenvalue, by parameter name."""
+        found = {}
+        for axis, vectors in self.directions.items():
+            vector = vectors[:, 0] * np.sign(vectors[np.argmax(np.abs(vectors[:, 0])), 0])
+            found[axis] = dict(zip(self.names[axis], map(float, vector), strict=True))
+        return found
+
+    @property
+    def identifiable(self) -> dict[str, np.ndarray]:
+        """Orthonormal basis of what can be learned, (N + 2, dimension)."""
+        return {axis: self.directions[axis][:, ~idle] for axis, idle in self._idle().items()}
+
+    @property
+    def dimension(self) -> dict[str, int]:
+        """Dimension of the identifiable subspace of each axis."""
+        return {axis: basis.shape[1] for axis, basis in self.identifiable.items()}
+
+    @property
+    def not_learnable(self) -> list[str]:
+        """Sentences that name what cannot be learned on this track.
+
+        A parameter whose own direction is not excited is named alone; several
+        that appear only in combinations are named together.
+        """
+        sentences = []
+        for axis, idle in self._idle().items():
+            lean = np.linalg.norm(self.directions[axis][:, idle], axis=1)
+            mixed = []
+            for name, share in zip(self.names[axis], lean, strict=True):
+                if share > np.sqrt(1 - INVOLVED**2):
+                    sentences.append(f"{name} is not learnable on this track")
+                elif share > INVOLVED:
+                    mixed.append(name)
+            if mixed:
+                listed = ", ".join(mixed[:-1]) + f" and {mixed[-1]}" if mixed[1:] else mixed[0]
+                sentences.append(f"{listed} are not learnable one by one on this track")
+        return sentences
+
+    def _spectrum(self, axis: str) -> tuple[np.ndarray, np.ndarray]:
+        _, sizes, rows = np.linalg.svd(self.factors[axis])
+        return sizes[::-1] ** 2, rows[::-1].T
+
+    def _idle(self) -> dict[str, np.ndarray]:
+        return {a: values <= self.tolerance * values[-1] for a, values in self.eigenvalues.items()}
+
+
+def parameter_names(N: int) -> dict[str, list[str]]:
+    """Name the parameters of each axis, numbered from 1.
+
+    Parameters
+    ----------
+    N : int
+        Number of basis functions.
+
+    Returns
+    -------
+    dict
+        ``"x1"`` and ``"x2"`` -> N + 2 names.
+
+    Examples
+    --------
+    >>> parameter_names(1)["x2"]
+    ['theta_2[1]', 'K_2', 'Gamma_2']
+    """
+    return {
+        f"x{i}": [f"theta_{i}[{k}]" for k in range(1, N + 1)] + [f"K_{i}", f"Gamma_{i}"]
+        for i in (1, 2)
+    }
+
+
+def started_true(scenario: Scenario) -> Scenario:
+    """Give the scenario with the learner started true.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        With flow parameters theta and the learned-flow law.
+
+    Returns
+    -------
+    Scenario
+        alpha(0) = -theta, K(0) = KD, Gamma(0) = GammaD, z(0) = x(0).
+
+    Raises
+    ------
+    ScenarioError
+        If the true flow is a gridded field, which has no theta.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> started_true(clpt.paper_scenario()).learning.parameters[0]
+    (-1.0, -0.4, -0.8)
+    """
+    if scenario.flow.parameters is None:
+        raise ScenarioError("flow.field: a gridded field has no true parameters to start from")
+    return scenario.with_values(
+        {
+            "learning.parameters": (-np.array(scenario.flow.parameters)),
+            "learning.feedback": scenario.vehicle.feedback,
+            "learning.feedforward": scenario.vehicle.feedforward,
+            "learning.position": scenario.vehicle.position,
+        }
+    )
+
+
+def excitation(
+    source: Source | Regressor, window: float | None = None, start: float | None = None,
+    tolerance: float = NOT_LEARNABLE,
+) -> Excitation:  # fmt: skip
+    """Measure the joint excitation over one window.
+
+    Parameters
+    ----------
+    source : Scenario, xarray.Dataset or Regressor
+        A scenario is run from its own initial values; a run is read.
+    window : float, optional
+        Length of the window, units.time; one cycle of the waypoints.
+    start : float, optional
+        Start of the window; the second cycle, or as late as fits.
+    tolerance : float, optional
+        Eigenvalues up to this share of the largest are not excited.
+
+    Returns
+    -------
+    Excitation
+        Gramians, eigenvalues and the least excited direction.
+
+    Raises
+    ------
+    ScenarioError
+        If the window is not positive or does not fit into the run.
+    DataError
+        If the dataset is no run.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> from clpt_control.theory.excitation.gramian import excitation, started_true
+    >>> found = excitation(started_true(clpt.paper_scenario()), 200.0, 200.0)
+    >>> [round(float(values[0]), 3) for values in found.eigenvalues.values()]
+    [4.333, 4.669]
+    """
+    along = source if isinstance(source, Regressor) else joint_regressor(source, window, start)
+    names = parameter_names(along.scenario.basis.N)
+    factors = dict(zip(names, map(joined, piece_factors(along)), strict=True))
+    first, last = float(along.cuts[0]), float(along.cuts[-1])
+    unit = along.scenario.units.time
+    return Excitation(first, last - first, along.trajectory, unit, names, factors, tolerance)

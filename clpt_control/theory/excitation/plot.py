@@ -1,0 +1,109 @@
+"""A picture of excitation: eigenvalues along time, and what can be learned.
+
+Above, the eigenvalues of the Gramian of Definition 3.1 in the sliding window;
+below, the least excited direction of one window by parameter name, and how much
+of each parameter lies in the identifiable subspace.
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...figures import BLUE, GREY, RED, new_figure
+from .gramian import Excitation
+from .sliding import SlidingExcitation
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+MOST_BARS = 12  # of many parameters, those with the largest components
+LOWEST = 1e-30  # eigenvalues below this share of the largest are drawn there
+
+
+def excitation_plot(sliding: SlidingExcitation, at: Excitation | None = None) -> "Figure":
+    """Draw eigenvalues along time and the least excited direction.
+
+    Parameters
+    ----------
+    sliding : SlidingExcitation
+        As `sliding_excitation` gives it.
+    at : Excitation, optional
+        The window whose direction is drawn; by default the least exciting.
+
+    Returns
+    -------
+    Figure
+        A column per axis x1, x2.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> from clpt_control.theory.excitation.sliding import sliding_excitation
+    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 60})
+    >>> figure = excitation_plot(sliding_excitation(scenario, 20.0, count=5))
+    """
+    at = sliding.weakest if at is None else at
+    figure, axes = new_figure(7.6, 6.0, nrows=2, ncols=2, sharey="row")
+    for column, axis in enumerate(at.names):
+        _eigenvalues(axes[0, column], sliding, at, axis)
+        _direction(axes[1, column], at, axis)
+    axes[0, 0].set_ylabel(r"eigenvalue of $\int w w^T dt$")
+    axes[1, 0].set_ylabel("component")
+    handles, labels = axes[0, 0].get_legend_handles_labels()
+    figure.legend(handles[::-1], labels[::-1], fontsize=8, frameon=False, ncols=4,
+                  loc="outside upper center")  # fmt: skip
+    axes[1, 1].legend(fontsize=8, frameon=False, loc="lower left")
+    for ax in axes[1]:
+        ax.set_ylim(-1.6, 1.15)
+        ax.set_axisbelow(True)
+        ax.set_yticks([-1, -0.5, 0, 0.5, 1])
+    missing = at.not_learnable
+    if missing:
+        text = "; ".join(missing[:4]) + (f"; and {len(missing) - 4} more" if missing[4:] else "")
+        figure.supxlabel(text, fontsize=8, color=RED)
+    return figure
+
+
+def _eigenvalues(ax: "Axes", sliding: SlidingExcitation, at: Excitation, axis: str) -> None:
+    values = sliding.eigenvalues[axis]
+    values = np.maximum(values, LOWEST * values.max())
+    mark = "." if len(sliding.starts) < 3 else None
+    for k in range(1, values.shape[1] - 1):
+        ax.semilogy(sliding.starts, values[:, k], color=GREY, linewidth=0.7, marker=mark,
+                    label="between" if k == 1 else None)  # fmt: skip
+    ax.semilogy(sliding.starts, values[:, -1], color=RED, linestyle="--", linewidth=1.3,
+                marker=mark, label=r"$\kappa_2$, largest")  # fmt: skip
+    ax.semilogy(sliding.starts, values[:, 0], color=BLUE, linewidth=1.8, marker=mark,
+                label=r"$\kappa_1$, smallest")  # fmt: skip
+    ax.axvline(at.start, color="black", linestyle=":", linewidth=1.0, label="window below")
+    ax.set_xlabel(f"start of the window ({at.time_unit})")
+    ax.set_title(f"{axis}: window of {sliding.window:g} {at.time_unit}", loc="left", fontsize=10)
+
+
+def _direction(ax: "Axes", at: Excitation, axis: str) -> None:
+    least = at.least_excited[axis]
+    names = list(least)
+    components = np.array([least[name] for name in names])
+    shares = np.linalg.norm(at.identifiable[axis], axis=1)
+    shown = np.sort(np.argsort(-np.abs(components))[:MOST_BARS])
+    places = np.arange(len(shown))
+    ax.bar(places, components[shown], width=0.55, color=BLUE, edgecolor="black", linewidth=0.6,
+           label="least excited direction")  # fmt: skip
+    ax.plot(places, shares[shown], linestyle="none", marker="D", markersize=5, color=RED,
+            markerfacecolor="white", label="learnable share")  # fmt: skip
+    ax.axhline(0, color="black", linewidth=0.7)
+    ax.set_xticks(places, [_symbol(names[k]) for k in shown], fontsize=9)
+    some = "" if len(shown) == len(names) else f", {len(shown)} of {len(names)} parameters"
+    ax.set_title(rf"{axis}: $\kappa_1$ = {at.eigenvalues[axis][0]:.3g}, "
+                 f"{at.start:.4g} to {at.start + at.window:.4g} {at.time_unit}{some}",
+                 loc="left", fontsize=10)  # fmt: skip
+
+
+def _symbol(name: str) -> str:
+    """Write theta_1[2] as the paper does, with the function above."""
+    symbol, _, rest = name.partition("_")
+    row, _, function = rest.partition("[")
+    letters = {"theta": r"\theta", "Gamma": r"\Gamma"}
+    above = f"^{{{function[:-1]}}}" if function else ""
+    return f"${letters.get(symbol, symbol)}_{row}{above}$"

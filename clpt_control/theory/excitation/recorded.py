@@ -1,0 +1,171 @@
+"""A recorded run, read between its samples.
+
+Between two switches of the waypoint the positions are joined by a spline of
+degree 5 through their samples: continuous at a switch, with a kink there.  zc and
+the tides are the scenario's own, so that jumps are exact.  On the paper's
+scenario, started true, eigenvalues of the Gramian over a cycle are then within
+0.2 % at samples each 1 and 1e-6 at each 0.2; while the learner still rings, in
+the first cycle of a run started at zero, within 16 % and 2e-5.  `thinned` gives an
+estimate for any run: what changes when every second sample is left out.
+"""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Union
+
+import numpy as np
+
+from ...errors import DataError
+from ...scenario.experiment import Scenario
+
+if TYPE_CHECKING:
+    import xarray
+
+DEGREE = 5
+Source = Union[Scenario, "xarray.Dataset"]
+
+
+def scenario_of(source: Source) -> Scenario:
+    """Give the scenario, of itself or of a run that carries it.
+
+    Parameters
+    ----------
+    source : Scenario or xarray.Dataset
+        A scenario, or a run as `simulate` gives it.
+
+    Returns
+    -------
+    Scenario
+        The experiment.
+
+    Raises
+    ------
+    DataError
+        If the dataset carries no scenario.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 5})
+    >>> scenario_of(clpt.simulate(scenario)) == scenario
+    True
+    """
+    from ...scenario.file import scenario_from_text
+
+    if isinstance(source, Scenario):
+        return source
+    text = source.attrs.get("scenario")
+    if text is None:
+        raise DataError("the run carries no scenario in its attributes; `clpt run` writes one")
+    return scenario_from_text(str(text), "the run", Path(source.encoding.get("folder", ".")))
+
+
+def span_of(source: Source) -> tuple[float, float]:
+    """Give the first and last time of a scenario or a run.
+
+    Parameters
+    ----------
+    source : Scenario or xarray.Dataset
+        A scenario's run starts at 0; a run may have ended early.
+
+    Returns
+    -------
+    first, last : float
+        Units.time.
+
+    Raises
+    ------
+    DataError
+        If the dataset has no times.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> span_of(clpt.paper_scenario())
+    (0.0, 2000.0)
+    """
+    if isinstance(source, Scenario):
+        return 0.0, float(source.run.duration)
+    if source.sizes.get("time", 0) < 2:
+        raise DataError("the dataset is no run: it needs two times or more")
+    return float(source.time[0]), float(source.time[-1])
+
+
+def thinned(run: "xarray.Dataset") -> "xarray.Dataset":
+    """Leave out every second sample of a run, to estimate accuracy.
+
+    Parameters
+    ----------
+    run : xarray.Dataset
+        As `simulate` gives it.
+
+    Returns
+    -------
+    xarray.Dataset
+        First and last sample stay.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> run = clpt.simulate(clpt.paper_scenario().with_values({"run.duration": 5}))
+    >>> thinned(run).time.values
+    array([0., 2., 4., 5.])
+    """
+    last = run.sizes["time"] - 1
+    thin = run.isel(time=np.unique([*range(0, last + 1, 2), last]))
+    thin.encoding.update(run.encoding)
+    return thin
+
+
+def positions_between(
+    run: "xarray.Dataset", name: str, scenario: Scenario, times: np.ndarray
+) -> np.ndarray:
+    """Join the samples of each dwell by a spline and read it.
+
+    Parameters
+    ----------
+    run : xarray.Dataset
+        As `simulate` gives it.
+    name : str
+        ``"position"`` or ``"predicted_position"``.
+    scenario : Scenario
+        Its dwell gives the switches.
+    times : ndarray, shape (pieces, nodes)
+        Each row within one dwell, units.time.
+
+    Returns
+    -------
+    ndarray, shape (pieces, nodes, 2)
+        Units.length.
+
+    Raises
+    ------
+    DataError
+        If the dataset is no run.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 5})
+    >>> times = np.array([[1.5, 2.5]])
+    >>> positions_between(clpt.simulate(scenario), "position", scenario, times).shape
+    (1, 2, 2)
+    """
+    from scipy.interpolate import make_interp_spline
+
+    if name not in run:
+        raise DataError(f"the dataset is no run: it needs '{name}'")
+    t, values = run.time.values, run[name].values
+    dwell = scenario.reference.dwell
+    number = np.floor(times.mean(1) / dwell).astype(int)
+    found = np.empty((*times.shape, 2))
+    for j in np.unique(number):
+        near = 1e-9 * dwell
+        inside = np.flatnonzero((t >= j * dwell - near) & (t <= (j + 1) * dwell + near))
+        if len(inside) < 2:  # fewer samples than switches: what can be done with them
+            middle = int(np.searchsorted(t, (j + 0.5) * dwell))
+            inside = np.arange(max(0, middle - 1), min(len(t), middle + 1))
+            inside = inside if len(inside) == 2 else np.arange(len(t) - 2, len(t))
+        k = min(DEGREE, len(inside) - 1)
+        spline = make_interp_spline(t[inside], values[inside], k - (k + 1) % 2)
+        found[number == j] = spline(times[number == j])
+    return found

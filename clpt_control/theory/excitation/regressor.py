@@ -1,0 +1,211 @@
+"""The joint regressor along a trajectory, Eq. (31), at the nodes of a quadrature.
+
+    w = [phi(x), z_i, zc_i],    axis i = 1, 2                     Eq. (31)
+
+A scenario is simulated to the very nodes; a recorded run is read between its
+samples, see `recorded`.
+"""
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from ...blocks.reference import multiples, reference
+from ...errors import ScenarioError
+from ...scenario.experiment import Scenario
+from ...simulation.flows import basis_functions
+from ...simulation.simulate import simulate
+from .recorded import Source, positions_between, scenario_of, span_of
+
+NODES = 16  # Gauss-Legendre nodes of a piece: exact to degree 31
+TRANSIENT = 10.0  # longest piece in time constants 1/KD
+
+
+@dataclass(frozen=True)
+class Regressor:
+    """The parts of w at the nodes of a quadrature.
+
+    Attributes
+    ----------
+    scenario : Scenario
+        Gives names, gains and the law.
+    trajectory : str
+        Which trajectory this is; w holds z, which depends on the learner.
+    cuts : ndarray, shape (pieces + 1,)
+        Edges of the pieces, units.time; every switch is one.
+    times, weights : ndarray, shape (pieces, NODES)
+        Gauss-Legendre nodes and weights; no node lies on a switch.
+    phi : ndarray, shape (pieces, NODES, N)
+        Basis functions at the vehicle.
+    z, zc : ndarray, shape (pieces, NODES, 2)
+        Predicted and desired position, units.length.
+    """
+
+    scenario: Scenario
+    trajectory: str
+    cuts: np.ndarray
+    times: np.ndarray
+    weights: np.ndarray
+    phi: np.ndarray
+    z: np.ndarray
+    zc: np.ndarray
+
+    @property
+    def w(self) -> np.ndarray:
+        """w = [phi, z_i, zc_i], shape (2, pieces, NODES, N + 2)."""
+        return np.stack(
+            [np.concatenate([self.phi, self.z[..., [i]], self.zc[..., [i]]], -1) for i in range(2)]
+        )
+
+
+def quadrature(
+    scenario: Scenario, start: float, end: float, edges: np.ndarray | None = None
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Give quadrature nodes and weights between the switches.
+
+    Gauss-Legendre, with pieces no longer than half a period of the fastest
+    tide and ten time constants of the vehicle.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Its dwell gives the switches.
+    start, end : float
+        The window, units.time.
+    edges : array_like, optional
+        More times at which a piece shall end.
+
+    Returns
+    -------
+    cuts : ndarray, shape (pieces + 1,)
+        Edges of the pieces.
+    times, weights : ndarray, shape (pieces, NODES)
+        No node lies on a switch.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> cuts, times, weights = quadrature(clpt.paper_scenario(), 0.0, 50.0)
+    >>> float(weights.sum().round(9))
+    50.0
+    """
+    dwell = scenario.reference.dwell
+    tides = scenario.periods[np.isfinite(scenario.periods)] / 2
+    longest = min([dwell, TRANSIENT / max(scenario.vehicle.feedback), *tides])
+    inner = np.concatenate([multiples(dwell, start, end), [] if edges is None else edges])
+    near = 1e-9 * min(longest, end - start)
+    inner = np.sort(inner[(inner > start + near) & (inner < end - near)])
+    kept = [start]
+    for edge in inner:
+        if edge - kept[-1] > near:
+            kept.append(edge)
+    pieces = [
+        np.linspace(a, b, int(np.ceil((b - a) / longest * (1 - 1e-12))) + 1)[:-1]
+        for a, b in pairwise([*kept, end])
+    ]
+    cuts = np.append(np.concatenate(pieces), end)
+    node, weight = np.polynomial.legendre.leggauss(NODES)
+    half = np.diff(cuts)[:, None] / 2
+    return cuts, cuts[:-1, None] + half * (1 + node), half * weight
+
+
+def checked_window(
+    source: Source, window: float | None, start: float | None
+) -> tuple[float, float]:
+    """Give the window's length and start, checked.
+
+    Parameters
+    ----------
+    source : Scenario or xarray.Dataset
+        What the window lies in.
+    window : float, optional
+        Length, units.time; one cycle of the waypoints, or what there is.
+    start : float, optional
+        The second cycle, or as late as fits.
+
+    Returns
+    -------
+    window, start : float
+        Within the run.
+
+    Raises
+    ------
+    ScenarioError
+        If the window is not positive or does not fit into the run.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> checked_window(clpt.paper_scenario(), None, None)
+    (200.0, 200.0)
+    """
+    scenario = scenario_of(source)
+    first, last = span_of(source)
+    window = float(min(scenario.cycle, last - first) if window is None else window)
+    if start is None:
+        start = max(first, min(first + scenario.cycle, last - window))
+    start = float(start)
+    if not (0 < window < np.inf and start >= first and start + window <= last * (1 + 1e-12)):
+        raise ScenarioError(
+            f"window {window:g} from {start:g}: must be positive and lie within the run, "
+            f"{first:g} to {last:g} {scenario.units.time}"
+        )
+    return window, start
+
+
+def joint_regressor(
+    source: Source, window: float | None = None, start: float | None = None,
+    edges: np.ndarray | None = None,
+) -> Regressor:  # fmt: skip
+    """Give w = [phi(x), z_i, zc_i] of Eq. (31) over a window.
+
+    Parameters
+    ----------
+    source : Scenario or xarray.Dataset
+        A scenario is run from its own initial values; a run is read.
+    window, start : float, optional
+        Length and start, units.time; by default the second cycle.
+    edges : array_like, optional
+        More times at which a piece shall end.
+
+    Returns
+    -------
+    Regressor
+        At the nodes of `quadrature`.
+
+    Raises
+    ------
+    ScenarioError
+        If the window does not fit into the run, or the run ended before.
+    DataError
+        If a dataset is no run, or holds fewer than two samples.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> joint_regressor(clpt.paper_scenario(), 20.0, 0.0).w.shape
+    (2, 4, 16, 5)
+    """
+    scenario = scenario_of(source)
+    window, start = checked_window(source, window, start)
+    cuts, times, weights = quadrature(scenario, start, start + window, edges)
+    if isinstance(source, Scenario):
+        run = simulate(scenario, times.ravel())
+        if run.sizes["time"] < times.size or run.attrs["status"] != "finished":
+            raise ScenarioError(
+                f"window {window:g} from {start:g}: the run ended before: {run.attrs['message']}"
+            )
+        x, z, zc = (run[name].values.reshape(*times.shape, 2)
+                    for name in ("position", "predicted_position", "reference"))  # fmt: skip
+        trajectory = "simulated from the scenario's initial values"
+    else:
+        x, z = (positions_between(source, name, scenario, times)
+                for name in ("position", "predicted_position"))  # fmt: skip
+        desired = reference(scenario.waypoints, scenario.reference.dwell)
+        held = np.array([desired.output(t, [], []) for t in times.mean(1)])
+        zc = np.broadcast_to(held[:, None], z.shape)
+        step = np.median(np.diff(source.time.values))
+        trajectory = f"recorded run, sampled each {step:g} {scenario.units.time}"
+    phi = basis_functions(scenario, x.reshape(-1, 2), times.ravel()).reshape(*times.shape, -1)
+    return Regressor(scenario, trajectory, cuts, times, weights, phi, z, zc)

@@ -1,0 +1,223 @@
+"""Signs of quadratic forms: what is negative for all states, and what is bounded.
+
+A residual r is never positive where it factors into squares with a minus, or is
+-s^T M s with M >= 0.  A term that pulls back bounds one that does not:
+
+    -a s^2 + b s <= -(a/2) s^2 + b^2/(2 a)
+"""
+
+from collections.abc import Sequence
+from math import comb, prod
+from typing import NamedTuple
+
+import sympy
+from sympy.core.function import AppliedUndef
+
+from ...errors import DiagramError
+
+MOST_TERMS = 20_000  # more are not multiplied out
+MOST_JUDGED = 400  # of more no sign is known
+HIGHEST = 4  # higher powers are not factored
+
+
+class Pull(NamedTuple):
+    """V' <= -rate V + push, or -e^T KD e/2 + push where rate is zero.
+
+    Attributes
+    ----------
+    rate, push : sympy.Expr
+        In what the law does not know, theta, KD and GammaD.
+    """
+
+    rate: sympy.Expr
+    push: sympy.Expr
+
+
+def tidied(expression: sympy.Expr) -> sympy.Expr:
+    """Return an expression multiplied out, cos^2 as 1 - sin^2.
+
+    Raises
+    ------
+    DiagramError
+        If that would be too long to work with.
+
+    Examples
+    --------
+    >>> e = sympy.Symbol("e", real=True)
+    >>> tidied(e * sympy.sin(e) ** 2 + e * sympy.cos(e) ** 2)
+    e
+    """
+    if _terms(expression) > MOST_TERMS:
+        raise DiagramError(f"V' has more than {MOST_TERMS} terms; make the law or its N smaller")
+    pairs = ((sympy.cos, sympy.sin, -1), (sympy.cosh, sympy.sinh, 1))
+    known = {f(a): sympy.expand_trig(f(a)) for pair in pairs for f in pair[:2]
+             for a in {one.args[0] for one in expression.atoms(f)}}  # fmt: skip
+    expression = sympy.expand(expression.subs(known))
+    for even, odd, sign in pairs:
+        for one in expression.atoms(even):
+            square = 1 + sign * odd(one.args[0]) ** 2
+            for n in range(4, 1, -1):  # higher powers stay
+                expression = expression.subs(one**n, square ** (n // 2) * one ** (n % 2))
+    return sympy.expand(expression)
+
+
+def _terms(expression: sympy.Expr) -> int:
+    """Return how many terms there are at most, multiplied out."""
+    if expression.is_Add:
+        return sum(map(_terms, expression.args))
+    if expression.is_Mul:
+        return prod(map(_terms, expression.args))
+    if expression.is_Pow and expression.exp.is_Integer and expression.base.is_Add:
+        n, m = _terms(expression.base), abs(int(expression.exp))
+        return comb(n + m - 1, m)
+    return 1
+
+
+def positive_definite(
+    V: sympy.Expr, states: Sequence[sympy.Symbol], truth: dict, values: dict
+) -> bool:
+    """Tell whether V is positive definite in the errors.
+
+    Parameters
+    ----------
+    V : sympy.Expr
+        The candidate.
+    states : sequence of sympy.Symbol
+        The states that have an error.
+    truth : dict
+        State -> where its error is zero.
+    values : dict
+        Parameter -> the number it has.
+
+    Returns
+    -------
+    bool
+        True where it is known: a constant Hessian, positive definite, and V and its slopes
+        zero at the truth.
+
+    Examples
+    --------
+    >>> x, y, a = sympy.symbols("x y a", real=True)
+    >>> V = a * (x - y) ** 2
+    >>> positive_definite(V, [x], {x: y}, {a: 2}), positive_definite(V, [x], {x: y}, {a: -2})
+    (True, False)
+    """
+    H = sympy.hessian(V, list(states)).subs(values)
+    if H.free_symbols or H.atoms(AppliedUndef):
+        return False
+    at_truth = [V, *(sympy.diff(V, s) for s in states)]
+    zero = all(tidied(v.subs(truth, simultaneous=True)) == 0 for v in at_truth)
+    return zero and bool(H.is_positive_definite)
+
+
+def nonpositive(expression: sympy.Expr, apart: set, values: dict) -> bool:
+    """Tell whether an expression is never positive.
+
+    Parameters
+    ----------
+    expression : sympy.Expr
+        Multiplied out.
+    apart : set of sympy.Symbol
+        Terms that share none of these are judged apart: states and truths.
+    values : dict
+        Parameter -> the number it has.
+
+    Returns
+    -------
+    bool
+        True where it is known.
+
+    Examples
+    --------
+    >>> x, y = sympy.symbols("x y", real=True)
+    >>> nonpositive(-(x**2) - 2 * x * y - y**2, {x, y}, {}), nonpositive(-x * y, {x, y}, {})
+    (True, False)
+    """
+    return all(_negative(group, apart, values) for group in _groups(expression, apart))
+
+
+def _groups(expression: sympy.Expr, apart: set) -> list[sympy.Expr]:
+    groups: list[tuple[set, list]] = []
+    for term in sympy.Add.make_args(sympy.expand(expression)):
+        own = term.free_symbols & apart
+        joined = [g for g in groups if g[0] & own]
+        groups = [g for g in groups if not g[0] & own]
+        first = joined[0] if joined else (set(), [])
+        for symbols, terms in joined[1:]:
+            first[0].update(symbols)
+            first[1].extend(terms)
+        first[0].update(own)
+        first[1].append(term)
+        groups.append(first)
+    return [sympy.Add(*terms) for _, terms in groups]
+
+
+def _negative(group: sympy.Expr, apart: set, values: dict) -> bool:
+    if len(sympy.Add.make_args(group)) > MOST_JUDGED:
+        return False
+    powers = [power.exp for power in group.atoms(sympy.Pow)]
+    low = all(exponent.is_Integer and exponent <= HIGHEST for exponent in powers)
+    if low and sympy.factor(group).is_nonpositive:
+        return True
+    own = sorted(group.free_symbols & apart, key=str)
+    if not own or not group.is_polynomial(*own):
+        return False
+    H = sympy.hessian(group, own)
+    at_zero = dict.fromkeys(own, 0)
+    rest = [group.subs(at_zero), *(sympy.diff(group, s).subs(at_zero) for s in own)]
+    if any(sympy.expand(value) != 0 for value in rest):
+        return False
+    H = H.subs(values)
+    return not H.free_symbols and not H.atoms(sympy.Function) and bool(
+        (-H).is_positive_semidefinite)  # fmt: skip
+
+
+def pulled(
+    rate: sympy.Expr, V: sympy.Expr, truth: dict, values: dict, moving: set | None = None
+) -> Pull | None:
+    """Bound V' by what pulls back and a constant, state by state.
+
+    Parameters
+    ----------
+    rate, V : sympy.Expr
+        V' and V.
+    truth : dict
+        State that has an error -> where that is zero.
+    values : dict
+        Parameter -> the number it has.
+    moving : set of sympy.Symbol, optional
+        All states and time: what is in a or b is no constant.
+
+    Returns
+    -------
+    Pull or None
+        None where V' is not a sum of a term -a s^2 + b s for each error s.
+
+    Examples
+    --------
+    >>> s, c = sympy.symbols("s c", real=True)
+    >>> pulled(-2 * s**2 + c * s, s**2, {s: 0}, {})
+    Pull(rate=1, push=c**2/4)
+    """
+    states, moves = list(truth), {*truth, *(moving or ())}
+    shifted = {s: s + truth[s] for s in states}
+    if not rate.is_polynomial(*states) or sympy.Poly(rate, *states).total_degree() > 2:
+        return None
+    rate, V = (sympy.expand(one.subs(shifted, simultaneous=True)) for one in (rate, V))
+    H, slopes = sympy.hessian(rate, states), {s: sympy.diff(rate, s) for s in states}
+    weights = sympy.hessian(V, states)
+    zero = dict.fromkeys(states, 0)
+    if not H.is_diagonal() or not weights.is_diagonal() or rate.subs(zero) != 0:
+        return None
+    push, rates = sympy.Integer(0), []
+    for k, s in enumerate(states):
+        a, b = (-H[k, k] / 2).subs(values), slopes[s].subs(zero).subs(values)
+        if not a.is_nonnegative or _moves(a, moves) or _moves(b, moves) or (a == 0 and b != 0):
+            return None
+        push += b**2 / (2 * a) if b != 0 else 0
+        rates.append(a / weights[k, k].subs(values))
+    return None if push == 0 else Pull(sympy.Min(*rates), push)
+
+
+def _moves(expression: sympy.Expr, moving: set) -> bool:
+    return bool(expression.free_symbols & moving or expression.atoms(sympy.Function))

@@ -1,0 +1,331 @@
+"""A block's equations for every number N of basis functions.
+
+The record of a run for every N (`generic_run`) is rolled into its loops, of which all
+turns are the same and hand on nothing but sums.  One turn on symbols then gives
+
+    y = base + sum_k term(k),    k = 1 ... N
+
+for a single number, and an expression of k for the element k of a row of N.
+"""
+
+from collections.abc import Callable
+from math import inf
+from typing import Any, NamedTuple
+
+import numpy as np
+import sympy
+
+from ...blocks import Block
+from ...blocks.symbolic import OPERATIONS, exact
+from ...blocks.tracers import Tape
+from ...errors import BlockError
+from ...native.loops import Constant, Place, Rolled, rolled
+from ...native.program import Loop, Step, Store
+from .domain import undefined
+from .generic_run import run
+from .whole import BIG, TURNS, Cells, Held, Whole
+
+
+class Summed(NamedTuple):
+    """base + sum over k of term(k), k = 1 ... N.
+
+    Attributes
+    ----------
+    base : sympy.Expr
+        Free of the index k.
+    term : sympy.Expr
+        The summand; zero where there is no sum.
+    """
+
+    base: sympy.Expr
+    term: sympy.Expr = sympy.Integer(0)
+
+    def plus(self, other: "Summed") -> "Summed":
+        """Add two sums term by term."""
+        return Summed(self.base + other.base, self.term + other.term)
+
+    def times(self, other: "Summed") -> "Summed":
+        """Multiply; a product of two sums is refused."""
+        if other.term == 0:
+            return Summed(self.base * other.base, self.term * other.base)
+        if self.term == 0:
+            return Summed(self.base * other.base, self.base * other.term)
+        raise BlockError("a product of two sums over k = 1 ... N cannot be read term by term")
+
+    def expanded(self) -> "Summed":
+        """Multiply out, so that cancelling terms vanish."""
+        return Summed(sympy.expand(self.base), sympy.expand(self.term))
+
+
+class Size(NamedTuple):
+    """A number of signals, rows N + more.
+
+    Attributes
+    ----------
+    rows, more : int
+        2 and 0 for alpha[2N], 2 and 4 for eta[2N + 4], 0 and 2 for e[2].
+    """
+
+    rows: int
+    more: int
+
+
+KNOWN_SIZES = {"phi_x": Size(1, 0), "phi_z": Size(1, 0), "alpha": Size(2, 0), "eta": Size(2, 4)}
+Key = tuple[str, int | None, int | None]  # (port, row, None) or (port, None, number)
+
+
+def generic_size(port: str, size: int, functions: int) -> Size:
+    """Tell how a port grows with N, by its name.
+
+    Parameters
+    ----------
+    port : str
+        Its name: phi, alpha and eta grow, others keep their size.
+    size : int
+        Its size for the diagram's own N.
+    functions : int
+        The diagram's own N.
+
+    Returns
+    -------
+    Size
+        Rows of N, and more.
+
+    Raises
+    ------
+    BlockError
+        If a port of such a name has another size.
+
+    Examples
+    --------
+    >>> generic_size("alpha", 6, 3), generic_size("e", 2, 3)
+    (Size(rows=2, more=0), Size(rows=0, more=2))
+    """
+    known = KNOWN_SIZES.get(port)
+    if known is None:
+        return Size(0, size)
+    if size != known.rows * functions + known.more:
+        raise BlockError(f"{port} has {size} signals, which does not go with N = {functions}")
+    return known
+
+
+def keys(ports: dict[str, Size]) -> dict[tuple[int, int], Key]:
+    """Return what stands at the place c + n N of ports, by (c, n)."""
+    found: dict[tuple[int, int], Key] = {}
+    c = n = 0
+    for port, size in ports.items():
+        for row in range(size.rows):
+            found[c, n] = (port, row, None)
+            n += 1
+        for number in range(size.more):
+            found[c, n] = (port, None, number)
+            c += 1
+    return found
+
+
+def read_function(
+    block: Block,
+    role: str,
+    sizes: dict[str, dict[str, Size]],
+    leaf: Callable[..., Any],
+    told: Callable[[str], None],
+) -> dict[Key, Any]:
+    """Read one of a block's functions for every N.
+
+    Parameters
+    ----------
+    block : Block
+        The block, made for some N.
+    role : str
+        ``"update"`` or ``"output"``.
+    sizes : dict
+        ``"x"``, ``"u"`` and ``"out"`` -> {port: Size}.
+    leaf : callable
+        ``leaf("t")``, ``leaf("u", key)``, ``leaf("p", field, places)`` -> expression or
+        Summed; a place None is the index k.
+    told : callable
+        Told what may have no value.
+
+    Returns
+    -------
+    dict
+        (port, row, None) -> element k of a row; (port, None, j) -> Summed.
+
+    Raises
+    ------
+    BlockError
+        If the function is not read for every N; it may be right all the same.
+    """
+    function = getattr(block, f"{role}_function")
+    tape, written = Tape(), {}  # type: ignore[var-annotated]
+    N = getattr(block.parameters, "N", 0)
+    lengths = {name: Whole(sum(s.more for s in ports.values()), sum(s.rows for s in ports.values()))
+               for name, ports in sizes.items()}  # fmt: skip
+    given = [Cells(tape, name, Whole(0), lengths[name]) for name in "xu"]
+
+    def parameter(field: str, value: Any) -> Any:
+        if field == "N":
+            return Whole(0, 1)
+        if isinstance(value, int):
+            return value
+        return Held(tape, field, np.shape(value), N) if np.ndim(value) else tape.add("p", field, 0)
+
+    fields = zip(block.parameters._fields, block.parameters, strict=True)
+    p = type(block.parameters)(*(parameter(field, value) for field, value in fields))
+    out = Cells(tape, "out", Whole(0), lengths["out"], written)
+    try:
+        record = run(function, tape, (tape.add("t"), *given, p, out), written)
+        reader = _Reader(block, {name: keys(ports) for name, ports in sizes.items()}, leaf, told)
+        raw = reader.read(rolled(record, least=inf))
+        found = {key: raw[k] for k, key in enumerate(written)}
+        values = {key: reader.row([found.pop((*at, turn)) for turn in range(TURNS)])
+                  if key[1] is not None else reader.single(found.pop((*at, None)))
+                  for at, key in keys(sizes["out"]).items()}  # fmt: skip
+        if found:
+            raise BlockError("it writes a single place among N")
+        return values
+    except Exception as error:  # whatever Python says of these equations
+        raise BlockError(f"{block.name}.{role} is not read for every N: {error}") from None
+
+
+def _moved(value: Any, k: int) -> Any:
+    """Return what the turn k of a loop that fills `out` stores."""
+    if not isinstance(value, Place) or not value.steps:
+        return value
+    return Place(value.array, value.base + k * value.steps[0][1])
+
+
+class _Reader:
+    """Evaluate a rolled record on symbols, one turn for all."""
+
+    def __init__(self, block: Block, layout: dict, leaf: Callable, told: Callable):
+        self.block, self.layout, self.leaf, self.told = block, layout, leaf, told
+        self.values: dict[int, Any] = {}
+        self.memory: dict[int, sympy.Expr] = {}  # S
+
+    def read(self, found: Rolled) -> dict[int, Any]:
+        """Run the items; return what is stored for each output, not yet evaluated."""
+        outputs: dict[int, Any] = {}
+        for item in found.items:
+            first = item.body[0] if isinstance(item, Loop) and item.body else item
+            if isinstance(first, Store) and first.array == "out":
+                value, count = first.value, item.count if isinstance(item, Loop) else 1
+                for k in range(count):
+                    outputs[first.base + k] = _moved(value, k)
+            else:
+                self.do(item, None)
+        return outputs
+
+    def do(self, item: Any, level: int | None) -> None:
+        if isinstance(item, Step):
+            self.values[item.value] = self.step(item, level)
+        elif isinstance(item, Loop):
+            self.loop(item, level)
+        else:  # S, a number for each turn
+            value = self.argument(item.value, level)
+            if isinstance(value, Summed):
+                raise BlockError("an element depends on a sum over k = 1 ... N")
+            self.memory[item.base] = value
+
+    def loop(self, item: Loop, level: int | None) -> None:
+        if level is not None:
+            raise BlockError("a loop inside a loop over all functions")
+        firsts = [self.argument(s.first, None) for s in item.sums]
+        self.values.update({s.within: sympy.Integer(0) for s in item.sums})
+        for part in item.body:
+            self.do(part, item.level)
+        for s, first in zip(item.sums, firsts, strict=True):
+            turned = self.values[s.turned]
+            if isinstance(turned, Summed):
+                raise BlockError("a sum over k = 1 ... N of sums over k = 1 ... N")
+            start = first if isinstance(first, Summed) else Summed(first)
+            self.values[s.result] = start.plus(Summed(sympy.Integer(0), turned))
+
+    def single(self, raw: Any) -> Summed:
+        """Return one number of the output."""
+        value = self.argument(raw, None)
+        return value if isinstance(value, Summed) else Summed(value)
+
+    def row(self, turns: list[Any]) -> sympy.Expr:
+        """Return the element k of a row, from what the turns left."""
+        first, last = turns[0], turns[-1]
+        if isinstance(first, Place) and isinstance(last, Place) and first != last:
+            step, odd = divmod(last.base - first.base, TURNS - 1)
+            if odd or turns != [Place(first.array, first.base + k * step) for k in range(TURNS)]:
+                raise BlockError("the elements of a row differ")
+            value = self.argument(Place(first.array, first.base, ((0, step),)), 0)
+        elif any(turn != first for turn in turns):
+            raise BlockError("the elements of a row differ")
+        else:
+            value = self.argument(first, None)
+        if isinstance(value, Summed) and value.term == 0:
+            return value.base
+        if isinstance(value, Summed):
+            raise BlockError("an element depends on a sum over k = 1 ... N")
+        return value
+
+    def step(self, item: Step, level: int | None) -> Any:
+        arguments = [self.argument(a, level) for a in item.arguments]
+        if not any(isinstance(a, Summed) and a.term != 0 for a in arguments):
+            arguments = [a.base if isinstance(a, Summed) else a for a in arguments]
+            gap = undefined(item.name, tuple(arguments))
+            if gap is not None:
+                self.told(gap)
+            return OPERATIONS[item.name](*arguments)
+        sums = [a if isinstance(a, Summed) else Summed(a) for a in arguments]
+        minus = Summed(sympy.Integer(-1))
+        if item.name == "neg":
+            return sums[0].times(minus)
+        if item.name in ("add", "sub"):
+            return sums[0].plus(sums[1] if item.name == "add" else sums[1].times(minus))
+        if item.name == "mul":
+            return sums[0].times(sums[1])
+        if item.name == "div" and sums[1].term == 0:
+            gap = undefined("div", (sums[0].base, sums[1].base))
+            if gap is not None:
+                self.told(gap)
+            return sums[0].times(Summed(1 / sums[1].base))
+        raise BlockError(f"`{item.name}` of a sum over k = 1 ... N")
+
+    def argument(self, a: Any, level: int | None) -> Any:
+        if isinstance(a, Constant):
+            return exact(a.value)
+        if isinstance(a, int):
+            return self.values[a]
+        if not isinstance(a, Place):
+            raise BlockError("a table that is looked up")
+        if a.array == "t":
+            return self.leaf("t")
+        if a.array == "S":
+            if level is not None and a.steps == ((level, 1),) and a.base in self.memory:
+                return self.memory[a.base]
+            raise BlockError("what a single turn computed is used behind its loop")
+        if a.array not in ("x", "u") and a.array[0] != "p":
+            raise BlockError("turns differ in a constant")
+        steps = dict(a.steps)
+        if set(steps) - {level}:
+            raise BlockError("turns read places far apart")
+        step = steps.get(level or 0, 0)
+        if a.array in ("x", "u"):
+            n, c = divmod(a.base, BIG)
+            if step not in (0, 1):
+                raise BlockError("turns read places far apart")
+            key = self.layout[a.array].get((c, n))
+            if step and key is not None and key[1] is not None:
+                return self.leaf(a.array, key)
+            if not step and key is not None and key[1] is None:
+                return self.leaf(a.array, key)
+            raise BlockError("a single place among N is read, or places side by side")
+        field = a.array[1]
+        return self.leaf("p", field, self.places(field, a.base, step))
+
+    def places(self, field: str, code: int, step: int) -> tuple[int | None, ...]:
+        """Return where in a parameter array; None is the index k."""
+        found: list[int | None] = []
+        for _ in range(np.ndim(getattr(self.block.parameters, field))):
+            code, place = divmod(code, BIG)
+            step, here = divmod(step, BIG)
+            if here not in (0, 1) or (here and place):
+                raise BlockError(f"`p.{field}` is read at places far apart")
+            found.insert(0, None if here else place)
+        return tuple(found)

@@ -1,0 +1,257 @@
+"""V' along the equations that run, for N = 1, 2, 3 and for every N.
+
+    V' = sum_i dV/ds_i * s_i'        over all states s of the closed loop
+
+V is a block of the diagram (`blocks.lyapunov`), s' comes from the traced update
+functions.  What a theorem claims V' to be is stated once, over the paper's symbols, and
+compared with what the blocks give: for N = 1, 2, 3 term by term, for every N as
+base + sum over k of a summand, and at random points with the blocks that run.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import sympy
+
+from ...diagrams.interconnection import Diagram
+from ...errors import DiagramError
+from .generic import Summed
+from .generic_trace import GenericLoop, generic_trace
+from .proof import Step, checked
+from .running_rate import compared
+from .theorem_loop import theorem_loop
+from .trace import SymbolicLoop, trace
+
+
+class Terms(NamedTuple):
+    """The paper's symbols, for one N or for every N.
+
+    Attributes
+    ----------
+    e, KD, delta : callable
+        ``e(i)``, ``KD(i)``, ``delta(i)`` for the axes i = 0, 1.
+    theta, theta_hat : callable
+        ``theta(i, k)``.
+    phi : callable
+        ``phi(k)``, at the vehicle.
+    """
+
+    e: Callable
+    KD: Callable
+    delta: Callable
+    theta: Callable
+    theta_hat: Callable
+    phi: Callable
+
+
+def concrete_terms(loop: SymbolicLoop) -> Terms:
+    """Return the paper's symbols of a loop traced for one N."""
+    p = loop.parameters
+    return Terms(
+        e=lambda i: loop.signals["e"][i],
+        KD=lambda i: p["vehicle_controller"].KD[i],
+        delta=lambda i: loop.inputs["delta"][i],
+        theta=lambda i, k: p["true_flow"].theta[i, k],
+        theta_hat=lambda i, k: p["injection"].theta_hat[i, k],
+        phi=lambda k: loop.inputs["phi_x"][k],
+    )
+
+
+def generic_terms(loop: GenericLoop) -> Terms:
+    """Return the paper's symbols for every N; k is None, the index."""
+
+    def own(block: str, field: str) -> Callable:
+        return lambda *places: loop.parameter(loop.names[block, field], *places)
+
+    return Terms(
+        e=lambda i: loop.signals["e", None, i].base,
+        KD=own("vehicle_controller", "KD"),
+        delta=lambda i: loop.signals["delta", None, i].base,
+        theta=own("true_flow", "theta"),
+        theta_hat=own("injection", "theta_hat"),
+        phi=lambda k: loop.signals["phi_x", 0, None],
+    )
+
+
+Claim = Callable[[Terms, int | None], tuple[sympy.Expr, sympy.Expr]]
+
+
+def decay(terms: Terms, k: int | None) -> tuple[sympy.Expr, sympy.Expr]:
+    """V' = -e^T KD e, Eq. (26)."""
+    return -sum(terms.KD(i) * terms.e(i) ** 2 for i in range(2)), sympy.Integer(0)
+
+
+def decay_and_known_error(terms: Terms, k: int | None) -> tuple[sympy.Expr, sympy.Expr]:
+    """V' = -e^T KD e + e^T (theta - theta_hat) phi, Theorem 3.1."""
+    summand = sum(
+        terms.e(i) * (terms.theta(i, k) - terms.theta_hat(i, k)) * terms.phi(k) for i in range(2)
+    )
+    return decay(terms, k)[0], summand
+
+
+def decay_and_disturbance(terms: Terms, k: int | None) -> tuple[sympy.Expr, sympy.Expr]:
+    """V' = -e^T KD e + e^T Delta, Eq. (35)."""
+    push = sum(terms.e(i) * terms.delta(i) for i in range(2))
+    return decay(terms, k)[0] + push, sympy.Integer(0)
+
+
+def lyapunov_derivative(diagram: Diagram) -> tuple[SymbolicLoop, sympy.Expr]:
+    """Differentiate the diagram's V along its equations.
+
+    Parameters
+    ----------
+    diagram : Diagram
+        With one block that makes V[1], as `theorem_loop` gives it.
+
+    Returns
+    -------
+    loop : SymbolicLoop
+        The traced diagram.
+    rate : sympy.Expr
+        V', multiplied out.
+
+    Raises
+    ------
+    DiagramError
+        If no block makes V.
+
+    Examples
+    --------
+    >>> loop, rate = lyapunov_derivative(theorem_loop(1, "learned-flow"))
+    >>> e, KD = loop.signals["e"], loop.parameters["vehicle_controller"].KD
+    >>> sympy.expand(rate + KD[0] * e[0] ** 2 + KD[1] * e[1] ** 2)
+    0
+    """
+    loop = trace(diagram)
+    if "V" not in loop.signals:
+        raise DiagramError("no block makes V; wire a candidate such as blocks.lyapunov")
+    return loop, sympy.expand(loop.derivative(loop.signals["V"][0]))
+
+
+def claimed(loop: SymbolicLoop, claim: Claim) -> sympy.Expr:
+    """Return what a claim says of V', for the loop's own N."""
+    terms = concrete_terms(loop)
+    summands = sum((claim(terms, k)[1] for k in range(loop.N or 0)), sympy.Integer(0))
+    return claim(terms, 0)[0] + summands
+
+
+def residual(diagram: Diagram, claim: Claim) -> tuple[SymbolicLoop, sympy.Expr]:
+    """Return what V' has beyond a claim, for the diagram's own N.
+
+    Parameters
+    ----------
+    diagram : Diagram
+        As `theorem_loop` gives it.
+    claim : callable
+        ``claim(terms, k)`` -> (base, summand over k): what V' should be.
+
+    Returns
+    -------
+    loop : SymbolicLoop
+        The traced diagram.
+    residual : sympy.Expr
+        Zero where the claim holds.
+
+    Examples
+    --------
+    >>> residual(theorem_loop(2, "learned-flow"), decay)[1]
+    0
+    """
+    loop, rate = lyapunov_derivative(diagram)
+    return loop, sympy.expand(rate - claimed(loop, claim))
+
+
+def generic_residual(diagram: Diagram, claim: Claim) -> tuple[GenericLoop, Summed]:
+    """Return what V' has beyond a claim, for every N.
+
+    Parameters
+    ----------
+    diagram : Diagram
+        As `theorem_loop` gives it.
+    claim : callable
+        As for `residual`.
+
+    Returns
+    -------
+    loop : GenericLoop
+        The diagram for every N.
+    residual : Summed
+        Base and summand; both zero where the claim holds.
+
+    Raises
+    ------
+    BlockError
+        If a block is not read for every N.
+
+    Examples
+    --------
+    >>> generic_residual(theorem_loop(2, "learned-flow"), decay)[1]
+    Summed(base=0, term=0)
+    """
+    loop = generic_trace(diagram)
+    rate = loop.derivative(loop.signals["V", None, 0])
+    base, summand = claim(generic_terms(loop), None)
+    return loop, Summed(sympy.expand(rate.base - base), sympy.expand(rate.term - summand))
+
+
+def identity_steps(
+    text: str, law: str, claim: Claim, points: int, disturbed: bool = False
+) -> list[Step]:
+    """Check V' for N = 1, 2, 3, every N, and the running blocks.
+
+    Parameters
+    ----------
+    text : str
+        The claim in words, such as ``"V' = -e^T KD e"``.
+    law : str
+        The adaptive law.
+    claim : callable
+        As for `residual`.
+    points : int
+        Random points at which the blocks are called.
+    disturbed : bool, optional
+        Whether Delta of Eq. (32) is there.
+
+    Returns
+    -------
+    list of Step
+        One exact, one sampled; a failed one says what does not cancel, or where.
+
+    Examples
+    --------
+    >>> steps = identity_steps("V' = -e^T KD e", "learned-flow", decay, 200)
+    >>> [(step.how, step.holds) for step in steps]
+    [('exact', True), ('sampled', True)]
+    """
+
+    def identity() -> tuple[bool, str]:
+        for N in (1, 2, 3):
+            loop, rest = residual(theorem_loop(N, law, disturbed), claim)
+            if rest != 0:
+                return False, f"N = {N}, left over: {short(rest)}"
+            if loop.gaps:
+                return False, loop.gaps[0]
+        whole, every = generic_residual(theorem_loop(3, law, disturbed), claim)
+        if every.base != 0 or every.term != 0:
+            left = f"left over: {short(every.base)}; summand {short(every.term)}"
+            return False, f"every N, {left}"
+        return not whole.gaps, whole.gaps[0] if whole.gaps else "base and summand over k vanish"
+
+    def running() -> tuple[bool, str]:
+        diagram = theorem_loop(3, law, disturbed)
+        loop = trace(diagram)
+        found = compared(diagram, loop, claimed(loop, claim), points)
+        if found.where is not None:
+            return False, f"differs by {found.worst:.1e} at x = {found.where.x.round(3).tolist()}"
+        return True, f"{found.points} points, N = 3, largest difference {found.worst:.0e} of V"
+
+    return [
+        checked(f"{text}, for N = 1, 2, 3 and every N", "exact", identity),
+        checked(f"the running blocks give the same V' ({text})", "sampled", running, False),
+    ]
+
+
+def short(expression: sympy.Expr, most: int = 160) -> str:
+    """Return an expression as text of a line."""
+    text = str(expression)
+    return text if len(text) <= most else text[:most] + " ..."

@@ -1,0 +1,205 @@
+"""Theorem 3.3: X' = A(t) X of Eq. (28), read off the blocks that run.
+
+    A(t) = [[-KD, W^T], [-gamma W, 0]],  X = (e, eta),  Y = e
+    P = diag(I, I/gamma)/2:   (X^T P X)' = -e^T KD e
+    L = [0; gamma W]:         A + L C = [[-KD, W^T], [0, 0]]
+
+Output injection by L keeps -KD in the first block.  Then e is W^T eta filtered by
+(s I + KD)^{-1}, and (C, A) is uniformly completely observable where the JOINT regressor,
+of Eq. (31), is persistently exciting (Ioannou and Sun, Robust Adaptive Control, 1996,
+lemmas 4.8.1 to 4.8.4 and theorem 3.4.8, as the paper cites them).  Exponential stability
+follows.
+"""
+
+from typing import NamedTuple
+
+import sympy
+
+from ...simulation.closed_loop import error_loop
+from .generic import Key, Summed
+from .generic_trace import GenericLoop, element_symbol, generic_trace
+from .lyapunov import generic_terms
+from .proof import Step, checked, cited
+from .theorem_loop import theorem_loop, theorem_scenario
+from .trace import SymbolicLoop, trace
+
+
+class ErrorDynamics(NamedTuple):
+    """Eq. (28) on symbols, from the traced error blocks.
+
+    Attributes
+    ----------
+    A : sympy.Matrix
+        Shape (2N + 6, 2N + 6), in the order e, eta.
+    C : sympy.Matrix
+        [I, 0], shape (2, 2N + 6).
+    W : sympy.Matrix
+        The joint regressor, shape (2N + 4, 2).
+    KD : sympy.Matrix
+        Diagonal, shape (2, 2).
+    gamma : sympy.Symbol
+        Adaptation gain.
+    """
+
+    A: sympy.Matrix
+    C: sympy.Matrix
+    W: sympy.Matrix
+    KD: sympy.Matrix
+    gamma: sympy.Symbol
+
+
+def error_dynamics(N: int) -> ErrorDynamics:
+    """Read A(t) of Eq. (28) off the error and parameter blocks.
+
+    Parameters
+    ----------
+    N : int
+        Number of basis functions.
+
+    Returns
+    -------
+    ErrorDynamics
+        A, C and their parts.
+
+    Raises
+    ------
+    ValueError
+        If the equations are not linear in (e, eta).
+
+    Examples
+    --------
+    >>> error_dynamics(1).A.shape
+    (8, 8)
+    """
+    loop = trace(error_loop(theorem_scenario(N, "learned-flow")))
+    X = sympy.Matrix([*loop.states["e"], *loop.states["eta"]])
+    rates = sympy.Matrix([*loop.rates["e"], *loop.rates["eta"]])
+    A = rates.jacobian(X)
+    if sympy.expand(rates - A * X) != sympy.zeros(*X.shape):
+        raise ValueError("Eq. (28) is not linear in (e, eta)")
+    C = sympy.eye(2).row_join(sympy.zeros(2, 2 * N + 4))
+    KD = sympy.diag(*loop.parameters["error_system"].KD)
+    return ErrorDynamics(A, C, A[:2, 2:].T, KD, loop.parameters["parameter_system"].gain)
+
+
+def eta_of(loop: SymbolicLoop) -> list[sympy.Expr]:
+    """Return eta = [theta + alpha, K - KD, GammaD - Gamma].
+
+    Parameters
+    ----------
+    loop : SymbolicLoop
+        Traced with the learned-flow law.
+
+    Returns
+    -------
+    list of sympy.Expr
+        Length 2N + 4.
+    """
+    p = loop.parameters
+    KD, GammaD = p["vehicle_controller"].KD, p["vehicle_controller"].GammaD
+    return [
+        *(p["true_flow"].theta.ravel() + loop.states["alpha"]),
+        *(loop.states["K"] - KD),
+        *(GammaD - loop.states["Gamma"]),
+    ]
+
+
+def same_dynamics() -> bool:
+    """Tell whether Eqs. (27)-(28) are the closed loop's own, every N.
+
+    Examples
+    --------
+    >>> same_dynamics()
+    True
+    """
+    whole = generic_trace(theorem_loop(3, "learned-flow"))
+    parts = generic_trace(error_loop(theorem_scenario(3, "learned-flow")))
+    terms = generic_terms(whole)
+    places: dict[sympy.Expr, sympy.Expr] = {}
+    wanted: dict[Key, Summed] = {}
+    for i in range(2):
+        error = terms.theta(i, None) + element_symbol("alpha", i)
+        places[element_symbol("eta", i)] = error
+        places[element_symbol("e", None, i)] = terms.e(i)
+        tails = (element_symbol("K", None, i) - terms.KD(i),
+                 whole.parameter("GammaD", i) - element_symbol("Gamma", None, i))  # fmt: skip
+        wanted["e", None, i] = whole.derivative(whole.signals["e", None, i])
+        wanted["eta", i, None] = Summed(whole.rates["alpha", i, None])
+        for row, tail in enumerate(tails):
+            places[element_symbol("eta", None, 2 * row + i)] = tail
+            wanted["eta", None, 2 * row + i] = whole.derivative(Summed(tail))
+    for key, rate in wanted.items():
+        own = parts.rates[key] if key[1] is None else Summed(parts.rates[key])
+        for a, b in zip(own, rate, strict=True):
+            if sympy.expand(a.subs(places, simultaneous=True) - b) != 0:
+                return False
+    return set(wanted) == set(parts.rates)
+
+
+def observability_steps() -> list[Step]:
+    """Check the algebra of Theorem 3.3.
+
+    Returns
+    -------
+    list of Step
+        Exact and every N, but for the lemmas, which are cited.
+
+    Examples
+    --------
+    >>> all(step.holds for step in observability_steps())
+    True
+    """
+
+    def loop() -> tuple[GenericLoop, sympy.Expr, list]:
+        parts = generic_trace(error_loop(theorem_scenario(3, "learned-flow")))
+        KD = [parts.parameter("KD", i) for i in range(2)]
+        return parts, parts.parameter("gamma"), KD
+
+    def decays() -> bool:
+        parts, gamma, KD = loop()
+        e = [element_symbol("e", None, i) for i in range(2)]
+        tail = [element_symbol("eta", None, j) for j in range(4)]
+        rows = [element_symbol("eta", i) for i in range(2)]
+        V = Summed(sum(s**2 for s in e) / 2 + sum(s**2 for s in tail) / (2 * gamma),
+                   sum(s**2 for s in rows) / (2 * gamma))  # fmt: skip
+        rate = parts.derivative(V)
+        claim = -sum(KD[i] * e[i] ** 2 for i in range(2))
+        return sympy.expand(rate.base - claim) == 0 and rate.term == 0
+
+    def injection() -> bool:
+        """The lower rows of A + L C are zero: eta' = -gamma W e, W read off e'."""
+        parts, gamma, _ = loop()
+        for i in range(2):
+            e, rate = element_symbol("e", None, i), parts.rates["e", None, i]
+            row = sympy.diff(rate.term, element_symbol("eta", i))
+            if sympy.expand(parts.rates["eta", i, None] + gamma * row * e) != 0:
+                return False
+            for j in (i, 2 + i):
+                weight = sympy.diff(rate.base, element_symbol("eta", None, j))
+                own = parts.rates["eta", None, j]
+                if own.term != 0 or sympy.expand(own.base + gamma * weight * e) != 0:
+                    return False
+        return True
+
+    def filtered() -> bool:
+        """Variation of constants for one axis of the injected system."""
+        k, s, t, c = sympy.symbols("k s t c", positive=True)
+        w, eta, e0 = sympy.Function("w"), sympy.Symbol("eta"), sympy.Symbol("e_0")
+        response = sympy.Integral(sympy.exp(-k * (s - c)) * w(c), (c, t, s))
+        Y = sympy.exp(-k * (s - t)) * e0 + response * eta
+        rate = sympy.diff(Y, s)
+        return (
+            sympy.simplify((rate + k * Y - w(s) * eta).expand()) == 0 and Y.subs(s, t).doit() == e0
+        )
+
+    return [
+        checked("Eqs. (27)-(28) with z eta_3 are the closed loop's e' and eta'", "exact",
+                same_dynamics),
+        checked("(X^T P X)' = -e^T KD e with P = diag(I, I/gamma)/2", "exact", decays),
+        checked("L = [0; gamma W] gives A + L C = [[-KD, W^T], [0, 0]]", "exact", injection),
+        checked("the injected output is [exp(-k(s-t)) I, filtered W^T] X: the observability "
+                "Gramian is int R^T R with R that row", "exact", filtered),
+        cited("a filtered regressor is exciting where W is, output injection keeps observability, "
+              "and a V that falls with an observable output falls exponentially",
+              "Ioannou and Sun 1996, lemmas 4.8.1 to 4.8.4, theorem 3.4.8"),
+    ]  # fmt: skip

@@ -1,0 +1,115 @@
+"""Points at which the running blocks give V' > 0.
+
+A law that is right but for a bounded term has V' > 0 near the truth; one that is wrong
+has it however far off.  So a point counts where V' > 0 also ten and a hundred times as far
+from the truth, and V' grows with V.
+"""
+
+import control
+import numpy as np
+import sympy
+
+from ...errors import DiagramError
+from ...progress.interrupt import check
+from .running_rate import Draw, Point, RunningRate, degree_of, numeric, symbol_values
+from .trace import SymbolicLoop
+
+DRAWS, PER_DRAW, TRIED = 100, 200, 3
+FARTHER = (1.0, 10.0, 100.0)
+
+
+def rising_point(
+    diagram: control.NonlinearIOSystem,
+    loop: SymbolicLoop,
+    rate: sympy.Expr,
+    kept: tuple[str, ...],
+    seed: int = 0,
+) -> tuple[Point | None, float | None]:
+    """Look for a point with V' > 0, and ask the running blocks there.
+
+    Parameters
+    ----------
+    diagram : control.NonlinearIOSystem
+        The closed loop with its V.
+    loop : SymbolicLoop
+        The same on symbols.
+    rate : sympy.Expr
+        V', by which points are chosen where it has numbers.
+    kept : tuple of str
+        Blocks whose parameters keep their own values.
+    seed : int, optional
+        Of the random points.
+
+    Returns
+    -------
+    point : Point or None
+        Where V' > 0.
+    rate : float or None
+        V' of the running blocks there.
+    """
+    running, draw, degree = RunningRate(diagram), Draw(_blocks(diagram), seed), degree_of(loop)
+    try:
+        function, symbols = numeric(rate)
+    except DiagramError:
+        function, symbols = None, []
+    try:
+        for _ in range(DRAWS if function is not None else 4):
+            check()
+            values = draw.parameters(kept, largest=0.0)
+            params = draw.params(values)
+            x, far, u = _around_the_truth(loop, draw, values)
+            order = list(range(PER_DRAW))
+            if function is not None:
+                known = symbol_values(loop, draw, values, np.zeros(PER_DRAW), x, u)
+                with np.errstate(all="ignore"):
+                    rates = np.broadcast_to(function(*(known[s] for s in symbols)), PER_DRAW)
+                steepest = np.argsort(-rates / np.sum(far**2, axis=1))
+                order = [int(k) for k in steepest if rates[k] > 0][:TRIED]
+            if len(order):
+                running.set(params)
+            for k in order:
+                found = _persists(running, x[k] - far[k], far[k], u[k], degree)
+                if found is not None:
+                    return Point(0.0, x[k], u[k], params), found
+    finally:
+        diagram._update_params({})
+    return None, None
+
+
+def _blocks(diagram: control.NonlinearIOSystem) -> list:
+    return list(diagram.syslist)
+
+
+def _persists(running: RunningRate, truth: np.ndarray, far: np.ndarray, u: np.ndarray,
+              degree: float) -> float | None:  # fmt: skip
+    """Return V' where it is positive at all distances and grows with V."""
+    found = []
+    for times in FARTHER:
+        x = truth + times * far
+        rate, scale = running.rate(0.0, x, u, degree)
+        V = running.value(0.0, x, u)
+        if not (rate > 1e-6 * scale and V > 0):
+            return None
+        found.append((rate, rate / V))
+    return found[0][0] if found[-1][1] >= 0.5 * found[0][1] else None
+
+
+def _around_the_truth(loop: SymbolicLoop, draw: Draw, values: dict) -> tuple:
+    """Return states, what of them is error, and inputs."""
+    random = draw.random
+    ports = [port for port, symbols in loop.states.items() for _ in symbols]
+    n, inputs = len(ports), sum(map(len, loop.inputs.values()))
+    u = random.standard_normal((PER_DRAW, inputs)) * 10.0 ** random.uniform(
+        -1, 0.5, (PER_DRAW, 1))  # fmt: skip
+    x = random.standard_normal((PER_DRAW, n)) * 10.0 ** random.uniform(-1, 0.5, (PER_DRAW, 1))
+    far = random.standard_normal((PER_DRAW, n)) * 10.0 ** random.uniform(-1, 1, (PER_DRAW, n))
+    at = {port: [k for k, own in enumerate(ports) if own == port] for port in set(ports)}
+    true = {"alpha": -np.ravel(values["theta"]), "K": values["KD"], "Gamma": values["GammaD"]}
+    for port, where in at.items():
+        if port == "x":
+            x[:, where] = x[:, at["z"]]
+        elif port in true:
+            x[:, where] = true[port]
+        else:
+            far[:, where] = 0.0
+    return x + far, far, u

@@ -1,0 +1,344 @@
+"""V' of the blocks that run, called through python-control at random points.
+
+A proof is about expressions; this asks the equations themselves.  Along the rates r that
+python-control gives at (t, x, u),
+
+    V' = D(h) = (V(x + h r) - V(x - h r))/(2 h)            V of degree two and less
+    V' = (4 D(h/2) - D(h))/3                               any other V
+
+which is exact for a V of degree four and less, whatever h.
+"""
+
+from collections.abc import Collection, Mapping
+from typing import Any, NamedTuple
+
+import control
+import numpy as np
+import sympy
+
+from ...blocks import Block
+from ...blocks.arrays import OPERATIONS
+from ...blocks.symbolic import WORDS
+from ...diagrams.interconnection import changed_parameters
+from ...diagrams.wiring import Wiring, read
+from ...errors import DiagramError
+from ...native.sweep import Sweep
+from ...progress.interrupt import check
+from .symbols import SCALARS, parameter_names
+from .trace import TIME, SymbolicLoop, blocks_of
+
+PER_DRAW = 100  # points for each draw of the parameters
+CLOSE = 1e-9
+LARGEST = 1e6  # of the kinks that are tried
+HUGE = 1e100  # beyond, numbers say nothing
+
+
+class Point(NamedTuple):
+    """Where the blocks are called.
+
+    Attributes
+    ----------
+    t : float
+        Time.
+    x, u : ndarray
+        States and inputs of the diagram.
+    params : dict
+        Call-time parameters, ``{"block.field": value}``.
+    """
+
+    t: float
+    x: np.ndarray
+    u: np.ndarray
+    params: dict[str, Any]
+
+
+class RunningRate:
+    """V and V' of a diagram, from its running blocks.
+
+    Parameters
+    ----------
+    diagram : control.NonlinearIOSystem
+        Blocks, one of which makes V[1]; V depends on states and inputs.
+    """
+
+    def __init__(self, diagram: control.NonlinearIOSystem):
+        self.diagram, self.wiring = diagram, read(diagram)
+        self.blocks = blocks_of(self.wiring)
+        self._needed = _ancestors(self.wiring, self.blocks)
+        self._place = next(node.outputs.start for node, block in
+                           zip(self.wiring.nodes, self.blocks, strict=True)
+                           if block.output_ports == {"V": 1})  # fmt: skip
+
+    def set(self, params: Mapping[str, Any]) -> None:
+        """Let the blocks run with these parameters."""
+        self.diagram._update_params(dict(params))
+        found = changed_parameters(self.wiring, params)
+        self._sweep = Sweep(self.wiring, found, only=self._needed)
+
+    def value(self, t: float, x: np.ndarray, u: np.ndarray) -> float:
+        """Return V."""
+        return float(self._sweep.evaluate(t, x, u)[self._place])
+
+    def rate(self, t: float, x: np.ndarray, u: np.ndarray, degree: float) -> tuple[float, float]:
+        """Return V', and V over the time between which it is taken."""
+        try:
+            rates = self.diagram._rhs(t, x, u)
+        except RuntimeError:  # python-control's word for a NaN on its way
+            return np.nan, np.nan
+        fastest = np.max(np.abs(rates))
+        if not 0.0 < fastest < np.inf:
+            return (0.0, 1.0) if fastest == 0.0 else (np.nan, np.nan)
+        h = (0.1 if degree <= 4 else 2e-3) * max(np.max(np.abs(x)), 1e-3) / fastest
+        ahead, behind = self.value(t, x + h * rates, u), self.value(t, x - h * rates, u)
+        wide, scale = (ahead - behind) / (2 * h), max(abs(ahead), abs(behind)) / h
+        if degree <= 2:
+            return wide, scale
+        half = 0.5 * h * rates
+        near = (self.value(t, x + half, u) - self.value(t, x - half, u)) / h
+        return (4 * near - wide) / 3, scale
+
+
+def _ancestors(wiring: Wiring, blocks: list[Block]) -> set[int]:
+    """Return the blocks that V is made of."""
+    made = {j: k for k, node in enumerate(wiring.nodes)
+            for j in range(node.outputs.start, node.outputs.stop)}  # fmt: skip
+    own = [k for k, block in enumerate(blocks) if block.output_ports == {"V": 1}]
+    if not own:
+        raise DiagramError("no block makes V[1]; wire a candidate such as blocks.lyapunov")
+    found, stack = set(own), list(own)
+    while stack:
+        k = stack.pop()
+        for wire in wiring.nodes[k].wires if blocks[k].output_record.reads_inputs() else ():
+            for j in range(wire.source, wire.source + wire.size):
+                if not wire.external and made[j] not in found:
+                    found.add(made[j])
+                    stack.append(made[j])
+    return found
+
+
+class Draw:
+    """Random parameters and points; parameters keep their signs.
+
+    Parameters
+    ----------
+    blocks : list of Block
+        The diagram's.
+    seed : int
+        Of the random numbers.
+    """
+
+    def __init__(self, blocks: list[Block], seed: int):
+        self.random, self.blocks = np.random.default_rng(seed), blocks
+        self.names = parameter_names(blocks)
+        records = [b.output_record for b in blocks] + [b.update_record for b in blocks]
+        numbers = {a for r in records if r is not None for o in r.operations for a in o[1:]
+                   if type(a) is float and np.isfinite(a)}  # fmt: skip
+        held = [np.ravel(v) for b in blocks for v in b.parameters if not isinstance(v, int)]
+        known = np.concatenate([np.array(sorted(numbers)), np.zeros(1), *held])
+        known = known[np.abs(known) <= LARGEST]
+        self.kinks = np.concatenate([known, -known])
+
+    def parameters(self, kept: Collection[str] = (), largest: float = 1.5) -> dict[str, np.ndarray]:
+        """Return values by name, of the size 10^-1.5 to 10^largest."""
+        values: dict[str, np.ndarray] = {}
+        for block in self.blocks:
+            for field, value in zip(block.parameters._fields, block.parameters, strict=True):
+                name = self.names[block.name, field]
+                if isinstance(value, int) or name in values or field == "interval":
+                    continue
+                own = np.asarray(value, dtype=float)
+                if name in SCALARS:
+                    own = np.ravel(own)[0]
+                if block.name in kept:
+                    values[name] = own
+                    continue
+                drawn = 10.0 ** self.random.uniform(-1.5, largest, own.shape)
+                if not np.any(own):
+                    drawn = own
+                elif np.all(own < 0):
+                    drawn = -drawn
+                elif not np.all(own > 0):
+                    drawn *= self.random.choice([-1.0, 1.0], own.shape)
+                values[name] = drawn
+        return values
+
+    def params(self, values: Mapping[str, np.ndarray]) -> dict[str, Any]:
+        """Return values by name as call-time parameters."""
+        found = {}
+        for block in self.blocks:
+            for field, own in zip(block.parameters._fields, block.parameters, strict=True):
+                name = self.names[block.name, field]
+                if name not in values or isinstance(own, int):
+                    continue
+                value = values[name]
+                if name in SCALARS:
+                    value = np.full(np.shape(own), float(value))
+                found[f"{block.name}.{field}"] = float(value) if np.ndim(own) == 0 else value
+        return found
+
+    def points(self, count: int, n: int) -> np.ndarray:
+        """Return points of n numbers: wide ranges, zeros, kinks."""
+        random = self.random
+        found = random.standard_normal((count, n)) * 10.0 ** random.uniform(-2, 4, (count, 1))
+        found *= random.random((count, n)) > 0.1 * (random.random((count, 1)) < 0.5)
+        kinked = random.random((count, n)) < 0.15 * (random.random((count, 1)) < 0.3)
+        found[kinked] = random.choice(self.kinks, int(kinked.sum()))
+        return found
+
+
+class Comparison(NamedTuple):
+    """What came of calling the blocks.
+
+    Attributes
+    ----------
+    points : int
+        How many were compared.
+    worst : float
+        Largest difference, of the size of V over the time between.
+    where : Point or None
+        The first at which they differ.
+    """
+
+    points: int
+    worst: float
+    where: Point | None
+
+
+def compared(
+    diagram: control.NonlinearIOSystem,
+    loop: SymbolicLoop,
+    wanted: sympy.Expr,
+    count: int,
+    seed: int = 0,
+    given: Mapping[str, Any] | None = None,
+    kept: tuple[str, ...] = (),
+) -> Comparison:
+    """Compare V' of the running blocks with an expression.
+
+    Parameters
+    ----------
+    diagram : control.NonlinearIOSystem
+        As for `RunningRate`.
+    loop : SymbolicLoop
+        The same diagram on symbols.
+    wanted : sympy.Expr
+        What V' should be.
+    count : int
+        Random points; the first 100 have the blocks' own parameters, then every 100 others.
+    seed : int, optional
+        Of the points.
+    given : mapping, optional
+        Name of a parameter -> expressions of the others, which it follows.
+    kept : tuple of str, optional
+        Blocks whose parameters keep their own values.
+
+    Returns
+    -------
+    Comparison
+        `where` is None if V' is the same to 1e-9 everywhere.
+
+    Raises
+    ------
+    DiagramError
+        If the expression holds a function that has no numbers.
+    """
+    running = RunningRate(diagram)
+    draw = Draw(running.blocks, seed)
+    function, symbols = numeric(wanted)
+    degree = degree_of(loop)
+    worst, done = 0.0, 0
+    try:
+        while done < count:
+            check()
+            values = draw.parameters(kept if done else [block.name for block in running.blocks])
+            for name, expressions in (given or {}).items():
+                known = symbol_values(loop, draw, values)
+                numbers = np.array([float(e.subs(known)) for e in expressions])
+                shape = np.shape(values[name])  # one number where all of them are one symbol
+                values[name] = numbers.reshape(shape) if shape else numbers[0]
+            params = draw.params(values)
+            running.set(params)
+            size = min(PER_DRAW, count - done)
+            x, u = draw.points(size, diagram.nstates), draw.points(size, diagram.ninputs)
+            _meet(loop, x, draw.random)
+            times = draw.random.uniform(0.0, 100.0, size)
+            known = symbol_values(loop, draw, values, times, x, u)
+            with np.errstate(all="ignore"):
+                right = np.broadcast_to(function(*(known[s] for s in symbols)), size)
+            for k in range(size):
+                rate, scale = running.rate(times[k], x[k], u[k], degree)
+                if not abs(right[k]) < HUGE and not abs(rate) < HUGE:
+                    continue
+                off = abs(rate - right[k]) / (CLOSE * max(scale, abs(right[k])))
+                if not off <= 1.0:
+                    return Comparison(done + k + 1, off * CLOSE,
+                                      Point(times[k], x[k], u[k], params))  # fmt: skip
+                worst = max(worst, off * CLOSE)
+            done += size
+    finally:
+        diagram._update_params({})
+    return Comparison(done, worst, None)
+
+
+def numeric(expression: sympy.Expr) -> tuple[Any, list[Any]]:
+    """Return an expression as a function of arrays, and its symbols.
+
+    Raises
+    ------
+    DiagramError
+        If the expression holds a function that has no numbers.
+    """
+    inputs = [f for f in expression.atoms(sympy.core.function.AppliedUndef) if f.args == (TIME,)]
+    words = {str(f.func) for f in expression.atoms(sympy.core.function.AppliedUndef)} - {
+        str(f.func) for f in inputs
+    }
+    space = {told: OPERATIONS[name] for name, told in WORDS.items()}
+    if expression.has(sympy.Derivative) or words - set(space):
+        unknown = ", ".join(sorted(words - set(space))) or "a derivative of an input"
+        raise DiagramError(f"{unknown} has no numbers, so V' cannot be compared")
+    symbols = sorted(expression.free_symbols - {TIME}, key=str) + sorted(inputs, key=str)
+    if expression.has(TIME):
+        symbols.append(TIME)
+    plain = {s: sympy.Dummy(f"s{k}") for k, s in enumerate(symbols)}
+    text = expression.subs(plain, simultaneous=True)
+    return sympy.lambdify(list(plain.values()), text, [space, "scipy", "numpy"], cse=True), symbols
+
+
+def symbol_values(
+    loop: SymbolicLoop, draw: Draw, values: Mapping[str, np.ndarray], *point: Any
+) -> dict[Any, Any]:
+    """Return symbol -> number, of parameters and of points (t, x, u)."""
+    found: dict[Any, Any] = {}
+    for block in draw.blocks:
+        own = loop.parameters[block.name]
+        for field, symbols in zip(own._fields, own, strict=True):
+            name = draw.names[block.name, field]
+            if name in values and not isinstance(symbols, int):
+                numbers = np.broadcast_to(values[name], np.shape(symbols) or np.shape(values[name]))
+                pairs = zip(np.ravel(np.asarray(symbols, object)), np.ravel(numbers), strict=False)
+                found.update({s: v for s, v in pairs if isinstance(s, sympy.Symbol)})
+    if point:
+        t, x, u = point
+        found[TIME] = t
+        for ports, numbers in ((loop.states, x), (loop.inputs, u)):
+            flat = [s for symbols in ports.values() for s in symbols]
+            found.update(dict(zip(flat, numbers.T, strict=True)))
+    return found
+
+
+def degree_of(loop: SymbolicLoop) -> float:
+    """Return the degree of V in the states; inf for no polynomial."""
+    V, states = loop.signals["V"][0], [s for port in loop.states.values() for s in port]
+    if not V.is_polynomial(*states):
+        return np.inf
+    return sympy.Poly(V, *states).total_degree()
+
+
+def _meet(loop: SymbolicLoop, x: np.ndarray, random: np.random.Generator) -> None:
+    """Let x and z be equal at some points: e = 0."""
+    flat = [str(s) for symbols in loop.states.values() for s in symbols]
+    pairs = [(flat.index(f"x_{i}"), flat.index(f"z_{i}")) for i in (1, 2)
+             if f"x_{i}" in flat and f"z_{i}" in flat]  # fmt: skip
+    for a, b in pairs:
+        equal = random.random(len(x)) < 0.1
+        x[equal, a] = x[equal, b]

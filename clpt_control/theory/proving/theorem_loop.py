@@ -1,0 +1,139 @@
+"""The closed loop that the theorems speak of, with its V as a block.
+
+The basis, the waypoints and the disturbance are inputs of the diagram: what is proved
+holds for every phi_x, phi_z, zc and Delta, and the running blocks are called with any.
+"""
+
+import numpy as np
+
+from ...blocks import Block
+from ...blocks.lyapunov import lyapunov_candidate, one_gain
+from ...diagrams.interconnection import Diagram, connect
+from ...scenario.experiment import Scenario
+from ...scenario.paper import paper_scenario
+from ...simulation.closed_loop import paper_blocks
+
+SOURCES = {"basis_x": "phi_x", "basis_z": "phi_z", "reference": "zc", "disturbance": "delta"}
+
+
+def theorem_scenario(N: int, law: str, disturbed: bool = False) -> Scenario:
+    """Return a scenario of section II with N functions.
+
+    Parameters
+    ----------
+    N : int
+        Number of basis functions.
+    law : str
+        ``"known-flow"`` or ``"learned-flow"``.
+    disturbed : bool, optional
+        Whether Delta of Eq. (32) is there.
+
+    Returns
+    -------
+    Scenario
+        Every number becomes a symbol when it is traced: positive for KD and gamma, of
+        either sign for theta, theta_hat, alpha_M and GammaD.
+
+    Examples
+    --------
+    >>> theorem_scenario(2, "learned-flow").basis.N
+    2
+    """
+    signs = np.array([[1.0], [-1.0]]) * np.arange(1, N + 1)
+    known = law == "known-flow"
+    push = {"kind": "constant", "amplitude": [0.1, 0.1]}
+    return paper_scenario().with_values(
+        {
+            "basis.centers": [[float(k), float(-k)] for k in range(N)],
+            "basis.widths": [1.0 + k for k in range(N)],
+            "basis.periods": [2.0 + k for k in range(N)],
+            "basis.phases": [0.0] * N,
+            "flow.parameters": (0.1 * signs).tolist(),
+            "flow.disturbance": push if disturbed else None,
+            "model.parameters": (-0.3 * signs).tolist(),
+            "vehicle.feedback": [1.0, 0.7],
+            "vehicle.feedforward": [1.2, -0.5],
+            "learning.law": law,
+            "learning.parameters": None,
+            "learning.theta_estimate": (0.4 * signs).tolist() if known else None,
+        }
+    )
+
+
+def theorem_loop(
+    N: int,
+    law: str,
+    disturbed: bool = False,
+    law_block: Block | None = None,
+    candidate: Block | None = None,
+) -> Diagram:
+    """Wire the closed loop of a theorem, with its V as a block.
+
+    Parameters
+    ----------
+    N : int
+        Number of basis functions.
+    law : str
+        ``"known-flow"``: V of Eq. (17); ``"learned-flow"``: V of Eq. (24).
+    disturbed : bool, optional
+        Whether Delta of Eq. (32) is there.
+    law_block : Block, optional
+        An adaptation block in place of the paper's.
+    candidate : Block, optional
+        A block with the output V[1] in place of the paper's V.
+
+    Returns
+    -------
+    Diagram
+        The paper's blocks and V; phi_x, phi_z, zc and delta are inputs.
+
+    Examples
+    --------
+    >>> diagram = theorem_loop(1, "learned-flow")
+    >>> diagram.input_labels
+    ['phi_x[0]', 'phi_z[0]', 'zc[0]', 'zc[1]']
+    """
+    scenario = theorem_scenario(N, law, disturbed)
+    blocks = paper_blocks(scenario)
+    external = [SOURCES[block.name] for block in blocks if block.name in SOURCES]
+    blocks = [block for block in blocks if block.name not in SOURCES]
+    if law_block is not None:
+        blocks = [law_block if block.name == "adaptation" else block for block in blocks]
+    if candidate is None:
+        candidate = theorem_candidate(N, law, scenario.learning.gain)
+    return connect([*blocks, candidate], sorted(external, key=list(SOURCES.values()).index),
+                   name="theorem")  # fmt: skip
+
+
+def theorem_candidate(N: int, law: str, gain: float, weights: tuple = ()) -> Block:
+    """Return V of Eq. (17) or (24) with the scenario's truth.
+
+    Parameters
+    ----------
+    N : int
+        Number of basis functions.
+    law : str
+        ``"known-flow"`` or ``"learned-flow"``.
+    gain : float
+        Adaptation gain gamma.
+    weights : tuple of ndarray, optional
+        Gains of alpha, shape (2, N), K and Gamma, shape (2,), in place of the one.
+
+    Returns
+    -------
+    Block
+        With the output V[1].
+
+    Examples
+    --------
+    >>> theorem_candidate(1, "known-flow", 1.0).output_ports
+    {'V': 1}
+    """
+    scenario = theorem_scenario(N, law)
+    car = scenario.vehicle
+    truth = map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward))
+    p = one_gain(gain, *truth)
+    if weights:
+        alpha, K, Gamma = weights
+        p = p._replace(gain=alpha, gain_K=K, gain_Gamma=Gamma)
+    return lyapunov_candidate(law, p)

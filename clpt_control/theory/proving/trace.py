@@ -1,0 +1,203 @@
+"""The closed loop on symbols, from the records of the blocks that run.
+
+Every block's update and output are read on symbols, through the diagram's own
+connections, block by block in the order of the wiring.  Sources of time and tables
+stay undefined functions of time and their inputs, and so does any block named in
+`opaque`: what is proved then holds for all of them.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Any
+
+import control
+import numpy as np
+import sympy
+
+from ...blocks import Block
+from ...blocks.record import Record
+from ...blocks.symbolic import exact, expressions
+from ...diagrams.wiring import Wiring, read
+from ...errors import DiagramError
+from .domain import extent, undefined
+from .symbols import parameter_names, parameter_symbols, port_symbols, state_names
+
+LONGEST, DEEPEST = 5_000, 30  # parts and levels of an expression
+TIME = sympy.Symbol("t", real=True)
+
+
+@dataclass
+class SymbolicLoop:
+    """A diagram's equations on symbols.
+
+    Attributes
+    ----------
+    states : dict
+        Port -> ndarray of symbols, such as ``states["alpha"]``; a state that is no
+        port of the diagram stands under ``"block:port"``.
+    signals : dict
+        Port -> ndarray of expressions in states, inputs and opaque functions.
+    rates : dict
+        As `states`: the time derivatives, expressions.
+    inputs : dict
+        Port -> ndarray of symbols, the diagram's inputs.
+    parameters : dict
+        Block name -> NamedTuple of symbols.
+    N : int or None
+        Number of basis functions, where the blocks have one.
+    gaps : list of str
+        Where equations may have no value, a sentence each.
+    """
+
+    states: dict[str, np.ndarray] = field(default_factory=dict)
+    signals: dict[str, np.ndarray] = field(default_factory=dict)
+    rates: dict[str, np.ndarray] = field(default_factory=dict)
+    inputs: dict[str, np.ndarray] = field(default_factory=dict)
+    parameters: dict[str, Any] = field(default_factory=dict)
+    N: int | None = None
+    gaps: list[str] = field(default_factory=list)
+
+    def derivative(self, expression: sympy.Expr) -> sympy.Expr:
+        """Differentiate an expression of the states along the equations.
+
+        Opaque functions and inputs are differentiated in time as well.
+        """
+        rate = sympy.diff(expression, TIME)
+        for port, symbols in self.states.items():
+            for symbol, value in zip(symbols, self.rates[port], strict=True):
+                rate += sympy.diff(expression, symbol) * value
+        return rate
+
+
+def trace(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()) -> SymbolicLoop:
+    """Read a diagram's equations on symbols.
+
+    Parameters
+    ----------
+    diagram : control.NonlinearIOSystem
+        Blocks, wired; each port name made by one block.
+    opaque : iterable of str, optional
+        Names of blocks to leave undefined beside those that say so
+        themselves, such as ``("basis_x", "basis_z")`` to keep phi.
+
+    Returns
+    -------
+    SymbolicLoop
+        States, signals and rates.
+
+    Raises
+    ------
+    DiagramError
+        If the diagram holds a system that is not a block, two blocks of one name or
+        port, or equations that are too long.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> loop = trace(clpt.closed_loop(clpt.paper_scenario()), opaque=("basis_x", "basis_z"))
+    >>> loop.signals["e"]
+    array([x_1 - z_1, x_2 - z_2], dtype=object)
+    """
+    wiring, kept = read(diagram), set(opaque)
+    blocks = blocks_of(wiring)
+    loop = SymbolicLoop(parameters=parameter_symbols(blocks))
+    sizes = {N for b in blocks if isinstance(N := getattr(b.parameters, "N", None), int)}
+    loop.N = sizes.pop() if len(sizes) == 1 else None
+    states, fields = state_names(blocks), parameter_names(blocks)
+    outside = _external(diagram, loop)
+    bus = np.full(wiring.nodes[-1].outputs.stop, sympy.Integer(0), dtype=object)
+
+    def inputs_of(k: int) -> np.ndarray:
+        node = wiring.nodes[k]
+        u = np.full(node.system.ninputs, sympy.Integer(0), dtype=object)
+        for wire in node.wires:
+            source = outside if wire.external else bus
+            gained = exact(wire.gain) * source[wire.source : wire.source + wire.size]
+            u[wire.to : wire.to + wire.size] += gained
+        return u
+
+    def ask(record: Record, role: str, block: Block, u: np.ndarray) -> np.ndarray:
+        x = _flat({port: loop.states[states[block.name, port]] for port in block.state_ports})
+        p = loop.parameters[block.name]
+
+        def leaf(name: str, *where: Any) -> Any:
+            if name == "t":
+                return TIME
+            if name == "p":
+                return np.ravel(np.asarray(getattr(p, where[0]), dtype=object))[where[1]]
+            if name == "table":
+                (own, *places) = where[0]
+                return f"{fields[block.name, own]}_{'_'.join(map(str, places))}"
+            return (x if name == "x" else u)[where[0]]
+
+        def told(name: str, arguments: tuple) -> None:
+            sizes = [extent(a) for a in arguments if isinstance(a, sympy.Basic)]
+            if any(parts > LONGEST or levels > DEEPEST for parts, levels in sizes):
+                raise DiagramError(
+                    f"{block.name}.{role} has more than {LONGEST} parts or {DEEPEST} levels on "
+                    "symbols, too long to prove anything of; make it simpler or its N smaller"
+                )
+            gap = undefined(name, arguments)
+            if gap is not None:
+                loop.gaps.append(f"{block.name}.{role} {gap}")
+
+        found = expressions(record, leaf, told=told)
+        return np.array([sympy.sympify(e) for e in found], dtype=object)
+
+    for block in blocks:
+        for port, size in block.state_ports.items():
+            name = states[block.name, port]
+            loop.states[name] = port_symbols(name, size, loop.N)
+    for k in wiring.order:
+        node, block = wiring.nodes[k], blocks[k]
+        u = inputs_of(k)
+        if block.opaque or block.name in kept:
+            y = _flat({port: port_symbols(port, size, loop.N, (TIME, *u))
+                       for port, size in block.output_ports.items()})  # fmt: skip
+        else:
+            y = ask(block.output_record, "output", block, u)
+        bus[node.outputs] = y
+        at = 0
+        for port, size in block.output_ports.items():
+            loop.signals[port] = y[at : at + size]
+            at += size
+    for k in wiring.order:
+        block = blocks[k]
+        if block.update_record is None:
+            continue
+        dx, at = ask(block.update_record, "update", block, inputs_of(k)), 0
+        for port, size in block.state_ports.items():
+            loop.rates[states[block.name, port]] = dx[at : at + size]
+            at += size
+    return loop
+
+
+def blocks_of(wiring: Wiring) -> list[Block]:
+    """Return the blocks of a wiring; refuse what has no equations."""
+    blocks = []
+    for node in wiring.nodes:
+        if not isinstance(node.system, Block):
+            raise DiagramError(
+                f"{node.name} is no block, so its equations cannot be read; make it a Block"
+            )
+        blocks.append(node.system)
+    names = [block.name for block in blocks] + [p for block in blocks for p in block.output_ports]
+    twice = sorted({name for name in names if names.count(name) > 1 and name})
+    if len({block.name for block in blocks}) < len(blocks) or any(
+        sum(port in block.output_ports for block in blocks) > 1 for port in twice
+    ):
+        raise DiagramError(f"'{twice[0]}' is the name of two; rename one to tell them apart")
+    return blocks
+
+
+def _external(diagram: control.NonlinearIOSystem, loop: SymbolicLoop) -> np.ndarray:
+    ports: dict[str, int] = {}
+    for label in diagram.input_labels:
+        port = label.split("[")[0]
+        ports[port] = ports.get(port, 0) + 1
+    loop.inputs = {p: port_symbols(p, n, loop.N, (TIME,)) for p, n in ports.items()}
+    return _flat(loop.inputs)
+
+
+def _flat(ports: dict[str, np.ndarray]) -> np.ndarray:
+    return np.concatenate([np.zeros(0, dtype=object), *ports.values()])

@@ -1,0 +1,594 @@
+"""Each equation at points where its value is known by hand."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy import stats
+
+import clpt_control as clpt
+from clpt_control.blocks import (
+    adaptation,
+    basis,
+    clpe,
+    disturbance,
+    error_system,
+    field,
+    flow,
+    learner,
+    lyapunov,
+    reference,
+    vehicle,
+)
+from clpt_control.currents.gridded import GriddedField
+from clpt_control.errors import ScenarioError
+
+# --- basis functions, Eq. (5) -----------------------------------------------------------------
+
+
+def one_basis(kernel, center=(0.0, 0.0), width=2.0, frequency=0.0, phase=0.0):
+    p = basis.BasisParameters(
+        1, np.array([center]), np.array([width]), np.array([frequency]), np.array([phase])
+    )
+    return basis.flow_basis("basis_x", "x", kernel, p)
+
+
+def phi(block, position, t=0.0):
+    return float(block.output(t, [], position)[0])
+
+
+@pytest.mark.parametrize("kernel", basis.KERNELS)
+def test_basis_at_its_centre_is_the_tide(kernel):
+    block = one_basis(kernel, center=(3.0, -4.0), frequency=2 * math.pi / 8, phase=math.pi / 3)
+    assert phi(block, [3.0, -4.0]) == pytest.approx(0.5, rel=1e-15)  # cos 60 degrees
+    assert phi(block, [3.0, -4.0], 8.0) == pytest.approx(0.5, rel=1e-14)  # a period later
+    assert phi(block, [3.0, -4.0], 4.0) == pytest.approx(-0.5, rel=1e-14)  # half a period
+    assert phi(block, [3.0, -4.0], 2 / 3) == pytest.approx(0.0, abs=1e-15)  # at 90 degrees
+
+
+@pytest.mark.parametrize("kernel", basis.KERNELS)
+def test_steady_basis_does_not_move(kernel):
+    block = one_basis(kernel)
+    assert phi(block, [1.0, 2.0], 0.0) == phi(block, [1.0, 2.0], 1e6)
+
+
+@pytest.mark.parametrize("kernel", basis.KERNELS)
+def test_phase_of_minus_a_quarter_is_a_sine(kernel):
+    block = one_basis(kernel, frequency=1.0, phase=-math.pi / 2)
+    assert phi(block, [0.0, 0.0], 0.0) == pytest.approx(0.0, abs=1e-16)
+    assert phi(block, [0.0, 0.0], math.pi / 6) == pytest.approx(0.5, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("kernel", "width", "distance_of_half"),
+    [
+        # d such that the kernel is 1/2: exponential 2 s ln 2, gaussian s sqrt(2 ln 2), sqrt(s ln 2)
+        ("exponential", 2.5, 3.4657359027997265),
+        ("gaussian", 2.5, 2.9435250562886867),
+        ("gaussian-sigma", 2.5, 1.31638442386707967),
+    ],
+)
+def test_kernel_at_a_distance(kernel, width, distance_of_half):
+    block = one_basis(kernel, center=(1.0, 1.0), width=width)
+    for angle in (0.0, 0.7, 2.0, 4.5):
+        towards = np.array([math.cos(angle), math.sin(angle)])
+        assert phi(block, 1.0 + distance_of_half * towards) == pytest.approx(0.5, rel=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("kernel", "power"), [("exponential", 2), ("gaussian", 4), ("gaussian-sigma", 4)]
+)
+def test_kernel_at_twice_the_distance(kernel, power):
+    block = one_basis(kernel)
+    near, far = phi(block, [0.6, 0.8]), phi(block, [1.2, 1.6])
+    assert far == pytest.approx(near**power, rel=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("kernel", "scale"), [("exponential", 4.0), ("gaussian", 4.0), ("gaussian-sigma", 2.0)]
+)
+def test_kernel_scales_with_width(kernel, scale):
+    # four times the width reaches `scale` times as far
+    narrow, wide = one_basis(kernel, width=1.5), one_basis(kernel, width=6.0)
+    assert phi(wide, [0.9 * scale, 0.4 * scale]) == pytest.approx(phi(narrow, [0.9, 0.4]))
+
+
+@pytest.mark.parametrize("kernel", basis.KERNELS)
+def test_kernel_limits_and_symmetry(kernel):
+    block = one_basis(kernel, center=(2.0, 5.0))
+    assert phi(block, [2.0, 5.0]) == 1.0
+    assert phi(block, [5.0, 9.0]) == phi(block, [-1.0, 1.0]) == phi(block, [6.0, 8.0])
+    assert phi(block, [1e4, 1e4]) == 0.0
+
+
+def test_basis_keeps_the_order_of_its_functions():
+    p = basis.BasisParameters(
+        3, np.array([[0.0, 0], [1, 0], [2, 0]]), np.ones(3), np.zeros(3), np.zeros(3)
+    )
+    block = basis.flow_basis("basis_z", "z", "exponential", p)
+    assert block.output_labels == ["phi_z[0]", "phi_z[1]", "phi_z[2]"]
+    for k in range(3):
+        assert int(np.argmax(block.output(0.0, [], [float(k), 0.0]))) == k
+
+
+# --- flows, Eqs. (3), (4), (32) ---------------------------------------------------------------
+
+
+def test_true_flow_is_linear_in_phi_and_reads_rows():
+    block = flow.true_flow(flow.TrueFlowParameters(3, np.array([[1.0, 10, 100], [2, 20, 200]])))
+    for position in ([0.0, 0.0], [5.0, -7.0]):
+        np.testing.assert_array_equal(block.output(0, [], [*position, 1, 1, 1]), [111, 222])
+        np.testing.assert_array_equal(block.output(0, [], [*position, 0, 1, 0]), [10, 20])
+        np.testing.assert_array_equal(block.output(0, [], [*position, 0, 0, 0]), [0, 0])
+
+
+def test_disturbance_is_added_to_the_flow():
+    p = flow.TrueFlowParameters(2, np.array([[1.0, 2], [3, 4]]))
+    calm, windy = flow.true_flow(p), flow.true_flow(p, disturbed=True)
+    u = [9.0, 9.0, 0.25, 0.5]
+    np.testing.assert_array_equal(calm.output(0, [], u), [1.25, 2.75])
+    np.testing.assert_array_equal(windy.output(0, [], [*u, 0.5, -2.75]), [1.75, 0.0])
+
+
+def test_modeled_flow_without_parameters_is_calm():
+    block = flow.modeled_flow(flow.ModeledFlowParameters(2, np.zeros((2, 2))))
+    np.testing.assert_array_equal(block.output(3.0, [], [7.0, -8.0]), [0.0, 0.0])
+
+
+# --- vehicle, Eqs. (1) and (7) ----------------------------------------------------------------
+
+
+def test_vehicle_drifts_with_flow_and_velocity():
+    block = vehicle.vehicle()
+    np.testing.assert_array_equal(block.dynamics(0, [5, 5], [1, 2, -1, -2]), [0, 0])
+    np.testing.assert_array_equal(block.output(0, [5, 6], [1, 2, 3, 4]), [5, 6])
+
+
+def test_controller_rests_at_its_set_point():
+    p = vehicle.ControllerParameters(
+        1, np.zeros((2, 1)), np.array([2.0, 4.0]), np.array([1.0, 6.0])
+    )
+    block = vehicle.vehicle_controller(p)
+    # KD x = GammaD zc at x = (GammaD/KD) zc: (1, 3) for zc = (2, 2)
+    np.testing.assert_array_equal(block.output(0, [], [1, 3, 2, 2, 0.7]), [0, 0])
+    np.testing.assert_array_equal(block.output(0, [], [2, 3, 2, 2, 0.7]), [-2, 0])
+    np.testing.assert_array_equal(block.output(0, [], [1, 3, 2, 3, 0.7]), [0, 6])
+
+
+def test_controller_cancels_the_modelled_flow():
+    alpha = np.array([[1.0, 2.0], [3.0, -4.0]])
+    p = vehicle.ControllerParameters(2, alpha, np.ones(2), np.ones(2))
+    modelled = flow.modeled_flow(flow.ModeledFlowParameters(2, alpha))
+    both = vehicle.vehicle_controller(p).output(0, [], [0, 0, 0, 0, 0.3, 0.9])
+    np.testing.assert_allclose(both + modelled.output(0, [], [0.3, 0.9]), 0, atol=1e-16)
+
+
+# --- learner, Eqs. (2), (6), (13), (20) -------------------------------------------------------
+
+
+def test_learning_controller_terms_one_by_one():
+    block = learner.learning_controller(2)
+    size = {"z": 2, "zc": 2, "phi_z": 2, "alpha": 4, "K": 2, "Gamma": 2, "psi": 2}
+
+    def v(**ports):
+        u = [np.broadcast_to(ports.get(port, 0.0), n) for port, n in size.items()]
+        return block.output(0, [], np.concatenate(u)).tolist()
+
+    assert list(size) == list(block.input_ports)
+    assert v() == [0, 0]
+    assert v(psi=[5, 6]) == [5, 6]
+    assert v(z=[1, 2], K=[3, 4]) == [-3, -8]
+    assert v(zc=[1, 2], Gamma=[3, 4]) == [3, 8]
+    assert v(phi_z=[1, 0], alpha=[1, 2, 3, 4]) == [-1, -3]  # alpha row by row
+    assert v(phi_z=[0, 1], alpha=[1, 2, 3, 4]) == [-2, -4]
+
+
+def test_injection_is_zero_where_the_flow_is_known():
+    rng = np.random.default_rng(1)
+    alpha_M = rng.normal(size=(2, 3))
+    block = learner.injection(learner.KnownFlowInjectionParameters(3, alpha_M, alpha_M))
+    np.testing.assert_array_equal(block.output(0, [], rng.normal(size=12)), [0, 0])
+
+
+def test_known_flow_injection_reads_phi_x_alone():
+    theta_hat, alpha_M = np.array([[3.0], [5.0]]), np.array([[1.0], [1.0]])
+    block = learner.injection(learner.KnownFlowInjectionParameters(1, theta_hat, alpha_M))
+    np.testing.assert_array_equal(block.output(0, [], [0.5, 99, 99, 99]), [1, 2])
+
+
+def test_learned_flow_injection_at_no_error():
+    # where phi(x) = phi(z), alpha drops out: Psi = -2 alpha_M phi
+    alpha_M = np.array([[1.0, 2.0], [3.0, 4.0]])
+    block = learner.injection(learner.LearnedFlowInjectionParameters(2, alpha_M))
+    for alpha in ([0, 0, 0, 0], [7, -8, 9, 1]):
+        np.testing.assert_allclose(block.output(0, [], [1, 0, 1, 0, *alpha]), [-2, -6])
+        np.testing.assert_allclose(block.output(0, [], [0, 1, 0, 1, *alpha]), [-4, -8])
+
+
+def test_learned_flow_injection_tells_x_from_z():
+    block = learner.injection(learner.LearnedFlowInjectionParameters(1, np.zeros((2, 1))))
+    np.testing.assert_array_equal(block.output(0, [], [1, 0, 4, 5]), [-4, -5])
+    np.testing.assert_array_equal(block.output(0, [], [0, 1, 4, 5]), [4, 5])
+
+
+# --- adaptation, Eqs. (14)-(15) and (21)-(23) -------------------------------------------------
+
+
+def test_no_error_no_adaptation():
+    rng = np.random.default_rng(2)
+    u = np.concatenate([[0, 0], rng.normal(size=6)])
+    law = adaptation.adaptation(adaptation.LearnedFlowParameters(2, 3.0))
+    np.testing.assert_array_equal(law.dynamics(0, rng.normal(size=8), u), np.zeros(8))
+    law = adaptation.adaptation(adaptation.KnownFlowParameters(2, 3.0, np.zeros((2, 2))))
+    np.testing.assert_array_equal(law.dynamics(0, rng.normal(size=4), u), np.zeros(4))
+
+
+def test_adaptation_keeps_axes_apart_and_signs():
+    law = adaptation.adaptation(adaptation.LearnedFlowParameters(2, 2.0))
+    # e on the first axis alone, phi = (1, 3), z = (5, 7), zc = (11, 13)
+    rate = law.dynamics(0, np.zeros(8), [1, 0, 1, 3, 5, 7, 11, 13])
+    np.testing.assert_array_equal(rate, [-2, -6, 0, 0, -10, 0, 22, 0])
+    rate = law.dynamics(0, np.zeros(8), [0, 1, 1, 3, 5, 7, 11, 13])
+    np.testing.assert_array_equal(rate, [0, 0, -2, -6, 0, -14, 0, 26])
+
+
+def test_both_laws_move_the_gains_alike():
+    u = [0.3, -0.7, 0.9, 1.1, 2.0, -3.0]  # e, phi_x (N = 0 apart), z, zc
+    u = [*u[:2], 0.5, *u[2:]]
+    known = adaptation.adaptation(adaptation.KnownFlowParameters(1, 0.8, np.ones((2, 1))))
+    learned = adaptation.adaptation(adaptation.LearnedFlowParameters(1, 0.8))
+    rates = known.dynamics(0, np.zeros(4), u), learned.dynamics(0, np.zeros(6), u)
+    np.testing.assert_array_equal(rates[0], rates[1][2:])
+
+
+def test_known_flow_law_holds_alpha():
+    alpha_M = np.array([[1.0, 2.0], [3.0, 4.0]])
+    law = adaptation.adaptation(adaptation.KnownFlowParameters(2, 0.8, alpha_M))
+    out = law.output(0, [5, 6, 7, 8], np.ones(8))
+    np.testing.assert_array_equal(out, [1, 2, 3, 4, 5, 6, 7, 8])
+    assert law.state_labels == ["K[0]", "K[1]", "Gamma[0]", "Gamma[1]"]
+
+
+def test_adaptation_is_proportional_to_its_gain():
+    u = np.random.default_rng(3).normal(size=7)
+    slow, fast = (
+        adaptation.adaptation(adaptation.LearnedFlowParameters(1, gain)).dynamics(0, np.zeros(6), u)
+        for gain in (0.5, 2.0)
+    )
+    np.testing.assert_allclose(fast, 4 * slow, rtol=1e-15)
+
+
+# --- error and parameter systems, Eqs. (27)-(28) ----------------------------------------------
+
+
+def test_error_decays_alone():
+    block = error_system.error_system(error_system.ErrorParameters(2, np.array([1.0, 3.0])))
+    np.testing.assert_array_equal(block.dynamics(0, [2, 2], np.zeros(14)), [-2, -6])
+
+
+def test_regressor_and_its_transpose_match():
+    """x . W^T y = y . W x, whatever the signals: what makes V' = -e KD e."""
+    rng = np.random.default_rng(4)
+    for N in (1, 2, 3, 5):
+        signals, e, eta = rng.normal(size=N + 4), rng.normal(size=2), rng.normal(size=2 * N + 4)
+        system = error_system.error_system(error_system.ErrorParameters(N, np.zeros(2)))
+        law = error_system.parameter_system(error_system.ParameterParameters(N, 1.0))
+        forward = system.dynamics(0, np.zeros(2), [*signals, *eta])
+        backward = law.dynamics(0, eta, [*e, *signals])
+        assert e @ forward == pytest.approx(-eta @ backward, rel=1e-12)
+
+
+def test_error_system_has_z_where_the_print_has_x():
+    block = error_system.error_system(error_system.ErrorParameters(1, np.zeros(2)))
+    eta = np.array([0, 0, 1, 1, 0, 0], dtype=float)  # K - KD alone
+    rate = block.dynamics(0, [50, 50], [0, 2, 3, 7, 7, *eta])
+    np.testing.assert_array_equal(rate, [2, 3])
+
+
+# --- Lyapunov candidates, Eqs. (17) and (24) --------------------------------------------------
+
+TRUE = lyapunov.LyapunovParameters(
+    2,
+    np.array([[0.5, 0.5], [0.5, 0.5]]),
+    np.array([0.25, 0.25]),
+    np.array([1.0, 1.0]),
+    np.array([[1.0, 2], [3, 4]]),
+    np.array([1.0, 2]),
+    np.array([3.0, 4]),
+)
+AT_TRUTH = [0, 0, -1, -2, -3, -4, 1, 2, 3, 4]  # e, alpha = -theta, K = KD, Gamma = GammaD
+
+
+@pytest.mark.parametrize("law", lyapunov.LAWS)
+def test_candidate_is_zero_at_the_true_parameters_alone(law):
+    block = lyapunov.lyapunov_candidate(law, TRUE)
+    assert block.output(0, [], AT_TRUTH)[0] == 0.0
+    for k in range(10):
+        away = np.array(AT_TRUTH, dtype=float)
+        away[k] += 1.0
+        counts = law == "learned-flow" or not 2 <= k < 6
+        # |e|^2/2 for an error, |.|^2/(2 gamma) for a parameter; gammas 1/2, 1/4 and 1
+        expected = [0.5, 0.5, 1.0, 1.0, 1.0, 1.0, 2.0, 2.0, 0.5, 0.5][k]
+        assert block.output(0, [], away)[0] == (expected if counts else 0.0)
+
+
+@pytest.mark.parametrize("law", lyapunov.LAWS)
+def test_candidate_is_quadratic_about_the_truth(law):
+    block = lyapunov.lyapunov_candidate(law, TRUE)
+    step = np.random.default_rng(5).normal(size=10)
+    once, thrice = (block.output(0, [], AT_TRUTH + k * step)[0] for k in (1.0, 3.0))
+    assert thrice == pytest.approx(9 * once, rel=1e-12)
+
+
+def test_prediction_error_is_odd():
+    x, z = [1.0, -2.0], [0.5, 4.0]
+    e = clpe.clpe().output(0, [], [*x, *z])
+    np.testing.assert_array_equal(e, [0.5, -6.0])
+    np.testing.assert_array_equal(clpe.clpe().output(0, [], [*z, *x]), -e)
+
+
+# --- reference, section IV --------------------------------------------------------------------
+
+
+def test_circle_of_waypoints():
+    points = reference.circle(3.0, 12)
+    np.testing.assert_allclose(np.hypot(*points.T), 3.0, rtol=1e-15)
+    np.testing.assert_allclose(points[1], [1.5 * math.sqrt(3), 1.5], rtol=1e-15)
+    np.testing.assert_allclose(points.sum(axis=0), 0, atol=1e-14)
+    # the Gramian of zc over a cycle is (n tau r^2 / 2) I: here 12 * 9 / 2
+    np.testing.assert_allclose(points.T @ points, 54 * np.eye(2), atol=1e-13)
+
+
+def test_waypoints_are_visited_in_turn_and_again():
+    block = reference.reference([[1, 1], [2, 2], [3, 3]], dwell=0.1)
+    for k in range(300):
+        time = 0.1 * k
+        at, before = (block.output(s, [], [])[0] for s in (time, np.nextafter(time, -1.0)))
+        assert at == 1 + k % 3
+        assert k == 0 or before == 1 + (k - 1) % 3
+
+
+def test_changed_dwell_moves_the_jumps():
+    block = reference.reference([[1, 1], [2, 2], [3, 3]], dwell=2.0)
+    assert block.output(5.0, [], [])[0] == 3
+    assert block.output(5.0, [], [], params={"reference.dwell": 1.0})[0] == 3
+    assert block.output(5.0, [], [], params={"reference.dwell": 5.0})[0] == 2
+    assert block.output(5.0, [], [])[0] == 3
+    block.parameters = block.parameters._replace(dwell=4.0)
+    assert block.output(5.0, [], [])[0] == 2
+    twin = block.copy(name="twin")
+    twin.parameters = twin.parameters._replace(dwell=10.0)
+    assert twin.output(5.0, [], [])[0] == 1
+    assert block.output(5.0, [], [])[0] == 2
+
+
+def test_pinned_interval_stands():
+    block = reference.reference([[1, 1], [2, 2], [3, 3]], dwell=2.0)
+    for t in (0.0, 1.9, 2.0, 77.0):
+        assert block.output(t, [], [], params={"reference.interval": 4.0})[0] == 2
+
+
+def test_multiples_are_single_rounded_products():
+    times = reference.multiples(0.1, 0.0, 1000.0)
+    np.testing.assert_array_equal(times, [0.1 * k for k in range(1, len(times) + 1)])
+    assert times[-1] <= 1000.0 < 0.1 * (len(times) + 1)
+    assert reference.multiples(2.0, 4.0, 8.0).tolist() == [6.0, 8.0]
+    assert reference.multiples(2.0, 4.5, 5.5).tolist() == []
+    assert reference.multiples(2.0, -9.0, 1.0).tolist() == []
+
+
+# --- disturbances, Eq. (32) -------------------------------------------------------------------
+
+
+def delta(block, t):
+    return block.output(t, [], [])
+
+
+def test_constant_disturbance():
+    block = disturbance.disturbance("constant", [0.3, -0.2])
+    for t in (0.0, 1.0, 1e6):
+        np.testing.assert_array_equal(delta(block, t), [0.3, -0.2])
+
+
+def test_sine_disturbance_at_its_quarters():
+    block = disturbance.disturbance("sine", [0.3, -0.2], period=8.0)
+    np.testing.assert_allclose(delta(block, 0.0), [0, 0], atol=1e-17)
+    np.testing.assert_allclose(delta(block, 2.0), [0.3, -0.2], rtol=1e-15)
+    np.testing.assert_allclose(delta(block, 4.0), [0, 0], atol=1e-16)
+    np.testing.assert_allclose(delta(block, 6.0), [-0.3, 0.2], rtol=1e-15)
+    np.testing.assert_allclose(delta(block, 2 / 3), [0.15, -0.1], rtol=1e-14)
+
+
+def test_square_wave_switches_exactly():
+    period = 1.7951958
+    block = disturbance.disturbance("square", [0.05, 0.1], period=period)
+    for k in range(1000):
+        switch = 0.5 * period * k
+        sign = 1.0 if k % 2 == 0 else -1.0
+        assert delta(block, switch).tolist() == [sign * 0.05, sign * 0.1]
+        if k:
+            before = np.nextafter(switch, 0.0)
+            assert delta(block, before).tolist() == [-sign * 0.05, -sign * 0.1]
+
+
+def test_square_wave_has_no_mean():
+    block = disturbance.disturbance("square", [1.0, 1.0], period=2.0)
+    middles = np.arange(0.5, 40.0)
+    assert sum(delta(block, t)[0] for t in middles) == 0.0
+
+
+def noise_values(seed, count=20000, first=0):
+    """Both axes of `count` intervals, asked of the block interval by interval."""
+    block = disturbance.disturbance("noise", [1.0, 1.0], period=1.0, seed=float(seed))
+    out = np.empty((count, 2))
+    p, nothing = block.parameters, np.zeros(0)
+    for k in range(count):
+        block.output_function(0.0, nothing, nothing, p._replace(interval=float(first + k)), out[k])
+    return out
+
+
+@pytest.fixture(scope="module")
+def noise():
+    return {seed: noise_values(seed) for seed in (0, 1, 2, 12345, 2**26 - 2, 2**26 - 1)}
+
+
+def test_noise_is_standard_normal(noise):
+    for seed, values in noise.items():
+        for axis in (0, 1):
+            n = values[:, axis]
+            # five standard errors: 1/sqrt(20000) = 0.00707 of the mean, 1/sqrt(40000) of the sd
+            assert abs(n.mean()) < 5 * 0.00708, seed
+            assert abs(n.std() - 1) < 5 * 0.005, seed
+            assert abs(stats.skew(n)) < 5 * math.sqrt(6 / 20000), seed
+            assert abs(stats.kurtosis(n)) < 5 * math.sqrt(24 / 20000), seed
+            assert stats.kstest(n, "norm").pvalue > 1e-4, seed
+
+
+def test_noise_is_not_correlated(noise):
+    bound = 5 * 0.00708
+    for seed, values in noise.items():
+        for lag in (1, 2, 3, 10):
+            for axis in (0, 1):
+                pair = values[lag:, axis], values[:-lag, axis]
+                assert abs(np.corrcoef(*pair)[0, 1]) < bound, (seed, lag)
+            assert abs(np.corrcoef(values[lag:, 0], values[:-lag, 1])[0, 1]) < bound, (seed, lag)
+        assert abs(np.corrcoef(*values.T)[0, 1]) < bound, seed
+        # nor are the sizes
+        assert abs(np.corrcoef(*(values**2).T)[0, 1]) < bound, seed
+        assert abs(np.corrcoef(values[1:, 0] ** 2, values[:-1, 0] ** 2)[0, 1]) < bound, seed
+
+
+def test_neighbouring_seeds_are_independent(noise):
+    seeds = list(noise)
+    for a in seeds:
+        for b in seeds:
+            if a < b:
+                for lag in (0, 1):
+                    first, second = noise[a][lag:, 0], noise[b][: 20000 - lag, 0]
+                    assert abs(np.corrcoef(first, second)[0, 1]) < 5 * 0.00708, (a, b, lag)
+
+
+def test_noise_across_seeds_at_one_interval():
+    """An ensemble takes one seed per member: the members' values are normal too."""
+    block = disturbance.disturbance("noise", [1.0, 1.0], period=1.0)
+    for interval in (0.0, 1.0, 7.0):
+        values, out = [], np.zeros(2)
+        for seed in range(5000):
+            p = block.parameters._replace(seed=float(seed), interval=interval)
+            block.output_function(0.0, np.zeros(0), np.zeros(0), p, out)
+            values.append(out[0])
+        assert abs(np.mean(values)) < 5 / math.sqrt(5000)
+        assert stats.kstest(values, "norm").pvalue > 1e-4
+        assert abs(np.corrcoef(values[1:], values[:-1])[0, 1]) < 5 / math.sqrt(5000)
+
+
+@pytest.mark.parametrize("apart", [7919, 104729, 40503, 7919 + 104729])
+def test_seeds_and_axes_do_not_share_noise(apart):
+    one, other = noise_values(3, count=4000), noise_values(3 + apart, count=4000)
+    for a in (0, 1):
+        for b in (0, 1):
+            assert not np.any(one[:, a] == other[:, b])
+            assert abs(np.corrcoef(one[:, a], other[:, b])[0, 1]) < 5 / math.sqrt(4000)
+            sizes = np.abs(one[:, a]), np.abs(other[:, b])
+            assert abs(np.corrcoef(*sizes)[0, 1]) < 5 / math.sqrt(4000)
+
+
+def test_largest_seeds_are_not_the_smallest_again():
+    """Every seed that a scenario allows makes noise of its own."""
+    seeds = [*range(8), *range(2**26 - 8, 2**26)]
+    first = {}
+    for seed in seeds:
+        try:
+            clpt.paper_scenario().with_values(
+                {
+                    "flow.disturbance": {
+                        "kind": "noise",
+                        "amplitude": [1.0, 1.0],
+                        "period": 1.0,
+                        "seed": seed,
+                    }
+                }
+            )
+        except ScenarioError:
+            continue
+        first[seed] = tuple(noise_values(seed, count=2).ravel())
+    assert len(first) >= 8
+    assert len(set(first.values())) == len(first)
+
+
+def test_noise_has_no_memory_and_is_held():
+    block = disturbance.disturbance("noise", [2.0, 2.0], period=0.5, seed=3.0)
+    later = delta(block, 17.3)
+    earlier = delta(block, 1.2)
+    np.testing.assert_array_equal(delta(block, 17.3), later)
+    np.testing.assert_array_equal(delta(block, 17.0), later)
+    assert not np.array_equal(earlier, later)
+    unit = disturbance.disturbance("noise", [1.0, 1.0], period=0.5, seed=3.0)
+    np.testing.assert_allclose(delta(unit, 17.3), later / 2, rtol=1e-15)
+
+
+def test_noise_does_not_repeat():
+    values = noise_values(1)[:, 0]
+    assert len(np.unique(values)) == len(values)
+    far = noise_values(1, count=2000, first=10**9)[:, 0]
+    assert abs(far.mean()) < 5 / math.sqrt(2000)
+    assert not np.isin(far, values).any()
+
+
+# --- gridded flow, in place of Eq. (3) --------------------------------------------------------
+
+
+def gridded(u, v, **options):
+    axes = [np.linspace(0, 10, 6), np.linspace(-2, 2, 9), np.linspace(-3, 3, 7)]
+    mesh = np.meshgrid(*axes, indexing="ij")
+    return field.gridded_flow(GriddedField(*axes, u(*mesh), v(*mesh)), **options)
+
+
+def test_spline_goes_through_the_grid():
+    rng = np.random.default_rng(6)
+    values = rng.normal(size=(2, 6, 9, 7))
+    block = gridded(lambda *_: values[0], lambda *_: values[1])
+    for m in range(6):
+        for j in range(9):
+            for i in range(7):
+                at = block.output(2.0 * m, [], [-3.0 + i, -2.0 + 0.5 * j])
+                np.testing.assert_allclose(at, values[:, m, j, i], atol=1e-12)
+
+
+def test_spline_of_a_constant_is_the_constant():
+    block = gridded(lambda t, y, x: 0 * t + 3.0, lambda t, y, x: 0 * t - 1.0)
+    for t, position in ((0.3, [0.2, 0.1]), (9.9, [2.9, -1.9]), (10.0, [3.0, 2.0])):
+        np.testing.assert_allclose(block.output(t, [], position), [3.0, -1.0], atol=1e-13)
+
+
+def test_spline_of_a_smooth_flow_is_near_it():
+    def u(t, y, x):
+        return np.cos(math.pi * x / 6) * np.cos(math.pi * y / 4)  # flat in the middle of each edge
+
+    fine = [np.linspace(0, 1, 4), np.linspace(-4, 4, 65), np.linspace(-6, 6, 65)]
+    mesh = np.meshgrid(*fine, indexing="ij")
+    block = field.gridded_flow(GriddedField(*fine, u(*mesh), 0 * mesh[0]))
+    for x, y in ((0.1, 0.2), (-1.7, 0.9), (2.3, -1.6)):
+        assert block.output(0.5, [], [x, y])[0] == pytest.approx(u(0, y, x), abs=1e-6)
+
+
+def test_flow_outside_the_grid_is_that_at_its_edge():
+    rng = np.random.default_rng(8)
+    values = rng.normal(size=(2, 6, 9, 7))
+    block = gridded(lambda *_: values[0], lambda *_: values[1], outside="clip")
+    np.testing.assert_array_equal(block.output(99, [], [50, 70]), block.output(10, [], [3, 2]))
+    np.testing.assert_array_equal(block.output(-9, [], [-50, 0]), block.output(0, [], [-3, 0]))
+
+
+def test_guard_is_positive_inside_alone():
+    block = gridded(lambda t, y, x: t, lambda t, y, x: t)
+    for t, position, inside in (
+        (5.0, [0, 0], True),
+        (5.0, [3.01, 0], False),
+        (5.0, [0, -2.01], False),
+        (10.01, [0, 0], False),
+        (-0.01, [0, 0], False),
+    ):
+        distance = block.guard.margin(t, np.array(position, float), block.parameters)
+        assert (distance > 0) == inside
+    assert gridded(lambda t, y, x: t, lambda t, y, x: t, outside="clip").guard is None

@@ -1,0 +1,417 @@
+"""Every block of the package conforms, and broken ones are told so in a sentence."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+from clpt_control.blocks import (
+    Block,
+    adaptation,
+    basis,
+    clpe,
+    disturbance,
+    error_system,
+    field,
+    flow,
+    learner,
+    lyapunov,
+    reference,
+    vehicle,
+)
+from clpt_control.blocks.conformance import Report, check_block, conformance
+from clpt_control.blocks.words import where
+from clpt_control.currents.gridded import GriddedField
+from clpt_control.errors import BlockError
+from clpt_control.native import elementary, printing
+
+SIZES = (1, 2, 3, 5)
+
+
+def basis_parameters(rng, N):
+    return basis.BasisParameters(
+        N,
+        rng.uniform(-3, 3, (N, 2)),
+        rng.uniform(1, 4, N),
+        rng.uniform(0, 2, N),
+        rng.uniform(-3, 3, N),
+    )
+
+
+def grid(rng):
+    axes = [np.linspace(0, 90, 5), np.linspace(-4, 4, 6), np.linspace(-5, 5, 7)]
+    return GriddedField(*axes, *rng.standard_normal((2, 5, 6, 7)))
+
+
+def package_blocks():
+    rng = np.random.default_rng(7)
+    yield "clpe", clpe.clpe()
+    yield "vehicle", vehicle.vehicle()
+    yield "learning_model", learner.learning_model()
+    for count in (1, 2, 7):
+        points = rng.uniform(-3, 3, (count, 2))
+        yield f"reference-{count}", reference.reference(points, dwell=1.7)
+    yield "reference-circle", reference.reference(reference.circle(3.0, 10), dwell=0.1)
+    for kind in disturbance.KINDS:
+        yield (
+            f"disturbance-{kind}",
+            disturbance.disturbance(kind, [0.3, -0.7], period=1.3, seed=5.0),
+        )
+    for outside in ("raise", "clip", "stop"):
+        yield f"field-{outside}", field.gridded_flow(grid(rng), outside)
+        yield f"field-{outside}-disturbed", field.gridded_flow(grid(rng), outside, disturbed=True)
+    for N in SIZES:
+        a, b, theta = rng.uniform(-1, 1, (3, 2, N))
+        KD, GammaD = rng.uniform(0.5, 2, (2, 2))
+        for kernel in basis.KERNELS:
+            for name, position in (("basis_x", "x"), ("basis_z", "z")):
+                yield (
+                    f"{name}-{kernel}-{N}",
+                    basis.flow_basis(name, position, kernel, basis_parameters(rng, N)),
+                )
+        for disturbed in (False, True):
+            yield (
+                f"true_flow-{disturbed}-{N}",
+                flow.true_flow(flow.TrueFlowParameters(N, theta), disturbed),
+            )
+        yield f"modeled_flow-{N}", flow.modeled_flow(flow.ModeledFlowParameters(N, a))
+        yield (
+            f"vehicle_controller-{N}",
+            vehicle.vehicle_controller(vehicle.ControllerParameters(N, a, KD, GammaD)),
+        )
+        yield f"learning_controller-{N}", learner.learning_controller(N)
+        yield (
+            f"injection-known-{N}",
+            learner.injection(learner.KnownFlowInjectionParameters(N, a, b)),
+        )
+        yield (
+            f"injection-learned-{N}",
+            learner.injection(learner.LearnedFlowInjectionParameters(N, a)),
+        )
+        yield (
+            f"adaptation-known-{N}",
+            adaptation.adaptation(adaptation.KnownFlowParameters(N, 0.7, a)),
+        )
+        yield (
+            f"adaptation-learned-{N}",
+            adaptation.adaptation(adaptation.LearnedFlowParameters(N, 0.7)),
+        )
+        yield (
+            f"error_system-{N}",
+            error_system.error_system(error_system.ErrorParameters(N, KD)),
+        )
+        yield (
+            f"parameter_system-{N}",
+            error_system.parameter_system(error_system.ParameterParameters(N, 0.7)),
+        )
+        for law in lyapunov.LAWS:
+            p = lyapunov.one_gain(0.7, theta, KD, GammaD)
+            yield f"lyapunov-{law}-{N}", lyapunov.lyapunov_candidate(law, p)
+
+
+BLOCKS = dict(package_blocks())
+
+
+@pytest.mark.parametrize("case", BLOCKS)
+def test_package_block_conforms(case):
+    conformance(BLOCKS[case])
+
+
+def test_report_counts_its_checks():
+    report = check_block(clpe.clpe())
+    assert isinstance(report, Report)
+    assert report.ok
+    assert report.failures == ()
+    assert f"conforms ({len(report.checks)} checks)" in str(report)
+    assert len(report.checks) >= 10
+
+
+def test_only_a_block_can_be_asked():
+    with pytest.raises(BlockError, match="must be a Block, not int"):
+        check_block(3)
+
+
+def test_seed_repeats_the_report():
+    block = Block("root", output=root, inputs={"u": 1}, outputs={"y": 1})
+    assert check_block(block, seed=3) == check_block(block, seed=3)
+
+
+# --- blocks of a user, each with one mistake ---------------------------------------------------
+
+
+class Gain(NamedTuple):
+    k: float
+
+
+class Table(NamedTuple):
+    k: np.ndarray
+
+
+class Ticks(NamedTuple):
+    step: float
+    interval: float = -1.0
+
+
+MEMORY = np.zeros(1)
+
+
+def good(t, x, u, p, y):
+    """y = k u, Eq. (1) of a user: u = u[1], y = y[1]."""
+    y[0] = p.k * u[0]
+
+
+def root(t, x, u, p, y):
+    """y = sqrt(u), section 2: u = u[1], y = y[1]."""
+    y[0] = math.sqrt(u[0])
+
+
+def writes_inputs(t, x, u, p, y):
+    """y = u, Eq. (1): u = u[1], y = y[1]."""
+    y[0] = u[0]
+    u[0] = 0.0
+
+
+def writes_states(t, x, u, p, dx):
+    """x' = u, Eq. (1): u = u[1], x[1]."""
+    dx[0] = u[0]
+    x[0] = x[0] + 1.0
+
+
+def writes_parameters(t, x, u, p, y):
+    """y = k u, Eq. (1): u = u[1], y = y[1]."""
+    y[0] = p.k[0] * u[0]
+    p.k[0] = p.k[0] + 1.0
+
+
+def infinite_at_zero(t, x, u, p, y):
+    """y = 1/u, Eq. (1): u = u[1], y = y[1]."""
+    y[0] = 1.0 / u[0]
+
+
+def raises_at_zero(t, x, u, p, y):
+    """y = log(u^2), Eq. (1): u = u[1], y = y[1]."""
+    y[0] = math.log(u[0] ** 2)
+
+
+def unwritten(t, x, u, p, y):
+    """y = [u, 0], Eq. (1): u = u[1], y = y[2]."""
+    y[0] = u[0]
+
+
+def adds_to_out(t, x, u, p, y):
+    """y = u, Eq. (1): u = u[1], y = y[1]."""
+    y[0] += u[0]
+
+
+def no_port_named(t, x, u, p, y):
+    """y = w, Eq. (1): the output y[1]."""
+    y[0] = u[0]
+
+
+def no_equation_number(t, x, u, p, y):
+    """y = u: u = u[1], y = y[1]."""
+    y[0] = u[0]
+
+
+def no_docstring(t, x, u, p, y):
+    y[0] = u[0]
+
+
+def too_long(t, x, u, p, y):
+    """y = u, Eq. (1): u = u[1], y = y[1]."""
+    y[1] = u[0]
+
+
+def remembers(t, x, u, p, y):
+    """y = u + calls, Eq. (1): u = u[1], y = y[1]."""
+    y[0] = u[0] + count_calls(0.0)
+
+
+def count_calls(a):
+    return a
+
+
+def kinked(t, x, u, p, y):
+    """y = |u|, Eq. (1): u = u[1], y = y[1]."""
+    y[0] = where(u[0] > 0, u[0], -u[0])
+
+
+def unsorted(p, t0, t1):
+    return np.array([2.0, 1.0])
+
+
+def outside(p, t0, t1):
+    return np.array([t0, t1 + 1.0])
+
+
+def from_the_start_of_the_span(p, t0, t1):
+    return np.arange(t0 + p.step, t1, p.step)
+
+
+def held(t, x, u, p, y):
+    """y = interval, section 2: y[1]."""
+    y[0] = p.interval
+
+
+def siso(output, parameters=None, size=1, **options):
+    return Block(
+        "mine",
+        output=output,
+        inputs={"u": 1},
+        outputs={"y": size},
+        parameters=parameters,
+        **options,
+    )
+
+
+def failures(block):
+    report = check_block(block)
+    assert not report.ok
+    assert all(sentence.startswith("mine") for sentence in report.failures)
+    with pytest.raises(BlockError) as caught:
+        conformance(block)
+    for sentence in report.failures:
+        assert sentence in str(caught.value)
+    return "\n".join(report.failures)
+
+
+@pytest.mark.parametrize(
+    ("output", "parameters", "size", "sentence"),
+    [
+        (infinite_at_zero, None, 1, "not finite at zero"),
+        (raises_at_zero, None, 1, "not finite at zero"),
+        (no_port_named, None, 1, "port 'u' is in no docstring"),
+        (no_equation_number, None, 1, "no docstring names its equation"),
+        (no_docstring, None, 1, "has no docstring"),
+    ],
+)
+def test_broken_output_is_told(output, parameters, size, sentence):
+    assert sentence in failures(siso(output, parameters, size))
+
+
+@pytest.mark.parametrize(
+    ("output", "parameters", "size", "sentence"),
+    [
+        (writes_inputs, None, 1, "changing states, inputs or parameters"),
+        (writes_parameters, Table(np.ones(1)), 1, "changing states, inputs or parameters"),
+        (unwritten, None, 2, "never sets entry 1"),
+        (too_long, None, 1, "line .*IndexError"),
+    ],
+)
+def test_broken_equations_make_no_block(output, parameters, size, sentence):
+    with pytest.raises(BlockError, match=rf"^mine\.output.*{sentence}"):
+        siso(output, parameters, size)
+
+
+def test_writing_states_makes_no_block():
+    with pytest.raises(BlockError, match="changing states, inputs or parameters"):
+        Block("mine", update=writes_states, inputs={"u": 1}, states={"x": 1})
+
+
+def test_wrong_feedthrough_makes_no_block():
+    with pytest.raises(BlockError, match="declare feedthrough=True"):
+        siso(good, Gain(2.0), feedthrough=False)
+
+
+def test_feedthrough_declared_in_vain_passes():
+    block = Block("still", update=stays, inputs={"u": 1}, states={"x": 1}, feedthrough=True)
+    conformance(block)
+
+
+def stays(t, x, u, p, dx):
+    """x' = u, Eq. (1): u = u[1], x[1]."""
+    dx[0] = u[0]
+
+
+def large_constant(t, x, u, p, y):
+    """y = 2^70 u, Eq. (1): u = u[1], y = y[1]."""
+    power = 1
+    for _i in range(70):
+        power = 2 * power
+    y[0] = power * float(u[0])
+
+
+def test_whole_numbers_grow_without_end_in_every_reading():
+    conformance(siso(large_constant))
+
+
+def asked_once(t, x, u, p, y):
+    """y = 3 k u, Eq. (1): u = u[1], y = y[1]; code of others is kept."""
+    y[0] = 3.0 * p.k * u[0]
+
+
+def test_readings_that_disagree_are_told(monkeypatch):
+    wrong = {**elementary.OPERATIONS, "mul": lambda a, b: a * b * 1.001}
+    monkeypatch.setattr(printing, "OPERATIONS", wrong)
+    sentences = failures(siso(asked_once, Gain(2.0)))
+    assert "the reading 'scalar'" in sentences
+    assert "the reading 'lanes'" in sentences
+
+
+def test_memory_is_told(monkeypatch):
+    block = siso(remembers)
+    calls = iter(range(10**6))
+
+    def counting(a):
+        return float(next(calls))
+
+    monkeypatch.setitem(remembers.__globals__, "count_calls", counting)
+    assert "must keep no memory" in failures(block)
+
+
+def test_a_function_that_cannot_be_imported_is_told():
+    def local(t, x, u, p, y):
+        """y = u, Eq. (1): u = u[1], y = y[1]."""
+        y[0] = u[0]
+
+    assert "mine: cannot be pickled" in failures(siso(local))
+
+
+def test_few_finite_samples_are_told():
+    assert "random inputs only" in failures(siso(mostly_out_of_range))
+
+
+def mostly_out_of_range(t, x, u, p, y):
+    """y = sqrt(u - 9), Eq. (1): u = u[1], y = y[1]."""
+    y[0] = math.sqrt(u[0] - 9.0)
+
+
+def ticking(breakpoints):
+    return Block(
+        "mine",
+        output=held,
+        outputs={"y": 1},
+        parameters=Ticks(0.7),
+        feedthrough=False,
+        opaque=True,
+        breakpoints=breakpoints,
+    )
+
+
+@pytest.mark.parametrize(
+    ("breakpoints", "sentence"),
+    [
+        (outside, "breakpoints are not increasing"),
+        (from_the_start_of_the_span, "differ from those over both"),
+    ],
+)
+def test_wrong_breakpoints_are_told(breakpoints, sentence):
+    assert sentence in failures(ticking(breakpoints))
+
+
+def test_breakpoints_that_do_not_increase_are_refused():
+    with pytest.raises(BlockError, match="must be increasing times"):
+        failures(ticking(unsorted))
+
+
+def test_good_user_blocks_pass():
+    conformance(siso(good, Gain(2.0)))
+    conformance(siso(kinked))
+    conformance(siso(root))
+    conformance(siso(adds_to_out))
+
+
+def test_a_domain_smaller_than_the_draws_is_allowed():
+    # sqrt is finite for half of the random inputs: enough to ask everything
+    assert check_block(siso(root)).ok

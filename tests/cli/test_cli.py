@@ -1,0 +1,187 @@
+"""The command line: figures within 1e-6 of independent numbers, and what it leaves."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from processes import CLPT, GUARD, await_line, interrupt, started, without_progress
+
+import clpt_control
+
+HERE = Path(__file__).parents[1]
+NAMES = sorted(path.stem for path in (HERE / "reference").glob("*.toml"))
+
+
+def states(run, t):
+    """Order the run's values as the reference does: x, z, alpha, K, Gamma."""
+    at = run.sel(time=t)
+    parts = (at.position, at.predicted_position, at.alpha, at.feedback_gain, at.feedforward_gain)
+    return np.concatenate([np.ravel(part) for part in parts])
+
+
+def assert_matches(printed, run, numbers):
+    for key in ("clpe_rms_per_cycle", "max_flow_parameter_error", "max_gain_error"):
+        wanted = numbers.get(key)
+        if isinstance(wanted, list):
+            np.testing.assert_allclose(printed[key], wanted, rtol=0, atol=1e-6)
+        elif wanted:
+            assert list(printed[key]) == list(wanted)
+            for t, value in wanted.items():
+                assert abs(printed[key][t] - value) < 1e-6, (key, t)
+    for t, value in numbers["states"].items():
+        np.testing.assert_allclose(states(run, float(t)), value, rtol=0, atol=1e-6)
+
+
+def test_paper_matches_the_independent_numbers(clpt, tmp_path, reference):
+    outcome = clpt("paper", "--out", tmp_path / "out", "--json")
+    assert outcome.status == 0, outcome.err
+    printed = json.loads(outcome.out)
+    run = clpt_control.load_run(tmp_path / "out" / "run.nc")
+    assert_matches(printed, run, reference["paper"])
+    assert [claim["verdict"].split()[0] for claim in printed["claims"]] == ["holds"] * 3
+    assert "not in one cycle" in printed["claims"][1]["verdict"]
+    names = {path.name for path in (tmp_path / "out").iterdir()}
+    assert names == {"run.nc", *(f"figure{k}.png" for k in (1, 2, 3, 4))}
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if name != "paper"])
+def test_run_matches_the_independent_numbers(clpt, tmp_path, reference, name):
+    out = tmp_path / "run.nc"
+    outcome = clpt("run", HERE / "reference" / f"{name}.toml", "--out", out, "--json")
+    assert outcome.status == 0, outcome.err
+    assert_matches(json.loads(outcome.out), clpt_control.load_run(out), reference[name])
+
+
+def test_run_prints_a_table_and_leaves_figures(clpt, tmp_path):
+    scenario = clpt_control.paper_scenario().with_values({"run.duration": 40})
+    clpt_control.save_scenario(scenario, tmp_path / "short.toml")
+    outcome = clpt(
+        "run", tmp_path / "short.toml", "--out", tmp_path / "a.nc", "--figures", tmp_path / "f"
+    )
+    assert outcome.status == 0
+    assert "finished" in outcome.out
+    assert len(list((tmp_path / "f").glob("figure?.png"))) == 4
+
+
+def test_a_run_repeats_itself_from_its_file(clpt, tmp_path):
+    scenario = clpt_control.paper_scenario().with_values({"run.duration": 30})
+    clpt_control.save_scenario(scenario, tmp_path / "short.toml")
+    clpt("run", tmp_path / "short.toml", "--out", tmp_path / "a.nc")
+    assert clpt("run", tmp_path / "a.nc", "--out", tmp_path / "b.nc").status == 0
+    first, again = (clpt_control.load_run(tmp_path / f"{n}.nc") for n in "ab")
+    assert first.equals(again)
+
+
+def test_init_writes_a_scenario_and_never_over_one(clpt, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert clpt("init").status == 0
+    text = Path("paper.toml").read_text()
+    assert clpt_control.load_scenario("paper.toml") == clpt_control.paper_scenario()
+    keys = [line for line in text.splitlines() if " = " in line or line.startswith("[")]
+    assert all("#" in line for line in keys if "title" not in line and line != "[run]")
+    outcome = clpt("init")
+    assert outcome.status == 2
+    assert "exists already" in outcome.err
+    assert Path("paper.toml").read_text() == text
+
+
+def test_diagram_prints_mermaid_and_writes_svg(clpt, tmp_path):
+    clpt("init", tmp_path / "p.toml")
+    outcome = clpt("diagram", tmp_path / "p.toml")
+    assert outcome.out.startswith("flowchart")
+    assert "learning_controller" in outcome.out
+    assert clpt("diagram", tmp_path / "p.toml", "-o", tmp_path / "p.svg").status == 0
+    assert "adaptation" in (tmp_path / "p.svg").read_text()
+    outcome = clpt("diagram", tmp_path / "p.toml", "-o", tmp_path / "p.docx")
+    assert outcome.status == 2
+    assert ".svg" in outcome.err
+
+
+def test_help_imports_nothing_heavy():
+    code = (
+        "import sys; sys.argv = ['clpt', '--help']\n"
+        "from clpt_control.cli import main\n"
+        "try: main()\n"
+        "except SystemExit: pass\n"
+        "heavy = {'control', 'numpy', 'numba', 'sympy', 'matplotlib', 'xarray', 'scipy'}\n"
+        "print(sorted(heavy & set(sys.modules)), file=sys.stderr)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stderr.strip() == "[]"
+    assert "paper" in done.stdout
+
+
+def test_interrupt_ends_cleanly(tmp_path):
+    longer = {"run.duration": 2e7, "run.output_step": 1e4}
+    scenario = clpt_control.paper_scenario().with_values(longer)
+    clpt_control.save_scenario(scenario, tmp_path / "long.toml")
+    words = ("run", tmp_path / "long.toml", "--out", tmp_path / "run.nc")
+    with started([*CLPT, *words]) as process:
+        await_line(process, process.stderr, "running long.toml")  # its progress
+        assert interrupt(process) == ("", "clpt: interrupted; nothing half-written was left\n")
+    assert process.returncode == 130
+    assert [path.name for path in tmp_path.iterdir()] == ["long.toml"]
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full")
+@pytest.mark.parametrize("words", [("--help",), ("replay", "--sample"), ("init", "--help")])
+def test_a_full_standard_output_is_one_sentence(words):
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "clpt_control", *words],
+            stdout=full, stderr=subprocess.PIPE, text=True,
+        )  # fmt: skip
+    assert done.returncode == 2
+    said = without_progress(done.stderr)
+    assert said == "clpt: standard output: no space left; give it a place with more\n"
+
+
+def test_a_reader_that_goes_away_is_no_fault():
+    with started([*CLPT, "replay", "--sample"]) as process:
+        process.stdout.close()
+        assert without_progress(process.stderr.read()) == ""
+        assert process.wait() == 0
+
+
+def test_without_a_home_and_a_cache_the_work_goes_on(tmp_path):
+    """A folder inside a file can be made by nobody."""
+    (tmp_path / "file").write_text("")
+    scenario = clpt_control.paper_scenario().with_values({"run.duration": 20})
+    clpt_control.save_scenario(scenario, tmp_path / "s.toml")
+    nowhere = str(tmp_path / "file" / "folder")
+    own = {"HOME": nowhere, "CLPT_CONTROL_CACHE": nowhere}
+    hidden = ("MPLCONFIGDIR", "XDG_CACHE_HOME", "XDG_CONFIG_HOME")
+    env = {name: value for name, value in os.environ.items() if name not in hidden} | own
+    words = ("run", tmp_path / "s.toml", "--out", tmp_path / "r.nc", "--figures", tmp_path)
+    with started([*CLPT, *words], env=env) as process:
+        _, err = process.communicate(timeout=GUARD)
+    assert (process.returncode, without_progress(err)) == (0, "")
+    assert (tmp_path / "figure1.png").exists()
+
+
+def test_an_interrupted_import_is_an_interrupt(clpt, monkeypatch):
+    from clpt_control import cli
+
+    def broken():
+        try:
+            raise KeyboardInterrupt
+        except KeyboardInterrupt as error:
+            raise ImportError("initialization failed") from error
+
+    monkeypatch.setattr(cli, "_run", broken)
+    outcome = clpt()
+    assert (outcome.status, outcome.err.count("\n")) == (130, 1)
+    assert "interrupted" in outcome.err
+
+
+def test_brackets_in_tables_are_as_they_are(capsys):
+    from clpt_control.cli.printing import print_table
+
+    print_table("x[b].csv [/]", ["[red]a"], [["[bold]1[/bold]"], ["[/x]"], [":smile:"]])
+    text = capsys.readouterr().out
+    for said in ("x[b].csv [/]", "[red]a", "[bold]1[/bold]", "[/x]", ":smile:"):
+        assert said in text

@@ -1,0 +1,306 @@
+"""Bad input: one line that names the key or file, status 2, nothing half-written."""
+
+import math
+import os
+import subprocess
+import sys
+import tomllib
+
+import numpy as np
+import pytest
+import tomlkit
+import xarray
+
+from clpt_control.blocks.disturbance import disturbance
+from clpt_control.blocks.reference import multiples
+from clpt_control.diagrams import interconnection
+from clpt_control.errors import BlockError
+from clpt_control.scenario.file import load_scenario, save_scenario
+from clpt_control.scenario.paper import paper_scenario, paper_text
+from clpt_control.simulation.runs import save_run
+from clpt_control.simulation.simulate import simulate
+
+FIELD = {"parameters": None, "field": "field.nc"}
+
+NOISE = {"kind": "noise", "amplitude": [0.1, 0.1], "period": 1e-300}
+
+SCENARIOS = {  # name -> (changes, words that the line must hold)
+    "unknown key": ({"learning.gian": 1.0}, ["learning.gian", "did you mean gain"]),
+    "unknown table": ({"lerning.gain": 1.0}, ["lerning", "learning"]),
+    "missing key": ({"basis.widths": None}, ["basis.widths", "missing"]),
+    "missing table": ({"vehicle": None}, ["vehicle", "missing"]),
+    "wrong shape of theta": ({"flow.parameters": [[1.0, 2.0], [1.0, 2.0]]},
+                             ["flow.parameters", "2 rows of 3"]),
+    "three rows": ({"flow.parameters": [[1.0, 2.0, 3.0]] * 3}, ["flow.parameters"]),
+    "too few widths": ({"basis.widths": [5.0, 5.0]}, ["basis.widths", "3 entries"]),
+    "NaN": ({"vehicle.position": [float("nan"), 0.0]}, ["vehicle.position[0]", "finite"]),
+    "infinite": ({"learning.feedback": [float("inf"), 0.0]}, ["learning.feedback[0]", "finite"]),
+    "negative width": ({"basis.widths": [5.0, -5.0, 5.0]}, ["basis.widths[1]", "greater than 0"]),
+    "zero period": ({"basis.periods": [0.0, 1.0, 1.0]}, ["basis.periods[0]", "positive"]),
+    "feedback not positive": ({"vehicle.feedback": [1.0, 0.0]},
+                              ["vehicle.feedback[1]", "greater than 0"]),
+    "negative gain": ({"learning.gain": -0.8}, ["learning.gain", "-0.8", "greater than 0"]),
+    "text for a number": ({"learning.gain": "0.8"}, ["learning.gain", "'0.8'", "number"]),
+    "true for a number": ({"learning.gain": True}, ["learning.gain", "number"]),
+    "unknown kernel": ({"basis.kernel": "gauss"}, ["basis.kernel", "'gaussian-sigma'"]),
+    "unknown law": ({"learning.law": "known"}, ["learning.law", "'known-flow'"]),
+    "unknown unit": ({"units.time": "hours"}, ["units.time", "'h'"]),
+    "unknown constituent": ({"basis.periods": None, "basis.constituents": ["M2", "K1", "X9"]},
+                            ["X9", "steady"]),
+    "periods and constituents": ({"basis.constituents": ["M2", "K1", "O1"]},
+                                 ["basis.periods", "one of the two"]),
+    "count not whole": ({"reference.count": 2.5}, ["reference.count", "2.5", "integer"]),
+    "count zero": ({"reference.count": 0}, ["reference.count", "greater than or equal to 1"]),
+    "count of 2^63": ({"reference.count": 2**63}, ["reference.count", "equal to 1000000"]),
+    "dwell of nothing": ({"reference.dwell": 1e-300}, ["reference.dwell", "1e-300", "at least"]),
+    "square of nothing": ({"flow.disturbance": {**NOISE, "kind": "square"}},
+                          ["flow.disturbance.period", "1e-300", "at least"]),
+    "noise of nothing": ({"flow.disturbance": {**NOISE, "seed": 1}},
+                         ["flow.disturbance.period", "1e-300", "at least"]),
+    "seed of 2^63": ({"flow.disturbance": {**NOISE, "seed": 2**63}},
+                     ["flow.disturbance.seed", "less than"]),
+    "400 digits": ({"learning.gain": 10**400}, ["learning.gain", "number"]),
+    "word of 5000": ({"basis.kernel": "g" * 5000}, ["basis.kernel", "'gaussian-sigma'"]),
+    "key of 5000": ({"learning." + "g" * 5000: 1.0}, ["unknown key learning.ggg", "feedback"]),
+    "field of 5000": ({"flow.parameters": None, "flow.field": "f" * 5000}, ["no such file"]),
+    "unknown reference": ({"reference.kind": "square"}, ["reference.kind", "waypoints"]),
+    "zero dwell": ({"reference.dwell": 0.0}, ["reference.dwell", "greater than 0"]),
+    "zero duration": ({"run.duration": 0.0}, ["run.duration", "greater than 0"]),
+    "endless output": ({"run.output_step": 1e-9}, ["run.output_step", "1e8"]),
+    "known flow without estimate": ({"learning.law": "known-flow", "learning.parameters": None},
+                                    ["learning.theta_estimate", "required"]),
+    "known flow with alpha": ({"learning.law": "known-flow"}, ["learning."]),
+    "theta and field": ({"flow.field": "field.nc"}, ["flow.parameters", "one of the two"]),
+    "missing field": ({f"flow.{k}": v for k, v in FIELD.items()}, ["flow.field", "no such file"]),
+    "outside without field": ({"flow.outside": "clip"}, ["flow.outside", "only with flow.field"]),
+    "seed of a sine": ({"flow.disturbance": {"kind": "sine", "amplitude": [1.0, 0.0],
+                                             "period": 1.0, "seed": 1}},
+                       ["flow.disturbance.seed", "noise"]),
+    "square without period": ({"flow.disturbance": {"kind": "square", "amplitude": [1.0, 0.0]}},
+                              ["flow.disturbance.period", "required"]),
+}  # fmt: skip
+
+
+def write(path, changes):
+    tables = tomllib.loads(paper_text())
+    for key, value in changes.items():
+        *place, last = key.split(".")
+        table = tables
+        for name in place:
+            table = table.setdefault(name, {})
+        if value is None:
+            del table[last]
+        else:
+            table[last] = value
+    path.write_text(tomlkit.dumps(tables))
+
+
+def assert_refused(outcome, folder, before, words):
+    assert outcome.status == 2, outcome
+    assert outcome.out == ""
+    assert outcome.err.startswith("clpt: ")
+    assert outcome.err.count("\n") == 1, outcome.err
+    assert "Traceback" not in outcome.err
+    for word in words:
+        assert word in outcome.err, outcome.err
+    assert sorted(path.name for path in folder.rglob("*")) == before
+
+
+@pytest.mark.parametrize("name", SCENARIOS)
+def test_scenario_is_refused(clpt, tmp_path, name):
+    changes, words = SCENARIOS[name]
+    write(tmp_path / "bad.toml", changes)
+    outcome = clpt("run", tmp_path / "bad.toml", "--out", tmp_path / "run.nc")
+    assert_refused(outcome, tmp_path, ["bad.toml"], ["bad.toml", *words])
+
+
+def test_files_that_are_no_scenario(clpt, tmp_path):
+    (tmp_path / "text.toml").write_text("gain 0.8")
+    (tmp_path / "binary.toml").write_bytes(b"\xff\xfe\x00\x01")
+    (tmp_path / "fake.nc").write_text("not NetCDF")
+    (tmp_path / "cut.nc").write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(40))
+    xarray.Dataset({"a": ("n", np.zeros(3))}).to_netcdf(tmp_path / "other.nc")
+    before = sorted(path.name for path in tmp_path.iterdir())
+    for name, words in {
+        "absent.toml": ["no such file", "clpt init"],
+        "text.toml": ["TOML", "line 1"],
+        "binary.toml": ["not text"],
+        "absent.nc": ["no such file"],
+        "fake.nc": ["NetCDF"],
+        "cut.nc": ["NetCDF"],
+        "other.nc": ["carries no scenario"],
+    }.items():
+        outcome = clpt("run", tmp_path / name, "--out", tmp_path / "run.nc")
+        assert_refused(outcome, tmp_path, before, [name, *words])
+
+
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [
+        ("[" * 1000 + "]" * 1000, "brackets stand too deep"),
+        ("{a=" * 1000 + "1" + "}" * 1000, "brackets stand too deep"),
+        ("1" * 5000, "too many digits"),
+    ],
+)
+def test_text_that_toml_cannot_hold(clpt, tmp_path, value, words):
+    (tmp_path / "s.toml").write_text(paper_text().replace("gain = 0.8", f"gain = {value}"))
+    outcome = clpt("run", tmp_path / "s.toml", "--out", tmp_path / "run.nc")
+    assert_refused(outcome, tmp_path, ["s.toml"], ["s.toml", words])
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="pipes with names are not of this system")
+def test_what_is_no_file_is_not_waited_for(clpt, tmp_path):
+    os.mkfifo(tmp_path / "s.toml")
+    for name, kind in ((tmp_path / "s.toml", "a pipe with a name"), (os.devnull, "a device")):
+        for arguments in (("run", name, "--out", tmp_path / "run.nc"), ("diagram", name),
+                          ("excitation", name)):  # fmt: skip
+            assert_refused(clpt(*arguments), tmp_path, ["s.toml"], [f"is {kind}; give a file"])
+
+
+@pytest.mark.parametrize("name", ["x" * 5000, "x" * 255, "x/" * 2000, "\udcff"])
+def test_names_that_no_file_can_have(clpt, tmp_path, name):
+    (tmp_path / "p.toml").write_text(paper_text())
+    words = ["bytes that are no text" if name == "\udcff" else "name is too long"]
+    for arguments in (
+        ("run", tmp_path / "p.toml", "--out", tmp_path / f"{name}.nc"),
+        ("run", tmp_path / "p.toml", "--out", tmp_path / "run.nc", "--figures", tmp_path / name),
+        ("ensemble", tmp_path / "p.toml", "--members", 2, "--vary", "learning.gain=1:2",
+         "--out", tmp_path / name),
+        ("init", tmp_path / f"{name}.toml"),
+        ("diagram", tmp_path / "p.toml", "--out", tmp_path / f"{name}.svg"),
+    ):  # fmt: skip
+        assert_refused(clpt(*arguments), tmp_path, ["p.toml"], words)
+    for arguments in (("run", f"{name}.toml", "--out", tmp_path / "run.nc"), ("excitation", name),
+                      ("run", f"{name}.nc", "--out", tmp_path / "run.nc"), ("replay", name),
+                      ("tides", name, "--constituents", "M2")):  # fmt: skip
+        outcome = clpt(*arguments)
+        assert_refused(outcome, tmp_path, ["p.toml"], ["no such file" * (name == "\udcff")])
+        assert len(outcome.err) < 1500
+
+
+def test_a_scenario_with_many_waypoints_is_read_and_written(tmp_path):
+    scenario = paper_scenario().with_values(
+        {"reference": {"kind": "waypoints", "dwell": 20.0,
+                       "points": [[0.5 * (k % 7), -0.25 * k] for k in range(100_000)]}}
+    )  # fmt: skip
+    save_scenario(scenario, tmp_path / "s.toml")
+    assert load_scenario(tmp_path / "s.toml") == scenario
+
+
+def test_a_diagram_that_python_control_cannot_hold_is_refused(clpt, tmp_path, monkeypatch):
+    (tmp_path / "p.toml").write_text(paper_text())
+    monkeypatch.setattr(interconnection, "MOST_BYTES", 1000)
+    outcome = clpt("diagram", tmp_path / "p.toml")
+    assert_refused(outcome, tmp_path, ["p.toml"], ["closed_loop: has 3", "fewer basis functions"])
+
+
+def test_jumps_are_not_listed_without_end():
+    for period in (1e-300, 5e-324, 0.0, math.nan):
+        with pytest.raises(BlockError, match="multiples from 0 to 2000; at most 2e"):
+            multiples(period, 0.0, 2000.0)
+    with pytest.raises(BlockError, match="at most 2e"):
+        disturbance("square", [1.0, 0.0], 1e-300).breakpoints(0.0, 2000.0)
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"learning.gain": 2.0**63},
+        {"reference.radius": 1e154},
+        {"basis.periods": [1e-300, 1.0, 1.0]},
+        {"flow.disturbance": {"kind": "sine", "amplitude": [0.1, 0.1], "period": 1e-300}},
+        {"flow.parameters": [[1e300, 1.0, 1.0], [1.0, 1.0, 1.0]]},
+    ],
+)
+def test_a_run_that_cannot_be_ends_with_a_sentence(clpt, tmp_path, changes):
+    write(tmp_path / "s.toml", changes)
+    outcome = clpt("run", tmp_path / "s.toml", "--out", tmp_path / "run.nc")
+    assert outcome.status == 1
+    said = outcome.err.splitlines()[-1]
+    assert said.startswith("clpt: ")
+    assert "fault" not in said
+    assert "too many steps" in said or "the integration stopped at t = " in said
+    assert [path.name for path in tmp_path.iterdir()] == ["s.toml"]
+
+
+def test_a_run_with_gaps_is_no_run(clpt, tmp_path):
+    run = simulate(paper_scenario().with_values({"run.duration": 400, "run.output_step": 20}))
+    for name, value in (("position", np.nan), ("predicted_position", np.inf), ("clpe", np.nan)):
+        gaps = run.copy(deep=True)
+        gaps[name][:] = value
+        save_run(gaps, tmp_path / "run.nc")
+        outcome = clpt("excitation", tmp_path / "run.nc")
+        assert_refused(outcome, tmp_path, ["run.nc"], ["run.nc: is no whole run", name])
+
+
+def test_warnings_of_libraries_are_no_words_of_a_command():
+    code = (
+        "import warnings; from clpt_control import cli; from clpt_control.cli import app\n"
+        "app.app = lambda **options: warnings.warn('a word of a library', RuntimeWarning)\n"
+        "cli.main()"
+    )
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert (ended.returncode, ended.stdout, ended.stderr) == (0, "", "")
+
+
+def test_places_that_cannot_be_written(clpt, tmp_path):
+    (tmp_path / "p.toml").write_text(paper_text())
+    (tmp_path / "file").write_text("")
+    before = sorted(path.name for path in tmp_path.iterdir())
+    for arguments, words in [
+        (("run", tmp_path / "p.toml", "--out", tmp_path / "no" / "run.nc"), ["no", "folder"]),
+        (("run", tmp_path / "p.toml", "--out", tmp_path), ["is a folder"]),
+        (("paper", "--out", tmp_path / "file"), ["is a file"]),
+        (("init", tmp_path / "no" / "p.toml"), ["cannot be written"]),
+    ]:
+        assert_refused(clpt(*arguments), tmp_path, before, words)
+
+
+def test_words_that_are_no_command(clpt, tmp_path):
+    for arguments, words in [
+        (("runn",), ["runn"]),
+        (("run",), ["scenario"]),
+        (("run", "a.toml"), ["--out"]),
+        (("run", "a.toml", "--out", "b.nc", "--jsn"), ["--jsn"]),
+    ]:
+        assert_refused(clpt(*arguments), tmp_path, [], [])
+        assert all(word in clpt(*arguments).err.lower() for word in words)
+
+
+def test_field_files_that_cannot_be_used(clpt, tmp_path):
+    axis = np.arange(4.0)
+    good = xarray.Dataset(
+        {name: (("time", "y", "x"), np.zeros((4, 4, 4)), {"units": "m s-1"}) for name in "uv"},
+        {"time": ("time", 1e4 * axis, {"units": "s"}), "y": ("y", 10 * axis - 15, {"units": "m"}),
+         "x": ("x", 10 * axis - 15, {"units": "m"})},
+    )  # fmt: skip
+    gap = good.copy(deep=True)
+    gap.u[1, 1, 1] = np.nan
+    unit = good.copy(deep=True)
+    unit.u.attrs["units"] = "furlong"
+    uneven = good.assign_coords(x=("x", [-15.0, -5.0, 4.0, 15.0], {"units": "m"}))
+    for data, words in [
+        (good.drop_vars("v"), ["'v'"]),
+        (gap, ["u has gaps"]),
+        (unit, ["furlong", "speed"]),
+        (uneven, ["x must be evenly spaced"]),
+        (good.assign_coords(y=("y", axis)), ["y has units"]),
+    ]:
+        data.to_netcdf(tmp_path / "field.nc")
+        write(tmp_path / "s.toml", {f"flow.{key}": value for key, value in FIELD.items()})
+        outcome = clpt("run", tmp_path / "s.toml", "--out", tmp_path / "run.nc")
+        assert_refused(outcome, tmp_path, ["field.nc", "s.toml"], ["field.nc", *words])
+
+
+def test_a_run_that_fails_has_status_one(clpt, tmp_path):
+    axis = np.arange(4.0)
+    xarray.Dataset(
+        {name: (("time", "y", "x"), np.ones((4, 4, 4)), {"units": "m s-1"}) for name in "uv"},
+        {"time": ("time", 1e4 * axis, {"units": "s"}), "y": ("y", axis - 1, {"units": "m"}),
+         "x": ("x", axis - 1, {"units": "m"})},
+    ).to_netcdf(tmp_path / "field.nc")  # fmt: skip
+    write(tmp_path / "s.toml", {f"flow.{key}": value for key, value in FIELD.items()})
+    outcome = clpt("run", tmp_path / "s.toml", "--out", tmp_path / "run.nc")
+    assert outcome.status == 1
+    assert "left the field at position" in outcome.err
+    assert not (tmp_path / "run.nc").exists()

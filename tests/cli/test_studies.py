@@ -1,0 +1,68 @@
+"""Studies and examples: each leaves its table and figure, with figures that can be wrong."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from pictures import inked
+
+ROOT = Path(__file__).parents[2]
+
+
+def run(*arguments):
+    return subprocess.run(
+        [sys.executable, *map(str, arguments)], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+
+
+def test_step_response_agrees_with_theory(tmp_path):
+    run("-m", "analysis.step_response", "--out", tmp_path)
+    text = (tmp_path / "step_response.md").read_text()
+    rows = dict(line.strip("| ").rsplit(" | ", 1) for line in text.splitlines()[2:])
+    values = {name: float(value) for name, value in rows.items()}
+    assert values["largest difference of the two responses"] < 1e-6
+    assert values["largest |zc -> e|, learner true"] < 1e-5
+    slope = values["initial slope of it (theory: GammaD - Gamma)"]
+    assert slope == pytest.approx(0.1, rel=0.02)
+    assert inked(tmp_path / "step_response.png") > 0.01
+
+
+@pytest.mark.slow
+def test_readings_find_the_one_that_reproduces_the_paper(tmp_path):
+    done = run("-m", "analysis.readings", "--out", tmp_path)
+    assert done.stdout.strip().endswith("end: exponential with periods in s")
+    text = (tmp_path / "readings.md").read_text()
+    assert "| 4.33 |" in text
+    assert "| 0.19 |" in text
+    assert text.count("below 1e-12") == 2
+
+
+def test_measured_current_example(shared, tmp_path):
+    done = run(
+        "examples/measured_current.py", shared / "field" / "maracoos_hfr_2019-01-01.nc", tmp_path
+    )
+    ratio = float(done.stdout.split("ratio ")[1].split()[0])
+    assert ratio <= 0.1
+    assert inked(tmp_path / "measured_current.png") > 0.01
+
+
+def test_forecasts_of_gliders_in_made_seas(tmp_path):
+    run("-m", "analysis.glider_forecasts", "--vehicles", "1", "--out", tmp_path)
+    text = (tmp_path / "glider_forecasts.md").read_text()
+    rows = {cells[1].strip(): cells for cells in (r.split("|") for r in text.splitlines()[2:18])}
+    assert len(rows) == 16
+    ratios = {name: float(cells[2]) for name, cells in rows.items()}
+    assert max(ratios.values()) < 1.15
+    assert ratios["shelf, M2"] < 0.4
+    assert sorted(ratios.values())[8] < 0.99
+    assert inked(tmp_path / "glider_forecasts.png") > 0.01
+
+
+def test_priors_matter_little(tmp_path):
+    run("-m", "analysis.prior_sensitivity", "--out", tmp_path)
+    text = (tmp_path / "prior_sensitivity.md").read_text()
+    rows = [row.strip("| ").split(" | ") for row in text.splitlines()[2:33]]
+    assert len({name for name, _, _ in rows}) == 16
+    assert all(0.82 < float(found) < 0.92 for _, _, found in rows)
+    assert inked(tmp_path / "prior_sensitivity.png") > 0.01

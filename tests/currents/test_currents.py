@@ -1,0 +1,433 @@
+"""Reader of gridded currents, local plane, gaps, and the field block."""
+
+from pathlib import Path
+
+import netCDF4
+import numpy as np
+import pytest
+import xarray
+from pyproj import Geod
+from scipy.interpolate import make_interp_spline
+
+from clpt_control.blocks.field import gridded_flow
+from clpt_control.currents.currents import read_currents
+from clpt_control.currents.forecast_file import read_column
+from clpt_control.currents.gaps import fill_gaps, regular_grid
+from clpt_control.currents.gridded import GriddedField, read_field, write_field
+from clpt_control.currents.plane import LocalPlane
+from clpt_control.currents.tidal.record import read_record
+from clpt_control.errors import DataError
+from clpt_control.estimation.least_squares import evaluate
+from clpt_control.scenario.tables import Units
+
+MARACOOS = Path(__file__).parents[3] / "shared/data/field/maracoos_hfr_2019-01-01.nc"
+BOX = (40.9, 41.55, -69.9, -69.0)
+LAT, LON, TIME = np.linspace(41.0, 41.5, 6), np.linspace(-69.9, -69.1, 8), np.arange(10.0)
+
+
+def sample():
+    rng = np.random.default_rng(7)
+    return rng.normal(size=(2, len(TIME), len(LAT), len(LON)))
+
+
+def write(path, u, v, lat=LAT, lon=LON, time=TIME, **options):
+    """Write a gridded current; options change one thing at a time."""
+    order = options.get("order", ("time", "lat", "lon"))
+    names = options.get("names", ("u", "v"))
+    with netCDF4.Dataset(path, "w") as file:
+        for name, values, unit in (
+            ("time", time, options.get("time_units", "hours since 2019-01-01 06:00:00")),
+            ("lat", lat, "degrees_north"),
+            ("lon", lon, "degrees_east"),
+        ):
+            if name in options.get("without", ()):
+                file.createDimension(name, len(values))
+                continue
+            file.createDimension(name, len(values))
+            made = file.createVariable(
+                name, str if name in options.get("words", ()) else "f8", (name,)
+            )
+            made[:] = values.astype(str).astype(object) if made.dtype is str else values
+            if unit:
+                made.units = unit
+            if name == "time" and "calendar" in options:
+                made.calendar = options["calendar"]
+        dims = order
+        if "depth" in options:
+            file.createDimension("depth", len(options["depth"]))
+            file.createVariable("depth", "f8", ("depth",))[:] = options["depth"]
+            dims = ("time", "depth", "lat", "lon")
+        for name, standard, values in (
+            (names[0], "eastward_sea_water_velocity", u),
+            (names[1], "northward_sea_water_velocity", v),
+        ):
+            if name is None:
+                continue
+            kind = options.get("dtype", "f8")
+            variable = file.createVariable(name, kind, dims, fill_value=options.get("fill"))
+            if "scale" in options:
+                variable.scale_factor = options["scale"]
+            if options.get("standard"):
+                variable.standard_name = standard
+            if options.get("units", "m/s"):
+                variable.units = options.get("units", "m/s")
+            if "depth" in options:
+                stack = [values + 10 * k for k in range(len(options["depth"]))]
+                variable[:] = np.stack(stack, axis=1)
+            else:
+                variable[:] = np.transpose(values, [("time", "lat", "lon").index(d) for d in order])
+    return path
+
+
+@pytest.mark.parametrize(
+    ("size", "options"),
+    [
+        (1.0, {}),
+        (100.0, {"units": "cm/s"}),
+        (100.0, {"units": "cm s-1", "names": ("east", "north"), "standard": True}),
+        (3.6, {"units": "km/h", "names": ("water_u", "water_v")}),
+        (1.0, {"order": ("lon", "time", "lat")}),
+        (1.0, {"lon": LON + 360}),
+        (1.0, {"time": TIME * 60, "time_units": "minutes since 2019-01-01 06:00"}),
+        (1.0, {"time": TIME / 24 + 0.25, "time_units": "days since 2019-01-01"}),
+    ],
+)
+def test_every_spelling_gives_the_same_current(tmp_path, size, options):
+    u, v = sample()
+    currents = read_currents(write(tmp_path / "c.nc", size * u, size * v, **options), BOX)
+    np.testing.assert_allclose(currents.u, u, atol=1e-12)
+    np.testing.assert_allclose(currents.v, v, atol=1e-12)
+    np.testing.assert_allclose(currents.lon, LON, atol=1e-9)
+    np.testing.assert_allclose(currents.time, TIME, atol=1e-9)
+    assert currents.start == "2019-01-01T06:00:00"
+
+
+def test_reversed_axes_are_put_in_order(tmp_path):
+    u, v = sample()
+    path = write(
+        tmp_path / "c.nc",
+        u[::-1, ::-1],
+        v[::-1, ::-1],
+        lat=LAT[::-1],
+        time=TIME[::-1],
+    )
+    currents = read_currents(path)
+    np.testing.assert_array_equal(currents.lat, LAT)
+    np.testing.assert_array_equal(currents.u, u)
+    assert currents.box == (41.0, 41.5, -69.9, -69.1)
+
+
+def test_level_nearest_the_surface_is_taken(tmp_path):
+    u, v = sample()
+    path = write(tmp_path / "c.nc", u, v, depth=[-30.0, -10.0, -1.0])
+    with pytest.raises(DataError, match="reaches"):  # 20 m/s were put there
+        read_currents(path)
+    path = write(tmp_path / "d.nc", u, v, depth=[0.5, 10.0])
+    np.testing.assert_array_equal(read_currents(path).u, u)
+
+
+def test_packed_values_and_gaps_of_either_component(tmp_path):
+    u, v = np.round(sample(), 2)
+    mu, mv = (np.ma.masked_array(w, np.zeros(w.shape, bool)) for w in (u, v))
+    mu[2, 3, 4] = np.ma.masked
+    mv[5, 1, 0] = np.ma.masked
+    path = write(tmp_path / "c.nc", mu, mv, dtype="i2", fill=-32768, scale=0.01)
+    currents = read_currents(path, BOX)
+    gap = np.zeros(u.shape, bool)
+    gap[2, 3, 4] = gap[5, 1, 0] = True
+    np.testing.assert_array_equal(~currents.measured, gap)
+    np.testing.assert_array_equal(np.isnan(currents.v), gap)
+    np.testing.assert_allclose(currents.u[~gap], u[~gap], atol=1e-12)
+
+
+@pytest.mark.parametrize("gap", [-32768, -32767, 32767])
+def test_packed_gaps_that_the_fill_value_does_not_name_are_refused(tmp_path, gap):
+    scale = 1e-4  # of which every number of 16 bits is a speed that a sea has
+    packed = np.round(0.1 * sample() / scale)
+    packed[:, 2:4, :, 1] = gap
+    path = write(tmp_path / "c.nc", *packed * scale, dtype="i2", scale=scale, fill=-999)
+    with pytest.raises(DataError, match=f"u holds {gap} of int16 12 times.* fill value -999"):
+        read_currents(path)
+    right = write(tmp_path / "c.nc", *packed * scale, dtype="i2", scale=scale, fill=gap)
+    assert np.isnan(read_currents(right).u[2:4, :, 1]).all()
+    packed[:, 2:4, :, 1] = 0
+    packed *= 32767 / np.abs(packed).max()  # whole range: its ends are data
+    whole = write(tmp_path / "c.nc", *np.rint(packed) * scale, dtype="i2", scale=scale, fill=-32768)
+    assert np.isfinite(read_currents(whole).u).all()
+
+
+@pytest.mark.parametrize("unlimited", [(), ("time",)])
+@pytest.mark.parametrize("kind", ["NETCDF3_CLASSIC", "NETCDF3_64BIT"])
+def test_every_cut_of_a_classic_file_is_refused(tmp_path, kind, unlimited):
+    write(tmp_path / "c.nc", *sample())
+    with xarray.open_dataset(tmp_path / "c.nc", decode_times=False) as data:
+        data.to_netcdf(tmp_path / "whole.nc", format=kind, unlimited_dims=unlimited)
+    whole = (tmp_path / "whole.nc").read_bytes()
+    np.testing.assert_array_equal(read_currents(tmp_path / "whole.nc").u, sample()[0])
+    for percent in (1, 5, 20, 50, 80, 95, 99, 99.9, 99.99):
+        (tmp_path / "cut.nc").write_bytes(whole[: int(percent * len(whole) / 100)])
+        with pytest.raises(DataError, match=r"cut.nc: damaged or cut short: it holds less than"):
+            read_currents(tmp_path / "cut.nc")
+
+
+def test_a_classic_file_of_64_bit_data_is_refused(tmp_path):
+    (tmp_path / "c.nc").write_bytes(b"CDF\x05" + bytes(200))
+    with pytest.raises(DataError, match="of 64-bit data, of which a part could be missing unseen"):
+        read_currents(tmp_path / "c.nc")
+
+
+def test_box_across_180_degrees(tmp_path):
+    u, v = sample()
+    lon = np.array([176.0, 177, 178, 179, -180, -179, -178, -177])
+    currents = read_currents(write(tmp_path / "c.nc", u, v, lon=lon), (41, 41.5, 178.5, -178.5))
+    np.testing.assert_array_equal(currents.lon, [179, 180, 181])
+    np.testing.assert_array_equal(currents.u, u[:, :, 3:6])
+
+
+@pytest.mark.parametrize(
+    ("options", "box", "sentence"),
+    [
+        ({"names": ("p", "v")}, BOX, "no eastward velocity; .*'eastward_sea_water_velocity'.*p, v"),
+        ({"names": ("u", "q")}, BOX, "no northward velocity"),
+        ({"without": ("lat",)}, BOX, "no latitude; .*standard_name 'latitude'"),
+        ({"without": ("lon",)}, BOX, "no longitude"),
+        ({"without": ("time",)}, BOX, "no time"),
+        ({"units": None}, BOX, "u has no units; must be such as 'm/s'"),
+        ({"units": "kelvin"}, BOX, "u: units = 'kelvin' is no speed"),
+        ({"time_units": "hours"}, BOX, "time has units 'hours'; must be such as 'hours since"),
+        ({"time_units": None}, BOX, "time has units ''"),
+        ({"time": np.zeros(10)}, BOX, "time has a step twice"),
+        ({"words": ("time",)}, BOX, "time holds .*; must hold numbers"),
+        ({"words": ("lat",)}, BOX, "lat holds .*; must hold numbers"),
+        ({"calendar": ""}, BOX, "time has the calendar ''; must be one of standard"),
+        ({"calendar": "mayan"}, BOX, "time has the calendar 'mayan'; must be one of standard"),
+        ({"lat": 1e300 * LAT}, BOX, "lat goes from 4.1e.301 to 4.15e.301; must be a latitude"),
+        ({"lat": np.full(6, 41.2)}, BOX, "latitude has a value twice"),
+        ({}, (50, 51, -69.9, -69), "latitude 50 to 51 holds 0 cells; .*covers 41 to 41.5"),
+        ({}, (41, 41.5, 10, 11), "longitude 10 to 11 holds 0 cells"),
+        ({}, (41.0, 41.05, -69.9, -69), "latitude 41 to 41.05 holds 1 cells; at least 2"),
+        ({}, (41.5, 41.0, -69.9, -69), "south before north"),
+        ({}, (41.0, 41.5, -69.0, -69.9), "west before east"),
+        ({}, (41.0, np.nan, -69.9, -69), "4 finite numbers"),
+    ],
+)
+def test_each_mistake_is_one_sentence(tmp_path, options, box, sentence):
+    path = write(tmp_path / "c.nc", *sample(), **options)
+    with pytest.raises(DataError, match=sentence) as caught:
+        read_currents(path, box)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("name", ["lat", "lon"])
+def test_an_axis_of_length_zero_is_refused(tmp_path, name):
+    empty = dict.fromkeys([name], np.zeros(0))
+    sizes = [0 if axis == name else 6 for axis in ("lat", "lon")]
+    path = write(
+        tmp_path / "c.nc", *np.zeros((2, 10, *sizes)), **{"lat": LAT, "lon": LON[:6]} | empty
+    )
+    for read in (read_currents, read_column):
+        with pytest.raises(DataError, match=f"{name} has the length zero; must hold at least one"):
+            read(path)
+    with pytest.raises(DataError, match=f"{name} has the length zero"):
+        read_record(path, 41.0, (41.2, -69.5))
+
+
+def test_ragged_velocities_and_fields_are_refused(tmp_path):
+    with netCDF4.Dataset(tmp_path / "r.nc", "w") as file:
+        for name in ("time", "y", "x"):
+            file.createDimension(name, 3)
+            file.createVariable(name, "f8", (name,))[:] = np.arange(3.0)
+            file[name].units = "hours since 2019-01-01" if name == "time" else "m"
+        ragged = file.createVLType(np.float64, "ragged")
+        for name in ("u", "v"):
+            made = file.createVariable(name, ragged, ("time",))
+            made.units = "m/s"
+            for k in range(3):
+                made[k] = np.arange(k + 1.0)
+    with pytest.raises(DataError, match="u holds object; must hold numbers"):
+        read_record(tmp_path / "r.nc", 41.0)
+    with pytest.raises(DataError, match=r"r.nc: u .*must"):
+        read_field(tmp_path / "r.nc", Units())
+
+
+def test_a_chunk_that_cannot_be_read_is_said(tmp_path):
+    with xarray.open_dataset(write(tmp_path / "c.nc", *sample()), decode_times=False) as data:
+        checked = {name: {"fletcher32": True, "zlib": True} for name in "uv"}
+        data.to_netcdf(tmp_path / "f.nc", encoding=checked)
+    raw = bytearray((tmp_path / "f.nc").read_bytes())
+    at = len(raw) // 2
+    raw[at - 400 : at + 400] = bytes(800)
+    (tmp_path / "f.nc").write_bytes(raw)
+    with pytest.raises(DataError, match=r"f.nc: (damaged|cannot be read)"):
+        read_currents(tmp_path / "f.nc")
+
+
+def test_files_that_are_no_data(tmp_path):
+    with pytest.raises(DataError, match="no such file"):
+        read_currents(tmp_path / "missing.nc")
+    (tmp_path / "text.nc").write_text("not NetCDF")
+    with pytest.raises(DataError, match="cannot be read as NetCDF"):
+        read_currents(tmp_path / "text.nc")
+    one = write(tmp_path / "one.nc", *sample()[:, :1], time=TIME[:1])
+    with pytest.raises(DataError, match="time has 1 step; at least 2"):
+        read_currents(one)
+    empty = write(tmp_path / "empty.nc", *np.full((2, 10, 6, 8), np.nan))
+    with pytest.raises(DataError, match="no finite value in the box"):
+        read_currents(empty, BOX)
+    wild = write(tmp_path / "wild.nc", *np.full((2, 10, 6, 8), 9999.0))
+    with pytest.raises(DataError, match="9999 m/s; at most 15"):
+        read_currents(wild, BOX)
+
+
+def test_plane_both_ways_and_true_distances():
+    plane = LocalPlane(41.225, -69.45)
+    rng = np.random.default_rng(1)
+    lat, lon = 41.225 + rng.uniform(-0.5, 0.5, 50), -69.45 + rng.uniform(-0.5, 0.5, 50)
+    x1, x2 = plane.to_plane(lat, lon)
+    back = plane.to_earth(x1, x2)
+    np.testing.assert_allclose(back[0], lat, atol=1e-9)
+    np.testing.assert_allclose(back[1], lon, atol=1e-9)
+    _, _, metres = Geod(ellps="WGS84").inv(np.full(50, -69.45), np.full(50, 41.225), lon, lat)
+    np.testing.assert_allclose(np.hypot(x1, x2), metres / 1000, rtol=1e-9)
+    with pytest.raises(DataError, match="choose a smaller box"):
+        plane.to_plane(60.0, -69.0)
+    with pytest.raises(DataError, match="km from the origin"):
+        plane.to_plane(np.nan, -69.0)
+    with pytest.raises(DataError, match="latitude"):
+        LocalPlane(91.0, 0.0)
+
+
+def test_velocities_turn_as_displacements_do():
+    plane, geod = LocalPlane(41.225, -69.45), Geod(ellps="WGS84")
+    for lat, lon in ((41.5, -69.0), (40.9, -69.9), (41.2, -68.0)):
+        for bearing in (0.0, 35.0, 90.0, 200.0):
+            lon1, lat1, _ = geod.fwd(lon, lat, bearing, 1.0)  # one metre further
+            here, there = plane.to_plane(lat, lon), plane.to_plane(lat1, lon1)
+            moved = 1000 * (np.array(there) - np.array(here))
+            u, v = np.sin(np.radians(bearing)), np.cos(np.radians(bearing))
+            np.testing.assert_allclose(plane.turn(lat, lon, u, v), moved, atol=2e-4)
+    leaning = plane.turn(41.5, -69.0, 0.0, 1.0)[0]
+    assert 0.004 < abs(leaning) < 0.007  # 0.3 degrees: what is forgotten without turning
+
+
+def test_filling_keeps_measured_values_and_their_range():
+    rng = np.random.default_rng(3)
+    u, v = rng.normal(size=(2, 8, 6, 7))
+    gap = rng.random(u.shape) < 0.4
+    gap[:, :2, :2] = True  # a corner that was never seen
+    u[gap] = np.nan
+    full = fill_gaps(np.arange(8.0), np.arange(6.0) * 6, np.arange(7.0) * 5, u, v)
+    np.testing.assert_array_equal(full.u[~gap], u[~gap])
+    np.testing.assert_array_equal(full.v[~gap], v[~gap])
+    assert np.all(np.isfinite(full.u))
+    assert np.nanmin(u) <= full.u.min()
+    assert full.u.max() <= np.nanmax(u)
+    assert (full.filled, full.samples) == (gap.sum(), gap.size)
+    assert full.never == gap.all(axis=0).sum() >= 4
+    assert full.share == pytest.approx(gap.mean())
+
+
+def interior(shape):
+    gap = np.zeros(shape, bool)
+    gap[1:-1, 1:-1, 1:-1] = True
+    return gap
+
+
+def test_filling_solves_the_laplace_equation():
+    """Quadratics that are harmonic in (c t, x2, x1) come back from their edges alone."""
+    axes, speed = (np.arange(6.0), 4 * np.arange(5.0), 6 * np.arange(7.0)), 3.0
+    t, y, x = np.meshgrid(*axes, indexing="ij")
+    u, v = 2 * (speed * t) ** 2 - x**2 - y**2, x * y + x**2 - y**2
+    with_gap = [np.where(interior(u.shape), np.nan, w) for w in (u, v)]
+    full = fill_gaps(*axes, *with_gap, speed=speed)
+    np.testing.assert_allclose(full.u, u, atol=1e-9)
+    np.testing.assert_allclose(full.v, v, atol=1e-9)
+    with pytest.raises(DataError, match="no finite value"):
+        fill_gaps(*axes, u * np.nan, v)
+
+
+def test_filling_on_uneven_axes_keeps_linear_flow():
+    axes = np.array([0, 1, 3, 4, 7.0]), np.array([0, 5, 6, 9.0]), np.array([-3, 0, 1, 8, 9.0])
+    t, y, x = np.meshgrid(*axes, indexing="ij")
+    u, v = 1 + 2 * x - y + 0.3 * t, 5 - t
+    with_gap = [np.where(interior(u.shape), np.nan, w) for w in (u, v)]
+    full = fill_gaps(*axes, *with_gap)
+    np.testing.assert_allclose(full.u, u, atol=1e-10)
+    np.testing.assert_allclose(full.v, v, atol=1e-10)
+
+
+def test_field_of_a_plane_flow_is_that_flow():
+    """A flow linear in plane and time comes out the same on the regular grid."""
+    plane = LocalPlane(41.25, -69.5)
+    x1, x2 = plane.to_plane(LAT[:, None], LON[None, :])
+    uneven = np.array([0.0, 1.0, 2.5, 3.0, 4.5, 6.0])
+    t = uneven[:, None, None]
+    u, v = 1 + 0.02 * x1 - 0.03 * x2 + 0.1 * t, 0.01 * x2 + 0.001 * x1 * x2 - 0.2 * t
+    field = regular_grid(uneven, LAT, LON, u, v, plane)
+    np.testing.assert_allclose(field.time, np.linspace(0, 6, 6))
+    T, Y, X = np.meshgrid(field.time, field.x2, field.x1, indexing="ij")
+    np.testing.assert_allclose(field.u, 1 + 0.02 * X - 0.03 * Y + 0.1 * T, atol=1e-6)
+    np.testing.assert_allclose(field.v, 0.01 * Y + 0.001 * X * Y - 0.2 * T, atol=1e-6)
+
+
+def random_field():
+    rng = np.random.default_rng(5)
+    axes = np.linspace(0, 6, 7), np.linspace(-20, 20, 6), np.linspace(-30, 30, 8)
+    return GriddedField(*axes, *rng.normal(size=(2, 7, 6, 8)))
+
+
+@pytest.mark.parametrize("units", [Units(length="km", time="h"), Units(length="m", time="s")])
+def test_field_file_read_back_equals_the_data_at_nodes(tmp_path, units):
+    field = random_field()
+    write_field(field, tmp_path / "f.nc", Units(length="km", time="h"), {"title": "test"})
+    read = read_field(tmp_path / "f.nc", units)
+    T, Y, X = np.meshgrid(read.time, read.x2, read.x1, indexing="ij")
+    values = evaluate(gridded_flow(read), T.ravel(), np.column_stack([X.ravel(), Y.ravel()]))
+    size = 1.0 if units.length == "km" else 1000.0 / 3600.0
+    np.testing.assert_allclose(values[:, 0], size * field.u.ravel(), atol=1e-12)
+    np.testing.assert_allclose(values[:, 1], size * field.v.ravel(), atol=1e-12)
+    assert read.x1[-1] == pytest.approx(30.0 if units.length == "km" else 30000.0)
+
+
+def test_field_block_equals_scipys_interpolating_spline():
+    """Independent: clamped B-splines by collocation, axis after axis."""
+    field = random_field()
+    rng = np.random.default_rng(6)
+    t, x2, x1 = rng.uniform(0, 6, 40), rng.uniform(-20, 20, 40), rng.uniform(-30, 30, 40)
+    mine = evaluate(gridded_flow(field), t, np.column_stack([x1, x2]))
+    for k in range(40):
+        for component, values in enumerate((field.u, field.v)):
+            for axis, at in ((field.time, t[k]), (field.x2, x2[k]), (field.x1, x1[k])):
+                values = make_interp_spline(axis, values, k=3, bc_type="clamped")(at)
+            assert mine[k, component] == pytest.approx(float(values), abs=1e-10)
+
+
+@pytest.fixture(scope="module")
+def maracoos():
+    if not MARACOOS.exists():
+        pytest.skip("the MARACOOS file is not beside the repository")
+    return MARACOOS
+
+
+def test_maracoos_is_read_as_its_provenance_says(maracoos):
+    currents = read_currents(maracoos, BOX)
+    assert currents.u.shape == (24, 12, 16)
+    assert currents.start == "2019-01-01T00:00:00"
+    assert (~currents.measured).mean() == pytest.approx(0.28, abs=0.005)
+    assert currents.measured.all(axis=0).sum() == 84
+    speed = np.sqrt(np.nanmean(currents.u**2 + currents.v**2))
+    assert speed == pytest.approx(0.52, abs=0.02)
+
+
+def test_filling_beats_no_flow_where_real_data_are_hidden(maracoos):
+    currents = read_currents(maracoos, BOX)
+    hidden = np.zeros(currents.u.shape, bool)
+    hidden[:, 6:9, 9:12] = True  # 3 x 3 cells, all hours, all measured
+    assert currents.measured[hidden].all()
+    plane = LocalPlane(41.225, -69.45)
+    x1, x2 = plane.to_plane(currents.lat[:, None], currents.lon[None, :])
+    u, v = (np.where(hidden, np.nan, w) for w in (currents.u, currents.v))
+    full = fill_gaps(currents.time, x2.mean(axis=1), x1.mean(axis=0), u, v)
+    error = np.hypot(full.u - currents.u, full.v - currents.v)[hidden]
+    speed = np.hypot(currents.u, currents.v)[hidden]
+    assert np.sqrt(np.mean(error**2)) < 0.3 * np.sqrt(np.mean(speed**2))

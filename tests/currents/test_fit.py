@@ -1,0 +1,330 @@
+"""A scenario from a measured current: known theta, files, and the real field."""
+
+import json
+from pathlib import Path
+
+import netCDF4
+import numpy as np
+import pytest
+from pyproj import Proj
+
+import clpt_control as clpt
+from clpt_control.currents.fit import fit_scenario, read_centers, read_width
+from clpt_control.currents.fit_file import save_fit
+from clpt_control.diagrams.scenario_basis import scenario_basis
+from clpt_control.errors import ClptError, DataError, ScenarioError
+from clpt_control.simulation.learned import explained_variance
+
+MARACOOS = Path(__file__).parents[3] / "shared/data/field/maracoos_hfr_2019-01-01.nc"
+BOX = (40.9, 41.55, -69.9, -69.0)
+SPEED = 28.9841042  # M2, degrees per hour
+LAT, LON, TIME = np.linspace(40.9, 41.55, 13), np.linspace(-69.9, -69.0, 14), np.arange(25.0)
+
+
+def known_flow(places, width, theta):
+    """East and north flow, m/s, of known theta; the formulas written out here."""
+    plane = Proj(proj="aeqd", ellps="WGS84", lat_0=41.225, lon_0=-69.45)
+    lat, lon = np.meshgrid(LAT, LON, indexing="ij")
+    x1, x2 = (w / 1000 for w in plane(lon, lat))
+    step = 1e-5
+    ahead, back = plane(lon + step, lat), plane(lon - step, lat)
+    east = np.array(ahead) - np.array(back)
+    east /= np.hypot(*east)
+    kernels = [np.exp(-((x1 - x) ** 2 + (x2 - y) ** 2) / (2 * width**2)) for x, y in places]
+    omega = np.radians(SPEED)
+    tides = [np.ones(25), np.cos(omega * TIME), np.sin(omega * TIME)]
+    phi = np.array([tide[:, None, None] * kernel for tide in tides for kernel in kernels])
+    f1, f2 = np.tensordot(theta, phi, axes=1) / 3.6
+    return east[0] * f1 + east[1] * f2, -east[1] * f1 + east[0] * f2
+
+
+def write(path, u, v, units="m s-1"):
+    with netCDF4.Dataset(path, "w") as file:
+        for name, values, unit in (
+            ("time", TIME, "hours since 2020-06-01"),
+            ("lat", LAT, "degrees_north"),
+            ("lon", LON, "degrees_east"),
+        ):
+            file.createDimension(name, len(values))
+            file.createVariable(name, "f8", (name,))[:] = values
+            file[name].units = unit
+        for name, values in (("u", u), ("v", v)):
+            file.createVariable(name, "f8", ("time", "lat", "lon"))[:] = values
+            file[name].units = units
+    return path
+
+
+@pytest.fixture(scope="module")
+def known(tmp_path_factory):
+    """A file of known theta on 2 x 2 places with gaps: file, theta, gaps."""
+    plane = Proj(proj="aeqd", ellps="WGS84", lat_0=41.225, lon_0=-69.45)
+    x1 = np.array([plane(lon, 41.225)[0] / 1000 for lon in (-69.9, -69.0)])
+    x2 = np.array([plane(-69.45, lat)[1] / 1000 for lat in (40.9, 41.55)])
+    # one and three quarters of the way across, to the metre
+    columns, rows = (np.round(w[0] + np.ptp(w) * np.array([0.25, 0.75]), 3) for w in (x1, x2))
+    places = [(x, y) for y in rows for x in columns]
+    rng = np.random.default_rng(12)
+    theta = rng.normal(size=(2, 12))
+    u, v = known_flow(places, 20.0, theta)
+    gap = rng.random(u.shape) < 0.3
+    u[gap] = np.nan
+    return write(tmp_path_factory.mktemp("known") / "c.nc", u, v), theta, gap
+
+
+def test_known_theta_is_recovered(known):
+    path, theta, gap = known
+    fit = fit_scenario(path, BOX, (2, 2), 20.0)
+    np.testing.assert_allclose(fit.report["theta"], theta, atol=1e-6)
+    assert fit.report["explained_variance"] == pytest.approx(1, abs=1e-10)
+    assert fit.report["missing_fraction"] == pytest.approx(gap.mean())
+    assert fit.report["filled"] == gap.sum()
+    assert fit.report["samples"] == (~gap).sum()
+
+
+def test_centimetres_per_second_give_the_same_theta(known, tmp_path):
+    path, _, _ = known
+    with netCDF4.Dataset(path) as file:
+        u, v = file["u"][:], file["v"][:]
+    other = write(tmp_path / "cm.nc", 100 * u, 100 * v, units="cm/s")
+    first, second = (fit_scenario(p, BOX, (2, 2), 20.0).report for p in (path, other))
+    np.testing.assert_allclose(first["theta"], second["theta"], rtol=1e-9)
+    assert first["residual_rms"] == pytest.approx(second["residual_rms"], abs=1e-12)
+
+
+def test_functions_are_places_times_tides(known):
+    fit = fit_scenario(known[0], BOX, (3, 2), 20.0, ("M2", "steady", "M4"))
+    basis = fit.scenario.basis
+    assert basis.N == fit.report["functions"] == 3 * 2 * (2 + 1 + 2)
+    assert basis.constituents == ("M2",) * 12 + ("steady",) * 6 + ("M4",) * 12
+    sines = [k for k, phase in enumerate(basis.phases) if phase]
+    assert sines == [*range(6, 12), *range(24, 30)]
+    assert {basis.phases[k] for k in sines} == {-np.pi / 2}
+    west_to_east = np.array(basis.centers[:2])
+    assert west_to_east[0, 0] < west_to_east[1, 0]
+    assert west_to_east[0, 1] == west_to_east[1, 1] < basis.centers[2][1]
+
+
+def test_constituents_that_the_record_cannot_separate_are_refused(known):
+    sentence = "in 24 h, M2 and S2 cannot be told apart: 354.4 h are needed"
+    with pytest.raises(DataError, match=sentence):
+        fit_scenario(known[0], BOX, (1, 1), 30.0, ("steady", "M2", "S2"))
+    with pytest.raises(DataError, match=r"M2 and K1 cannot be told apart: 25.82 h"):
+        fit_scenario(known[0], BOX, (1, 1), 30.0, ("steady", "M2", "K1"))
+    report = fit_scenario(known[0], BOX, (1, 1), 30.0).report
+    assert "warnings" not in report
+    assert list(report["nodal"]) == ["M2"]
+
+
+def test_steps_without_any_measurement_do_not_lengthen_a_record(tmp_path):
+    u, v = np.random.default_rng(3).normal(size=(2, 25, 13, 14))
+    u[12:] = np.nan
+    with pytest.raises(DataError, match=r"in 11 h, steady and M2 cannot be told apart: 12.43 h"):
+        fit_scenario(write(tmp_path / "c.nc", u, v), BOX, (1, 1), 30.0)
+
+
+def test_saved_scenario_and_field_belong_together(known, tmp_path):
+    fit = fit_scenario(known[0], BOX, (2, 2), 20.0)
+    scenario = save_fit(fit, tmp_path / "north.toml")
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["north.toml", "north_field.nc"]
+    assert scenario.flow.field == "north_field.nc"
+    assert scenario.learning.parameters is None
+    assert scenario.learning.gain == 5.0
+    assert scenario.vehicle.position == scenario.learning.position == (10.0, 0.0)
+    assert scenario.run.duration == 24.0
+    moved = tmp_path / "elsewhere"
+    moved.mkdir()
+    for name in ("north.toml", "north_field.nc"):
+        (tmp_path / name).rename(moved / name)
+    assert clpt.load_scenario(moved / "north.toml").model_dump() == scenario.model_dump()
+    text = (moved / "north.toml").read_text()
+    assert "30." in text.split("\n")[2]
+    assert "filled" in text.split("\n")[2]
+    assert str(tmp_path) not in text
+    with netCDF4.Dataset(moved / "north_field.nc") as file:
+        assert json.loads(file.fit_report) == fit.report
+        assert file.time_origin == "2020-06-01T00:00:00"
+    short = clpt.load_scenario(moved / "north.toml").with_values({"run.duration": 0.2})
+    run = clpt.simulate(short)
+    np.testing.assert_allclose(run.clpe[0], 0)
+
+
+def test_files_are_written_whole_or_not_at_all(known, tmp_path, monkeypatch):
+    fit = fit_scenario(known[0], BOX, (2, 2), 20.0)
+    (tmp_path / "s.toml").write_text("before")
+    monkeypatch.setattr(
+        "clpt_control.currents.fit_file._header", lambda report: 1 / 0 if report else ""
+    )
+    with pytest.raises(ZeroDivisionError):
+        save_fit(fit, tmp_path / "s.toml")
+    assert [p.name for p in tmp_path.iterdir()] == ["s.toml"]
+    assert (tmp_path / "s.toml").read_text() == "before"
+
+
+@pytest.mark.parametrize(
+    ("name", "sentence"),
+    [
+        ("s.txt", "must end in .toml"),
+        ("nowhere/s.toml", "the folder .* does not exist"),
+        ("folder.toml", "is a folder"),
+        ("taken.toml", "taken_field.nc: is a folder"),
+    ],
+)
+def test_places_that_cannot_be_written_to(known, tmp_path, name, sentence):
+    (tmp_path / "folder.toml").mkdir()
+    (tmp_path / "taken_field.nc").mkdir()
+    fit = fit_scenario(known[0], BOX, (1, 1), 30.0)
+    with pytest.raises(DataError, match=sentence):
+        save_fit(fit, tmp_path / name)
+    assert len(list(tmp_path.iterdir())) == 2
+
+
+@pytest.mark.parametrize(
+    ("options", "error", "sentence"),
+    [
+        ({"centers": (0, 3)}, DataError, r"centers = \(0, 3\): must be two whole numbers"),
+        ({"width_km": -1.0}, DataError, "width = -1.0 km: must be positive"),
+        ({"width_km": np.nan}, DataError, "width = nan km"),
+        ({"width_km": 1e4}, DataError, "cannot separate the basis functions .* smaller width"),
+        ({"constituents": ()}, DataError, "at least one name"),
+        ({"constituents": ("M2", "M2")}, DataError, "each once"),
+        ({"constituents": ("M9",)}, ScenarioError, "unknown constituent 'M9'"),
+        ({"centers": (100, 100)}, DataError, "cannot determine 30000 basis functions"),
+        ({"radius_km": 60.0}, DataError, "circle of 60 km .* leaves the field"),
+        ({"radius_km": -1.0}, DataError, "radius = -1.0 km: must be positive"),
+        ({"gain": 0.0}, DataError, "gain = 0.0: must be positive"),
+        ({"box": (40.9, 41.1, -69.9, -69.0)}, DataError, "circle of 10 km"),
+    ],
+)
+def test_each_mistake_is_one_sentence(known, options, error, sentence):
+    with pytest.raises(error, match=sentence) as caught:
+        fit_scenario(known[0], options.pop("box", BOX), **options)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("text", ["3", "0x3", "3x", "3x3x3", "ax3", "-1x3"])
+def test_centers_that_cannot_be_read(text):
+    with pytest.raises(DataError, match="rows x columns"):
+        read_centers(text)
+
+
+@pytest.mark.parametrize(
+    "text", ["", "km", "-15km", "15 miles", "nan", "inf km", "0", "١٥km", "1_5", "1e999"]
+)
+def test_widths_that_cannot_be_read(text):
+    with pytest.raises(DataError, match="positive length"):
+        read_width(text)
+    assert (read_centers(" 3X4 "), read_width("1500m")) == ((3, 4), 1.5)
+
+
+def test_shares_of_a_learner_that_knows_theta_and_of_one_that_knows_none(known, tmp_path):
+    """Where the field is the basis itself, alpha(0) = -theta explains nearly all."""
+    path, _, _ = known
+    knows = save_fit(
+        fit_scenario(path, BOX, (2, 2), 20.0, start_from_fit=True), tmp_path / "a.toml"
+    )
+    knows = knows.with_values({"learning.gain": 1e-12, "run.duration": 6.0})
+    shares = explained_variance(knows, clpt.simulate(knows))
+    assert shares["window"] == [4.5, 6.0]
+    assert shares["track"] > 0.95  # the spline and the filled gaps take the rest
+    assert shares["box"] > 0.95
+    none = knows.with_values({"learning.parameters": None})
+    run = clpt.simulate(none)
+    shares = explained_variance(none, run, window=(0.0, 6.0))
+    assert shares["track"] == pytest.approx(0, abs=1e-9)
+    assert shares["box"] == pytest.approx(0, abs=1e-9)
+    with pytest.raises(DataError, match="holds no sample"):
+        explained_variance(none, run, window=(7.0, 8.0))
+    paper = clpt.paper_scenario()
+    with pytest.raises(DataError, match="no gridded field"):
+        explained_variance(paper, run)
+    with pytest.raises(DataError, match="basis functions"):
+        explained_variance(none, run.isel(basis=slice(0, 3)))
+    assert scenario_basis(none).noutputs == 12
+
+
+def test_shares_are_what_their_definition_says(known, tmp_path):
+    """Written out here: theta_hat of each time on the track, of the end over the box."""
+    scenario = save_fit(fit_scenario(known[0], BOX, (2, 2), 20.0), tmp_path / "a.toml")
+    scenario = scenario.with_values({"run.duration": 4.0, "run.output_step": 0.25})
+    run = clpt.simulate(scenario)
+    centers, omega = np.array(scenario.basis.centers[:4]), np.radians(SPEED)
+
+    def phi(t, x1, x2):
+        d2 = (x1[..., None] - centers[:, 0]) ** 2 + (x2[..., None] - centers[:, 1]) ** 2
+        kernel = np.exp(-d2 / 800.0)
+        cos, sin = (f(omega * np.asarray(t))[..., None] for f in (np.cos, np.sin))
+        return np.concatenate([kernel, kernel * cos, kernel * sin], axis=-1)
+
+    theta = -run.alpha.values
+    late = run.time.values >= 3.0
+    x = run.position.values[late]
+    learned = np.einsum("tan,tn->ta", theta[late], phi(run.time.values[late], *x.T))
+    truth = run.true_flow.values[late]
+    shares = explained_variance(scenario, run)
+    track = 1 - np.sum((truth - learned) ** 2) / np.sum(truth**2)
+    assert shares["track"] == pytest.approx(track, rel=1e-9)
+    with netCDF4.Dataset(scenario.field_path) as file:
+        t, x2, x1 = np.meshgrid(
+            *(np.asarray(file[n][:]) for n in ("time", "y", "x")), indexing="ij"
+        )
+        truth = np.stack([np.asarray(file[n][:]) for n in ("u", "v")], axis=-1)
+    learned = phi(t, x1, x2) @ theta[-1].T
+    box = 1 - np.sum((truth - learned) ** 2) / np.sum(truth**2)
+    assert shares["box"] == pytest.approx(box, rel=1e-9)
+
+
+@pytest.fixture(scope="module")
+def nantucket(tmp_path_factory):
+    if not MARACOOS.exists():
+        pytest.skip("the MARACOOS file is not beside the repository")
+    fit = fit_scenario(MARACOOS, BOX)
+    return fit, save_fit(fit, tmp_path_factory.mktemp("nantucket") / "s.toml")
+
+
+def test_nantucket_fit(nantucket):
+    fit, scenario = nantucket
+    report = fit.report
+    assert report["functions"] == scenario.basis.N == 27
+    assert 0.75 <= report["explained_variance"] <= 0.85
+    assert report["missing_fraction"] == pytest.approx(0.28, abs=0.005)
+    assert report["origin"] == [41.225, -69.45]
+    assert report["condition_number"] < 20
+    assert report["residual_rms"] < report["residual_max"] < 3.0
+    assert json.loads(json.dumps(report)) == report
+    with pytest.raises(ClptError, match="left the field"):
+        clpt.simulate(scenario.with_values({"reference.radius": 60.0}))
+
+
+def test_nantucket_field_is_close_to_what_was_measured(nantucket):
+    """The spline field at the measured cells: half a cell of resampling costs little."""
+    from clpt_control.blocks.field import gridded_flow
+    from clpt_control.currents.currents import read_currents
+    from clpt_control.currents.plane import LocalPlane
+    from clpt_control.estimation.least_squares import evaluate
+
+    currents = read_currents(MARACOOS, BOX)
+    plane = LocalPlane(41.225, -69.45)
+    lat, lon = currents.lat[:, None], currents.lon[None, :]
+    x1, x2 = plane.to_plane(lat, lon)
+    u, v = plane.turn(lat, lon, currents.u, currents.v)
+    g = nantucket[0].field
+    inside = (x1 >= g.x1[0]) & (x1 <= g.x1[-1]) & (x2 >= g.x2[0]) & (x2 <= g.x2[-1])
+    kept = currents.measured & inside
+    t, y1, y2 = (np.broadcast_to(w, u.shape)[kept] for w in (currents.time[:, None, None], x1, x2))
+    field = evaluate(gridded_flow(g), t, np.column_stack([y1, y2])) / 3.6
+    error = np.hypot(field[:, 0] - u[kept], field[:, 1] - v[kept])
+    assert np.sqrt(np.mean(error**2)) < 0.02  # m/s, of 0.51
+
+
+def test_nantucket_learning_makes_clpe_small(nantucket):
+    _, scenario = nantucket
+    rms = {}
+    for gain in (5.0, 1e-12):
+        run = clpt.simulate(scenario.with_values({"learning.gain": gain}))
+        late = run.clpe.sel(time=slice(18, 23))
+        rms[gain] = float(np.sqrt((late**2).sum("axis").mean()))
+        if gain == 5.0:
+            shares = explained_variance(scenario, run, window=(18, 23))
+    assert 1.0 < rms[1e-12] < 2.5  # km
+    assert rms[5.0] <= 0.1 * rms[1e-12]
+    assert shares["box"] < 0.5  # a small CLPE does not mean a right flow

@@ -1,0 +1,150 @@
+"""Tidal constants: closed-form records, nodal corrections, errors."""
+
+import numpy as np
+import pytest
+from tidal_records import KNOWN, LATITUDE, classical, local, moon, times, waves
+
+from clpt_control.currents.nodal import OTHER_NAMES, nodal_corrections
+from clpt_control.currents.tidal.analysis import fit_tides, predict
+from clpt_control.currents.tidal.basis import tidal_basis
+from clpt_control.errors import DataError, ScenarioError
+from clpt_control.scenario.tides import SPEEDS, period, speed
+
+
+def test_speeds_are_those_of_utide():
+    utide = pytest.importorskip("utide")
+    own = {name: 360 * utide.cycles_per_hour[OTHER_NAMES.get(name, name)] for name in SPEEDS}
+    # UTide's SA and S1 follow the sun's perigee, Schureman's the mean year
+    for name in SPEEDS:
+        assert own[name] == pytest.approx(
+            SPEEDS[name], abs=2.1e-6 if name in ("SA", "S1") else 4e-7
+        )
+    assert speed("steady") == 0
+    assert period("steady") == np.inf
+    with pytest.raises(ScenarioError, match="unknown constituent 'M9'"):
+        speed("M9")
+
+
+def test_nodal_corrections_against_the_classical_series():
+    """The series leave out the moon's perigee and latitude: 0.002 of M2, 0.0024 of S2."""
+    time = np.array([f"{year}-07-01" for year in range(1995, 2031)], "datetime64[ms]")
+    found = nodal_corrections(["M2", "K1", "S2"], time, LATITUDE)
+    for k, (f, u) in enumerate(classical(time).values()):
+        tolerance = (2e-3, 1e-3, 2.5e-3)[k]
+        np.testing.assert_allclose(found.f[:, k], f, atol=tolerance)
+        np.testing.assert_allclose(found.u[:, k], u, atol=0.2)
+        assert abs(np.mean(found.f[:, k] - f)) < 1e-3
+    assert np.ptp(found.f[:, 0]) > 0.07
+    s, h, _ = moon(time)
+    error = (found.V[:, 0] - 2 * (h - s) + 180) % 360 - 180
+    assert np.abs(error).max() < 1e-3
+    noon = nodal_corrections(["S2"], ["2019-01-01T00:00", "2019-01-01T03:00"], LATITUDE).V[:, 0]
+    np.testing.assert_allclose((noon + 1) % 360 - 1, [0, 90], atol=1e-6)
+
+
+@pytest.mark.parametrize("latitude", [0.0, -3.0, 89.0])
+def test_nodal_corrections_at_every_latitude(latitude):
+    found = nodal_corrections(list(SPEEDS), ["2020-02-29"], latitude)
+    assert all(np.all(np.isfinite(values)) for values in found)
+
+
+def test_a_fit_of_one_month_holds_in_another_year():
+    """Both months made from the classical f, u and Meeus's V, ten years apart."""
+
+    def m2(time):
+        s, h, _ = moon(time)
+        f, u = classical(time)["M2"]
+        day = (time - time.astype("datetime64[D]")) / np.timedelta64(1, "h")
+        angle = np.radians(30 * day + 2 * (h - s) + u)
+        return np.array([0.5 * f * np.cos(angle - 1), 0.3 * f * np.cos(angle - 2)])
+
+    here, there = times(30, "2016-03-01"), times(30, "2026-03-01")
+    fit = fit_tides(here, *m2(here), LATITUDE, ["M2"])
+    tide = fit.constituents[0]
+    assert tide.east == pytest.approx(0.5, rel=2e-3)
+    assert tide.north_phase == pytest.approx(np.degrees(2), abs=0.2)
+    assert np.abs(predict(fit, there) - m2(there)).max() < 0.006
+    f = nodal_corrections(["M2"], [here[0], there[0]], LATITUDE).f
+    assert abs(f[1, 0] / f[0, 0] - 1) > 0.03  # what would be lost without them
+
+
+@pytest.mark.parametrize("gaps", [False, True])
+def test_known_amplitudes_and_phases_are_recovered(gaps):
+    time = times(60)
+    flow = waves(time)
+    if gaps:
+        rng = np.random.default_rng(5)
+        flow[0, rng.random(len(time)) < 0.2] = np.nan
+        flow[1, 200:500] = np.nan
+    fit = fit_tides(time, *flow, LATITUDE, list(KNOWN))
+    found = local(fit, time[0])
+    for name, row in KNOWN.items():  # nodal corrections turn a little in 60 days
+        np.testing.assert_allclose(found[name][::2], row[::2], atol=2e-3)
+        off = (np.array(found[name])[1::2] - row[1::2] + 180) % 360 - 180
+        assert np.abs(off).max() < 1.5
+    assert fit.mean == pytest.approx((0.1, -0.05), abs=1e-3)
+    assert fit.explained_variance == pytest.approx(1, abs=1e-4)
+    kept = np.isfinite(flow).all(axis=0)
+    assert fit.samples == kept.sum()
+    np.testing.assert_allclose(predict(fit, time)[:, kept], flow[:, kept], atol=5e-3)
+
+
+def test_the_ellipse_is_that_of_the_components():
+    time = times(30)
+    fit = fit_tides(time, *waves(time), LATITUDE, ["M2"])
+    tide = fit.constituents[0]
+    turn = np.linspace(0, 2 * np.pi, 200001)
+    u = tide.east * np.cos(turn - np.radians(tide.east_phase))
+    v = tide.north * np.cos(turn - np.radians(tide.north_phase))
+    size = np.hypot(u, v)
+    assert size.max() == pytest.approx(tide.major, rel=1e-8)
+    assert size.min() == pytest.approx(abs(tide.minor), rel=1e-4)
+    assert tide.minor > 0  # north lags east by 70 degrees: counter-clockwise
+    k = size.argmax()
+    assert np.degrees(np.arctan2(v[k], u[k])) % 180 == pytest.approx(tide.inclination, abs=0.01)
+    assert (np.degrees(turn[k]) - tide.phase + 90) % 180 == pytest.approx(90, abs=0.01)
+
+
+@pytest.mark.parametrize("red", [0.0, 0.8])
+def test_estimates_lie_within_their_standard_errors(red):
+    """Of 60 records with noise, white and red, at least 95 % within three."""
+    time = times(15, step=120)
+    clean = waves(time, {"M2": KNOWN["M2"]})
+    keys = ("east", "north", "major", "minor", "inclination", "phase")
+    truth = fit_tides(time, *clean, LATITUDE, ["M2", "K1"]).constituents[0]
+    misses = []
+    for seed in range(60):
+        noise = np.random.default_rng(seed).normal(scale=0.1, size=clean.shape)
+        for k in range(1, len(time)):
+            noise[:, k] += red * noise[:, k - 1]
+        found = fit_tides(time, *(clean + noise), LATITUDE, ["M2", "K1"]).constituents[0]
+        misses.append([(getattr(found, k) - getattr(truth, k)) / found.errors[k] for k in keys])
+    size = np.abs(misses)
+    assert (size < 3).mean(axis=0).min() >= 0.95
+    spread = np.sqrt(np.mean(size**2))
+    assert (0.5 if red else 0.85) < spread < 1.15  # red noise is not thought quieter than white
+
+
+def test_theta_of_a_scenario_is_the_fit():
+    time = times(30)
+    flow = waves(time)
+    fit = fit_tides(time, *flow, LATITUDE, list(KNOWN))
+    epoch = time[len(time) // 2]
+    basis = tidal_basis(fit, epoch, "km h-1")
+    assert basis.constituents == ("steady", *(n for n in KNOWN for _ in range(2)))
+    hours = (time - epoch) / np.timedelta64(1, "h")
+    phi = [
+        np.cos(2 * np.pi * hours / period(n) + p) if n != "steady" else np.ones(len(hours))
+        for n, p in zip(basis.constituents, basis.phases, strict=True)
+    ]
+    np.testing.assert_allclose(basis.theta @ phi, 3.6 * flow, atol=3.6 * 4e-3)
+
+
+def test_utide_chooses_by_itself():
+    time = times(30)
+    fit = fit_tides(time, *waves(time), LATITUDE, "auto")
+    names = [each.name for each in fit.constituents]
+    assert set(KNOWN) < set(names)
+    assert "K2" not in names
+    with pytest.raises(DataError, match="no tide can be told from the mean in 2 h"):
+        fit_tides(time[:3], *waves(time)[:, :3], LATITUDE, "auto")

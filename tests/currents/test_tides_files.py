@@ -1,0 +1,196 @@
+"""`clpt tides`: records, files, pictures, mistakes."""
+
+import json
+import os
+import re
+import sys
+from pathlib import Path
+
+import netCDF4
+import numpy as np
+import pytest
+from tidal_records import (
+    HEADER,
+    KNOWN,
+    LATITUDE,
+    MARACOOS,
+    ROW,
+    times,
+    waves,
+    write_netcdf,
+    write_table,
+)
+
+from clpt_control.currents.tidal.analysis import fit_tides
+from clpt_control.currents.tidal.record import read_record
+from clpt_control.errors import DataError
+
+
+def test_the_command_writes_constants_and_a_picture(clpt, tmp_path):
+    time = times(30)
+    path = write_table(tmp_path / "r.csv", time, 100 * waves(time), "cm/s")
+    arguments = ("tides", path, "--constituents", "M2,S2,K1,O1", "--out", tmp_path / "o")
+    status, out, err = clpt(*arguments, "--json")
+    report = json.loads(out)
+    assert (status, err) == (0, "")
+    assert sorted(p.name for p in (tmp_path / "o").iterdir()) == ["tides.nc", "tides.png"]
+    with netCDF4.Dataset(tmp_path / "o" / "tides.nc") as file:
+        assert list(file["constituent"][:]) == list(KNOWN)
+        for name in ("amplitude", "amplitude_standard_error", "ellipse_major", "mean"):
+            assert file[name].units == "m s-1"
+        f, u, V, A, g = (file[n][:].data for n in ("f", "u", "V", "amplitude", "phase"))
+        assert file["amplitude"].coordinates == "latitude"  # a table has no longitude
+        assert file.history == "written by clpt tides"
+        assert {file.time_coverage_start[-1], file.time_coverage_end[-1]} == {"Z"}
+        middle = np.datetime64(file.nodal_time.removesuffix("Z"))
+    # what the file says, put together as its comment says
+    tide = np.sum(f[:, None] * A * np.cos(np.radians((V + u)[:, None] - g)), axis=0)
+    k = np.flatnonzero(time == middle)[0]
+    np.testing.assert_allclose(tide, waves(time, mean=(0, 0))[:, k], atol=3e-3)
+    assert report["constituents"]["M2"]["east"] == pytest.approx(A[0, 0])
+    assert report["nodal"]["M2"]["f"] == pytest.approx(f[0])
+    status, out, _ = clpt(*arguments)
+    assert status == 0
+    assert "explained: 100.0% of the variance" in out
+    assert "O1" in out
+
+
+def test_records_are_read_alike_from_every_file(tmp_path):
+    time = times(2)
+    flow = waves(time)
+    flow[0, 3] = np.nan
+    one = read_record(write_table(tmp_path / "r.csv", time, flow))
+    seconds = tmp_path / "s.csv"
+    rows = "".join(
+        f"{v},x,{int(t.astype(int)) // 1000},{u}\n" for t, u, v in zip(time, *flow, strict=True)
+    )
+    seconds.write_text(f"# units: m s-1\n# latitude = 41.2 N\nv,note,time,u\n{rows}")
+    net = write_netcdf(tmp_path / "r.nc", time, 100 * flow, units="cm/s")
+    cells = (np.array([40.0, 41.2]), np.array([-70.0, -69.0, -68.0]))
+    grid = np.stack([np.stack([flow * k for k in row], -1) for row in ((0, 0, 0), (0, 0, 1))], -2)
+    grid = read_record(write_netcdf(tmp_path / "g.nc", time, grid, cells=cells), at=(41.0, 292.1))
+    assert (grid.latitude, grid.longitude) == (41.2, -68.0)
+    for other in (read_record(seconds), read_record(net), grid):
+        np.testing.assert_array_equal(other.time, one.time)
+        np.testing.assert_allclose([other.u, other.v], [one.u, one.v], atol=1e-12)
+        assert other.latitude == one.latitude == LATITUDE
+    assert np.isnan(one.v[3])
+    assert read_record(net, latitude=-10.0).latitude == -10.0
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("", "is empty"),
+        ("# only a comment\n", "is empty"),
+        (HEADER, "has a header and no rows"),
+        ("the quick brown fox\n", "no column time"),
+        ("time,u (m/s)\n" + ROW.format(1), "no column v"),
+        ("time,u (m/s),v (m/s),u (m/s)\n", "more than one column u"),
+        ("time,u,v\n" + ROW.format(1), "u has no units; write them behind the name"),
+        ("time,u (kelvin),v (m/s)\n", "u: units = 'kelvin' is no speed"),
+        (HEADER + "yesterday,1,2\n", "line 3: time is 'yesterday'"),
+        (HEADER + ",1,2\n", "line 3: time is ''"),
+        (HEADER + "1e300,1,2\n", "must be seconds since 1970"),
+        (HEADER + "9e9,1,2\n", "the year 1700 to 2200"),
+        (HEADER + "2019-01-01,fast,2\n", "line 3: 'fast' is no number"),
+        (HEADER + ROW.format(2) + ROW.format(1), "01:00:00.000 comes after .*02:00.*must increase"),
+        (HEADER + ROW.format(1) * 2, "keep each time once"),
+        (HEADER + "2019-01-01,,\n2019-01-02,nan,1\n", "no time has a finite value"),
+        (HEADER + "2019-01-01,999,1\n", "reaches 999 m/s; at most 15"),
+        (HEADER.split("\n", 1)[1] + ROW.format(1), "does not say its latitude"),
+        (HEADER.replace("41", "141") + ROW.format(1), "latitude = 141.0"),
+        (HEADER.replace("41", "north") + ROW.format(1), "'north' is no number"),
+        (HEADER + ROW.format(1) + ROW.format(2), "which never change"),
+        (HEADER + "0,1e-300,0\n1,2e-300,0\n", "change by 1e-300 m/s only: check their units"),
+        (HEADER.replace(",", ";") + "0;1;2\n", "semicolons part its cells; use commas"),
+        (HEADER.replace(",", "\t") + "0\t1\t2\n", "tabs part its cells; use commas"),
+        (HEADER + ROW.format(1), "1 of 1 times have both components"),
+    ],
+)  # fmt: skip
+def test_each_bad_table_is_one_sentence(clpt, tmp_path, text, sentence):
+    path = tmp_path / "r.csv"
+    path.write_text(text)
+    status, out, err = clpt("tides", path, "--constituents", "M2")
+    assert (status, out, err.count("\n")) == (2, "", 1)
+    assert re.search(sentence, err)
+
+
+def test_each_bad_file_is_one_sentence(clpt, tmp_path):
+    time, flow = times(2), waves(times(2))
+    (tmp_path / "text.nc").write_text("not NetCDF")
+    (tmp_path / "bytes.csv").write_bytes(bytes(range(256)) * 9)
+    (tmp_path / "wide.csv").write_text(HEADER, encoding="utf-16")
+    os.mkfifo(tmp_path / "fifo.csv")
+    net = tmp_path / "x.nc"
+    for path, sentence in (
+        (tmp_path / "none.nc", "no such file"),
+        (tmp_path / "none.csv", "cannot be read"),
+        (tmp_path, "is not a file"),
+        (tmp_path / "text.nc", "cannot be read as NetCDF"),
+        (tmp_path / "bytes.csv", "is no text"),
+        (tmp_path / "wide.csv", "is text in UTF-16; must be in UTF-8"),
+        (tmp_path / "fifo.csv", "is a pipe with a name; give a file"),
+        (write_netcdf(tmp_path / "a.nc", time, np.nan * flow), "no time has a finite value"),
+        (write_netcdf(tmp_path / "b.nc", time, flow, latitude=None), "--latitude DEG"),
+        (write_netcdf(tmp_path / "c.nc", time[::-1], flow), "times must increase"),
+        (write_netcdf(tmp_path / "d.nc", time, flow, units="kelvin"), "is no speed"),
+        (write_netcdf(tmp_path / "e.nc", time[:1], flow[:, :1]), "at least 2 are needed"),
+        (write_netcdf(tmp_path / "f.nc", time, flow, calendar="360_day"), "the calendar '360_day'"),
+    ):  # fmt: skip
+        status, out, err = clpt("tides", path, "--constituents", "M2")
+        assert (status, out, err.count("\n")) == (2, "", 1), path
+        assert sentence in err
+    write_netcdf(net, time, flow)
+    for arguments, sentence in (
+        (("--constituents", "M9"), "unknown constituent 'M9'"),
+        (("--constituents", "M2,M2"), "each once"),
+        (("--constituents", "steady"), "at least one tide"),
+        (("--constituents", "M2", "--latitude", "nan"), "latitude = nan"),
+        (("--constituents", "M2", "--out", tmp_path / "text.nc"), "is a file; give a folder"),
+    ):
+        status, out, err = clpt("tides", net, *arguments)
+        assert (status, out, err.count("\n")) == (2, "", 1)
+        assert sentence in err
+
+
+@pytest.mark.parametrize(
+    ("time", "names", "sentence"),
+    [
+        (times(30, step=720), ["S2"], "the mean and S2 look alike"),
+        (times(30, step=1440), ["M2", "S2"], "look alike"),
+        (times(30, step=10000), ["M2", "S2"], "measurements for 5 numbers to fit; at least 10"),
+        (times(1)[::-1], ["M2"], "times must increase"),
+    ],
+)
+def test_records_that_are_blind_to_a_tide(time, names, sentence):
+    hours = (time - time[0]) / np.timedelta64(1, "h")
+    flow = np.cos(np.radians(hours))
+    with pytest.raises(DataError, match=sentence):
+        fit_tides(time, flow, flow, LATITUDE, names)
+    with pytest.raises(DataError, match="must be one row, as long"):
+        fit_tides(time, flow[1:], flow[1:], LATITUDE, names)
+
+
+def test_without_utide_one_sentence_and_fits_of_grids_go_on(clpt, tmp_path, monkeypatch):
+    from clpt_control.currents.nodal import nodal_report
+
+    path = write_table(tmp_path / "r.csv", times(2), waves(times(2)))
+    monkeypatch.setitem(sys.modules, "utide", None)
+    status, _, err = clpt("tides", path, "--constituents", "M2")
+    assert status == 2
+    assert "pip install 'clpt-control[ocean]'" in err
+    assert nodal_report(["M2"], "2019-01-01", 41.0) is None
+
+
+def test_the_documented_lines_run(monkeypatch):
+    if not MARACOOS.exists():
+        pytest.skip("the MARACOOS file is not beside the repository")
+    page = Path(__file__).parents[2] / "docs/measured_current.md"
+    lines = page.read_text().split("```python\n")[1].split("```")[0]
+    monkeypatch.chdir(MARACOOS.parent)
+    space = {}
+    exec(compile(lines, page.name, "exec"), space)
+    flow = space["basis"].theta @ [1, 1, 0]  # at the epoch: mean and cosines
+    np.testing.assert_allclose(flow, [3.6 * space["east"][0], 3.6 * space["north"][0]], rtol=1e-9)
+    assert np.hypot(*flow) < 4

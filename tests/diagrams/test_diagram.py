@@ -1,0 +1,459 @@
+"""The paper's diagram: its table, its mistakes by name, and what it conserves."""
+
+import control
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.blocks import Block, basis, flow, lyapunov, reference, vehicle
+from clpt_control.blocks import clpe as clpe_block
+from clpt_control.diagrams import wiring
+from clpt_control.diagrams.interconnection import Diagram, connect
+from clpt_control.errors import BlockError, DiagramError
+from clpt_control.native.plain import PlainDiagram
+from clpt_control.simulation.closed_loop import initial_state, paper_blocks
+
+PAPER = clpt.paper_scenario()
+KNOWN = PAPER.with_values(
+    {
+        "learning.law": "known-flow",
+        "learning.parameters": None,
+        "learning.theta_estimate": [[0.9, 0.5, 0.7], [1.0, 0.3, 0.9]],
+    }
+)
+SQUARE = {"kind": "square", "amplitude": [0.05, 0.02], "period": 1.7951958}
+DISTURBED = PAPER.with_values({"flow.disturbance": SQUARE})
+
+# block | inputs | states | outputs: the table of the design, with N = 3
+TABLE = [
+    ("reference", {}, {}, {"zc": 2}),
+    ("basis_x", {"x": 2}, {}, {"phi_x": 3}),
+    ("basis_z", {"z": 2}, {}, {"phi_z": 3}),
+    ("true_flow", {"x": 2, "phi_x": 3}, {}, {"flow_x": 2}),
+    ("modeled_flow", {"phi_z": 3}, {}, {"flow_z": 2}),
+    ("vehicle_controller", {"x": 2, "zc": 2, "phi_x": 3}, {}, {"v_x": 2}),
+    ("vehicle", {"flow_x": 2, "v_x": 2}, {"x": 2}, {"x": 2}),
+    (
+        "learning_controller",
+        {"z": 2, "zc": 2, "phi_z": 3, "alpha": 6, "K": 2, "Gamma": 2, "psi": 2},
+        {},
+        {"v_z": 2},
+    ),
+    ("learning_model", {"flow_z": 2, "v_z": 2}, {"z": 2}, {"z": 2}),
+    ("injection", {"phi_x": 3, "phi_z": 3, "alpha": 6}, {}, {"psi": 2}),
+    ("clpe", {"x": 2, "z": 2}, {}, {"e": 2}),
+    (
+        "adaptation",
+        {"e": 2, "phi_x": 3, "z": 2, "zc": 2},
+        {"alpha": 6, "K": 2, "Gamma": 2},
+        {"alpha": 6, "K": 2, "Gamma": 2},
+    ),
+]
+
+
+def flat(ports):
+    return [f"{port}[{k}]" for port, size in ports.items() for k in range(size)]
+
+
+# --- the table --------------------------------------------------------------------------------
+
+
+def test_closed_loop_is_the_table():
+    loop = clpt.closed_loop(PAPER)
+    assert isinstance(loop, control.InterconnectedSystem)
+    assert [block.name for block in loop.syslist] == [name for name, *_ in TABLE]
+    for block, (_, inputs, states, outputs) in zip(loop.syslist, TABLE, strict=True):
+        assert block.input_labels == flat(inputs)
+        assert block.state_labels == flat(states)
+        assert block.output_labels == flat(outputs)
+    assert loop.output_labels == [label for *_, outputs in TABLE for label in flat(outputs)]
+    assert loop.ninputs == 0
+    assert loop.nstates == 14
+
+
+def test_known_flow_law_has_fewer_states_and_the_same_outputs():
+    loop = clpt.closed_loop(KNOWN)
+    law = loop.syslist[-1]
+    assert law.state_labels == ["K[0]", "K[1]", "Gamma[0]", "Gamma[1]"]
+    assert law.output_labels == flat({"alpha": 6, "K": 2, "Gamma": 2})
+    assert loop.nstates == len(initial_state(KNOWN)) == 8
+
+
+def test_disturbed_flow_takes_delta():
+    loop = clpt.closed_loop(DISTURBED)
+    blocks = {block.name: block for block in loop.syslist}
+    assert blocks["true_flow"].input_labels == flat({"x": 2, "phi_x": 3, "delta": 2})
+    assert blocks["disturbance"].output_labels == ["delta[0]", "delta[1]"]
+    assert len(loop.syslist) == 13
+
+
+def test_external_setpoint():
+    loop = clpt.closed_loop(PAPER, external=("zc",))
+    assert loop.input_labels == ["zc[0]", "zc[1]"]
+    assert [block.name for block in loop.syslist] == [name for name, *_ in TABLE[1:]]
+    assert clpt.closed_loop(PAPER, external="zc").input_labels == loop.input_labels
+
+
+def test_external_track_is_the_learner_alone():
+    loop = clpt.closed_loop(PAPER, external=("x",))
+    assert loop.input_labels == ["x[0]", "x[1]"]
+    assert [block.name for block in loop.syslist] == [
+        *("reference", "basis_x", "basis_z", "modeled_flow", "learning_controller"),
+        *("learning_model", "injection", "clpe", "adaptation"),
+    ]
+    assert len(initial_state(PAPER, external=("x",))) == loop.nstates == 12
+
+
+def test_external_of_two_ports():
+    loop = clpt.closed_loop(PAPER, external=("x", "zc"))
+    assert loop.input_labels == ["x[0]", "x[1]", "zc[0]", "zc[1]"]
+    assert "reference" not in [block.name for block in loop.syslist]
+
+
+def test_initial_state_is_in_the_order_of_the_states():
+    scenario = PAPER.with_values(
+        {
+            "vehicle.position": [1.0, 2.0],
+            "learning.position": [3.0, 4.0],
+            "learning.parameters": [[5.0, 6.0, 7.0], [8.0, 9.0, 10.0]],
+            "learning.feedback": [11.0, 12.0],
+            "learning.feedforward": [13.0, 14.0],
+        }
+    )
+    assert initial_state(scenario).tolist() == list(range(1, 15))
+    labels = clpt.closed_loop(scenario).state_labels
+    ends = [label.split("_")[-1] for label in labels]
+    assert ends == flat({"x": 2, "z": 2, "alpha": 6, "K": 2, "Gamma": 2})
+
+
+# --- mistakes, by name ------------------------------------------------------------------------
+
+
+def follows(t, x, u, p, y):
+    """y = u, Eq. (1): u = a[1], y = b[1]."""
+    y[0] = u[0]
+
+
+def follower(name, takes, makes):
+    return Block(name, output=follows, inputs={takes: 1}, outputs={makes: 1})
+
+
+def test_two_makers_of_one_port():
+    blocks = [follower("first", "a", "b"), follower("second", "a", "b")]
+    with pytest.raises(DiagramError, match=r"'b' is made by both first and second"):
+        connect(blocks, external=["a"])
+
+
+def test_mistyped_port():
+    blocks = [follower("first", "a", "speed"), follower("second", "sped", "c")]
+    with pytest.raises(DiagramError, match=r"'sped', an input of second, .* no block.*speed"):
+        connect(blocks, external=["a"])
+
+
+def test_sizes_that_differ():
+    p = basis.BasisParameters(2, np.zeros((2, 2)), np.ones(2), np.zeros(2), np.zeros(2))
+    two = basis.flow_basis("basis_z", "z", "gaussian", p)
+    three = flow.modeled_flow(flow.ModeledFlowParameters(3, np.zeros((2, 3))))
+    with pytest.raises(DiagramError, match=r"'phi_z' has 2 signals, but modeled_flow takes 3"):
+        connect([two, three], external=["z"])
+
+
+def test_external_sizes_that_differ():
+    blocks = [vehicle.vehicle(), follower("first", "flow_x", "b")]
+    with pytest.raises(DiagramError, match=r"'flow_x' has 2 signals, but first takes 1"):
+        connect(blocks, external=["flow_x", "v_x"])
+
+
+def test_unknown_external():
+    with pytest.raises(DiagramError, match=r"external = 'zcc': must be among the ports .*\bzc\b"):
+        clpt.closed_loop(PAPER, external=("zcc",))
+    with pytest.raises(DiagramError, match=r"'a' cannot come from outside: no block takes it"):
+        connect([vehicle.vehicle()], external=["flow_x", "v_x", "a"])
+    with pytest.raises(DiagramError, match=r"'x' cannot come from outside: vehicle makes it"):
+        connect([vehicle.vehicle(), clpe_block.clpe()], external=["flow_x", "v_x", "z", "x"])
+
+
+def test_two_blocks_of_one_name():
+    with pytest.raises(DiagramError, match="first"):
+        connect([follower("first", "a", "b"), follower("first", "b", "c")], external=["a"])
+
+
+def test_algebraic_loop_names_its_blocks():
+    blocks = [follower("first", "a", "b"), follower("second", "b", "a"), follower("x", "b", "c")]
+    with pytest.raises(DiagramError, match="algebraic loop") as caught:
+        wiring.read(connect(blocks))
+    assert "first" in str(caught.value)
+    assert "second" in str(caught.value)
+    assert "block that has states" in str(caught.value)
+
+
+def test_a_block_that_feeds_itself_is_named():
+    with pytest.raises(DiagramError, match="algebraic loop: mine"):
+        wiring.read(connect([follower("mine", "a", "a")]))
+
+
+# --- parameters at call time ------------------------------------------------------------------
+
+
+def test_qualified_parameter_reaches_its_block():
+    loop, x = clpt.closed_loop(PAPER), np.random.default_rng(1).normal(size=14)
+    twice = loop.dynamics(3.0, x, [], params={"adaptation.gain": 1.6})
+    once = loop.dynamics(3.0, x, [])
+    np.testing.assert_allclose(twice[4:], 2 * once[4:], rtol=1e-14)
+    np.testing.assert_array_equal(twice[:4], once[:4])
+    np.testing.assert_array_equal(loop.dynamics(3.0, x, []), once)  # and is gone again
+
+
+def test_qualified_array_reaches_its_block():
+    loop = clpt.closed_loop(PAPER)
+    still = {"true_flow.theta": np.zeros((2, 3)), "vehicle_controller.GammaD": [0.0, 0.0]}
+    rate = loop.dynamics(0.0, [1.0, 2.0, *np.zeros(12)], [], params=still)
+    np.testing.assert_array_equal(rate[:2], [-1.0, -2.0])
+
+
+@pytest.mark.parametrize(
+    "name", ["adaptation.gian", "gain", "adaptaton.gain", "adaptation", "adaptation.gain.x", ""]
+)
+def test_unknown_parameter_is_an_error(name):
+    loop, x = clpt.closed_loop(PAPER), np.zeros(14)
+    for call in (
+        lambda: loop.dynamics(0, x, [], params={name: 1.0}),
+        lambda: loop.output(0, x, [], params={name: 1.0}),
+        lambda: PlainDiagram(loop, {name: 1.0}),
+        lambda: clpt.simulate(loop, [0, 1], initial_state=x, params={name: 1.0}),
+        lambda: clpt.simulate(PAPER, [0, 1], params={name: 1.0}),
+        lambda: loop.linearize(x, [], params={name: 1.0}),
+    ):
+        with pytest.raises(BlockError, match=rf"unknown parameter '{name}'.*adaptation\.gain"):
+            call()
+
+
+@pytest.mark.parametrize(
+    ("value", "kind"), [([1.0, 2.0], "float"), ("fast", "float"), (float("nan"), "NaN")]
+)
+def test_wrong_value_is_an_error(value, kind):
+    loop = clpt.closed_loop(PAPER)
+    with pytest.raises(BlockError, match=rf"adaptation\.gain = .*{kind}"):
+        loop.dynamics(0, np.zeros(14), [], params={"adaptation.gain": value})
+
+
+def test_a_diagram_stays_a_diagram():
+    loop = clpt.closed_loop(PAPER)
+    assert isinstance(loop, Diagram)
+    twin = loop.copy(name="twin")
+    x = np.random.default_rng(2).normal(size=14)
+    np.testing.assert_array_equal(twin.dynamics(1.0, x, []), loop.dynamics(1.0, x, []))
+    twin.syslist[-1].parameters = twin.syslist[-1].parameters._replace(gain=9.0)
+    assert loop.syslist[-1].parameters.gain == 0.8
+
+
+# --- one pass gives what python-control gives -------------------------------------------------
+
+
+@pytest.mark.parametrize("scenario", [PAPER, KNOWN, DISTURBED], ids=["paper", "known", "disturbed"])
+@pytest.mark.parametrize("external", [(), ("zc",), ("x",), ("x", "zc")])
+def test_sweep_equals_python_control(scenario, external):
+    loop = clpt.closed_loop(scenario, external)
+    sweep, rng = PlainDiagram(loop).sweep, np.random.default_rng(3)
+    for _ in range(10):
+        t = rng.uniform(0, 200)
+        x, u = rng.normal(size=loop.nstates), rng.normal(size=loop.ninputs)
+        sweep.enter(t)
+        theirs = loop.dynamics(t, x, u)
+        np.testing.assert_allclose(sweep.derivative(t, x, u), theirs, rtol=1e-13, atol=1e-13)
+        np.testing.assert_allclose(sweep.outputs(), loop.output(t, x, u), rtol=1e-13, atol=1e-13)
+
+
+def test_parameters_of_a_sweep_are_those_of_the_call():
+    loop, x = clpt.closed_loop(PAPER), np.random.default_rng(4).normal(size=14)
+    params = {"adaptation.gain": 3.0, "vehicle_controller.KD": [2.0, 5.0]}
+    ours = PlainDiagram(loop, params).sweep.derivative(0.0, x)
+    np.testing.assert_allclose(ours, loop.dynamics(0.0, x, [], params=params), rtol=1e-13)
+
+
+def nested():
+    """A vehicle with its controller inside, in a loop with a plain python-control system."""
+    KD = vehicle.ControllerParameters(1, np.ones((2, 1)), np.array([1.0, 2.0]), np.ones(2))
+    inner = connect(
+        [vehicle.vehicle_controller(KD), vehicle.vehicle()],
+        external=["zc", "phi_x", "flow_x"],
+        name="inner",
+    )
+    lag = control.ss(-np.eye(2), np.eye(2), np.eye(2), np.zeros((2, 2)), name="lag")
+    gain = control.ss([], [], [], [[2.0, 0.0], [0.5, -1.0]], name="gain")
+    nonlinear = control.nlsys(
+        lambda t, x, u, params: -(x**3) + u,
+        lambda t, x, u, params: np.sin(x),
+        inputs=2,
+        outputs=2,
+        states=2,
+        name="nonlinear",
+    )
+    outer = control.interconnect(
+        [inner, lag, gain, nonlinear],
+        connections=[
+            *([f"lag.u[{k}]", f"inner.x[{k}]"] for k in range(2)),
+            *([f"gain.u[{k}]", f"lag.y[{k}]", f"-nonlinear.y[{k}]"] for k in range(2)),
+            *([f"inner.flow_x[{k}]", f"gain.y[{k}]"] for k in range(2)),
+            *([f"nonlinear.u[{k}]", (f"inner.v_x[{k}]")] for k in range(2)),
+        ],
+        inplist=["inner.zc[0]", "inner.zc[1]", "inner.phi_x[0]"],
+        outlist=["inner.x[0]", "inner.v_x[1]", "gain.y[0]", "nonlinear.y[1]"],
+        inputs=["a", "b", "c"],
+        outputs=["w", "x", "y", "z"],
+        name="outer",
+    )
+    return control.interconnect(
+        [outer],
+        connections=[["outer.a", "-outer.w"]],
+        inplist=["outer.a", "outer.b", "outer.c"],
+        outlist=["outer.w", "outer.x", "outer.y", "outer.z"],
+        inputs=["a", "b", "c"],
+        outputs=["w", "x", "y", "z"],
+        name="top",
+    )
+
+
+def test_nested_diagrams_equal_python_control():
+    top, rng = nested(), np.random.default_rng(5)
+    sweep = PlainDiagram(top).sweep
+    assert [node.name for node in sweep.nodes] == [
+        *("outer.inner.vehicle_controller", "outer.inner.vehicle"),
+        *("outer.lag", "outer.gain", "outer.nonlinear"),
+    ]
+    for _ in range(10):
+        x, u = rng.normal(size=top.nstates), rng.normal(size=3)
+        np.testing.assert_allclose(
+            sweep.derivative(0.0, x, u), top.dynamics(0.0, x, u), rtol=1e-13, atol=1e-13
+        )
+        np.testing.assert_allclose(sweep.outputs(), top.output(0.0, x, u), rtol=1e-13, atol=1e-13)
+
+
+def test_linearize_of_the_vehicle_is_minus_its_feedback():
+    scenario = PAPER.with_values(
+        {"flow.parameters": [[0.0] * 3] * 2, "vehicle.feedback": [2.0, 5.0]}
+    )
+    loop = clpt.closed_loop(scenario, external=("zc",))
+    found = loop.linearize(np.zeros(14), [0, 0])
+    np.testing.assert_allclose(found.A[:2, :2], np.diag([-2.0, -5.0]), atol=1e-6)
+    np.testing.assert_allclose(found.B[:2], np.eye(2), atol=1e-6)
+
+
+# --- what the loop conserves ------------------------------------------------------------------
+
+
+def monitored(scenario):
+    """The closed loop, its Lyapunov candidate, and the integral of e^T KD e beside it."""
+    theta = np.array(scenario.flow.parameters)
+    KD, GammaD = np.array(scenario.vehicle.feedback), np.array(scenario.vehicle.feedforward)
+    p = lyapunov.one_gain(scenario.learning.gain, theta, KD, GammaD)
+    dissipation = Block(
+        "dissipation",
+        update=dissipate,
+        inputs={"e": 2},
+        states={"D": 1},
+        parameters=p,
+    )
+    candidate = lyapunov.lyapunov_candidate(scenario.learning.law, p)
+    return connect([*paper_blocks(scenario), candidate, dissipation])
+
+
+def dissipate(t, x, u, p, dx):
+    """D' = e^T KD e, Theorem 3.2: u = e[2], state D[1]."""
+    dx[0] = p.KD[0] * u[0] ** 2 + p.KD[1] * u[1] ** 2
+
+
+def test_lyapunov_falls_by_what_is_dissipated():
+    scenario = PAPER.with_values({"vehicle.feedback": [1.0, 1.5]})
+    loop = monitored(scenario)
+    x0 = np.append(initial_state(scenario), 0.0)
+    x0[2:4] = [0.5, -0.7]
+    run = clpt.simulate(
+        loop, np.arange(0.0, 100.01, 0.25), initial_state=x0, rtol=1e-11, atol=1e-13
+    )
+    V = run.outputs[loop.output_labels.index("V[0]")]
+    D = run.outputs[loop.output_labels.index("D[0]")]
+    assert V[0] > V[-1] > 0
+    assert np.all(np.diff(V) <= 1e-9)
+    assert V[0] - V[-1] == pytest.approx(D[-1], abs=1e-6)
+    np.testing.assert_allclose(V + D, V[0], atol=1e-6)
+
+
+def test_known_flow_lyapunov_is_conserved_where_the_estimate_is_exact():
+    exact = KNOWN.with_values({"learning.theta_estimate": np.array(PAPER.flow.parameters)})
+    loop = monitored(exact)
+    x0 = np.append(initial_state(exact), 0.0)
+    run = clpt.simulate(loop, np.arange(0.0, 60.01, 0.5), initial_state=x0, rtol=1e-11, atol=1e-13)
+    V = run.outputs[loop.output_labels.index("V[0]")]
+    D = run.outputs[loop.output_labels.index("D[0]")]
+    np.testing.assert_allclose(V + D, V[0], atol=1e-6)
+    assert np.all(np.diff(V) <= 1e-9)
+
+
+def test_error_system_reproduces_the_error():
+    """Eq. (27) with z eta_3, driven by the closed loop's signals, gives the closed loop's e."""
+    loop, errors = clpt.closed_loop(PAPER), clpt.error_loop(PAPER)
+    both = control.interconnect(
+        [loop, errors],
+        connections=[
+            [f"error_loop.{port}[{k}]", f"closed_loop.{port}[{k}]"]
+            for port, size in (("phi_x", 3), ("z", 2), ("zc", 2))
+            for k in range(size)
+        ],
+        outlist=[f"closed_loop.e[{k}]" for k in range(2)]
+        + [f"error_loop.e[{k}]" for k in range(2)]
+        + [f"error_loop.eta[{k}]" for k in range(10)],
+        outputs=14,
+        inputs=0,
+        name="both",
+        check_unused=False,
+    )
+    x0 = initial_state(PAPER)
+    theta, alpha = np.ravel(PAPER.flow.parameters), x0[4:10]
+    eta = np.concatenate([theta + alpha, x0[10:12] - 1.0, 1.0 - x0[12:14]])
+    run = clpt.simulate(
+        both,
+        np.arange(0.0, 60.1, 0.5),
+        initial_state=np.concatenate([x0, x0[0:2] - x0[2:4], eta]),
+        rtol=1e-12,
+        atol=1e-13,
+    )
+    assert np.abs(run.outputs[0:2]).max() > 0.05
+    np.testing.assert_allclose(run.outputs[2:4], run.outputs[0:2], atol=1e-9)
+    # and eta is what the loop's own parameters are away from the truth
+    states = run.states
+    np.testing.assert_allclose(run.outputs[4:10], theta[:, None] + states[4:10], atol=1e-9)
+    np.testing.assert_allclose(run.outputs[10:12], states[10:12] - 1.0, atol=1e-9)
+    np.testing.assert_allclose(run.outputs[12:14], 1.0 - states[12:14], atol=1e-9)
+
+
+def test_reference_feeds_all_who_take_it():
+    read = wiring.read(clpt.closed_loop(PAPER))
+    names = [node.name for node in read.nodes]
+    place = [names[k] for k in read.order]
+    assert place.index("basis_x") < place.index("true_flow")
+    assert place.index("injection") < place.index("learning_controller")
+    assert sorted(place) == sorted(names)
+    takers = {
+        node.name for node in read.nodes for w in node.wires if not w.external and w.source == 0
+    }
+    assert takers == {"vehicle_controller", "learning_controller", "adaptation"}
+
+
+def test_every_wire_joins_equal_labels():
+    loop = clpt.closed_loop(DISTURBED)
+    read = wiring.read(loop)
+    labels = [label for node in read.nodes for label in node.system.output_labels]
+    for node in read.nodes:
+        for wire in node.wires:
+            assert wire.gain == 1.0
+            for k in range(wire.size):
+                assert node.system.input_labels[wire.to + k] == labels[wire.source + k]
+    fed = sum(wire.size for node in read.nodes for wire in node.wires)
+    assert fed == sum(node.system.ninputs for node in read.nodes)
+
+
+def test_blocks_of_a_reference_alone_run():
+    loop = connect([reference.reference([[1.0, 0.0], [0.0, 1.0]], dwell=2.0)])
+    run = clpt.simulate(loop, [0.0, 1.0, 2.0, 3.0])
+    assert run.outputs[0].tolist() == [1.0, 1.0, 0.0, 0.0]

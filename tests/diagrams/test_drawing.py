@@ -1,0 +1,304 @@
+"""The pictures of a diagram: true to its wiring, legible, the same every time."""
+
+import re
+from itertools import combinations, pairwise
+from xml.etree import ElementTree
+
+import control
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.diagrams.drawing import draw, mermaid
+from clpt_control.diagrams.drawing.captions import equations, lines_of
+from clpt_control.diagrams.drawing.ink import layout
+from clpt_control.errors import DiagramError
+
+PAPER = clpt.paper_scenario()
+
+
+def first_order(name, inputs, outputs):
+    n, m = len(outputs), len(inputs)
+    return control.ss(-np.eye(n), np.ones((n, m)), np.eye(n), np.zeros((n, m)),
+                      name=name, inputs=inputs, outputs=outputs)  # fmt: skip
+
+
+def nested():
+    inner = control.interconnect(
+        [first_order("plant", ["u"], ["y"]), first_order("actuator", ["v"], ["u"])],
+        inputs="v", outputs="y", name="inner",
+    )  # fmt: skip
+    around = [first_order("controller", ["r", "m"], ["v"]), first_order("sensor", ["y"], ["m"])]
+    return control.interconnect([inner, *around], inputs="r", outputs="y", name="outer")
+
+
+def negative():
+    """The textbook loop u = r - y, with a block that feeds itself."""
+    return control.interconnect(
+        [first_order("P", ["u"], ["y"]), first_order("C", ["e"], ["u"])],
+        connections=[["P.u", "C.u"], ["C.e", "-P.y"], ["P.u", ("P", "y", 0.5)]],
+        inplist=["C.e"], outlist=["P.y"], inputs=["r"], outputs=["y"],
+    )  # fmt: skip
+
+
+def random_diagram(seed):
+    random = np.random.default_rng(seed)
+    count = int(random.integers(3, 11))
+    systems = [
+        first_order(
+            f"s{k}",
+            [f"u{j}" for j in range(random.integers(1, 4))],
+            [f"y{j}" for j in range(random.integers(1, 3))],
+        )
+        for k in range(count)
+    ]
+    connections = []
+    for system in systems:
+        for label in system.input_labels:
+            other = systems[random.integers(count)]
+            source = other.output_labels[random.integers(other.noutputs)]
+            connections.append([f"{system.name}.{label}", f"{other.name}.{source}"])
+    return control.interconnect(
+        systems, connections=connections, inplist=["s0.u0", "s2.u0"], outlist=["s1.y0"],
+        inputs=["r", "d"], outputs=["out"], check_unused=False,
+    )  # fmt: skip
+
+
+DIAGRAMS = {
+    "closed loop": lambda: clpt.closed_loop(PAPER),
+    "zc from outside": lambda: clpt.closed_loop(PAPER, ("zc",)),
+    "x from outside": lambda: clpt.closed_loop(PAPER, ("x",)),
+    "error loop": lambda: clpt.error_loop(PAPER),
+    "nested": nested,
+    "negative": negative,
+    **{f"random {seed}": (lambda seed=seed: random_diagram(seed)) for seed in range(12)},
+}
+
+
+@pytest.fixture(params=DIAGRAMS, scope="module")
+def diagram(request):
+    return DIAGRAMS[request.param]()
+
+
+def flat_names(system, before=""):
+    for part in system.syslist:
+        if isinstance(part, control.InterconnectedSystem):
+            yield from flat_names(part, f"{before}{part.name}.")
+        else:
+            yield before + part.name
+
+
+def mermaid_nodes(text):
+    return dict(re.findall(r'^    (\w+)\(?\["(.*?)(?:<br/>.*)?"\]\)?$', text, re.M))
+
+
+def mermaid_arrows(text):
+    nodes = mermaid_nodes(text)
+    found = re.findall(r'^    (\w+) -->\|"(.*)"\| (\w+)$', text, re.M)
+    return {(nodes[a], nodes[b]): set(label.split(", ")) for a, label, b in found}
+
+
+# --- Mermaid ----------------------------------------------------------------------------
+
+
+def test_mermaid_has_each_block_once(diagram):
+    nodes = [name for key, name in mermaid_nodes(mermaid(diagram)).items() if key[0] == "b"]
+    assert nodes == list(flat_names(diagram))
+
+
+def test_mermaid_arrows_are_those_of_the_connection_map():
+    loop = clpt.closed_loop(PAPER, ("zc",))
+    outputs = [(s.name, label.split("[")[0]) for s in loop.syslist for label in s.output_labels]
+    inputs = [s.name for s in loop.syslist for _ in s.input_labels]
+    expected = {}
+    for to, source in np.argwhere(loop.connect_map):
+        expected.setdefault((outputs[source][0], inputs[to]), set()).add(outputs[source][1])
+    for to in np.argwhere(loop.input_map)[:, 0]:
+        expected[("zc", inputs[to])] = {"zc"}
+    assert mermaid_arrows(mermaid(loop)) == expected
+
+
+def test_mermaid_shows_gains_and_parts_of_a_port():
+    assert mermaid_arrows(mermaid(negative())) == {
+        ("C", "P"): {"u"},
+        ("P", "C"): {"-1 y"},
+        ("P", "P"): {"0.5 y"},
+        ("r", "C"): {"r"},
+    }
+    part = control.interconnect(
+        [first_order("two", ["u"], ["y[0]", "y[1]"]), first_order("one", ["u"], ["y"])],
+        connections=[["one.u", "two.y[1]"]],
+        inplist=["two.u"], outlist=["one.y"], check_unused=False,
+    )  # fmt: skip
+    assert mermaid_arrows(mermaid(part))["two", "one"] == {"y[1]"}
+
+
+def test_mermaid_reads_nested_diagrams_and_rounds_inputs():
+    text = mermaid(nested())
+    assert '(["r"])' in text
+    assert mermaid_arrows(text)["inner.plant", "sensor"] == {"y"}
+    assert mermaid_arrows(text)["controller", "inner.actuator"] == {"v"}
+
+
+# --- the layout -------------------------------------------------------------------------
+
+
+def rectangles(routed, names):
+    return {
+        name: (box.x, box.y - box.height / 2, box.x + box.width, box.y + box.height / 2)
+        for name, box in routed.boxes.items()
+        if name in names
+    }
+
+
+def test_boxes_do_not_overlap(diagram):
+    routed, _, nodes = layout(diagram)
+    boxes = rectangles(routed, nodes)
+    assert set(boxes) == set(flat_names(diagram))
+    for a, b in combinations(boxes.values(), 2):
+        assert a[2] < b[0] or b[2] < a[0] or a[3] < b[1] or b[3] < a[1]
+
+
+def test_arrows_go_around_boxes_and_join_the_right_ones(diagram):
+    routed, nets, nodes = layout(diagram)
+    boxes = rectangles(routed, nodes)
+    for (k, target), path in routed.paths.items():
+        if target:
+            left, top, _, bottom = boxes[target]
+            assert path[-1][0] == pytest.approx(left)
+            assert top < path[-1][1] < bottom
+        if nets[k].source in boxes:
+            _, top, right, bottom = boxes[nets[k].source]
+            assert path[0][0] == pytest.approx(right)
+            assert top < path[0][1] < bottom
+        for (x0, y0), (x1, y1) in pairwise(path):
+            assert x0 == x1 or y0 == y1
+            for left, top, right, bottom in boxes.values():
+                beside = max(x0, x1) < left + 0.1 or min(x0, x1) > right - 0.1
+                assert beside or max(y0, y1) <= top or min(y0, y1) >= bottom
+
+
+def test_nets_do_not_run_on_top_of_each_other(diagram):
+    routed, _, _ = layout(diagram)
+    pieces = [
+        (k, sorted((a, b))) for (k, _), path in routed.paths.items() for a, b in pairwise(path)
+    ]
+    for (k, (a, b)), (m, (c, d)) in combinations(pieces, 2):
+        if k == m:
+            continue
+        for along, across in ((0, 1), (1, 0)):
+            if a[across] == b[across] == c[across] == d[across]:
+                assert min(b[along], d[along]) <= max(a[along], c[along])
+
+
+def test_only_circles_need_feedback(diagram):
+    _, nets, nodes = layout(diagram)
+    after = {name: set() for name in nodes}
+    for net in nets:
+        for target in net.onward:
+            after.setdefault(net.source, set()).add(target)
+    while after:
+        last = [name for name, targets in after.items() if not targets & set(after)]
+        assert last, "arrows drawn as not feedback close a circle"
+        for name in last:
+            del after[name]
+
+
+def test_the_feedback_of_the_paper_is_what_an_engineer_would_say():
+    _, nets, _ = layout(clpt.closed_loop(PAPER))
+    assert {(net.source, target) for net in nets for target in net.back} == {
+        ("vehicle", "basis_x"), ("vehicle", "true_flow"), ("vehicle", "vehicle_controller"),
+        ("learning_model", "basis_z"), ("learning_model", "learning_controller"),
+        ("adaptation", "injection"), ("adaptation", "learning_controller"),
+    }  # fmt: skip
+
+
+# --- the file ---------------------------------------------------------------------------
+
+
+def test_svg_holds_every_block_arrow_and_equation(diagram, tmp_path):
+    draw(diagram, tmp_path / "loop.svg")
+    root = ElementTree.parse(tmp_path / "loop.svg").getroot()
+    ids = {element.get("id") for element in root.iter()}
+    words = {element.text for element in root.iter() if element.text}
+    routed, nets, nodes = layout(diagram)
+    for name, node in nodes.items():
+        assert f"block:{name}" in ids
+        assert set(lines_of(name)) <= words
+        assert not equations(node.system) or any(equations(node.system) in w for w in words)
+    assert sum(str(key).startswith("arrow:") for key in ids) == len(routed.paths)
+    for net in nets:
+        assert set(net.targets.values()) <= words
+
+
+@pytest.mark.parametrize("suffix", [".svg", ".png", ".pdf", ".mmd", ".md"])
+def test_files_are_the_same_every_time(tmp_path, suffix):
+    starts = {".svg": b"<?xml", ".png": b"\x89PNG", ".pdf": b"%PDF", ".mmd": b"flowchart LR",
+              ".md": b"```mermaid\nflowchart LR"}  # fmt: skip
+    for name in ("a", "b"):
+        draw(clpt.closed_loop(PAPER), tmp_path / (name + suffix))
+    first = (tmp_path / ("a" + suffix)).read_bytes()
+    assert first == (tmp_path / ("b" + suffix)).read_bytes()
+    assert first.startswith(starts[suffix])
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["a" + suffix, "b" + suffix]
+
+
+def test_a_users_matplotlib_settings_do_not_change_the_file(tmp_path):
+    import matplotlib
+
+    draw(nested(), tmp_path / "a.svg")
+    with matplotlib.rc_context({"font.size": 30, "svg.fonttype": "path", "lines.linewidth": 9,
+                                "savefig.bbox": "tight", "font.family": "serif"}):  # fmt: skip
+        draw(nested(), tmp_path / "b.svg")
+    assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()
+
+
+def test_mistakes_are_one_sentence(tmp_path):
+    with pytest.raises(DiagramError, match=r"\.svg, \.png, \.pdf, \.mmd, \.md, not '\.jpg'"):
+        draw(nested(), tmp_path / "loop.jpg")
+    with pytest.raises(DiagramError, match=r"folder .* does not exist"):
+        draw(nested(), tmp_path / "missing" / "loop.svg")
+    (tmp_path / "taken.svg").mkdir()
+    with pytest.raises(DiagramError, match="cannot be written"):
+        draw(nested(), tmp_path / "taken.svg")
+    assert [p.name for p in tmp_path.iterdir()] == ["taken.svg"]
+
+
+def test_nothing_half_written(tmp_path, monkeypatch):
+    from matplotlib.figure import Figure
+
+    (tmp_path / "loop.svg").write_text("before")
+
+    def broken(self, path, **_):
+        path.write_text("half")
+        raise RuntimeError("disk")
+
+    monkeypatch.setattr(Figure, "savefig", broken)
+    with pytest.raises(RuntimeError):
+        draw(nested(), tmp_path / "loop.svg")
+    assert (tmp_path / "loop.svg").read_text() == "before"
+    assert len(list(tmp_path.iterdir())) == 1
+
+
+# --- captions ---------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("K' of Eq. (14)-(15).", "Eqs. (14), (15)"),
+        ("Eqs. (21), (22), (23)", "Eqs. (21)–(23)"),
+        ("Eq. (21), Eq. (22), Eq. (23).", "Eqs. (21)–(23)"),
+        ("Eqs. (3) and (32): u = x[2]", "Eqs. (3), (32)"),
+        ("f(1) of section (2)", ""),
+        (None, ""),
+    ],
+)
+def test_equations_are_taken_from_docstrings(text, expected):
+    def output(t, x, u, p, y):
+        y[0] = t
+
+    output.__doc__ = text
+    system = first_order("s", ["u"], ["y"])
+    system.output_function = output
+    assert equations(system) == expected

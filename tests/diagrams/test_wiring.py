@@ -1,0 +1,54 @@
+"""A wiring made from ports is the one that python-control's matrices are read as."""
+
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.blocks import Block
+from clpt_control.diagrams.interconnection import connect, wire
+from clpt_control.diagrams.wiring import read
+
+PAPER = clpt.paper_scenario()
+SQUARE = {"kind": "square", "amplitude": [0.05, 0.02], "period": 1.8}
+
+
+def same(one, other):
+    assert one.ninputs == other.ninputs
+    assert one.order == other.order
+    assert one.output_map.shape == other.output_map.shape
+    np.testing.assert_array_equal(one.output_map.toarray(), other.output_map.toarray())
+    for mine, theirs in zip(one.nodes, other.nodes, strict=True):
+        assert mine.name == theirs.name
+        for part in ("states", "inputs", "outputs"):
+            assert getattr(mine, part) == getattr(theirs, part)
+        assert sorted(mine.wires) == sorted(theirs.wires)
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [{}, {"flow.disturbance": SQUARE},
+     {"learning.law": "known-flow", "learning.parameters": None,
+      "learning.theta_estimate": [[1.0, 0.5, 0.8], [0.9, 0.4, 0.7]]}],
+)  # fmt: skip
+@pytest.mark.parametrize("external", [(), ("zc",), ("x",), ("x", "zc")])
+def test_the_paper(changes, external):
+    loop = clpt.closed_loop(PAPER.with_values(changes), external)
+    same(wire(loop.syslist, external), read(loop))
+
+
+def passed_on(t, x, u, p, y):
+    for i in range(4):
+        y[i] = u[i]
+
+
+def test_ports_in_another_order_than_their_makers():
+    def block(name, inputs, outputs):
+        return Block(name, output=passed_on, inputs=inputs, outputs=outputs)
+
+    blocks = [
+        block("last", {"d": 1, "c": 2, "w": 1}, {"e": 4}),
+        block("middle", {"b": 2, "a": 2}, {"c": 2, "d": 1, "f": 1}),
+        block("first", {"w": 1, "v": 3}, {"a": 2, "b": 2}),
+    ]
+    for external in (["v", "w"], ["w", "v"]):
+        same(wire(blocks, external), read(connect(blocks, external)))

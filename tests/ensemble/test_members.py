@@ -1,0 +1,91 @@
+"""Members of an ensemble: each is its own run, whatever runs beside it."""
+
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.ensemble.members import Ensemble
+from clpt_control.native.runs import Runs
+from clpt_control.native.status import Status
+
+
+def members_of(count):
+    random = np.random.default_rng(5)
+    return {
+        "learning.gain": random.uniform(0.2, 2.0, count),
+        "flow.parameters": random.normal(0.5, 0.2, (count, 2, 3)),
+        "reference.dwell": random.choice([7.0, 13.0, 21.0], count),
+        "basis.periods": random.uniform(5.0, 30.0, (count, 3)),
+        "learning.parameters": random.normal(0, 0.1, (count, 2, 3)),
+    }
+
+
+def ensemble_of(values, lanes):
+    scenario = clpt.paper_scenario().with_values({"run.duration": 60})
+    return Ensemble(scenario, {k: v.shape[1:] for k, v in values.items()}, lanes=lanes)
+
+
+TIMES = np.array([0.0, 3.3, 3.4, 17.0, 42.0, 60.0])
+
+
+@pytest.mark.parametrize("lanes", [False, True])
+def test_members_equal_single_runs(lanes):
+    values = members_of(5)
+    ensemble = ensemble_of(values, lanes)
+    assert sorted(ensemble.computed) == ["basis.periods", "reference.dwell"]
+    found = ensemble.run(ensemble.members(values, 60.0), TIMES)
+    assert (found.status == 1).all()
+    tolerance = 1e-10  # code of its own: the compiler may join a product and a sum elsewhere
+    for m in range(5):
+        own = ensemble.scenario.with_values({key: value[m] for key, value in values.items()})
+        run = clpt.simulate(own, TIMES)
+        alpha = found.states[m, :, 4:10].reshape(-1, 2, 3)
+        np.testing.assert_allclose(found.states[m, :, :2], run.position, rtol=0, atol=tolerance)
+        np.testing.assert_allclose(alpha, run.alpha, rtol=0, atol=tolerance)
+        assert found.counts[m, 0] == run.attrs["solver_steps"]
+
+
+@pytest.mark.parametrize("lanes", [False, True])
+def test_a_member_has_the_same_bits_in_any_company(lanes):
+    values = members_of(21)
+    ensemble = ensemble_of(values, lanes)
+    whole = ensemble.run(ensemble.members(values, 60.0), TIMES)
+    order = np.random.default_rng(1).permutation(21)
+    mixed = ensemble.run(
+        ensemble.members({key: value[order] for key, value in values.items()}, 60.0), TIMES
+    )
+    np.testing.assert_array_equal(mixed.states, whole.states[order])
+    for part in (slice(0, 1), slice(3, 12), slice(20, 21)):
+        alone = ensemble.run(
+            ensemble.members({key: value[part] for key, value in values.items()}, 60.0), TIMES
+        )
+        np.testing.assert_array_equal(alone.states, whole.states[part])
+
+
+@pytest.mark.parametrize("lanes", [False, True])
+def test_a_member_that_fails_leaves_the_others_alone(lanes):
+    values = {"learning.position": np.zeros((9, 2)), "learning.gain": np.full(9, 0.8)}
+    scenario = clpt.paper_scenario().with_values({"run.duration": 20})
+    ensemble = Ensemble(scenario, {"learning.position": (2,), "learning.gain": ()}, lanes=lanes)
+    members = ensemble.members(values, 20.0)
+    healthy = ensemble.run(members, np.array([0.0, 20.0]))
+    members.x0[4, 2] = np.nan
+    found = ensemble.run(members, np.array([0.0, 20.0]))
+    assert list(found.status) == [1, 1, 1, 1, 3, 1, 1, 1, 1]
+    assert found.reached[4] == 1
+    others = np.arange(9) != 4
+    np.testing.assert_array_equal(found.states[others], healthy.states[others])
+    assert np.isnan(found.states[4, -1]).all()
+
+
+@pytest.mark.parametrize("lanes", [False, True])
+def test_a_stiff_member_does_not_hold_up_the_rest(lanes):
+    scenario = clpt.paper_scenario().with_values({"run.duration": 5})
+    ensemble = Ensemble(scenario, {"learning.gain": ()}, lanes=lanes)
+    members = ensemble.members({"learning.gain": np.array([0.01, 1e9, 0.01])}, 5.0)
+    runs = Runs(ensemble.native.callee(ensemble.lanes), members.x0, members.P,
+                np.array([0.0, 5.0]), members.schedules, members.group)  # fmt: skip
+    runs.adaptive(1e-8, 1e-10, most=40)
+    assert list(runs.status) == [Status.FINISHED, Status.TOO_MANY, Status.FINISHED]
+    assert runs.counts[1, [0, 3]].sum() == 40
+    assert np.isnan(runs.out[1, -1]).all()

@@ -1,0 +1,176 @@
+"""Estimators between fixes: what they learn of made vehicles, and how sure they are."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.integrate import trapezoid
+from synthetic_vehicle import STEADY, vehicle
+
+from clpt_control.estimation.fix_model import FixModel, inertial_frequency, mid_time
+from clpt_control.replay.session import replay_dives
+from clpt_control.scenario.tides import period
+
+
+def ratio(dives, estimator="kalman", model=None):
+    rms = replay_dives(dives, estimator, model).rms(3)
+    return rms["adaptive"] / rms["previous_dive"]
+
+
+def test_estimates_lie_within_three_standard_errors():
+    """Current and speed factor, 200 vehicles: within three errors in 95 %."""
+    inside = 0
+    for seed in range(200):
+        factor = 1 + 0.1 * np.random.default_rng(1000 + seed).normal()
+        step = replay_dives(vehicle(seed, 16, factor=factor), model=FixModel(("steady",))).steps[-1]
+        inside += bool(
+            abs(step.speed - factor) < 3 * step.speed_error
+            and np.all(np.abs(step.current - STEADY) < 3 * step.current_error)
+        )
+    assert inside >= 190
+
+
+def test_learns_what_there_is():
+    for flow in ("M2", "inertial"):
+        assert ratio(vehicle(1, flow=flow)) < 0.3
+    step = replay_dives(vehicle(2, 40, factor=0.9)).steps[-1]
+    assert step.speed == pytest.approx(0.9, abs=0.01)
+    assert "speed" in step.learned
+
+
+@pytest.mark.parametrize(
+    ("case", "most"),
+    [
+        ({"walk": 0.03}, 1.06),  # the previous dive's current is the best forecast there
+        ({"walk": 0.1}, 1.06),
+        ({"walk": 0.03, "heading": "one"}, 1.06),
+        ({"noise": 0.05}, 0.85),
+        ({"walk": 0.03, "noise": 0.05}, 0.95),
+        ({"walk": 0.03, "factor": 0.85}, 0.9),
+    ],
+)
+def test_against_the_previous_dives_current(case, most):
+    ratios = [ratio(vehicle(seed, **case)) for seed in range(6)]
+    assert np.sqrt(np.mean(np.square(ratios))) < most
+
+
+@pytest.mark.parametrize("case", [{"walk": 0.03}, {"noise": 0.05}, {"flow": "M2"}])
+def test_ellipses_hold_what_they_promise(case):
+    inside = [replay_dives(vehicle(seed, **case)).summary()["inside_90"] for seed in range(6)]
+    assert 0.83 < np.mean(inside) <= 1
+
+
+def test_what_is_not_excited_is_held():
+    dives = [replace(d, dr_east=600.0, dr_north=300.0) for d in vehicle(1, 6, fix=400.0)]
+    last = replay_dives(dives).steps[-1]
+    assert {"speed", "compass"} <= set(last.held)
+    assert last.speed == pytest.approx(1, abs=0.02)
+    assert "current_east" in last.learned
+
+
+def test_the_coriolis_turn_is_right():
+    model, dive = FixModel(("steady", "inertial"), False), vehicle(1, 1)[0]
+    dt, w = 7200.0, inertial_frequency(dive.lat_gps2)
+    east, north = model.turning(dt, dive.lat_gps2)[2:, 2:] @ [1.0, 0.0]
+    assert (east, north) == pytest.approx((math.cos(w * dt), -math.sin(w * dt)))  # clockwise
+    t = np.linspace(-dive.duration / 2, dive.duration / 2, 10001)
+    whole = trapezoid(np.cos(w * t), t)
+    assert model.regressor(dive)[0, 2] == pytest.approx(whole, rel=1e-6)
+
+
+def test_the_tides_integral_is_right():
+    model, dive = FixModel(("steady", "M2"), False), vehicle(1, 1)[0]
+    w = 2 * math.pi / period("M2", "s")
+    t = np.linspace(dive.t_gps2, dive.t_gpse, 10001)
+    H = model.regressor(dive)
+    assert H[0, 2] == pytest.approx(trapezoid(np.cos(w * t), t), rel=1e-5)
+    assert H[1, 5] == pytest.approx(trapezoid(np.sin(w * t), t), rel=1e-5)
+    assert mid_time(dive) == pytest.approx(t.mean())
+
+
+def turned(dives, degrees):
+    """Dead reckoning of a compass that reads `degrees` too little: the vehicle goes clockwise."""
+    angle = math.radians(degrees)
+    c, s = math.cos(angle), math.sin(angle)
+    return [
+        replace(
+            d,
+            gps_east=d.gps_east - d.dr_east + c * d.dr_east + s * d.dr_north,
+            gps_north=d.gps_north - d.dr_north + c * d.dr_north - s * d.dr_east,
+        )
+        for d in dives
+    ]
+
+
+@pytest.mark.parametrize("degrees", [4.0, -4.0])
+def test_a_compass_error_is_clockwise(degrees):
+    step = replay_dives(turned(vehicle(2, 30), degrees)).steps[-1]
+    assert step.compass == pytest.approx(degrees, abs=0.4)
+
+
+@pytest.mark.parametrize("latitude", [40.0, -40.0])
+def test_inertial_currents_turn_with_the_hemisphere(latitude):
+    dives = vehicle(1, flow="inertial", latitude=latitude)
+    # from the file of the other hemisphere they would turn the wrong way
+    wrong = [replace(d, lat_gps2=-latitude) for d in dives]
+    assert ratio(dives, "rls") < 0.5
+    assert ratio(dives) < 0.3 < ratio(wrong)
+
+
+def test_a_front_is_followed_at_once():
+    dives = vehicle(5, 30, noise=0.003)
+    beyond = [replace(d, gps_north=d.gps_north + 0.5 * d.duration) for d in dives[20:]]
+    steps = replay_dives([*dives[:20], *beyond]).steps
+    assert steps[20].clpe["adaptive"] > 5000
+    assert steps[21].clpe["adaptive"] < 1500
+
+
+@pytest.mark.parametrize("estimator", ["kalman", "rls", "gradient"])
+def test_one_wild_fix_does_little_harm(estimator):
+    dives = vehicle(5, 40, noise=0.01)
+    wild = [replace(d, gps_east=d.gps_east + 50e3) if d.number == 20 else d for d in dives]
+    calm, after = (
+        np.array([s.clpe["adaptive"] for s in replay_dives(d, estimator).steps])
+        for d in (dives, wild)
+    )
+    assert after[23:].mean() < 3 * calm[23:].mean() + 300
+
+
+def test_least_squares_forget_in_a_day():
+    dives = vehicle(5, 40, noise=0.003)
+    changed = [replace(d, gps_north=d.gps_north + 0.1 * d.duration) for d in dives[20:]]
+    steps = replay_dives([*dives[:20], *changed], "rls", FixModel(("steady",))).steps
+    assert steps[-1].current[1] == pytest.approx(STEADY[1] + 0.1, abs=0.02)
+
+
+def test_ellipses_hold_after_a_turn():
+    """Eight dives on one heading cannot tell speed from current; then the vehicle turns."""
+    inside = []
+    for seed in range(40):
+        factor = 1 + 0.15 * np.random.default_rng(seed).normal()
+        dives = vehicle(seed, 9, factor=factor, heading="one")
+        back = dives[-1]
+        dives[-1] = replace(
+            back,
+            dr_east=-back.dr_east,
+            dr_north=-back.dr_north,
+            gps_east=back.gps_east - 2 * factor * back.dr_east,
+            gps_north=back.gps_north - 2 * factor * back.dr_north,
+        )
+        inside.append([s.inside for s in replay_dives(dives).steps[-2:]])
+    assert np.all(np.mean(inside, axis=0) > 0.8)
+
+
+def test_forgetting_the_speed_makes_it_uncertain():
+    from clpt_control.estimation.kalman import KalmanBank
+
+    bank = KalmanBank(FixModel(("steady",)))
+    for dive in vehicle(1, 15, factor=0.9):
+        bank.update(dive)
+    p, P, _ = bank.estimate()
+    bank.forget_speed()
+    q, Q, learned = bank.estimate()
+    assert q[2] == pytest.approx(p[2], abs=0.01)
+    assert learned[2]
+    assert Q[2, 2] > P[2, 2] + 0.4 * 0.15**2

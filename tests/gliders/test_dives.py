@@ -1,0 +1,199 @@
+"""Readers of dives: fourteen measured files and round trips."""
+
+import csv
+from dataclasses import fields, replace
+from math import hypot, nan
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from clpt_control.gliders.dive_files import read_dives
+from clpt_control.gliders.dive_table import (
+    OPTIONAL,
+    read_dive_table,
+    sample_dives,
+    write_dive_table,
+)
+from clpt_control.gliders.dives import make_dive
+from clpt_control.gliders.og1 import read_og1, write_og1
+from clpt_control.gliders.usable_dives import usable
+
+TABLE = [field.name for field in fields(make_dive(1, (0, 0, 0), (1, 0, 0), (0, 0)))]
+TABLE = [name for name in TABLE if name not in ("track", "notes")]
+SETTINGS = settings(
+    max_examples=50, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+
+
+@pytest.fixture(scope="module")
+def folder(shared):
+    return shared / "glider" / "basestation"
+
+
+@pytest.fixture(scope="module")
+def dives(folder):
+    found, skipped = read_dives(folder)
+    assert not skipped
+    return found
+
+
+@pytest.fixture(scope="module")
+def rows(shared):
+    with (shared / "glider" / "sg542_2016_dives.csv").open() as file:
+        return {int(row["dive"]): row for row in csv.DictReader(file)}
+
+
+def same_table(ones, others, tolerance=1e-6):
+    assert [dive.number for dive in ones] == [dive.number for dive in others]
+    for one, other in zip(ones, others, strict=True):
+        for name in TABLE:
+            a, b = getattr(one, name), getattr(other, name)
+            assert (a is None) == (b is None), name
+            assert a is None or a == pytest.approx(b, abs=tolerance, rel=0, nan_ok=True), name
+
+
+def test_the_files_give_the_table(dives, rows):
+    assert [dive.number for dive in dives] == sorted(rows)
+    for dive in dives:
+        row = rows[dive.number]
+        for name in ("lat_gps1", "lon_gps1", "lat_gps2", "lon_gps2", "lat_gpse", "lon_gpse"):
+            assert getattr(dive, name) == pytest.approx(float(row[name]), abs=1e-8)
+        for name in ("t_gps1", "t_gps2", "t_gpse", "magvar", "dac_qc"):
+            assert getattr(dive, name) == float(row[name])
+        for name in ("gps_east", "gps_north", "dr_east", "dr_north"):
+            assert getattr(dive, name) == pytest.approx(float(row[f"{name}_m"]), abs=1e-3)
+        for name in ("dac_east", "dac_north"):
+            assert getattr(dive, name) == pytest.approx(float(row[name]), abs=1e-9)
+
+
+def test_miss_over_duration_is_the_current_of_the_file(dives):
+    error = [
+        hypot(
+            dive.miss_east / dive.duration - dive.dac_east,
+            dive.miss_north / dive.duration - dive.dac_north,
+        )
+        for dive in dives
+    ]
+    assert np.median(error) < 0.5e-3  # m/s
+    assert max(error) < 1e-3
+
+
+def test_the_current_of_the_file_to_the_digit_as_its_maker_computes_it(dives, folder):
+    import netCDF4
+
+    for dive in dives:  # 1852 m to a minute of latitude, and the time of flight alone
+        with netCDF4.Dataset(folder / f"p542{dive.number:04d}.nc") as data:
+            flight = dive.dr_east / float(data["flight_avg_speed_east"][...])
+        north = (dive.lat_gpse - dive.lat_gps2) * 60 * 1852
+        middle = np.radians((dive.lat_gpse + dive.lat_gps2) / 2)
+        east = (dive.lon_gpse - dive.lon_gps2) * 60 * 1852 * np.cos(middle)
+        current = (east - dive.dr_east) / flight, (north - dive.dr_north) / flight
+        assert current == pytest.approx((dive.dac_east, dive.dac_north), abs=1e-6)
+
+
+def test_clpe_without_flow_and_with_the_previous_current(dives):
+    used, skipped = usable(dives)
+    assert len(used) == 14
+    assert not skipped
+    miss = np.array([(dive.miss_east, dive.miss_north) for dive in used])
+    duration = np.array([[dive.duration] for dive in used])
+    previous = miss - np.vstack([[0, 0], (miss / duration)[:-1]]) * duration
+
+    def rms(way):
+        return np.sqrt(np.mean(np.sum(way**2, 1)))
+
+    assert rms(miss) == pytest.approx(1950, abs=1)
+    assert rms(previous) == pytest.approx(1407, abs=1)  # the first dive with no flow
+    # over the 13 dives that have a previous one: the figures of the data's description
+    assert rms(miss[1:]) == pytest.approx(1853, abs=1)
+    assert rms(previous[1:]) == pytest.approx(1213, abs=1)
+    assert rms(previous[3:]) == pytest.approx(1167, abs=1)
+
+
+def test_tracks_run_from_fix_to_fix(dives):
+    for dive in dives:
+        time, east, north = dive.track
+        assert (time[0], time[-1]) == (0, dive.duration)
+        assert np.all(np.diff(time) > 0)
+        assert (east[0], north[0]) == (0, 0)
+        assert (east[-1], north[-1]) == pytest.approx((dive.dr_east, dive.dr_north), abs=1e-6)
+
+
+def test_the_shipped_table_is_that_of_the_files(dives):
+    same_table(sample_dives(), dives, 0)
+
+
+def test_og1_round_trip(dives, tmp_path):
+    write_og1(dives, tmp_path / "sg542.nc", "sg542")
+    back = read_og1(tmp_path / "sg542.nc")
+    same_table(back, dives)
+    for one, other in zip(back, dives, strict=True):
+        for a, b in zip(one.track, other.track, strict=True):
+            np.testing.assert_allclose(a, b, rtol=0, atol=1e-5)
+    same_table(read_dives(tmp_path / "sg542.nc")[0], dives)
+
+
+def test_og1_without_our_own_variable_gives_the_same_dives(dives, tmp_path):
+    import xarray
+
+    write_og1(dives, tmp_path / "ours.nc")
+    with xarray.open_dataset(tmp_path / "ours.nc", decode_times=False) as data:
+        data.drop_vars("GPS_FIX").to_netcdf(tmp_path / "theirs.nc")
+        data.drop_vars(["GPS_FIX", "EAST_DISPLACEMENT", "DIVE_NUMBER"]).to_netcdf(
+            tmp_path / "less.nc"
+        )
+    theirs = read_og1(tmp_path / "theirs.nc")  # GPS1: the first fix since the dive before
+    assert [one.t_gps1 for one in theirs[1:]] == [one.t_gpse for one in dives[:-1]]
+    forget = dict.fromkeys(("t_gps1", "lat_gps1", "lon_gps1"))
+    same_table([replace(one, **forget) for one in theirs], [replace(d, **forget) for d in dives])
+    less = read_og1(tmp_path / "less.nc")
+    assert [dive.number for dive in less] == list(range(1, 15))
+    for one, other in zip(less, dives, strict=True):
+        assert one.dr_east == pytest.approx(other.dr_east, abs=1e-3 * one.duration)
+        assert "depth-averaged current" in one.notes[0]
+
+
+def test_og1_round_trip_without_tracks(tmp_path):
+    odd = [
+        *sample_dives(),
+        replace(sample_dives()[3], dr_east=nan, dr_north=nan),
+        replace(sample_dives()[0], t_gps1=None, lat_gps1=None, lon_gps1=None, dac_qc=None),
+        replace(sample_dives()[1], lat_gpse=nan, gps_east=nan, gps_north=nan, magvar=None),
+    ]
+    write_og1(odd, tmp_path / "sample.nc")
+    same_table(read_og1(tmp_path / "sample.nc"), odd)
+
+
+number = st.floats(-1e12, 1e12)
+optional = st.one_of(st.none(), number)
+
+
+@SETTINGS
+@given(
+    st.lists(
+        st.builds(
+            make_dive,
+            st.integers(-10, 10**9),
+            st.tuples(number, st.floats(-90, 90), st.floats(-360, 360)),
+            st.tuples(number, st.floats(-90, 90), st.floats(-360, 360)),
+            st.tuples(st.one_of(number, st.just(nan)), number),
+            **dict.fromkeys(OPTIONAL, optional),
+        ),
+        max_size=4,
+    )
+)
+def test_csv_round_trip(tmp_path, dives):
+    write_dive_table(dives, tmp_path / "dives.csv", "a comment\nof two lines")
+    back, skipped = read_dive_table(tmp_path / "dives.csv")
+    assert not skipped
+    assert repr(back) == repr(dives)  # bit for bit, NaN too
+
+
+def test_required_columns_suffice(tmp_path):
+    text = "dr_north_m,dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,extra\n"
+    (tmp_path / "mine.csv").write_text(text + "5,1,0,-43,8,9000,-43,8.1,8000,word\n")
+    (dive,), _ = read_dives([tmp_path])
+    assert (dive.dr_east, dive.dr_north, dive.magvar, dive.track) == (8000, 5, None, None)
+    assert (dive.gps_east, dive.duration) == (pytest.approx(8154, abs=1), 9000)

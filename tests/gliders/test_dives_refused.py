@@ -1,0 +1,194 @@
+"""Which dives are used: each refusal has its reason, and none looks ahead."""
+
+import random
+from dataclasses import replace
+from math import inf, nan
+
+import numpy as np
+import pytest
+
+from clpt_control.currents.nodal import YEARS
+from clpt_control.gliders import dive_order
+from clpt_control.gliders.dives import make_dive
+from clpt_control.gliders.usable_dives import usable
+
+BASE = make_dive(10, (1e6, -43.0, 8.0), (1.01e6, -43.0, 8.02), (1000.0, 50.0))
+
+
+def later(number, **changes):
+    shift = (number - 10) * 11000.0
+    return replace(
+        BASE, number=number, t_gps2=BASE.t_gps2 + shift, t_gpse=BASE.t_gpse + shift, **changes
+    )
+
+
+@pytest.mark.parametrize(
+    ("changes", "why"),
+    [
+        ({"lat_gps2": nan}, "no fix before"),
+        ({"t_gps2": nan}, "no fix before"),
+        ({"lon_gpse": inf}, "no fix after"),
+        ({"lat_gpse": 9.97e36}, "no fix after"),
+        ({"t_gps2": BASE.t_gpse, "t_gpse": BASE.t_gps2}, "swapped"),
+        ({"t_gpse": BASE.t_gps2}, "swapped"),
+        ({"dr_east": nan}, "not finite"),
+        ({"dr_north": -inf}, "not finite"),
+        ({"t_gpse": BASE.t_gps2 + 4000}, "lasts 4000 s"),
+        ({"lat_gpse": 91.0}, "the latitude 91, which is none; must be -90 to 90: swapped"),
+        ({"lat_gps2": -120.0, "lon_gps2": 140.0}, "the latitude -120, which is none; must be -90"),
+        ({"lon_gps2": 408.0}, "the longitude 408; must be -360 to 360"),
+        ({"t_gps2": -1.0}, "before the dive is at -1 s since 1970; must be from 1970 to 2200"),
+        ({"t_gps2": -1e300, "t_gpse": 1e300}, "from 1970 to 2200"),
+        (
+            {"t_gps2": 1.6e12, "t_gpse": 1.60001e12},
+            "1.6e+12 s since 1970; must be from 1970 to "
+            "2200: it looks like milliseconds, give seconds",
+        ),
+        ({"t_gpse": 1e18}, "after the dive is at 1e+18 s since 1970; must"),
+        ({"t_gps2": 18518.5, "t_gpse": 18518.65}, "its times look like days"),
+        ({"number": 2**31}, "its number is 2.14748e+09; must be a whole number below 2147483648"),
+        ({"number": -(10**300)}, "its number is -1e+300"),
+        ({"gps_north": 1e6}, "m/s"),
+        ({"dr_east": 1e6}, "m/s"),
+    ],
+)
+def test_a_dive_is_refused_with_its_reason(changes, why):
+    used, skipped = usable([later(9), replace(BASE, **changes), later(11)])
+    assert [dive.number for dive in used] == [9, 11]
+    assert [one.dive for one in skipped] == [changes.get("number", 10)]
+    assert why in skipped[0].why
+
+
+def test_least_duration_is_an_option():
+    short = replace(BASE, t_gpse=BASE.t_gps2 + 3000)
+    assert usable([short])[0] == []
+    assert usable([short], least_duration=2000)[0] == [short]
+
+
+def test_duplicates_overlaps_order_and_gaps_are_said():
+    used, skipped = usable([later(12), later(10), later(12), later(16)])
+    assert [dive.number for dive in used] == [10, 12, 16]
+    assert [(one.dive, one.why[:9]) for one in skipped] == [(12, "duplicate")]
+    assert "sorted by time" in used[0].notes[0]
+    assert "3 dive(s) missing after dive 12" in used[2].notes
+    long = replace(later(11), t_gpse=later(14).t_gpse)
+    used, skipped = usable([later(10), long, later(12), later(13)])
+    assert [dive.number for dive in used] == [10, 12, 13]
+    assert "overlaps dive 13" in skipped[0].why
+
+
+def test_a_later_dive_never_changes_an_earlier_choice():
+    rng = np.random.default_rng(1)
+    starts = rng.uniform(0, 3e5, 40)
+    pool = [
+        replace(BASE, number=k, t_gps2=t, t_gpse=t + d)
+        for k, (t, d) in enumerate(zip(starts, rng.uniform(5e3, 3e4, 40), strict=True))
+    ]
+    pool.sort(key=lambda dive: dive.t_gpse)
+    whole = [dive.number for dive in usable(pool)[0]]
+    for count in range(len(pool) + 1):
+        part = [dive.number for dive in usable(pool[:count])[0]]
+        assert part == whole[: len(part)]
+
+
+def test_the_years_are_those_of_tides():
+    end = np.datetime64(f"{YEARS[1]}-01-01", "s").astype(float)
+    last = replace(BASE, t_gps2=end - 9001, t_gpse=end - 1)
+    assert usable([last])[0] == [last]
+    assert usable([replace(last, t_gpse=end)])[0] == []
+    assert usable([replace(BASE, t_gps2=0.0, t_gpse=9e3)])[1] == []
+
+
+def at(number, lat, hours=0.0):
+    """A dive 1000 s after the one before it, or more; the meridian to 40 N is 4429.5 km."""
+    shift = 3600.0 * hours
+    dive = later(number, lat_gps2=lat, lat_gpse=lat)
+    return replace(dive, t_gps2=dive.t_gps2 + shift, t_gpse=dive.t_gpse + shift)
+
+
+def numbers(dives):
+    used, skipped = usable(dives)
+    return [dive.number for dive in used], [one.dive for one in skipped]
+
+
+def test_two_vehicles_in_one_input_are_not_mixed():
+    ours, theirs = [at(k, 40.0) for k in (10, 12, 14)], [at(k, -40.0) for k in (11, 13, 15)]
+    used, skipped = usable([*ours, *theirs])
+    assert used == ours
+    assert [one.dive for one in skipped] == [11, 13, 15]
+    assert skipped[0].why == (
+        "starts 8859 km from where dive 10 ended 0.3 h before; another vehicle? replay each on its "
+        "own"
+    )
+    beside = replace(theirs[0], number=99, t_gps2=ours[0].t_gps2 + 2e3, t_gpse=ours[0].t_gpse + 2e3)
+    (why,) = [one.why for one in usable([ours[0], beside])[1]]
+    assert why.startswith("overlaps dive 10, which is used: starts 8000 s before")
+    assert why.endswith("8859 km from where it started; another vehicle? replay each on its own")
+
+
+def test_what_can_be_reached_is_not_refused():
+    assert numbers([at(10, 40.0), at(11, 40.04)]) == ([10, 11], [])  # 4.4 km in 1000 s
+    used, skipped = usable([at(10, 40.0), at(11, 40.05)])
+    assert skipped == []
+    assert used[1].notes == ("starts 6 km from where dive 10 ended 0.3 h before",)
+    assert numbers([at(10, 40.0), at(11, 40.5)]) == ([10], [11])  # 56 km
+    assert numbers([at(10, 40.0), at(11, 41.0, hours=6.0)]) == ([10, 11], [])  # 111 km at 4.9 m/s
+    assert numbers([at(10, 40.0), at(11, 41.0, hours=5.0)]) == ([10], [11])
+    assert numbers([at(10, 40.0), at(11, -40.0, hours=720.0)]) == ([10, 11], [])  # shipped
+    west, east = at(11, 40.0), at(10, 40.0)
+    west = replace(west, lon_gps2=-179.99, lon_gpse=-179.98)
+    assert numbers([replace(east, lon_gps2=179.99, lon_gpse=180.01), west]) == ([10, 11], [])
+
+
+def test_one_wrong_fix_costs_few_dives(monkeypatch):
+    monkeypatch.setattr(dive_order, "ASTRAY", 5000.0)
+    astray = replace(at(11, 40.0), lat_gpse=40.3)  # its own way is 33 km in 10000 s: possible
+    after = [at(k, 40.0) for k in (12, 13, 14)]
+    assert numbers([at(10, 40.0), astray, *after]) == ([10, 11, 13, 14], [12])  # 60 km in 12000 s
+    after = [replace(dive, t_gpse=dive.t_gps2 + 4500) for dive in after]
+    since = [5500.0 * k for k in range(3)]  # so the next two start 5 and 30 km at most from there
+    after = [replace(dive, t_gps2=dive.t_gps2 - t, t_gpse=dive.t_gpse - t)
+             for dive, t in zip(after, since, strict=True)]  # fmt: skip
+    used, skipped = usable([at(10, 40.0), astray, *after])
+    assert [dive.number for dive in used] == [10, 11, 13, 14]
+    assert [one.dive for one in skipped] == [12]
+    assert used[2].notes == (
+        "starts 33 km from where dive 11 ended 1.8 h before, but follows dive 12, which was left "
+        "out: used",
+        "1 dive(s) missing after dive 11",
+    )
+    assert used[3].notes == ()
+    start = replace(at(11, 40.0), lat_gps2=40.3)  # a wrong start costs that dive alone
+    assert numbers([at(10, 40.0), start, *after]) == ([10, 12, 13, 14], [11])
+    again = [at(10, 40.0), at(11, -40.0), at(11, -40.0)]  # given twice it does not confirm itself
+    assert numbers(again) == ([10], [11, 11])
+
+
+def test_no_choice_of_places_looks_ahead():
+    rng = random.Random(2)
+    pool = [at(10 + k, rng.choice([40.0, 40.0, 41.0, -40.0])) for k in range(60)]
+    whole = numbers(pool)[0]
+    assert 0 < len(whole) < len(pool)
+    for count in range(len(pool) + 1):
+        part = numbers(pool[:count])[0]
+        assert part == whole[: len(part)]
+
+
+def test_the_order_of_files_does_not_choose_between_copies():
+    dives = [later(k) for k in range(10, 16)]
+    slower = [replace(dive, dr_east=dive.dr_east - 300, dr_north=450.0) for dive in dives]
+    moved = [replace(dive, lat_gpse=-43.01) for dive in dives]
+    renamed = [replace(dive, number=99) for dive in dives]
+    pool = [*dives, *slower, *moved, *renamed, *dives]
+    whys = set()
+    for seed in range(20):
+        random.Random(seed).shuffle(pool)
+        used, skipped = usable(pool)
+        assert used == slower  # the least of number, then way
+        assert len(skipped) == 24
+        whys |= {one.why for one in skipped if "of dive 12" in one.why}
+    assert whys == {
+        "duplicate of dive 12, which is used, with another displacement through the water (500 m "
+        "apart)",
+        "duplicate of dive 12, which is used, with other fixes (1.11 km apart)",
+    }

@@ -1,0 +1,157 @@
+"""Tables of dives as others write them, and what is no file at all."""
+
+import os
+import re
+import threading
+from pathlib import Path
+
+import netCDF4
+import pytest
+from glider_dialects import basestation, og1, og1_rows
+
+from clpt_control.errors import DataError
+from clpt_control.files import reading
+from clpt_control.gliders.dive_files import dive_paths, read_dive_file, read_dives
+from clpt_control.gliders.dive_table import sample_dives, write_dive_table
+from clpt_control.gliders.seaglider import read_seaglider
+from clpt_control.gliders.usable_dives import usable
+
+HEAD = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m\n"
+ROW = "{},{},-43,8,{},-43,8.1,8000,0\n"
+
+
+@pytest.fixture
+def table(tmp_path):
+    write_dive_table(sample_dives(), tmp_path / "dives.csv")
+    return tmp_path / "dives.csv"
+
+
+@pytest.mark.parametrize(
+    ("change", "encoding", "sentence"),
+    [
+        (lambda text: text.replace(",", ";"), "utf-8", "semicolons part its cells; use commas"),
+        (lambda text: text.replace(",", "\t"), "utf-8", "tabs part its cells; use commas"),
+        (str.upper, "utf-8", "no column dive, t_gps2, .* in lower case; write it so"),
+        (
+            lambda text: text.replace("dr_east_m", "DR_east_m"),
+            "utf-8",
+            "no column dr_east_m in lower",
+        ),
+        (str, "utf-16", "is text in UTF-16; must be in UTF-8"),
+    ],
+)
+def test_tables_of_other_kinds_are_told_what_to_change(table, change, encoding, sentence):
+    table.write_text(change(table.read_text()), encoding=encoding)
+    with pytest.raises(DataError, match=rf"dives.csv: {sentence}"):
+        read_dives(table)
+
+
+@pytest.mark.parametrize(
+    ("cells", "sentence"),
+    [
+        (("7.5", 0, 9000), "dive is '7.5'; must be a whole number below 2147483648"),
+        (("1e300", 0, 9000), "dive is '1e300'; must be a whole number"),
+        (("-inf", 0, 9000), "dive is '-inf'"),
+        (("2147483648", 0, 9000), "dive is '2147483648'"),
+        ((1, "2020-01-01T00:00:00Z", 9000), "t_gps2 is '2020-01-01T00:00:00Z'; must be seconds "
+         "since 1970 UTC, which is 1577836800"),
+        ((1, 0, "2020-01-01 02:00+02:00"), "t_gpse is .* which is 1577836800"),
+        ((1, "noon", 9000), "t_gps2 is 'noon'; must be seconds since 1970 UTC"),
+    ],
+)  # fmt: skip
+def test_odd_numbers_and_times_are_skipped_one_by_one(tmp_path, cells, sentence):
+    path = tmp_path / "dives.csv"
+    path.write_text(HEAD + ROW.format(*cells) + ROW.format(2147483647, 10000, 19000))
+    (dive,), (skipped,) = read_dives(path)
+    assert (dive.number, usable([dive])[0]) == (2147483647, [dive])
+    assert re.search(sentence, skipped.why)
+    path.write_text(HEAD + 2 * ROW.format(*cells))
+    with pytest.raises(DataError, match=r"dives.csv: no line holds a dive; the first: .*line 2"):
+        read_dives(path)
+
+
+def test_dive_numbers_of_netcdf_files(tmp_path):
+    path = basestation(tmp_path / "p1230007.nc")
+    for number in (7.5, 1e10, "seven"):
+        with netCDF4.Dataset(path, "a") as data:
+            data.dive_number = number
+        dive = read_seaglider(path)
+        assert dive.number == 7
+        assert dive.notes == (
+            f"dive_number is '{number}', no whole number below 2147483648; taken from name",
+        )
+    path = path.rename(tmp_path / "other.nc")
+    with pytest.raises(DataError, match=r"other.nc: dive_number is 'seven', no whole number"):
+        read_seaglider(path)
+    columns = og1_rows()
+    columns["divenum"] = columns["divenum"] + 1e12
+    used, skipped = usable(read_dive_file(og1(tmp_path / "og1.nc", columns=columns))[0])
+    assert not used
+    assert "its number is 1e+12; must be a whole number" in skipped[0].why
+
+
+def test_what_is_no_file_is_refused_at_once(tmp_path):
+    os.mkfifo(tmp_path / "fifo.csv")
+    for path, sentence in (
+        (tmp_path / "fifo.csv", "is a pipe with a name; give a file"),
+        ("/dev/zero", "is a device; give a file"),
+        ("/dev/null", "is a device; give a file"),
+        (tmp_path / "dives.csv" / "x.csv", "no such file"),
+        (tmp_path / ("x" * 300), "cannot be read: File name too long"),
+    ):
+        (tmp_path / "dives.csv").touch()
+        with pytest.raises(DataError, match=sentence):
+            read_dives(path)
+    (tmp_path / "dives.csv").unlink()
+    write_dive_table(sample_dives(), tmp_path / "good.csv")
+    (tmp_path / "folder.nc").mkdir()
+    found, skipped = read_dives(tmp_path)
+    assert len(found) == 14
+    assert [one.why.split(": ")[1] for one in skipped] == [
+        "is a pipe with a name; give a file", "is a folder; give a file",
+    ]  # fmt: skip
+
+
+def piped(raw):
+    """Give the name of an open pipe through which bytes come, once."""
+    end, start = os.pipe()
+
+    def fill():
+        with os.fdopen(start, "wb") as file:
+            file.write(raw)
+
+    threading.Thread(target=fill, daemon=True).start()
+    return f"/dev/fd/{end}", end
+
+
+def test_a_table_comes_through_an_open_pipe(table, tmp_path):
+    for raw, expected in ((table.read_bytes(), None), (b"", "is empty"),
+                          (basestation(tmp_path / "p1230001.nc").read_bytes(), "NetCDF through a"),
+                          ):  # fmt: skip
+        name, end = piped(raw)
+        try:
+            if expected is None:
+                assert read_dives(name) == (sample_dives(), [])
+            else:
+                with pytest.raises(DataError, match=expected):
+                    read_dives(name)
+        finally:
+            os.close(end)
+
+
+def test_a_table_is_not_larger_than_can_be_held(table, monkeypatch):
+    monkeypatch.setattr(reading, "LARGEST", 10**3)
+    with pytest.raises(
+        DataError, match=r"dives.csv: is larger than 0 MB, the most that text may be"
+    ):
+        read_dives(table)
+
+
+def test_folders_that_may_not_be_entered(tmp_path, monkeypatch):
+    def closed(path, **_):
+        raise PermissionError(13, "Permission denied", str(path))
+
+    monkeypatch.setattr(Path, "stat", closed)
+    for read in (lambda path: dive_paths([path]), read_dive_file):
+        with pytest.raises(DataError, match=r"a.csv: cannot be read: Permission denied"):
+            read(tmp_path / "closed" / "a.csv")

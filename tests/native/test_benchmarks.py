@@ -1,0 +1,87 @@
+"""The C program of the benchmarks agrees with the reference; the harness leaves its table."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pictures import inked
+
+ROOT = Path(__file__).parents[2]
+sys.path.insert(0, str(ROOT))  # benchmarks/ is no installed package
+
+from benchmarks import build, cases, traced  # noqa: E402
+from benchmarks.c_engine import Program  # noqa: E402
+
+pytestmark = pytest.mark.skipif(build.compiler() is None, reason="there is no C compiler here")
+
+
+@pytest.mark.parametrize("options", [(), ("-DSHARE_TIDE",), ("-DCANCEL",), ("-DBASIS_LANES",)])
+def test_c_agrees_with_the_reference(options):
+    times, reference = cases.reference_states()
+    program, case = Program(3, "scalar", *options), cases.paper()
+    states = program.run(case)[0][np.searchsorted(case.times, times[1:])]
+    early = program.run(cases.paper(10.0))[0][-1]
+    np.testing.assert_allclose(states, reference[1:], rtol=0, atol=1e-7)
+    np.testing.assert_allclose(early, reference[0], rtol=0, atol=1e-7)
+
+
+def test_simd_over_the_basis_agrees_with_one_function_after_the_other():
+    case = cases.many(21, 40.0)  # two blocks of eight, five left
+    expected, _ = Program(21).run(case)
+    ours, _ = Program(21, "scalar", "-DCANCEL", "-DBASIS_LANES").run(case)
+    np.testing.assert_allclose(ours, expected, rtol=0, atol=1e-9)
+
+
+def test_lanes_agree_with_one_run_after_the_other_in_any_order():
+    scenario = cases.paper(60.0).scenario
+    parameters, states = cases.members(scenario, 0, 21)
+    expected, _ = Program(3).members(scenario, parameters, states)
+    lanes = Program(3, "lanes")
+    ours, _ = lanes.members(scenario, parameters, states)
+    np.testing.assert_allclose(ours, expected, rtol=0, atol=1e-9)
+    backwards, _ = lanes.members(scenario, parameters[::-1], states[::-1])
+    np.testing.assert_allclose(backwards[::-1], ours, rtol=0, atol=1e-12)
+
+
+def test_traced_equations_are_the_diagram():
+    import math
+
+    import clpt_control as clpt
+
+    loop = clpt.closed_loop(clpt.paper_scenario())
+    x = np.linspace(-1.0, 2.0, 14)
+    functions = {"exp": math.exp, "cos": math.cos, "sqrt": math.sqrt}
+    found = traced.rates(loop, 3.0, list(x), functions, {"reference": [3.0, 0.0]})
+    np.testing.assert_allclose(found, loop.dynamics(3.0, x, []), rtol=1e-13, atol=1e-14)
+
+
+def test_the_quick_run_leaves_its_tables(tmp_path):
+    subprocess.run(
+        [sys.executable, "-m", "benchmarks.bench", "--quick", "--engines", "c",
+         "--sections", "paper,particles", "--out", str(tmp_path)],
+        cwd=ROOT, check=True, capture_output=True,
+    )  # fmt: skip
+    results = json.loads((tmp_path / "performance.json").read_text())
+    assert results["paper"][0]["error"] < 1e-7
+    text = (tmp_path / "performance.md").read_text()
+    assert "## The paper's run" in text
+    assert "| C, both phi as the diagram does |" in text
+    assert inked(tmp_path / "performance.png") > 0.01
+
+
+def test_the_drifter_block_moves_as_the_c_program():
+    from benchmarks import advection
+    from benchmarks.drifter import drifter
+
+    block, h = drifter(*advection.current()), advection.STEP
+    expected, _ = advection.run_c(1)
+    x, k, p = np.array(advection.starts(1)).ravel(), np.zeros((4, 2)), block.parameters
+    for step in range(advection.STEPS):
+        for s, (lag, share) in enumerate([(0, 0.0), (0, 0.5), (1, 0.5), (2, 1.0)]):
+            there = x + h * share * k[lag]
+            block.update_function(h * (step + share), there, (), p, k[s])
+        x = x + h / 6 * (k[0] + 2 * k[1] + 2 * k[2] + k[3])
+    np.testing.assert_allclose(x, expected[:, 0], rtol=1e-12)

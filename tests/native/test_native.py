@@ -1,0 +1,326 @@
+"""Machine code: the same numbers as python-control, and what it cannot do is said."""
+
+import math
+from typing import NamedTuple
+
+import control
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import clpt_control as clpt
+from clpt_control.blocks import Block, reference, vehicle
+from clpt_control.blocks.words import clip, floor, lookup, maximum, minimum, sign, where
+from clpt_control.currents.gridded import GriddedField
+from clpt_control.diagrams.interconnection import connect
+from clpt_control.errors import DiagramError, SimulationError
+from clpt_control.native import readings
+from clpt_control.native.engine import NativeDiagram
+from clpt_control.native.inputs import read_inputs
+from clpt_control.native.plain import PlainDiagram
+from clpt_control.simulation.closed_loop import initial_state
+
+
+def scenario_of(N, law, disturbed):
+    """The paper's scenario with N functions."""
+    random = np.random.default_rng(N)
+    changes = {
+        "basis.centers": random.uniform(-5, 5, (N, 2)),
+        "basis.widths": random.uniform(2, 6, N),
+        "basis.periods": random.uniform(5, 30, N),
+        "basis.phases": random.uniform(-3, 3, N),
+        "flow.parameters": random.uniform(-1, 1, (2, N)),
+        "model.parameters": random.uniform(-1, 1, (2, N)),
+        "learning.law": law,
+    }
+    if law == "known-flow":
+        changes |= {"learning.theta_estimate": random.uniform(-1, 1, (2, N)),
+                    "learning.parameters": None}  # fmt: skip
+    else:
+        changes["learning.parameters"] = random.uniform(-1, 1, (2, N))
+    if disturbed:
+        square = {"kind": "square", "amplitude": [0.1, 0.05], "period": 3.7}
+        changes["flow.disturbance"] = square
+    return clpt.paper_scenario().with_values(changes)
+
+
+@pytest.mark.parametrize(
+    ("N", "law", "disturbed"),
+    [(1, "learned-flow", True), (2, "known-flow", False), (3, "known-flow", True),
+     (9, "learned-flow", False), (30, "learned-flow", True)],
+)  # fmt: skip
+def test_the_closed_loop_is_read_alike(N, law, disturbed):
+    diagram = clpt.closed_loop(scenario_of(N, law, disturbed))
+    random = np.random.default_rng(N)
+    asked = readings(diagram)
+    for t in (0.0, 33.3, 101.0):
+        x = random.standard_normal(diagram.nstates)
+        rate, outputs = asked["control"](t, x, [])
+        scale = max(1.0, np.abs(rate).max())
+        for name, ask in asked.items():
+            for found, wanted in zip(ask(t, x, []), (rate, outputs), strict=True):
+                np.testing.assert_allclose(found, wanted, atol=1e-12 * scale, err_msg=name)
+
+
+@pytest.mark.parametrize(
+    ("kernel", "kind"),
+    [("exponential", "sine"), ("gaussian", "square"), ("gaussian-sigma", "noise")],
+)
+def test_kernels_and_disturbances_run_natively(kernel, kind):
+    scenario = clpt.paper_scenario().with_values({
+        "basis.kernel": kernel, "run.duration": 45,
+        "flow.disturbance": {"kind": kind, "amplitude": [0.1, 0.05], "period": 3.7},
+    })  # fmt: skip
+    runs = [clpt.simulate(scenario, engine=engine) for engine in ("native", "python")]
+    for name in ("position", "clpe", "alpha", "true_flow", "lyapunov"):
+        np.testing.assert_allclose(runs[0][name], runs[1][name], rtol=1e-8, atol=1e-9)
+    assert runs[0].attrs["solver_restarts"] == runs[1].attrs["solver_restarts"]
+
+
+def test_the_same_steps_in_python():
+    scenario = clpt.paper_scenario().with_values({"run.duration": 200})
+    native, python = (clpt.simulate(scenario, engine=e).attrs for e in ("native", "python"))
+    for name in ("solver_steps", "solver_restarts"):
+        assert native[name] == python[name]
+
+
+def test_order_of_convergence():
+    """The fixed problem x' = -x with one tolerance after another: error falls as the 8th order."""
+    diagram = connect([vehicle.vehicle(), Block("drag", output=drag, inputs={"x": 2},
+                       outputs={"v_x": 2})], external=["flow_x"])  # fmt: skip
+    native = NativeDiagram(diagram)
+    held = read_inputs([0.0, 0.0], np.array([0.0, 5.0]), 2)
+    errors = []
+    for rtol in (1e-4, 1e-8, 1e-12):
+        found = native.run([1.0, -2.0], [0.0, 5.0], rtol=rtol, atol=rtol, inputs=held)
+        errors.append(np.abs(found.x[-1] - np.exp(-5.0) * np.array([1.0, -2.0])).max())
+    assert errors[0] < 1e-4
+    assert errors[1] < 1e-8
+    assert errors[2] < 1e-12
+
+
+def drag(t, x, u, p, y):
+    """v = -x, section II: u = x[2] (length), y = v_x[2] (length per time)."""
+    for i in range(2):
+        y[i] = -u[i]
+
+
+def test_dense_output_is_as_exact_as_steps():
+    scenario = clpt.paper_scenario().with_values({"run.duration": 20})
+    coarse = clpt.simulate(scenario, [0.0, 20.0])
+    fine = clpt.simulate(scenario, np.linspace(0, 20, 401))
+    exact = clpt.simulate(scenario, np.linspace(0, 20, 401), rtol=1e-13, atol=1e-14)
+    np.testing.assert_allclose(fine.alpha, exact.alpha, rtol=0, atol=5e-8)
+    np.testing.assert_array_equal(fine.alpha[-1], coarse.alpha[-1])
+
+
+def test_sampled_inputs_are_straight_between_samples():
+    scenario = clpt.paper_scenario()
+    loop = clpt.closed_loop(scenario, external=("zc",))
+    times = np.array([0.0, 1.0, 2.5, 4.0, 8.0])
+    zc = np.array([[0.0, 3.0, 3.0, -1.0, 2.0], [1.0, 0.0, 2.0, 2.0, 2.0]])
+    state = initial_state(scenario)
+    native, python = (
+        clpt.simulate(loop, times, zc, initial_state=state, engine=e) for e in ("native", "python")
+    )
+    np.testing.assert_allclose(native.outputs, python.outputs, rtol=1e-8, atol=1e-9)
+    np.testing.assert_array_equal(native.inputs, zc)
+    held = clpt.simulate(loop, times, [1.0, 2.0], initial_state=state)
+    by_hand = clpt.simulate(loop, times, np.tile([[1.0], [2.0]], 5), initial_state=state)
+    np.testing.assert_allclose(held.outputs, by_hand.outputs, rtol=1e-7, atol=1e-7)
+
+
+def test_call_time_parameters_reach_the_machine_code():
+    loop, state = clpt.closed_loop(clpt.paper_scenario()), initial_state(clpt.paper_scenario())
+    changes = {"adaptation.gain": 2.0, "basis_x.widths": [4.0, 5.0, 6.0],
+               "reference.interval": 3.0}  # fmt: skip
+    native, python = (
+        clpt.simulate(loop, [0.0, 15.0], initial_state=state, params=changes, engine=e)
+        for e in ("native", "python")
+    )
+    np.testing.assert_allclose(native.states, python.states, rtol=1e-9, atol=1e-10)
+    assert native.outputs[0, -1] == pytest.approx(3 * math.cos(2 * math.pi * 3 / 10))
+
+
+def test_two_vehicles_in_one_diagram():
+    first = clpt.closed_loop(clpt.paper_scenario())
+    second = clpt.closed_loop(clpt.paper_scenario().with_values({"learning.gain": 2.0}))
+    first.name, second.name = "near", "far"
+    both = control.interconnect(
+        [first, second], connections=False, inplist=[], inputs=0, check_unused=False,
+        outlist=["near.e[0]", "far.e[0]"], outputs=["near", "far"],
+    )  # fmt: skip
+    state = np.tile(initial_state(clpt.paper_scenario()), 2)
+    together = clpt.simulate(both, [0.0, 30.0], initial_state=state)
+    apart = [clpt.simulate(loop, [0.0, 30.0], initial_state=state[:14]) for loop in (first, second)]
+    alone = [run.outputs[run.output_labels.index("e[0]"), -1] for run in apart]
+    np.testing.assert_allclose(together.outputs[:, -1], alone, rtol=0, atol=1e-8)
+
+
+class WordParameters(NamedTuple):
+    table: np.ndarray
+    gain: float
+
+
+def wordy(t, x, u, p, dx):
+    """All the words at once, section II: u = none, state s[3]."""
+    a, b, c = x[0], x[1], x[2]
+    dx[0] = where(a > b, p.gain, -p.gain) + minimum(a, 1.0) - maximum(b, c) / 7
+    dx[1] = clip(3 * a, -1.0, 1.0) + sign(b) * 0.1 + floor(c) / 3 + math.tanh(a) - b
+    dx[2] = lookup(p.table, clip(floor(t), 0.0, 4.0)) - c**3 + a % 1.7
+
+
+def test_every_word_in_a_diagram():
+    parameters = WordParameters(np.array([0.3, -0.2, 0.5, 0.1, -0.4]), 0.7)
+    block = Block("words", update=wordy, states={"s": 3}, parameters=parameters)
+    asked, random = readings(connect([block])), np.random.default_rng(0)
+    for _ in range(50):
+        t, x = random.uniform(0, 6), random.normal(0, 2, 3)
+        for name, ask in asked.items():
+            found, wanted = ask(t, x, [])[0], block.dynamics(t, x, [])
+            np.testing.assert_allclose(found, wanted, rtol=1e-14, atol=1e-14, err_msg=name)
+
+
+@settings(max_examples=12, deadline=None, derandomize=True)
+@given(
+    gain=st.floats(0.05, 5.0), dwell=st.floats(0.5, 30.0), radius=st.floats(0.1, 20.0),
+    start=st.tuples(st.floats(-5, 5), st.floats(-5, 5)),
+)  # fmt: skip
+def test_any_numbers_give_what_python_gives(gain, dwell, radius, start):
+    scenario = clpt.paper_scenario().with_values({
+        "learning.gain": gain, "reference.dwell": dwell, "reference.radius": radius,
+        "vehicle.position": list(start), "run.duration": 12,
+    })  # fmt: skip
+    native, python = (clpt.simulate(scenario, [0.0, 12.0], engine=e) for e in ("native", "python"))
+    np.testing.assert_allclose(native.alpha, python.alpha, rtol=1e-7, atol=1e-8)
+    np.testing.assert_allclose(native.reference, python.reference, rtol=0, atol=0)
+
+
+def field(outside):
+    from clpt_control.blocks.field import gridded_flow
+
+    t, x2, x1 = np.linspace(0, 50, 6), np.linspace(-3, 3, 7), np.linspace(-2, 2, 5)
+    shape = (6, 7, 5)
+    grid = GriddedField(t, x2, x1, np.full(shape, 0.7), np.zeros(shape))
+    hold = Block("drive", output=still, inputs={"x": 2}, outputs={"v_x": 2})
+    return connect([gridded_flow(grid, outside), hold, vehicle.vehicle()])
+
+
+def still(t, x, u, p, y):
+    """v = 0, section II: u = x[2] (length), y = v_x[2] (length per time)."""
+    for i in range(2):
+        y[i] = 0.0 * u[i]
+
+
+def test_a_field_is_left_where_and_as_it_says():
+    with pytest.raises(SimulationError, match=r"left the field at position \(2, 0\).*time 2.857"):
+        clpt.simulate(field("raise"), [0.0, 10.0])
+    stopped = clpt.simulate(field("stop"), [0.0, 1.0, 2.0, 10.0])
+    np.testing.assert_allclose(stopped.time, [0, 1, 2, 2 / 0.7], rtol=1e-9)
+    for made in (NativeDiagram, PlainDiagram):
+        fixed = made(field("stop")).run([0.0, 0.0], [0.0, 1.0, 2.0, 10.0], step=0.05)
+        np.testing.assert_allclose(fixed.t, [0, 1, 2, 2 / 0.7], rtol=1e-9)
+        np.testing.assert_allclose(fixed.x[:, 0], 0.7 * fixed.t, rtol=1e-9)
+    clipped = clpt.simulate(field("clip"), [0.0, 10.0])
+    assert clipped.states[0, -1] == pytest.approx(7.0, abs=1e-9)
+
+
+def blows_up(t, x, u, p, dx):
+    """s' = 1 + s^2, which ends at pi/2, section II: state s[1]."""
+    dx[0] = 1 + x[0] ** 2
+
+
+def test_a_run_that_cannot_go_on_says_why():
+    diagram = connect([Block("tangent", update=blows_up, states={"s": 1})])
+    with pytest.raises(SimulationError, match=r"t = 1\.57"):
+        clpt.simulate(diagram, [0.0, 3.0])
+    broken = clpt.closed_loop(clpt.paper_scenario())
+    with pytest.raises(SimulationError, match="state x\\[0\\] of block vehicle is not finite"):
+        clpt.simulate(broken, [0.0, 1.0], initial_state=[np.nan] + [0.0] * 13)
+
+
+def test_algebraic_loops_name_the_blocks():
+    blocks = [Block("one", output=still, inputs={"b": 2}, outputs={"a": 2}),
+              Block("two", output=still, inputs={"a": 2}, outputs={"b": 2})]  # fmt: skip
+    with pytest.raises(DiagramError, match="one <- two"):
+        clpt.native.compile(connect(blocks))
+
+
+def test_what_cannot_be_compiled_runs_in_python_with_one_warning():
+    lag = control.nlsys(lambda t, x, u, params: -x, None, states=1, outputs=1, inputs=0, name="lag")
+    loop = control.interconnect([lag], outlist=["lag.y[0]"], inputs=0, connections=False,
+                                check_unused=False)  # fmt: skip
+    with pytest.warns(UserWarning, match="lag is no block") as caught:
+        found = clpt.simulate(loop, [0.0, 1.0], initial_state=[1.0])
+    assert len(caught) == 1
+    assert found.states[0, -1] == pytest.approx(math.exp(-1), abs=1e-9)
+
+
+def test_unknown_engines_are_refused():
+    with pytest.raises(SimulationError, match="native, python"):
+        clpt.simulate(clpt.paper_scenario(), engine="c")
+
+
+def test_code_is_made_once_for_diagrams_that_differ_in_numbers():
+    def code(**changes):
+        changes = {key.replace("_", "."): value for key, value in changes.items()}
+        return NativeDiagram(clpt.closed_loop(clpt.paper_scenario().with_values(changes))).code
+
+    assert code(learning_gain=2.0) is code(learning_gain=0.5)
+    assert code(basis_kernel="gaussian") is not code()
+
+
+def test_a_pinned_interval_stays():
+    block = reference.reference([[1.0, 0.0], [2.0, 0.0]], 5.0)
+    carried = Block("aim", output=aim, inputs={"zc": 2}, outputs={"v_x": 2})
+    diagram = connect([block, vehicle.vehicle(), carried], external=["flow_x"])
+    times = np.array([0.0, 12.0])
+    native = NativeDiagram(diagram, {"reference.interval": 1.0})
+    found = native.run(np.zeros(2), times, inputs=read_inputs(None, times, 2))
+    assert found.x[-1, 0] == pytest.approx(24.0, abs=1e-9)
+
+
+def aim(t, x, u, p, y):
+    """v = zc, section II: u = zc[2] (length), y = v_x[2] (length per time)."""
+    for i in range(2):
+        y[i] = u[i]
+
+
+def test_the_fixed_step_has_order_four():
+    diagram = connect([vehicle.vehicle(), Block("drag", output=drag, inputs={"x": 2},
+                       outputs={"v_x": 2})], external=["flow_x"])  # fmt: skip
+    native, held = NativeDiagram(diagram), read_inputs([0.0, 0.0], np.array([0.0, 2.0]), 2)
+    exact = np.exp(-2.0) * np.array([1.0, -2.0])
+    errors = [
+        np.abs(native.run([1.0, -2.0], [0.0, 2.0], inputs=held, step=h).x[-1] - exact).max()
+        for h in (0.2, 0.1, 0.05)
+    ]
+    orders = np.log2(np.array(errors[:-1]) / errors[1:])
+    np.testing.assert_allclose(orders, 4.0, atol=0.15)
+
+
+def test_the_fixed_step_stops_at_every_waypoint():
+    scenario = clpt.paper_scenario().with_values({"run.duration": 100})
+    native = NativeDiagram(clpt.closed_loop(scenario))
+    state, times = initial_state(scenario), np.array([0.0, 20.0, 33.3, 100.0])
+    fixed = native.run(state, times, step=0.02)
+    adaptive = native.run(state, times, rtol=1e-12, atol=1e-13)
+    np.testing.assert_allclose(fixed.x, adaptive.x, rtol=0, atol=2e-6)
+    with pytest.raises(SimulationError, match="must be positive"):
+        native.run(state, times, step=-1.0)
+
+
+def test_many_starts_in_lanes_equal_each_alone():
+    scenario = clpt.paper_scenario().with_values({"run.duration": 30})
+    native = NativeDiagram(clpt.closed_loop(scenario))
+    starts = initial_state(scenario) + np.random.default_rng(2).normal(0, 0.1, (11, 14))
+    times = np.array([0.0, 7.0, 20.0, 30.0])
+    fixed = native.run_many(starts, times, step=0.05)
+    adaptive = native.run_many(starts, times)
+    for k in (0, 6, 10):
+        alone = native.run(starts[k], times, step=0.05)
+        np.testing.assert_allclose(fixed[k], alone.x, rtol=0, atol=1e-12)
+        alone = native.run(starts[k], times)
+        np.testing.assert_allclose(adaptive[k], alone.x, rtol=0, atol=1e-10)
+    np.testing.assert_array_equal(native.run_many(starts[3:9], times, step=0.05), fixed[3:9])

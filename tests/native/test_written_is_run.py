@@ -1,0 +1,480 @@
+"""What is written is what runs: legal blocks and wirings that once ran as something else.
+
+Each is asked in every reading and compared with a number worked out by hand, or is
+refused in one sentence by every reading alike.
+"""
+
+import math
+from typing import NamedTuple
+
+import control
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.blocks import Block
+from clpt_control.blocks.words import lookup, maximum, minimum, where
+from clpt_control.diagrams.interconnection import connect
+from clpt_control.errors import BlockError, DiagramError
+from clpt_control.native import readings
+
+
+def alike(diagram, x=(), u=(), t=0.0, rate=None, outputs=None):
+    """Every reading gives these numbers."""
+    for name, ask in readings(diagram).items():
+        found = ask(t, np.asarray(x, dtype=float), np.asarray(u, dtype=float))
+        for got, wanted in zip(found, (rate, outputs), strict=True):
+            if wanted is not None:
+                np.testing.assert_allclose(got, wanted, rtol=1e-12, atol=1e-12, err_msg=name)
+
+
+def static(function, inputs, outputs=1, parameters=None, name="mine"):
+    return Block(name, output=function, inputs={"u": inputs} if inputs else {},
+                 outputs={"y": outputs}, parameters=parameters)  # fmt: skip
+
+
+# --- loops ------------------------------------------------------------------------------------
+
+
+def legendre(t, x, u, p, y):
+    a, b = 1.0, u[0]
+    y[0] = 0.0
+    for k in range(1, 7):
+        a, b = b, ((2 * k + 1) * u[0] * b - k * a) / (k + 1)
+    y[0] = b
+    for k in range(20):
+        y[1 + k] = u[k]
+
+
+def test_a_recurrence_beside_a_wide_port():
+    from numpy.polynomial.legendre import legval
+
+    u = np.linspace(0.3, 1.0, 20)
+    alike(static(legendre, 20, 21), u=u, outputs=[legval(0.3, [0] * 7 + [1]), *u])
+
+
+def differences(t, x, u, p, y):
+    s, total = 0.0, 0.0
+    for _ in range(70):
+        old = s
+        s = s + u[0]
+        total += s - old
+    y[0] = total
+
+
+def test_what_a_turn_keeps_of_itself():
+    alike(static(differences, 1), u=[0.9], outputs=[63.0])
+
+
+def summed(t, x, u, p, y):
+    s = 0.0
+    for i in range(40):
+        s += (i + 1) * u[i]
+    y[0] = s
+
+
+def line(t, x, u, p, y):
+    for i in range(20):
+        y[i] = u[0] + i
+
+
+def summing():
+    return Block("sum", output=summed, inputs={"a": 20, "b": 20}, outputs={"y": 1})
+
+
+def test_a_loop_over_ports_of_two_blocks():
+    first = Block("first", output=line, inputs={"u": 1}, outputs={"a": 20})
+    second = Block("second", output=line, inputs={"v": 1}, outputs={"b": 20})
+    diagram = connect([second, first, summing()], external=["u", "v"])
+    wanted = sum((i + 1) * (3.0 + i) for i in range(20))
+    wanted += sum((i + 21) * (7.0 + i) for i in range(20))
+    for name, ask in readings(diagram).items():
+        found = ask(0.0, [], [3.0, 7.0])[1]
+        assert found[diagram.output_labels.index("y[0]")] == pytest.approx(wanted), name
+
+
+def ramp(t, x, u, p, y):
+    for i in range(20):
+        y[i] = i + 1.0
+
+
+def each(t, x, u, p, y):
+    s = 0.0
+    for i in range(20):
+        s += (i + 1) * u[i]
+    y[0] = s
+
+
+WIRINGS = {
+    "signs": [[(j, 1.0 if j % 2 else -1.0)] for j in range(20)],
+    "halves": [[(j, 1.0 if j < 10 else -1.0)] for j in range(20)],
+    "backwards": [[(19 - j, 1.0)] for j in range(20)],
+    "mixed": [[(7 * j % 20, 1.0)] for j in range(20)],
+    "one unfed": [[(j, 1.0)] if j != 11 else [] for j in range(20)],
+    "two on one": [[(j, 1.0)] + ([(3, 1.0)] if j == 5 else []) for j in range(20)],
+    "gains": [[(j, 0.5 * j)] for j in range(20)],
+}
+
+
+@pytest.mark.parametrize("case", WIRINGS)
+def test_a_loop_reads_the_wiring_as_it_is(case):
+    source = Block("source", output=ramp, outputs={"a": 20})
+    reader = Block("reader", output=each, inputs={"u": 20}, outputs={"y": 1})
+    terms = WIRINGS[case]
+    diagram = control.interconnect(
+        [source, reader], inplist=[], inputs=0, outlist=["reader.y[0]"], outputs=["y"],
+        connections=[[f"reader.u[{j}]", *((0, k, gain) for k, gain in feeds)]
+                     for j, feeds in enumerate(terms) if feeds], check_unused=False,
+    )  # fmt: skip
+    fed = [sum(gain * (k + 1) for k, gain in feeds) for feeds in terms]
+    alike(diagram, outputs=[sum((j + 1) * value for j, value in enumerate(fed))])
+
+
+def one_behind(t, x, u, p, y):
+    s = 0.0
+    for i in range(1, 21):
+        s += u[i - 1]
+    y[0] = s
+
+
+def test_a_loop_that_starts_at_one():
+    alike(static(one_behind, 20), u=np.arange(1, 21), outputs=[210.0])
+
+
+def spread(t, x, u, p, dx):
+    for i in range(20):
+        dx[i] = -x[i]
+    for i in range(20):
+        dx[i] += u[0]
+
+
+def test_a_derivative_that_is_added_to():
+    block = Block("mine", update=spread, inputs={"u": 1}, states={"x": 20})
+    x = np.linspace(-1, 1, 20)
+    alike(block, x, [0.25], rate=0.25 - x, outputs=x)
+
+
+# --- indices, slices and returns ---------------------------------------------------------------
+
+
+class Matrix(NamedTuple):
+    m: np.ndarray
+    table: np.ndarray
+
+
+def from_the_end(t, x, u, p, dx):
+    for i in range(3):
+        dx[-1 - i] = p.m[i, -1] * x[i]
+
+
+def test_indices_from_the_end():
+    m = np.arange(12.0).reshape(3, 4)
+    block = Block("mine", update=from_the_end, states={"x": 3}, parameters=Matrix(m, np.zeros(2)))
+    alike(block, [1.0, 2.0, 3.0], rate=[33.0, 14.0, 3.0])
+
+
+def returns_early(t, x, u, p, y):
+    y[0] = 2.0 * u[0]
+    return
+    y[0] = 17.0
+
+
+def backwards(t, x, u, p, y):
+    v = u[::-1]
+    for i in range(3):
+        y[i] = v[i] - v[-1]
+
+
+def running_maximum(t, x, u, p, y):
+    m = u[0]
+    for i in range(8):
+        m = maximum(m, u[i])
+        y[i] = m
+
+
+def large_powers(t, x, u, p, y):
+    s = 0.0
+    for i in range(70):
+        s += u[0] / 2**i
+    y[0] = s
+    y[1] = u[0] * 2**69
+
+
+def looks_from_the_end(t, x, u, p, y):
+    y[0] = lookup(p.table, -1.0 + 0.0 * u[0])
+    y[1] = lookup(p.table, -2.0 + 0.0 * u[0])
+    y[2] = lookup(p.table, 1.9 + 0.0 * u[0])
+
+
+def test_an_early_return():
+    alike(static(returns_early, 1), u=[4.0], outputs=[8.0])
+
+
+def test_a_slice_backwards():
+    alike(static(backwards, 3, 3), u=[1.0, 2.0, 5.0], outputs=[4.0, 1.0, 0.0])
+
+
+def test_a_running_maximum():
+    u = [1.0, -2.0, 3.0, 2.0, 7.0, 7.0, -9.0, 8.0]
+    alike(static(running_maximum, 8, 8), u=u, outputs=[1, 1, 3, 3, 7, 7, 7, 8])
+
+
+def test_powers_of_a_counter():
+    alike(static(large_powers, 1, 2), u=[0.75], outputs=[1.5, 0.75 * 2.0**69])
+
+
+def test_a_table_from_its_end():
+    p = Matrix(np.zeros((1, 1)), np.array([3.0, 5.0, 7.0]))
+    alike(static(looks_from_the_end, 1, 3, p), u=[0.3], outputs=[7.0, 5.0, 5.0])
+
+
+# --- refused in one sentence -------------------------------------------------------------------
+
+
+def returns_its_rate(t, x, u, p, dx):
+    return -x[0] + u[0]
+
+
+def test_an_update_that_returns_its_rate_makes_no_block():
+    with pytest.raises(BlockError) as caught:
+        Block("lag", update=returns_its_rate, inputs={"u": 1}, states={"x": 1})
+    assert "returning a value is not allowed here; fill the last argument" in str(caught.value)
+    assert str(caught.value).startswith("lag.update")
+
+
+def discrete():
+    return control.ss([[1.2]], [[1.0]], [[1.0]], 0, dt=0.1, name="sampled")
+
+
+def around(system):
+    return control.interconnect(
+        [system], inplist=[f"{system.name}.u[0]"], outlist=[f"{system.name}.y[0]"],
+        connections=False, name="around",
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("place", ["alone", "in a diagram", "in a diagram in a diagram"])
+def test_discrete_time_is_refused_by_name(place):
+    system = discrete()
+    for _ in range(["alone", "in a diagram", "in a diagram in a diagram"].index(place)):
+        system = around(system)
+        system.name = f"around {system.syslist[0].name}"
+    for call in (
+        lambda: clpt.simulate(system, [0.0, 1.0], 1.0),
+        lambda: clpt.simulate(system, [0.0, 1.0], 1.0, engine="python"),
+        lambda: clpt.native.compile(system),
+        lambda: readings(system),
+    ):
+        with pytest.raises(DiagramError, match=r"discrete time \(dt = 0\.1\)") as caught:
+            call()
+        assert "\n" not in str(caught.value)
+
+
+def test_continuous_systems_of_python_control_are_run():
+    system = around(control.ss([[-2.0]], [[1.0]], [[1.0]], 0, name="lag"))
+    found = clpt.simulate(system, [0.0, 1.0], 1.0)
+    assert found.outputs[0, -1] == pytest.approx((1 - math.exp(-2)) / 2, abs=1e-9)
+
+
+# --- what nobody writes twice ------------------------------------------------------------------
+
+
+def without_source(body, name="f", **names):
+    """Make equations as a prompt does, of which no text is kept."""
+    lines = "".join(f"    {line}\n" for line in body.split("\n"))
+    space = {"math": math, "where": where, "lookup": lookup, **names}
+    exec(f"def {name}(t, x, u, p, y):\n{lines}", space)
+    return space[name]
+
+
+REFUSED = {
+    "y[0] = u": "writing an array into one number",
+    "y[0] = u[1:2]": "writing an array into one number",
+    "y[0] = p.m[0]": "writing an array into one number",
+    "y[0] = lookup(p.m, u[0])": "`lookup` in what is no row of numbers",
+    "y[0] = lookup(u[0], u[1])": "`lookup` in what is no row of numbers",
+    "y[0] = lookup((u, u), u[1])": "`lookup` in what is no row of numbers",
+    "y[0] = where(u[0] > 0, 1.0, 2.0) * (u[0] is u[0])": "`is` or `in` is not allowed here",
+    "y[0] = len('%s' % (u[0],))": "a string is not allowed here",
+    "y[0] = len(f'{u[0]}')": "a string is not allowed here",
+    "y[0] = u.dtype.num": "`dtype` of an array is not allowed here",
+    "y[0] = u.sum()": "`sum` of an array is not allowed here",
+    "math.pi = 3.0\ny[0] = 0.0": "setting an attribute is not allowed here",
+}
+
+
+@pytest.mark.parametrize("body", REFUSED)
+def test_what_python_alone_would_run_is_refused(body):
+    with pytest.raises(BlockError) as caught:
+        static(without_source(body), 2, 1, Matrix(np.ones((2, 2)), np.zeros(2)))
+    assert REFUSED[body] in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_equal_code_that_calls_other_functions_keeps_its_own_record():
+    body = "y[0] = s(u[0])\ny[1] = w(u[0], 2.0)"
+    first = static(without_source(body, s=math.sin, w=minimum), 1, 2)
+    other = static(without_source(body, s=math.cos, w=maximum), 1, 2)
+    alike(first, u=[1.0], outputs=[math.sin(1.0), 1.0])
+    alike(other, u=[1.0], outputs=[math.cos(1.0), 2.0])
+
+
+def gain(p):
+    if p:
+        raise ValueError
+    return [p]
+
+
+class Gain(NamedTuple):
+    gain: float
+    count: int
+
+
+def called_like_a_function(t, x, u, p, y):
+    y[0] = p.gain * u[0]
+    y[1] = (p.count + 1 - p.count) * u[0]
+
+
+def test_a_field_may_be_called_as_a_function_of_the_module_is():
+    alike(static(called_like_a_function, 1, 2, Gain(3.0, 2**70)), u=[2.0], outputs=[6.0, 2.0])
+
+
+def products(t, x, u, p, y):
+    y[0] = u @ u
+    y[1] = math.sqrt(u @ u) + (2.0 * (p.m @ u))[1]
+
+
+def test_products_of_arrays():
+    p = Matrix(np.arange(4.0).reshape(2, 2), np.zeros(2))
+    alike(static(products, 2, 2, p), u=[3.0, 4.0], outputs=[25.0, 5.0 + 36.0])
+
+
+def from_a_long_table(t, x, u, p, y):
+    y[0] = lookup(p.table, u[0])
+    y[1] = lookup(p.table[::-3], u[0])
+
+
+def test_a_long_table_is_asked_in_every_reading():
+    p = Matrix(np.zeros((1, 1)), np.arange(200_000.0))
+    alike(static(from_a_long_table, 1, 2, p), u=[150.5], outputs=[150.0, 199_999.0 - 450])
+
+
+def by_a_small_number(t, x, u, p, y):
+    y[0] = math.atan2(0.0 * u[0], -1.0)
+    y[1] = where(1.0 / (0.0 * u[0]) > 0, 1.0, -1.0)
+
+
+@pytest.mark.parametrize("u", [2.0, -2.0])
+def test_a_zero_keeps_its_sign(u):
+    alike(static(by_a_small_number, 1, 2), u=[u], outputs=[math.copysign(math.pi, u), np.sign(u)])
+
+
+def negative(t, x, u, p, y):
+    y[0] = -u[0]
+
+
+def divides(t, x, u, p, y):
+    y[0] = minimum(1.0 / u[0], 5.0)
+    y[1] = math.atan2(u[0], -1.0)
+
+
+def test_a_zero_that_comes_through_a_wire_has_no_sign():
+    first = Block("first", output=negative, inputs={"u": 1}, outputs={"v": 1})
+    second = Block("second", output=divides, inputs={"v": 1}, outputs={"y": 2})
+    diagram = connect([first, second], external=["u"])
+    alike(diagram, u=[0.0], outputs=[0.0, 5.0, math.pi])
+
+
+def rounds(t, x, u, p, dx):
+    dx[0] = (u[0] + p.large) - p.large
+
+
+class Large(NamedTuple):
+    large: float
+
+
+def test_a_large_number_added_and_taken_away_rounds():
+    block = Block("mine", update=rounds, inputs={"u": 1}, states={"x": 1},
+                  parameters=Large(1.5 * 2.0**52))  # fmt: skip
+    for name, ask in readings(block).items():
+        if name != "symbolic":  # SymPy's numbers do not round
+            assert ask(0.0, [0.0], [2.7])[0] == [3.0], name
+
+
+def turns_for_ever(t, x, u, p, y):
+    for _ in range(10**12):
+        pass
+    y[0] = 0.0
+
+
+def test_a_loop_of_too_many_turns_is_given_up():
+    block = static(turns_for_ever, 1)
+    with pytest.raises(clpt.errors.ClptError, match="takes more operations"):
+        readings(block)["scalar"](0.0, [], [1.0])
+
+
+@pytest.mark.parametrize("value", [[[1.0], [2.0, 3.0]], 1j, "a", None])
+def test_parameters_that_are_no_numbers_are_refused(value):
+    with pytest.raises(BlockError, match=r"mine\.large"):
+        static(negative, 1, 1, Large(value))
+
+
+@pytest.mark.parametrize(("name", "size"), [("a.b", 1), ("", 1), ("-a", 1), ("a", -1), ("a", "2")])
+def test_names_and_sizes_that_cannot_be_wired_are_refused(name, size):
+    with pytest.raises(BlockError, match="must"):
+        Block("mine", output=negative, inputs={"u": 1}, outputs={name: size})
+
+
+@pytest.mark.parametrize("system", [control.tf([1], [1, 1]), 5, None])
+def test_what_is_no_system_of_states_is_refused(system):
+    with pytest.raises(DiagramError, match=r"control\.ss"):
+        readings(system)
+
+
+def test_a_diagram_of_no_blocks_is_refused():
+    with pytest.raises(DiagramError, match="no blocks"):
+        connect([])
+
+
+# --- what a run is given -----------------------------------------------------------------------
+
+
+class Phase(NamedTuple):
+    interval: float = -1.0
+
+
+def turns_round(t, x, u, p, dx):
+    dx[0] = where(p.interval > 0.5, -1.0, 1.0) + u[0]
+
+
+def jumping(breakpoints):
+    return Block("mine", update=turns_round, inputs={"u": 1}, states={"x": 1},
+                 parameters=Phase(), breakpoints=breakpoints)  # fmt: skip
+
+
+@pytest.mark.parametrize("times", [[1.5, 0.5], [0.5, math.nan], None, 0.5, ["a"], [[0.5, 1.5]]])
+@pytest.mark.parametrize("engine", ["python", "native"])
+def test_breakpoints_that_are_no_increasing_times_are_refused(times, engine):
+    with pytest.raises(BlockError, match="must be increasing times"):
+        clpt.simulate(jumping(lambda p, t0, t1: times), [0.0, 2.0], engine=engine)
+
+
+GIVEN = {
+    "timepts": ("abc", ["a", "b"]),
+    "initial_state": ("a", [[1.0], [2.0, 3.0]]),
+    "inputs": ("ab", [[1.0], [1.0, 2.0]], lambda t: [t, t] if t > 1 else [t], lambda t: ["a"]),
+    "rtol": (-1.0, math.nan, "a"),
+    "atol": (-1.0, "a"),
+    "params": ([1.0], "a"),
+}
+
+
+@pytest.mark.parametrize("engine", ["python", "native"])
+@pytest.mark.parametrize(
+    ("name", "k"), [(name, k) for name in GIVEN for k in range(len(GIVEN[name]))]
+)
+def test_what_is_no_number_is_refused_by_its_name(name, k, engine):
+    given = {"timepts": [0.0, 2.0], name: GIVEN[name][k]}
+    with pytest.raises(clpt.errors.ClptError, match=name) as caught:
+        clpt.simulate(jumping(lambda p, t0, t1: [0.5]), **given, engine=engine)
+    assert "\n" not in str(caught.value)

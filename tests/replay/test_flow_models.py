@@ -1,0 +1,163 @@
+"""Flow models that carry a glider: closed forms, fitted bases, refusals, the replay."""
+
+import math
+from dataclasses import replace
+
+import netCDF4
+import numpy as np
+import pytest
+from synthetic_forecast import (
+    HOURS,
+    LAT,
+    LON,
+    Made,
+    W,
+    dive_at,
+    ended,
+    model_way,
+    turned,
+    turning,
+    write,
+)
+
+from clpt_control.currents.fit import fit_scenario
+from clpt_control.currents.fit_file import save_fit
+from clpt_control.errors import DataError
+from clpt_control.files import write_netcdf
+from clpt_control.gliders.dive_table import sample_dives
+from clpt_control.gliders.usable_dives import usable
+from clpt_control.replay.file import replay_dataset
+from clpt_control.replay.flow_model_file import read_flow_model
+from clpt_control.replay.flow_models import carried, why_uncovered
+from clpt_control.replay.session import replay_dives
+
+
+def test_solid_rotation():
+    """Z' = v + omega J z: z(T) = (v_x sin + v_y (cos - 1), v_x (1 - cos) + v_y sin) / omega."""
+    dive, w = dive_at(), 1e-4
+    v = np.array([dive.dr_east, dive.dr_north]) / dive.duration
+    s, c = math.sin(w * dive.duration), math.cos(w * dive.duration)
+    end = np.array([v[0] * s + v[1] * (c - 1), v[0] * (1 - c) + v[1] * s]) / w
+    way = model_way(dive, Made(lambda t, x, y: (-w * y, w * x)))
+    assert way == pytest.approx(end - (dive.dr_east, dive.dr_north), abs=0.01)
+
+
+def test_linear_shear_and_tide():
+    dive, k = dive_at(), 2e-5
+    T = dive.duration
+    # x' = v_x + k y, y = v_y t: the flow adds k v_y T^2 / 2
+    assert model_way(dive, Made(lambda t, x, y: (k * y, 0.0))) == pytest.approx(
+        (k * dive.dr_north * T / 2, 0.0), abs=1e-6
+    )
+    tide = Made(lambda t, x, y: (0.5 * math.cos(W * t), 0.5 * math.sin(W * t)))
+    assert model_way(dive, tide) == pytest.approx(
+        0.5 / W * np.array([math.sin(W * T), 1 - math.cos(W * T)]), abs=0.01
+    )
+
+
+def test_the_track_is_followed():
+    """All the way east in the first half, at rest in the second; the flow grows eastward."""
+    T, way, k = 21600.0, 5000.0, 1e-5
+    track = (np.array([0, T / 2, T]), np.array([0, way, way]), np.zeros(3))
+    dive = dive_at(way=(way, 0.0), track=track)
+    # x' = v + k x, then x' = k x: x(T) = (v / k) (e^(kT/2) - 1) e^(kT/2)
+    grown = math.exp(k * T / 2)
+    end = 2 * way / T / k * (grown - 1) * grown
+    model = Made(lambda t, x, y: (k * x, 0.0))
+    assert model_way(dive, model)[0] == pytest.approx(end - way, abs=0.05)
+    straight = model_way(replace(dive, track=None), model)[0]
+    assert straight == pytest.approx(way / T / k * (math.exp(k * T) - 1) - way, abs=0.01)
+
+
+def test_the_end_fix_is_not_read(tmp_path):
+    model = read_flow_model(write(tmp_path / "t.nc", *turning(HOURS, (len(LAT), len(LON)))))
+    blind = dive_at()
+    seen = model_way(ended(blind, 900.0, -700.0), model)
+    assert np.array_equal(model_way(blind, model), seen)
+
+
+def known_fit(folder):
+    """The fit of a steady current and an M2 tide that are known, 0.2 east and 0.3 turning."""
+    u, v = turning(HOURS[::4], (len(LAT), len(LON)))
+    path = write(folder / "known.nc", u + 0.2, v, hours=HOURS[::4])
+    fit = fit_scenario(path, centers=(4, 4), width_km=60.0, radius_km=5.0)
+    save_fit(fit, folder / "fit.toml")
+    return fit
+
+
+def test_a_fitted_basis(tmp_path):
+    """As far from the known flow as the fit's own residual, and turned to east and north."""
+    fit = known_fit(tmp_path)
+    model = read_flow_model(tmp_path / "fit.toml")
+    assert model.about.startswith("fitted basis of 48 functions")
+    for hour, place in ((3.0, (41.0, -69.3)), (20.0, (41.2, -68.9))):
+        dive = dive_at(hour, lat=place[0], lon=place[1])
+        expected = turned(dive) + np.array([0.2 * dive.duration, 0.0])
+        most = fit.report["residual_max"] / 3.6 * dive.duration
+        assert most < 500  # m, of some 5 km
+        assert np.hypot(*(model_way(dive, model) - expected)) < most
+    assert "outside the fit's area" in why_uncovered(carried(dive_at(lat=39.0), model))
+
+
+def test_files_that_are_no_flow_model(tmp_path):
+    known_fit(tmp_path)
+    full = tuple(turning(HOURS, (len(LAT), len(LON))))
+    text = (tmp_path / "fit.toml").read_text()
+    (tmp_path / "bare.toml").write_text(text)
+    with netCDF4.Dataset(tmp_path / "fit_field.nc", "a") as file:
+        report = file.fit_report
+        file.fit_report = "{}"
+    (tmp_path / "model.csv").write_text("u,v\n")
+    write(tmp_path / "days.nc", *full, calendar="360_day")
+    deep = np.zeros((2, 3, len(LAT), len(LON)))
+    write(tmp_path / "deep.nc", deep, deep, hours=HOURS[:2], depth=[0.0, 1.0, 1.0])
+    levels = {"depth": [0.0, 0.5, 1.0], "level": "1"}
+    write(tmp_path / "sigma.nc", deep, deep, hours=HOURS[:2], **levels)
+    write(tmp_path / "fast.nc", full[0] + 40, full[1])
+    for name, says in (
+        ("model.csv", "is no flow model"),
+        ("none.nc", "no such file"),
+        ("fit_field.nc", "give the .toml file"),
+        ("bare.toml", "has no fit_report"),
+        ("days.nc", "calendar '360_day'"),
+        ("deep.nc", "each once"),
+        ("sigma.nc", "depth has units '1'"),
+        ("fast.nc", "check its units"),
+    ):
+        with pytest.raises(DataError, match=says):
+            read_flow_model(tmp_path / name)
+    with netCDF4.Dataset(tmp_path / "fit_field.nc", "a") as file:
+        file.fit_report = report.replace('"theta": [[', '"theta": [[0.0, ', 1)
+    with pytest.raises(DataError, match=r"write both anew|has no fit_report"):
+        read_flow_model(tmp_path / "fit.toml")
+
+
+def test_replay_with_and_without_a_model(tmp_path):
+    dives = usable(sample_dives())[0]
+    bare = replay_dives(dives)
+    assert set(bare.summary()["clpe_rms"]) == {"no_flow", "previous_dive", "adaptive"}
+    assert "flow_model" not in bare.summary()
+    assert bare.steps[3].clpe["flow_model"] is None
+    calm = Made(lambda t, x, y: (0.0, 0.0))
+    still = replay_dives(dives, flow_model=calm)
+    for name in ("clpe_rms", "clpe_rms_all", "clpe_rms_after_3"):
+        rms = still.summary()[name]
+        assert rms["flow_model"] == pytest.approx(rms["no_flow"])
+    half = [replace(d, model_east=None) if d.number % 2 else carried(d, calm) for d in dives]
+    replay = replay_dives(dives, flow_model=calm)
+    replay.steps.clear()
+    replay.__post_init__()
+    for dive in half:
+        replay.step(dive)
+    found = replay.summary()
+    assert found["flow_model"]["covered"] == 7
+    even = [s.clpe["no_flow"] for s in bare.steps[1:] if s.dive.number % 2 == 0]
+    assert found["clpe_rms"]["flow_model"] == pytest.approx(np.sqrt(np.mean(np.square(even))))
+    data = replay_dataset(replay)
+    assert np.isnan(data.clpe_flow_model.values).sum() == 7
+    write_netcdf(data, tmp_path / "replay.nc")
+    with netCDF4.Dataset(tmp_path / "replay.nc") as file:
+        assert np.isnan(file["clpe_flow_model"]._FillValue)
+        assert "_FillValue" not in file["clpe_no_flow"].ncattrs()
+        assert file["clpe_flow_model"][:].mask.sum() == 7
+        assert {"flow_model_east", "flow_model_north"} <= set(file.variables)

@@ -1,0 +1,136 @@
+"""`clpt replay --follow` as a process: signals, full disks, folders that go away."""
+
+import json
+import signal
+import subprocess
+import sys
+from contextlib import contextmanager
+from types import SimpleNamespace
+
+import pytest
+from processes import CLPT, GUARD, await_line, started, without_progress
+from synthetic_vehicle import one_file_each
+
+from clpt_control.cli import replay_watch
+from clpt_control.gliders.dive_table import sample_dives
+
+RESULTS = ("replay.nc", "map.png", "clpe.png", "current.png")
+
+
+@contextmanager
+def following(folder, out, *words):
+    """A follower that has learned what is there, and what it said."""
+    words = ("replay", "--follow", folder, "--out", out, "--every", "0.05", *words)
+    with started([*CLPT, *words]) as process:
+        yield process, await_line(process, process.stderr, " used")
+
+
+def test_sigterm_ends_following_with_its_results(tmp_path):
+    one_file_each(tmp_path, sample_dives()[:1])
+    with following(tmp_path, tmp_path / "out", "--json") as (process, said):
+        assert said.startswith("1 new file, 1 dive used; dive 304")
+        process.send_signal(signal.SIGTERM)
+        printed, _ = process.communicate(timeout=GUARD)
+    assert process.returncode == 0
+    assert json.loads(printed)["used"] == 1
+
+
+def test_a_folder_that_is_removed_ends_following(tmp_path):
+    folder, out = tmp_path / "in", tmp_path / "out"
+    folder.mkdir()
+    one_file_each(folder, sample_dives()[:2])
+    with following(folder, out) as (process, _):
+        folder.rename(tmp_path / "away")
+        _, said = process.communicate(timeout=GUARD)
+    assert process.returncode == 2
+    assert said.startswith(f"clpt: {folder}: cannot be looked into; what was read is kept in")
+    assert said.count("\n") == 1
+    assert {path.name for path in (out / "state").glob("*.json")} == {
+        "dive304.csv.json", "dive305.csv.json"
+    }  # fmt: skip
+
+
+LIMITED = """
+import resource, sys
+from pathlib import Path
+size = int(sys.argv.pop(1))
+import matplotlib.font_manager  # what it keeps for itself is written before
+resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+from clpt_control.cli import main
+main()
+"""
+
+
+@pytest.fixture(scope="module")
+def sizes(tmp_path_factory):
+    """How large the results are on this machine."""
+    folder = tmp_path_factory.mktemp("whole")
+    words = ("replay", "--sample", "--json", "--out", folder)
+    subprocess.run([*CLPT, *words], check=True, capture_output=True)
+    return {name: (folder / name).stat().st_size for name in RESULTS}
+
+
+@pytest.mark.parametrize("name", RESULTS)
+def test_a_full_disk_leaves_the_results_as_they_were(tmp_path, sizes, name):
+    """A limit on files stands in for the disk; a file is one half too large."""
+    for other in RESULTS:
+        (tmp_path / other).write_text("old")
+    words = ("replay", "--sample", "--json", "--out", tmp_path)
+    done = subprocess.run(
+        [sys.executable, "-c", LIMITED, str(sizes[name] // 2), *words],
+        capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.returncode == 2
+    said = without_progress(done.stderr)
+    assert "cannot be written" in said
+    assert said.count("\n") == 1
+    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == dict.fromkeys(
+        RESULTS, "old"
+    )
+
+
+def test_mistakes_of_following(clpt, tmp_path):
+    inbox = tmp_path / "in"
+    inbox.mkdir()
+    for words, says in (
+        (("--every", "inf"), "--every inf s: must be above 0 s and at most 86400 s"),
+        (("--every", "1e300"), "at most 86400 s"),
+        (("--every", "nan"), "at most 86400 s"),
+        (("--every", "0"), "above 0 s"),
+        (("--patience", "nan"), "--patience nan s: must be 0 s or more"),
+        (("--out", inbox), "would lie in the followed folder"),
+        (("--out", ""), "'--out': is empty"),
+    ):
+        outcome = clpt("replay", "--follow", inbox, *words)
+        assert (outcome.status, outcome.err.count("\n")) == (2, 1)
+        assert says in outcome.err
+    assert "'--follow': is empty" in clpt("replay", "--follow", "").err
+    assert clpt("replay", "--follow", tmp_path / "none").status == 2
+    assert not (tmp_path / "none").exists()
+    assert list(inbox.iterdir()) == []
+
+
+def test_following_without_dives_says_so(clpt, tmp_path):
+    (tmp_path / "half.nc").write_bytes(b"CDF\x01")
+    outcome = clpt("replay", "--follow", tmp_path, "--patience", "0")
+    assert outcome.status == 0
+    assert outcome.err == "1 new file, 0 dives used\n"
+    assert outcome.out.startswith("no dives yet\nskipped a file: ")
+    assert outcome.out.count("\n") == 2
+
+
+def test_patience_is_time(clpt, tmp_path, monkeypatch):
+    """Waits are asked of a clock that moves by them alone."""
+    now, waits = [0.0], []
+
+    def wait(seconds):
+        waits.append(seconds)
+        now[0] += seconds
+
+    monkeypatch.setattr(replay_watch, "time", SimpleNamespace(monotonic=lambda: now[0]))
+    monkeypatch.setattr(replay_watch.interrupt, "wait", wait)
+    for every, expected in (("1000", [25.0]), ("10", [10.0, 10.0, 5.0])):
+        waits.clear()
+        words = ("--every", every, "--patience", "25")
+        assert clpt("replay", "--follow", tmp_path, *words).status == 0
+        assert waits == expected

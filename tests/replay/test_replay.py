@@ -1,0 +1,155 @@
+"""Replay of a glider: SG542's figures, causality, mistakes, the dataset."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from synthetic_vehicle import vehicle
+
+from clpt_control.errors import DataError, ScenarioError
+from clpt_control.estimation.between_fixes import ESTIMATORS, make_estimator
+from clpt_control.estimation.fix_model import FixModel
+from clpt_control.gliders.dive_table import sample_dives
+from clpt_control.gliders.usable_dives import usable
+from clpt_control.replay.file import replay_dataset
+from clpt_control.replay.replay import Replay
+from clpt_control.replay.session import replay_dives
+
+
+@pytest.fixture(scope="module")
+def sg542():
+    return replay_dives(usable(sample_dives())[0])
+
+
+def test_sg542_without_learning(sg542):
+    # the 13 after the first, which has no dive before it; all 14, the first with no flow
+    found = sg542.summary()
+    assert found["clpe_rms"]["no_flow"] == pytest.approx(1853, abs=1)
+    assert found["clpe_rms"]["previous_dive"] == pytest.approx(1213, abs=1)
+    assert found["clpe_rms_all"]["no_flow"] == pytest.approx(1950, abs=1)
+    assert found["clpe_rms_all"]["previous_dive"] == pytest.approx(1407, abs=1)
+    one = replay_dives([sg542.steps[0].dive]).summary()
+    assert set(one["clpe_rms"].values()) == {None}
+    assert one["clpe_rms_all"]["previous_dive"] == pytest.approx(2931, abs=1)
+    assert sg542.summary()["dac_identity_median"] < 1e-3
+
+
+def test_sg542_adaptive(sg542):
+    rms = sg542.rms(3)
+    assert rms["previous_dive"] == pytest.approx(1167, rel=0.01)
+    assert rms["adaptive"] <= 0.88 * rms["previous_dive"]
+    assert 0.75 <= sg542.summary()["inside_90"] <= 1
+    assert sg542.summary()["anomalies"] == []
+
+
+@pytest.mark.parametrize("estimator", ESTIMATORS)
+def test_later_dives_change_nothing_earlier(estimator):
+    dives = vehicle(3, 14)
+    whole = replay_dives(dives, estimator)
+    rng = np.random.default_rng(0)
+    later = [replace(d, gps_east=d.gps_east + 1e4 * rng.normal()) for d in dives[7:]]
+    changed = replay_dives([*dives[:7], *later], estimator)
+    times = [(d.t_gps2, d.t_gpse) for d in dives[7:]]
+    shuffled = [
+        replace(d, t_gps2=t[0], t_gpse=t[1])
+        for d, t in zip(rng.permutation(np.array(dives[7:], object)), times, strict=True)
+    ]
+    permuted = replay_dives([*dives[:7], *shuffled], estimator)
+    for k in range(7):
+        for other in (changed, permuted):
+            assert np.array_equal(whole.steps[k].forecast, other.steps[k].forecast)
+            assert np.array_equal(whole.steps[k].covariance, other.steps[k].covariance)
+
+
+@pytest.mark.parametrize("estimator", ESTIMATORS)
+def test_a_forecast_does_not_read_the_dives_end(estimator):
+    *earlier, last = vehicle(4, 9)
+    learner = make_estimator(estimator, FixModel())
+    for dive in earlier:
+        learner.update(dive)
+    blind = replace(last, gps_east=math.nan, gps_north=math.nan, lat_gpse=math.nan)
+    for seen, unseen in zip(learner.predict(last), learner.predict(blind), strict=True):
+        assert np.array_equal(seen, unseen)
+
+
+@pytest.mark.parametrize("estimator", ESTIMATORS)
+def test_one_by_one_is_all_at_once(estimator):
+    dives = vehicle(5, 12)
+    single = Replay(estimator)
+    for dive in dives:
+        single.step(dive)
+        single.forecast(dives[-1])
+        single.summary()
+    at_once = replay_dataset(replay_dives(dives, estimator))
+    assert replay_dataset(single).identical(at_once)
+
+
+def test_asking_for_a_forecast_changes_nothing():
+    dives = vehicle(6, 5)
+    replay = replay_dives(dives[:4])
+    before = replay.forecast(dives[4])
+    assert all(map(np.array_equal, before, replay.forecast(dives[4])))
+
+
+def test_mistakes_are_sentences():
+    with pytest.raises(ScenarioError, match="must begin with steady"):
+        FixModel(("M2",))
+    with pytest.raises(ScenarioError, match="unknown constituent"):
+        FixModel(("steady", "X9"))
+    with pytest.raises(ScenarioError, match="must be one of kalman, rls, gradient"):
+        make_estimator("best", FixModel())
+    dives, replay = vehicle(1, 2), Replay()
+    replay.step(dives[1])
+    with pytest.raises(DataError, match="ends before dive 1"):
+        replay.step(dives[0])
+    with pytest.raises(DataError, match="must be finite"):
+        replay.step(replace(dives[1], t_gpse=2e9, gps_east=math.nan))
+
+
+def test_the_dataset_is_a_cf_trajectory(sg542, tmp_path):
+    import xarray
+
+    from clpt_control.files import write_netcdf
+
+    write_netcdf(replay_dataset(sg542, "SG542"), tmp_path / "replay.nc")
+    with xarray.open_dataset(tmp_path / "replay.nc") as data:
+        assert data.attrs["featureType"] == "trajectory"
+        assert data.trajectory.attrs["cf_role"] == "trajectory_id"
+        assert data.sizes["dive"] == 14
+        assert str(data.time.values[0])[:10] == "2016-02-01"
+        # a forecast's place is as far from the fix as its CLPE
+        from pyproj import Geod
+
+        far = Geod(ellps="WGS84").inv(
+            data.forecast_longitude, data.forecast_latitude, data.longitude, data.latitude
+        )[2]
+        assert far == pytest.approx(data.clpe_adaptive.values, rel=2e-2, abs=5)
+
+
+def test_the_next_surfacing_is_that_of_the_next_dive():
+    """Planned as it was flown, the next dive's forecast is the one the replay gives it."""
+    from clpt_control.geodesy import place_from
+    from clpt_control.replay.surfacing import next_dive
+
+    *earlier, last = usable(sample_dives())[0]
+    before = replay_dives(earlier)
+    found = next_dive(before, last.duration, (last.dr_east, last.dr_north))
+    step = before.step(last)
+    # but for the drift at the surface: it starts at the fix where the glider came up
+    assert found.forecast == pytest.approx(step.forecast, abs=15)
+    assert found.covariance == pytest.approx(step.covariance, rel=0.05, abs=1e4)
+    up = earlier[-1]
+    way = found.forecast + np.array([last.dr_east, last.dr_north])
+    assert (found.latitude, found.longitude) == place_from(up.lat_gpse, up.lon_gpse, *way)
+    same = next_dive(before)
+    assert (same.plan.duration, same.plan.dr_east) == pytest.approx((last.duration, last.dr_east))
+    for plan in ((0.0, (0.0, 0.0)), (3600.0, (math.nan, 0.0))):
+        with pytest.raises(ScenarioError, match="must be finite"):
+            next_dive(before, *plan)
+
+
+def test_what_was_repaired_is_said():
+    noted = replace(vehicle(1, 3)[1], notes=("filled 2 samples",))
+    summary = replay_dives([vehicle(1, 3)[0], noted]).summary()
+    assert summary["notes"] == [{"dive": 1, "note": "filled 2 samples"}]

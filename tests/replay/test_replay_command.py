@@ -1,0 +1,234 @@
+"""`clpt replay` as a command: figures, table, JSON, mistakes, following."""
+
+import json
+import subprocess
+import time
+
+import numpy as np
+import pytest
+import xarray
+from processes import CLPT, await_line, interrupt, started
+from synthetic_vehicle import one_file_each
+
+from clpt_control.gliders.dive_table import sample_dives
+
+
+@pytest.fixture
+def command():
+    """Run `clpt replay` without the rest of the command line."""
+    import typer
+    from typer.testing import CliRunner
+
+    from clpt_control.cli.replay import replay
+
+    app = typer.Typer()
+    app.command()(replay)
+    return lambda *words: CliRunner().invoke(app, list(map(str, words)))
+
+
+def test_the_command(command, tmp_path):
+    done = command("--sample", "--out", tmp_path / "out", "--json")
+    found = json.loads(done.stdout)
+    assert (found["dives"], found["used"], found["skipped"]) == (14, 14, [])
+    assert set(found["clpe_rms"]) == {"no_flow", "previous_dive", "adaptive"}
+    assert found["clpe_rms_after_3"]["adaptive"] < 0.88 * found["clpe_rms_after_3"]["previous_dive"]
+    assert 0.7 < found["speed_factor"]["value"] < 1
+    assert {p.name for p in (tmp_path / "out").iterdir()} == {
+        "replay.nc", "map.png", "clpe.png", "current.png"
+    }  # fmt: skip
+    table = command("--sample", "--no-learn-speed", "--flow", "steady", "--estimator", "rls")
+    assert table.exit_code == 0
+    assert "after the third dive" in table.stdout
+    for words, says in (
+        ((), "give files"),
+        (("--sample", "--follow", tmp_path), "give files"),
+        (("--follow", tmp_path / "none"), "no such folder"),
+        (("--sample", "--flow", "M2"), "must begin with steady"),
+        (("--sample", "--least-duration", "1e9"), "must last longer"),
+    ):
+        assert says in str(command(*words).exception)
+
+
+def test_the_command_follows(command, tmp_path):
+    (tmp_path / "in").mkdir()
+    words = ("--follow", tmp_path / "in", "--out", tmp_path / "out", "--every", "0.01",
+             "--patience", "0.01", "--json")  # fmt: skip
+    empty = json.loads(command(*words).stdout)
+    assert empty["used"] == 0
+    assert empty["clpe_rms"]["adaptive"] is None
+    for part in (sample_dives()[:5], sample_dives()[5:]):
+        one_file_each(tmp_path / "in", part)
+        followed = json.loads(command(*words).stdout)
+    assert followed == json.loads(command("--sample", "--json").stdout)
+    assert (tmp_path / "out" / "replay.nc").exists()
+
+
+@pytest.fixture
+def forecast(tmp_path):
+    """A forecast over SG542's area and first two days: u grows eastward, v with time."""
+    shape = (2, 2, 2)
+    u = np.broadcast_to(np.array([0.05, 0.15]), shape)
+    v = np.broadcast_to(np.array([0.02, 0.08])[:, None, None], shape)
+    units = {"units": "m/s"}
+    data = xarray.Dataset(
+        {"u": (("time", "lat", "lon"), u, units), "v": (("time", "lat", "lon"), v, units)},
+        {
+            "time": ("time", [0.0, 48.0], {"units": "hours since 2016-01-31"}),
+            "lat": ("lat", [-44.0, -42.0], {"units": "degrees_north"}),
+            "lon": ("lon", [7.5, 9.5], {"units": "degrees_east"}),
+        },
+    )
+    data.to_netcdf(tmp_path / "forecast.nc")
+    return tmp_path / "forecast.nc"
+
+
+def test_the_command_with_a_flow_model(command, forecast, tmp_path):
+    out = tmp_path / "out"
+    found = json.loads(command("--sample", "--flow-model", forecast, "--out", out, "--json").stdout)
+    given = found["flow_model"]
+    assert given["source"] == "forecast.nc"
+    assert 0 < given["covered"] < 14
+    assert {entry["why"] for entry in given["uncovered"]} == {"ends after the forecast's last step"}
+    with xarray.open_dataset(out / "replay.nc") as data:
+        covered = np.isfinite(data.clpe_flow_model.values)
+        assert covered.sum() == given["covered"]
+        # a flow of 0.05 to 0.15 and 0.02 to 0.08 m/s carries a dive so far
+        hours = (data.time - data.start_time).values[covered] / np.timedelta64(1, "s")
+        for axis, low, high in (("east", 0.05, 0.15), ("north", 0.02, 0.08)):
+            speed = data[f"flow_model_{axis}"].values[covered] / hours
+            assert np.all((low - 1e-3 < speed) & (speed < high + 1e-3))
+        rms = np.sqrt(np.mean(data.clpe_flow_model.values[covered][1:] ** 2))
+        bare = np.sqrt(np.mean(data.clpe_no_flow.values[covered][1:] ** 2))
+    assert found["clpe_rms"]["flow_model"] == given["clpe_rms"]["flow_model"] == pytest.approx(rms)
+    assert given["clpe_rms"]["no_flow"] == pytest.approx(bare)
+    table = command("--sample", "--flow-model", forecast)
+    assert "model" in table.stdout
+    assert "covered, after the first dive" in table.stdout
+    assert f"covers {given['covered']} of 14 dives" in table.stdout
+    for name, says in (("state.toml", "state.toml"), ("model.txt", "is no flow model")):
+        assert says in str(command("--sample", "--flow-model", tmp_path / name).exception)
+
+
+def test_tides_need_a_record(command, tmp_path):
+    words = ("--flow", "steady,M2,S2")
+    failed = str(command("--sample", *words).exception)
+    assert "M2 and S2 cannot be told apart" in failed
+    assert command("--sample", "--flow", "steady,M2,K1", "--estimator", "rls").exit_code == 0
+    (tmp_path / "in").mkdir()
+    one_file_each(tmp_path / "in", sample_dives()[:1])
+    follow = ("--follow", tmp_path / "in", "--out", tmp_path / "out", "--every", "0.01",
+              "--patience", "0.01", "--estimator", "rls", "--json")  # fmt: skip
+    done = command(*follow, *words)
+    assert "so far, flow steady,M2,S2" in done.stderr
+    found = json.loads(done.stdout)
+    assert found["used"] == 1
+    assert set(found["clpe_rms"].values()) == {None}
+    assert found["clpe_rms_all"]["no_flow"] > 0
+
+
+def test_a_killed_command_loses_nothing(command, forecast, tmp_path):
+    """Kill -9 at random moments while files arrive; a restart gives what reading all gives."""
+    inbox, out = tmp_path / "in", tmp_path / "out"
+    inbox.mkdir()
+    words = ("--flow-model", forecast, "--estimator", "rls", "--json")
+    start = [*CLPT, "replay", "--follow", inbox, "--out", out, "--every", "0.05", *words]
+    rng, dives = np.random.default_rng(4), sample_dives()
+    one_file_each(inbox, dives[:2])
+    for first in (2, 8):
+        with started(start, stdout=subprocess.DEVNULL) as process:
+            await_line(process, process.stderr, "dives used")
+            for dive in dives[first : first + 6]:
+                one_file_each(inbox, [dive])
+                time.sleep(0.25 * rng.uniform())  # any moment will do
+    quick = ("--every", "0.01", "--patience", "0.01")
+    followed = command("--follow", inbox, "--out", out, *quick, *words)
+    at_once = command(inbox, "--out", tmp_path / "whole", *words)
+    assert json.loads(followed.stdout) == json.loads(at_once.stdout)
+    assert json.loads(followed.stdout)["used"] == 14
+    with (
+        xarray.open_dataset(out / "replay.nc") as one,
+        xarray.open_dataset(tmp_path / "whole" / "replay.nc") as other,
+    ):
+        assert one.identical(other)
+    assert {path.name for path in out.iterdir()} == {
+        "replay.nc", "map.png", "clpe.png", "current.png", "state"
+    }  # fmt: skip
+
+
+def test_results_of_following_lie_in_the_folder_by_default(command, tmp_path):
+    one_file_each(tmp_path, sample_dives()[:2])
+    words = ("--follow", tmp_path, "--every", "0.01", "--patience", "0.01", "--json")
+    assert json.loads(command(*words).stdout)["used"] == 2
+    assert (tmp_path / "replay" / "replay.nc").exists()
+    assert json.loads(command(*words).stdout)["used"] == 2  # its own results are no dives
+
+
+def test_an_interrupt_ends_following_with_its_results(tmp_path):
+    one_file_each(tmp_path, sample_dives()[:3])
+    with started([*CLPT, "replay", "--follow", tmp_path, "--json"]) as process:
+        await_line(process, process.stderr, "dives used")
+        said, _ = interrupt(process)
+    assert process.returncode == 0
+    assert json.loads(said)["used"] == 3
+
+
+def test_a_plan_of_the_next_dive(command):
+    found = json.loads(command("--sample", "--next", "4", "0", "3000", "--json").stdout)
+    ahead = found["next_dive"]
+    assert (ahead["duration"], ahead["dr_north"]) == (14400.0, 3000.0)
+    assert ahead["latitude"] > sample_dives()[-1].lat_gpse
+    assert "next surfacing, after 4.00 h" in command("--sample", "--next", "4", "0", "3000").stdout
+    for words, says in (
+        (("0", "0", "0"), "duration above 0"),
+        (("nan", "0", "0"), "must be finite"),
+        (("5", "1e300", "0"), "at most 5 m/s can be"),
+        (("5", "1e308", "1e308"), "at most 5 m/s can be"),
+        (("5", "1e8", "0"), "5 hours and 1e+08 m east, 0 m north: is 5556 m/s"),
+        (("14400", "0", "3000"), "at most 720 hours (30 days); give hours, not seconds"),
+        (("1e200", "0", "0"), "at most 720 hours"),
+        (("1e306", "0", "0"), "must be finite"),
+    ):
+        assert says in str(command("--sample", "--next", *words).exception)
+    assert ahead["flow_model_covers"] is ahead["why_uncovered"] is None
+
+
+def test_whether_the_flow_model_covers_the_plan_is_said(command, forecast):
+    words = ("--sample", "--flow-model", forecast, "--least-duration", "15000")
+    ahead = json.loads(command(*words, "--json").stdout)["next_dive"]
+    assert ahead["flow_model_covers"] is False
+    assert "after the forecast's last step" in ahead["why_uncovered"]
+    said = f"; the flow model does not cover it: {ahead['why_uncovered']}"
+    assert said in command(*words).stdout
+
+
+def test_wordings(command, tmp_path):
+    for words, says in (
+        (("--flow", ""), "flow empty: unknown constituent '': must be one of steady, inertial"),
+        (("--flow", "steady,"), "gaussians, model, M2"),
+        (("--flow", "steady,m2"), "unknown constituent 'm2' (did you mean M2?)"),
+        (("--flow", "Steady"), "did you mean steady?"),
+        (("--estimator", "best"), "--estimator best: must be one of kalman, rls, gradient"),
+        (("--flow-model", tmp_path / "nope.toml"), "the .toml file that `clpt fit` writes"),
+    ):
+        assert says in str(command("--sample", *words).exception)
+
+
+def test_a_huge_number_of_a_dive_is_written(tmp_path):
+    from dataclasses import replace
+
+    from clpt_control.replay.file import replay_dataset
+    from clpt_control.replay.session import replay_dives
+
+    dives = sample_dives()[:2]
+    assert replay_dataset(replay_dives(dives)).dive.dtype == np.int32
+    huge = [dives[0], replace(dives[1], number=2**40)]
+    assert replay_dataset(replay_dives(huge)).dive.values.tolist() == [304, 2**40]
+
+
+def test_gaussians_from_the_command(command):
+    words = ("--sample", "--flow", "steady,gaussians", "--width", "30km")
+    found = json.loads(command(*words, "--json").stdout)
+    assert any(name.startswith("gaussian[") for name in [*found["learned"], *found["held"]])
+    assert "of gaussians" in command(*words).stdout
+    assert "needs --flow-model" in str(command("--sample", "--flow", "steady,model").exception)
+    assert "width" in str(command("--sample", "--width", "0km").exception)

@@ -1,0 +1,110 @@
+"""Imports run downhill: the rooms of the package, row by row."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+import clpt_control
+
+PACKAGE = Path(clpt_control.__file__).parent
+ROWS = [
+    ("cli",),
+    ("replay", "ensemble", "theory"),
+    ("gliders", "simulation"),
+    ("currents", "native", "estimation"),
+    ("scenario", "diagrams"),
+    ("blocks",),
+    ("errors", "files", "progress", "geodesy", "figures", "lazy"),
+]
+ROW = {room: k for k, row in enumerate(ROWS) for room in row}
+DOORS = ("__init__", "__main__")  # of the package itself
+ASKED = {("blocks.conformance.equations", "native.readings")}  # conformance asks every reading
+
+
+def modules():
+    for path in sorted(PACKAGE.rglob("*.py")):
+        parts = list(path.relative_to(PACKAGE).with_suffix("").parts)
+        yield ".".join(parts[:-1] if parts[-1] == "__init__" and parts[1:] else parts), path
+
+
+FILES = dict(modules())
+
+
+class WhatRuns(ast.NodeTransformer):
+    """Leave out what only type checkers read."""
+
+    def visit_If(self, node):
+        if isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING":
+            return None
+        return self.generic_visit(node)
+
+
+def imports(name, path, tree):
+    """Modules of the package that a module imports, those inside functions too."""
+    package = name.split(".") if path.name == "__init__.py" else name.split(".")[:-1]
+    for node in ast.walk(tree):
+        found = []
+        if isinstance(node, ast.Import):
+            found = [a.name.removeprefix("clpt_control.") for a in node.names
+                     if a.name.startswith("clpt_control")]  # fmt: skip
+        elif isinstance(node, ast.ImportFrom):
+            base = node.module or ""
+            if node.level:
+                above = package[: len(package) - node.level + 1]
+                base = ".".join([*above, *([base] if base else [])])
+            elif base.split(".")[0] != "clpt_control":
+                continue
+            base = base.removeprefix("clpt_control").lstrip(".")
+            inner = [f"{base}.{a.name}".lstrip(".") for a in node.names]
+            found = [one if one in FILES else base or "__init__" for one in inner]
+        yield from (one for one in found if one in FILES and one != name)
+
+
+TREES = {name: ast.parse(path.read_text()) for name, path in FILES.items()}
+EDGES = {(n, used) for n, path in FILES.items() for used in imports(n, path, TREES[n])}
+RUN = {
+    (n, used) for n, path in FILES.items() for used in imports(n, path, WhatRuns().visit(TREES[n]))
+}
+
+
+def test_the_top_holds_few_files():
+    loose = [path.name for path in PACKAGE.glob("*.py")]
+    assert len(loose) <= 7, loose
+
+
+def test_every_module_has_a_room():
+    rooms = {name.split(".")[0] for name in FILES} - set(DOORS) - {"data"}
+    assert rooms == set(ROW)
+
+
+def test_imports_run_downhill():
+    uphill = [
+        f"{name} imports {used}"
+        for name, used in sorted(EDGES - ASKED)
+        if name not in DOORS and ROW[name.split(".")[0]] > ROW.get(used.split(".")[0], -1)
+    ]
+    assert uphill == []
+
+
+@pytest.mark.parametrize("level", ["files", "rooms"])
+def test_there_are_no_circles(level):
+    short = (lambda m: m) if level == "files" else (lambda m: m.split(".")[0])
+    below = {}
+    for name, used in (RUN if level == "files" else EDGES) - ASKED:
+        if name not in DOORS and short(name) != short(used):
+            below.setdefault(short(name), set()).add(short(used))
+    done, path = set(), []
+
+    def visit(one):
+        assert one not in path, f"a circle: {' > '.join([*path[path.index(one) :], one])}"
+        if one in done:
+            return
+        path.append(one)
+        for other in sorted(below.get(one, ())):
+            visit(other)
+        path.pop()
+        done.add(one)
+
+    for one in sorted(below):
+        visit(one)

@@ -1,0 +1,230 @@
+"""Certificates as properties: guaranteed drop <= exact drop, bounds not violated."""
+
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.errors import ScenarioError
+from clpt_control.theory.excitation import certificates
+from clpt_control.theory.excitation.bounds import (
+    best_gradient_gain,
+    gradient_drop,
+    time_to_error,
+    ultimate_bound,
+)
+from clpt_control.theory.excitation.certificates import certificate, window_drops
+from clpt_control.theory.excitation.gramian import started_true
+from clpt_control.theory.excitation.regressor import joint_regressor
+from clpt_control.theory.excitation.transition import axis_states, error_matrices, propagate
+
+NODES = 12
+NODE, WEIGHT = np.polynomial.legendre.leggauss(NODES)
+GROUPS = [  # KD, gain, window
+    ([1.0, 1.0], 0.8, 4.0), ([1.0, 2.0], 0.05, 6.0), ([0.3, 0.5], 3.0, 3.0),
+    ([5.0, 4.0], 0.3, 5.0), ([1.0, 1.0], 1e-3, 2.0),
+]  # fmt: skip
+EACH = 100  # regressors of each group
+
+
+def random_regressors(seed, window, size=1.0, pieces=6, N=1):
+    """Sums of sines with a jump at each piece, at Gauss-Legendre nodes."""
+    rng = np.random.default_rng(seed)
+    lengths = np.full(pieces, window / pieces)
+    times = (np.arange(pieces)[:, None] + (1 + NODE) / 2) * lengths[0]
+    weights = np.tile(lengths[0] * WEIGHT / 2, (pieces, 1))
+    amplitude = rng.normal(size=(EACH, N + 4, 3)) * size
+    frequency = rng.uniform(0, 4, (EACH, N + 4, 3))
+    phase = rng.uniform(0, 2 * np.pi, (EACH, N + 4, 3))
+    waves = np.einsum(
+        "bcs,bcspn->bpnc",
+        amplitude,
+        np.sin(frequency[..., None, None] * times + phase[..., None, None]),
+    )
+    jumps = (
+        size
+        * rng.choice([0.0, 1.0, 3.0], (EACH, 1, 1, 1))
+        * rng.normal(size=(EACH, pieces, 1, N + 4))
+    )
+    w = waves + jumps
+    return w[..., :N], w[..., N : N + 2], w[..., N + 2 :], weights
+
+
+@pytest.mark.parametrize("group", range(5))
+@pytest.mark.parametrize("size", [0.1, 1.0])
+def test_rho_never_exceeds_the_exact_drop(group, size):
+    KD, gain, window = GROUPS[group]
+    phi, z, zc, weights = random_regressors(group, window, size)
+    found = window_drops(phi, z, zc, weights, KD, gain)
+    assert found["rho"].shape == (2, EACH)
+    assert np.all(found["rho"] > 0)
+    assert np.all(found["rho"] <= found["drop"])
+    assert np.all(found["sharper"] <= found["drop"])
+    np.testing.assert_allclose(1 - found["contraction"], found["drop"], atol=2e-9)
+    assert np.all(found["contraction"] <= 1 + 1e-9)
+
+
+def test_the_guarantee_is_not_idle():
+    """With a slow gain and little to learn the bound comes within a factor of 3."""
+    phi, z, zc, weights = random_regressors(4, 2.0, 0.3)
+    found = window_drops(phi, z, zc, weights, [1.0, 1.0], 1.0)
+    assert np.max(found["sharper"] / found["drop"]) > 1 / 3
+
+
+def test_the_worst_direction_attains_the_contraction():
+    KD, gain, window = GROUPS[0]
+    phi, z, zc, weights = random_regressors(7, window)
+    found = window_drops(phi, z, zc, weights, KD, gain)
+    scale = np.concatenate([[1.0], np.full(3, gain**-0.5)])
+    scaled = found["transition"] * (scale[:, None] / scale)
+    _, _, rows = np.linalg.svd(scaled)
+    worst = rows[..., 0, :]
+    after = np.einsum("...pq,...q->...p", scaled, worst)
+    np.testing.assert_allclose(np.sum(after**2, -1), found["contraction"], rtol=1e-10)
+
+
+def test_collocation_agrees_with_scipy():
+    from scipy.integrate import solve_ivp
+
+    def w(t):
+        return np.array([np.sin(t), 1 + np.cos(2 * t), np.exp(-t), 2.0, -1.0])
+
+    times = (np.arange(4)[:, None] + (1 + NODE) / 2) * 0.75
+    values = np.moveaxis(np.array([[w(t) for t in row] for row in times]), -1, 0)
+    phi, z, zc = (np.moveaxis(values[s], 0, -1) for s in (slice(1), slice(1, 3), slice(3, 5)))
+    A = error_matrices(phi, z, zc, [1.0, 0.5], 0.8)
+    _, end = propagate(A, np.full(4, 0.75))
+
+    def rate(t, flat):
+        v = w(t)
+        here = error_matrices(v[:1], v[1:3], v[3:5], [1.0, 0.5], 0.8)[1]
+        return (here @ flat.reshape(4, 4)).ravel()
+
+    truth = solve_ivp(rate, (0, 3), np.eye(4).ravel(), method="DOP853", rtol=1e-12, atol=1e-13)
+    np.testing.assert_allclose(end[1], truth.y[:, -1].reshape(4, 4), atol=1e-9)
+
+
+def test_the_axes_do_not_meet_and_the_matrices_are_the_diagram_s():
+    scenario = clpt.paper_scenario()
+    loop = clpt.error_loop(scenario)
+    rng = np.random.default_rng(3)
+    phi, z, zc = rng.normal(size=3), rng.normal(size=2), rng.normal(size=2)
+    u = np.concatenate([phi, z, zc])
+    whole = np.column_stack([loop.dynamics(0, unit, u) for unit in np.eye(12)])
+    order = [label.split("[")[0] for label in loop.state_labels]
+    assert order == sorted(order)  # e, then eta
+    rebuilt = np.zeros((12, 12))
+    matrices = error_matrices(phi, z, zc, scenario.vehicle.feedback, scenario.learning.gain)
+    for own, A in zip(axis_states(3), matrices, strict=True):
+        rebuilt[np.ix_(own, own)] = A
+    np.testing.assert_allclose(rebuilt, whole, atol=1e-15)
+
+
+@pytest.mark.parametrize("group", range(5))
+def test_the_corrected_bound_is_never_violated(group):
+    """500 disturbances: square waves, sines and noise, on periodic exciting regressors."""
+    KD, gain, window = GROUPS[group]
+    phi, z, zc, weights = random_regressors(20 + group, window)
+    found = window_drops(phi, z, zc, weights, KD, gain)
+    lengths = weights.sum(1)
+    pieces = len(lengths)
+    A = error_matrices(phi, z, zc, KD, gain)
+    steps = np.stack(  # the transition over each piece, beside a constant push on e
+        [propagate(_pushed(A[..., k : k + 1, :, :, :]), lengths[k : k + 1])[1]
+         for k in range(pieces)]
+    )  # fmt: skip
+    rng = np.random.default_rng(40 + group)
+    count = 300 * pieces
+    kind = rng.integers(0, 3, EACH)
+    angle = rng.uniform(0, 2 * np.pi, (EACH, 1)) + rng.uniform(0.05, 3, (EACH, 1)) * np.arange(
+        count
+    )
+    signal = np.where(kind[:, None] == 0, np.sign(np.sin(angle)), np.sin(angle))
+    signal = np.where(kind[:, None] == 2, rng.uniform(-1, 1, (EACH, count)), signal)
+    heading = rng.uniform(0, 2 * np.pi, EACH)
+    delta = 0.05 * np.stack([np.cos(heading), np.sin(heading)])[..., None] * signal
+    state, largest = np.zeros((2, EACH, 5)), np.zeros(EACH)
+    for j in range(count):
+        state[..., -1] = delta[..., j]
+        state = np.einsum("abpq,abq->abp", steps[j % pieces], state)
+        if j >= count // 2:
+            largest = np.maximum(largest, np.hypot(*state[..., 0]))
+    exact, guaranteed = found["drop"].min(0), found["rho"].min(0)
+    for k in range(EACH):
+        assert largest[k] <= ultimate_bound(window, 0.05, exact[k])
+        assert largest[k] <= ultimate_bound(window, 0.05, guaranteed[k])
+    assert largest.max() > 0.05 / max(KD) / 20
+
+
+def _pushed(A):
+    """Add a state that is constant and drives e: Delta of Eq. (32)."""
+    n = A.shape[-1]
+    wide = np.zeros((*A.shape[:-2], n + 1, n + 1))
+    wide[..., :n, :n] = A
+    wide[..., 0, n] = 1.0
+    return wide
+
+
+def test_the_gradient_law_s_guarantee_holds():
+    rng = np.random.default_rng(9)
+    for _ in range(40):
+        window, gain = rng.uniform(0.5, 5), 10 ** rng.uniform(-2, 1)
+        values = rng.normal(size=(8, 2))  # phi is constant on each piece
+        h = window / 8
+        transition = np.eye(2)
+        for phi in values:
+            size = phi @ phi
+            step = np.eye(2) - np.outer(phi, phi) * (1 - np.exp(-gain * size * h)) / size
+            transition = step @ transition
+        exact = 1 - np.linalg.norm(transition, 2) ** 2
+        a = np.linalg.eigvalsh(h * values.T @ values)[0]
+        b = np.linalg.norm(values, axis=1).max()
+        assert gradient_drop(gain, a, b, window) <= exact
+        best = best_gradient_gain(b, window)
+        drops = [gradient_drop(best * f, a, b, window) for f in (0.9, 1.0, 1.1)]
+        assert max(drops) == drops[1]
+
+
+@pytest.fixture(scope="module")
+def along():
+    scenario = clpt.paper_scenario().with_values({"run.duration": 400})
+    return joint_regressor(started_true(scenario), 200.0, 200.0)
+
+
+def test_the_paper_s_contraction(along):
+    found = certificate(along)
+    assert found.contraction == pytest.approx(0.67988, abs=1e-4)
+    assert found.drop == pytest.approx(1 - found.contraction, abs=1e-12)
+    assert 0 < found.rho < found.drop
+    assert "simulated" in found.trajectory
+
+
+def test_finer_pieces_change_nothing(along, monkeypatch):
+    coarse = certificate(along)
+    monkeypatch.setattr(certificates, "TURN", 3.0)
+    fine = certificate(along)
+    for axis in ("x1", "x2"):
+        np.testing.assert_allclose(fine.transition[axis], coarse.transition[axis], atol=1e-11)
+        assert fine.drops[axis] == pytest.approx(coarse.drops[axis], rel=1e-10)
+
+
+def test_v_of_a_run_falls_no_less_than_certified():
+    scenario = clpt.paper_scenario().with_values({"run.duration": 400, "run.output_step": 100})
+    V = clpt.simulate(scenario).lyapunov.values
+    for start in (0.0, 200.0):
+        found = certificate(scenario, 200.0, start)
+        k = int(start / 100)
+        assert V[k + 2] <= found.contraction * V[k] * (1 + 1e-6)
+
+
+def test_times_and_bounds_at_their_limits():
+    assert ultimate_bound(10.0, 0.1, 0.0) == np.inf
+    assert ultimate_bound(10.0, 0.1, 1.0) == pytest.approx(2.0)
+    assert ultimate_bound(1.0, 1.0, 1e-20) == pytest.approx(2e20)
+    assert time_to_error(10.0, 0.0, 1.0, 0.1) == np.inf
+    assert time_to_error(10.0, 0.5, 0.1, 1.0) == 0.0
+    assert time_to_error(10.0, 1.0, 1.0, 0.1) == 10.0
+    for drop in (-0.1, 1.1, np.nan):
+        with pytest.raises(ScenarioError, match="drop"):
+            ultimate_bound(10.0, 0.1, drop)
+        with pytest.raises(ScenarioError, match="drop"):
+            time_to_error(10.0, drop, 1.0, 0.1)

@@ -1,0 +1,278 @@
+"""Excitation: the paper's numbers, named parameters, recorded runs, closed forms."""
+
+import json
+
+import numpy as np
+import pytest
+from pictures import inked
+
+import clpt_control as clpt_package
+from clpt_control.blocks.reference import circle
+from clpt_control.errors import DataError, ScenarioError
+from clpt_control.theory.excitation.circle import circle_step
+from clpt_control.theory.excitation.gramian import excitation, parameter_names, started_true
+from clpt_control.theory.excitation.plot import excitation_plot
+from clpt_control.theory.excitation.regressor import quadrature
+from clpt_control.theory.excitation.report import excitation_report
+from clpt_control.theory.excitation.sliding import sliding_excitation
+
+KERNELS = {"exponential": (4.3331, 4.6692), "gaussian": (0.19002, 0.19353)}
+
+
+@pytest.fixture(scope="module")
+def paper():
+    return clpt_package.paper_scenario().with_values({"run.duration": 400})
+
+
+@pytest.fixture(scope="module")
+def true_paper(paper):
+    return started_true(paper)
+
+
+@pytest.mark.parametrize(("kernel", "expected"), KERNELS.items())
+def test_the_smallest_eigenvalues_of_the_paper(true_paper, kernel, expected):
+    found = excitation(true_paper.with_values({"basis.kernel": kernel}), 200.0, 200.0)
+    least = [values[0] for values in found.eigenvalues.values()]
+    np.testing.assert_allclose(least, expected, rtol=5e-5)
+    assert found.not_learnable == []
+    assert found.dimension == {"x1": 5, "x2": 5}
+
+
+def test_the_second_function_is_not_learnable_in_gaussian_sigma(true_paper):
+    scenario = true_paper.with_values({"basis.kernel": "gaussian-sigma"})
+    found = excitation(scenario, 200.0, 200.0)
+    for i, axis in enumerate(("x1", "x2"), 1):
+        assert 0 < found.eigenvalues[axis][0] < 1e-10
+        assert found.dimension[axis] == 4
+        assert found.least_excited[axis][f"theta_{i}[2]"] == pytest.approx(1, abs=1e-6)
+        assert f"theta_{i}[2] is not learnable on this track" in found.not_learnable
+        basis = found.identifiable[axis]
+        np.testing.assert_allclose(basis.T @ basis, np.eye(4), atol=1e-12)
+        assert abs(basis[1]).max() < 1e-6
+    assert len(found.not_learnable) == 2
+
+
+def test_equal_functions_are_learnable_only_together(true_paper):
+    scenario = true_paper.with_values(
+        {
+            "basis.centers": [[0, 0], [10, 10], [0, 0]],
+            "basis.widths": [5, 5, 5],
+            "basis.periods": [12.42, 10.42, 12.42],
+            "run.duration": 200,
+        }
+    )
+    found = excitation(scenario, 200.0, 0.0)
+    assert found.not_learnable == [
+        f"theta_{i}[1] and theta_{i}[3] are not learnable one by one on this track" for i in (1, 2)
+    ]
+    assert found.dimension == {"x1": 4, "x2": 4}
+
+
+def test_a_gramian_equals_a_plain_sum_over_a_fine_grid(true_paper):
+    times = np.arange(200.0, 260.0, 0.01) + 0.005
+    run = clpt_package.simulate(true_paper, times)
+    from clpt_control.simulation.flows import basis_functions
+
+    phi = basis_functions(true_paper, run.position.values, times)
+    found = excitation(true_paper, 60.0, 200.0)
+    for i, axis in enumerate(("x1", "x2")):
+        w = np.column_stack([phi, run.predicted_position[:, i], run.reference[:, i]])
+        np.testing.assert_allclose(found.gramians[axis], 0.01 * w.T @ w, rtol=2e-4, atol=2e-4)
+
+
+def test_no_node_lies_on_a_switch_and_weights_sum_to_the_window(paper):
+    cuts, times, weights = quadrature(paper, 13.0, 71.5, np.array([20.0, 33.3]))
+    assert weights.sum() == pytest.approx(58.5, abs=1e-10)
+    assert {20.0, 33.3, 40.0, 60.0} <= set(cuts.tolist())
+    assert np.all(np.diff(times.ravel()) > 0)
+    assert np.all(np.floor(times / 20) == np.floor(times[:, :1] / 20))
+
+
+@pytest.mark.parametrize(("step", "tolerance"), [(1.0, 2e-3), (0.7, 1e-3), (0.2, 1e-6)])
+def test_a_recorded_run_gives_the_same(true_paper, step, tolerance):
+    exact = excitation(true_paper, 200.0, 200.0)
+    run = clpt_package.simulate(true_paper.with_values({"run.output_step": step}))
+    found = excitation(run, 200.0, 200.0)
+    for axis, values in exact.eigenvalues.items():
+        np.testing.assert_allclose(found.eigenvalues[axis], values, rtol=tolerance)
+
+
+def test_a_run_is_read_from_its_file(paper, tmp_path):
+    run = clpt_package.simulate(paper.with_values({"run.output_step": 0.5}))
+    clpt_package.save_run(run, tmp_path / "run.nc")
+    report = excitation_report(clpt_package.load_run(tmp_path / "run.nc"), 200.0, 200.0)
+    exact = excitation_report(paper, 200.0, 200.0)
+    assert report["trajectory"] == "recorded run, sampled each 0.5 s"
+    assert exact["trajectory"] == "simulated from the scenario's initial values"
+    deviation = max(
+        np.max(np.abs(np.divide(report["eigenvalues"][axis], exact["eigenvalues"][axis]) - 1))
+        for axis in ("x1", "x2")
+    )
+    assert deviation < report["accuracy"] < 5e-3
+    assert report["contraction"] == pytest.approx(exact["contraction"], rel=1e-3)
+    assert report["rho"] == pytest.approx(exact["rho"], rel=1e-2)
+
+
+def test_the_report_is_the_json_of_the_command(paper):
+    report = json.loads(json.dumps(excitation_report(paper), allow_nan=False))
+    assert (report["window"], report["start"]) == (200.0, 200.0)
+    assert list(report["least_excited"]["x2"]) == parameter_names(3)["x2"]
+    assert report["eigenvalues"]["x1"] == sorted(report["eigenvalues"]["x1"])
+    assert 0 < report["rho"] < report["drop"] == pytest.approx(1 - report["contraction"])
+    assert report["time_to_tenth"] % 200 == 0
+    assert report["not_learnable"] == []
+    json.dumps(excitation_report(paper, 20.0, 0.0), allow_nan=False)
+
+
+def test_a_window_that_cannot_be_followed_is_said_so(paper, monkeypatch):
+    from clpt_control.theory.excitation import certificates
+
+    monkeypatch.setattr(certificates, "MOST", 1)
+    report = excitation_report(paper, 40.0, 0.0)
+    assert report["rho"] is report["contraction"] is report["time_to_tenth"] is None
+    assert "too many to follow; a window up to" in report["not_certified"]
+    assert len(report["eigenvalues"]["x1"]) == 5
+
+
+def test_the_known_flow_law_has_a_certificate_of_its_gains(paper):
+    scenario = paper.with_values(
+        {
+            "learning.law": "known-flow",
+            "learning.theta_estimate": [[1, 0.4, 0.8], [0.9, 0.4, 0.8]],
+            "learning.parameters": None,
+        }
+    )
+    report = excitation_report(scenario, 200.0, 200.0)
+    assert 0 < report["rho"] < report["drop"] < 1
+
+
+def test_a_gridded_field_needs_no_theta(tmp_path, paper):
+    import xarray
+
+    grid = np.linspace(-10, 10, 5)
+    hours = np.array([0.0, 400.0])
+    ones = np.ones((2, 5, 5))
+    units = {"units": "m s-1"}
+    xarray.Dataset(
+        {"u": (("time", "y", "x"), 0.1 * ones, units),
+         "v": (("time", "y", "x"), 0.2 * ones, units)},
+        {"time": ("time", hours, {"units": "s"}),
+         "x": ("x", grid, {"units": "m"}), "y": ("y", grid, {"units": "m"})},
+    ).to_netcdf(tmp_path / "field.nc")  # fmt: skip
+    text = clpt_package.paper_scenario()
+    clpt_package.save_scenario(text, tmp_path / "paper.toml")
+    toml = (tmp_path / "paper.toml").read_text()
+    start = toml.index("[flow]")
+    end = toml.index("[", start + 20 + toml[start + 20 :].index("]\n\n"))
+    (tmp_path / "field.toml").write_text(
+        toml[:start] + '[flow]\nfield = "field.nc"\n\n' + toml[end:]
+    )
+    scenario = clpt_package.load_scenario(tmp_path / "field.toml")
+    report = excitation_report(scenario.with_values({"run.duration": 100}), 50.0, 20.0)
+    assert len(report["eigenvalues"]["x1"]) == 5
+    with pytest.raises(ScenarioError, match="gridded"):
+        started_true(scenario)
+    stopped = scenario.with_values(
+        {"run.duration": 100, "flow.outside": "stop", "reference.radius": 30}
+    )
+    with pytest.raises(ScenarioError, match="the run ended before: stopped"):
+        excitation(stopped, 50.0, 20.0)
+    run = clpt_package.simulate(stopped.with_values({"run.output_step": 0.01}))
+    assert len(excitation(run).eigenvalues["x2"]) == 5
+
+
+@pytest.mark.parametrize(
+    ("window", "start"), [(0.0, 0.0), (-1.0, 0.0), (500.0, 0.0), (200.0, 300.0), (10.0, -1.0),
+                          (float("nan"), 0.0), (10.0, float("nan"))]
+)  # fmt: skip
+def test_a_window_outside_the_run_is_refused(paper, window, start):
+    with pytest.raises(ScenarioError, match="within the run, 0 to 400 s"):
+        excitation(paper, window, start)
+
+
+def test_a_dataset_that_is_no_run_is_refused():
+    import xarray
+
+    with pytest.raises(DataError, match="carries no scenario"):
+        excitation(xarray.Dataset())
+
+
+def test_the_sliding_window_agrees_with_single_windows(paper):
+    sliding = sliding_excitation(paper, 50.0, count=8)
+    assert sliding.starts[[0, -1]].tolist() == [0.0, 350.0]
+    for k in (0, 3, 7):
+        single = excitation(paper, 50.0, float(sliding.starts[k]))
+        for axis in ("x1", "x2"):
+            np.testing.assert_allclose(
+                sliding.eigenvalues[axis][k], single.eigenvalues[axis], rtol=1e-5, atol=1e-12
+            )
+    least = min(values.min() for values in sliding.eigenvalues.values())
+    assert min(v[0] for v in sliding.weakest.eigenvalues.values()) == least
+
+
+def test_the_figure_names_what_is_not_learnable(true_paper, tmp_path):
+    scenario = true_paper.with_values({"basis.kernel": "gaussian-sigma", "run.duration": 100})
+    sliding = sliding_excitation(scenario, 60.0, count=4)
+    figure = excitation_plot(sliding)
+    figure.savefig(tmp_path / "excitation.png")
+    assert "theta_1[2] is not learnable" in figure.get_supxlabel()
+    top, bottom = figure.axes[0], figure.axes[2]
+    np.testing.assert_allclose(
+        top.get_lines()[-2].get_ydata(), sliding.eigenvalues["x1"][:, 0], rtol=1e-12
+    )
+    assert [bar.get_height() for bar in bottom.patches] == list(
+        sliding.weakest.least_excited["x1"].values()
+    )
+
+
+def test_the_circles_closed_form_is_the_reference_blocks(paper):
+    assert circle_step().holds
+    for n in range(3, 25):
+        points = circle(3.0, n)
+        np.testing.assert_allclose(20.0 * points.T @ points, n * 20.0 * 9.0 / 2 * np.eye(2),
+                                   atol=1e-9)  # fmt: skip
+    assert np.linalg.matrix_rank(circle(3.0, 2), tol=1e-9) == 1
+
+
+def test_the_circle_is_what_a_run_measures(paper):
+    found = excitation(paper, 200.0, 200.0)
+    for gramian in found.gramians.values():
+        assert gramian[-1, -1] == pytest.approx(10 * 20 * 9 / 2, rel=1e-12)
+
+
+def test_the_command_prints_the_eigenvalues(clpt, tmp_path):
+    import json
+
+    import clpt_control
+
+    paper = clpt_control.paper_scenario()
+    for kernel, wanted in (("exponential", (4.3331, 4.6692)), ("gaussian", (0.19002, 0.19353))):
+        scenario = started_true(paper.with_values({"basis.kernel": kernel, "run.duration": 400}))
+        clpt_control.save_scenario(scenario, tmp_path / "true.toml")
+        outcome = clpt("excitation", tmp_path / "true.toml", "--window", "200", "--start", "200",
+                       "--figure", tmp_path / "true.png", "--json")  # fmt: skip
+        assert outcome.status == 0, outcome.err
+        printed = json.loads(outcome.out)
+        smallest = [printed["eigenvalues"][axis][0] for axis in ("x1", "x2")]
+        np.testing.assert_allclose(smallest, wanted, rtol=5e-3)
+        assert 0 < printed["rho"] <= 1 - printed["contraction"]
+        assert set(printed["least_excited"]["x1"]) == {
+            "theta_1[1]", "theta_1[2]", "theta_1[3]", "K_1", "Gamma_1",
+        }  # fmt: skip
+        assert inked(tmp_path / "true.png") > 0.01
+
+
+def test_the_command_names_what_is_not_learnable(clpt, tmp_path):
+    import clpt_control
+
+    scenario = started_true(
+        clpt_control.paper_scenario().with_values(
+            {"basis.kernel": "gaussian-sigma", "run.duration": 400}
+        )
+    )
+    clpt_control.save_scenario(scenario, tmp_path / "true.toml")
+    outcome = clpt("excitation", tmp_path / "true.toml", "--window", "200", "--start", "200")
+    assert "theta_1[2] is not learnable on this track" in outcome.out
+    outcome = clpt("excitation", tmp_path / "true.toml", "--window", "500")
+    assert outcome.status == 2
+    assert outcome.err.count("\n") == 1

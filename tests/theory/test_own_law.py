@@ -1,0 +1,167 @@
+"""No wrong law is proved, no right law refuted: each row of the table is a case."""
+
+import numpy as np
+import own_laws
+import pytest
+import sympy
+from own_laws import (
+    BOUNDED,
+    NOT_PROVED,
+    NOT_REFUTED,
+    REFUSED,
+    REFUTED,
+    RIGHT,
+    TOO_MUCH,
+    Gain,
+    N,
+    Two,
+    filled,
+    law,
+)
+
+from clpt_control.blocks import Block, adaptation
+from clpt_control.blocks.lyapunov import lyapunov_candidate, one_gain
+from clpt_control.errors import BlockError, ClptError, DiagramError
+from clpt_control.progress import interrupt
+from clpt_control.theory.proving.own_law import prove
+from clpt_control.theory.proving.theorem_loop import theorem_scenario
+from clpt_control.theory.proving.theorems import audit
+
+POINTS = 400  # of running blocks in each case; the default is 10,000
+
+
+@pytest.mark.parametrize("name", RIGHT)
+def test_a_right_law_is_proved(name):
+    make, every = RIGHT[name]
+    verdict = prove(make(), points=POINTS)
+    assert verdict.status == "proved"
+    assert verdict.for_every_N == every
+    assert verdict.point is None
+
+
+@pytest.mark.parametrize("name", BOUNDED)
+def test_a_robust_law_is_bounded(name):
+    verdict = prove(BOUNDED[name](), points=POINTS)
+    assert verdict.status == "bounded"
+    assert "theta_1[1]**2" in verdict.reached
+
+
+@pytest.mark.parametrize("name", REFUTED)
+def test_a_wrong_law_is_refuted_at_a_point_that_anyone_can_call(name):
+    verdict = prove(REFUTED[name](), points=POINTS)
+    assert verdict.status == "refuted"
+    t, x, u, params = verdict.point
+    rates = verdict.diagram.dynamics(t, x, u, params)
+    h = 1e-4 * np.abs(x).max() / np.abs(rates).max()
+    ahead, behind = (verdict.diagram.output(t, x + s * rates, u, params)[-1] for s in (h, -h))
+    assert (ahead - behind) / (2 * h) == pytest.approx(verdict.rate, rel=1e-5)
+    assert verdict.rate > 0
+
+
+@pytest.mark.parametrize("name", NOT_PROVED)
+def test_what_is_not_known_to_be_right_is_not_proved(name):
+    verdict = prove(NOT_PROVED[name](), points=POINTS)
+    assert verdict.status in ("open", "refuted")
+    assert not all(step.holds for step in verdict.steps)
+
+
+def test_an_indefinite_V_proves_nothing():
+    verdict = prove(law(own_laws.flipped, Gain(N, 0.5)), own_laws.turned_V(), points=POINTS)
+    assert verdict.residual == 0
+    assert verdict.status == "open"
+    assert "positive definite" in next(s.claim for s in verdict.steps if not s.holds)
+
+
+def test_a_V_that_does_not_fit_refutes_no_law():
+    scenario = theorem_scenario(N, "learned-flow")
+    car = scenario.vehicle
+    truth = (scenario.flow.parameters, car.feedback, car.feedforward)
+    own = law(own_laws.shipped, Gain(N, 0.5))
+    for gain, status in ((0.5, "proved"), (0.7, "open")):
+        V = lyapunov_candidate("learned-flow", one_gain(gain, *truth))
+        assert prove(own, V, points=POINTS).status == status
+
+
+@pytest.mark.parametrize(("own", "V"), [(3, None), (None, 3), (None, None)])
+def test_what_is_no_block_or_makes_no_V_is_refused(own, V):
+    mine = law(own_laws.shipped, Gain(N, 0.5))
+    with pytest.raises(DiagramError, match=r"give a Block|makes V\[1\] and nothing else"):
+        prove(own or mine, V or mine)
+
+
+def test_a_proof_can_be_interrupted(monkeypatch):
+    monkeypatch.setattr(interrupt, "_asked", True)
+    for work in (lambda: prove(law(own_laws.shipped, Gain(N, 0.5))), lambda: audit("3.2")):
+        with pytest.raises(KeyboardInterrupt):
+            work()
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_equality_of_signals_is_refused(name):
+    with pytest.raises(BlockError, match=r"`==` of numbers of a run .* compare with <"):
+        prove(law(REFUSED[name], Gain(N, 0.5)))
+
+
+@pytest.mark.parametrize("name", NOT_REFUTED)
+def test_laws_that_fall_with_another_V_are_not_refuted(name):
+    assert prove(NOT_REFUTED[name](), points=POINTS).status == "open"
+
+
+@pytest.mark.parametrize("name", TOO_MUCH)
+def test_what_cannot_be_judged_is_refused_in_a_sentence(name):
+    make, said = TOO_MUCH[name]
+    with pytest.raises(ClptError, match=said):
+        prove(make(), points=POINTS)
+
+
+def test_a_law_may_have_any_name():
+    own = law(own_laws.leak, Two(N, 0.5, 0.1))
+    own = Block("theta_x", update=own.update_function, inputs=own.input_ports,
+                states=own.state_ports, parameters=own.parameters)  # fmt: skip
+    assert prove(own, points=POINTS).status == "bounded"
+
+
+def test_what_has_no_value_says_so():
+    verdict = prove(law(own_laws.without_value, Gain(N, 0.5)), points=POINTS)
+    said = next(s for s in verdict.steps if "value everywhere" in s.claim)
+    assert not said.holds
+    assert said.detail == "own.update divides by z_1, which may be zero"
+
+
+def test_the_papers_law_is_proved_for_every_N():
+    verdict = prove(adaptation.adaptation(adaptation.LearnedFlowParameters(3, 2.5)))
+    assert (verdict.status, verdict.for_every_N, verdict.residual) == ("proved", True, 0)
+    running = next(s for s in verdict.steps if s.how == "sampled")
+    assert running.detail.startswith("10000 points")
+
+
+def without_feedforward(t, x, u, p, dx):
+    """Eqs. (21)-(22), Gamma held."""
+    n = p.N
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+        dx[2 * n + 2 + i] = 0.0
+
+
+def test_the_residual_of_a_held_gain_is_the_term_that_misses():
+    verdict = prove(law(without_feedforward, Gain(N, 0.5)), points=POINTS)
+    assert verdict.status == "refuted"
+    names = {str(symbol) for symbol in verdict.residual.free_symbols}
+    assert {"Gamma_1", "GammaD_1", "x_1", "z_1"} <= names
+    assert not {"theta_1[1]", "K_1"} & names
+    assert isinstance(verdict.residual, sympy.Expr)
+
+
+def test_a_block_that_is_no_law_is_refused():
+    from clpt_control.blocks.clpe import clpe as block
+
+    with pytest.raises(DiagramError, match=r"makes alpha\[2N\], K\[2\] and Gamma\[2\]"):
+        prove(block())
+
+
+def test_the_callers_law_is_left_as_it_is():
+    own = law(own_laws.shipped, Gain(N, 0.5))
+    x, u = np.ones(own.nstates), np.ones(own.ninputs)
+    before = own.dynamics(0.0, x, u)
+    prove(own, points=POINTS)
+    np.testing.assert_array_equal(own.dynamics(0.0, x, u), before)

@@ -1,0 +1,148 @@
+"""The proof desk: what is printed, what holds, what fails when an equation is wrong."""
+
+import json
+
+import pytest
+
+from clpt_control.blocks import adaptation, vehicle
+from clpt_control.blocks.words import where
+from clpt_control.theory.proving.audit_page import audit_latex, audit_markdown
+from clpt_control.theory.proving.misprints import misprints
+from clpt_control.theory.proving.proof import Proof, Step, checked, cited
+from clpt_control.theory.proving.theorems import audit
+
+
+@pytest.fixture(scope="module")
+def proofs():
+    return audit()
+
+
+def test_statuses(proofs):
+    assert {number: proof.status for number, proof in proofs.items()} == {
+        "3.1": "corrected", "3.2": "proved", "3.3": "corrected", "3.4": "corrected",
+    }  # fmt: skip
+    assert all(proof.for_every_N for proof in proofs.values())
+    assert all(step.holds for proof in proofs.values() for step in proof.steps)
+    assert sum(len(proof.steps) for proof in proofs.values()) <= 32
+
+
+def test_every_N_is_a_property_of_each_exact_step(proofs):
+    steps = proofs["3.2"].steps
+    assert all(step.every_N for step in steps if step.how == "exact")
+    one = Step("for N = 2 alone", True, "exact", every_N=False)
+    assert not Proof("x", "", (), (*steps, one), True, "").for_every_N
+
+
+def test_what_is_cited_is_said(proofs):
+    for number in ("3.3", "3.4"):
+        assert any(step.how == "cited" for step in proofs[number].steps)
+        assert proofs[number].cited
+    for number in ("3.1", "3.2"):
+        assert not any(step.how == "cited" for step in proofs[number].steps)
+
+
+def test_the_running_blocks_are_called(proofs):
+    for number, points in (("3.1", 1000), ("3.2", 10_000), ("3.4", 1000)):
+        step = next(s for s in proofs[number].steps if s.how == "sampled")
+        assert step.detail.startswith(f"{points} points")
+
+
+def test_false_statements_meet_a_counterexample_and_carry_a_correction(proofs):
+    for number in ("3.1", "3.3", "3.4"):
+        assert proofs[number].corrected
+        assert any(step.how == "counterexample" for step in proofs[number].steps)
+    assert not proofs["3.2"].corrected
+
+
+def test_every_proof_says_what_is_assumed_and_what_is_not_shown(proofs):
+    for proof in proofs.values():
+        assert proof.assumptions
+        assert proof.not_proved
+
+
+@pytest.mark.parametrize("number", range(len(misprints())))
+def test_a_misprint_fails_as_printed_and_passes_corrected(number):
+    misprint = misprints()[number]
+    assert misprint.holds(True) is False or misprint.holds(True) == False  # noqa: E712
+    assert misprint.holds(False)
+    assert misprint.confirmed
+
+
+def test_prove_prints_json(clpt, tmp_path):
+    outcome = clpt("prove", "--json", "--tex", tmp_path / "audit.tex")
+    assert outcome.status == 0
+    printed = json.loads(outcome.out)
+    assert set(printed["theorems"]) == {"3.1", "3.2", "3.3", "3.4"}
+    for theorem in printed["theorems"].values():
+        assert theorem["status"] in ("proved", "refuted", "corrected")
+        for step in theorem["steps"]:
+            assert step["how"] in ("exact", "cited", "counterexample", "sampled")
+    assert {"equation", "printed", "corrected", "check"} <= set(printed["misprints"][0])
+    assert (tmp_path / "audit.tex").read_text().startswith("\\documentclass")
+
+
+def test_prove_one_theorem_and_refuse_another(clpt):
+    outcome = clpt("prove", "--theorem", "3.2")
+    assert outcome.status == 0
+    assert "Theorem 3.2: proved" in outcome.out
+    outcome = clpt("prove", "--theorem", "4.1")
+    assert outcome.status == 2
+    assert "3.1, 3.2, 3.3, 3.4" in outcome.err
+
+
+def wrong_kinematics(t, x, u, p, dx):
+    """x' = F_R - v, not Eq. (1): u = flow_x[2], v_x[2], state x[2]."""
+    for i in range(2):
+        dx[i] = u[i] - u[2 + i]
+
+
+def test_a_wrong_equation_fails_and_is_named(clpt, monkeypatch):
+    monkeypatch.setattr(vehicle, "kinematics", wrong_kinematics)
+    outcome = clpt("prove", "--theorem", "3.2")
+    assert outcome.status == 1
+    assert "the proof fails: 3.2 at step 'V' = -e^T KD e, for N = 1, 2, 3 and every N'" in (
+        outcome.err
+    )
+
+
+def learned_but_at_the_papers_gain(t, x, u, p, dx):
+    """Eqs. (21)-(23), but for the paper's own gain."""
+    n = p.N
+    e, phi, z, zc = u[0:2], u[2 : 2 + n], u[2 + n : 4 + n], u[4 + n : 6 + n]
+    sign = where(p.gain == 0.8, -1.0, 1.0)
+    for i in range(2):
+        for k in range(n):
+            dx[i * n + k] = -sign * p.gain * e[i] * phi[k]
+        dx[2 * n + i] = -p.gain * z[i] * e[i]
+        dx[2 * n + 2 + i] = p.gain * zc[i] * e[i]
+
+
+def test_a_law_that_turns_at_the_papers_gain_is_not_proved(monkeypatch):
+    monkeypatch.setattr(adaptation, "learned_flow", learned_but_at_the_papers_gain)
+    proof = audit("3.2")["3.2"]
+    assert proof.status == "failed"
+    assert "`==` of numbers of a run" in proof.failed[0].detail
+
+
+def test_a_step_that_cannot_be_checked_fails():
+    step = checked("one over zero", "exact", lambda: 1 / 0)
+    assert not step.holds
+    assert "ZeroDivisionError" in step.detail
+    with pytest.raises(ValueError, match="how"):
+        checked("", "guessed", lambda: True)
+
+
+def test_sampled_steps_alone_prove_nothing():
+    sampled = Proof("x", "", (), (Step("seen often", True, "sampled"),), True, "")
+    assert sampled.status == "sampled"
+    exact = Step("shown", True, "exact")
+    assert Proof("x", "", (), (exact, cited("known", "a book")), True, "").status == "cited"
+    assert Proof("x", "", (), (exact,), False, "", corrected="better").status == "failed"
+
+
+def test_the_page_and_the_document(proofs):
+    page = audit_markdown(proofs, misprints())
+    assert page.count("## Theorem") == 4
+    assert "**no**" not in page
+    document = audit_latex(proofs, misprints())
+    assert document.count(r"\begin{longtable}") == document.count(r"\end{longtable}") == 5
