@@ -7,8 +7,6 @@ import clpt_control as clpt
 from clpt_control.errors import ScenarioError
 from clpt_control.theory.excitation import certificates
 from clpt_control.theory.excitation.bounds import (
-    best_gradient_gain,
-    gradient_drop,
     time_to_error,
     ultimate_bound,
 )
@@ -162,26 +160,6 @@ def _pushed(A):
     wide[..., :n, :n] = A
     wide[..., 0, n] = 1.0
     return wide
-
-
-def test_the_gradient_law_s_guarantee_holds():
-    rng = np.random.default_rng(9)
-    for _ in range(40):
-        window, gain = rng.uniform(0.5, 5), 10 ** rng.uniform(-2, 1)
-        values = rng.normal(size=(8, 2))  # phi is constant on each piece
-        h = window / 8
-        transition = np.eye(2)
-        for phi in values:
-            size = phi @ phi
-            step = np.eye(2) - np.outer(phi, phi) * (1 - np.exp(-gain * size * h)) / size
-            transition = step @ transition
-        exact = 1 - np.linalg.norm(transition, 2) ** 2
-        a = np.linalg.eigvalsh(h * values.T @ values)[0]
-        b = np.linalg.norm(values, axis=1).max()
-        assert gradient_drop(gain, a, b, window) <= exact
-        best = best_gradient_gain(b, window)
-        drops = [gradient_drop(best * f, a, b, window) for f in (0.9, 1.0, 1.1)]
-        assert max(drops) == drops[1]
 
 
 @pytest.fixture(scope="module")

@@ -2,8 +2,6 @@
 
     limsup |e| <= T Dmax (1 + 1/(1 - sqrt(1 - rho)))              Theorem 3.4, corrected
     |eta(t + n T)| <= sqrt(2 gamma V(t)) (1 - drop)^{n/2}         from V, Eq. (24)
-    |eta(t + T)|^2 <= (1 - 2 gamma a/(2 + gamma^2 b^4 T^2)) |eta(t)|^2
-                                        eta' = -gamma phi phi^T eta, the gradient law
 
 The first holds because v = sqrt(2 V) obeys v' <= |Delta| beside the linear
 part: from window to window v <= sqrt(1 - rho) v + T Dmax, and within a window v
@@ -92,53 +90,3 @@ def time_to_error(window: float, drop: float, start: float, error: float) -> flo
         return float(window)
     windows = 2 * np.log(start / error) / -np.log1p(-drop)
     return float(window * np.ceil(windows * (1 - 1e-12)))
-
-
-def gradient_drop(gain: float, excitation: float, largest: float, window: float) -> float:
-    """Guarantee the drop of |eta|^2 under the gradient law.
-
-    Parameters
-    ----------
-    gain : float
-        gamma > 0.
-    excitation : float
-        a, smallest eigenvalue of int phi phi^T over the window.
-    largest : float
-        b with |phi| <= b.
-    window : float
-        Length T, time.
-
-    Returns
-    -------
-    float
-        rho in |eta(t+T)|^2 <= (1 - rho) |eta(t)|^2.
-
-    Examples
-    --------
-    >>> round(gradient_drop(1.0, 1.0, 1.0, 1.0), 4)
-    0.6667
-    """
-    return 2 * gain * excitation / (2 + (gain * largest**2 * window) ** 2)
-
-
-def best_gradient_gain(largest: float, window: float) -> float:
-    """Give the gain with the largest guaranteed drop.
-
-    Parameters
-    ----------
-    largest : float
-        b with |phi| <= b.
-    window : float
-        Length T, time.
-
-    Returns
-    -------
-    float
-        sqrt(2)/(b^2 T).
-
-    Examples
-    --------
-    >>> round(best_gradient_gain(2.0, 5.0), 6)
-    0.070711
-    """
-    return float(np.sqrt(2) / (largest**2 * window))
