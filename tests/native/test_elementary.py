@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from llvmlite import ir
-from test_conformance import BLOCKS
+from package_blocks import BLOCKS
 
 from clpt_control.blocks import words
 from clpt_control.native.code import code_of

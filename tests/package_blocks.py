@@ -1,0 +1,104 @@
+"""Every kind of block of the package, for several numbers of functions, by name."""
+
+import numpy as np
+
+from clpt_control.blocks import (
+    adaptation,
+    basis,
+    clpe,
+    disturbance,
+    error_system,
+    field,
+    flow,
+    learner,
+    lyapunov,
+    reference,
+    vehicle,
+)
+from clpt_control.currents.gridded import GriddedField
+
+SIZES = (1, 2, 3, 5)
+
+
+def basis_parameters(rng, N):
+    return basis.BasisParameters(
+        N,
+        rng.uniform(-3, 3, (N, 2)),
+        rng.uniform(1, 4, N),
+        rng.uniform(0, 2, N),
+        rng.uniform(-3, 3, N),
+    )
+
+
+def grid(rng):
+    axes = [np.linspace(0, 90, 5), np.linspace(-4, 4, 6), np.linspace(-5, 5, 7)]
+    return GriddedField(*axes, *rng.standard_normal((2, 5, 6, 7)))
+
+
+def package_blocks():
+    rng = np.random.default_rng(7)
+    yield "clpe", clpe.clpe()
+    yield "vehicle", vehicle.vehicle()
+    yield "learning_model", learner.learning_model()
+    for count in (1, 2, 7):
+        points = rng.uniform(-3, 3, (count, 2))
+        yield f"reference-{count}", reference.reference(points, dwell=1.7)
+    yield "reference-circle", reference.reference(reference.circle(3.0, 10), dwell=0.1)
+    for kind in disturbance.KINDS:
+        yield (
+            f"disturbance-{kind}",
+            disturbance.disturbance(kind, [0.3, -0.7], period=1.3, seed=5.0),
+        )
+    for outside in ("raise", "clip", "stop"):
+        yield f"field-{outside}", field.gridded_flow(grid(rng), outside)
+        yield f"field-{outside}-disturbed", field.gridded_flow(grid(rng), outside, disturbed=True)
+    for N in SIZES:
+        a, b, theta = rng.uniform(-1, 1, (3, 2, N))
+        KD, GammaD = rng.uniform(0.5, 2, (2, 2))
+        for kernel in basis.KERNELS:
+            for name, position in (("basis_x", "x"), ("basis_z", "z")):
+                yield (
+                    f"{name}-{kernel}-{N}",
+                    basis.flow_basis(name, position, kernel, basis_parameters(rng, N)),
+                )
+        for disturbed in (False, True):
+            yield (
+                f"true_flow-{disturbed}-{N}",
+                flow.true_flow(flow.TrueFlowParameters(N, theta), disturbed),
+            )
+        yield f"modeled_flow-{N}", flow.modeled_flow(flow.ModeledFlowParameters(N, a))
+        yield (
+            f"vehicle_controller-{N}",
+            vehicle.vehicle_controller(vehicle.ControllerParameters(N, a, KD, GammaD)),
+        )
+        yield f"learning_controller-{N}", learner.learning_controller(N)
+        yield (
+            f"injection-known-{N}",
+            learner.injection(learner.KnownFlowInjectionParameters(N, a, b)),
+        )
+        yield (
+            f"injection-learned-{N}",
+            learner.injection(learner.LearnedFlowInjectionParameters(N, a)),
+        )
+        yield (
+            f"adaptation-known-{N}",
+            adaptation.adaptation(adaptation.KnownFlowParameters(N, 0.7, a)),
+        )
+        yield (
+            f"adaptation-learned-{N}",
+            adaptation.adaptation(adaptation.LearnedFlowParameters(N, 0.7)),
+        )
+        yield (
+            f"error_system-{N}",
+            error_system.error_system(error_system.ErrorParameters(N, KD)),
+        )
+        yield (
+            f"parameter_system-{N}",
+            error_system.parameter_system(error_system.ParameterParameters(N, 0.7)),
+        )
+        for law in lyapunov.LAWS:
+            p = lyapunov.one_gain(0.7, theta, KD, GammaD)
+            yield f"lyapunov-{law}-{N}", lyapunov.lyapunov_candidate(law, p)
+
+
+BLOCKS = dict(package_blocks())
