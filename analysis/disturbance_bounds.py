@@ -67,9 +67,17 @@ def row(amplitude: float, frequency: float, gain: float) -> Row:
         ultimate_bound(WINDOW, amplitude, min(getattr(window, name) for window in windows))
         for name in ("rho", "drop")
     )
-    return Row(amplitude, frequency, found.claimed, found.peak, found.rms * found.claimed,
-               mean_square_bound(run, scenario).tightness, gain * amplitude,
-               guaranteed, exact)  # fmt: skip
+    return Row(
+        amplitude,
+        frequency,
+        found.claimed,
+        found.peak,
+        found.rms * found.claimed,
+        mean_square_bound(run, scenario).tightness,
+        gain * amplitude,
+        guaranteed,
+        exact,
+    )
 
 
 def table(rows: list[Row]) -> str:
@@ -95,37 +103,68 @@ def figure(by_amplitude: list[Row], by_frequency: list[Row], path: Path) -> None
     """Draw both sweeps: above in units of the claim, below in metres."""
     picture, axes = new_figure(7.2, 6.0, nrows=2, ncols=2, sharex="col", sharey="row")
     sweeps = (
-        (by_amplitude, [r.amplitude for r in by_amplitude], r"$\Delta_{\max}$ (m/s)",
-         f"square wave at {RESONANT:g} rad/s"),
-        (by_frequency, [r.frequency for r in by_frequency], "frequency (rad/s)",
-         rf"$\Delta_{{\max}}$ = {AMPLITUDE:g} m/s"),
-    )  # fmt: skip
+        (
+            by_amplitude,
+            [r.amplitude for r in by_amplitude],
+            r"$\Delta_{\max}$ (m/s)",
+            f"square wave at {RESONANT:g} rad/s",
+        ),
+        (
+            by_frequency,
+            [r.frequency for r in by_frequency],
+            "frequency (rad/s)",
+            rf"$\Delta_{{\max}}$ = {AMPLITUDE:g} m/s",
+        ),
+    )
     for (rows, x, label, title), (above, below) in zip(sweeps, axes.T, strict=True):
         above.plot(x, [r.peak / r.claimed for r in rows], "o-", color=BLUE, markersize=4)
         above.plot(x, [r.rms / r.claimed for r in rows], "^:", color=GREEN, markersize=4)
         above.plot(x, [r.worst / r.claimed for r in rows], "D--", color=COLOURS[4], markersize=3)
         above.axhline(1.0, color=RED, linestyle="--", linewidth=1.4)
         for values, style, colour, name in (
-            ([r.guaranteed for r in rows], "v-.", "black",
-             r"corrected bound on max|e|, guaranteed $\rho$"),
-            ([r.exact for r in rows], "s-.", ORANGE,
-             "corrected bound on max|e|, exact drop"),
-            ([r.worst for r in rows], "D--", COLOURS[4],
-             r"worst max|e| of any $\Delta$ that large"),
-            ([r.claimed for r in rows], "--", RED,
-             r"$\Delta_{\max}/k$: claimed for max|e|, holds for rms(e)"),
+            (
+                [r.guaranteed for r in rows],
+                "v-.",
+                "black",
+                r"corrected bound on max|e|, guaranteed $\rho$",
+            ),
+            ([r.exact for r in rows], "s-.", ORANGE, "corrected bound on max|e|, exact drop"),
+            (
+                [r.worst for r in rows],
+                "D--",
+                COLOURS[4],
+                r"worst max|e| of any $\Delta$ that large",
+            ),
+            (
+                [r.claimed for r in rows],
+                "--",
+                RED,
+                r"$\Delta_{\max}/k$: claimed for max|e|, holds for rms(e)",
+            ),
             ([r.peak for r in rows], "o-", BLUE, "simulated max|e|, 400-800 s"),
             ([r.rms for r in rows], "^:", GREEN, "simulated rms(e), 400-800 s"),
-        ):  # fmt: skip
+        ):
             below.semilogy(x, values, style, color=colour, markersize=4, label=name)
         above.set_title(title, loc="left", fontsize=10)
         below.set_xlabel(label)
     axes[0, 0].set(ylabel=r"|e| in units of $\Delta_{\max}/k$", ylim=(0, None))
     axes[1, 0].set_ylabel("|e| (m)")
-    axes[0, 1].annotate("Eq. (33) claims", (FREQUENCIES[-1], 1.0), xytext=(0, 3), ha="right",
-                        textcoords="offset points", fontsize=8, color=RED)  # fmt: skip
-    picture.legend(*axes[1, 0].get_legend_handles_labels(), fontsize=8, frameon=False,
-                   loc="outside lower center", ncols=2)  # fmt: skip
+    axes[0, 1].annotate(
+        "Eq. (33) claims",
+        (FREQUENCIES[-1], 1.0),
+        xytext=(0, 3),
+        ha="right",
+        textcoords="offset points",
+        fontsize=8,
+        color=RED,
+    )
+    picture.legend(
+        *axes[1, 0].get_legend_handles_labels(),
+        fontsize=8,
+        frameon=False,
+        loc="outside lower center",
+        ncols=2,
+    )
     write_figure(picture, path)
 
 
@@ -134,8 +173,9 @@ def main(
 ) -> None:
     """Run both sweeps; leave disturbance_bounds.md and disturbance_bounds.png."""
     folder = make_folder(out)
-    cases = list(dict.fromkeys([(a, RESONANT) for a in AMPLITUDES]
-                               + [(AMPLITUDE, f) for f in FREQUENCIES]))  # fmt: skip
+    cases = list(
+        dict.fromkeys([(a, RESONANT) for a in AMPLITUDES] + [(AMPLITUDE, f) for f in FREQUENCIES])
+    )
     rows: list[Row] = []
     with progress_bar("bounds under a disturbance", len(cases)) as report:
         gain = worst_disturbance(clpt.paper_scenario(), START, END).peaks[0]

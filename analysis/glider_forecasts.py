@@ -32,36 +32,59 @@ SEAS = {
     "keeps what it had, speed exact": Sea(walk=0.03, heading="any"),
     "the same, restless": Sea(walk=0.1, heading="any"),
     "the same, one heading": Sea(walk=0.03, heading="one"),
-    "wanders, scatters, speed 10 %": Sea(walk=0.03, scatter=0.02, speed_sd=0.1, compass_sd=0.03,
-                                         heading="mower"),
+    "wanders, scatters, speed 10 %": Sea(
+        walk=0.03, scatter=0.02, speed_sd=0.1, compass_sd=0.03, heading="mower"
+    ),
     "scatters by 5 cm/s": Sea(scatter=0.05, heading="any"),
     "steady, speed 10 %": Sea(speed_sd=0.1),
     "quiet ocean": Sea(eddying=((0.05, 5 * DAY, 1), (0.02, 18000.0, 1)), speed_sd=0.07, dives=40),
-    "eddying ocean": Sea(eddying=((0.2, 3 * DAY, 1), WAVES), inertial=SWING, speed_sd=0.07,
-                         compass_sd=0.02, dives=40),
-    "the same, 8 h dives": Sea(eddying=((0.15, 3 * DAY, 1), WAVES), inertial=SWING, speed_sd=0.05,
-                               hours=8.0, dives=40),
-    "smooth eddies": Sea(eddying=((0.2, 2 * DAY, 2), (0.02, 14400.0, 1)), speed_sd=0.05,
-                         heading="wander", dives=40),
-    "across an eddy": Sea(eddy=(0.5, 25e3), eddying=((0.02, 14400.0, 1),), speed_sd=0.05,
-                          heading="one"),
-    "across a jet": Sea(jet=(1.4, 30e3), eddying=((0.03, 14400.0, 1),), speed_sd=0.05,
-                        heading="one", hours=5.0),
-    "shelf, M2": Sea(eddying=((0.07, 2 * DAY, 1), (0.02, 14400.0, 1)), tides=(("M2", 0.3),),
-                     speed_sd=0.07, hours=3.0, dives=40),
-    "shelf, four tides": Sea(eddying=((0.07, 2 * DAY, 1), (0.02, 14400.0, 1)), heading="mower",
-                             tides=(("M2", 0.2), ("S2", 0.08), ("K1", 0.1), ("O1", 0.06)),
-                             speed_sd=0.05, hours=3.0, dives=60),
-    "after a storm": Sea(eddying=((0.08, 3 * DAY, 1), (0.015, 14400.0, 1)), inertial=STORM,
-                         speed_sd=0.05, dives=40),
-    "fourteen dives only": Sea(eddying=((0.12, 3 * DAY, 1), WAVES), inertial=SWING, speed_sd=0.1,
-                               compass_sd=0.03, heading="mower", dives=14),
-}  # fmt: skip
+    "eddying ocean": Sea(
+        eddying=((0.2, 3 * DAY, 1), WAVES), inertial=SWING, speed_sd=0.07, compass_sd=0.02, dives=40
+    ),
+    "the same, 8 h dives": Sea(
+        eddying=((0.15, 3 * DAY, 1), WAVES), inertial=SWING, speed_sd=0.05, hours=8.0, dives=40
+    ),
+    "smooth eddies": Sea(
+        eddying=((0.2, 2 * DAY, 2), (0.02, 14400.0, 1)), speed_sd=0.05, heading="wander", dives=40
+    ),
+    "across an eddy": Sea(
+        eddy=(0.5, 25e3), eddying=((0.02, 14400.0, 1),), speed_sd=0.05, heading="one"
+    ),
+    "across a jet": Sea(
+        jet=(1.4, 30e3), eddying=((0.03, 14400.0, 1),), speed_sd=0.05, heading="one", hours=5.0
+    ),
+    "shelf, M2": Sea(
+        eddying=((0.07, 2 * DAY, 1), (0.02, 14400.0, 1)),
+        tides=(("M2", 0.3),),
+        speed_sd=0.07,
+        hours=3.0,
+        dives=40,
+    ),
+    "shelf, four tides": Sea(
+        eddying=((0.07, 2 * DAY, 1), (0.02, 14400.0, 1)),
+        heading="mower",
+        tides=(("M2", 0.2), ("S2", 0.08), ("K1", 0.1), ("O1", 0.06)),
+        speed_sd=0.05,
+        hours=3.0,
+        dives=60,
+    ),
+    "after a storm": Sea(
+        eddying=((0.08, 3 * DAY, 1), (0.015, 14400.0, 1)), inertial=STORM, speed_sd=0.05, dives=40
+    ),
+    "fourteen dives only": Sea(
+        eddying=((0.12, 3 * DAY, 1), WAVES),
+        inertial=SWING,
+        speed_sd=0.1,
+        compass_sd=0.03,
+        heading="mower",
+        dives=14,
+    ),
+}
 MARKS = {"kalman": (BLUE, "o"), "rls": (ORANGE, "^"), "gradient": (GREEN, "s")}
 
 
 def ratio(replay: Replay) -> float:
-    """Give CLPE rms after the third dive over the previous dive's."""
+    """Return CLPE rms after the third dive over the previous dive's."""
     rms = replay.rms(3)
     return float(rms["adaptive"] or np.nan) / float(rms["previous_dive"] or np.nan)
 
@@ -85,7 +108,7 @@ def judged(name: str, seed: int) -> dict[str, Any]:
 
 
 def geometric(values: list[float]) -> float:
-    """Give the geometric mean."""
+    """Return the geometric mean."""
     return float(np.exp(np.mean(np.log(values))))
 
 
@@ -136,17 +159,28 @@ def picture(records: dict[str, list[dict[str, Any]]], real: dict[str, Replay]) -
     figure, ax = new_figure(7.2, 5.6)
     names = [*records, "Seaglider SG542"]
     for k, rows in enumerate(records.values()):
-        ax.plot([row["kalman"] for row in rows], [k] * len(rows), ".", color=BLUE, ms=4, alpha=0.35,
-                label=None if k else "kalman, each vehicle")  # fmt: skip
+        ax.plot(
+            [row["kalman"] for row in rows],
+            [k] * len(rows),
+            ".",
+            color=BLUE,
+            ms=4,
+            alpha=0.35,
+            label=None if k else "kalman, each vehicle",
+        )
     for j, (estimator, (colour, mark)) in enumerate(MARKS.items()):
         means = [geometric([row[estimator] for row in rows]) for rows in records.values()]
         place = np.arange(len(names)) + 0.18 * (j - 1)
-        ax.plot([*means, ratio(real[estimator])], place, mark, color=colour, ms=5,
-                label=estimator)  # fmt: skip
+        ax.plot([*means, ratio(real[estimator])], place, mark, color=colour, ms=5, label=estimator)
     ax.axvline(1, color="black", lw=0.8)
-    ax.set(yticks=range(len(names)), yticklabels=names, xscale="log", xticks=[0.2, 0.5, 1, 2],
-           xticklabels=["0.2", "0.5", "1", "2"],
-           xlabel="CLPE rms over that of the previous dive's current")  # fmt: skip
+    ax.set(
+        yticks=range(len(names)),
+        yticklabels=names,
+        xscale="log",
+        xticks=[0.2, 0.5, 1, 2],
+        xticklabels=["0.2", "0.5", "1", "2"],
+        xlabel="CLPE rms over that of the previous dive's current",
+    )
     ax.minorticks_off()
     ax.invert_yaxis()
     figure.legend(loc="outside lower center", ncols=4, fontsize=8, frameon=False)

@@ -40,7 +40,7 @@ class Sea(NamedTuple):
     walk: float = 0.0
     eddying: tuple = ()
     tides: tuple = ()
-    inertial: tuple = ()
+    inertial: tuple[float, float] | None = None
     eddy: tuple = ()
     jet: tuple = ()
     scatter: float = 0.0
@@ -52,7 +52,7 @@ class Sea(NamedTuple):
 
 
 def headings(rng: np.random.Generator, count: int, kind: str) -> np.ndarray:
-    """Give the headings of dives, rad from east."""
+    """Return the headings of dives, rad from east."""
     start, leg = rng.uniform(0, 2 * np.pi), int(rng.integers(4, 8))
     k = np.arange(count)
     small = 0.1 * rng.normal(size=count)
@@ -66,7 +66,7 @@ def headings(rng: np.random.Generator, count: int, kind: str) -> np.ndarray:
 
 
 def remembered(rng: np.random.Generator, size: float, memory: float, order: int, n: int):
-    """Give n ticks of an Ornstein-Uhlenbeck current, order 1 or 2."""
+    """Return n ticks of an Ornstein-Uhlenbeck current, order 1 or 2."""
     keep = math.exp(-TICK / memory)
     kicks = rng.normal(size=(n, 2))
     y = np.empty((n, 2))
@@ -83,7 +83,7 @@ def remembered(rng: np.random.Generator, size: float, memory: float, order: int,
 
 
 def background(sea: Sea, rng: np.random.Generator, end: float) -> np.ndarray:
-    """Give the current without eddy and jet, (n, 2) m/s, every tick."""
+    """Return the current without eddy and jet, (n, 2) m/s, every tick."""
     n = int(end / TICK) + 2
     time = TICK * np.arange(n)
     u = np.tile([0.1, -0.05], (n, 1))
@@ -104,7 +104,7 @@ def background(sea: Sea, rng: np.random.Generator, end: float) -> np.ndarray:
 
 
 def made_dives(sea: Sea, seed: int, lost: float = 0.0, since: int = 0) -> list[Dive]:
-    """Give the dives of a vehicle in a sea.
+    """Return the dives of a vehicle in a sea.
 
     Parameters
     ----------

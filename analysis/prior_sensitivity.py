@@ -41,7 +41,7 @@ PRIORS: dict[str, tuple[Any, str, Any, Any]] = {
 
 
 def ratio(dives: list[Dive]) -> float:
-    """Give CLPE rms after the third dive over the previous dive's."""
+    """Return CLPE rms after the third dive over the previous dive's."""
     rms = replay_dives(dives).rms(3)
     return float(rms["adaptive"] or np.nan) / float(rms["previous_dive"] or np.nan)
 

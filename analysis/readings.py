@@ -71,17 +71,26 @@ def figure(rows: list[dict[str, Any]], path: Path) -> None:
         colour = (BLUE, RED, GREEN)[KERNELS.index(row["kernel"])]
         in_hours = row["unit"] == "periods in h"
         times = [float(time) for time in row["parameters"]]
-        ax.loglog(times, list(row["parameters"].values()), color=colour,
-                  linestyle="--" if in_hours else "-", marker="s" if in_hours else "o",
-                  markersize=4, markerfacecolor="none" if in_hours else colour,
-                  label=f"{row['kernel']}, {row['unit']}: "
-                  + _eigenvalue(row["kappa_1"]))  # fmt: skip
+        ax.loglog(
+            times,
+            list(row["parameters"].values()),
+            color=colour,
+            linestyle="--" if in_hours else "-",
+            marker="s" if in_hours else "o",
+            markersize=4,
+            markerfacecolor="none" if in_hours else colour,
+            label=f"{row['kernel']}, {row['unit']}: " + _eigenvalue(row["kappa_1"]),
+        )
     ax.axhline(0.05, color="black", linewidth=0.8, linestyle=":")
-    ax.annotate("criterion 0.05", (10, 0.05), xytext=(0, 3), textcoords="offset points",
-                fontsize=8)  # fmt: skip
+    ax.annotate("criterion 0.05", (10, 0.05), xytext=(0, 3), textcoords="offset points", fontsize=8)
     ax.set(xlabel="time (s)", ylabel="largest flow parameter error (m/s)")
-    ax.legend(title="reading: smallest Gramian eigenvalue (m$^2$ s)", fontsize=8,
-              title_fontsize=8, frameon=False, loc="lower left")  # fmt: skip
+    ax.legend(
+        title="reading: smallest Gramian eigenvalue (m$^2$ s)",
+        fontsize=8,
+        title_fontsize=8,
+        frameon=False,
+        loc="lower left",
+    )
     ax.set_ylim(0.008, 1.2)
     write_figure(picture, path)
 

@@ -26,7 +26,7 @@ WRONG_BY = 0.1  # 1/s: how far the second learner's feedforward gain is off
 
 
 def operating_point(scenario: clpt.Scenario) -> np.ndarray:
-    """Give the state of a run at the frozen time."""
+    """Return the state of a run at the frozen time."""
     diagram = clpt.closed_loop(scenario)
     response = clpt.simulate(diagram, [0.0, TIME], initial_state=clpt.initial_state(scenario))
     return response.states[:, -1]
@@ -40,7 +40,7 @@ def linear_model(scenario: clpt.Scenario, state: np.ndarray) -> control.StateSpa
 
 
 def flow_gradient(scenario: clpt.Scenario, state: np.ndarray, step: float = 1e-6) -> np.ndarray:
-    """Give (theta - alpha_M) dphi/dx at the vehicle by central differences."""
+    """Return (theta - alpha_M) dphi/dx at the vehicle by central differences."""
     from clpt_control.simulation.flows import flow_velocity
 
     left = np.array(scenario.flow.parameters) - np.array(scenario.model_parameters)
@@ -96,15 +96,29 @@ def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/step_res
     picture, (top, bottom) = new_figure(6.4, 5.4, nrows=2, sharex=True)
     top.plot(t, answers["x"], color=BLUE, linewidth=2, label="linearised diagram")
     top.plot(t, answers["x theory"], color="black", linestyle=":", label="theory, Eq. (9)")
-    top.plot(t, answers["x without flow"], color=RED, linestyle="--", linewidth=0.9,
-             label="theory without flow")  # fmt: skip
+    top.plot(
+        t,
+        answers["x without flow"],
+        color=RED,
+        linestyle="--",
+        linewidth=0.9,
+        label="theory without flow",
+    )
     top.set_ylabel("$x_1$ after a step of $z_{c,1}$ (m/m)")
-    top.set_title(f"Step responses of the linearised closed loop, frozen at t = {TIME:g} s",
-                  loc="left", fontsize=10)  # fmt: skip
+    top.set_title(
+        f"Step responses of the linearised closed loop, frozen at t = {TIME:g} s",
+        loc="left",
+        fontsize=10,
+    )
     top.legend(frameon=False, fontsize=8)
     bottom.plot(t, answers["e"], color=BLUE, linewidth=2, label="learner at the true parameters")
-    bottom.plot(t, answers["e mistaken"], color=RED, linestyle="--",
-                label=f"$\\Gamma$ {WRONG_BY} /s too small")  # fmt: skip
+    bottom.plot(
+        t,
+        answers["e mistaken"],
+        color=RED,
+        linestyle="--",
+        label=f"$\\Gamma$ {WRONG_BY} /s too small",
+    )
     bottom.set(xlabel="time after the step (s)", ylabel="$e_1$ (m/m)", xlim=(0, 10))
     bottom.legend(frameon=False, fontsize=8)
     write_figure(picture, folder / "step_response.png")

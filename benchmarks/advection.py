@@ -23,7 +23,7 @@ SIDE, POINTS, HOURS = 1e5, 101, 169
 
 
 def current() -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Give time (s), axis (m) of both directions, u and v (m/s), shape (time, x2, x1)."""
+    """Return time (s), axis (m) of both directions, u and v (m/s), shape (time, x2, x1)."""
     seconds, axis = 3600.0 * np.arange(HOURS), np.linspace(0.0, SIDE, POINTS)
     t, x2, x1 = np.meshgrid(seconds, axis, axis, indexing="ij")
     breath = 1 + 0.4 * np.cos(2 * np.pi * t / 44712.0)
@@ -33,7 +33,7 @@ def current() -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
 
 
 def starts(count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Give the particles' first positions, metres."""
+    """Return the particles' first positions, metres."""
     draw = np.random.default_rng(3)
     return draw.uniform(0.1 * SIDE, 0.9 * SIDE, count), draw.uniform(0.1 * SIDE, 0.9 * SIDE, count)
 
@@ -53,8 +53,13 @@ def run_c(count: int) -> tuple[np.ndarray, float]:
     function = ctypes.CDLL(str(library("advect"))).advect_particles
     function.restype = c_double
     function.argtypes = (
-        POINTER(_Grid), c_int64, c_int64, c_double, POINTER(c_double), POINTER(c_double)
-    )  # fmt: skip
+        POINTER(_Grid),
+        c_int64,
+        c_int64,
+        c_double,
+        POINTER(c_double),
+        POINTER(c_double),
+    )
     seconds, axis, u, v = current()
     pointers = [f.ctypes.data_as(POINTER(c_double)) for f in (u, v)]
     steps = [1 / (a[1] - a[0]) for a in (seconds, axis, axis)]

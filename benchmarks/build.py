@@ -29,7 +29,7 @@ def weighted(weights: np.ndarray) -> str:
 
 
 def coefficients() -> str:
-    """Give the header of DOP853 coefficients."""
+    """Return the header of DOP853 coefficients."""
     from scipy.integrate._ivp import dop853_coefficients as dop
 
     lines = ["/* Written by benchmarks/build.py from scipy's DOP853. */"]

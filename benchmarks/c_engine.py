@@ -47,8 +47,11 @@ class Program:
         self.function = getattr(ctypes.CDLL(str(library(source, *flags))), f"{source}_members")
         self.function.restype = c_double
         self.function.argtypes = (
-            POINTER(_Problem), c_int64, *[POINTER(c_double)] * 3, POINTER(_Counts)
-        )  # fmt: skip
+            POINTER(_Problem),
+            c_int64,
+            *[POINTER(c_double)] * 3,
+            POINTER(_Counts),
+        )
         self.counts = _Counts()
 
     def members(
@@ -75,17 +78,28 @@ class Program:
         w1, w2 = np.ascontiguousarray(scenario.waypoints.T)
         run = scenario.run
         problem = _Problem(
-            scenario.basis.N, len(w1), record, scenario.reference.dwell, run.duration,
-            run.rtol, run.atol, _pointer(w1), _pointer(w2)
-        )  # fmt: skip
+            scenario.basis.N,
+            len(w1),
+            record,
+            scenario.reference.dwell,
+            run.duration,
+            run.rtol,
+            run.atol,
+            _pointer(w1),
+            _pointer(w2),
+        )
         states = np.array(states, dtype=float, order="C")
         parameters = np.ascontiguousarray(parameters)
         kept = np.empty((max(record, 1), states.shape[1]))
         self.counts = _Counts()
         seconds = self.function(
-            ctypes.byref(problem), len(states), _pointer(parameters), _pointer(states),
-            _pointer(kept), ctypes.byref(self.counts)
-        )  # fmt: skip
+            ctypes.byref(problem),
+            len(states),
+            _pointer(parameters),
+            _pointer(states),
+            _pointer(kept),
+            ctypes.byref(self.counts),
+        )
         if self.counts.status:
             raise RuntimeError("the C program's step became too small")
         return (kept if record else states), seconds

@@ -38,13 +38,13 @@ class Case:
 
 
 def paper(end: float = 2000.0) -> Case:
-    """Give the paper's run; its states at the waypoint ends."""
+    """Return the paper's run; its states at the waypoint ends."""
     scenario = clpt.paper_scenario().with_values({"run.duration": end})
     return _case("the paper's run", scenario)
 
 
 def many(N: int, end: float = 2000.0, seed: int = 1) -> Case:
-    """Give the paper's run in a flow of N random functions, of the paper's strength.
+    """Return the paper's run in a flow of N random functions, of the paper's strength.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ def _case(name: str, scenario: clpt.Scenario) -> Case:
 
 
 def flat_parameters(scenario: clpt.Scenario) -> np.ndarray:
-    """Give one run's parameters in the C programs' order, shape (9 N + 5,)."""
+    """Return one run's parameters in the C programs' order, shape (9 N + 5,)."""
     centers = np.array(scenario.basis.centers)
     return np.concatenate(
         [
@@ -130,6 +130,6 @@ def members(scenario: clpt.Scenario, chunk: int, count: int) -> tuple[np.ndarray
 
 
 def reference_states() -> tuple[np.ndarray, np.ndarray]:
-    """Give times and states of the independent reference, ordered x, z, alpha, K, Gamma."""
+    """Return times and states of the independent reference, ordered x, z, alpha, K, Gamma."""
     states = json.loads(REFERENCE.read_text())["paper"]["states"]
     return np.array([float(t) for t in states]), np.array(list(states.values()))

@@ -17,15 +17,12 @@ FUNCTIONS = {"exp": jnp.exp, "cos": jnp.cos, "sin": jnp.sin, "sqrt": jnp.sqrt}
 
 
 def _stretch(scenario):
-    """Give a function from one waypoint's start to its end."""
+    """Return a function from one waypoint's start to its end."""
     diagram, N, run = clpt.closed_loop(scenario), scenario.basis.N, scenario.run
 
     def derivative(t, y, arguments):
         zc, theta, gain = arguments
-        own = {
-            ("true_flow", "theta"): boxed(theta).reshape(2, N),
-            ("adaptation", "gain"): gain,
-        }
+        own = {("true_flow", "theta"): boxed(theta).reshape(2, N), ("adaptation", "gain"): gain}
         found = rates(diagram, t, y, FUNCTIONS, {"reference": zc}, own)
         return jnp.stack([jnp.asarray(f) for f in found])
 
@@ -47,7 +44,7 @@ def _stretch(scenario):
 
 
 def _whole(scenario, times):
-    """Give a function that runs one member through every waypoint."""
+    """Return a function that runs one member through every waypoint."""
     stretch, points = _stretch(scenario), scenario.waypoints
     zc = jnp.asarray(points[np.arange(len(times) - 1) % len(points)])
     starts, ends = jnp.asarray(times[:-1]), jnp.asarray(times[1:])

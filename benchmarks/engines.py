@@ -74,7 +74,7 @@ def timed(function: Callable, *arguments) -> tuple[Any, float]:
 
 def _c(*options: str, source: str = "scalar"):
     def fastest(N: int, run) -> Any:
-        """Give the faster of: N known to the compiler, N read at run time."""
+        """Return the faster of: N known to the compiler, N read at run time."""
         from .c_engine import Program
 
         programs = [Program(N, source, *options, constant=c) for c in (True, False)]
@@ -97,7 +97,7 @@ def _c(*options: str, source: str = "scalar"):
 
 
 def _from(module: str, name: str) -> Callable:
-    """Give a function of a module that is imported when it is first called."""
+    """Return a function of a module that is imported when it is first called."""
 
     def call(*arguments):
         return getattr(importlib.import_module(f"benchmarks.{module}"), name)(*arguments)

@@ -16,7 +16,7 @@ FUNCTIONS = {"exp": hy.exp, "cos": hy.cos, "sin": hy.sin, "sqrt": lambda a: hy.s
 
 
 def system(scenario, parameters=None) -> list:
-    """Give the equations, with zc as the parameters 0 and 1."""
+    """Return the equations, with zc as the parameters 0 and 1."""
     diagram = clpt.closed_loop(scenario)
     states = hy.make_vars(*[f"s{i}" for i in range(2 * scenario.basis.N + 8)])
     given = {"reference": [hy.par[0], hy.par[1]]}

@@ -16,7 +16,7 @@ FAILURES: list[str] = []  # what `alone` could not run, a sentence each
 
 
 def peak_memory() -> float:
-    """Give the most memory this process ever held, megabytes.
+    """Return the most memory this process ever held, megabytes.
 
     On Linux the figure is the kernel's for this program alone: `ru_maxrss` begins
     with what the parent held when it started the process.

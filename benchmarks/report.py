@@ -193,10 +193,16 @@ def figure(results: dict, path: Path) -> None:
 def _lines(axes, lines: dict[str, list], xlabel: str, ylabel: str, title: str) -> None:
     for number, (name, points) in enumerate(lines.items()):
         ours = name.startswith("clpt")
-        axes.plot(*zip(*points, strict=True), marker="os^vDPX*<>"[number % 10], markersize=4,
-                  color=OURS if ours else GREYS[number % len(GREYS)], zorder=3 if ours else 2,
-                  linewidth=2.2 if ours else 1.0, label=name,
-                  linestyle=("-", "--", "-.", ":")[number // 3 % 4])  # fmt: skip
+        axes.plot(
+            *zip(*points, strict=True),
+            marker="os^vDPX*<>"[number % 10],
+            markersize=4,
+            color=OURS if ours else GREYS[number % len(GREYS)],
+            zorder=3 if ours else 2,
+            linewidth=2.2 if ours else 1.0,
+            label=name,
+            linestyle=("-", "--", "-.", ":")[number // 3 % 4],
+        )
     axes.set(xscale="log", yscale="log", xlabel=xlabel, ylabel=ylabel, title=title)
     axes.grid(alpha=0.3)
     if lines:

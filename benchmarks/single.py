@@ -20,7 +20,7 @@ def evaluations(case: Case) -> int:
 
 
 def share(case: Case, waypoints: int) -> float:
-    """Give the share of a run's evaluations that fall on its first waypoints."""
+    """Return the share of a run's evaluations that fall on its first waypoints."""
     part = shortened(case, waypoints)
     if ENGINES["c"].missing():
         return len(part.times[1:]) / len(case.times[1:])
@@ -28,14 +28,15 @@ def share(case: Case, waypoints: int) -> float:
 
 
 def shortened(case: Case, waypoints: int) -> Case:
-    """Give the first waypoints of a case."""
+    """Return the first waypoints of a case."""
     end = float(case.times[min(waypoints, len(case.times) - 1)])
-    return Case(case.name, case.scenario.with_values({"run.duration": end}),
-                case.times[: waypoints + 1])  # fmt: skip
+    return Case(
+        case.name, case.scenario.with_values({"run.duration": end}), case.times[: waypoints + 1]
+    )
 
 
 def paper_error(engine: Engine, case: Case, states: np.ndarray) -> float:
-    """Give max |state - reference| at the times of paper.json that were reached."""
+    """Return max |state - reference| at the times of paper.json that were reached."""
     times, reference = cases.reference_states()
     at = {float(t): k for k, t in enumerate(case.times)}
     errors = [
@@ -49,7 +50,7 @@ def paper_error(engine: Engine, case: Case, states: np.ndarray) -> float:
 
 
 def tight(case: Case) -> np.ndarray:
-    """Give the states of a case by the C program at a tolerance of 1e-12."""
+    """Return the states of a case by the C program at a tolerance of 1e-12."""
     from .c_engine import Program
 
     fine = case.scenario.with_values({"run.rtol": 1e-12, "run.atol": 1e-14})

@@ -25,7 +25,7 @@ def is_place(lat: float, lon: float) -> bool:
 
 
 def displacement(lat1: float, lon1: float, lat2: float, lon2: float) -> tuple[float, float]:
-    """Give the way between two places, resolved at the first.
+    """Return the way between two places, resolved at the first.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ def displacement(lat1: float, lon1: float, lat2: float, lon2: float) -> tuple[fl
 
 
 def place_from(lat: float, lon: float, east: float, north: float) -> tuple[float, float]:
-    """Give the place at the end of a way, as `displacement` has it.
+    """Return the place at the end of a way, as `displacement` has it.
 
     Parameters
     ----------

@@ -20,7 +20,8 @@ import numpy as np
 import clpt_control as clpt
 from clpt_control.currents.fit import fit_scenario
 from clpt_control.currents.fit_file import save_fit
-from clpt_control.simulation.learned import basis_of, explained_variance
+from clpt_control.simulation.flows import flow_velocity
+from clpt_control.simulation.learned import explained_variance
 
 BOX = (40.9, 41.55, -69.9, -69.0)
 LATE = (18.0, 23.0)  # h
@@ -35,9 +36,8 @@ def late_rms(run):
 
 def learned_flow(scenario, run):
     """Flow the learner assigns to the vehicle's place at each time, km/h."""
-    phi = basis_of(scenario)
-    rows = [phi.output(t, [], x) for t, x in zip(run.time.values, run.position.values, strict=True)]
-    return np.einsum("tan,tn->ta", run.flow_parameters_estimate.values, np.array(rows))
+    estimate = run.flow_parameters_estimate.values
+    return flow_velocity(scenario, run.position.values, run.time.values, estimate)
 
 
 def draw(scenario, runs, path):
@@ -55,9 +55,16 @@ def draw(scenario, runs, path):
         (learned_flow(scenario, learning), ORANGE, "learned current", 0.003),
     ):
         arrows = plane.quiver(
-            *track[every].T, *flow[every].T, color=colour, width=width, angles="xy",
-            scale_units="xy", scale=1.0, label=label, zorder=4,
-        )  # fmt: skip
+            *track[every].T,
+            *flow[every].T,
+            color=colour,
+            width=width,
+            angles="xy",
+            scale_units="xy",
+            scale=1.0,
+            label=label,
+            zorder=4,
+        )
     plane.quiverkey(arrows, 0.82, 0.05, 2.0, "2 km/h", labelpos="W", color=GREY)
     plane.set(xlabel="x1, east of the origin (km)", ylabel="x2, north of the origin (km)")
     plane.set_title("Current along the track, each half hour", fontsize=10)
@@ -74,10 +81,20 @@ def draw(scenario, runs, path):
         size = np.hypot(*run.clpe.values.T)
         error.semilogy(run.time[1:], size[1:], style, color=colour, lw=1.5, label=label)
     error.axvspan(*LATE, color="0.9", zorder=0)
-    error.text(np.mean(LATE), 0.97, "rms window", ha="center", va="top", fontsize=8,
-               transform=error.get_xaxis_transform())  # fmt: skip
-    error.set(xlabel="time since the first measurement (h)", ylabel="CLPE |x - z| (km)",
-              xlim=(0, scenario.run.duration))  # fmt: skip
+    error.text(
+        np.mean(LATE),
+        0.97,
+        "rms window",
+        ha="center",
+        va="top",
+        fontsize=8,
+        transform=error.get_xaxis_transform(),
+    )
+    error.set(
+        xlabel="time since the first measurement (h)",
+        ylabel="CLPE |x - z| (km)",
+        xlim=(0, scenario.run.duration),
+    )
     error.set_title("Controlled Lagrangian prediction error", fontsize=10)
     error.grid(alpha=0.3)
     error.legend(loc="lower right", fontsize=8)
@@ -119,8 +136,8 @@ def main(currents, folder="out"):
         for name, key in (("K", "feedback_gain"), ("Gamma", "feedforward_gain"))
     )
     print(f"a small prediction error is not a right flow: the gains drifted from 1 to {gains}")
-    told = fit_scenario(currents, BOX, start_from_fit=True)
-    told = save_fit(told, folder / "measured_current_from_fit.toml")
+    from_fit = fit_scenario(currents, BOX, start_from_fit=True)
+    told = save_fit(from_fit, folder / "measured_current_from_fit.toml")
     run = clpt.simulate(told)
     shares = explained_variance(told, run)
     print(

@@ -19,14 +19,14 @@ SPEED, BEARING = np.hypot(*WAY), np.degrees(np.arctan2(*WAY))
 
 
 def swim(count):
-    """Give times since the fix, depths and steps of a dive, steps (count, 2)."""
+    """Return times since the fix, depths and steps of a dive, steps (count, 2)."""
     since = np.linspace(FIRST, DURATION - LAST, count)
     depth = DEPTH * (1 - np.abs(2 * (since - FIRST) / (since[-1] - FIRST) - 1))
     return since, depth, np.diff(since, prepend=FIRST)[:, None] * WAY
 
 
 def current():
-    """Give the current averaged over the dive, m/s."""
+    """Return the current averaged over the dive, m/s."""
     return np.array([GPS_EAST - SWUM[0], -SWUM[1]]) / DURATION
 
 
@@ -44,7 +44,7 @@ def write(path, sizes, variables, attributes=(), form="NETCDF4"):
 
 
 def fixes(number, lon):
-    """Give GPS1, GPS2 and GPSE of a dive: times, latitudes, longitudes."""
+    """Return GPS1, GPS2 and GPSE of a dive: times, latitudes, longitudes."""
     start = T0 + (number - 1) * 10000.0
     lons = np.array([lon, lon, (lon + DRIFT + 180.0) % 360.0 - 180.0])
     return np.array([start - 300.0, start, start + DURATION]), np.zeros(3), lons
@@ -60,13 +60,18 @@ def basestation(path, number=7, lon=8.0, drop=(), count=400, **changed):
     times, lats, lons = fixes(number, lon)
     of, info, u = ("sg_data_point",), ("gps_info",), current()
     variables = {
-        "log_gps_time": (info, times, EPOCH), "log_gps_lat": (info, lats, {}),
-        "log_gps_lon": (info, lons, {}), "time": (of, times[1] + since, EPOCH),
-        "ctd_time": (of, times[1] + since + 0.5, EPOCH), "depth": (of, depth, M),
-        "east_displacement": (of, steps[:, 0], M), "north_displacement": (of, steps[:, 1], M),
-        "depth_avg_curr_east": ((), u[0], {}), "depth_avg_curr_north": ((), u[1], {}),
+        "log_gps_time": (info, times, EPOCH),
+        "log_gps_lat": (info, lats, {}),
+        "log_gps_lon": (info, lons, {}),
+        "time": (of, times[1] + since, EPOCH),
+        "ctd_time": (of, times[1] + since + 0.5, EPOCH),
+        "depth": (of, depth, M),
+        "east_displacement": (of, steps[:, 0], M),
+        "north_displacement": (of, steps[:, 1], M),
+        "depth_avg_curr_east": ((), u[0], {}),
+        "depth_avg_curr_north": ((), u[1], {}),
         "magnetic_variation": ((), VARIATION, {}),
-    }  # fmt: skip
+    }
     variables = {k: v for k, v in (variables | changed).items() if k not in drop}
     sizes = {"sg_data_point": count, "gps_info": 3}
     return write(path, sizes, variables, {"dive_number": number}, "NETCDF3_CLASSIC")
@@ -79,15 +84,21 @@ def basestation3(path, number=7, lon=8.0, drop=(), count=1800, sizes=(), **chang
     times, lats, lons = fixes(number, lon)
     ctd, truck, info, u = ("ctd_data_point",), ("sg_data_point",), ("gps_info",), current()
     variables = {
-        "log_gps_time": (info, times, EPOCH), "log_gps_lat": (info, lats, {}),
-        "log_gps_lon": (info, lons, {}), "log_gps_hdop": (info, [0.9, 0.9, 1.1], {}),
+        "log_gps_time": (info, times, EPOCH),
+        "log_gps_lat": (info, lats, {}),
+        "log_gps_lon": (info, lons, {}),
+        "log_gps_hdop": (info, [0.9, 0.9, 1.1], {}),
         "log_gps_magvar": (info, np.full(3, VARIATION), {}),
-        "time": (truck, times[1] + slow, EPOCH), "eng_depth": (truck, 100 * shallow, CM),
+        "time": (truck, times[1] + slow, EPOCH),
+        "eng_depth": (truck, 100 * shallow, CM),
         "legato_time": (("legato_data_point",), times[1] + since, EPOCH),
-        "ctd_time": (ctd, times[1] + since, EPOCH), "ctd_depth": (ctd, depth, M),
-        "east_displacement": (ctd, steps[:, 0], M), "north_displacement": (ctd, steps[:, 1], M),
-        "depth_avg_curr_east": ((), u[0], {}), "depth_avg_curr_north": ((), u[1], {}),
-    }  # fmt: skip
+        "ctd_time": (ctd, times[1] + since, EPOCH),
+        "ctd_depth": (ctd, depth, M),
+        "east_displacement": (ctd, steps[:, 0], M),
+        "north_displacement": (ctd, steps[:, 1], M),
+        "depth_avg_curr_east": ((), u[0], {}),
+        "depth_avg_curr_north": ((), u[1], {}),
+    }
     variables = {k: v for k, v in (variables | changed).items() if k not in drop}
     own = {"ctd_data_point": count, "sg_data_point": 300, "legato_data_point": count}
     return write(path, own | {"gps_info": 3} | dict(sizes), variables, {"dive_number": number})
@@ -97,7 +108,7 @@ MAGNETIC = {"units": "degrees", "comment": "Vehicle heading (magnetic)"}
 
 
 def og1_rows(numbers=(1, 2, 3), lon=8.0, count=400):
-    """Give the columns of an OG1 mission: GPS1, GPS2, samples, GPSE of each dive."""
+    """Return the columns of an OG1 mission: GPS1, GPS2, samples, GPSE of each dive."""
     columns: dict[str, list] = {}
     since, depth, steps = swim(count)
     for number in numbers:
@@ -105,9 +116,11 @@ def og1_rows(numbers=(1, 2, 3), lon=8.0, count=400):
         nothing = np.full(count, np.nan)
         phase = np.where(since < DURATION / 2, 2.0, 1.0)
         for name, samples, fix in (
-            ("TIME", times[1] + since, times), ("LATITUDE_GPS", nothing, lats),
+            ("TIME", times[1] + since, times),
+            ("LATITUDE_GPS", nothing, lats),
             ("LONGITUDE_GPS", nothing, (lons + 180.0) % 360.0 - 180.0),
-            ("DEPTH", depth, np.zeros(3)), ("PHASE", phase, np.full(3, 3.0)),
+            ("DEPTH", depth, np.zeros(3)),
+            ("PHASE", phase, np.full(3, 3.0)),
             ("divenum", np.full(count, number), np.full(3, number)),
             ("EAST_DISPLACEMENT", steps[:, 0], np.full(3, np.nan)),
             ("NORTH_DISPLACEMENT", steps[:, 1], np.full(3, np.nan)),
@@ -115,16 +128,20 @@ def og1_rows(numbers=(1, 2, 3), lon=8.0, count=400):
             ("DAVG_CURR_NORTH", np.full(count, current()[1]), np.full(3, np.nan)),
             ("GLIDER_HORZ_VELO_MODEL", np.full(count, 100 * SPEED), np.full(3, np.nan)),
             ("HEADING", np.full(count, (BEARING - VARIATION) % 360.0), np.full(3, np.nan)),
-        ):  # fmt: skip
+        ):
             rows = np.concatenate([fix[:2], samples, fix[2:]])
             columns.setdefault(name, []).append(rows)
     return {name: np.concatenate(parts) for name, parts in columns.items()}
 
 
 UNITS = {
-    "TIME": EPOCH, "DEPTH": {"units": "m"}, "GLIDER_HORZ_VELO_MODEL": {"units": "cm/s"},
-    "HEADING": MAGNETIC, "DAVG_CURR_EAST": {"units": "m/s"}, "DAVG_CURR_NORTH": {"units": "m/s"},
-}  # fmt: skip
+    "TIME": EPOCH,
+    "DEPTH": {"units": "m"},
+    "GLIDER_HORZ_VELO_MODEL": {"units": "cm/s"},
+    "HEADING": MAGNETIC,
+    "DAVG_CURR_EAST": {"units": "m/s"},
+    "DAVG_CURR_NORTH": {"units": "m/s"},
+}
 
 
 def og1(path, drop=(), columns=None, units=None, **more):

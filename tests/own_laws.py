@@ -64,9 +64,12 @@ class Truth(NamedTuple):
 def law(update, parameters, more=None, **ports):
     n = parameters.N
     return Block(
-        "own", update=update, inputs={"e": 2, "phi_x": n, "z": 2, "zc": 2, **(more or {})},
-        parameters=parameters, **(ports or {"states": {"alpha": 2 * n, "K": 2, "Gamma": 2}}),
-    )  # fmt: skip
+        "own",
+        update=update,
+        inputs={"e": 2, "phi_x": n, "z": 2, "zc": 2, **(more or {})},
+        parameters=parameters,
+        **(ports or {"states": {"alpha": 2 * n, "K": 2, "Gamma": 2}}),
+    )
 
 
 def filled(x, u, p, dx, gain, e, i):
@@ -369,17 +372,22 @@ def turned_V():
     car = scenario.vehicle
     truth = map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward))
     return Block(
-        "lyapunov", output=indefinite, inputs={"e": 2, "alpha": 2 * N, "K": 2, "Gamma": 2},
-        outputs={"V": 1}, parameters=Truth(N, 0.5, *truth),
-    )  # fmt: skip
+        "lyapunov",
+        output=indefinite,
+        inputs={"e": 2, "alpha": 2 * N, "K": 2, "Gamma": 2},
+        outputs={"V": 1},
+        parameters=Truth(N, 0.5, *truth),
+    )
 
 
 FLOW = {"flow_x": 2}
 ARRAYS = Arrays(N, 0.5, np.array([1.0, 2.0]), np.array([0.1, 0.2]))
 PRIVATE = {
-    "states": {"x": 2, "alpha": 2 * N, "K": 2, "Gamma": 2}, "output": behind_x,
-    "outputs": {"alpha": 2 * N, "K": 2, "Gamma": 2}, "feedthrough": False,
-}  # fmt: skip
+    "states": {"x": 2, "alpha": 2 * N, "K": 2, "Gamma": 2},
+    "output": behind_x,
+    "outputs": {"alpha": 2 * N, "K": 2, "Gamma": 2},
+    "feedthrough": False,
+}
 MORE = {"alpha": 2 * N, "K": 2, "Gamma": 2, "s": 1}
 RIGHT = {  # name -> (law, whether for every N too)
     "the paper's": (lambda: law(shipped, Gain(N, 0.5)), True),
@@ -423,18 +431,28 @@ NOT_REFUTED = {  # right, or right with another V
     "tanh(e)": lambda: law(tanh_of_e, Gain(N, 0.5)),
     "e + e^3": lambda: law(e_and_its_cube, Gain(N, 0.5)),
     "a matrix of gains": lambda: law(a_matrix_of_gains, Two(N, 0.5, 0.1)),
-    "a memory": lambda: law(memory, Two(N, 0.5, 0.3), FLOW,
-                            states={"alpha": 2 * N, "K": 2, "Gamma": 2, "M": 4}),
-}  # fmt: skip
+    "a memory": lambda: law(
+        memory, Two(N, 0.5, 0.3), FLOW, states={"alpha": 2 * N, "K": 2, "Gamma": 2, "M": 4}
+    ),
+}
 TOO_MUCH = {  # -> what is said
-    "a gain divided by zero": (lambda: law(divided, Two(N, 0.5, 0.0)), "have no value .own.update "
-                               "divides by 0"),
+    "a gain divided by zero": (
+        lambda: law(divided, Two(N, 0.5, 0.0)),
+        "have no value .own.update divides by 0",
+    ),
     "a power of 40": (lambda: law(to_the_fortieth, Gain(N, 0.5)), "V' has more than 20000 terms"),
     "choices of choices": (lambda: law(without_end, Gain(N, 0.5)), "own.update has more than 5000"),
-    "one z": (lambda: Block("own", update=shipped, inputs={"e": 2, "phi_x": 2, "zc": 3, "z": 1},
-                            parameters=Gain(N, 0.5), states={"alpha": 4, "K": 2, "Gamma": 2}),
-              "'zc' has 2 signals"),
+    "one z": (
+        lambda: Block(
+            "own",
+            update=shipped,
+            inputs={"e": 2, "phi_x": 2, "zc": 3, "z": 1},
+            parameters=Gain(N, 0.5),
+            states={"alpha": 4, "K": 2, "Gamma": 2},
+        ),
+        "'zc' has 2 signals",
+    ),
     "no name": (lambda: Block("", update=shipped, inputs={}, states=MORE), "must not be empty"),
     "a port with a dot": (lambda: law(shipped, Gain(N, 0.5), {"a.b": 1}), "'a.b' of a block"),
-}  # fmt: skip
+}
 REFUSED = {"p.gain == 0.5": equal_gain, "sign(e) == 1": equal_sign}

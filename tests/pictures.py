@@ -4,6 +4,6 @@ import matplotlib.image
 
 
 def inked(path):
-    """Give the share of a PNG's pixels that are not its background."""
+    """Return the share of a PNG's pixels that are not its background."""
     pixels = matplotlib.image.imread(path)
     return float((abs(pixels - pixels[0, 0]).max(axis=2) > 0.1).mean())

@@ -99,9 +99,14 @@ class _Writer:
         return self.choice(options)
 
     def leaf(self):
-        options = ["t", f"{self.random.uniform(-2, 2):.3f}", "p.a", "p.b",
-                   f"p.v[{self.index(self.n)}]",
-                   f"p.w[{self.index(self.m)}, {self.index(self.n)}]"]  # fmt: skip
+        options = [
+            "t",
+            f"{self.random.uniform(-2, 2):.3f}",
+            "p.a",
+            "p.b",
+            f"p.v[{self.index(self.n)}]",
+            f"p.w[{self.index(self.m)}, {self.index(self.n)}]",
+        ]
         options += [name for name, _ in self.loops] + self.numbers * 2
         if self.nu:
             options += [f"u[{self.index(self.nu)}]"] * 4
@@ -265,8 +270,14 @@ def random_block(random, name):
     space = executed("\n".join(texts))
     numbers = np.random.default_rng(random.randrange(2**32))
     kind = Jumping if jumping else Parameters
-    parameters = kind(n, m, *numbers.normal(size=2), numbers.normal(size=n),
-                      numbers.normal(size=(m, n)), numbers.normal(size=5))  # fmt: skip
+    parameters = kind(
+        n,
+        m,
+        *numbers.normal(size=2),
+        numbers.normal(size=n),
+        numbers.normal(size=(m, n)),
+        numbers.normal(size=5),
+    )
     return Block(
         name,
         update=space.get("update"),

@@ -19,8 +19,9 @@ KERNELS = list(basis.KERNELS)
 
 def phi(kernel, position, t=0.7, omega=1.3, phase=0.4, width=2.0):
     """One function around (1, -2)."""
-    p = basis.BasisParameters(1, np.array([[1.0, -2.0]]), np.array([width]), np.array([omega]),
-                              np.array([phase]))  # fmt: skip
+    p = basis.BasisParameters(
+        1, np.array([[1.0, -2.0]]), np.array([width]), np.array([omega]), np.array([phase])
+    )
     block = basis.flow_basis("basis_x", "x", kernel, p)
     return float(block.output(t, [], np.array([1.0, -2.0]) + position)[0])
 
@@ -90,8 +91,9 @@ def disturbances_start_as_they_say():
 
 
 def noise_is_normal():
-    draws = np.array([[disturbance.normal(7.0, float(k), i) for i in range(2)]
-                      for k in range(4000)])  # fmt: skip
+    draws = np.array(
+        [[disturbance.normal(7.0, float(k), i) for i in range(2)] for k in range(4000)]
+    )
     assert np.abs(draws.mean(0)).max() < 0.06
     assert np.abs(draws.std(0) - 1).max() < 0.06
     assert abs(np.corrcoef(draws.T)[0, 1]) < 0.06
@@ -127,8 +129,10 @@ def gridded_flows_reproduce_linear_ones():
     wider = [s + d * np.arange(-1, n + 1) for n, s, d in zip(shape, start, step, strict=True)]
     t, x2, x1 = np.meshgrid(*wider, indexing="ij")
     grid = GriddedField(*axes, np.zeros(shape), np.zeros(shape))
-    params = {"true_flow.u": (7 - 2 * t + x2 + 5 * x1).ravel(),
-              "true_flow.v": (t + 10 * x2 - 3 * x1).ravel()}  # fmt: skip
+    params = {
+        "true_flow.u": (7 - 2 * t + x2 + 5 * x1).ravel(),
+        "true_flow.v": (t + 10 * x2 - 3 * x1).ravel(),
+    }
     rng = np.random.default_rng(3)
     for disturbed in (False, True):
         block = field.gridded_flow(grid, disturbed=disturbed, outside="clip")

@@ -49,8 +49,11 @@ def ended(dive, east, north):
 
 def write(path, u, v, lat=LAT, lon=LON, hours=HOURS, depth=None, **units):
     """Write a current, shapes (time, [depth,] lat, lon), m/s."""
-    axes = {"time": (hours, "hours since 2020-06-01"), "lat": (lat, "degrees_north"),
-            "lon": (lon, "degrees_east")}  # fmt: skip
+    axes = {
+        "time": (hours, "hours since 2020-06-01"),
+        "lat": (lat, "degrees_north"),
+        "lon": (lon, "degrees_east"),
+    }
     if depth is not None:
         axes = {"time": axes.pop("time"), "depth": (depth, "m"), **axes}
     with netCDF4.Dataset(path, "w") as file:

@@ -13,8 +13,20 @@ from clpt_control.scenario.tides import period
 STEADY = (0.1, -0.05)
 
 
-def vehicle(seed, count=30, flow="steady", factor=1.0, fault=None, lost=0.15, walk=0.0, noise=0.0,
-            hours=4.0, heading="any", fix=20.0, latitude=40.0):  # fmt: skip
+def vehicle(
+    seed,
+    count=30,
+    flow="steady",
+    factor=1.0,
+    fault=None,
+    lost=0.15,
+    walk=0.0,
+    noise=0.0,
+    hours=4.0,
+    heading="any",
+    fix=20.0,
+    latitude=40.0,
+):
     """A vehicle at 0.25 m/s; `fix` is the noise of a displacement, m per component."""
     rng = np.random.default_rng(seed)
     time, dives, current = 1.6e9, [], np.array(STEADY)

@@ -46,8 +46,11 @@ def imports(name, path, tree):
     for node in ast.walk(tree):
         found = []
         if isinstance(node, ast.Import):
-            found = [a.name.removeprefix("clpt_control.") for a in node.names
-                     if a.name.startswith("clpt_control")]  # fmt: skip
+            found = [
+                a.name.removeprefix("clpt_control.")
+                for a in node.names
+                if a.name.startswith("clpt_control")
+            ]
         elif isinstance(node, ast.ImportFrom):
             base = node.module or ""
             if node.level:

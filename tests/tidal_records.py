@@ -32,10 +32,12 @@ def classical(time):
     c, s = (lambda k: np.cos(k * N)), (lambda k: np.sin(k * N))
     return {
         "M2": (1.0004 - 0.0373 * c(1) + 0.0002 * c(2), -2.14 * s(1)),
-        "K1": (1.0060 + 0.1150 * c(1) - 0.0088 * c(2) + 0.0006 * c(3),
-               -8.86 * s(1) + 0.68 * s(2) - 0.07 * s(3)),
+        "K1": (
+            1.0060 + 0.1150 * c(1) - 0.0088 * c(2) + 0.0006 * c(3),
+            -8.86 * s(1) + 0.68 * s(2) - 0.07 * s(3),
+        ),
         "S2": (np.ones(len(N)), np.zeros(len(N))),
-    }  # fmt: skip
+    }
 
 
 def times(days, start="2019-01-01", step=60):
@@ -57,10 +59,14 @@ def local(fit, at):
     """Amplitude and phase about a time, from Greenwich constants."""
     f, u, V = nodal_corrections([each.name for each in fit.constituents], [at], LATITUDE)
     return {
-        each.name: (f[0, k] * each.east, (each.east_phase - V[0, k] - u[0, k]) % 360,
-                    f[0, k] * each.north, (each.north_phase - V[0, k] - u[0, k]) % 360)
+        each.name: (
+            f[0, k] * each.east,
+            (each.east_phase - V[0, k] - u[0, k]) % 360,
+            f[0, k] * each.north,
+            (each.north_phase - V[0, k] - u[0, k]) % 360,
+        )
         for k, each in enumerate(fit.constituents)
-    }  # fmt: skip
+    }
 
 
 def write_table(path, time, flow, units="m/s", latitude=LATITUDE):

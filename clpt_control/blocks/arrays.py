@@ -120,10 +120,27 @@ OPERATIONS: dict[str, Callable[..., Any]] = {
     **{
         name: getattr(np, ieee)
         for name, ieee in {
-            **{n: n for n in ("exp", "expm1", "log", "log1p", "log2", "log10", "sqrt", "sinh",
-                              "cosh", "tanh", "fabs", "hypot")},
-            **{n: f"arc{n[1:]}" for n in ("asin", "acos", "atan", "atan2", "asinh", "acosh",
-                                          "atanh")},
+            **{
+                n: n
+                for n in (
+                    "exp",
+                    "expm1",
+                    "log",
+                    "log1p",
+                    "log2",
+                    "log10",
+                    "sqrt",
+                    "sinh",
+                    "cosh",
+                    "tanh",
+                    "fabs",
+                    "hypot",
+                )
+            },
+            **{
+                n: f"arc{n[1:]}"
+                for n in ("asin", "acos", "atan", "atan2", "asinh", "acosh", "atanh")
+            },
         }.items()
     },
-}  # fmt: skip
+}

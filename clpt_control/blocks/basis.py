@@ -72,11 +72,7 @@ def gaussian_sigma(t, x, u, p, y):
         y[i] = math.exp(-squared_distance(u, p, i) / p.widths[i]) * tide(t, p, i)
 
 
-KERNELS = {
-    "exponential": exponential,
-    "gaussian": gaussian,
-    "gaussian-sigma": gaussian_sigma,
-}
+KERNELS = {"exponential": exponential, "gaussian": gaussian, "gaussian-sigma": gaussian_sigma}
 
 
 def flow_basis(name: str, position: str, kernel: str, parameters: BasisParameters) -> Block:

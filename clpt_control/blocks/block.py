@@ -207,7 +207,7 @@ class Block(control.NonlinearIOSystem):
         """Ignore python-control's own empty default."""
 
     def with_params(self, params: Mapping[str, Any] | None) -> Any:
-        """Give the parameters with call-time values put in.
+        """Return the parameters with call-time values put in.
 
         Parameters
         ----------
@@ -240,7 +240,7 @@ class Block(control.NonlinearIOSystem):
         return self.with_values(changes)
 
     def with_values(self, changes: Mapping[str, Any]) -> Any:
-        """Give the parameters with some fields changed.
+        """Return the parameters with some fields changed.
 
         Parameters
         ----------
@@ -274,7 +274,7 @@ class Block(control.NonlinearIOSystem):
     # --- jumps in time ----------------------------------------------------------------
 
     def breakpoints(self, t0: float, t1: float, p: Any = None) -> np.ndarray:
-        """Give the sorted times in (t0, t1] at which the block jumps.
+        """Return the sorted times in (t0, t1] at which the block jumps.
 
         Parameters
         ----------
@@ -302,7 +302,7 @@ class Block(control.NonlinearIOSystem):
         return times
 
     def interval_at(self, t: float, p: Any = None) -> np.float64:
-        """Give the number of the interval that holds t, by bisection.
+        """Return the number of the interval that holds t, by bisection.
 
         A breakpoint belongs to the interval that it starts.
         """
@@ -314,7 +314,7 @@ class Block(control.NonlinearIOSystem):
         return np.float64(np.searchsorted(self._jumps, t, side="right"))
 
     def parameters_at(self, t: float, p: Any = None) -> Any:
-        """Give the parameters with `interval` filled in for time t."""
+        """Return the parameters with `interval` filled in for time t."""
         p = self._current if p is None else p
         if self.breakpoints_function is None or p.interval >= 0:
             return p

@@ -39,7 +39,7 @@ EFFECTS = {
 
 
 def names_read(function: FunctionType) -> Iterator[tuple[int, str]]:
-    """Give the names of the module that code reads, with their lines.
+    """Return the names of the module that code reads, with their lines.
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ def names_read(function: FunctionType) -> Iterator[tuple[int, str]]:
 
 
 def effects(function: FunctionType) -> Iterator[tuple[int, str, str]]:
-    """Give what code does beside calculating, and what to write.
+    """Return what code does beside calculating, and what to write.
 
     Parameters
     ----------

@@ -96,12 +96,12 @@ def noise(t, x, u, p, y):
 
 
 def half_periods(p: DisturbanceParameters, t0: float, t1: float) -> np.ndarray:
-    """Give the times in (t0, t1] where the square wave turns."""
+    """Return the times in (t0, t1] where the square wave turns."""
     return multiples(0.5 * p.period, t0, t1)
 
 
 def periods(p: DisturbanceParameters, t0: float, t1: float) -> np.ndarray:
-    """Give the times in (t0, t1] where the noise changes."""
+    """Return the times in (t0, t1] where the noise changes."""
     return multiples(p.period, t0, t1)
 
 

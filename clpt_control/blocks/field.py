@@ -98,7 +98,7 @@ def inside(t, x, u, p, y):
 
 
 def spline_coefficients(values: np.ndarray) -> np.ndarray:
-    """Give the spline coefficients that meet the grid values.
+    """Return the spline coefficients that meet the grid values.
 
     Parameters
     ----------
@@ -186,7 +186,7 @@ class Leaving:
     time: str
 
     def __call__(self, t, u, p) -> str:
-        """Give the sentence: position, time and the field's bounds."""
+        """Return the sentence: position, time and the field's bounds."""
         end = p.start + p.step * (p.shape - 1)
         return (
             f"the vehicle left the field at position ({u[0]:.6g}, {u[1]:.6g}) {self.length}, "

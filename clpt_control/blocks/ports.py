@@ -29,7 +29,7 @@ class Guard(NamedTuple):
     sentence: Callable[[float, np.ndarray, Any], str]
 
     def margin(self, t: float, u: np.ndarray, p: Any) -> float:
-        """Give the distance at a time, for inputs and parameters."""
+        """Return the distance at a time, for inputs and parameters."""
         y = np.zeros(1)
         self.distance(t, np.zeros(0), u, p, y)
         return float(y[0])

@@ -43,7 +43,7 @@ class WaypointParameters(NamedTuple):
 
 
 def multiples(period: float, t0: float, t1: float) -> np.ndarray:
-    """Give the multiples k * period, k >= 1, in (t0, t1].
+    """Return the multiples k * period, k >= 1, in (t0, t1].
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ def multiples(period: float, t0: float, t1: float) -> np.ndarray:
 
 
 def dwell_ends(p: WaypointParameters, t0: float, t1: float) -> np.ndarray:
-    """Give the times in (t0, t1] at which the next waypoint is taken."""
+    """Return the times in (t0, t1] at which the next waypoint is taken."""
     return multiples(p.dwell, t0, t1)
 
 
@@ -91,7 +91,7 @@ def waypoint(t, x, u, p, y):
 
 
 def circle(radius: float, count: int) -> np.ndarray:
-    """Give the waypoints of section IV: count points on a circle.
+    """Return the waypoints of section IV: count points on a circle.
 
     Parameters
     ----------

@@ -21,8 +21,16 @@ from .words import MATH, WORDS
 ON_RUN = (np.floating, np.bool_)  # what numbers of the run are, and no constant is
 MOST_ANGLE = 2.0**50  # rad; beyond it doubles are a quarter apart and an angle means nothing
 
-IEEE = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "pow": "power",
-        "asinh": "arcsinh", "acosh": "arccosh", "atanh": "arctanh"}  # fmt: skip
+IEEE = {
+    "asin": "arcsin",
+    "acos": "arccos",
+    "atan": "arctan",
+    "atan2": "arctan2",
+    "pow": "power",
+    "asinh": "arcsinh",
+    "acosh": "arccosh",
+    "atanh": "arctanh",
+}
 
 
 def running(function: Any) -> Callable:

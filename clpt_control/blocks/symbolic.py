@@ -77,10 +77,28 @@ def expressions(
 
 # what SymPy leaves as it stands, by the name it has there
 WORDS = {
-    **{name: name for name in ("where", "minimum", "maximum", "clip", "sign", "floor", "trunc",
-                               "ceil", "mod", "floordiv", "lt", "le", "gt", "ge", "pick")},
+    **{
+        name: name
+        for name in (
+            "where",
+            "minimum",
+            "maximum",
+            "clip",
+            "sign",
+            "floor",
+            "trunc",
+            "ceil",
+            "mod",
+            "floordiv",
+            "lt",
+            "le",
+            "gt",
+            "ge",
+            "pick",
+        )
+    },
     **{name: f"{name}_" for name in ("and", "or", "not")},
-}  # fmt: skip
+}
 OPERATIONS: dict[str, Callable[..., Any]] = {
     "add": lambda a, b: a + b,
     "sub": lambda a, b: a - b,
@@ -126,8 +144,11 @@ class Reading:
                 if type(a) is int:
                     uses[a] += 1
         names = iter(range(len(uses)))
-        often = (uses[k] > 1 for k, (name, *_) in enumerate(record.operations)
-                 if name not in ("x", "u", "p", "t"))  # fmt: skip
+        often = (
+            uses[k] > 1
+            for k, (name, *_) in enumerate(record.operations)
+            if name not in ("x", "u", "p", "t")
+        )
 
         def leaf(*where: Any) -> Any:
             return self.leaves.setdefault(where, sympy.Symbol(f"leaf{len(self.leaves)}", real=True))

@@ -194,8 +194,10 @@ def stand_in_for_opaque(rebound: FunctionType, helper: FunctionType) -> Callable
 
     def stand_in(*arguments: Any, **named: Any) -> Any:
         if named:
-            raise Refused(f"`{helper.__name__}({', '.join(named)}=...)`",
-                          "an opaque helper takes its arguments by position")  # fmt: skip
+            raise Refused(
+                f"`{helper.__name__}({', '.join(named)}=...)`",
+                "an opaque helper takes its arguments by position",
+            )
         tape = next((a.tape for a in arguments if hasattr(a, "tape")), None)
         if tape is None:
             return rebound(*arguments)
@@ -209,13 +211,17 @@ def stand_in_for_opaque(rebound: FunctionType, helper: FunctionType) -> Callable
             elif (ref := operand(argument)) is not None:
                 refs.append(ref)
             else:
-                raise Refused(f"`{helper.__name__}` of a {type(argument).__name__}",
-                              "an opaque helper takes numbers and arrays")  # fmt: skip
+                raise Refused(
+                    f"`{helper.__name__}` of a {type(argument).__name__}",
+                    "an opaque helper takes numbers and arrays",
+                )
 
         def hidden(k: int, value: Any) -> Any:
             if operand(value) is None:
-                raise Refused(f"`{helper.__name__}` returning a {type(value).__name__}",
-                              "an opaque helper returns numbers, or fills an array")  # fmt: skip
+                raise Refused(
+                    f"`{helper.__name__}` returning a {type(value).__name__}",
+                    "an opaque helper returns numbers, or fills an array",
+                )
             return tape.add("opaque", (*says, k), operand(value), *refs)
 
         held = [list(a.flat) if isinstance(a, np.ndarray) else [] for a in arguments]

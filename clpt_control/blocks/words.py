@@ -93,8 +93,38 @@ WORDS: dict[str, Callable] = {
     word.__name__: word for word in (where, minimum, maximum, clip, sign, floor, lookup)
 }
 
-MATH = frozenset({
-    "pi", "e", "tau", "exp", "log", "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2",
-    "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "fabs", "hypot", "log1p", "expm1", "log2",
-    "log10", "pow", "degrees", "radians", "erf", "erfc", "ceil",
-})  # the names of `math` that every reading knows  # fmt: skip
+MATH = frozenset(
+    {
+        "pi",
+        "e",
+        "tau",
+        "exp",
+        "log",
+        "sqrt",
+        "sin",
+        "cos",
+        "tan",
+        "asin",
+        "acos",
+        "atan",
+        "atan2",
+        "sinh",
+        "cosh",
+        "tanh",
+        "asinh",
+        "acosh",
+        "atanh",
+        "fabs",
+        "hypot",
+        "log1p",
+        "expm1",
+        "log2",
+        "log10",
+        "pow",
+        "degrees",
+        "radians",
+        "erf",
+        "erfc",
+        "ceil",
+    }
+)  # the names of `math` that every reading knows

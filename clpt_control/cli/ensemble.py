@@ -47,9 +47,19 @@ def ensemble(
             raise ClptError(f"{figure}: a figure's name must end in .png, .pdf or .svg")
     with member_counter(f"running {scenario.name}", members) as report:
         data = run_ensemble(
-            experiment, vary, members, design, seed, out, threads=threads,
-            trajectories=trajectories, chunk=chunk, samples=samples, progress=report, dask=dask,
-        )  # fmt: skip
+            experiment,
+            vary,
+            members,
+            design,
+            seed,
+            out,
+            threads=threads,
+            trajectories=trajectories,
+            chunk=chunk,
+            samples=samples,
+            progress=report,
+            dask=dask,
+        )
     summary = ensemble_summary(data)
     if figure is not None:
         from ..ensemble.plots import ensemble_plot

@@ -12,8 +12,7 @@ def fit(
     currents: Annotated[Path, typer.Argument(help="NetCDF file of a gridded current.")],
     out: Annotated[Path, typer.Option(help="Scenario file to write; the field lies beside it.")],
     box: Annotated[
-        tuple[float, float, float, float] | None,
-        typer.Option(help="LAT0 LAT1 LON0 LON1, degrees."),
+        tuple[float, float, float, float] | None, typer.Option(help="LAT0 LAT1 LON0 LON1, degrees.")
     ] = None,
     centers: Annotated[str, typer.Option(help="Places of the functions, such as 3x3.")] = "3x3",
     width: Annotated[str, typer.Option(help="Width of the Gaussians, such as 15km.")] = "15km",

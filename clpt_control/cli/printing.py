@@ -36,7 +36,7 @@ def print_table(title: str, columns: list[str], rows: list[list[str]]) -> None:
 
 
 def shown(value: Any) -> str:
-    """Give a value as a table shows it."""
+    """Return a value as a table shows it."""
     if isinstance(value, float):
         return f"{value:.4g}"
     if isinstance(value, list | tuple):

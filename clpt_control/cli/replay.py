@@ -13,7 +13,7 @@ from .replay_watch import check_pace, watch
 
 
 def folder_named(text: str) -> Path:
-    """Give the folder that an option names, which '' does not."""
+    """Return the folder that an option names, which '' does not."""
     if not text.strip():
         raise typer.BadParameter("is empty; give the name of a folder")
     return Path(text)
@@ -108,7 +108,7 @@ def replay(
 
 
 def chosen_model(flow: str | None, width: str | None, learn_speed: bool, given: bool) -> Any:
-    """Give the parameters that options ask for.
+    """Return the parameters that options ask for.
 
     Parameters
     ----------

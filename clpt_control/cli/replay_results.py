@@ -15,7 +15,7 @@ def advance(session: Any) -> None:
 
 
 def summary_with_next(session: Any, ahead: tuple) -> dict[str, Any]:
-    """Give what `--json` prints: the summary and the next surfacing."""
+    """Return what `--json` prints: the summary and the next surfacing."""
     from ..replay.surfacing import next_dive
 
     result = session.replay

@@ -87,22 +87,32 @@ def tables(result: Any, summary: dict[str, Any]) -> None:
             for v, e in zip(step.current, step.current_error, strict=True)
         )
         long, short, angle = ellipse(step.covariance)
-        rows.append([
-            str(step.dive.number),
-            *(metres(step.clpe[key]) for key in result.models),
-            current,
-            f"{step.speed:.3f}({1000 * step.speed_error:.0f})",
-            f"{step.forecast[0]:+.0f} {step.forecast[1]:+.0f}",
-            f"{long:.0f} x {short:.0f}, {angle:.0f}",
-            "in" if step.inside else "OUT",
-            speed_mark(step.anomaly),
-        ])  # fmt: skip
+        rows.append(
+            [
+                str(step.dive.number),
+                *(metres(step.clpe[key]) for key in result.models),
+                current,
+                f"{step.speed:.3f}({1000 * step.speed_error:.0f})",
+                f"{step.forecast[0]:+.0f} {step.forecast[1]:+.0f}",
+                f"{long:.0f} x {short:.0f}, {angle:.0f}",
+                "in" if step.inside else "OUT",
+                speed_mark(step.anomaly),
+            ]
+        )
     print_table(
         "CLPE (m), one dive ahead; learned (standard error, last digits); forecast surfacing",
-        ["dive", *(COLUMNS[key] for key in result.models), "current E N (m/s)", "speed",
-         "E N of DR (m)", "90 % ellipse (m, deg)", "", ""],
+        [
+            "dive",
+            *(COLUMNS[key] for key in result.models),
+            "current E N (m/s)",
+            "speed",
+            "E N of DR (m)",
+            "90 % ellipse (m, deg)",
+            "",
+            "",
+        ],
         rows,
-    )  # fmt: skip
+    )
     means = {name: summary[key] for key, name in ROWS.items()}
     if "flow_model" in summary and 0 < summary["flow_model"]["covered"] < summary["used"]:
         means["covered, after the first dive"] = summary["flow_model"]["clpe_rms"]
@@ -111,7 +121,7 @@ def tables(result: Any, summary: dict[str, Any]) -> None:
 
 
 def place(lat: float, lon: float) -> str:
-    """Give a place in words, degrees.
+    """Return a place in words, degrees.
 
     Examples
     --------
@@ -122,7 +132,7 @@ def place(lat: float, lon: float) -> str:
 
 
 def shortened(names: list[str]) -> str:
-    """Give names of parameters on a line, gaussians by their number.
+    """Return names of parameters on a line, gaussians by their number.
 
     Parameters
     ----------
@@ -175,7 +185,7 @@ def coverage(given: dict[str, Any], used: int) -> list[str]:
 
 
 def by_reason(entries: list[dict[str, Any]], key: str, before: str = "") -> list[str]:
-    """Give a line for each reason, with the dives that share it.
+    """Return a line for each reason, with the dives that share it.
 
     Parameters
     ----------
@@ -208,12 +218,12 @@ def by_reason(entries: list[dict[str, Any]], key: str, before: str = "") -> list
 
 
 def speed_mark(anomaly: Any) -> str:
-    """Give the last cell of a dive's row: SPEED, in doubt SPEED?"""
+    """Return the last cell of a dive's row: SPEED, in doubt SPEED?"""
     if anomaly is None:
         return ""
     return "SPEED" if anomaly.certain else "SPEED?"
 
 
 def metres(size: float | None) -> str:
-    """Give a length as the table shows it, m."""
+    """Return a length as the table shows it, m."""
     return "-" if size is None else f"{size:.0f}"

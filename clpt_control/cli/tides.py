@@ -80,7 +80,7 @@ def show(report: dict[str, Any]) -> None:
         "inclination in degrees (standard error)",
         ["", "east", "phase", "north", "phase", "major", "minor", "incl.", "phase"],
         rows,
-    )  # fmt: skip
+    )
     east, north = report["mean"]
     typer.echo(
         f"{report['samples']} measurements over {report['hours']:.6g} h from "

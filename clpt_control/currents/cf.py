@@ -36,7 +36,7 @@ DEPTH_NAMES = ("depth", "z", "lev", "level", "altitude", "s_rho", "deptht", "dep
 
 
 def find_variable(data: "xarray.Dataset", table: dict[str, Any], what: str, path: Path) -> str:
-    """Give the name of the variable, by standard name and by name.
+    """Return the name of the variable, by standard name and by name.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def find_variable(data: "xarray.Dataset", table: dict[str, Any], what: str, path
 
 
 def find_axis(data: "xarray.Dataset", velocity: str, what: str, path: Path) -> "xarray.DataArray":
-    """Give a coordinate of one dimension that the velocity has.
+    """Return a coordinate of one dimension that the velocity has.
 
     Parameters
     ----------
@@ -151,7 +151,7 @@ def check_speed(values: np.ndarray, what: str, path: Path) -> None:
 def surface_values(
     data: "xarray.Dataset", name: str, kept: dict[Any, np.ndarray], path: Path
 ) -> np.ndarray:
-    """Give a velocity in m/s at the level nearest the surface.
+    """Return a velocity in m/s at the level nearest the surface.
 
     Parameters
     ----------

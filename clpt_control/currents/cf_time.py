@@ -15,8 +15,17 @@ from .gridded import numbers_of
 if TYPE_CHECKING:
     import xarray
 
-KNOWN = ("standard", "gregorian", "proleptic_gregorian", "julian", "noleap", "365_day", "all_leap",
-         "366_day", "360_day")  # fmt: skip
+KNOWN = (
+    "standard",
+    "gregorian",
+    "proleptic_gregorian",
+    "julian",
+    "noleap",
+    "365_day",
+    "all_leap",
+    "366_day",
+    "360_day",
+)
 CALENDARS = ("standard", "gregorian", "proleptic_gregorian")  # of real dates
 
 
@@ -44,7 +53,7 @@ def check_calendar(when: "xarray.DataArray", path: Path) -> None:
 
 
 def hours_since_first(when: "xarray.DataArray", path: Path) -> tuple[np.ndarray, str]:
-    """Give hours since the earliest step, and that step as ISO text.
+    """Return hours since the earliest step, and that step as ISO text.
 
     Parameters
     ----------

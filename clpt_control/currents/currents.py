@@ -126,7 +126,7 @@ def read_currents(
 
 
 def _checked_box(box: Any, lat: np.ndarray, lon: np.ndarray, path: Path) -> tuple:
-    """Give lat0, lat1, lon0, lon1 with lon1 > lon0, also across 180 degrees."""
+    """Return lat0, lat1, lon0, lon1 with lon1 > lon0, also across 180 degrees."""
     if box is None:
         return float(lat.min()), float(lat.max()), float(lon.min()), float(lon.max())
     if len(box) != 4 or not np.all(np.isfinite(box)):
@@ -142,7 +142,7 @@ def _checked_box(box: Any, lat: np.ndarray, lon: np.ndarray, path: Path) -> tupl
 
 
 def _inside(axis: np.ndarray, span: tuple, what: str, path: Path) -> np.ndarray:
-    """Give the indices of the axis inside the span, in increasing order."""
+    """Return the indices of the axis inside the span, in increasing order."""
     slack = 1e-9
     order = np.argsort(axis)
     kept = order[(axis[order] >= span[0] - slack) & (axis[order] <= span[1] + slack)]

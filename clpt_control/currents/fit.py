@@ -144,12 +144,13 @@ def fit_scenario(
         np.broadcast_to(a, measured.shape)[measured] for a in (currents.time[:, None, None], x1, x2)
     )
     names = [
-        f"{'sin' if phase else 'cos'} {tide} at ({x:.3g}, {y:.3g}) km" if tide != "steady"
+        f"{'sin' if phase else 'cos'} {tide} at ({x:.3g}, {y:.3g}) km"
+        if tide != "steady"
         else f"steady at ({x:.3g}, {y:.3g}) km"
         for tide, phase, (x, y) in zip(
             scenario.basis.constituents or (), scenario.phases, scenario.basis.centers, strict=True
         )
-    ]  # fmt: skip
+    ]
     phi = evaluate(scenario_basis(scenario), t, np.column_stack([s1, s2]))
     try:
         fit = least_squares(phi, np.column_stack([u[measured], v[measured]]), names)
@@ -200,7 +201,7 @@ def _check(centers: Any, constituents: tuple[str, ...]) -> None:
 
 
 def _nodal(currents: Currents, constituents: tuple, latitude: float) -> dict | None:
-    """Give f, u and V at the record's middle, None without UTide or a real calendar."""
+    """Return f, u and V at the record's middle, None without UTide or a real calendar."""
     try:
         middle = np.datetime64(currents.start, "s") + int(1800 * currents.time[-1])
     except ValueError:
@@ -209,14 +210,14 @@ def _nodal(currents: Currents, constituents: tuple, latitude: float) -> dict | N
 
 
 def _functions(constituents: tuple[str, ...]) -> int:
-    """Give the number of functions at each place."""
+    """Return the number of functions at each place."""
     return sum(1 if name == "steady" else 2 for name in constituents)
 
 
 def _scenario(
     currents: Currents, places: list, width: float, constituents: tuple, radius: float, gain: float
 ) -> Scenario:
-    """Give the scenario without its field: the truth is zero for now."""
+    """Return the scenario without its field: the truth is zero for now."""
     phased = [(c, p) for c in constituents for p in ((0.0,) if c == "steady" else (0.0, SINE))]
     N = len(phased) * len(places)
     zero = [[0.0] * N] * 2

@@ -79,7 +79,7 @@ def save_fit(fit: "Fit", out: str | Path) -> Scenario:
 
 
 def _named(scenario: Scenario, field: str) -> str:
-    """Give the TOML text with the field's name put in."""
+    """Return the TOML text with the field's name put in."""
     flow = scenario.flow.model_copy(update={"field": field})
     return scenario_to_text(scenario.model_copy(update={"flow": flow}))
 
@@ -93,7 +93,7 @@ def _gaps(report: dict) -> str:
 
 
 def _header(report: dict) -> str:
-    """Give the comment lines that say where the scenario came from."""
+    """Return the comment lines that say where the scenario came from."""
     box = " ".join(f"{value:g}" for value in report["box"])
     rows, columns = report["places"]
     lines = [

@@ -90,8 +90,11 @@ def read_column(path: str | Path) -> Column:
             lon.dims[0]: columns,
         }
         steps, rows, _ = kept.values()
-        for name, values in ((when.name, time[steps]), (lat.name, latitudes[rows]),
-                             (lon.name, degrees)):  # fmt: skip
+        for name, values in (
+            (when.name, time[steps]),
+            (lat.name, latitudes[rows]),
+            (lon.name, degrees),
+        ):
             if len(values) < 2 or not np.all(np.diff(values) > 0):  # also where not finite
                 raise DataError(
                     f"{path}: {name} has {_counted(len(values), 'value')}; a forecast needs at "
@@ -116,7 +119,7 @@ def read_column(path: str | Path) -> Column:
 
 
 def _seconds(when: "xarray.DataArray", path: Path) -> np.ndarray:
-    """Give times in s since 1970 UTC."""
+    """Return times in s since 1970 UTC."""
     from datetime import UTC, datetime
 
     check_calendar(when, path)
@@ -142,7 +145,7 @@ def _counted(count: int, what: str) -> str:
 def _levels(
     data: "xarray.Dataset", name: str, axes: set, path: Path
 ) -> tuple[Any | None, np.ndarray]:
-    """Give the dimension of depth, if any, and its levels, m."""
+    """Return the dimension of depth, if any, and its levels, m."""
     others = [d for d in data[name].dims if d not in axes]
     dims = [d for d in others if data[name].sizes[d] != 1]
     if not dims:
@@ -192,7 +195,7 @@ def _longitudes(lon: "xarray.DataArray", path: Path) -> tuple[np.ndarray, np.nda
 def _stack(
     data: "xarray.Dataset", name: str, level: Any, order: np.ndarray, kept: dict, path: Path
 ) -> np.ndarray:
-    """Give a velocity, m/s, shape (nt, nz, ny, nx), level by level."""
+    """Return a velocity, m/s, shape (nt, nz, ny, nx), level by level."""
     if level is None:
         return surface_values(data, name, kept, path)[:, None]
     if level not in data[name].dims:

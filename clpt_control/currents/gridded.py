@@ -18,8 +18,18 @@ if TYPE_CHECKING:
     import xarray
 
 METRES = {"m": 1.0, "km": 1000.0, "cm": 0.01}
-WORDS = {"meter": "m", "meters": "m", "metre": "m", "metres": "m", "sec": "s",
-         "second": "s", "seconds": "s", "hour": "h", "hr": "h", "day": "d"}  # fmt: skip
+WORDS = {
+    "meter": "m",
+    "meters": "m",
+    "metre": "m",
+    "metres": "m",
+    "sec": "s",
+    "second": "s",
+    "seconds": "s",
+    "hour": "h",
+    "hr": "h",
+    "day": "d",
+}
 
 
 @dataclass(frozen=True)
@@ -48,7 +58,7 @@ class GriddedField:
 
 
 def length_in_metres(unit: str, where: str) -> float:
-    """Give the size of a unit of length such as ``"km"``.
+    """Return the size of a unit of length such as ``"km"``.
 
     Parameters
     ----------
@@ -80,7 +90,7 @@ def length_in_metres(unit: str, where: str) -> float:
 
 
 def speed_in_metres_per_second(unit: str, where: str) -> float:
-    """Give the size of a unit of speed such as ``"cm/s"``.
+    """Return the size of a unit of speed such as ``"cm/s"``.
 
     Parameters
     ----------
@@ -117,7 +127,7 @@ def speed_in_metres_per_second(unit: str, where: str) -> float:
 
 
 def numbers_of(variable: "xarray.DataArray", where: str) -> np.ndarray:
-    """Give a variable's values as floats.
+    """Return a variable's values as floats.
 
     Parameters
     ----------
@@ -189,7 +199,7 @@ def read_field(path: Path, units) -> GriddedField:
 
 
 def time_origin(path: Path) -> dict[str, str]:
-    """Give the date of a field's t = 0, where its file has one.
+    """Return the date of a field's t = 0, where its file has one.
 
     Returns
     -------
@@ -202,7 +212,7 @@ def time_origin(path: Path) -> dict[str, str]:
 
 
 def _seconds(unit: str, where: str) -> float:
-    """Give the size of a unit of time in s, whatever it counts from."""
+    """Return the size of a unit of time in s, whatever it counts from."""
     unit = unit.split(" since ")[0].strip()
     unit = {"hours": "h", "hour": "h", "seconds": "s", "days": "d", "minutes": "min"}.get(
         unit, unit
@@ -251,11 +261,17 @@ def write_field(field: GriddedField, path: Path, units, attributes: dict) -> Non
         },
         {
             "time": ("time", field.time, {"long_name": "time since start", "units": units.time}),
-            "y": ("y", field.x2, {"standard_name": "projection_y_coordinate",
-                                  "units": units.length}),
-            "x": ("x", field.x1, {"standard_name": "projection_x_coordinate",
-                                  "units": units.length}),
+            "y": (
+                "y",
+                field.x2,
+                {"standard_name": "projection_y_coordinate", "units": units.length},
+            ),
+            "x": (
+                "x",
+                field.x1,
+                {"standard_name": "projection_x_coordinate", "units": units.length},
+            ),
         },
         {"Conventions": "CF-1.11", **attributes},
-    )  # fmt: skip
+    )
     write_netcdf(data, path)

@@ -65,7 +65,7 @@ def load_utide() -> Any:
 
 
 def utide_names(constituents: Sequence[str]) -> list[str]:
-    """Give UTide's names of constituents.
+    """Return UTide's names of constituents.
 
     Parameters
     ----------
@@ -93,7 +93,7 @@ def utide_names(constituents: Sequence[str]) -> list[str]:
 
 
 def nodal_corrections(constituents: Sequence[str], time: Any, latitude: float) -> NodalCorrections:
-    """Give f, u and V of constituents at given times.
+    """Return f, u and V of constituents at given times.
 
     Parameters
     ----------
@@ -136,7 +136,7 @@ def nodal_corrections(constituents: Sequence[str], time: Any, latitude: float) -
 def nodal_report(
     constituents: Sequence[str], time: Any, latitude: float
 ) -> dict[str, dict[str, float]] | None:
-    """Give f, u and V by name, or None where UTide is missing.
+    """Return f, u and V by name, or None where UTide is missing.
 
     Parameters
     ----------
@@ -164,7 +164,7 @@ def nodal_report(
 
 
 def checked_times(time: Any) -> np.ndarray:
-    """Give times as datetime64 in ms, or say what is wrong.
+    """Return times as datetime64 in ms, or say what is wrong.
 
     Parameters
     ----------
@@ -199,7 +199,7 @@ def checked_times(time: Any) -> np.ndarray:
 
 
 def checked_latitude(latitude: float) -> float:
-    """Give a latitude as UTide takes it, or say what is wrong.
+    """Return a latitude as UTide takes it, or say what is wrong.
 
     Parameters
     ----------

@@ -81,7 +81,7 @@ def read_width(text: str) -> float:
 def middles(
     plane: LocalPlane, box: tuple[float, float, float, float], centers: tuple[int, int]
 ) -> list[tuple[float, float]]:
-    """Give the middles of rows x columns equal parts of a box.
+    """Return the middles of rows x columns equal parts of a box.
 
     Parameters
     ----------

@@ -60,7 +60,7 @@ class LocalPlane:
         return Proj(proj="aeqd", ellps="WGS84", lat_0=self.lat, lon_0=self.lon, units="km")
 
     def to_plane(self, lat: Any, lon: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Give places in the plane.
+        """Return places in the plane.
 
         Parameters
         ----------
@@ -88,7 +88,7 @@ class LocalPlane:
         return x1, x2
 
     def to_earth(self, x1: Any, x2: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Give latitude and longitude of points of the plane.
+        """Return latitude and longitude of points of the plane.
 
         Parameters
         ----------

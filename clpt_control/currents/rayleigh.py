@@ -23,7 +23,7 @@ TURN = 360.0 * (1 - 1e-9)  # times in files are rounded
 def inseparable(
     names: Sequence[str], hours: float, speeds: Mapping[str, float] | None = None
 ) -> list[tuple[str, str, float]]:
-    """Give the pairs that a record cannot tell apart.
+    """Return the pairs that a record cannot tell apart.
 
     Parameters
     ----------
@@ -110,7 +110,7 @@ def check_separable(
 
 
 def _shown(hours: float) -> str:
-    """Give hours to four digits, rounded up, so that the number suffices."""
+    """Return hours to four digits, rounded up, so that the number suffices."""
     if math.isinf(hours):
         return "endless h"
     unit = 10.0 ** max(math.floor(math.log10(hours)) - 3, -6)

@@ -32,7 +32,7 @@ class TextTable(NamedTuple):
 
 
 def lines_of(text: str) -> TextTable:
-    r"""Give the lines of a table, comments apart.
+    r"""Return the lines of a table, comments apart.
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ def lines_of(text: str) -> TextTable:
 
 
 def cells_of(line: str) -> list[str]:
-    """Give the cells of a line, none where it is no CSV.
+    """Return the cells of a line, none where it is no CSV.
 
     Parameters
     ----------

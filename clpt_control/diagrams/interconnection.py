@@ -272,8 +272,12 @@ def wire(blocks: Sequence[Block], external: Iterable[str] = ()) -> Wiring:
             wires[external_port].append(Wire(to, source, size, 1.0, external_port))
             to += size
         fed.append((*_joined(wires[False]), *_joined(wires[True])))
-    return wired([(block.name, block) for block in blocks], fed, inputs,
-                 eye_array(at, at + inputs, format="csr"))  # fmt: skip
+    return wired(
+        [(block.name, block) for block in blocks],
+        fed,
+        inputs,
+        eye_array(at, at + inputs, format="csr"),
+    )
 
 
 def _joined(wires: list[Wire]) -> list[Wire]:

@@ -152,9 +152,15 @@ def run_on_cluster(plan: Plan, address: str, workers: int, report: Callable[[int
 
         def submitted(index: int) -> Any:
             return client.submit(
-                run_chunk, plan.work.recipe, plan.work.code, str(plan.store.path), index,
-                pure=False, retries=RETRIES, key=f"clpt-ensemble-{token}-{index}",
-            )  # fmt: skip
+                run_chunk,
+                plan.work.recipe,
+                plan.work.code,
+                str(plan.store.path),
+                index,
+                pure=False,
+                retries=RETRIES,
+                key=f"clpt-ensemble-{token}-{index}",
+            )
 
         slots = 2 * max(workers, sum(client.nthreads().values())) + 2
         given = {submitted(index): index for index in islice(waiting, slots)}

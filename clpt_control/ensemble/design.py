@@ -84,7 +84,7 @@ def draw_members(
 
 
 def _shares(one: Vary, size: int, members: int, design: str, seed: int) -> np.ndarray:
-    """Give shares in (0, 1), a column for each number that varies."""
+    """Return shares in (0, 1), a column for each number that varies."""
     columns = 1 if one.kind == "levels" else size
     shares = np.empty((members, columns))
     for k in range(columns):
@@ -97,7 +97,7 @@ def _shares(one: Vary, size: int, members: int, design: str, seed: int) -> np.nd
 
 
 def _grid_shares(varies: Sequence[Vary], base: dict[str, Any], members: int) -> list[np.ndarray]:
-    """Give shares on a grid; the last number varies fastest."""
+    """Return shares on a grid; the last number varies fastest."""
     fixed = [len(one.numbers) if one.kind == "levels" else 0 for one in varies]
     columns = [1 if count else base[one.key].size for one, count in zip(varies, fixed, strict=True)]
     free = sum(c for c, count in zip(columns, fixed, strict=True) if not count)

@@ -14,11 +14,9 @@ Fixed = tuple[tuple[str, ...], np.ndarray, dict[str, Any]]
 
 
 def layout_of(
-    arguments: Mapping[str, Any],
-    kept: Mapping[str, Variable],
-    fixed: Mapping[str, Fixed],
+    arguments: Mapping[str, Any], kept: Mapping[str, Variable], fixed: Mapping[str, Fixed]
 ) -> dict[str, dict[str, Any]]:
-    """Give how each array is laid out.
+    """Return how each array is laid out.
 
     Parameters
     ----------
@@ -39,8 +37,13 @@ def layout_of(
 
     def lay(name, dims, shape, dtype, own, first_chunk):
         chunks = tuple(max(1, n) for n in (min(first_chunk, shape[0]), *shape[1:]))
-        layout[name] = {"shape": tuple(shape), "dtype": dtype, "chunks": chunks,
-                        "attributes": own, "dimension_names": dims}  # fmt: skip
+        layout[name] = {
+            "shape": tuple(shape),
+            "dtype": dtype,
+            "chunks": chunks,
+            "attributes": own,
+            "dimension_names": dims,
+        }
 
     for name, variable in kept.items():
         own = {**variable.attrs, "kept": "per member"}
@@ -77,9 +80,13 @@ def check_store(
         wrong = ""
         try:
             array = store.group[name]
-            found = {"shape": array.shape, "dtype": array.dtype, "chunks": array.chunks,
-                     "attributes": dict(array.attrs),
-                     "dimension_names": array.metadata.dimension_names}  # fmt: skip
+            found = {
+                "shape": array.shape,
+                "dtype": array.dtype,
+                "chunks": array.chunks,
+                "attributes": dict(array.attrs),
+                "dimension_names": array.metadata.dimension_names,
+            }
             wanted = {**made, "attributes": json.loads(json.dumps(made["attributes"]))}
             wrong = next((what for what in made if found[what] != wanted[what]), "")
             if not wrong and name in fixed and not np.array_equal(array[:], fixed[name][1]):

@@ -181,9 +181,13 @@ class Ensemble:
         """
         lanes = self.lanes if step is None or len(members.schedules) == 1 else 1
         runs = Runs(
-            self.native.callee(lanes), members.x0, members.P, np.asarray(times, dtype=float),
-            members.schedules, members.group,
-        )  # fmt: skip
+            self.native.callee(lanes),
+            members.x0,
+            members.P,
+            np.asarray(times, dtype=float),
+            members.schedules,
+            members.group,
+        )
         if step is None:
             runs.adaptive(rtol, atol)
         else:

@@ -14,7 +14,7 @@ READ_BYTES = 8_000_000  # at once, so that memory does not grow with the members
 
 
 def percentiles(data: "xarray.Dataset", name: str) -> np.ndarray:
-    """Give percentiles over the members, column by column.
+    """Return percentiles over the members, column by column.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ def percentiles(data: "xarray.Dataset", name: str) -> np.ndarray:
 
 
 def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
-    """Give an ensemble's figures, ready for JSON.
+    """Return an ensemble's figures, ready for JSON.
 
     Parameters
     ----------

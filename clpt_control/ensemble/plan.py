@@ -136,7 +136,7 @@ def make_plan(
 
 
 def _fixed(work: Work, values: dict[str, np.ndarray], members: int, kept: Any) -> dict[str, Any]:
-    """Give coordinates and the members' values."""
+    """Return coordinates and the members' values."""
     times, time = work.sampling, work.scenario.units.time
     used = {dim for variable in kept.values() for dim in variable.dims}
     fixed: dict[str, Any] = {}
@@ -149,13 +149,14 @@ def _fixed(work: Work, values: dict[str, np.ndarray], members: int, kept: Any) -
         "member": (np.arange(members), {"long_name": "member of the ensemble"}),
         "cycle": (cycle, {"long_name": "round of the waypoints", "length": work.scenario.cycle}),
         "mark": (times.times[times.marks], {"long_name": "time of an error", "units": time}),
-        "time": (times.times[times.own], {"long_name": "time since the start of the run",
-                                          "units": time}),
+        "time": (
+            times.times[times.own],
+            {"long_name": "time since the start of the run", "units": time},
+        ),
         "axis": (np.array([1, 2]), {"long_name": "axis of the plane, x1 and x2"}),
-        "basis": (np.arange(1, work.scenario.basis.N + 1),
-                  {"long_name": "flow basis function"}),
+        "basis": (np.arange(1, work.scenario.basis.N + 1), {"long_name": "flow basis function"}),
         "waypoint": (np.arange(1, len(work.scenario.waypoints) + 1), {"long_name": "waypoint"}),
-    }  # fmt: skip
+    }
     for name, (numbers, attrs) in coordinates.items():
         if name in used and numbers.size:
             fixed[name] = ((name,), numbers, attrs)

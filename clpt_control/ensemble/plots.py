@@ -44,8 +44,14 @@ def ensemble_plot(data: "xarray.Dataset") -> "Figure":
         _logarithmic(top)
         top.legend(frameon=False, fontsize=8)
     else:
-        top.text(0.5, 0.5, "the runs are shorter than a cycle", ha="center", color=GREY,
-                 transform=top.transAxes)  # fmt: skip
+        top.text(
+            0.5,
+            0.5,
+            "the runs are shorter than a cycle",
+            ha="center",
+            color=GREY,
+            transform=top.transAxes,
+        )
         top.set_axis_off()
     count = f"{data.sizes['member']:,}".replace(",", " ")
     top.set_title(f"CLPE of {count} members", loc="left", fontsize=10)

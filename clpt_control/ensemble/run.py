@@ -110,9 +110,17 @@ def run_ensemble(
 
         check_dask()
     plan = make_plan(
-        scenario, vary, members, design, seed, out,
-        trajectories=trajectories, chunk=chunk, samples=samples, times=times,
-    )  # fmt: skip
+        scenario,
+        vary,
+        members,
+        design,
+        seed,
+        out,
+        trajectories=trajectories,
+        chunk=chunk,
+        samples=samples,
+        times=times,
+    )
     report = progress or (lambda done: None)
     count = threads or available_threads()
     if dask is not None:
@@ -130,7 +138,7 @@ def run_ensemble(
 
 
 def available_threads() -> int:
-    """Give the number of processors this process may use."""
+    """Return the number of processors this process may use."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1

@@ -41,7 +41,7 @@ class Sampling(NamedTuple):
 
 
 def samples_per_cycle(scenario: Scenario, samples: int | None = None) -> int:
-    """Give how many samples a cycle mean squares are taken over.
+    """Return how many samples a cycle mean squares are taken over.
 
     Without a wish 2000, as in `clpt run`, up to ten cycles; fewer in longer
     runs, but at least 200.
@@ -80,7 +80,7 @@ def samples_per_cycle(scenario: Scenario, samples: int | None = None) -> int:
 
 
 def marks_of(scenario: Scenario, times: Sequence[float] | None = None) -> tuple[float, ...]:
-    """Give the times at which errors are kept; the end is one.
+    """Return the times at which errors are kept; the end is one.
 
     Parameters
     ----------

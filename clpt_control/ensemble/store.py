@@ -49,11 +49,11 @@ class Store:
         self.kept.sort()
 
     def range(self, index: int) -> tuple[int, int]:
-        """Give the first and the last member + 1 of a chunk."""
+        """Return the first and the last member + 1 of a chunk."""
         return index * self.chunk, min((index + 1) * self.chunk, self.members)
 
     def values(self, index: int) -> dict[str, np.ndarray]:
-        """Give what varies among the members of a chunk."""
+        """Return what varies among the members of a chunk."""
         first, last = self.range(index)
         return {key: self.group[key][first:last] for key in self.arguments["keys"]}
 
@@ -83,7 +83,7 @@ class Store:
             raise DataError(f"{self.path}: cannot be written: {reason}") from None
 
     def _checksum(self, arrays: Mapping[str, np.ndarray]) -> int:
-        """Give a number above zero that tells summaries from others."""
+        """Return a number above zero that tells summaries from others."""
         check = 0
         for name in self.kept:
             if "time" not in self._dims(name):
@@ -98,12 +98,12 @@ class Store:
         return [k for k in range(-(-self.members // self.chunk)) if not self.is_whole(k)]
 
     def done(self, missing: Iterable[int]) -> int:
-        """Give how many members need no work where chunks are missing."""
+        """Return how many members need no work where chunks are missing."""
         ranges = [self.range(index) for index in missing]
         return self.members - sum(last - first for first, last in ranges)
 
     def is_whole(self, index: int) -> bool:
-        """Tell whether a chunk is there and what its mark says."""
+        """Return whether a chunk is there and what its mark says."""
         first, last = self.range(index)
         try:
             mark = int(self.group[MARK][index])
@@ -115,7 +115,7 @@ class Store:
         return self._checksum(read) == mark and all(self._there(name, index) for name in self.kept)
 
     def _there(self, name: str, index: int) -> bool:
-        """Tell whether a chunk's file of trajectories exists."""
+        """Return whether a chunk's file of trajectories exists."""
         dims = self._dims(name)
         if self.path is None or "time" not in dims:
             return True
@@ -137,13 +137,16 @@ class Store:
                 left.unlink(missing_ok=True)
 
     def dataset(self) -> "xarray.Dataset":
-        """Give the whole ensemble; a folder's arrays are read when used."""
+        """Return the whole ensemble; a folder's arrays are read when used."""
         import xarray
 
         data = xarray.open_zarr(
-            self.group.store, chunks=None, consolidated=False, decode_times=False,
+            self.group.store,
+            chunks=None,
+            consolidated=False,
+            decode_times=False,
             decode_timedelta=False,
-        )  # fmt: skip
+        )
         data = data.drop_vars(MARK)
         for array in data.variables.values():
             array.attrs.pop("kept", None)

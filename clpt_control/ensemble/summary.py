@@ -46,7 +46,7 @@ class Variable(NamedTuple):
 def kept_variables(
     scenario: Scenario, sampling: Sampling, members: int, trajectories: bool
 ) -> dict[str, Variable]:
-    """Give the arrays that a summary fills.
+    """Return the arrays that a summary fills.
 
     Parameters
     ----------
@@ -86,19 +86,36 @@ def kept_variables(
     keep("clpe_rms", "cycle", cycles, "rms of the CLPE over a cycle", units=length)
     keep("clpe_rms_whole", "", (), "rms of the CLPE over the whole run", units=length)
     if scenario.flow.parameters is not None:
-        keep("flow_parameter_error", "mark", marks, "largest error of a flow parameter",
-             units=f"{length} {rate}")  # fmt: skip
+        keep(
+            "flow_parameter_error",
+            "mark",
+            marks,
+            "largest error of a flow parameter",
+            units=f"{length} {rate}",
+        )
     keep("gain_error", "mark", marks, "largest error of a gain", units=rate)
-    keep("status", "", (), "how the run ended", dtype="int8",
-         flag_values=list(range(len(STATUS))), flag_meanings=" ".join(STATUS))  # fmt: skip
+    keep(
+        "status",
+        "",
+        (),
+        "how the run ended",
+        dtype="int8",
+        flag_values=list(range(len(STATUS))),
+        flag_meanings=" ".join(STATUS),
+    )
     keep("end", "", (), "last sample reached", units=scenario.units.time)
     if trajectories:
         pair = (n, 2)
         keep("position", "time axis", pair, "true position", units=length)
         keep("predicted_position", "time axis", pair, "predicted position", units=length)
         if scenario.learning.law == "learned-flow":
-            keep("alpha", "time axis basis", (n, 2, N), "adapted parameter alpha",
-                 units=f"{length} {rate}")  # fmt: skip
+            keep(
+                "alpha",
+                "time axis basis",
+                (n, 2, N),
+                "adapted parameter alpha",
+                units=f"{length} {rate}",
+            )
         keep("feedback_gain", "time axis", pair, "adapted feedback gain", units=rate)
         keep("feedforward_gain", "time axis", pair, "adapted feedforward gain", units=rate)
     return found
@@ -176,9 +193,12 @@ def _summaries(scenario, sampling, values, run, trajectories) -> dict[str, np.nd
         kept["flow_parameter_error"] = np.where(alive, error, np.nan)
     gains = y[:, sampling.marks, alpha_end:]
     true = np.concatenate(
-        [np.broadcast_to(value(f"vehicle.{name}").reshape(-1, 1, 2), (m, 1, 2))
-         for name in ("feedback", "feedforward")], axis=2,
-    )  # fmt: skip
+        [
+            np.broadcast_to(value(f"vehicle.{name}").reshape(-1, 1, 2), (m, 1, 2))
+            for name in ("feedback", "feedforward")
+        ],
+        axis=2,
+    )
     kept["gain_error"] = np.abs(gains - true).max(axis=2)
     kept["status"] = run.status.astype("int8")
     kept["end"] = sampling.times[np.clip(run.reached - 1, 0, None)]

@@ -177,7 +177,7 @@ def _check_levels(one: Vary, shape: tuple[int, ...]) -> None:
 
 
 def variable_values(scenario: Scenario) -> dict[str, np.ndarray]:
-    """Give every key that may vary, with the scenario's value.
+    """Return every key that may vary, with the scenario's value.
 
     Parameters
     ----------

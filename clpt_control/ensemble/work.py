@@ -138,7 +138,7 @@ class Work:
 
 
 def rows(values: Mapping[str, np.ndarray], first: int, last: int) -> dict[str, np.ndarray]:
-    """Give the rows of some members."""
+    """Return the rows of some members."""
     return {name: array[first:last] for name, array in values.items()}
 
 
@@ -151,5 +151,5 @@ def joined(parts: list[dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
 
 @lru_cache(maxsize=4)
 def work_of(recipe: Recipe) -> Work:
-    """Give the work of a recipe, made once in a process."""
+    """Return the work of a recipe, made once in a process."""
     return Work(recipe)

@@ -8,11 +8,7 @@ from typing import TYPE_CHECKING
 
 from ..lazy import lazily
 
-_NAMES = {
-    "FixModel": "fix_model",
-    "make_estimator": "between_fixes",
-    "evaluate": "least_squares",
-}
+_NAMES = {"FixModel": "fix_model", "make_estimator": "between_fixes", "evaluate": "least_squares"}
 
 __all__ = list(_NAMES)
 

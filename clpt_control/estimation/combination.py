@@ -106,13 +106,13 @@ class Combination:
         self.estimator.update(dive)
 
     def own(self, dive: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Give the estimator's own forecast, asked for once a dive."""
+        """Return the estimator's own forecast, asked for once a dive."""
         if self.asked is None or self.asked[0] is not dive:
             self.asked = (dive, self.estimator.predict(dive))
         return self.asked[1]
 
     def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Give the estimator's mean, covariance and what is learned."""
+        """Return the estimator's mean, covariance and what is learned."""
         return self.estimator.estimate()
 
     def forget_speed(self) -> None:

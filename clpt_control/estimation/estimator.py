@@ -29,7 +29,7 @@ class Estimator(Protocol):
         """Learn from a dive that has ended."""
 
     def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Give mean, covariance and which parameters are learned."""
+        """Return mean, covariance and which parameters are learned."""
 
     def forget_speed(self) -> None:
         """Make the speed factor uncertain again, after a fault."""

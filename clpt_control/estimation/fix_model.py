@@ -44,7 +44,7 @@ OTHERS = {"inertial": 2, "gaussians": 0, "model": 1}  # parts that are no tide; 
 
 
 def fix_variance(dive: Any, unexplained: Any) -> Any:
-    """Give the variance of one component of y, m^2.
+    """Return the variance of one component of y, m^2.
 
     Parameters
     ----------
@@ -143,7 +143,7 @@ class FixModel:
         return np.array(sd + [GAUSSIAN] * (2 * len(self.places.cells) if self.places else 0))
 
     def choices(self) -> np.ndarray:
-        """Give the models a bank compares: flow parts on or off.
+        """Return the models a bank compares: flow parts on or off.
 
         All tides together are one part: a sea is a shelf's or it is not.
 
@@ -168,7 +168,7 @@ class FixModel:
         return np.array(rows)
 
     def reached(self, dive: Any) -> "FixModel":
-        """Give the model with the places that a dive comes near.
+        """Return the model with the places that a dive comes near.
 
         Parameters
         ----------
@@ -187,7 +187,7 @@ class FixModel:
         return self if places is self.places else replace(self, places=places)
 
     def kept(self, before: "FixModel") -> tuple[np.ndarray, np.ndarray]:
-        """Give where the parameters of a model before stand in this one.
+        """Return where the parameters of a model before stand in this one.
 
         Parameters
         ----------
@@ -205,7 +205,7 @@ class FixModel:
         return old, new
 
     def regressor(self, dive: Any, ended: bool = False) -> np.ndarray:
-        """Give H of y = H p for a dive.
+        """Return H of y = H p for a dive.
 
         Parameters
         ----------
@@ -235,7 +235,7 @@ class FixModel:
         return np.hstack(columns)
 
     def turning(self, dt: float, latitude: float) -> np.ndarray:
-        """Give the rotation of the moving parameters over a time.
+        """Return the rotation of the moving parameters over a time.
 
         Parameters
         ----------

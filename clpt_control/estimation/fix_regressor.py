@@ -22,17 +22,17 @@ ROTATION = 7.292115e-5  # rad/s, of the Earth
 
 
 def mid_time(dive: Any) -> float:
-    """Give the middle of a dive, UTC, s."""
+    """Return the middle of a dive, UTC, s."""
     return 0.5 * (dive.t_gps2 + dive.t_gpse)
 
 
 def miss(dive: Any) -> np.ndarray:
-    """Give y, fix less dead reckoning at a dive's end, m, shape (2,)."""
+    """Return y, fix less dead reckoning at a dive's end, m, shape (2,)."""
     return np.array([dive.miss_east, dive.miss_north])
 
 
 def reckoned(dive: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Give dead reckoning in time, straight where there is no track.
+    """Return dead reckoning in time, straight where there is no track.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def reckoned(dive: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def inertial_frequency(latitude: float) -> float:
-    """Give the Coriolis frequency, rad/s.
+    """Return the Coriolis frequency, rad/s.
 
     Parameters
     ----------
@@ -72,12 +72,12 @@ def inertial_frequency(latitude: float) -> float:
 
 
 def ones(dive: Any) -> np.ndarray:
-    """Give the columns of a steady current, s, shape (2, 2)."""
+    """Return the columns of a steady current, s, shape (2, 2)."""
     return dive.duration * np.eye(2)
 
 
 def swing(dive: Any, w: float) -> float:
-    """Give T s(w): how far an oscillation of unit size carries.
+    """Return T s(w): how far an oscillation of unit size carries.
 
     Parameters
     ----------
@@ -96,7 +96,7 @@ def swing(dive: Any, w: float) -> float:
 
 
 def tide(dive: Any, w: float) -> np.ndarray:
-    """Give the columns of a tide, s, shape (2, 4): cosine, then sine.
+    """Return the columns of a tide, s, shape (2, 4): cosine, then sine.
 
     Parameters
     ----------
@@ -115,12 +115,12 @@ def tide(dive: Any, w: float) -> np.ndarray:
 
 
 def inertial(dive: Any) -> np.ndarray:
-    """Give the columns of the inertial current, s, shape (2, 2)."""
+    """Return the columns of the inertial current, s, shape (2, 2)."""
     return swing(dive, inertial_frequency(dive.lat_gps2)) * np.eye(2)
 
 
 def model_way(dive: Any) -> np.ndarray:
-    """Give the column of a flow model's own way, m, shape (2, 1).
+    """Return the column of a flow model's own way, m, shape (2, 1).
 
     Zero where it does not cover the dive, which then tells nothing of it.
     """
@@ -129,5 +129,5 @@ def model_way(dive: Any) -> np.ndarray:
 
 
 def water(dive: Any) -> np.ndarray:
-    """Give the columns of speed and compass, m, shape (2, 2)."""
+    """Return the columns of speed and compass, m, shape (2, 2)."""
     return np.array([[dive.dr_east, dive.dr_north], [dive.dr_north, -dive.dr_east]])

@@ -54,7 +54,7 @@ class Places:
 
 
 def track(dive: Any, ended: bool = False) -> tuple[np.ndarray, np.ndarray]:
-    """Give a dive's track from its start, a few samples.
+    """Return a dive's track from its start, a few samples.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def track(dive: Any, ended: bool = False) -> tuple[np.ndarray, np.ndarray]:
 
 
 def near(places: Places | None, dive: Any, width: float) -> Places:
-    """Give the places with those that a dive comes near.
+    """Return the places with those that a dive comes near.
 
     Parameters
     ----------
@@ -144,7 +144,7 @@ def _along(places: Places, dive: Any, ended: bool) -> tuple[np.ndarray, np.ndarr
 
 
 def way_over_places(places: Places, dive: Any, ended: bool = False) -> np.ndarray:
-    """Give the columns of gaussians: phi integrated over a dive.
+    """Return the columns of gaussians: phi integrated over a dive.
 
     Parameters
     ----------
@@ -164,8 +164,10 @@ def way_over_places(places: Places, dive: Any, ended: bool = False) -> np.ndarra
     steady = np.zeros(N)
     centers = SPACING * places.width * np.array(places.cells, float).reshape(N, 2)
     basis = flow_basis(
-        "places", "x", "gaussian",
+        "places",
+        "x",
+        "gaussian",
         BasisParameters(N, centers, np.full(N, places.width), steady, steady),
-    )  # fmt: skip
+    )
     time, x = _along(places, dive, ended)
     return np.kron(trapezoid(evaluate(basis, time, x), time, axis=0), np.eye(2))

@@ -55,7 +55,7 @@ class Gradient:
         self.variance = RunningMean(USUAL**2)  # of one component of the miss over time
 
     def ahead(self, dive: Any) -> tuple[FixModel, np.ndarray, np.ndarray, np.ndarray]:
-        """Give model, parameters, Gramian and covariance at a dive."""
+        """Return model, parameters, Gramian and covariance at a dive."""
         model = self.model.reached(dive)
         old, new = model.kept(self.model)
         n = len(model.names)
@@ -113,7 +113,7 @@ class Gradient:
         self.time = mid_time(dive)
 
     def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Give the parameters after the last dive.
+        """Return the parameters after the last dive.
 
         Returns
         -------

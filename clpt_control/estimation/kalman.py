@@ -55,7 +55,7 @@ class Seen(NamedTuple):
 
 
 def faded(model: FixModel, dt: float) -> np.ndarray:
-    """Give how much of each parameter is left after a time.
+    """Return how much of each parameter is left after a time.
 
     Parameters
     ----------
@@ -128,19 +128,19 @@ class KalmanBank:
         return w / w.sum()
 
     def has(self, model: FixModel) -> np.ndarray:
-        """Give which filters have which parameters, shape (m, n)."""
+        """Return which filters have which parameters, shape (m, n)."""
         fixed, last = self.present[:, :-1], self.present[:, -1:]
         return np.hstack([fixed, np.repeat(last, len(model.names) - fixed.shape[1], axis=1)])
 
     def prior_sd(self, model: FixModel) -> np.ndarray:
-        """Give the standard deviations before any dive, shape (m, n)."""
+        """Return the standard deviations before any dive, shape (m, n)."""
         memory = np.stack([self.kinds.trend / QUARTER_DAY, self.kinds.eddy], axis=1)
         return np.hstack(
             [np.repeat(memory, 2, axis=1), model.prior_sd * np.where(self.has(model), 1.0, ABSENT)]
         )
 
     def ahead(self, dive: Any) -> tuple[FixModel, np.ndarray, np.ndarray, np.ndarray]:
-        """Give the filters at a dive, before its end.
+        """Return the filters at a dive, before its end.
 
         Parameters
         ----------
@@ -181,7 +181,7 @@ class KalmanBank:
         return model, F, mean, P
 
     def noise(self, dive: Any) -> np.ndarray:
-        """Give the m covariances of n for a dive, m^2."""
+        """Return the m covariances of n for a dive, m^2."""
         return fix_variance(dive, self.unexplained)[:, None, None] * np.eye(2)
 
     def predict(self, dive: Any) -> tuple[np.ndarray, np.ndarray]:
@@ -245,7 +245,7 @@ class KalmanBank:
         self.seen = Seen(kept, F, H, innovation, inverse, rest, weights, before)
 
     def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Give the parameters after the last dive.
+        """Return the parameters after the last dive.
 
         Returns
         -------
@@ -273,11 +273,11 @@ class KalmanBank:
 
 
 def with_memory(H: np.ndarray) -> np.ndarray:
-    """Give the regressor of the state: eddies act as the current."""
+    """Return the regressor of the state: eddies act as the current."""
     return np.hstack([np.zeros((len(H), 2)), H[:, :2], H])
 
 
 def with_memory_kept(old: np.ndarray, new: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Give where states stand, from where parameters do."""
+    """Return where states stand, from where parameters do."""
     memory = np.arange(MEMORY)
     return np.concatenate([memory, MEMORY + old]), np.concatenate([memory, MEMORY + new])

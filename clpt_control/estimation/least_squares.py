@@ -53,7 +53,7 @@ class LeastSquares:
 
 
 def evaluate(block: Any, times: np.ndarray, positions: np.ndarray) -> np.ndarray:
-    """Give a static block's outputs at many times and places.
+    """Return a static block's outputs at many times and places.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def evaluate(block: Any, times: np.ndarray, positions: np.ndarray) -> np.ndarray
 
 
 def explained_share(values: np.ndarray, model: np.ndarray) -> float:
-    """Give the share of the variance that a model explains.
+    """Return the share of the variance that a model explains.
 
     Parameters
     ----------

@@ -9,7 +9,7 @@ import numpy as np
 def mixed(
     means: np.ndarray, covariances: np.ndarray, weights: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Give mean and covariance of a weighed mixture.
+    """Return mean and covariance of a weighed mixture.
 
     Parameters
     ----------

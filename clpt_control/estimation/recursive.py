@@ -44,7 +44,7 @@ class RecursiveLeastSquares:
         self.scale = RunningMean(1.0)  # variance of forecasts over the expected
 
     def ahead(self, dive: Any) -> tuple[FixModel, np.ndarray, np.ndarray]:
-        """Give model, W and b turned and faded to a dive's middle."""
+        """Return model, W and b turned and faded to a dive's middle."""
         model = self.model.reached(dive)
         old, new = model.kept(self.model)
         n = len(model.names)
@@ -95,7 +95,7 @@ class RecursiveLeastSquares:
         self.time = mid_time(dive)
 
     def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Give the parameters after the last dive.
+        """Return the parameters after the last dive.
 
         Returns
         -------
@@ -114,12 +114,12 @@ class RecursiveLeastSquares:
 def solved(
     W: np.ndarray, b: np.ndarray, prior_sd: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Give mean, covariance and learned of W and b."""
+    """Return mean, covariance and learned of W and b."""
     P = np.linalg.inv(W + np.diag(prior_sd**-2.0))
     mean, P, learned = hold((P @ b)[None], P[None], prior_sd[None])
     return mean[0], P[0], learned[0]
 
 
 def noise(dive: Any) -> float:
-    """Give the variance of one component of y, m^2."""
+    """Return the variance of one component of y, m^2."""
     return float(fix_variance(dive, UNEXPLAINED))

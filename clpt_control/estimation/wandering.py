@@ -50,7 +50,7 @@ class Kinds(NamedTuple):
 
 
 def kinds() -> Kinds:
-    """Give the ways of wandering that a bank compares.
+    """Return the ways of wandering that a bank compares.
 
     Returns
     -------
@@ -73,7 +73,7 @@ def kinds() -> Kinds:
 
 
 def wander(dt: float, kinds: Kinds) -> tuple[np.ndarray, np.ndarray]:
-    """Give how trend, eddies and current go on, and what chance adds.
+    """Return how trend, eddies and current go on, and what chance adds.
 
     Parameters
     ----------

@@ -101,7 +101,7 @@ def _check_classic(path: Path) -> None:
 
 @contextmanager
 def beside(path: str | Path) -> Iterator[Path]:
-    """Give an empty file beside a place, then rename it there.
+    """Return an empty file beside a place, then rename it there.
 
     Parameters
     ----------

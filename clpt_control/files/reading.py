@@ -89,7 +89,7 @@ def read_text(path: str | Path, no_text: str) -> str:
 
 
 def text_of(raw: bytes, path: str | Path, no_text: str) -> str:
-    """Give bytes as text.
+    """Return bytes as text.
 
     Parameters
     ----------

@@ -24,7 +24,7 @@ SMALLER = {"milliseconds": 1e3, "microseconds": 1e6, "nanoseconds": 1e9}  # in o
 
 
 def whole_number(value: float | str | None) -> int | None:
-    """Give the number of a dive, or None where it is none.
+    """Return the number of a dive, or None where it is none.
 
     Parameters
     ----------

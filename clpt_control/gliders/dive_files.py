@@ -23,7 +23,7 @@ NETCDF = (b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF")
 
 
 def dive_paths(paths: Iterable[str | Path]) -> list[Path]:
-    """Give the files that paths name, folders opened.
+    """Return the files that paths name, folders opened.
 
     Parameters
     ----------

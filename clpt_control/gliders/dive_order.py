@@ -25,7 +25,7 @@ NEAR, ASTRAY = 5e3, 50e3  # m: ways that are noted, and refused, however short t
 
 
 def by_time(dive: "Dive") -> tuple:
-    """Give the key that puts dives in one order.
+    """Return the key that puts dives in one order.
 
     Parameters
     ----------

@@ -26,9 +26,15 @@ END = ("t_gpse", "lat_gpse", "lon_gpse")
 WAY = ("dr_east_m", "dr_north_m")
 REQUIRED = ("dive", *START, *END, *WAY)
 OPTIONAL = (
-    "t_gps1", "lat_gps1", "lon_gps1", "dac_east", "dac_north", "dac_qc", "magvar",
+    "t_gps1",
+    "lat_gps1",
+    "lon_gps1",
+    "dac_east",
+    "dac_north",
+    "dac_qc",
+    "magvar",
     "depth_max",
-)  # fmt: skip
+)
 NO_TEXT = "is neither NetCDF nor text; must be a Seaglider or OG1 file or a CSV table"
 
 
@@ -98,7 +104,7 @@ def parse_dive_table(text: str, name: str) -> tuple[list[Dive], list[Skipped]]:
 
 
 def _header(line: str, name: str) -> list[str]:
-    """Give the names of the columns, or say which are missing."""
+    """Return the names of the columns, or say which are missing."""
     header = [cell.strip() for cell in cells_of(line)]
     missing = [column for column in REQUIRED if column not in header]
     marks = other_marks(line, REQUIRED[0])
@@ -190,16 +196,19 @@ def write_dive_table(dives: Iterable[Dive], path: str | Path, comment: str = "")
     for dive in dives:
         numbers = (
             *(getattr(dive, name) for name in (*START, *END)),
-            dive.dr_east, dive.dr_north, dive.gps_east, dive.gps_north,
+            dive.dr_east,
+            dive.dr_north,
+            dive.gps_east,
+            dive.gps_north,
             *(getattr(dive, name) for name in OPTIONAL),
-        )  # fmt: skip
+        )
         cells = ("" if value is None else repr(float(value)) for value in numbers)
         lines.append(",".join((str(dive.number), *cells)))
     write_text(path, "\n".join(lines) + "\n")
 
 
 def sample_dives() -> list[Dive]:
-    """Give the fourteen dives of Seaglider SG542 in the package.
+    """Return the fourteen dives of Seaglider SG542 in the package.
 
     Returns
     -------

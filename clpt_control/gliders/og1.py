@@ -59,7 +59,7 @@ def read_og1(path: str | Path) -> list[Dive]:
 
 
 def dives_of(data: "xarray.Dataset", path: Path) -> list[Dive]:
-    """Give the dives of an open OG1 file.
+    """Return the dives of an open OG1 file.
 
     Parameters
     ----------

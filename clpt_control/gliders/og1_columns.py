@@ -90,17 +90,24 @@ def columns_of(data: "xarray.Dataset", path: Path) -> Columns:
     def plain(data, name, _):
         return values(data, name)
 
-    steps = next((pair for pair in (names.STEPS, names.STEPS_GSM) if set(pair) <= set(known)),
-                 names.STEPS)  # fmt: skip
+    steps = next(
+        (pair for pair in (names.STEPS, names.STEPS_GSM) if set(pair) <= set(known)), names.STEPS
+    )
     of = {"time": time}
     for key, candidates, read in (
-        ("east", steps[:1], metres), ("north", steps[1:], metres),
-        ("speed", names.SPEED, metres_per_second), ("heading", names.HEADING, _degrees),
-        ("u", names.EAST, metres_per_second), ("v", names.NORTH, metres_per_second),
-        ("number", names.NUMBERS, plain), ("qc", names.QUALITY, plain),
-        ("magvar", names.VARIATION, plain), ("depth", names.DEPTH, metres),
-        ("depth_max", names.DEPTH_MAX, metres), ("phase", ("PHASE",), plain),
-    ):  # fmt: skip
+        ("east", steps[:1], metres),
+        ("north", steps[1:], metres),
+        ("speed", names.SPEED, metres_per_second),
+        ("heading", names.HEADING, _degrees),
+        ("u", names.EAST, metres_per_second),
+        ("v", names.NORTH, metres_per_second),
+        ("number", names.NUMBERS, plain),
+        ("qc", names.QUALITY, plain),
+        ("magvar", names.VARIATION, plain),
+        ("depth", names.DEPTH, metres),
+        ("depth_max", names.DEPTH_MAX, metres),
+        ("phase", ("PHASE",), plain),
+    ):
         of[key] = column(candidates, read, time.size)
     kind = column(("GPS_FIX",), plain, fixes[0].size)
     of |= dict(zip(("t_fix", "lat", "lon", "kind"), (*fixes, kind), strict=True))
@@ -108,8 +115,10 @@ def columns_of(data: "xarray.Dataset", path: Path) -> Columns:
         count = time.size
         for key in ("t_fix", "lat", "lon", "kind"):
             of[key] = np.concatenate([np.full(count, nan), of[key]])
-        of = {key: np.concatenate([a, np.full(count + fixes[0].size - a.size, nan)])
-              for key, a in of.items()}  # fmt: skip
+        of = {
+            key: np.concatenate([a, np.full(count + fixes[0].size - a.size, nan)])
+            for key, a in of.items()
+        }
     return Columns(of, _frame(data, known), f"{known.get(steps[0], steps[0])}")
 
 

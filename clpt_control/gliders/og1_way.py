@@ -40,7 +40,7 @@ def way_of(
     current: tuple[float | None, float | None],
     whole: bool = True,
 ) -> Way:
-    """Give the way through the water of one dive.
+    """Return the way through the water of one dive.
 
     Parameters
     ----------

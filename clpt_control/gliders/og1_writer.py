@@ -103,7 +103,7 @@ def _stamp(when: float) -> str:
 
 
 def dives_to_rows(dives: Iterable[Dive]) -> dict[str, np.ndarray]:
-    """Give the measurements of an OG1 file in their order.
+    """Return the measurements of an OG1 file in their order.
 
     Parameters
     ----------
@@ -115,8 +115,22 @@ def dives_to_rows(dives: Iterable[Dive]) -> dict[str, np.ndarray]:
     dict of str to ndarray
         A column per OG1 variable.
     """
-    names = ("TIME", *FIXES, "GPS_FIX", "DIVE_NUMBER", *STEPS, EAST[0], NORTH[0], QUALITY[0],
-             VARIATION[0], DEPTH_MAX[0], "PHASE", "LATITUDE", "LONGITUDE", DEPTH[0])  # fmt: skip
+    names = (
+        "TIME",
+        *FIXES,
+        "GPS_FIX",
+        "DIVE_NUMBER",
+        *STEPS,
+        EAST[0],
+        NORTH[0],
+        QUALITY[0],
+        VARIATION[0],
+        DEPTH_MAX[0],
+        "PHASE",
+        "LATITUDE",
+        "LONGITUDE",
+        DEPTH[0],
+    )
     rows: list[tuple[float, ...]] = []
 
     def add(dive, at, fix, kind, steps, place):

@@ -19,14 +19,24 @@ from .samples import values
 if TYPE_CHECKING:
     import xarray
 
-STEPS = {"nanosecond": 1e-9, "microsecond": 1e-6, "millisecond": 1e-3, "second": 1.0, "sec": 1.0,
-         "s": 1.0, "minute": 60.0, "min": 60.0, "hour": 3600.0, "h": 3600.0,
-         "day": 86400.0}  # fmt: skip
+STEPS = {
+    "nanosecond": 1e-9,
+    "microsecond": 1e-6,
+    "millisecond": 1e-3,
+    "second": 1.0,
+    "sec": 1.0,
+    "s": 1.0,
+    "minute": 60.0,
+    "min": 60.0,
+    "hour": 3600.0,
+    "h": 3600.0,
+    "day": 86400.0,
+}
 NOT_A_TIME = -(2.0**63)  # smallest integer of 64 bits: how a missing time is stored
 
 
 def seconds(data: "xarray.Dataset", name: str, path: Path) -> np.ndarray:
-    """Give times as seconds since 1970 UTC.
+    """Return times as seconds since 1970 UTC.
 
     Parameters
     ----------
@@ -83,7 +93,7 @@ def _date(text: str) -> float | None:
 
 
 def metres(data: "xarray.Dataset", name: str, path: Path) -> np.ndarray:
-    """Give lengths in metres, depths positive down.
+    """Return lengths in metres, depths positive down.
 
     Parameters
     ----------
@@ -118,7 +128,7 @@ def metres(data: "xarray.Dataset", name: str, path: Path) -> np.ndarray:
 
 
 def metres_per_second(data: "xarray.Dataset", name: str, path: Path) -> np.ndarray:
-    """Give speeds in metres per second.
+    """Return speeds in metres per second.
 
     Parameters
     ----------

@@ -18,7 +18,7 @@ DEEPEST = 12000.0  # m: no sea is deeper
 
 
 def values(data: "xarray.Dataset", name: str) -> np.ndarray:
-    """Give a variable as floats, NaN where it is no number."""
+    """Return a variable as floats, NaN where it is no number."""
     raw = np.atleast_1d(data[name].values)
     if raw.dtype.kind in "iufb":
         return raw.astype(float)
@@ -32,7 +32,7 @@ def values(data: "xarray.Dataset", name: str) -> np.ndarray:
 
 
 def scalar(data: "xarray.Dataset", name: str) -> float | None:
-    """Give a single finite number, or None."""
+    """Return a single finite number, or None."""
     if name not in data.variables:
         return None
     found = values(data, name)
@@ -140,7 +140,7 @@ def hole_under_water(since: np.ndarray, depth: np.ndarray, duration: float) -> s
 
 
 def deepest(depth: np.ndarray) -> float | None:
-    """Give the greatest depth of samples, m, or None.
+    """Return the greatest depth of samples, m, or None.
 
     Parameters
     ----------

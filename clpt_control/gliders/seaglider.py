@@ -65,7 +65,7 @@ def read_seaglider(path: str | Path) -> Dive:
 
 
 def dive_of(data: "xarray.Dataset", path: Path) -> Dive:
-    """Give the dive of an open basestation file.
+    """Return the dive of an open basestation file.
 
     Parameters
     ----------
@@ -110,13 +110,13 @@ def dive_of(data: "xarray.Dataset", path: Path) -> Dive:
 
 
 def number_in_name(path: Path) -> int | None:
-    """Give the dive of a name pSSSDDDD.nc (vehicle, dive), or None."""
+    """Return the dive of a name pSSSDDDD.nc (vehicle, dive), or None."""
     named = re.fullmatch(r"p\d{3}(\d{4})", path.stem)
     return int(named[1]) if named else None
 
 
 def _number(data: "xarray.Dataset", path: Path) -> tuple[int, list[str]]:
-    """Give the number of the dive and what was wrong with others."""
+    """Return the number of the dive and what was wrong with others."""
     notes: list[str] = []
     for name, said in (
         ("dive_number", data.attrs.get("dive_number")),
@@ -153,7 +153,7 @@ def _displacement(data: "xarray.Dataset") -> tuple[str, str] | None:
 
 
 def _times(data: "xarray.Dataset", like: str, path: Path) -> tuple[np.ndarray | None, str]:
-    """Give times of the samples that a variable has, or why there are none."""
+    """Return times of the samples that a variable has, or why there are none."""
     own = [name for name in map(str, data.variables) if name.endswith("_time")]
     same = [
         name

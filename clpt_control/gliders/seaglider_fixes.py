@@ -39,7 +39,7 @@ class Fixes(NamedTuple):
 
 
 def fixes_of(data: "xarray.Dataset", path: Path, first_sample: float) -> Fixes:
-    """Give the fixes of an open basestation file.
+    """Return the fixes of an open basestation file.
 
     Parameters
     ----------

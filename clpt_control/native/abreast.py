@@ -7,10 +7,33 @@ from typing import NamedTuple
 
 from .program import Item, Load, Loop, Step, Store
 
-SLOW = frozenset({
-    "exp", "expm1", "log", "log1p", "log2", "log10", "pow", "sin", "cos", "tan", "asin", "acos",
-    "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "hypot", "sqrt", "div",
-})  # several at once cost little more than one  # fmt: skip
+SLOW = frozenset(
+    {
+        "exp",
+        "expm1",
+        "log",
+        "log1p",
+        "log2",
+        "log10",
+        "pow",
+        "sin",
+        "cos",
+        "tan",
+        "asin",
+        "acos",
+        "atan",
+        "atan2",
+        "sinh",
+        "cosh",
+        "tanh",
+        "asinh",
+        "acosh",
+        "atanh",
+        "hypot",
+        "sqrt",
+        "div",
+    }
+)  # several at once cost little more than one
 
 
 class Abreast(NamedTuple):

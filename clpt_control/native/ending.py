@@ -98,11 +98,7 @@ def _crossing(
             break
         inside = share
     x = state(share)
-    return (
-        t + share * h,
-        x,
-        *sweep.margin(t + share * h, x, _at(inputs, t + share * h))[1:],
-    )
+    return (t + share * h, x, *sweep.margin(t + share * h, x, _at(inputs, t + share * h))[1:])
 
 
 def _until(runs: Runs, t: float, x: np.ndarray, done: int) -> tuple[np.ndarray, np.ndarray]:

@@ -91,8 +91,17 @@ class NativeDiagram(PlainDiagram):
         formulas = kernels(n, lanes) if n else None
         more = formulas.addresses.values() if formulas else ()
         functions = np.array([*own, *more], dtype=np.int64)
-        return Callee(solver(), functions, lanes, n, self.code.program.room, self.layout.T,
-                      guarded, self.most, (self.code, formulas))  # fmt: skip
+        return Callee(
+            solver(),
+            functions,
+            lanes,
+            n,
+            self.code.program.room,
+            self.layout.T,
+            guarded,
+            self.most,
+            (self.code, formulas),
+        )
 
     def lanes(self, count: int) -> int:
         """Return how many runs are taken at once: eight where it pays."""

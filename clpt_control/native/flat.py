@@ -155,8 +155,7 @@ def programmed(
 
     def item(value: int) -> Item:
         name, *arguments = flat.operations[value]
-        return (Load(value, *arguments[0]) if name == "load"
-                else Step(value, name, tuple(arguments)))  # fmt: skip
+        return Load(value, *arguments[0]) if name == "load" else Step(value, name, tuple(arguments))
 
     def function(array: str, roots: list[Ref]) -> tuple[Item, ...]:
         items: list[Item] = []

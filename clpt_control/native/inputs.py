@@ -31,7 +31,7 @@ class Inputs:
         return None if self.samples is None else self.samples[0]
 
     def along(self, times: np.ndarray) -> np.ndarray:
-        """Give the inputs at times, shape (ninputs, nt)."""
+        """Return the inputs at times, shape (ninputs, nt)."""
         return np.array([self.at(t) for t in times]).reshape(len(times), -1).T
 
 

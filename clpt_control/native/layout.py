@@ -60,7 +60,7 @@ class Layout:
     pattern: str = ""
 
     def packed(self, parameters: Sequence[Any]) -> np.ndarray:
-        """Give P for other parameters of the same blocks.
+        """Return P for other parameters of the same blocks.
 
         Parameters
         ----------
@@ -91,7 +91,7 @@ class Layout:
 
 
 def lay_out(wiring: Wiring, parameters: Sequence[Any]) -> Layout:
-    """Give every parameter of a diagram a place.
+    """Return every parameter of a diagram a place.
 
     Parameters
     ----------

@@ -60,8 +60,9 @@ def looped_program(sources: Sources, least: int = LEAST) -> Program:
         prepare += early
         first += count
     derivative, signals, distance = functions
-    return Program(derivative, signals, distance, tuple(prepare), tuple(writer.constants), first,
-                   writer.room)  # fmt: skip
+    return Program(
+        derivative, signals, distance, tuple(prepare), tuple(writer.constants), first, writer.room
+    )
 
 
 class _Writer:
@@ -96,8 +97,10 @@ class _Writer:
         if not self.sources.direct(k) or not node.system.nstates:
             return []
         value = self.value()
-        copy = (Load(value, "X", node.states.start, ((0, 1),)),
-                Store("W", node.outputs.start, ((0, 1),), value))  # fmt: skip
+        copy = (
+            Load(value, "X", node.states.start, ((0, 1),)),
+            Store("W", node.outputs.start, ((0, 1),), value),
+        )
         return [Loop(0, node.system.nstates, copy, ())]
 
     def block(self, k: int, record: Record, array: str, first: int) -> list[Item]:
@@ -158,10 +161,14 @@ class _Block:
                 firsts = [ref(s.first) for s in item.sums]
                 body = self.items(item.body, {**counts, item.level: item.count}, held)
                 sums = tuple(
-                    s._replace(first=first, within=self.named(s.within),
-                               turned=self.named(s.turned), result=self.named(s.result))
+                    s._replace(
+                        first=first,
+                        within=self.named(s.within),
+                        turned=self.named(s.turned),
+                        result=self.named(s.result),
+                    )
                     for s, first in zip(item.sums, firsts, strict=True)
-                )  # fmt: skip
+                )
                 made.append(Loop(item.level, item.count, tuple(body), sums))
         return made
 

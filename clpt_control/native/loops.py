@@ -181,10 +181,13 @@ class _Merge:
             raise _Different
         for column in zip(*parallel, strict=True):
             shapes = {
-                (type(o), o.name, len(o.arguments)) if isinstance(o, Step)
-                else (type(o), o.level, o.count, len(o.sums)) if isinstance(o, Loop) else type(o)
+                (type(o), o.name, len(o.arguments))
+                if isinstance(o, Step)
+                else (type(o), o.level, o.count, len(o.sums))
+                if isinstance(o, Loop)
+                else type(o)
                 for o in column
-            }  # fmt: skip
+            }
             if len(shapes) > 1:
                 raise _Different
             if isinstance(column[0], Step):
@@ -298,8 +301,7 @@ class _Merge:
             values = [item.value] if isinstance(item, Step) else []
             values += [s.result for s in item.sums] if isinstance(item, Loop) else []
             for value in values:
-                own = [next(v for v, first in same.items() if first == value)
-                       for same in self.same]  # fmt: skip
+                own = [next(v for v, first in same.items() if first == value) for same in self.same]
                 if value in sums or not any(map(self.read_outside, own)):
                     continue
                 base = self.roller.room

@@ -150,9 +150,12 @@ class PlainDiagram:
         if not self.nstates:
             return Solution(times, np.zeros((len(times), 0)))
         runs = Runs(
-            self.callee(1, inputs), start[None], self.parameters()[None], times,
+            self.callee(1, inputs),
+            start[None],
+            self.parameters()[None],
+            times,
             [self.schedule(t0, t1, inputs)],
-        )  # fmt: skip
+        )
         if step is not None:
             runs.fixed(step)
         else:
@@ -240,9 +243,18 @@ class PlainDiagram:
         out = np.empty((len(times), self.nsignals))
         states = np.append(solution.x.ravel(), 0.0)
         callee.solver.record(
-            callee.functions, times, states, self.nstates, number, pieces.places, pieces.values,
-            P, np.append(callee.tables, 0.0), W, out,
-        )  # fmt: skip
+            callee.functions,
+            times,
+            states,
+            self.nstates,
+            number,
+            pieces.places,
+            pieces.values,
+            P,
+            np.append(callee.tables, 0.0),
+            W,
+            out,
+        )
         bad = np.flatnonzero(~np.all(np.isfinite(out), axis=1))
         if len(bad):
             raise SimulationError(

@@ -177,8 +177,10 @@ class _Printer:
             filled = [*now, *now[:1] * (width - len(now))]
             arguments = []
             for place in range(len(now[0].arguments)):
-                ones = [self.number(step.arguments[place], Kind(self.builder, 1), values).value
-                        for step in filled]  # fmt: skip
+                ones = [
+                    self.number(step.arguments[place], Kind(self.builder, 1), values).value
+                    for step in filled
+                ]
                 arguments.append(_gathered(kind, ones))
             found = calculated(now[0].name, kind, arguments)
             for k, step in enumerate(now):
@@ -231,9 +233,16 @@ class _Printer:
         values.update({s.result: total for s, total in zip(item.sums, sums, strict=True)})
 
     def _rounds(
-        self, item: Loop, kind: Kind, values: dict, turns: dict, sums: list, start: int,
-        at_once: int, rounds: int,
-    ) -> list:  # fmt: skip
+        self,
+        item: Loop,
+        kind: Kind,
+        values: dict,
+        turns: dict,
+        sums: list,
+        start: int,
+        at_once: int,
+        rounds: int,
+    ) -> list:
         """Print `rounds` rounds of `at_once` turns each, from turn `start`."""
 
         def turn(number: Any, held: list) -> list:
@@ -298,10 +307,9 @@ def _joined(part: Number, kind: Kind) -> Number:
         width //= 2
         halves = [
             builder.shuffle_vector(
-                value, value,
-                ir.Constant(ir.VectorType(INT32, width), list(range(at, at + width))),
+                value, value, ir.Constant(ir.VectorType(INT32, width), list(range(at, at + width)))
             )
             for at in (0, width)
-        ]  # fmt: skip
+        ]
         value = builder.fadd(*halves)
     return Number(kind, builder.extract_element(value, ir.Constant(INT32, 0)))

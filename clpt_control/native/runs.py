@@ -143,10 +143,25 @@ class Runs:
             begin = time.perf_counter()
             with np.errstate(all="ignore"):
                 active = self.callee.solver.advance(
-                    self.callee.functions, self.shape, tolerances, self.runs, self.schedule,
-                    self.times, self.out, self.status, self.reached, self.counts, self.numbers,
-                    self.whole, self.queue, self.Z, *self.room, budget, most, self.callee.guarded,
-                )  # fmt: skip
+                    self.callee.functions,
+                    self.shape,
+                    tolerances,
+                    self.runs,
+                    self.schedule,
+                    self.times,
+                    self.out,
+                    self.status,
+                    self.reached,
+                    self.counts,
+                    self.numbers,
+                    self.whole,
+                    self.queue,
+                    self.Z,
+                    *self.room,
+                    budget,
+                    most,
+                    self.callee.guarded,
+                )
             spent = time.perf_counter() - begin
             budget = int(np.clip(budget * PAUSE / max(spent, 1e-6), budget / 2 + 1, 4 * budget))
             watch(self)
@@ -158,10 +173,22 @@ class Runs:
         check()
         with np.errstate(all="ignore"):
             self.callee.solver.advance_fixed(
-                self.callee.functions, self.shape, float(step), self.runs, self.schedule,
-                self.times, self.out, self.status, self.reached, self.counts, self.numbers,
-                self.whole, self.Z, *self.room, self.callee.guarded,
-            )  # fmt: skip
+                self.callee.functions,
+                self.shape,
+                float(step),
+                self.runs,
+                self.schedule,
+                self.times,
+                self.out,
+                self.status,
+                self.reached,
+                self.counts,
+                self.numbers,
+                self.whole,
+                self.Z,
+                *self.room,
+                self.callee.guarded,
+            )
 
 
 def _together(schedules: list[Schedule]) -> tuple[np.ndarray, ...]:

@@ -32,11 +32,7 @@ class Schedule(NamedTuple):
 
 
 def schedule(
-    sweep: Sweep,
-    intervals: dict[int, int],
-    t0: float,
-    t1: float,
-    kinks: np.ndarray | None = None,
+    sweep: Sweep, intervals: dict[int, int], t0: float, t1: float, kinks: np.ndarray | None = None
 ) -> Schedule:
     """Return the pieces of a run from t0 to t1.
 

@@ -31,8 +31,29 @@ def call(function, t, X, first, P, T, W, D, to):
     function(t, X, first, P, T, W, D, to)
 
 
-def advance(code, shape, tolerances, runs, schedule, times, out, status, reached, counts,
-            numbers, whole, queue, Z, P, T, W, D, budget, most, guarded):  # fmt: skip
+def advance(
+    code,
+    shape,
+    tolerances,
+    runs,
+    schedule,
+    times,
+    out,
+    status,
+    reached,
+    counts,
+    numbers,
+    whole,
+    queue,
+    Z,
+    P,
+    T,
+    W,
+    D,
+    budget,
+    most,
+    guarded,
+):
     """Take some steps in every lane; return how many are at work.
 
     Parameters
@@ -136,7 +157,7 @@ def fail(status, whole, k, why):
 
 
 def start(shape, runs, schedule, times, out, numbers, whole, queue, Z, P):
-    """Give idle lanes a run; return how many lanes are at work."""
+    """Return idle lanes a run; return how many lanes are at work."""
     active = 0
     for k in range(shape[0]):
         if whole[MEMBER, k] >= 0:
@@ -266,8 +287,26 @@ def watch(code, shape, numbers, whole, status, Z, P, T, W, D):
 # --- steps of one length, and signals -------------------------------------------------------
 
 
-def advance_fixed(code, shape, step, runs, schedule, times, out, status, reached, counts,
-                  numbers, whole, Z, P, T, W, D, guarded):  # fmt: skip
+def advance_fixed(
+    code,
+    shape,
+    step,
+    runs,
+    schedule,
+    times,
+    out,
+    status,
+    reached,
+    counts,
+    numbers,
+    whole,
+    Z,
+    P,
+    T,
+    W,
+    D,
+    guarded,
+):
     """Run all to the end by Runge and Kutta's method of order 4.
 
     Arguments as for `advance`; runs that are taken together follow one schedule.
@@ -295,8 +334,26 @@ def advance_fixed(code, shape, step, runs, schedule, times, out, status, reached
             while done < len(times):
                 stop = min(times[done], edges[g, edge])
                 steps = max(1, math.ceil((stop - t) / step * (1.0 - 1e-12)))
-                if march(code, shape, t, (stop - t) / steps, steps, status, counts, numbers, whole,
-                         Z, P, T, W, D, guarded) == 0:  # fmt: skip
+                if (
+                    march(
+                        code,
+                        shape,
+                        t,
+                        (stop - t) / steps,
+                        steps,
+                        status,
+                        counts,
+                        numbers,
+                        whole,
+                        Z,
+                        P,
+                        T,
+                        W,
+                        D,
+                        guarded,
+                    )
+                    == 0
+                ):
                     done = len(times)
                     break
                 t = stop
@@ -312,8 +369,7 @@ def advance_fixed(code, shape, step, runs, schedule, times, out, status, reached
                 status[base + k] = FINISHED
 
 
-def march(code, shape, first, h, steps, status, counts, numbers, whole,
-          Z, P, T, W, D, guarded):  # fmt: skip
+def march(code, shape, first, h, steps, status, counts, numbers, whole, Z, P, T, W, D, guarded):
     """Take steps of length h; return how many lanes are at work."""
     lanes, n, _ = shape
     span, now, at, flat = n * lanes, numbers[TIME], numbers[AT], numbers.reshape(-1)

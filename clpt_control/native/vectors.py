@@ -54,8 +54,12 @@ class Kind:
     def call(self, name: str, *arguments: "Number") -> "Number":
         """Call an intrinsic of LLVM, such as ``"fma"``."""
         suffix = "f64" if self.width == 1 else f"v{self.width}f64"
-        function = declared(self.builder.module, f"llvm.{name}.{suffix}", self.type(),
-                            [self.type()] * len(arguments))  # fmt: skip
+        function = declared(
+            self.builder.module,
+            f"llvm.{name}.{suffix}",
+            self.type(),
+            [self.type()] * len(arguments),
+        )
         return Number(self, self.builder.call(function, [a.value for a in arguments]))
 
     def each(self, name: str, *arguments: "Number") -> "Number":

@@ -75,7 +75,7 @@ class Anomaly:
         )
 
     def as_dict(self) -> dict[str, Any]:
-        """Give the attributes by name, for JSON."""
+        """Return the attributes by name, for JSON."""
         return asdict(self)
 
 
@@ -130,10 +130,16 @@ class SpeedWatch:
             e = np.zeros((m, n, 3))
             e[:, new] = window["e"][:, old]
             window["e"] = F @ e
-        fresh = {"since": dive.number, "e": np.repeat(start[None], m, axis=0),
-                 "expected": float(1 + seen.weights @ seen.mean[:, speed]),
-                 "weights": seen.weights, "A": np.zeros((m, 3, 3)), "b": np.zeros((m, 3)),
-                 "chi": np.zeros(m), "dives": 0}  # fmt: skip
+        fresh = {
+            "since": dive.number,
+            "e": np.repeat(start[None], m, axis=0),
+            "expected": float(1 + seen.weights @ seen.mean[:, speed]),
+            "weights": seen.weights,
+            "A": np.zeros((m, 3, 3)),
+            "b": np.zeros((m, 3)),
+            "chi": np.zeros(m),
+            "dives": 0,
+        }
         self.windows = [*self.windows[1 - DIVES :], fresh]
         for window in self.windows:
             g = H @ window["e"]
@@ -175,5 +181,14 @@ class SpeedWatch:
             return None
         if not (certain or doubtful):
             return None
-        return Anomaly(dive.number, window["since"], change, error, window["expected"], ratio,
-                       current, rest, certain)  # fmt: skip
+        return Anomaly(
+            dive.number,
+            window["since"],
+            change,
+            error,
+            window["expected"],
+            ratio,
+            current,
+            rest,
+            certain,
+        )

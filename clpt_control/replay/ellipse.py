@@ -12,7 +12,7 @@ CHI_SQUARED = 4.605170185988092  # of two components, 90 %: 2 ln 10
 
 
 def ellipse(covariance: np.ndarray) -> tuple[float, float, float]:
-    """Give half axes (m) and bearing of the long axis (degrees).
+    """Return half axes (m) and bearing of the long axis (degrees).
 
     Parameters
     ----------

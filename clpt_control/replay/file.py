@@ -40,10 +40,14 @@ def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
 
     steps = replay.steps
     dives = [step.dive for step in steps]
-    forecast = np.array([
-        place_from(d.lat_gps2, d.lon_gps2, d.dr_east + s.forecast[0], d.dr_north + s.forecast[1])
-        for s, d in zip(steps, dives, strict=True)
-    ]).reshape(-1, 2)  # fmt: skip
+    forecast = np.array(
+        [
+            place_from(
+                d.lat_gps2, d.lon_gps2, d.dr_east + s.forecast[0], d.dr_north + s.forecast[1]
+            )
+            for s, d in zip(steps, dives, strict=True)
+        ]
+    ).reshape(-1, 2)
     reckoned = np.array(
         [place_from(d.lat_gps2, d.lon_gps2, d.dr_east, d.dr_north) for d in dives]
     ).reshape(-1, 2)
@@ -61,7 +65,8 @@ def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
             "longitude": ("dive", [d.lon_gpse for d in dives], {**east, "axis": "X"}),
         },
         attrs={
-            "Conventions": "CF-1.11", "featureType": "trajectory",
+            "Conventions": "CF-1.11",
+            "featureType": "trajectory",
             "title": "dead reckoning, forecasts and learned flow of a glider, dive by dive",
             "history": "written by clpt replay",
             "source": f"clpt-control {version('clpt-control')}",
@@ -71,7 +76,7 @@ def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
             "gaussian_width": replay.model.width,
             "gaussian_width_units": "m",
         },
-    )  # fmt: skip
+    )
     data["trajectory"] = ((), name, {"cf_role": "trajectory_id"})
 
     def add(key: str, values: list, units: str, long_name: str, **more: str) -> None:
@@ -89,47 +94,110 @@ def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
         ):
             add(f"{key}_{axis}", values, where["units"], f"{axis}, {long_name}")
     for model in replay.models:
-        add(f"clpe_{model}", [s.clpe[model] for s in steps], "m",
-            f"prediction error at the surfacing, flow: {model.replace('_', ' ')}")  # fmt: skip
+        add(
+            f"clpe_{model}",
+            [s.clpe[model] for s in steps],
+            "m",
+            f"prediction error at the surfacing, flow: {model.replace('_', ' ')}",
+        )
     if replay.flow_model is not None:
         data.attrs["flow_model"] = f"{replay.flow_model.source}: {replay.flow_model.about}"
         for axis in ("east", "north"):
-            add(f"flow_model_{axis}", [getattr(d, f"model_{axis}") for d in dives], "m",
-                f"way that the flow model carries the vehicle, {axis}")  # fmt: skip
+            add(
+                f"flow_model_{axis}",
+                [getattr(d, f"model_{axis}") for d in dives],
+                "m",
+                f"way that the flow model carries the vehicle, {axis}",
+            )
     for i, axis in enumerate(("east", "north")):
         sea = {"standard_name": f"{axis}ward_sea_water_velocity"}
-        add(f"current_{axis}", [s.current[i] for s in steps], "m s-1",
-            f"learned current over the dive, {axis}", **sea)  # fmt: skip
-        add(f"current_{axis}_error", [s.current_error[i] for s in steps], "m s-1",
-            f"standard error of current_{axis}")  # fmt: skip
-        add(f"file_current_{axis}", [getattr(d, f"dac_{axis}") for d in dives], "m s-1",
-            f"depth-averaged current of the vehicle's own file, {axis}")  # fmt: skip
-        add(f"forecast_{axis}", [s.forecast[i] for s in steps], "m",
-            f"fix less dead reckoning as forecast, {axis}")  # fmt: skip
-        add(f"forecast_variance_{axis}", [s.covariance[i, i] for s in steps], "m2",
-            f"variance of forecast_{axis}")  # fmt: skip
-    add("forecast_covariance", [s.covariance[0, 1] for s in steps], "m2",
-        "covariance of forecast_east and forecast_north")  # fmt: skip
-    add("previous_share", [s.previous_share for s in steps], "1",
-        "share of the previous dive's current in the forecast")  # fmt: skip
+        add(
+            f"current_{axis}",
+            [s.current[i] for s in steps],
+            "m s-1",
+            f"learned current over the dive, {axis}",
+            **sea,
+        )
+        add(
+            f"current_{axis}_error",
+            [s.current_error[i] for s in steps],
+            "m s-1",
+            f"standard error of current_{axis}",
+        )
+        add(
+            f"file_current_{axis}",
+            [getattr(d, f"dac_{axis}") for d in dives],
+            "m s-1",
+            f"depth-averaged current of the vehicle's own file, {axis}",
+        )
+        add(
+            f"forecast_{axis}",
+            [s.forecast[i] for s in steps],
+            "m",
+            f"fix less dead reckoning as forecast, {axis}",
+        )
+        add(
+            f"forecast_variance_{axis}",
+            [s.covariance[i, i] for s in steps],
+            "m2",
+            f"variance of forecast_{axis}",
+        )
+    add(
+        "forecast_covariance",
+        [s.covariance[0, 1] for s in steps],
+        "m2",
+        "covariance of forecast_east and forecast_north",
+    )
+    add(
+        "previous_share",
+        [s.previous_share for s in steps],
+        "1",
+        "share of the previous dive's current in the forecast",
+    )
     if replay.model.learn_speed:
         for key, values, errors, units, long_name in (
-            ("speed_factor", [s.speed for s in steps], [s.speed_error for s in steps], "1",
-             "factor on speed through water"),
-            ("compass_error", [s.compass for s in steps], [s.compass_error for s in steps],
-             "degree", "compass error, clockwise"),
-        ):  # fmt: skip
+            (
+                "speed_factor",
+                [s.speed for s in steps],
+                [s.speed_error for s in steps],
+                "1",
+                "factor on speed through water",
+            ),
+            (
+                "compass_error",
+                [s.compass for s in steps],
+                [s.compass_error for s in steps],
+                "degree",
+                "compass error, clockwise",
+            ),
+        ):
             wrong = f"{key}_standard_error"
             add(key, values, units, long_name, ancillary_variables=wrong)
             add(wrong, errors, units, f"standard error of: {long_name}")
     for key, said, no, yes, long_name in (
-        ("inside_90", [s.inside for s in steps], "outside", "inside",
-         "whether the vehicle surfaced in the 90 % ellipse of its forecast"),
-        ("speed_anomaly", [s.anomaly is not None for s in steps], "none", "flagged",
-         "whether the speed factor left its credible range"),
-    ):  # fmt: skip
-        data[key] = ("dive", np.array(said, np.int8), {
-            "long_name": long_name, "flag_values": np.array([0, 1], np.int8),
-            "flag_meanings": f"{no} {yes}", **ALONG,
-        })  # fmt: skip
+        (
+            "inside_90",
+            [s.inside for s in steps],
+            "outside",
+            "inside",
+            "whether the vehicle surfaced in the 90 % ellipse of its forecast",
+        ),
+        (
+            "speed_anomaly",
+            [s.anomaly is not None for s in steps],
+            "none",
+            "flagged",
+            "whether the speed factor left its credible range",
+        ),
+    ):
+        data[key] = (
+            "dive",
+            np.array(said, np.int8),
+            {
+                "long_name": long_name,
+                "flag_values": np.array([0, 1], np.int8),
+                "flag_meanings": f"{no} {yes}",
+                **ALONG,
+            },
+        )
     return data

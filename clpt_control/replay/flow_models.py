@@ -67,7 +67,7 @@ class FlowModel(ABC):
 
     @abstractmethod
     def along(self, dive: Dive) -> Flow:
-        """Give the flow for one dive.
+        """Return the flow for one dive.
 
         Parameters
         ----------
@@ -129,7 +129,7 @@ def way_of_flow(dive: Dive, flow: Flow) -> tuple[float, float]:
 
 
 def carried(dive: Dive, flow_model: FlowModel) -> Dive:
-    """Give a dive with the way that a flow model carries it.
+    """Return a dive with the way that a flow model carries it.
 
     Parameters
     ----------
@@ -153,5 +153,5 @@ def carried(dive: Dive, flow_model: FlowModel) -> Dive:
 
 
 def why_uncovered(dive: Dive) -> str:
-    """Give why a flow model does not cover a dive; empty if it does."""
+    """Return why a flow model does not cover a dive; empty if it does."""
     return next((note[len(NOTE) :] for note in dive.notes if note.startswith(NOTE)), "")

@@ -94,7 +94,7 @@ class Follower:
         return read
 
     def _record(self, path: Path) -> dict[str, Any] | None:
-        """Give the record of a file as it is now; None if there is none."""
+        """Return the record of a file as it is now; None if there is none."""
         known = self.files.get(path.name)
         stamp = None
         try:
@@ -117,7 +117,7 @@ class Follower:
         return record_of(self._where, stamp, dives, skipped)
 
     def dives(self) -> tuple[list[Dive], list[Skipped]]:
-        """Give all dives so far, by file name, and what was left out.
+        """Return all dives so far, by file name, and what was left out.
 
         Returns
         -------
@@ -147,7 +147,7 @@ def _why(reason: str) -> list[Skipped]:
 
 
 def _inside(folder: Path, fault: str) -> list[Path]:
-    """Give what is in a folder, by name, or say that it cannot be seen."""
+    """Return what is in a folder, by name, or say that it cannot be seen."""
     try:
         return sorted(folder.iterdir())
     except OSError as error:

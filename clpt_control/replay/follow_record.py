@@ -18,9 +18,17 @@ from ..gliders.dives import Dive, Skipped
 
 FORMAT = 2
 REQUIRED = (
-    "t_gps2", "lat_gps2", "lon_gps2", "t_gpse", "lat_gpse", "lon_gpse", "gps_east", "gps_north",
-    "dr_east", "dr_north",
-)  # fmt: skip
+    "t_gps2",
+    "lat_gps2",
+    "lon_gps2",
+    "t_gpse",
+    "lat_gpse",
+    "lon_gpse",
+    "gps_east",
+    "gps_north",
+    "dr_east",
+    "dr_north",
+)
 OPTIONAL = tuple(
     f.name for f in fields(Dive) if f.name not in ("number", "track", "notes", *REQUIRED)
 )
@@ -29,7 +37,7 @@ OPTIONAL = tuple(
 def record_of(
     folder: str, stamp: list[int] | None, dives: Sequence[Any], skipped: Sequence[Skipped]
 ) -> dict[str, Any]:
-    """Give the record of a file.
+    """Return the record of a file.
 
     Parameters
     ----------
@@ -104,7 +112,7 @@ def read_record(path: Path, folder: str) -> dict[str, Any]:
 
 
 def dive_of(kept: dict[str, Any]) -> Dive:
-    """Give back a dive that a record keeps, to the bit."""
+    """Return back a dive that a record keeps, to the bit."""
     track = kept["track"]
     if track is not None:
         time, east, north = (np.array(a, float) for a in track)
@@ -113,12 +121,12 @@ def dive_of(kept: dict[str, Any]) -> Dive:
 
 
 def fixes_of(kept: dict[str, Any]) -> tuple[str, ...]:
-    """Give times and fixes of a kept dive, to compare; NaN is NaN."""
+    """Return times and fixes of a kept dive, to compare; NaN is NaN."""
     return tuple(repr(float(kept[name])) for name in REQUIRED[:6])
 
 
 def _kept(dive: Dive) -> dict[str, Any]:
-    """Give a dive as JSON keeps it; a track is three lists."""
+    """Return a dive as JSON keeps it; a track is three lists."""
     track = None if dive.track is None else [np.asarray(a).tolist() for a in dive.track]
     kept = {name: getattr(dive, name) for name in ("number", *REQUIRED, *OPTIONAL)}
     return {**kept, "notes": list(dive.notes), "track": track}

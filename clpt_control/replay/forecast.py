@@ -77,7 +77,7 @@ def depth_mean(depth: np.ndarray, values: np.ndarray, deepest: float) -> np.ndar
 
 
 def gaps_of(time: np.ndarray) -> np.ndarray:
-    """Give which intervals between steps are gaps.
+    """Return which intervals between steps are gaps.
 
     Parameters
     ----------
@@ -134,7 +134,7 @@ class Forecast(FlowModel):
         return gaps_of(self.column.time)
 
     def along(self, dive: Dive) -> Flow:
-        """Give the flow for one dive, averaged over its depths.
+        """Return the flow for one dive, averaged over its depths.
 
         Parameters
         ----------
@@ -192,7 +192,7 @@ class Forecast(FlowModel):
         return flow
 
     def _unwrapped(self, lon: float) -> float:
-        """Give a longitude as the file counts, at or after its first."""
+        """Return a longitude as the file counts, at or after its first."""
         return self.column.lon[0] + (lon - self.column.lon[0]) % 360.0
 
     def _inside(self, lat: float, lon: float) -> bool:
@@ -200,7 +200,7 @@ class Forecast(FlowModel):
         return bool(c.lat[0] <= lat <= c.lat[-1] and self._unwrapped(lon) <= c.lon[-1])
 
     def _reached(self, dive: Dive) -> tuple[slice, slice, slice]:
-        """Give the steps, rows and columns that the dive can reach."""
+        """Return the steps, rows and columns that the dive can reach."""
         c = self.column
         way = (dive.dr_east, dive.dr_north) if dive.track is None else dive.track[1:]
         reach = float(np.max(np.hypot(*way))) + dive.duration * self.fastest

@@ -65,7 +65,7 @@ class Fitted(FlowModel):
         return scenario_basis(self.scenario)
 
     def along(self, dive: Dive) -> Flow:
-        """Give theta phi for one dive.
+        """Return theta phi for one dive.
 
         Parameters
         ----------

@@ -84,8 +84,15 @@ def map_plot(replay: Replay, ahead: NextDive | None = None) -> "Figure":
     for k, dive in enumerate(dives if not small else ()):
         away = 2 * end[k] - start[k] - (end[k + 1] if k + 1 < len(dives) else end[k])
         away = np.array([12, 8]) * away / max(np.hypot(*away), 1e-9)
-        text = ax.annotate(str(dive.number), end[k], xytext=tuple(away), fontsize=7,
-                           textcoords="offset points", ha="center", va="center")  # fmt: skip
+        text = ax.annotate(
+            str(dive.number),
+            end[k],
+            xytext=tuple(away),
+            fontsize=7,
+            textcoords="offset points",
+            ha="center",
+            va="center",
+        )
         text.set_path_effects([withStroke(linewidth=2, foreground="white")])
     ax.set(xlabel="east of the first fix (km)", ylabel="north of the first fix (km)")
     ax.set_aspect("equal", adjustable="datalim")
@@ -145,8 +152,9 @@ def current_plot(replay: Replay) -> "Figure":
         value = np.array([step.current[i] for step in steps])
         error = 2 * np.array([step.current_error[i] for step in steps])
         ax.fill_between(numbers, value - error, value + error, color=BLUE, alpha=0.15, lw=0)
-        ax.plot(numbers, value, "-o", color=BLUE, label="learned, 2 standard errors",
-                **_fine(numbers))  # fmt: skip
+        ax.plot(
+            numbers, value, "-o", color=BLUE, label="learned, 2 standard errors", **_fine(numbers)
+        )
         own = [getattr(step.dive, f"dac_{axis}") for step in steps]
         if any(v is not None for v in own):
             shown = [np.nan if v is None else v for v in own]
@@ -216,7 +224,7 @@ def _km(origin: Dive, lat: float, lon: float) -> np.ndarray:
 
 
 def _fine(numbers: list[int]) -> dict[str, float]:
-    """Give sizes of marks and lines: small where there are many dives."""
+    """Return sizes of marks and lines: small where there are many dives."""
     return {"ms": 4, "lw": 1.2} if len(numbers) <= MANY else {"ms": 1.8, "lw": 0.7}
 
 
@@ -230,5 +238,5 @@ def _whole_dives(ax: "Axes", numbers: list[int]) -> None:
 
 
 def _pieces(first: np.ndarray, last: np.ndarray) -> np.ndarray:
-    """Give n lines as one, broken by NaN, shape (2, 3 n)."""
+    """Return n lines as one, broken by NaN, shape (2, 3 n)."""
     return np.stack([first, last, np.full_like(first, np.nan)], axis=1).reshape(-1, 2).T

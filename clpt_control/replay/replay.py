@@ -195,7 +195,7 @@ class Replay:
         return summary_of(self, skipped)
 
     def rms(self, after: int) -> dict[str, float | None]:
-        """Give the CLPE rms of each flow model, m.
+        """Return the CLPE rms of each flow model, m.
 
         Parameters
         ----------

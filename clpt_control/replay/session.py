@@ -80,7 +80,7 @@ class Session:
 
 
 def continued(replay: Replay, dives: Sequence[Dive]) -> tuple[Replay, list[Dive]]:
-    """Give the replay to go on with, and the dives it has yet to see.
+    """Return the replay to go on with, and the dives it has yet to see.
 
     Parameters
     ----------

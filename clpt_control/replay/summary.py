@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 def rms_of(replay: "Replay", after: int, covered: bool = False) -> dict[str, float | None]:
-    """Give the CLPE rms of each flow model, m.
+    """Return the CLPE rms of each flow model, m.
 
     Parameters
     ----------

@@ -50,7 +50,7 @@ class NextDive:
     flow_model_covers: bool | None = None
 
     def as_dict(self) -> dict[str, Any]:
-        """Give the forecast by name, for JSON: degrees, m and s."""
+        """Return the forecast by name, for JSON: degrees, m and s."""
         long, short, bearing = ellipse(self.covariance)
         return {
             "from_latitude": self.plan.lat_gps2,
@@ -140,10 +140,19 @@ def next_dive(
         check_plan(T, (east, north))
     fix = last.lat_gpse, last.lon_gpse
     plan = Dive(
-        last.number + 1, last.t_gpse, *fix, last.t_gpse + T, nan, nan, nan, nan, east, north,
+        last.number + 1,
+        last.t_gpse,
+        *fix,
+        last.t_gpse + T,
+        nan,
+        nan,
+        nan,
+        nan,
+        east,
+        north,
         depth_max=last.depth_max,
         track=_like(last, T, east, north) if way is None else None,
-    )  # fmt: skip
+    )
     covers = None
     if replay.flow_model is not None:
         plan = carried(plan, replay.flow_model)
@@ -154,7 +163,7 @@ def next_dive(
 
 
 def _like(last: Dive, T: float, east: float, north: float) -> tuple | None:
-    """Give the last dive's track, stretched in time to the next one."""
+    """Return the last dive's track, stretched in time to the next one."""
     if last.track is None:
         return None
     time, *way = last.track

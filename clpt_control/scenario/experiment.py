@@ -143,7 +143,7 @@ class Scenario(Part):
         return None if self.flow.field is None else self._folder / self.flow.field
 
     def with_values(self, values: dict[str, Any]) -> "Scenario":
-        """Give a scenario with some values changed and checked again.
+        """Return a scenario with some values changed and checked again.
 
         Parameters
         ----------
@@ -223,7 +223,7 @@ def checked_scenario(tables: dict[str, Any], name: str, folder: Path = Path()) -
 
 
 def scenario_tables(scenario: Scenario) -> dict[str, Any]:
-    """Give a scenario as nested dicts, with the keys it was given.
+    """Return a scenario as nested dicts, with the keys it was given.
 
     Examples
     --------

@@ -170,7 +170,7 @@ def save_scenario(scenario: Scenario, path: str | Path) -> None:
 
 
 def scenario_text(path: str | Path) -> str:
-    """Give the scenario that a run's file carries, as TOML text.
+    """Return the scenario that a run's file carries, as TOML text.
 
     Raises
     ------

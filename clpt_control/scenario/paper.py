@@ -11,7 +11,7 @@ from .file import scenario_from_text
 
 
 def paper_text() -> str:
-    """Give the paper's scenario as commented TOML text.
+    """Return the paper's scenario as commented TOML text.
 
     Examples
     --------
@@ -22,7 +22,7 @@ def paper_text() -> str:
 
 
 def paper_scenario() -> Scenario:
-    """Give the scenario of section IV.
+    """Return the scenario of section IV.
 
     Returns
     -------

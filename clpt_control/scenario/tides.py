@@ -43,7 +43,7 @@ SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0, "d": 86400.0}
 
 
 def period(constituent: str, unit: str = "h") -> float:
-    """Give the period of a named tidal constituent.
+    """Return the period of a named tidal constituent.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def period(constituent: str, unit: str = "h") -> float:
 
 
 def speed(constituent: str) -> float:
-    """Give the angular speed of a named tidal constituent.
+    """Return the angular speed of a named tidal constituent.
 
     Parameters
     ----------

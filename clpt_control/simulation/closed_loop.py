@@ -37,14 +37,18 @@ HELD = {
     "flow.parameters": ("true_flow.theta",),
     "flow.disturbance.amplitude": ("disturbance.amplitude",),
     "flow.disturbance.period": ("disturbance.period",),
-    "model.parameters": ("modeled_flow.alpha_M", "vehicle_controller.alpha_M",
-                         "injection.alpha_M", "adaptation.alpha_M"),
+    "model.parameters": (
+        "modeled_flow.alpha_M",
+        "vehicle_controller.alpha_M",
+        "injection.alpha_M",
+        "adaptation.alpha_M",
+    ),
     "vehicle.feedback": ("vehicle_controller.KD",),
     "vehicle.feedforward": ("vehicle_controller.GammaD",),
     "reference.dwell": ("reference.dwell",),
     "learning.gain": ("adaptation.gain",),
     "learning.theta_estimate": ("injection.theta_hat",),
-}  # fmt: skip
+}
 JUMPS = ("reference.dwell", "flow.disturbance.period")  # keys that move breakpoints
 # scenario key -> the state that starts there, in the order of the diagram's states
 STARTS = {
@@ -224,7 +228,7 @@ def started(scenario: Scenario) -> dict[str, np.ndarray]:
 
 
 def initial_state(scenario: Scenario, external: Iterable[str] = ()) -> np.ndarray:
-    """Give the state at t = 0 of `closed_loop(scenario, external)`.
+    """Return the state at t = 0 of `closed_loop(scenario, external)`.
 
     Parameters
     ----------
@@ -246,7 +250,10 @@ def initial_state(scenario: Scenario, external: Iterable[str] = ()) -> np.ndarra
     """
     external = (external,) if isinstance(external, str) else tuple(external)
     left_out = {"alpha", "K", "Gamma"} if "alpha" in external else set()
-    return np.concatenate([
-        value.ravel() for key, value in started(scenario).items()
-        if STARTS[key] not in {*external, *left_out}
-    ])  # fmt: skip
+    return np.concatenate(
+        [
+            value.ravel()
+            for key, value in started(scenario).items()
+            if STARTS[key] not in {*external, *left_out}
+        ]
+    )

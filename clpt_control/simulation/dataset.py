@@ -92,8 +92,10 @@ def run_dataset(
     if scenario.flow.parameters is not None:
         true = ran["true_flow"].theta
         data["flow_parameters"] = (
-            ("axis", "basis"), true, {"long_name": "true flow parameters theta", **speed},
-        )  # fmt: skip
+            ("axis", "basis"),
+            true,
+            {"long_name": "true flow parameters theta", **speed},
+        )
         data["lyapunov"] = (
             ("time",),
             _lyapunov(scenario.learning.law, ran, data),
@@ -104,29 +106,36 @@ def run_dataset(
         from ..currents.gridded import time_origin
 
         origin = time_origin(scenario.field_path)
-    return xarray.Dataset(
-        data,
-        {
-            "time": ("time", solution.t, {"long_name": "time since the start of the run",
-                                          "units": units.time}),
-            "axis": ("axis", [1, 2], {"long_name": "axis of the plane, x1 and x2"}),
-            "basis": ("basis", np.arange(1, N + 1), {"long_name": "flow basis function"}),
-        },
-        {
-            "Conventions": "CF-1.11",
-            "title": scenario.title,
-            "source": f"clpt-control {version('clpt-control')}",
-            "references": "Cho, Zhang, Edwards (2016), Adaptive learning for controlled "
-                          "Lagrangian particle tracking, OCEANS 2016 MTS/IEEE Monterey",
-            "scenario": scenario_to_text(scenario),
-            **origin,
-            **_changed(left),
-            "software": _software(),
-            "status": solution.status,
-            "message": solution.message,
-            **{f"solver_{name}": value for name, value in solution.statistics.items()},
-        },
-    ).assign_coords().pipe(_with_folder, scenario)  # fmt: skip
+    return (
+        xarray.Dataset(
+            data,
+            {
+                "time": (
+                    "time",
+                    solution.t,
+                    {"long_name": "time since the start of the run", "units": units.time},
+                ),
+                "axis": ("axis", [1, 2], {"long_name": "axis of the plane, x1 and x2"}),
+                "basis": ("basis", np.arange(1, N + 1), {"long_name": "flow basis function"}),
+            },
+            {
+                "Conventions": "CF-1.11",
+                "title": scenario.title,
+                "source": f"clpt-control {version('clpt-control')}",
+                "references": "Cho, Zhang, Edwards (2016), Adaptive learning for controlled "
+                "Lagrangian particle tracking, OCEANS 2016 MTS/IEEE Monterey",
+                "scenario": scenario_to_text(scenario),
+                **origin,
+                **_changed(left),
+                "software": _software(),
+                "status": solution.status,
+                "message": solution.message,
+                **{f"solver_{name}": value for name, value in solution.statistics.items()},
+            },
+        )
+        .assign_coords()
+        .pipe(_with_folder, scenario)
+    )
 
 
 @cache

@@ -8,6 +8,7 @@ the same blocks that a run asks.
 """
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..blocks.arrays import on_arrays
 from ..diagrams.scenario_basis import scenario_basis
@@ -15,10 +16,8 @@ from ..scenario.experiment import Scenario
 from .closed_loop import paper_blocks
 
 
-def basis_functions(
-    scenario: Scenario, points: np.ndarray, times: np.ndarray | float
-) -> np.ndarray:
-    """Give phi(x, t) of Eq. (5) at places and times.
+def basis_functions(scenario: Scenario, points: ArrayLike, times: np.ndarray | float) -> np.ndarray:
+    """Return phi(x, t) of Eq. (5) at places and times.
 
     Parameters
     ----------
@@ -46,11 +45,11 @@ def basis_functions(
 
 def flow_velocity(
     scenario: Scenario,
-    points: np.ndarray,
+    points: ArrayLike,
     times: np.ndarray | float,
     parameters: np.ndarray | None = None,
 ) -> np.ndarray:
-    """Give the flow at places and times, true or learned.
+    """Return the flow at places and times, true or learned.
 
     The disturbance Delta is not part of it.
 

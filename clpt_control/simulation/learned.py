@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 def explained_variance(
     scenario: Scenario, run: "xarray.Dataset", window: tuple[float, float] | None = None
 ) -> dict[str, Any]:
-    """Give the shares of variance that the learned flow explains.
+    """Return the shares of variance that the learned flow explains.
 
     Parameters
     ----------

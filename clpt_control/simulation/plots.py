@@ -93,24 +93,47 @@ def clpe_plot(run: "xarray.Dataset", scenario: Scenario) -> "Figure":
     interval, e = run.time.values / dwell, run.clpe.values
     early = interval <= 2 * count
     for i in range(2):
-        top.plot(interval[early], e[early, i], color=COLOURS[i], linestyle=STYLES[i],
-                 linewidth=1.1, label=f"$e_{i + 1}$")  # fmt: skip
+        top.plot(
+            interval[early],
+            e[early, i],
+            color=COLOURS[i],
+            linestyle=STYLES[i],
+            linewidth=1.1,
+            label=f"$e_{i + 1}$",
+        )
     top.axvline(count, color=GREY, linewidth=0.8, linestyle=":")
-    top.annotate("one cycle", (count, top.get_ylim()[1]), xytext=(3, -9),
-                 textcoords="offset points", fontsize=8, color=GREY)  # fmt: skip
+    top.annotate(
+        "one cycle",
+        (count, top.get_ylim()[1]),
+        xytext=(3, -9),
+        textcoords="offset points",
+        fontsize=8,
+        color=GREY,
+    )
     top.set(ylabel=f"CLPE ({unit})", xlim=(0, max(interval[early])))
     top.legend(frameon=False, fontsize=8)
-    top.set_title(f"CLPE; each interval is one waypoint, {dwell:g} {scenario.units.time}",
-                  loc="left", fontsize=10)  # fmt: skip
+    top.set_title(
+        f"CLPE; each interval is one waypoint, {dwell:g} {scenario.units.time}",
+        loc="left",
+        fontsize=10,
+    )
     size = np.hypot(*e.T)
-    bottom.semilogy(interval, np.maximum(size, 1e-12), color=BLUE, linewidth=0.5, alpha=0.5,
-                    label="|e|")  # fmt: skip
+    bottom.semilogy(
+        interval, np.maximum(size, 1e-12), color=BLUE, linewidth=0.5, alpha=0.5, label="|e|"
+    )
     number = np.floor(interval + 1e-9).astype(int)
     ends = np.arange(number[-1] + 1)
-    rms = [np.sqrt(np.mean(size[number == j] ** 2)) if (number == j).any() else np.nan
-           for j in ends]  # fmt: skip
-    bottom.step(ends, np.maximum(rms, 1e-12), where="post", color="black", linewidth=1.2,
-                label="rms per interval")  # fmt: skip
+    rms = [
+        np.sqrt(np.mean(size[number == j] ** 2)) if (number == j).any() else np.nan for j in ends
+    ]
+    bottom.step(
+        ends,
+        np.maximum(rms, 1e-12),
+        where="post",
+        color="black",
+        linewidth=1.2,
+        label="rms per interval",
+    )
     bottom.set(xlabel="interval", ylabel=f"|CLPE| ({unit})", xlim=(0, interval[-1]))
     if size.max() > 0:
         bottom.set_ylim(bottom=max(1e-12, np.nanmin(np.where(size > 0, size, np.nan)) / 2))
@@ -154,21 +177,33 @@ def learning_plot(run: "xarray.Dataset", scenario: Scenario, axis: int) -> "Figu
             top.axhline(scenario.flow.parameters[i][k], color=colour, linewidth=0.7, alpha=0.7)
     direction = "horizontal" if axis == 1 else "vertical"
     truth = ", true values thin" if scenario.flow.parameters is not None else ""
-    top.set_title(f"Parameters of the {direction} flow, estimate = $-\\alpha${truth}"
-                  if scenario.learning.law == "learned-flow" else
-                  f"Parameters of the {direction} flow, given estimate{truth}",
-                  loc="left", fontsize=10)  # fmt: skip
+    top.set_title(
+        f"Parameters of the {direction} flow, estimate = $-\\alpha${truth}"
+        if scenario.learning.law == "learned-flow"
+        else f"Parameters of the {direction} flow, given estimate{truth}",
+        loc="left",
+        fontsize=10,
+    )
     top.set_ylabel(f"flow parameter ({units.length}/{units.time})")
-    for k, (name, symbol, true) in enumerate((
-        ("feedback_gain", "K", scenario.vehicle.feedback),
-        ("feedforward_gain", r"\Gamma", scenario.vehicle.feedforward),
-    )):  # fmt: skip
-        bottom.plot(time, run[name].values[:, i], color=COLOURS[k], linestyle=STYLES[k],
-                    linewidth=1.2, label=f"${symbol}_{axis}$")  # fmt: skip
+    for k, (name, symbol, true) in enumerate(
+        (
+            ("feedback_gain", "K", scenario.vehicle.feedback),
+            ("feedforward_gain", r"\Gamma", scenario.vehicle.feedforward),
+        )
+    ):
+        bottom.plot(
+            time,
+            run[name].values[:, i],
+            color=COLOURS[k],
+            linestyle=STYLES[k],
+            linewidth=1.2,
+            label=f"${symbol}_{axis}$",
+        )
         bottom.axhline(true[i], color=COLOURS[k], linewidth=0.7, alpha=0.7)
     bottom.set_title("Gains, true values thin", loc="left", fontsize=10)
-    bottom.set(xlabel=f"time ({units.time})", ylabel=f"gain (1/{units.time})",
-               xlim=(time[0], time[-1]))  # fmt: skip
+    bottom.set(
+        xlabel=f"time ({units.time})", ylabel=f"gain (1/{units.time})", xlim=(time[0], time[-1])
+    )
     if N <= 6:
         top.legend(frameon=False, fontsize=9, ncols=3)
     bottom.legend(frameon=False, fontsize=9, ncols=2)

@@ -109,7 +109,7 @@ def _nearest(times: np.ndarray, wanted: np.ndarray) -> np.ndarray:
 def summarise(
     scenario: Scenario, fine: "xarray.Dataset", dense: "xarray.Dataset"
 ) -> dict[str, Any]:
-    """Give a run's figures, ready for JSON.
+    """Return a run's figures, ready for JSON.
 
     Parameters
     ----------
@@ -164,7 +164,7 @@ def _rms(run: "xarray.Dataset") -> float:
 
 
 def clpe_rms(run: "xarray.Dataset", span: float) -> list[float]:
-    """Give the rms of |e| over each full span of time.
+    """Return the rms of |e| over each full span of time.
 
     Span j is [span j, span (j + 1)).
 

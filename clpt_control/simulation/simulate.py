@@ -87,13 +87,20 @@ def simulate(
             system, timepts, initial_state, params, rtol, atol, progress, engine
         )
     return _simulate_diagram(
-        system, timepts, inputs, initial_state, params, rtol or 1e-8, atol or 1e-10, progress,
+        system,
+        timepts,
+        inputs,
+        initial_state,
+        params,
+        rtol or 1e-8,
+        atol or 1e-10,
+        progress,
         engine,
-    )  # fmt: skip
+    )
 
 
 def sample_times(duration: float, step: float) -> np.ndarray:
-    """Give the multiples of `step` up to `duration`, and `duration`.
+    """Return the multiples of `step` up to `duration`, and `duration`.
 
     Examples
     --------
@@ -173,8 +180,8 @@ def _simulate_scenario(
     runner = chosen(wiring, left, None, engine, "the closed loop")
     from_zero = times if times[0] == 0 else np.concatenate([[0.0], times])
     solution = runner.run(
-        scenario_state(scenario), from_zero, rtol=run.rtol, atol=run.atol, progress=progress,
-    )  # fmt: skip
+        scenario_state(scenario), from_zero, rtol=run.rtol, atol=run.atol, progress=progress
+    )
     if times[0] != 0:
         solution.t, solution.x = solution.t[1:], solution.x[1:]
     signals = runner.signals(solution)

@@ -12,9 +12,5 @@ if TYPE_CHECKING:
     from .proving.theorems import audit
 
 __all__ = ["Verdict", "audit", "prove"]
-_NAMES = {
-    "audit": "proving.theorems",
-    "prove": "proving.own_law",
-    "Verdict": "proving.own_law",
-}
+_NAMES = {"audit": "proving.theorems", "prove": "proving.own_law", "Verdict": "proving.own_law"}
 __getattr__, __dir__ = lazily(__name__, _NAMES)

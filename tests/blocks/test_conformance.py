@@ -7,10 +7,7 @@ import numpy as np
 import pytest
 from package_blocks import BLOCKS
 
-from clpt_control.blocks import (
-    Block,
-    clpe,
-)
+from clpt_control.blocks import Block, clpe
 from clpt_control.blocks.conformance import Report, check_block, conformance
 from clpt_control.blocks.words import where
 from clpt_control.errors import BlockError

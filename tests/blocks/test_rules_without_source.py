@@ -17,8 +17,16 @@ STATE = [0.0]
 
 def made(body, head="def f(t, x, u, p, y):", **names):
     """A function made by exec; inspect finds no text of it."""
-    space = {"math": math, "np": np, "time": time, "random": random, "STATE": STATE,
-             "G": 2.0, **WORDS, **names}  # fmt: skip
+    space = {
+        "math": math,
+        "np": np,
+        "time": time,
+        "random": random,
+        "STATE": STATE,
+        "G": 2.0,
+        **WORDS,
+        **names,
+    }
     exec(f"{head}\n" + "\n".join(f"    {line}" for line in body.split("\n")), space)
     return space["f"]
 

@@ -128,8 +128,9 @@ def test_sign_floor_remainder(a, b):
 @pytest.mark.parametrize("size", [1, 4, 9])
 def test_lookup(size):
     table = np.random.default_rng(size).normal(size=size)
-    block = Block("mine", output=looked_up, inputs={"u": 1}, outputs={"y": 1},
-                  parameters=Table(table))  # fmt: skip
+    block = Block(
+        "mine", output=looked_up, inputs={"u": 1}, outputs={"y": 1}, parameters=Table(table)
+    )
     for name, ask in readings(block).items():
         for index in range(-size, size):
             for away in (0.0, 0.5 if index >= 0 else -0.5):  # towards zero
@@ -139,8 +140,9 @@ def test_lookup(size):
 
 
 def test_lookup_at_a_symbol_is_undefined():
-    block = Block("mine", output=looked_up, inputs={"u": 1}, outputs={"y": 1},
-                  parameters=Table(np.zeros(3)))  # fmt: skip
+    block = Block(
+        "mine", output=looked_up, inputs={"u": 1}, outputs={"y": 1}, parameters=Table(np.zeros(3))
+    )
     s = sympy.Symbol("s")
     names = {"t": None, "p": None, "u": s, "table": "the_table"}
     (found,) = expressions(block.output_record, lambda name, *where: names[name])

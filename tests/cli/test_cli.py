@@ -133,8 +133,10 @@ def test_a_full_standard_output_is_one_sentence(words):
     with Path("/dev/full").open("w") as full:
         done = subprocess.run(
             [sys.executable, "-m", "clpt_control", *words],
-            stdout=full, stderr=subprocess.PIPE, text=True,
-        )  # fmt: skip
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
     assert done.returncode == 2
     said = without_progress(done.stderr)
     assert said == "clpt: standard output: no space left; give it a place with more\n"

@@ -66,12 +66,23 @@ FOLLOW = ("replay", "--follow", "in", "--out", "out", "--patience", "0", "--json
         ("clpt_control.estimation.kalman", FOLLOW),
         ("matplotlib", FOLLOW),
         ("netCDF4", FOLLOW),
-        ("zarr", ("ensemble", "s.toml", "--vary", "learning.gain=0.2:2.0", "--members", "8",
-                  "--out", "e.zarr")),
+        (
+            "zarr",
+            (
+                "ensemble",
+                "s.toml",
+                "--vary",
+                "learning.gain=0.2:2.0",
+                "--members",
+                "8",
+                "--out",
+                "e.zarr",
+            ),
+        ),
         ("control", ("excitation", "s.toml")),
         ("clpt_control.diagrams.drawing", ("diagram", "s.toml", "-o", "d.svg")),
     ],
-)  # fmt: skip
+)
 def test_an_interrupt_in_an_import_is_an_interrupt(files, module, words):
     before = names(files)
     with started([sys.executable, "-c", IN_IMPORT, module, *words], cwd=files) as process:
@@ -162,8 +173,22 @@ def test_an_interrupt_of_code_that_python_ran_from_text():
 @pytest.mark.skipif(not hasattr(signal, "pthread_sigmask"), reason="no POSIX signals")
 def test_a_cluster_ends_with_the_command(files):
     pytest.importorskip("distributed")
-    words = ("ensemble", "s.toml", "--vary", "learning.gain=0.2:2.0", "--members", "3000",
-             "--out", "e.zarr", "--chunk", "20", "--dask", "local", "--threads", "1")  # fmt: skip
+    words = (
+        "ensemble",
+        "s.toml",
+        "--vary",
+        "learning.gain=0.2:2.0",
+        "--members",
+        "3000",
+        "--out",
+        "e.zarr",
+        "--chunk",
+        "20",
+        "--dask",
+        "local",
+        "--threads",
+        "1",
+    )
     hear = "import clpt_control.ensemble.counter as c; c.PATIENCE = c.LOG_EVERY = 0.0\n"
     code = CLPT[2].replace("from clpt", f"{hear}from clpt", 1)
     with started([sys.executable, "-c", code, *words], cwd=files) as process:

@@ -29,36 +29,50 @@ SCENARIOS = {  # name -> (changes, words that the line must hold)
     "unknown table": ({"lerning.gain": 1.0}, ["lerning", "learning"]),
     "missing key": ({"basis.widths": None}, ["basis.widths", "missing"]),
     "missing table": ({"vehicle": None}, ["vehicle", "missing"]),
-    "wrong shape of theta": ({"flow.parameters": [[1.0, 2.0], [1.0, 2.0]]},
-                             ["flow.parameters", "2 rows of 3"]),
+    "wrong shape of theta": (
+        {"flow.parameters": [[1.0, 2.0], [1.0, 2.0]]},
+        ["flow.parameters", "2 rows of 3"],
+    ),
     "three rows": ({"flow.parameters": [[1.0, 2.0, 3.0]] * 3}, ["flow.parameters"]),
     "too few widths": ({"basis.widths": [5.0, 5.0]}, ["basis.widths", "3 entries"]),
     "NaN": ({"vehicle.position": [float("nan"), 0.0]}, ["vehicle.position[0]", "finite"]),
     "infinite": ({"learning.feedback": [float("inf"), 0.0]}, ["learning.feedback[0]", "finite"]),
     "negative width": ({"basis.widths": [5.0, -5.0, 5.0]}, ["basis.widths[1]", "greater than 0"]),
     "zero period": ({"basis.periods": [0.0, 1.0, 1.0]}, ["basis.periods[0]", "positive"]),
-    "feedback not positive": ({"vehicle.feedback": [1.0, 0.0]},
-                              ["vehicle.feedback[1]", "greater than 0"]),
+    "feedback not positive": (
+        {"vehicle.feedback": [1.0, 0.0]},
+        ["vehicle.feedback[1]", "greater than 0"],
+    ),
     "negative gain": ({"learning.gain": -0.8}, ["learning.gain", "-0.8", "greater than 0"]),
     "text for a number": ({"learning.gain": "0.8"}, ["learning.gain", "'0.8'", "number"]),
     "true for a number": ({"learning.gain": True}, ["learning.gain", "number"]),
     "unknown kernel": ({"basis.kernel": "gauss"}, ["basis.kernel", "'gaussian-sigma'"]),
     "unknown law": ({"learning.law": "known"}, ["learning.law", "'known-flow'"]),
     "unknown unit": ({"units.time": "hours"}, ["units.time", "'h'"]),
-    "unknown constituent": ({"basis.periods": None, "basis.constituents": ["M2", "K1", "X9"]},
-                            ["X9", "steady"]),
-    "periods and constituents": ({"basis.constituents": ["M2", "K1", "O1"]},
-                                 ["basis.periods", "one of the two"]),
+    "unknown constituent": (
+        {"basis.periods": None, "basis.constituents": ["M2", "K1", "X9"]},
+        ["X9", "steady"],
+    ),
+    "periods and constituents": (
+        {"basis.constituents": ["M2", "K1", "O1"]},
+        ["basis.periods", "one of the two"],
+    ),
     "count not whole": ({"reference.count": 2.5}, ["reference.count", "2.5", "integer"]),
     "count zero": ({"reference.count": 0}, ["reference.count", "greater than or equal to 1"]),
     "count of 2^63": ({"reference.count": 2**63}, ["reference.count", "equal to 1000000"]),
     "dwell of nothing": ({"reference.dwell": 1e-300}, ["reference.dwell", "1e-300", "at least"]),
-    "square of nothing": ({"flow.disturbance": {**NOISE, "kind": "square"}},
-                          ["flow.disturbance.period", "1e-300", "at least"]),
-    "noise of nothing": ({"flow.disturbance": {**NOISE, "seed": 1}},
-                         ["flow.disturbance.period", "1e-300", "at least"]),
-    "seed of 2^63": ({"flow.disturbance": {**NOISE, "seed": 2**63}},
-                     ["flow.disturbance.seed", "less than"]),
+    "square of nothing": (
+        {"flow.disturbance": {**NOISE, "kind": "square"}},
+        ["flow.disturbance.period", "1e-300", "at least"],
+    ),
+    "noise of nothing": (
+        {"flow.disturbance": {**NOISE, "seed": 1}},
+        ["flow.disturbance.period", "1e-300", "at least"],
+    ),
+    "seed of 2^63": (
+        {"flow.disturbance": {**NOISE, "seed": 2**63}},
+        ["flow.disturbance.seed", "less than"],
+    ),
     "400 digits": ({"learning.gain": 10**400}, ["learning.gain", "number"]),
     "word of 5000": ({"basis.kernel": "g" * 5000}, ["basis.kernel", "'gaussian-sigma'"]),
     "key of 5000": ({"learning." + "g" * 5000: 1.0}, ["unknown key learning.ggg", "feedback"]),
@@ -67,18 +81,23 @@ SCENARIOS = {  # name -> (changes, words that the line must hold)
     "zero dwell": ({"reference.dwell": 0.0}, ["reference.dwell", "greater than 0"]),
     "zero duration": ({"run.duration": 0.0}, ["run.duration", "greater than 0"]),
     "endless output": ({"run.output_step": 1e-9}, ["run.output_step", "1e8"]),
-    "known flow without estimate": ({"learning.law": "known-flow", "learning.parameters": None},
-                                    ["learning.theta_estimate", "required"]),
+    "known flow without estimate": (
+        {"learning.law": "known-flow", "learning.parameters": None},
+        ["learning.theta_estimate", "required"],
+    ),
     "known flow with alpha": ({"learning.law": "known-flow"}, ["learning."]),
     "theta and field": ({"flow.field": "field.nc"}, ["flow.parameters", "one of the two"]),
     "missing field": ({f"flow.{k}": v for k, v in FIELD.items()}, ["flow.field", "no such file"]),
     "outside without field": ({"flow.outside": "clip"}, ["flow.outside", "only with flow.field"]),
-    "seed of a sine": ({"flow.disturbance": {"kind": "sine", "amplitude": [1.0, 0.0],
-                                             "period": 1.0, "seed": 1}},
-                       ["flow.disturbance.seed", "noise"]),
-    "square without period": ({"flow.disturbance": {"kind": "square", "amplitude": [1.0, 0.0]}},
-                              ["flow.disturbance.period", "required"]),
-}  # fmt: skip
+    "seed of a sine": (
+        {"flow.disturbance": {"kind": "sine", "amplitude": [1.0, 0.0], "period": 1.0, "seed": 1}},
+        ["flow.disturbance.seed", "noise"],
+    ),
+    "square without period": (
+        {"flow.disturbance": {"kind": "square", "amplitude": [1.0, 0.0]}},
+        ["flow.disturbance.period", "required"],
+    ),
+}
 
 
 def write(path, changes):
@@ -152,8 +171,11 @@ def test_text_that_toml_cannot_hold(clpt, tmp_path, value, words):
 def test_what_is_no_file_is_not_waited_for(clpt, tmp_path):
     os.mkfifo(tmp_path / "s.toml")
     for name, kind in ((tmp_path / "s.toml", "a pipe with a name"), (os.devnull, "a device")):
-        for arguments in (("run", name, "--out", tmp_path / "run.nc"), ("diagram", name),
-                          ("excitation", name)):  # fmt: skip
+        for arguments in (
+            ("run", name, "--out", tmp_path / "run.nc"),
+            ("diagram", name),
+            ("excitation", name),
+        ):
             assert_refused(clpt(*arguments), tmp_path, ["s.toml"], [f"is {kind}; give a file"])
 
 
@@ -164,15 +186,27 @@ def test_names_that_no_file_can_have(clpt, tmp_path, name):
     for arguments in (
         ("run", tmp_path / "p.toml", "--out", tmp_path / f"{name}.nc"),
         ("run", tmp_path / "p.toml", "--out", tmp_path / "run.nc", "--figures", tmp_path / name),
-        ("ensemble", tmp_path / "p.toml", "--members", 2, "--vary", "learning.gain=1:2",
-         "--out", tmp_path / name),
+        (
+            "ensemble",
+            tmp_path / "p.toml",
+            "--members",
+            2,
+            "--vary",
+            "learning.gain=1:2",
+            "--out",
+            tmp_path / name,
+        ),
         ("init", tmp_path / f"{name}.toml"),
         ("diagram", tmp_path / "p.toml", "--out", tmp_path / f"{name}.svg"),
-    ):  # fmt: skip
+    ):
         assert_refused(clpt(*arguments), tmp_path, ["p.toml"], words)
-    for arguments in (("run", f"{name}.toml", "--out", tmp_path / "run.nc"), ("excitation", name),
-                      ("run", f"{name}.nc", "--out", tmp_path / "run.nc"), ("replay", name),
-                      ("tides", name, "--constituents", "M2")):  # fmt: skip
+    for arguments in (
+        ("run", f"{name}.toml", "--out", tmp_path / "run.nc"),
+        ("excitation", name),
+        ("run", f"{name}.nc", "--out", tmp_path / "run.nc"),
+        ("replay", name),
+        ("tides", name, "--constituents", "M2"),
+    ):
         outcome = clpt(*arguments)
         assert_refused(outcome, tmp_path, ["p.toml"], ["no such file" * (name == "\udcff")])
         assert len(outcome.err) < 1500
@@ -180,9 +214,14 @@ def test_names_that_no_file_can_have(clpt, tmp_path, name):
 
 def test_a_scenario_with_many_waypoints_is_read_and_written(tmp_path):
     scenario = paper_scenario().with_values(
-        {"reference": {"kind": "waypoints", "dwell": 20.0,
-                       "points": [[0.5 * (k % 7), -0.25 * k] for k in range(100_000)]}}
-    )  # fmt: skip
+        {
+            "reference": {
+                "kind": "waypoints",
+                "dwell": 20.0,
+                "points": [[0.5 * (k % 7), -0.25 * k] for k in range(100_000)],
+            }
+        }
+    )
     save_scenario(scenario, tmp_path / "s.toml")
     assert load_scenario(tmp_path / "s.toml") == scenario
 
@@ -271,9 +310,12 @@ def test_field_files_that_cannot_be_used(clpt, tmp_path):
     axis = np.arange(4.0)
     good = xarray.Dataset(
         {name: (("time", "y", "x"), np.zeros((4, 4, 4)), {"units": "m s-1"}) for name in "uv"},
-        {"time": ("time", 1e4 * axis, {"units": "s"}), "y": ("y", 10 * axis - 15, {"units": "m"}),
-         "x": ("x", 10 * axis - 15, {"units": "m"})},
-    )  # fmt: skip
+        {
+            "time": ("time", 1e4 * axis, {"units": "s"}),
+            "y": ("y", 10 * axis - 15, {"units": "m"}),
+            "x": ("x", 10 * axis - 15, {"units": "m"}),
+        },
+    )
     gap = good.copy(deep=True)
     gap.u[1, 1, 1] = np.nan
     unit = good.copy(deep=True)
@@ -296,9 +338,12 @@ def test_a_run_that_fails_has_status_one(clpt, tmp_path):
     axis = np.arange(4.0)
     xarray.Dataset(
         {name: (("time", "y", "x"), np.ones((4, 4, 4)), {"units": "m s-1"}) for name in "uv"},
-        {"time": ("time", 1e4 * axis, {"units": "s"}), "y": ("y", axis - 1, {"units": "m"}),
-         "x": ("x", axis - 1, {"units": "m"})},
-    ).to_netcdf(tmp_path / "field.nc")  # fmt: skip
+        {
+            "time": ("time", 1e4 * axis, {"units": "s"}),
+            "y": ("y", axis - 1, {"units": "m"}),
+            "x": ("x", axis - 1, {"units": "m"}),
+        },
+    ).to_netcdf(tmp_path / "field.nc")
     write(tmp_path / "s.toml", {f"flow.{key}": value for key, value in FIELD.items()})
     outcome = clpt("run", tmp_path / "s.toml", "--out", tmp_path / "run.nc")
     assert outcome.status == 1

@@ -104,13 +104,7 @@ def test_every_spelling_gives_the_same_current(tmp_path, size, options):
 
 def test_reversed_axes_are_put_in_order(tmp_path):
     u, v = sample()
-    path = write(
-        tmp_path / "c.nc",
-        u[::-1, ::-1],
-        v[::-1, ::-1],
-        lat=LAT[::-1],
-        time=TIME[::-1],
-    )
+    path = write(tmp_path / "c.nc", u[::-1, ::-1], v[::-1, ::-1], lat=LAT[::-1], time=TIME[::-1])
     currents = read_currents(path)
     np.testing.assert_array_equal(currents.lat, LAT)
     np.testing.assert_array_equal(currents.u, u)

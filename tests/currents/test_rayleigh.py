@@ -91,8 +91,12 @@ def test_a_grid_of_a_month_gives_every_constituent(tmp_path):
     from pyproj import Proj
 
     lat, lon, time = np.linspace(41, 41.4, 5), np.linspace(-69.6, -69.0, 5), times(30, step=180)
-    x1, x2 = (w / 1000 for w in Proj(proj="aeqd", ellps="WGS84", lat_0=41.2, lon_0=-69.3)(
-        *np.meshgrid(lon, lat)[::1]))  # fmt: skip
+    x1, x2 = (
+        w / 1000
+        for w in Proj(proj="aeqd", ellps="WGS84", lat_0=41.2, lon_0=-69.3)(
+            *np.meshgrid(lon, lat)[::1]
+        )
+    )
     kernel = np.exp(-(x1**2 + x2**2) / (2 * 30.0**2))
     flow = np.array([part[:, None, None] * kernel for part in waves(time)])
     path = write_netcdf(tmp_path / "grid.nc", time, flow, cells=(lat, lon))

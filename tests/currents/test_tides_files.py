@@ -107,7 +107,7 @@ def test_records_are_read_alike_from_every_file(tmp_path):
         (HEADER.replace(",", "\t") + "0\t1\t2\n", "tabs part its cells; use commas"),
         (HEADER + ROW.format(1), "1 of 1 times have both components"),
     ],
-)  # fmt: skip
+)
 def test_each_bad_table_is_one_sentence(clpt, tmp_path, text, sentence):
     path = tmp_path / "r.csv"
     path.write_text(text)
@@ -137,7 +137,7 @@ def test_each_bad_file_is_one_sentence(clpt, tmp_path):
         (write_netcdf(tmp_path / "d.nc", time, flow, units="kelvin"), "is no speed"),
         (write_netcdf(tmp_path / "e.nc", time[:1], flow[:, :1]), "at least 2 are needed"),
         (write_netcdf(tmp_path / "f.nc", time, flow, calendar="360_day"), "the calendar '360_day'"),
-    ):  # fmt: skip
+    ):
         status, out, err = clpt("tides", path, "--constituents", "M2")
         assert (status, out, err.count("\n")) == (2, "", 1), path
         assert sentence in err

@@ -348,11 +348,7 @@ def monitored(scenario):
     KD, GammaD = np.array(scenario.vehicle.feedback), np.array(scenario.vehicle.feedforward)
     p = lyapunov.one_gain(scenario.learning.gain, theta, KD, GammaD)
     dissipation = Block(
-        "dissipation",
-        update=dissipate,
-        inputs={"e": 2},
-        states={"D": 1},
-        parameters=p,
+        "dissipation", update=dissipate, inputs={"e": 2}, states={"D": 1}, parameters=p
     )
     candidate = lyapunov.lyapunov_candidate(scenario.learning.law, p)
     return connect([*paper_blocks(scenario), candidate, dissipation])

@@ -19,15 +19,24 @@ PAPER = clpt.paper_scenario()
 
 def first_order(name, inputs, outputs):
     n, m = len(outputs), len(inputs)
-    return control.ss(-np.eye(n), np.ones((n, m)), np.eye(n), np.zeros((n, m)),
-                      name=name, inputs=inputs, outputs=outputs)  # fmt: skip
+    return control.ss(
+        -np.eye(n),
+        np.ones((n, m)),
+        np.eye(n),
+        np.zeros((n, m)),
+        name=name,
+        inputs=inputs,
+        outputs=outputs,
+    )
 
 
 def nested():
     inner = control.interconnect(
         [first_order("plant", ["u"], ["y"]), first_order("actuator", ["v"], ["u"])],
-        inputs="v", outputs="y", name="inner",
-    )  # fmt: skip
+        inputs="v",
+        outputs="y",
+        name="inner",
+    )
     around = [first_order("controller", ["r", "m"], ["v"]), first_order("sensor", ["y"], ["m"])]
     return control.interconnect([inner, *around], inputs="r", outputs="y", name="outer")
 
@@ -37,8 +46,11 @@ def negative():
     return control.interconnect(
         [first_order("P", ["u"], ["y"]), first_order("C", ["e"], ["u"])],
         connections=[["P.u", "C.u"], ["C.e", "-P.y"], ["P.u", ("P", "y", 0.5)]],
-        inplist=["C.e"], outlist=["P.y"], inputs=["r"], outputs=["y"],
-    )  # fmt: skip
+        inplist=["C.e"],
+        outlist=["P.y"],
+        inputs=["r"],
+        outputs=["y"],
+    )
 
 
 def random_diagram(seed):
@@ -59,9 +71,14 @@ def random_diagram(seed):
             source = other.output_labels[random.integers(other.noutputs)]
             connections.append([f"{system.name}.{label}", f"{other.name}.{source}"])
     return control.interconnect(
-        systems, connections=connections, inplist=["s0.u0", "s2.u0"], outlist=["s1.y0"],
-        inputs=["r", "d"], outputs=["out"], check_unused=False,
-    )  # fmt: skip
+        systems,
+        connections=connections,
+        inplist=["s0.u0", "s2.u0"],
+        outlist=["s1.y0"],
+        inputs=["r", "d"],
+        outputs=["out"],
+        check_unused=False,
+    )
 
 
 DIAGRAMS = {
@@ -128,8 +145,10 @@ def test_mermaid_shows_gains_and_parts_of_a_port():
     part = control.interconnect(
         [first_order("two", ["u"], ["y[0]", "y[1]"]), first_order("one", ["u"], ["y"])],
         connections=[["one.u", "two.y[1]"]],
-        inplist=["two.u"], outlist=["one.y"], check_unused=False,
-    )  # fmt: skip
+        inplist=["two.u"],
+        outlist=["one.y"],
+        check_unused=False,
+    )
     assert mermaid_arrows(mermaid(part))["two", "one"] == {"y[1]"}
 
 
@@ -207,10 +226,14 @@ def test_only_circles_need_feedback(diagram):
 def test_the_feedback_of_the_paper_is_what_an_engineer_would_say():
     _, nets, _ = layout(clpt.closed_loop(PAPER))
     assert {(net.source, target) for net in nets for target in net.back} == {
-        ("vehicle", "basis_x"), ("vehicle", "true_flow"), ("vehicle", "vehicle_controller"),
-        ("learning_model", "basis_z"), ("learning_model", "learning_controller"),
-        ("adaptation", "injection"), ("adaptation", "learning_controller"),
-    }  # fmt: skip
+        ("vehicle", "basis_x"),
+        ("vehicle", "true_flow"),
+        ("vehicle", "vehicle_controller"),
+        ("learning_model", "basis_z"),
+        ("learning_model", "learning_controller"),
+        ("adaptation", "injection"),
+        ("adaptation", "learning_controller"),
+    }
 
 
 # --- the file ---------------------------------------------------------------------------
@@ -233,8 +256,13 @@ def test_svg_holds_every_block_arrow_and_equation(diagram, tmp_path):
 
 @pytest.mark.parametrize("suffix", [".svg", ".png", ".pdf", ".mmd", ".md"])
 def test_files_are_the_same_every_time(tmp_path, suffix):
-    starts = {".svg": b"<?xml", ".png": b"\x89PNG", ".pdf": b"%PDF", ".mmd": b"flowchart LR",
-              ".md": b"```mermaid\nflowchart LR"}  # fmt: skip
+    starts = {
+        ".svg": b"<?xml",
+        ".png": b"\x89PNG",
+        ".pdf": b"%PDF",
+        ".mmd": b"flowchart LR",
+        ".md": b"```mermaid\nflowchart LR",
+    }
     for name in ("a", "b"):
         draw(clpt.closed_loop(PAPER), tmp_path / (name + suffix))
     first = (tmp_path / ("a" + suffix)).read_bytes()
@@ -247,8 +275,15 @@ def test_a_users_matplotlib_settings_do_not_change_the_file(tmp_path):
     import matplotlib
 
     draw(nested(), tmp_path / "a.svg")
-    with matplotlib.rc_context({"font.size": 30, "svg.fonttype": "path", "lines.linewidth": 9,
-                                "savefig.bbox": "tight", "font.family": "serif"}):  # fmt: skip
+    with matplotlib.rc_context(
+        {
+            "font.size": 30,
+            "svg.fonttype": "path",
+            "lines.linewidth": 9,
+            "savefig.bbox": "tight",
+            "font.family": "serif",
+        }
+    ):
         draw(nested(), tmp_path / "b.svg")
     assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()
 

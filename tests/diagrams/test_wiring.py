@@ -26,10 +26,16 @@ def same(one, other):
 
 @pytest.mark.parametrize(
     "changes",
-    [{}, {"flow.disturbance": SQUARE},
-     {"learning.law": "known-flow", "learning.parameters": None,
-      "learning.theta_estimate": [[1.0, 0.5, 0.8], [0.9, 0.4, 0.7]]}],
-)  # fmt: skip
+    [
+        {},
+        {"flow.disturbance": SQUARE},
+        {
+            "learning.law": "known-flow",
+            "learning.parameters": None,
+            "learning.theta_estimate": [[1.0, 0.5, 0.8], [0.9, 0.4, 0.7]],
+        },
+    ],
+)
 @pytest.mark.parametrize("external", [(), ("zc",), ("x",), ("x", "zc")])
 def test_the_paper(changes, external):
     loop = clpt.closed_loop(PAPER.with_values(changes), external)

@@ -202,9 +202,16 @@ def test_a_member_that_fails_costs_itself_alone(quick):
 @pytest.mark.parametrize(("threads", "chunk"), [(1, 7), (2, 1), (2, 16), (3, 1000)])
 def test_threads_and_chunks_do_not_matter(scenario, whole, tmp_path, threads, chunk):
     data = run_ensemble(
-        scenario, VARY, 40, seed=3, out=tmp_path / "e.zarr", threads=threads, chunk=chunk,
-        samples=100, trajectories=True,
-    )  # fmt: skip
+        scenario,
+        VARY,
+        40,
+        seed=3,
+        out=tmp_path / "e.zarr",
+        threads=threads,
+        chunk=chunk,
+        samples=100,
+        trajectories=True,
+    )
     assert_identical(data, whole)
 
 
@@ -398,9 +405,15 @@ def test_a_dask_worker_is_killed(scenario, tmp_path):
                 os.kill(pids[0], signal.SIGKILL)
 
         data = run_ensemble(
-            scenario, VARY, members, seed=1, out=tmp_path / "d.zarr", chunk=10,
-            dask=cluster.scheduler_address, progress=kill_one,
-        )  # fmt: skip
+            scenario,
+            VARY,
+            members,
+            seed=1,
+            out=tmp_path / "d.zarr",
+            chunk=10,
+            dask=cluster.scheduler_address,
+            progress=kill_one,
+        )
     assert killed
     assert_identical(data, run_ensemble(scenario, VARY, members, seed=1, chunk=10))
 

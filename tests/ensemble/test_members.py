@@ -83,8 +83,14 @@ def test_a_stiff_member_does_not_hold_up_the_rest(lanes):
     scenario = clpt.paper_scenario().with_values({"run.duration": 5})
     ensemble = Ensemble(scenario, {"learning.gain": ()}, lanes=lanes)
     members = ensemble.members({"learning.gain": np.array([0.01, 1e9, 0.01])}, 5.0)
-    runs = Runs(ensemble.native.callee(ensemble.lanes), members.x0, members.P,
-                np.array([0.0, 5.0]), members.schedules, members.group)  # fmt: skip
+    runs = Runs(
+        ensemble.native.callee(ensemble.lanes),
+        members.x0,
+        members.P,
+        np.array([0.0, 5.0]),
+        members.schedules,
+        members.group,
+    )
     runs.adaptive(1e-8, 1e-10, most=40)
     assert list(runs.status) == [Status.FINISHED, Status.TOO_MANY, Status.FINISHED]
     assert runs.counts[1, [0, 3]].sum() == 40

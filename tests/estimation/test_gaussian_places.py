@@ -103,7 +103,7 @@ def test_places_are_fed_one_by_one_or_at_once():
 
 
 def with_model(dives, factor, seed=0):
-    """Give dives a flow model that is `factor` times what carried them, and wrong by 50 m."""
+    """Return dives a flow model that is `factor` times what carried them, and wrong by 50 m."""
     rng = np.random.default_rng(seed)
     return [
         replace(

@@ -25,9 +25,19 @@ NEEDED = 477085  # bytes of p5420306.nc that its header speaks of; as many lie u
 
 def small(source, target, change=lambda data: None, drop=()):
     """Write the few variables of a dive that are read, changed."""
-    names = ["log_gps_time", "log_gps_lat", "log_gps_lon", "time", "east_displacement",
-             "north_displacement", "east_displacement_gsm", "north_displacement_gsm",
-             "depth_avg_curr_east", "depth_avg_curr_north", "GPSE_qc"]  # fmt: skip
+    names = [
+        "log_gps_time",
+        "log_gps_lat",
+        "log_gps_lon",
+        "time",
+        "east_displacement",
+        "north_displacement",
+        "east_displacement_gsm",
+        "north_displacement_gsm",
+        "depth_avg_curr_east",
+        "depth_avg_curr_north",
+        "GPSE_qc",
+    ]
     with (
         netCDF4.Dataset(source) as old,
         netCDF4.Dataset(target, "w", format="NETCDF3_CLASSIC") as new,
@@ -116,7 +126,7 @@ DAMAGES = {
     "a tenth NaN": (changed(put(WAY[1], slice(0, 120), nan)), "samples of the displacement"),
     "displacement infinite": (changed(put(WAY[0], slice(5, 300), inf)), "samples of the"),
     "duplicate of 305": (one_of_305, "duplicate"),
-}  # fmt: skip
+}
 
 
 def test_there_are_thirty():

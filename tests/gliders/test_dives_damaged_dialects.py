@@ -38,7 +38,7 @@ def at(numbers, place, value):
 
 
 def gps(**changed):
-    """Give the fixes of dive 7, one of them changed: lat=(1, 0.0)."""
+    """Return the fixes of dive 7, one of them changed: lat=(1, 0.0)."""
     columns = {"time": times, "lat": lats, "lon": lons}
     for name, (place, value) in changed.items():
         columns[name] = at(columns[name], place, value)
@@ -56,20 +56,33 @@ NOT_USED = {
     "GPSE is NaN": (gps(lat=(2, np.nan)), "no fix after"),
     "GPSE of last week": (gps(time=(2, times[2] - 6e5)), "swapped times"),
     "GPSE timed out": ({"log_gps_hdop": (GPS, [1, 1, 99.0], {})}, "GPSE has a hdop of 99"),
-    "two fixes": ({f"log_gps_{k}": (("two",), [0.0, 1.0], {}) for k in ("time", "lat", "lon")},
-                  "2 fixes in log_gps_time"),
+    "two fixes": (
+        {f"log_gps_{k}": (("two",), [0.0, 1.0], {}) for k in ("time", "lat", "lon")},
+        "2 fixes in log_gps_time",
+    ),
     "no longitudes": ("log_gps_lon", "no variable log_gps_lon"),
     "times in fortnights": ({"ctd_time": (CTD, since, FORTNIGHTS)}, "'fortnights since"),
-    "way in furlongs": ({"east_displacement": (CTD, steps[:, 0], {"units": "furlong"})},
-                        "'furlong'; must be such as 'm'"),
-    "way of another instrument": ({"north_displacement": (("two",), [1.0, 2.0], M)},
-                                  "differ in length"),
+    "way in furlongs": (
+        {"east_displacement": (CTD, steps[:, 0], {"units": "furlong"})},
+        "'furlong'; must be such as 'm'",
+    ),
+    "way of another instrument": (
+        {"north_displacement": (("two",), [1.0, 2.0], M)},
+        "differ in length",
+    ),
     "no north": ("north_displacement", "no variables east_displacement"),
-    "half of the way": ({"east_displacement": (CTD, at(steps[:, 0], slice(0, 900), np.nan), M)},
-                        "900 of 1800 samples"),
-    "climb not sent": ({"ctd_time": (CTD, times[1] + since / 2, EPOCH),
-                        "ctd_depth": (CTD, np.linspace(0, 400, 1800), M)}, "from 400 m depth on"),
-}  # fmt: skip
+    "half of the way": (
+        {"east_displacement": (CTD, at(steps[:, 0], slice(0, 900), np.nan), M)},
+        "900 of 1800 samples",
+    ),
+    "climb not sent": (
+        {
+            "ctd_time": (CTD, times[1] + since / 2, EPOCH),
+            "ctd_depth": (CTD, np.linspace(0, 400, 1800), M),
+        },
+        "from 400 m depth on",
+    ),
+}
 
 
 @pytest.mark.parametrize("name", NOT_USED)
@@ -105,9 +118,12 @@ REPAIRED = {
     "GPS1 at 0, 0": (gps(lat=(0, 0.0), lon=(0, 0.0)), (), ""),
     "GPS1 timed out": ({"log_gps_hdop": (GPS, [99.0, 1, 1], {})}, (), "GPS1 has a hdop of 99"),
     "no depths": ({}, ("ctd_depth", "eng_depth"), ""),
-    "one step NaN": ({"east_displacement": (CTD, at(steps[:, 0], 700, np.nan), M)}, (),
-                     "1 of 1800 samples"),
-}  # fmt: skip
+    "one step NaN": (
+        {"east_displacement": (CTD, at(steps[:, 0], 700, np.nan), M)},
+        (),
+        "1 of 1800 samples",
+    ),
+}
 
 
 @pytest.mark.parametrize("name", REPAIRED)
@@ -210,9 +226,13 @@ def test_og1_without_a_whole_way_through_the_water(tmp_path):
 
 @pytest.mark.parametrize(
     ("name", "units"),
-    [("TIME", "fortnights since 1970-01-01"), ("TIME", "seconds since the start"),
-     ("GLIDER_HORZ_VELO_MODEL", "furlong"), ("DEPTH", "dbar")],
-)  # fmt: skip
+    [
+        ("TIME", "fortnights since 1970-01-01"),
+        ("TIME", "seconds since the start"),
+        ("GLIDER_HORZ_VELO_MODEL", "furlong"),
+        ("DEPTH", "dbar"),
+    ],
+)
 def test_og1_units_that_are_none(name, units, tmp_path):
     with pytest.raises(DataError, match=f"{name}.*'{units}'.*must be such as"):
         read_og1(og1(tmp_path / "og1.nc", units={name: {"units": units}}))

@@ -147,8 +147,10 @@ def test_one_wrong_fix_costs_few_dives(monkeypatch):
     assert numbers([at(10, 40.0), astray, *after]) == ([10, 11, 13, 14], [12])  # 60 km in 12000 s
     after = [replace(dive, t_gpse=dive.t_gps2 + 4500) for dive in after]
     since = [5500.0 * k for k in range(3)]  # so the next two start 5 and 30 km at most from there
-    after = [replace(dive, t_gps2=dive.t_gps2 - t, t_gpse=dive.t_gpse - t)
-             for dive, t in zip(after, since, strict=True)]  # fmt: skip
+    after = [
+        replace(dive, t_gps2=dive.t_gps2 - t, t_gpse=dive.t_gpse - t)
+        for dive, t in zip(after, since, strict=True)
+    ]
     used, skipped = usable([at(10, 40.0), astray, *after])
     assert [dive.number for dive in used] == [10, 11, 13, 14]
     assert [one.dive for one in skipped] == [12]

@@ -53,12 +53,14 @@ def test_tables_of_other_kinds_are_told_what_to_change(table, change, encoding, 
         (("1e300", 0, 9000), "dive is '1e300'; must be a whole number"),
         (("-inf", 0, 9000), "dive is '-inf'"),
         (("2147483648", 0, 9000), "dive is '2147483648'"),
-        ((1, "2020-01-01T00:00:00Z", 9000), "t_gps2 is '2020-01-01T00:00:00Z'; must be seconds "
-         "since 1970 UTC, which is 1577836800"),
+        (
+            (1, "2020-01-01T00:00:00Z", 9000),
+            "t_gps2 is '2020-01-01T00:00:00Z'; must be seconds since 1970 UTC, which is 1577836800",
+        ),
         ((1, 0, "2020-01-01 02:00+02:00"), "t_gpse is .* which is 1577836800"),
         ((1, "noon", 9000), "t_gps2 is 'noon'; must be seconds since 1970 UTC"),
     ],
-)  # fmt: skip
+)
 def test_odd_numbers_and_times_are_skipped_one_by_one(tmp_path, cells, sentence):
     path = tmp_path / "dives.csv"
     path.write_text(HEAD + ROW.format(*cells) + ROW.format(2147483647, 10000, 19000))
@@ -108,12 +110,13 @@ def test_what_is_no_file_is_refused_at_once(tmp_path):
     found, skipped = read_dives(tmp_path)
     assert len(found) == 14
     assert [one.why.split(": ")[1] for one in skipped] == [
-        "is a pipe with a name; give a file", "is a folder; give a file",
-    ]  # fmt: skip
+        "is a pipe with a name; give a file",
+        "is a folder; give a file",
+    ]
 
 
 def piped(raw):
-    """Give the name of an open pipe through which bytes come, once."""
+    """Return the name of an open pipe through which bytes come, once."""
     end, start = os.pipe()
 
     def fill():
@@ -125,9 +128,11 @@ def piped(raw):
 
 
 def test_a_table_comes_through_an_open_pipe(table, tmp_path):
-    for raw, expected in ((table.read_bytes(), None), (b"", "is empty"),
-                          (basestation(tmp_path / "p1230001.nc").read_bytes(), "NetCDF through a"),
-                          ):  # fmt: skip
+    for raw, expected in (
+        (table.read_bytes(), None),
+        (b"", "is empty"),
+        (basestation(tmp_path / "p1230001.nc").read_bytes(), "NetCDF through a"),
+    ):
         name, end = piped(raw)
         try:
             if expected is None:

@@ -60,10 +60,22 @@ def test_traced_equations_are_the_diagram():
 
 def test_the_quick_run_leaves_its_tables(tmp_path):
     subprocess.run(
-        [sys.executable, "-m", "benchmarks.bench", "--quick", "--engines", "c",
-         "--sections", "paper,particles", "--out", str(tmp_path)],
-        cwd=ROOT, check=True, capture_output=True,
-    )  # fmt: skip
+        [
+            sys.executable,
+            "-m",
+            "benchmarks.bench",
+            "--quick",
+            "--engines",
+            "c",
+            "--sections",
+            "paper,particles",
+            "--out",
+            str(tmp_path),
+        ],
+        cwd=ROOT,
+        check=True,
+        capture_output=True,
+    )
     results = json.loads((tmp_path / "performance.json").read_text())
     assert results["paper"][0]["error"] < 1e-7
     text = (tmp_path / "performance.md").read_text()

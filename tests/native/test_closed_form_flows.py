@@ -130,8 +130,13 @@ def test_flow(flow, engine, method):
     update, exact = FLOWS[flow]
     jumps = flow == "jump"
     parameters = Jumping(N, RATES) if jumps else Rates(N, RATES)
-    block = Block(flow, update=update, states={"s": 2 * N}, parameters=parameters,
-                  breakpoints=every if jumps else None)  # fmt: skip
+    block = Block(
+        flow,
+        update=update,
+        states={"s": 2 * N},
+        parameters=parameters,
+        breakpoints=every if jumps else None,
+    )
     x, y = np.linspace(0.2, 1.5, N), np.linspace(-1.0, 1.0, N)
     found = states(engine, block, np.concatenate([x, y]), 0.02 if method == "RK4" else None)
     wanted = [np.concatenate(exact(t, x, y, RATES)) for t in TIMES]

@@ -156,8 +156,14 @@ SPECIAL = np.array(
         *(709.79, -745.13, -746.0, -708.5, 710.4, 711.0, 0.5, 2.0, 1024.0, 1e14),
     ]
 )
-NUMPY = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "asinh": "arcsinh",
-         "acosh": "arccosh", "atanh": "arctanh"}  # fmt: skip
+NUMPY = {
+    "asin": "arcsin",
+    "acos": "arccos",
+    "atan": "arctan",
+    "asinh": "arcsinh",
+    "acosh": "arccosh",
+    "atanh": "arctanh",
+}
 
 
 @pytest.mark.parametrize("name", [n for n in ACCURACY if hasattr(np, NUMPY.get(n, n))])
@@ -296,9 +302,12 @@ def test_another_processor_gives_the_same_numbers():
     found = []
     for processor in ({}, {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""}):
         done = subprocess.run(
-            [sys.executable, "-c", OTHER_PROCESSOR], env={**os.environ, **processor},
-            capture_output=True, text=True, check=False,
-        )  # fmt: skip
+            [sys.executable, "-c", OTHER_PROCESSOR],
+            env={**os.environ, **processor},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
         assert done.returncode == 0, done.stderr
         found.append(np.array(eval(done.stdout)))
     np.testing.assert_allclose(found[1], found[0], rtol=1e-9, atol=1e-10)

@@ -126,8 +126,9 @@ def loops(items):
 
 
 def block_of(function, size=1):
-    return Block(function.__name__, output=function, inputs={"u": N}, outputs={"y": size},
-                 parameters=P)  # fmt: skip
+    return Block(
+        function.__name__, output=function, inputs={"u": N}, outputs={"y": size}, parameters=P
+    )
 
 
 def alike(diagram):
@@ -137,8 +138,9 @@ def alike(diagram):
         t, u = random.uniform(0, 9), random.normal(size=diagram.ninputs)
         wanted = asked["control"](t, [], u)[1]
         for name, ask in asked.items():
-            np.testing.assert_allclose(ask(t, [], u)[1], wanted, rtol=1e-12, atol=1e-13,
-                                       err_msg=name)  # fmt: skip
+            np.testing.assert_allclose(
+                ask(t, [], u)[1], wanted, rtol=1e-12, atol=1e-13, err_msg=name
+            )
 
 
 @pytest.mark.parametrize("function", KEPT)
@@ -165,13 +167,17 @@ def doubled(t, x, u, p, y):
 @pytest.mark.parametrize("order", ["straight", "backwards", "mixed"])
 def test_a_loop_stays_one_behind_any_wiring(order):
     first = Block("first", output=doubled, inputs={"u": N}, outputs={"y": N})
-    places = {"straight": range(N), "backwards": range(N - 1, -1, -1),
-              "mixed": [5 * j % N for j in range(N)]}[order]  # fmt: skip
+    places = {
+        "straight": range(N),
+        "backwards": range(N - 1, -1, -1),
+        "mixed": [5 * j % N for j in range(N)],
+    }[order]
     diagram = control.interconnect(
-        [first, block_of(sums)], outlist=["sums.y[0]"],
+        [first, block_of(sums)],
+        outlist=["sums.y[0]"],
         inplist=[f"first.u[{j}]" for j in range(N)],
         connections=[[f"sums.u[{j}]", f"first.y[{k}]"] for j, k in enumerate(places)],
-    )  # fmt: skip
+    )
     items = NativeDiagram(diagram, form="looped").code.program.signals
     assert [item.count for item in items if isinstance(item, Loop) and item.sums] == [N]
     alike(diagram)

@@ -35,8 +35,10 @@ def scenario_of(N, law, disturbed):
         "learning.law": law,
     }
     if law == "known-flow":
-        changes |= {"learning.theta_estimate": random.uniform(-1, 1, (2, N)),
-                    "learning.parameters": None}  # fmt: skip
+        changes |= {
+            "learning.theta_estimate": random.uniform(-1, 1, (2, N)),
+            "learning.parameters": None,
+        }
     else:
         changes["learning.parameters"] = random.uniform(-1, 1, (2, N))
     if disturbed:
@@ -47,9 +49,14 @@ def scenario_of(N, law, disturbed):
 
 @pytest.mark.parametrize(
     ("N", "law", "disturbed"),
-    [(1, "learned-flow", True), (2, "known-flow", False), (3, "known-flow", True),
-     (9, "learned-flow", False), (30, "learned-flow", True)],
-)  # fmt: skip
+    [
+        (1, "learned-flow", True),
+        (2, "known-flow", False),
+        (3, "known-flow", True),
+        (9, "learned-flow", False),
+        (30, "learned-flow", True),
+    ],
+)
 def test_the_closed_loop_is_read_alike(N, law, disturbed):
     diagram = clpt.closed_loop(scenario_of(N, law, disturbed))
     random = np.random.default_rng(N)
@@ -68,10 +75,13 @@ def test_the_closed_loop_is_read_alike(N, law, disturbed):
     [("exponential", "sine"), ("gaussian", "square"), ("gaussian-sigma", "noise")],
 )
 def test_kernels_and_disturbances_run_natively(kernel, kind):
-    scenario = clpt.paper_scenario().with_values({
-        "basis.kernel": kernel, "run.duration": 45,
-        "flow.disturbance": {"kind": kind, "amplitude": [0.1, 0.05], "period": 3.7},
-    })  # fmt: skip
+    scenario = clpt.paper_scenario().with_values(
+        {
+            "basis.kernel": kernel,
+            "run.duration": 45,
+            "flow.disturbance": {"kind": kind, "amplitude": [0.1, 0.05], "period": 3.7},
+        }
+    )
     runs = [clpt.simulate(scenario, engine=engine) for engine in ("native", "python")]
     for name in ("position", "clpe", "alpha", "true_flow", "lyapunov"):
         np.testing.assert_allclose(runs[0][name], runs[1][name], rtol=1e-8, atol=1e-9)
@@ -87,8 +97,10 @@ def test_the_same_steps_in_python():
 
 def test_order_of_convergence():
     """The fixed problem x' = -x with one tolerance after another: error falls as the 8th order."""
-    diagram = connect([vehicle.vehicle(), Block("drag", output=drag, inputs={"x": 2},
-                       outputs={"v_x": 2})], external=["flow_x"])  # fmt: skip
+    diagram = connect(
+        [vehicle.vehicle(), Block("drag", output=drag, inputs={"x": 2}, outputs={"v_x": 2})],
+        external=["flow_x"],
+    )
     native = NativeDiagram(diagram)
     held = read_inputs([0.0, 0.0], np.array([0.0, 5.0]), 2)
     errors = []
@@ -133,8 +145,7 @@ def test_sampled_inputs_are_straight_between_samples():
 
 def test_call_time_parameters_reach_the_machine_code():
     loop, state = clpt.closed_loop(clpt.paper_scenario()), initial_state(clpt.paper_scenario())
-    changes = {"adaptation.gain": 2.0, "basis_x.widths": [4.0, 5.0, 6.0],
-               "reference.interval": 3.0}  # fmt: skip
+    changes = {"adaptation.gain": 2.0, "basis_x.widths": [4.0, 5.0, 6.0], "reference.interval": 3.0}
     native, python = (
         clpt.simulate(loop, [0.0, 15.0], initial_state=state, params=changes, engine=e)
         for e in ("native", "python")
@@ -148,9 +159,14 @@ def test_two_vehicles_in_one_diagram():
     second = clpt.closed_loop(clpt.paper_scenario().with_values({"learning.gain": 2.0}))
     first.name, second.name = "near", "far"
     both = control.interconnect(
-        [first, second], connections=False, inplist=[], inputs=0, check_unused=False,
-        outlist=["near.e[0]", "far.e[0]"], outputs=["near", "far"],
-    )  # fmt: skip
+        [first, second],
+        connections=False,
+        inplist=[],
+        inputs=0,
+        check_unused=False,
+        outlist=["near.e[0]", "far.e[0]"],
+        outputs=["near", "far"],
+    )
     state = np.tile(initial_state(clpt.paper_scenario()), 2)
     together = clpt.simulate(both, [0.0, 30.0], initial_state=state)
     apart = [clpt.simulate(loop, [0.0, 30.0], initial_state=state[:14]) for loop in (first, second)]
@@ -184,14 +200,21 @@ def test_every_word_in_a_diagram():
 
 @settings(max_examples=12, deadline=None, derandomize=True)
 @given(
-    gain=st.floats(0.05, 5.0), dwell=st.floats(0.5, 30.0), radius=st.floats(0.1, 20.0),
+    gain=st.floats(0.05, 5.0),
+    dwell=st.floats(0.5, 30.0),
+    radius=st.floats(0.1, 20.0),
     start=st.tuples(st.floats(-5, 5), st.floats(-5, 5)),
-)  # fmt: skip
+)
 def test_any_numbers_give_what_python_gives(gain, dwell, radius, start):
-    scenario = clpt.paper_scenario().with_values({
-        "learning.gain": gain, "reference.dwell": dwell, "reference.radius": radius,
-        "vehicle.position": list(start), "run.duration": 12,
-    })  # fmt: skip
+    scenario = clpt.paper_scenario().with_values(
+        {
+            "learning.gain": gain,
+            "reference.dwell": dwell,
+            "reference.radius": radius,
+            "vehicle.position": list(start),
+            "run.duration": 12,
+        }
+    )
     native, python = (clpt.simulate(scenario, [0.0, 12.0], engine=e) for e in ("native", "python"))
     np.testing.assert_allclose(native.alpha, python.alpha, rtol=1e-7, atol=1e-8)
     np.testing.assert_allclose(native.reference, python.reference, rtol=0, atol=0)
@@ -241,16 +264,19 @@ def test_a_run_that_cannot_go_on_says_why():
 
 
 def test_algebraic_loops_name_the_blocks():
-    blocks = [Block("one", output=still, inputs={"b": 2}, outputs={"a": 2}),
-              Block("two", output=still, inputs={"a": 2}, outputs={"b": 2})]  # fmt: skip
+    blocks = [
+        Block("one", output=still, inputs={"b": 2}, outputs={"a": 2}),
+        Block("two", output=still, inputs={"a": 2}, outputs={"b": 2}),
+    ]
     with pytest.raises(DiagramError, match="one <- two"):
         clpt.native.compile(connect(blocks))
 
 
 def test_what_cannot_be_compiled_runs_in_python_with_one_warning():
     lag = control.nlsys(lambda t, x, u, params: -x, None, states=1, outputs=1, inputs=0, name="lag")
-    loop = control.interconnect([lag], outlist=["lag.y[0]"], inputs=0, connections=False,
-                                check_unused=False)  # fmt: skip
+    loop = control.interconnect(
+        [lag], outlist=["lag.y[0]"], inputs=0, connections=False, check_unused=False
+    )
     with pytest.warns(UserWarning, match="lag is no block") as caught:
         found = clpt.simulate(loop, [0.0, 1.0], initial_state=[1.0])
     assert len(caught) == 1
@@ -288,8 +314,10 @@ def aim(t, x, u, p, y):
 
 
 def test_the_fixed_step_has_order_four():
-    diagram = connect([vehicle.vehicle(), Block("drag", output=drag, inputs={"x": 2},
-                       outputs={"v_x": 2})], external=["flow_x"])  # fmt: skip
+    diagram = connect(
+        [vehicle.vehicle(), Block("drag", output=drag, inputs={"x": 2}, outputs={"v_x": 2})],
+        external=["flow_x"],
+    )
     native, held = NativeDiagram(diagram), read_inputs([0.0, 0.0], np.array([0.0, 2.0]), 2)
     exact = np.exp(-2.0) * np.array([1.0, -2.0])
     errors = [

@@ -29,10 +29,12 @@ def line(t, x, u, p, dx):
 
 def diagram():
     """A signal that ends to exist at t = 1.5."""
-    return connect([
-        Block("root", output=root_of, inputs={"s": 1}, outputs={"root": 1}),
-        Block("line", update=line, inputs={"root": 1}, states={"s": 1}),
-    ])  # fmt: skip
+    return connect(
+        [
+            Block("root", output=root_of, inputs={"s": 1}, outputs={"root": 1}),
+            Block("line", update=line, inputs={"root": 1}, states={"s": 1}),
+        ]
+    )
 
 
 def said(sentence):
@@ -49,9 +51,9 @@ def test_simulate_names_it(engine):
     assert 0.4 <= said(str(caught.value)) <= 1.5 + 1e-9
 
 
-@pytest.mark.parametrize("made", [
-    PlainDiagram, NativeDiagram, lambda diagram: NativeDiagram(diagram, form="looped"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "made", [PlainDiagram, NativeDiagram, lambda diagram: NativeDiagram(diagram, form="looped")]
+)
 @pytest.mark.parametrize("step", [None, 0.01])
 def test_every_engine_and_method_names_it(made, step):
     with pytest.raises(SimulationError) as caught:

@@ -23,16 +23,33 @@ def by_scipy(tolerance):
     def rate(t, x):
         return [x[0] * (1.1 - 0.9 * x[1]), x[1] * (1.3 * x[0] - 0.7)]
 
-    return solve_ivp(rate, (0.0, 9.0), START, "DOP853", rtol=tolerance, atol=tolerance,
-                     dense_output=True)  # fmt: skip
+    return solve_ivp(
+        rate, (0.0, 9.0), START, "DOP853", rtol=tolerance, atol=tolerance, dense_output=True
+    )
 
 
 def test_numbers_that_the_solver_and_its_readers_share_are_one():
     for status in Status:
         assert getattr(solver, status.name) == status
         assert status.sentence
-    for name in ("TIME", "STEP", "END", "FRESH", "REJECTED", "GOOD", "TAKEN", "NEW", "AT",
-                 "FAILING", "SIZE", "TROUBLE", "RATE", "ARGUMENT", "TERMS", "STAGES"):  # fmt: skip
+    for name in (
+        "TIME",
+        "STEP",
+        "END",
+        "FRESH",
+        "REJECTED",
+        "GOOD",
+        "TAKEN",
+        "NEW",
+        "AT",
+        "FAILING",
+        "SIZE",
+        "TROUBLE",
+        "RATE",
+        "ARGUMENT",
+        "TERMS",
+        "STAGES",
+    ):
         assert getattr(solver, name) == getattr(method, name)
     places = list(method.formulas(1))
     for name in ("ATTEMPT", "JUDGE", "SIZES", "TRIAL", "FIRST", "ACCEPT", "DENSE"):

@@ -29,8 +29,13 @@ def alike(diagram, x=(), u=(), t=0.0, rate=None, outputs=None):
 
 
 def static(function, inputs, outputs=1, parameters=None, name="mine"):
-    return Block(name, output=function, inputs={"u": inputs} if inputs else {},
-                 outputs={"y": outputs}, parameters=parameters)  # fmt: skip
+    return Block(
+        name,
+        output=function,
+        inputs={"u": inputs} if inputs else {},
+        outputs={"y": outputs},
+        parameters=parameters,
+    )
 
 
 # --- loops ------------------------------------------------------------------------------------
@@ -122,10 +127,18 @@ def test_a_loop_reads_the_wiring_as_it_is(case):
     reader = Block("reader", output=each, inputs={"u": 20}, outputs={"y": 1})
     terms = WIRINGS[case]
     diagram = control.interconnect(
-        [source, reader], inplist=[], inputs=0, outlist=["reader.y[0]"], outputs=["y"],
-        connections=[[f"reader.u[{j}]", *((0, k, gain) for k, gain in feeds)]
-                     for j, feeds in enumerate(terms) if feeds], check_unused=False,
-    )  # fmt: skip
+        [source, reader],
+        inplist=[],
+        inputs=0,
+        outlist=["reader.y[0]"],
+        outputs=["y"],
+        connections=[
+            [f"reader.u[{j}]", *((0, k, gain) for k, gain in feeds)]
+            for j, feeds in enumerate(terms)
+            if feeds
+        ],
+        check_unused=False,
+    )
     fed = [sum(gain * (k + 1) for k, gain in feeds) for feeds in terms]
     alike(diagram, outputs=[sum((j + 1) * value for j, value in enumerate(fed))])
 
@@ -248,9 +261,12 @@ def discrete():
 
 def around(system):
     return control.interconnect(
-        [system], inplist=[f"{system.name}.u[0]"], outlist=[f"{system.name}.y[0]"],
-        connections=False, name="around",
-    )  # fmt: skip
+        [system],
+        inplist=[f"{system.name}.u[0]"],
+        outlist=[f"{system.name}.y[0]"],
+        connections=False,
+        name="around",
+    )
 
 
 @pytest.mark.parametrize("place", ["alone", "in a diagram", "in a diagram in a diagram"])
@@ -394,8 +410,9 @@ class Large(NamedTuple):
 
 
 def test_a_large_number_added_and_taken_away_rounds():
-    block = Block("mine", update=rounds, inputs={"u": 1}, states={"x": 1},
-                  parameters=Large(1.5 * 2.0**52))  # fmt: skip
+    block = Block(
+        "mine", update=rounds, inputs={"u": 1}, states={"x": 1}, parameters=Large(1.5 * 2.0**52)
+    )
     for name, ask in readings(block).items():
         if name != "symbolic":  # SymPy's numbers do not round
             assert ask(0.0, [0.0], [2.7])[0] == [3.0], name
@@ -448,8 +465,14 @@ def turns_round(t, x, u, p, dx):
 
 
 def jumping(breakpoints):
-    return Block("mine", update=turns_round, inputs={"u": 1}, states={"x": 1},
-                 parameters=Phase(), breakpoints=breakpoints)  # fmt: skip
+    return Block(
+        "mine",
+        update=turns_round,
+        inputs={"u": 1},
+        states={"x": 1},
+        parameters=Phase(),
+        breakpoints=breakpoints,
+    )
 
 
 @pytest.mark.parametrize("times", [[1.5, 0.5], [0.5, math.nan], None, 0.5, ["a"], [[0.5, 1.5]]])

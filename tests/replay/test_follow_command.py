@@ -46,8 +46,9 @@ def test_a_folder_that_is_removed_ends_following(tmp_path):
     assert said.startswith(f"clpt: {folder}: cannot be looked into; what was read is kept in")
     assert said.count("\n") == 1
     assert {path.name for path in (out / "state").glob("*.json")} == {
-        "dive304.csv.json", "dive305.csv.json"
-    }  # fmt: skip
+        "dive304.csv.json",
+        "dive305.csv.json",
+    }
 
 
 LIMITED = """
@@ -78,8 +79,9 @@ def test_a_full_disk_leaves_the_results_as_they_were(tmp_path, sizes, name):
     words = ("replay", "--sample", "--json", "--out", tmp_path)
     done = subprocess.run(
         [sys.executable, "-c", LIMITED, str(sizes[name] // 2), *words],
-        capture_output=True, text=True,
-    )  # fmt: skip
+        capture_output=True,
+        text=True,
+    )
     assert done.returncode == 2
     said = without_progress(done.stderr)
     assert "cannot be written" in said

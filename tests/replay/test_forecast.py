@@ -139,8 +139,15 @@ def test_a_gap_of_the_steps_is_not_bridged(tmp_path):
     hours = np.array([0.0, 6.0, 12.0, 18.0, 84.0, 90.0, 96.0, 102.0])
     u = np.full((len(hours), len(LAT), len(LON)), 0.2)
     model = read_flow_model(write(tmp_path / "hole.nc", u, 0 * u, hours=hours))
-    for hour, covered in ((11.9, True), (12.1, False), (18.0, False), (50, False), (83.9, False),
-                          (84.0, True), (90.0, True)):  # fmt: skip
+    for hour, covered in (
+        (11.9, True),
+        (12.1, False),
+        (18.0, False),
+        (50, False),
+        (83.9, False),
+        (84.0, True),
+        (90.0, True),
+    ):
         found = carried(dive_at(hour=hour, way=(0.0, 0.0)), model)
         assert (found.model_east is not None) == covered, hour
         assert why_uncovered(found) == ("" if covered else "in a gap of the forecast's steps")

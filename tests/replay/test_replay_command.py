@@ -34,8 +34,11 @@ def test_the_command(command, tmp_path):
     assert found["clpe_rms_after_3"]["adaptive"] < 0.88 * found["clpe_rms_after_3"]["previous_dive"]
     assert 0.7 < found["speed_factor"]["value"] < 1
     assert {p.name for p in (tmp_path / "out").iterdir()} == {
-        "replay.nc", "map.png", "clpe.png", "current.png"
-    }  # fmt: skip
+        "replay.nc",
+        "map.png",
+        "clpe.png",
+        "current.png",
+    }
     table = command("--sample", "--no-learn-speed", "--flow", "steady", "--estimator", "rls")
     assert table.exit_code == 0
     assert "after the third dive" in table.stdout
@@ -51,8 +54,17 @@ def test_the_command(command, tmp_path):
 
 def test_the_command_follows(command, tmp_path):
     (tmp_path / "in").mkdir()
-    words = ("--follow", tmp_path / "in", "--out", tmp_path / "out", "--every", "0.01",
-             "--patience", "0.01", "--json")  # fmt: skip
+    words = (
+        "--follow",
+        tmp_path / "in",
+        "--out",
+        tmp_path / "out",
+        "--every",
+        "0.01",
+        "--patience",
+        "0.01",
+        "--json",
+    )
     empty = json.loads(command(*words).stdout)
     assert empty["used"] == 0
     assert empty["clpe_rms"]["adaptive"] is None
@@ -116,8 +128,19 @@ def test_tides_need_a_record(command, tmp_path):
     assert command("--sample", "--flow", "steady,M2,K1", "--estimator", "rls").exit_code == 0
     (tmp_path / "in").mkdir()
     one_file_each(tmp_path / "in", sample_dives()[:1])
-    follow = ("--follow", tmp_path / "in", "--out", tmp_path / "out", "--every", "0.01",
-              "--patience", "0.01", "--estimator", "rls", "--json")  # fmt: skip
+    follow = (
+        "--follow",
+        tmp_path / "in",
+        "--out",
+        tmp_path / "out",
+        "--every",
+        "0.01",
+        "--patience",
+        "0.01",
+        "--estimator",
+        "rls",
+        "--json",
+    )
     done = command(*follow, *words)
     assert "so far, flow steady,M2,S2" in done.stderr
     found = json.loads(done.stdout)
@@ -151,8 +174,12 @@ def test_a_killed_command_loses_nothing(command, forecast, tmp_path):
     ):
         assert one.identical(other)
     assert {path.name for path in out.iterdir()} == {
-        "replay.nc", "map.png", "clpe.png", "current.png", "state"
-    }  # fmt: skip
+        "replay.nc",
+        "map.png",
+        "clpe.png",
+        "current.png",
+        "state",
+    }
 
 
 def test_results_of_following_lie_in_the_folder_by_default(command, tmp_path):

@@ -95,15 +95,25 @@ def oscillates(t, x, u, p, dx):
 def decaying(k=2.0):
     block = Block("decay", update=decays, inputs={"u": 1}, states={"x": 1}, parameters=Rate(k))
     return control.interconnect(
-        [block], inplist=["decay.u[0]"], outlist=["decay.x[0]"], inputs=["u"], outputs=["x"],
-        connections=False, name="one",
-    )  # fmt: skip
+        [block],
+        inplist=["decay.u[0]"],
+        outlist=["decay.x[0]"],
+        inputs=["u"],
+        outputs=["x"],
+        connections=False,
+        name="one",
+    )
 
 
 def test_circle_of_a_linear_oscillator():
     block = Block("spring", update=oscillates, states={"x": 2})
-    loop = control.interconnect([block], outlist=["spring.x[0]", "spring.x[1]"], name="loop",
-                                connections=False, outputs=["a", "b"])  # fmt: skip
+    loop = control.interconnect(
+        [block],
+        outlist=["spring.x[0]", "spring.x[1]"],
+        name="loop",
+        connections=False,
+        outputs=["a", "b"],
+    )
     times = np.linspace(0, 20 * math.pi, 41)  # every quarter turn
     run = clpt.simulate(loop, times, initial_state=[1, 0], rtol=1e-11, atol=1e-13)
     np.testing.assert_allclose(run.outputs[0, ::4], 1.0, atol=1e-8)
@@ -117,8 +127,15 @@ def test_circle_of_a_linear_oscillator():
 def test_constant_input():
     times = np.linspace(0, 3, 13)
     exact = 2.5 * (1 - np.exp(-2 * times))  # rest at u/k = 5/2
-    for inputs in (5.0, [5.0], np.array([5.0]), lambda t: np.array([5.0]), lambda t: [5.0],
-                   np.full((1, 13), 5.0), np.full(13, 5.0)):  # fmt: skip
+    for inputs in (
+        5.0,
+        [5.0],
+        np.array([5.0]),
+        lambda t: np.array([5.0]),
+        lambda t: [5.0],
+        np.full((1, 13), 5.0),
+        np.full(13, 5.0),
+    ):
         run = clpt.simulate(decaying(), times, inputs, rtol=1e-11, atol=1e-13)
         np.testing.assert_allclose(run.outputs.ravel(), exact, atol=1e-9)
         np.testing.assert_allclose(run.inputs.ravel(), 5.0)
@@ -485,14 +502,24 @@ def passes(t, x, u, p, dx):
 @pytest.mark.filterwarnings("ignore:.*runs in Python, not as machine code")
 def test_parameters_of_a_plain_system():
     lag = control.nlsys(
-        lambda t, x, u, params: -params["k"] * x, None, inputs=1, outputs=1, states=1, name="lag",
+        lambda t, x, u, params: -params["k"] * x,
+        None,
+        inputs=1,
+        outputs=1,
+        states=1,
+        name="lag",
         params={"k": 1.0},
-    )  # fmt: skip
+    )
     block = Block("speed", update=passes, inputs={"u": 1}, states={"s": 1})
     loop = control.interconnect(
-        [lag, block], connections=[["speed.u[0]", "lag.y[0]"]], outlist=["speed.s[0]"],
-        outputs=["s"], inputs=0, name="loop", check_unused=False,
-    )  # fmt: skip
+        [lag, block],
+        connections=[["speed.u[0]", "lag.y[0]"]],
+        outlist=["speed.s[0]"],
+        outputs=["s"],
+        inputs=0,
+        name="loop",
+        check_unused=False,
+    )
     for k in (1.0, 3.0):
         run = clpt.simulate(
             loop, [0.0, 2.0], initial_state=[1.0, 0.0], params={"k": k}, rtol=1e-11, atol=1e-13

@@ -6,10 +6,7 @@ import pytest
 import clpt_control as clpt
 from clpt_control.errors import ScenarioError
 from clpt_control.theory.excitation import certificates
-from clpt_control.theory.excitation.bounds import (
-    time_to_error,
-    ultimate_bound,
-)
+from clpt_control.theory.excitation.bounds import time_to_error, ultimate_bound
 from clpt_control.theory.excitation.certificates import certificate, window_drops
 from clpt_control.theory.excitation.gramian import started_true
 from clpt_control.theory.excitation.regressor import joint_regressor
@@ -18,9 +15,12 @@ from clpt_control.theory.excitation.transition import axis_states, error_matrice
 NODES = 12
 NODE, WEIGHT = np.polynomial.legendre.leggauss(NODES)
 GROUPS = [  # KD, gain, window
-    ([1.0, 1.0], 0.8, 4.0), ([1.0, 2.0], 0.05, 6.0), ([0.3, 0.5], 3.0, 3.0),
-    ([5.0, 4.0], 0.3, 5.0), ([1.0, 1.0], 1e-3, 2.0),
-]  # fmt: skip
+    ([1.0, 1.0], 0.8, 4.0),
+    ([1.0, 2.0], 0.05, 6.0),
+    ([0.3, 0.5], 3.0, 3.0),
+    ([5.0, 4.0], 0.3, 5.0),
+    ([1.0, 1.0], 1e-3, 2.0),
+]
 EACH = 100  # regressors of each group
 
 
@@ -127,9 +127,11 @@ def test_the_corrected_bound_is_never_violated(group):
     pieces = len(lengths)
     A = error_matrices(phi, z, zc, KD, gain)
     steps = np.stack(  # the transition over each piece, beside a constant push on e
-        [propagate(_pushed(A[..., k : k + 1, :, :, :]), lengths[k : k + 1])[1]
-         for k in range(pieces)]
-    )  # fmt: skip
+        [
+            propagate(_pushed(A[..., k : k + 1, :, :, :]), lengths[k : k + 1])[1]
+            for k in range(pieces)
+        ]
+    )
     rng = np.random.default_rng(40 + group)
     count = 300 * pieces
     kind = rng.integers(0, 3, EACH)

@@ -85,8 +85,9 @@ def test_drift_then_burst(faint, quiet, peak):
 
 def test_the_burst_comes_back_in_every_cycle():
     found = burst_counterexample(cycles=5)
-    peaks = [found.size[(found.times > 270 * j) & (found.times <= 270 * (j + 1))].max()
-             for j in range(5)]  # fmt: skip
+    peaks = [
+        found.size[(found.times > 270 * j) & (found.times <= 270 * (j + 1))].max() for j in range(5)
+    ]
     assert np.allclose(peaks, 2.185, rtol=1e-3)
 
 
@@ -112,8 +113,11 @@ def test_its_first_function_is_learned_as_long_as_it_is_seen():
 def test_mean_square_bound_along_the_papers_runs():
     paper = clpt.paper_scenario().with_values({"run.duration": 200, "run.output_step": 0.02})
     disturbed = {"kind": "noise", "amplitude": [0.1, 0.2], "period": 0.5, "seed": 3}
-    for scenario in (paper, paper.with_values({"flow.disturbance": disturbed}),
-                     with_square_wave(paper, 0.05, 3.5)):  # fmt: skip
+    for scenario in (
+        paper,
+        paper.with_values({"flow.disturbance": disturbed}),
+        with_square_wave(paper, 0.05, 3.5),
+    ):
         found = mean_square_bound(clpt.simulate(scenario), scenario)
         assert found.holds
         assert 0.01 < found.tightness < 1
@@ -163,8 +167,11 @@ def test_the_linear_system_is_the_closed_loop():
         phi = np.array([signals[f"phi_x[{k}]"] for k in range(N)])
         zc = np.array([signals[f"zc[{k}]"] for k in range(2)])
         x, z, alpha, K, Gamma = np.split(state, [2, 4, 4 + 2 * N, 6 + 2 * N])
-        eta = [*(theta.ravel() + alpha), *(K - scenario.vehicle.feedback),
-               *(np.array(scenario.vehicle.feedforward) - Gamma)]  # fmt: skip
+        eta = [
+            *(theta.ravel() + alpha),
+            *(K - scenario.vehicle.feedback),
+            *(np.array(scenario.vehicle.feedforward) - Gamma),
+        ]
         whole = np.concatenate([x - z, eta])
         expected = np.concatenate([rate[:2] - rate[2:4], rate[4 : 6 + 2 * N], -rate[6 + 2 * N :]])
         expected[0] -= 0.05 * np.sign(np.sin(3.5 * t))
@@ -228,8 +235,9 @@ def test_exact_runs_agree_with_an_integrator():
 
     A, drive = scalar_matrix(2.0, gain=3.0), np.array([0.5, 0.0])
     times, states = exact_run([Piece(3.0, A, drive, 30)], np.array([1.0, -1.0]))
-    found = solve_ivp(lambda t, x: A @ x + drive, (0, 3), [1.0, -1.0], "DOP853", times,
-                      rtol=1e-11, atol=1e-12)  # fmt: skip
+    found = solve_ivp(
+        lambda t, x: A @ x + drive, (0, 3), [1.0, -1.0], "DOP853", times, rtol=1e-11, atol=1e-12
+    )
     assert np.allclose(states, found.y.T, atol=1e-9)
 
 
@@ -250,9 +258,13 @@ def test_the_study_of_bounds(tmp_path):
     import sys
     from pathlib import Path
 
-    done = subprocess.run([sys.executable, "-m", "analysis.disturbance_bounds", "--out", tmp_path],
-                          cwd=Path(__file__).parents[2], capture_output=True, text=True,
-                          check=True)  # fmt: skip
+    done = subprocess.run(
+        [sys.executable, "-m", "analysis.disturbance_bounds", "--out", tmp_path],
+        cwd=Path(__file__).parents[2],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
     assert "Eq. (33) is violated in 14 of 17 runs" in done.stdout
     assert "the mean-square bound in 0, the corrected bound in 0." in done.stdout
     assert "The worst disturbance on axis 1 makes |e| = 5.23 Dmax" in done.stdout

@@ -154,11 +154,16 @@ def test_a_gridded_field_needs_no_theta(tmp_path, paper):
     ones = np.ones((2, 5, 5))
     units = {"units": "m s-1"}
     xarray.Dataset(
-        {"u": (("time", "y", "x"), 0.1 * ones, units),
-         "v": (("time", "y", "x"), 0.2 * ones, units)},
-        {"time": ("time", hours, {"units": "s"}),
-         "x": ("x", grid, {"units": "m"}), "y": ("y", grid, {"units": "m"})},
-    ).to_netcdf(tmp_path / "field.nc")  # fmt: skip
+        {
+            "u": (("time", "y", "x"), 0.1 * ones, units),
+            "v": (("time", "y", "x"), 0.2 * ones, units),
+        },
+        {
+            "time": ("time", hours, {"units": "s"}),
+            "x": ("x", grid, {"units": "m"}),
+            "y": ("y", grid, {"units": "m"}),
+        },
+    ).to_netcdf(tmp_path / "field.nc")
     text = clpt_package.paper_scenario()
     clpt_package.save_scenario(text, tmp_path / "paper.toml")
     toml = (tmp_path / "paper.toml").read_text()
@@ -182,9 +187,17 @@ def test_a_gridded_field_needs_no_theta(tmp_path, paper):
 
 
 @pytest.mark.parametrize(
-    ("window", "start"), [(0.0, 0.0), (-1.0, 0.0), (500.0, 0.0), (200.0, 300.0), (10.0, -1.0),
-                          (float("nan"), 0.0), (10.0, float("nan"))]
-)  # fmt: skip
+    ("window", "start"),
+    [
+        (0.0, 0.0),
+        (-1.0, 0.0),
+        (500.0, 0.0),
+        (200.0, 300.0),
+        (10.0, -1.0),
+        (float("nan"), 0.0),
+        (10.0, float("nan")),
+    ],
+)
 def test_a_window_outside_the_run_is_refused(paper, window, start):
     with pytest.raises(ScenarioError, match="within the run, 0 to 400 s"):
         excitation(paper, window, start)
@@ -229,8 +242,9 @@ def test_the_circles_closed_form_is_the_reference_blocks(paper):
     assert circle_step().holds
     for n in range(3, 25):
         points = circle(3.0, n)
-        np.testing.assert_allclose(20.0 * points.T @ points, n * 20.0 * 9.0 / 2 * np.eye(2),
-                                   atol=1e-9)  # fmt: skip
+        np.testing.assert_allclose(
+            20.0 * points.T @ points, n * 20.0 * 9.0 / 2 * np.eye(2), atol=1e-9
+        )
     assert np.linalg.matrix_rank(circle(3.0, 2), tol=1e-9) == 1
 
 
@@ -249,16 +263,29 @@ def test_the_command_prints_the_eigenvalues(clpt, tmp_path):
     for kernel, wanted in (("exponential", (4.3331, 4.6692)), ("gaussian", (0.19002, 0.19353))):
         scenario = started_true(paper.with_values({"basis.kernel": kernel, "run.duration": 400}))
         clpt_control.save_scenario(scenario, tmp_path / "true.toml")
-        outcome = clpt("excitation", tmp_path / "true.toml", "--window", "200", "--start", "200",
-                       "--figure", tmp_path / "true.png", "--json")  # fmt: skip
+        outcome = clpt(
+            "excitation",
+            tmp_path / "true.toml",
+            "--window",
+            "200",
+            "--start",
+            "200",
+            "--figure",
+            tmp_path / "true.png",
+            "--json",
+        )
         assert outcome.status == 0, outcome.err
         printed = json.loads(outcome.out)
         smallest = [printed["eigenvalues"][axis][0] for axis in ("x1", "x2")]
         np.testing.assert_allclose(smallest, wanted, rtol=5e-3)
         assert 0 < printed["rho"] <= 1 - printed["contraction"]
         assert set(printed["least_excited"]["x1"]) == {
-            "theta_1[1]", "theta_1[2]", "theta_1[3]", "K_1", "Gamma_1",
-        }  # fmt: skip
+            "theta_1[1]",
+            "theta_1[2]",
+            "theta_1[3]",
+            "K_1",
+            "Gamma_1",
+        }
         assert inked(tmp_path / "true.png") > 0.01
 
 

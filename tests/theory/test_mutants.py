@@ -32,11 +32,14 @@ SOURCES = ("basis", "reference", "disturbance", "field")
 def every_block():
     """Every kind of block of the package."""
     paper = clpt.paper_scenario()
-    known = paper.with_values({
-        "learning.law": "known-flow", "learning.parameters": None,
-        "learning.theta_estimate": [[0.5] * 3] * 2,
-        "flow.disturbance": {"kind": "sine", "amplitude": [0.1, 0.1], "period": 3.0},
-    })  # fmt: skip
+    known = paper.with_values(
+        {
+            "learning.law": "known-flow",
+            "learning.parameters": None,
+            "learning.theta_estimate": [[0.5] * 3] * 2,
+            "flow.disturbance": {"kind": "sine", "amplitude": [0.1, 0.1], "period": 3.0},
+        }
+    )
     yield from paper_blocks(paper)
     yield from paper_blocks(known)
     for kernel in basis.KERNELS:

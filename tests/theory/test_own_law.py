@@ -116,8 +116,13 @@ def test_what_cannot_be_judged_is_refused_in_a_sentence(name):
 
 def test_a_law_may_have_any_name():
     own = law(own_laws.leak, Two(N, 0.5, 0.1))
-    own = Block("theta_x", update=own.update_function, inputs=own.input_ports,
-                states=own.state_ports, parameters=own.parameters)  # fmt: skip
+    own = Block(
+        "theta_x",
+        update=own.update_function,
+        inputs=own.input_ports,
+        states=own.state_ports,
+        parameters=own.parameters,
+    )
     assert prove(own, points=POINTS).status == "bounded"
 
 

@@ -19,8 +19,11 @@ def proofs():
 
 def test_statuses(proofs):
     assert {number: proof.status for number, proof in proofs.items()} == {
-        "3.1": "corrected", "3.2": "proved", "3.3": "corrected", "3.4": "corrected",
-    }  # fmt: skip
+        "3.1": "corrected",
+        "3.2": "proved",
+        "3.3": "corrected",
+        "3.4": "corrected",
+    }
     assert all(proof.for_every_N for proof in proofs.values())
     assert all(step.holds for proof in proofs.values() for step in proof.steps)
     assert sum(len(proof.steps) for proof in proofs.values()) <= 32

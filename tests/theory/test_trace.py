@@ -48,8 +48,10 @@ def test_every_N_agrees_with_each_N(law, N):
         """Sum over k, with the names of the concrete trace."""
         total = value.base
         for k in range(N):
-            named = {s: sympy.Symbol(s.name.replace("[k]", f"[{k + 1}]"), **s.assumptions0)
-                     for s in value.term.free_symbols}  # fmt: skip
+            named = {
+                s: sympy.Symbol(s.name.replace("[k]", f"[{k + 1}]"), **s.assumptions0)
+                for s in value.term.free_symbols
+            }
             total += value.term.subs(named)
         return total
 
@@ -88,8 +90,13 @@ def sum_of_squares(t, x, u, p, dx):
 
 def reading(function, states=None):
     states = states or {"s": 1}
-    block = clpt.Block("own", update=function, inputs={"e": 2, "phi_x": 7}, states=states,
-                       parameters=LawParameters(7, 0.8))  # fmt: skip
+    block = clpt.Block(
+        "own",
+        update=function,
+        inputs={"e": 2, "phi_x": 7},
+        states=states,
+        parameters=LawParameters(7, 0.8),
+    )
     out = {port: generic_size(port, size, 7) for port, size in states.items()}
     sizes = {"x": out, "u": {"e": Size(0, 2), "phi_x": Size(1, 0)}, "out": out}
 
@@ -210,8 +217,19 @@ def by_length(t, x, u, p, dx):
     dx[0] = total
 
 
-NOT_ALIKE = [the_last_one, the_one_before, a_count, behind_the_loop, one_of_N, neighbours, pairs,
-             product, weighed, by_number, by_fives]  # fmt: skip
+NOT_ALIKE = [
+    the_last_one,
+    the_one_before,
+    a_count,
+    behind_the_loop,
+    one_of_N,
+    neighbours,
+    pairs,
+    product,
+    weighed,
+    by_number,
+    by_fives,
+]
 
 
 @pytest.mark.parametrize("function", NOT_ALIKE, ids=lambda f: f.__name__)
@@ -252,9 +270,14 @@ def test_products_of_two_sums_are_refused():
 
 @pytest.mark.parametrize(
     ("port", "size", "N", "wanted"),
-    [("alpha", 6, 3, Size(2, 0)), ("eta", 10, 3, Size(2, 4)), ("e", 2, 2, Size(0, 2)),
-     ("mine", 15, 7, Size(0, 15)), ("phi_x", 2, 2, Size(1, 0))],
-)  # fmt: skip
+    [
+        ("alpha", 6, 3, Size(2, 0)),
+        ("eta", 10, 3, Size(2, 4)),
+        ("e", 2, 2, Size(0, 2)),
+        ("mine", 15, 7, Size(0, 15)),
+        ("phi_x", 2, 2, Size(1, 0)),
+    ],
+)
 def test_sizes_of_ports(port, size, N, wanted):
     assert generic_size(port, size, N) == wanted
 

@@ -46,8 +46,14 @@ def test_the_worst_disturbance_is_attained_by_the_closed_loop():
     def delta(t):
         return np.array([size * np.sign(influence[min(int(t / step + 0.5), len(A))]), 0.0])
 
-    run = clpt.simulate(loop, [0.0, end], inputs=delta, rtol=1e-6, atol=1e-9,
-                        initial_state=clpt.initial_state(scenario))  # fmt: skip
+    run = clpt.simulate(
+        loop,
+        [0.0, end],
+        inputs=delta,
+        rtol=1e-6,
+        atol=1e-9,
+        initial_state=clpt.initial_state(scenario),
+    )
     reached = abs(run.states[0, -1] - run.states[2, -1]) / size
     assert reached == pytest.approx(predicted, rel=0.01)
     assert reached > 2.5

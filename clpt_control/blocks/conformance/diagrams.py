@@ -17,9 +17,9 @@ from ..symbolic import expressions
 from .samples import Sample, differ, equations, own_copy, python_values
 
 LINEAR = 1e-4
-SMOOTH = frozenset({
-    "exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh", "atan", "asinh", "erf", "erfc",
-})  # fmt: skip
+SMOOTH = frozenset(
+    {"exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh", "atan", "asinh", "erf", "erfc"}
+)
 
 
 def _copies(block: Block, drawn: list[Sample]) -> Iterator[str]:
@@ -70,8 +70,9 @@ def _linearizes(block: Block, drawn: list[Sample]) -> Iterator[str]:
     for role, _, size in equations(block):
         update = role.endswith(".update")
         pair = [(m.A, m.B) if update else (m.C, m.D) for m in found]
-        matrices = [np.hstack([np.reshape(a, (size, -1)), np.reshape(b, (size, -1))])
-                    for a, b in pair]  # fmt: skip
+        matrices = [
+            np.hstack([np.reshape(a, (size, -1)), np.reshape(b, (size, -1))]) for a, b in pair
+        ]
         if any(not np.all(np.isfinite(matrix)) for matrix in matrices):
             yield f"{role}: linearize gives values that are not finite"
         if block.opaque:

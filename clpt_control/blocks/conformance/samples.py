@@ -68,7 +68,7 @@ def draw(block: Block, seed: int, count: int) -> list[Sample]:
 
 
 def equations(block: Block) -> Iterator[tuple[str, Equations, int]]:
-    """Give a block's equations, one by one.
+    """Return a block's equations, one by one.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ def equations(block: Block) -> Iterator[tuple[str, Equations, int]]:
 
 
 def python_values(function: Equations, sample: Sample, size: int) -> np.ndarray:
-    """Give what Python makes of one sample.
+    """Return what Python makes of one sample.
 
     Parameters
     ----------
@@ -124,7 +124,7 @@ def python_values(function: Equations, sample: Sample, size: int) -> np.ndarray:
 
 
 def own_copy(p: Any) -> Any:
-    """Give the same parameters with arrays of their own.
+    """Return the same parameters with arrays of their own.
 
     Parameters
     ----------
@@ -146,7 +146,7 @@ def own_copy(p: Any) -> Any:
 
 
 def differ(a: np.ndarray, b: np.ndarray, tolerance: float = 1e-12) -> bool:
-    """Tell whether two results differ by more than rounding.
+    """Return whether two results differ by more than rounding.
 
     Parameters
     ----------

@@ -82,9 +82,13 @@ def fit_tides(
     check_separable(tuple(speeds), hours[-1], where, speeds)
     check_sampling(hours, cycles, names, where)
     options = {
-        "lat": checked_latitude(latitude), "constit": utide_names(names), "white": True,
-        "order_constit": utide_names(names), "trend": False, "verbose": False,
-    }  # fmt: skip
+        "lat": checked_latitude(latitude),
+        "constit": utide_names(names),
+        "white": True,
+        "order_constit": utide_names(names),
+        "trend": False,
+        "verbose": False,
+    }
     with np.errstate(all="ignore"):  # 0/0 where a tide or the residual is nought
         both = utide.solve(times, flow.real, flow.imag, **options)
         east, north = (utide.solve(times, part, **options) for part in (flow.real, flow.imag))
@@ -110,7 +114,7 @@ def fit_tides(
 
 
 def predict(fit: TidalFit, time: np.ndarray) -> np.ndarray:
-    """Give the current of a fit at any times.
+    """Return the current of a fit at any times.
 
     Parameters
     ----------
@@ -147,7 +151,7 @@ def _predicted(coefficients: Any, times: np.ndarray) -> np.ndarray:
 
 
 def _measured(time: Any, u: Any, v: Any, where: str) -> tuple[np.ndarray, np.ndarray]:
-    """Give the times and u + iv where both were measured."""
+    """Return the times and u + iv where both were measured."""
     times = checked_times(time)
     u, v = np.asarray(u, float), np.asarray(v, float)
     if not u.shape == v.shape == times.shape or times.ndim != 1:
@@ -191,11 +195,15 @@ def _constituent(
     name: str, k: int, both: Any, east: Any, north: Any, loud: np.ndarray
 ) -> Constituent:
     parts = {
-        "east": (east, "A", loud[1]), "east_phase": (east, "g", loud[1]),
-        "north": (north, "A", loud[2]), "north_phase": (north, "g", loud[2]),
-        "major": (both, "Lsmaj", loud[0]), "minor": (both, "Lsmin", loud[0]),
-        "inclination": (both, "theta", loud[0]), "phase": (both, "g", loud[0]),
-    }  # fmt: skip
+        "east": (east, "A", loud[1]),
+        "east_phase": (east, "g", loud[1]),
+        "north": (north, "A", loud[2]),
+        "north_phase": (north, "g", loud[2]),
+        "major": (both, "Lsmaj", loud[0]),
+        "minor": (both, "Lsmin", loud[0]),
+        "inclination": (both, "theta", loud[0]),
+        "phase": (both, "g", loud[0]),
+    }
     values = {key: float(fit[own][k]) for key, (fit, own, _) in parts.items()}
     errors = {key: float(fit[f"{own}_ci"][k] / CI * by) for key, (fit, own, by) in parts.items()}
     return Constituent(name=name, errors=errors, **values)

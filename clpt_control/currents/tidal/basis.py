@@ -38,7 +38,7 @@ class TidalBasis(NamedTuple):
 
 
 def tidal_basis(fit: TidalFit, epoch: Any, unit: str = "m s-1") -> TidalBasis:
-    """Give a fit as theta of a scenario that starts at an epoch.
+    """Return a fit as theta of a scenario that starts at an epoch.
 
     Parameters
     ----------

@@ -99,7 +99,7 @@ class TidalFit:
 
 
 def tides_report(fit: TidalFit) -> dict[str, Any]:
-    """Give a fit as one JSON object.
+    """Return a fit as one JSON object.
 
     Parameters
     ----------

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 def tides_dataset(fit: TidalFit, record: CurrentRecord) -> "xarray.Dataset":
-    """Give tidal constants as a dataset to write.
+    """Return tidal constants as a dataset to write.
 
     Parameters
     ----------

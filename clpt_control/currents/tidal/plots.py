@@ -64,9 +64,10 @@ def tides_plot(fit: TidalFit, record: CurrentRecord) -> "Figure":
     axes[1].tick_params(labelbottom=False)
     axes[1].legend(fontsize=8, frameon=False, ncols=2, loc="lower right", bbox_to_anchor=(1, 1))
     axes[1].set_title(
-        f"Explained: {fit.explained_variance:.1%}; residual rms "
-        f"{fit.residual_rms:.3g} m/s", loc="left", fontsize=10,
-    )  # fmt: skip
+        f"Explained: {fit.explained_variance:.1%}; residual rms {fit.residual_rms:.3g} m/s",
+        loc="left",
+        fontsize=10,
+    )
     axes[2].set_xlabel(f"days since {origin} UTC")
     return figure
 
@@ -81,7 +82,7 @@ class _Ellipse(NamedTuple):
 
 
 def _chosen(fit: TidalFit) -> list[_Ellipse]:
-    """Give the greatest tides in the order of the fit."""
+    """Return the greatest tides in the order of the fit."""
     shown = sorted(fit.constituents, key=lambda each: -each.major)[:MOST]
     ellipses = []
     for each in (tide for tide in fit.constituents if tide in shown):
@@ -94,12 +95,12 @@ def _chosen(fit: TidalFit) -> list[_Ellipse]:
 
 
 def _bar(ellipses: list[_Ellipse]) -> float:
-    """Give a round speed of half the greatest, m/s."""
+    """Return a round speed of half the greatest, m/s."""
     return float(f"{max(each.of.major for each in ellipses) / 2:.1g}")
 
 
 def _inch(ellipses: list[_Ellipse]) -> float:
-    """Give the speed that an inch stands for, so that the row is full, m/s."""
+    """Return the speed that an inch stands for, so that the row is full, m/s."""
     length = 2 * sum(each.wide for each in ellipses) + _bar(ellipses)
     high = 2 * max(each.high for each in ellipses)
     return max(length / (WIDE - ROOM * len(ellipses)), high / HIGH)
@@ -134,5 +135,7 @@ def _draw(ax, ellipses: list[_Ellipse], inch: float) -> None:
         "Tidal ellipses, east to the right, semi-major axis in m/s "
         "(dashed: clockwise; dot: V + u = 0)"
         + (f"\n× {LARGER}: drawn {LARGER} times as large as the others" if larger else ""),
-        x=0.01, ha="left", fontsize=10,
-    )  # fmt: skip
+        x=0.01,
+        ha="left",
+        fontsize=10,
+    )

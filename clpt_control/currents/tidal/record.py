@@ -53,9 +53,7 @@ class CurrentRecord:
 
 
 def read_record(
-    path: str | Path,
-    latitude: float | None = None,
-    at: tuple[float, float] | None = None,
+    path: str | Path, latitude: float | None = None, at: tuple[float, float] | None = None
 ) -> CurrentRecord:
     """Read a current record at one place.
 
@@ -106,7 +104,7 @@ def read_record(
 
 
 def _from_netcdf(data: "xarray.Dataset", path: Path, at: tuple[float, float] | None) -> tuple:
-    """Give times, u, v and (latitude, longitude)."""
+    """Return times, u, v and (latitude, longitude)."""
     east = find_variable(data, VELOCITY, "eastward", path)
     north = find_variable(data, VELOCITY, "northward", path)
     when = find_axis(data, east, "time", path)
@@ -135,7 +133,7 @@ def _from_netcdf(data: "xarray.Dataset", path: Path, at: tuple[float, float] | N
 
 
 def _nearest(axis: np.ndarray, wanted: float, what: str, path: Path) -> int:
-    """Give the cell nearest to a place that lies in the grid."""
+    """Return the cell nearest to a place that lies in the grid."""
     if not (np.isfinite(wanted) and np.all(np.isfinite(axis))):
         raise DataError(f"{path}: {what} {wanted}: must be finite, as those of the grid")
     apart = axis - wanted
@@ -152,15 +150,15 @@ def _nearest(axis: np.ndarray, wanted: float, what: str, path: Path) -> int:
 
 
 def _own_place(data: "xarray.Dataset") -> list[float | None]:
-    """Give latitude and longitude of a file of one place, None where it is silent."""
+    """Return latitude and longitude of a file of one place, None where it is silent."""
     place: list[float | None] = []
     for what, short in (("latitude", "lat"), ("longitude", "lon")):
         values: list[Any] = [
             data[name].values.ravel()[0]
             for name in data.variables
-            if (data[name].attrs.get("standard_name") == what
-                or str(name).lower() in AXES[what][1]) and data[name].size == 1
-        ]  # fmt: skip
+            if (data[name].attrs.get("standard_name") == what or str(name).lower() in AXES[what][1])
+            and data[name].size == 1
+        ]
         low, high = (data.attrs.get(f"geospatial_{short}_{end}") for end in ("min", "max"))
         values += [low] if low is not None and low == high else []
         values += [data.attrs[name] for name in (what, short) if name in data.attrs]

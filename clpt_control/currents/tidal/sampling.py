@@ -93,7 +93,7 @@ def check_sampling(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], 
 
 
 def loudness(residual: np.ndarray, hours: np.ndarray, cycles: np.ndarray, k: int) -> np.ndarray:
-    """Give how much louder a residual is near a tide than on average.
+    """Return how much louder a residual is near a tide than on average.
 
     Parameters
     ----------

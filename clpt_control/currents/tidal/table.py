@@ -36,7 +36,7 @@ HEADER = re.compile(r"\s*([^([]*?)\s*(?:[(\[]\s*([^)\]]*?)\s*[)\]])?\s*")
 
 
 def is_table(path: Path) -> bool:
-    """Give whether a file is named as a table is.
+    """Return whether a file is named as a table is.
 
     Examples
     --------
@@ -94,7 +94,7 @@ def read_table(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray, float | 
 
 
 def _header(line: str, units: str | None, path: Path) -> tuple[list[int], list[float]]:
-    """Give the columns of time, u and v, and what one unit of u and v is in m/s."""
+    """Return the columns of time, u and v, and what one unit of u and v is in m/s."""
     cells = [HEADER.fullmatch(cell) for cell in cells_of(line)]
     names = [cell[1].lower() if cell else "" for cell in cells]
     columns, sizes = [], []
@@ -123,7 +123,7 @@ def _header(line: str, units: str | None, path: Path) -> tuple[list[int], list[f
 
 
 def _seconds(text: str, where: str) -> float:
-    """Give seconds since 1970 UTC."""
+    """Return seconds since 1970 UTC."""
     try:
         seconds = float(text)
     except ValueError:

@@ -42,7 +42,7 @@ class Arrow(NamedTuple):
 
 
 def ports(labels: list[str]) -> list[str]:
-    """Give the ports of signal labels, each once, in order.
+    """Return the ports of signal labels, each once, in order.
 
     Parameters
     ----------

@@ -71,7 +71,7 @@ def lines_of(name: str) -> list[str]:
 
 
 def note(system: control.NonlinearIOSystem) -> str:
-    """Give the line under a block's name.
+    """Return the line under a block's name.
 
     Parameters
     ----------

@@ -146,8 +146,15 @@ def _figure(diagram: control.NonlinearIOSystem) -> Any:
         _draw_arrows(axes, routed, nets)
         for name, box in routed.boxes.items():
             if name.startswith("in:"):
-                axes.text(box.x + box.width - 4, box.y, name[3:], size=PORT, ha="right",
-                          va="center_baseline", style="italic")  # fmt: skip
+                axes.text(
+                    box.x + box.width - 4,
+                    box.y,
+                    name[3:],
+                    size=PORT,
+                    ha="right",
+                    va="center_baseline",
+                    style="italic",
+                )
             elif name in nodes:
                 _draw_block(axes, box, name, nodes[name].system)
         if key:
@@ -184,8 +191,15 @@ def _draw_arrows(axes: Any, routed: Routed, nets: list[Any]) -> None:
         head = [(x1, y1), (x1 - 6, y1 - 2.2), (x1 - 6, y1 + 2.2)]
         axes.add_patch(Polygon(head, closed=True, fc="black", ec="none", zorder=3))
         if target:
-            axes.text(x1 - 8, y1 - 2, net.targets[target], size=PORT, ha="right", va="baseline",
-                      style="italic")  # fmt: skip
+            axes.text(
+                x1 - 8,
+                y1 - 2,
+                net.targets[target],
+                size=PORT,
+                ha="right",
+                va="baseline",
+                style="italic",
+            )
         if net.named_at_source and target == next(iter(net.targets), ""):
             axes.text(x0 + 3, y0 - 2, net.text, size=PORT, va="baseline", style="italic")
     for x, y in routed.dots:
@@ -196,9 +210,15 @@ def _draw_block(axes: Any, box: Any, name: str, system: control.NonlinearIOSyste
     from matplotlib.patches import Rectangle
 
     opaque = isinstance(system, Block) and system.opaque
-    frame = Rectangle((box.x, box.y - box.height / 2), box.width, box.height,
-                      fc="0.88" if opaque else "white", ec="black",
-                      lw=1.8 if system.nstates else 0.8, zorder=4)  # fmt: skip
+    frame = Rectangle(
+        (box.x, box.y - box.height / 2),
+        box.width,
+        box.height,
+        fc="0.88" if opaque else "white",
+        ec="black",
+        lw=1.8 if system.nstates else 0.8,
+        zorder=4,
+    )
     frame.set_gid(f"block:{name}")
     axes.add_patch(frame)
     rows = [(line, NAME, "bold") for line in lines_of(name)]
@@ -206,5 +226,13 @@ def _draw_block(axes: Any, box: Any, name: str, system: control.NonlinearIOSyste
         rows.append((text, NOTE, "normal"))
     for k, (line, size, weight) in enumerate(rows):
         y = box.y + (k - (len(rows) - 1) / 2) * 10 + size * 0.36
-        axes.text(box.x + box.width / 2, y, line, size=size, weight=weight, ha="center",
-                  va="baseline", zorder=5)  # fmt: skip
+        axes.text(
+            box.x + box.width / 2,
+            y,
+            line,
+            size=size,
+            weight=weight,
+            ha="center",
+            va="baseline",
+            zorder=5,
+        )

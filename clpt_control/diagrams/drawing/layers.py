@@ -66,7 +66,7 @@ class Layered:
     layers: list[list[str]]
 
     def hop(self, k: int, layer: int) -> tuple[str, list[str]] | None:
-        """Give where net k comes from and goes to between two layers."""
+        """Return where net k comes from and goes to between two layers."""
         net = self.nets[k]
         start, last = self.rank[net.source], max((self.rank[t] for t in net.onward), default=-1)
         if not start <= layer < last:

@@ -38,7 +38,7 @@ class Box:
     outs: list[int] = field(default_factory=list)
 
     def port(self, net: int, out: bool) -> float:
-        """Give the height at which a net meets the box."""
+        """Return the height at which a net meets the box."""
         side = self.outs if out else self.ins
         if net not in side:
             return self.y
@@ -48,7 +48,7 @@ class Box:
 def place(
     layered: Layered, sizes: dict[str, tuple[float, float]]
 ) -> tuple[dict[str, Box], dict[int, bool]]:
-    """Give boxes their heights and their ports an order.
+    """Return boxes their heights and their ports an order.
 
     Parameters
     ----------
@@ -133,7 +133,7 @@ def _spacing(boxes: dict[str, Box], names: list[str]) -> list[float]:
 
 
 def settle(wanted: Sequence[float], spaces: Sequence[float]) -> list[float]:
-    """Give places on the grid near those wanted, in order and apart.
+    """Return places on the grid near those wanted, in order and apart.
 
     Parameters
     ----------
@@ -163,7 +163,7 @@ def settle(wanted: Sequence[float], spaces: Sequence[float]) -> list[float]:
 
 
 def _straighten(layered: Layered, boxes: dict[str, Box]) -> None:
-    """Give the passages of a net one height where their neighbours leave room."""
+    """Return the passages of a net one height where their neighbours leave room."""
     for k, net in enumerate(layered.nets):
         chain = [
             (layer, f"pass:{k}:{layer}")
@@ -188,7 +188,7 @@ def _straighten(layered: Layered, boxes: dict[str, Box]) -> None:
 
 
 def _room(boxes: dict[str, Box], names: list[str], name: str) -> tuple[float, float]:
-    """Give the heights between the neighbours of a passage."""
+    """Return the heights between the neighbours of a passage."""
     here = names.index(name)
     spaces = _spacing(boxes, names)
     low = boxes[names[here - 1]].y + spaces[here - 1] if here else -math.inf

@@ -87,7 +87,7 @@ def _columns(
     channels: dict[int, list[Turn]],
     text_width: Callable[[str], float],
 ) -> None:
-    """Give boxes their x and nets their tracks, from left to right."""
+    """Return boxes their x and nets their tracks, from left to right."""
     x = 0.0
     for c, turns in channels.items():
         if c >= 0:

@@ -81,7 +81,7 @@ def strokes(
 
 
 def _ways(point: Point, a: Point, b: Point) -> list[tuple[int, int]]:
-    """Give the directions in which a straight piece leaves a point on it."""
+    """Return the directions in which a straight piece leaves a point on it."""
     x, y = point
     inside = min(a[0], b[0]) <= x <= max(a[0], b[0]) and min(a[1], b[1]) <= y <= max(a[1], b[1])
     if not inside:

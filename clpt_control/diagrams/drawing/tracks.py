@@ -41,7 +41,7 @@ class Turn:
 
 
 def lanes_of(layered: Layered, boxes: dict[str, Box], above: dict[int, bool]) -> dict[int, float]:
-    """Give each feedback net a lane; short ones run inside.
+    """Return each feedback net a lane; short ones run inside.
 
     Parameters
     ----------
@@ -171,7 +171,7 @@ def sort_tracks(turns: list[Turn]) -> None:
 
 
 def overlap(a: Turn, b: Turn) -> bool:
-    """Tell whether two turns are too close to share a track.
+    """Return whether two turns are too close to share a track.
 
     Parameters
     ----------

@@ -54,7 +54,7 @@ class MeanSquare:
 def mean_square_sides(
     times: np.ndarray, e: np.ndarray, delta: np.ndarray, V0: float | np.ndarray, k: float
 ) -> MeanSquare:
-    """Give both sides of the bound from samples.
+    """Return both sides of the bound from samples.
 
     Parameters
     ----------
@@ -89,7 +89,7 @@ def mean_square_sides(
 
 
 def residual(scenario: Scenario, run: "xarray.Dataset") -> np.ndarray:
-    """Give what drives the error: Delta of Eq. (32) along a run.
+    """Return what drives the error: Delta of Eq. (32) along a run.
 
     Parameters
     ----------
@@ -125,7 +125,7 @@ def residual(scenario: Scenario, run: "xarray.Dataset") -> np.ndarray:
 
 
 def mean_square_bound(run: "xarray.Dataset", scenario: Scenario) -> MeanSquare:
-    """Give both sides of the mean-square bound along a run.
+    """Return both sides of the mean-square bound along a run.
 
     Parameters
     ----------

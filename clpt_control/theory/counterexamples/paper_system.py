@@ -24,7 +24,7 @@ RESONANT = 3.5  # rad/s: near sqrt(gamma |w|^2) of the paper's x1 axis at its fa
 
 
 def with_square_wave(scenario: Scenario, amplitude: float, frequency: float) -> Scenario:
-    """Give the scenario, started true, with a square wave on axis 1.
+    """Return the scenario, started true, with a square wave on axis 1.
 
     Parameters
     ----------

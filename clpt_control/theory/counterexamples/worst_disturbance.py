@@ -42,7 +42,7 @@ class WorstDisturbance:
 
 
 def influences(A: np.ndarray, step: float, targets: np.ndarray) -> np.ndarray:
-    """Give c Phi(t, s) b: what Delta at s does to e at t.
+    """Return c Phi(t, s) b: what Delta at s does to e at t.
 
     Parameters
     ----------
@@ -109,7 +109,7 @@ def peak_gains(A: np.ndarray, step: float, targets: np.ndarray) -> np.ndarray:
 
 
 def regressor_matrices(scenario: Scenario, end: float, step: float) -> np.ndarray:
-    """Give A of Eq. (28) along the undisturbed run, started true.
+    """Return A of Eq. (28) along the undisturbed run, started true.
 
     Parameters
     ----------

@@ -49,7 +49,7 @@ def ultimate_bound(window: float, largest_disturbance: float, drop: float) -> fl
 
 
 def time_to_error(window: float, drop: float, start: float, error: float) -> float:
-    """Give the time until the parameter error must be small.
+    """Return the time until the parameter error must be small.
 
     Parameters
     ----------

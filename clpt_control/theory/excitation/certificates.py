@@ -74,9 +74,14 @@ class Certificate:
 
 
 def window_drops(
-    phi: np.ndarray, z: np.ndarray, zc: np.ndarray, weights: np.ndarray,
-    KD: np.ndarray, gain: float, adapted: slice = slice(None),
-) -> dict[str, np.ndarray]:  # fmt: skip
+    phi: np.ndarray,
+    z: np.ndarray,
+    zc: np.ndarray,
+    weights: np.ndarray,
+    KD: np.ndarray,
+    gain: float,
+    adapted: slice = slice(None),
+) -> dict[str, np.ndarray]:
     """Measure what a window does to V, axis by axis.
 
     Parameters
@@ -184,17 +189,26 @@ def certificate(
             )
         along = _refined(along, TURN / turn)
     adapted = slice(scenario.basis.N if scenario.learning.law == "known-flow" else 0, None)
-    found = window_drops(along.phi, along.z, along.zc, along.weights,
-                         np.array(scenario.vehicle.feedback), gain, adapted)  # fmt: skip
+    found = window_drops(
+        along.phi,
+        along.z,
+        along.zc,
+        along.weights,
+        np.array(scenario.vehicle.feedback),
+        gain,
+        adapted,
+    )
     axes = ("x1", "x2")
     return Certificate(
         float(along.cuts[0]),
         float(along.cuts[-1] - along.cuts[0]),
         along.trajectory,
         dict(zip(axes, found["transition"], strict=True)),
-        *(dict(zip(axes, map(float, found[name]), strict=True))
-          for name in ("contraction", "drop", "rho", "sharper")),
-    )  # fmt: skip
+        *(
+            dict(zip(axes, map(float, found[name]), strict=True))
+            for name in ("contraction", "drop", "rho", "sharper")
+        ),
+    )
 
 
 def _refined(along: Regressor, longest: float) -> Regressor:

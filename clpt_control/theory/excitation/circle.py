@@ -12,12 +12,12 @@ from ..proving.proof import Step, checked
 
 
 def _zero(expression: sympy.Expr) -> bool:
-    """Tell whether trigonometric terms cancel, as sums of exponentials."""
+    """Return whether trigonometric terms cancel, as sums of exponentials."""
     return sympy.simplify(sympy.expand(sympy.expand(expression).rewrite(sympy.exp))) == 0
 
 
 def telescopes() -> bool:
-    """Tell whether sum_{j<n} q^j = (1 - q^n)/(1 - q), by induction."""
+    """Return whether sum_{j<n} q^j = (1 - q^n)/(1 - q), by induction."""
     n, q = sympy.Symbol("n", integer=True, positive=True), sympy.Symbol("q")
 
     def partial(count: sympy.Expr) -> sympy.Expr:
@@ -28,7 +28,7 @@ def telescopes() -> bool:
 
 
 def root_of_unity() -> bool:
-    """Tell whether q = exp(4 pi i/n) is a root of 1, not 1, n > 2."""
+    """Return whether q = exp(4 pi i/n) is a root of 1, not 1, n > 2."""
     n = sympy.Symbol("n", integer=True, positive=True)
     m = sympy.Symbol("m", integer=True, nonnegative=True)
     q = sympy.exp(4 * sympy.pi * sympy.I / n)
@@ -44,7 +44,7 @@ def root_of_unity() -> bool:
 
 
 def entries() -> bool:
-    """Tell whether cos^2, sin^2, cos sin are parts of exp(2 i a)."""
+    """Return whether cos^2, sin^2, cos sin are parts of exp(2 i a)."""
     a = sympy.Symbol("a", real=True)
     re, im = sympy.re(sympy.exp(2 * sympy.I * a)), sympy.im(sympy.exp(2 * sympy.I * a))
     cosine, sine = sympy.cos(a), sympy.sin(a)
@@ -71,7 +71,8 @@ def circle_step() -> Step:
     return checked(
         "n >= 3 waypoints on a circle excite: int zc zc^T dt = (n tau r^2/2) I over a cycle",
         "exact",
-        lambda: (telescopes() and root_of_unity() and entries(),
-                 "cos^2 a = (1 + Re q^j)/2 and so on, a = 2 pi j/n; q^n = 1 and q != 1, so "
-                 "sum q^j = 0"),
-    )  # fmt: skip
+        lambda: (
+            telescopes() and root_of_unity() and entries(),
+            "cos^2 a = (1 + Re q^j)/2 and so on, a = 2 pi j/n; q^n = 1 and q != 1, so sum q^j = 0",
+        ),
+    )

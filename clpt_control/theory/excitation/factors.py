@@ -13,7 +13,7 @@ from .regressor import Regressor
 
 
 def piece_factors(regressor: Regressor) -> np.ndarray:
-    """Give the triangular factor of each piece's Gramian.
+    """Return the triangular factor of each piece's Gramian.
 
     Parameters
     ----------

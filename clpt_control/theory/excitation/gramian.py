@@ -141,7 +141,7 @@ def parameter_names(N: int) -> dict[str, list[str]]:
 
 
 def started_true(scenario: Scenario) -> Scenario:
-    """Give the scenario with the learner started true.
+    """Return the scenario with the learner started true.
 
     Parameters
     ----------
@@ -177,9 +177,11 @@ def started_true(scenario: Scenario) -> Scenario:
 
 
 def excitation(
-    source: Source | Regressor, window: float | None = None, start: float | None = None,
+    source: Source | Regressor,
+    window: float | None = None,
+    start: float | None = None,
     tolerance: float = NOT_LEARNABLE,
-) -> Excitation:  # fmt: skip
+) -> Excitation:
     """Measure the joint excitation over one window.
 
     Parameters

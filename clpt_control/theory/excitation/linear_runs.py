@@ -38,7 +38,7 @@ class Piece(NamedTuple):
 
 
 def scalar_matrix(w: float, k: float = 1.0, gain: float = 1.0) -> np.ndarray:
-    """Give A of the scalar system, one axis with w = phi alone.
+    """Return A of the scalar system, one axis with w = phi alone.
 
     Parameters
     ----------

@@ -51,8 +51,9 @@ def excitation_plot(sliding: SlidingExcitation, at: Excitation | None = None) ->
     axes[0, 0].set_ylabel(r"eigenvalue of $\int w w^T dt$")
     axes[1, 0].set_ylabel("component")
     handles, labels = axes[0, 0].get_legend_handles_labels()
-    figure.legend(handles[::-1], labels[::-1], fontsize=8, frameon=False, ncols=4,
-                  loc="outside upper center")  # fmt: skip
+    figure.legend(
+        handles[::-1], labels[::-1], fontsize=8, frameon=False, ncols=4, loc="outside upper center"
+    )
     axes[1, 1].legend(fontsize=8, frameon=False, loc="lower left")
     for ax in axes[1]:
         ax.set_ylim(-1.6, 1.15)
@@ -70,12 +71,31 @@ def _eigenvalues(ax: "Axes", sliding: SlidingExcitation, at: Excitation, axis: s
     values = np.maximum(values, LOWEST * values.max())
     mark = "." if len(sliding.starts) < 3 else None
     for k in range(1, values.shape[1] - 1):
-        ax.semilogy(sliding.starts, values[:, k], color=GREY, linewidth=0.7, marker=mark,
-                    label="between" if k == 1 else None)  # fmt: skip
-    ax.semilogy(sliding.starts, values[:, -1], color=RED, linestyle="--", linewidth=1.3,
-                marker=mark, label=r"$\kappa_2$, largest")  # fmt: skip
-    ax.semilogy(sliding.starts, values[:, 0], color=BLUE, linewidth=1.8, marker=mark,
-                label=r"$\kappa_1$, smallest")  # fmt: skip
+        ax.semilogy(
+            sliding.starts,
+            values[:, k],
+            color=GREY,
+            linewidth=0.7,
+            marker=mark,
+            label="between" if k == 1 else None,
+        )
+    ax.semilogy(
+        sliding.starts,
+        values[:, -1],
+        color=RED,
+        linestyle="--",
+        linewidth=1.3,
+        marker=mark,
+        label=r"$\kappa_2$, largest",
+    )
+    ax.semilogy(
+        sliding.starts,
+        values[:, 0],
+        color=BLUE,
+        linewidth=1.8,
+        marker=mark,
+        label=r"$\kappa_1$, smallest",
+    )
     ax.axvline(at.start, color="black", linestyle=":", linewidth=1.0, label="window below")
     ax.set_xlabel(f"start of the window ({at.time_unit})")
     ax.set_title(f"{axis}: window of {sliding.window:g} {at.time_unit}", loc="left", fontsize=10)
@@ -88,16 +108,34 @@ def _direction(ax: "Axes", at: Excitation, axis: str) -> None:
     shares = np.linalg.norm(at.identifiable[axis], axis=1)
     shown = np.sort(np.argsort(-np.abs(components))[:MOST_BARS])
     places = np.arange(len(shown))
-    ax.bar(places, components[shown], width=0.55, color=BLUE, edgecolor="black", linewidth=0.6,
-           label="least excited direction")  # fmt: skip
-    ax.plot(places, shares[shown], linestyle="none", marker="D", markersize=5, color=RED,
-            markerfacecolor="white", label="learnable share")  # fmt: skip
+    ax.bar(
+        places,
+        components[shown],
+        width=0.55,
+        color=BLUE,
+        edgecolor="black",
+        linewidth=0.6,
+        label="least excited direction",
+    )
+    ax.plot(
+        places,
+        shares[shown],
+        linestyle="none",
+        marker="D",
+        markersize=5,
+        color=RED,
+        markerfacecolor="white",
+        label="learnable share",
+    )
     ax.axhline(0, color="black", linewidth=0.7)
     ax.set_xticks(places, [_symbol(names[k]) for k in shown], fontsize=9)
     some = "" if len(shown) == len(names) else f", {len(shown)} of {len(names)} parameters"
-    ax.set_title(rf"{axis}: $\kappa_1$ = {at.eigenvalues[axis][0]:.3g}, "
-                 f"{at.start:.4g} to {at.start + at.window:.4g} {at.time_unit}{some}",
-                 loc="left", fontsize=10)  # fmt: skip
+    ax.set_title(
+        rf"{axis}: $\kappa_1$ = {at.eigenvalues[axis][0]:.3g}, "
+        f"{at.start:.4g} to {at.start + at.window:.4g} {at.time_unit}{some}",
+        loc="left",
+        fontsize=10,
+    )
 
 
 def _symbol(name: str) -> str:

@@ -25,7 +25,7 @@ Source = Union[Scenario, "xarray.Dataset"]
 
 
 def scenario_of(source: Source) -> Scenario:
-    """Give the scenario, of itself or of a run that carries it.
+    """Return the scenario, of itself or of a run that carries it.
 
     Parameters
     ----------
@@ -60,7 +60,7 @@ def scenario_of(source: Source) -> Scenario:
 
 
 def span_of(source: Source) -> tuple[float, float]:
-    """Give the first and last time of a scenario or a run.
+    """Return the first and last time of a scenario or a run.
 
     Parameters
     ----------

@@ -62,7 +62,7 @@ class Regressor:
 def quadrature(
     scenario: Scenario, start: float, end: float, edges: np.ndarray | None = None
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Give quadrature nodes and weights between the switches.
+    """Return quadrature nodes and weights between the switches.
 
     Gauss-Legendre, with pieces no longer than half a period of the fastest
     tide and ten time constants of the vehicle.
@@ -113,7 +113,7 @@ def quadrature(
 def checked_window(
     source: Source, window: float | None, start: float | None
 ) -> tuple[float, float]:
-    """Give the window's length and start, checked.
+    """Return the window's length and start, checked.
 
     Parameters
     ----------
@@ -155,10 +155,12 @@ def checked_window(
 
 
 def joint_regressor(
-    source: Source, window: float | None = None, start: float | None = None,
+    source: Source,
+    window: float | None = None,
+    start: float | None = None,
     edges: np.ndarray | None = None,
-) -> Regressor:  # fmt: skip
-    """Give w = [phi(x), z_i, zc_i] of Eq. (31) over a window.
+) -> Regressor:
+    """Return w = [phi(x), z_i, zc_i] of Eq. (31) over a window.
 
     Parameters
     ----------
@@ -196,12 +198,16 @@ def joint_regressor(
             raise ScenarioError(
                 f"window {window:g} from {start:g}: the run ended before: {run.attrs['message']}"
             )
-        x, z, zc = (run[name].values.reshape(*times.shape, 2)
-                    for name in ("position", "predicted_position", "reference"))  # fmt: skip
+        x, z, zc = (
+            run[name].values.reshape(*times.shape, 2)
+            for name in ("position", "predicted_position", "reference")
+        )
         trajectory = "simulated from the scenario's initial values"
     else:
-        x, z = (positions_between(source, name, scenario, times)
-                for name in ("position", "predicted_position"))  # fmt: skip
+        x, z = (
+            positions_between(source, name, scenario, times)
+            for name in ("position", "predicted_position")
+        )
         desired = reference(scenario.waypoints, scenario.reference.dwell)
         held = np.array([desired.output(t, [], []) for t in times.mean(1)])
         zc = np.broadcast_to(held[:, None], z.shape)

@@ -50,10 +50,7 @@ class SlidingExcitation:
 
 
 def sliding_excitation(
-    source: Source,
-    window: float | None = None,
-    count: int = 100,
-    tolerance: float = NOT_LEARNABLE,
+    source: Source, window: float | None = None, count: int = 100, tolerance: float = NOT_LEARNABLE
 ) -> SlidingExcitation:
     """Measure the excitation in a window that slides over a run.
 

@@ -57,8 +57,11 @@ def error_matrices(
         parameter_system(ParameterParameters(N, float(gain))),
     )
     equations = [(block, block.update_function) for block in blocks if block.update_function]
-    given = {"phi_x": np.moveaxis(phi, -1, 0), "z": np.moveaxis(z, -1, 0),
-             "zc": np.moveaxis(zc, -1, 0)}  # fmt: skip
+    given = {
+        "phi_x": np.moveaxis(phi, -1, 0),
+        "z": np.moveaxis(z, -1, 0),
+        "zc": np.moveaxis(zc, -1, 0),
+    }
     A = np.empty((2, *shape, N + 3, N + 3))
     rates = np.empty((2 * N + 6, *shape))
     for axis, own in enumerate(axis_states(N)):
@@ -77,7 +80,7 @@ def error_matrices(
 
 
 def axis_states(N: int) -> list[list[int]]:
-    """Give the places of each axis's states in (e, eta).
+    """Return the places of each axis's states in (e, eta).
 
     Parameters
     ----------
@@ -99,7 +102,7 @@ def axis_states(N: int) -> list[list[int]]:
 
 @cache
 def collocation(nodes: int) -> tuple[np.ndarray, np.ndarray]:
-    """Give the Gauss method's a and b on a step of length 1.
+    """Return the Gauss method's a and b on a step of length 1.
 
     Parameters
     ----------

@@ -6,13 +6,25 @@ from typing import Any
 from .misprints import Misprint
 from .proof import Proof
 
-_TEX = {"\\": r"\textbackslash{}", "_": r"\_", "^": r"\textasciicircum{}", "&": r"\&", "%": r"\%",
-        "#": r"\#", "{": r"\{", "}": r"\}", "$": r"\$", "~": r"\textasciitilde{}",
-        "|": r"\textbar{}", "<": r"\textless{}", ">": r"\textgreater{}"}  # fmt: skip
+_TEX = {
+    "\\": r"\textbackslash{}",
+    "_": r"\_",
+    "^": r"\textasciicircum{}",
+    "&": r"\&",
+    "%": r"\%",
+    "#": r"\#",
+    "{": r"\{",
+    "}": r"\}",
+    "$": r"\$",
+    "~": r"\textasciitilde{}",
+    "|": r"\textbar{}",
+    "<": r"\textless{}",
+    ">": r"\textgreater{}",
+}
 
 
 def audit_json(proofs: Mapping[str, Proof], listed: Sequence[Misprint]) -> dict[str, Any]:
-    """Give the audit ready for JSON.
+    """Return the audit ready for JSON.
 
     Parameters
     ----------
@@ -70,7 +82,7 @@ def audit_json(proofs: Mapping[str, Proof], listed: Sequence[Misprint]) -> dict[
 
 
 def audit_markdown(proofs: Mapping[str, Proof], listed: Sequence[Misprint]) -> str:
-    """Give the audit as a page of Markdown.
+    """Return the audit as a page of Markdown.
 
     Parameters
     ----------
@@ -111,8 +123,12 @@ def audit_markdown(proofs: Mapping[str, Proof], listed: Sequence[Misprint]) -> s
             lines += [f"*Cited:* {proof.cited}.", ""]
         if proof.not_proved:
             lines += [f"*Not shown:* {'; '.join(proof.not_proved)}.", ""]
-    lines += ["## Misprints", "", "| equation | printed | should be | told apart by | confirmed |",
-              "|---|---|---|---|---|"]  # fmt: skip
+    lines += [
+        "## Misprints",
+        "",
+        "| equation | printed | should be | told apart by | confirmed |",
+        "|---|---|---|---|---|",
+    ]
     for m in listed:
         cells = (m.equation, m.printed, m.corrected, m.check, "yes" if m.confirmed else "**no**")
         lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
@@ -120,7 +136,7 @@ def audit_markdown(proofs: Mapping[str, Proof], listed: Sequence[Misprint]) -> s
 
 
 def audit_latex(proofs: Mapping[str, Proof], listed: Sequence[Misprint]) -> str:
-    """Give the audit as a LaTeX document.
+    """Return the audit as a LaTeX document.
 
     Parameters
     ----------
@@ -139,9 +155,14 @@ def audit_latex(proofs: Mapping[str, Proof], listed: Sequence[Misprint]) -> str:
     >>> "longtable" in audit_latex({}, [])
     True
     """
-    lines = [r"\documentclass{article}", r"\usepackage[margin=2cm]{geometry}",
-             r"\usepackage{longtable}", r"\usepackage[T1]{fontenc}", r"\begin{document}",
-             r"\section*{Section III of the paper, checked on the equations that run}"]  # fmt: skip
+    lines = [
+        r"\documentclass{article}",
+        r"\usepackage[margin=2cm]{geometry}",
+        r"\usepackage{longtable}",
+        r"\usepackage[T1]{fontenc}",
+        r"\begin{document}",
+        r"\section*{Section III of the paper, checked on the equations that run}",
+    ]
     for number, proof in proofs.items():
         every = ", for every $N$" if proof.for_every_N else ""
         lines += [
@@ -161,8 +182,11 @@ def audit_latex(proofs: Mapping[str, Proof], listed: Sequence[Misprint]) -> str:
             lines.append(rf"\emph{{Cited:}} {_tex(proof.cited)}.\par")
         if proof.not_proved:
             lines.append(rf"\emph{{Not shown:}} {_tex('; '.join(proof.not_proved))}.")
-    lines += [r"\subsection*{Misprints}", r"\begin{longtable}{p{2.2cm}p{4cm}p{4.5cm}p{4.5cm}}",
-              r"equation & printed & should be & told apart by \\ \hline"]  # fmt: skip
+    lines += [
+        r"\subsection*{Misprints}",
+        r"\begin{longtable}{p{2.2cm}p{4cm}p{4.5cm}p{4.5cm}}",
+        r"equation & printed & should be & told apart by \\ \hline",
+    ]
     lines += [
         " & ".join(_tex(cell) for cell in (m.equation, m.printed, m.corrected, m.check)) + r" \\"
         for m in listed

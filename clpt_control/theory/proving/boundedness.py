@@ -59,20 +59,24 @@ def definite_step(law: str) -> Step:
 
     return checked(
         f"V of Eq. {equation} is positive definite in e and the parameter errors, and radially "
-        "unbounded: a constant positive diagonal Hessian, zero at the truth", "exact", check
-    )  # fmt: skip
+        "unbounded: a constant positive diagonal Hessian, zero at the truth",
+        "exact",
+        check,
+    )
 
 
 def _form(V: sympy.Expr, states: list, truth: dict) -> bool:
-    """Tell whether V is a sum of squares of the errors, each with a positive weight."""
+    """Return whether V is a sum of squares of the errors, each with a positive weight."""
     H = sympy.hessian(V, states)
     at_truth = [V, *(sympy.diff(V, s) for s in states)]
     return (
         H.is_diagonal()
-        and all(H[i, i].is_positive and not H[i, i].free_symbols & set(truth)
-                for i in range(len(states)))
+        and all(
+            H[i, i].is_positive and not H[i, i].free_symbols & set(truth)
+            for i in range(len(states))
+        )
         and all(sympy.expand(v.subs(truth, simultaneous=True)) == 0 for v in at_truth)
-    )  # fmt: skip
+    )
 
 
 def dissipation_step() -> Step:
@@ -172,20 +176,34 @@ def convergence_steps() -> list[Step]:
         return sympy.simplify(taken - eps**2 / (2 * B)) == 0 and bool(taken.is_positive)
 
     return [
-        checked("Eq. (9): x' + KD x holds only phi and zc, so x is bounded", "exact",
-                vehicle_stable),
+        checked(
+            "Eq. (9): x' + KD x holds only phi and zc, so x is bounded", "exact", vehicle_stable
+        ),
         checked("z = x - e, so z is bounded where x and e are", "exact", prediction),
         checked("e' = -KD e + W^T eta, products of bounded signals", "exact", rate),
-        checked("V'' = -2 e^T KD e' holds no derivative of phi or zc, so it is bounded by some B",
-                "exact", second),
-        checked("where g = -V' reaches eps, V loses int_0^(eps/B) (eps - B s) ds = eps^2/(2B) > 0: "
-                "that can happen finitely often only, so V' -> 0", "exact", squeezed),
-    ]  # fmt: skip
+        checked(
+            "V'' = -2 e^T KD e' holds no derivative of phi or zc, so it is bounded by some B",
+            "exact",
+            second,
+        ),
+        checked(
+            "where g = -V' reaches eps, V loses int_0^(eps/B) (eps - B s) ds = eps^2/(2B) > 0: "
+            "that can happen finitely often only, so V' -> 0",
+            "exact",
+            squeezed,
+        ),
+    ]
 
 
 def _is_state(loop: GenericLoop, symbol: sympy.Symbol) -> bool:
-    own = [element_symbol(port, row, None) for port, size in loop.states.items()
-           for row in range(size.rows)]  # fmt: skip
-    own += [element_symbol(port, None, j) for port, size in loop.states.items()
-            for j in range(size.more)]  # fmt: skip
+    own = [
+        element_symbol(port, row, None)
+        for port, size in loop.states.items()
+        for row in range(size.rows)
+    ]
+    own += [
+        element_symbol(port, None, j)
+        for port, size in loop.states.items()
+        for j in range(size.more)
+    ]
     return symbol in own

@@ -30,7 +30,7 @@ def _parameters(expression: sympy.Expr) -> bool:
 
 
 def _not_huge(a: sympy.Expr) -> bool:
-    """Tell whether exp(a) stays a number; parameters are what their block makes of them."""
+    """Return whether exp(a) stays a number; parameters are what their block makes of them."""
     return bool(a.is_nonpositive) or _parameters(a)
 
 
@@ -50,21 +50,29 @@ DEMANDS: dict[str, tuple[str, Callable[..., bool]]] = {
     "floordiv": ("divides by {1}, which may be zero", lambda a, b: bool(b.is_nonzero)),
     "pow": ("raises {0} to the power {1}, which may have no value", _power),
     "sqrt": ("takes the root of {0}, which may be negative", lambda a: bool(a.is_nonnegative)),
-    "log1p": ("takes log(1 + {0}), which may have no value",
-              lambda a: bool((1 + a).is_positive)),
+    "log1p": ("takes log(1 + {0}), which may have no value", lambda a: bool((1 + a).is_positive)),
     "tan": ("takes the tangent of {0}, which may have no value", lambda a: False),
-    "atanh": ("takes atanh of {0}, which may have no value",
-              lambda a: bool((1 - a**2).is_positive)),
-    "acosh": ("takes acosh of {0}, which may have no value",
-              lambda a: bool((a - 1).is_nonnegative)),
+    "atanh": (
+        "takes atanh of {0}, which may have no value",
+        lambda a: bool((1 - a**2).is_positive),
+    ),
+    "acosh": (
+        "takes acosh of {0}, which may have no value",
+        lambda a: bool((a - 1).is_nonnegative),
+    ),
     **dict.fromkeys(("exp", "expm1"), ("takes exp of {0}, which may be too large", _not_huge)),
-    **dict.fromkeys(("sinh", "cosh"), (
-        "takes sinh or cosh of {0}, which may be too large", _parameters)),
-    **dict.fromkeys(("log", "log2", "log10"), (
-        "takes the logarithm of {0}, which may have no value", lambda a: bool(a.is_positive))),
-    **dict.fromkeys(("asin", "acos"), (
-        "takes an angle of {0}, which may have none", lambda a: bool((1 - a**2).is_nonnegative))),
-}  # fmt: skip
+    **dict.fromkeys(
+        ("sinh", "cosh"), ("takes sinh or cosh of {0}, which may be too large", _parameters)
+    ),
+    **dict.fromkeys(
+        ("log", "log2", "log10"),
+        ("takes the logarithm of {0}, which may have no value", lambda a: bool(a.is_positive)),
+    ),
+    **dict.fromkeys(
+        ("asin", "acos"),
+        ("takes an angle of {0}, which may have none", lambda a: bool((1 - a**2).is_nonnegative)),
+    ),
+}
 
 
 def undefined(name: str, arguments: tuple) -> str | None:

@@ -50,8 +50,12 @@ def tidied(expression: sympy.Expr) -> sympy.Expr:
     if _terms(expression) > MOST_TERMS:
         raise DiagramError(f"V' has more than {MOST_TERMS} terms; make the law or its N smaller")
     pairs = ((sympy.cos, sympy.sin, -1), (sympy.cosh, sympy.sinh, 1))
-    known = {f(a): sympy.expand_trig(f(a)) for pair in pairs for f in pair[:2]
-             for a in {one.args[0] for one in expression.atoms(f)}}  # fmt: skip
+    known = {
+        f(a): sympy.expand_trig(f(a))
+        for pair in pairs
+        for f in pair[:2]
+        for a in {one.args[0] for one in expression.atoms(f)}
+    }
     expression = sympy.expand(expression.subs(known))
     for even, odd, sign in pairs:
         for one in expression.atoms(even):
@@ -76,7 +80,7 @@ def _terms(expression: sympy.Expr) -> int:
 def positive_definite(
     V: sympy.Expr, states: Sequence[sympy.Symbol], truth: dict, values: dict
 ) -> bool:
-    """Tell whether V is positive definite in the errors.
+    """Return whether V is positive definite in the errors.
 
     Parameters
     ----------
@@ -111,7 +115,7 @@ def positive_definite(
 
 
 def nonpositive(expression: sympy.Expr, apart: set, values: dict) -> bool:
-    """Tell whether an expression is never positive.
+    """Return whether an expression is never positive.
 
     Parameters
     ----------
@@ -168,8 +172,9 @@ def _negative(group: sympy.Expr, apart: set, values: dict) -> bool:
     if any(sympy.expand(value) != 0 for value in rest):
         return False
     H = H.subs(values)
-    return not H.free_symbols and not H.atoms(sympy.Function) and bool(
-        (-H).is_positive_semidefinite)  # fmt: skip
+    return (
+        not H.free_symbols and not H.atoms(sympy.Function) and bool((-H).is_positive_semidefinite)
+    )
 
 
 def pulled(

@@ -159,8 +159,10 @@ def read_function(
     function = getattr(block, f"{role}_function")
     tape, written = Tape(), {}  # type: ignore[var-annotated]
     N = getattr(block.parameters, "N", 0)
-    lengths = {name: Whole(sum(s.more for s in ports.values()), sum(s.rows for s in ports.values()))
-               for name, ports in sizes.items()}  # fmt: skip
+    lengths = {
+        name: Whole(sum(s.more for s in ports.values()), sum(s.rows for s in ports.values()))
+        for name, ports in sizes.items()
+    }
     given = [Cells(tape, name, Whole(0), lengths[name]) for name in "xu"]
 
     def parameter(field: str, value: Any) -> Any:
@@ -178,9 +180,12 @@ def read_function(
         reader = _Reader(block, {name: keys(ports) for name, ports in sizes.items()}, leaf, told)
         raw = reader.read(rolled(record, least=inf))
         found = {key: raw[k] for k, key in enumerate(written)}
-        values = {key: reader.row([found.pop((*at, turn)) for turn in range(TURNS)])
-                  if key[1] is not None else reader.single(found.pop((*at, None)))
-                  for at, key in keys(sizes["out"]).items()}  # fmt: skip
+        values = {
+            key: reader.row([found.pop((*at, turn)) for turn in range(TURNS)])
+            if key[1] is not None
+            else reader.single(found.pop((*at, None)))
+            for at, key in keys(sizes["out"]).items()
+        }
         if found:
             raise BlockError("it writes a single place among N")
         return values

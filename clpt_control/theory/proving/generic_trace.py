@@ -160,8 +160,11 @@ def generic_trace(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()
     def ask(k: int, role: str) -> dict[Key, Any]:
         block = blocks[k]
         out = block.output_ports if role == "output" else block.state_ports
-        sizes = {"x": _ports(block.state_ports, N), "u": _ports(block.input_ports, N),
-                 "out": _ports(out, N)}  # fmt: skip
+        sizes = {
+            "x": _ports(block.state_ports, N),
+            "u": _ports(block.input_ports, N),
+            "out": _ports(out, N),
+        }
 
         def leaf(name: str, *where: Any) -> Any:
             if name == "t":
@@ -228,9 +231,12 @@ def _ports(ports: dict[str, int], N: int) -> dict[str, Size]:
 
 def _keys_by_place(ports: dict[str, int], N: int) -> list[tuple[Key, int]]:
     """Return, for every signal of ports as they are for this N, its key and function."""
-    return [(key, j) for port, size in ports.items()
-            for key in keys({port: generic_size(port, size, N)}).values()
-            for j in range(N if key[1] is not None else 1)]  # fmt: skip
+    return [
+        (key, j)
+        for port, size in ports.items()
+        for key in keys({port: generic_size(port, size, N)}).values()
+        for j in range(N if key[1] is not None else 1)
+    ]
 
 
 def _places(nodes: tuple[Node, ...], blocks: list[Block], N: int) -> dict[int, tuple[Key, int]]:
@@ -241,11 +247,15 @@ def _places(nodes: tuple[Node, ...], blocks: list[Block], N: int) -> dict[int, t
     return place
 
 
-def _fed(node: Node, block: Block, key: Key, N: int, place: dict, outside: dict,
-         loop: GenericLoop) -> Any:  # fmt: skip
+def _fed(
+    node: Node, block: Block, key: Key, N: int, place: dict, outside: dict, loop: GenericLoop
+) -> Any:
     """Return what feeds a row or a single input, a sum of gains times signals."""
-    external = [pair for port, size in outside.items()
-                for pair in _keys_by_place({port: size.rows * N + size.more}, N)]  # fmt: skip
+    external = [
+        pair
+        for port, size in outside.items()
+        for pair in _keys_by_place({port: size.rows * N + size.more}, N)
+    ]
     own = _keys_by_place(block.input_ports, N)
     turns: list[list[tuple[Key, float]]] = []
     for at in (k for k, (one, _) in enumerate(own) if one == key):

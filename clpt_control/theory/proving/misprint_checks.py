@@ -44,9 +44,17 @@ def _pieces(law: str, disturbed: bool = False):
     loop = _loop(law, disturbed)
     p, signals = loop.parameters, loop.signals
     theta, alpha_M = p["true_flow"].theta, p["vehicle_controller"].alpha_M
-    return (loop, p["vehicle_controller"].KD, p["adaptation"].gain, theta, alpha_M,
-            signals["e"], loop.inputs["phi_x"], loop.inputs["phi_z"],
-            signals["psi"])  # fmt: skip
+    return (
+        loop,
+        p["vehicle_controller"].KD,
+        p["adaptation"].gain,
+        theta,
+        alpha_M,
+        signals["e"],
+        loop.inputs["phi_x"],
+        loop.inputs["phi_z"],
+        signals["psi"],
+    )
 
 
 def _gain_terms(law: str, before_K: sympy.Expr, disturbed: bool = False) -> sympy.Expr:
@@ -154,10 +162,13 @@ def equation_27(printed: bool) -> bool:
         sympy.expand(
             loop.derivative(e[i])
             - sum(phi[k] * eta[2 * i + k] for k in range(2))
-            - third[i] * eta[4 + i] - zc[i] * eta[6 + i] + KD[i] * e[i]
-        ) == 0
+            - third[i] * eta[4 + i]
+            - zc[i] * eta[6 + i]
+            + KD[i] * e[i]
+        )
+        == 0
         for i in range(2)
-    )  # fmt: skip
+    )
 
 
 def equation_28_rows(printed: bool) -> bool:

@@ -105,7 +105,7 @@ def eta_of(loop: SymbolicLoop) -> list[sympy.Expr]:
 
 
 def same_dynamics() -> bool:
-    """Tell whether Eqs. (27)-(28) are the closed loop's own, every N.
+    """Return whether Eqs. (27)-(28) are the closed loop's own, every N.
 
     Examples
     --------
@@ -121,8 +121,10 @@ def same_dynamics() -> bool:
         error = terms.theta(i, None) + element_symbol("alpha", i)
         places[element_symbol("eta", i)] = error
         places[element_symbol("e", None, i)] = terms.e(i)
-        tails = (element_symbol("K", None, i) - terms.KD(i),
-                 whole.parameter("GammaD", i) - element_symbol("Gamma", None, i))  # fmt: skip
+        tails = (
+            element_symbol("K", None, i) - terms.KD(i),
+            whole.parameter("GammaD", i) - element_symbol("Gamma", None, i),
+        )
         wanted["e", None, i] = whole.derivative(whole.signals["e", None, i])
         wanted["eta", i, None] = Summed(whole.rates["alpha", i, None])
         for row, tail in enumerate(tails):
@@ -160,8 +162,10 @@ def observability_steps() -> list[Step]:
         e = [element_symbol("e", None, i) for i in range(2)]
         tail = [element_symbol("eta", None, j) for j in range(4)]
         rows = [element_symbol("eta", i) for i in range(2)]
-        V = Summed(sum(s**2 for s in e) / 2 + sum(s**2 for s in tail) / (2 * gamma),
-                   sum(s**2 for s in rows) / (2 * gamma))  # fmt: skip
+        V = Summed(
+            sum(s**2 for s in e) / 2 + sum(s**2 for s in tail) / (2 * gamma),
+            sum(s**2 for s in rows) / (2 * gamma),
+        )
         rate = parts.derivative(V)
         claim = -sum(KD[i] * e[i] ** 2 for i in range(2))
         return sympy.expand(rate.base - claim) == 0 and rate.term == 0
@@ -193,13 +197,20 @@ def observability_steps() -> list[Step]:
         )
 
     return [
-        checked("Eqs. (27)-(28) with z eta_3 are the closed loop's e' and eta'", "exact",
-                same_dynamics),
+        checked(
+            "Eqs. (27)-(28) with z eta_3 are the closed loop's e' and eta'", "exact", same_dynamics
+        ),
         checked("(X^T P X)' = -e^T KD e with P = diag(I, I/gamma)/2", "exact", decays),
         checked("L = [0; gamma W] gives A + L C = [[-KD, W^T], [0, 0]]", "exact", injection),
-        checked("the injected output is [exp(-k(s-t)) I, filtered W^T] X: the observability "
-                "Gramian is int R^T R with R that row", "exact", filtered),
-        cited("a filtered regressor is exciting where W is, output injection keeps observability, "
-              "and a V that falls with an observable output falls exponentially",
-              "Ioannou and Sun 1996, lemmas 4.8.1 to 4.8.4, theorem 3.4.8"),
-    ]  # fmt: skip
+        checked(
+            "the injected output is [exp(-k(s-t)) I, filtered W^T] X: the observability "
+            "Gramian is int R^T R with R that row",
+            "exact",
+            filtered,
+        ),
+        cited(
+            "a filtered regressor is exciting where W is, output injection keeps observability, "
+            "and a V that falls with an observable output falls exponentially",
+            "Ioannou and Sun 1996, lemmas 4.8.1 to 4.8.4, theorem 3.4.8",
+        ),
+    ]

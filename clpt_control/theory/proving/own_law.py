@@ -159,8 +159,10 @@ def _values(loop: SymbolicLoop, blocks: list[Block]) -> dict[Any, sympy.Rational
     """Return each parameter's own number."""
     draw = Draw(blocks, 0)
     own = draw.parameters(kept=tuple(block.name for block in blocks))
-    return {symbol: sympy.nsimplify(float(value), rational=True)
-            for symbol, value in symbol_values(loop, draw, own).items()}  # fmt: skip
+    return {
+        symbol: sympy.nsimplify(float(value), rational=True)
+        for symbol, value in symbol_values(loop, draw, own).items()
+    }
 
 
 def weights(law: Block, N: int) -> tuple[list[sympy.Expr], bool]:
@@ -223,8 +225,12 @@ def weights(law: Block, N: int) -> tuple[list[sympy.Expr], bool]:
 def _refuse_no_value(loop: SymbolicLoop, name: str) -> None:
     """Refuse equations that have no value whatever the states are."""
     none = (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo, sympy.I)
-    if any(one.has(*none) for ports in (loop.rates, loop.signals)
-           for port in ports.values() for one in port):  # fmt: skip
+    if any(
+        one.has(*none)
+        for ports in (loop.rates, loop.signals)
+        for port in ports.values()
+        for one in port
+    ):
         raise DiagramError(
             f"{name}: with the parameters as they are its equations have no value"
             + (f" ({loop.gaps[0]})" if loop.gaps else "")
@@ -232,7 +238,7 @@ def _refuse_no_value(loop: SymbolicLoop, name: str) -> None:
 
 
 def _judged_by_squares(rests: dict, known: set) -> bool:
-    """Tell whether a V of squares can judge what a law has beside its gains.
+    """Return whether a V of squares can judge what a law has beside its gains.
 
     It cannot where that holds e or time, as gains that change do, or states of the law's
     own, which need not come to every value, or where it weighs the errors in another way.
@@ -245,22 +251,34 @@ def _judged_by_squares(rests: dict, known: set) -> bool:
 
 def _factor(rate: sympy.Expr, product: sympy.Expr, parameters: set) -> sympy.Expr:
     terms = (term / product for term in sympy.Add.make_args(rate))
-    return sympy.Add(*(q for q in terms if not q.atoms(AppliedUndef)
-                       and q.free_symbols <= parameters))  # fmt: skip
+    return sympy.Add(
+        *(q for q in terms if not q.atoms(AppliedUndef) and q.free_symbols <= parameters)
+    )
 
 
 def _renamed(expression: sympy.Expr, last: str, new: str) -> sympy.Expr:
     """Return an expression with another last index in the names of its symbols."""
-    names = {s: sympy.Symbol(s.name.removesuffix(last) + new, **s.assumptions0)
-             for s in expression.free_symbols if s.name.endswith(last)}  # fmt: skip
+    names = {
+        s: sympy.Symbol(s.name.removesuffix(last) + new, **s.assumptions0)
+        for s in expression.free_symbols
+        if s.name.endswith(last)
+    }
     return expression.subs(names)
 
 
 class _Case:
     """A law with its V, on symbols and running."""
 
-    def __init__(self, diagram: Diagram, loop: SymbolicLoop, V: Block, law: Block,
-                 gains: list[sympy.Expr], points: int, seed: int):  # fmt: skip
+    def __init__(
+        self,
+        diagram: Diagram,
+        loop: SymbolicLoop,
+        V: Block,
+        law: Block,
+        gains: list[sympy.Expr],
+        points: int,
+        seed: int,
+    ):
         self.diagram, self.loop, self.V, self.law = diagram, loop, V, law
         _refuse_no_value(loop, V.name)
         self.points, self.seed = points, seed
@@ -276,8 +294,12 @@ class _Case:
             self.weights.update(zip(own, theirs, strict=True))
             if own != theirs:
                 self.given[names[V.name, field]] = theirs
-        hidden = {s for b in self.blocks if b.name not in (law.name, V.name)
-                  for s in _flat(loop.parameters[b.name])}  # fmt: skip
+        hidden = {
+            s
+            for b in self.blocks
+            if b.name not in (law.name, V.name)
+            for s in _flat(loop.parameters[b.name])
+        }
         self.values = {s: v for s, v in _values(loop, self.blocks).items() if s not in hidden}
         self.moving = {TIME, *(s for port in loop.states.values() for s in port)}
         self.kept: tuple[str, ...] = ()
@@ -289,8 +311,11 @@ class _Case:
         """Return where each error is zero."""
         p, states = self.loop.parameters, self.loop.states
         true = dict(zip(states["x"], states["z"], strict=True))
-        known = (("alpha", -p["true_flow"].theta.ravel()), ("K", p["vehicle_controller"].KD),
-                 ("Gamma", p["vehicle_controller"].GammaD))  # fmt: skip
+        known = (
+            ("alpha", -p["true_flow"].theta.ravel()),
+            ("K", p["vehicle_controller"].KD),
+            ("Gamma", p["vehicle_controller"].GammaD),
+        )
         for port, where in known:
             if port in states:
                 true |= dict(zip(states[port], where, strict=True))
@@ -301,10 +326,17 @@ class _Case:
         truth = self.truth()
         definite = checked(
             "V is positive definite in e and the parameter errors, at the blocks' own values",
-            "exact", lambda: positive_definite(self.Vs, list(truth), truth, self.values), False,
-        )  # fmt: skip
-        total = Step("the equations have a value everywhere", not self.loop.gaps, "exact",
-                     self.loop.gaps[0] if self.loop.gaps else "", False)  # fmt: skip
+            "exact",
+            lambda: positive_definite(self.Vs, list(truth), truth, self.values),
+            False,
+        )
+        total = Step(
+            "the equations have a value everywhere",
+            not self.loop.gaps,
+            "exact",
+            self.loop.gaps[0] if self.loop.gaps else "",
+            False,
+        )
         if self.rest != 0 and tidied(self.rest.subs(self.values)) == 0:
             self.rest, self.given = sympy.Integer(0), {}  # for the values that they have
             self.kept = (self.law.name, self.V.name)
@@ -335,12 +367,14 @@ class _Case:
         return self.found("open", steps)
 
     def keeps_decay(self) -> bool:
-        """Tell whether V' has -e^T KD e, or more of it."""
-        return all(sympy.diff(self.rest.subs(self.values), s, 2).is_nonpositive
-                   for s in self.loop.states["x"])  # fmt: skip
+        """Return whether V' has -e^T KD e, or more of it."""
+        return all(
+            sympy.diff(self.rest.subs(self.values), s, 2).is_nonpositive
+            for s in self.loop.states["x"]
+        )
 
     def falls(self, rest: sympy.Expr) -> bool:
-        """Tell whether what V' has beyond -e^T KD e is known not to be positive."""
+        """Return whether what V' has beyond -e^T KD e is known not to be positive."""
         apart = self.moving - {TIME} | rest.free_symbols - set(self.values) - {TIME}
         return bool(rest == 0 or nonpositive(rest, apart, self.values))
 
@@ -361,8 +395,9 @@ class _Case:
 
         def same() -> tuple[bool, str]:
             wanted = claimed(self.loop, decay) + self.rest
-            found = compared(self.diagram, self.loop, wanted, self.points, self.seed, self.given,
-                             self.kept)  # fmt: skip
+            found = compared(
+                self.diagram, self.loop, wanted, self.points, self.seed, self.given, self.kept
+            )
             if found.where is not None:
                 return False, f"differs by {found.worst:.1e} of V at {found.where}"
             return True, f"{found.points} points, largest difference {found.worst:.0e} of V"

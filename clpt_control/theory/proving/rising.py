@@ -80,8 +80,9 @@ def _blocks(diagram: control.NonlinearIOSystem) -> list:
     return list(diagram.syslist)
 
 
-def _persists(running: RunningRate, truth: np.ndarray, far: np.ndarray, u: np.ndarray,
-              degree: float) -> float | None:  # fmt: skip
+def _persists(
+    running: RunningRate, truth: np.ndarray, far: np.ndarray, u: np.ndarray, degree: float
+) -> float | None:
     """Return V' where it is positive at all distances and grows with V."""
     found = []
     for times in FARTHER:
@@ -99,8 +100,7 @@ def _around_the_truth(loop: SymbolicLoop, draw: Draw, values: dict) -> tuple:
     random = draw.random
     ports = [port for port, symbols in loop.states.items() for _ in symbols]
     n, inputs = len(ports), sum(map(len, loop.inputs.values()))
-    u = random.standard_normal((PER_DRAW, inputs)) * 10.0 ** random.uniform(
-        -1, 0.5, (PER_DRAW, 1))  # fmt: skip
+    u = random.standard_normal((PER_DRAW, inputs)) * 10.0 ** random.uniform(-1, 0.5, (PER_DRAW, 1))
     x = random.standard_normal((PER_DRAW, n)) * 10.0 ** random.uniform(-1, 0.5, (PER_DRAW, 1))
     far = random.standard_normal((PER_DRAW, n)) * 10.0 ** random.uniform(-1, 1, (PER_DRAW, n))
     at = {port: [k for k, own in enumerate(ports) if own == port] for port in set(ports)}

@@ -65,9 +65,11 @@ class RunningRate:
         self.diagram, self.wiring = diagram, read(diagram)
         self.blocks = blocks_of(self.wiring)
         self._needed = _ancestors(self.wiring, self.blocks)
-        self._place = next(node.outputs.start for node, block in
-                           zip(self.wiring.nodes, self.blocks, strict=True)
-                           if block.output_ports == {"V": 1})  # fmt: skip
+        self._place = next(
+            node.outputs.start
+            for node, block in zip(self.wiring.nodes, self.blocks, strict=True)
+            if block.output_ports == {"V": 1}
+        )
 
     def set(self, params: Mapping[str, Any]) -> None:
         """Let the blocks run with these parameters."""
@@ -100,8 +102,11 @@ class RunningRate:
 
 def _ancestors(wiring: Wiring, blocks: list[Block]) -> set[int]:
     """Return the blocks that V is made of."""
-    made = {j: k for k, node in enumerate(wiring.nodes)
-            for j in range(node.outputs.start, node.outputs.stop)}  # fmt: skip
+    made = {
+        j: k
+        for k, node in enumerate(wiring.nodes)
+        for j in range(node.outputs.start, node.outputs.stop)
+    }
     own = [k for k, block in enumerate(blocks) if block.output_ports == {"V": 1}]
     if not own:
         raise DiagramError("no block makes V[1]; wire a candidate such as blocks.lyapunov")
@@ -131,8 +136,14 @@ class Draw:
         self.random, self.blocks = np.random.default_rng(seed), blocks
         self.names = parameter_names(blocks)
         records = [b.output_record for b in blocks] + [b.update_record for b in blocks]
-        numbers = {a for r in records if r is not None for o in r.operations for a in o[1:]
-                   if type(a) is float and np.isfinite(a)}  # fmt: skip
+        numbers = {
+            a
+            for r in records
+            if r is not None
+            for o in r.operations
+            for a in o[1:]
+            if type(a) is float and np.isfinite(a)
+        }
         held = [np.ravel(v) for b in blocks for v in b.parameters if not isinstance(v, int)]
         known = np.concatenate([np.array(sorted(numbers)), np.zeros(1), *held])
         known = known[np.abs(known) <= LARGEST]
@@ -271,8 +282,9 @@ def compared(
                     continue
                 off = abs(rate - right[k]) / (CLOSE * max(scale, abs(right[k])))
                 if not off <= 1.0:
-                    return Comparison(done + k + 1, off * CLOSE,
-                                      Point(times[k], x[k], u[k], params))  # fmt: skip
+                    return Comparison(
+                        done + k + 1, off * CLOSE, Point(times[k], x[k], u[k], params)
+                    )
                 worst = max(worst, off * CLOSE)
             done += size
     finally:
@@ -337,8 +349,11 @@ def degree_of(loop: SymbolicLoop) -> float:
 def _meet(loop: SymbolicLoop, x: np.ndarray, random: np.random.Generator) -> None:
     """Let x and z be equal at some points: e = 0."""
     flat = [str(s) for symbols in loop.states.values() for s in symbols]
-    pairs = [(flat.index(f"x_{i}"), flat.index(f"z_{i}")) for i in (1, 2)
-             if f"x_{i}" in flat and f"z_{i}" in flat]  # fmt: skip
+    pairs = [
+        (flat.index(f"x_{i}"), flat.index(f"z_{i}"))
+        for i in (1, 2)
+        if f"x_{i}" in flat and f"z_{i}" in flat
+    ]
     for a, b in pairs:
         equal = random.random(len(x)) < 0.1
         x[equal, a] = x[equal, b]

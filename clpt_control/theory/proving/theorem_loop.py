@@ -101,8 +101,9 @@ def theorem_loop(
         blocks = [law_block if block.name == "adaptation" else block for block in blocks]
     if candidate is None:
         candidate = theorem_candidate(N, law, scenario.learning.gain)
-    return connect([*blocks, candidate], sorted(external, key=list(SOURCES.values()).index),
-                   name="theorem")  # fmt: skip
+    return connect(
+        [*blocks, candidate], sorted(external, key=list(SOURCES.values()).index), name="theorem"
+    )
 
 
 def theorem_candidate(N: int, law: str, gain: float, weights: tuple = ()) -> Block:

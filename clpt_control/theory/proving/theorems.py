@@ -165,13 +165,24 @@ def ultimate_steps() -> list[Step]:
         return sympy.simplify((q * v + TD - fixed) - q * (v - fixed)) == 0
 
     return [
-        checked("v = sqrt(2 V) grows by |Delta| at most: v' v = V' <= e^T Delta and "
-                "(e^T Delta)^2 <= 2 V |Delta|^2", "exact", grows),
-        cited("over a window T with an exciting regressor V falls to (1 - rho) V, rho > 0, "
-              "where Delta = 0", "Ioannou and Sun 1996, theorem 3.4.8"),
-        checked("v_{n+1} <= sqrt(1 - rho) v_n + T D comes down to T D/(1 - sqrt(1 - rho)), and "
-                "within a window v grows by T D", "exact", settles),
-    ]  # fmt: skip
+        checked(
+            "v = sqrt(2 V) grows by |Delta| at most: v' v = V' <= e^T Delta and "
+            "(e^T Delta)^2 <= 2 V |Delta|^2",
+            "exact",
+            grows,
+        ),
+        cited(
+            "over a window T with an exciting regressor V falls to (1 - rho) V, rho > 0, "
+            "where Delta = 0",
+            "Ioannou and Sun 1996, theorem 3.4.8",
+        ),
+        checked(
+            "v_{n+1} <= sqrt(1 - rho) v_n + T D comes down to T D/(1 - sqrt(1 - rho)), and "
+            "within a window v grows by T D",
+            "exact",
+            settles,
+        ),
+    ]
 
 
 def theorem_3_4() -> Proof:

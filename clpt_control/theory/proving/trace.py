@@ -152,8 +152,12 @@ def trace(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()) -> Sym
         node, block = wiring.nodes[k], blocks[k]
         u = inputs_of(k)
         if block.opaque or block.name in kept:
-            y = _flat({port: port_symbols(port, size, loop.N, (TIME, *u))
-                       for port, size in block.output_ports.items()})  # fmt: skip
+            y = _flat(
+                {
+                    port: port_symbols(port, size, loop.N, (TIME, *u))
+                    for port, size in block.output_ports.items()
+                }
+            )
         else:
             y = ask(block.output_record, "output", block, u)
         bus[node.outputs] = y
