@@ -28,7 +28,7 @@ import clpt_control as clpt
 from clpt_control.figures import BLUE, COLOURS, GREEN, ORANGE, RED, new_figure
 from clpt_control.files import make_folder, write_figure, write_text
 from clpt_control.progress import progress_bar
-from clpt_control.simulation.simulate import sample_times
+from clpt_control.simulation.integrate import sample_times
 from clpt_control.theory.counterexamples.mean_square import mean_square_bound
 from clpt_control.theory.counterexamples.paper_system import RESONANT, with_square_wave
 from clpt_control.theory.counterexamples.printed_bounds import measured

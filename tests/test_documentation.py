@@ -32,14 +32,15 @@ def all_objects():
 
 def rooms():
     yield clpt_control
-    for name in clpt_control._PACKAGES:
-        yield getattr(clpt_control, name)
+    for name in clpt_control.__all__:
+        if inspect.ismodule(value := getattr(clpt_control, name)):
+            yield value
 
 
 def public_objects():
     """What `clpt.` and the rooms name in `__all__`: the public API."""
     for room in rooms():
-        for name in getattr(room, "__all__", ()):
+        for name in room.__all__:
             value = getattr(room, name)
             if is_code(value):
                 yield pytest.param(value, id=f"{room.__name__}.{name}")

@@ -4,10 +4,6 @@
 use, `trace` records them; every other file is a page of the paper.
 """
 
-from ..lazy import lazily
-from .block import Block
-from .ports import Guard
-from .rules import opaque
+import lazy_loader
 
-__all__ = ["Block", "Guard", "conformance", "opaque"]
-__getattr__, __dir__ = lazily(__name__, {}, ["conformance"])
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -21,7 +21,7 @@ def diagram(
     """Draw a scenario's block diagram."""
     from ..diagrams.drawing import draw, mermaid
     from ..scenario.file import load_scenario
-    from ..simulation.closed_loop import closed_loop
+    from ..simulation.loops import closed_loop
 
     wired = closed_loop(load_scenario(scenario), external or ())
     if out is None:

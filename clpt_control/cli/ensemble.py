@@ -34,8 +34,8 @@ def ensemble(
 ) -> None:
     """Run a scenario many times with values that vary."""
     from ..ensemble.counter import member_counter
-    from ..ensemble.percentiles import ensemble_summary
     from ..ensemble.run import run_ensemble
+    from ..ensemble.spread import ensemble_summary
     from ..errors import ClptError
     from ..files import check_writable, write_figure
     from ..scenario.file import load_scenario

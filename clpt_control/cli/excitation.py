@@ -25,7 +25,7 @@ def excitation(
     """Tell what can be learned on a track, and how fast."""
     from ..files import check_writable, write_figure
     from ..scenario.file import load_scenario
-    from ..simulation.runs import load_run
+    from ..simulation.run_file import load_run
     from ..theory.excitation.report import excitation_report
 
     source = load_run(scenario) if scenario.suffix == ".nc" else load_scenario(scenario)

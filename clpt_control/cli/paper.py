@@ -18,7 +18,7 @@ def paper(
     from ..scenario.paper import paper_scenario
     from ..simulation.plots import save_figures
     from ..simulation.report import claims, run_and_report
-    from ..simulation.runs import save_run
+    from ..simulation.run_file import save_run
 
     scenario, folder = paper_scenario(), make_folder(out)
     with progress_bar("section IV", scenario.run.duration) as report:

@@ -19,7 +19,7 @@ def run(
     from ..progress import progress_bar
     from ..scenario.file import load_scenario
     from ..simulation.report import run_and_report
-    from ..simulation.runs import save_run
+    from ..simulation.run_file import save_run
 
     experiment = load_scenario(scenario)
     check_writable(out)

@@ -20,7 +20,7 @@ from ..native.runs import Runs
 from ..native.schedule import Schedule, schedule
 from ..native.sweep import Sweep
 from ..scenario.experiment import Scenario, scenario_tables
-from ..simulation.closed_loop import HELD, JUMPS, STARTS, initial_state, paper_blocks, started
+from ..simulation.loops import HELD, JUMPS, STARTS, initial_state, paper_blocks, started
 
 
 @dataclass

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..figures import BLUE, GREY, RED, new_figure
-from .percentiles import percentiles
+from .spread import percentiles
 
 if TYPE_CHECKING:
     import xarray

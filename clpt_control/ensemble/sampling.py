@@ -7,8 +7,8 @@ import numpy as np
 
 from ..errors import ScenarioError
 from ..scenario.experiment import Scenario
+from ..simulation.integrate import sample_times
 from ..simulation.report import SAMPLES_PER_CYCLE
-from ..simulation.simulate import sample_times
 
 FEWEST = 20  # samples a cycle that may be asked for
 MOST_TIMES = 10**8  # samples of a run

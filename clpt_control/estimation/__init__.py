@@ -4,17 +4,6 @@ From samples of a flow (`least_squares.least_squares`), or from fix to fix of a 
 sees itself at surfacings only (`FixModel`, `make_estimator`).
 """
 
-from typing import TYPE_CHECKING
+import lazy_loader
 
-from ..lazy import lazily
-
-_NAMES = {"FixModel": "fix_model", "make_estimator": "between_fixes", "evaluate": "least_squares"}
-
-__all__ = list(_NAMES)
-
-if TYPE_CHECKING:
-    from .between_fixes import make_estimator
-    from .fix_model import FixModel
-    from .least_squares import evaluate
-
-__getattr__, __dir__ = lazily(__name__, _NAMES)
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from ..blocks.arrays import on_arrays
 from ..diagrams.scenario_basis import scenario_basis
 from ..scenario.experiment import Scenario
-from .closed_loop import paper_blocks
+from .loops import paper_blocks
 
 
 def basis_functions(scenario: Scenario, points: ArrayLike, times: np.ndarray | float) -> np.ndarray:

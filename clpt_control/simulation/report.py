@@ -71,7 +71,7 @@ def run_and_report(scenario: Scenario, progress: Callable[[float], None] | None 
     >>> list(run_and_report(scenario).summary["max_gain_error"])
     ['10', '20']
     """
-    from .simulate import sample_times, simulate
+    from .integrate import sample_times, simulate
 
     own = sample_times(scenario.run.duration, scenario.run.output_step)
     cycles = scenario.run.duration / scenario.cycle
@@ -88,7 +88,7 @@ def run_and_report(scenario: Scenario, progress: Callable[[float], None] | None 
     even = dense.isel(time=_nearest(reached, fine))
     summary = summarise(scenario, even, dense)
     if scenario.flow.field is not None:
-        from .learned import explained_variance
+        from .flow_shares import explained_variance
 
         summary["explained_variance"] = explained_variance(scenario, run)
     return Report(run, even, summary)

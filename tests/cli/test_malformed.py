@@ -17,8 +17,8 @@ from clpt_control.diagrams import interconnection
 from clpt_control.errors import BlockError
 from clpt_control.scenario.file import load_scenario, save_scenario
 from clpt_control.scenario.paper import paper_scenario, paper_text
-from clpt_control.simulation.runs import save_run
-from clpt_control.simulation.simulate import simulate
+from clpt_control.simulation.integrate import simulate
+from clpt_control.simulation.run_file import save_run
 
 FIELD = {"parameters": None, "field": "field.nc"}
 

@@ -13,7 +13,7 @@ from clpt_control.currents.fit import fit_scenario, read_centers, read_width
 from clpt_control.currents.fit_file import save_fit
 from clpt_control.diagrams.scenario_basis import scenario_basis
 from clpt_control.errors import ClptError, DataError, ScenarioError
-from clpt_control.simulation.learned import explained_variance
+from clpt_control.simulation.flow_shares import explained_variance
 
 MARACOOS = Path(__file__).parents[3] / "shared/data/field/maracoos_hfr_2019-01-01.nc"
 BOX = (40.9, 41.55, -69.9, -69.0)

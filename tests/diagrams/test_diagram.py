@@ -11,7 +11,7 @@ from clpt_control.diagrams import wiring
 from clpt_control.diagrams.interconnection import Diagram, connect
 from clpt_control.errors import BlockError, DiagramError
 from clpt_control.native.plain import PlainDiagram
-from clpt_control.simulation.closed_loop import initial_state, paper_blocks
+from clpt_control.simulation.loops import initial_state, paper_blocks
 
 PAPER = clpt.paper_scenario()
 KNOWN = PAPER.with_values(

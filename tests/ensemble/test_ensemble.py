@@ -18,10 +18,10 @@ from processes import await_line, started
 
 import clpt_control
 from clpt_control.ensemble.design import draw_members
-from clpt_control.ensemble.percentiles import ensemble_summary
 from clpt_control.ensemble.plan import make_plan
 from clpt_control.ensemble.plots import ensemble_plot
 from clpt_control.ensemble.run import run_ensemble
+from clpt_control.ensemble.spread import ensemble_summary
 from clpt_control.ensemble.store import open_store
 from clpt_control.ensemble.vary import read_varies, read_vary, variable_values
 from clpt_control.ensemble.work import Work

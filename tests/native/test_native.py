@@ -19,7 +19,7 @@ from clpt_control.native import readings
 from clpt_control.native.engine import NativeDiagram
 from clpt_control.native.inputs import read_inputs
 from clpt_control.native.plain import PlainDiagram
-from clpt_control.simulation.closed_loop import initial_state
+from clpt_control.simulation.loops import initial_state
 
 
 def scenario_of(N, law, disturbed):

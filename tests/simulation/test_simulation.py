@@ -16,8 +16,8 @@ from clpt_control.currents.gridded import GriddedField
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.errors import ClptError, DataError, ScenarioError, SimulationError
 from clpt_control.native.plain import PlainDiagram
-from clpt_control.simulation.closed_loop import initial_state
-from clpt_control.simulation.simulate import sample_times
+from clpt_control.simulation.integrate import sample_times
+from clpt_control.simulation.loops import initial_state
 
 PAPER = clpt.paper_scenario()
 KD, GammaD = np.array([0.5, 2.0]), np.array([1.5, -1.0])

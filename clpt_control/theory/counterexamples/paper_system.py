@@ -16,7 +16,7 @@ import numpy as np
 
 from ...scenario.experiment import Scenario
 from ...scenario.paper import paper_scenario
-from ...simulation.simulate import sample_times, simulate
+from ...simulation.integrate import sample_times, simulate
 from ..excitation.gramian import started_true
 from .printed_bounds import Counterexample, measured
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from ...scenario.paper import paper_scenario
 from ...simulation.flows import basis_functions
-from ...simulation.simulate import simulate
+from ...simulation.integrate import simulate
 
 
 @dataclass(frozen=True)

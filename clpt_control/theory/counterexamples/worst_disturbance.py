@@ -15,7 +15,7 @@ import numpy as np
 
 from ...scenario.experiment import Scenario
 from ...simulation.flows import basis_functions
-from ...simulation.simulate import simulate
+from ...simulation.integrate import simulate
 from ..excitation.gramian import started_true
 from ..excitation.transition import error_matrices
 

@@ -15,7 +15,7 @@ from ...blocks.reference import multiples, reference
 from ...errors import ScenarioError
 from ...scenario.experiment import Scenario
 from ...simulation.flows import basis_functions
-from ...simulation.simulate import simulate
+from ...simulation.integrate import simulate
 from .recorded import Source, positions_between, scenario_of, span_of
 
 NODES = 16  # Gauss-Legendre nodes of a piece: exact to degree 31

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import sympy
 
-from ...simulation.closed_loop import error_loop
+from ...simulation.loops import error_loop
 from .generic import Key, Summed
 from .generic_trace import GenericLoop, element_symbol, generic_trace
 from .lyapunov import generic_terms

@@ -14,7 +14,7 @@ import numpy as np
 import sympy
 
 from ...blocks import Block
-from ...simulation.closed_loop import HELD
+from ...simulation.loops import HELD
 
 # fields that stand for one thing, and its name in the paper
 ONE = {

@@ -56,6 +56,13 @@ def explained_variance(
     DataError
         If the scenario has no field, the run has another basis, or the window
         holds no sample.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario = clpt.load_scenario("fit.toml")  # doctest: +SKIP
+    >>> explained_variance(scenario, clpt.simulate(scenario))["track"]  # doctest: +SKIP
+    0.81
     """
     if scenario.field_path is None:
         raise DataError(

@@ -17,9 +17,9 @@ from ..errors import ScenarioError, SimulationError
 from ..native.choice import chosen
 from ..native.inputs import numbers, read_inputs
 from ..scenario.experiment import Scenario
-from .closed_loop import HELD, paper_blocks, started
-from .closed_loop import initial_state as scenario_state
 from .dataset import run_dataset
+from .loops import HELD, paper_blocks, started
+from .loops import initial_state as scenario_state
 
 if TYPE_CHECKING:
     import xarray

@@ -1,0 +1,73 @@
+from . import (
+    blocks,
+    currents,
+    diagrams,
+    ensemble,
+    estimation,
+    gliders,
+    native,
+    replay,
+    scenario,
+    simulation,
+    theory,
+)
+from .blocks import Block
+from .diagrams import connect, draw
+from .ensemble import run_ensemble
+from .errors import (
+    BlockError,
+    ClptError,
+    DataError,
+    DiagramError,
+    ScenarioError,
+    SimulationError,
+    Uncompiled,
+)
+from .scenario import Scenario, load_scenario, paper_scenario, save_scenario
+from .simulation import (
+    closed_loop,
+    error_loop,
+    initial_state,
+    load_run,
+    paper_blocks,
+    save_run,
+    simulate,
+)
+
+__version__: str
+
+__all__ = [
+    "Block",
+    "BlockError",
+    "ClptError",
+    "DataError",
+    "DiagramError",
+    "Scenario",
+    "ScenarioError",
+    "SimulationError",
+    "Uncompiled",
+    "blocks",
+    "closed_loop",
+    "connect",
+    "currents",
+    "diagrams",
+    "draw",
+    "ensemble",
+    "error_loop",
+    "estimation",
+    "gliders",
+    "initial_state",
+    "load_run",
+    "load_scenario",
+    "native",
+    "paper_blocks",
+    "paper_scenario",
+    "replay",
+    "run_ensemble",
+    "save_run",
+    "save_scenario",
+    "scenario",
+    "simulate",
+    "simulation",
+    "theory",
+]

@@ -1,0 +1,18 @@
+from .currents import read_currents
+from .fit import fit_scenario
+from .fit_file import save_fit
+from .rayleigh import check_separable
+from .tidal.analysis import fit_tides, predict
+from .tidal.basis import tidal_basis
+from .tidal.record import read_record
+
+__all__ = [
+    "check_separable",
+    "fit_scenario",
+    "fit_tides",
+    "predict",
+    "read_currents",
+    "read_record",
+    "save_fit",
+    "tidal_basis",
+]

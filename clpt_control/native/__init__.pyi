@@ -1,0 +1,8 @@
+from .engine import NativeDiagram, compile
+from .readings import readings
+
+__all__ = [
+    "NativeDiagram",
+    "compile",
+    "readings",
+]

@@ -1,0 +1,12 @@
+from .experiment import Scenario
+from .file import load_scenario, save_scenario
+from .paper import paper_scenario
+from .tides import period
+
+__all__ = [
+    "Scenario",
+    "load_scenario",
+    "paper_scenario",
+    "period",
+    "save_scenario",
+]
