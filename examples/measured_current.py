@@ -106,7 +106,9 @@ def main(currents, folder="out"):
     """Fit, run, print and draw."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    fit = fit_scenario(currents, BOX, (3, 3), 15.0, ("steady", "M2"))
+    fit = fit_scenario(
+        currents, BOX, rows=3, columns=3, width_km=15.0, constituents=("steady", "M2")
+    )
     scenario = save_fit(fit, folder / "measured_current.toml")
     report = fit.report
     print(

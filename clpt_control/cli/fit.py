@@ -14,8 +14,9 @@ def fit(
     box: Annotated[
         tuple[float, float, float, float] | None, typer.Option(help="LAT0 LAT1 LON0 LON1, degrees.")
     ] = None,
-    centers: Annotated[str, typer.Option(help="Places of the functions, such as 3x3.")] = "3x3",
-    width: Annotated[str, typer.Option(help="Width of the Gaussians, such as 15km.")] = "15km",
+    rows: Annotated[int, typer.Option(help="Places of functions, south to north.")] = 3,
+    columns: Annotated[int, typer.Option(help="Places of functions, west to east.")] = 3,
+    width_km: Annotated[float, typer.Option(help="Width of the Gaussians, km.")] = 15.0,
     constituents: Annotated[
         str, typer.Option(help="steady and named tides, such as steady,M2.")
     ] = "steady,M2",
@@ -25,14 +26,15 @@ def fit(
     as_json: Json = False,
 ) -> None:
     """Fit flow basis functions to a measured current."""
-    from ..currents.fit import fit_scenario, read_centers, read_width
+    from ..currents.fit import fit_scenario
     from ..currents.fit_file import save_fit
 
     fitted = fit_scenario(
         currents,
         box,
-        centers=read_centers(centers),
-        width_km=read_width(width),
+        rows=rows,
+        columns=columns,
+        width_km=width_km,
         constituents=tuple(name.strip() for name in constituents.split(",")),
         start_from_fit=start_from_fit,
     )
@@ -40,12 +42,12 @@ def fit(
     if as_json:
         print_json(fitted.report)
         return
-    rows = [
+    lines = [
         [key.replace("_", " "), shown(value)]
         for key, value in fitted.report.items()
         if key not in ("theta", "nodal")
     ]
     for name, found in (fitted.report["nodal"] or {}).items():
         f, u, V = (shown(found[key]) for key in "fuV")
-        rows.append([f"{name} at the middle", f"f {f}, u {u} degrees, V {V} degrees"])
-    print_table(f"{out}: written, with the field beside it", ["", ""], rows)
+        lines.append([f"{name} at the middle", f"f {f}, u {u} degrees, V {V} degrees"])
+    print_table(f"{out}: written, with the field beside it", ["", ""], lines)

@@ -31,7 +31,7 @@ def replay(
         str | None,
         typer.Option(help="steady, then any of tides, inertial, gaussians, model: steady,M2,K1."),
     ] = None,
-    width: Annotated[str | None, typer.Option(help="Of the gaussians, such as 20km.")] = None,
+    width_km: Annotated[float | None, typer.Option(help="Width of the gaussians, km.")] = None,
     learn_speed: Annotated[
         bool, typer.Option(help="Learn a factor on speed and a compass error.")
     ] = True,
@@ -78,7 +78,7 @@ def replay(
     check_pace(every, patience)
     if estimator not in (None, *ESTIMATORS):
         raise ScenarioError(f"--estimator {estimator}: must be one of {', '.join(ESTIMATORS)}")
-    model = chosen_model(flow, width, learn_speed, flow_model is not None)
+    model = chosen_model(flow, width_km, learn_speed, flow_model is not None)
     forecast = None if flow_model is None else read_flow_model(flow_model)
     options: dict[str, Any] = {} if least_duration is None else {"least_duration": least_duration}
     named: dict[str, Any] = {} if estimator is None else {"estimator": estimator}
@@ -107,12 +107,12 @@ def replay(
         typer.echo(f"{path}: written")
 
 
-def chosen_model(flow: str | None, width: str | None, learn_speed: bool, given: bool) -> Any:
+def chosen_model(flow: str | None, width_km: float | None, learn_speed: bool, given: bool) -> Any:
     """Return the parameters that options ask for.
 
     Parameters
     ----------
-    flow, width : str or None
+    flow, width_km : str or None, float or None
         As given; None is `FixModel`'s own.
     learn_speed : bool
         Whether speed and compass are parameters.
@@ -129,7 +129,6 @@ def chosen_model(flow: str | None, width: str | None, learn_speed: bool, given: 
     ScenarioError
         If the flow asks for a model that is not given.
     """
-    from ..currents.places import read_width
     from ..errors import ScenarioError
     from ..estimation.fix_model import FixModel
 
@@ -138,5 +137,5 @@ def chosen_model(flow: str | None, width: str | None, learn_speed: bool, given: 
         raise ScenarioError(f"flow {flow}: its part model needs --flow-model FILE")
     if given and "model" not in parts:
         parts = (*parts, "model")
-    sized: dict[str, Any] = {} if width is None else {"width": 1000 * read_width(width)}
+    sized: dict[str, Any] = {} if width_km is None else {"width": 1000 * width_km}
     return FixModel(parts, learn_speed, **sized)

@@ -28,11 +28,8 @@ from .currents import Currents, read_currents
 from .gaps import fill_gaps, regular_grid
 from .gridded import GriddedField
 from .nodal import nodal_report
-from .places import middles, read_centers, read_width
 from .plane import LocalPlane
 from .rayleigh import check_separable
-
-__all__ = ["Fit", "fit_scenario", "read_centers", "read_width"]
 
 SINE = -np.pi / 2
 SPEED = "km h-1"
@@ -61,10 +58,11 @@ class Fit:
 def fit_scenario(
     path: str | Path,
     box: tuple[float, float, float, float] | None = None,
-    centers: tuple[int, int] = (3, 3),
+    *,
+    rows: int = 3,
+    columns: int = 3,
     width_km: float = 15.0,
     constituents: Sequence[str] = ("steady", "M2"),
-    *,
     radius_km: float = 10.0,
     gain: float = 5.0,
     start_from_fit: bool = False,
@@ -77,8 +75,8 @@ def fit_scenario(
         NetCDF file that `read_currents` reads.
     box : tuple of float, optional
         lat0, lat1, lon0, lon1, degrees; the whole file by default.
-    centers : tuple of int, optional
-        Rows (south to north) and columns (west to east) of places.
+    rows, columns : int, optional
+        Places of functions from south to north and from west to east.
     width_km : float, optional
         Width of every gaussian kernel, km.
     constituents : sequence of str, optional
@@ -106,7 +104,7 @@ def fit_scenario(
         If a constituent is unknown.
     """
     constituents = tuple(constituents)
-    _check(centers, constituents)
+    _check(rows, columns, constituents)
     for what, value, unit in (
         ("width", width_km, " km"),
         ("radius", radius_km, " km"),
@@ -130,15 +128,14 @@ def fit_scenario(
             f"{path}: a circle of {radius_km:g} km around the box's centre leaves the field, which "
             f"has {room:.3g} km there; choose a larger box or a smaller radius"
         )
-    N = _functions(constituents) * centers[0] * centers[1]
+    N = _functions(constituents) * rows * columns
     if currents.measured.sum() < N:
         raise DataError(
             f"{path}: {currents.measured.sum()} samples in the box cannot determine {N} basis "
-            "functions; use a larger box, fewer centers or fewer constituents"
+            "functions; use a larger box, fewer rows and columns or fewer constituents"
         )
-    scenario = _scenario(
-        currents, middles(plane, currents.box, centers), width_km, constituents, radius_km, gain
-    )
+    places = _middles(plane, currents.box, rows, columns)
+    scenario = _scenario(currents, places, width_km, constituents, radius_km, gain)
     measured = currents.measured
     t, s1, s2 = (
         np.broadcast_to(a, measured.shape)[measured] for a in (currents.time[:, None, None], x1, x2)
@@ -167,7 +164,7 @@ def fit_scenario(
         "start": currents.start,
         "hours": float(currents.time[-1]),
         "functions": scenario.basis.N,
-        "places": list(centers),
+        "places": [rows, columns],
         "width": float(width_km),
         "width_units": "km",
         "constituents": list(constituents),
@@ -188,9 +185,10 @@ def fit_scenario(
     return Fit(Scenario.model_validate(tables), field, report)
 
 
-def _check(centers: Any, constituents: tuple[str, ...]) -> None:
-    if len(centers) != 2 or not all(isinstance(n, int) and n >= 1 for n in centers):
-        raise DataError(f"centers = {centers}: must be two whole numbers, rows and columns, >= 1")
+def _check(rows: int, columns: int, constituents: tuple[str, ...]) -> None:
+    for what, count in (("rows", rows), ("columns", columns)):
+        if not (isinstance(count, int) and count >= 1):
+            raise DataError(f"{what} = {count}: must be a whole number, at least 1")
     if not constituents or len(set(constituents)) != len(constituents):
         raise DataError(
             f"constituents = {','.join(constituents)}: must be at least one name, each once, "
@@ -198,6 +196,24 @@ def _check(centers: Any, constituents: tuple[str, ...]) -> None:
         )
     for name in constituents:
         tides.period(name)
+
+
+def _middles(
+    plane: LocalPlane, box: tuple[float, float, float, float], rows: int, columns: int
+) -> list[tuple[float, float]]:
+    """Return the middles of equal parts of a box, km, row by row from the south-west.
+
+    None sits on the edge, where half of its kernel would see no data: on the MARACOOS
+    box the middles explain 80 % of the variance, places on the edges 79, on the quarters 78.
+    """
+    lat0, lat1, lon0, lon1 = box
+    x1 = [float(plane.to_plane(plane.lat, lon)[0]) for lon in (lon0, lon1)]
+    x2 = [float(plane.to_plane(lat, plane.lon)[1]) for lat in (lat0, lat1)]
+    ys, xs = (
+        start + (end - start) * (np.arange(n) + 0.5) / n
+        for (start, end), n in ((x2, rows), (x1, columns))
+    )
+    return [(round(float(x), 3) + 0.0, round(float(y), 3) + 0.0) for y in ys for x in xs]
 
 
 def _nodal(currents: Currents, constituents: tuple, latitude: float) -> dict | None:

@@ -1,6 +1,7 @@
 """A scenario from a measured current: known theta, files, and the real field."""
 
 import json
+import re
 from pathlib import Path
 
 import netCDF4
@@ -9,7 +10,7 @@ import pytest
 from pyproj import Proj
 
 import clpt_control as clpt
-from clpt_control.currents.fit import fit_scenario, read_centers, read_width
+from clpt_control.currents.fit import fit_scenario
 from clpt_control.currents.fit_file import save_fit
 from clpt_control.diagrams.scenario_basis import scenario_basis
 from clpt_control.errors import ClptError, DataError, ScenarioError
@@ -73,7 +74,7 @@ def known(tmp_path_factory):
 
 def test_known_theta_is_recovered(known):
     path, theta, gap = known
-    fit = fit_scenario(path, BOX, (2, 2), 20.0)
+    fit = fit_scenario(path, BOX, rows=2, columns=2, width_km=20.0)
     np.testing.assert_allclose(fit.report["theta"], theta, atol=1e-6)
     assert fit.report["explained_variance"] == pytest.approx(1, abs=1e-10)
     assert fit.report["missing_fraction"] == pytest.approx(gap.mean())
@@ -86,13 +87,17 @@ def test_centimetres_per_second_give_the_same_theta(known, tmp_path):
     with netCDF4.Dataset(path) as file:
         u, v = file["u"][:], file["v"][:]
     other = write(tmp_path / "cm.nc", 100 * u, 100 * v, units="cm/s")
-    first, second = (fit_scenario(p, BOX, (2, 2), 20.0).report for p in (path, other))
+    first, second = (
+        fit_scenario(p, BOX, rows=2, columns=2, width_km=20.0).report for p in (path, other)
+    )
     np.testing.assert_allclose(first["theta"], second["theta"], rtol=1e-9)
     assert first["residual_rms"] == pytest.approx(second["residual_rms"], abs=1e-12)
 
 
 def test_functions_are_places_times_tides(known):
-    fit = fit_scenario(known[0], BOX, (3, 2), 20.0, ("M2", "steady", "M4"))
+    fit = fit_scenario(
+        known[0], BOX, rows=3, columns=2, width_km=20.0, constituents=("M2", "steady", "M4")
+    )
     basis = fit.scenario.basis
     assert basis.N == fit.report["functions"] == 3 * 2 * (2 + 1 + 2)
     assert basis.constituents == ("M2",) * 12 + ("steady",) * 6 + ("M4",) * 12
@@ -107,10 +112,14 @@ def test_functions_are_places_times_tides(known):
 def test_constituents_that_the_record_cannot_separate_are_refused(known):
     sentence = "in 24 h, M2 and S2 cannot be told apart: 354.4 h are needed"
     with pytest.raises(DataError, match=sentence):
-        fit_scenario(known[0], BOX, (1, 1), 30.0, ("steady", "M2", "S2"))
+        fit_scenario(
+            known[0], BOX, rows=1, columns=1, width_km=30.0, constituents=("steady", "M2", "S2")
+        )
     with pytest.raises(DataError, match=r"M2 and K1 cannot be told apart: 25.82 h"):
-        fit_scenario(known[0], BOX, (1, 1), 30.0, ("steady", "M2", "K1"))
-    report = fit_scenario(known[0], BOX, (1, 1), 30.0).report
+        fit_scenario(
+            known[0], BOX, rows=1, columns=1, width_km=30.0, constituents=("steady", "M2", "K1")
+        )
+    report = fit_scenario(known[0], BOX, rows=1, columns=1, width_km=30.0).report
     assert "warnings" not in report
     assert list(report["nodal"]) == ["M2"]
 
@@ -119,11 +128,11 @@ def test_steps_without_any_measurement_do_not_lengthen_a_record(tmp_path):
     u, v = np.random.default_rng(3).normal(size=(2, 25, 13, 14))
     u[12:] = np.nan
     with pytest.raises(DataError, match=r"in 11 h, steady and M2 cannot be told apart: 12.43 h"):
-        fit_scenario(write(tmp_path / "c.nc", u, v), BOX, (1, 1), 30.0)
+        fit_scenario(write(tmp_path / "c.nc", u, v), BOX, rows=1, columns=1, width_km=30.0)
 
 
 def test_saved_scenario_and_field_belong_together(known, tmp_path):
-    fit = fit_scenario(known[0], BOX, (2, 2), 20.0)
+    fit = fit_scenario(known[0], BOX, rows=2, columns=2, width_km=20.0)
     scenario = save_fit(fit, tmp_path / "north.toml")
     assert sorted(p.name for p in tmp_path.iterdir()) == ["north.toml", "north_field.nc"]
     assert scenario.flow.field == "north_field.nc"
@@ -149,7 +158,7 @@ def test_saved_scenario_and_field_belong_together(known, tmp_path):
 
 
 def test_files_are_written_whole_or_not_at_all(known, tmp_path, monkeypatch):
-    fit = fit_scenario(known[0], BOX, (2, 2), 20.0)
+    fit = fit_scenario(known[0], BOX, rows=2, columns=2, width_km=20.0)
     (tmp_path / "s.toml").write_text("before")
     monkeypatch.setattr(
         "clpt_control.currents.fit_file._header", lambda report: 1 / 0 if report else ""
@@ -172,7 +181,7 @@ def test_files_are_written_whole_or_not_at_all(known, tmp_path, monkeypatch):
 def test_places_that_cannot_be_written_to(known, tmp_path, name, sentence):
     (tmp_path / "folder.toml").mkdir()
     (tmp_path / "taken_field.nc").mkdir()
-    fit = fit_scenario(known[0], BOX, (1, 1), 30.0)
+    fit = fit_scenario(known[0], BOX, rows=1, columns=1, width_km=30.0)
     with pytest.raises(DataError, match=sentence):
         save_fit(fit, tmp_path / name)
     assert len(list(tmp_path.iterdir())) == 2
@@ -181,14 +190,15 @@ def test_places_that_cannot_be_written_to(known, tmp_path, name, sentence):
 @pytest.mark.parametrize(
     ("options", "error", "sentence"),
     [
-        ({"centers": (0, 3)}, DataError, r"centers = \(0, 3\): must be two whole numbers"),
+        ({"rows": 0}, DataError, "rows = 0: must be a whole number, at least 1"),
+        ({"columns": 1.5}, DataError, "columns = 1.5: must be a whole number"),
         ({"width_km": -1.0}, DataError, "width = -1.0 km: must be positive"),
         ({"width_km": np.nan}, DataError, "width = nan km"),
         ({"width_km": 1e4}, DataError, "cannot separate the basis functions .* smaller width"),
         ({"constituents": ()}, DataError, "at least one name"),
         ({"constituents": ("M2", "M2")}, DataError, "each once"),
         ({"constituents": ("M9",)}, ScenarioError, "unknown constituent 'M9'"),
-        ({"centers": (100, 100)}, DataError, "cannot determine 30000 basis functions"),
+        ({"rows": 100, "columns": 100}, DataError, "cannot determine 30000 basis functions"),
         ({"radius_km": 60.0}, DataError, "circle of 60 km .* leaves the field"),
         ({"radius_km": -1.0}, DataError, "radius = -1.0 km: must be positive"),
         ({"gain": 0.0}, DataError, "gain = 0.0: must be positive"),
@@ -201,26 +211,30 @@ def test_each_mistake_is_one_sentence(known, options, error, sentence):
     assert "\n" not in str(caught.value)
 
 
-@pytest.mark.parametrize("text", ["3", "0x3", "3x", "3x3x3", "ax3", "-1x3"])
-def test_centers_that_cannot_be_read(text):
-    with pytest.raises(DataError, match="rows x columns"):
-        read_centers(text)
-
-
 @pytest.mark.parametrize(
-    "text", ["", "km", "-15km", "15 miles", "nan", "inf km", "0", "١٥km", "1_5", "1e999"]
+    ("words", "sentence"),
+    [
+        (("--width-km", "-15"), "width = -15.0 km: must be positive and finite"),
+        (("--width-km", "1e999"), "width = inf km: must be positive and finite"),
+        (("--rows", "0"), "rows = 0: must be a whole number, at least 1"),
+        (("--columns", "-3"), "columns = -3: must be a whole number, at least 1"),
+        (("--columns", "2.5"), "--columns.*valid integer"),
+        (("--width-km", "15km"), "--width-km.*valid "),
+    ],
 )
-def test_widths_that_cannot_be_read(text):
-    with pytest.raises(DataError, match="positive length"):
-        read_width(text)
-    assert (read_centers(" 3X4 "), read_width("1500m")) == ((3, 4), 1.5)
+def test_options_that_cannot_be_are_refused(clpt, known, tmp_path, words, sentence):
+    status, out, err = clpt("fit", known[0], *words, "--out", tmp_path / "s.toml")
+    assert (status, out, err.count("\n")) == (2, "", 1)
+    assert re.search(sentence, err)
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_shares_of_a_learner_that_knows_theta_and_of_one_that_knows_none(known, tmp_path):
     """Where the field is the basis itself, alpha(0) = -theta explains nearly all."""
     path, _, _ = known
     knows = save_fit(
-        fit_scenario(path, BOX, (2, 2), 20.0, start_from_fit=True), tmp_path / "a.toml"
+        fit_scenario(path, BOX, rows=2, columns=2, width_km=20.0, start_from_fit=True),
+        tmp_path / "a.toml",
     )
     knows = knows.with_values({"learning.gain": 1e-12, "run.duration": 6.0})
     shares = explained_variance(knows, clpt.simulate(knows))
@@ -244,7 +258,9 @@ def test_shares_of_a_learner_that_knows_theta_and_of_one_that_knows_none(known, 
 
 def test_shares_are_what_their_definition_says(known, tmp_path):
     """Written out here: theta_hat of each time on the track, of the end over the box."""
-    scenario = save_fit(fit_scenario(known[0], BOX, (2, 2), 20.0), tmp_path / "a.toml")
+    scenario = save_fit(
+        fit_scenario(known[0], BOX, rows=2, columns=2, width_km=20.0), tmp_path / "a.toml"
+    )
     scenario = scenario.with_values({"run.duration": 4.0, "run.output_step": 0.25})
     run = clpt.simulate(scenario)
     centers, omega = np.array(scenario.basis.centers[:4]), np.radians(SPEED)

@@ -101,7 +101,9 @@ def test_a_grid_of_a_month_gives_every_constituent(tmp_path):
     flow = np.array([part[:, None, None] * kernel for part in waves(time)])
     path = write_netcdf(tmp_path / "grid.nc", time, flow, cells=(lat, lon))
     names = ("steady", *KNOWN)
-    report = fit_scenario(path, None, (1, 1), 30.0, names, radius_km=5.0).report
+    report = fit_scenario(
+        path, rows=1, columns=1, width_km=30.0, constituents=names, radius_km=5.0
+    ).report
     theta = np.array(report["theta"]) / 3.6
     np.testing.assert_allclose(theta[:, 0], [0.1, -0.05], atol=1e-3)
     for k, row in enumerate(KNOWN.values()):

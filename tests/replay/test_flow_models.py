@@ -80,7 +80,7 @@ def known_fit(folder):
     """The fit of a steady current and an M2 tide that are known, 0.2 east and 0.3 turning."""
     u, v = turning(HOURS[::4], (len(LAT), len(LON)))
     path = write(folder / "known.nc", u + 0.2, v, hours=HOURS[::4])
-    fit = fit_scenario(path, centers=(4, 4), width_km=60.0, radius_km=5.0)
+    fit = fit_scenario(path, rows=4, columns=4, width_km=60.0, radius_km=5.0)
     save_fit(fit, folder / "fit.toml")
     return fit
 

@@ -253,9 +253,9 @@ def test_a_huge_number_of_a_dive_is_written(tmp_path):
 
 
 def test_gaussians_from_the_command(command):
-    words = ("--sample", "--flow", "steady,gaussians", "--width", "30km")
+    words = ("--sample", "--flow", "steady,gaussians", "--width-km", "30")
     found = json.loads(command(*words, "--json").stdout)
     assert any(name.startswith("gaussian[") for name in [*found["learned"], *found["held"]])
     assert "of gaussians" in command(*words).stdout
     assert "needs --flow-model" in str(command("--sample", "--flow", "steady,model").exception)
-    assert "width" in str(command("--sample", "--width", "0km").exception)
+    assert "width" in str(command("--sample", "--width-km", "0").exception)
