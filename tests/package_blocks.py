@@ -88,10 +88,13 @@ def package_blocks():
             f"adaptation-learned-{N}",
             adaptation.adaptation(adaptation.LearnedFlowParameters(N, 0.7)),
         )
-        yield (f"error_system-{N}", error_system.error_system(error_system.ErrorParameters(N, KD)))
+        yield (
+            f"error_system-{N}",
+            error_system.error_system(error_system.ErrorSystemParameters(N, KD)),
+        )
         yield (
             f"parameter_system-{N}",
-            error_system.parameter_system(error_system.ParameterParameters(N, 0.7)),
+            error_system.parameter_system(error_system.ParameterSystemParameters(N, 0.7)),
         )
         for law in lyapunov.LAWS:
             p = lyapunov.one_gain(0.7, theta, KD, GammaD)

@@ -16,7 +16,7 @@ import numpy as np
 from .block import Block
 
 
-class ErrorParameters(NamedTuple):
+class ErrorSystemParameters(NamedTuple):
     """Parameters of the error system.
 
     Attributes
@@ -31,7 +31,7 @@ class ErrorParameters(NamedTuple):
     KD: np.ndarray
 
 
-class ParameterParameters(NamedTuple):
+class ParameterSystemParameters(NamedTuple):
     """Parameters of the parameter system.
 
     Attributes
@@ -74,14 +74,14 @@ def parameter(t, x, u, p, dx):
         dx[2 * n + 2 + i] = -p.gain * zc[i] * e[i]
 
 
-def error_system(parameters: ErrorParameters) -> Block:
+def error_system(parameters: ErrorSystemParameters) -> Block:
     """Make the error system, Eq. (27).
 
     Ports: phi_x[N], z[2], zc[2] (length), eta[2N+4] -> e[2] (length), the state.
 
     Parameters
     ----------
-    parameters : ErrorParameters
+    parameters : ErrorSystemParameters
         N and KD.
 
     Returns
@@ -91,7 +91,7 @@ def error_system(parameters: ErrorParameters) -> Block:
 
     Examples
     --------
-    >>> block = error_system(ErrorParameters(1, np.ones(2)))
+    >>> block = error_system(ErrorSystemParameters(1, np.ones(2)))
     >>> block.dynamics(0, [1, 1], [0.5, 2, 2, 3, 3, 1, 0, 0, 1, 0, 0])
     array([-0.5,  1. ])
     """
@@ -105,14 +105,14 @@ def error_system(parameters: ErrorParameters) -> Block:
     )
 
 
-def parameter_system(parameters: ParameterParameters) -> Block:
+def parameter_system(parameters: ParameterSystemParameters) -> Block:
     """Make the parameter system, the lower rows of Eq. (28).
 
     Ports: e[2] (length), phi_x[N], z[2], zc[2] (length) -> eta[2N+4], the state.
 
     Parameters
     ----------
-    parameters : ParameterParameters
+    parameters : ParameterSystemParameters
         N and the adaptation gain.
 
     Returns
@@ -122,7 +122,7 @@ def parameter_system(parameters: ParameterParameters) -> Block:
 
     Examples
     --------
-    >>> block = parameter_system(ParameterParameters(1, 0.5))
+    >>> block = parameter_system(ParameterSystemParameters(1, 0.5))
     >>> block.dynamics(0, [0] * 6, [1, 2, 0.5, 3, 3, 1, 1])
     array([-0.25, -0.5 , -1.5 , -3.  , -0.5 , -1.  ])
     """

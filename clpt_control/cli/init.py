@@ -13,7 +13,7 @@ def init(
 ) -> None:
     """Write the paper's scenario, commented, to start from."""
     from ..files import check_name, write_text
-    from ..scenario.paper import paper_text
+    from ..scenario.file import paper_text
 
     check_name(file)
     if file.exists():

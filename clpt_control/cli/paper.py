@@ -15,7 +15,7 @@ def paper(
     """Run section IV of the paper and judge its claims."""
     from ..files import make_folder
     from ..progress import progress_bar
-    from ..scenario.paper import paper_scenario
+    from ..scenario.file import paper_scenario
     from ..simulation.plots import save_figures
     from ..simulation.report import claims, run_and_report
     from ..simulation.run_file import save_run

@@ -13,6 +13,7 @@ import control
 from ..blocks import Block
 from ..blocks.ports import labels
 from ..errors import BlockError, DiagramError
+from ..scenario.keys import call_time_name_of
 from .wiring import Wire, Wiring, read, wired
 
 MOST_BYTES = 10**9  # of python-control's matrices
@@ -75,6 +76,8 @@ def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list
             known |= set(system.params)
     for key in params:
         if key not in known:
+            if other := call_time_name_of(key, known):
+                raise BlockError(other)
             names = ", ".join(sorted(known)) or "none"
             raise BlockError(f"unknown parameter '{key}': this diagram knows {names}")
     return found

@@ -1,7 +1,7 @@
 """Many runs of one scenario that differ in numbers, not in shape.
 
 A member is the scenario with some values changed.  Where a key's value lies in P and
-in the initial state is declared (`diagram.HELD`, `diagram.STARTS`), so members are
+in the initial state is declared (`scenario.keys`), so members are
 filled in whole columns; what is computed from values, such as frequencies from
 periods, is made member by member.
 """
@@ -20,7 +20,8 @@ from ..native.runs import Runs
 from ..native.schedule import Schedule, schedule
 from ..native.sweep import Sweep
 from ..scenario.experiment import Scenario, scenario_tables
-from ..simulation.loops import HELD, JUMPS, STARTS, initial_state, paper_blocks, started
+from ..scenario.keys import CALL_TIME_NAMES, JUMPS, STARTS
+from ..simulation.loops import initial_state, paper_blocks, started
 
 
 @dataclass
@@ -86,11 +87,11 @@ class Ensemble:
 
     def _places(self, key: str) -> tuple[list[int], list[int]] | None:
         """Return where in P and in the initial state a value begins; None if it is computed."""
-        if key in JUMPS or key not in {**HELD, **STARTS}:
+        if key in JUMPS or key not in {**CALL_TIME_NAMES, **STARTS}:
             return None
         names = {block.name: k for k, block in enumerate(self.blocks)}
         in_P = []
-        for name in HELD.get(key, ()):
+        for name in CALL_TIME_NAMES.get(key, ()):
             block, field = name.split(".")
             place = self.native.layout.places.get((names.get(block, -1), field))
             if place is not None and place.array != "P":

@@ -19,7 +19,7 @@ import numpy as np
 
 from ..errors import ScenarioError
 from ..scenario.experiment import Scenario
-from ..scenario.tables import Part
+from ..scenario.mistakes import Table
 
 FORMS = "KEY=LOW:HIGH, KEY~normal:DEVIATION or KEY=[VALUE, ...]"
 
@@ -200,10 +200,10 @@ def variable_values(scenario: Scenario) -> dict[str, np.ndarray]:
         defaults["learning.parameters"] = scenario.learning_parameters
     found: dict[str, np.ndarray] = {}
 
-    def walk(part: Part, prefix: str) -> None:
+    def walk(part: Table, prefix: str) -> None:
         for name in type(part).model_fields:
             value, key = getattr(part, name), f"{prefix}{name}"
-            if isinstance(value, Part):
+            if isinstance(value, Table):
                 if key != "run":
                     walk(value, f"{key}.")
                 continue
@@ -227,7 +227,7 @@ def _why_not(scenario: Scenario, key: str, allowed: list[str]) -> str:
     """Say why a key cannot vary."""
     place: Any = scenario
     for name in key.split("."):
-        known = isinstance(place, Part) and name in type(place).model_fields
+        known = isinstance(place, Table) and name in type(place).model_fields
         place = getattr(place, name) if known else None
         if not known or place is None:
             break
@@ -235,7 +235,7 @@ def _why_not(scenario: Scenario, key: str, allowed: list[str]) -> str:
         return f"vary: {key} cannot vary: members share duration, samples and tolerances"
     if isinstance(place, int):
         return f"vary: {key} = {place} cannot vary: counts and seeds are whole numbers"
-    if isinstance(place, Part):
+    if isinstance(place, Table):
         return f"vary: {key} is a table; name one of its keys, such as {key}.{_first(place)}"
     if place is not None and known:
         return f"vary: {key} = {place!r} cannot vary: it is not a number"
@@ -246,5 +246,5 @@ def _why_not(scenario: Scenario, key: str, allowed: list[str]) -> str:
     return f"vary: unknown key {key}{hint} May vary: {', '.join(allowed)}".replace("; May", "; may")
 
 
-def _first(part: Part) -> str:
+def _first(part: Table) -> str:
     return next(iter(type(part).model_fields))

@@ -1,6 +1,5 @@
 from .experiment import Scenario
-from .file import load_scenario, save_scenario
-from .paper import paper_scenario
+from .file import load_scenario, paper_scenario, save_scenario
 from .tides import period
 
 __all__ = [

@@ -2,25 +2,25 @@
 
 A scenario says what flows, what swims, what learns and how long; it is the
 same thing as a TOML file, in the file's own units of length and time.  Nothing
-in here integrates: `diagram.closed_loop` makes blocks of it.
+in here integrates: `simulation.closed_loop` makes blocks of it.
 """
 
 import os
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any
 
 import numpy as np
-from pydantic import Field, PrivateAttr, ValidationError, model_validator
+from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
 from ..errors import ScenarioError
-from .sentences import sentence
+from .mistakes import Table
 from .tables import (
     Basis,
     Circle,
     Flow,
     Learning,
     Model,
-    Part,
     Run,
     TwoRows,
     Units,
@@ -29,10 +29,11 @@ from .tables import (
 )
 from .tides import period
 
+EXAMPLE = "{'learning.gain': 2.0}"
 MOST_JUMPS = 10**7  # of one block in a run
 
 
-class Scenario(Part):
+class Scenario(Table):
     """One experiment: flow, vehicle, waypoints, law and run.
 
     Made by `load_scenario`, or from keywords of the same names as the tables
@@ -86,6 +87,19 @@ class Scenario(Part):
                     f"{key} = {span}: more than {MOST_JUMPS:.0e} times in run.duration; must be at "
                     f"least {least:.3g}"
                 )
+        return self
+
+    @model_validator(mode="after")
+    def _field_is_there(self, info: ValidationInfo) -> "Scenario":
+        folder = (info.context or {}).get("folder")
+        if folder is None:
+            return self
+        self._folder, path = Path(folder), Path(folder) / (self.flow.field or "")
+        if self.flow.field is not None and not os.path.isfile(path):  # noqa: PTH113 - never raises
+            raise ValueError(
+                f'flow.field = "{self.flow.field}": no such file; must be a NetCDF file, relative '
+                "to the scenario"
+            )
         return self
 
     def __eq__(self, other: object) -> bool:
@@ -142,12 +156,12 @@ class Scenario(Part):
         """Where the gridded field lies; None where theta is the truth."""
         return None if self.flow.field is None else self._folder / self.flow.field
 
-    def with_values(self, values: dict[str, Any]) -> "Scenario":
+    def with_values(self, values: Mapping[str, Any]) -> "Scenario":
         """Return a scenario with some values changed and checked again.
 
         Parameters
         ----------
-        values : dict
+        values : mapping
             ``{"learning.gain": 2.0}``: dotted keys as in the TOML file.
 
         Returns
@@ -166,12 +180,16 @@ class Scenario(Part):
         >>> clpt.paper_scenario().with_values({"learning.gain": 2.0}).learning.gain
         2.0
         """
+        if not isinstance(values, Mapping):
+            raise ScenarioError(f"values = {values!r}: must be a dict, such as {EXAMPLE}")
         tables = scenario_tables(self)
         for key, value in values.items():
-            *path, last = key.split(".")
+            *path, last = str(key).split(".")
             table = tables
             for name in path:
                 table = table.setdefault(name, {})
+                if not isinstance(table, dict):
+                    raise ScenarioError(f"scenario: unknown key {key}: {name} is no table of keys")
             if value is None:
                 table.pop(last, None)
             else:
@@ -182,53 +200,10 @@ class Scenario(Part):
 
 
 def checked_scenario(tables: dict[str, Any], name: str, folder: Path = Path()) -> Scenario:
-    """Make a scenario of nested dicts, or say what is wrong.
-
-    Parameters
-    ----------
-    tables : dict
-        As TOML gives it.
-    name : str
-        How to call it in messages.
-    folder : Path, optional
-        What a relative ``flow.field`` is relative to.
-
-    Returns
-    -------
-    Scenario
-        Checked.
-
-    Raises
-    ------
-    ScenarioError
-        Naming the key, the value and what is allowed.
-    """
-    try:
-        scenario = Scenario.model_validate(tables)
-    except ValidationError as error:
-        problems = error.errors()
-        first = min(problems, key=lambda p: p["type"] != "extra_forbidden")
-        more = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
-        raise ScenarioError(
-            f"{name}: {sentence(first, list(Scenario.model_fields))}{more}"
-        ) from None
-    scenario._folder = Path(folder)
-    path = scenario.field_path
-    if path is not None and not os.path.isfile(path):  # noqa: PTH113 - never raises
-        raise ScenarioError(
-            f'{name}: flow.field = "{scenario.flow.field}": no such file; '
-            "must be a NetCDF file, relative to the scenario"
-        )
-    return scenario
+    """Make a scenario of nested dicts; `name` begins each error, `folder` holds its files."""
+    return Scenario.model_validate(tables, context={"name": name, "folder": folder})
 
 
 def scenario_tables(scenario: Scenario) -> dict[str, Any]:
-    """Return a scenario as nested dicts, with the keys it was given.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> scenario_tables(clpt.paper_scenario())["learning"]["gain"]
-    0.8
-    """
+    """Return a scenario as nested dicts, with the keys it was given."""
     return scenario.model_dump(mode="python", exclude_none=True, exclude_unset=True)

@@ -1,7 +1,8 @@
 """Scenarios in TOML files: read, checked, written.
 
 Every mistake is one sentence that names the file, the key, the value and what
-is allowed.
+is allowed.  The scenario of section IV ships as a commented file, the one that
+`clpt init` writes.
 """
 
 import errno
@@ -10,6 +11,7 @@ import pickle
 import re
 import tomllib
 from functools import lru_cache
+from importlib import resources
 from pathlib import Path
 from typing import Any
 
@@ -187,3 +189,24 @@ def scenario_text(path: str | Path) -> str:
                 "the parameters to simulate(params=...)"
             )
         return str(data.attrs["scenario"])
+
+
+def paper_text() -> str:
+    """Return the paper's scenario as commented TOML text."""
+    return resources.files("clpt_control.data").joinpath("paper.toml").read_text("utf-8")
+
+
+def paper_scenario() -> Scenario:
+    """Return the scenario of section IV.
+
+    Returns
+    -------
+    Scenario
+        Three exponential basis functions, ten waypoints, t = 0 to 2000.
+
+    Examples
+    --------
+    >>> paper_scenario().cycle
+    200.0
+    """
+    return scenario_from_text(paper_text(), "paper.toml", Path())

@@ -1,14 +1,15 @@
 """The tables of a scenario, each typed and checked.
 
 Numbers are finite (only a period may be infinite) and shapes fit; what one
-table needs of another is checked in `scenario`.
+table needs of another is checked in `experiment`.
 """
 
 import math
 from typing import Annotated, Literal
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, Strict, model_validator
+from pydantic import AfterValidator, Field, Strict, model_validator
 
+from .mistakes import Table
 from .tides import period
 
 
@@ -35,20 +36,14 @@ TwoRows = tuple[Row, Row]
 Kernel = Literal["exponential", "gaussian", "gaussian-sigma"]
 
 
-class Part(BaseModel):
-    """A table of the scenario; unknown keys are errors."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
-
-class Units(Part):
+class Units(Table):
     """Units of length and time of every number here."""
 
     length: Literal["m", "km"] = "m"
     time: Literal["s", "min", "h", "d"] = "s"
 
 
-class Basis(Part):
+class Basis(Table):
     """The flow basis functions of Eq. (5), one entry per function."""
 
     kernel: Kernel
@@ -78,7 +73,7 @@ class Basis(Part):
         return self
 
 
-class Disturbance(Part):
+class Disturbance(Table):
     """The unmodelled flow Delta of Eq. (32)."""
 
     kind: Literal["constant", "sine", "square", "noise"]
@@ -96,7 +91,7 @@ class Disturbance(Part):
         return self
 
 
-class Flow(Part):
+class Flow(Table):
     """The true flow: parameters theta of Eq. (3), or a gridded field."""
 
     parameters: TwoRows | None = None
@@ -113,13 +108,13 @@ class Flow(Part):
         return self
 
 
-class Model(Part):
+class Model(Table):
     """The modelled flow, alpha_M of Eq. (4); zero if left out."""
 
     parameters: TwoRows | None = None
 
 
-class Vehicle(Part):
+class Vehicle(Table):
     """The vehicle and its controller, Eqs. (1) and (7)."""
 
     feedback: PositivePair
@@ -127,7 +122,7 @@ class Vehicle(Part):
     position: Pair = (0.0, 0.0)
 
 
-class Circle(Part):
+class Circle(Table):
     """Waypoints on a circle, section IV."""
 
     kind: Literal["circle"]
@@ -136,7 +131,7 @@ class Circle(Part):
     dwell: Positive
 
 
-class Waypoints(Part):
+class Waypoints(Table):
     """Any list of waypoints."""
 
     kind: Literal["waypoints"]
@@ -144,7 +139,7 @@ class Waypoints(Part):
     dwell: Positive
 
 
-class Learning(Part):
+class Learning(Table):
     """The adaptive law and its initial values."""
 
     law: Literal["known-flow", "learned-flow"]
@@ -171,7 +166,7 @@ class Learning(Part):
         return self
 
 
-class Run(Part):
+class Run(Table):
     """How long, how often recorded, how exact."""
 
     duration: Positive

@@ -17,9 +17,10 @@ from ..errors import ScenarioError, SimulationError
 from ..native.choice import chosen
 from ..native.inputs import numbers, read_inputs
 from ..scenario.experiment import Scenario
+from ..scenario.keys import CALL_TIME_NAMES
 from .dataset import run_dataset
-from .loops import HELD, paper_blocks, started
 from .loops import initial_state as scenario_state
+from .loops import paper_blocks, started
 
 if TYPE_CHECKING:
     import xarray
@@ -218,7 +219,7 @@ def said_by_keys(
         scenario = scenario.with_values(
             {key: part.reshape(start.shape) for (key, start), part in parts}
         )
-    alone = {names[0]: key for key, names in HELD.items() if len(names) == 1}
+    alone = {names[0]: key for key, names in CALL_TIME_NAMES.items() if len(names) == 1}
     for name in [name for name in left if name in alone]:
         with suppress(ScenarioError):  # a value that a scenario may not have is run all the same
             scenario = scenario.with_values({alone[name]: left[name]})

@@ -28,36 +28,7 @@ from ..diagrams.interconnection import Diagram, connect
 from ..diagrams.scenario_basis import scenario_basis
 from ..errors import DiagramError
 from ..scenario.experiment import Scenario
-
-# scenario key -> parameters of blocks that hold its value as it is
-HELD = {
-    "basis.centers": ("basis_x.centers", "basis_z.centers"),
-    "basis.widths": ("basis_x.widths", "basis_z.widths"),
-    "basis.phases": ("basis_x.phases", "basis_z.phases"),
-    "flow.parameters": ("true_flow.theta",),
-    "flow.disturbance.amplitude": ("disturbance.amplitude",),
-    "flow.disturbance.period": ("disturbance.period",),
-    "model.parameters": (
-        "modeled_flow.alpha_M",
-        "vehicle_controller.alpha_M",
-        "injection.alpha_M",
-        "adaptation.alpha_M",
-    ),
-    "vehicle.feedback": ("vehicle_controller.KD",),
-    "vehicle.feedforward": ("vehicle_controller.GammaD",),
-    "reference.dwell": ("reference.dwell",),
-    "learning.gain": ("adaptation.gain",),
-    "learning.theta_estimate": ("injection.theta_hat",),
-}
-JUMPS = ("reference.dwell", "flow.disturbance.period")  # keys that move breakpoints
-# scenario key -> the state that starts there, in the order of the diagram's states
-STARTS = {
-    "vehicle.position": "x",
-    "learning.position": "z",
-    "learning.parameters": "alpha",
-    "learning.feedback": "K",
-    "learning.feedforward": "Gamma",
-}
+from ..scenario.keys import STARTS
 
 
 def paper_blocks(scenario: Scenario) -> list[Block]:
@@ -202,9 +173,9 @@ def error_loop(scenario: Scenario) -> Diagram:
     N, KD = scenario.basis.N, np.array(scenario.vehicle.feedback)
     return connect(
         [
-            error_system.error_system(error_system.ErrorParameters(N, KD)),
+            error_system.error_system(error_system.ErrorSystemParameters(N, KD)),
             error_system.parameter_system(
-                error_system.ParameterParameters(N, scenario.learning.gain)
+                error_system.ParameterSystemParameters(N, scenario.learning.gain)
             ),
         ],
         external=("phi_x", "z", "zc"),

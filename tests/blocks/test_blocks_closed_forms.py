@@ -262,7 +262,7 @@ def test_adaptation_is_proportional_to_its_gain():
 
 
 def test_error_decays_alone():
-    block = error_system.error_system(error_system.ErrorParameters(2, np.array([1.0, 3.0])))
+    block = error_system.error_system(error_system.ErrorSystemParameters(2, np.array([1.0, 3.0])))
     np.testing.assert_array_equal(block.dynamics(0, [2, 2], np.zeros(14)), [-2, -6])
 
 
@@ -271,15 +271,15 @@ def test_regressor_and_its_transpose_match():
     rng = np.random.default_rng(4)
     for N in (1, 2, 3, 5):
         signals, e, eta = rng.normal(size=N + 4), rng.normal(size=2), rng.normal(size=2 * N + 4)
-        system = error_system.error_system(error_system.ErrorParameters(N, np.zeros(2)))
-        law = error_system.parameter_system(error_system.ParameterParameters(N, 1.0))
+        system = error_system.error_system(error_system.ErrorSystemParameters(N, np.zeros(2)))
+        law = error_system.parameter_system(error_system.ParameterSystemParameters(N, 1.0))
         forward = system.dynamics(0, np.zeros(2), [*signals, *eta])
         backward = law.dynamics(0, eta, [*e, *signals])
         assert e @ forward == pytest.approx(-eta @ backward, rel=1e-12)
 
 
 def test_error_system_has_z_where_the_print_has_x():
-    block = error_system.error_system(error_system.ErrorParameters(1, np.zeros(2)))
+    block = error_system.error_system(error_system.ErrorSystemParameters(1, np.zeros(2)))
     eta = np.array([0, 0, 1, 1, 0, 0], dtype=float)  # K - KD alone
     rate = block.dynamics(0, [50, 50], [0, 2, 3, 7, 7, *eta])
     np.testing.assert_array_equal(rate, [2, 3])

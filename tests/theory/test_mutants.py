@@ -50,8 +50,8 @@ def every_block():
     grid = GriddedField(axis, axis, axis, np.ones((4, 4, 4)), np.zeros((4, 4, 4)))
     for disturbed in (False, True):
         yield field.gridded_flow(grid, disturbed=disturbed)
-    yield error_system.error_system(error_system.ErrorParameters(3, np.ones(2)))
-    yield error_system.parameter_system(error_system.ParameterParameters(3, 0.8))
+    yield error_system.error_system(error_system.ErrorSystemParameters(3, np.ones(2)))
+    yield error_system.parameter_system(error_system.ParameterSystemParameters(3, 0.8))
     truth = lyapunov.one_gain(0.8, np.ones((2, 3)), np.ones(2), np.ones(2))
     for law in lyapunov.LAWS:
         yield lyapunov.lyapunov_candidate(law, truth)

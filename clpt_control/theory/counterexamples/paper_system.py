@@ -15,7 +15,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ...scenario.experiment import Scenario
-from ...scenario.paper import paper_scenario
+from ...scenario.file import paper_scenario
 from ...simulation.integrate import sample_times, simulate
 from ..excitation.gramian import started_true
 from .printed_bounds import Counterexample, measured

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...scenario.paper import paper_scenario
+from ...scenario.file import paper_scenario
 from ...simulation.flows import basis_functions
 from ...simulation.integrate import simulate
 

@@ -15,8 +15,8 @@ from functools import cache
 import numpy as np
 
 from ...blocks.error_system import (
-    ErrorParameters,
-    ParameterParameters,
+    ErrorSystemParameters,
+    ParameterSystemParameters,
     error_system,
     parameter_system,
 )
@@ -53,8 +53,8 @@ def error_matrices(
     """
     N, shape = phi.shape[-1], phi.shape[:-1]
     blocks = (
-        error_system(ErrorParameters(N, np.asarray(KD, dtype=float))),
-        parameter_system(ParameterParameters(N, float(gain))),
+        error_system(ErrorSystemParameters(N, np.asarray(KD, dtype=float))),
+        parameter_system(ParameterSystemParameters(N, float(gain))),
     )
     equations = [(block, block.update_function) for block in blocks if block.update_function]
     given = {

@@ -14,11 +14,11 @@ import numpy as np
 import sympy
 
 from ...blocks import Block
-from ...simulation.loops import HELD
+from ...scenario.keys import CALL_TIME_NAMES
 
 # fields that stand for one thing, and its name in the paper
 ONE = {
-    "alpha_M": HELD["model.parameters"],
+    "alpha_M": CALL_TIME_NAMES["model.parameters"],
     "theta": ("true_flow.theta", "lyapunov.theta"),
     "theta_hat": ("injection.theta_hat",),
     "KD": ("vehicle_controller.KD", "lyapunov.KD", "error_system.KD"),

@@ -10,7 +10,7 @@ from ...blocks import Block
 from ...blocks.lyapunov import lyapunov_candidate, one_gain
 from ...diagrams.interconnection import Diagram, connect
 from ...scenario.experiment import Scenario
-from ...scenario.paper import paper_scenario
+from ...scenario.file import paper_scenario
 from ...simulation.loops import paper_blocks
 
 SOURCES = {"basis_x": "phi_x", "basis_z": "phi_z", "reference": "zc", "disturbance": "delta"}

@@ -1,0 +1,58 @@
+"""What in the diagram holds the value of a scenario's key: one number, two names.
+
+A key such as ``learning.gain`` is its name in a scenario, ``adaptation.gain`` at call
+time, in ``simulate(params=...)``.
+"""
+
+# scenario key -> parameters of blocks that hold its value as it is
+CALL_TIME_NAMES = {
+    "basis.centers": ("basis_x.centers", "basis_z.centers"),
+    "basis.widths": ("basis_x.widths", "basis_z.widths"),
+    "basis.phases": ("basis_x.phases", "basis_z.phases"),
+    "flow.parameters": ("true_flow.theta",),
+    "flow.disturbance.amplitude": ("disturbance.amplitude",),
+    "flow.disturbance.period": ("disturbance.period",),
+    "model.parameters": (
+        "modeled_flow.alpha_M",
+        "vehicle_controller.alpha_M",
+        "injection.alpha_M",
+        "adaptation.alpha_M",
+    ),
+    "vehicle.feedback": ("vehicle_controller.KD",),
+    "vehicle.feedforward": ("vehicle_controller.GammaD",),
+    "reference.dwell": ("reference.dwell",),
+    "learning.gain": ("adaptation.gain",),
+    "learning.theta_estimate": ("injection.theta_hat",),
+}
+KEYS = {name: key for key, names in CALL_TIME_NAMES.items() for name in names}
+JUMPS = ("reference.dwell", "flow.disturbance.period")  # keys that move breakpoints
+# scenario key -> the state that starts there, in the order of the diagram's states
+STARTS = {
+    "vehicle.position": "x",
+    "learning.position": "z",
+    "learning.parameters": "alpha",
+    "learning.feedback": "K",
+    "learning.feedforward": "Gamma",
+}
+
+
+def key_of(name: str) -> str:
+    """Return what to write in a scenario in place of a call-time name, or nothing."""
+    key = KEYS.get(name)
+    return f"{name} is the name at call time, in params; the scenario's key is {key}" if key else ""
+
+
+def call_time_name_of(key: str, known: set[str]) -> str:
+    """Return what to write at call time in place of a scenario's key, or nothing.
+
+    `known` are the parameters of the diagram that is called.
+    """
+    if key in STARTS:
+        return f"{key} is a key of the scenario; at call time give initial_state"
+    names = [name for name in CALL_TIME_NAMES.get(key, ()) if name in known]
+    if not names:
+        return ""
+    at_call = f"names at call time are {', '.join(names)}"
+    if len(names) == 1:
+        at_call = f"name at call time is {names[0]}"
+    return f"{key} is a key of the scenario; its {at_call}"

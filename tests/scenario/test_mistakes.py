@@ -1,0 +1,93 @@
+"""Every way to make a scenario: a wrong value is a ScenarioError of one sentence."""
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.errors import BlockError, ScenarioError
+from clpt_control.scenario.keys import CALL_TIME_NAMES
+from clpt_control.scenario.tables import Learning
+
+PAPER = clpt.paper_scenario()
+WRONG = {
+    "learning.gain = -1: must be": {"learning": {"gain": -1}},
+    "basis.kernel = 'cone': must be": {"basis": {"kernel": "cone"}},
+    "basis.widths": {"basis": {"widths": [1.0]}},
+    "unknown key flow.disturbance.perod; did you mean period?": {
+        "flow": {"disturbance": {"kind": "sine", "amplitude": [1.0, 0.0], "period": 1, "perod": 2}}
+    },
+    "unknown key reference.radus; did you mean radius?": {"reference": {"radus": 3}},
+    "unknown key lerning; did you mean learning?": {"lerning": {}},
+    "basis = 3: must be a table of keys": {"basis": 3},
+    "adaptation.gain is the name at call time.* key is learning.gain": {"adaptation": {"gain": 2}},
+}
+
+
+def document(changes=()):
+    tables = PAPER.model_dump(exclude_none=True, exclude_unset=True)
+    for key, value in dict(changes).items():
+        whole = not isinstance(value, dict) or key not in tables
+        tables[key] = value if whole else {**tables[key], **value}
+    return tables
+
+
+def wait_for_error(make, words):
+    with pytest.raises(ScenarioError, match=words) as caught:
+        make()
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("words", WRONG)
+def test_a_wrong_value_is_one_sentence(words, tmp_path):
+    tables = document(WRONG[words])
+    wait_for_error(lambda: clpt.Scenario(**tables), words)
+    wait_for_error(lambda: clpt.Scenario.model_validate(tables), words)
+    wait_for_error(lambda: PAPER.with_values(tables), words)
+
+
+def test_a_table_of_its_own_is_checked_too():
+    wait_for_error(lambda: Learning(law="none", gain=1.0), "learning: law = 'none': must be")
+    wait_for_error(lambda: clpt.Scenario(basis={}), "missing key basis.kernel .and")
+    wait_for_error(lambda: clpt.Scenario.model_validate(3), "3: must be a table of keys")
+    wait_for_error(lambda: PAPER.with_values([2]), "must be a dict")
+    wait_for_error(lambda: PAPER.with_values({"learning.gain.x": 2}), "gain is no table")
+
+
+def test_a_right_scenario_is_the_same_by_every_way():
+    assert clpt.Scenario(**document()) == PAPER == clpt.Scenario.model_validate(document())
+    assert pickle.loads(pickle.dumps(PAPER)) == PAPER == copy.deepcopy(PAPER)
+
+
+@pytest.mark.parametrize("key", CALL_TIME_NAMES)
+def test_an_error_about_one_name_says_the_other(key):
+    scenario = PAPER
+    if "disturbance" in key:
+        square = {"kind": "square", "amplitude": [0.1, 0.0], "period": 2.0}
+        scenario = scenario.with_values({"flow.disturbance": square})
+    if key == "learning.theta_estimate":
+        law = {"learning.law": "known-flow", "learning.parameters": None, key: [[1, 1, 1]] * 2}
+        scenario = scenario.with_values(law)
+    loop = clpt.closed_loop(scenario)
+    parameters = {
+        f"{block.name}.{field}": value
+        for block in clpt.paper_blocks(scenario)
+        for field, value in block.parameters._asdict().items()
+    }
+    known = [name for name in CALL_TIME_NAMES[key] if name in parameters]
+    assert known
+    value = parameters[known[0]]
+    held = scenario
+    for name in key.split("."):
+        held = getattr(held, name)
+    if held is not None:  # what the scenario leaves out is zero
+        np.testing.assert_allclose(np.reshape(value, np.shape(held)), held)
+    if key in known:
+        return
+    for system, times in ((scenario, None), (loop, [0.0, 1.0])):
+        with pytest.raises(BlockError, match=f"{key} is a key of the scenario.*{known[0]}"):
+            clpt.simulate(system, times, params={key: value})
+    with pytest.raises(ScenarioError, match=f"the scenario's key is {key}"):
+        scenario.with_values({known[0]: value})
