@@ -1,4 +1,5 @@
 from . import conformance
+from .arrays import evaluate
 from .block import Block
 from .ports import Guard
 from .rules import opaque
@@ -7,5 +8,6 @@ __all__ = [
     "Block",
     "Guard",
     "conformance",
+    "evaluate",
     "opaque",
 ]

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from .block import Block
 from .record import Record
 from .running import MOST_ANGLE
 
@@ -60,6 +61,36 @@ def on_arrays(record: Record, t: Any, x: Any, u: Any, p: Any) -> np.ndarray:
     with np.errstate(all="ignore"):
         found = record.replay(leaf, apply)
     return np.array([np.broadcast_to(value, t.shape) for value in found], dtype=float)
+
+
+def evaluate(block: Block, times: Any, inputs: Any) -> np.ndarray:
+    """Compute a static block's outputs at many times and inputs.
+
+    Parameters
+    ----------
+    block : Block
+        Without states, such as ``basis_x``, Eq. (5), or ``true_flow`` of a gridded field.
+    times : array_like, shape (n,) or a number
+        In the block's unit.
+    inputs : array_like, shape (n, ninputs)
+        Such as places, in the block's unit.
+
+    Returns
+    -------
+    ndarray, shape (n, noutputs)
+        One row per sample.
+
+    Examples
+    --------
+    >>> from clpt_control.blocks.basis import BasisParameters, flow_basis
+    >>> p = BasisParameters(1, np.zeros((1, 2)), np.ones(1), np.zeros(1), np.zeros(1))
+    >>> evaluate(flow_basis("basis_x", "x", "gaussian", p), [0, 5], [[0, 0], [1, 1]]).round(3)
+    array([[1.   ],
+           [0.368]])
+    """
+    inputs = np.atleast_2d(np.asarray(inputs, dtype=float))
+    times = np.broadcast_to(np.asarray(times, dtype=float), len(inputs))
+    return on_arrays(block.output_record, times, (), inputs.T, block.parameters).T
 
 
 def picked(numbers: np.ndarray, index: Any) -> Any:

@@ -19,9 +19,10 @@ from typing import Any
 
 import numpy as np
 
+from ..blocks import evaluate
 from ..diagrams.scenario_basis import scenario_basis
 from ..errors import DataError
-from ..estimation.least_squares import evaluate, least_squares
+from ..estimation.least_squares import least_squares
 from ..scenario import tides
 from ..scenario.experiment import Scenario
 from .currents import Currents, read_currents

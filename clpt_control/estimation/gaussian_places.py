@@ -21,11 +21,11 @@ from typing import Any
 import numpy as np
 from scipy.integrate import trapezoid
 
+from ..blocks import evaluate
 from ..blocks.basis import BasisParameters, flow_basis
 from ..errors import ScenarioError
 from ..geodesy import displacement
 from .fix_regressor import miss, reckoned
-from .least_squares import evaluate
 
 SPACING = 1.5  # widths
 NEAR = 0.1  # share of a dive's time

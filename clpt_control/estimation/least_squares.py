@@ -11,7 +11,6 @@ residual |F_s - theta phi| is the bound on Delta in Eq. (32) over the samples.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -50,39 +49,6 @@ class LeastSquares:
     def residual_max(self) -> float:
         """Largest length of a residual, the bound of Eq. (32)."""
         return float(np.sqrt(np.max(np.sum(self.residuals**2, axis=1))))
-
-
-def evaluate(block: Any, times: np.ndarray, positions: np.ndarray) -> np.ndarray:
-    """Return a static block's outputs at many times and places.
-
-    Parameters
-    ----------
-    block : Block
-        Such as ``basis_x``, Eq. (5), or ``true_flow`` of a gridded field.
-    times : array_like, shape (n,)
-        In the block's unit.
-    positions : array_like, shape (n, 2)
-        Its input, in the block's unit.
-
-    Returns
-    -------
-    ndarray, shape (n, noutputs)
-        What the block's output function gives, one row per sample.
-
-    Examples
-    --------
-    >>> from clpt_control.blocks.basis import BasisParameters, flow_basis
-    >>> p = BasisParameters(1, np.zeros((1, 2)), np.ones(1), np.zeros(1), np.zeros(1))
-    >>> evaluate(flow_basis("basis_x", "x", "gaussian", p), [0, 5], [[0, 0], [1, 1]]).round(3)
-    array([[1.   ],
-           [0.368]])
-    """
-    times, positions = np.asarray(times, float), np.asarray(positions, float)
-    output, p, state = block.output_function, block.parameters, np.zeros(0)
-    values = np.empty((len(times), block.noutputs))
-    for t, x, y in zip(times.tolist(), positions, values, strict=True):
-        output(t, state, x, p, y)
-    return values
 
 
 def explained_share(values: np.ndarray, model: np.ndarray) -> float:
@@ -130,7 +96,7 @@ def least_squares(
     Parameters
     ----------
     phi : array_like, shape (n, N)
-        Basis functions at the samples, from `evaluate`.
+        Basis functions at the samples, from `blocks.evaluate`.
     flow : array_like, shape (n, 2)
         Measured flow at the samples, any unit of speed.
     names : sequence of str, optional

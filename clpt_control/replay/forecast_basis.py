@@ -21,7 +21,6 @@ from ..currents.gridded import METRES, SECONDS
 from ..currents.plane import LocalPlane
 from ..diagrams.scenario_basis import scenario_basis
 from ..errors import DataError
-from ..estimation.least_squares import evaluate
 from ..files import open_netcdf
 from ..gliders.dives import Dive
 from ..scenario.experiment import Scenario
@@ -84,6 +83,7 @@ class Fitted(FlowModel):
         """
         here, units = LocalPlane(dive.lat_gps2, dive.lon_gps2), self.scenario.units
         long, second = METRES[units.length], SECONDS[units.time]
+        basis, phi, no_state = self.basis, np.empty(self.scenario.basis.N), np.zeros(0)
 
         def flow(t: float, east: float, north: float) -> tuple[float, float]:
             lat, lon = here.to_earth(east / 1000, north / 1000)
@@ -91,8 +91,8 @@ class Fitted(FlowModel):
             if not (lat0 <= lat <= lat1 and (lon - lon0) % 360.0 <= lon1 - lon0):
                 raise Uncovered("outside the fit's area")
             x1, x2 = (1000.0 * float(x) / long for x in self.plane.to_plane(lat, lon))
-            when = np.array([(dive.t_gps2 + t - self.start) / second])
-            phi = evaluate(self.basis, when, np.array([[x1, x2]]))[0]
+            when = (dive.t_gps2 + t - self.start) / second
+            basis.output_function(when, no_state, np.array([x1, x2]), basis.parameters, phi)
             u1, u2 = self.theta @ phi * (long / second)
             c, s = self.plane.turn(lat, lon, 1.0, 0.0)  # where east points in the fit's plane
             u1, u2 = here.turn(lat, lon, c * u1 + s * u2, c * u2 - s * u1)

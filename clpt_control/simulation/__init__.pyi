@@ -1,5 +1,4 @@
-from .flow_shares import explained_variance
-from .flows import basis_functions, flow_velocity
+from .flows import explained_variance, flow_velocity
 from .integrate import simulate
 from .loops import closed_loop, error_loop, initial_state, paper_blocks
 from .plots import clpe_plot, learning_plot, track_plot
@@ -7,7 +6,6 @@ from .report import claims, run_and_report
 from .run_file import load_run, save_run
 
 __all__ = [
-    "basis_functions",
     "claims",
     "closed_loop",
     "clpe_plot",

@@ -1,46 +1,40 @@
-"""The flow at any place and time, through the blocks that run.
+"""The flow at any place and time, through the blocks that run, and how much of it is learned.
 
     true flow      theta phi(x, t), Eq. (3), or the gridded field
     learned flow   theta_hat phi(x, t)
 
-A map of the current, an arrow along a track and a share of variance all ask
-the same blocks that a run asks.
+How much of a gridded current F the learned flow explains is
+
+    share = 1 - sum |F - theta_hat phi|^2 / sum |F|^2
+
+over the samples of a set, both components together: 0 for a learner that knows
+no flow, 1 for one that knows it all.  Two sets, because a small CLPE does not
+mean a right flow (K and Gamma adapt too, and can stand in for it):
+
+    track   F at x(t), with theta_hat(t) of that time, over a window of the run
+            (its last quarter by default): what the learner follows
+    box     F at all places and times of the field's grid, with theta_hat of
+            the end of the run: what the learner has understood
+
+The disturbance Delta is part of none of them.
 """
+
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..blocks.arrays import on_arrays
+from ..blocks import evaluate
+from ..blocks.field import gridded_flow
+from ..currents.gridded import read_field
 from ..diagrams.scenario_basis import scenario_basis
+from ..errors import DataError
+from ..estimation.least_squares import explained_share
 from ..scenario.experiment import Scenario
 from .loops import paper_blocks
 
-
-def basis_functions(scenario: Scenario, points: ArrayLike, times: np.ndarray | float) -> np.ndarray:
-    """Return phi(x, t) of Eq. (5) at places and times.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        Names the basis.
-    points : array_like, shape (n, 2)
-        Places, units.length.
-    times : array_like, shape (n,) or a number
-        Times, units.time.
-
-    Returns
-    -------
-    ndarray, shape (n, N)
-        phi at each place and time.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> basis_functions(clpt.paper_scenario(), [[0.0, 0.0]], 0.0).round(3)
-    array([[1.   , 0.243, 0.493]])
-    """
-    block = scenario_basis(scenario)
-    return _outputs(block, np.atleast_2d(np.asarray(points, dtype=float)), times)
+if TYPE_CHECKING:
+    import xarray
 
 
 def flow_velocity(
@@ -79,13 +73,74 @@ def flow_velocity(
     if parameters is None and scenario.flow.field is not None:
         calm = scenario.with_values({"flow.disturbance": None})
         block = next(b for b in paper_blocks(calm) if b.name == "true_flow")
-        return _outputs(block, points, times)
+        return evaluate(block, times, points)
     theta = np.array(scenario.flow.parameters) if parameters is None else np.asarray(parameters)
-    phi = basis_functions(scenario, points, times)
+    phi = evaluate(scenario_basis(scenario), times, points)
     return np.einsum("...ik,...k->...i", theta, phi)
 
 
-def _outputs(block, points: np.ndarray, times: np.ndarray | float) -> np.ndarray:
-    """Return a block's outputs at all places and times at once."""
-    times = np.broadcast_to(np.asarray(times, dtype=float), len(points))
-    return on_arrays(block.output_record, times, (), points.T, block.parameters).T
+def explained_variance(
+    scenario: Scenario, run: "xarray.Dataset", window: tuple[float, float] | None = None
+) -> dict[str, Any]:
+    """Return the shares of variance that the learned flow explains.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Its true flow must be a gridded field.
+    run : xarray.Dataset
+        As `simulate` gives it for this scenario.
+    window : tuple of float, optional
+        First and last time of the samples along the track, units.time; the
+        last quarter of the run by default.
+
+    Returns
+    -------
+    dict
+        ``track`` and ``box``, shares without unit (at most 1; negative where
+        the learned flow is worse than none), and ``window``, units.time.
+
+    Raises
+    ------
+    DataError
+        If the scenario has no field, the run has another basis, or the window
+        holds no sample.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario = clpt.load_scenario("fit.toml")  # doctest: +SKIP
+    >>> explained_variance(scenario, clpt.simulate(scenario))["track"]  # doctest: +SKIP
+    0.81
+    """
+    if scenario.field_path is None:
+        raise DataError(
+            "the scenario's true flow is no gridded field; shares of variance are for scenarios "
+            "with flow.field, such as `clpt fit` writes"
+        )
+    phi = scenario_basis(scenario)
+    if run.sizes.get("basis") != phi.noutputs:
+        raise DataError(
+            f"the run has {run.sizes.get('basis')} basis functions, the scenario {phi.noutputs}; "
+            "give the scenario that was run"
+        )
+    field = read_field(scenario.field_path, scenario.units)
+    truth = gridded_flow(field, "clip")
+    t = run.time.values
+    first, last = window or (float(t[-1] - 0.25 * (t[-1] - t[0])), float(t[-1]))
+    inside = (t >= first) & (t <= last)
+    if not inside.any():
+        raise DataError(
+            f"the window {first:g} to {last:g} holds no sample of the run, which covers "
+            f"{t[0]:g} to {t[-1]:g} {scenario.units.time}"
+        )
+    times, places = t[inside], run.position.values[inside]
+    estimate = run.flow_parameters_estimate.values
+    learned = np.einsum("taN,tN->ta", estimate[inside], evaluate(phi, times, places))
+    track = explained_share(evaluate(truth, times, places), learned)
+
+    grid = np.meshgrid(field.time, field.x2, field.x1, indexing="ij")
+    at, x2, x1 = (axis.ravel() for axis in grid)
+    model = evaluate(phi, at, np.column_stack([x1, x2])) @ estimate[-1].T
+    box = explained_share(np.column_stack([field.u.ravel(), field.v.ravel()]), model)
+    return {"track": track, "box": box, "window": [float(first), float(last)]}

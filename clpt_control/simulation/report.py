@@ -88,7 +88,7 @@ def run_and_report(scenario: Scenario, progress: Callable[[float], None] | None 
     even = dense.isel(time=_nearest(reached, fine))
     summary = summarise(scenario, even, dense)
     if scenario.flow.field is not None:
-        from .flow_shares import explained_variance
+        from .flows import explained_variance
 
         summary["explained_variance"] = explained_variance(scenario, run)
     return Report(run, even, summary)

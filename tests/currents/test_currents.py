@@ -9,6 +9,7 @@ import xarray
 from pyproj import Geod
 from scipy.interpolate import make_interp_spline
 
+from clpt_control.blocks import evaluate
 from clpt_control.blocks.field import gridded_flow
 from clpt_control.currents.currents import read_currents
 from clpt_control.currents.forecast_file import read_column
@@ -17,7 +18,6 @@ from clpt_control.currents.gridded import GriddedField, read_field, write_field
 from clpt_control.currents.plane import LocalPlane
 from clpt_control.currents.tidal.record import read_record
 from clpt_control.errors import DataError
-from clpt_control.estimation.least_squares import evaluate
 from clpt_control.scenario.tables import Units
 
 MARACOOS = Path(__file__).parents[3] / "shared/data/field/maracoos_hfr_2019-01-01.nc"

@@ -14,7 +14,7 @@ from clpt_control.currents.fit import fit_scenario
 from clpt_control.currents.fit_file import save_fit
 from clpt_control.diagrams.scenario_basis import scenario_basis
 from clpt_control.errors import ClptError, DataError, ScenarioError
-from clpt_control.simulation.flow_shares import explained_variance
+from clpt_control.simulation.flows import explained_variance
 
 MARACOOS = Path(__file__).parents[3] / "shared/data/field/maracoos_hfr_2019-01-01.nc"
 BOX = (40.9, 41.55, -69.9, -69.0)
@@ -313,10 +313,10 @@ def test_nantucket_fit(nantucket):
 
 def test_nantucket_field_is_close_to_what_was_measured(nantucket):
     """The spline field at the measured cells: half a cell of resampling costs little."""
+    from clpt_control.blocks import evaluate
     from clpt_control.blocks.field import gridded_flow
     from clpt_control.currents.currents import read_currents
     from clpt_control.currents.plane import LocalPlane
-    from clpt_control.estimation.least_squares import evaluate
 
     currents = read_currents(MARACOOS, BOX)
     plane = LocalPlane(41.225, -69.45)

@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
+from clpt_control.blocks import evaluate
 from clpt_control.blocks.basis import BasisParameters, flow_basis
 from clpt_control.errors import DataError
-from clpt_control.estimation.least_squares import evaluate, explained_share, least_squares
+from clpt_control.estimation.least_squares import explained_share, least_squares
 
 M2 = 2 * np.pi / 12.4206
 

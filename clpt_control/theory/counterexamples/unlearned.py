@@ -10,8 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...blocks import evaluate
+from ...diagrams.scenario_basis import scenario_basis
 from ...scenario.file import paper_scenario
-from ...simulation.flows import basis_functions
 from ...simulation.integrate import simulate
 
 
@@ -83,7 +84,7 @@ def unlearned_counterexample(end: float = 400.0, function: int = 2) -> Unlearned
     )
     run = simulate(scenario)
     zc, k = scenario.waypoints, function - 1
-    phi = basis_functions(scenario, run.position.values, run.time.values)
+    phi = evaluate(scenario_basis(scenario), run.time.values, run.position.values)
     return Unlearned(
         "z_c persistently exciting, so every parameter converges",
         float(np.linalg.eigvalsh(scenario.reference.dwell * zc.T @ zc)[0]),

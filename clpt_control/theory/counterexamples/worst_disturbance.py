@@ -13,8 +13,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...blocks import evaluate
+from ...diagrams.scenario_basis import scenario_basis
 from ...scenario.experiment import Scenario
-from ...simulation.flows import basis_functions
 from ...simulation.integrate import simulate
 from ..excitation.gramian import started_true
 from ..excitation.transition import error_matrices
@@ -137,7 +138,7 @@ def regressor_matrices(scenario: Scenario, end: float, step: float) -> np.ndarra
     calm = started_true(scenario).with_values({"flow.disturbance": None, "run.duration": end})
     run = simulate(calm, step * (np.arange(round(end / step)) + 0.5))
     return error_matrices(
-        basis_functions(calm, run.position.values, run.time.values),
+        evaluate(scenario_basis(calm), run.time.values, run.position.values),
         run.predicted_position.values,
         run.reference.values,
         np.array(calm.vehicle.feedback),

@@ -11,10 +11,11 @@ from itertools import pairwise
 
 import numpy as np
 
+from ...blocks import evaluate
 from ...blocks.reference import multiples, reference
+from ...diagrams.scenario_basis import scenario_basis
 from ...errors import ScenarioError
 from ...scenario.experiment import Scenario
-from ...simulation.flows import basis_functions
 from ...simulation.integrate import simulate
 from .recorded import Source, positions_between, scenario_of, span_of
 
@@ -213,5 +214,6 @@ def joint_regressor(
         zc = np.broadcast_to(held[:, None], z.shape)
         step = np.median(np.diff(source.time.values))
         trajectory = f"recorded run, sampled each {step:g} {scenario.units.time}"
-    phi = basis_functions(scenario, x.reshape(-1, 2), times.ravel()).reshape(*times.shape, -1)
+    phi = evaluate(scenario_basis(scenario), times.ravel(), x.reshape(-1, 2))
+    phi = phi.reshape(*times.shape, -1)
     return Regressor(scenario, trajectory, cuts, times, weights, phi, z, zc)
