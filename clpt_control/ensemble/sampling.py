@@ -8,7 +8,7 @@ import numpy as np
 from ..errors import ScenarioError
 from ..scenario.experiment import Scenario
 from ..simulation.integrate import sample_times
-from ..simulation.report import SAMPLES_PER_CYCLE
+from ..simulation.report import SAMPLES_PER_CYCLE, nearest
 
 FEWEST = 20  # samples a cycle that may be asked for
 MOST_TIMES = 10**8  # samples of a run
@@ -153,10 +153,5 @@ def sampling(
     full = int(np.floor((end + slack) / cycle))
     starts = np.searchsorted(number, np.arange(full + 1))
     return Sampling(
-        times, _nearest(times, fine), starts, _nearest(times, np.array(marks)), _nearest(times, own)
+        times, nearest(times, fine), starts, nearest(times, np.array(marks)), nearest(times, own)
     )
-
-
-def _nearest(times: np.ndarray, wanted: np.ndarray) -> np.ndarray:
-    after = np.clip(np.searchsorted(times, wanted), 1, len(times) - 1)
-    return np.where(wanted - times[after - 1] < times[after] - wanted, after - 1, after)

@@ -81,11 +81,11 @@ def run_and_report(scenario: Scenario, progress: Callable[[float], None] | None 
     times = _union(own, np.concatenate([fine, marks]))
     dense = simulate(scenario, times, progress=progress)
     reached = dense.time.values
-    run = dense.isel(time=_nearest(reached, own))
+    run = dense.isel(time=nearest(reached, own))
     if dense.attrs["status"] == "stopped":
-        run = dense.isel(time=np.append(_nearest(reached, own[own < reached[-1]]), -1))
+        run = dense.isel(time=np.append(nearest(reached, own[own < reached[-1]]), -1))
     run.encoding.update(dense.encoding)
-    even = dense.isel(time=_nearest(reached, fine))
+    even = dense.isel(time=nearest(reached, fine))
     summary = summarise(scenario, even, dense)
     if scenario.flow.field is not None:
         from .flows import explained_variance
@@ -96,11 +96,12 @@ def run_and_report(scenario: Scenario, progress: Callable[[float], None] | None 
 
 def _union(first: np.ndarray, more: np.ndarray) -> np.ndarray:
     """Sorted times of both; where two differ by rounding, the one of `first`."""
-    distance = np.abs(first[_nearest(first, more)] - more)
+    distance = np.abs(first[nearest(first, more)] - more)
     return np.union1d(first, more[distance > 1e-9 * max(1.0, float(first[-1]))])
 
 
-def _nearest(times: np.ndarray, wanted: np.ndarray) -> np.ndarray:
+def nearest(times: np.ndarray, wanted: np.ndarray) -> np.ndarray:
+    """Return where increasing times are nearest to those wanted, up to the last."""
     wanted = wanted[wanted <= times[-1] * (1 + 1e-12)]
     after = np.clip(np.searchsorted(times, wanted), 1, len(times) - 1)
     return np.where(wanted - times[after - 1] < times[after] - wanted, after - 1, after)
