@@ -7,8 +7,7 @@ from typing import Annotated, Any
 import typer
 
 from .printing import Json, print_json
-from .replay_results import advance, summary_with_next, write
-from .replay_table import show
+from .replay_report import show, summary_with_next, write
 from .replay_watch import check_pace, watch
 
 
@@ -24,9 +23,7 @@ def replay(
         list[Path] | None, typer.Argument(help="Seaglider, OG1 or CSV files, or folders of them.")
     ] = None,
     sample: Annotated[bool, typer.Option("--sample", help="Replay the dives that ship.")] = False,
-    estimator: Annotated[
-        str | None, typer.Option(help="kalman (if not said), rls or gradient.")
-    ] = None,
+    estimator: Annotated[str, typer.Option(help="kalman, rls or gradient.")] = "kalman",
     flow: Annotated[
         str | None,
         typer.Option(help="steady, then any of tides, inertial, gaussians, model: steady,M2,K1."),
@@ -68,66 +65,67 @@ def replay(
     from ..files import make_folder
     from ..gliders.dive_files import read_dives
     from ..gliders.dive_table import sample_dives
+    from ..gliders.usable_dives import LEAST_DURATION, usable
+    from ..progress import progress_bar
     from ..replay.flow_model_file import read_flow_model
     from ..replay.replay import Replay
-    from ..replay.session import Session, check_tides
+    from ..replay.session import check_tides, feed
     from ..replay.surfacing import check_plan
 
     if bool(files) + sample + (follow is not None) != 1:
         raise ScenarioError("give files of dives, --sample for those that ship, or --follow FOLDER")
     check_pace(every, patience)
-    if estimator not in (None, *ESTIMATORS):
+    if estimator not in ESTIMATORS:
         raise ScenarioError(f"--estimator {estimator}: must be one of {', '.join(ESTIMATORS)}")
+    least = LEAST_DURATION if least_duration is None else least_duration
+    if not least >= 0:
+        raise ScenarioError(f"--least-duration {least:g} s: must be 0 s or more")
     model = chosen_model(flow, width_km, learn_speed, flow_model is not None)
     forecast = None if flow_model is None else read_flow_model(flow_model)
-    options: dict[str, Any] = {} if least_duration is None else {"least_duration": least_duration}
-    named: dict[str, Any] = {} if estimator is None else {"estimator": estimator}
-    session = Session(Replay(**named, model=model, flow_model=forecast), **options)
     ahead = () if plan is None else (3600 * plan[0], plan[1:])
     if ahead:
         check_plan(*ahead)
+    told: set[str] = set()
+
+    def take(dives: Any, unread: Any) -> tuple[Any, list]:
+        """Replay the dives that can be used, and return what was left out, too."""
+        used, unused = usable(dives, least)
+        skipped = [*unread, *unused]
+        if follow is None and not used:
+            first = skipped[0]
+            raise DataError(f"no dive can be used; dive {first.dive}: {first.why}")
+        try:
+            check_tides(model.flow, used)
+        except DataError as error:
+            if follow is None:
+                raise
+            if not told:  # once: the record grows
+                typer.echo(f"so far, {error}", err=True)
+            told.add("tides")
+        with progress_bar("replaying dives", max(len(used), 1)) as report:
+            return feed(Replay(estimator, model, forecast), used, report), skipped
+
     written: list[Path] = []
     if follow is not None:
-        watch(session, follow, follow / "replay" if out is None else out, ahead, every, patience)
+        place = follow / "replay" if out is None else out
+        result, skipped = watch(take, follow, place, ahead, every, patience)
     else:
-        session.take(*((sample_dives(), []) if sample else read_dives(files or [])))
-        if not session.used:
-            first = session.skipped[0]
-            raise DataError(f"no dive can be used; dive {first.dive}: {first.why}")
-        check_tides(model.flow, session.used)
-        advance(session)
+        result, skipped = take(*((sample_dives(), []) if sample else read_dives(files or [])))
         if out is not None:
-            written = write(session.replay, make_folder(out), ahead)
-    summary = summary_with_next(session, ahead)
+            written = write(result, make_folder(out), ahead)
+    summary = summary_with_next(result, skipped, ahead)
     if as_json:
         print_json(summary)
         return
-    show(session.replay, summary)
+    show(result, summary)
     for path in written:
         typer.echo(f"{path}: written")
 
 
 def chosen_model(flow: str | None, width_km: float | None, learn_speed: bool, given: bool) -> Any:
-    """Return the parameters that options ask for.
+    """Return the `FixModel` that options ask for; `given` is whether a flow model is.
 
-    Parameters
-    ----------
-    flow, width_km : str or None, float or None
-        As given; None is `FixModel`'s own.
-    learn_speed : bool
-        Whether speed and compass are parameters.
-    given : bool
-        Whether a flow model is; then a factor on it is a parameter, which the
-        dives may find to be none.
-
-    Returns
-    -------
-    FixModel
-
-    Raises
-    ------
-    ScenarioError
-        If the flow asks for a model that is not given.
+    Then a factor on it is a parameter, which the dives may find to be near zero.
     """
     from ..errors import ScenarioError
     from ..estimation.fix_model import FixModel

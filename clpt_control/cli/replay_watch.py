@@ -1,6 +1,7 @@
 """`clpt replay --follow`: a folder, watched for new files of dives."""
 
 import time
+from collections.abc import Callable
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -8,25 +9,14 @@ from typing import Any
 import typer
 
 from ..progress import interrupt
-from .replay_results import RESULT, advance, write
-from .replay_table import place
+from .replay_report import RESULTS, place, write
 
 LONGEST = 86400.0  # s between looks
+Take = Callable[[Any, Any], tuple[Any, list]]  # dives and what was unread -> replay, skipped
 
 
 def check_pace(every: float, patience: float) -> None:
-    """Refuse times between looks and before the end that cannot be.
-
-    Parameters
-    ----------
-    every, patience : float
-        As `watch` takes them, s.
-
-    Raises
-    ------
-    ScenarioError
-        If one is not a time.
-    """
+    """Refuse times (s) between looks, or without a new file, that cannot be."""
     from ..errors import ScenarioError
 
     if not (isfinite(every) and 0 < every <= LONGEST):
@@ -38,103 +28,56 @@ def check_pace(every: float, patience: float) -> None:
 
 
 def watch(
-    session: Any, folder: Path, out: Path, ahead: tuple, every: float, patience: float
-) -> None:
-    """Replay a folder on whenever a file arrives.
+    take: Take, folder: Path, out: Path, ahead: tuple, every: float, patience: float
+) -> tuple[Any, list]:
+    """Replay all dives of a folder whenever a file arrives; return what the last look gave.
 
-    An interrupt or SIGTERM ends it: in the usual way while it waits, as a
+    Times are in s.  Ctrl-C or SIGTERM ends it: in the usual way while it waits, as a
     `KeyboardInterrupt` while it learns, when there is no result yet to end with.
-
-    Parameters
-    ----------
-    session : Session
-        That has taken no dive.
-    folder, out : Path
-        Where files arrive; where results and the folder ``state`` lie.
-    ahead : tuple
-        Plan of the next dive: duration, s, and way, m; empty is the last one's.
-    every, patience : float
-        Time between looks, and without a new file before the end, s.
-
-    Raises
-    ------
-    DataError
-        If another process follows there, or a folder cannot be read or written.
     """
     from ..files import remove_left
-    from ..replay.follow import Follower
-    from ..replay.follow_alone import alone, check_folders
+    from ..replay.follow import following
 
-    check_folders(folder, out)
-    with interrupt.terminated(), alone(out / "state") as state:
-        remove_left(state, "*.json")
-        remove_left(out, RESULT, "map.png", "clpe.png", "current.png")
-        follower = Follower(folder, state)
-        settled = False  # whether results are those of all files read
-        said: set[str] = set()
+    with interrupt.terminated(), following(folder, out) as follower:
+        remove_left(out, *RESULTS)
+        found: tuple[Any, list] | None = None  # None while results are not those of all files
         since = time.monotonic()
         try:
             while True:
                 before = follower.here
                 arrived = follower.look()
-                if arrived or follower.here != before or not settled:
-                    settled = False
-                    session.take(*follower.dives())
-                    line = learn(session, out, ahead, len(arrived), said)
-                    settled = True  # from where the line is seen, an interrupt has its results
+                if arrived or follower.here != before or found is None:
+                    found = None
+                    learned = take(*follower.dives())
+                    line = f"{len(arrived)} new file{'s'[: len(arrived) != 1]}, "
+                    line += said_of(learned[0], out, ahead)
+                    found = learned  # from where the line is seen, an interrupt has its results
                     typer.echo(line, err=True)
                     if arrived:
                         since = time.monotonic()
                 left = since + patience - time.monotonic()
                 if left <= 0:
-                    return
+                    return found
                 interrupt.wait(min(every, left))
         except KeyboardInterrupt:  # the user's way to end it
-            if not settled:
+            if found is None:
                 raise
             interrupt.answer()
+            return found
 
 
-def learn(session: Any, out: Path, ahead: tuple, arrived: int, said: set[str]) -> str:
-    """Replay what a session has taken and write it.
-
-    Parameters
-    ----------
-    session : Session
-        That has taken all dives so far.
-    out : Path
-        Where results lie.
-    ahead : tuple
-        Plan of the next dive.
-    arrived : int
-        Number of files that are new.
-    said : set of str
-        Complaints so far: each is said once.
-
-    Returns
-    -------
-    str
-        What was learned, on a line.
-    """
-    from ..errors import DataError
-    from ..replay.session import check_tides
+def said_of(replay: Any, out: Path, ahead: tuple) -> str:
+    """Write a replay's results, and return what was learned from its last dive."""
     from ..replay.surfacing import next_dive
 
-    try:
-        check_tides(session.replay.model.flow, session.used)
-    except DataError as error:
-        if not said:  # the record grows
-            said.add(f"so far, {error}")
-            typer.echo(f"so far, {error}", err=True)
-    advance(session)
-    used = len(session.used)
-    line = f"{arrived} new file{'s'[: arrived != 1]}, {used} dive{'s'[: used != 1]} used"
-    if used:
-        write(session.replay, out, ahead)
-        step, goal = session.replay.steps[-1], next_dive(session.replay, *ahead)
-        line += (
-            f"; dive {step.dive.number}: CLPE {step.clpe['adaptive']:.0f} m"
-            + (f"; speed anomaly: {step.anomaly}" if step.anomaly else "")
-            + f"; next surfacing near {place(goal.latitude, goal.longitude)}"
-        )
-    return line
+    used = len(replay.steps)
+    line = f"{used} dive{'s'[: used != 1]} used"
+    if not used:
+        return line
+    write(replay, out, ahead)
+    step, goal = replay.steps[-1], next_dive(replay, *ahead)
+    return (
+        f"{line}; dive {step.dive.number}: CLPE {step.clpe['adaptive']:.0f} m"
+        + (f"; speed anomaly: {step.anomaly}" if step.anomaly else "")
+        + f"; next surfacing near {place(goal.latitude, goal.longitude)}"
+    )

@@ -1,154 +1,200 @@
-"""Dives as their files arrive, kept on disk.
+"""Dives as their files arrive in a folder, and dives whose files are gone.
 
-The state is a folder with a JSON file for each file read (`follow_record`).
-Each is written beside its place and renamed there once its file is read, so
-that a process killed at any moment has lost nothing but the file it was
-reading, which is read again.  Estimators are not stored: fed the same dives
-they are the same, bit for bit, and JSON keeps every digit.
+At each look the files are read whose size or times have changed.  What was read
+of FILE is also kept in the state, a folder, as FILE.json: it is used again only
+where FILE is gone or cannot be opened.  JSON keeps every digit, NaN and Infinity.
 
-A file that is still being copied reads as damaged and is read again once it has
+A file that is still being copied reads as damaged, and is read again when it has
 changed; one that cannot be opened is tried at each look.  A file that is gone
 keeps its dives, but for those that another file has with the same times and
 fixes: it was renamed.
 """
 
-import json
 import os
 import stat
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any, Literal, get_type_hints
+
+import numpy as np
+import pydantic
+from filelock import FileLock, Timeout
 
 from ..errors import DataError
-from ..files import make_folder, write_text
+from ..files import make_folder, remove_left, write_text
 from ..gliders.dive_files import SUFFIXES, read_dive_file
 from ..gliders.dives import Dive, Skipped
 from ..progress.interrupt import check
-from .follow_record import dive_of, fixes_of, read_record, record_of
+
+LOCK = ".clpt-lock"
+STRICT = pydantic.ConfigDict(strict=True, extra="forbid", ser_json_inf_nan="constants")
+FIXES = ("t_gps2", "lat_gps2", "lon_gps2", "t_gpse", "lat_gpse", "lon_gpse")
+Column = Annotated[list[float], pydantic.Field(min_length=1)]
+Track = Annotated[
+    tuple[Column, Column, Column],
+    pydantic.AfterValidator(lambda columns: tuple(np.array(columns))),  # equally long, or none
+    pydantic.PlainSerializer(lambda track: [column.tolist() for column in track]),
+]
+TYPES: dict[str, Any] = get_type_hints(Dive) | {
+    "number": Annotated[int, pydantic.Field(gt=-(2**63), lt=2**63)],  # as NetCDF can hold it
+    "track": Track | None,
+}
+REQUIRED: dict[str, Any] = {name: (kind, ...) for name, kind in TYPES.items()}
+KeptDive: Any = pydantic.create_model("KeptDive", __config__=STRICT, **REQUIRED)
+
+
+class Record(pydantic.BaseModel):
+    """What was read of one file: its folder, dives, and lines without a dive.
+
+    Its stamp is its size and times of change, ns; None where it could not be opened.
+    """
+
+    model_config = STRICT
+    format: Literal[3]
+    folder: str
+    stamp: tuple[int, int, int] | None
+    dives: list[KeptDive]
+    skipped: list[Skipped]
 
 
 class Follower:
-    """Reads what is new in a folder and remembers the rest.
-
-    Attributes
-    ----------
-    files : dict
-        By name, as `follow_record` has them.
-    here : set of str
-        Names of the files that the last look found.
-
-    Parameters
-    ----------
-    folder : str or Path
-        Where files arrive.
-    state : str or Path
-        Folder of what was read; made if missing. Names in it that begin with a
-        dot are left alone.
-
-    Raises
-    ------
-    DataError
-        If the folder is missing or the state is none of ours.
-    """
+    """Reads what is new in a folder; `files` are records, `here` names at the last look."""
 
     def __init__(self, folder: str | Path, state: str | Path) -> None:
-        self.folder = Path(folder)
-        if not os.path.isdir(folder):  # noqa: PTH112 - never raises
-            raise DataError(f"{folder}: no such folder; give the folder where dives arrive")
+        self.folder, self.state = Path(folder), make_folder(state)
         self._where = os.path.realpath(folder)
-        self.state = make_folder(state)
-        self.files: dict[str, dict[str, Any]] = {}
+        self.files: dict[str, Record] = {}
         for path in _inside(self.state, "cannot be read"):
             if not path.name.startswith("."):
-                self.files[path.name.removesuffix(".json")] = read_record(path, self._where)
+                self.files[path.name.removesuffix(".json")] = self._kept(path)
         self.here = set(self.files)
 
+    def _kept(self, path: Path) -> Record:
+        """Return a record of the state, or refuse the state."""
+        away = f"move the folder {self.state} away to read all files again"
+        try:
+            record = Record.model_validate_json(path.read_bytes())
+        except (OSError, pydantic.ValidationError):
+            raise DataError(
+                f"{path}: is no state of this version's clpt replay --follow; {away}"
+            ) from None
+        if record.folder != self._where:
+            raise DataError(
+                f"{self.state}: keeps what was read in {record.folder}, not in {self._where}; "
+                f"give another --out, or {away}"
+            )
+        return record
+
     def look(self) -> list[str]:
-        """Read new and changed files, and write the state.
-
-        Returns
-        -------
-        list of str
-            Names of the files that were read.
-
-        Raises
-        ------
-        DataError
-            If the folder cannot be looked into or the state not be written.
-        """
-        read, here = [], set()
+        """Read new and changed files; return the names of those with new contents."""
+        new, here = [], set()
         lost = f"cannot be looked into; what was read is kept in {self.state}"
         for path in _inside(self.folder, lost):
             check()
-            if path.suffix.lower() not in SUFFIXES or path.name.startswith("."):
+            name = path.name
+            if path.suffix.lower() not in SUFFIXES or name.startswith("."):
                 continue
-            record = self._record(path)
+            known, record = self.files.get(name), self._read(path)
             if record is None:
                 continue
-            here.add(path.name)
-            known = self.files.get(path.name)
-            if record is not known and json.dumps(record) != json.dumps(known):  # NaN is NaN
-                write_text(self.state / f"{path.name}.json", json.dumps(record))
-                self.files[path.name] = record
-                read.append(path.name)
+            here.add(name)
+            if record is known:
+                continue
+            text = record.model_dump_json()
+            if known is None or text != known.model_dump_json():  # as text, NaN is NaN
+                write_text(self.state / f"{name}.json", text)
+                self.files[name] = record
+                new.append(name)
         self.here = here
-        return read
+        return new
 
-    def _record(self, path: Path) -> dict[str, Any] | None:
-        """Return the record of a file as it is now; None if there is none."""
+    def _read(self, path: Path) -> Record | None:
+        """Return the record of a file as it is now; None if it is no file."""
         known = self.files.get(path.name)
-        stamp = None
         try:
             status = path.stat()
             if not stat.S_ISREG(status.st_mode):
                 return None
-            stamp = [status.st_size, status.st_mtime_ns]
-            if known is not None and known["stamp"] == stamp:
+            stamp = (status.st_size, status.st_mtime_ns, status.st_ctime_ns)
+            if known is not None and known.stamp == stamp:
                 return known
             with path.open("rb") as file:
                 file.read(1)
-            dives, skipped = read_dive_file(path)
         except FileNotFoundError:
             return None
         except OSError as error:
             why = f"{path}: cannot be read: {error.strerror or error}; is tried at each look"
-            return record_of(self._where, None, known["dives"] if known else [], _why(why))
+            return self._record(None, known.dives if known else [], [Skipped(None, why)])
+        try:
+            dives, skipped = read_dive_file(path)
         except DataError as error:
-            return record_of(self._where, stamp, [], _why(str(error)))
-        return record_of(self._where, stamp, dives, skipped)
+            dives, skipped = [], [Skipped(None, str(error))]
+        return self._record(stamp, map(_kept_dive, dives), skipped)
+
+    def _record(self, stamp: Any, dives: Iterable[Any], skipped: list[Skipped]) -> Record:
+        where = self._where
+        return Record(format=3, folder=where, stamp=stamp, dives=list(dives), skipped=skipped)
 
     def dives(self) -> tuple[list[Dive], list[Skipped]]:
-        """Return all dives so far, by file name, and what was left out.
-
-        Returns
-        -------
-        dives : list of Dive
-            With their tracks; `usable` sorts and chooses.
-        skipped : list of Skipped
-        """
-        there = [self.files[name] for name in self.here]
-        seen = {fixes_of(kept) for record in there for kept in record["dives"]}
-        stamps = [record["stamp"] for record in there if record["stamp"]]
+        """Return all dives so far, by the name of their file, and what was left out."""
+        seen = {_fixes(dive) for name in self.here for dive in self.files[name].dives}
         dives: list[Dive] = []
         skipped: list[Skipped] = []
         for name, record in sorted(self.files.items()):
-            kept = record["dives"]
+            kept = record.dives
             if name not in self.here:
-                kept = [dive for dive in kept if fixes_of(dive) not in seen]
-                seen.update(map(fixes_of, kept))
-                if record["stamp"] in stamps or (record["dives"] and not kept):
-                    continue  # renamed
-            dives += map(dive_of, kept)
-            skipped += [Skipped(**entry) for entry in record["skipped"]]
+                kept = [dive for dive in kept if _fixes(dive) not in seen]
+                seen.update(map(_fixes, kept))
+                if not kept:
+                    continue  # nothing is lost with it
+            dives += [Dive(**dict(dive)) for dive in kept]
+            skipped += record.skipped
         return dives, skipped
 
 
-def _why(reason: str) -> list[Skipped]:
-    return [Skipped(None, reason)]
+def _kept_dive(dive: Dive) -> Any:
+    """Return a dive as its record keeps it."""
+    track = dive.track and tuple(np.asarray(column, float).tolist() for column in dive.track)
+    return KeptDive(**{**vars(dive), "track": track})
+
+
+def _fixes(dive: Any) -> str:
+    """Return times and fixes of a dive, to compare; as text, NaN is NaN."""
+    return repr([float(getattr(dive, name)) for name in FIXES])
 
 
 def _inside(folder: Path, fault: str) -> list[Path]:
-    """Return what is in a folder, by name, or say that it cannot be seen."""
+    """Return what is in a folder, by name, or raise an error that says the fault."""
     try:
         return sorted(folder.iterdir())
     except OSError as error:
         raise DataError(f"{folder}: {fault}: {error.strerror or error}") from None
+
+
+@contextmanager
+def following(folder: Path, out: Path) -> Iterator[Follower]:
+    """Open a follower whose state is out/state; refuse a second process and a wrong folder."""
+    if not os.path.isdir(folder):  # noqa: PTH112 - never raises
+        raise DataError(f"{folder}: no such folder; give the folder where dives arrive")
+    for place in (out, out / "state"):
+        if os.path.exists(place) and os.path.samefile(place, folder):  # noqa: PTH110, PTH121
+            raise DataError(
+                f"--out {out}: results would lie in the followed folder {folder} and count as new "
+                "files there; give another folder, or leave --out away"
+            )
+    state = make_folder(out / "state")
+    lock = FileLock(state / LOCK, timeout=0)  # a killed process holds it no longer
+    try:
+        lock.acquire()
+    except Timeout:
+        raise DataError(
+            f"{state}: another clpt follows here; end it, or give another --out"
+        ) from None
+    except OSError as error:
+        raise DataError(f"{state}: cannot be written to: {error.strerror or error}") from None
+    try:
+        remove_left(state, "*.json")
+        yield Follower(folder, state)
+    finally:
+        lock.release()

@@ -70,8 +70,6 @@ def test_a_strange_state_is_refused(tmp_path, text):
     (tmp_path / "state" / "dive1.csv.json").write_text(text)
     with pytest.raises(DataError, match="is no state of this version"):
         Follower(tmp_path, tmp_path / "state")
-    with pytest.raises(DataError, match="no such folder"):
-        Follower(tmp_path / "none", tmp_path / "other")
 
 
 def test_tracks_come_back_to_the_bit(tmp_path, monkeypatch):

@@ -14,8 +14,7 @@ from clpt_control.errors import DataError
 from clpt_control.files import remove_left
 from clpt_control.gliders.dive_table import sample_dives
 from clpt_control.gliders.usable_dives import usable
-from clpt_control.replay.follow import Follower
-from clpt_control.replay.follow_alone import LOCK, alone, check_folders
+from clpt_control.replay.follow import Follower, following
 
 
 @pytest.fixture
@@ -38,16 +37,24 @@ def test_results_never_lie_in_the_followed_folder(inbox, tmp_path):
     (tmp_path / "out" / "state").symlink_to(inbox)
     for out in (inbox, inbox / "." / "..", tmp_path / "link", tmp_path / "out"):
         if out.name == "..":
-            check_folders(inbox, out)  # the folder above is another
-            continue
-        with pytest.raises(DataError, match="would lie in the followed folder"):
-            check_folders(inbox, out)
-    check_folders(inbox, inbox / "replay")
+            with following(inbox, out):  # the folder above is another
+                continue
+        with (
+            pytest.raises(DataError, match="would lie in the followed folder"),
+            following(inbox, out),
+        ):
+            pass
+    with following(inbox, inbox / "replay") as follower:
+        assert len(follower.look()) == 3
     for missing in ("none", "in/dive304.csv", "loop"):
         if missing == "loop":
             (tmp_path / "loop").symlink_to("loop")
-        with pytest.raises(DataError, match="no such folder"):
-            check_folders(tmp_path / missing, tmp_path / "other")
+        with (
+            pytest.raises(DataError, match="no such folder"),
+            following(tmp_path / missing, tmp_path / "other"),
+        ):
+            pass
+        assert not (tmp_path / "other").exists()
 
 
 def test_a_state_belongs_to_its_folder(inbox, tmp_path, monkeypatch):
@@ -93,6 +100,19 @@ def test_a_renamed_file_has_its_dives_once(inbox, tmp_path):
     shutil.copy(inbox / "dive306.csv", inbox / "twice.csv")
     follower.look()
     assert "duplicate" in numbers(follower)[1][-1]  # two files that are both there
+
+
+def test_a_file_rewritten_with_its_old_size_and_date_is_read_again(inbox, tmp_path):
+    path = inbox / "dive305.csv"
+    follower = Follower(inbox, tmp_path / "state")
+    follower.look()
+    dated = path.stat()
+    text = path.read_text()
+    path.write_text(text.replace("305,", "999,", 1))
+    os.utime(path, ns=(dated.st_atime_ns, dated.st_mtime_ns))
+    assert path.stat().st_size == dated.st_size
+    assert follower.look() == ["dive305.csv"]
+    assert numbers(follower)[0] == [304, 999, 306]
 
 
 def test_what_cannot_be_opened_is_tried_again(inbox, tmp_path, monkeypatch):
@@ -169,7 +189,7 @@ def test_one_process_follows_at_a_time(inbox, tmp_path):
         left.write_text("half")
         second = subprocess.run([*start, "--patience", "0"], capture_output=True, text=True)
         assert second.returncode == 2
-        assert f"another clpt follows here (process {first.pid}); end it" in second.stderr
+        assert "another clpt follows here; end it, or give another --out" in second.stderr
         assert second.stderr.count("\n") == 1
         assert left.exists()
     third = subprocess.run(
@@ -177,6 +197,10 @@ def test_one_process_follows_at_a_time(inbox, tmp_path):
     )
     assert json.loads(third.stdout)["used"] == 3
     assert not left.exists()
-    with alone(out / "state"):
-        assert (out / "state" / LOCK).read_text() == str(os.getpid())
-    assert not (out / "state" / LOCK).exists()
+    with (
+        following(inbox, out) as follower,
+        pytest.raises(DataError, match="another clpt follows here"),
+        following(inbox, out),
+    ):
+        pass
+    assert len(follower.files) == 3

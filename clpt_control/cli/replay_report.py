@@ -1,11 +1,13 @@
-"""The table of `clpt replay`: a row per dive, then the whole."""
+"""What `clpt replay` writes and prints: NetCDF and figures, a row per dive, the whole."""
 
+from pathlib import Path
 from typing import Any
 
 import typer
 
 from .printing import print_table
 
+RESULTS = ("replay.nc", "map.png", "clpe.png", "current.png")
 COLUMNS = {
     "no_flow": "no flow",
     "previous_dive": "previous",
@@ -19,18 +21,36 @@ ROWS = {
 }
 
 
-def show(result: Any, summary: dict[str, Any]) -> None:
-    """Print a replay: a row per dive, then the whole.
+def write(result: Any, folder: Path, ahead: tuple) -> list[Path]:
+    """Write a replay's NetCDF and figures into a folder, all or none, and return the files.
 
-    Parameters
-    ----------
-    result : Replay
-        With any number of dives.
-    summary : dict
-        As `Replay.summary` gives it, and ``next_dive``.
+    ``replay.nc`` is the first and is put in place last: where it is new, the figures are.
     """
+    from ..files import write_together
+    from ..replay.file import replay_dataset
+    from ..replay.plots import replay_figures
+    from ..replay.surfacing import next_dive
+
+    figures = replay_figures(result, next_dive(result, *ahead))
+    results: dict[Path, Any] = {folder / RESULTS[0]: replay_dataset(result)}
+    results |= {folder / name: figure for name, figure in figures.items()}
+    write_together(results)
+    return list(results)
+
+
+def summary_with_next(result: Any, skipped: list, ahead: tuple) -> dict[str, Any]:
+    """Return what `--json` prints: the summary and the next surfacing."""
+    from ..replay.surfacing import next_dive
+
+    summary = result.summary(skipped)
+    summary["next_dive"] = next_dive(result, *ahead).as_dict() if result.steps else None
+    return summary
+
+
+def show(result: Any, summary: dict[str, Any]) -> None:
+    """Print a replay and what `summary_with_next` returns of it."""
     if result.steps:
-        tables(result, summary)
+        show_tables(result, summary)
     else:
         typer.echo("no dives yet")
     if "flow_model" in summary and result.steps:
@@ -53,31 +73,12 @@ def show(result: Any, summary: dict[str, Any]) -> None:
     for entry in summary["skipped"]:
         name = "a file" if entry["dive"] is None else f"dive {entry['dive']}"
         typer.echo(f"skipped {name}: {entry['why']}")
-    ahead = summary["next_dive"]
-    if ahead is not None:
-        typer.echo(
-            f"next surfacing, after {ahead['duration'] / 3600:.2f} h and {ahead['dr_east']:+.0f} m "
-            f"east, {ahead['dr_north']:+.0f} m north through the water: "
-            f"{place(ahead['latitude'], ahead['longitude'])}, 90 % within "
-            f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
-            + (
-                f"; the flow model does not cover it: {ahead['why_uncovered']}"
-                if ahead["flow_model_covers"] is False
-                else ""
-            )
-        )
+    if summary["next_dive"] is not None:
+        typer.echo(next_surfacing(summary["next_dive"]))
 
 
-def tables(result: Any, summary: dict[str, Any]) -> None:
-    """Print a row per dive, then the CLPE rms.
-
-    Parameters
-    ----------
-    result : Replay
-        With one dive at least.
-    summary : dict
-        As `Replay.summary` gives it.
-    """
+def show_tables(result: Any, summary: dict[str, Any]) -> None:
+    """Print a row per dive, then the CLPE rms."""
     from ..replay.ellipse import ellipse
 
     rows = []
@@ -96,35 +97,43 @@ def tables(result: Any, summary: dict[str, Any]) -> None:
                 f"{step.forecast[0]:+.0f} {step.forecast[1]:+.0f}",
                 f"{long:.0f} x {short:.0f}, {angle:.0f}",
                 "in" if step.inside else "OUT",
-                speed_mark(step.anomaly),
+                "" if step.anomaly is None else "SPEED" if step.anomaly.certain else "SPEED?",
             ]
         )
+    models = [COLUMNS[key] for key in result.models]
+    columns = ["dive", *models, "current E N (m/s)", "speed", "E N of DR (m)"]
     print_table(
         "CLPE (m), one dive ahead; learned (standard error, last digits); forecast surfacing",
-        [
-            "dive",
-            *(COLUMNS[key] for key in result.models),
-            "current E N (m/s)",
-            "speed",
-            "E N of DR (m)",
-            "90 % ellipse (m, deg)",
-            "",
-            "",
-        ],
+        [*columns, "90 % ellipse (m, deg)", "", ""],
         rows,
     )
     means = {name: summary[key] for key, name in ROWS.items()}
     if "flow_model" in summary and 0 < summary["flow_model"]["covered"] < summary["used"]:
         means["covered, after the first dive"] = summary["flow_model"]["clpe_rms"]
     table = [[name, *map(metres, rms.values())] for name, rms in means.items()]
-    print_table("CLPE rms (m)", ["", *(COLUMNS[key] for key in result.models)], table)
+    print_table("CLPE rms (m)", ["", *models], table)
+
+
+def metres(size: float | None) -> str:
+    """Return a length as the table shows it, m."""
+    return "-" if size is None else f"{size:.0f}"
+
+
+def next_surfacing(ahead: dict[str, Any]) -> str:
+    """Return the sentence on `NextDive.as_dict`."""
+    uncovered = ahead["flow_model_covers"] is False
+    return (
+        f"next surfacing, after {ahead['duration'] / 3600:.2f} h and {ahead['dr_east']:+.0f} m "
+        f"east, {ahead['dr_north']:+.0f} m north through the water: "
+        f"{place(ahead['latitude'], ahead['longitude'])}, 90 % within "
+        f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
+        + (f"; the flow model does not cover it: {ahead['why_uncovered']}" if uncovered else "")
+    )
 
 
 def place(lat: float, lon: float) -> str:
     """Return a place in words, degrees.
 
-    Examples
-    --------
     >>> place(-42.93, 8.42)
     '42.9300 S 8.4200 E'
     """
@@ -134,18 +143,6 @@ def place(lat: float, lon: float) -> str:
 def shortened(names: list[str]) -> str:
     """Return names of parameters on a line, gaussians by their number.
 
-    Parameters
-    ----------
-    names : list of str
-        As `FixModel.names` has them.
-
-    Returns
-    -------
-    str
-        Separated by commas.
-
-    Examples
-    --------
     >>> shortened(["speed", "gaussian[0,0]_east", "gaussian[0,0]_north"])
     'speed, 2 of gaussians'
     """
@@ -155,22 +152,8 @@ def shortened(names: list[str]) -> str:
 
 
 def coverage(given: dict[str, Any], used: int) -> list[str]:
-    """Say which dives a flow model covers, and why not the others.
+    """Return lines that say which dives a flow model covers, and why not the others.
 
-    Parameters
-    ----------
-    given : dict
-        ``flow_model`` of `Replay.summary`.
-    used : int
-        Number of used dives.
-
-    Returns
-    -------
-    list of str
-        Lines; dives with the same reason share one.
-
-    Examples
-    --------
     >>> none = {"dive": 7, "why": "outside the forecast's area"}
     >>> given = {"source": "f.nc", "about": "gridded", "covered": 3, "uncovered": [none]}
     >>> for line in coverage(given, 4):
@@ -187,21 +170,6 @@ def coverage(given: dict[str, Any], used: int) -> list[str]:
 def by_reason(entries: list[dict[str, Any]], key: str, before: str = "") -> list[str]:
     """Return a line for each reason, with the dives that share it.
 
-    Parameters
-    ----------
-    entries : list of dict
-        ``dive`` and the reason.
-    key : str
-        Under which the reason stands.
-    before : str, optional
-        What the line begins with.
-
-    Returns
-    -------
-    list of str
-
-    Examples
-    --------
     >>> by_reason([{"dive": 3, "note": "odd"}, {"dive": 5, "note": "odd"}], "note")
     ['dives 3, 5: odd']
     """
@@ -215,15 +183,3 @@ def by_reason(entries: list[dict[str, Any]], key: str, before: str = "") -> list
             named = f"{len(dives)} dives from {dives[0]} to {dives[-1]}"
         lines.append(f"{before}{named}: {why}")
     return lines
-
-
-def speed_mark(anomaly: Any) -> str:
-    """Return the last cell of a dive's row: SPEED, in doubt SPEED?"""
-    if anomaly is None:
-        return ""
-    return "SPEED" if anomaly.certain else "SPEED?"
-
-
-def metres(size: float | None) -> str:
-    """Return a length as the table shows it, m."""
-    return "-" if size is None else f"{size:.0f}"
