@@ -6,16 +6,17 @@ be repeated; a diagram gives python-control's own `TimeResponseData`.
 
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 import control
 import numpy as np
 
-from ..diagrams.interconnection import wire
+from ..diagrams.interconnection import Diagram, wire
 from ..diagrams.wiring import read
-from ..errors import ScenarioError, SimulationError
+from ..errors import BlockError, ScenarioError, SimulationError
 from ..native.choice import chosen
 from ..native.inputs import numbers, read_inputs
+from ..native.solution import Solution
 from ..scenario.experiment import Scenario
 from ..scenario.keys import CALL_TIME_NAMES
 from .dataset import run_dataset
@@ -25,17 +26,59 @@ from .loops import paper_blocks, started
 if TYPE_CHECKING:
     import xarray
 
+Times = Sequence[float] | np.ndarray
+Progress = Callable[[float], None]
 
+
+@overload
 def simulate(
-    system: "Scenario | control.NonlinearIOSystem",
-    timepts: Sequence[float] | np.ndarray | None = None,
+    system: Diagram,
+    timepts: Times,
     inputs: Any = None,
-    initial_state: Sequence[float] | np.ndarray | None = None,
+    initial_state: Times | float | None = None,
     params: Mapping[str, Any] | None = None,
     *,
     rtol: float | None = None,
     atol: float | None = None,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress | None = None,
+    engine: str | None = None,
+) -> control.TimeResponseData: ...
+@overload
+def simulate(
+    system: Scenario,
+    timepts: Times | None = None,
+    inputs: None = None,
+    initial_state: Times | None = None,
+    params: Mapping[str, Any] | None = None,
+    *,
+    rtol: float | None = None,
+    atol: float | None = None,
+    progress: Progress | None = None,
+    engine: str | None = None,
+) -> "xarray.Dataset": ...
+@overload
+def simulate(
+    system: control.NonlinearIOSystem,
+    timepts: Times,
+    inputs: Any = None,
+    initial_state: Times | float | None = None,
+    params: Mapping[str, Any] | None = None,
+    *,
+    rtol: float | None = None,
+    atol: float | None = None,
+    progress: Progress | None = None,
+    engine: str | None = None,
+) -> control.TimeResponseData: ...
+def simulate(
+    system: Any,
+    timepts: Times | None = None,
+    inputs: Any = None,
+    initial_state: Times | float | None = None,
+    params: Mapping[str, Any] | None = None,
+    *,
+    rtol: float | None = None,
+    atol: float | None = None,
+    progress: Progress | None = None,
     engine: str | None = None,
 ) -> Any:
     """Run a scenario, or any diagram of blocks.
@@ -56,7 +99,7 @@ def simulate(
     params : mapping, optional
         Call-time parameters, ``{"adaptation.gain": 2.0}``.
     rtol, atol : float, optional
-        Tolerances; the scenario's own, or 1e-8 and 1e-10.
+        Tolerances; the scenario's own, or 1e-8 and 1e-10 for a diagram.
     progress : callable, optional
         Called with the time reached.
     engine : str, optional
@@ -71,7 +114,10 @@ def simulate(
     Raises
     ------
     SimulationError
-        If the run cannot go on; block, signal and time are named.
+        If the run cannot go on (block, signal and time are named), or an
+        argument is not allowed.
+    BlockError
+        If a call-time parameter is unknown.
 
     Examples
     --------
@@ -81,27 +127,68 @@ def simulate(
     >>> float(run.clpe[-1, 0].round(3)), run.attrs["status"]
     (0.027, 'finished')
     """
-    if isinstance(system, Scenario):
-        if inputs is not None:
-            raise SimulationError("a scenario has no inputs; simulate closed_loop(..., external=)")
-        return _simulate_scenario(
-            system, timepts, initial_state, params, rtol, atol, progress, engine
+    if not isinstance(system, Scenario):
+        return _simulate_diagram(
+            system, timepts, inputs, initial_state, params, rtol, atol, progress, engine
         )
-    return _simulate_diagram(
-        system,
-        timepts,
-        inputs,
-        initial_state,
-        params,
-        rtol or 1e-8,
-        atol or 1e-10,
-        progress,
-        engine,
-    )
+    if inputs is not None:
+        raise SimulationError("a scenario has no inputs; simulate closed_loop(..., external=)")
+    run = ScenarioRun(system, params, initial_state, rtol, atol, engine)
+    wanted = run.scenario.run
+    if timepts is None:
+        times = sample_times(wanted.duration, wanted.output_step)
+    else:
+        times = _checked_times(timepts)
+    from_zero = times if times[0] == 0 else np.concatenate([[0.0], times])
+    solution = run.integrate(run.start, from_zero, progress)
+    if times[0] != 0:
+        solution.t, solution.x = solution.t[1:], solution.x[1:]
+    return run.dataset(solution, run.signals(solution))
+
+
+class ScenarioRun:
+    """A scenario's closed loop, ready to run: integrate, ask its signals, make a Dataset."""
+
+    def __init__(
+        self, scenario, params=None, initial_state=None, rtol=None, atol=None, engine=None
+    ):
+        scenario, self.left = _into_keys(scenario, params, initial_state)
+        tolerances = {"run.rtol": rtol, "run.atol": atol}
+        given = {key: value for key, value in tolerances.items() if value is not None}
+        self.scenario: Scenario = scenario.with_values(given) if given else scenario
+        self.wiring = wire(paper_blocks(self.scenario))
+        self.runner = chosen(self.wiring, self.left, None, engine, "the closed loop")
+        self.start = scenario_state(self.scenario)
+
+    def integrate(
+        self, state: np.ndarray, times: np.ndarray, progress: Progress | None = None
+    ) -> Solution:
+        """Integrate from a state at the first time to the last."""
+        run = self.scenario.run
+        return self.runner.run(state, times, rtol=run.rtol, atol=run.atol, progress=progress)
+
+    def signals(self, solution: Solution) -> np.ndarray:
+        """Return all block outputs, shape (ntimes, nsignals), right limits at jumps."""
+        return self.runner.signals(solution)
+
+    def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
+        """Return a solution and its signals with names, units and attributes."""
+        given = self.runner.sweep.given
+        return run_dataset(self.scenario, self.wiring, given, signals, solution, self.left)
 
 
 def sample_times(duration: float, step: float) -> np.ndarray:
     """Return the multiples of `step` up to `duration`, and `duration`.
+
+    Parameters
+    ----------
+    duration, step : float
+        In any unit of time.
+
+    Returns
+    -------
+    ndarray
+        Increasing from 0.
 
     Examples
     --------
@@ -139,9 +226,12 @@ def _simulate_diagram(
     if timepts is None:
         raise SimulationError("timepts: is required to simulate a diagram")
     times = _checked_times(timepts)
+    rtol, atol = 1e-8 if rtol is None else rtol, 1e-10 if atol is None else atol
     for name, value in (("rtol", rtol), ("atol", atol)):
         if not numbers(name, value) >= 0.0:
             raise SimulationError(f"{name} = {value}: must be a number, 0 or more")
+    if rtol == 0.0 == atol:
+        raise SimulationError("rtol = atol = 0: one of them must be above 0")
     wiring = read(diagram)
     given = read_inputs(inputs, times, wiring.ninputs)
     runner = chosen(wiring, params, given, engine, diagram.name)
@@ -165,51 +255,12 @@ def _simulate_diagram(
     )
 
 
-def _simulate_scenario(
-    scenario, timepts, x0, params, rtol, atol, progress, engine
-) -> "xarray.Dataset":
-    scenario, left = said_by_keys(scenario, params, x0)
-    tolerances = {"run.rtol": rtol, "run.atol": atol}
-    given = {key: value for key, value in tolerances.items() if value is not None}
-    scenario = scenario.with_values(given) if given else scenario
-    run = scenario.run
-    if timepts is None:
-        times = sample_times(run.duration, run.output_step)
-    else:
-        times = _checked_times(timepts)
-    wiring = wire(paper_blocks(scenario))
-    runner = chosen(wiring, left, None, engine, "the closed loop")
-    from_zero = times if times[0] == 0 else np.concatenate([[0.0], times])
-    solution = runner.run(
-        scenario_state(scenario), from_zero, rtol=run.rtol, atol=run.atol, progress=progress
-    )
-    if times[0] != 0:
-        solution.t, solution.x = solution.t[1:], solution.x[1:]
-    signals = runner.signals(solution)
-    return run_dataset(scenario, wiring, runner.sweep.given, signals, solution, left)
-
-
-def said_by_keys(
+def _into_keys(
     scenario: Scenario, params: Mapping[str, Any] | None, x0: Any
 ) -> tuple[Scenario, dict[str, Any]]:
-    """Put call-time values into the scenario, where keys hold them.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        The experiment.
-    params : mapping, optional
-        Call-time parameters by qualified name.
-    x0 : array_like, optional
-        State at t = 0.
-
-    Returns
-    -------
-    scenario : Scenario
-        The experiment that is run.
-    left : dict
-        Parameters that no key holds.
-    """
+    """Put call-time values into the scenario where keys hold them; return it and what is left."""
+    if params is not None and not isinstance(params, Mapping):
+        raise BlockError(f"params = {params!r}: must be a dict, such as {{'adaptation.gain': 2.0}}")
     left = dict(params or {})
     if x0 is not None:
         starts = started(scenario)

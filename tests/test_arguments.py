@@ -1,0 +1,103 @@
+"""No argument of a public function is ignored: unknown ones are refused, known ones used."""
+
+import ast
+import dataclasses
+import inspect
+import textwrap
+
+import pytest
+from test_documentation import is_code, methods, rooms
+
+import clpt_control as clpt
+from clpt_control.errors import ClptError
+
+SCENARIO = clpt.paper_scenario().with_values({"run.duration": 2})
+LOOP = clpt.closed_loop(SCENARIO)
+ENGINES = ("native", "python")
+
+
+def public_functions():
+    for room in rooms():
+        for name in room.__all__:
+            value = getattr(room, name)
+            if inspect.isclass(value):
+                for inner, method in methods(value):
+                    above = any(hasattr(base, inner) for base in value.__bases__)
+                    if inspect.isfunction(method) and not above:
+                        yield pytest.param(method, id=f"{room.__name__}.{name}.{inner}")
+                start = vars(value).get("__init__")
+                if inspect.isfunction(start) and not dataclasses.is_dataclass(value):
+                    yield pytest.param(start, id=f"{room.__name__}.{name}")
+            elif is_code(value):
+                yield pytest.param(value, id=f"{room.__name__}.{name}")
+
+
+@pytest.mark.parametrize("function", list(public_functions()))
+def test_every_argument_is_used(function):
+    (made,) = ast.parse(textwrap.dedent(inspect.getsource(function))).body
+    used = {
+        node.id
+        for line in made.body
+        for node in ast.walk(line)
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
+    }
+    assert set(inspect.signature(function).parameters) - {"self", "cls"} <= used
+
+
+def test_a_scenario_refuses_what_it_does_not_know():
+    with pytest.raises(clpt.ScenarioError, match="unknown key duration"):
+        clpt.Scenario(**SCENARIO.model_dump(exclude_none=True), duration=3)
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize(("system", "times"), [(SCENARIO, None), (LOOP, [0.0, 2.0])])
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        {"params": {"adaptation.gan": 1.0}},
+        {"params": [1.0]},
+        {"initial_state": [1.0]},
+        {"initial_state": ["one"]},
+        {"inputs": [[1.0, 2.0]]},
+        {"rtol": -1.0},
+        {"rtol": "small"},
+        {"atol": float("nan")},
+        {"timepts": [1.0, 0.0]},
+        {"timepts": [0.0, float("inf")]},
+    ],
+    ids=str,
+)
+def test_engines_refuse_the_same(system, times, arguments, engine):
+    with pytest.raises(ClptError) as caught:
+        clpt.simulate(system, **{"timepts": times, **arguments}, engine=engine)
+    assert "\n" not in str(caught.value)
+
+
+def test_there_is_no_other_engine():
+    for system in (SCENARIO, LOOP):
+        with pytest.raises(ClptError, match="must be one of native, python"):
+            clpt.simulate(system, [0.0, 2.0], engine="fast")
+        with pytest.raises(TypeError, match="unexpected keyword"):
+            clpt.simulate(system, [0.0, 2.0], method="RK45")
+
+
+def test_a_tolerance_of_nothing_is_not_the_default():
+    """One of the two may be 0, and is taken as given; both are refused."""
+    start = clpt.initial_state(SCENARIO)
+    ran = [clpt.simulate(LOOP, [0.0, 2.0], initial_state=start, atol=a).states for a in (0.1, 1.0)]
+    assert abs(ran[0] - ran[1]).max() > 0
+    with pytest.raises(ClptError, match="one of them must be above 0"):
+        clpt.simulate(LOOP, [0.0, 2.0], rtol=0.0, atol=0.0)
+
+
+def test_an_unknown_keyword_is_refused_by_all():
+    fix = (0.0, 0.0, 0.0)
+    for function, given in (
+        (clpt.draw, [None]),
+        (clpt.connect, [None]),
+        (clpt.ensemble.run_ensemble, [None]),
+        (clpt.theory.prove, [None]),
+        (clpt.gliders.make_dive, [1, fix, fix, (0.0, 0.0)]),  # it hands keywords on
+    ):
+        with pytest.raises(TypeError, match="unexpected keyword"):
+            function(*given, unknown_keyword=1)

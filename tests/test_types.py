@@ -1,0 +1,29 @@
+"""What type checkers see of the public names; mypy reads this file (`make lint`)."""
+
+from typing import Any, assert_type
+
+import control
+import xarray
+
+import clpt_control as clpt
+from clpt_control.scenario.experiment import Scenario
+
+
+def test_what_simulate_returns_is_known():
+    scenario = clpt.paper_scenario().with_values({"run.duration": 2})
+    loop = clpt.closed_loop(scenario)
+    assert_type(scenario, Scenario)
+    runs = clpt.simulate(scenario), clpt.simulate(scenario, [0.0, 1.0])
+    assert_type(runs, tuple[xarray.Dataset, xarray.Dataset])
+    response = clpt.simulate(loop, [0.0, 1.0])
+    assert_type(response, control.TimeResponseData)
+    anything: Any = loop
+    assert_type(clpt.simulate(anything, [0.0, 1.0]), Any)
+    assert all(isinstance(run, xarray.Dataset) for run in runs)
+    assert isinstance(response, control.TimeResponseData)
+
+
+def test_rooms_and_their_names_are_known():
+    verdict = clpt.theory.prove
+    assert verdict is clpt.theory.prove
+    clpt.simulate(clpt.paper_scenario(), inputs=None, timepts=[0.0, 1.0])
