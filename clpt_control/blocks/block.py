@@ -348,16 +348,20 @@ class Block(control.NonlinearIOSystem):
         """Return the equations of a role as Python runs them."""
         return self._equations[role][0]
 
+    @np.errstate(all="ignore")
+    def _values(self, role: str, size: int, t: float, x: Any, u: Any) -> np.ndarray:
+        out = np.zeros(size)
+        x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
+        self._equations[role][0](np.float64(t), x, u, self.parameters_at(t), out)
+        return out
+
     def _rhs(self, t, x, u):
-        dx = np.zeros(self.nstates)
-        if self.update_function is not None:
-            self.fill("update", t, x, u, self.parameters_at(t), dx)
-        return dx
+        if self.update_function is None:
+            return np.zeros(0)
+        return self._values("update", self.nstates, t, x, u)
 
     def _out(self, t, x, u):
-        y = np.zeros(self.noutputs)
-        self.fill("output", t, x, u, self.parameters_at(t), y)
-        return y
+        return self._values("output", self.noutputs, t, x, u)
 
     def _updfcn(self, t, x, u, params):
         self._update_params(params)

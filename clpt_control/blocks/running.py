@@ -66,31 +66,33 @@ def _running(function: FunctionType, code: tuple) -> Callable:
     return rebind(function, SUBSTITUTES)
 
 
-def _on_run(function: Callable, on_run: Callable) -> Callable:
-    """Join what a word does with constants, as Python has it, and with numbers of the run."""
+def _word(name: str, exact: Callable) -> Callable:
+    """Return a word that gives IEEE's value where Python raises an exception.
 
-    def word(*arguments: Any) -> Any:
-        for a in arguments:
-            if isinstance(a, ON_RUN):
-                return on_run(*arguments)
-        return function(*arguments)
+    What it does with constants alone is Python's own.
+    """
+    ieee, float64 = getattr(np, IEEE.get(name, name), None), np.float64
+
+    def word(a: Any, *more: Any) -> Any:
+        if type(a) is not float64 and not any(isinstance(b, ON_RUN) for b in (a, *more)):
+            return exact(a, *more)
+        try:
+            return float64(exact(a, *more))
+        except (ValueError, OverflowError, ZeroDivisionError):
+            return float64(np.nan if ieee is None else ieee(a, *more))
 
     return word
 
 
-def _total(name: str, exact: Callable) -> Callable:
-    """Return a word that gives IEEE's value where Python raises an exception."""
-    ieee = getattr(np, IEEE.get(name, name), None)
+def _circular(exact: Callable) -> Callable:
+    float64 = np.float64
 
-    def on_run(*arguments: Any) -> Any:
-        if name in ("sin", "cos", "tan") and not abs(arguments[0]) < MOST_ANGLE:
-            return np.float64(np.nan)
-        try:
-            return np.float64(exact(*arguments))
-        except (ValueError, OverflowError, ZeroDivisionError):
-            return np.float64(np.nan if ieee is None else ieee(*arguments))
+    def word(angle: Any) -> Any:
+        if type(angle) is not float64 and not isinstance(angle, ON_RUN):
+            return exact(angle)
+        return float64(exact(angle) if -MOST_ANGLE < angle < MOST_ANGLE else np.nan)
 
-    return _on_run(exact, on_run)
+    return word
 
 
 def _where(condition: Any, a: Any, b: Any) -> Any:
@@ -109,14 +111,15 @@ class _Math:
     def __init__(self) -> None:
         for name in MATH:
             value = getattr(math, name)
-            setattr(self, name, _total(name, value) if callable(value) else value)
+            setattr(self, name, _word(name, value) if callable(value) else value)
+        self.sin, self.cos, self.tan = map(_circular, (math.sin, math.cos, math.tan))
 
 
 SUBSTITUTES: dict[str, Any] = {
-    **{name: _total(name, word) for name, word in WORDS.items()},
+    **{name: _word(name, word) for name, word in WORDS.items()},
     "where": _where,
     "lookup": _lookup,
     "math": _Math(),
-    "int": _total("trunc", int),
-    "float": _on_run(float, np.float64),
+    "int": _word("trunc", int),
+    "float": _word("float64", float),
 }

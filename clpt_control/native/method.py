@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..blocks.tracers import Number, Tape
+from ..blocks.tracers import Condition, Number, Tape
 from .program import Item, Load, Loop, Step, Store, Sum
 
 STAGES = 12  # a step; three more for the interpolant
@@ -49,10 +49,10 @@ class Formula(NamedTuple):
 
 def _word(name: str, on_rows: Callable) -> Callable:
     def word(*arguments: Any) -> Any:
-        tape = next((a.tape for a in arguments if hasattr(a, "tape")), None)
-        if tape is None:
-            return on_rows(*arguments)
-        return tape.add(name, *(getattr(a, "ref", a) for a in arguments))
+        for a in arguments:
+            if isinstance(a, Number | Condition):
+                return a.tape.add(name, *(getattr(b, "ref", b) for b in arguments))
+        return on_rows(*arguments)
 
     word.__doc__ = f"Return {name} of tracers, or of rows."
     return word
@@ -72,10 +72,13 @@ def _table() -> Any:
 
 def _weighted(weights: Any, z: Row) -> Any:
     """a_0 K_0 + a_1 K_1 + ..., zeros left out."""
-    terms = [(float(w), RATE + j) for j, w in enumerate(weights) if w != 0.0]
-    total = terms[0][0] * z(terms[0][1])
-    for w, row in terms[1:]:
-        total = joined(w, z(row), total)
+    used = weights.nonzero()[0]
+    first = z(RATE + int(used[0]))
+    if not isinstance(first, Number):
+        return np.add.reduce(weights[used, None] * z(RATE + used))  # in the order of the rows
+    total = float(weights[used[0]]) * first
+    for j in used[1:].tolist():
+        total = joined(float(weights[j]), z(RATE + j), total)
     return total
 
 
@@ -292,15 +295,13 @@ def on_rows(formula: Formula, n: int) -> Callable:
     def apply(
         numbers: Any, Z: np.ndarray, at: int, P: Any, T: Any, W: Any, D: Any, to: int
     ) -> None:
-        def z(r: int) -> np.ndarray:
-            return Z[r * n : (r + 1) * n]
-
+        rows_of_Z = Z.reshape(-1, n)
         summed: Sequence[Any] = ()
         with np.errstate(all="ignore"):
             if formula.each is not None:
-                rows, summed = formula.each(z, numbers.__getitem__, T.__getitem__)
+                rows, summed = formula.each(rows_of_Z.__getitem__, numbers.__getitem__, T.__getitem__)
                 for r, value in rows.items():
-                    z(r)[:] = value
+                    rows_of_Z[r] = value
             if formula.after is not None:
                 found = formula.after(numbers.__getitem__, [np.sum(s) for s in summed])
                 for r, value in found.items():

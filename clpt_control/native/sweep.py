@@ -54,7 +54,8 @@ class Sweep:
         self._inputs = np.zeros(self.nodes[-1].inputs.stop)
         self._external = np.zeros(wiring.ninputs)
         self._plan = [(k, self.nodes[k]) for k in wiring.order if only is None or k in only]
-        self._wires = {k: self._views(node) for k, node in self._plan}
+        self._outputs = [self.signals[node.outputs] for _, node in self._plan]
+        self._fed = {k: self._views(node) for k, node in self._plan}
         self._equations = {
             (role, k): node.system.equations(role)
             for k, node in enumerate(self.nodes)
@@ -72,23 +73,22 @@ class Sweep:
         ]
         self.enter(0.0)
 
-    def _views(self, node: Node) -> list[tuple[np.ndarray, np.ndarray, float]]:
-        """View each input, its source and the gain."""
-        block_inputs = self._inputs[node.inputs]
-        views = []
+    def _views(self, node: Node) -> tuple[np.ndarray, list[tuple[np.ndarray, np.ndarray, float]]]:
+        """View a block's inputs, and (input, source, gain) of each wire."""
+        u, views = self._inputs[node.inputs], []
         for wire in node.wires:
             source = self._external if wire.external else self.signals
-            to = block_inputs[wire.to : wire.to + wire.size]
+            to = u[wire.to : wire.to + wire.size]
             views.append((to, source[wire.source : wire.source + wire.size], wire.gain))
-        return views
+        return u, views
 
     def _gather(self, k: int) -> np.ndarray:
         """Bring a block's inputs up to date from the signals."""
-        block_inputs = self._inputs[self.nodes[k].inputs]
-        block_inputs[:] = 0.0
-        for to, source, gain in self._wires[k]:
+        u, views = self._fed[k]
+        u.fill(0.0)
+        for to, source, gain in views:
             to += source if gain == 1.0 else gain * source
-        return block_inputs
+        return u
 
     def breakpoints(self, t0: float, t1: float) -> np.ndarray:
         """Return the times in (t0, t1] at which any block jumps, sorted.
@@ -131,8 +131,7 @@ class Sweep:
             self._external[:] = u
         t = np.float64(t)
         with np.errstate(all="ignore"):
-            for k, node in self._plan:
-                out = self.signals[node.outputs]
+            for (k, node), out in zip(self._plan, self._outputs, strict=True):
                 self._call("output", k, t, x[node.states], self._gather(k), out)
         return self.signals
 
@@ -163,11 +162,12 @@ class Sweep:
         return dx
 
     def _call(self, role: str, k: int, t: float, x: np.ndarray, u: np.ndarray, out: Any) -> None:
-        system, p = self.nodes[k].system, self._parameters[k]
-        if isinstance(system, Block):
-            out[:] = 0.0
-            self._equations[role, k](t, x, u, p, out)
+        p, equations = self._parameters[k], self._equations.get((role, k))
+        if equations is not None:
+            out.fill(0.0)
+            equations(t, x, u, p, out)
             return
+        system = self.nodes[k].system
         function = system.updfcn if role == "update" else system.outfcn
         try:
             out[:] = x if function is None else np.reshape(function(t, x, u, p), -1)
