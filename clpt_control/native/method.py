@@ -299,7 +299,9 @@ def on_rows(formula: Formula, n: int) -> Callable:
         summed: Sequence[Any] = ()
         with np.errstate(all="ignore"):
             if formula.each is not None:
-                rows, summed = formula.each(rows_of_Z.__getitem__, numbers.__getitem__, T.__getitem__)
+                rows, summed = formula.each(
+                    rows_of_Z.__getitem__, numbers.__getitem__, T.__getitem__
+                )
                 for r, value in rows.items():
                     rows_of_Z[r] = value
             if formula.after is not None:
