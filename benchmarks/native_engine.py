@@ -13,7 +13,7 @@ ORDER = ("position", "predicted_position", "alpha", "feedback_gain", "feedforwar
 
 def prepare(case: Case):
     """Prepare the fused diagram; compiling it is not timed."""
-    from clpt_control.native.engine import NativeDiagram
+    from clpt_control.native.native_diagram import NativeDiagram
 
     scenario, run = case.scenario, case.scenario.run
     x0 = initial_state(scenario)
@@ -71,7 +71,7 @@ def members(scenario):
 
 def advect(time, axis, u, v, x1, x2, step: float, steps: int) -> tuple[np.ndarray, float]:
     """Move passive particles: a user's block, RK4; final positions (2, n) and seconds."""
-    from clpt_control.native.engine import NativeDiagram
+    from clpt_control.native.native_diagram import NativeDiagram
 
     from .drifter import drifter
 

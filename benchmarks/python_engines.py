@@ -4,7 +4,7 @@ import control
 import numpy as np
 
 import clpt_control as clpt
-from clpt_control.native.plain import PlainDiagram
+from clpt_control.native.python_diagram import PythonDiagram
 from clpt_control.simulation.loops import initial_state
 
 from .cases import Case
@@ -13,7 +13,7 @@ from .engines import timed
 
 def plain(case: Case):
     """Prepare the engine in Python: one pass over the blocks per evaluation."""
-    run, one = case.scenario.run, PlainDiagram(clpt.closed_loop(case.scenario))
+    run, one = case.scenario.run, PythonDiagram(clpt.closed_loop(case.scenario))
     x0 = initial_state(case.scenario)
 
     def go():

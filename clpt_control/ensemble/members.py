@@ -14,10 +14,10 @@ import numpy as np
 
 from ..diagrams.interconnection import wire
 from ..errors import ScenarioError
-from ..native.engine import NativeDiagram
+from ..native.batch import Batch
+from ..native.native_diagram import NativeDiagram
 from ..native.printing import LANES
-from ..native.runs import Runs
-from ..native.schedule import Schedule, schedule
+from ..native.schedule import Schedule, make_schedule
 from ..native.sweep import Sweep
 from ..scenario.experiment import Scenario, scenario_tables
 from ..scenario.keys import CALL_TIME_NAMES, JUMPS, STARTS
@@ -93,7 +93,7 @@ class Ensemble:
         in_P = []
         for name in CALL_TIME_NAMES.get(key, ()):
             block, field = name.split(".")
-            place = self.native.layout.places.get((names.get(block, -1), field))
+            place = self.native.layout.slots.get((names.get(block, -1), field))
             if place is not None and place.array != "P":
                 raise ScenarioError(f"{key}: has too many numbers to vary")
             if place is not None and place.offset not in in_P:
@@ -151,7 +151,7 @@ class Ensemble:
 
     def _schedule(self, parameters: list[Any], duration: float) -> Schedule:
         sweep = Sweep(self.native.wiring, parameters)
-        return schedule(sweep, self.native.layout.intervals, 0.0, duration)
+        return make_schedule(sweep, self.native.layout.intervals, 0.0, duration)
 
     def run(
         self,
@@ -181,7 +181,7 @@ class Ensemble:
             NaN after the time a failed member reached.
         """
         lanes = self.lanes if step is None or len(members.schedules) == 1 else 1
-        runs = Runs(
+        batch = Batch(
             self.native.callee(lanes),
             members.x0,
             members.P,
@@ -190,10 +190,10 @@ class Ensemble:
             members.group,
         )
         if step is None:
-            runs.adaptive(rtol, atol)
+            batch.adaptive(rtol, atol)
         else:
-            runs.fixed(step)
-        return States(runs.out, runs.status, runs.reached, runs.counts)
+            batch.fixed(step)
+        return States(batch.out, batch.status, batch.reached, batch.counts)
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,5 @@
-from .engine import NativeDiagram, compile
-from .readings import readings
+from .all_readings import readings
+from .native_diagram import NativeDiagram, compile
 
 __all__ = [
     "NativeDiagram",

@@ -14,55 +14,29 @@ from ..blocks.tracers import TooLong
 from ..diagrams.wiring import Wiring
 from ..errors import Uncompiled
 from . import method
-from .flat import flat_program
-from .layout import Layout
+from .layout import Layout, Sources
 from .looped import looped_program
 from .loops import LEAST
 from .machine import Machine
-from .printing import LANES
 from .program import Item, Loop, Program
-from .sources import Sources
+from .unrolled import unrolled_program
 
 UNROLLED = 3_000  # items of a derivative; a larger one keeps its loops
 MOST = 30_000  # items of a derivative; a larger one is left to Python
 
 
 class Structure(NamedTuple):
-    """All that machine code depends on; it is given parameters.
+    """All that machine code depends on, but for parameters, which it is given."""
 
-    Attributes
-    ----------
-    records : tuple
-        Update, output and guard of each block.
-    wires : tuple
-        What feeds each block.
-    order : tuple
-        In which blocks are evaluated, and which pass their inputs on at once.
-    pattern : str
-        Which parameter fields share a place, and where.
-    ninputs : int
-        Inputs of the diagram.
-    """
-
-    records: tuple
-    wires: tuple
-    order: tuple
-    pattern: str
-    ninputs: int
+    records: tuple  # update, output and guard of each block
+    wires: tuple  # what feeds each block
+    order: tuple  # of evaluation, and which blocks pass their inputs on at once
+    pattern: str  # which parameter fields share a slot, and where
+    ninputs: int  # of the diagram
 
 
 class Code:
-    """The program of a structure, and its code once it is asked for.
-
-    Attributes
-    ----------
-    program : Program
-        As printed.
-    nstates : int
-        Number of states.
-    unrolled : bool
-        Whether no loop is left.
-    """
+    """The program of a structure, and its machine code once it is asked for."""
 
     def __init__(self, program: Program, nstates: int):
         self.program, self.nstates = program, nstates
@@ -85,28 +59,10 @@ class Code:
 
 
 def code_of(wiring: Wiring, layout: Layout, form: str | None = None, least: int = LEAST) -> Code:
-    """Return the machine code of a diagram.
+    """Return the code of a diagram, the same for diagrams of one structure.
 
-    Parameters
-    ----------
-    wiring : Wiring
-        The diagram.
-    layout : Layout
-        Places of its parameters.
-    form : str, optional
-        ``"unrolled"`` or ``"looped"``; by size without.
-    least : int, optional
-        Loops of fewer turns are unrolled.
-
-    Returns
-    -------
-    Code
-        The same for diagrams of one structure.
-
-    Raises
-    ------
-    Uncompiled
-        If a system is no block, or the diagram is too large.
+    `form` is ``"unrolled"``, ``"looped"``, or None: by size; loops of fewer turns than `least`
+    are unrolled.  What cannot be compiled is an `Uncompiled` error.
     """
     for node in wiring.nodes:
         if not isinstance(node.system, Block):
@@ -121,11 +77,11 @@ def code_of(wiring: Wiring, layout: Layout, form: str | None = None, least: int 
     wires = tuple((node.states.start, node.outputs.start, node.wires) for node in wiring.nodes)
     order = (wiring.order, tuple(node.system.feedthrough for node in wiring.nodes))
     structure = Structure(records, wires, order, layout.pattern, wiring.ninputs)
-    return _code(structure, form, least, _Hidden(Sources(wiring, layout, wiring.ninputs)))
+    return _code(structure, form, least, _Hidden(Sources(wiring, layout)))
 
 
 class _Hidden:
-    """What makes the code, but does not tell one structure from another."""
+    """What the code is made from, which does not tell one structure from another."""
 
     def __init__(self, sources: Sources):
         self.sources = sources
@@ -145,7 +101,7 @@ def _code(structure: Structure, form: str | None, least: int, hidden: _Hidden) -
     operations = sum(len(r.operations) for own in structure.records for r in own if r is not None)
     program = None
     if form == "unrolled" or (form is None and operations <= 2 * UNROLLED):
-        program = flat_program(sources)
+        program = unrolled_program(sources)
         if form is None and len(program.derivative) > UNROLLED:
             program = None
     if program is None:
@@ -171,6 +127,3 @@ def kernels(n: int, lanes: int) -> Machine:
     """Return the formulas of the method for n states as machine code."""
     formulas = method.formulas(n)
     return Machine({name: method.kernel(f, n) for name, f in formulas.items()}, (), lanes)
-
-
-__all__ = ["LANES", "Code", "code_of", "kernels"]

@@ -1,69 +1,96 @@
 """How a run ended: its states, or a sentence that names block, signal and time.
 
-Where a run meets trouble, a guard or a number that is not finite, the blocks are asked
-in Python which signal it is.
+Where a run meets a guard, or a number that is not finite, the blocks are asked in Python
+which signal it is.
 """
+
+from dataclasses import dataclass, field
+from enum import IntEnum
 
 import numpy as np
 
 from ..errors import SimulationError
-from . import method, solver
+from . import solver
+from .batch import Batch
 from .inputs import Inputs
-from .runs import Runs
-from .solution import Solution
-from .status import Status
 from .sweep import Sweep
 
 
-def ended(sweep: Sweep, runs: Runs, inputs: Inputs | None) -> Solution:
-    """Return the solution of a single run.
+class Status(IntEnum):
+    """How a run ended; `sentence` says what it means, and what to try."""
 
-    Parameters
-    ----------
-    sweep : Sweep
-        The diagram in Python, with the parameters that ran.
-    runs : Runs
-        One run, at its end.
-    inputs : Inputs or None
-        Inputs of the diagram.
+    sentence: str
 
-    Returns
-    -------
-    Solution
-        Finished, or stopped by a guard whose policy says so.
+    def __new__(cls, value: int, sentence: str) -> "Status":
+        """Make a member with its sentence."""
+        member = int.__new__(cls, value)
+        member._value_, member.sentence = value, sentence
+        return member
 
-    Raises
-    ------
-    SimulationError
-        If it could not go on: block, signal and time are named.
+    RUNNING = solver.RUNNING, "under way"
+    FINISHED = solver.FINISHED, "finished: the end of the span was reached"
+    TOO_SMALL = (
+        solver.TOO_SMALL,
+        "the step became too small; loosen rtol and atol, or look for a singularity",
+    )
+    NOT_FINITE = (
+        solver.NOT_FINITE,
+        "a number is not finite; check parameters and the initial state",
+    )
+    LEFT = solver.LEFT, "a guard was left; flow.outside says what happens there"
+    TOO_MANY = (
+        solver.TOO_MANY,
+        "too many steps: the equations are stiff; lower the gains, or loosen rtol and atol",
+    )
+
+
+@dataclass
+class Solution:
+    """States x (n, nstates) at the times t (n,) that were reached.
+
+    `status` is ``"finished"``, or ``"stopped"`` where a guard ended the run; `message` is a
+    sentence on it, `statistics` the numbers of steps, evaluations and restarts.
     """
-    status = Status(runs.status[0])  # type: ignore[call-arg]
-    done = int(runs.reached[0])
+
+    t: np.ndarray
+    x: np.ndarray
+    status: str = "finished"
+    message: str = Status.FINISHED.sentence
+    statistics: dict[str, int] = field(default_factory=dict)
+
+
+def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
+    """Return the solution of a batch of one run, or raise what stopped it.
+
+    `sweep` evaluates the diagram in Python, with the parameters that ran.
+    """
+    status = Status(batch.status[0])  # type: ignore[call-arg]
+    done = int(batch.reached[0])
     names = ("steps", "evaluations", "restarts")
-    statistics = dict(zip(names, map(int, runs.counts[0]), strict=False))
-    times, states = runs.times, runs.out[0]
+    statistics = dict(zip(names, map(int, batch.counts[0]), strict=False))
+    times, states = batch.times, batch.out[0]
     if status is Status.FINISHED:
         return Solution(times, states, statistics=statistics)
     if status is Status.LEFT:
-        t, x, policy, sentence = _crossing(sweep, runs, inputs)
+        t, x, policy, sentence = _crossing(sweep, batch, inputs)
         if policy == "raise":
             raise SimulationError(
                 f'{sentence}; flow.outside = "clip" or "stop" goes on or ends there'
             )
-        times, states = _until(runs, t, x, done)
+        times, states = _until(batch, t, x, done)
         return Solution(times, states, "stopped", f"stopped: {sentence}", statistics)
-    reason = _trouble(sweep, runs, inputs) or status.sentence
+    reason = _trouble(sweep, batch, inputs) or status.sentence
     raise SimulationError(
-        f"the integration stopped at t = {runs.now:.9g}: {reason}; "
+        f"the integration stopped at t = {batch.now:.9g}: {reason}; "
         "check the parameters of that block, or loosen rtol and atol"
     )
 
 
-def _trouble(sweep: Sweep, runs: Runs, inputs: Inputs | None) -> str | None:
+def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
     """Name what is not finite at the state reached, or a small step ahead of it."""
-    n, t = sweep.nstates, runs.now
-    x, rate = (runs.Z[r * n : (r + 1) * n] for r in (0, method.RATE))
-    ahead = float(runs.numbers[method.END, 0]) - t
+    n, t = sweep.nstates, batch.now
+    x, rate = (batch.Z[r * n : (r + 1) * n] for r in (solver.STATE, solver.RATE))
+    ahead = float(batch.numbers[solver.END, 0]) - t
     sweep.enter(t)
     for h in (0.0, *(ahead * np.geomspace(1e-12, 1.0, 13))):
         near = x + h * rate if h else x  # the rate itself may be what is not finite
@@ -73,44 +100,50 @@ def _trouble(sweep: Sweep, runs: Runs, inputs: Inputs | None) -> str | None:
     return None
 
 
+def _state(batch: Batch, share: float) -> np.ndarray:
+    """Return the state at a share of the step that was not taken."""
+    n = batch.callee.nstates
+    return np.array([solver.between(batch.Z, n, 1, 0, i, share) for i in range(n)])
+
+
 def _crossing(
-    sweep: Sweep, runs: Runs, inputs: Inputs | None
+    sweep: Sweep, batch: Batch, inputs: Inputs | None
 ) -> tuple[float, np.ndarray, str, str]:
-    """Find where the step that was not taken crosses a guard's edge."""
+    """Return time, state, policy and sentence where that step crosses a guard's edge."""
     from scipy.optimize import brentq
 
-    n, t, h = sweep.nstates, runs.now, float(runs.numbers[method.TAKEN, 0])
+    t, h = batch.now, float(batch.numbers[solver.TAKEN, 0])
     sweep.enter(t)
 
-    def state(share: float) -> np.ndarray:
-        return np.array([solver.between(runs.Z, n, 1, 0, i, share) for i in range(n)])
+    def seen(share: float, x: np.ndarray) -> tuple[float, str, str]:
+        return sweep.margin(t + share * h, x, _at(inputs, t + share * h))
 
     def margin(share: float) -> float:
-        return sweep.margin(t + share * h, state(share), _at(inputs, t + share * h))[0]
+        return seen(share, _state(batch, share))[0]
 
-    here, inside = runs.Z[:n].copy(), 0.0
     if margin(0.0) <= 0.0:
-        return (t, here, *sweep.margin(t, here, _at(inputs, t))[1:])
+        here = batch.Z[: sweep.nstates].copy()
+        return (t, here, *seen(0.0, here)[1:])
+    inside = 0.0
     for look in range(1, solver.LOOKS + 1):
         share = look / solver.LOOKS
         if margin(share) < -solver.OUTSIDE:
             share = brentq(margin, inside, share, xtol=1e-15, rtol=1e-14)
             break
         inside = share
-    x = state(share)
-    return (t + share * h, x, *sweep.margin(t + share * h, x, _at(inputs, t + share * h))[1:])
+    x = _state(batch, share)
+    return (t + share * h, x, *seen(share, x)[1:])
 
 
-def _until(runs: Runs, t: float, x: np.ndarray, done: int) -> tuple[np.ndarray, np.ndarray]:
+def _until(batch: Batch, t: float, x: np.ndarray, done: int) -> tuple[np.ndarray, np.ndarray]:
     """Return the samples up to the end of a run that a guard stopped, and that end."""
-    times, states = runs.times[:done], runs.out[0][:done]
-    n, start, h = runs.callee.nstates, runs.now, float(runs.numbers[method.TAKEN, 0])
-    for time in runs.times[done:]:
+    times, states = batch.times[:done], batch.out[0][:done]
+    start, h = batch.now, float(batch.numbers[solver.TAKEN, 0])
+    for time in batch.times[done:]:
         if time > t:
             break
-        share = (time - start) / h
-        inner = [solver.between(runs.Z, n, 1, 0, i, share) for i in range(n)]
-        times, states = np.append(times, time), np.vstack([states, inner])
+        times = np.append(times, time)
+        states = np.vstack([states, _state(batch, (time - start) / h)])
     if times[-1] < t:
         times, states = np.append(times, t), np.vstack([states, x])
     return times.copy(), states.copy()

@@ -11,15 +11,10 @@ from ..errors import SimulationError
 
 @dataclass(frozen=True)
 class Inputs:
-    """The inputs of a diagram as a function of time.
+    """The inputs of a diagram: ``at(t)`` of shape (ninputs,).
 
-    Attributes
-    ----------
-    at : callable
-        ``at(t)`` -> ndarray, shape (ninputs,).
-    samples : tuple of ndarray or None
-        Times and values, shape (ninputs, nt), joined by straight lines; None
-        for a function of the user's.
+    `samples` holds times and values (ninputs, nt), joined by straight lines; it is None for
+    a function of the user's.
     """
 
     at: Callable[[float], np.ndarray]
@@ -36,40 +31,40 @@ class Inputs:
 
 
 def numbers(name: str, values: Any) -> np.ndarray:
-    """Return an array of numbers, or refuse what is none by its name."""
+    """Return an array of numbers; an error names what is none."""
     try:
         return np.asarray(values, dtype=float)
     except (TypeError, ValueError):
         raise SimulationError(f"{name} = {values!r:.60}: must be an array of numbers") from None
 
 
+def checked_times(timepts: Any, name: str = "times") -> np.ndarray:
+    """Return times as an array: at least two, increasing and finite."""
+    times = np.atleast_1d(numbers(name, timepts))
+    if times.ndim != 1 or len(times) < 2 or not np.all(np.diff(times) > 0):
+        raise SimulationError(f"{name}: must be at least two increasing times")
+    if not np.all(np.isfinite(times)):
+        raise SimulationError(f"{name}: must be finite")
+    return times
+
+
+def checked_state(name: str, state: Any, shape: tuple[int, ...]) -> np.ndarray:
+    """Return states as an array of a shape; a single number stands for all."""
+    values = numbers(name, state)
+    if values.ndim == 0:
+        values = np.full(shape, float(values))
+    if values.shape != shape:
+        raise SimulationError(
+            f"{name}: must have {shape[-1]} numbers, one per state; it has shape {values.shape}"
+        )
+    return values.copy()
+
+
 def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
-    """Read inputs in python-control's forms.
+    """Read `count` inputs in python-control's forms.
 
-    Parameters
-    ----------
-    inputs : array_like, callable or None
-        Shape (count, nt) at `times`, joined by straight lines; a number or
-        one number per input, held; or a function of time.
-    times : ndarray
-        Times of the samples.
-    count : int
-        Number of inputs of the diagram.
-
-    Returns
-    -------
-    Inputs
-        At any time.
-
-    Raises
-    ------
-    SimulationError
-        If the shape does not fit or a value is not finite.
-
-    Examples
-    --------
-    >>> read_inputs([1.0, 3.0], np.array([0.0, 2.0]), 1).at(1.0)
-    array([2.])
+    Values of shape (count, nt) at `times` are joined by straight lines; a number, or one for
+    each input, is held; a function is called with the time.
     """
     if callable(inputs):
 

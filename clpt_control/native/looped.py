@@ -9,27 +9,15 @@ from itertools import product
 from typing import Any
 
 from ..blocks.record import Record
-from .loops import LEAST, rolled
-from .places import Constant, Place, Rolled, Run
-from .program import CONDITIONS, Item, Load, Loop, Program, Ref, Step, Store
-from .sources import Sources, Term
+from .layout import Sources, Term
+from .loops import LEAST, roll
+from .optimise import prepared
+from .program import Item, Load, Loop, Program, Ref, Step, Store
+from .rolled import Constant, Place, Rolled, Table
 
 
 def looped_program(sources: Sources, least: int = LEAST) -> Program:
-    """Return the program of a diagram with its loops.
-
-    Parameters
-    ----------
-    sources : Sources
-        The diagram, read.
-    least : int, optional
-        Loops of fewer turns are unrolled.
-
-    Returns
-    -------
-    Program
-        With loops where turns do the same.
-    """
+    """Return the program of a diagram with its loops; fewer turns than `least` are unrolled."""
     writer = _Writer(sources, least)
     nodes = sources.wiring.nodes
     outputs = [item for k in sources.wiring.order for item in writer.output(k)]
@@ -71,8 +59,6 @@ class _Writer:
         self.room = sources.wiring.nodes[-1].outputs.stop
         self.constants: list[float] = []
         self.values = 0
-        self.single: dict[int, list] = {}
-        self.gathered: dict[int, int] = {}
 
     def value(self) -> int:
         self.values += 1
@@ -105,7 +91,7 @@ class _Writer:
 
     def block(self, k: int, record: Record, array: str, first: int) -> list[Item]:
         """Return a block's items; its last argument lies in an array from a place."""
-        found = rolled(record, self.least)
+        found = roll(record, self.least)
         block = _Block(self, k, found, (array, first))
         items = block.items(found.items, {}, {})
         return [*block.before, *items]
@@ -139,7 +125,7 @@ class _Block:
         def ref(a: Any) -> Any:
             if isinstance(a, Constant):
                 return a.value
-            if isinstance(a, Run):
+            if isinstance(a, Table):
                 at = self.place(a.place, counts, (a.stride, a.count))
                 return at.array, at.base, at.steps, a.stride, a.count
             if isinstance(a, Place):
@@ -287,43 +273,3 @@ class _Block:
         since = writer.step(body, "sub", load("t", 0, ()), load("P", begin, ()))
         rise = writer.step(body, "mul", since, load("P", slope, steps))
         return writer.step(body, "add", load("P", value, steps), rise)
-
-
-def prepared(items: list[Item], first: int) -> tuple[tuple[Item, ...], list[Item], int]:
-    """Move what depends on parameters alone to places in P.
-
-    Returns
-    -------
-    left, early : tuple of Item, list of Item
-        What remains, and what is computed before.
-    count : int
-        Places of P that are taken, from `first`.
-    """
-    steady: set[int] = set()
-    left: list[Item] = []
-    early: list[Item] = []
-    places: dict[int, int] = {}
-    for item in items:
-        if isinstance(item, Load) and item.array in "PK" and not item.steps:
-            steady.add(item.value)
-            early.append(item)
-            left.append(item)
-        elif (
-            isinstance(item, Step)
-            and item.name not in CONDITIONS
-            and all(
-                type(a) is float or a in steady or (type(a) is tuple and a[0] in "PT")
-                for a in item.arguments
-            )
-        ):
-            steady.add(item.value)
-            early.append(item)
-            places[item.value] = first + len(places)
-            left.append(Load(item.value, "P", places[item.value]))
-        else:
-            left.append(item)
-    early += [Store("P", place, (), value) for value, place in places.items()]
-    return tuple(left), early, len(places)
-
-
-__all__ = ["looped_program"]

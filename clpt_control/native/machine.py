@@ -10,35 +10,21 @@ from numba.core import types
 from numba.core.compiler_lock import global_compiler_lock
 from numba.extending import intrinsic
 
-from .printing import print_function
+from .printing import print_module
 from .program import Item
 
 
 class Machine:
     """Functions of arrays as machine code.
 
-    Parameters
-    ----------
-    functions : dict
-        Name -> items of a program.
-    constants : tuple of float
-        The program's K.
-    lanes : int
-        1, or 8 for as many runs side by side.
-
-    Attributes
-    ----------
-    addresses : dict
-        Name -> where its code lies, for as long as this object lives.
+    `addresses` says where the code of each lies, for as long as this object lives.
     """
 
     @global_compiler_lock  # LLVM is not made for threads
     def __init__(
         self, functions: dict[str, tuple[Item, ...]], constants: tuple[float, ...], lanes: int
     ):
-        module = ir.Module()
-        for name, items in functions.items():
-            print_function(module, name, items, constants, lanes)
+        module = print_module(functions, constants, lanes)
         machine = _target_machine()
         module.triple, module.data_layout = machine.triple, str(machine.target_data)
         parsed = llvm.parse_assembly(str(module))
@@ -55,11 +41,11 @@ class Machine:
 
 def processor() -> tuple[str, str]:
     """Return name and features of the processor that is compiled for."""
-    told: Any = config  # Numba makes its names when it is imported
-    name = told.CPU_NAME or llvm.get_host_cpu_name()
-    features = told.CPU_FEATURES
+    set_by_user: Any = config  # Numba makes its names when it is imported
+    name = set_by_user.CPU_NAME or llvm.get_host_cpu_name()
+    features = set_by_user.CPU_FEATURES
     if features is None:
-        features = "" if told.CPU_NAME else llvm.get_host_cpu_features().flatten()
+        features = "" if set_by_user.CPU_NAME else llvm.get_host_cpu_features().flatten()
     return name, features
 
 

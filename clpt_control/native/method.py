@@ -5,8 +5,7 @@ block's equations, and becomes machine code for all states and all lanes (`kerne
 for equations in Python it is run on NumPy's rows (`on_rows`).  Which step is taken
 next stands here too; `solver` decides nothing but what comes after what.
 
-Rows of Z: the state, the rates of stages 0 to 15, the argument of a stage, the terms
-of the interpolant.  Rows of numbers (t in programs): what a lane is doing.
+`solver` names the rows of Z and of numbers, what a lane is doing (t in programs).
 
 Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 1993, sections
 II.4, II.5 and II.10; the coefficients and the choice of steps are scipy's.
@@ -19,11 +18,25 @@ import numpy as np
 
 from ..blocks.tracers import Condition, Number, Tape
 from .program import Item, Load, Loop, Step, Store, Sum
-
-STAGES = 12  # a step; three more for the interpolant
-STATE, RATE, ARGUMENT, TERMS, ROWS = 0, 1, 17, 18, 25  # rows of Z
-TIME, STEP, END, FRESH, REJECTED, GOOD, TAKEN, NEW, AT, FAILING, SIZE, TROUBLE = range(12)
-NUMBERS = 12  # rows
+from .solver import (  # rows of Z
+    ARGUMENT,
+    AT,
+    END,
+    FAILING,
+    FRESH,
+    GOOD,
+    NEW,
+    RATE,
+    REJECTED,
+    SIZE,
+    STAGES,
+    STATE,
+    STEP,
+    TAKEN,
+    TERMS,
+    TIME,
+    TROUBLE,
+)
 
 Row = Callable[[int], Any]
 Rows = dict[int, Any]
@@ -32,12 +45,8 @@ Rows = dict[int, Any]
 class Formula(NamedTuple):
     """What is computed for each state, and then for each lane.
 
-    Attributes
-    ----------
-    each : callable or None
-        ``each(z, lane, tolerance)`` -> rows of Z, and what is summed over the states.
-    after : callable or None
-        ``after(lane, sums)`` -> rows of numbers.
+    ``each(z, lane, tolerance)`` returns rows of Z, and what is summed over the states;
+    ``after(lane, sums)`` returns rows of numbers.
     """
 
     each: Callable[[Row, Row, Row], tuple[Rows, Sequence[Any]]] | None = None

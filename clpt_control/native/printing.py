@@ -12,34 +12,30 @@ from typing import Any
 
 from llvmlite import ir
 
-from .abreast import SLOW, Abreast, abreast
 from .elementary import OPERATIONS
+from .optimise import LONG, Abreast, abreast
 from .program import Item, Load, Loop, Step, Steps, Store
 from .vectors import DOUBLE, INT32, WORD, Kind, Mask, Number, round_to_zero, select
 
 ARRAYS = ("t", "X", "P", "T", "W", "D")
 LANES = 8
-LONG = SLOW - {"sqrt", "div"} | {"mod", "floordiv"}
+APART = LONG | {"mod", "floordiv"}  # printed once a module, and called
+
+
+def print_module(
+    functions: dict[str, tuple[Item, ...]], constants: tuple[float, ...], lanes: int
+) -> ir.Module:
+    """Return a module of LLVM with a program's functions, for 1 run or `LANES` side by side."""
+    module = ir.Module()
+    for name, items in functions.items():
+        print_function(module, name, items, constants, lanes)
+    return module
 
 
 def print_function(
     module: ir.Module, name: str, items: tuple[Item, ...], constants: tuple[float, ...], lanes: int
 ) -> None:
-    """Add a program's function to a module of LLVM.
-
-    Parameters
-    ----------
-    module : llvmlite.ir.Module
-        Grows.
-    name : str
-        Of the function.
-    items : tuple of Item
-        What it does.
-    constants : tuple of float
-        K, the program's constants.
-    lanes : int
-        1, or `LANES` for as many runs side by side.
-    """
+    """Add a program's function to a module of LLVM."""
     pointer = DOUBLE.as_pointer()
     function = ir.Function(module, ir.FunctionType(ir.VoidType(), [pointer] * 6), name)
     arrays = {}
@@ -276,7 +272,7 @@ class _Printer:
 
 def calculated(name: str, kind: Kind, arguments: list[Any]) -> Any:
     """Calculate an operation; a long one is printed once a module."""
-    if name not in LONG:
+    if name not in APART:
         return OPERATIONS[name](*arguments)
     module = kind.builder.module
     own = f"{name}.{kind.width}"

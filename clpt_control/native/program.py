@@ -63,23 +63,15 @@ Item = Load | Step | Store | Loop
 
 
 class Program(NamedTuple):
-    """The functions of a diagram.
+    """The functions of a diagram, as lists of items.
 
-    Attributes
-    ----------
-    derivative, signals, margin, prepare : tuple of Item
-        D = dx/dt; W = all block outputs; D[0] = least distance to a guard's edge; what
-        depends on parameters alone, kept at the end of P.
-    constants : tuple of float
-        K.
-    parameters, room : int
-        Lengths of P and W.
+    What depends on parameters alone is computed by `prepare` and kept at the end of P.
     """
 
-    derivative: tuple[Item, ...]
-    signals: tuple[Item, ...]
-    margin: tuple[Item, ...]
+    derivative: tuple[Item, ...]  # D = dx/dt
+    signals: tuple[Item, ...]  # W = all block outputs
+    margin: tuple[Item, ...]  # D[0] = least distance to a guard's edge
     prepare: tuple[Item, ...]
-    constants: tuple[float, ...]
-    parameters: int
-    room: int
+    constants: tuple[float, ...]  # K
+    parameters: int  # length of P
+    room: int  # length of W

@@ -14,43 +14,19 @@ Samples = tuple[np.ndarray, np.ndarray]  # times, and values of shape (ninputs, 
 
 
 class Schedule(NamedTuple):
-    """The pieces of a run.
+    """The pieces of a run."""
 
-    Attributes
-    ----------
-    edges : ndarray, shape (n,)
-        Ends of pieces, increasing; the last is the end of the run.
-    places : ndarray of int, shape (m,)
-        Places in P.
-    values : ndarray, shape (n + 1, m)
-        What each piece sets there; one more, for the time of the end.
-    """
-
-    edges: np.ndarray
-    places: np.ndarray
-    values: np.ndarray
+    edges: np.ndarray  # ends of n pieces, increasing; the last is the end of the run
+    places: np.ndarray  # m places in P
+    values: np.ndarray  # (n + 1, m): what each piece sets there, and the time of the end
 
 
-def schedule(
+def make_schedule(
     sweep: Sweep, intervals: dict[int, int], t0: float, t1: float, kinks: np.ndarray | None = None
 ) -> Schedule:
-    """Return the pieces of a run from t0 to t1.
+    """Return the pieces of a run from t0 to t1, which also stop at `kinks` of the inputs.
 
-    Parameters
-    ----------
-    sweep : Sweep
-        The diagram, with its parameters.
-    intervals : dict
-        Block index -> place in P of its `interval`.
-    t0, t1 : float
-        The span.
-    kinks : ndarray, optional
-        More times to stop at exactly: samples of the diagram's inputs.
-
-    Returns
-    -------
-    Schedule
-        Places and values empty where nothing is set.
+    `intervals` holds the place in P of each block's `interval`.
     """
     edges = sweep.breakpoints(t0, t1)
     if kinks is not None:
@@ -70,23 +46,9 @@ def schedule(
 
 
 def with_inputs(pieces: Schedule, t0: float, samples: Samples, ramp: int) -> Schedule:
-    """Add the diagram's inputs, straight within a piece.
+    """Add the diagram's inputs, straight within pieces that stop at every sample.
 
-    Parameters
-    ----------
-    pieces : Schedule
-        That stop at every sample.
-    t0 : float
-        Start of the run.
-    samples : tuple of ndarray
-        Times, and values of shape (ninputs, ntimes).
-    ramp : int
-        Place in P of the inputs: time, values, slopes.
-
-    Returns
-    -------
-    Schedule
-        With more places.
+    `ramp` is their place in P: time, values, slopes.
     """
     at, u = samples
     starts = np.append(t0, pieces.edges)

@@ -1,24 +1,40 @@
-"""Runs, exactly to every breakpoint: what comes after what in a step.
+"""Many runs, exactly to every breakpoint: what comes after what in a step.
 
-One text for one run and for several side by side (lanes).  Numba compiles it for
+The same text serves one run and several side by side (lanes).  Numba compiles it for
 machine code; equations in Python run it as it stands.  Every lane has its own run,
 time, step and piece of time; a lane whose run has ended takes the next.  Nothing is
 summed across lanes, so a run gives the same numbers beside any others.
 
-Arrays are flat: number i of row r in lane k lies at (r n + i) lanes + k.  Numbers
-are computed through `call`, by the diagram's functions and the formulas of `method`,
-which say what the rows are.
+All numbers are computed through `call`, by the diagram's functions and the formulas of
+`method`.  Arguments that all functions share:
+
+    code      functions or their addresses, in the order of the places below
+    shape     numbers of lanes, states and parameters
+    runs      initial states (m, n), parameters (m, nP) and schedule of each run (m,)
+    schedule  ends of pieces of time (g, ne), how many there are (g,), the places in P
+              that a piece sets, and their values (g, ne, np)
+    times     when states are wanted; a run starts at the first
+    results   of each run: states at `times`, how it ended, samples done, numbers of
+              steps, evaluations, restarts and rejected steps
+    lane      of each lane: numbers (rows TIME ...), whole numbers (rows MEMBER ...);
+              then the queue: next run, the one behind the last, 1 if a lane begins a piece
+    arrays    Z (states and stages), P, T, W and D, as the functions take them
+
+Number i of row r of Z in lane k lies at (r n + i) lanes + k.
 """
 
 import math
 
 import numpy as np
 
-RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT, TOO_MANY = range(6)  # as in `status`
+RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT, TOO_MANY = range(6)  # how a run ended
+# rows of Z: the state, rates of stages 0 to 15, argument of a stage, terms between samples
+STATE, RATE, ARGUMENT, TERMS, ROWS = 0, 1, 17, 18, 25
+STAGES = 12  # a step; three more for what lies within it
 TIME, STEP, END, FRESH, REJECTED, GOOD, TAKEN, NEW, AT, FAILING, SIZE, TROUBLE = range(12)
-RATE, ARGUMENT, TERMS, STAGES = 1, 17, 18, 12
-MEMBER, EDGE, DONE = range(3)  # rows of `whole`
-STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of `counts`
+NUMBERS = 12  # rows of numbers
+MEMBER, EDGE, DONE = range(3)  # rows of whole numbers
+STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of the counts
 # places of `code`: the diagram's functions, then the formulas; stage s stands at STAGE + s
 DERIVATIVE, PREPARE, MARGIN, SIGNALS, ATTEMPT, JUDGE, SIZES, TRIAL, FIRST, ACCEPT, DENSE = range(11)
 STAGE, FIXED = 10, 25
@@ -32,62 +48,18 @@ def call(function, t, X, first, P, T, W, D, to):
 
 
 def advance(
-    code,
-    shape,
-    tolerances,
-    runs,
-    schedule,
-    times,
-    out,
-    status,
-    reached,
-    counts,
-    numbers,
-    whole,
-    queue,
-    Z,
-    P,
-    T,
-    W,
-    D,
-    budget,
-    most,
-    guarded,
+    code, shape, tolerances, runs, schedule, times, results, lane, arrays, budget, most, guarded
 ):
-    """Take some steps in every lane; return how many are at work.
+    """Take at most `budget` steps in every lane; return how many lanes are at work.
 
-    Parameters
-    ----------
-    code : sequence
-        Functions, or their addresses.
-    shape : tuple of int
-        Numbers of lanes, states and parameters.
-    tolerances : ndarray, shape (2,)
-        rtol, atol.
-    runs : tuple of ndarray
-        Initial states (m, n), parameters (m, nP) and schedule of each run (m,).
-    schedule : tuple of ndarray
-        Ends of pieces of time (g, ne), how many there are (g,), places in P that
-        a piece sets, and their values (g, ne, np).
-    times : ndarray
-        When states are wanted; a run starts at the first.
-    out, status, reached, counts : ndarray
-        Of each run: states at `times`, how it ended, samples done, numbers of
-        steps, evaluations, restarts and rejected steps.
-    numbers, whole, queue : ndarray
-        What lanes are doing; the next run, the one behind the last, and 1 where
-        a lane begins a piece.
-    Z, P, T, W, D : ndarray
-        States and stages, parameters, tables, signals, results.
-    budget, most : int
-        Steps of this call, and of a run.
-    guarded : bool
-        Whether guards are watched.
+    A run that has taken `most` tries is given up; guards are watched if `guarded`.
     """
     lanes, n, _ = shape
+    (_, status, reached, counts), (numbers, whole, queue) = results, lane
+    Z, P, T, W, D = arrays
     span, now, at = n * lanes, numbers[TIME], numbers[AT]
     flat = numbers.reshape(-1)
-    active = start(shape, runs, schedule, times, out, numbers, whole, queue, Z, P)
+    active = start(shape, runs, schedule, times, results, lane, Z, P)
     while active > 0 and budget > 0:
         budget -= 1
         if queue[2] == 1:
@@ -100,7 +72,7 @@ def advance(
             call(code[TRIAL], flat, Z, 0, P, T, W, D, 0)
             call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + 2) * span)
             call(code[FIRST], flat, Z, 0, P, tolerances, W, D, 0)
-            begin(lanes, status, counts, numbers, whole, D, guarded)
+            begin(lanes, results, lane, D, guarded)
         call(code[ATTEMPT], flat, Z, 0, P, T, W, D, 0)
         for s in range(1, STAGES + 1):
             call(code[STAGE + s], flat, Z, 0, P, T, W, D, 0)
@@ -126,8 +98,8 @@ def advance(
             call(code[STAGE + STAGES], flat, Z, 0, P, T, W, D, 0)
             call(code[DENSE], flat, Z, 0, P, T, W, D, 0)
             if guarded:
-                watch(code, shape, numbers, whole, status, Z, P, T, W, D)
-            sample(shape, times, out, status, counts, numbers, whole, Z)
+                watch(code, shape, results, lane, arrays)
+            sample(shape, times, results, lane, Z)
         call(code[ACCEPT], flat, Z, 0, P, T, W, D, 0)
         for k in range(lanes):
             m = whole[MEMBER, k]
@@ -137,12 +109,12 @@ def advance(
             if counts[m, STEPS] + counts[m, REJECTIONS] >= most:
                 fail(status, whole, k, TOO_MANY)
             if numbers[GOOD, k] > 0.5 and numbers[TIME, k] == numbers[END, k]:
-                enter(k, lanes, runs, schedule, status, numbers, whole, queue, P)
+                enter(k, lanes, runs, schedule, status, lane, P)
             if status[m] != RUNNING:
                 reached[m] = whole[DONE, k]
                 whole[MEMBER, k] = -1
                 active -= 1
-                active += take(k, shape, runs, schedule, times, out, numbers, whole, queue, Z, P)
+                active += take(k, shape, runs, schedule, times, results, lane, Z, P)
     return active
 
 
@@ -156,22 +128,23 @@ def fail(status, whole, k, why):
 # --- which run a lane works on --------------------------------------------------------------
 
 
-def start(shape, runs, schedule, times, out, numbers, whole, queue, Z, P):
-    """Return idle lanes a run; return how many lanes are at work."""
+def start(shape, runs, schedule, times, results, lane, Z, P):
+    """Begin a run in every idle lane; return how many lanes are at work."""
     active = 0
     for k in range(shape[0]):
-        if whole[MEMBER, k] >= 0:
+        if lane[1][MEMBER, k] >= 0:
             active += 1
         else:
-            active += take(k, shape, runs, schedule, times, out, numbers, whole, queue, Z, P)
+            active += take(k, shape, runs, schedule, times, results, lane, Z, P)
     return active
 
 
-def take(k, shape, runs, schedule, times, out, numbers, whole, queue, Z, P):
+def take(k, shape, runs, schedule, times, results, lane, Z, P):
     """Begin the next run in a lane; return 0 where there is none."""
     lanes, n, parameters = shape
     X0, Ps, group = runs
     edges, _, places, values = schedule
+    out, (numbers, whole, queue) = results[0], lane
     m, more = queue[0], queue[0] < queue[1]
     if more:
         queue[0], queue[2] = m + 1, 1
@@ -204,8 +177,9 @@ def rest(k, shape, runs, numbers, Z):
     numbers[FRESH, k], numbers[REJECTED, k] = 0.0, 0.0
 
 
-def begin(lanes, status, counts, numbers, whole, D, guarded):
+def begin(lanes, results, lane, D, guarded):
     """Note that lanes have begun a piece of time."""
+    (_, status, _, counts), (numbers, whole, _) = results, lane
     for k in range(lanes):
         if numbers[FRESH, k] > 0.5:
             numbers[FRESH, k], numbers[REJECTED, k] = 0.0, 0.0
@@ -218,9 +192,10 @@ def begin(lanes, status, counts, numbers, whole, D, guarded):
                 numbers[END, k] = numbers[TIME, k]
 
 
-def enter(k, lanes, runs, schedule, status, numbers, whole, queue, P):
+def enter(k, lanes, runs, schedule, status, lane, P):
     """Enter the next piece of time, or end the run."""
     edges, ends, places, values = schedule
+    numbers, whole, queue = lane
     m = whole[MEMBER, k]
     g = runs[2][m]
     whole[EDGE, k] += 1
@@ -246,9 +221,10 @@ def between(Z, n, lanes, k, i, share):
     return y + Z[i * lanes + k]
 
 
-def sample(shape, times, out, status, counts, numbers, whole, Z):
+def sample(shape, times, results, lane, Z):
     """Write the states at times within the step."""
     lanes, n, _ = shape
+    (out, status, _, counts), (numbers, whole, _) = results, lane
     for k in range(lanes):
         m, done = whole[MEMBER, k], whole[DONE, k]
         if m < 0 or numbers[GOOD, k] < 0.5 or status[m] != RUNNING:
@@ -265,12 +241,10 @@ def sample(shape, times, out, status, counts, numbers, whole, Z):
         whole[DONE, k] = done
 
 
-def watch(code, shape, numbers, whole, status, Z, P, T, W, D):
-    """End the run of a lane that leaves a guard within the step.
-
-    That step is not taken.
-    """
+def watch(code, shape, results, lane, arrays):
+    """End the run of a lane that leaves a guard within the step, which is not taken."""
     lanes, n, _ = shape
+    status, (numbers, whole, _), (Z, P, T, W, D) = results[1], lane, arrays
     for look in range(1, LOOKS + 1):
         share = look / LOOKS
         for k in range(lanes):
@@ -287,33 +261,16 @@ def watch(code, shape, numbers, whole, status, Z, P, T, W, D):
 # --- steps of one length, and signals -------------------------------------------------------
 
 
-def advance_fixed(
-    code,
-    shape,
-    step,
-    runs,
-    schedule,
-    times,
-    out,
-    status,
-    reached,
-    counts,
-    numbers,
-    whole,
-    Z,
-    P,
-    T,
-    W,
-    D,
-    guarded,
-):
+def advance_fixed(code, shape, step, runs, schedule, times, results, lane, arrays, guarded):
     """Run all to the end by Runge and Kutta's method of order 4.
 
-    Arguments as for `advance`; runs that are taken together follow one schedule.
+    Runs that are taken together follow one schedule.
     """
     lanes, n, parameters = shape
     X0, Ps, group = runs
     edges, _, places, values = schedule
+    (out, status, reached, counts), (numbers, whole, _) = results, lane
+    Z, P, T, W, D = arrays
     for base in range(0, len(X0), lanes):
         count = min(lanes, len(X0) - base)
         for k in range(lanes):
@@ -334,31 +291,13 @@ def advance_fixed(
             while done < len(times):
                 stop = min(times[done], edges[g, edge])
                 steps = max(1, math.ceil((stop - t) / step * (1.0 - 1e-12)))
-                if (
-                    march(
-                        code,
-                        shape,
-                        t,
-                        (stop - t) / steps,
-                        steps,
-                        status,
-                        counts,
-                        numbers,
-                        whole,
-                        Z,
-                        P,
-                        T,
-                        W,
-                        D,
-                        guarded,
-                    )
-                    == 0
-                ):
+                h = (stop - t) / steps
+                if march(code, shape, t, h, steps, results, lane, arrays, guarded) == 0:
                     done = len(times)
                     break
                 t = stop
                 if stop == times[done]:
-                    keep(shape, done, out, status, reached, whole, Z)
+                    keep(shape, done, results, whole, Z)
                     done += 1
                 if t == edges[g, edge]:
                     edge += 1
@@ -369,9 +308,11 @@ def advance_fixed(
                 status[base + k] = FINISHED
 
 
-def march(code, shape, first, h, steps, status, counts, numbers, whole, Z, P, T, W, D, guarded):
+def march(code, shape, first, h, steps, results, lane, arrays, guarded):
     """Take steps of length h; return how many lanes are at work."""
     lanes, n, _ = shape
+    (_, status, _, counts), (numbers, whole, _) = results, lane
+    Z, P, T, W, D = arrays
     span, now, at, flat = n * lanes, numbers[TIME], numbers[AT], numbers.reshape(-1)
     numbers[TAKEN, :] = h
     active = 0
@@ -409,9 +350,10 @@ def march(code, shape, first, h, steps, status, counts, numbers, whole, Z, P, T,
     return active
 
 
-def keep(shape, done, out, status, reached, whole, Z):
+def keep(shape, done, results, whole, Z):
     """Keep the states of lanes at a sample."""
     lanes, n, _ = shape
+    out, status, reached, _ = results
     for k in range(lanes):
         m = whole[MEMBER, k]
         if m >= 0 and status[m] == RUNNING:
@@ -420,8 +362,8 @@ def keep(shape, done, out, status, reached, whole, Z):
             reached[m] = done + 1
 
 
-def record(code, times, states, n, pieces, places, values, P, T, W, out):
-    """Write all signals at times; `states` holds n for each."""
+def signals_at(code, times, states, n, pieces, places, values, P, T, W, out):
+    """Write all signals at times; `states` holds n numbers for each."""
     t, piece = np.zeros(1), -1
     for k in range(len(times)):
         t[0] = times[k]

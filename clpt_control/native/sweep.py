@@ -20,31 +20,9 @@ TROUBLE = (OverflowError, ValueError, ZeroDivisionError, FloatingPointError)
 class Sweep:
     """Evaluate a diagram's signals and state derivative.
 
-    Parameters
-    ----------
-    wiring : Wiring
-        Blocks, and any python-control systems.
-    parameters : sequence
-        For each block its NamedTuple, for another system its dict of `params`.
-    only : set of int, optional
-        The blocks to run, with all that feed them.
-
-    Attributes
-    ----------
-    signals : ndarray
-        All block outputs of the last pass.
-    given : list
-        The parameters as given.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> from clpt_control.diagrams.wiring import read
-    >>> scenario = clpt.paper_scenario()
-    >>> wiring = read(clpt.closed_loop(scenario))
-    >>> sweep = Sweep(wiring, [node.system.parameters for node in wiring.nodes])
-    >>> sweep.derivative(0.0, clpt.initial_state(scenario)).shape
-    (14,)
+    `parameters` holds for each block its NamedTuple, for another system its dict of
+    `params`; of the blocks those in `only` are run, with all that feed them.  After a pass
+    `signals` holds all block outputs.
     """
 
     def __init__(self, wiring: Wiring, parameters: Sequence[Any], only: set[int] | None = None):
@@ -111,22 +89,7 @@ class Sweep:
             self._parameters[k] = self.given[k]._replace(interval=interval)
 
     def evaluate(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
-        """Compute all block outputs at (t, x, u) in the interval.
-
-        Parameters
-        ----------
-        t : float
-            Time.
-        x : ndarray
-            State of the diagram.
-        u : ndarray, optional
-            Inputs of the diagram.
-
-        Returns
-        -------
-        ndarray
-            `signals`; overwritten by the next call.
-        """
+        """Return all block outputs at (t, x, u), in the array that the next pass overwrites."""
         if u is not None:
             self._external[:] = u
         t = np.float64(t)
@@ -136,22 +99,7 @@ class Sweep:
         return self.signals
 
     def derivative(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
-        """Compute the state derivative; a new array.
-
-        Parameters
-        ----------
-        t : float
-            Time.
-        x : ndarray
-            State of the diagram.
-        u : ndarray, optional
-            Inputs of the diagram.
-
-        Returns
-        -------
-        ndarray
-            dx/dt; NaN where a system could not compute it.
-        """
+        """Return the state derivative; NaN where a system could not compute it."""
         self.evaluate(t, x, u)
         dx, t = np.zeros(self.nstates), np.float64(t)
         # a block without feedthrough may come before its inputs are known

@@ -15,7 +15,7 @@ import numpy as np
 from ..blocks.arrays import on_arrays
 from ..blocks.lyapunov import lyapunov_candidate, one_gain
 from ..diagrams.wiring import Wiring
-from ..native.solution import Solution
+from ..native.ending import Solution
 from ..scenario.experiment import Scenario
 from ..scenario.file import CHANGED, scenario_to_text
 

@@ -14,9 +14,9 @@ import numpy as np
 from ..diagrams.interconnection import Diagram, wire
 from ..diagrams.wiring import read
 from ..errors import BlockError, ScenarioError, SimulationError
-from ..native.choice import chosen
+from ..native.ending import Solution
+from ..native.engines import chosen
 from ..native.inputs import numbers, read_inputs
-from ..native.solution import Solution
 from ..scenario.experiment import Scenario
 from ..scenario.keys import CALL_TIME_NAMES
 from .dataset import run_dataset

@@ -10,7 +10,7 @@ from clpt_control.blocks import clpe as clpe_block
 from clpt_control.diagrams import wiring
 from clpt_control.diagrams.interconnection import Diagram, connect
 from clpt_control.errors import BlockError, DiagramError
-from clpt_control.native.plain import PlainDiagram
+from clpt_control.native.python_diagram import PythonDiagram
 from clpt_control.simulation.loops import initial_state, paper_blocks
 
 PAPER = clpt.paper_scenario()
@@ -219,7 +219,7 @@ def test_unknown_parameter_is_an_error(name):
     for call in (
         lambda: loop.dynamics(0, x, [], params={name: 1.0}),
         lambda: loop.output(0, x, [], params={name: 1.0}),
-        lambda: PlainDiagram(loop, {name: 1.0}),
+        lambda: PythonDiagram(loop, {name: 1.0}),
         lambda: clpt.simulate(loop, [0, 1], initial_state=x, params={name: 1.0}),
         lambda: clpt.simulate(PAPER, [0, 1], params={name: 1.0}),
         lambda: loop.linearize(x, [], params={name: 1.0}),
@@ -254,7 +254,7 @@ def test_a_diagram_stays_a_diagram():
 @pytest.mark.parametrize("external", [(), ("zc",), ("x",), ("x", "zc")])
 def test_sweep_equals_python_control(scenario, external):
     loop = clpt.closed_loop(scenario, external)
-    sweep, rng = PlainDiagram(loop).sweep, np.random.default_rng(3)
+    sweep, rng = PythonDiagram(loop).sweep, np.random.default_rng(3)
     for _ in range(10):
         t = rng.uniform(0, 200)
         x, u = rng.normal(size=loop.nstates), rng.normal(size=loop.ninputs)
@@ -267,7 +267,7 @@ def test_sweep_equals_python_control(scenario, external):
 def test_parameters_of_a_sweep_are_those_of_the_call():
     loop, x = clpt.closed_loop(PAPER), np.random.default_rng(4).normal(size=14)
     params = {"adaptation.gain": 3.0, "vehicle_controller.KD": [2.0, 5.0]}
-    ours = PlainDiagram(loop, params).sweep.derivative(0.0, x)
+    ours = PythonDiagram(loop, params).sweep.derivative(0.0, x)
     np.testing.assert_allclose(ours, loop.dynamics(0.0, x, [], params=params), rtol=1e-13)
 
 
@@ -316,7 +316,7 @@ def nested():
 
 def test_nested_diagrams_equal_python_control():
     top, rng = nested(), np.random.default_rng(5)
-    sweep = PlainDiagram(top).sweep
+    sweep = PythonDiagram(top).sweep
     assert [node.name for node in sweep.nodes] == [
         *("outer.inner.vehicle_controller", "outer.inner.vehicle"),
         *("outer.lag", "outer.gain", "outer.nonlinear"),

@@ -5,8 +5,8 @@ import pytest
 
 import clpt_control as clpt
 from clpt_control.ensemble.members import Ensemble
-from clpt_control.native.runs import Runs
-from clpt_control.native.status import Status
+from clpt_control.native.batch import Batch
+from clpt_control.native.ending import Status
 
 
 def members_of(count):
@@ -83,7 +83,7 @@ def test_a_stiff_member_does_not_hold_up_the_rest(lanes):
     scenario = clpt.paper_scenario().with_values({"run.duration": 5})
     ensemble = Ensemble(scenario, {"learning.gain": ()}, lanes=lanes)
     members = ensemble.members({"learning.gain": np.array([0.01, 1e9, 0.01])}, 5.0)
-    runs = Runs(
+    runs = Batch(
         ensemble.native.callee(ensemble.lanes),
         members.x0,
         members.P,

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from clpt_control.blocks import Block
-from clpt_control.native.engine import NativeDiagram
-from clpt_control.native.plain import PlainDiagram
+from clpt_control.native.batch import Batch
+from clpt_control.native.ending import Status
+from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.printing import LANES
-from clpt_control.native.runs import Runs
-from clpt_control.native.status import Status
+from clpt_control.native.python_diagram import PythonDiagram
 
 N = 6  # copies of a flow, each with its rate; a loop of so many turns is kept
 RATES = np.linspace(0.5, 2.0, N)
@@ -106,14 +106,14 @@ ENGINES = ("python", "scalar", "looped", "lanes")
 
 def states(engine, block, x0, step):
     if engine == "python":
-        runner = PlainDiagram(block)
+        runner = PythonDiagram(block)
     else:
         runner = NativeDiagram(block, form="looped" if engine == "looped" else "unrolled")
         assert runner.code.unrolled == (engine != "looped")
     count = LANES + 3 if engine == "lanes" else 1
     P, starts = np.tile(runner.parameters(), (count, 1)), np.tile(x0, (count, 1))
     callee = runner.callee(LANES if engine == "lanes" else 1)
-    runs = Runs(callee, starts, P, TIMES, [runner.schedule(0.0, TIMES[-1])])
+    runs = Batch(callee, starts, P, TIMES, [runner.schedule(0.0, TIMES[-1])])
     if step is None:
         runs.adaptive(1e-11, 1e-12)
     else:

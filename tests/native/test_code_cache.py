@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from clpt_control.native import compiled, solver
-from clpt_control.native.compiled import KEPT, cache_folder, trusted
+from clpt_control.native import solver, solver_cache
+from clpt_control.native.solver_cache import KEPT, cache_folder, trusted
 
 TEXT = Path(solver.__file__)
 
@@ -18,7 +18,7 @@ TEXT = Path(solver.__file__)
 @pytest.fixture
 def folder(monkeypatch, tmp_path):
     place = tmp_path / "cache"
-    monkeypatch.setenv(compiled.FOLDER, str(place))
+    monkeypatch.setenv(solver_cache.FOLDER, str(place))
     return place
 
 
@@ -53,13 +53,13 @@ def test_without_a_home_or_with_a_read_only_one_there_is_no_folder(folder, monke
     monkeypatch.setattr(os, "access", lambda path, mode: False)
     assert cache_folder() is None
     monkeypatch.undo()
-    monkeypatch.setenv(compiled.FOLDER, os.devnull + "/none/at/all")
+    monkeypatch.setenv(solver_cache.FOLDER, os.devnull + "/none/at/all")
     assert cache_folder() is None
 
 
 @pytest.mark.skipif(sys.platform in ("win32", "darwin"), reason="the folder is found elsewhere")
 def test_the_users_own_folder_comes_from_home(monkeypatch, tmp_path):
-    for name in (compiled.FOLDER, "XDG_CACHE_HOME"):
+    for name in (solver_cache.FOLDER, "XDG_CACHE_HOME"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("HOME", str(tmp_path))
     assert cache_folder() == tmp_path / ".cache" / "clpt-control"
@@ -68,30 +68,30 @@ def test_the_users_own_folder_comes_from_home(monkeypatch, tmp_path):
 
 
 def test_the_text_lies_beside_its_code_and_is_checked(folder):
-    place = compiled._place(cache_folder(), TEXT)
+    place = solver_cache._place(cache_folder(), TEXT)
     assert place.read_bytes() == TEXT.read_bytes()
     assert place.parent.stat().st_mode & 0o022 == 0
-    assert compiled._place(folder, TEXT) == place
+    assert solver_cache._place(folder, TEXT) == place
     if hasattr(os, "getuid"):
         place.parent.chmod(0o777)
-        assert compiled._place(folder, TEXT) is None
+        assert solver_cache._place(folder, TEXT) is None
         place.parent.chmod(0o700)
     place.write_text("print('not ours')\n")
-    assert compiled._place(folder, TEXT) is None
+    assert solver_cache._place(folder, TEXT) is None
 
 
 def test_files_cut_short_are_made_again(folder):
-    place = compiled._place(cache_folder(), TEXT)
+    place = solver_cache._place(cache_folder(), TEXT)
     kept = place.parent / "__pycache__"
     kept.mkdir()
     index, code = kept / "solver.advance-1.nbi", kept / "solver.advance-1.1.nbc"
     index.write_bytes(pickle.dumps("0.60") + pickle.dumps(("stamp", {})))
     code.write_bytes(pickle.dumps(("code", b"0123456789")))
-    assert compiled._place(folder, TEXT) == place
+    assert solver_cache._place(folder, TEXT) == place
     assert code.exists()
     for file, whole in ((index, index.read_bytes()), (code, code.read_bytes())):
         file.write_bytes(whole[:-4])
-        assert compiled._place(folder, TEXT) == place
+        assert solver_cache._place(folder, TEXT) == place
         assert not kept.exists()
         kept.mkdir()
 
@@ -101,26 +101,26 @@ def test_few_of_other_versions_stay(folder):
     for k in range(KEPT + 3):
         (folder / f"solver-{k}").mkdir()
         os.utime(folder / f"solver-{k}", (1000 + k, 1000 + k))
-    place = compiled._place(folder, TEXT)
+    place = solver_cache._place(folder, TEXT)
     left = {one.name for one in folder.iterdir()}
     assert left == {place.parent.name, *(f"solver-{k}" for k in range(3, KEPT + 3))}
 
 
 def test_nothing_can_be_kept_and_the_work_goes_on(monkeypatch):
-    monkeypatch.setattr(compiled, "cache_folder", lambda: None)
+    monkeypatch.setattr(solver_cache, "cache_folder", lambda: None)
     kept = []
-    monkeypatch.setattr(compiled, "_compile", lambda module, keep: kept.append(keep))
+    monkeypatch.setattr(solver_cache, "_compile", lambda module, keep: kept.append(keep))
     monkeypatch.setitem(sys.modules, "clpt_control_solver", None)
-    module = inspect.unwrap(compiled.solver)()
+    module = inspect.unwrap(solver_cache.compiled_solver)()
     assert kept == [False]
     assert Path(module.__file__) == TEXT
 
 
 def test_the_key_changes_with_what_is_compiled(monkeypatch):
-    first = compiled._key()
-    assert compiled._key() == first
-    monkeypatch.setattr(compiled, "processor", lambda: ("another", "+fma"))
-    assert compiled._key() != first
+    first = solver_cache._key()
+    assert solver_cache._key() == first
+    monkeypatch.setattr(solver_cache, "processor", lambda: ("another", "+fma"))
+    assert solver_cache._key() != first
 
 
 RUN = """

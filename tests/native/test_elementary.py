@@ -17,8 +17,8 @@ from package_blocks import BLOCKS
 
 from clpt_control.blocks import words
 from clpt_control.native.code import code_of
-from clpt_control.native.engine import NativeDiagram
 from clpt_control.native.machine import Machine
+from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.printing import print_function
 from clpt_control.native.program import Load, Loop, Step, Store
 

@@ -10,8 +10,8 @@ import pytest
 from clpt_control.blocks import Block, opaque
 from clpt_control.blocks.words import lookup, maximum, where
 from clpt_control.native import readings
-from clpt_control.native.engine import NativeDiagram
-from clpt_control.native.loops import rolled
+from clpt_control.native.loops import roll
+from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.program import Loop
 
 N = 12
@@ -146,7 +146,7 @@ def alike(diagram):
 @pytest.mark.parametrize("function", KEPT)
 def test_equal_turns_stay_a_loop(function):
     block = block_of(function, KEPT[function])
-    assert N in loops(rolled(block.output_record).items)
+    assert N in loops(roll(block.output_record).items)
     assert N in loops(NativeDiagram(block, form="looped").code.program.signals)
     assert loops(NativeDiagram(block, form="unrolled").code.program.signals) == []
     alike(block)
@@ -155,7 +155,7 @@ def test_equal_turns_stay_a_loop(function):
 @pytest.mark.parametrize("function", APART)
 def test_turns_that_hand_on_more_than_a_sum_are_taken_apart(function):
     block = block_of(function)
-    assert loops(rolled(block.output_record).items) == []
+    assert loops(roll(block.output_record).items) == []
     alike(block)
 
 
@@ -190,7 +190,7 @@ def test_few_turns_stay_apart():
             y[0] += u[i]
 
     block = Block("few", output=few, inputs={"u": 4}, outputs={"y": 1})
-    assert loops(rolled(block.output_record).items) == []
+    assert loops(roll(block.output_record).items) == []
 
 
 def many_terms(t, x, u, p, dx):

@@ -16,9 +16,9 @@ from clpt_control.currents.gridded import GriddedField
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.errors import DiagramError, SimulationError
 from clpt_control.native import readings
-from clpt_control.native.engine import NativeDiagram
 from clpt_control.native.inputs import read_inputs
-from clpt_control.native.plain import PlainDiagram
+from clpt_control.native.native_diagram import NativeDiagram
+from clpt_control.native.python_diagram import PythonDiagram
 from clpt_control.simulation.loops import initial_state
 
 
@@ -241,7 +241,7 @@ def test_a_field_is_left_where_and_as_it_says():
         clpt.simulate(field("raise"), [0.0, 10.0])
     stopped = clpt.simulate(field("stop"), [0.0, 1.0, 2.0, 10.0])
     np.testing.assert_allclose(stopped.time, [0, 1, 2, 2 / 0.7], rtol=1e-9)
-    for made in (NativeDiagram, PlainDiagram):
+    for made in (NativeDiagram, PythonDiagram):
         fixed = made(field("stop")).run([0.0, 0.0], [0.0, 1.0, 2.0, 10.0], step=0.05)
         np.testing.assert_allclose(fixed.t, [0, 1, 2, 2 / 0.7], rtol=1e-9)
         np.testing.assert_allclose(fixed.x[:, 0], 0.7 * fixed.t, rtol=1e-9)

@@ -10,11 +10,11 @@ from clpt_control import simulate
 from clpt_control.blocks import Block
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.errors import SimulationError
-from clpt_control.native.engine import NativeDiagram
-from clpt_control.native.plain import PlainDiagram
+from clpt_control.native.batch import Batch
+from clpt_control.native.ending import Status
+from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.printing import LANES
-from clpt_control.native.runs import Runs
-from clpt_control.native.status import Status
+from clpt_control.native.python_diagram import PythonDiagram
 
 
 def root_of(t, x, u, p, y):
@@ -52,7 +52,7 @@ def test_simulate_names_it(engine):
 
 
 @pytest.mark.parametrize(
-    "made", [PlainDiagram, NativeDiagram, lambda diagram: NativeDiagram(diagram, form="looped")]
+    "made", [PythonDiagram, NativeDiagram, lambda diagram: NativeDiagram(diagram, form="looped")]
 )
 @pytest.mark.parametrize("step", [None, 0.01])
 def test_every_engine_and_method_names_it(made, step):
@@ -68,7 +68,7 @@ def test_beside_others_a_run_keeps_what_it_reached(lanes, step):
     starts = np.linspace(0.0, 1.0, 5)[:, None]  # they end at 1.5, 1.25, ..., 0.5
     P = np.tile(native.parameters(), (5, 1))
     times = np.array([0.0, 0.4, 1.1])
-    runs = Runs(native.callee(lanes), starts, P, times, [native.schedule(0.0, 1.1)])
+    runs = Batch(native.callee(lanes), starts, P, times, [native.schedule(0.0, 1.1)])
     if step is None:
         runs.adaptive(1e-8, 1e-10)
     else:

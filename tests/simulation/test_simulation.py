@@ -15,7 +15,7 @@ from clpt_control.blocks.ports import states_as_outputs
 from clpt_control.currents.gridded import GriddedField
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.errors import ClptError, DataError, ScenarioError, SimulationError
-from clpt_control.native.plain import PlainDiagram
+from clpt_control.native.python_diagram import PythonDiagram
 from clpt_control.simulation.integrate import sample_times
 from clpt_control.simulation.loops import initial_state
 
@@ -250,7 +250,7 @@ def test_jumps_of_two_blocks_at_one_time():
     delta = disturbance.disturbance("square", [1.0, -2.0], period=0.2)
     sum_up = Block("sum", update=sums, inputs={"delta": 2, "zc": 2}, states={"s": 4})
     loop = connect([reference.reference([[1.0, 0.0], [0.0, 1.0]], dwell=0.3), delta, sum_up])
-    solution = PlainDiagram(loop).run(np.zeros(4), 0.1 * np.arange(31), rtol=1e-11, atol=1e-13)
+    solution = PythonDiagram(loop).run(np.zeros(4), 0.1 * np.arange(31), rtol=1e-11, atol=1e-13)
     k = np.arange(31)
     np.testing.assert_allclose(solution.x[:, 0], 0.1 * (k % 2), atol=1e-12)
     np.testing.assert_allclose(solution.x[:, 1], -0.2 * (k % 2), atol=1e-12)
@@ -570,7 +570,7 @@ def test_what_is_no_run_is_an_error(tmp_path):
 
 
 def test_runs_are_the_same_in_any_order():
-    plain = PlainDiagram(clpt.closed_loop(CALM))
+    plain = PythonDiagram(clpt.closed_loop(CALM))
     x0 = initial_state(CALM)
     first = plain.run(x0, [0.0, 3.0]).x
     plain.run(x0 + 1.0, [1.0, 2.0])

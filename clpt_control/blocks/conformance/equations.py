@@ -61,7 +61,7 @@ def _docstrings(block: Block, drawn: list[Sample]) -> Iterator[str]:
 
 def _readings(block: Block, drawn: list[Sample]) -> Iterator[str]:
     """Every reading that a command can run gives what Python gives."""
-    from ...native.readings import readings
+    from ...native.all_readings import readings
 
     for name, ask in readings(block).items():
         for sample in drawn:

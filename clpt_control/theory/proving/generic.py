@@ -19,8 +19,9 @@ from ...blocks import Block
 from ...blocks.symbolic import OPERATIONS, exact
 from ...blocks.tracers import Tape
 from ...errors import BlockError
-from ...native.loops import Constant, Place, Rolled, rolled
+from ...native.loops import roll
 from ...native.program import Loop, Step, Store
+from ...native.rolled import Constant, Place, Rolled
 from .domain import undefined
 from .generic_run import run
 from .whole import BIG, TURNS, Cells, Held, Whole
@@ -178,7 +179,7 @@ def read_function(
     try:
         record = run(function, tape, (tape.add("t"), *given, p, out), written)
         reader = _Reader(block, {name: keys(ports) for name, ports in sizes.items()}, leaf, told)
-        raw = reader.read(rolled(record, least=inf))
+        raw = reader.read(roll(record, least=inf))
         found = {key: raw[k] for k, key in enumerate(written)}
         values = {
             key: reader.row([found.pop((*at, turn)) for turn in range(TURNS)])

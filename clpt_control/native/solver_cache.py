@@ -27,24 +27,14 @@ from .machine import call_address, processor
 FOLDER = "CLPT_CONTROL_CACHE"  # environment variable that names another folder
 KEPT = 4  # compiled solvers of other versions that stay
 OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy"}
-ENTRIES = ("advance", "advance_fixed", "record", "between")  # what is called from Python
+ENTRIES = ("advance", "advance_fixed", "signals_at", "between")  # what is called from Python
 APART = (*ENTRIES[:3], "watch", "take", "sample", "keep")  # the rest is put in where it is called
 
 
 def cache_folder() -> Path | None:
     """Return the folder of compiled code, made if need be.
 
-    Returns
-    -------
-    Path or None
-        ``$CLPT_CONTROL_CACHE`` or the user's cache; None where neither can be
-        written to, or where another user could have put code there.
-
-    Examples
-    --------
-    >>> folder = cache_folder()
-    >>> folder is None or folder.is_dir()
-    True
+    None where it cannot be written to, or where another user could have put code there.
     """
     import platformdirs
 
@@ -69,14 +59,8 @@ def trusted(folder: Path) -> bool:
 @cache
 @global_compiler_lock
 @cache
-def solver() -> ModuleType:
-    """Return the solver's module with its functions compiled.
-
-    Examples
-    --------
-    >>> solver().advance.__name__
-    'advance'
-    """
+def compiled_solver() -> ModuleType:
+    """Return the solver's module with its functions compiled."""
     from . import solver as text
 
     folder = cache_folder()
@@ -140,7 +124,9 @@ def _key() -> str:
     import llvmlite.binding as llvm
     from numba import config
 
-    files = (Path(__file__).with_name(f"{name}.py") for name in ("solver", "machine", "compiled"))
+    files = (
+        Path(__file__).with_name(f"{name}.py") for name in ("solver", "machine", "solver_cache")
+    )
     made_of = [file.read_text("utf-8") for file in files]
     made_of += [version(name) for name in ("numba", "llvmlite", "numpy")]
     made_of += [sys.version, *processor(), str(vars(config)["OPT"]), llvm.get_default_triple()]

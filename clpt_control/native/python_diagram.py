@@ -13,49 +13,20 @@ from ..diagrams.interconnection import changed_parameters
 from ..diagrams.wiring import Wiring, read
 from ..errors import SimulationError
 from . import method, solver
-from .ending import ended
-from .inputs import Inputs
-from .runs import MEMBER_STEPS, Callee, Runs, pace
-from .schedule import Schedule, schedule
-from .solution import Solution
+from .batch import Batch, Callee, pace
+from .ending import Solution, ended
+from .inputs import Inputs, checked_state, checked_times, read_inputs
+from .schedule import Schedule, make_schedule
 from .sweep import Sweep, first_not_finite
 
-Watch = Callable[[Runs], None]
+RTOL, ATOL = 1e-8, 1e-10
 
 
-class PlainDiagram:
+class PythonDiagram:
     """A diagram ready to run, block by block in Python.
 
-    Parameters
-    ----------
-    diagram : control.NonlinearIOSystem or Wiring
-        Blocks, wired, and any python-control systems.
-    params : mapping, optional
-        Call-time parameters by qualified name.
-
-    Attributes
-    ----------
-    sweep : Sweep
-        Evaluates it in Python.
-    wiring : Wiring
-        Its blocks.
-    nstates : int
-        Number of states.
-
-    Raises
-    ------
-    DiagramError
-        If blocks feed each other in a circle.
-    BlockError
-        If a parameter is unknown.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> scenario = clpt.paper_scenario()
-    >>> plain = PlainDiagram(clpt.closed_loop(scenario))
-    >>> plain.run(clpt.initial_state(scenario), [0.0, 2.0]).x.shape
-    (2, 14)
+    `sweep` evaluates it, `wiring` holds its blocks; states and signals are counted in
+    `nstates` and `nsignals`.
     """
 
     most = 10_000_000  # tries of a run
@@ -76,7 +47,7 @@ class PlainDiagram:
     def schedule(self, t0: float, t1: float, inputs: Inputs | None = None) -> Schedule:
         """Return the pieces of a run."""
         kinks = None if inputs is None else inputs.kinks
-        return schedule(self.sweep, {}, t0, t1, kinks)
+        return make_schedule(self.sweep, {}, t0, t1, kinks)
 
     def callee(self, lanes: int = 1, inputs: Inputs | None = None) -> Callee:
         """Return what the solver calls."""
@@ -109,9 +80,9 @@ class PlainDiagram:
         x0: Sequence[float] | np.ndarray,
         times: Sequence[float] | np.ndarray,
         *,
-        rtol: float = 1e-8,
-        atol: float = 1e-10,
-        inputs: Inputs | None = None,
+        rtol: float | None = None,
+        atol: float | None = None,
+        inputs: Any = None,
         progress: Callable[[float], None] | None = None,
         step: float | None = None,
     ) -> Solution:
@@ -124,19 +95,20 @@ class PlainDiagram:
         times : array_like, shape (n,)
             Increasing times at which states are wanted.
         rtol, atol : float, optional
-            Tolerances on the local error of each state.
-        inputs : Inputs, optional
-            Inputs of the diagram.
+            Tolerances on the local error of each state; 1e-8 and 1e-10.
+        inputs : optional
+            Inputs of the diagram, as `simulate` takes them; zero without.
         progress : callable, optional
             Called with the time reached, some times a second.
         step : float, optional
             A fixed step: Runge and Kutta's classical method of order 4 in
-            place of DOP853; steps end at every breakpoint and sample.
+            place of DOP853, without tolerances and progress; steps end at
+            every breakpoint and sample.
 
         Returns
         -------
         Solution
-            With status, sentence and statistics.
+            States ``x`` at the times ``t``, with status, message and statistics.
 
         Raises
         ------
@@ -145,37 +117,37 @@ class PlainDiagram:
             step becomes too small, the end is out of reach, or a guard with
             the policy ``"raise"`` is crossed.
         """
-        times, start = np.asarray(times, dtype=float), np.array(x0, dtype=float)
+        _only_adaptive(step, rtol=rtol, atol=atol, progress=progress)
+        times, start = checked_times(times), checked_state("x0", x0, (self.nstates,))
         t0, t1 = float(times[0]), float(times[-1])
+        if inputs is not None and not isinstance(inputs, Inputs):
+            inputs = read_inputs(inputs, times, self.wiring.ninputs)
         if not self.nstates:
             return Solution(times, np.zeros((len(times), 0)))
-        runs = Runs(
-            self.callee(1, inputs),
-            start[None],
-            self.parameters()[None],
-            times,
-            [self.schedule(t0, t1, inputs)],
-        )
+        P, pieces = self.parameters()[None], [self.schedule(t0, t1, inputs)]
+        batch = Batch(self.callee(1, inputs), start[None], P, times, pieces)
         if step is not None:
-            runs.fixed(step)
-        else:
-            keeps_pace = pace(self.most, t1 - t0, t0)
+            batch.fixed(step)
+            return ended(self.sweep, batch, inputs)
+        keeps_pace = pace(self.most, t1 - t0, t0)
 
-            def watch(runs: Runs) -> None:
-                if progress is not None:
-                    progress(runs.now)
-                keeps_pace(runs)
+        def watch(batch: Batch) -> None:
+            if progress is not None:
+                progress(batch.now)
+            keeps_pace(batch)
 
-            runs.adaptive(rtol, atol, watch, self.most)
-        return ended(self.sweep, runs, inputs)
+        batch.adaptive(
+            RTOL if rtol is None else rtol, ATOL if atol is None else atol, watch, self.most
+        )
+        return ended(self.sweep, batch, inputs)
 
     def run_many(
         self,
         starts: Sequence[Any] | np.ndarray,
         times: Sequence[float] | np.ndarray,
         *,
-        rtol: float = 1e-8,
-        atol: float = 1e-10,
+        rtol: float | None = None,
+        atol: float | None = None,
         step: float | None = None,
     ) -> np.ndarray:
         """Integrate from many initial states, such as passive particles.
@@ -184,53 +156,34 @@ class PlainDiagram:
         ----------
         starts : array_like, shape (m, nstates)
             Initial states at ``times[0]``.
-        times : array_like, shape (n,)
-            Increasing times at which states are wanted.
-        rtol, atol : float, optional
-            Tolerances of DOP853.
-        step : float, optional
-            A fixed step: Runge and Kutta's classical method of order 4.
+        times, rtol, atol, step
+            As for `run`.
 
         Returns
         -------
         ndarray, shape (m, n, nstates)
             NaN from where a run could not go on.
         """
-        starts, times = np.array(starts, dtype=float), np.asarray(times, dtype=float)
+        _only_adaptive(step, rtol=rtol, atol=atol)
+        times = checked_times(times)
+        starts = checked_state("starts", starts, (len(starts), self.nstates))
         P = np.tile(self.parameters(), (len(starts), 1))
         pieces = [self.schedule(float(times[0]), float(times[-1]))]
-        runs = Runs(self.callee(self.lanes(len(starts))), starts, P, times, pieces)
-        if step is None:
-            runs.adaptive(rtol, atol, most=MEMBER_STEPS)
+        batch = Batch(self.callee(self.lanes(len(starts))), starts, P, times, pieces)
+        if step is not None:
+            batch.fixed(step)
         else:
-            runs.fixed(step)
-        return runs.out
+            batch.adaptive(RTOL if rtol is None else rtol, ATOL if atol is None else atol)
+        return batch.out
 
     def lanes(self, count: int) -> int:
         """Return how many of so many runs are taken at once."""
         return 1
 
     def signals(self, solution: Solution, inputs: Inputs | None = None) -> np.ndarray:
-        """Return all block outputs at a solution's times.
+        """Return all block outputs (nt, nsignals) at a solution's times, in the wiring's order.
 
-        Values at a jump are right limits.
-
-        Parameters
-        ----------
-        solution : Solution
-            Times and states.
-        inputs : Inputs, optional
-            As for `run`.
-
-        Returns
-        -------
-        ndarray, shape (ntimes, nsignals)
-            In the order of the wiring.
-
-        Raises
-        ------
-        SimulationError
-            If a signal is not finite.
+        Values at a jump are right limits; one that is not finite is an error.
         """
         times = solution.t
         if not len(times):  # stopped before the first
@@ -242,7 +195,7 @@ class PlainDiagram:
         P, W = np.append(own, 0.0), np.zeros(max(callee.room, 1))
         out = np.empty((len(times), self.nsignals))
         states = np.append(solution.x.ravel(), 0.0)
-        callee.solver.record(
+        callee.solver.signals_at(
             callee.functions,
             times,
             states,
@@ -263,3 +216,12 @@ class PlainDiagram:
                 "arguments in range"
             )
         return out
+
+
+def _only_adaptive(step: float | None, **given: Any) -> None:
+    """Refuse what a fixed step has no use for."""
+    for name, value in given.items():
+        if step is not None and value is not None:
+            raise SimulationError(
+                f"step = {step} and {name}: a fixed step takes no {name}; leave one out"
+            )

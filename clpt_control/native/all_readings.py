@@ -21,9 +21,9 @@ from ..blocks import Block
 from ..blocks.symbolic import reading
 from ..errors import DiagramError
 from .code import code_of
-from .engine import NativeDiagram
-from .plain import PlainDiagram
+from .native_diagram import NativeDiagram
 from .printing import LANES
+from .python_diagram import PythonDiagram
 from .sweep import Sweep
 
 Reading = Callable[[float, Any, Any], tuple[np.ndarray, np.ndarray]]
@@ -66,7 +66,7 @@ def readings(
     lanes [2. 1.]
     symbolic [2. 1.]
     """
-    plain = PlainDiagram(diagram, params)
+    in_python = PythonDiagram(diagram, params)
     made: dict[tuple[str, int], Callable] = {}
 
     def machine(form: str, lanes: int) -> Reading:
@@ -78,10 +78,10 @@ def readings(
         return ask
 
     def python(t: float, x: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
-        plain.sweep.enter(t)
+        in_python.sweep.enter(t)
         x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
-        dx = plain.sweep.derivative(t, x, u)
-        return dx, plain.sweep.outputs(u)
+        dx = in_python.sweep.derivative(t, x, u)
+        return dx, in_python.sweep.outputs(u)
 
     def by_control(t: float, x: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
         arguments = (t, np.asarray(x, dtype=float), np.asarray(u, dtype=float), params)
@@ -93,7 +93,7 @@ def readings(
         "scalar": machine("unrolled", 1),
         "looped": machine("looped", 1),
         "lanes": machine("unrolled", LANES),
-        "symbolic": _symbolic(plain),
+        "symbolic": _symbolic(in_python),
     }
 
 
@@ -139,9 +139,9 @@ def _call(address: int, arrays: tuple[np.ndarray, ...]) -> None:
     function(*(array.ctypes.data for array in arrays))
 
 
-def _symbolic(plain: PlainDiagram) -> Reading:
+def _symbolic(in_python: PythonDiagram) -> Reading:
     def ask(t: float, x: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
-        sweep = _SymbolicSweep(plain.wiring, plain.sweep.given)
+        sweep = _SymbolicSweep(in_python.wiring, in_python.sweep.given)
         sweep.enter(t)
         u = np.asarray(u, dtype=float)
         dx = sweep.derivative(t, np.asarray(x, dtype=float), u)
@@ -163,6 +163,3 @@ class _SymbolicSweep(Sweep):
         record = block.update_record if role == "update" else block.output_record
         assert record is not None
         out[:] = reading(record).ask(t, x, u, self._parameters[k])
-
-
-__all__ = ["readings"]

@@ -8,20 +8,20 @@ import numpy as np
 
 from ..diagrams.wiring import Wiring
 from ..errors import SimulationError
-from .code import Code, code_of, kernels
-from .compiled import solver
+from .batch import Callee
+from .code import code_of, kernels
 from .inputs import Inputs
 from .layout import lay_out
 from .machine import fuses
-from .plain import PlainDiagram
 from .printing import LANES
-from .runs import Callee
-from .schedule import Schedule, schedule, with_inputs
+from .python_diagram import PythonDiagram
+from .schedule import Schedule, make_schedule, with_inputs
+from .solver_cache import compiled_solver
 
 FUNCTIONS = ("derivative", "prepare", "margin", "signals")  # in the solver's order
 
 
-class NativeDiagram(PlainDiagram):
+class NativeDiagram(PythonDiagram):
     """A diagram compiled to machine code.
 
     Parameters
@@ -49,7 +49,7 @@ class NativeDiagram(PlainDiagram):
     --------
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario()
-    >>> native = NativeDiagram(clpt.closed_loop(scenario))
+    >>> native = clpt.native.NativeDiagram(clpt.closed_loop(scenario))
     >>> native.run(clpt.initial_state(scenario), [0.0, 20.0]).x.shape
     (2, 14)
     """
@@ -64,8 +64,8 @@ class NativeDiagram(PlainDiagram):
     ):
         super().__init__(diagram, params)
         self.layout = lay_out(self.wiring, self.sweep.given)
-        self.code: Code = code_of(self.wiring, self.layout, form)
-        self.ramp = len(self.layout.P)
+        self.code = code_of(self.wiring, self.layout, form)
+        self.ramp = len(self.layout.P)  # place in P of the diagram's inputs
 
     def parameters(self) -> np.ndarray:
         """Return P, with room for inputs and for what is prepared."""
@@ -75,10 +75,10 @@ class NativeDiagram(PlainDiagram):
     def schedule(self, t0: float, t1: float, inputs: Inputs | None = None) -> Schedule:
         """Return the pieces of a run."""
         if inputs is None or not self.wiring.ninputs:
-            return schedule(self.sweep, self.layout.intervals, t0, t1)
+            return make_schedule(self.sweep, self.layout.intervals, t0, t1)
         if inputs.samples is None:
             raise SimulationError("inputs: machine code takes samples; run a function in Python")
-        pieces = schedule(self.sweep, self.layout.intervals, t0, t1, inputs.kinks)
+        pieces = make_schedule(self.sweep, self.layout.intervals, t0, t1, inputs.kinks)
         return with_inputs(pieces, t0, inputs.samples, self.ramp)
 
     def callee(self, lanes: int = 1, inputs: Inputs | None = None) -> Callee:
@@ -90,10 +90,9 @@ class NativeDiagram(PlainDiagram):
         ]
         formulas = kernels(n, lanes) if n else None
         more = formulas.addresses.values() if formulas else ()
-        functions = np.array([*own, *more], dtype=np.int64)
         return Callee(
-            solver(),
-            functions,
+            compiled_solver(),
+            np.array([*own, *more], dtype=np.int64),
             lanes,
             n,
             self.code.program.room,
@@ -104,11 +103,8 @@ class NativeDiagram(PlainDiagram):
         )
 
     def lanes(self, count: int) -> int:
-        """Return how many runs are taken at once: eight where it pays."""
+        """Return how many of so many runs are taken at once: eight where it pays."""
         return LANES if count > 1 and self.code.unrolled and fuses() else 1
-
-
-__all__ = ["NativeDiagram"]
 
 
 def compile(

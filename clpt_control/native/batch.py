@@ -1,0 +1,159 @@
+"""A batch of runs of one diagram: the solver's arrays, and how a run is watched.
+
+The solver takes some steps at a call, for about `PAUSE` seconds, so that Python can look
+in between calls: at the time reached, and whether the end can be reached at all.
+"""
+
+import time
+from collections.abc import Callable
+from types import ModuleType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..errors import SimulationError
+from ..progress.interrupt import check
+from . import solver
+from .schedule import Schedule
+
+PAUSE = 0.05  # seconds of a call
+MEMBER_STEPS = 5_000_000  # tries of a run among many
+
+
+class Callee(NamedTuple):
+    """What the solver calls, and the room that takes."""
+
+    solver: ModuleType  # as it stands, or compiled
+    functions: Any  # in the solver's order: functions, or their addresses
+    lanes: int  # runs that are taken at once
+    nstates: int
+    room: int  # length of W
+    tables: np.ndarray  # T
+    guarded: bool  # whether guards are watched
+    most: int  # tries that a single run may take
+    code: tuple = ()  # what must live for as long as addresses are used
+
+
+class Batch:
+    """Some runs of one diagram, from initial states (m, n) with parameters P (m, nP).
+
+    States are wanted at `times`; a run starts at the first and follows its schedule,
+    ``schedules[group[k]]`` or the first.  In the end `out` (m, nt, n) holds states, NaN
+    where a run did not come, `status` how runs ended (`Status`), `reached` how many
+    samples are done, and `counts` (m, 4) steps, evaluations, restarts, rejected steps.
+    """
+
+    def __init__(
+        self,
+        callee: Callee,
+        starts: np.ndarray,
+        parameters: np.ndarray,
+        times: np.ndarray,
+        schedules: list[Schedule],
+        group: np.ndarray | None = None,
+    ):
+        self.callee, self.times = callee, times
+        m, n = starts.shape
+        lanes, size = callee.lanes, parameters.shape[1]
+        self.shape = (lanes, n, size)
+        group = np.zeros(m, dtype=np.int64) if group is None else group
+        self.runs = (np.ascontiguousarray(starts), np.ascontiguousarray(parameters), group)
+        self.schedule = _together(schedules)
+        self.out = np.full((m, len(times), n), np.nan)
+        self.status, self.reached = (np.zeros(m, dtype=np.int64) for _ in range(2))
+        self.counts = np.zeros((m, 4), dtype=np.int64)
+        self.results = self.out, self.status, self.reached, self.counts
+        self.numbers = np.zeros((solver.NUMBERS, lanes))
+        whole = np.full((3, lanes), -1, dtype=np.int64)
+        self.lane = self.numbers, whole, np.array([0, m, 0], dtype=np.int64)
+        self.Z = np.zeros(solver.ROWS * n * lanes)
+        self.arrays = (
+            self.Z,
+            np.zeros(max(size, 1) * lanes),
+            np.append(callee.tables, 0.0),
+            np.zeros(max(callee.room, 1) * lanes),
+            np.zeros(max(n, 2) * lanes),
+        )
+
+    @property
+    def now(self) -> float:
+        """Time reached by the first lane."""
+        return float(self.numbers[solver.TIME, 0])
+
+    def adaptive(
+        self,
+        rtol: float,
+        atol: float,
+        watch: Callable[["Batch"], None] = lambda batch: None,
+        most: int = MEMBER_STEPS,
+    ) -> None:
+        """Run to the end with steps chosen by tolerance, a run for at most so many tries.
+
+        `watch` is called between the solver's calls.
+        """
+        tolerances = np.array([max(rtol, 2.3e-14), atol])
+        active, budget = 1, 64
+        while active:
+            check()
+            begin = time.perf_counter()
+            with np.errstate(all="ignore"):
+                active = self.callee.solver.advance(
+                    self.callee.functions,
+                    self.shape,
+                    tolerances,
+                    *self._shared,
+                    budget,
+                    most,
+                    self.callee.guarded,
+                )
+            spent = time.perf_counter() - begin
+            budget = int(np.clip(budget * PAUSE / max(spent, 1e-6), budget / 2 + 1, 4 * budget))
+            watch(self)
+
+    def fixed(self, step: float) -> None:
+        """Run to the end with steps of one length, of order 4."""
+        if not step > 0:
+            raise SimulationError(f"step = {step}: must be positive")
+        check()
+        with np.errstate(all="ignore"):
+            self.callee.solver.advance_fixed(
+                self.callee.functions, self.shape, float(step), *self._shared, self.callee.guarded
+            )
+
+    @property
+    def _shared(self) -> tuple:
+        """What both methods of the solver are given."""
+        return self.runs, self.schedule, self.times, self.results, self.lane, self.arrays
+
+
+def _together(schedules: list[Schedule]) -> tuple[np.ndarray, ...]:
+    """Return ends of pieces, how many, places and values of schedules of one kind."""
+    longest = max(len(one.edges) for one in schedules)
+    edges = np.full((len(schedules), longest), np.inf)
+    values = np.zeros((len(schedules), longest + 1, len(schedules[0].places)))
+    for g, one in enumerate(schedules):
+        edges[g, : len(one.edges)] = one.edges
+        values[g, : len(one.values)] = one.values
+    ends = np.array([len(one.edges) for one in schedules])
+    return edges, ends, schedules[0].places, values
+
+
+def pace(most: int, span: float, started: float) -> Callable[[Batch], None]:
+    """Return a watch that gives up a run whose end, `span` later, is out of reach."""
+    looked = [0, started]
+
+    def watch(batch: Batch) -> None:
+        tries, now = int(batch.counts[0, 0] + batch.counts[0, 3]), batch.now
+        if tries - looked[0] < most // 500:
+            return
+        ahead = (now - looked[1]) / (tries - looked[0])
+        if batch.status[0] == solver.RUNNING and ahead * most < span:
+            needed = span / ahead if ahead > 0 else np.inf
+            raise SimulationError(
+                f"too many steps: {tries:,} by t = {now:.9g}, at which pace the run would take "
+                f"{needed:.0e}; the equations are stiff there: lower the gains, or loosen rtol and "
+                "atol"
+            )
+        looked[:] = [tries, now]
+
+    return watch
