@@ -103,7 +103,7 @@ class NativeDiagram(PythonDiagram):
         )
 
     def lanes(self, count: int) -> int:
-        """Return how many of so many runs are taken at once: eight where it pays."""
+        """Return how many runs are taken at once: eight where it pays."""
         return LANES if count > 1 and self.code.unrolled and fuses() else 1
 
 
