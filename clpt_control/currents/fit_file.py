@@ -5,15 +5,15 @@ be moved together.
 """
 
 import json
-import tempfile
 from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..errors import DataError, ScenarioError
+from ..errors import DataError
+from ..files import write_together
 from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario, scenario_to_text
-from .gridded import write_field
+from .gridded import field_dataset
 
 if TYPE_CHECKING:
     from .fit import Fit
@@ -50,31 +50,16 @@ def save_fit(fit: "Fit", out: str | Path) -> Scenario:
     if field.is_dir():
         raise DataError(f"{field}: is a folder; the field is written there, choose another name")
     report, scenario = fit.report, fit.scenario.model_copy(deep=True)
-    try:
-        with tempfile.TemporaryDirectory(dir=out.parent, prefix=f".{out.name}.") as folder:
-            made = Path(folder)
-            write_field(
-                fit.field,
-                made / field.name,
-                scenario.units,
-                {
-                    "title": scenario.title,
-                    "source": f"{report['source']}, by clpt-control {version('clpt-control')}",
-                    "time_origin": report["start"],
-                    "origin_latitude_longitude": report["origin"],
-                    "comment": _gaps(report),
-                    "fit_report": json.dumps(report),
-                },
-            )
-            text = _named(scenario, field.name)
-            (made / out.name).write_text(_header(report) + text, encoding="utf-8")
-            load_scenario(made / out.name)
-            (made / field.name).replace(field)
-            (made / out.name).replace(out)
-    except OSError as error:
-        raise DataError(f"{out}: cannot be written: {error.strerror or error}") from None
-    except ScenarioError as error:  # pragma: no cover - a fit makes valid scenarios
-        raise DataError(f"{out}: {error}") from None
+    attributes = {
+        "title": scenario.title,
+        "source": f"{report['source']}, by clpt-control {version('clpt-control')}",
+        "time_origin": report["start"],
+        "origin_latitude_longitude": report["origin"],
+        "comment": _gaps(report),
+        "fit_report": json.dumps(report),
+    }
+    text = _header(report) + _named(scenario, field.name)
+    write_together({out: text, field: field_dataset(fit.field, scenario.units, attributes)})
     return load_scenario(out)
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import DataError
-from ..files import open_netcdf, write_netcdf
+from ..files import open_netcdf
 from ..scenario.tides import SECONDS
 
 if TYPE_CHECKING:
@@ -158,7 +158,7 @@ def read_field(path: Path, units) -> GriddedField:
     Parameters
     ----------
     path : Path
-        A file that `clpt fit` or `write_field` wrote, or one like it.
+        A file that `clpt fit` wrote, or one like it.
     units : Units
         The scenario's units of length and time.
 
@@ -231,30 +231,13 @@ def _regular(axis: np.ndarray, name: str, path: Path) -> np.ndarray:
     return axis.astype(float)
 
 
-def write_field(field: GriddedField, path: Path, units, attributes: dict) -> None:
-    """Write a gridded field as NetCDF, whole or not at all.
-
-    Parameters
-    ----------
-    field : GriddedField
-        The current.
-    path : Path
-        The file.
-    units : Units
-        Units of the field's numbers.
-    attributes : dict
-        Global attributes: title, source, history.
-
-    Raises
-    ------
-    DataError
-        If the file cannot be written.
-    """
+def field_dataset(field: GriddedField, units, attributes: dict) -> "xarray.Dataset":
+    """Return a field in a scenario's units as CF data; attributes are title and source."""
     import xarray
 
     speed = f"{units.length} {units.time}-1"
     dims = ("time", "y", "x")
-    data = xarray.Dataset(
+    return xarray.Dataset(
         {
             "u": (dims, field.u, {"long_name": "flow along x1 (east)", "units": speed}),
             "v": (dims, field.v, {"long_name": "flow along x2 (north)", "units": speed}),
@@ -274,4 +257,3 @@ def write_field(field: GriddedField, path: Path, units, attributes: dict) -> Non
         },
         {"Conventions": "CF-1.11", **attributes},
     )
-    write_netcdf(data, path)

@@ -7,9 +7,7 @@ at any time and started again.  The folder itself appears whole or not at all.
 """
 
 import json
-import os
 import shutil
-import tempfile
 import warnings
 import zlib
 from collections.abc import Iterable, Mapping
@@ -19,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import DataError
+from ..files import beside
 from .layout import MARK, layout_of
 from .summary import Variable
 
@@ -190,17 +189,8 @@ def create_store(
 
     if path is None:
         return Store(_filled(zarr.create_group(MemoryStore()), arguments, kept, fixed, attrs))
-    beside = None
-    try:
-        beside = Path(tempfile.mkdtemp(dir=path.parent, prefix=f".{path.name}."))
-        _filled(zarr.create_group(beside), arguments, kept, fixed, attrs)
-        beside.chmod(0o755)
-        os.rename(beside, path)  # noqa: PTH104
-    except OSError as error:
-        raise DataError(f"{path}: cannot be written: {error.strerror or error}") from None
-    finally:
-        if beside is not None:
-            shutil.rmtree(beside, ignore_errors=True)
+    with beside(path, folder=True) as made:
+        _filled(zarr.create_group(made), arguments, kept, fixed, attrs)
     return Store(zarr.open_group(path, mode="r+"), path)
 
 

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..errors import ClptError, DataError
-from ..progress.interrupt import check, unfinished
+from ..progress.interrupt import check, remove, unfinished
 
 if TYPE_CHECKING:
     import xarray
@@ -30,21 +30,8 @@ PART = re.compile(r"\.(.+)\.[a-z0-9_]{8}\.part")  # what `beside` writes to
 def open_netcdf(path: str | Path) -> "Iterator[xarray.Dataset]":
     """Open a NetCDF file with xarray, or say in one sentence why not.
 
-    Parameters
-    ----------
-    path : str or Path
-        The file.
-
-    Yields
-    ------
-    xarray.Dataset
-        Times left as numbers; values are read when used.
-
-    Raises
-    ------
-    DataError
-        If the file is missing, not NetCDF, damaged or cut short, also where
-        that is seen first when a variable is read.
+    Times are left as numbers, and values are read when used: a damaged variable is a
+    `DataError` also there.
     """
     import xarray
 
@@ -100,54 +87,41 @@ def _check_classic(path: Path) -> None:
 
 
 @contextmanager
-def beside(path: str | Path) -> Iterator[Path]:
-    """Return an empty file beside a place, then rename it there.
+def beside(path: str | Path, folder: bool = False) -> Iterator[Path]:
+    """Make a hidden empty file, or folder, beside a place, and rename it there at the end.
 
-    Parameters
-    ----------
-    path : str or Path
-        The place; its folder must exist.
-
-    Yields
-    ------
-    Path
-        Hidden, ``.NAME.`` with letters and ``.part``; gone if the work fails.
-
-    Raises
-    ------
-    DataError
-        If the place cannot be written to.
+    It is ``.NAME.``, eight letters and ``.part``; it is gone where the work fails.
     """
     path = Path(path)
     check_name(path)
     if not path.parent.is_dir():
         raise DataError(f"{path}: cannot be written: the folder {path.parent} does not exist")
     made = None
+    name = ".part", f".{path.name}.", path.parent
     try:
-        handle, made = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
-        os.close(handle)
-        unfinished.add(Path(made))
-        yield Path(made)
+        if folder:
+            made = Path(tempfile.mkdtemp(*name))
+        else:
+            handle, file = tempfile.mkstemp(*name)
+            os.close(handle)
+            made = Path(file)
+        unfinished.add(made)
+        yield made
         check()  # an interrupt that was dropped may have changed what was written
-        Path(made).chmod(0o644)
-        Path(made).replace(path)
+        made.chmod(0o755 if folder else 0o644)
+        made.replace(path)
     except OSError as error:
         raise DataError(f"{path}: cannot be written: {error.strerror or error}") from None
     finally:
         if made is not None:
-            Path(made).unlink(missing_ok=True)
-            unfinished.discard(Path(made))
+            remove(made)
+            unfinished.discard(made)
 
 
 def remove_left(folder: str | Path, *names: str) -> None:
-    """Remove what `beside` left where it was killed.
+    """Remove what `beside` left of files, named as ``"*.json"``, where it was killed.
 
-    Parameters
-    ----------
-    folder : str or Path
-        Where nobody else writes these files now.
-    *names : str
-        Of the files that were to be written, such as ``"*.json"``.
+    Nobody else may write these files in the folder now.
     """
     for path in Path(folder).glob(".*.part"):
         found = PART.fullmatch(path.name)
@@ -155,22 +129,11 @@ def remove_left(folder: str | Path, *names: str) -> None:
             path.unlink(missing_ok=True)
 
 
-def write_together(results: "Mapping[Path, xarray.Dataset | Figure]") -> None:
-    """Write files beside their places, then rename them all.
+def write_together(results: "Mapping[Path, str | xarray.Dataset | Figure]") -> None:
+    """Write files beside their places, then rename them all, or none.
 
-    The first is renamed last: where it is new, all are.  If one cannot be
-    written, none is renamed.
-
-    Parameters
-    ----------
-    results : dict
-        By file: a dataset, whose variables with NaN get them as _FillValue, or
-        a figure.
-
-    Raises
-    ------
-    DataError
-        If a file cannot be written.
+    Each is a text, a dataset, whose variables with NaN get them as _FillValue, or a
+    figure.  The first is renamed last: where it is new, all are.
     """
     with ExitStack() as renamed:
         for path, result in results.items():
@@ -178,6 +141,9 @@ def write_together(results: "Mapping[Path, xarray.Dataset | Figure]") -> None:
 
 
 def _put(result: Any, made: Path, path: Path) -> None:
+    if isinstance(result, str):
+        made.write_text(result, encoding="utf-8")
+        return
     if hasattr(result, "savefig"):
         result.savefig(made, format=path.suffix[1:])
         return
@@ -203,35 +169,22 @@ def _has_nan(values: "xarray.Variable") -> bool:
 
 
 def write_netcdf(data: "xarray.Dataset", path: str | Path) -> None:
-    """Write a dataset beside its place, then rename it there.
-
-    Raises
-    ------
-    DataError
-        If the folder does not exist or cannot be written to.
-    """
+    """Write a dataset, whole or not at all."""
     write_together({Path(path): data})
 
 
 def write_figure(figure: "Figure", path: str | Path) -> None:
-    """Write a figure, such as ``map.png``, beside its place.
-
-    Raises
-    ------
-    DataError
-        If the folder does not exist or cannot be written to.
-    """
+    """Write a figure, such as ``map.png``, whole or not at all."""
     write_together({Path(path): figure})
 
 
-def check_name(path: str | Path) -> None:
-    """Refuse a name under which nothing can be written.
+def write_text(path: str | Path, text: str) -> None:
+    """Write a text file, whole or not at all."""
+    write_together({Path(path): text})
 
-    Raises
-    ------
-    DataError
-        If it is too long or no text.
-    """
+
+def check_name(path: str | Path) -> None:
+    """Refuse a name that is too long or no text: nothing can be written under it."""
     try:
         longest = max((len(part.encode()) for part in Path(path).parts), default=0)
     except UnicodeEncodeError:
@@ -246,13 +199,7 @@ def check_name(path: str | Path) -> None:
 
 
 def make_folder(path: str | Path) -> Path:
-    """Make a folder for results, or say in one sentence why not.
-
-    Raises
-    ------
-    ClptError
-        If a file is in the way or the place cannot be written to.
-    """
+    """Make a folder for results, or say in one sentence why not."""
     path = Path(path)
     check_name(path)
     try:
@@ -265,13 +212,7 @@ def make_folder(path: str | Path) -> Path:
 
 
 def check_writable(path: str | Path) -> None:
-    """Refuse, before work begins, a file that could not be written.
-
-    Raises
-    ------
-    DataError
-        If the folder is missing or closed, or a folder bears the name.
-    """
+    """Refuse, before work begins, a file that could not be written: no folder, or read-only."""
     path = Path(path)
     check_name(path)
     if path.is_dir():
@@ -280,15 +221,3 @@ def check_writable(path: str | Path) -> None:
         raise DataError(f"{path}: cannot be written: the folder {path.parent} does not exist")
     if not os.access(path.parent, os.W_OK):
         raise DataError(f"{path}: cannot be written: the folder {path.parent} is read-only")
-
-
-def write_text(path: str | Path, text: str) -> None:
-    """Write a text file whole or not at all.
-
-    Raises
-    ------
-    DataError
-        If the folder does not exist or cannot be written to.
-    """
-    with beside(path) as made:
-        made.write_text(text, encoding="utf-8")

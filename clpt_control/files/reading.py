@@ -26,24 +26,9 @@ NO_FILES = {
 
 
 def read_bytes(path: str | Path, other: tuple[bytes, ...] = ()) -> bytes:
-    """Read a file or an open pipe, once.
+    """Read a file or an open pipe, such as ``/dev/stdin``, once.
 
-    Parameters
-    ----------
-    path : str or Path
-        A file, or a pipe that is open, such as ``/dev/stdin``.
-    other : tuple of bytes
-        Beginnings, of 4 bytes, of files that are no tables: no more is read.
-
-    Returns
-    -------
-    bytes
-        All of it, or one of `other`.
-
-    Raises
-    ------
-    DataError
-        If it cannot be read, is no file, or is larger than a table may be.
+    Of a file that begins with one of `other`, 4 bytes each, these are all that is read.
     """
     path = Path(path)
     try:
@@ -66,50 +51,12 @@ def read_bytes(path: str | Path, other: tuple[bytes, ...] = ()) -> bytes:
 
 
 def read_text(path: str | Path, no_text: str) -> str:
-    """Read a file that must be text.
-
-    Parameters
-    ----------
-    path : str or Path
-        The file.
-    no_text : str
-        What to say, behind its name, of a file that is no text.
-
-    Returns
-    -------
-    str
-        Bytes that are no UTF-8 as U+FFFD.
-
-    Raises
-    ------
-    DataError
-        If the file cannot be read or is no text.
-    """
+    """Read a file that must be text; `no_text` is said, behind its name, where it is none."""
     return text_of(read_bytes(path), path, no_text)
 
 
 def text_of(raw: bytes, path: str | Path, no_text: str) -> str:
-    """Return bytes as text.
-
-    Parameters
-    ----------
-    raw : bytes
-        The whole file.
-    path : str or Path
-        Its name, for messages.
-    no_text : str
-        As `read_text`.
-
-    Returns
-    -------
-    str
-        As `read_text`.
-
-    Raises
-    ------
-    DataError
-        If they are no text, or text in another encoding than UTF-8.
-    """
+    """Return a whole file's bytes as text, those that are no UTF-8 as U+FFFD."""
     if raw.startswith(UTF_16):
         raise DataError(f"{path}: is text in UTF-16; must be in UTF-8: save it so")
     text = raw.decode("utf-8-sig", "replace")

@@ -12,7 +12,7 @@ import pickletools
 import shutil
 import stat
 import sys
-import tempfile
+from contextlib import suppress
 from functools import cache
 from importlib import util
 from importlib.metadata import version
@@ -22,6 +22,8 @@ from typing import Any
 
 from numba.core.compiler_lock import global_compiler_lock
 
+from ..errors import DataError
+from ..files import beside
 from .machine import call_address, processor
 
 FOLDER = "CLPT_CONTROL_CACHE"  # environment variable that names another folder
@@ -83,12 +85,8 @@ def _place(folder: Path, text: Path) -> Path | None:
         if path.exists() and trusted(own) and not _whole(own):
             shutil.rmtree(own)
         if not path.exists():
-            made = Path(tempfile.mkdtemp(prefix=".new-", dir=folder))
-            shutil.copyfile(text, made / "solver.py")
-            try:
-                made.rename(own)
-            except OSError:  # another process was first
-                shutil.rmtree(made, ignore_errors=True)
+            with suppress(DataError), beside(own, folder=True) as made:
+                shutil.copyfile(text, made / "solver.py")  # another process may be first
             _forget(folder, own)
         os.utime(own)
         return path if trusted(own) and path.read_bytes() == text.read_bytes() else None

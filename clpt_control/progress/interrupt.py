@@ -10,6 +10,7 @@ ends a process that still lives some seconds later.
 
 import atexit
 import os
+import shutil
 import signal
 import sys
 import threading
@@ -136,12 +137,20 @@ def say() -> None:
             sys.stderr.flush()
 
 
+def remove(path: Path) -> None:
+    """Remove a file or a folder with all that is in it, if it is there."""
+    if path.is_dir():
+        shutil.rmtree(path, ignore_errors=True)
+    else:
+        path.unlink(missing_ok=True)
+
+
 def leave() -> NoReturn:
     """End the process here and now, without half-written files."""
     global _said
     for path in list(unfinished):
         with suppress(OSError):
-            path.unlink()
+            remove(path)
     with suppress(OSError):
         if os.isatty(2):
             os.write(2, b"\r\x1b[?25h")  # the cursor, which a bar hides

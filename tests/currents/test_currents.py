@@ -14,10 +14,11 @@ from clpt_control.blocks.field import gridded_flow
 from clpt_control.currents.currents import read_currents
 from clpt_control.currents.forecast_file import read_column
 from clpt_control.currents.gaps import fill_gaps, regular_grid
-from clpt_control.currents.gridded import GriddedField, read_field, write_field
+from clpt_control.currents.gridded import GriddedField, field_dataset, read_field
 from clpt_control.currents.plane import LocalPlane
 from clpt_control.currents.tidal.record import read_record
 from clpt_control.errors import DataError
+from clpt_control.files import write_netcdf
 from clpt_control.scenario.tables import Units
 
 MARACOOS = Path(__file__).parents[3] / "shared/data/field/maracoos_hfr_2019-01-01.nc"
@@ -373,7 +374,8 @@ def random_field():
 @pytest.mark.parametrize("units", [Units(length="km", time="h"), Units(length="m", time="s")])
 def test_field_file_read_back_equals_the_data_at_nodes(tmp_path, units):
     field = random_field()
-    write_field(field, tmp_path / "f.nc", Units(length="km", time="h"), {"title": "test"})
+    data = field_dataset(field, Units(length="km", time="h"), {"title": "test"})
+    write_netcdf(data, tmp_path / "f.nc")
     read = read_field(tmp_path / "f.nc", units)
     T, Y, X = np.meshgrid(read.time, read.x2, read.x1, indexing="ij")
     values = evaluate(gridded_flow(read), T.ravel(), np.column_stack([X.ravel(), Y.ravel()]))

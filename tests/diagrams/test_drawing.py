@@ -12,7 +12,7 @@ import clpt_control as clpt
 from clpt_control.diagrams.drawing import draw, mermaid
 from clpt_control.diagrams.drawing.captions import equations, lines_of
 from clpt_control.diagrams.drawing.ink import layout
-from clpt_control.errors import DiagramError
+from clpt_control.errors import DataError, DiagramError
 
 PAPER = clpt.paper_scenario()
 
@@ -291,10 +291,10 @@ def test_a_users_matplotlib_settings_do_not_change_the_file(tmp_path):
 def test_mistakes_are_one_sentence(tmp_path):
     with pytest.raises(DiagramError, match=r"\.svg, \.png, \.pdf, \.mmd, \.md, not '\.jpg'"):
         draw(nested(), tmp_path / "loop.jpg")
-    with pytest.raises(DiagramError, match=r"folder .* does not exist"):
+    with pytest.raises(DataError, match=r"folder .* does not exist"):
         draw(nested(), tmp_path / "missing" / "loop.svg")
     (tmp_path / "taken.svg").mkdir()
-    with pytest.raises(DiagramError, match="cannot be written"):
+    with pytest.raises(DataError, match="cannot be written"):
         draw(nested(), tmp_path / "taken.svg")
     assert [p.name for p in tmp_path.iterdir()] == ["taken.svg"]
 

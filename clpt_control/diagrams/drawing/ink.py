@@ -13,7 +13,7 @@ import control
 
 from ...blocks import Block
 from ...errors import DiagramError
-from ...files import check_name
+from ...files import beside
 from ..wiring import Node, read
 from .arrows import mermaid
 from .captions import lines_of, note, width
@@ -87,7 +87,9 @@ def draw(diagram: control.NonlinearIOSystem, path: str | os.PathLike[str]) -> No
     Raises
     ------
     DiagramError
-        If the ending is another, or the folder is missing.
+        If the ending is another.
+    DataError
+        If the folder is missing or cannot be written to.
 
     Examples
     --------
@@ -97,28 +99,19 @@ def draw(diagram: control.NonlinearIOSystem, path: str | os.PathLike[str]) -> No
     ...     draw(clpt.closed_loop(clpt.paper_scenario()), folder + "/loop.svg")
     """
     path = Path(path)
-    check_name(path)
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
         raise DiagramError(
             f"{path}: a diagram is drawn as {', '.join(SUFFIXES)}, not '{path.suffix}'"
         )
-    if not path.parent.is_dir():
-        raise DiagramError(f"{path}: the folder {path.parent} does not exist; make it first")
     figure = None if suffix in (".mmd", ".md") else _figure(diagram)
-    part = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
+    with beside(path) as part:
         if figure is None:
             text = mermaid(diagram)
             text = f"```mermaid\n{text}```\n" if suffix == ".md" else text
             part.write_text(text, encoding="utf-8")
         else:
             _save(figure, part, suffix)
-        part.replace(path)
-    except OSError as error:
-        raise DiagramError(f"{path}: cannot be written, {error.strerror}") from error
-    finally:
-        part.unlink(missing_ok=True)
 
 
 def _save(figure: Any, path: Path, suffix: str) -> None:
