@@ -24,8 +24,8 @@ def clpt(monkeypatch, capsys):
     from clpt_control.cli import main
     from clpt_control.progress import interrupt
 
-    for module in ("progress", "ensemble.counter"):  # no lines that only a slow machine shows
-        monkeypatch.setattr(f"clpt_control.{module}.PATIENCE", float("inf"))
+    # no lines that only a slow machine shows
+    monkeypatch.setattr("clpt_control.progress.PATIENCE", float("inf"))
 
     def run(*arguments):
         monkeypatch.setattr(sys, "argv", ["clpt", *map(str, arguments)])

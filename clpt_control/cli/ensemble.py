@@ -33,11 +33,11 @@ def ensemble(
     as_json: Json = False,
 ) -> None:
     """Run a scenario many times with values that vary."""
-    from ..ensemble.counter import member_counter
     from ..ensemble.run import run_ensemble
     from ..ensemble.spread import ensemble_summary
     from ..errors import ClptError
     from ..files import check_writable, write_figure
+    from ..progress import progress_bar
     from ..scenario.file import load_scenario
 
     experiment = load_scenario(scenario)
@@ -45,7 +45,7 @@ def ensemble(
         check_writable(figure)
         if figure.suffix not in (".png", ".pdf", ".svg"):
             raise ClptError(f"{figure}: a figure's name must end in .png, .pdf or .svg")
-    with member_counter(f"running {scenario.name}", members) as report:
+    with progress_bar(f"running {scenario.name}", members, "members") as report:
         data = run_ensemble(
             experiment,
             vary,

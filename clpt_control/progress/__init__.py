@@ -1,6 +1,6 @@
-"""A progress bar on standard error, for work that lasts over two seconds.
+"""How far work that lasts over two seconds has come, on standard error.
 
-Where standard error is no terminal, a plain line now and then stands in for it.
+A bar on a terminal, a plain line now and then elsewhere.
 """
 
 import sys
@@ -13,58 +13,60 @@ LOG_EVERY = 10.0  # seconds between lines where there is no terminal
 
 
 @contextmanager
-def progress_bar(what: str, total: float) -> Iterator[Callable[[float], None]]:
-    """Show how far a long work has come, on standard error.
+def progress_bar(what: str, total: float, counted: str = "") -> Iterator[Callable[[float], None]]:
+    """Show percent and time left, or, where things are counted, how many a second.
 
-    Parameters
-    ----------
-    what : str
-        What is being done.
-    total : float
-        Where it ends, in any unit.
+    Yield ``report(done)``, to be called as often as you like; its first call says what
+    was done before.
 
-    Yields
-    ------
-    callable
-        ``report(done)``: call it as often as you like.
-
-    Examples
-    --------
-    >>> with progress_bar("waiting", 1.0) as report:
-    ...     report(0.5)
+    >>> with progress_bar("running", 10, "members") as report:
+    ...     report(5)
     """
     start = time.monotonic()
     terminal = sys.stderr.isatty()
-    bar = task = None
+    bar = task = before = None
     shown = float("-inf")
 
     def report(done: float) -> None:
-        nonlocal bar, task, shown
+        nonlocal bar, task, shown, before
         now = time.monotonic()
+        if before is None:
+            before = done
         if now - start < PATIENCE or now - shown < (0.1 if terminal else LOG_EVERY):
             return
         shown = now
+        rate = (done - before) / (now - start)
+        state = f"{done} of {total} {counted}" if counted else f"{100 * done / total:.0f} %"
+        if rate > 0:
+            state += f", {rate:.4g} a second" if counted else ""
+            state += f", {clock((total - done) / rate)} left"
         if not terminal:
-            print(f"{what}: {100 * done / total:.0f} %", file=sys.stderr, flush=True)
+            print(f"{what}: {state}", file=sys.stderr, flush=True)
             return
         if bar is None:
             from rich.console import Console
-            from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+            from rich.progress import BarColumn, Progress, TextColumn
 
-            bar = Progress(
-                TextColumn("{task.description}"),
-                BarColumn(),
-                TextColumn("{task.percentage:>3.0f} %"),
-                TimeRemainingColumn(),
-                console=Console(stderr=True),
-                transient=True,
-            )
+            plain = TextColumn("{task.fields[what]}", markup=False)
+            columns = (plain, BarColumn(), TextColumn("{task.description}", markup=False))
+            bar = Progress(*columns, console=Console(stderr=True), transient=True)
             bar.start()
-            task = bar.add_task(what, total=total)
-        bar.update(task, completed=done)
+            task = bar.add_task(state, total=total, what=what)
+        bar.update(task, completed=done, description=state)
 
     try:
         yield report
     finally:
         if bar is not None:
             bar.stop()
+
+
+def clock(seconds: float) -> str:
+    """Return seconds as a clock shows them.
+
+    >>> clock(200.0), clock(7265.0)
+    ('3:20', '2:01:05')
+    """
+    minutes, rest = divmod(round(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours}:{minutes:02d}:{rest:02d}" if hours else f"{minutes}:{rest:02d}"

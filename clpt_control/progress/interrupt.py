@@ -78,34 +78,13 @@ def asked() -> bool:
 
 
 def check() -> None:
-    """Raise the interrupt that came; in any thread.
-
-    Raises
-    ------
-    KeyboardInterrupt
-        If one came.
-
-    Examples
-    --------
-    >>> check()
-    """
+    """Raise a KeyboardInterrupt if an interrupt came; in any thread."""
     if _asked and not _over:
         raise KeyboardInterrupt
 
 
 def wait(seconds: float) -> None:
-    """Sleep, but for an interrupt.
-
-    Parameters
-    ----------
-    seconds : float
-        How long, s.
-
-    Raises
-    ------
-    KeyboardInterrupt
-        If one came.
-    """
+    """Sleep so many seconds, or raise a KeyboardInterrupt once an interrupt comes."""
     end = time.monotonic() + seconds
     check()
     while (left := end - time.monotonic()) > 0:

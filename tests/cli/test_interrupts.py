@@ -189,7 +189,7 @@ def test_a_cluster_ends_with_the_command(files):
         "--threads",
         "1",
     )
-    hear = "import clpt_control.ensemble.counter as c; c.PATIENCE = c.LOG_EVERY = 0.0\n"
+    hear = "import clpt_control.progress as c; c.PATIENCE = c.LOG_EVERY = 0.0\n"
     code = CLPT[2].replace("from clpt", f"{hear}from clpt", 1)
     with started([sys.executable, "-c", code, *words], cwd=files) as process:
         await_line(process, process.stderr, "20 of 3000 members")

@@ -7,9 +7,7 @@ import re
 import shutil
 import signal
 import sys
-from itertools import count
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -610,18 +608,3 @@ def test_the_command(ensemble, quick, tmp_path):
     named = ensemble(file, *many, "--figure", tmp_path / "e.gif")
     assert named.status == 2
     assert ".png, .pdf or .svg" in named.err
-
-
-def test_a_counter_says_rate_and_time_left(capsys, monkeypatch):
-    from clpt_control.ensemble import counter
-
-    monkeypatch.setattr(counter, "PATIENCE", 0.0)
-    ticks = count(0.0, 1.0)
-    monkeypatch.setattr(counter, "time", SimpleNamespace(monotonic=lambda: next(ticks)))
-    with counter.member_counter("running", 100) as report:
-        report(0)
-        monkeypatch.setattr(counter, "LOG_EVERY", 0.0)
-        report(50)
-    last = capsys.readouterr().err.splitlines()[-1]
-    assert last == "running: 50 of 100 members, 25 a second, 0:02 left"
-    assert counter.speed(1.0, 7265) == ", 1 a second, 2:01:05 left"
