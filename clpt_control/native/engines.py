@@ -25,8 +25,8 @@ def chosen(
 ) -> PythonDiagram:
     """Return a diagram ready to run, compiled where that can be.
 
-    What cannot be compiled runs in Python with a warning that calls it by `name`; so does,
-    without one, a diagram without states or with a function of the user's as inputs.
+    What cannot be compiled runs in Python, with a warning that calls it by `name`; so does a
+    diagram whose inputs are a function, with a warning where machine code was asked for.
     """
     asked = engine or os.environ.get(VARIABLE) or "native"
     if asked not in ENGINES:
@@ -34,6 +34,9 @@ def chosen(
         raise SimulationError(f"{whose} = '{asked}': must be one of {', '.join(ENGINES)}")
     wiring = diagram if isinstance(diagram, Wiring) else read(diagram)
     by_function = inputs is not None and inputs.samples is None and bool(wiring.ninputs)
+    if engine == "native" and by_function:
+        reason = "inputs are a function; give samples, or engine = 'python'"
+        warnings.warn(f"{name} runs in Python, not as machine code: {reason}", stacklevel=4)
     if asked == "native" and not by_function and wiring.nodes[-1].states.stop:
         from .native_diagram import NativeDiagram
 

@@ -38,7 +38,7 @@ def numbers(name: str, values: Any) -> np.ndarray:
         raise SimulationError(f"{name} = {values!r:.60}: must be an array of numbers") from None
 
 
-def checked_times(timepts: Any, name: str = "times") -> np.ndarray:
+def checked_times(name: str, timepts: Any) -> np.ndarray:
     """Return times as an array: at least two, increasing and finite."""
     times = np.atleast_1d(numbers(name, timepts))
     if times.ndim != 1 or len(times) < 2 or not np.all(np.diff(times) > 0):

@@ -15,11 +15,9 @@ from ..errors import SimulationError
 from . import method, solver
 from .batch import Batch, Callee, pace
 from .ending import Solution, ended
-from .inputs import Inputs, checked_state, checked_times, read_inputs
+from .inputs import Inputs, checked_state, checked_times, numbers, read_inputs
 from .schedule import Schedule, make_schedule
 from .sweep import Sweep, first_not_finite
-
-RTOL, ATOL = 1e-8, 1e-10
 
 
 class PythonDiagram:
@@ -117,8 +115,10 @@ class PythonDiagram:
             step becomes too small, the end is out of reach, or a guard with
             the policy ``"raise"`` is crossed.
         """
-        _only_adaptive(step, rtol=rtol, atol=atol, progress=progress)
-        times, start = checked_times(times), checked_state("x0", x0, (self.nstates,))
+        tolerances = _tolerances(step, rtol, atol)
+        if step is not None and progress is not None:
+            raise SimulationError("step and progress: a fixed step reports none; leave one out")
+        times, start = checked_times("times", times), checked_state("x0", x0, (self.nstates,))
         t0, t1 = float(times[0]), float(times[-1])
         if inputs is not None and not isinstance(inputs, Inputs):
             inputs = read_inputs(inputs, times, self.wiring.ninputs)
@@ -136,9 +136,7 @@ class PythonDiagram:
                 progress(batch.now)
             keeps_pace(batch)
 
-        batch.adaptive(
-            RTOL if rtol is None else rtol, ATOL if atol is None else atol, watch, self.most
-        )
+        batch.adaptive(*tolerances, watch, self.most)
         return ended(self.sweep, batch, inputs)
 
     def run_many(
@@ -164,8 +162,8 @@ class PythonDiagram:
         ndarray, shape (m, n, nstates)
             NaN from where a run could not go on.
         """
-        _only_adaptive(step, rtol=rtol, atol=atol)
-        times = checked_times(times)
+        tolerances = _tolerances(step, rtol, atol)
+        times = checked_times("times", times)
         starts = checked_state("starts", starts, (len(starts), self.nstates))
         P = np.tile(self.parameters(), (len(starts), 1))
         pieces = [self.schedule(float(times[0]), float(times[-1]))]
@@ -173,7 +171,7 @@ class PythonDiagram:
         if step is not None:
             batch.fixed(step)
         else:
-            batch.adaptive(RTOL if rtol is None else rtol, ATOL if atol is None else atol)
+            batch.adaptive(*tolerances)
         return batch.out
 
     def lanes(self, count: int) -> int:
@@ -218,10 +216,14 @@ class PythonDiagram:
         return out
 
 
-def _only_adaptive(step: float | None, **given: Any) -> None:
-    """Refuse what a fixed step has no use for."""
-    for name, value in given.items():
-        if step is not None and value is not None:
-            raise SimulationError(
-                f"step = {step} and {name}: a fixed step takes no {name}; leave one out"
-            )
+def _tolerances(step: float | None, rtol: float | None, atol: float | None) -> tuple[float, float]:
+    """Return rtol and atol; refuse what is none, and both beside a fixed step."""
+    found = [1e-8 if rtol is None else rtol, 1e-10 if atol is None else atol]
+    for name, given, value in zip(("rtol", "atol"), (rtol, atol), found, strict=True):
+        if step is not None and given is not None:
+            raise SimulationError(f"step and {name}: a fixed step has no tolerance; leave one out")
+        if numbers(name, value).ndim or not numbers(name, value) >= 0.0:
+            raise SimulationError(f"{name} = {value}: must be a number, 0 or more")
+    if found == [0.0, 0.0]:
+        raise SimulationError("rtol = atol = 0: one of them must be above 0")
+    return found[0], found[1]

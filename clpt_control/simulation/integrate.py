@@ -16,7 +16,7 @@ from ..diagrams.wiring import read
 from ..errors import BlockError, ScenarioError, SimulationError
 from ..native.ending import Solution
 from ..native.engines import chosen
-from ..native.inputs import numbers, read_inputs
+from ..native.inputs import checked_state, checked_times, read_inputs
 from ..scenario.experiment import Scenario
 from ..scenario.keys import CALL_TIME_NAMES
 from .dataset import run_dataset
@@ -138,7 +138,7 @@ def simulate(
     if timepts is None:
         times = sample_times(wanted.duration, wanted.output_step)
     else:
-        times = _checked_times(timepts)
+        times = checked_times("timepts", timepts)
     from_zero = times if times[0] == 0 else np.concatenate([[0.0], times])
     solution = run.integrate(run.start, from_zero, progress)
     if times[0] != 0:
@@ -200,42 +200,16 @@ def sample_times(duration: float, step: float) -> np.ndarray:
     return np.append(times, duration)
 
 
-def _checked_times(timepts: Any) -> np.ndarray:
-    times = np.atleast_1d(numbers("timepts", timepts))
-    if times.ndim != 1 or len(times) < 2 or not np.all(np.diff(times) > 0):
-        raise SimulationError("timepts: must be at least two increasing times")
-    if not np.all(np.isfinite(times)):
-        raise SimulationError("timepts: must be finite")
-    return times
-
-
-def _checked_state(state: Any, count: int) -> np.ndarray:
-    values = numbers("initial_state", state)
-    if values.ndim == 0:
-        values = np.full(count, float(values))
-    if values.shape != (count,):
-        raise SimulationError(
-            f"initial_state: must have {count} numbers, one per state; it has shape {values.shape}"
-        )
-    return values
-
-
 def _simulate_diagram(
     diagram, timepts, inputs, x0, params, rtol, atol, progress, engine
 ) -> control.TimeResponseData:
     if timepts is None:
         raise SimulationError("timepts: is required to simulate a diagram")
-    times = _checked_times(timepts)
-    rtol, atol = 1e-8 if rtol is None else rtol, 1e-10 if atol is None else atol
-    for name, value in (("rtol", rtol), ("atol", atol)):
-        if not numbers(name, value) >= 0.0:
-            raise SimulationError(f"{name} = {value}: must be a number, 0 or more")
-    if rtol == 0.0 == atol:
-        raise SimulationError("rtol = atol = 0: one of them must be above 0")
+    times = checked_times("timepts", timepts)
     wiring = read(diagram)
     given = read_inputs(inputs, times, wiring.ninputs)
     runner = chosen(wiring, params, given, engine, diagram.name)
-    state = _checked_state(np.zeros(runner.nstates) if x0 is None else x0, runner.nstates)
+    state = checked_state("initial_state", 0.0 if x0 is None else x0, (runner.nstates,))
     solution = runner.run(state, times, rtol=rtol, atol=atol, inputs=given, progress=progress)
     u = given.along(solution.t)
     outputs = wiring.output_map @ np.vstack([runner.signals(solution, given).T, u])
@@ -264,7 +238,7 @@ def _into_keys(
     left = dict(params or {})
     if x0 is not None:
         starts = started(scenario)
-        state = _checked_state(x0, sum(start.size for start in starts.values()))
+        state = checked_state("initial_state", x0, (sum(start.size for start in starts.values()),))
         ends = np.cumsum([start.size for start in starts.values()])
         parts = zip(starts.items(), np.split(state, ends[:-1]), strict=True)
         scenario = scenario.with_values(

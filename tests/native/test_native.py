@@ -1,6 +1,7 @@
 """Machine code: the same numbers as python-control, and what it cannot do is said."""
 
 import math
+import re
 from typing import NamedTuple
 
 import control
@@ -352,3 +353,58 @@ def test_many_starts_in_lanes_equal_each_alone():
         alone = native.run(starts[k], times)
         np.testing.assert_allclose(adaptive[k], alone.x, rtol=0, atol=1e-10)
     np.testing.assert_array_equal(native.run_many(starts[3:9], times, step=0.05), fixed[3:9])
+
+
+@pytest.mark.parametrize("made", [NativeDiagram, PythonDiagram])
+@pytest.mark.parametrize(
+    ("changes", "sentence"),
+    [
+        ({"x0": [0.0] * 13}, "x0: must have 14 numbers"),
+        ({"x0": "rest"}, "x0 = 'rest'"),
+        ({"times": [0.0]}, "times: must be at least two"),
+        ({"times": [0.0, 2.0, 1.0]}, "increasing"),
+        ({"times": [0.0, np.inf]}, "times: must be finite"),
+        ({"rtol": -1.0}, "rtol = -1.0: must be a number, 0 or more"),
+        ({"atol": np.nan}, "atol = nan"),
+        ({"rtol": 0.0, "atol": 0.0}, "one of them"),
+        ({"step": 0.0}, "step = 0.0: must be positive"),
+        ({"step": 0.1, "rtol": 1e-3}, "step and rtol"),
+        ({"step": 0.1, "atol": 1e-3}, "step and atol"),
+        ({"step": 0.1, "progress": print}, "step and progress"),
+        ({"inputs": [[1.0, 2.0, 3.0]]}, "inputs"),
+    ],
+)
+def test_every_engine_refuses_what_it_would_have_to_ignore(made, changes, sentence):
+    runner = made(clpt.closed_loop(clpt.paper_scenario(), external=("zc",)))
+    given = {"x0": np.zeros(14), "times": [0.0, 1.0], **changes}
+    with pytest.raises(SimulationError, match=re.escape(sentence)):
+        runner.run(given.pop("x0"), given.pop("times"), **given)
+
+
+@pytest.mark.parametrize("made", [NativeDiagram, PythonDiagram])
+def test_many_starts_are_checked_too(made):
+    runner = made(clpt.closed_loop(clpt.paper_scenario()))
+    with pytest.raises(SimulationError, match="starts: must have 14 numbers"):
+        runner.run_many(np.zeros((3, 13)), [0.0, 1.0])
+    with pytest.raises(SimulationError, match="step and rtol"):
+        runner.run_many(np.zeros((3, 14)), [0.0, 1.0], step=0.1, rtol=1e-3)
+
+
+def test_inputs_are_read_as_simulate_reads_them():
+    diagram = connect(
+        [vehicle.vehicle(), Block("drag", output=drag, inputs={"x": 2}, outputs={"v_x": 2})],
+        external=["flow_x"],
+    )
+    times, flow = [0.0, 1.0, 3.0], [[0.0, 1.0, 1.0], [2.0, 2.0, 0.0]]
+    wanted = clpt.simulate(diagram, times, flow, initial_state=[1.0, -1.0]).states.T
+    for made in (NativeDiagram, PythonDiagram):
+        found = made(diagram).run([1.0, -1.0], times, inputs=flow).x
+        np.testing.assert_allclose(found, wanted, rtol=1e-12, atol=1e-12)
+
+
+def test_machine_code_that_is_asked_for_takes_no_function_as_inputs():
+    loop = clpt.closed_loop(clpt.paper_scenario(), external=("zc",))
+    with pytest.warns(UserWarning, match="inputs are a function"):
+        asked = clpt.simulate(loop, [0.0, 1.0], lambda t: [t, 0.0], engine="native")
+    left = clpt.simulate(loop, [0.0, 1.0], lambda t: [t, 0.0])
+    np.testing.assert_array_equal(asked.states, left.states)
