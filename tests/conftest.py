@@ -1,4 +1,4 @@
-"""Shared fixtures: the command line in-process, the reference numbers, shared data."""
+"""Shared fixtures: the command line in-process, the reference numbers, measured data."""
 
 import json
 import sys
@@ -46,9 +46,15 @@ def reference():
 
 
 @pytest.fixture(scope="session")
+def facts():
+    """The folder of facts drawn from measured files, at the paths of `../shared/data`."""
+    return HERE / "data"
+
+
+@pytest.fixture(scope="session")
 def shared():
-    """The folder of measured data beside the checkout, or a skip that says so."""
+    """The folder of the measured files themselves, for what a drawn part cannot show."""
     folder = HERE.parent.parent / "shared" / "data"
     if not folder.is_dir():
-        pytest.skip("measured data (../shared/data) are not on this machine")
+        pytest.skip("needs the whole measured files, which are too large for the repository")
     return folder

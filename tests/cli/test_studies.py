@@ -38,10 +38,9 @@ def test_readings_find_the_one_that_reproduces_the_paper(tmp_path):
     assert text.count("below 1e-12") == 2
 
 
-def test_measured_current_example(shared, tmp_path):
-    done = run(
-        "examples/measured_current.py", shared / "field" / "maracoos_hfr_2019-01-01.nc", tmp_path
-    )
+def test_measured_current_example(tmp_path):
+    currents = ROOT / "tests/data/field/maracoos_hfr_2019-01-01.nc"
+    done = run("examples/measured_current.py", currents, tmp_path)
     ratio = float(done.stdout.split("ratio ")[1].split()[0])
     assert ratio <= 0.1
     assert inked(tmp_path / "measured_current.png") > 0.01

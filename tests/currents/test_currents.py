@@ -21,7 +21,7 @@ from clpt_control.errors import DataError
 from clpt_control.files import write_netcdf
 from clpt_control.scenario.tables import Units
 
-MARACOOS = Path(__file__).parents[3] / "shared/data/field/maracoos_hfr_2019-01-01.nc"
+MARACOOS = Path(__file__).parents[1] / "data/field/maracoos_hfr_2019-01-01.nc"
 BOX = (40.9, 41.55, -69.9, -69.0)
 LAT, LON, TIME = np.linspace(41.0, 41.5, 6), np.linspace(-69.9, -69.1, 8), np.arange(10.0)
 
@@ -398,15 +398,8 @@ def test_field_block_equals_scipys_interpolating_spline():
             assert mine[k, component] == pytest.approx(float(values), abs=1e-10)
 
 
-@pytest.fixture(scope="module")
-def maracoos():
-    if not MARACOOS.exists():
-        pytest.skip("the MARACOOS file is not beside the repository")
-    return MARACOOS
-
-
-def test_maracoos_is_read_as_its_provenance_says(maracoos):
-    currents = read_currents(maracoos, BOX)
+def test_maracoos_is_read_as_its_provenance_says():
+    currents = read_currents(MARACOOS, BOX)
     assert currents.u.shape == (24, 12, 16)
     assert currents.start == "2019-01-01T00:00:00"
     assert (~currents.measured).mean() == pytest.approx(0.28, abs=0.005)
@@ -415,8 +408,8 @@ def test_maracoos_is_read_as_its_provenance_says(maracoos):
     assert speed == pytest.approx(0.52, abs=0.02)
 
 
-def test_filling_beats_no_flow_where_real_data_are_hidden(maracoos):
-    currents = read_currents(maracoos, BOX)
+def test_filling_beats_no_flow_where_real_data_are_hidden():
+    currents = read_currents(MARACOOS, BOX)
     hidden = np.zeros(currents.u.shape, bool)
     hidden[:, 6:9, 9:12] = True  # 3 x 3 cells, all hours, all measured
     assert currents.measured[hidden].all()
@@ -427,3 +420,29 @@ def test_filling_beats_no_flow_where_real_data_are_hidden(maracoos):
     error = np.hypot(full.u - currents.u, full.v - currents.v)[hidden]
     speed = np.hypot(currents.u, currents.v)[hidden]
     assert np.sqrt(np.mean(error**2)) < 0.3 * np.sqrt(np.mean(speed**2))
+
+
+GRIDS = Path(__file__).parents[1] / "data/grids"
+
+
+def test_a_global_model_is_read_as_netcdf4_reads_it():
+    """CMEMS: float32 latitudes, whole days, m s-1, land as NaN."""
+    currents = read_currents(GRIDS / "cmems_1deg.nc")
+    with netCDF4.Dataset(GRIDS / "cmems_1deg.nc") as file:
+        u = np.ma.filled(file["uo"][:], np.nan)
+        lat, lon = file["latitude"][:], file["longitude"][:]
+        hours = 24.0 * file["time"][:]
+        assert file["time"].units == "days since 2024-01-03 00:00:00"
+    np.testing.assert_allclose(currents.lat, np.sort(lat))
+    np.testing.assert_allclose(currents.lon, np.sort(lon))
+    np.testing.assert_allclose(currents.time, hours - hours[0])
+    np.testing.assert_allclose(currents.u, u[:, np.argsort(lat)])
+    assert currents.start == "2024-01-03T00:00:00"
+    assert not currents.measured.all()  # Florida
+
+
+def test_a_model_without_units_is_refused():
+    with netCDF4.Dataset(GRIDS / "wa_RTOFS_global.nc") as file:
+        assert "units" not in file["water_u"].ncattrs()
+    with pytest.raises(DataError, match="water_u has no units; must be such as 'm/s'"):
+        read_currents(GRIDS / "wa_RTOFS_global.nc")

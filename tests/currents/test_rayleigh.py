@@ -64,8 +64,6 @@ def test_rayleigh_refuses_m2_beside_s2_in_a_day(clpt, tmp_path):
 
 
 def test_rayleigh_on_a_measured_day(clpt, tmp_path):
-    if not MARACOOS.exists():
-        pytest.skip("the MARACOOS file is not beside the repository")
     sentence = "in 23 h, M2 and S2 cannot be told apart: 354.4 h are needed"  # 24 steps
     with pytest.raises(DataError, match=sentence):
         fit_scenario(MARACOOS, (40.9, 41.55, -69.9, -69.0), constituents=("steady", "M2", "S2"))

@@ -184,8 +184,6 @@ def test_without_utide_one_sentence_and_fits_of_grids_go_on(clpt, tmp_path, monk
 
 
 def test_the_documented_lines_run(monkeypatch):
-    if not MARACOOS.exists():
-        pytest.skip("the MARACOOS file is not beside the repository")
     page = Path(__file__).parents[2] / "docs/measured_current.md"
     lines = page.read_text().split("```python\n")[1].split("```")[0]
     monkeypatch.chdir(MARACOOS.parent)

@@ -17,7 +17,7 @@ from clpt_control.replay.flow_model_file import read_flow_model
 from clpt_control.replay.flow_models import way_of_flow
 from clpt_control.replay.session import replay_dives
 
-FIELD = Path(__file__).parents[3] / "shared/data/field/maracoos_hfr_2019-01-01.nc"
+FIELD = Path(__file__).parents[1] / "data/field/maracoos_hfr_2019-01-01.nc"
 
 
 @pytest.mark.parametrize("estimator", ESTIMATORS)
@@ -120,7 +120,6 @@ def flight(model, seed, hours=2.0, speed=0.3):
     return dives
 
 
-@pytest.mark.skipif(not FIELD.exists(), reason=f"{FIELD.name} is not in ../shared/data/field")
 def test_gliders_in_a_measured_current_lose_nothing():
     """HF radar off Nantucket, a day; the defaults were not fitted to it."""
     from clpt_control.replay.flow_models import Uncovered
