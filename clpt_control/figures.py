@@ -13,31 +13,12 @@ if TYPE_CHECKING:
 
 BLUE, ORANGE, GREEN, RED, GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#666666"
 PURPLE = "#CC79A7"
-COLOURS = (BLUE, RED, GREEN, ORANGE, "#CC79A7", "#56B4E9")
+COLOURS = (BLUE, RED, GREEN, ORANGE, PURPLE, "#56B4E9")
 STYLES = ("-", "--", "-.", (0, (1, 1)), (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
 
 
 def new_figure(width: float = 6.4, height: float = 4.2, **subplots: Any) -> "tuple[Figure, Any]":
-    """Make a figure in the house style, without pyplot.
-
-    Parameters
-    ----------
-    width, height : float, optional
-        Inches.
-    **subplots
-        Passed to ``Figure.subplots``.
-
-    Returns
-    -------
-    Figure, Axes
-        As ``pyplot.subplots`` gives them.
-
-    Examples
-    --------
-    >>> figure, axes = new_figure(nrows=2)
-    >>> len(axes)
-    2
-    """
+    """Return a figure (inches) and its axes, as ``pyplot.subplots``, in the house style."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(width, height), dpi=150, layout="constrained")

@@ -1,8 +1,8 @@
-"""Ways between places on the WGS84 ellipsoid.
+"""Displacements between places on the WGS84 ellipsoid.
 
 Geodesics by `pyproj.Geod` (C. F. F. Karney, "Algorithms for geodesics", J. Geod.
-87, 43-55, 2013): the way from A to B has the length s of the geodesic and its
-azimuth a at A,
+87, 43-55, 2013).  The displacement from A to B has the length s of the geodesic and
+its azimuth a at A:
 
     east = s sin(a),  north = s cos(a).
 """
@@ -25,20 +25,10 @@ def is_place(lat: float, lon: float) -> bool:
 
 
 def displacement(lat1: float, lon1: float, lat2: float, lon2: float) -> tuple[float, float]:
-    """Return the way between two places, resolved at the first.
+    """Return the displacement east and north (m) between two places (degrees).
 
-    Parameters
-    ----------
-    lat1, lon1, lat2, lon2 : float
-        Degrees north and east.
+    It is resolved at the first; NaN where one is no place on Earth.
 
-    Returns
-    -------
-    east, north : float
-        m along the WGS84 geodesic; NaN where one is no place on Earth.
-
-    Examples
-    --------
     >>> east, north = displacement(-43.0, 8.0, -42.9, 8.0)
     >>> round(east, 6) + 0.0, round(north, 1)
     (0.0, 11109.2)
@@ -50,22 +40,10 @@ def displacement(lat1: float, lon1: float, lat2: float, lon2: float) -> tuple[fl
 
 
 def place_from(lat: float, lon: float, east: float, north: float) -> tuple[float, float]:
-    """Return the place at the end of a way, as `displacement` has it.
+    """Return the place (degrees) at the end of a displacement (m) from a place.
 
-    Parameters
-    ----------
-    lat, lon : float
-        The start, degrees.
-    east, north : float
-        The way, m.
+    NaN where anything is not finite.
 
-    Returns
-    -------
-    lat, lon : float
-        Degrees; NaN where anything is not finite.
-
-    Examples
-    --------
     >>> round(place_from(-43.0, 8.0, *displacement(-43.0, 8.0, -42.9, 8.1))[1], 9)
     8.1
     """

@@ -1,7 +1,6 @@
-"""Pictures of a replay: map, CLPE per dive, learned current.
+"""Figures of a replay with one dive at least: map, CLPE per dive, learned current.
 
-They take a `Replay` and give a `matplotlib.figure.Figure`; nothing is learned
-here.  The 90 % ellipse is {m + sqrt(2 ln 10) L u, |u| = 1}, L L^T its covariance.
+The 90 % ellipse is {m + sqrt(2 ln 10) L u, |u| = 1}, L L^T its covariance.
 """
 
 from pathlib import Path
@@ -33,20 +32,7 @@ MANY = 40  # dives; beyond, no numbers, and ellipses of the last ones only
 
 
 def map_plot(replay: Replay, ahead: NextDive | None = None) -> "Figure":
-    """Draw fixes, dead-reckoned ends and forecasts.
-
-    Parameters
-    ----------
-    replay : Replay
-        With one dive at least.
-    ahead : NextDive, optional
-        The next surfacing, drawn as a star.
-
-    Returns
-    -------
-    Figure
-        In km east and north of the first fix.
-    """
+    """Draw fixes, dead-reckoned ends, forecasts and the next surfacing, km from the first fix."""
     from matplotlib.patheffects import withStroke
 
     dives = [step.dive for step in replay.steps]
@@ -69,7 +55,7 @@ def map_plot(replay: Replay, ahead: NextDive | None = None) -> "Figure":
     for k, ring in enumerate(rings):
         ax.plot(*ring, color=GREEN, lw=0.6, alpha=0.55, label=None if k else "90 % ellipse")
     for first, last, colour, width, style, name in (
-        (start, end, BLUE, 1.3, "-", "way between fixes"),
+        (start, end, BLUE, 1.3, "-", "fix to fix"),
         (end[:-1], start[1:], BLUE, 0.8, ":", "drift at the surface"),
         (reckoned, end, RED, 0.6, "--", "miss"),
     ):
@@ -102,18 +88,7 @@ def map_plot(replay: Replay, ahead: NextDive | None = None) -> "Figure":
 
 
 def dive_clpe_plot(replay: Replay) -> "Figure":
-    """Draw the CLPE of each dive for each flow model.
-
-    Parameters
-    ----------
-    replay : Replay
-        With one dive at least.
-
-    Returns
-    -------
-    Figure
-        Flagged dives are marked.
-    """
+    """Draw the CLPE of each dive for each flow model, and mark speed anomalies."""
     figure, ax = new_figure(6.8, 4.0)
     numbers = [step.dive.number for step in replay.steps]
     for model, rms in replay.rms(1).items():
@@ -132,18 +107,7 @@ def dive_clpe_plot(replay: Replay) -> "Figure":
 
 
 def current_plot(replay: Replay) -> "Figure":
-    """Draw learned current and speed against the file's own.
-
-    Parameters
-    ----------
-    replay : Replay
-        With one dive at least.
-
-    Returns
-    -------
-    Figure
-        Bands of two standard errors; the last panel is the speed factor.
-    """
+    """Draw the learned current, two standard errors and the file's own; the speed factor."""
     steps, learned = replay.steps, replay.model.learn_speed
     figure, axes = new_figure(6.8, 6.4 if learned else 4.6, nrows=2 + learned, sharex=True)
     numbers = [step.dive.number for step in steps]
@@ -175,20 +139,7 @@ def current_plot(replay: Replay) -> "Figure":
 
 
 def replay_figures(replay: Replay, ahead: NextDive | None = None) -> "dict[str, Figure]":
-    """Draw all figures of a replay, by the names of their files.
-
-    Parameters
-    ----------
-    replay : Replay
-        With one dive at least.
-    ahead : NextDive, optional
-        Drawn on the map.
-
-    Returns
-    -------
-    dict of Figure
-        map.png, clpe.png and current.png.
-    """
+    """Draw all figures, by the names of their files."""
     return {
         "map.png": map_plot(replay, ahead),
         "clpe.png": dive_clpe_plot(replay),
@@ -197,21 +148,37 @@ def replay_figures(replay: Replay, ahead: NextDive | None = None) -> "dict[str, 
 
 
 def save_replay_figures(replay: Replay, folder: Path, ahead: NextDive | None = None) -> list[Path]:
-    """Write map.png, clpe.png and current.png: all or none.
+    """Draw map.png, clpe.png and current.png into a folder.
 
     Parameters
     ----------
     replay : Replay
         With one dive at least.
     folder : Path
-        An existing folder.
+        An existing folder. All three files are written, or none.
     ahead : NextDive, optional
-        Drawn on the map.
+        The next surfacing, a star on the map.
 
     Returns
     -------
     list of Path
         The files.
+
+    Raises
+    ------
+    DataError
+        If one cannot be written.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> import clpt_control as clpt
+    >>> dives, skipped = clpt.gliders.usable(clpt.gliders.sample_dives())
+    >>> replay = clpt.replay.replay_dives(dives[:3])
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     files = clpt.replay.save_replay_figures(replay, pathlib.Path(folder))
+    >>> [path.name for path in files]
+    ['map.png', 'clpe.png', 'current.png']
     """
     figures = {Path(folder) / name: f for name, f in replay_figures(replay, ahead).items()}
     write_together(figures)
@@ -224,7 +191,7 @@ def _km(origin: Dive, lat: float, lon: float) -> np.ndarray:
 
 
 def _fine(numbers: list[int]) -> dict[str, float]:
-    """Return sizes of marks and lines: small where there are many dives."""
+    """Return sizes of marks and lines, small for many dives."""
     return {"ms": 4, "lw": 1.2} if len(numbers) <= MANY else {"ms": 1.8, "lw": 0.7}
 
 
