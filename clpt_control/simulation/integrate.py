@@ -171,6 +171,11 @@ class ScenarioRun:
         """Return all block outputs, shape (ntimes, nsignals), right limits at jumps."""
         return self.runner.signals(solution)
 
+    def columns(self, port: str) -> list[int]:
+        """Return the columns of a port in `signals`."""
+        labels = [label for node in self.wiring.nodes for label in node.system.output_labels]
+        return [k for k, label in enumerate(labels) if label.partition("[")[0] == port]
+
     def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
         """Return a solution and its signals with names, units and attributes."""
         given = self.runner.sweep.given

@@ -1,0 +1,59 @@
+"""Figures of a run: mean squares over every sample, also where it goes piece by piece."""
+
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.simulation import report
+
+PAPER = clpt.paper_scenario()
+CASES = {
+    "whole cycles": {"run.duration": 1000.0},
+    "a cycle and a bit": {"run.duration": 730.1, "run.output_step": 0.7},
+    "odd spans": {"reference.dwell": 0.7, "run.duration": 23.1, "run.output_step": 1.1},
+    "no whole cycle": {"run.duration": 37.3},
+}
+
+
+def rms(scenario):
+    """Return the rms of |e| per cycle and over the run, of samples at all 2000 a cycle."""
+    count = int(round(scenario.run.duration / scenario.cycle * 2000, 6))
+    times = np.append(np.arange(count) * scenario.cycle / 2000, scenario.run.duration)
+    if times[-1] - times[-2] < 1e-9:
+        times = np.delete(times, -2)
+    run = clpt.simulate(scenario, times)
+    squares = np.sum((run.predicted_position - run.position).values ** 2, axis=1)
+    cycles = int(scenario.run.duration / scenario.cycle + 1e-9)
+    each = [np.sqrt(squares[2000 * j : 2000 * (j + 1)].mean()) for j in range(cycles)]
+    return each, np.sqrt(squares.mean())
+
+
+@pytest.mark.parametrize("pieces", ["one", "many"])
+@pytest.mark.parametrize("case", CASES)
+def test_mean_squares_are_over_every_sample(case, pieces, monkeypatch):
+    scenario = PAPER.with_values(CASES[case])
+    if pieces == "many":
+        monkeypatch.setattr(report, "PIECE", 2000)
+    found = report.run_and_report(scenario)
+    each, whole = rms(scenario)
+    assert found.summary["clpe_rms_per_cycle"] == pytest.approx(each, rel=1e-6)
+    assert found.summary["clpe_rms"] == pytest.approx(whole, rel=2e-4)
+    own = clpt.simulate(scenario)
+    np.testing.assert_allclose(found.run.time, own.time, rtol=1e-14)
+    for name in ("position", "alpha", "reference", "lyapunov"):
+        np.testing.assert_allclose(found.run[name], own[name], rtol=0, atol=1e-7, err_msg=name)
+    assert found.run.attrs["solver_steps"] == pytest.approx(own.attrs["solver_steps"], rel=0.1)
+
+
+def test_a_run_of_many_cycles_is_sampled_as_finely():
+    """The first of 150 cycles has the rms that it has alone; pictures have fewer samples."""
+    scenario = PAPER.with_values({"run.duration": 30_000.0, "run.output_step": 100.0})
+    found = report.run_and_report(scenario)
+    alone = report.run_and_report(PAPER.with_values({"run.duration": 200.0}))
+    (first,) = alone.summary["clpe_rms_per_cycle"]
+    assert len(found.summary["clpe_rms_per_cycle"]) == 150
+    assert found.summary["clpe_rms_per_cycle"][0] == pytest.approx(first, rel=1e-9)
+    assert found.run.sizes["time"] == 301
+    steps = np.diff(found.fine.time.values)
+    np.testing.assert_allclose(steps, steps[0])
+    assert found.fine.sizes["time"] == 150_001
