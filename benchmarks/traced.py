@@ -93,7 +93,7 @@ def rates(
                 return value.flat[where[1]] if isinstance(value, np.ndarray) else value
             return (states[node.states] if name == "x" else u)[where[0]]
 
-        return record.opened().replay(leaf, lambda name, *given: operations[name](*given))
+        return record.without_opaque().replay(leaf, lambda name, *given: operations[name](*given))
 
     nodes = [wiring.nodes[k] for k in wiring.order]
     for node in nodes:

@@ -110,8 +110,8 @@ def noise_is_hashed_on_whole_numbers_below_two_to_53():
         arguments.append(a)
         return sympy.AccumBounds(0, M - 1)
 
-    space = {**disturbance.scramble.__globals__, "remainder": remainder}
-    hashed = FunctionType(disturbance.scramble.__code__, space)
+    space = {**disturbance.hash_fraction.__globals__, "remainder": remainder}
+    hashed = FunctionType(disturbance.hash_fraction.__code__, space)
     any_whole = sympy.AccumBounds(0, M - 1)
     for axis in range(2):
         for stream in range(2):

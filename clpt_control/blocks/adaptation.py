@@ -7,6 +7,9 @@
 The known-flow law keeps alpha = alpha_M and adapts the gains alone; the
 learned-flow law adapts all three and drives alpha to -theta.  z and zc are
 diagonal matrices in the paper, so each axis i has its own e_i, z_i, zc_i.
+
+Ports: e[2] (length), phi_x[N], z[2], zc[2] (length) -> alpha[2N] (length per
+time), K[2], Gamma[2] (per time), the states; alpha is none in the known-flow law.
 """
 
 from typing import NamedTuple
@@ -17,36 +20,19 @@ from .block import Block
 
 
 class KnownFlowParameters(NamedTuple):
-    """Parameters of the known-flow law.
+    """Parameters of the known-flow law."""
 
-    Attributes
-    ----------
-    N : int
-        Number of basis functions.
-    gain : float
-        Adaptation gain gamma > 0, per length squared per time squared.
-    alpha_M : ndarray, shape (2, N)
-        The value that alpha keeps, length per time.
-    """
-
-    N: int
-    gain: float
-    alpha_M: np.ndarray
+    N: int  # number of basis functions
+    gain: float  # gamma > 0, per length squared per time squared
+    alpha_M: np.ndarray  # shape (2, N), what alpha stays at, length per time
 
 
 class LearnedFlowParameters(NamedTuple):
-    """Parameters of the learned-flow law.
+    """Parameters of the learned-flow law."""
 
-    Attributes
-    ----------
-    N : int
-        Number of basis functions.
-    gain : float
-        Adaptation gain gamma > 0: per time squared in Eq. (21), per length
-        squared per time squared in Eqs. (22)-(23), one number in the paper.
-    """
-
-    N: int
+    N: int  # number of basis functions
+    # gamma > 0: per time squared in Eq. (21), per length squared per time squared in
+    # Eqs. (22)-(23), one number in the paper
     gain: float
 
 
@@ -93,28 +79,7 @@ def learned_flow(t, x, u, p, dx):
 
 
 def adaptation(parameters: KnownFlowParameters | LearnedFlowParameters) -> Block:
-    """Make the adaptive law, Eqs. (14)-(15) or (21)-(23).
-
-    Ports: e[2] (length), phi_x[N], z[2], zc[2] (length) -> alpha[2N] (length
-    per time), K[2], Gamma[2] (per time); they are the states, except that the
-    known-flow law holds alpha = alpha_M.
-
-    Parameters
-    ----------
-    parameters : KnownFlowParameters or LearnedFlowParameters
-        Their class chooses the law.
-
-    Returns
-    -------
-    Block
-        4 or 2N + 4 states, no feedthrough.
-
-    Examples
-    --------
-    >>> law = adaptation(LearnedFlowParameters(N=1, gain=0.5))
-    >>> law.dynamics(0, [0] * 6, [1, 2, 0.5, 3, 3, 1, 1])
-    array([-0.25, -0.5 , -1.5 , -3.  ,  0.5 ,  1.  ])
-    """
+    """Make the adaptive law, Eqs. (14)-(15) or (21)-(23), by the class of its parameters."""
     N = parameters.N
     inputs = {"e": 2, "phi_x": N, "z": 2, "zc": 2}
     everything = {"alpha": 2 * N, "K": 2, "Gamma": 2}

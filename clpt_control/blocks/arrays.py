@@ -11,31 +11,7 @@ from .running import MOST_ANGLE
 
 
 def on_arrays(record: Record, t: Any, x: Any, u: Any, p: Any) -> np.ndarray:
-    """Run a record on arrays.
-
-    Parameters
-    ----------
-    record : Record
-        A block's update or output.
-    t : array_like, shape (n,)
-        Times.
-    x, u : sequence of array_like
-        For each state and input a number, or one for each time.
-    p : NamedTuple
-        The block's parameters, `interval` filled in.
-
-    Returns
-    -------
-    ndarray, shape (size, n)
-        What the block computes; NaN and infinity where IEEE has them.
-
-    Examples
-    --------
-    >>> from clpt_control.blocks.clpe import clpe
-    >>> on_arrays(clpe().output_record, np.zeros(2), (), [[3.0, 4.0], 2.0, 1.0, 1.0], ())
-    array([[2., 3.],
-           [1., 1.]])
-    """
+    """Run a record on arrays."""
     t = np.asarray(t, dtype=float)
     flat: dict[str, np.ndarray] = {}
 

@@ -2,14 +2,16 @@
 
     phi_i(x, t) = spatial kernel(|x - c_i|, sigma_i) * cos(omega_i t + phase_i)
 
-The exponent of Eq. (5) is printed ambiguously; each reading is a kernel, with
+The exponent of Eq. (5) is printed ambiguously; each version is a kernel, with
 d = |x - c_i| and s = sigma_i:
 
     "exponential"     exp(-d / (2 s))
     "gaussian"        exp(-d^2 / (2 s^2))
     "gaussian-sigma"  exp(-d^2 / s)
 
-A steady function has omega_i = 0; a sine is phase_i = -pi/2.
+A steady function has omega_i = 0; a sine has phase_i = -pi/2.
+
+Ports: x[2] -> phi_x[N], or z[2] -> phi_z[N] (positions: length; phi: no unit).
 """
 
 import math
@@ -21,27 +23,13 @@ from .block import Block
 
 
 class BasisParameters(NamedTuple):
-    """Centres, widths and tides of N flow basis functions.
+    """Centres, widths and tides of N flow basis functions."""
 
-    Attributes
-    ----------
-    N : int
-        Number of basis functions.
-    centers : ndarray, shape (N, 2)
-        Centres c_i, length.
-    widths : ndarray, shape (N,)
-        Widths sigma_i, length.
-    frequencies : ndarray, shape (N,)
-        Angular frequencies omega_i, rad per time; 0 is steady.
-    phases : ndarray, shape (N,)
-        Phases, rad.
-    """
-
-    N: int
-    centers: np.ndarray
-    widths: np.ndarray
-    frequencies: np.ndarray
-    phases: np.ndarray
+    N: int  # number of basis functions
+    centers: np.ndarray  # c_i, shape (N, 2), length
+    widths: np.ndarray  # sigma_i, shape (N,), length
+    frequencies: np.ndarray  # omega_i, shape (N,), rad per time; 0 is steady
+    phases: np.ndarray  # shape (N,), rad
 
 
 def squared_distance(x, p, i):
@@ -76,38 +64,7 @@ KERNELS = {"exponential": exponential, "gaussian": gaussian, "gaussian-sigma": g
 
 
 def flow_basis(name: str, position: str, kernel: str, parameters: BasisParameters) -> Block:
-    """Make the block phi(position, t) of Eq. (5).
-
-    Ports: `position`[2] (length) -> phi_`position`[N] (no unit).
-
-    Parameters
-    ----------
-    name : str
-        ``"basis_x"`` at the vehicle, ``"basis_z"`` at its prediction.
-    position : str
-        Label of the position signal, ``"x"`` or ``"z"``.
-    kernel : str
-        ``"exponential"``, ``"gaussian"`` or ``"gaussian-sigma"``.
-    parameters : BasisParameters
-        Centres, widths, frequencies and phases.
-
-    Returns
-    -------
-    Block
-        A static block with feedthrough.
-
-    Raises
-    ------
-    KeyError
-        If the kernel is unknown.
-
-    Examples
-    --------
-    >>> p = BasisParameters(1, np.zeros((1, 2)), np.ones(1), np.zeros(1), np.zeros(1))
-    >>> block = flow_basis("basis_x", "x", "gaussian", p)
-    >>> float(block.output(0, [], [0, 0])[0])
-    1.0
-    """
+    """Make the block phi of Eq. (5) at ``"x"``, the vehicle, or ``"z"``, its prediction."""
     return Block(
         name,
         output=KERNELS[kernel],

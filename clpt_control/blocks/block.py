@@ -207,24 +207,7 @@ class Block(control.NonlinearIOSystem):
         """Ignore python-control's own empty default."""
 
     def with_params(self, params: Mapping[str, Any] | None) -> Any:
-        """Return the parameters with call-time values put in.
-
-        Parameters
-        ----------
-        params : mapping, optional
-            ``{"block.field": value}``; names of other blocks are passed over
-            inside a diagram and are an error when the block is called alone.
-
-        Returns
-        -------
-        NamedTuple
-            The block's own parameters, changed where `params` says so.
-
-        Raises
-        ------
-        BlockError
-            If a name is unknown or a value has another shape.
-        """
+        """Return the parameters with call-time values put in."""
         params = params or {}
         within_diagram = self.name in params
         changes = {}
@@ -240,23 +223,7 @@ class Block(control.NonlinearIOSystem):
         return self.with_values(changes)
 
     def with_values(self, changes: Mapping[str, Any]) -> Any:
-        """Return the parameters with some fields changed.
-
-        Parameters
-        ----------
-        changes : mapping
-            Field -> value.
-
-        Returns
-        -------
-        NamedTuple
-            The block's own, changed and checked.
-
-        Raises
-        ------
-        BlockError
-            If a value has another shape, or a count would change.
-        """
+        """Return the parameters with some fields changed."""
         for field, value in changes.items():
             fixed = getattr(self.parameters, field)
             if isinstance(fixed, int) and not np.array_equal(value, fixed):
@@ -274,20 +241,7 @@ class Block(control.NonlinearIOSystem):
     # --- jumps in time ----------------------------------------------------------------
 
     def breakpoints(self, t0: float, t1: float, p: Any = None) -> np.ndarray:
-        """Return the sorted times in (t0, t1] at which the block jumps.
-
-        Parameters
-        ----------
-        t0, t1 : float
-            The span, in the diagram's unit of time.
-        p : NamedTuple, optional
-            Parameters to use in place of the block's own.
-
-        Returns
-        -------
-        ndarray
-            Times; empty for a block that never jumps.
-        """
+        """Return the sorted times in (t0, t1] at which the block jumps."""
         if self.breakpoints_function is None:
             return np.zeros(0)
         given = self.breakpoints_function(self.parameters if p is None else p, t0, t1)
@@ -323,21 +277,7 @@ class Block(control.NonlinearIOSystem):
     # --- the reading that python-control runs -------------------------------------------
 
     def fill(self, role: str, t: float, x: Any, u: Any, p: Any, out: np.ndarray) -> None:
-        """Run the equations in Python on IEEE numbers.
-
-        Parameters
-        ----------
-        role : str
-            ``"update"``, ``"output"`` or ``"guard"``.
-        t : float
-            Time.
-        x, u : array_like
-            States and inputs.
-        p : NamedTuple
-            Parameters, `interval` filled in.
-        out : ndarray
-            Filled; set to zero first.
-        """
+        """Run the equations in Python on IEEE numbers."""
         out[:] = 0.0
         with np.errstate(all="ignore"):
             self.equations(role)(

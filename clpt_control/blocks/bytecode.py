@@ -39,42 +39,14 @@ EFFECTS = {
 
 
 def names_read(function: FunctionType) -> Iterator[tuple[int, str]]:
-    """Return the names of the module that code reads, with their lines.
-
-    Parameters
-    ----------
-    function : function
-        Equations or a helper of them.
-
-    Yields
-    ------
-    tuple
-        Line and name.
-
-    Examples
-    --------
-    >>> from clpt_control.blocks import basis
-    >>> sorted({name for _, name in names_read(basis.tide)})
-    ['math']
-    """
+    """Return the names of the module that code reads, with their lines."""
     for one in _code(function.__code__):
         if one.opname == "LOAD_GLOBAL":
             yield _line(one, function), one.argval
 
 
 def effects(function: FunctionType) -> Iterator[tuple[int, str, str]]:
-    """Return what code does beside calculating, and what to write.
-
-    Parameters
-    ----------
-    function : function
-        Equations or a helper of them.
-
-    Yields
-    ------
-    tuple
-        Line, what it does, what to write instead.
-    """
+    """Return what code does beside calculating, and what to write."""
     for one in _code(function.__code__):
         line = _line(one, function)
         if one.opname in EFFECTS:

@@ -4,6 +4,8 @@
 
 True position minus predicted position (length).  Its dynamics, the lines that
 follow in Eq. (10), are what the wired diagram gives; they are not written again.
+
+Ports: x[2], z[2] (length) -> e[2] (length).
 """
 
 from .block import Block
@@ -16,18 +18,5 @@ def prediction_error(t, x, u, p, y):
 
 
 def clpe() -> Block:
-    """Make the prediction error block, Eq. (10).
-
-    Ports: x[2], z[2] (length) -> e[2] (length).
-
-    Returns
-    -------
-    Block
-        A static block with feedthrough.
-
-    Examples
-    --------
-    >>> clpe().output(0, [], [3, 2, 1, 1])
-    array([2., 1.])
-    """
+    """Make the block of the prediction error, Eq. (10)."""
     return Block("clpe", output=prediction_error, inputs={"x": 2, "z": 2}, outputs={"e": 2})

@@ -8,8 +8,10 @@
     noise      Delta = a * n, n standard normal, held for T
 
 a is the amplitude of each axis (length per time), T the period (time).  The
-noise is a hash of (seed, interval, axis): it has no state, so that any time
-can be asked for in any order.
+noise is a hash of (seed, interval, axis): it has no state, so it can be computed
+at any time, in any order.
+
+Ports: none -> delta[2] (length per time).
 """
 
 import math
@@ -26,32 +28,20 @@ MODULUS = 67108859.0  # the largest prime below 2^26: products stay exact in a d
 
 
 class DisturbanceParameters(NamedTuple):
-    """Size and timing of a disturbance.
+    """Size and timing of a disturbance."""
 
-    Attributes
-    ----------
-    amplitude : ndarray, shape (2,)
-        Amplitude of each axis, length per time (of noise: its standard deviation).
-    period : float
-        Period, or how long noise is held, time.
-    seed : float
-        Seed of the noise, a whole number.
-    interval : float
-        Number of the interval, kept by the integrator; -1: found from t.
-    """
-
-    amplitude: np.ndarray
-    period: float
-    seed: float = 0.0
-    interval: float = -1.0
+    amplitude: np.ndarray  # shape (2,), length per time; of noise the standard deviation
+    period: float  # or how long noise is held, time
+    seed: float = 0.0  # of the noise, a whole number
+    interval: float = -1.0  # its number, kept by the integrator; -1: found from t
 
 
 def remainder(a):
-    """A mod MODULUS, exact for 0 <= a < 2^53."""
+    """a mod MODULUS, exact for 0 <= a < 2^53."""
     return a - MODULUS * floor(a / MODULUS)
 
 
-def scramble(seed, k, axis, stream):
+def hash_fraction(seed, k, axis, stream):
     """Hash four whole numbers to a fraction in (0, 1).
 
     Rounds of h -> h^2 + c h + key modulo a prime, in exact double arithmetic.
@@ -67,8 +57,8 @@ def scramble(seed, k, axis, stream):
 
 def normal(seed, k, axis):
     """Standard normal from the hash, as Box and Muller."""
-    radius = math.sqrt(-2 * math.log(scramble(seed, k, axis, 0)))
-    return radius * math.cos(2 * math.pi * scramble(seed, k, axis, 1))
+    radius = math.sqrt(-2 * math.log(hash_fraction(seed, k, axis, 0)))
+    return radius * math.cos(2 * math.pi * hash_fraction(seed, k, axis, 1))
 
 
 def constant(t, x, u, p, y):
@@ -116,37 +106,7 @@ KINDS = {
 def disturbance(
     kind: str, amplitude: Sequence[float], period: float = 1.0, seed: float = 0.0
 ) -> Block:
-    """Make the disturbance block, Delta of Eq. (32).
-
-    Ports: none -> delta[2] (length per time).
-
-    Parameters
-    ----------
-    kind : str
-        ``"constant"``, ``"sine"``, ``"square"`` or ``"noise"``.
-    amplitude : array_like, shape (2,)
-        Amplitude of each axis, length per time.
-    period : float, optional
-        Period, or how long noise is held, time.
-    seed : float, optional
-        Seed of the noise, a whole number.
-
-    Returns
-    -------
-    Block
-        An opaque source; `square` and `noise` have breakpoints.
-
-    Raises
-    ------
-    KeyError
-        If the kind is unknown.
-
-    Examples
-    --------
-    >>> block = disturbance("square", [0.05, 0.0], period=2.0)
-    >>> block.output(0.5, [], []), block.output(1.5, [], [])
-    (array([0.05, 0.  ]), array([-0.05, -0.  ]))
-    """
+    """Make the disturbance, Delta of Eq. (32): amplitude of each axis, period in time."""
     output, breakpoints = KINDS[kind]
     return Block(
         "disturbance",

@@ -7,6 +7,9 @@ with, axis by axis, eta = [theta + alpha (row by row), K - KD, GammaD - Gamma]
 and the regressor W whose column i holds phi(x) in row block i, z_i and zc_i.
 The print of Eq. (27) has x where Eqs. (28) and (31) need z, and the lower rows
 of A in Eq. (28) lack their transposes; the corrected forms stand here.
+
+Ports: phi_x[N], z[2], zc[2] (length), eta[2N+4] -> e[2] (length), a state;
+e[2], phi_x[N], z[2], zc[2] -> eta[2N+4], a state.
 """
 
 from typing import NamedTuple
@@ -17,37 +20,21 @@ from .block import Block
 
 
 class ErrorSystemParameters(NamedTuple):
-    """Parameters of the error system.
+    """Parameters of the error system."""
 
-    Attributes
-    ----------
-    N : int
-        Number of basis functions.
-    KD : ndarray, shape (2,)
-        Feedback gains of the vehicle, diagonal, per time.
-    """
-
-    N: int
-    KD: np.ndarray
+    N: int  # number of basis functions
+    KD: np.ndarray  # shape (2,), feedback gains of the vehicle, per time
 
 
 class ParameterSystemParameters(NamedTuple):
-    """Parameters of the parameter system.
+    """Parameters of the parameter system."""
 
-    Attributes
-    ----------
-    N : int
-        Number of basis functions.
-    gain : float
-        Adaptation gain gamma > 0.
-    """
-
-    N: int
-    gain: float
+    N: int  # number of basis functions
+    gain: float  # gamma > 0
 
 
 def error(t, x, u, p, dx):
-    """E' = -KD e + W^T eta, Eq. (27).
+    """e' = -KD e + W^T eta, Eq. (27).
 
     u = phi_x[N], z[2], zc[2] (length), eta[2N+4]; state e[2] (length).
     """
@@ -61,7 +48,7 @@ def error(t, x, u, p, dx):
 
 
 def parameter(t, x, u, p, dx):
-    """Eta' = -gamma W e, the lower rows of Eq. (28).
+    """eta' = -gamma W e, the lower rows of Eq. (28).
 
     u = e[2] (length), phi_x[N], z[2], zc[2] (length); state eta[2N+4].
     """
@@ -75,26 +62,7 @@ def parameter(t, x, u, p, dx):
 
 
 def error_system(parameters: ErrorSystemParameters) -> Block:
-    """Make the error system, Eq. (27).
-
-    Ports: phi_x[N], z[2], zc[2] (length), eta[2N+4] -> e[2] (length), the state.
-
-    Parameters
-    ----------
-    parameters : ErrorSystemParameters
-        N and KD.
-
-    Returns
-    -------
-    Block
-        Two states, no feedthrough.
-
-    Examples
-    --------
-    >>> block = error_system(ErrorSystemParameters(1, np.ones(2)))
-    >>> block.dynamics(0, [1, 1], [0.5, 2, 2, 3, 3, 1, 0, 0, 1, 0, 0])
-    array([-0.5,  1. ])
-    """
+    """Make the error system, Eq. (27)."""
     N = parameters.N
     return Block(
         "error_system",
@@ -106,26 +74,7 @@ def error_system(parameters: ErrorSystemParameters) -> Block:
 
 
 def parameter_system(parameters: ParameterSystemParameters) -> Block:
-    """Make the parameter system, the lower rows of Eq. (28).
-
-    Ports: e[2] (length), phi_x[N], z[2], zc[2] (length) -> eta[2N+4], the state.
-
-    Parameters
-    ----------
-    parameters : ParameterSystemParameters
-        N and the adaptation gain.
-
-    Returns
-    -------
-    Block
-        2N + 4 states, no feedthrough.
-
-    Examples
-    --------
-    >>> block = parameter_system(ParameterSystemParameters(1, 0.5))
-    >>> block.dynamics(0, [0] * 6, [1, 2, 0.5, 3, 3, 1, 1])
-    array([-0.25, -0.5 , -1.5 , -3.  , -0.5 , -1.  ])
-    """
+    """Make the parameter system, the lower rows of Eq. (28)."""
     N = parameters.N
     return Block(
         "parameter_system",

@@ -6,6 +6,8 @@ B is the cubic B-spline of the grid's step, c the coefficients that make the
 sum go through the grid's values: twice continuously differentiable in space
 and time, as an integrator of high order needs it.  Outside the grid the value
 at its edge is held; the block's guard says what a run does there.
+
+Ports: x[2] (length), delta[2] where disturbed -> flow_x[2] (length per time).
 """
 
 from dataclasses import dataclass
@@ -19,24 +21,13 @@ from .words import clip, floor, lookup, minimum, where
 
 
 class FieldParameters(NamedTuple):
-    """Spline coefficients of a gridded current.
+    """Spline coefficients of a gridded current."""
 
-    Attributes
-    ----------
-    shape : ndarray, shape (3,)
-        Grid points in time, x2 and x1.
-    start, step : ndarray, shape (3,)
-        First grid point and spacing in time, x2 and x1.
-    u, v : ndarray, shape ((nt + 2) * (n2 + 2) * (n1 + 2),)
-        Coefficients of the flow along x1 and x2, length per time, with one
-        more on each side, time slowest.
-    """
-
-    shape: np.ndarray
-    start: np.ndarray
-    step: np.ndarray
-    u: np.ndarray
-    v: np.ndarray
+    shape: np.ndarray  # numbers of grid points nt, n2, n1: in time, x2 and x1
+    start: np.ndarray  # first grid point in time, x2 and x1
+    step: np.ndarray  # spacing in time, x2 and x1
+    u: np.ndarray  # coefficients of the flow along x1, length per time, flat with time slowest:
+    v: np.ndarray  # along x2; (nt + 2) * (n2 + 2) * (n1 + 2), one more on each side
 
 
 def coordinate(value, p, axis):
@@ -98,23 +89,7 @@ def inside(t, x, u, p, y):
 
 
 def spline_coefficients(values: np.ndarray) -> np.ndarray:
-    """Return the spline coefficients that meet the grid values.
-
-    Parameters
-    ----------
-    values : ndarray, shape (nt, n2, n1)
-        Finite values on the grid.
-
-    Returns
-    -------
-    ndarray, shape ((nt + 2) * (n2 + 2) * (n1 + 2),)
-        With one mirrored coefficient on each side, flattened.
-
-    Examples
-    --------
-    >>> spline_coefficients(np.ones((2, 3, 4))).shape
-    (120,)
-    """
+    """Return the flat coefficients whose spline meets values of shape (nt, n2, n1)."""
     from scipy.ndimage import spline_filter
 
     coefficients = spline_filter(values, order=3, mode="mirror")
@@ -122,34 +97,10 @@ def spline_coefficients(values: np.ndarray) -> np.ndarray:
 
 
 def gridded_flow(grid, outside: str = "raise", disturbed: bool = False, units=None) -> Block:
-    """Make the true flow of a gridded current.
+    """Make the true flow of a gridded current (`currents.gridded.GriddedField`).
 
-    Ports: x[2] (length), and delta[2] where disturbed -> flow_x[2] (length per
-    time).
-
-    Parameters
-    ----------
-    grid : clpt_control.currents.gridded.GriddedField
-        The current on a regular grid, in the units of the diagram.
-    outside : str, optional
-        ``"raise"``, ``"clip"`` or ``"stop"``.
-    disturbed : bool, optional
-        Whether the block has the input delta.
-    units : Units, optional
-        Names of the units, for messages.
-
-    Returns
-    -------
-    Block
-        An opaque static block with feedthrough, guarded unless clipped.
-
-    Examples
-    --------
-    >>> from clpt_control.currents.gridded import GriddedField
-    >>> axis = np.arange(4.0)
-    >>> grid = GriddedField(axis, axis, axis, np.ones((4, 4, 4)), np.zeros((4, 4, 4)))
-    >>> gridded_flow(grid).output(1.3, [], [2.2, 0.4]).round(12)
-    array([1., 0.])
+    Outside of it ``"raise"`` fails a run, ``"stop"`` ends it, ``"clip"`` holds the edge's value.
+    `units` are named in the message.
     """
     axes = (grid.time, grid.x2, grid.x1)
     parameters = FieldParameters(
@@ -160,7 +111,6 @@ def gridded_flow(grid, outside: str = "raise", disturbed: bool = False, units=No
         spline_coefficients(grid.v),
     )
     length, time = (units.length, units.time) if units is not None else ("", "")
-
     return Block(
         "true_flow",
         output=gridded_disturbed if disturbed else gridded,
@@ -168,19 +118,13 @@ def gridded_flow(grid, outside: str = "raise", disturbed: bool = False, units=No
         outputs={"flow_x": 2},
         parameters=parameters,
         opaque=True,
-        guard=None if outside == "clip" else Guard(inside, outside, Leaving(length, time)),
+        guard=None if outside == "clip" else Guard(inside, outside, LeftTheField(length, time)),
     )
 
 
 @dataclass(frozen=True)
-class Leaving:
-    """Say where and when a vehicle left the field.
-
-    Attributes
-    ----------
-    length, time : str
-        Names of the units.
-    """
+class LeftTheField:
+    """Write where and when a vehicle left the field; length and time are names of units."""
 
     length: str
     time: str

@@ -4,8 +4,9 @@
     F_R(x, t) = theta phi(x, t) + Delta           Eq. (32)
     F_M(z, t) = alpha_M phi(z, t)                 Eq. (4)
 
-Velocities in length per time.  A measured current as the true flow stands in
-`blocks.field`.
+Velocities in length per time.  `blocks.field` has a measured current as the true flow.
+
+Ports: x[2] (length), phi_x[N], delta[2] where disturbed -> flow_x[2]; phi_z[N] -> flow_z[2].
 """
 
 from typing import NamedTuple
@@ -16,33 +17,17 @@ from .block import Block
 
 
 class TrueFlowParameters(NamedTuple):
-    """The flow parameters that the learner does not know.
+    """The flow parameters that the learner does not know."""
 
-    Attributes
-    ----------
-    N : int
-        Number of basis functions.
-    theta : ndarray, shape (2, N)
-        True flow parameters, length per time.
-    """
-
-    N: int
-    theta: np.ndarray
+    N: int  # number of basis functions
+    theta: np.ndarray  # shape (2, N), length per time
 
 
 class ModeledFlowParameters(NamedTuple):
-    """The flow parameters of the model.
+    """The flow parameters of the model."""
 
-    Attributes
-    ----------
-    N : int
-        Number of basis functions.
-    alpha_M : ndarray, shape (2, N)
-        Parameters of the modelled flow, length per time.
-    """
-
-    N: int
-    alpha_M: np.ndarray
+    N: int  # number of basis functions
+    alpha_M: np.ndarray  # shape (2, N), length per time
 
 
 def true(t, x, u, p, y):
@@ -72,29 +57,7 @@ def modeled(t, x, u, p, y):
 
 
 def true_flow(parameters: TrueFlowParameters, disturbed: bool = False) -> Block:
-    """Make the true flow, Eq. (3), or with Delta, Eq. (32).
-
-    Ports: x[2] (length), phi_x[N], and delta[2] where disturbed -> flow_x[2]
-    (length per time).
-
-    Parameters
-    ----------
-    parameters : TrueFlowParameters
-        theta.
-    disturbed : bool, optional
-        Whether the block has the input delta.
-
-    Returns
-    -------
-    Block
-        A static block with feedthrough.
-
-    Examples
-    --------
-    >>> block = true_flow(TrueFlowParameters(1, np.array([[2.0], [3.0]])))
-    >>> block.output(0, [], [0, 0, 0.5])
-    array([1. , 1.5])
-    """
+    """Make the true flow, Eq. (3), or with the input delta, Eq. (32)."""
     inputs = {"x": 2, "phi_x": parameters.N} | ({"delta": 2} if disturbed else {})
     return Block(
         "true_flow",
@@ -106,26 +69,7 @@ def true_flow(parameters: TrueFlowParameters, disturbed: bool = False) -> Block:
 
 
 def modeled_flow(parameters: ModeledFlowParameters) -> Block:
-    """Make the modelled flow, Eq. (4).
-
-    Ports: phi_z[N] -> flow_z[2] (length per time).
-
-    Parameters
-    ----------
-    parameters : ModeledFlowParameters
-        alpha_M.
-
-    Returns
-    -------
-    Block
-        A static block with feedthrough.
-
-    Examples
-    --------
-    >>> block = modeled_flow(ModeledFlowParameters(1, np.array([[2.0], [3.0]])))
-    >>> block.output(0, [], [0.5])
-    array([1. , 1.5])
-    """
+    """Make the modelled flow, Eq. (4)."""
     return Block(
         "modeled_flow",
         output=modeled,

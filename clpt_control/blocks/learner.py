@@ -8,6 +8,12 @@
 z is the predicted position (length); Eq. (13) belongs to the known-flow law,
 Eq. (20) to the learned-flow law, where alpha is driven to -theta.  In Eqs.
 (12)-(13) the estimate theta_hat stands where the print lost the hat.
+
+| block | inputs | output |
+|---|---|---|
+| learning_model | flow_z[2], v_z[2] (length per time) | z[2] (length), a state |
+| learning_controller | z[2], zc[2], phi_z[N], alpha[2N], K[2], Gamma[2], psi[2] | v_z[2] |
+| injection | phi_x[N], phi_z[N], alpha[2N] (length per time) | psi[2] (length per time) |
 """
 
 from typing import NamedTuple
@@ -18,58 +24,34 @@ from .block import Block
 
 
 class LearnerParameters(NamedTuple):
-    """The number of basis functions of the learning controller.
+    """The number of basis functions of the learning controller."""
 
-    Attributes
-    ----------
-    N : int
-        Number of basis functions.
-    """
-
-    N: int
+    N: int  # number of basis functions
 
 
 class KnownFlowInjectionParameters(NamedTuple):
-    """What Eq. (13) knows of the flow.
+    """What Eq. (13) knows of the flow."""
 
-    Attributes
-    ----------
-    N : int
-        Number of basis functions.
-    theta_hat : ndarray, shape (2, N)
-        Estimate of the flow parameters, length per time.
-    alpha_M : ndarray, shape (2, N)
-        Parameters of the modelled flow, length per time.
-    """
-
-    N: int
-    theta_hat: np.ndarray
-    alpha_M: np.ndarray
+    N: int  # number of basis functions
+    theta_hat: np.ndarray  # shape (2, N), estimate of theta, length per time
+    alpha_M: np.ndarray  # shape (2, N), length per time
 
 
 class LearnedFlowInjectionParameters(NamedTuple):
-    """What Eq. (20) knows of the flow.
+    """What Eq. (20) knows of the flow."""
 
-    Attributes
-    ----------
-    N : int
-        Number of basis functions.
-    alpha_M : ndarray, shape (2, N)
-        Parameters of the modelled flow, length per time.
-    """
-
-    N: int
-    alpha_M: np.ndarray
+    N: int  # number of basis functions
+    alpha_M: np.ndarray  # shape (2, N), length per time
 
 
 def model(t, x, u, p, dx):
-    """Z' = F_M + v, Eq. (2): u = flow_z[2], v_z[2] (length per time), state z[2]."""
+    """z' = F_M + v, Eq. (2): u = flow_z[2], v_z[2] (length per time), state z[2]."""
     for i in range(2):
         dx[i] = u[i] + u[2 + i]
 
 
 def controller(t, x, u, p, y):
-    """V = -alpha phi(z) - K z + Gamma zc + Psi, Eq. (6).
+    """v = -alpha phi(z) - K z + Gamma zc + Psi, Eq. (6).
 
     u = z[2], zc[2], phi_z[N], alpha[2N], K[2], Gamma[2], psi[2]; y = v_z[2].
     """
@@ -112,44 +94,12 @@ def learned_flow(t, x, u, p, y):
 
 
 def learning_model() -> Block:
-    """Make the learning model, Eq. (2).
-
-    Ports: flow_z[2], v_z[2] (length per time) -> z[2] (length), the state.
-
-    Returns
-    -------
-    Block
-        Two states, no feedthrough.
-
-    Examples
-    --------
-    >>> learning_model().dynamics(0, [0, 0], [1, 0, 0, 2])
-    array([1., 2.])
-    """
+    """Make the learning model, Eq. (2)."""
     return Block("learning_model", update=model, inputs={"flow_z": 2, "v_z": 2}, states={"z": 2})
 
 
 def learning_controller(N: int) -> Block:
-    """Make the learning controller, Eq. (6).
-
-    Ports: z[2], zc[2] (length), phi_z[N], alpha[2N] (length per time), K[2],
-    Gamma[2] (per time), psi[2] (length per time) -> v_z[2] (length per time).
-
-    Parameters
-    ----------
-    N : int
-        Number of basis functions.
-
-    Returns
-    -------
-    Block
-        A static block with feedthrough.
-
-    Examples
-    --------
-    >>> learning_controller(1).output(0, [], [1, 1, 2, 2, 0.5, 2, 4, 1, 1, 1, 1, 0, 0])
-    array([ 0., -1.])
-    """
+    """Make the learning controller, Eq. (6)."""
     return Block(
         "learning_controller",
         output=controller,
@@ -160,27 +110,7 @@ def learning_controller(N: int) -> Block:
 
 
 def injection(parameters: KnownFlowInjectionParameters | LearnedFlowInjectionParameters) -> Block:
-    """Make the learning injection, Eq. (13) or (20).
-
-    Ports: phi_x[N], phi_z[N], alpha[2N] (length per time) -> psi[2] (length
-    per time).
-
-    Parameters
-    ----------
-    parameters : KnownFlowInjectionParameters or LearnedFlowInjectionParameters
-        Their class chooses Eq. (13) or Eq. (20).
-
-    Returns
-    -------
-    Block
-        A static block with feedthrough.
-
-    Examples
-    --------
-    >>> p = LearnedFlowInjectionParameters(1, np.zeros((2, 1)))
-    >>> injection(p).output(0, [], [0.5, 0.25, 1.0, 2.0])
-    array([-0.25, -0.5 ])
-    """
+    """Make the learning injection, Eq. (13) or (20), by the class of its parameters."""
     known = isinstance(parameters, KnownFlowInjectionParameters)
     N = parameters.N
     return Block(

@@ -12,23 +12,15 @@ from .block import Block
 
 
 class LinearParameters(NamedTuple):
-    """Matrices of a linear system.
+    """Matrices of a linear system."""
 
-    Attributes
-    ----------
-    n, inputs, outputs : int
-        Numbers of states, inputs and outputs.
-    A, B, C, D : ndarray
-        Shapes (n, n), (n, inputs), (outputs, n), (outputs, inputs).
-    """
-
-    n: int
+    n: int  # number of states
     inputs: int
     outputs: int
-    A: np.ndarray
-    B: np.ndarray
-    C: np.ndarray
-    D: np.ndarray
+    A: np.ndarray  # shape (n, n)
+    B: np.ndarray  # shape (n, inputs)
+    C: np.ndarray  # shape (outputs, n)
+    D: np.ndarray  # shape (outputs, inputs)
 
 
 def rate(t, x, u, p, dx):
@@ -53,7 +45,7 @@ def output(t, x, u, p, y):
         y[i] = total
 
 
-def output_later(t, x, u, p, y):
+def output_of_states(t, x, u, p, y):
     """Eq. (2) of linear systems with D = 0, y = C x: x[n], y[outputs]."""
     for i in range(p.outputs):
         total = 0.0
@@ -63,30 +55,13 @@ def output_later(t, x, u, p, y):
 
 
 def linear(system: control.StateSpace) -> Block:
-    """Make a block of a linear system.
-
-    Parameters
-    ----------
-    system : control.StateSpace
-        Continuous in time.
-
-    Returns
-    -------
-    Block
-        With the system's name and labels.
-
-    Examples
-    --------
-    >>> block = linear(control.ss(-1.0, 2.0, 3.0, 0.0))
-    >>> block.dynamics(0, [1.0], [1.0]), block.output(0, [1.0], [1.0])
-    (array([1.]), array([3.]))
-    """
+    """Make a block of a linear system of continuous time, with its name and labels."""
     n, inputs, outputs = system.nstates, system.ninputs, system.noutputs
     direct = bool(np.any(system.D))
     block = Block(
         system.name,
         update=rate if n else None,
-        output=output if direct or not n else output_later,
+        output=output if direct or not n else output_of_states,
         inputs={"u": inputs},
         outputs={"y": outputs},
         states={"x": n} if n else None,

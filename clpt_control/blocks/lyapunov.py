@@ -3,11 +3,11 @@
     V = (|e|^2 + |K - KD|^2/gamma + |GammaD - Gamma|^2/gamma) / 2               Eq. (17)
     V = Eq. (17) + |theta + alpha|^2 / (2 gamma)                                Eq. (24)
 
-The paper has one gain gamma; here each error is weighed by its own, `one_gain` is the
-paper's.
+The paper has one gain gamma (`one_gain`); here each error is weighed by its own.
+V is a signal like any other: runs keep it and proofs differentiate it, both from
+the functions here.
 
-V is a signal like any other: a block that reads the diagram's outputs.  Runs
-record it and the proofs differentiate it, both from the functions here.
+Ports: e[2] (length), alpha[2N] (length per time), K[2], Gamma[2] (per time) -> V[1].
 """
 
 from typing import NamedTuple
@@ -18,55 +18,21 @@ from .block import Block
 
 
 class LyapunovParameters(NamedTuple):
-    """The true parameters that V measures the distance to.
+    """The true parameters that V measures the distance to."""
 
-    Attributes
-    ----------
-    N : int
-        Number of basis functions.
-    gain : ndarray, shape (2, N)
-        Adaptation gains gamma > 0 of alpha, one number in the paper.
-    gain_K, gain_Gamma : ndarray, shape (2,)
-        Adaptation gains of K and Gamma, the same number.
-    theta : ndarray, shape (2, N)
-        True flow parameters, length per time.
-    KD, GammaD : ndarray, shape (2,)
-        Gains of the vehicle controller, per time.
-    """
-
-    N: int
-    gain: np.ndarray
-    gain_K: np.ndarray
-    gain_Gamma: np.ndarray
-    theta: np.ndarray
-    KD: np.ndarray
-    GammaD: np.ndarray
+    N: int  # number of basis functions
+    gain: np.ndarray  # shape (2, N), gamma > 0 of alpha
+    gain_K: np.ndarray  # shape (2,), gamma of K
+    gain_Gamma: np.ndarray  # shape (2,), gamma of Gamma
+    theta: np.ndarray  # shape (2, N), length per time
+    KD: np.ndarray  # shape (2,), feedback gains of the vehicle, per time
+    GammaD: np.ndarray  # shape (2,), feedforward gains, per time
 
 
 def one_gain(
     gain: float, theta: np.ndarray, KD: np.ndarray, GammaD: np.ndarray
 ) -> LyapunovParameters:
-    """Return the parameters of Eqs. (17) and (24): one gain gamma.
-
-    Parameters
-    ----------
-    gain : float
-        Adaptation gain gamma > 0.
-    theta : array_like, shape (2, N)
-        True flow parameters, length per time.
-    KD, GammaD : array_like, shape (2,)
-        Gains of the vehicle controller, per time.
-
-    Returns
-    -------
-    LyapunovParameters
-        Every error weighed by the same gain.
-
-    Examples
-    --------
-    >>> one_gain(0.5, np.zeros((2, 1)), np.ones(2), np.ones(2)).gain_K
-    array([0.5, 0.5])
-    """
+    """Return the parameters of Eqs. (17) and (24): one gain gamma."""
     theta, KD, GammaD = (np.asarray(a, dtype=float) for a in (theta, KD, GammaD))
     two = np.full(2, gain)
     N = theta.shape[1]
@@ -98,35 +64,7 @@ LAWS = {"known-flow": known_flow, "learned-flow": learned_flow}
 
 
 def lyapunov_candidate(law: str, parameters: LyapunovParameters) -> Block:
-    """Make the block that computes V, Eq. (17) or (24).
-
-    Ports: e[2] (length), alpha[2N] (length per time), K[2], Gamma[2] (per
-    time) -> V[1].
-
-    Parameters
-    ----------
-    law : str
-        ``"known-flow"`` for Eq. (17), ``"learned-flow"`` for Eq. (24).
-    parameters : LyapunovParameters
-        The true parameters and the adaptation gains.
-
-    Returns
-    -------
-    Block
-        A static block with feedthrough.
-
-    Raises
-    ------
-    KeyError
-        If the law is unknown.
-
-    Examples
-    --------
-    >>> p = one_gain(0.5, np.zeros((2, 1)), np.ones(2), np.ones(2))
-    >>> block = lyapunov_candidate("learned-flow", p)
-    >>> block.output(0, [], [3, 4, 1, 0, 1, 1, 1, 2])
-    array([14.5])
-    """
+    """Make V: Eq. (17) for the law ``"known-flow"``, Eq. (24) for ``"learned-flow"``."""
     return Block(
         "lyapunov",
         output=LAWS[law],

@@ -17,27 +17,7 @@ class NoParameters(NamedTuple):
 
 
 def checked_parameters(name: str, parameters: Any, like: Any = None) -> Any:
-    """Make a block's parameters numbers and arrays of one kind each.
-
-    Parameters
-    ----------
-    name : str
-        The block, for messages.
-    parameters : NamedTuple
-        What was given.
-    like : NamedTuple, optional
-        What each field must have the kind and shape of.
-
-    Returns
-    -------
-    NamedTuple
-        The same class; whole numbers stay int, arrays are own float copies.
-
-    Raises
-    ------
-    BlockError
-        Naming the field, its value and what is allowed.
-    """
+    """Make a block's parameters numbers and arrays of one kind each."""
     if not (isinstance(parameters, tuple) and hasattr(parameters, "_fields")):
         raise BlockError(
             f"{name}: parameters must be a NamedTuple, not {type(parameters).__name__}"

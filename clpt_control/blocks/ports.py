@@ -56,21 +56,5 @@ def check_names(name: str, *ports: Mapping[str, int] | None) -> None:
 
 
 def labels(ports: Mapping[str, int] | None) -> list[str]:
-    """Flatten ports to signal labels: ``{"e": 2}`` is ``e[0], e[1]``.
-
-    Parameters
-    ----------
-    ports : mapping of str to int
-        Port name -> number of signals.
-
-    Returns
-    -------
-    list of str
-        One label for each signal, in order.
-
-    Examples
-    --------
-    >>> labels({"x": 2, "phi_x": 1})
-    ['x[0]', 'x[1]', 'phi_x[0]']
-    """
+    """Flatten ports to signal labels: ``{"e": 2}`` is ``e[0], e[1]``."""
     return [f"{port}[{k}]" for port, size in (ports or {}).items() for k in range(size)]

@@ -20,14 +20,7 @@ def is_word(value: Any) -> bool:
 
 
 def helpers_of(function: FunctionType) -> dict[str, FunctionType]:
-    """Return the plain functions that a function calls by name.
-
-    Examples
-    --------
-    >>> from clpt_control.blocks import vehicle
-    >>> helpers_of(vehicle.kinematics)
-    {}
-    """
+    """Return the plain functions that a function calls by name."""
     names = dict.fromkeys(name for _, name in names_read(function))
     found = {name: function.__globals__.get(name) for name in names}
     return {
@@ -42,31 +35,7 @@ def rebind(
     substitutes: Mapping[str, Any],
     wrap: Callable[[FunctionType, FunctionType], Any] = lambda rebound, original: rebound,
 ) -> Any:
-    """Make the same code read other words.
-
-    Parameters
-    ----------
-    function : function
-        Equations or a helper of them; left as it is.
-    substitutes : mapping
-        What ``math``, a word or a builtin such as ``range`` shall mean.
-    wrap : callable, optional
-        ``wrap(rebound, original)``: what a helper is replaced with.
-
-    Returns
-    -------
-    function
-        The rebound function.
-
-    Examples
-    --------
-    >>> from clpt_control.blocks import words
-    >>> def half(a):
-    ...     return floor(a / 2)
-    >>> half.__globals__["floor"] = words.floor
-    >>> rebind(half, {"floor": lambda a: -1.0})(5.0)
-    -1.0
-    """
+    """Make the same code read other words."""
     return _rebound(function, substitutes, wrap, {})
 
 

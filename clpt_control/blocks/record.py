@@ -1,12 +1,19 @@
-"""One record of running a block's equations, from which every other reading is made.
+"""The record of a block's equations, from which every other reading is made.
 
-Each operation on a number of the run is written down, in single assignment:
+Each operation on a signal, parameter or the time is written down, in single assignment:
 
     v0 = t    v1 = x[0]    v2 = u[0]    v3 = p.gain[0]    v4 = mul(v3, v2)
 
-An argument is a value (int: its place in the list), a constant (float), or a
-tuple that says more.  Where a loop begins, turns and ends is marked; nothing
-else is kept of it.
+An operation is a tuple of a name and arguments.  An argument is a value (int: its
+place in the list), a constant (float), or a tuple that says more.
+
+    ("t",)  ("x", i)  ("u", i)  ("p", field, k)      leaves
+    ("add", 4, 2.0)  ("where", 5, 2, 3)              arithmetic, words, functions of `math`
+    ("table", index, (field, first, stride, count))  `lookup` in a parameter
+    ("pick", index, a, b, ...)                       `lookup` in other numbers
+    ("opaque", (name, ...), value, ...)              `value`; SymPy reads a function of the rest
+
+Where a loop begins, turns and ends is marked; nothing else is kept of it.
 """
 
 from collections.abc import Callable
@@ -19,42 +26,14 @@ Ref = int | float
 
 @dataclass(frozen=True, eq=False)
 class Record:
-    """What a function did, in single assignment.
+    """What a function did, in single assignment."""
 
-    Attributes
-    ----------
-    operations : tuple of tuple
-        Name and arguments: leaves ``("t",)``, ``("x", i)``, ``("u", i)``,
-        ``("p", field, k)``; arithmetic such as ``("add", 4, 2.0)``; words and
-        functions of `math` by their names; for `lookup`
-        ``("table", index, (field, first, stride, count))`` or
-        ``("pick", index, a, b, ...)``; ``("opaque", (name, ...), value, ...)``
-        is `value`, which SymPy reads as a function of the rest.
-    outputs : tuple of int or float
-        What the last argument holds at the end, value or constant.
-    marks : tuple of (int, str)
-        Before which operation a loop does ``"enter"``, ``"turn"``, ``"leave"``.
-    """
-
-    operations: tuple[tuple, ...]
-    outputs: tuple[Ref, ...]
-    marks: tuple[tuple[int, str], ...] = ()
+    operations: tuple[tuple, ...]  # name and arguments
+    outputs: tuple[Ref, ...]  # what the last argument holds at the end, value or constant
+    marks: tuple[tuple[int, str], ...] = ()  # before an operation, "enter", "turn" or "leave"
 
     def replay(self, leaf: Callable[..., Any], apply: Callable[..., Any]) -> list[Any]:
-        """Run the record on numbers of another kind.
-
-        Parameters
-        ----------
-        leaf : callable
-            ``leaf("x", 0)`` -> what stands for it.
-        apply : callable
-            ``apply("add", a, b)`` -> result; constants come as floats.
-
-        Returns
-        -------
-        list
-            One for each output.
-        """
+        """Run the record on numbers of another kind: ``leaf("x", 0)``, ``apply("add", a, b)``."""
         values: list[Any] = []
         for name, *arguments in self.operations:
             if name in LEAVES:
@@ -65,15 +44,15 @@ class Record:
         return [values[ref] if type(ref) is int else ref for ref in self.outputs]
 
     def reads_inputs(self) -> bool:
-        """Whether what it leaves depends on an input."""
+        """Return whether an output depends on an input."""
         reached = {ref for ref in self.outputs if type(ref) is int}
         for k in range(len(self.operations) - 1, -1, -1):
             if k in reached and self.operations[k][0] not in LEAVES:
                 reached.update(a for a in self.operations[k][1:] if type(a) is int)
         return any(self.operations[k][0] == "u" for k in reached)
 
-    def opened(self) -> "Record":
-        """Return the record in which no helper is opaque."""
+    def without_opaque(self) -> "Record":
+        """Return the record with opaque helpers replaced by what they compute."""
         behind: dict[int, Ref] = {}
         operations: list[tuple] = []
 

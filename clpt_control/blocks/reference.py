@@ -6,6 +6,8 @@
 n waypoints are visited in turn, each for the dwell tau, and start again after
 the last.  The block jumps at j tau; it reads j from its parameter `interval`,
 never from t.
+
+Ports: none -> zc[2] (length).
 """
 
 import math
@@ -17,61 +19,26 @@ from ..errors import BlockError
 from .block import Block
 from .words import lookup
 
-MOST = 2 * 10**7  # times of jumps that are listed
+MOST_JUMPS = 2 * 10**7  # times of jumps that are listed
 
 
 class WaypointParameters(NamedTuple):
-    """Waypoints and how long each is held.
+    """Waypoints and how long each is held."""
 
-    Attributes
-    ----------
-    n : int
-        Number of waypoints.
-    x1, x2 : ndarray, shape (n,)
-        Waypoints, length.
-    dwell : float
-        Time tau at each waypoint.
-    interval : float
-        Number j of the interval, kept by the integrator; -1: found from t.
-    """
-
-    n: int
-    x1: np.ndarray
-    x2: np.ndarray
-    dwell: float
-    interval: float = -1.0
+    n: int  # number of waypoints
+    x1: np.ndarray  # shape (n,), length
+    x2: np.ndarray  # shape (n,), length
+    dwell: float  # time tau at each waypoint
+    interval: float = -1.0  # its number j, kept by the integrator; -1: found from t
 
 
 def multiples(period: float, t0: float, t1: float) -> np.ndarray:
-    """Return the multiples k * period, k >= 1, in (t0, t1].
-
-    Parameters
-    ----------
-    period : float
-        Positive, time.
-    t0, t1 : float
-        The span, time.
-
-    Returns
-    -------
-    ndarray
-        Sorted times, each the one rounded product k * period.
-
-    Raises
-    ------
-    BlockError
-        If they are more than can be held.
-
-    Examples
-    --------
-    >>> multiples(20.0, 0.0, 60.0)
-    array([20., 40., 60.])
-    """
+    """Return the multiples k * period, k >= 1, in (t0, t1]: sorted, each rounded once."""
     count = abs(t1 - t0) / period if period > 0 else math.inf
-    if not count <= MOST:
+    if not count <= MOST_JUMPS:
         raise BlockError(
             f"a period of {period:g} has {count:.3g} multiples from {t0:g} to {t1:g}; at most "
-            f"{MOST:.0e} are allowed"
+            f"{MOST_JUMPS:.0e} are allowed"
         )
     first = max(1, math.floor(t0 / period) - 1)
     last = math.floor(t1 / period) + 1
@@ -85,61 +52,19 @@ def dwell_ends(p: WaypointParameters, t0: float, t1: float) -> np.ndarray:
 
 
 def waypoint(t, x, u, p, y):
-    """Zc = waypoint (interval mod n), section IV: no inputs, y = zc[2] (length)."""
+    """zc = waypoint (interval mod n), section IV: no inputs, y = zc[2] (length)."""
     y[0] = lookup(p.x1, p.interval % p.n)
     y[1] = lookup(p.x2, p.interval % p.n)
 
 
 def circle(radius: float, count: int) -> np.ndarray:
-    """Return the waypoints of section IV: count points on a circle.
-
-    Parameters
-    ----------
-    radius : float
-        Radius r, length.
-    count : int
-        Number of waypoints.
-
-    Returns
-    -------
-    ndarray, shape (count, 2)
-        Points from (r, 0), counter-clockwise.
-
-    Examples
-    --------
-    >>> circle(3.0, 4).round(12) + 0.0
-    array([[ 3.,  0.],
-           [ 0.,  3.],
-           [-3.,  0.],
-           [ 0., -3.]])
-    """
+    """Return count points on a circle, section IV: shape (count, 2), counter-clockwise."""
     angle = 2 * np.pi * np.arange(count) / count
     return radius * np.column_stack([np.cos(angle), np.sin(angle)])
 
 
 def reference(points: np.ndarray, dwell: float) -> Block:
-    """Make the reference block: waypoints held in turn.
-
-    Ports: none -> zc[2] (length).
-
-    Parameters
-    ----------
-    points : array_like, shape (n, 2)
-        Waypoints, length.
-    dwell : float
-        Time at each waypoint.
-
-    Returns
-    -------
-    Block
-        An opaque source with breakpoints at the multiples of `dwell`.
-
-    Examples
-    --------
-    >>> block = reference([[3, 0], [0, 3]], dwell=20.0)
-    >>> block.output(19.9, [], []), block.output(20.0, [], [])
-    (array([3., 0.]), array([0., 3.]))
-    """
+    """Make the reference: waypoints of shape (n, 2) in turn, each for the time `dwell`."""
     points = np.asarray(points, dtype=float)
     return Block(
         "reference",

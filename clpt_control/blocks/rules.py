@@ -102,25 +102,7 @@ def opaque(function: Callable) -> Callable:
 
 
 def check_equations(function: Callable, role: str) -> None:
-    """Refuse equations that cannot be recorded.
-
-    Parameters
-    ----------
-    function : callable
-        The block's update or output, or a helper.
-    role : str
-        How to call it in the message, such as ``"adaptation.update"``.
-
-    Raises
-    ------
-    BlockError
-        Naming the role, the line and the replacement.
-
-    Examples
-    --------
-    >>> from clpt_control.blocks import vehicle
-    >>> check_equations(vehicle.kinematics, "vehicle.update")
-    """
+    """Refuse equations that cannot be recorded."""
     key = (function, getattr(function, "__code__", None))
     if key not in _passed:
         _check(function, role, set())

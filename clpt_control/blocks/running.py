@@ -34,30 +34,7 @@ IEEE = {
 
 
 def running(function: Any) -> Callable:
-    """Return equations that run on IEEE numbers.
-
-    Parameters
-    ----------
-    function : function
-        ``f(t, x, u, p, out)`` as a block holds it.
-
-    Returns
-    -------
-    callable
-        The same code; call it with NumPy's floats and arrays.
-
-    Examples
-    --------
-    >>> import math
-    >>> def decibel(t, x, u, p, y):
-    ...     y[0] = 10 * math.log10(u[0])
-    >>> decibel.__globals__["math"] = math
-    >>> y = np.zeros(1)
-    >>> with np.errstate(all="ignore"):
-    ...     running(decibel)(0.0, np.zeros(0), np.zeros(1), (), y)
-    >>> y
-    array([-inf])
-    """
+    """Return equations that run on IEEE numbers."""
     return _running(function, fingerprint(function))
 
 

@@ -31,31 +31,7 @@ def expressions(
     constant: Callable[[float], Any] = exact,
     told: Callable[[str, tuple], Any] = lambda name, arguments: None,
 ) -> list[sympy.Expr]:
-    """Return what a record computes, on symbols.
-
-    Parameters
-    ----------
-    record : Record
-        A block's update or output.
-    leaf : callable
-        ``leaf("x", 0)`` -> expression; ``leaf("table", (field, first, stride,
-        count))`` -> a name for these numbers of a parameter.
-    constant : callable, optional
-        What a constant becomes.
-    told : callable, optional
-        Told each operation and the expressions that it is given.
-
-    Returns
-    -------
-    list of sympy.Expr
-        One for each output.
-
-    Examples
-    --------
-    >>> from clpt_control.blocks.clpe import clpe
-    >>> expressions(clpe().output_record, lambda name, k=0: sympy.Symbol(f"{name}{k}"))
-    [u0 - u2, u1 - u3]
-    """
+    """Return what a record computes, on symbols."""
 
     def read(value: Any) -> Any:
         return constant(value) if type(value) is float else value
@@ -127,11 +103,6 @@ class Reading:
     """A record as SymPy reads it, ready to be asked with numbers.
 
     What is used twice is a symbol of its own, so that expressions stay short.
-
-    Parameters
-    ----------
-    record : Record
-        A block's update or output.
     """
 
     def __init__(self, record: Record):
@@ -198,22 +169,7 @@ class Reading:
         return space["ask"]
 
     def ask(self, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
-        """Return what the expressions are at numbers.
-
-        Parameters
-        ----------
-        t : float
-            Time.
-        x, u : array_like
-            States and inputs.
-        p : NamedTuple
-            Parameters, `interval` filled in.
-
-        Returns
-        -------
-        ndarray
-            One number for each output.
-        """
+        """Return what the expressions are at numbers."""
         numbers = []
         for name, *where in self.leaves:
             if name == "t":

@@ -26,45 +26,7 @@ _records: OrderedDict[Any, Record] = OrderedDict()
 
 
 def trace(function: FunctionType, role: str, sizes: tuple[int, int, int], p: Any) -> Record:
-    """Run equations on tracers and return the record.
-
-    Parameters
-    ----------
-    function : function
-        ``f(t, x, u, p, out)`` as a block holds it.
-    role : str
-        How to call it in messages, such as ``"adaptation.update"``.
-    sizes : tuple of int
-        Lengths of x, u and out.
-    p : NamedTuple
-        The block's parameters: whole numbers stay, of the rest the shapes count.
-
-    Returns
-    -------
-    Record
-        The same object for the same code, sizes and shapes.
-
-    Raises
-    ------
-    BlockError
-        If something cannot be read; the line and what to write are named.
-    TooLong
-        If the record would be too long to keep.
-
-    Examples
-    --------
-    >>> from clpt_control.blocks import clpe
-    >>> print(trace(clpe.prediction_error, "clpe.output", (0, 4, 2), ()))
-    v0 = t
-    v1 = u[0]
-    v2 = u[1]
-    v3 = u[2]
-    v4 = u[3]
-    v5 = sub(v1, v3)
-    v6 = sub(v2, v4)
-    out[0] = v5
-    out[1] = v6
-    """
+    """Run equations on tracers and return the record."""
     shapes = tuple(value if isinstance(value, int) else np.shape(value) for value in p)
     key = (fingerprint(function), sizes, type(p), shapes)
     if key not in _records:

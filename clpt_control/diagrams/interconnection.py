@@ -39,26 +39,7 @@ class Diagram(control.InterconnectedSystem):
 
 
 def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list[Any]:
-    """Return the parameters of all blocks, call-time values put in.
-
-    Parameters
-    ----------
-    wiring : Wiring
-        The diagram.
-    params : mapping, optional
-        ``{"adaptation.gain": 2.0}``.
-
-    Returns
-    -------
-    list
-        A NamedTuple for each block, a dict for another system; the blocks
-        themselves are left as they are.
-
-    Raises
-    ------
-    BlockError
-        If a name is unknown or a value has another shape.
-    """
+    """Return the parameters of all blocks, call-time values put in."""
     params = {} if params is None else params
     if not isinstance(params, Mapping):
         raise BlockError(f"params = {params!r}: must be a dict, such as {{'adaptation.gain': 2.0}}")
@@ -84,44 +65,15 @@ def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list
 
 
 class Fit(NamedTuple):
-    """Blocks that fit together by the names of their ports.
+    """Blocks that fit together by the names of their ports."""
 
-    Attributes
-    ----------
-    makers : dict
-        Port -> the block that makes it and its size.
-    users : dict
-        Port -> the blocks that take it.
-    outside : dict
-        Port that comes from outside -> its size.
-    """
-
-    makers: dict[str, tuple[str, int]]
-    users: dict[str, list[str]]
-    outside: dict[str, int]
+    makers: dict[str, tuple[str, int]]  # port -> the block that makes it and its size
+    users: dict[str, list[str]]  # port -> the blocks that take it
+    outside: dict[str, int]  # port that comes from outside -> its size
 
 
 def fit(blocks: Sequence[Block], external: Iterable[str] = ()) -> Fit:
-    """Check that blocks fit together, and say how.
-
-    Parameters
-    ----------
-    blocks : sequence of Block
-        Each output port feeds every input port of the same name.
-    external : iterable of str, optional
-        Ports that come from outside.
-
-    Returns
-    -------
-    Fit
-        Who makes and who takes each port.
-
-    Raises
-    ------
-    DiagramError
-        If two blocks make the same port, a port is fed by nothing, sizes
-        differ, or an external port is made or not used.
-    """
+    """Check that blocks fit together, and say how."""
     external = list(external)
     if not blocks:
         raise DiagramError("a diagram of no blocks: give at least one")
@@ -233,24 +185,6 @@ def wire(blocks: Sequence[Block], external: Iterable[str] = ()) -> Wiring:
     """Return what `read(connect(blocks, external))` does, sooner.
 
     It makes none of python-control's matrices.
-
-    Parameters
-    ----------
-    blocks : sequence of Block
-        As for `connect`.
-    external : iterable of str, optional
-        As for `connect`.
-
-    Returns
-    -------
-    Wiring
-        The same nodes, wires and order; `output_map` is the identity, all
-        block outputs being outputs.
-
-    Raises
-    ------
-    DiagramError
-        As `connect` does.
     """
     from scipy.sparse import eye_array
 

@@ -8,26 +8,7 @@ from ..scenario.experiment import Scenario
 
 
 def scenario_basis(scenario: Scenario, position: str = "x") -> Block:
-    """Return the block phi(x, t) of a scenario, Eq. (5).
-
-    Parameters
-    ----------
-    scenario : Scenario
-        Its field, if any, is not read.
-    position : str, optional
-        ``"x"`` at the vehicle, ``"z"`` at its prediction.
-
-    Returns
-    -------
-    Block
-        ``basis_x`` or ``basis_z`` as in `closed_loop`.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> scenario_basis(clpt.paper_scenario()).noutputs
-    3
-    """
+    """Return the block phi(x, t) of a scenario, Eq. (5)."""
     functions = BasisParameters(
         scenario.basis.N,
         np.array(scenario.basis.centers),

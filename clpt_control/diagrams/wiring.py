@@ -20,73 +20,35 @@ from ..errors import DiagramError
 
 
 class Wire(NamedTuple):
-    """A run of consecutive signals, ``u += gain * source``.
+    """A run of consecutive signals, ``u += gain * source``."""
 
-    Attributes
-    ----------
-    to : int
-        First input of the block that is fed.
-    source : int
-        First signal among all block outputs, or among the diagram's inputs.
-    size : int
-        Number of consecutive signals.
-    gain : float
-        Factor on each.
-    external : bool
-        True where the source is an input of the diagram.
-    """
-
-    to: int
-    source: int
-    size: int
-    gain: float
-    external: bool
+    to: int  # first input of the block that is fed
+    source: int  # first signal among all block outputs, or among the diagram's inputs
+    size: int  # number of consecutive signals
+    gain: float  # factor on each
+    external: bool  # true where the source is an input of the diagram
 
 
 @dataclass(frozen=True)
 class Node:
-    """One block in its place.
+    """One block in its place."""
 
-    Attributes
-    ----------
-    system : control.NonlinearIOSystem
-        The block.
-    name : str
-        Its name; inside a nested diagram ``"outer.inner"``.
-    states, inputs, outputs : slice
-        Where its signals stand among all states, block inputs, block outputs.
-    wires : tuple of Wire
-        What feeds it.
-    """
-
-    system: control.NonlinearIOSystem
-    name: str
-    states: slice
-    inputs: slice
-    outputs: slice
-    wires: tuple[Wire, ...]
+    system: control.NonlinearIOSystem  # the block
+    name: str  # its name; inside a nested diagram ``"outer.inner"``
+    states: slice  # where its signals stand among all states, block inputs, block outputs
+    inputs: slice  # where its signals stand among all states, block inputs, block outputs
+    outputs: slice  # where its signals stand among all states, block inputs, block outputs
+    wires: tuple[Wire, ...]  # what feeds it
 
 
 @dataclass(frozen=True)
 class Wiring:
-    """A diagram as an ordered list of blocks.
+    """A diagram as an ordered list of blocks."""
 
-    Attributes
-    ----------
-    nodes : tuple of Node
-        Blocks in the diagram's own order.
-    order : tuple of int
-        Indices into `nodes`, in which outputs can be computed one by one.
-    ninputs : int
-        Inputs of the diagram.
-    output_map : scipy.sparse array
-        Diagram outputs from all block outputs and then all diagram inputs.
-    """
-
-    nodes: tuple[Node, ...]
-    order: tuple[int, ...]
-    ninputs: int
-    output_map: Any
+    nodes: tuple[Node, ...]  # blocks in the diagram's own order
+    order: tuple[int, ...]  # indices into `nodes`, in which outputs can be computed one by one
+    ninputs: int  # inputs of the diagram
+    output_map: Any  # diagram outputs from all block outputs and then all diagram inputs
 
 
 class _Flat(NamedTuple):
@@ -182,25 +144,7 @@ def _runs(rows: dict, first: int, last: int, external: bool) -> list[Wire]:
 
 
 def reaches_outputs(system: control.NonlinearIOSystem) -> bool:
-    """Whether a system's inputs reach its outputs at once.
-
-    Parameters
-    ----------
-    system : control.NonlinearIOSystem
-        A block says so itself; others are asked with a few random inputs.
-
-    Returns
-    -------
-    bool
-        True where there is feedthrough.
-
-    Examples
-    --------
-    >>> import control
-    >>> from clpt_control.blocks.linear import linear
-    >>> reaches_outputs(linear(control.ss(-1, 1, 1, 0)))
-    False
-    """
+    """Whether a system's inputs reach its outputs at once."""
     if isinstance(system, Block):
         return system.feedthrough and system.ninputs > 0
     if not system.ninputs or not system.noutputs:
@@ -215,32 +159,7 @@ def reaches_outputs(system: control.NonlinearIOSystem) -> bool:
 
 
 def read(diagram: control.NonlinearIOSystem) -> Wiring:
-    """Read a diagram, nested ones included, into an ordered wiring.
-
-    Parameters
-    ----------
-    diagram : control.NonlinearIOSystem
-        An interconnected system of blocks and any python-control systems of
-        continuous time; linear ones become blocks.
-
-    Returns
-    -------
-    Wiring
-        Blocks, wires, and an order of evaluation.
-
-    Raises
-    ------
-    DiagramError
-        If blocks feed each other at once in a circle (they are named), or a
-        system is one of discrete time.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> diagram = clpt.closed_loop(clpt.paper_scenario())
-    >>> [node.name for node in read(diagram).nodes][:3]
-    ['reference', 'basis_x', 'basis_z']
-    """
+    """Read a diagram, nested ones included, into an ordered wiring."""
     from scipy.sparse import hstack
 
     flat = _flatten(diagram, getattr(diagram, "name", repr(diagram)))
@@ -261,29 +180,7 @@ def wired(
     ninputs: int,
     output_map: Any,
 ) -> Wiring:
-    """Make a wiring of systems and of the wires that feed each.
-
-    Parameters
-    ----------
-    systems : sequence of tuple
-        Name and system, in the diagram's order.
-    fed : sequence of tuple of Wire
-        What feeds each.
-    ninputs : int
-        Inputs of the diagram.
-    output_map : scipy.sparse array
-        Diagram outputs from all block outputs and then all diagram inputs.
-
-    Returns
-    -------
-    Wiring
-        With an order of evaluation.
-
-    Raises
-    ------
-    DiagramError
-        If blocks feed each other at once in a circle.
-    """
+    """Make a wiring of systems and of the wires that feed each."""
     nodes, x, u, y = [], 0, 0, 0
     for (name, system), wires in zip(systems, fed, strict=True):
         states = slice(x, x := x + (system.nstates or 0))

@@ -19,7 +19,7 @@ LEAST = 5  # turns; fewer stay apart
 
 def roll(record: Record, least: float = LEAST) -> Rolled:
     """Return a record with the loops that can be kept; fewer turns than `least` stay apart."""
-    record = record.opened()
+    record = record.without_opaque()
     found = Roller(record, least).run()
     known: dict = {}
     if expanded(found, len(record.outputs), known) == numbered(record, known):

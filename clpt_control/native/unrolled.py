@@ -76,7 +76,7 @@ def run_block(
             return ops.add(name, arguments[0], (array, start + first, (), stride, count))
         return ops.add(name, *arguments)
 
-    return record.opened().replay(leaf, apply)
+    return record.without_opaque().replay(leaf, apply)
 
 
 def gather(ops: Operations, sources: Sources, node: Node, signals: list[Ref]) -> list[Ref]:

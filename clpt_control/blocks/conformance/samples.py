@@ -15,22 +15,12 @@ from ..running import running
 
 
 class Sample(NamedTuple):
-    """Arguments of a block's equations.
+    """Arguments of a block's equations."""
 
-    Attributes
-    ----------
-    t : float
-        Time.
-    x, u : ndarray
-        States and inputs.
-    p : NamedTuple
-        The block's parameters, `interval` filled in.
-    """
-
-    t: float
-    x: np.ndarray
-    u: np.ndarray
-    p: Any
+    t: float  # time
+    x: np.ndarray  # states and inputs
+    u: np.ndarray  # states and inputs
+    p: Any  # the block's parameters, `interval` filled in
 
 
 def draw(block: Block, seed: int, count: int) -> list[Sample]:
@@ -68,53 +58,14 @@ def draw(block: Block, seed: int, count: int) -> list[Sample]:
 
 
 def equations(block: Block) -> Iterator[tuple[str, Equations, int]]:
-    """Return a block's equations, one by one.
-
-    Parameters
-    ----------
-    block : Block
-        Any block.
-
-    Yields
-    ------
-    tuple
-        What to call the function, the function, the size it fills.
-
-    Examples
-    --------
-    >>> from clpt_control.blocks.vehicle import vehicle
-    >>> [(role, size) for role, _, size in equations(vehicle())]
-    [('vehicle.update', 2), ('vehicle.output', 2)]
-    """
+    """Return a block's equations, one by one."""
     if block.update_function is not None:
         yield f"{block.name}.update", block.update_function, block.nstates
     yield f"{block.name}.output", block.output_function, block.noutputs
 
 
 def python_values(function: Equations, sample: Sample, size: int) -> np.ndarray:
-    """Return what Python makes of one sample.
-
-    Parameters
-    ----------
-    function : callable
-        A block's equations.
-    sample : Sample
-        Its arguments; copies are passed.
-    size : int
-        Length of the last argument.
-
-    Returns
-    -------
-    ndarray
-        The last argument after the call.
-
-    Examples
-    --------
-    >>> from clpt_control.blocks.clpe import clpe, prediction_error
-    >>> sample = Sample(0.0, np.zeros(0), np.array([3.0, 2.0, 1.0, 1.0]), clpe().parameters)
-    >>> python_values(prediction_error, sample, 2)
-    array([2., 1.])
-    """
+    """Return what Python makes of one sample."""
     out = np.zeros(size)
     with np.errstate(all="ignore"):
         running(function)(
@@ -124,47 +75,12 @@ def python_values(function: Equations, sample: Sample, size: int) -> np.ndarray:
 
 
 def own_copy(p: Any) -> Any:
-    """Return the same parameters with arrays of their own.
-
-    Parameters
-    ----------
-    p : NamedTuple
-        A block's parameters.
-
-    Returns
-    -------
-    NamedTuple
-        Equal, and sharing nothing.
-
-    Examples
-    --------
-    >>> from clpt_control.blocks.clpe import clpe
-    >>> own_copy(clpe().parameters)
-    NoParameters()
-    """
+    """Return the same parameters with arrays of their own."""
     return type(p)(*(value.copy() if isinstance(value, np.ndarray) else value for value in p))
 
 
 def differ(a: np.ndarray, b: np.ndarray, tolerance: float = 1e-12) -> bool:
-    """Return whether two results differ by more than rounding.
-
-    Parameters
-    ----------
-    a, b : array_like
-        Results of two readers.
-    tolerance : float, optional
-        Relative to the largest entry of `a`, or to 1.
-
-    Returns
-    -------
-    bool
-        NaN in the same places is no difference.
-
-    Examples
-    --------
-    >>> differ([1.0, 2.0], [1.0, 2.0 + 1e-9])
-    True
-    """
+    """Return whether two results differ by more than rounding."""
     a, b = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
     if a.shape != b.shape or not np.array_equal(np.isfinite(a), np.isfinite(b)):
         return True

@@ -13,27 +13,13 @@ from ..wiring import Node, Wiring, read
 
 
 class Arrow(NamedTuple):
-    """What one block takes of one port.
+    """What one block takes of one port."""
 
-    Attributes
-    ----------
-    source : str
-        Name of the block that makes the port; of the port if external.
-    target : str
-        Name of the block that takes it.
-    port : str
-        The port, such as ``"phi_x"``, or some of its signals, ``"y[1]"``.
-    gain : float
-        Factor on each signal.
-    external : bool
-        True where the port is an input of the diagram.
-    """
-
-    source: str
-    target: str
-    port: str
-    gain: float
-    external: bool
+    source: str  # name of the block that makes the port; of the port if external
+    target: str  # name of the block that takes it
+    port: str  # the port, such as ``"phi_x"``, or some of its signals, ``"y[1]"``
+    gain: float  # factor on each signal
+    external: bool  # true where the port is an input of the diagram
 
     @property
     def label(self) -> str:
@@ -42,53 +28,12 @@ class Arrow(NamedTuple):
 
 
 def ports(labels: list[str]) -> list[str]:
-    """Return the ports of signal labels, each once, in order.
-
-    Parameters
-    ----------
-    labels : list of str
-        Such as ``["e[0]", "e[1]", "u"]``.
-
-    Returns
-    -------
-    list of str
-        The labels without their indices.
-
-    Examples
-    --------
-    >>> ports(["e[0]", "e[1]", "u"])
-    ['e', 'u']
-    """
+    """Return the ports of signal labels, each once, in order."""
     return list(dict.fromkeys(label.partition("[")[0] for label in labels))
 
 
 def arrows(diagram: control.NonlinearIOSystem, wiring: Wiring | None = None) -> list[Arrow]:
-    """List the arrows of a diagram, nested ones included.
-
-    Parameters
-    ----------
-    diagram : control.NonlinearIOSystem
-        An interconnected system of blocks and any python-control systems.
-    wiring : Wiring, optional
-        The diagram as already read.
-
-    Returns
-    -------
-    list of Arrow
-        One for each source, target, port and gain, in the order of the blocks.
-
-    Raises
-    ------
-    DiagramError
-        If blocks feed each other at once in a circle.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> [arrow.target for arrow in arrows(clpt.closed_loop(clpt.paper_scenario()))
-    ...  if arrow.port == "zc"]
-    ['vehicle_controller', 'learning_controller', 'adaptation']
-    """
+    """List the arrows of a diagram, nested ones included."""
     wiring = read(diagram) if wiring is None else wiring
     made = [(n.name, label) for n in wiring.nodes for label in n.system.output_labels]
     given = [(port, label) for label in diagram.input_labels for port in ports([label])]

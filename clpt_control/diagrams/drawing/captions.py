@@ -7,24 +7,7 @@ import control
 
 
 def equations(system: control.NonlinearIOSystem) -> str:
-    """Name the equations that a block's functions name.
-
-    Parameters
-    ----------
-    system : control.NonlinearIOSystem
-        A block; other systems name none.
-
-    Returns
-    -------
-    str
-        Such as ``"Eq. (21)"`` or ``"Eqs. (21)–(23)"``; empty without any.
-
-    Examples
-    --------
-    >>> from clpt_control.blocks import clpe, vehicle
-    >>> equations(clpe.clpe()), equations(vehicle.vehicle())
-    ('Eq. (10)', 'Eq. (1)')
-    """
+    """Name the equations that a block's functions name."""
     numbers: set[int] = set()
     for role in ("update_function", "output_function"):
         text = getattr(getattr(system, role, None), "__doc__", None) or ""
@@ -44,23 +27,7 @@ def equations(system: control.NonlinearIOSystem) -> str:
 
 
 def lines_of(name: str) -> list[str]:
-    """Break a long name where its words meet.
-
-    Parameters
-    ----------
-    name : str
-        Name of a block.
-
-    Returns
-    -------
-    list of str
-        One or more lines.
-
-    Examples
-    --------
-    >>> lines_of("learning_controller"), lines_of("vehicle")
-    (['learning_', 'controller'], ['vehicle'])
-    """
+    """Break a long name where its words meet."""
     lines: list[str] = []
     for word in re.findall(r"[^_.]+[_.]*|[_.]+", name):
         if lines and len(lines[-1]) + len(word) <= 12:
@@ -71,50 +38,13 @@ def lines_of(name: str) -> list[str]:
 
 
 def note(system: control.NonlinearIOSystem) -> str:
-    """Return the line under a block's name.
-
-    Parameters
-    ----------
-    system : control.NonlinearIOSystem
-        The block.
-
-    Returns
-    -------
-    str
-        An integral sign where it has states, and its equations.
-
-    Examples
-    --------
-    >>> from clpt_control.blocks import vehicle
-    >>> note(vehicle.vehicle())
-    '∫  Eq. (1)'
-    """
+    """Return the line under a block's name."""
     return f"{'∫' if system.nstates else ''}  {equations(system)}".strip()
 
 
 @cache
 def width(text: str, size: float, weight: str = "normal") -> float:
-    """Measure text in the font of the picture.
-
-    Parameters
-    ----------
-    text : str
-        One line.
-    size : float
-        Of the font, in points.
-    weight : str, optional
-        ``"normal"`` or ``"bold"``.
-
-    Returns
-    -------
-    float
-        Points.
-
-    Examples
-    --------
-    >>> width("clpe", 8) < width("clpe", 8, "bold")
-    True
-    """
+    """Measure text in the font of the picture."""
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextPath
 

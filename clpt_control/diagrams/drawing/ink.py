@@ -37,29 +37,7 @@ STYLE: dict[Any, Any] = {
 
 
 def layout(diagram: control.NonlinearIOSystem) -> tuple[Routed, list[Any], dict[str, Node]]:
-    """Lay out a diagram without drawing it.
-
-    Parameters
-    ----------
-    diagram : control.NonlinearIOSystem
-        An interconnected system.
-
-    Returns
-    -------
-    routed : Routed
-        Boxes and arrows, in points.
-    nets : list of Net
-        What the arrows carry.
-    nodes : dict of str to Node
-        The blocks by name.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> routed, nets, nodes = layout(clpt.error_loop(clpt.paper_scenario()))
-    >>> list(nodes)
-    ['error_system', 'parameter_system']
-    """
+    """Lay out a diagram without drawing it."""
     wiring = read(diagram)
     nets = gather(diagram, wiring)
     layered = arrange(nets, wiring)

@@ -16,24 +16,12 @@ from .arrows import arrows, ports
 
 @dataclass
 class Net:
-    """Signals of one block that go the same ways.
+    """Signals of one block that go the same ways."""
 
-    Attributes
-    ----------
-    source : str
-        Block name, or ``"in:port"`` for an input of the diagram.
-    text : str
-        The ports carried, such as ``"K, Gamma"``.
-    targets : dict of str to str
-        Block that is fed -> the text at its arrow, gains included.
-    back : set of str
-        Targets reached by feedback.
-    """
-
-    source: str
-    text: str
-    targets: dict[str, str]
-    back: set[str] = field(default_factory=set)
+    source: str  # block name, or ``"in:port"`` for an input of the diagram
+    text: str  # the ports carried, such as ``"K, Gamma"``
+    targets: dict[str, str]  # block that is fed -> the text at its arrow, gains included
+    back: set[str] = field(default_factory=set)  # targets reached by feedback
 
     @property
     def onward(self) -> list[str]:
@@ -48,22 +36,11 @@ class Net:
 
 @dataclass
 class Layered:
-    """Blocks, inputs and passages in ordered layers.
+    """Blocks, inputs and passages in ordered layers."""
 
-    Attributes
-    ----------
-    nets : list of Net
-        What is connected.
-    rank : dict of str to int
-        Block or input -> number of its layer.
-    layers : list of list of str
-        From left to right, each from top to bottom; a passage of net 3
-        through layer 2 is ``"pass:3:2"``.
-    """
-
-    nets: list[Net]
-    rank: dict[str, int]
-    layers: list[list[str]]
+    nets: list[Net]  # what is connected
+    rank: dict[str, int]  # block or input -> number of its layer
+    layers: list[list[str]]  # from left to right, from top to bottom, with passages "pass:NET:LAYER"
 
     def hop(self, k: int, layer: int) -> tuple[str, list[str]] | None:
         """Return where net k comes from and goes to between two layers."""
@@ -78,29 +55,7 @@ class Layered:
 
 
 def gather(diagram: control.NonlinearIOSystem, wiring: Wiring) -> list[Net]:
-    """Gather the arrows of a diagram into nets.
-
-    Parameters
-    ----------
-    diagram : control.NonlinearIOSystem
-        The diagram.
-    wiring : Wiring
-        The same, as read.
-
-    Returns
-    -------
-    list of Net
-        Ports of one block that feed the same blocks share a net; ports that
-        feed nothing make one without targets.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> from clpt_control.diagrams.wiring import read
-    >>> diagram = clpt.closed_loop(clpt.paper_scenario())
-    >>> [net.text for net in gather(diagram, read(diagram)) if net.source == "adaptation"]
-    ['alpha', 'K, Gamma']
-    """
+    """Gather the arrows of a diagram into nets."""
     reached: dict[tuple[str, str], dict[str, str]] = {
         (node.name, port): {} for node in wiring.nodes for port in ports(node.system.output_labels)
     }
@@ -123,29 +78,7 @@ def gather(diagram: control.NonlinearIOSystem, wiring: Wiring) -> list[Net]:
 
 
 def arrange(nets: list[Net], wiring: Wiring) -> Layered:
-    """Put blocks into ordered layers and mark feedback.
-
-    Parameters
-    ----------
-    nets : list of Net
-        From `gather`; their `back` is filled.
-    wiring : Wiring
-        The diagram as read.
-
-    Returns
-    -------
-    Layered
-        Sources at the left; inputs of the diagram in the first layer.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> from clpt_control.diagrams.wiring import read
-    >>> diagram = clpt.error_loop(clpt.paper_scenario())
-    >>> layered = arrange(gather(diagram, read(diagram)), read(diagram))
-    >>> layered.rank["error_system"], layered.rank["parameter_system"]
-    (1, 2)
-    """
+    """Put blocks into ordered layers and mark feedback."""
     names = [net.source for net in nets if net.source.startswith("in:")]
     names = list(dict.fromkeys(names)) + [node.name for node in wiring.nodes]
     after = _mark_feedback(nets, wiring, names)

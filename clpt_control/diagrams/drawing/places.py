@@ -18,24 +18,18 @@ GRID, PITCH, GAP = 7.0, 14.0, 14.0
 
 @dataclass
 class Box:
-    """A block, an input of the diagram, or a passage for a net.
+    """A block, an input of the diagram, or a passage for a net."""
 
-    Attributes
-    ----------
-    width, height : float
-        Its size; a passage has none.
-    x, y : float
-        Left edge and centre.
-    ins, outs : list of int
-        Nets at its left and right side, from top to bottom.
-    """
-
-    width: float
-    height: float
-    x: float = 0.0
-    y: float = 0.0
-    ins: list[int] = field(default_factory=list)
-    outs: list[int] = field(default_factory=list)
+    width: float  # its size; a passage has none
+    height: float  # its size; a passage has none
+    x: float = 0.0  # left edge and centre
+    y: float = 0.0  # left edge and centre
+    ins: list[int] = field(
+        default_factory=list
+    )  # nets at its left and right side, from top to bottom
+    outs: list[int] = field(
+        default_factory=list
+    )  # nets at its left and right side, from top to bottom
 
     def port(self, net: int, out: bool) -> float:
         """Return the height at which a net meets the box."""
@@ -48,29 +42,7 @@ class Box:
 def place(
     layered: Layered, sizes: dict[str, tuple[float, float]]
 ) -> tuple[dict[str, Box], dict[int, bool]]:
-    """Return boxes their heights and their ports an order.
-
-    Parameters
-    ----------
-    layered : Layered
-        Blocks in ordered layers.
-    sizes : dict of str to (float, float)
-        Width and height that the text of each block or input needs.
-
-    Returns
-    -------
-    boxes : dict of str to Box
-        Passages among them; x is not yet given.
-    above : dict of int to bool
-        For each net with feedback, whether it returns above the boxes.
-
-    Examples
-    --------
-    >>> from clpt_control.diagrams.drawing.layers import Net
-    >>> layered = Layered([Net("a", "y", {"b": "y"})], {"a": 0, "b": 1}, [["a"], ["b"]])
-    >>> place(layered, {"a": (40, 20), "b": (40, 20)})[0]["b"].y
-    0.0
-    """
+    """Return boxes their heights and their ports an order."""
     boxes = _boxes(layered, sizes)
     above: dict[int, bool] = {}
     for _ in range(3):
@@ -133,25 +105,7 @@ def _spacing(boxes: dict[str, Box], names: list[str]) -> list[float]:
 
 
 def settle(wanted: Sequence[float], spaces: Sequence[float]) -> list[float]:
-    """Return places on the grid near those wanted, in order and apart.
-
-    Parameters
-    ----------
-    wanted : sequence of float
-        Where each would stand alone.
-    spaces : sequence of float
-        Least distance to the one before.
-
-    Returns
-    -------
-    list of float
-        Least squares by pooling neighbours, then rounded to the grid.
-
-    Examples
-    --------
-    >>> settle([0, 0, 70], [14, 14])
-    [-7.0, 7.0, 70.0]
-    """
+    """Return places on the grid near those wanted, in order and apart."""
     offsets = [sum(spaces[:k]) for k in range(len(wanted))]
     pools: list[list[float]] = []
     for want, offset in zip(wanted, offsets, strict=True):

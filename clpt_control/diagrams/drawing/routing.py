@@ -19,54 +19,19 @@ TRACK, ARROW = 7.0, 9.0
 
 @dataclass
 class Routed:
-    """A finished layout.
+    """A finished layout."""
 
-    Attributes
-    ----------
-    boxes : dict of str to Box
-        With passages among them.
-    paths : dict of (int, str) to list of points
-        Net and target -> the corners of the arrow; the target is ``""`` for
-        ports that feed nothing.
-    dots : list of point
-        Where a net branches.
-    width, height : float
-        Size of the picture.
-    """
-
-    boxes: dict[str, Box]
-    paths: dict[tuple[int, str], list[Point]]
-    dots: list[Point]
-    width: float
-    height: float
+    boxes: dict[str, Box]  # with passages among them
+    paths: dict[tuple[int, str], list[Point]]  # net and target, or "" -> corners of the arrow
+    dots: list[Point]  # where a net branches
+    width: float  # size of the picture
+    height: float  # size of the picture
 
 
 def route(
     layered: Layered, sizes: dict[str, tuple[float, float]], text_width: Callable[[str], float]
 ) -> Routed:
-    """Place the boxes and lead the arrows around them.
-
-    Parameters
-    ----------
-    layered : Layered
-        Blocks in ordered layers.
-    sizes : dict of str to (float, float)
-        Width and height that the text of each block or input needs.
-    text_width : callable
-        Width of a port text.
-
-    Returns
-    -------
-    Routed
-        Everything there is to draw.
-
-    Examples
-    --------
-    >>> from clpt_control.diagrams.drawing.layers import Net
-    >>> layered = Layered([Net("a", "y", {"b": "y"})], {"a": 0, "b": 1}, [["a"], ["b"]])
-    >>> route(layered, {"a": (40, 20), "b": (40, 20)}, len).paths[0, "b"]
-    [(40.0, 10.0), (57.0, 10.0)]
-    """
+    """Place the boxes and lead the arrows around them."""
     boxes, above = place(layered, sizes)
     lanes = lanes_of(layered, boxes, above)
     channels = channels_of(layered, boxes, lanes)

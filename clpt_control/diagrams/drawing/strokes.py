@@ -8,23 +8,7 @@ Point = tuple[float, float]
 
 
 def branchings(paths: dict[tuple[int, str], list[Point]]) -> list[Point]:
-    """Find where three or more ends of one net meet.
-
-    Parameters
-    ----------
-    paths : dict of (int, str) to list of points
-        Net and target -> corners of the arrow.
-
-    Returns
-    -------
-    list of point
-        Each gets a dot.
-
-    Examples
-    --------
-    >>> branchings({(0, "b"): [(0, 0), (9, 0)], (0, "c"): [(0, 0), (4, 0), (4, 5), (9, 5)]})
-    [(4, 0)]
-    """
+    """Find where three or more ends of one net meet."""
     dots: dict[Point, None] = {}
     for net in dict.fromkeys(k for k, _ in paths):
         pieces = [(a, b) for (k, _), path in paths.items() if k == net for a, b in pairwise(path)]
@@ -38,27 +22,7 @@ def branchings(paths: dict[tuple[int, str], list[Point]]) -> list[Point]:
 def strokes(
     paths: dict[tuple[int, str], list[Point]], nets: list[Net]
 ) -> dict[tuple[int, str], list[Point]]:
-    """Shorten paths to what earlier paths of the net leave out.
-
-    Parameters
-    ----------
-    paths : dict of (int, str) to list of points
-        Net and target -> corners of the arrow.
-    nets : list of Net
-        What was routed.
-
-    Returns
-    -------
-    dict of (int, str) to list of points
-        As `paths`, feedback last; no piece is drawn twice.
-
-    Examples
-    --------
-    >>> nets = [Net("a", "y", {"b": "y", "c": "y"})]
-    >>> paths = {(0, "b"): [(0, 0), (9, 0)], (0, "c"): [(0, 0), (4, 0), (4, 5), (9, 5)]}
-    >>> strokes(paths, nets)[0, "c"]
-    [(4.0, 0.0), (4, 5), (9, 5)]
-    """
+    """Shorten paths to what earlier paths of the net leave out."""
     inked: dict[tuple[int, Point, tuple[int, int]], float] = {}
     drawn = {}
     for (k, target), path in sorted(

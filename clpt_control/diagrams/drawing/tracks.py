@@ -14,25 +14,13 @@ LANE, APART = 10.0, 7.0
 
 @dataclass
 class Turn:
-    """What one net does in one channel.
+    """What one net does in one channel."""
 
-    Attributes
-    ----------
-    net : int
-        The net.
-    lefts, rights : list of float
-        The heights at which it meets them.
-    lane : float or None
-        Height of the feedback lane it comes from or goes to.
-    x : float
-        Its track.
-    """
-
-    net: int
-    lefts: list[float]
-    rights: list[float]
-    lane: float | None = None
-    x: float = 0.0
+    net: int  # the net
+    lefts: list[float]  # the heights at which it meets them
+    rights: list[float]  # the heights at which it meets them
+    lane: float | None = None  # height of the feedback lane it comes from or goes to
+    x: float = 0.0  # its track
 
     @property
     def ends(self) -> list[float]:
@@ -41,29 +29,7 @@ class Turn:
 
 
 def lanes_of(layered: Layered, boxes: dict[str, Box], above: dict[int, bool]) -> dict[int, float]:
-    """Return each feedback net a lane; short ones run inside.
-
-    Parameters
-    ----------
-    layered : Layered
-        Blocks in ordered layers.
-    boxes : dict of str to Box
-        With their heights.
-    above : dict of int to bool
-        Net with feedback -> whether it returns above the boxes.
-
-    Returns
-    -------
-    dict of int to float
-        Net -> height of its lane.
-
-    Examples
-    --------
-    >>> from clpt_control.diagrams.drawing.layers import Net
-    >>> layered = Layered([Net("a", "y", {"a": "y"}, {"a"})], {"a": 0}, [["a"]])
-    >>> lanes_of(layered, {"a": Box(40, 20)}, {0: True})
-    {0: -20.0}
-    """
+    """Return each feedback net a lane; short ones run inside."""
     top = min(box.y - box.height / 2 for box in boxes.values()) - LANE
     bottom = max(box.y + box.height / 2 for box in boxes.values()) + LANE
     spans = {}
@@ -91,29 +57,7 @@ def lanes_of(layered: Layered, boxes: dict[str, Box], above: dict[int, bool]) ->
 def channels_of(
     layered: Layered, boxes: dict[str, Box], lanes: dict[int, float]
 ) -> dict[int, list[Turn]]:
-    """Say what each net does in each channel.
-
-    Parameters
-    ----------
-    layered : Layered
-        Blocks in ordered layers.
-    boxes : dict of str to Box
-        With their heights.
-    lanes : dict of int to float
-        Height of each feedback lane.
-
-    Returns
-    -------
-    dict of int to list of Turn
-        Channel 2 lies right of layer 2; -1 left of all.
-
-    Examples
-    --------
-    >>> from clpt_control.diagrams.drawing.layers import Net
-    >>> layered = Layered([Net("a", "y", {"a": "y"}, {"a"})], {"a": 0}, [["a"]])
-    >>> [t.ends for t in channels_of(layered, {"a": Box(40, 20)}, {0: -20.0})[0]]
-    [[0.0, -20.0]]
-    """
+    """Say what each net does in each channel."""
     channels: dict[int, list[Turn]] = {c: [] for c in range(-1, len(layered.layers))}
     for k, net in enumerate(layered.nets):
         out = boxes[net.source].port(k, True)
@@ -132,20 +76,7 @@ def channels_of(
 
 
 def sort_tracks(turns: list[Turn]) -> None:
-    """Order tracks so that few cross and none run on top of another.
-
-    Parameters
-    ----------
-    turns : list of Turn
-        Of one channel; sorted in place, from left to right.
-
-    Examples
-    --------
-    >>> turns = [Turn(0, [0.0], [14.0]), Turn(1, [14.0], [28.0])]
-    >>> sort_tracks(turns)
-    >>> [turn.net for turn in turns]
-    [1, 0]
-    """
+    """Order tracks so that few cross and none run on top of another."""
 
     def cost(a: Turn, b: Turn) -> float:
         if a.net == b.net:
@@ -171,21 +102,5 @@ def sort_tracks(turns: list[Turn]) -> None:
 
 
 def overlap(a: Turn, b: Turn) -> bool:
-    """Return whether two turns are too close to share a track.
-
-    Parameters
-    ----------
-    a, b : Turn
-        Of one channel.
-
-    Returns
-    -------
-    bool
-        True where they need a track each.
-
-    Examples
-    --------
-    >>> overlap(Turn(0, [0.0], [14.0]), Turn(1, [42.0], [28.0]))
-    False
-    """
+    """Return whether two turns are too close to share a track."""
     return min(a.ends) < max(b.ends) + APART and min(b.ends) < max(a.ends) + APART
