@@ -40,7 +40,9 @@ class Layered:
 
     nets: list[Net]  # what is connected
     rank: dict[str, int]  # block or input -> number of its layer
-    layers: list[list[str]]  # from left to right, from top to bottom, with passages "pass:NET:LAYER"
+    layers: list[
+        list[str]
+    ]  # from left to right, from top to bottom, with passages "pass:NET:LAYER"
 
     def hop(self, k: int, layer: int) -> tuple[str, list[str]] | None:
         """Return where net k comes from and goes to between two layers."""
