@@ -18,8 +18,7 @@ import clpt_control as clpt
 from clpt_control.figures import BLUE, GREEN, RED, new_figure
 from clpt_control.files import make_folder, write_figure, write_text
 from clpt_control.progress import progress_bar
-from clpt_control.simulation.report import claims, run_and_report
-from clpt_control.theory.excitation.gramian import excitation, started_true
+from clpt_control.simulation import claims, run_and_report
 
 KERNELS = ("exponential", "gaussian", "gaussian-sigma")
 UNITS = {"periods in s": 1.0, "periods in h": 3600.0}
@@ -30,7 +29,8 @@ def reading(kernel: str, seconds: float) -> dict[str, Any]:
     paper = clpt.paper_scenario()
     scenario = paper.with_values({"basis.kernel": kernel, "basis.periods": seconds * paper.periods})
     summary = run_and_report(scenario).summary
-    eigenvalues = excitation(started_true(scenario), 200.0, 200.0).eigenvalues
+    true = clpt.theory.started_true(scenario)
+    eigenvalues = clpt.theory.gramian(true, 200.0, 200.0).eigenvalues
     return {
         "kernel": kernel,
         "rms": summary["clpe_rms_per_cycle"],

@@ -19,7 +19,6 @@ import typer
 import clpt_control as clpt
 from clpt_control.figures import BLUE, RED, new_figure
 from clpt_control.files import make_folder, write_figure, write_text
-from clpt_control.theory.excitation.gramian import started_true
 
 TIME = 100.0  # frozen time, s
 WRONG_BY = 0.1  # 1/s: how far the second learner's feedforward gain is off
@@ -41,24 +40,16 @@ def linear_model(scenario: clpt.Scenario, state: np.ndarray) -> control.StateSpa
 
 def flow_gradient(scenario: clpt.Scenario, state: np.ndarray, step: float = 1e-6) -> np.ndarray:
     """Return (theta - alpha_M) dphi/dx at the vehicle by central differences."""
-    from clpt_control.simulation.flows import flow_velocity
-
     left = np.array(scenario.flow.parameters) - np.array(scenario.model_parameters)
-    gradient = np.empty((2, 2))
-    for j in range(2):
-        offset = np.zeros(2)
-        offset[j] = step
-        ahead, behind = (
-            flow_velocity(scenario, [state[:2] + s * offset], TIME, left)[0] for s in (1, -1)
-        )
-        gradient[:, j] = (ahead - behind) / (2 * step)
-    return gradient
+    places = state[:2] + step * np.vstack([np.eye(2), -np.eye(2)])
+    flow = clpt.simulation.flow_velocity(scenario, places, TIME, left)
+    return (flow[:2] - flow[2:]).T / (2 * step)
 
 
 def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/step_response")) -> None:
     """Leave step_response.md and step_response.png."""
     folder = make_folder(out)
-    scenario = started_true(clpt.paper_scenario())
+    scenario = clpt.theory.started_true(clpt.paper_scenario())
     state = operating_point(scenario)
     model = linear_model(scenario, state)
     wrong = state.copy()

@@ -22,7 +22,7 @@ def excitation(
     ] = None,
     as_json: Json = False,
 ) -> None:
-    """Tell what can be learned on a track, and how fast."""
+    """Measure what can be learned on a track, and how fast."""
     from ..files import check_writable, write_figure
     from ..scenario.file import load_scenario
     from ..simulation.run_file import load_run
@@ -35,11 +35,11 @@ def excitation(
             raise ClptError(f"{figure}: a figure's name must end in .png, .pdf or .svg")
     report = excitation_report(source, window, start)
     if figure is not None:
-        from ..theory.excitation.gramian import excitation as measured
+        from ..theory.excitation.gramian import gramian
         from ..theory.excitation.plot import excitation_plot
         from ..theory.excitation.sliding import sliding_excitation
 
-        at = measured(source, report["window"], report["start"])
+        at = gramian(source, report["window"], report["start"])
         write_figure(excitation_plot(sliding_excitation(source, report["window"]), at), figure)
     if as_json:
         print_json(report)

@@ -1,7 +1,7 @@
 """`clpt prove`: the paper's theorems on the equations that run."""
 
-from pathlib import Path
-from typing import Annotated
+from dataclasses import asdict
+from typing import Annotated, Any
 
 import typer
 
@@ -11,25 +11,18 @@ from .printing import Json, print_json, print_table
 
 def prove(
     theorem: Annotated[str | None, typer.Option(help="3.1, 3.2, 3.3 or 3.4; default: all.")] = None,
-    tex: Annotated[Path | None, typer.Option(help="Write the audit as LaTeX.")] = None,
     as_json: Json = False,
 ) -> None:
     """Check the paper's theorems on the equations that run."""
-    from ..files import check_writable, write_text
     from ..progress import progress_bar
-    from ..theory.proving.audit_page import audit_json, audit_latex
     from ..theory.proving.misprints import misprints
     from ..theory.proving.theorems import audit
 
-    if tex is not None:
-        check_writable(tex)
     with progress_bar("proving", 4 if theorem is None else 1) as report:
         proofs = audit(theorem, report)
         listed = misprints()
-    if tex is not None:
-        write_text(tex, audit_latex(proofs, listed))
     if as_json:
-        print_json(audit_json(proofs, listed))
+        print_json(_as_json(proofs, listed))
     else:
         for number, proof in proofs.items():
             rows = [["yes" if s.holds else "NO", s.how, s.claim, s.detail] for s in proof.steps]
@@ -55,3 +48,17 @@ def prove(
     if wrong:
         more = f" (and {len(wrong) - 1} more)" if len(wrong) > 1 else ""
         raise SimulationError(f"the proof fails: {wrong[0]}{more}")
+
+
+def _as_json(proofs: dict, listed: tuple) -> dict[str, Any]:
+    """Return the statuses, steps and statements, and the misprints."""
+    theorems = {}
+    for number, proof in proofs.items():
+        said = asdict(proof)
+        del said["theorem"], said["printed_holds"]
+        theorems[number] = {"status": proof.status, "for_every_N": proof.for_every_N, **said}
+    keys = ("equation", "printed", "corrected", "check", "confirmed")
+    return {
+        "theorems": theorems,
+        "misprints": [{key: getattr(m, key) for key in keys} for m in listed],
+    }

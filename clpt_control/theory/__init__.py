@@ -1,6 +1,8 @@
-"""The paper's section III as checks on the equations that run.
+"""The paper's section III on the equations that run.
 
-`audit` judges the four theorems, `prove` a law of your own.
+`audit` judges the four theorems, `prove` a law of your own, `misprints` lists what is misprinted.
+`gramian` and `certificate` say what a track can teach and how fast; `disturbance_counterexample`
+and `printed_bound` set the printed bounds beside a run.
 """
 
 import lazy_loader

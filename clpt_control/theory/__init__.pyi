@@ -1,8 +1,23 @@
+from .counterexamples.paper_system import disturbance_counterexample
+from .counterexamples.printed_bounds import printed_bound
+from .excitation.bounds import ultimate_bound
+from .excitation.certificates import certificate
+from .excitation.gramian import gramian, started_true
+from .excitation.transition import error_matrices
+from .proving.misprints import misprints
 from .proving.own_law import Verdict, prove
 from .proving.theorems import audit
 
 __all__ = [
     "Verdict",
     "audit",
+    "certificate",
+    "disturbance_counterexample",
+    "error_matrices",
+    "gramian",
+    "misprints",
+    "printed_bound",
     "prove",
+    "started_true",
+    "ultimate_bound",
 ]

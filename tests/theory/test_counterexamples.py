@@ -5,25 +5,23 @@ import pytest
 from pictures import inked
 
 import clpt_control as clpt
+from analysis import theorems as study
+from analysis.mean_square import mean_square_bound, mean_square_sides
 from clpt_control.errors import ScenarioError
-from clpt_control.theory.counterexamples import plot as plots
-from clpt_control.theory.counterexamples.mean_square import (
-    mean_square_bound,
-    mean_square_sides,
-    residual,
-)
 from clpt_control.theory.counterexamples.paper_system import (
     disturbance_counterexample,
     known_flow_counterexample,
+    unlearned_counterexample,
     with_square_wave,
 )
-from clpt_control.theory.counterexamples.printed_bounds import measured
+from clpt_control.theory.counterexamples.printed_bounds import printed_bound, residual
 from clpt_control.theory.counterexamples.scalar import (
+    Piece,
     burst_counterexample,
+    exact_run,
+    scalar_matrix,
     square_wave_counterexample,
 )
-from clpt_control.theory.counterexamples.unlearned import unlearned_counterexample
-from clpt_control.theory.excitation.linear_runs import Piece, exact_run, scalar_matrix
 from clpt_control.theory.excitation.transition import axis_states, error_matrices
 
 
@@ -241,15 +239,18 @@ def test_exact_runs_agree_with_an_integrator():
     assert np.allclose(states, found.y.T, atol=1e-9)
 
 
-def test_the_pictures_show_what_was_measured(square_wave):
-    figure = plots.counterexample_plot(square_wave)
+def test_the_picture_shows_what_was_measured(square_wave, tmp_path, monkeypatch):
+    drawn = []
+    monkeypatch.setattr(study, "write_figure", lambda figure, path: drawn.append(figure))
+    study.figure(square_wave, tmp_path / "theorems.png")
+    figure = drawn[0]
     top, bottom = figure.axes
     assert top.get_xlim() == pytest.approx((400.0, 800.0), abs=0.02)
     assert bottom.get_xlabel() == "time (s)"
     assert "peak, 1.44 of the bound" in [text.get_text() for text in figure.legends[0].texts]
     scenario = with_square_wave(clpt.paper_scenario(), 0.05, 3.5)
     run = clpt.simulate(scenario, np.linspace(0, 20, 500))
-    assert measured(scenario, run, 0.0).length == "m"
+    assert printed_bound(scenario, run, 0.0).length == "m"
 
 
 @pytest.mark.slow

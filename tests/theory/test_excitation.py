@@ -9,12 +9,12 @@ from pictures import inked
 import clpt_control as clpt_package
 from clpt_control.blocks.reference import circle
 from clpt_control.errors import DataError, ScenarioError
-from clpt_control.theory.excitation.circle import circle_step
-from clpt_control.theory.excitation.gramian import excitation, parameter_names, started_true
+from clpt_control.theory.excitation.gramian import gramian, parameter_names, started_true
 from clpt_control.theory.excitation.plot import excitation_plot
 from clpt_control.theory.excitation.regressor import quadrature
 from clpt_control.theory.excitation.report import excitation_report
 from clpt_control.theory.excitation.sliding import sliding_excitation
+from clpt_control.theory.proving.circle import circle_step
 
 KERNELS = {"exponential": (4.3331, 4.6692), "gaussian": (0.19002, 0.19353)}
 
@@ -31,7 +31,7 @@ def true_paper(paper):
 
 @pytest.mark.parametrize(("kernel", "expected"), KERNELS.items())
 def test_the_smallest_eigenvalues_of_the_paper(true_paper, kernel, expected):
-    found = excitation(true_paper.with_values({"basis.kernel": kernel}), 200.0, 200.0)
+    found = gramian(true_paper.with_values({"basis.kernel": kernel}), 200.0, 200.0)
     least = [values[0] for values in found.eigenvalues.values()]
     np.testing.assert_allclose(least, expected, rtol=5e-5)
     assert found.not_learnable == []
@@ -40,7 +40,7 @@ def test_the_smallest_eigenvalues_of_the_paper(true_paper, kernel, expected):
 
 def test_the_second_function_is_not_learnable_in_gaussian_sigma(true_paper):
     scenario = true_paper.with_values({"basis.kernel": "gaussian-sigma"})
-    found = excitation(scenario, 200.0, 200.0)
+    found = gramian(scenario, 200.0, 200.0)
     for i, axis in enumerate(("x1", "x2"), 1):
         assert 0 < found.eigenvalues[axis][0] < 1e-10
         assert found.dimension[axis] == 4
@@ -61,7 +61,7 @@ def test_equal_functions_are_learnable_only_together(true_paper):
             "run.duration": 200,
         }
     )
-    found = excitation(scenario, 200.0, 0.0)
+    found = gramian(scenario, 200.0, 0.0)
     assert found.not_learnable == [
         f"theta_{i}[1] and theta_{i}[3] are not learnable one by one on this track" for i in (1, 2)
     ]
@@ -75,7 +75,7 @@ def test_a_gramian_equals_a_plain_sum_over_a_fine_grid(true_paper):
     from clpt_control.diagrams.scenario_basis import scenario_basis
 
     phi = evaluate(scenario_basis(true_paper), times, run.position.values)
-    found = excitation(true_paper, 60.0, 200.0)
+    found = gramian(true_paper, 60.0, 200.0)
     for i, axis in enumerate(("x1", "x2")):
         w = np.column_stack([phi, run.predicted_position[:, i], run.reference[:, i]])
         np.testing.assert_allclose(found.gramians[axis], 0.01 * w.T @ w, rtol=2e-4, atol=2e-4)
@@ -91,9 +91,9 @@ def test_no_node_lies_on_a_switch_and_weights_sum_to_the_window(paper):
 
 @pytest.mark.parametrize(("step", "tolerance"), [(1.0, 2e-3), (0.7, 1e-3), (0.2, 1e-6)])
 def test_a_recorded_run_gives_the_same(true_paper, step, tolerance):
-    exact = excitation(true_paper, 200.0, 200.0)
+    exact = gramian(true_paper, 200.0, 200.0)
     run = clpt_package.simulate(true_paper.with_values({"run.output_step": step}))
-    found = excitation(run, 200.0, 200.0)
+    found = gramian(run, 200.0, 200.0)
     for axis, values in exact.eigenvalues.items():
         np.testing.assert_allclose(found.eigenvalues[axis], values, rtol=tolerance)
 
@@ -182,9 +182,9 @@ def test_a_gridded_field_needs_no_theta(tmp_path, paper):
         {"run.duration": 100, "flow.outside": "stop", "reference.radius": 30}
     )
     with pytest.raises(ScenarioError, match="the run ended before: stopped"):
-        excitation(stopped, 50.0, 20.0)
+        gramian(stopped, 50.0, 20.0)
     run = clpt_package.simulate(stopped.with_values({"run.output_step": 0.01}))
-    assert len(excitation(run).eigenvalues["x2"]) == 5
+    assert len(gramian(run).eigenvalues["x2"]) == 5
 
 
 @pytest.mark.parametrize(
@@ -201,21 +201,21 @@ def test_a_gridded_field_needs_no_theta(tmp_path, paper):
 )
 def test_a_window_outside_the_run_is_refused(paper, window, start):
     with pytest.raises(ScenarioError, match="within the run, 0 to 400 s"):
-        excitation(paper, window, start)
+        gramian(paper, window, start)
 
 
 def test_a_dataset_that_is_no_run_is_refused():
     import xarray
 
     with pytest.raises(DataError, match="carries no scenario"):
-        excitation(xarray.Dataset())
+        gramian(xarray.Dataset())
 
 
 def test_the_sliding_window_agrees_with_single_windows(paper):
     sliding = sliding_excitation(paper, 50.0, count=8)
     assert sliding.starts[[0, -1]].tolist() == [0.0, 350.0]
     for k in (0, 3, 7):
-        single = excitation(paper, 50.0, float(sliding.starts[k]))
+        single = gramian(paper, 50.0, float(sliding.starts[k]))
         for axis in ("x1", "x2"):
             np.testing.assert_allclose(
                 sliding.eigenvalues[axis][k], single.eigenvalues[axis], rtol=1e-5, atol=1e-12
@@ -250,9 +250,9 @@ def test_the_circles_closed_form_is_the_reference_blocks(paper):
 
 
 def test_the_circle_is_what_a_run_measures(paper):
-    found = excitation(paper, 200.0, 200.0)
-    for gramian in found.gramians.values():
-        assert gramian[-1, -1] == pytest.approx(10 * 20 * 9 / 2, rel=1e-12)
+    found = gramian(paper, 200.0, 200.0)
+    for matrix in found.gramians.values():
+        assert matrix[-1, -1] == pytest.approx(10 * 20 * 9 / 2, rel=1e-12)
 
 
 def test_the_command_prints_the_eigenvalues(clpt, tmp_path):

@@ -4,9 +4,9 @@ import json
 
 import pytest
 
+from analysis.theorems import page
 from clpt_control.blocks import adaptation, vehicle
 from clpt_control.blocks.words import where
-from clpt_control.theory.proving.audit_page import audit_latex, audit_markdown
 from clpt_control.theory.proving.misprints import misprints
 from clpt_control.theory.proving.proof import Proof, Step, checked, cited
 from clpt_control.theory.proving.theorems import audit
@@ -71,8 +71,8 @@ def test_a_misprint_fails_as_printed_and_passes_corrected(number):
     assert misprint.confirmed
 
 
-def test_prove_prints_json(clpt, tmp_path):
-    outcome = clpt("prove", "--json", "--tex", tmp_path / "audit.tex")
+def test_prove_prints_json(clpt):
+    outcome = clpt("prove", "--json")
     assert outcome.status == 0
     printed = json.loads(outcome.out)
     assert set(printed["theorems"]) == {"3.1", "3.2", "3.3", "3.4"}
@@ -81,7 +81,6 @@ def test_prove_prints_json(clpt, tmp_path):
         for step in theorem["steps"]:
             assert step["how"] in ("exact", "cited", "counterexample", "sampled")
     assert {"equation", "printed", "corrected", "check"} <= set(printed["misprints"][0])
-    assert (tmp_path / "audit.tex").read_text().startswith("\\documentclass")
 
 
 def test_prove_one_theorem_and_refuse_another(clpt):
@@ -143,9 +142,7 @@ def test_sampled_steps_alone_prove_nothing():
     assert Proof("x", "", (), (exact,), False, "", corrected="better").status == "failed"
 
 
-def test_the_page_and_the_document(proofs):
-    page = audit_markdown(proofs, misprints())
-    assert page.count("## Theorem") == 4
-    assert "**no**" not in page
-    document = audit_latex(proofs, misprints())
-    assert document.count(r"\begin{longtable}") == document.count(r"\end{longtable}") == 5
+def test_the_page(proofs):
+    text = page(proofs, misprints())
+    assert text.count("## Theorem") == 4
+    assert "**no**" not in text

@@ -10,11 +10,11 @@ import clpt_control as clpt
 from clpt_control.blocks.adaptation import LearnedFlowParameters, adaptation
 from clpt_control.blocks.words import where
 from clpt_control.errors import BlockError, DiagramError
-from clpt_control.theory.proving.generic import Size, Summed, generic_size, read_function
-from clpt_control.theory.proving.generic_trace import element_symbol, generic_trace
-from clpt_control.theory.proving.lyapunov import generic_terms
+from clpt_control.theory.proving.every_n_function import Size, Summed, port_size, read_function
+from clpt_control.theory.proving.every_n_loop import element_symbol, every_n_loop
+from clpt_control.theory.proving.lyapunov import every_n_terms
+from clpt_control.theory.proving.symbolic_loop import TIME, symbolic_loop
 from clpt_control.theory.proving.theorem_loop import theorem_loop, theorem_scenario
-from clpt_control.theory.proving.trace import TIME, trace
 
 
 @pytest.mark.parametrize("N", [1, 2, 4])
@@ -22,7 +22,7 @@ from clpt_control.theory.proving.trace import TIME, trace
 def test_symbols_agree_with_python_control(N, law):
     scenario = theorem_scenario(N, law).with_values({"run.duration": 50})
     diagram = clpt.closed_loop(scenario)
-    loop = trace(diagram)
+    loop = symbolic_loop(diagram)
     random = np.random.default_rng(N)
     state, t = random.standard_normal(diagram.nstates), 7.3
     places = dict(zip([s for v in loop.states.values() for s in v], state, strict=True))
@@ -42,7 +42,7 @@ def test_symbols_agree_with_python_control(N, law):
 @pytest.mark.parametrize("law", ["learned-flow", "known-flow"])
 @pytest.mark.parametrize("N", [1, 3])
 def test_every_N_agrees_with_each_N(law, N):
-    whole, one = generic_trace(theorem_loop(3, law)), trace(theorem_loop(N, law))
+    whole, one = every_n_loop(theorem_loop(3, law)), symbolic_loop(theorem_loop(N, law))
 
     def summed(value):
         """Sum over k, with the names of the concrete trace."""
@@ -97,7 +97,7 @@ def reading(function, states=None):
         states=states,
         parameters=LawParameters(7, 0.8),
     )
-    out = {port: generic_size(port, size, 7) for port, size in states.items()}
+    out = {port: port_size(port, size, 7) for port, size in states.items()}
     sizes = {"x": out, "u": {"e": Size(0, 2), "phi_x": Size(1, 0)}, "out": out}
 
     def leaf(name, *where):
@@ -279,7 +279,7 @@ def test_products_of_two_sums_are_refused():
     ],
 )
 def test_sizes_of_ports(port, size, N, wanted):
-    assert generic_size(port, size, N) == wanted
+    assert port_size(port, size, N) == wanted
 
 
 def test_a_plain_system_cannot_be_traced():
@@ -290,23 +290,23 @@ def test_a_plain_system_cannot_be_traced():
     )
     diagram = control.interconnect([plant], inplist=["plant.u[0]"], outlist=["plant.y[0]"])
     with pytest.raises(DiagramError, match="plant is no block"):
-        trace(diagram)
+        symbolic_loop(diagram)
 
 
 def test_a_port_that_does_not_go_with_N_is_refused():
     with pytest.raises(BlockError, match="alpha has 7 signals, which does not go with N = 3"):
-        generic_size("alpha", 7, 3)
+        port_size("alpha", 7, 3)
 
 
 def test_two_values_of_one_name_are_two_symbols():
     law = adaptation(LearnedFlowParameters(2, 0.123))
     candidate = theorem_loop(2, "learned-flow").syslist[-1]
-    loop = trace(theorem_loop(2, "learned-flow", law_block=law, candidate=candidate))
+    loop = symbolic_loop(theorem_loop(2, "learned-flow", law_block=law, candidate=candidate))
     assert str(loop.parameters["adaptation"].gain) == "adaptation.gain"
     assert str(loop.parameters["lyapunov"].gain_K[0]) == "lyapunov.gain_K[1]"
 
 
 def test_terms_speak_the_papers_symbols():
-    terms = generic_terms(generic_trace(theorem_loop(2, "learned-flow")))
+    terms = every_n_terms(every_n_loop(theorem_loop(2, "learned-flow")))
     assert str(terms.theta(0, None)) == "theta_1[k]"
     assert str(terms.e(1)) == "x_2 - z_2"

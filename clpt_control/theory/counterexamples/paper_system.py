@@ -1,57 +1,31 @@
-"""Counterexamples on the paper's own system to Eqs. (16) and (33).
+"""Counterexamples on the paper's own system: Eqs. (16) and (33), Theorem 3.3.
 
-    |e| <= |(theta - theta_hat) phi(x, t)| / mu,  mu < lambda_min(KD)      Eq. (16)
-    |e| <= |Delta| / beta,                      beta < lambda_min(KD)      Eq. (33)
+V' < 0 outside a ball in e is no bound on e, since V also holds parameter errors: what the
+disturbance drives into them comes back through the regressor.
 
-V' < 0 outside a ball in e is no bound on e, since V also holds parameter
-errors: what the disturbance drives into them comes back through the regressor.
-Each function here runs the case that shows it.  The scalar cases are in
-`scalar_counterexamples`, that of Theorem 3.3 in `unlearned`; what does hold is
-in `mean_square`.
+Theorem 3.3 asks that the desired position zc is exciting, Assumption 3.1.  The joint regressor
+w = [phi, z, zc] of Eq. (31) must be: a basis function of Eq. (5) that vanishes on the track
+leaves its parameter where it started, by Eq. (21), alpha' = -gamma e phi^T.
 """
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 
+from ...blocks import evaluate
+from ...diagrams.scenario_basis import scenario_basis
 from ...scenario.experiment import Scenario
 from ...scenario.file import paper_scenario
 from ...simulation.integrate import sample_times, simulate
 from ..excitation.gramian import started_true
-from .printed_bounds import Counterexample, measured
+from .printed_bounds import PrintedBound, printed_bound
 
 RESONANT = 3.5  # rad/s: near sqrt(gamma |w|^2) of the paper's x1 axis at its far waypoints
 
 
 def with_square_wave(scenario: Scenario, amplitude: float, frequency: float) -> Scenario:
-    """Return the scenario, started true, with a square wave on axis 1.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        With flow parameters theta and the learned-flow law.
-    amplitude : float
-        Delta_max, units.length per units.time.
-    frequency : float
-        Angular, rad per units.time.
-
-    Returns
-    -------
-    Scenario
-        Delta = (amplitude sign(sin(frequency t)), 0).
-
-    Raises
-    ------
-    ScenarioError
-        If a value is not allowed.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> found = with_square_wave(clpt.paper_scenario(), 0.05, 3.5)
-    >>> round(found.flow.disturbance.period, 7)
-    1.7951958
-    """
+    """Return it started true, with Delta = (amplitude sign(sin(frequency t)), 0)."""
     wave = {"kind": "square", "amplitude": [amplitude, 0.0], "period": 2 * np.pi / frequency}
     return started_true(scenario).with_values({"flow.disturbance": wave})
 
@@ -63,7 +37,7 @@ def disturbance_counterexample(
     end: float = 800.0,
     samples: int = 50,
     progress: Callable[[float], None] | None = None,
-) -> Counterexample:
+) -> PrintedBound:
     """Violate Eq. (33): the paper's system and a square wave.
 
     Parameters
@@ -81,7 +55,7 @@ def disturbance_counterexample(
 
     Returns
     -------
-    Counterexample
+    PrintedBound
         Started at the true parameters, so that nothing but Delta makes e.
 
     Raises
@@ -91,14 +65,15 @@ def disturbance_counterexample(
 
     Examples
     --------
-    >>> found = disturbance_counterexample(start=0.0, end=40.0)
+    >>> import clpt_control as clpt
+    >>> found = clpt.theory.disturbance_counterexample(start=0.0, end=40.0)
     >>> found.ratio > 1, round(found.claimed, 4)
     (True, 0.05)
     """
     scenario = with_square_wave(paper_scenario(), amplitude, frequency)
     scenario = scenario.with_values({"run.duration": end})
     run = simulate(scenario, sample_times(end, np.pi / frequency / samples), progress=progress)
-    return measured(scenario, run, start)
+    return printed_bound(scenario, run, start)
 
 
 def known_flow_counterexample(
@@ -107,41 +82,12 @@ def known_flow_counterexample(
     start: float = 400.0,
     end: float = 1200.0,
     step: float = 0.02,
-    progress: Callable[[float], None] | None = None,
-) -> Counterexample:
-    """Violate Eq. (16): the paper's system, one theta_hat wrong.
+) -> PrintedBound:
+    """Violate Eq. (16): true gains, one entry of theta_hat wrong by `bias`, m/s.
 
-    Slow adaptation stores the tidal residual of one waypoint in K and Gamma
-    and gives it back at the next.  At the paper's gain 0.8 a short search over
-    single wrong entries found no violation.
-
-    Parameters
-    ----------
-    gain : float
-        Adaptation gain gamma.
-    bias : float
-        theta - theta_hat of the first function on axis 2, m/s.
-    start, end : float
-        Measured from start to end of the run, s.
-    step : float
-        Between samples, s.
-    progress : callable, optional
-        Called with the time reached.
-
-    Returns
-    -------
-    Counterexample
-        Started with true gains; its drive is |(theta - theta_hat) phi(x, t)|.
-
-    Raises
-    ------
-    ScenarioError
-        If a value is not allowed.
-
-    Examples
-    --------
-    >>> known_flow_counterexample(end=40.0, start=0.0).equation
-    '(16)'
+    Slow adaptation stores the tidal residual of one waypoint in K and Gamma and gives it back
+    at the next.  At the paper's gain 0.8 a short search over single wrong entries found no
+    violation.  Measured from start to end, s, at samples each `step`.
     """
     true = started_true(paper_scenario())
     estimate = np.array(true.flow.parameters)
@@ -155,4 +101,46 @@ def known_flow_counterexample(
             "run.duration": end,
         }
     )
-    return measured(scenario, simulate(scenario, sample_times(end, step), progress=progress), start)
+    return printed_bound(scenario, simulate(scenario, sample_times(end, step)), start)
+
+
+@dataclass(frozen=True)
+class Unlearned:
+    """A parameter that stands still while zc is exciting."""
+
+    kappa: float  # smallest eigenvalue of int zc zc^T over a cycle, length^2 time
+    function: int  # number of the basis function, from 1
+    largest: float  # its largest size along the track
+    estimates: np.ndarray  # of its parameter, both axes, length per time, (nt, 2)
+    true: np.ndarray  # what they should become, (2,)
+
+    @property
+    def moved(self) -> float:
+        """How far the estimate went from its start at most."""
+        return float(np.abs(self.estimates - self.estimates[0]).max())
+
+    @property
+    def error(self) -> float:
+        """Smallest error of the estimate at the end."""
+        return float(np.abs(self.estimates[-1] - self.true).min())
+
+
+def unlearned_counterexample(end: float = 400.0, function: int = 2) -> Unlearned:
+    """Refute "zc exciting is enough" of Theorem 3.3, on a run to `end`, s.
+
+    With the kernel exp(-d^2/s) of Eq. (5) the second function, exp(-d^2/5) around (10, 10),
+    vanishes on the circle.
+    """
+    scenario = paper_scenario().with_values(
+        {"basis.kernel": "gaussian-sigma", "run.duration": end, "run.output_step": 0.5}
+    )
+    run = simulate(scenario)
+    zc, k = scenario.waypoints, function - 1
+    phi = evaluate(scenario_basis(scenario), run.time.values, run.position.values)
+    return Unlearned(
+        float(np.linalg.eigvalsh(scenario.reference.dwell * zc.T @ zc)[0]),
+        function,
+        float(np.abs(phi[:, k]).max()),
+        run.flow_parameters_estimate.values[:, :, k],
+        np.array(scenario.flow.parameters)[:, k],
+    )

@@ -37,7 +37,8 @@ def ultimate_bound(window: float, largest_disturbance: float, drop: float) -> fl
 
     Examples
     --------
-    >>> round(ultimate_bound(2.0, 0.5, 0.75), 12)
+    >>> import clpt_control as clpt
+    >>> round(clpt.theory.ultimate_bound(2.0, 0.5, 0.75), 12)
     3.0
     """
     if not 0 <= drop <= 1:
@@ -49,33 +50,10 @@ def ultimate_bound(window: float, largest_disturbance: float, drop: float) -> fl
 
 
 def time_to_error(window: float, drop: float, start: float, error: float) -> float:
-    """Return the time until the parameter error must be small.
+    """Return the time until |eta| must be `error`: whole windows times T; inf for no drop.
 
-    Parameters
-    ----------
-    window : float
-        Length T of the window, time.
-    drop : float
-        Exact drop of V over each window.
-    start : float
-        sqrt(2 gamma V) at the start; |eta(0)| where e(0) = 0.
-    error : float
-        The |eta| asked for, in the unit of `start`.
-
-    Returns
-    -------
-    float
-        Whole windows times T; inf where the drop is zero.
-
-    Raises
-    ------
-    ScenarioError
-        If an error is not positive or the drop is not in [0, 1].
-
-    Examples
-    --------
-    >>> time_to_error(10.0, 0.75, 1.0, 0.25)
-    20.0
+    `drop` is the exact drop of V over each window of length T = `window`; `start` is
+    sqrt(2 gamma V) at the start, |eta(0)| where e(0) = 0, in the unit of `error`.
     """
     if not (0 <= drop <= 1 and start > 0 and error > 0):
         raise ScenarioError(

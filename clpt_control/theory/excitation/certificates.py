@@ -7,14 +7,12 @@ Axis by axis, with k = KD_i, w the joint regressor and S = diag(1, I/sqrt(gamma)
                 from V' = -k e^2, Eq. (25); Phi_e is the row of e, and no digits are lost
     guaranteed  rho = k min(1, gamma) lambda_min(G) / (1 + q^2),  q = gamma wbar^2 T / k,
                 G = int R^T R,  R(s) = [e^{-k (s-t)}, (int_t^s e^{-k (s-r)} w(r) dr)^T]
-    sharper     2 k lambda_min(S^-1 G S^-1) / (1 + q)^2,  q = gamma int |w|^2 / (sqrt(2) k)
 
 Why: R x_0 = e + gamma F, F(s) = int_t^s e^{-k (s-r)} w^T(r) int_t^r w e, and
-|F| <= |e| wbar^2 T/k, or |e| int |w|^2 / (sqrt(2) k), in L2, so that
-x_0^T G x_0 <= (1 + q)^2 int e^2 <= 2 (1 + q^2) int e^2, while V falls by k int e^2.
-R is the row of e in Phi where adaptation rests (gamma = 0): the output injection
-of Theorem 3.3.  V is the sum over axes, so the worst axis counts.  wbar is the
-largest |w| at the nodes; `sharper` needs no such bound.
+|F| <= |e| wbar^2 T/k in L2, so that x_0^T G x_0 <= (1 + q)^2 int e^2 <= 2 (1 + q^2) int e^2,
+while V falls by k int e^2.  R is the row of e in Phi where adaptation rests (gamma = 0): the
+output injection of Theorem 3.3.  V is the sum over axes, so the worst axis counts.  wbar is the
+largest |w| at the nodes.
 """
 
 from dataclasses import dataclass
@@ -32,30 +30,15 @@ MOST = 20000  # pieces
 
 @dataclass(frozen=True)
 class Certificate:
-    """What one window does to V, for one trajectory.
+    """What one window does to V, for one trajectory, axes ``"x1"`` and ``"x2"``."""
 
-    Attributes
-    ----------
-    start, window : float
-        The window [start, start + window], units.time.
-    trajectory : str
-        Which trajectory w was taken from: w holds z, which depends on the learner.
-    transition : dict
-        ``"x1"`` and ``"x2"`` -> Phi(t+T, t) of (e_i, eta_i); its eigenvalues
-        are Floquet multipliers where w has the period T.
-    contractions, drops, rhos, sharper : dict
-        By axis: exact V(t+T)/V(t) at worst, 1 less that with all its digits,
-        the guaranteed drop rho, and a sharper guaranteed drop.
-    """
-
-    start: float
-    window: float
-    trajectory: str
-    transition: dict[str, np.ndarray]
-    contractions: dict[str, float]
-    drops: dict[str, float]
-    rhos: dict[str, float]
-    sharper: dict[str, float]
+    start: float  # of the window, units.time
+    window: float  # its length
+    trajectory: str  # which one w was taken from: w holds z, which depends on the learner
+    transition: dict[str, np.ndarray]  # axis -> Phi(t+T, t) of (e_i, eta_i)
+    contractions: dict[str, float]  # axis -> exact V(t+T)/V(t) at worst
+    drops: dict[str, float]  # axis -> 1 less that, with all its digits
+    rhos: dict[str, float]  # axis -> the guaranteed drop
 
     @property
     def contraction(self) -> float:
@@ -82,36 +65,10 @@ def window_drops(
     gain: float,
     adapted: slice = slice(None),
 ) -> dict[str, np.ndarray]:
-    """Measure what a window does to V, axis by axis.
+    """Return contraction, drop, rho, each (2, ...), and transition (2, ..., n, n), axis first.
 
-    Parameters
-    ----------
-    phi : ndarray, shape (..., pieces, nodes, N)
-        Basis functions at Gauss-Legendre nodes, whatever trajectory they are from.
-    z, zc : ndarray, shape (..., pieces, nodes, 2)
-        Predicted and desired position, length.
-    weights : ndarray, shape (pieces, nodes)
-        Quadrature weights, time.
-    KD : array_like, shape (2,)
-        Feedback gains, per time.
-    gain : float
-        Adaptation gain gamma > 0.
-    adapted : slice, optional
-        Which of the N + 2 parameters adapt; all of them.
-
-    Returns
-    -------
-    dict
-        ``contraction``, ``drop``, ``rho``, ``sharper``, each shape (2, ...),
-        and ``transition``, shape (2, ..., n, n); axis first.
-
-    Examples
-    --------
-    >>> w = np.ones((1, 16, 1))
-    >>> weights = np.polynomial.legendre.leggauss(16)[1][None] / 2
-    >>> found = window_drops(w, w.repeat(2, -1), w.repeat(2, -1), weights, [1, 1], 0.5)
-    >>> bool(np.all(found["rho"] <= found["drop"]))
-    True
+    phi (..., pieces, nodes, N), z and zc (..., pieces, nodes, 2) stand at Gauss-Legendre nodes
+    with weights (pieces, nodes); `adapted` are those of the N + 2 parameters that adapt.
     """
     KD, lengths = np.asarray(KD, dtype=float), weights.sum(1)
     kept = np.concatenate([[0], 1 + np.arange(phi.shape[-1] + 2)[adapted]])
@@ -131,14 +88,11 @@ def window_drops(
     size = np.sum(w**2, axis=-1)
     k = KD.reshape(2, *[1] * (size.ndim - 3))
     q = gain * size.max((-1, -2)) * lengths.sum() / k
-    q_sharper = gain * np.sum(weights * size, (-1, -2)) / (np.sqrt(2) * k)
-    R = filtered[..., 0, :]
     norm = np.linalg.norm(transition * (scale[:, None] / scale), 2, axis=(-2, -1))
     return {
         "contraction": np.minimum(norm**2, 1.0),  # V never grows: V' = -k e^2
         "drop": 2 * k * least(inside[..., 0, :] / scale),
-        "rho": k * min(1.0, gain) * least(R) / (1 + q**2),
-        "sharper": 2 * k * least(R / scale) / (1 + q_sharper) ** 2,
+        "rho": k * min(1.0, gain) * least(filtered[..., 0, :]) / (1 + q**2),
         "transition": transition,
     }
 
@@ -161,7 +115,9 @@ def certificate(
     Returns
     -------
     Certificate
-        For that trajectory.
+        For that trajectory: `contraction`, the exact V(t+T)/V(t) at worst, `drop`, 1 less that
+        with all its digits, and `rho`, a guaranteed drop; by axis `transition`, Phi(t+T, t) of
+        (e_i, eta_i), whose eigenvalues are Floquet multipliers where w has the period T.
 
     Raises
     ------
@@ -173,7 +129,7 @@ def certificate(
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> found = certificate(clpt.paper_scenario(), 60.0, 0.0)
+    >>> found = clpt.theory.certificate(clpt.paper_scenario(), 60.0, 0.0)
     >>> 0 < found.rho < found.drop < 1
     True
     """
@@ -206,7 +162,7 @@ def certificate(
         dict(zip(axes, found["transition"], strict=True)),
         *(
             dict(zip(axes, map(float, found[name]), strict=True))
-            for name in ("contraction", "drop", "rho", "sharper")
+            for name in ("contraction", "drop", "rho")
         ),
     )
 

@@ -7,8 +7,10 @@ integral is not divided by the window.  Its eigenvalues say how well the
 parameters of that axis can be told apart on this track; w holds z, which
 depends on the learner, so a Gramian belongs to the trajectory it came from.
 
-A Gramian is kept as a triangular factor R, Gramian = R^T R, so that small
-eigenvalues are squares of R's singular values and keep their digits.
+A Gramian is kept as a triangular factor R, Gramian = R^T R, R from the QR factors of
+sqrt(weight) w^T.  Factors of pieces stack and factor again to that of the whole, so a sliding
+window adds pieces and never subtracts, and an eigenvalue of 1e-21 keeps its digits beside one
+of 1e3.
 """
 
 from dataclasses import dataclass
@@ -17,7 +19,6 @@ import numpy as np
 
 from ...errors import ScenarioError
 from ...scenario.experiment import Scenario
-from .factors import joined, piece_factors
 from .recorded import Source
 from .regressor import Regressor, joint_regressor
 
@@ -27,31 +28,15 @@ INVOLVED = 0.05  # a parameter belongs to a subspace if its unit vector leans in
 
 @dataclass(frozen=True)
 class Excitation:
-    """Gramians of the joint regressor over one window.
+    """Gramians of the joint regressor over one window, axes ``"x1"`` and ``"x2"``."""
 
-    Attributes
-    ----------
-    start, window : float
-        The window [start, start + window], units.time.
-    trajectory : str
-        Which trajectory it was measured on.
-    time_unit : str
-        units.time.
-    names : dict
-        ``"x1"`` and ``"x2"`` -> names of the N + 2 parameters of that axis.
-    factors : dict
-        ``"x1"`` and ``"x2"`` -> ndarray R, shape (N + 2, N + 2).
-    tolerance : float
-        Eigenvalues at or below this share of the largest are not excited.
-    """
-
-    start: float
-    window: float
-    trajectory: str
+    start: float  # of the window, units.time
+    window: float  # its length
+    trajectory: str  # which one it was measured on
     time_unit: str
-    names: dict[str, list[str]]
-    factors: dict[str, np.ndarray]
-    tolerance: float = NOT_LEARNABLE
+    names: dict[str, list[str]]  # axis -> names of its N + 2 parameters
+    factors: dict[str, np.ndarray]  # axis -> R, shape (N + 2, N + 2)
+    tolerance: float = NOT_LEARNABLE  # eigenvalues up to this share of the largest: not excited
 
     @property
     def gramians(self) -> dict[str, np.ndarray]:
@@ -117,27 +102,26 @@ class Excitation:
 
 
 def parameter_names(N: int) -> dict[str, list[str]]:
-    """Name the parameters of each axis, numbered from 1.
-
-    Parameters
-    ----------
-    N : int
-        Number of basis functions.
-
-    Returns
-    -------
-    dict
-        ``"x1"`` and ``"x2"`` -> N + 2 names.
-
-    Examples
-    --------
-    >>> parameter_names(1)["x2"]
-    ['theta_2[1]', 'K_2', 'Gamma_2']
-    """
+    """Return the N + 2 names of each axis's parameters, numbered from 1."""
     return {
         f"x{i}": [f"theta_{i}[{k}]" for k in range(1, N + 1)] + [f"K_{i}", f"Gamma_{i}"]
         for i in (1, 2)
     }
+
+
+def piece_factors(regressor: Regressor) -> np.ndarray:
+    """Return the factor of each piece's Gramian, shape (2, pieces, rows, N + 2)."""
+    return _triangle(np.sqrt(regressor.weights)[..., None] * regressor.w)
+
+
+def joined(pieces: np.ndarray) -> np.ndarray:
+    """Join factors (pieces, rows, n) of one axis into that of the whole, shape (n, n)."""
+    n = pieces.shape[-1]
+    return _triangle(np.concatenate([np.zeros((n, n)), *pieces]))
+
+
+def _triangle(rows: np.ndarray) -> np.ndarray:
+    return np.asarray(np.linalg.qr(rows, mode="r"))
 
 
 def started_true(scenario: Scenario) -> Scenario:
@@ -161,7 +145,7 @@ def started_true(scenario: Scenario) -> Scenario:
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> started_true(clpt.paper_scenario()).learning.parameters[0]
+    >>> clpt.theory.started_true(clpt.paper_scenario()).learning.parameters[0]
     (-1.0, -0.4, -0.8)
     """
     if scenario.flow.parameters is None:
@@ -176,13 +160,13 @@ def started_true(scenario: Scenario) -> Scenario:
     )
 
 
-def excitation(
+def gramian(
     source: Source | Regressor,
     window: float | None = None,
     start: float | None = None,
     tolerance: float = NOT_LEARNABLE,
 ) -> Excitation:
-    """Measure the joint excitation over one window.
+    """Measure the joint regressor's Gramian over one window.
 
     Parameters
     ----------
@@ -198,7 +182,9 @@ def excitation(
     Returns
     -------
     Excitation
-        Gramians, eigenvalues and the least excited direction.
+        By axis, ``"x1"`` and ``"x2"``: `gramians` of w = [phi(x), z_i, zc_i], Definition 3.1,
+        `eigenvalues` (ascending), `least_excited` (parameter name -> component), `identifiable`
+        and its `dimension`; `not_learnable` are sentences.
 
     Raises
     ------
@@ -210,8 +196,8 @@ def excitation(
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> from clpt_control.theory.excitation.gramian import excitation, started_true
-    >>> found = excitation(started_true(clpt.paper_scenario()), 200.0, 200.0)
+    >>> true = clpt.theory.started_true(clpt.paper_scenario())
+    >>> found = clpt.theory.gramian(true, 200.0, 200.0)
     >>> [round(float(values[0]), 3) for values in found.eigenvalues.values()]
     [4.333, 4.669]
     """

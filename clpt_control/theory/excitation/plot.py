@@ -22,27 +22,7 @@ LOWEST = 1e-30  # eigenvalues below this share of the largest are drawn there
 
 
 def excitation_plot(sliding: SlidingExcitation, at: Excitation | None = None) -> "Figure":
-    """Draw eigenvalues along time and the least excited direction.
-
-    Parameters
-    ----------
-    sliding : SlidingExcitation
-        As `sliding_excitation` gives it.
-    at : Excitation, optional
-        The window whose direction is drawn; by default the least exciting.
-
-    Returns
-    -------
-    Figure
-        A column per axis x1, x2.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> from clpt_control.theory.excitation.sliding import sliding_excitation
-    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 60})
-    >>> figure = excitation_plot(sliding_excitation(scenario, 20.0, count=5))
-    """
+    """Draw eigenvalues along time and the least excited direction."""
     at = sliding.weakest if at is None else at
     figure, axes = new_figure(7.6, 6.0, nrows=2, ncols=2, sharey="row")
     for column, axis in enumerate(at.names):

@@ -25,30 +25,7 @@ Source = Union[Scenario, "xarray.Dataset"]
 
 
 def scenario_of(source: Source) -> Scenario:
-    """Return the scenario, of itself or of a run that carries it.
-
-    Parameters
-    ----------
-    source : Scenario or xarray.Dataset
-        A scenario, or a run as `simulate` gives it.
-
-    Returns
-    -------
-    Scenario
-        The experiment.
-
-    Raises
-    ------
-    DataError
-        If the dataset carries no scenario.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 5})
-    >>> scenario_of(clpt.simulate(scenario)) == scenario
-    True
-    """
+    """Return a scenario, or that which a run carries in its attributes."""
     from ...scenario.file import scenario_from_text
 
     if isinstance(source, Scenario):
@@ -60,29 +37,7 @@ def scenario_of(source: Source) -> Scenario:
 
 
 def span_of(source: Source) -> tuple[float, float]:
-    """Return the first and last time of a scenario or a run.
-
-    Parameters
-    ----------
-    source : Scenario or xarray.Dataset
-        A scenario's run starts at 0; a run may have ended early.
-
-    Returns
-    -------
-    first, last : float
-        Units.time.
-
-    Raises
-    ------
-    DataError
-        If the dataset has no times.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> span_of(clpt.paper_scenario())
-    (0.0, 2000.0)
-    """
+    """Return the first and last time of a run; a scenario's starts at 0."""
     if isinstance(source, Scenario):
         return 0.0, float(source.run.duration)
     if source.sizes.get("time", 0) < 2:
@@ -91,25 +46,7 @@ def span_of(source: Source) -> tuple[float, float]:
 
 
 def thinned(run: "xarray.Dataset") -> "xarray.Dataset":
-    """Leave out every second sample of a run, to estimate accuracy.
-
-    Parameters
-    ----------
-    run : xarray.Dataset
-        As `simulate` gives it.
-
-    Returns
-    -------
-    xarray.Dataset
-        First and last sample stay.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> run = clpt.simulate(clpt.paper_scenario().with_values({"run.duration": 5}))
-    >>> thinned(run).time.values
-    array([0., 2., 4., 5.])
-    """
+    """Return a run without every second sample; the first and last stay."""
     last = run.sizes["time"] - 1
     thin = run.isel(time=np.unique([*range(0, last + 1, 2), last]))
     thin.encoding.update(run.encoding)
@@ -119,36 +56,9 @@ def thinned(run: "xarray.Dataset") -> "xarray.Dataset":
 def positions_between(
     run: "xarray.Dataset", name: str, scenario: Scenario, times: np.ndarray
 ) -> np.ndarray:
-    """Join the samples of each dwell by a spline and read it.
+    """Return a position of a run between its samples, (pieces, nodes, 2).
 
-    Parameters
-    ----------
-    run : xarray.Dataset
-        As `simulate` gives it.
-    name : str
-        ``"position"`` or ``"predicted_position"``.
-    scenario : Scenario
-        Its dwell gives the switches.
-    times : ndarray, shape (pieces, nodes)
-        Each row within one dwell, units.time.
-
-    Returns
-    -------
-    ndarray, shape (pieces, nodes, 2)
-        Units.length.
-
-    Raises
-    ------
-    DataError
-        If the dataset is no run.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 5})
-    >>> times = np.array([[1.5, 2.5]])
-    >>> positions_between(clpt.simulate(scenario), "position", scenario, times).shape
-    (1, 2, 2)
+    Each row of the times lies within one dwell, whose samples a spline joins.
     """
     from scipy.interpolate import make_interp_spline
 

@@ -25,32 +25,16 @@ TRANSIENT = 10.0  # longest piece in time constants 1/KD
 
 @dataclass(frozen=True)
 class Regressor:
-    """The parts of w at the nodes of a quadrature.
+    """The parts of w at the nodes of a quadrature."""
 
-    Attributes
-    ----------
-    scenario : Scenario
-        Gives names, gains and the law.
-    trajectory : str
-        Which trajectory this is; w holds z, which depends on the learner.
-    cuts : ndarray, shape (pieces + 1,)
-        Edges of the pieces, units.time; every switch is one.
-    times, weights : ndarray, shape (pieces, NODES)
-        Gauss-Legendre nodes and weights; no node lies on a switch.
-    phi : ndarray, shape (pieces, NODES, N)
-        Basis functions at the vehicle.
-    z, zc : ndarray, shape (pieces, NODES, 2)
-        Predicted and desired position, units.length.
-    """
-
-    scenario: Scenario
-    trajectory: str
-    cuts: np.ndarray
-    times: np.ndarray
-    weights: np.ndarray
-    phi: np.ndarray
-    z: np.ndarray
-    zc: np.ndarray
+    scenario: Scenario  # for names, gains and the law
+    trajectory: str  # which one this is; w holds z, which depends on the learner
+    cuts: np.ndarray  # (pieces + 1,), edges of the pieces, units.time; every switch is one
+    times: np.ndarray  # (pieces, NODES), Gauss-Legendre nodes; none lies on a switch
+    weights: np.ndarray  # (pieces, NODES)
+    phi: np.ndarray  # (pieces, NODES, N), basis functions at the vehicle
+    z: np.ndarray  # (pieces, NODES, 2), predicted position, units.length
+    zc: np.ndarray  # (pieces, NODES, 2), desired position, units.length
 
     @property
     def w(self) -> np.ndarray:
@@ -63,33 +47,10 @@ class Regressor:
 def quadrature(
     scenario: Scenario, start: float, end: float, edges: np.ndarray | None = None
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return quadrature nodes and weights between the switches.
+    """Return cuts (pieces + 1,), Gauss-Legendre nodes and weights (pieces, NODES).
 
-    Gauss-Legendre, with pieces no longer than half a period of the fastest
-    tide and ten time constants of the vehicle.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        Its dwell gives the switches.
-    start, end : float
-        The window, units.time.
-    edges : array_like, optional
-        More times at which a piece shall end.
-
-    Returns
-    -------
-    cuts : ndarray, shape (pieces + 1,)
-        Edges of the pieces.
-    times, weights : ndarray, shape (pieces, NODES)
-        No node lies on a switch.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> cuts, times, weights = quadrature(clpt.paper_scenario(), 0.0, 50.0)
-    >>> float(weights.sum().round(9))
-    50.0
+    Pieces end at each switch and at `edges`, and are no longer than half a period of the
+    fastest tide and ten time constants of the vehicle.
     """
     dwell = scenario.reference.dwell
     tides = scenario.periods[np.isfinite(scenario.periods)] / 2
@@ -114,33 +75,7 @@ def quadrature(
 def checked_window(
     source: Source, window: float | None, start: float | None
 ) -> tuple[float, float]:
-    """Return the window's length and start, checked.
-
-    Parameters
-    ----------
-    source : Scenario or xarray.Dataset
-        What the window lies in.
-    window : float, optional
-        Length, units.time; one cycle of the waypoints, or what there is.
-    start : float, optional
-        The second cycle, or as late as fits.
-
-    Returns
-    -------
-    window, start : float
-        Within the run.
-
-    Raises
-    ------
-    ScenarioError
-        If the window is not positive or does not fit into the run.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> checked_window(clpt.paper_scenario(), None, None)
-    (200.0, 200.0)
-    """
+    """Return the window's length and start; by default the second cycle, or as late as fits."""
     scenario = scenario_of(source)
     first, last = span_of(source)
     window = float(min(scenario.cycle, last - first) if window is None else window)
@@ -163,32 +98,7 @@ def joint_regressor(
 ) -> Regressor:
     """Return w = [phi(x), z_i, zc_i] of Eq. (31) over a window.
 
-    Parameters
-    ----------
-    source : Scenario or xarray.Dataset
-        A scenario is run from its own initial values; a run is read.
-    window, start : float, optional
-        Length and start, units.time; by default the second cycle.
-    edges : array_like, optional
-        More times at which a piece shall end.
-
-    Returns
-    -------
-    Regressor
-        At the nodes of `quadrature`.
-
-    Raises
-    ------
-    ScenarioError
-        If the window does not fit into the run, or the run ended before.
-    DataError
-        If a dataset is no run, or holds fewer than two samples.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> joint_regressor(clpt.paper_scenario(), 20.0, 0.0).w.shape
-    (2, 4, 16, 5)
+    A scenario is run from its own initial values; a run is read.  Pieces end at `edges` too.
     """
     scenario = scenario_of(source)
     window, start = checked_window(source, window, start)

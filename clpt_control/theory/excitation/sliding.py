@@ -10,29 +10,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .factors import joined, piece_factors
-from .gramian import NOT_LEARNABLE, Excitation, parameter_names
+from .gramian import NOT_LEARNABLE, Excitation, joined, parameter_names, piece_factors
 from .recorded import Source, scenario_of, span_of
 from .regressor import checked_window, joint_regressor
 
 
 @dataclass(frozen=True)
 class SlidingExcitation:
-    """One Excitation per start of the window.
+    """One Excitation per start of the window."""
 
-    Attributes
-    ----------
-    window : float
-        Length T of the window, units.time.
-    starts : ndarray, shape (count,)
-        Starts t of the windows, units.time.
-    at : tuple of Excitation
-        One per start.
-    """
-
-    window: float
-    starts: np.ndarray
-    at: tuple[Excitation, ...]
+    window: float  # its length T, units.time
+    starts: np.ndarray  # (count,), units.time
+    at: tuple[Excitation, ...]  # one per start
 
     @property
     def eigenvalues(self) -> dict[str, np.ndarray]:
@@ -52,38 +41,7 @@ class SlidingExcitation:
 def sliding_excitation(
     source: Source, window: float | None = None, count: int = 100, tolerance: float = NOT_LEARNABLE
 ) -> SlidingExcitation:
-    """Measure the excitation in a window that slides over a run.
-
-    Parameters
-    ----------
-    source : Scenario or xarray.Dataset
-        A scenario is run once from its own initial values; a run is read.
-    window : float, optional
-        Length of the window, units.time; one cycle of the waypoints.
-    count : int, optional
-        Number of starts, evenly from the first to the last that fits.
-    tolerance : float, optional
-        As in `excitation`.
-
-    Returns
-    -------
-    SlidingExcitation
-        Eigenvalues and directions along time.
-
-    Raises
-    ------
-    ScenarioError
-        If the window does not fit into the run.
-    DataError
-        If the dataset is no run.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 60})
-    >>> sliding_excitation(scenario, 20.0, count=5).eigenvalues["x1"].shape
-    (5, 5)
-    """
+    """Measure the excitation in a window that slides over a run, `count` starts evenly."""
     scenario = scenario_of(source)
     first, last = span_of(source)
     window, _ = checked_window(source, window, first)

@@ -1,6 +1,7 @@
 """The transition matrix of the error system, Eq. (28), from its blocks.
 
-    [e_i, eta_i]' = A_i(t) [e_i, eta_i],    eta_i = [theta_i + alpha_i, K_i - KD_i, GammaD_i - Gamma_i]
+    [e_i, eta_i]' = A_i(t) [e_i, eta_i]
+    eta_i = [theta_i + alpha_i, K_i - KD_i, GammaD_i - Gamma_i]
 
 A is read off `error_system` and `parameter_system`: their functions are linear
 in (e, eta), so a call on a unit vector gives a column.  The two axes do not
@@ -8,7 +9,7 @@ meet.  Phi(s, t) is found by collocation at the Gauss-Legendre nodes of each
 piece, the implicit Runge-Kutta method of order 2 NODES,
 
     Y_j = I + h sum_l a_jl A_l Y_l,    Phi = I + h sum_l b_l A_l Y_l.
-"""  # noqa: E501
+"""
 
 from functools import cache
 
@@ -45,7 +46,9 @@ def error_matrices(
 
     Examples
     --------
-    >>> error_matrices(np.array([0.5]), np.array([2, 2]), np.array([3, 3]), [1, 1], 2.0)[0]
+    >>> import clpt_control as clpt
+    >>> phi, z, zc = np.array([0.5]), np.array([2, 2]), np.array([3, 3])
+    >>> clpt.theory.error_matrices(phi, z, zc, [1, 1], 2.0)[0]
     array([[-1. ,  0.5,  2. ,  3. ],
            [-1. ,  0. ,  0. ,  0. ],
            [-4. ,  0. ,  0. ,  0. ],
@@ -80,48 +83,13 @@ def error_matrices(
 
 
 def axis_states(N: int) -> list[list[int]]:
-    """Return the places of each axis's states in (e, eta).
-
-    Parameters
-    ----------
-    N : int
-        Number of basis functions.
-
-    Returns
-    -------
-    list of list of int
-        For each axis: e_i, theta_i + alpha_i, K_i - KD_i, GammaD_i - Gamma_i.
-
-    Examples
-    --------
-    >>> axis_states(2)
-    [[0, 2, 3, 6, 8], [1, 4, 5, 7, 9]]
-    """
+    """Return the places in (e, eta) of e_i and that axis's N + 2 of eta, i = 0, 1."""
     return [[i, *range(2 + i * N, 2 + (i + 1) * N), 2 + 2 * N + i, 4 + 2 * N + i] for i in range(2)]
 
 
 @cache
 def collocation(nodes: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return the Gauss method's a and b on a step of length 1.
-
-    Parameters
-    ----------
-    nodes : int
-        Number of Gauss-Legendre nodes.
-
-    Returns
-    -------
-    a : ndarray, shape (nodes, nodes)
-        Integrals of the interpolating polynomials up to each node.
-    b : ndarray, shape (nodes,)
-        The quadrature weights.
-
-    Examples
-    --------
-    >>> a, b = collocation(1)
-    >>> a, b
-    (array([[0.5]]), array([1.]))
-    """
+    """Return the Gauss method's a (nodes, nodes) and b (nodes,) on a step of length 1."""
     legendre = np.polynomial.legendre
     c, weight = legendre.leggauss(nodes)
     P = legendre.legvander(c, nodes)
@@ -134,27 +102,10 @@ def collocation(nodes: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def propagate(A: np.ndarray, lengths: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Solve Phi' = A Phi, Phi = I at the start, over all pieces.
+    """Return Phi at the nodes and at the end, Phi = I at the start.
 
-    Parameters
-    ----------
-    A : ndarray, shape (..., pieces, nodes, n, n)
-        A at the Gauss-Legendre nodes of each piece.
-    lengths : ndarray, shape (pieces,)
-        Lengths of the pieces, time.
-
-    Returns
-    -------
-    at_nodes : ndarray, shape (..., pieces, nodes, n, n)
-        Phi at the nodes.
-    end : ndarray, shape (..., n, n)
-        Phi at the end.
-
-    Examples
-    --------
-    >>> A = np.full((2, 8, 1, 1), -1.0)
-    >>> float(propagate(A, np.array([0.5, 0.5]))[1].item() - np.exp(-1)) < 1e-15
-    True
+    A has the shape (..., pieces, nodes, n, n) and holds Gauss-Legendre nodes; so has the first
+    result.  Phi at the end is (..., n, n); lengths (pieces,) are times.
     """
     *batch, pieces, nodes, n, _ = A.shape
     a, b = collocation(nodes)

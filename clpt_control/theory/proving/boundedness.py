@@ -14,37 +14,21 @@ eps - B s for the time eps/B, which takes eps^2/(2 B) out of int g dt <= V(0).
 
 import sympy
 
-from .generic import Summed
-from .generic_trace import GenericLoop, element_symbol, generic_trace
-from .lyapunov import generic_terms
+from .every_n_function import Summed
+from .every_n_loop import EveryNLoop, element_symbol, every_n_loop
+from .lyapunov import every_n_terms
 from .proof import Step, checked
 from .theorem_loop import theorem_loop
 
 
 def definite_step(law: str) -> Step:
-    """Check that V is positive definite in e and the errors, every N.
-
-    Parameters
-    ----------
-    law : str
-        ``"known-flow"``, Eq. (17), or ``"learned-flow"``, Eq. (24).
-
-    Returns
-    -------
-    Step
-        Exact.
-
-    Examples
-    --------
-    >>> definite_step("learned-flow").holds
-    True
-    """
+    """Check that V is positive definite in e and the errors, every N."""
     equation = "(17)" if law == "known-flow" else "(24)"
 
     def check() -> bool:
-        loop = generic_trace(theorem_loop(3, law))
+        loop = every_n_loop(theorem_loop(3, law))
         V = loop.signals["V", None, 0]
-        terms = generic_terms(loop)
+        terms = every_n_terms(loop)
         truth: dict[sympy.Expr, sympy.Expr] = {}
         singles = []
         for i in range(2):
@@ -83,7 +67,7 @@ def dissipation_step() -> Step:
     """Check that -e^T KD e is not positive where KD > 0."""
 
     def check() -> bool:
-        loop = generic_trace(theorem_loop(3, "learned-flow"))
+        loop = every_n_loop(theorem_loop(3, "learned-flow"))
         rate = loop.derivative(loop.signals["V", None, 0])
         H = sympy.hessian(rate.base, [element_symbol("x", None, i) for i in range(2)])
         return not rate.term and H.is_diagonal() and all(H[i, i].is_negative for i in range(2))
@@ -104,9 +88,9 @@ def young_step() -> Step:
     )
 
 
-def error_rate(loop: GenericLoop) -> tuple[Summed, Summed]:
+def error_rate(loop: EveryNLoop) -> tuple[Summed, Summed]:
     """Return e' = -KD e + W^T eta as the paper has it, for each axis."""
-    terms, rates = generic_terms(loop), []
+    terms, rates = every_n_terms(loop), []
     for i in range(2):
         K, Gamma = element_symbol("K", None, i), element_symbol("Gamma", None, i)
         joint = loop.signals["z", None, i].base * (K - terms.KD(i))
@@ -117,26 +101,15 @@ def error_rate(loop: GenericLoop) -> tuple[Summed, Summed]:
 
 
 def convergence_steps() -> list[Step]:
-    """Check the chain of Theorem 3.2 after V' = -e^T KD e.
+    """Check the chain of Theorem 3.2 after V' = -e^T KD e."""
 
-    Returns
-    -------
-    list of Step
-        Exact, every N.
-
-    Examples
-    --------
-    >>> all(step.holds for step in convergence_steps())
-    True
-    """
-
-    def loop() -> GenericLoop:
-        return generic_trace(theorem_loop(3, "learned-flow"))
+    def loop() -> EveryNLoop:
+        return every_n_loop(theorem_loop(3, "learned-flow"))
 
     def vehicle_stable() -> bool:
         own = loop()
         for i in range(2):
-            KD, rate = generic_terms(own).KD(i), own.rates["x", None, i]
+            KD, rate = every_n_terms(own).KD(i), own.rates["x", None, i]
             rest = sympy.expand(rate.base + KD * element_symbol("x", None, i))
             given = {s for s in own.given if str(s) in ("phi_x[k]", f"zc_{i + 1}")}
             fixed = {s for s in (rest + rate.term).free_symbols if _is_state(own, s)}
@@ -162,7 +135,7 @@ def convergence_steps() -> list[Step]:
 
     def second() -> bool:
         own = loop()
-        terms = generic_terms(own)
+        terms = every_n_terms(own)
         twice = own.derivative(own.derivative(own.signals["V", None, 0]))
         wanted = Summed(sympy.Integer(0))
         for i in range(2):
@@ -195,7 +168,7 @@ def convergence_steps() -> list[Step]:
     ]
 
 
-def _is_state(loop: GenericLoop, symbol: sympy.Symbol) -> bool:
+def _is_state(loop: EveryNLoop, symbol: sympy.Symbol) -> bool:
     own = [
         element_symbol(port, row, None)
         for port, size in loop.states.items()

@@ -15,12 +15,12 @@ import sympy
 
 from ...diagrams.interconnection import Diagram
 from ...errors import DiagramError
-from .generic import Summed
-from .generic_trace import GenericLoop, generic_trace
+from .every_n_function import Summed
+from .every_n_loop import EveryNLoop, every_n_loop
 from .proof import Step, checked
 from .running_rate import compared
+from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import theorem_loop
-from .trace import SymbolicLoop, trace
 
 
 class Terms(NamedTuple):
@@ -44,7 +44,7 @@ class Terms(NamedTuple):
     phi: Callable
 
 
-def concrete_terms(loop: SymbolicLoop) -> Terms:
+def loop_terms(loop: SymbolicLoop) -> Terms:
     """Return the paper's symbols of a loop traced for one N."""
     p = loop.parameters
     return Terms(
@@ -57,7 +57,7 @@ def concrete_terms(loop: SymbolicLoop) -> Terms:
     )
 
 
-def generic_terms(loop: GenericLoop) -> Terms:
+def every_n_terms(loop: EveryNLoop) -> Terms:
     """Return the paper's symbols for every N; k is None, the index."""
 
     def own(block: str, field: str) -> Callable:
@@ -96,33 +96,8 @@ def decay_and_disturbance(terms: Terms, k: int | None) -> tuple[sympy.Expr, symp
 
 
 def lyapunov_derivative(diagram: Diagram) -> tuple[SymbolicLoop, sympy.Expr]:
-    """Differentiate the diagram's V along its equations.
-
-    Parameters
-    ----------
-    diagram : Diagram
-        With one block that makes V[1], as `theorem_loop` gives it.
-
-    Returns
-    -------
-    loop : SymbolicLoop
-        The traced diagram.
-    rate : sympy.Expr
-        V', multiplied out.
-
-    Raises
-    ------
-    DiagramError
-        If no block makes V.
-
-    Examples
-    --------
-    >>> loop, rate = lyapunov_derivative(theorem_loop(1, "learned-flow"))
-    >>> e, KD = loop.signals["e"], loop.parameters["vehicle_controller"].KD
-    >>> sympy.expand(rate + KD[0] * e[0] ** 2 + KD[1] * e[1] ** 2)
-    0
-    """
-    loop = trace(diagram)
+    """Differentiate the diagram's V along its equations."""
+    loop = symbolic_loop(diagram)
     if "V" not in loop.signals:
         raise DiagramError("no block makes V; wire a candidate such as blocks.lyapunov")
     return loop, sympy.expand(loop.derivative(loop.signals["V"][0]))
@@ -130,99 +105,29 @@ def lyapunov_derivative(diagram: Diagram) -> tuple[SymbolicLoop, sympy.Expr]:
 
 def claimed(loop: SymbolicLoop, claim: Claim) -> sympy.Expr:
     """Return what a claim says of V', for the loop's own N."""
-    terms = concrete_terms(loop)
+    terms = loop_terms(loop)
     summands = sum((claim(terms, k)[1] for k in range(loop.N or 0)), sympy.Integer(0))
     return claim(terms, 0)[0] + summands
 
 
 def residual(diagram: Diagram, claim: Claim) -> tuple[SymbolicLoop, sympy.Expr]:
-    """Return what V' has beyond a claim, for the diagram's own N.
-
-    Parameters
-    ----------
-    diagram : Diagram
-        As `theorem_loop` gives it.
-    claim : callable
-        ``claim(terms, k)`` -> (base, summand over k): what V' should be.
-
-    Returns
-    -------
-    loop : SymbolicLoop
-        The traced diagram.
-    residual : sympy.Expr
-        Zero where the claim holds.
-
-    Examples
-    --------
-    >>> residual(theorem_loop(2, "learned-flow"), decay)[1]
-    0
-    """
+    """Return what V' has beyond a claim, for the diagram's own N."""
     loop, rate = lyapunov_derivative(diagram)
     return loop, sympy.expand(rate - claimed(loop, claim))
 
 
-def generic_residual(diagram: Diagram, claim: Claim) -> tuple[GenericLoop, Summed]:
-    """Return what V' has beyond a claim, for every N.
-
-    Parameters
-    ----------
-    diagram : Diagram
-        As `theorem_loop` gives it.
-    claim : callable
-        As for `residual`.
-
-    Returns
-    -------
-    loop : GenericLoop
-        The diagram for every N.
-    residual : Summed
-        Base and summand; both zero where the claim holds.
-
-    Raises
-    ------
-    BlockError
-        If a block is not read for every N.
-
-    Examples
-    --------
-    >>> generic_residual(theorem_loop(2, "learned-flow"), decay)[1]
-    Summed(base=0, term=0)
-    """
-    loop = generic_trace(diagram)
+def every_n_residual(diagram: Diagram, claim: Claim) -> tuple[EveryNLoop, Summed]:
+    """Return what V' has beyond a claim, for every N."""
+    loop = every_n_loop(diagram)
     rate = loop.derivative(loop.signals["V", None, 0])
-    base, summand = claim(generic_terms(loop), None)
+    base, summand = claim(every_n_terms(loop), None)
     return loop, Summed(sympy.expand(rate.base - base), sympy.expand(rate.term - summand))
 
 
 def identity_steps(
     text: str, law: str, claim: Claim, points: int, disturbed: bool = False
 ) -> list[Step]:
-    """Check V' for N = 1, 2, 3, every N, and the running blocks.
-
-    Parameters
-    ----------
-    text : str
-        The claim in words, such as ``"V' = -e^T KD e"``.
-    law : str
-        The adaptive law.
-    claim : callable
-        As for `residual`.
-    points : int
-        Random points at which the blocks are called.
-    disturbed : bool, optional
-        Whether Delta of Eq. (32) is there.
-
-    Returns
-    -------
-    list of Step
-        One exact, one sampled; a failed one says what does not cancel, or where.
-
-    Examples
-    --------
-    >>> steps = identity_steps("V' = -e^T KD e", "learned-flow", decay, 200)
-    >>> [(step.how, step.holds) for step in steps]
-    [('exact', True), ('sampled', True)]
-    """
+    """Check V' for N = 1, 2, 3, every N, and the running blocks."""
 
     def identity() -> tuple[bool, str]:
         for N in (1, 2, 3):
@@ -231,7 +136,7 @@ def identity_steps(
                 return False, f"N = {N}, left over: {short(rest)}"
             if loop.gaps:
                 return False, loop.gaps[0]
-        whole, every = generic_residual(theorem_loop(3, law, disturbed), claim)
+        whole, every = every_n_residual(theorem_loop(3, law, disturbed), claim)
         if every.base != 0 or every.term != 0:
             left = f"left over: {short(every.base)}; summand {short(every.term)}"
             return False, f"every N, {left}"
@@ -239,7 +144,7 @@ def identity_steps(
 
     def running() -> tuple[bool, str]:
         diagram = theorem_loop(3, law, disturbed)
-        loop = trace(diagram)
+        loop = symbolic_loop(diagram)
         found = compared(diagram, loop, claimed(loop, claim), points)
         if found.where is not None:
             return False, f"differs by {found.worst:.1e} at x = {found.where.x.round(3).tolist()}"

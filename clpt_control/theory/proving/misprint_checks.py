@@ -13,13 +13,13 @@ import sympy
 from ...blocks import basis
 from ...blocks.symbolic import expressions
 from .observability import ErrorDynamics, error_dynamics, eta_of
+from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import theorem_loop
-from .trace import SymbolicLoop, trace
 
 
 @cache
 def _loop(law: str, disturbed: bool = False) -> SymbolicLoop:
-    return trace(theorem_loop(2, law, disturbed), ["injection"])
+    return symbolic_loop(theorem_loop(2, law, disturbed), ["injection"])
 
 
 @cache
@@ -154,7 +154,7 @@ def second_derivative(printed: bool) -> bool:
 
 def equation_27(printed: bool) -> bool:
     """Check e' of Eq. (27)."""
-    loop = trace(theorem_loop(2, "learned-flow"))
+    loop = symbolic_loop(theorem_loop(2, "learned-flow"))
     eta, e, phi = eta_of(loop), loop.signals["e"], loop.inputs["phi_x"]
     KD, zc = loop.parameters["vehicle_controller"].KD, loop.inputs["zc"]
     third = loop.states["x"] if printed else loop.states["z"]
@@ -199,7 +199,7 @@ def output_injection(printed: bool) -> bool:
 
 def hats(printed: bool) -> bool:
     """Check which theta Eqs. (12)-(16) mean."""
-    loop = trace(theorem_loop(2, "known-flow"))
+    loop = symbolic_loop(theorem_loop(2, "known-flow"))
     p, e, phi = loop.parameters, loop.signals["e"], loop.inputs["phi_x"]
     theta = p["true_flow"].theta
     known = theta if printed else p["injection"].theta_hat
@@ -223,7 +223,7 @@ def gaussian(printed: bool) -> bool:
 
 def converges_to(printed: bool) -> bool:
     """Check where V of Eq. (24) has its minimum."""
-    loop = trace(theorem_loop(2, "learned-flow"))
+    loop = symbolic_loop(theorem_loop(2, "learned-flow"))
     alpha, theta = loop.states["alpha"], loop.parameters["true_flow"].theta.ravel()
     place = dict(zip(alpha, theta if printed else -theta, strict=True))
     V = loop.signals["V"][0]
@@ -232,7 +232,7 @@ def converges_to(printed: bool) -> bool:
 
 def bounded_z(printed: bool) -> bool:
     """Check the argument for bounded z, proof of Theorem 3.2."""
-    loop = trace(theorem_loop(2, "learned-flow"))
+    loop = symbolic_loop(theorem_loop(2, "learned-flow"))
     z, rates, e, x = loop.states["z"], loop.rates["z"], loop.signals["e"], loop.states["x"]
     if not printed:
         return all(sympy.expand(z[i] - (x[i] - e[i])) == 0 for i in range(2))

@@ -147,7 +147,8 @@ def misprints() -> tuple[Misprint, ...]:
 
     Examples
     --------
-    >>> found = misprints()[0]
+    >>> import clpt_control as clpt
+    >>> found = clpt.theory.misprints()[0]
     >>> found.equation, found.holds(True), found.holds(False)
     ('(18)', False, True)
     """

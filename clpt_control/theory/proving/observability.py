@@ -16,12 +16,12 @@ from typing import NamedTuple
 import sympy
 
 from ...simulation.loops import error_loop
-from .generic import Key, Summed
-from .generic_trace import GenericLoop, element_symbol, generic_trace
-from .lyapunov import generic_terms
+from .every_n_function import Key, Summed
+from .every_n_loop import EveryNLoop, element_symbol, every_n_loop
+from .lyapunov import every_n_terms
 from .proof import Step, checked, cited
+from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import theorem_loop, theorem_scenario
-from .trace import SymbolicLoop, trace
 
 
 class ErrorDynamics(NamedTuple):
@@ -49,29 +49,8 @@ class ErrorDynamics(NamedTuple):
 
 
 def error_dynamics(N: int) -> ErrorDynamics:
-    """Read A(t) of Eq. (28) off the error and parameter blocks.
-
-    Parameters
-    ----------
-    N : int
-        Number of basis functions.
-
-    Returns
-    -------
-    ErrorDynamics
-        A, C and their parts.
-
-    Raises
-    ------
-    ValueError
-        If the equations are not linear in (e, eta).
-
-    Examples
-    --------
-    >>> error_dynamics(1).A.shape
-    (8, 8)
-    """
-    loop = trace(error_loop(theorem_scenario(N, "learned-flow")))
+    """Read A(t) of Eq. (28) off the error and parameter blocks."""
+    loop = symbolic_loop(error_loop(theorem_scenario(N, "learned-flow")))
     X = sympy.Matrix([*loop.states["e"], *loop.states["eta"]])
     rates = sympy.Matrix([*loop.rates["e"], *loop.rates["eta"]])
     A = rates.jacobian(X)
@@ -83,18 +62,7 @@ def error_dynamics(N: int) -> ErrorDynamics:
 
 
 def eta_of(loop: SymbolicLoop) -> list[sympy.Expr]:
-    """Return eta = [theta + alpha, K - KD, GammaD - Gamma].
-
-    Parameters
-    ----------
-    loop : SymbolicLoop
-        Traced with the learned-flow law.
-
-    Returns
-    -------
-    list of sympy.Expr
-        Length 2N + 4.
-    """
+    """Return eta = [theta + alpha, K - KD, GammaD - Gamma]."""
     p = loop.parameters
     KD, GammaD = p["vehicle_controller"].KD, p["vehicle_controller"].GammaD
     return [
@@ -105,16 +73,10 @@ def eta_of(loop: SymbolicLoop) -> list[sympy.Expr]:
 
 
 def same_dynamics() -> bool:
-    """Return whether Eqs. (27)-(28) are the closed loop's own, every N.
-
-    Examples
-    --------
-    >>> same_dynamics()
-    True
-    """
-    whole = generic_trace(theorem_loop(3, "learned-flow"))
-    parts = generic_trace(error_loop(theorem_scenario(3, "learned-flow")))
-    terms = generic_terms(whole)
+    """Return whether Eqs. (27)-(28) are the closed loop's own, every N."""
+    whole = every_n_loop(theorem_loop(3, "learned-flow"))
+    parts = every_n_loop(error_loop(theorem_scenario(3, "learned-flow")))
+    terms = every_n_terms(whole)
     places: dict[sympy.Expr, sympy.Expr] = {}
     wanted: dict[Key, Summed] = {}
     for i in range(2):
@@ -139,21 +101,10 @@ def same_dynamics() -> bool:
 
 
 def observability_steps() -> list[Step]:
-    """Check the algebra of Theorem 3.3.
+    """Check the algebra of Theorem 3.3."""
 
-    Returns
-    -------
-    list of Step
-        Exact and every N, but for the lemmas, which are cited.
-
-    Examples
-    --------
-    >>> all(step.holds for step in observability_steps())
-    True
-    """
-
-    def loop() -> tuple[GenericLoop, sympy.Expr, list]:
-        parts = generic_trace(error_loop(theorem_scenario(3, "learned-flow")))
+    def loop() -> tuple[EveryNLoop, sympy.Expr, list]:
+        parts = every_n_loop(error_loop(theorem_scenario(3, "learned-flow")))
         KD = [parts.parameter("KD", i) for i in range(2)]
         return parts, parts.parameter("gamma"), KD
 

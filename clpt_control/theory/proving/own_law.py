@@ -18,14 +18,14 @@ from sympy.core.function import AppliedUndef
 from ...blocks import Block
 from ...diagrams.interconnection import Diagram, connect
 from ...errors import ClptError, DiagramError
-from .forms import nonpositive, positive_definite, pulled, tidied
-from .lyapunov import claimed, decay, generic_residual, short
+from .lyapunov import claimed, decay, every_n_residual, short
+from .paper_symbols import port_symbols
 from .proof import Step, checked
-from .rising import rising_point
+from .quadratic_forms import nonpositive, positive_definite, pulled, tidied
+from .refutation import refuting_point
 from .running_rate import Draw, Point, compared, symbol_values
-from .symbols import port_symbols
+from .symbolic_loop import TIME, SymbolicLoop, symbolic_loop
 from .theorem_loop import theorem_candidate, theorem_loop
-from .trace import TIME, SymbolicLoop, trace
 
 
 @dataclass(frozen=True)
@@ -52,6 +52,15 @@ class Verdict:
         What was tried.
     diagram : Diagram
         The closed loop that was judged, V its last output.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> from clpt_control.blocks.adaptation import LearnedFlowParameters, adaptation
+    >>> wrong = adaptation(LearnedFlowParameters(N=1, gain=-0.5))
+    >>> verdict = clpt.theory.prove(wrong, points=200)
+    >>> verdict.status, verdict.rate > 0
+    ('refuted', True)
     """
 
     status: str
@@ -94,8 +103,9 @@ def prove(law_block: Block, V: Block | None = None, points: int = 10_000, seed: 
 
     Examples
     --------
+    >>> import clpt_control as clpt
     >>> from clpt_control.blocks.adaptation import LearnedFlowParameters, adaptation
-    >>> prove(adaptation(LearnedFlowParameters(N=2, gain=0.5)), points=200).status
+    >>> clpt.theory.prove(adaptation(LearnedFlowParameters(N=2, gain=0.5)), points=200).status
     'proved'
     """
     for block in (law_block, *(() if V is None else (V,))):
@@ -120,14 +130,14 @@ def _judged(
     candidate, fitted = V, False  # one V that does not fall refutes no law
     gains: list[sympy.Expr] = []
     if candidate is None:
-        alone = trace(_alone(law))
+        alone = symbolic_loop(_alone(law))
         own = _values(alone, [law])
         gains, fitted = weights(law, N)
         numbers = [float(gain.subs(own)) for gain in gains]
         parts = (np.reshape(numbers[: 2 * N], (2, N)), *np.split(np.array(numbers[2 * N :]), 2))
         candidate = theorem_candidate(N, "learned-flow", 1.0, parts)
         diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=candidate)
-    loop = trace(diagram)
+    loop = symbolic_loop(diagram)
     if gains:  # in the names of the whole diagram
         here, there = (_flat(one.parameters[law.name]) for one in (alone, loop))
         gains = [gain.subs(dict(zip(here, there, strict=True))) for gain in gains]
@@ -166,32 +176,8 @@ def _values(loop: SymbolicLoop, blocks: list[Block]) -> dict[Any, sympy.Rational
 
 
 def weights(law: Block, N: int) -> tuple[list[sympy.Expr], bool]:
-    """Return the gains with which a law adapts alpha, K and Gamma.
-
-    Parameters
-    ----------
-    law : Block
-        The adaptive law.
-    N : int
-        Number of basis functions.
-
-    Returns
-    -------
-    gains : list of sympy.Expr
-        For alpha, row by row, K and Gamma the factors of -e phi, -e z and e zc in their
-        rates, without their sign, in the symbols of the law's parameters; 1 where there
-        is none.
-    fitted : bool
-        Whether each that is not held has one, and what is beside it may be judged by this
-        V; else V is no more than a guess, and refutes nothing.
-
-    Examples
-    --------
-    >>> from clpt_control.blocks.adaptation import LearnedFlowParameters, adaptation
-    >>> weights(adaptation(LearnedFlowParameters(N=1, gain=0.5)), 1)
-    ([gamma, gamma, gamma, gamma, gamma, gamma], True)
-    """
-    loop = trace(_alone(law))
+    """Return the gains with which a law adapts alpha, K and Gamma."""
+    loop = symbolic_loop(_alone(law))
     values = _values(loop, [law])
     _refuse_no_value(loop, law.name)
     nothing = np.zeros(2 * N, dtype=object)
@@ -358,7 +344,7 @@ class _Case:
                 return self.found("bounded", steps, reached=self.reached(pull))
         if definite.holds and fitted:
             kept = (self.law.name, self.V.name)
-            point, rate = rising_point(self.diagram, self.loop, self.rate, kept, self.seed)
+            point, rate = refuting_point(self.diagram, self.loop, self.rate, kept, self.seed)
             claim = "the running blocks give V' > 0, ten and a hundred times as far off as well"
             detail = "no such point was found" if point is None else f"V' = {rate:.3g}"
             steps.append(Step(claim, point is not None, "counterexample", detail, False))
@@ -408,9 +394,9 @@ class _Case:
         """Read the loop for every N."""
 
         def holds() -> tuple[bool, str]:
-            loop, rest = generic_residual(self.diagram, decay)
+            loop, rest = every_n_residual(self.diagram, decay)
             at = self.values if self.kept else {}
-            weights = {**self.weights, **self.generic_weights()}
+            weights = {**self.weights, **self.every_n_weights()}
             base, term = (tidied(part.subs(weights).subs(at)) for part in rest)
             if loop.gaps:
                 return False, loop.gaps[0]
@@ -420,7 +406,7 @@ class _Case:
 
         return checked("the same for every N", "exact", holds)
 
-    def generic_weights(self) -> dict[sympy.Expr, sympy.Expr]:
+    def every_n_weights(self) -> dict[sympy.Expr, sympy.Expr]:
         """Return V's gains of the element k, where they are alike for every function."""
         found: dict[sympy.Expr, sympy.Expr] = {}
         if not self.weights:

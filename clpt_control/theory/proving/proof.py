@@ -6,7 +6,7 @@ statement, and it always says what was not proved and what is cited.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 HOWS = ("exact", "counterexample", "sampled", "cited")
@@ -16,65 +16,30 @@ HOWS = ("exact", "counterexample", "sampled", "cited")
 class Step:
     """One claim, and how it was established.
 
-    Attributes
-    ----------
-    claim : str
-        The identity or inequality.
-    holds : bool
-        Whether it was found to hold.
-    how : str
-        ``"exact"``: derived by SymPy, without rounding; ``"counterexample"``: a case
-        that was computed; ``"sampled"``: seen at random points; ``"cited"``: taken from
-        a book, not checked here.
-    detail : str
-        What was computed, in a line; for a cited step the source.
-    every_N : bool
-        Whether it holds for every number of basis functions.
+    ``"exact"``: derived by SymPy, without rounding; ``"counterexample"``: a case that was
+    computed; ``"sampled"``: seen at random points; ``"cited"``: taken from a book, not checked.
     """
 
-    claim: str
+    claim: str  # the identity or inequality
     holds: bool
-    how: str
-    detail: str = ""
-    every_N: bool = True
+    how: str  # one of HOWS
+    detail: str = ""  # what was computed, in a line; for a cited step the source
+    every_N: bool = True  # whether it holds for every number of basis functions
 
 
 @dataclass(frozen=True)
 class Proof:
-    """A theorem judged as printed.
+    """A theorem judged as printed."""
 
-    Attributes
-    ----------
-    theorem : str
-        Its number in the paper.
-    printed : str
-        The statement as printed.
-    assumptions : tuple of str
-        What is assumed.
-    steps : tuple of Step
-        In order; all must hold for the status to count.
-    printed_holds : bool
-        Whether the printed statement is true once all steps hold.
-    conclusion : str
-        What follows.
-    corrected : str
-        The statement that does hold, where the printed one does not; the exact steps
-        prove it, but for the part that `cited` names.
-    cited : str
-        The part of the statement that rests on cited steps.
-    not_proved : tuple of str
-        What is not shown here.
-    """
-
-    theorem: str
-    printed: str
+    theorem: str  # its number in the paper
+    printed: str  # the statement as printed
     assumptions: tuple[str, ...]
-    steps: tuple[Step, ...]
-    printed_holds: bool
+    steps: tuple[Step, ...]  # in order; all must hold for the status to count
+    printed_holds: bool  # whether the printed statement is true once all steps hold
     conclusion: str
-    corrected: str = ""
-    cited: str = ""
-    not_proved: tuple[str, ...] = field(default=())
+    corrected: str = ""  # what holds where the print does not: proved, but for what is cited
+    cited: str = ""  # the part of the statement that rests on cited steps
+    not_proved: tuple[str, ...] = ()  # what is not shown here
 
     @property
     def holds(self) -> bool:
@@ -97,9 +62,8 @@ class Proof:
         """What the steps add up to.
 
         ``"proved"``: by exact steps alone; ``"cited"``: some of them are cited;
-        ``"corrected"``: false as printed, and another statement holds; ``"refuted"``:
-        false as printed, no more; ``"sampled"``: only seen at points; ``"failed"``: a
-        step does not hold, so nothing is concluded.
+        ``"corrected"``: false as printed, and another statement holds; ``"refuted"``: false as
+        printed, no more; ``"sampled"``: only seen at points; ``"failed"``: a step does not hold.
         """
         if not self.holds:
             return "failed"
@@ -112,33 +76,9 @@ class Proof:
 
 
 def checked(claim: str, how: str, check: Callable[[], Any], every_N: bool = True) -> Step:
-    """Make a step of a check, failed where the check cannot be done.
+    """Return a step from a check that returns a truth, or (truth, detail).
 
-    Parameters
-    ----------
-    claim : str
-        What is claimed.
-    how : str
-        How it is established.
-    check : callable
-        Gives a truth, or (truth, detail).
-    every_N : bool, optional
-        Whether the check covers every number of basis functions.
-
-    Returns
-    -------
-    Step
-        An exception in the check is a step that does not hold, and says why.
-
-    Raises
-    ------
-    ValueError
-        If there is no such way to establish a claim.
-
-    Examples
-    --------
-    >>> checked("one is one", "exact", lambda: 1 == 1).holds
-    True
+    An exception in the check is a step that does not hold, and says why.
     """
     if how not in HOWS:
         raise ValueError(f"how = {how!r}: must be one of {', '.join(HOWS)}")
@@ -151,11 +91,5 @@ def checked(claim: str, how: str, check: Callable[[], Any], every_N: bool = True
 
 
 def cited(claim: str, source: str) -> Step:
-    """Return a step that is taken from a source, not checked here.
-
-    Examples
-    --------
-    >>> cited("a lemma", "a book, 1996").how
-    'cited'
-    """
+    """Return a step that is taken from a source, not checked here."""
     return Step(claim, True, "cited", source)

@@ -24,8 +24,8 @@ from ...diagrams.wiring import Wiring, read
 from ...errors import DiagramError
 from ...native.sweep import Sweep
 from ...progress.interrupt import check
-from .symbols import SCALARS, parameter_names
-from .trace import TIME, SymbolicLoop, blocks_of
+from .paper_symbols import SCALARS, parameter_names
+from .symbolic_loop import TIME, SymbolicLoop, blocks_of
 
 PER_DRAW = 100  # points for each draw of the parameters
 CLOSE = 1e-9
@@ -53,13 +53,7 @@ class Point(NamedTuple):
 
 
 class RunningRate:
-    """V and V' of a diagram, from its running blocks.
-
-    Parameters
-    ----------
-    diagram : control.NonlinearIOSystem
-        Blocks, one of which makes V[1]; V depends on states and inputs.
-    """
+    """V and V' of a diagram, from its running blocks."""
 
     def __init__(self, diagram: control.NonlinearIOSystem):
         self.diagram, self.wiring = diagram, read(diagram)
@@ -122,15 +116,7 @@ def _ancestors(wiring: Wiring, blocks: list[Block]) -> set[int]:
 
 
 class Draw:
-    """Random parameters and points; parameters keep their signs.
-
-    Parameters
-    ----------
-    blocks : list of Block
-        The diagram's.
-    seed : int
-        Of the random numbers.
-    """
+    """Random parameters and points; parameters keep their signs."""
 
     def __init__(self, blocks: list[Block], seed: int):
         self.random, self.blocks = np.random.default_rng(seed), blocks
@@ -224,35 +210,7 @@ def compared(
     given: Mapping[str, Any] | None = None,
     kept: tuple[str, ...] = (),
 ) -> Comparison:
-    """Compare V' of the running blocks with an expression.
-
-    Parameters
-    ----------
-    diagram : control.NonlinearIOSystem
-        As for `RunningRate`.
-    loop : SymbolicLoop
-        The same diagram on symbols.
-    wanted : sympy.Expr
-        What V' should be.
-    count : int
-        Random points; the first 100 have the blocks' own parameters, then every 100 others.
-    seed : int, optional
-        Of the points.
-    given : mapping, optional
-        Name of a parameter -> expressions of the others, which it follows.
-    kept : tuple of str, optional
-        Blocks whose parameters keep their own values.
-
-    Returns
-    -------
-    Comparison
-        `where` is None if V' is the same to 1e-9 everywhere.
-
-    Raises
-    ------
-    DiagramError
-        If the expression holds a function that has no numbers.
-    """
+    """Compare V' of the running blocks with an expression."""
     running = RunningRate(diagram)
     draw = Draw(running.blocks, seed)
     function, symbols = numeric(wanted)
@@ -293,13 +251,7 @@ def compared(
 
 
 def numeric(expression: sympy.Expr) -> tuple[Any, list[Any]]:
-    """Return an expression as a function of arrays, and its symbols.
-
-    Raises
-    ------
-    DiagramError
-        If the expression holds a function that has no numbers.
-    """
+    """Return an expression as a function of arrays, and its symbols."""
     inputs = [f for f in expression.atoms(sympy.core.function.AppliedUndef) if f.args == (TIME,)]
     words = {str(f.func) for f in expression.atoms(sympy.core.function.AppliedUndef)} - {
         str(f.func) for f in inputs

@@ -17,28 +17,7 @@ SOURCES = {"basis_x": "phi_x", "basis_z": "phi_z", "reference": "zc", "disturban
 
 
 def theorem_scenario(N: int, law: str, disturbed: bool = False) -> Scenario:
-    """Return a scenario of section II with N functions.
-
-    Parameters
-    ----------
-    N : int
-        Number of basis functions.
-    law : str
-        ``"known-flow"`` or ``"learned-flow"``.
-    disturbed : bool, optional
-        Whether Delta of Eq. (32) is there.
-
-    Returns
-    -------
-    Scenario
-        Every number becomes a symbol when it is traced: positive for KD and gamma, of
-        either sign for theta, theta_hat, alpha_M and GammaD.
-
-    Examples
-    --------
-    >>> theorem_scenario(2, "learned-flow").basis.N
-    2
-    """
+    """Return a scenario of section II with N functions."""
     signs = np.array([[1.0], [-1.0]]) * np.arange(1, N + 1)
     known = law == "known-flow"
     push = {"kind": "constant", "amplitude": [0.1, 0.1]}
@@ -67,32 +46,7 @@ def theorem_loop(
     law_block: Block | None = None,
     candidate: Block | None = None,
 ) -> Diagram:
-    """Wire the closed loop of a theorem, with its V as a block.
-
-    Parameters
-    ----------
-    N : int
-        Number of basis functions.
-    law : str
-        ``"known-flow"``: V of Eq. (17); ``"learned-flow"``: V of Eq. (24).
-    disturbed : bool, optional
-        Whether Delta of Eq. (32) is there.
-    law_block : Block, optional
-        An adaptation block in place of the paper's.
-    candidate : Block, optional
-        A block with the output V[1] in place of the paper's V.
-
-    Returns
-    -------
-    Diagram
-        The paper's blocks and V; phi_x, phi_z, zc and delta are inputs.
-
-    Examples
-    --------
-    >>> diagram = theorem_loop(1, "learned-flow")
-    >>> diagram.input_labels
-    ['phi_x[0]', 'phi_z[0]', 'zc[0]', 'zc[1]']
-    """
+    """Wire the closed loop of a theorem, with its V as a block."""
     scenario = theorem_scenario(N, law, disturbed)
     blocks = paper_blocks(scenario)
     external = [SOURCES[block.name] for block in blocks if block.name in SOURCES]
@@ -107,29 +61,7 @@ def theorem_loop(
 
 
 def theorem_candidate(N: int, law: str, gain: float, weights: tuple = ()) -> Block:
-    """Return V of Eq. (17) or (24) with the scenario's truth.
-
-    Parameters
-    ----------
-    N : int
-        Number of basis functions.
-    law : str
-        ``"known-flow"`` or ``"learned-flow"``.
-    gain : float
-        Adaptation gain gamma.
-    weights : tuple of ndarray, optional
-        Gains of alpha, shape (2, N), K and Gamma, shape (2,), in place of the one.
-
-    Returns
-    -------
-    Block
-        With the output V[1].
-
-    Examples
-    --------
-    >>> theorem_candidate(1, "known-flow", 1.0).output_ports
-    {'V': 1}
-    """
+    """Return V of Eq. (17) or (24) with the scenario's truth."""
     scenario = theorem_scenario(N, law)
     car = scenario.vehicle
     truth = map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward))

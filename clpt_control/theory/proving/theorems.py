@@ -12,11 +12,14 @@ import sympy
 
 from ...errors import ClptError
 from ...progress.interrupt import check
-from ..counterexamples.paper_system import disturbance_counterexample, known_flow_counterexample
+from ..counterexamples.paper_system import (
+    disturbance_counterexample,
+    known_flow_counterexample,
+    unlearned_counterexample,
+)
 from ..counterexamples.scalar import square_wave_counterexample
-from ..counterexamples.unlearned import unlearned_counterexample
-from ..excitation.circle import circle_step
 from .boundedness import convergence_steps, definite_step, dissipation_step, young_step
+from .circle import circle_step
 from .lyapunov import decay, decay_and_disturbance, decay_and_known_error, identity_steps
 from .observability import observability_steps
 from .proof import Proof, Step, checked, cited
@@ -30,13 +33,7 @@ NO_DELTA = "the true flow is theta phi, without Delta"
 
 
 def theorem_3_1() -> Proof:
-    """Judge Theorem 3.1: the known-flow law and its bound (16).
-
-    Returns
-    -------
-    Proof
-        The identity for V' is proved, Eq. (16) refuted.
-    """
+    """Judge Theorem 3.1: the known-flow law and its bound (16)."""
     text = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
 
     def violated() -> tuple[bool, str]:
@@ -68,13 +65,7 @@ def theorem_3_1() -> Proof:
 
 
 def theorem_3_2() -> Proof:
-    """Judge Theorem 3.2: the learned-flow law drives CLPE to zero.
-
-    Returns
-    -------
-    Proof
-        Proved for every N, with the boundedness argument corrected.
-    """
+    """Judge Theorem 3.2: the learned-flow law drives CLPE to zero."""
     steps = [
         *identity_steps("V' = -e^T KD e", "learned-flow", decay, POINTS),
         definite_step("learned-flow"),
@@ -94,13 +85,7 @@ def theorem_3_2() -> Proof:
 
 
 def theorem_3_3() -> Proof:
-    """Judge Theorem 3.3: the parameters converge.
-
-    Returns
-    -------
-    Proof
-        The algebra is proved; exciting zc is not enough, joint excitation is.
-    """
+    """Judge Theorem 3.3: the parameters converge."""
 
     def stands_still() -> tuple[bool, str]:
         found = unlearned_counterexample(end=220.0)
@@ -137,18 +122,7 @@ def theorem_3_3() -> Proof:
 
 
 def ultimate_steps() -> list[Step]:
-    """Check the ultimate bound where the regressor excites.
-
-    Returns
-    -------
-    list of Step
-        Exact; that V drops by rho over a window is cited.
-
-    Examples
-    --------
-    >>> [step.how for step in ultimate_steps()]
-    ['exact', 'cited', 'exact']
-    """
+    """Check the ultimate bound where the regressor excites."""
 
     def grows() -> bool:
         e, d = sympy.symbols("e_1:3", real=True), sympy.symbols("d_1:3", real=True)
@@ -186,13 +160,7 @@ def ultimate_steps() -> list[Step]:
 
 
 def theorem_3_4() -> Proof:
-    """Judge Theorem 3.4: the bound (33) under a disturbance.
-
-    Returns
-    -------
-    Proof
-        The identity for V' is proved, Eq. (33) refuted.
-    """
+    """Judge Theorem 3.4: the bound (33) under a disturbance."""
     text = "V' = -e^T KD e + e^T Delta"
 
     def own_system() -> tuple[bool, str]:
@@ -271,8 +239,8 @@ def audit(
 
     Examples
     --------
-    >>> from clpt_control.theory.proving.theorems import audit
-    >>> audit("3.2")["3.2"].status
+    >>> import clpt_control as clpt
+    >>> clpt.theory.audit("3.2")["3.2"].status
     'proved'
     """
     if theorem is not None and theorem not in THEOREMS:

@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control.theory.counterexamples.paper_system import with_square_wave
-from clpt_control.theory.counterexamples.worst_disturbance import (
+from analysis.worst_disturbance import (
     influences,
     peak_gains,
     regressor_matrices,
     worst_disturbance,
 )
-from clpt_control.theory.excitation.linear_runs import scalar_matrix
+from clpt_control.theory.counterexamples.paper_system import with_square_wave
+from clpt_control.theory.counterexamples.scalar import scalar_matrix
 
 
 def test_peak_gain_in_closed_form():

@@ -14,13 +14,7 @@ ASKED = 12  # levels of operations; of deeper ones SymPy is not asked, which tak
 
 @lru_cache(maxsize=100_000)
 def extent(expression: sympy.Basic) -> tuple[int, int]:
-    """Return how many parts an expression has, written out, and how many levels.
-
-    Examples
-    --------
-    >>> extent(sympy.Symbol("a") + 1)
-    (3, 2)
-    """
+    """Return how many parts an expression has, written out, and how many levels."""
     parts = [extent(part) for part in expression.args]
     return 1 + sum(size for size, _ in parts), 1 + max((depth for _, depth in parts), default=0)
 
@@ -76,28 +70,7 @@ DEMANDS: dict[str, tuple[str, Callable[..., bool]]] = {
 
 
 def undefined(name: str, arguments: tuple) -> str | None:
-    """Return what may have no value here, None if it always has.
-
-    Parameters
-    ----------
-    name : str
-        Operation of a record.
-    arguments : tuple of sympy.Expr
-        What it is given.
-
-    Returns
-    -------
-    str or None
-        A sentence without its subject.
-
-    Examples
-    --------
-    >>> z, gamma = sympy.Symbol("z", real=True), sympy.Symbol("gamma", positive=True)
-    >>> undefined("div", (z, z))
-    'divides by z, which may be zero'
-    >>> undefined("div", (z, gamma)), undefined("div", (z, 1 + z**2))
-    (None, None)
-    """
+    """Return what may have no value here, None if it always has."""
     if name not in DEMANDS:
         return None
     sentence, known = DEMANDS[name]

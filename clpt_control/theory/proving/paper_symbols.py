@@ -36,13 +36,7 @@ _NAMES = {field: name for name, fields in ONE.items() for field in fields}
 
 
 def port_names(port: str, size: int, N: int | None = None) -> list[str]:
-    """Return the names of one port's signals, flattened row by row.
-
-    Examples
-    --------
-    >>> port_names("alpha", 4, N=2)
-    ['alpha_1[1]', 'alpha_1[2]', 'alpha_2[1]', 'alpha_2[2]']
-    """
+    """Return the names of one port's signals, flattened row by row."""
     own = port.rpartition(".")[2]
     if N is not None and own.startswith("phi") and size == N:
         return [f"{port}[{k + 1}]" for k in range(size)]
@@ -53,29 +47,7 @@ def port_names(port: str, size: int, N: int | None = None) -> list[str]:
 
 
 def port_symbols(port: str, size: int, N: int | None = None, function_of: tuple = ()) -> np.ndarray:
-    """Return the symbols of one port, flattened row by row.
-
-    Parameters
-    ----------
-    port : str
-        Name of the port.
-    size : int
-        Number of signals.
-    N : int, optional
-        Number of basis functions: a port of N or 2N signals is numbered by it.
-    function_of : tuple, optional
-        Arguments; then the symbols are undefined functions of them.
-
-    Returns
-    -------
-    ndarray of sympy.Expr
-        Shape (size,).
-
-    Examples
-    --------
-    >>> port_symbols("alpha", 4, N=2)
-    array([alpha_1[1], alpha_1[2], alpha_2[1], alpha_2[2]], dtype=object)
-    """
+    """Return the symbols of one port, flattened row by row."""
     names = port_names(port, size, N)
     if function_of:
         return np.array([sympy.Function(name, real=True)(*function_of) for name in names], object)
@@ -93,25 +65,7 @@ def state_names(blocks: Iterable[Block]) -> dict[tuple[str, str], str]:
 
 
 def parameter_names(blocks: Sequence[Block]) -> dict[tuple[str, str], str]:
-    """Return what each parameter field is called.
-
-    Parameters
-    ----------
-    blocks : sequence of Block
-        Blocks of one diagram.
-
-    Returns
-    -------
-    dict
-        (block, field) -> a name of the paper, where all fields of that name hold
-        the same values; else block and field.
-
-    Examples
-    --------
-    >>> from clpt_control.blocks.adaptation import LearnedFlowParameters, adaptation
-    >>> parameter_names([adaptation(LearnedFlowParameters(3, 0.8))])["adaptation", "gain"]
-    'gamma'
-    """
+    """Return what each parameter field is called."""
     held: dict[str, list[Any]] = {}
     for block in blocks:
         for field, value in zip(block.parameters._fields, block.parameters, strict=True):
@@ -129,25 +83,7 @@ def parameter_names(blocks: Sequence[Block]) -> dict[tuple[str, str], str]:
 
 
 def parameter_symbols(blocks: Sequence[Block]) -> dict[str, Any]:
-    """Return each block's parameters as symbols.
-
-    Parameters
-    ----------
-    blocks : sequence of Block
-        Blocks of one diagram.
-
-    Returns
-    -------
-    dict
-        Block name -> NamedTuple of symbols; whole numbers stay numbers, and
-        zeros are zero.
-
-    Examples
-    --------
-    >>> from clpt_control.blocks.adaptation import LearnedFlowParameters, adaptation
-    >>> parameter_symbols([adaptation(LearnedFlowParameters(3, 0.8))])["adaptation"].gain
-    gamma
-    """
+    """Return each block's parameters as symbols."""
     names = parameter_names(blocks)
     return {
         block.name: type(block.parameters)(

@@ -22,9 +22,8 @@ from ...errors import BlockError
 from ...native.loops import roll
 from ...native.program import Loop, Step, Store
 from ...native.rolled import Constant, Place, Rolled
-from .domain import undefined
-from .generic_run import run
-from .whole import BIG, TURNS, Cells, Held, Whole
+from .every_n_run import BIG, TURNS, ParameterArray, Vector, WholeNumber, run
+from .undefined import undefined
 
 
 class Summed(NamedTuple):
@@ -75,33 +74,8 @@ KNOWN_SIZES = {"phi_x": Size(1, 0), "phi_z": Size(1, 0), "alpha": Size(2, 0), "e
 Key = tuple[str, int | None, int | None]  # (port, row, None) or (port, None, number)
 
 
-def generic_size(port: str, size: int, functions: int) -> Size:
-    """Tell how a port grows with N, by its name.
-
-    Parameters
-    ----------
-    port : str
-        Its name: phi, alpha and eta grow, others keep their size.
-    size : int
-        Its size for the diagram's own N.
-    functions : int
-        The diagram's own N.
-
-    Returns
-    -------
-    Size
-        Rows of N, and more.
-
-    Raises
-    ------
-    BlockError
-        If a port of such a name has another size.
-
-    Examples
-    --------
-    >>> generic_size("alpha", 6, 3), generic_size("e", 2, 3)
-    (Size(rows=2, more=0), Size(rows=0, more=2))
-    """
+def port_size(port: str, size: int, functions: int) -> Size:
+    """Tell how a port grows with N, by its name."""
     known = KNOWN_SIZES.get(port)
     if known is None:
         return Size(0, size)
@@ -131,51 +105,30 @@ def read_function(
     leaf: Callable[..., Any],
     told: Callable[[str], None],
 ) -> dict[Key, Any]:
-    """Read one of a block's functions for every N.
-
-    Parameters
-    ----------
-    block : Block
-        The block, made for some N.
-    role : str
-        ``"update"`` or ``"output"``.
-    sizes : dict
-        ``"x"``, ``"u"`` and ``"out"`` -> {port: Size}.
-    leaf : callable
-        ``leaf("t")``, ``leaf("u", key)``, ``leaf("p", field, places)`` -> expression or
-        Summed; a place None is the index k.
-    told : callable
-        Told what may have no value.
-
-    Returns
-    -------
-    dict
-        (port, row, None) -> element k of a row; (port, None, j) -> Summed.
-
-    Raises
-    ------
-    BlockError
-        If the function is not read for every N; it may be right all the same.
-    """
+    """Read one of a block's functions for every N."""
     function = getattr(block, f"{role}_function")
     tape, written = Tape(), {}  # type: ignore[var-annotated]
     N = getattr(block.parameters, "N", 0)
     lengths = {
-        name: Whole(sum(s.more for s in ports.values()), sum(s.rows for s in ports.values()))
+        name: WholeNumber(sum(s.more for s in ports.values()), sum(s.rows for s in ports.values()))
         for name, ports in sizes.items()
     }
-    given = [Cells(tape, name, Whole(0), lengths[name]) for name in "xu"]
+    given = [Vector(tape, name, WholeNumber(0), lengths[name]) for name in "xu"]
 
     def parameter(field: str, value: Any) -> Any:
         if field == "N":
-            return Whole(0, 1)
+            return WholeNumber(0, 1)
         if isinstance(value, int):
             return value
-        return Held(tape, field, np.shape(value), N) if np.ndim(value) else tape.add("p", field, 0)
+        return (
+            ParameterArray(tape, field, np.shape(value), N)
+            if np.ndim(value)
+            else tape.add("p", field, 0)
+        )
 
     fields = zip(block.parameters._fields, block.parameters, strict=True)
     p = type(block.parameters)(*(parameter(field, value) for field, value in fields))
-    out = Cells(tape, "out", Whole(0), lengths["out"], written)
+    out = Vector(tape, "out", WholeNumber(0), lengths["out"], written)
     try:
         record = run(function, tape, (tape.add("t"), *given, p, out), written)
         reader = _Reader(block, {name: keys(ports) for name, ports in sizes.items()}, leaf, told)

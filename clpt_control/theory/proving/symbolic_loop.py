@@ -19,8 +19,8 @@ from ...blocks.record import Record
 from ...blocks.symbolic import exact, expressions
 from ...diagrams.wiring import Wiring, read
 from ...errors import DiagramError
-from .domain import extent, undefined
-from .symbols import parameter_names, parameter_symbols, port_symbols, state_names
+from .paper_symbols import parameter_names, parameter_symbols, port_symbols, state_names
+from .undefined import extent, undefined
 
 LONGEST, DEEPEST = 5_000, 30  # parts and levels of an expression
 TIME = sympy.Symbol("t", real=True)
@@ -69,35 +69,8 @@ class SymbolicLoop:
         return rate
 
 
-def trace(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()) -> SymbolicLoop:
-    """Read a diagram's equations on symbols.
-
-    Parameters
-    ----------
-    diagram : control.NonlinearIOSystem
-        Blocks, wired; each port name made by one block.
-    opaque : iterable of str, optional
-        Names of blocks to leave undefined beside those that say so
-        themselves, such as ``("basis_x", "basis_z")`` to keep phi.
-
-    Returns
-    -------
-    SymbolicLoop
-        States, signals and rates.
-
-    Raises
-    ------
-    DiagramError
-        If the diagram holds a system that is not a block, two blocks of one name or
-        port, or equations that are too long.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> loop = trace(clpt.closed_loop(clpt.paper_scenario()), opaque=("basis_x", "basis_z"))
-    >>> loop.signals["e"]
-    array([x_1 - z_1, x_2 - z_2], dtype=object)
-    """
+def symbolic_loop(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()) -> SymbolicLoop:
+    """Read a diagram's equations on symbols."""
     wiring, kept = read(diagram), set(opaque)
     blocks = blocks_of(wiring)
     loop = SymbolicLoop(parameters=parameter_symbols(blocks))

@@ -8,7 +8,7 @@ exp(4 pi i j / n) over j vanishes exactly where its ratio is not 1, n >= 3.
 
 import sympy
 
-from ..proving.proof import Step, checked
+from .proof import Step, checked
 
 
 def _zero(expression: sympy.Expr) -> bool:
@@ -56,18 +56,7 @@ def entries() -> bool:
 
 
 def circle_step() -> Step:
-    """Prove the Gramian (n tau r^2/2) I of points on a circle.
-
-    Returns
-    -------
-    Step
-        Exact, for every n.
-
-    Examples
-    --------
-    >>> circle_step().holds
-    True
-    """
+    """Prove the Gramian (n tau r^2/2) I of points on a circle."""
     return checked(
         "n >= 3 waypoints on a circle excite: int zc zc^T dt = (n tau r^2/2) I over a cycle",
         "exact",

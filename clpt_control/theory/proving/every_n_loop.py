@@ -17,13 +17,13 @@ from ...blocks.ports import states_as_outputs
 from ...blocks.symbolic import exact
 from ...diagrams.wiring import Node, Wire, read
 from ...errors import BlockError
-from .generic import Key, Size, Summed, generic_size, keys, read_function
-from .symbols import ONE, SCALARS, parameter_names, signed, state_names
-from .trace import TIME, blocks_of
+from .every_n_function import Key, Size, Summed, keys, port_size, read_function
+from .paper_symbols import ONE, SCALARS, parameter_names, signed, state_names
+from .symbolic_loop import TIME, blocks_of
 
 
 @dataclass
-class GenericLoop:
+class EveryNLoop:
     """A diagram's equations for every N.
 
     Attributes
@@ -62,23 +62,7 @@ class GenericLoop:
         return signed(name + "".join(shown), value)
 
     def derivative(self, value: Summed) -> Summed:
-        """Differentiate base + sum_k term(k) along the equations.
-
-        Parameters
-        ----------
-        value : Summed
-            In terms of the states.
-
-        Returns
-        -------
-        Summed
-            Its rate, multiplied out.
-
-        Raises
-        ------
-        BlockError
-            If it depends on time, on an input, or on one function alone.
-        """
+        """Differentiate base + sum_k term(k) along the equations."""
         own = value.base.free_symbols | value.term.free_symbols
         if own & (self.given | {TIME}) or value.base.atoms(sympy.core.function.AppliedUndef):
             raise BlockError("V depends on time or an input, which is not read for every N")
@@ -98,54 +82,20 @@ class GenericLoop:
 
 
 def element_symbol(name: str, row: int | None, number: int | None = None) -> sympy.Symbol:
-    """Return the symbol of one signal: alpha_1[k], phi_x[k], K_2.
-
-    Examples
-    --------
-    >>> element_symbol("alpha", 0), element_symbol("phi_x", 0), element_symbol("K", None, 1)
-    (alpha_1[k], phi_x[k], K_2)
-    """
+    """Return the symbol of one signal: alpha_1[k], phi_x[k], K_2."""
     if row is None:
         return sympy.Symbol(f"{name}_{(number or 0) + 1}", real=True)
     own = name.rpartition(".")[2].startswith("phi")
     return sympy.Symbol(f"{name}[k]" if own else f"{name}_{row + 1}[k]", real=True)
 
 
-def generic_trace(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()) -> GenericLoop:
-    """Read a diagram's equations for every N.
-
-    Parameters
-    ----------
-    diagram : control.NonlinearIOSystem
-        Blocks wired for some N; ports that grow with N are told by name (`phi_x`,
-        `phi_z`, `alpha`, `eta`).
-    opaque : iterable of str, optional
-        Blocks to leave undefined: their outputs stay symbols at each instant.
-
-    Returns
-    -------
-    GenericLoop
-        Signals and rates for every N.
-
-    Raises
-    ------
-    BlockError
-        If a block or a wire is not read for every N.
-    DiagramError
-        If the diagram holds a system that is not a block.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> loop = generic_trace(clpt.closed_loop(clpt.paper_scenario()), ("basis_x", "basis_z"))
-    >>> loop.signals["e", None, 0].base
-    x_1 - z_1
-    """
+def every_n_loop(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()) -> EveryNLoop:
+    """Read a diagram's equations for every N."""
     wiring, kept = read(diagram), set(opaque)
     blocks = blocks_of(wiring)
     N = _number_of_functions(blocks)
     states = state_names(blocks)
-    loop = GenericLoop(names=parameter_names(blocks))
+    loop = EveryNLoop(names=parameter_names(blocks))
     for block in blocks:
         for name, value in zip(block.parameters._fields, block.parameters, strict=True):
             loop.values[loop.names[block.name, name]] = value
@@ -205,7 +155,7 @@ def _state(name: str, row: int | None, number: int | None) -> Any:
     return symbol if row is not None else Summed(symbol)
 
 
-def _give(loop: GenericLoop, key: Key) -> None:
+def _give(loop: EveryNLoop, key: Key) -> None:
     loop.given.add(element_symbol(*key))
     loop.signals[key] = _state(*key)
 
@@ -226,7 +176,7 @@ def _counted(labels: list[str]) -> dict[str, int]:
 
 
 def _ports(ports: dict[str, int], N: int) -> dict[str, Size]:
-    return {port: generic_size(port, size, N) for port, size in ports.items()}
+    return {port: port_size(port, size, N) for port, size in ports.items()}
 
 
 def _keys_by_place(ports: dict[str, int], N: int) -> list[tuple[Key, int]]:
@@ -234,7 +184,7 @@ def _keys_by_place(ports: dict[str, int], N: int) -> list[tuple[Key, int]]:
     return [
         (key, j)
         for port, size in ports.items()
-        for key in keys({port: generic_size(port, size, N)}).values()
+        for key in keys({port: port_size(port, size, N)}).values()
         for j in range(N if key[1] is not None else 1)
     ]
 
@@ -248,7 +198,7 @@ def _places(nodes: tuple[Node, ...], blocks: list[Block], N: int) -> dict[int, t
 
 
 def _fed(
-    node: Node, block: Block, key: Key, N: int, place: dict, outside: dict, loop: GenericLoop
+    node: Node, block: Block, key: Key, N: int, place: dict, outside: dict, loop: EveryNLoop
 ) -> Any:
     """Return what feeds a row or a single input, a sum of gains times signals."""
     external = [

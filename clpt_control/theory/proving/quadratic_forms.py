@@ -34,19 +34,7 @@ class Pull(NamedTuple):
 
 
 def tidied(expression: sympy.Expr) -> sympy.Expr:
-    """Return an expression multiplied out, cos^2 as 1 - sin^2.
-
-    Raises
-    ------
-    DiagramError
-        If that would be too long to work with.
-
-    Examples
-    --------
-    >>> e = sympy.Symbol("e", real=True)
-    >>> tidied(e * sympy.sin(e) ** 2 + e * sympy.cos(e) ** 2)
-    e
-    """
+    """Return an expression multiplied out, cos^2 as 1 - sin^2."""
     if _terms(expression) > MOST_TERMS:
         raise DiagramError(f"V' has more than {MOST_TERMS} terms; make the law or its N smaller")
     pairs = ((sympy.cos, sympy.sin, -1), (sympy.cosh, sympy.sinh, 1))
@@ -80,32 +68,7 @@ def _terms(expression: sympy.Expr) -> int:
 def positive_definite(
     V: sympy.Expr, states: Sequence[sympy.Symbol], truth: dict, values: dict
 ) -> bool:
-    """Return whether V is positive definite in the errors.
-
-    Parameters
-    ----------
-    V : sympy.Expr
-        The candidate.
-    states : sequence of sympy.Symbol
-        The states that have an error.
-    truth : dict
-        State -> where its error is zero.
-    values : dict
-        Parameter -> the number it has.
-
-    Returns
-    -------
-    bool
-        True where it is known: a constant Hessian, positive definite, and V and its slopes
-        zero at the truth.
-
-    Examples
-    --------
-    >>> x, y, a = sympy.symbols("x y a", real=True)
-    >>> V = a * (x - y) ** 2
-    >>> positive_definite(V, [x], {x: y}, {a: 2}), positive_definite(V, [x], {x: y}, {a: -2})
-    (True, False)
-    """
+    """Return whether V is positive definite in the errors."""
     H = sympy.hessian(V, list(states)).subs(values)
     if H.free_symbols or H.atoms(AppliedUndef):
         return False
@@ -115,28 +78,7 @@ def positive_definite(
 
 
 def nonpositive(expression: sympy.Expr, apart: set, values: dict) -> bool:
-    """Return whether an expression is never positive.
-
-    Parameters
-    ----------
-    expression : sympy.Expr
-        Multiplied out.
-    apart : set of sympy.Symbol
-        Terms that share none of these are judged apart: states and truths.
-    values : dict
-        Parameter -> the number it has.
-
-    Returns
-    -------
-    bool
-        True where it is known.
-
-    Examples
-    --------
-    >>> x, y = sympy.symbols("x y", real=True)
-    >>> nonpositive(-(x**2) - 2 * x * y - y**2, {x, y}, {}), nonpositive(-x * y, {x, y}, {})
-    (True, False)
-    """
+    """Return whether an expression is never positive."""
     return all(_negative(group, apart, values) for group in _groups(expression, apart))
 
 
@@ -180,30 +122,7 @@ def _negative(group: sympy.Expr, apart: set, values: dict) -> bool:
 def pulled(
     rate: sympy.Expr, V: sympy.Expr, truth: dict, values: dict, moving: set | None = None
 ) -> Pull | None:
-    """Bound V' by what pulls back and a constant, state by state.
-
-    Parameters
-    ----------
-    rate, V : sympy.Expr
-        V' and V.
-    truth : dict
-        State that has an error -> where that is zero.
-    values : dict
-        Parameter -> the number it has.
-    moving : set of sympy.Symbol, optional
-        All states and time: what is in a or b is no constant.
-
-    Returns
-    -------
-    Pull or None
-        None where V' is not a sum of a term -a s^2 + b s for each error s.
-
-    Examples
-    --------
-    >>> s, c = sympy.symbols("s c", real=True)
-    >>> pulled(-2 * s**2 + c * s, s**2, {s: 0}, {})
-    Pull(rate=1, push=c**2/4)
-    """
+    """Bound V' by what pulls back and a constant, state by state."""
     states, moves = list(truth), {*truth, *(moving or ())}
     shifted = {s: s + truth[s] for s in states}
     if not rate.is_polynomial(*states) or sympy.Poly(rate, *states).total_degree() > 2:

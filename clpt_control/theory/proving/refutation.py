@@ -12,41 +12,20 @@ import sympy
 from ...errors import DiagramError
 from ...progress.interrupt import check
 from .running_rate import Draw, Point, RunningRate, degree_of, numeric, symbol_values
-from .trace import SymbolicLoop
+from .symbolic_loop import SymbolicLoop
 
 DRAWS, PER_DRAW, TRIED = 100, 200, 3
 FARTHER = (1.0, 10.0, 100.0)
 
 
-def rising_point(
+def refuting_point(
     diagram: control.NonlinearIOSystem,
     loop: SymbolicLoop,
     rate: sympy.Expr,
     kept: tuple[str, ...],
     seed: int = 0,
 ) -> tuple[Point | None, float | None]:
-    """Look for a point with V' > 0, and ask the running blocks there.
-
-    Parameters
-    ----------
-    diagram : control.NonlinearIOSystem
-        The closed loop with its V.
-    loop : SymbolicLoop
-        The same on symbols.
-    rate : sympy.Expr
-        V', by which points are chosen where it has numbers.
-    kept : tuple of str
-        Blocks whose parameters keep their own values.
-    seed : int, optional
-        Of the random points.
-
-    Returns
-    -------
-    point : Point or None
-        Where V' > 0.
-    rate : float or None
-        V' of the running blocks there.
-    """
+    """Look for a point with V' > 0, and ask the running blocks there."""
     running, draw, degree = RunningRate(diagram), Draw(_blocks(diagram), seed), degree_of(loop)
     try:
         function, symbols = numeric(rate)
@@ -70,7 +49,7 @@ def rising_point(
             for k in order:
                 found = _persists(running, x[k] - far[k], far[k], u[k], degree)
                 if found is not None:
-                    return Point(0.0, x[k], u[k], params), found
+                    return Point(0.0, x[k], u[k], params), float(found)
     finally:
         diagram._update_params({})
     return None, None

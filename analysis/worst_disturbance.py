@@ -1,0 +1,85 @@
+"""The worst disturbance, where the regressor w(t) is given: a peak gain.
+
+    max |e_i(t)| = Dmax int_0^t |c Phi(t, s) b| ds                Eqs. (28), (32)
+
+over all |Delta_i| <= Dmax, started true; b and c pick e_i in (e_i, eta_i), Phi is the transition
+matrix of Eq. (28), and Delta_i(s) = Dmax sign(c Phi(t, s) b) attains it.  It is exact for this w;
+the w of a disturbed run differs somewhat, since it holds z.  Eq. (33) would have it below Dmax/k;
+the corrected bound of Theorem 3.4 is far above it.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.linalg import expm
+
+import clpt_control as clpt
+
+
+class WorstDisturbance(NamedTuple):
+    """Largest |e_i| that any disturbance of size 1 can make."""
+
+    times: np.ndarray  # (nt,), units.time
+    gains: np.ndarray  # (2, nt): max |e_i(t)| / Dmax for a disturbance of axis i, time
+
+    @property
+    def peaks(self) -> tuple[float, float]:
+        """The largest gain of each axis."""
+        return float(self.gains[0].max()), float(self.gains[1].max())
+
+
+def influences(A: np.ndarray, step: float, targets: np.ndarray) -> np.ndarray:
+    """Return c Phi(t, s) b, what Delta at s does to e at t, shape (steps + 1, nt).
+
+    A (steps, n, n) is held over each step, e first; the targets (nt,) are t in steps.  Rows are
+    s = 0, step, 2 step, ...; entries with s > t are zero.
+    """
+    moves = expm(A * step)
+    targets = np.asarray(targets, dtype=int)
+    rows = np.zeros((len(targets), A.shape[-1]))
+    found = np.zeros((len(A) + 1, len(targets)))
+    for j in range(targets.max(), -1, -1):
+        if j < targets.max():
+            rows = np.einsum("ti,ij->tj", rows, moves[j])
+        rows[targets == j, 0] = 1.0
+        found[j] = rows[:, 0]
+    return found
+
+
+def peak_gains(A: np.ndarray, step: float, targets: np.ndarray) -> np.ndarray:
+    """Integrate |c Phi(t, s) b| over s from 0 to each target, shape (nt,)."""
+    size = np.abs(influences(A, step, targets))
+    ends = (size[0] + size[targets, np.arange(len(targets))]) / 2
+    return step * (size.sum(axis=0) - ends)
+
+
+def regressor_matrices(scenario: clpt.Scenario, end: float, step: float) -> np.ndarray:
+    """Return A of Eq. (28) along the undisturbed run, started true, in the middle of each step.
+
+    Axis first, shape (2, steps, N + 3, N + 3).
+    """
+    calm = clpt.theory.started_true(scenario).with_values({"flow.disturbance": None})
+    loop = clpt.closed_loop(calm)
+    times = np.concatenate([[0.0], step * (np.arange(round(end / step)) + 0.5)])
+    run = clpt.simulate(loop, times, initial_state=clpt.initial_state(calm))
+    ports = [label.split("[")[0] for label in loop.output_labels]
+    phi, z, zc = (
+        run.outputs[[port == name for port in ports], 1:].T for name in ("phi_x", "z", "zc")
+    )
+    KD = np.array(calm.vehicle.feedback)
+    return clpt.theory.error_matrices(phi, z, zc, KD, calm.learning.gain)
+
+
+def worst_disturbance(
+    scenario: clpt.Scenario, start: float, end: float, step: float = 0.04, every: float = 1.0
+) -> WorstDisturbance:
+    """Return the gains from start to end, each `every`; Delta acts from 0.
+
+    The scenario has theta and the learned-flow law; it is run started true, without Delta, and
+    its regressor is held over each step.
+    """
+    A = regressor_matrices(scenario, end, step)
+    targets = np.unique(np.round(np.arange(start, end, every) / step).astype(int))
+    return WorstDisturbance(
+        targets * step, np.stack([peak_gains(A[i], step, targets) for i in range(2)])
+    )
