@@ -22,11 +22,15 @@ def replay(
     files: Annotated[
         list[Path] | None, typer.Argument(help="Seaglider, OG1 or CSV files, or folders of them.")
     ] = None,
-    sample: Annotated[bool, typer.Option("--sample", help="Replay the dives that ship.")] = False,
+    sample: Annotated[
+        bool, typer.Option("--sample", help="Replay the dives that come with clpt.")
+    ] = False,
     estimator: Annotated[str, typer.Option(help="kalman, rls or gradient.")] = "kalman",
     flow: Annotated[
         str | None,
-        typer.Option(help="steady, then any of tides, inertial, gaussians, model: steady,M2,K1."),
+        typer.Option(
+            help="steady, then any of tides, inertial, gaussians, model, such as steady,M2,K1."
+        ),
     ] = None,
     width_km: Annotated[float | None, typer.Option(help="Width of the gaussians, km.")] = None,
     learn_speed: Annotated[
@@ -52,11 +56,13 @@ def replay(
         typer.Option(
             parser=folder_named,
             metavar="PATH",
-            help="Folder to watch for new files; --out is its folder replay.",
+            help="Folder to watch for new files; --out is FOLDER/replay by default.",
         ),
     ] = None,
     every: Annotated[float, typer.Option(help="Time between looks at that folder, s.")] = 10.0,
-    patience: Annotated[float, typer.Option(help="End after so long without a new file, s.")] = inf,
+    patience: Annotated[
+        float, typer.Option(help="End after this time without a new file, s.")
+    ] = inf,
     as_json: Json = False,
 ) -> None:
     """Replay a glider's dives, each forecast before its end."""
@@ -73,7 +79,9 @@ def replay(
     from ..replay.surfacing import check_plan
 
     if bool(files) + sample + (follow is not None) != 1:
-        raise ScenarioError("give files of dives, --sample for those that ship, or --follow FOLDER")
+        raise ScenarioError(
+            "give files of dives, --sample for those that come with clpt, or --follow FOLDER"
+        )
     check_pace(every, patience)
     if estimator not in ESTIMATORS:
         raise ScenarioError(f"--estimator {estimator}: must be one of {', '.join(ESTIMATORS)}")
@@ -85,7 +93,7 @@ def replay(
     ahead = () if plan is None else (3600 * plan[0], plan[1:])
     if ahead:
         check_plan(*ahead)
-    told: set[str] = set()
+    told: list[str] = []  # each complaint once: the record grows
 
     def take(dives: Any, unread: Any) -> tuple[Any, list]:
         """Replay the dives that can be used, and return what was left out, too."""
@@ -99,9 +107,9 @@ def replay(
         except DataError as error:
             if follow is None:
                 raise
-            if not told:  # once: the record grows
+            if not told:
                 typer.echo(f"so far, {error}", err=True)
-            told.add("tides")
+            told.append(str(error))
         with progress_bar("replaying dives", max(len(used), 1)) as report:
             return feed(Replay(estimator, model, forecast), used, report), skipped
 

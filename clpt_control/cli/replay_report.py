@@ -67,7 +67,9 @@ def show(result: Any, summary: dict[str, Any]) -> None:
         typer.echo(f"surfaced in the 90 % ellipse: {100 * summary['inside_90']:.0f} %")
         typer.echo(f"learned: {shortened(summary['learned']) or 'nothing'}")
     if summary["held"]:
-        typer.echo(f"held, for the dives do not excite them: {shortened(summary['held'])}")
+        typer.echo(
+            f"held at prior values, as the dives do not excite them: {shortened(summary['held'])}"
+        )
     for line in by_reason(summary["notes"], "note"):
         typer.echo(line)
     for entry in summary["skipped"]:

@@ -49,8 +49,7 @@ def watch(
                 if arrived or follower.here != before or found is None:
                     found = None
                     learned = take(*follower.dives())
-                    line = f"{len(arrived)} new file{'s'[: len(arrived) != 1]}, "
-                    line += said_of(learned[0], out, ahead)
+                    line = said_of(learned[0], len(arrived), out, ahead)
                     found = learned  # from where the line is seen, an interrupt has its results
                     typer.echo(line, err=True)
                     if arrived:
@@ -66,12 +65,12 @@ def watch(
             return found
 
 
-def said_of(replay: Any, out: Path, ahead: tuple) -> str:
-    """Write a replay's results, and return what was learned from its last dive."""
+def said_of(replay: Any, files: int, out: Path, ahead: tuple) -> str:
+    """Write a replay's results; return how many files are new, and what the last dive says."""
     from ..replay.surfacing import next_dive
 
     used = len(replay.steps)
-    line = f"{used} dive{'s'[: used != 1]} used"
+    line = f"{files} new file{'s'[: files != 1]}, {used} dive{'s'[: used != 1]} used"
     if not used:
         return line
     write(replay, out, ahead)

@@ -13,7 +13,7 @@ fixes: it was renamed.
 import os
 import stat
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Annotated, Any, Literal, get_type_hints
 
@@ -184,17 +184,13 @@ def following(folder: Path, out: Path) -> Iterator[Follower]:
                 "files there; give another folder, or leave --out away"
             )
     state = make_folder(out / "state")
-    lock = FileLock(state / LOCK, timeout=0)  # a killed process holds it no longer
-    try:
-        lock.acquire()
-    except Timeout:
-        raise DataError(
-            f"{state}: another clpt follows here; end it, or give another --out"
-        ) from None
-    except OSError as error:
-        raise DataError(f"{state}: cannot be written to: {error.strerror or error}") from None
-    try:
+    with ExitStack() as locked:
+        try:  # the lock of a killed process is free
+            locked.enter_context(FileLock(state / LOCK, timeout=0))
+        except Timeout:
+            other = f"{state}: another clpt follows here; end it, or give another --out"
+            raise DataError(other) from None
+        except OSError as error:
+            raise DataError(f"{state}: cannot be written to: {error.strerror or error}") from None
         remove_left(state, "*.json")
         yield Follower(folder, state)
-    finally:
-        lock.release()
