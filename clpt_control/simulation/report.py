@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ..native.solution import Solution
+from ..native.ending import Solution
 from ..scenario.experiment import Scenario
 from .integrate import ScenarioRun, sample_times
 
