@@ -49,7 +49,7 @@ class _Grid(ctypes.Structure):
 
 
 def run_c(count: int) -> tuple[np.ndarray, float]:
-    """Move the particles in C; final positions (2, count) and seconds."""
+    """Move the particles in C; return final positions (2, count) and seconds."""
     function = ctypes.CDLL(str(library("advect"))).advect_particles
     function.restype = c_double
     function.argtypes = (
@@ -105,8 +105,8 @@ def run_parcels(count: int) -> tuple[np.ndarray, float]:
 
 
 def run_native(count: int) -> tuple[np.ndarray, float]:
-    """Move the particles with the native engine; see `benchmarks.native_engine`."""
-    from .native_engine import advect
+    """Move the particles with the native engine; see `benchmarks.drifter`."""
+    from .drifter import advect
 
     return advect(*current(), *starts(count), STEP, STEPS)
 

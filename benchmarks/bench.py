@@ -7,47 +7,33 @@ performance.png in the folder `--out`.
 
 import argparse
 import json
-import statistics
 import sys
 import time
 from pathlib import Path
 
+import numpy as np
+
 from . import cases, ensemble, report, single
 from .advection import ENGINES as PARTICLES
 from .engines import ENGINES
-from .measure import FAILURES, ROOT, alone, machine
+from .measure import FAILURES, ROOT, in_turn, machine
 
 SECTIONS = ("paper", "basis", "ensemble", "particles")
 
 
 def particles(chosen: list[str], count: int, rounds: int, say) -> list[dict]:
-    """Move passive particles round-robin, each turn in a process of its own."""
+    """Move passive particles in turn; return a row for each engine, with its difference to C."""
     titles = {"c": "C", "native": ENGINES["native"].title, "parcels": "Parcels 3, JIT"}
-    turns: dict[str, list[dict]] = {name: [] for name in PARTICLES if name in chosen}
-    for turn in range(rounds):
-        for name, done in turns.items():
-            if turn == 0 or done:
-                say(f"{count} particles, round {turn + 1}: {titles[name]}")
-                found = alone("benchmarks.advection", name, count)
-                done += [found] if found else []
-    rows = []
-    for name, done in turns.items():
-        if done:
-            rate = statistics.median(d["rate"] for d in done)
-            rows.append({**done[0], "title": titles[name], "rate": rate})
-    for row in rows:
-        if rows[0]["engine"] != "c":
-            continue
-        row["ratio"] = row["rate"] / rows[0]["rate"]
-        pairs = zip(row["ends"], rows[0]["ends"], strict=True)
-        row["difference"] = max(
-            abs(a / b - 1) for ours, c in pairs for a, b in zip(ours, c, strict=True)
-        )
+    able = {name: titles[name] for name in PARTICLES if name in chosen}
+    rows = in_turn("benchmarks.advection", able, count, rounds, say)
+    exact = next((row["ends"] for row in rows if row["engine"] == "c"), None)
+    for row in rows if exact else ():
+        row["difference"] = float(np.max(np.abs(np.divide(row["ends"], exact) - 1)))
     return rows
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run the benchmarks; give the exit status."""
+    """Run the benchmarks; return the exit status."""
     names = [*ENGINES, "parcels"]
     parser = argparse.ArgumentParser(prog="python -m benchmarks.bench", description=__doc__)
     parser.add_argument("--quick", action="store_true", help="about a minute")

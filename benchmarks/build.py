@@ -18,12 +18,12 @@ FLAGS = ("-std=gnu11", "-O3", "-march=native", "-fno-math-errno", "-fPIC", "-sha
 
 
 def compiler() -> str | None:
-    """Find a C compiler; None where there is none."""
+    """Return a C compiler; None where there is none."""
     return next((found for name in ("gcc", "cc", "clang") if (found := shutil.which(name))), None)
 
 
 def weighted(weights: np.ndarray) -> str:
-    """Write the sum of the stages with the weights that are not zero."""
+    """Return the sum of the stages with the weights that are not zero."""
     terms = [f"{w!r} * k[{s}][i]" for s, w in enumerate(weights.tolist()) if w]
     return " + ".join(terms)
 
@@ -44,24 +44,9 @@ def coefficients() -> str:
 
 
 def library(source: str, *options: str) -> Path:
-    """Compile one source to a shared library, unless it is there already.
+    """Return a source compiled to a shared library, made unless it is there already.
 
-    Parameters
-    ----------
-    source : str
-        ``"scalar"``, ``"lanes"`` or ``"advect"``.
-    *options : str
-        More flags: ``"-DN=3"``, ``"-DCANCEL"``.
-
-    Returns
-    -------
-    Path
-        The library; its name holds a hash of sources and flags.
-
-    Raises
-    ------
-    RuntimeError
-        If there is no compiler or it refuses.
+    Its name holds a hash of sources and flags, such as ``"-DN=3"``.
     """
     cc = compiler()
     if cc is None:

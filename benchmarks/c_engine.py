@@ -12,7 +12,7 @@ from .cases import initial_state as start
 
 class _Problem(ctypes.Structure):
     _fields_ = (
-        *((name, c_int64) for name in ("n", "waypoints", "recorded")),
+        *((name, c_int64) for name in ("waypoints", "recorded")),
         *((name, c_double) for name in ("dwell", "end", "rtol", "atol")),
         ("w1", POINTER(c_double)),
         ("w2", POINTER(c_double)),
@@ -28,66 +28,27 @@ def _pointer(array: np.ndarray):
 
 
 class Program:
-    """A compiled closed loop.
+    """A closed loop of N basis functions, compiled from ``"scalar"`` or ``"lanes"``."""
 
-    Parameters
-    ----------
-    N : int
-        Number of basis functions.
-    source : str, optional
-        ``"scalar"`` or ``"lanes"``.
-    *options : str
-        Flags of the variant: ``"-DCANCEL"``, ``"-DSHARE_TIDE"``.
-    constant : bool, optional
-        Whether N is known to the compiler.
-    """
-
-    def __init__(self, N: int, source: str = "scalar", *options: str, constant: bool = True):
-        flags = (*options, f"-DN={N}") if constant else options
-        self.function = getattr(ctypes.CDLL(str(library(source, *flags))), f"{source}_members")
+    def __init__(self, N: int, source: str = "scalar", *options: str):
+        compiled = ctypes.CDLL(str(library(source, f"-DN={N}", *options)))
+        self.function = getattr(compiled, f"{source}_members")
         self.function.restype = c_double
-        self.function.argtypes = (
-            POINTER(_Problem),
-            c_int64,
-            *[POINTER(c_double)] * 3,
-            POINTER(_Counts),
-        )
+        arrays = [POINTER(c_double)] * 3
+        self.function.argtypes = (POINTER(_Problem), c_int64, *arrays, POINTER(_Counts))
         self.counts = _Counts()
 
     def members(
         self, scenario, parameters: np.ndarray, states: np.ndarray, record: int = 0
     ) -> tuple[np.ndarray, float]:
-        """Run members; give the final states, or those of member 0 at the waypoint ends.
+        """Run members, a row each; return the final states and the program's seconds.
 
-        Parameters
-        ----------
-        scenario : Scenario
-            Waypoints, duration and tolerances.
-        parameters, states : ndarray
-            One row per member.
-        record : int, optional
-            Number of waypoint ends to record of member 0.
-
-        Returns
-        -------
-        states : ndarray
-            Final, shape (members, 2 N + 8), or recorded.
-        seconds : float
-            As the program measured them.
+        Instead of the final states, those of member 0 at the first `record` waypoint ends.
         """
         w1, w2 = np.ascontiguousarray(scenario.waypoints.T)
-        run = scenario.run
-        problem = _Problem(
-            scenario.basis.N,
-            len(w1),
-            record,
-            scenario.reference.dwell,
-            run.duration,
-            run.rtol,
-            run.atol,
-            _pointer(w1),
-            _pointer(w2),
-        )
+        run, dwell = scenario.run, scenario.reference.dwell
+        points = _pointer(w1), _pointer(w2)
+        problem = _Problem(len(w1), record, dwell, run.duration, run.rtol, run.atol, *points)
         states = np.array(states, dtype=float, order="C")
         parameters = np.ascontiguousarray(parameters)
         kept = np.empty((max(record, 1), states.shape[1]))
@@ -105,9 +66,31 @@ class Program:
         return (kept if record else states), seconds
 
     def run(self, case: Case) -> tuple[np.ndarray, float]:
-        """Run one case; states at its times, and seconds."""
-        x0 = start(case.scenario)
-        states, seconds = self.members(
-            case.scenario, flat_parameters(case.scenario)[None], x0[None], len(case.times) - 1
-        )
+        """Run one case; return states at its times, and seconds."""
+        x0, own = start(case.scenario), flat_parameters(case.scenario)
+        states, seconds = self.members(case.scenario, own[None], x0[None], len(case.times) - 1)
         return np.vstack([x0, states]), seconds
+
+
+def prepare(case: Case):
+    """Prepare one run."""
+    program = Program(case.N)
+    return lambda: program.run(case)
+
+
+def members(scenario):
+    """Prepare an ensemble, one run after the other."""
+    program = Program(scenario.basis.N)
+    return lambda parameters, states: program.members(scenario, parameters, states)
+
+
+def prepare_in_lanes(case: Case):
+    """Prepare one run, eight basis functions at once."""
+    program = Program(case.N, "scalar", "-DBASIS_LANES")
+    return lambda: program.run(case)
+
+
+def members_in_lanes(scenario):
+    """Prepare an ensemble, a run in each lane."""
+    program = Program(scenario.basis.N, "lanes")
+    return lambda parameters, states: program.members(scenario, parameters, states)

@@ -15,17 +15,7 @@ CHUNK = 4096  # members drawn at a time
 
 @dataclass(frozen=True)
 class Case:
-    """One run: a scenario and the times of the states wanted.
-
-    Attributes
-    ----------
-    name : str
-        What the tables call it.
-    scenario : Scenario
-        With N basis functions and the learned-flow law.
-    times : ndarray
-        From 0 to the end, the waypoint ends among them.
-    """
+    """One run: a scenario with the learned-flow law, and the times of the states wanted."""
 
     name: str
     scenario: clpt.Scenario
@@ -44,17 +34,7 @@ def paper(end: float = 2000.0) -> Case:
 
 
 def many(N: int, end: float = 2000.0, seed: int = 1) -> Case:
-    """Return the paper's run in a flow of N random functions, of the paper's strength.
-
-    Parameters
-    ----------
-    N : int
-        Number of exponential functions.
-    end : float, optional
-        Duration.
-    seed : int, optional
-        Of the random numbers.
-    """
+    """Return the paper's run in a flow of N random functions, of the paper's strength."""
     draw = np.random.default_rng(seed)
     theta = draw.normal(0.0, 1.2 / np.sqrt(N), (2, N))
     values = {
@@ -102,22 +82,10 @@ def flat_parameters(scenario: clpt.Scenario) -> np.ndarray:
 
 
 def members(scenario: clpt.Scenario, chunk: int, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Draw members that differ in parameters and initial states.
+    """Return parameters (count, 9 N + 5) and initial states (count, 2 N + 8) of members.
 
-    Parameters
-    ----------
-    scenario : Scenario
-        The middle of the ensemble.
-    chunk : int
-        Number of the chunk; each has its own random stream.
-    count : int
-        Members of this chunk.
-
-    Returns
-    -------
-    parameters, states : ndarray
-        Shapes (count, 9 N + 5) and (count, 2 N + 8), row by row a run:
-        theta within 10 percent, the gain from 0.4 to 1.2, x(0), z(0) within 1.
+    They differ in theta (10 percent), the gain (0.4 to 1.2), and x(0), z(0) (within 1); each
+    chunk has its own random stream.
     """
     draw, N = np.random.default_rng([7, chunk]), scenario.basis.N
     numbers = draw.uniform(-1, 1, (count, 2 * N + 5))  # a member's do not depend on count

@@ -9,32 +9,25 @@ from typing import NamedTuple
 
 import numpy as np
 
+import clpt_control as clpt
 from clpt_control import Block
 from clpt_control.blocks.words import clip, floor, lookup, minimum
 
+from .engines import timed
+
 
 class LinearCurrent(NamedTuple):
-    """A current on a regular grid.
+    """A current on a regular grid of time, x2 and x1."""
 
-    Attributes
-    ----------
-    shape : ndarray, shape (3,)
-        Grid points in time, x2 and x1.
-    start, scale : ndarray, shape (3,)
-        First grid point and 1 / spacing.
-    u, v : ndarray
-        Flow along x1 and x2, flattened, time slowest.
-    """
-
-    shape: np.ndarray
-    start: np.ndarray
-    scale: np.ndarray
-    u: np.ndarray
+    shape: np.ndarray  # grid points, shape (3,)
+    start: np.ndarray  # first grid point
+    scale: np.ndarray  # 1 / spacing
+    u: np.ndarray  # flow along x1 and x2, flattened, time slowest
     v: np.ndarray
 
 
 def place(value, p, axis):
-    """Position in grid steps along an axis, held at the edges."""
+    """Return a position in grid steps along an axis, held at the edges."""
     return clip((value - p.start[axis]) * p.scale[axis], 0.0, p.shape[axis] - 1)
 
 
@@ -44,7 +37,7 @@ def mix(a, b, share):
 
 
 def plane(f, at, row, s2, s1):
-    """Bilinear value at one time of the grid."""
+    """Return the bilinear value at one time of the grid."""
     low = mix(lookup(f, at), lookup(f, at + 1), s1)
     return mix(low, mix(lookup(f, at + row), lookup(f, at + row + 1), s1), s2)
 
@@ -63,20 +56,7 @@ def drift(t, x, u, p, dx):
 
 
 def drifter(time: np.ndarray, axis: np.ndarray, u: np.ndarray, v: np.ndarray) -> Block:
-    """Make the block of one particle: no inputs -> x[2], its state.
-
-    Parameters
-    ----------
-    time, axis : ndarray
-        Regular; the axis serves both directions.
-    u, v : ndarray, shape (time, x2, x1)
-        The current.
-
-    Returns
-    -------
-    Block
-        Two states, no inputs.
-    """
+    """Return the block of one particle in a current (time, x2, x1): no inputs -> x[2]."""
     axes = (time, axis, axis)
     parameters = LinearCurrent(
         np.array([len(a) for a in axes], dtype=float),
@@ -86,3 +66,13 @@ def drifter(time: np.ndarray, axis: np.ndarray, u: np.ndarray, v: np.ndarray) ->
         v.ravel(),
     )
     return Block("drifter", update=drift, states={"x": 2}, parameters=parameters, opaque=True)
+
+
+def advect(time, axis, u, v, x1, x2, step: float, steps: int) -> tuple[np.ndarray, float]:
+    """Move passive particles by RK4; return final positions (2, n) and seconds."""
+    native = clpt.native.compile(clpt.connect([drifter(time, axis, u, v)], name="drifter"))
+    starts = np.column_stack([x1, x2])
+    ends = np.array([0.0, step * steps])
+    native.run_many(starts[:2], ends, step=step)
+    found, seconds = timed(lambda: native.run_many(starts, ends, step=step))
+    return found[:, -1].T, seconds

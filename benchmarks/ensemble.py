@@ -6,7 +6,6 @@ are drawn chunk by chunk and only a summary is kept.
 """
 
 import json
-import statistics
 import sys
 from collections.abc import Callable
 
@@ -14,7 +13,7 @@ import numpy as np
 
 from . import cases
 from .engines import ENGINES
-from .measure import alone, peak_memory
+from .measure import alone, in_turn, peak_memory
 
 DURATION = 200.0
 
@@ -58,40 +57,9 @@ def _error(scenario, final: np.ndarray) -> float | None:
 
 
 def compare(chosen: list[str], count: int, rounds: int, say: Callable[[str], None]) -> list[dict]:
-    """Run one size round-robin, each turn in a process of its own; medians.
-
-    Parameters
-    ----------
-    chosen : list of str
-        Keys of `ENGINES`.
-    count : int
-        Members.
-    rounds : int
-        Turns of each engine.
-    say : callable
-        Told what is being done.
-
-    Returns
-    -------
-    list of dict
-        As `child` gives them, with the ratio of rates to C.
-    """
-    turns: dict[str, list[dict]] = {name: [] for name in chosen if ENGINES[name].members}
-    for turn in range(rounds):
-        for name, done in turns.items():
-            say(f"{count} members, round {turn + 1}: {ENGINES[name].title}")
-            if turn == 0 or done:
-                found = alone("benchmarks.ensemble", name, count)
-                done += [found] if found else []
-    rows = []
-    for done in turns.values():
-        if done:
-            rate = statistics.median(d["rate"] for d in done)
-            rows.append({**done[0], "rate": rate, "fastest": max(d["rate"] for d in done)})
-    base = next((row["rate"] for row in rows if row["engine"] == "c"), None)
-    for row in rows:
-        row["ratio"] = row["rate"] / base if base else None
-    return rows
+    """Run one size in turn; return a row for each engine that can."""
+    titles = {name: ENGINES[name].title for name in chosen if ENGINES[name].members}
+    return in_turn("benchmarks.ensemble", titles, count, rounds, say)
 
 
 def grow(

@@ -36,23 +36,9 @@ def interleave(
     budget: float,
     say: Callable[[str], None] = lambda text: None,
 ) -> dict[str, dict]:
-    """Time the engines in turn, round after round.
+    """Time the engines in turn, round after round, each for at most `budget` seconds.
 
-    Parameters
-    ----------
-    runs : dict
-        Name to a function that runs once and gives its seconds.
-    rounds : int
-        Most rounds; a slow engine sits out once it has used its budget.
-    budget : float
-        Seconds of an engine after which it takes no further turn.
-    say : callable, optional
-        Told of each round.
-
-    Returns
-    -------
-    dict
-        Name to ``{"median", "minimum", "rounds"}``, in seconds.
+    A run returns its seconds; return the median, the minimum and the rounds of each.
     """
     seconds: dict[str, list[float]] = {name: [] for name in runs}
     spent = dict.fromkeys(runs, 0.0)
@@ -95,6 +81,32 @@ def alone(module: str, *arguments, timeout: float = 1800) -> dict | None:
         FAILURES.append(f"{arguments[0]}: {last[0]}")
         return None
     return json.loads(done.stdout.strip().splitlines()[-1])
+
+
+def in_turn(
+    module: str, titles: dict[str, str], count: int, rounds: int, say: Callable[[str], None]
+) -> list[dict]:
+    """Run engines in turn, each time in a process of its own.
+
+    Return what the processes print, with median rates and their ratio to C.
+    """
+    turns: dict[str, list[dict]] = {name: [] for name in titles}
+    for turn in range(rounds):
+        for name, done in turns.items():
+            if turn == 0 or done:
+                say(f"{module}, {count}, round {turn + 1}: {titles[name]}")
+                found = alone(module, name, count)
+                done += [found] if found else []
+    rows = []
+    for name, done in turns.items():
+        if done:
+            rates = [d["rate"] for d in done]
+            rate = {"rate": statistics.median(rates), "fastest": max(rates)}
+            rows.append({**done[0], "title": titles[name], **rate})
+    base = next((row["rate"] for row in rows if row["engine"] == "c"), None)
+    for row in rows:
+        row["ratio"] = row["rate"] / base if base else None
+    return rows
 
 
 def machine() -> str:

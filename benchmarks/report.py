@@ -126,18 +126,7 @@ def _particles(rows: list[dict]) -> str:
 
 
 def markdown(results: dict) -> str:
-    """Write the results as Markdown.
-
-    Parameters
-    ----------
-    results : dict
-        As `bench` keeps them in performance.json.
-
-    Returns
-    -------
-    str
-        A heading and a table per section that was run.
-    """
+    """Return the results, as `bench` keeps them, as Markdown: a table for each section."""
     text = HEAD.format(machine=results["machine"])
     text += QUICK if results["quick"] else ""
     if results["left_out"]:
@@ -158,15 +147,7 @@ GREYS = ("0.25", "0.45", "0.6", "#D55E00", "#009E73", "#E69F00", "#CC79A7")
 
 
 def figure(results: dict, path: Path) -> None:
-    """Draw times, growth with N and growth with members.
-
-    Parameters
-    ----------
-    results : dict
-        As `bench` keeps them.
-    path : Path
-        The PNG file.
-    """
+    """Draw times, growth with N and growth with members into a PNG file."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 

@@ -14,7 +14,7 @@ def evaluations(case: Case) -> int:
     """Count the evaluations of DOP853 over a case, by the C program."""
     from .c_engine import Program
 
-    program = Program(case.N, "scalar", "-DSHARE_TIDE")
+    program = Program(case.N)
     program.run(case)
     return program.counts.evaluations
 
@@ -44,7 +44,6 @@ def paper_error(engine: Engine, case: Case, states: np.ndarray) -> float:
         for t, row in zip(times, reference, strict=True)
         if t in at
     ]
-    assert engine.prepare is not None
     early = engine.prepare(cases.paper(10.0))()[0][-1]  # t = 10 is inside a dwell
     return float(max(*errors, np.max(np.abs(early - reference[0]))))
 
@@ -60,31 +59,15 @@ def tight(case: Case) -> np.ndarray:
 def measure(
     case: Case, chosen: list[str], rounds: int, budget: float, say: Callable[[str], None]
 ) -> list[dict]:
-    """Time the engines on one case, in turn.
+    """Time the chosen engines on one case, in turn, an engine for at most `budget` seconds.
 
-    Parameters
-    ----------
-    case : Case
-        The run.
-    chosen : list of str
-        Keys of `ENGINES`.
-    rounds : int
-        Most rounds.
-    budget : float
-        Seconds after which an engine takes no further turn.
-    say : callable
-        Told what is being done.
-
-    Returns
-    -------
-    list of dict
-        One per engine: title, median and minimum (seconds), ratio of medians
-        to C, error, rounds, and a note.
+    Return for each its title, median and minimum (seconds), ratio of medians to C, error,
+    rounds and a note; `say` is told what is being done.
     """
     runs, rows = {}, {}
     for name in chosen:
         engine = ENGINES[name]
-        if engine.prepare is None or engine.largest < case.N:
+        if engine.largest < case.N:
             continue
         say(f"{case.name}: {engine.title}")
         part = shortened(case, engine.waypoints) if engine.waypoints else case

@@ -38,27 +38,11 @@ def rates(
     given: Mapping[str, list],
     parameters: Mapping[tuple[str, str], Any] | None = None,
 ) -> list:
-    """Run a diagram's equations on expressions; give the state derivatives.
+    """Return the state derivatives of a diagram in another algebra, at t and the states x.
 
-    Parameters
-    ----------
-    diagram : control.InterconnectedSystem
-        Blocks, wired.
-    t : expression
-        Time.
-    x : list of expressions
-        States.
-    functions : mapping
-        What the functions of ``math`` and the words are in that algebra.
-    given : mapping
-        Outputs of blocks that are not traced: ``{"reference": [zc1, zc2]}``.
-    parameters : mapping, optional
-        Expressions in place of numbers: ``{("adaptation", "gain"): gamma}``.
-
-    Returns
-    -------
-    list of expressions
-        dx/dt.
+    `functions` says what the functions of ``math`` are there, `given` the outputs of blocks
+    that are not traced (``{"reference": [zc1, zc2]}``), `parameters` which expressions stand
+    in place of numbers (``{("adaptation", "gain"): gamma}``).
     """
     wiring = read(diagram)
     states = boxed(x)

@@ -24,6 +24,7 @@ static inline void FN(tides)(int n, const REAL *restrict p, REAL t, REAL *restri
 }
 #endif
 
+/* phi(z) leaves Eq. (2): alpha_M - alpha - (alpha_M - alpha) = 0, so it is not computed. */
 static inline void FN(derivative)(int n, REAL t, const REAL *restrict y, const REAL *restrict p,
                                   const REAL *restrict zc, REAL *restrict dy) {
     const REAL *x = y, *z = y + 2, *alpha = y + 4, *K = y + 4 + 2 * n, *G = y + 6 + 2 * n;
@@ -31,40 +32,18 @@ static inline void FN(derivative)(int n, REAL t, const REAL *restrict y, const R
     REAL gamma = p[9 * n + 4], phi_x[n], tide[n];
     FN(tides)(n, p, t, tide);
     FN(basis)(n, p, x[0], x[1], tide, phi_x);
-#ifndef CANCEL
-    REAL phi_z[n];
-#ifndef SHARE_TIDE
-    FN(tides)(n, p, t, tide);
-#endif
-    FN(basis)(n, p, z[0], z[1], tide, phi_z);
-#endif
     for (int i = 0; i < 2; i++) {
         const REAL *a = alpha + i * n, *m = alpha_M + i * n, *th = theta + i * n;
         REAL gain_e = gamma * (x[i] - z[i]); /* e = x - z, Eq. (10) */
         REAL flow = {0}, injected = {0};
-#ifdef CANCEL
-        /* phi(z) leaves Eq. (2): alpha_M - alpha - (alpha_M - alpha) = 0. */
         for (int k = 0; k < n; k++) {
-            flow += (th[k] - m[k]) * phi_x[k];
-            injected += (m[k] + a[k]) * phi_x[k];
-            dy[4 + i * n + k] = -gain_e * phi_x[k];
+            flow += (th[k] - m[k]) * phi_x[k];              /* Eqs. (3), (7) */
+            injected += (m[k] + a[k]) * phi_x[k];           /* Eqs. (4), (6), (20) */
+            dy[4 + i * n + k] = -gain_e * phi_x[k];         /* Eq. (21) */
         }
-        dy[2 + i] = -injected - K[i] * z[i] + G[i] * zc[i];
-        dy[i] = flow - KD[i] * x[i] + GD[i] * zc[i];
-#else
-        REAL model = {0}, v_x = {0}, cancelled = {0};
-        for (int k = 0; k < n; k++) {
-            flow += th[k] * phi_x[k];                                          /* Eq. (3) */
-            model += m[k] * phi_z[k];                                          /* Eq. (4) */
-            v_x += m[k] * phi_x[k];                                            /* Eq. (7) */
-            cancelled += a[k] * phi_z[k];                                      /* Eq. (6) */
-            injected += (m[k] + a[k]) * phi_x[k] + (m[k] - a[k]) * phi_z[k];   /* Eq. (20) */
-            dy[4 + i * n + k] = -gain_e * phi_x[k];                            /* Eq. (21) */
-        }
-        dy[i] = flow + (-v_x - KD[i] * x[i] + GD[i] * zc[i]);                  /* Eq. (1) */
-        dy[2 + i] = model + (-cancelled - K[i] * z[i] + G[i] * zc[i] - injected); /* Eq. (2) */
-#endif
-        dy[4 + 2 * n + i] = -gain_e * z[i];  /* Eq. (22) */
-        dy[6 + 2 * n + i] = gain_e * zc[i];  /* Eq. (23) */
+        dy[i] = flow - KD[i] * x[i] + GD[i] * zc[i];        /* Eq. (1) */
+        dy[2 + i] = -injected - K[i] * z[i] + G[i] * zc[i]; /* Eq. (2) */
+        dy[4 + 2 * n + i] = -gain_e * z[i];                 /* Eq. (22) */
+        dy[6 + 2 * n + i] = gain_e * zc[i];                 /* Eq. (23) */
     }
 }

@@ -39,7 +39,7 @@ static v8 first_step(int n, v8 t, v8 edge, const v8 *y, const v8 *f, const v8 *p
 /* See scalar_members; nothing is recorded on the way. */
 double lanes_members(const Problem *problem, int64_t members, const double *parameters,
                      double *states, double *record, Counts *counts) {
-    const int n = BASIS(problem), m = STATES(n), np = PARAMETERS(n);
+    const int n = N, m = STATES(n), np = PARAMETERS(n);
     const double rtol = problem->rtol, atol = problem->atol;
     v8 p[np], y[m], k[12][m], new[m], zc[2], f[m], zero = {0};
     v8 t = {0}, h = {0}, edge = {0}, norm5, norm3;

@@ -4,7 +4,7 @@
 #include <stdint.h>
 
 typedef struct {
-    int64_t n, waypoints, recorded; /* basis functions; waypoints; states to record */
+    int64_t waypoints, recorded; /* waypoints; states to record */
     double dwell, end, rtol, atol;
     const double *w1, *w2; /* waypoints */
 } Problem;
@@ -17,11 +17,6 @@ enum { MAX_FACTOR = 10 };
 #define SAFETY 0.9
 #define MIN_FACTOR 0.2
 
-#ifdef N
-#define BASIS(problem) N
-#else
-#define BASIS(problem) ((int)(problem)->n)
-#endif
 #define PARAMETERS(n) (9 * (n) + 5)
 
 #endif

@@ -33,7 +33,7 @@ static double first_step(int n, double t, double edge, const double *y, const do
 
 /* Integrate one run; `record` (may be null) receives the states at the first waypoint ends. */
 static void run(const Problem *problem, const double *p, double *y, double *record, Counts *c) {
-    const int n = BASIS(problem), m = STATES(n);
+    const int n = N, m = STATES(n);
     const double rtol = problem->rtol, atol = problem->atol;
     double k[12][m], new[m], norm5, norm3, t = 0;
     for (int64_t interval = 0; t < problem->end; interval++) {
@@ -84,7 +84,7 @@ static void run(const Problem *problem, const double *p, double *y, double *reco
 double scalar_members(const Problem *problem, int64_t members, const double *parameters,
                       double *states, double *record, Counts *counts) {
     struct timespec start, stop;
-    int n = BASIS(problem);
+    int n = N;
     clock_gettime(CLOCK_MONOTONIC, &start);
     for (int64_t j = 0; j < members; j++)
         run(problem, parameters + j * PARAMETERS(n), states + j * STATES(n), j ? 0 : record,

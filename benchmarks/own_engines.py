@@ -1,8 +1,10 @@
-"""The fused native engine of clpt-control, alone and through `simulate`."""
+"""clpt-control: machine code, `simulate`, ensembles, Python; and python-control as it stands."""
 
+import control
 import numpy as np
 
 import clpt_control as clpt
+from clpt_control.native.python_diagram import PythonDiagram
 from clpt_control.simulation.loops import initial_state
 
 from .cases import Case
@@ -13,11 +15,9 @@ ORDER = ("position", "predicted_position", "alpha", "feedback_gain", "feedforwar
 
 def prepare(case: Case):
     """Prepare the fused diagram; compiling it is not timed."""
-    from clpt_control.native.native_diagram import NativeDiagram
-
     scenario, run = case.scenario, case.scenario.run
     x0 = initial_state(scenario)
-    native = NativeDiagram(clpt.closed_loop(scenario))
+    native = clpt.native.compile(clpt.closed_loop(scenario))
 
     def go() -> tuple[np.ndarray, float]:
         solution, seconds = timed(lambda: native.run(x0, case.times, rtol=run.rtol, atol=run.atol))
@@ -69,15 +69,36 @@ def members(scenario):
     return lambda parameters, states: timed(all_of_them, parameters, states)
 
 
-def advect(time, axis, u, v, x1, x2, step: float, steps: int) -> tuple[np.ndarray, float]:
-    """Move passive particles: a user's block, RK4; final positions (2, n) and seconds."""
-    from clpt_control.native.native_diagram import NativeDiagram
+def in_python(case: Case):
+    """Prepare the engine in Python: one pass over the blocks per evaluation."""
+    run, one = case.scenario.run, PythonDiagram(clpt.closed_loop(case.scenario))
+    x0 = initial_state(case.scenario)
 
-    from .drifter import drifter
+    def go():
+        solution, seconds = timed(lambda: one.run(x0, case.times, rtol=run.rtol, atol=run.atol))
+        return solution.x, seconds
 
-    native = NativeDiagram(clpt.connect([drifter(time, axis, u, v)], name="drifter"))
-    starts = np.column_stack([x1, x2])
-    ends = np.array([0.0, step * steps])
-    native.run_many(starts[:2], ends, step=step)
-    found, seconds = timed(lambda: native.run_many(starts, ends, step=step))
-    return found[:, -1].T, seconds
+    return go
+
+
+def python_control(case: Case):
+    """Prepare `input_output_response`, started again at each waypoint."""
+    loop, run = clpt.closed_loop(case.scenario), case.scenario.run
+    tolerances = {"rtol": run.rtol, "atol": run.atol}
+
+    def whole() -> np.ndarray:
+        states = [initial_state(case.scenario)]
+        for k in range(len(case.times) - 1):
+            response = control.input_output_response(
+                loop,
+                case.times[k : k + 2],
+                0,
+                states[-1],
+                params={"reference.interval": float(k)},
+                solve_ivp_method="DOP853",
+                solve_ivp_kwargs=tolerances,
+            )
+            states.append(response.states[:, -1])
+        return np.array(states)
+
+    return lambda: timed(whole)
