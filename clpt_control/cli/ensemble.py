@@ -62,7 +62,7 @@ def ensemble(
         )
     summary = ensemble_summary(data)
     if figure is not None:
-        from ..ensemble.plots import ensemble_plot
+        from ..ensemble.spread import ensemble_plot
 
         write_figure(ensemble_plot(data), figure)
     if as_json:

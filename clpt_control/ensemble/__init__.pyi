@@ -1,7 +1,6 @@
-from .plots import ensemble_plot
 from .run import run_ensemble
-from .spread import ensemble_summary, percentiles
-from .vary import Vary
+from .spread import ensemble_plot, ensemble_summary, percentiles
+from .varied_keys import Vary
 
 __all__ = [
     "Vary",

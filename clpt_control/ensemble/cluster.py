@@ -2,8 +2,7 @@
 
 Workers receive a scenario's text and a chunk's number; they read its members'
 values from the store, which they must be able to reach, and write the chunk
-straight into it.  A worker that is
-lost costs the chunk it was at: the scheduler gives it to another one.
+straight into it.  The chunk of a worker that is lost is given to another one.
 """
 
 import multiprocessing
@@ -22,44 +21,23 @@ from ..errors import ClptError, DataError, SimulationError
 from ..progress.interrupt import asked, check, leave
 from .plan import Plan
 from .store import open_store
-from .work import Recipe, work_of
+from .worker import Recipe, worker_of
 
 PATIENCE = 30  # seconds to wait for a scheduler and its first worker
 RETRIES = 3  # times a chunk is given to a worker again
 
 
 def check_dask() -> None:
-    """Refuse a cluster where Dask is not installed.
-
-    Raises
-    ------
-    ClptError
-        With the command that installs it.
-    """
+    """Refuse a cluster where Dask is not installed."""
     if find_spec("distributed") is None:
         raise ClptError("dask: is not installed; install it with: pip install 'clpt-control[dask]'")
 
 
 @contextmanager
 def connected(address: str, workers: int) -> Iterator[Any]:
-    """Connect to a scheduler, or start a local cluster.
+    """Connect to a scheduler, ``"tcp://host:port"``, or start a ``"local"`` cluster.
 
-    Parameters
-    ----------
-    address : str
-        ``"tcp://host:port"``, or ``"local"`` for processes on this machine.
-    workers : int
-        How many local processes.
-
-    Yields
-    ------
-    distributed.Client
-        With at least one worker.
-
-    Raises
-    ------
-    ClptError
-        If nobody answers there, or no worker comes.
+    The client that it yields has at least one worker.
     """
     from distributed import Client, LocalCluster
 
@@ -120,26 +98,7 @@ async def _deaf() -> None:
 
 
 def run_on_cluster(plan: Plan, address: str, workers: int, report: Callable[[int], None]) -> None:
-    """Run the chunks that are missing on a cluster.
-
-    Parameters
-    ----------
-    plan : Plan
-        With a store in a folder.
-    address : str
-        As for `connected`.
-    workers : int
-        How many processes of a local cluster.
-    report : callable
-        Called with the number of members done.
-
-    Raises
-    ------
-    SimulationError
-        If a chunk was lost with its worker again and again.
-    ClptError
-        If there is no cluster, or a worker has other versions.
-    """
+    """Run the chunks that are missing; `report` is called with the number of members done."""
     missing = plan.store.missing()
     done = plan.store.done(missing)
     report(done)
@@ -153,8 +112,8 @@ def run_on_cluster(plan: Plan, address: str, workers: int, report: Callable[[int
         def submitted(index: int) -> Any:
             return client.submit(
                 run_chunk,
-                plan.work.recipe,
-                plan.work.code,
+                plan.worker.recipe,
+                plan.worker.code,
                 str(plan.store.path),
                 index,
                 pure=False,
@@ -192,31 +151,9 @@ def run_on_cluster(plan: Plan, address: str, workers: int, report: Callable[[int
 
 
 def run_chunk(recipe: Recipe, code: str, path: str, index: int) -> int:
-    """Run one chunk and write it; this is what workers do.
-
-    Parameters
-    ----------
-    recipe : Recipe
-        What to do.
-    code : str
-        `Work.code` of the one who asks.
-    path : str
-        The store's folder.
-    index : int
-        Which chunk.
-
-    Returns
-    -------
-    int
-        How many members.
-
-    Raises
-    ------
-    DataError
-        If the store cannot be reached, or the worker's versions differ.
-    """
-    work = work_of(recipe)
-    if work.code != code:
+    """Run one chunk on a worker and write it; `code` must be that of the one who asks."""
+    worker = worker_of(recipe)
+    if worker.code != code:
         raise DataError(
             "dask: a worker has other versions of clpt-control, numba, llvmlite or numpy, or "
             "another Python; its numbers might differ in the last bit"
@@ -224,5 +161,5 @@ def run_chunk(recipe: Recipe, code: str, path: str, index: int) -> int:
     store = open_store(Path(path))
     first, last = store.range(index)
     if not store.is_whole(index):  # a chunk whose worker was lost after it
-        store.write(index, work.chunk(store.values(index)))
+        store.write(index, worker.chunk(store.values(index)))
     return last - first

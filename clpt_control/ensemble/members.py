@@ -1,9 +1,8 @@
 """Many runs of one scenario that differ in numbers, not in shape.
 
-A member is the scenario with some values changed.  Where a key's value lies in P and
-in the initial state is declared (`scenario.keys`), so members are
-filled in whole columns; what is computed from values, such as frequencies from
-periods, is made member by member.
+A member is the scenario with some values changed.  Where a key's value lies in P and in the
+initial state is declared (`scenario.keys`), so members are filled in whole columns; what is
+computed from values, such as frequencies from periods, is made member by member.
 """
 
 from collections.abc import Mapping
@@ -26,51 +25,19 @@ from ..simulation.loops import initial_state, paper_blocks, started
 
 @dataclass
 class Members:
-    """Parameters and initial states of many runs.
+    """Parameters and initial states of m runs."""
 
-    Attributes
-    ----------
-    P : ndarray, shape (m, nP)
-        Parameters of each member.
-    x0 : ndarray, shape (m, nstates)
-        Initial states.
-    group : ndarray of int, shape (m,)
-        Which of the schedules a member follows.
-    schedules : list of Schedule
-        Pieces of time.
-    """
-
-    P: np.ndarray
-    x0: np.ndarray
-    group: np.ndarray
+    P: np.ndarray  # (m, nP)
+    x0: np.ndarray  # (m, nstates)
+    group: np.ndarray  # (m,), which of the schedules a member follows
     schedules: list[Schedule]
 
 
 class Ensemble:
     """One scenario, compiled, from which members are made.
 
-    Parameters
-    ----------
-    scenario : Scenario
-        The base.
-    keys : mapping of str to tuple of int
-        What varies: dotted key -> shape of its value, ``()`` for a number.
-    lanes : bool, optional
-        Eight members at once where that is quicker.
-
-    Raises
-    ------
-    ScenarioError
-        If a key is unknown, its value has another shape, or is too large to
-        vary.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> ensemble = Ensemble(clpt.paper_scenario(), {"learning.gain": ()})
-    >>> members = ensemble.members({"learning.gain": np.array([0.5, 2.0])}, 20.0)
-    >>> ensemble.run(members, np.array([0.0, 20.0])).states.shape
-    (2, 2, 14)
+    `keys` is what varies: dotted key -> shape of its value, ``()`` for a number.  With `lanes`
+    eight members run at once where that is quicker.
     """
 
     def __init__(self, scenario: Scenario, keys: Mapping[str, tuple[int, ...]], lanes: bool = True):
@@ -105,25 +72,7 @@ class Ensemble:
         return (in_P, in_x) if in_P or in_x else None
 
     def members(self, values: Mapping[str, np.ndarray], duration: float) -> Members:
-        """Make members of arrays of values.
-
-        Parameters
-        ----------
-        values : mapping
-            Key -> array, shape (m,) + the key's shape.
-        duration : float
-            Length of the runs, units.time.
-
-        Returns
-        -------
-        Members
-            Ready to run.
-
-        Raises
-        ------
-        ScenarioError
-            If a value is not allowed; the member is named.
-        """
+        """Make members of values, key -> array of shape (m,) + the key's shape."""
         count = len(next(iter(values.values())))
         P, x0 = np.tile(self.base[0], (count, 1)), np.tile(self.base[1], (count, 1))
         group = np.zeros(count, dtype=np.int64)
@@ -161,24 +110,9 @@ class Ensemble:
         atol: float = 1e-10,
         step: float | None = None,
     ) -> "States":
-        """Run members, each by itself, in the calling thread.
+        """Run members, each by itself, in the calling thread; with `step` by RK4 of that step.
 
-        Parameters
-        ----------
-        members : Members
-            As `members` gives them; their duration is ``times[-1]``.
-        times : ndarray
-            Increasing, from 0; times at which states are wanted.
-        rtol, atol : float, optional
-            Tolerances.
-        step : float, optional
-            A fixed step: Runge and Kutta's classical method in place of
-            DOP853.
-
-        Returns
-        -------
-        States
-            NaN after the time a failed member reached.
+        `times` increase from 0; the last is the duration that the members were made for.
         """
         lanes = self.lanes if step is None or len(members.schedules) == 1 else 1
         batch = Batch(
@@ -198,24 +132,12 @@ class Ensemble:
 
 @dataclass(frozen=True)
 class States:
-    """States of many runs.
+    """States of m runs, and how each ended."""
 
-    Attributes
-    ----------
-    states : ndarray, shape (m, ntimes, nstates)
-        NaN where a run did not come.
-    status : ndarray of int, shape (m,)
-        How each ended, as `Status` numbers it.
-    reached : ndarray of int, shape (m,)
-        Samples reached.
-    counts : ndarray of int, shape (m, 4)
-        Steps, evaluations, restarts, rejected steps.
-    """
-
-    states: np.ndarray
-    status: np.ndarray
-    reached: np.ndarray
-    counts: np.ndarray
+    states: np.ndarray  # (m, ntimes, nstates), NaN after the last sample reached
+    status: np.ndarray  # (m,), as `Status` numbers it
+    reached: np.ndarray  # (m,), samples reached
+    counts: np.ndarray  # (m, 4): steps, evaluations, restarts, rejected steps
 
 
 def _check(scenario: Scenario, key: str, shape: tuple[int, ...]) -> None:

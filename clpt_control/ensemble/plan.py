@@ -1,4 +1,4 @@
-"""An ensemble before it runs: all that decides its numbers, checked."""
+"""An ensemble before it runs: all arguments checked, its store made or opened."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from importlib.metadata import version
@@ -11,30 +11,20 @@ from ..errors import DataError, ScenarioError
 from ..files import check_name, check_writable
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_to_text
-from .design import draw_members
-from .layout import check_store
-from .sampling import marks_of, samples_per_cycle
-from .store import CODE, Store, create_store, open_store
-from .summary import dims_of, kept_variables
-from .vary import Vary, read_varies
-from .work import Recipe, Work
+from .drawn_values import draw_members
+from .store import CODE, Store, check_store, create_store, open_store
+from .summaries import dims_of, kept_variables, marks_of, samples_per_cycle
+from .varied_keys import Vary, read_varies
+from .worker import Recipe, Worker
 
 CHUNK = 1000  # members, where little is kept of each
 CHUNK_BYTES = 64_000_000  # trajectories of a chunk
 
 
 class Plan(NamedTuple):
-    """What to run and where to keep it.
+    """Who runs members, and where they are kept."""
 
-    Attributes
-    ----------
-    work : Work
-        Runs members.
-    store : Store
-        Gives the members' values and takes the chunks.
-    """
-
-    work: Work
+    worker: Worker
     store: Store
 
 
@@ -51,43 +41,7 @@ def make_plan(
     samples: int | None = None,
     times: Sequence[float] | None = None,
 ) -> Plan:
-    """Check an ensemble and make or open its store.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        The base.
-    vary : str, Vary or several
-        What varies.
-    members : int
-        How many.
-    design : str, optional
-        ``"lhs"``, ``"grid"`` or ``"random"``.
-    seed : int, optional
-        Of the design.
-    out : str or Path, optional
-        Folder of the store; in memory without.
-    trajectories : bool, optional
-        Whether states are kept.
-    chunk : int, optional
-        Members a chunk.
-    samples : int, optional
-        Samples a cycle for mean squares.
-    times : sequence of float, optional
-        When errors are kept.
-
-    Returns
-    -------
-    Plan
-        With a store that may hold chunks already.
-
-    Raises
-    ------
-    ScenarioError
-        If an argument is not allowed.
-    DataError
-        If the store cannot be made or holds another ensemble.
-    """
+    """Check the arguments of `run_ensemble`; make the store, or open one that holds a part."""
     varies = read_varies(scenario, vary)
     marks, per_cycle = marks_of(scenario, times), samples_per_cycle(scenario, samples)
     path = None if out is None else Path(out).absolute()
@@ -101,8 +55,8 @@ def make_plan(
     recipe = Recipe(
         scenario_to_text(scenario), str(folder), shapes, per_cycle, marks, bool(trajectories)
     )
-    work = Work(recipe)
-    kept = kept_variables(work.scenario, work.sampling, int(members), bool(trajectories))
+    worker = Worker(recipe)
+    kept = kept_variables(worker.scenario, worker.times, int(members), bool(trajectories))
     own = sum(8 * int(np.prod(v.shape[1:])) for v in kept.values() if "time" in v.dims)
     if chunk is None:
         chunk = max(1, min(CHUNK, CHUNK_BYTES // own)) if own else CHUNK
@@ -120,24 +74,26 @@ def make_plan(
         "samples": per_cycle,
         "times": list(marks),
     }
-    fixed = _fixed(work, values, int(members), kept)
+    fixed = _fixed(worker, values, int(members), kept)
     if path is not None and path.exists() and not (path.is_dir() and not any(path.iterdir())):
         store = open_store(path)
         check_same(store, arguments)
         check_store(store, arguments, kept, fixed)
-        if store.group.attrs[CODE] != work.code and store.missing():
+        if store.group.attrs[CODE] != worker.code and store.missing():
             raise DataError(
                 f"{path}: was begun by other versions of the code ({store.group.attrs['software']})"
                 ", whose numbers may differ in the last bit; give another --out"
             )
-        return Plan(work, store)
-    attrs = {**_attributes(scenario, arguments), CODE: work.code}
-    return Plan(work, create_store(path, arguments, kept, fixed, attrs))
+        return Plan(worker, store)
+    attrs = {**_attributes(scenario, arguments), CODE: worker.code}
+    return Plan(worker, create_store(path, arguments, kept, fixed, attrs))
 
 
-def _fixed(work: Work, values: dict[str, np.ndarray], members: int, kept: Any) -> dict[str, Any]:
+def _fixed(
+    worker: Worker, values: dict[str, np.ndarray], members: int, kept: Any
+) -> dict[str, Any]:
     """Return coordinates and the members' values."""
-    times, time = work.sampling, work.scenario.units.time
+    times, time = worker.times, worker.scenario.units.time
     used = {dim for variable in kept.values() for dim in variable.dims}
     fixed: dict[str, Any] = {}
     for key, array in values.items():
@@ -147,15 +103,15 @@ def _fixed(work: Work, values: dict[str, np.ndarray], members: int, kept: Any) -
     cycle = np.arange(1, len(times.starts))
     coordinates = {
         "member": (np.arange(members), {"long_name": "member of the ensemble"}),
-        "cycle": (cycle, {"long_name": "round of the waypoints", "length": work.scenario.cycle}),
-        "mark": (times.times[times.marks], {"long_name": "time of an error", "units": time}),
+        "cycle": (cycle, {"long_name": "round of the waypoints", "length": worker.scenario.cycle}),
+        "mark": (times.all[times.marks], {"long_name": "time of an error", "units": time}),
         "time": (
-            times.times[times.own],
+            times.all[times.own],
             {"long_name": "time since the start of the run", "units": time},
         ),
         "axis": (np.array([1, 2]), {"long_name": "axis of the plane, x1 and x2"}),
-        "basis": (np.arange(1, work.scenario.basis.N + 1), {"long_name": "flow basis function"}),
-        "waypoint": (np.arange(1, len(work.scenario.waypoints) + 1), {"long_name": "waypoint"}),
+        "basis": (np.arange(1, worker.scenario.basis.N + 1), {"long_name": "flow basis function"}),
+        "waypoint": (np.arange(1, len(worker.scenario.waypoints) + 1), {"long_name": "waypoint"}),
     }
     for name, (numbers, attrs) in coordinates.items():
         if name in used and numbers.size:
@@ -175,13 +131,7 @@ def _attributes(scenario: Scenario, arguments: dict[str, Any]) -> dict[str, Any]
 
 
 def check_same(store: Store, arguments: Mapping[str, Any]) -> None:
-    """Refuse a store of another ensemble.
-
-    Raises
-    ------
-    DataError
-        Naming the first argument that differs.
-    """
+    """Refuse a store of another ensemble."""
     for name, value in arguments.items():
         held = store.arguments.get(name)
         if held == value:

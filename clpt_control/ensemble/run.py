@@ -18,8 +18,8 @@ from ..progress.interrupt import SLICE, check
 from ..scenario.experiment import Scenario
 from .plan import Plan, make_plan
 from .store import remove_empty
-from .vary import Vary
-from .work import joined, rows
+from .varied_keys import Vary
+from .worker import joined, rows
 
 if TYPE_CHECKING:
     import xarray
@@ -160,7 +160,7 @@ def _run_here(plan: Plan, threads: int, report: Callable[[int], None]) -> None:
     if not missing:
         return
     spread = -(-(plan.store.members - done) // (4 * threads))  # some blocks for every thread
-    size = min(plan.work.block, max(8, -(-spread // 8) * 8))
+    size = min(plan.worker.block, max(8, -(-spread // 8) * 8))
     blocks = _blocks(plan, missing, size)
     parts: dict[int, dict[int, dict[str, np.ndarray]]] = {}
     running: dict[Future, tuple[int, int]] = {}
@@ -169,7 +169,7 @@ def _run_here(plan: Plan, threads: int, report: Callable[[int], None]) -> None:
         while True:
             while len(running) < 2 * threads and (block := next(blocks, None)) is not None:
                 index, start, values = block
-                running[pool.submit(plan.work.summaries, values)] = index, start
+                running[pool.submit(plan.worker.summaries, values)] = index, start
             if not running:
                 return
             finished = wait(running, timeout=SLICE, return_when=FIRST_COMPLETED).done

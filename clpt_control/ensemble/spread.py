@@ -4,10 +4,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .summary import STATUS
+from ..figures import BLUE, GREY, RED, new_figure
+from .summaries import STATUS
 
 if TYPE_CHECKING:
     import xarray
+    from matplotlib.figure import Figure
 
 PERCENTS = (5, 25, 50, 75, 95)
 READ_BYTES = 8_000_000  # at once, so that memory does not grow with the members
@@ -97,3 +99,92 @@ def _listed(column: np.ndarray) -> list[float] | None:
 
 def _status(number: int) -> str:
     return STATUS[number] if number < len(STATUS) else f"status_{number}"
+
+
+def ensemble_plot(data: "xarray.Dataset") -> "Figure":
+    """Draw percentiles of CLPE and of the parameter error.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        As `run_ensemble` gives it.
+
+    Returns
+    -------
+    Figure
+        CLPE rms against cycles, errors against time, both logarithmic: the
+        median, half of the members, and nine in ten of them.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> from clpt_control.ensemble.run import run_ensemble
+    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
+    >>> figure = ensemble_plot(run_ensemble(scenario, "learning.gain=0.2:2.0", 3))
+    """
+    figure, (top, bottom) = new_figure(6.4, 6.0, nrows=2)
+    units = data["clpe_rms"].attrs["units"]
+    cycles = np.arange(1, data.sizes["cycle"] + 1)
+    if len(cycles):
+        _cycle_bands(top, cycles, percentiles(data, "clpe_rms"))
+        top.set_xticks(cycles if len(cycles) <= 20 else cycles[:: len(cycles) // 10])
+        top.set(xlabel="cycle of the waypoints", ylabel=f"CLPE rms ({units})")
+        top.set_xlim(0, len(cycles) + 1)
+        _logarithmic(top)
+        top.legend(frameon=False, fontsize=8)
+    else:
+        top.text(
+            0.5,
+            0.5,
+            "the runs are shorter than a cycle",
+            ha="center",
+            color=GREY,
+            transform=top.transAxes,
+        )
+        top.set_axis_off()
+    count = f"{data.sizes['member']:,}".replace(",", " ")
+    top.set_title(f"CLPE of {count} members", loc="left", fontsize=10)
+    name = "flow_parameter_error" if "flow_parameter_error" in data else "gain_error"
+    bands, time = percentiles(data, name), data["mark"].values
+    _bands(bottom, time, bands, RED)
+    what = "flow parameter" if name == "flow_parameter_error" else "gain"
+    bottom.set_title(f"Largest error of a {what}", loc="left", fontsize=10)
+    bottom.set(
+        xlabel=f"time ({data['mark'].attrs['units']})",
+        ylabel=f"error ({data[name].attrs['units'].replace(' ', '/').replace('-1', '')})"
+        if name == "flow_parameter_error"
+        else f"error (1/{data['mark'].attrs['units']})",
+        xlim=(time[0], time[-1]) if len(time) > 1 else None,
+    )
+    if np.nanmin(bands, initial=1.0) > 0:
+        _logarithmic(bottom)
+    bottom.legend(frameon=False, fontsize=8)
+    return figure
+
+
+def _logarithmic(ax: Any) -> None:
+    from matplotlib.ticker import LogLocator, NullFormatter
+
+    ax.set_yscale("log")
+    low, high = ax.get_ylim()
+    ax.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 200 * low else (1,)))
+    ax.yaxis.set_major_formatter("{x:g}")
+    ax.yaxis.set_minor_formatter(NullFormatter())
+
+
+def _bands(ax: Any, x: np.ndarray, bands: np.ndarray, colour: str) -> None:
+    low, quarter, middle, three, high = bands
+    marker = "o" if len(x) < 5 else None
+    ax.fill_between(x, low, high, color=colour, alpha=0.18, linewidth=0, label="5 to 95 %")
+    ax.fill_between(x, quarter, three, color=colour, alpha=0.35, linewidth=0, label="25 to 75 %")
+    ax.plot(x, middle, color=colour, linewidth=1.5, marker=marker, markersize=4, label="median")
+    for edge in (low, high):
+        ax.plot(x, edge, color=colour, linewidth=0.6, linestyle="--", marker=marker, markersize=2)
+
+
+def _cycle_bands(ax: Any, cycles: np.ndarray, bands: np.ndarray) -> None:
+    """Draw a box for each cycle: what happens in between is no line."""
+    low, quarter, middle, three, high = bands
+    ax.vlines(cycles, low, high, color=BLUE, linewidth=1.2, label="5 to 95 %")
+    ax.bar(cycles, three - quarter, 0.5, quarter, color=BLUE, alpha=0.35, label="25 to 75 %")
+    ax.hlines(middle, cycles - 0.25, cycles + 0.25, color=BLUE, linewidth=2.2, label="median")

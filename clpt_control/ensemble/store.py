@@ -18,25 +18,17 @@ import numpy as np
 
 from ..errors import DataError
 from ..files import beside
-from .layout import MARK, layout_of
-from .summary import Variable
+from .summaries import Variable
 
 if TYPE_CHECKING:
     import xarray
 
-ARGUMENTS, CODE = "ensemble", "code"
+ARGUMENTS, CODE, MARK = "ensemble", "code", "done"
+Fixed = tuple[tuple[str, ...], np.ndarray, dict[str, Any]]
 
 
 class Store:
-    """An ensemble's arrays, in a folder or in memory.
-
-    Parameters
-    ----------
-    group : zarr.Group
-        As `create_store` or `open_store` gives it.
-    path : Path, optional
-        The folder; none in memory.
-    """
+    """An ensemble's arrays, in a folder or in memory."""
 
     def __init__(self, group: Any, path: Path | None = None):
         self.group, self.path = group, path
@@ -57,20 +49,7 @@ class Store:
         return {key: self.group[key][first:last] for key in self.arguments["keys"]}
 
     def write(self, index: int, arrays: Mapping[str, np.ndarray]) -> None:
-        """Write a chunk, then its mark.
-
-        Parameters
-        ----------
-        index : int
-            Which chunk.
-        arrays : mapping
-            All that is kept of its members.
-
-        Raises
-        ------
-        DataError
-            If the folder cannot be written to.
-        """
+        """Write a chunk, then its mark."""
         first, last = self.range(index)
         try:
             for name in self.kept:
@@ -82,7 +61,7 @@ class Store:
             raise DataError(f"{self.path}: cannot be written: {reason}") from None
 
     def _checksum(self, arrays: Mapping[str, np.ndarray]) -> int:
-        """Return a number above zero that tells summaries from others."""
+        """Return a checksum of the summaries, above zero."""
         check = 0
         for name in self.kept:
             if "time" not in self._dims(name):
@@ -102,7 +81,7 @@ class Store:
         return self.members - sum(last - first for first, last in ranges)
 
     def is_whole(self, index: int) -> bool:
-        """Return whether a chunk is there and what its mark says."""
+        """Return whether a chunk is there, with the checksum of its mark."""
         first, last = self.range(index)
         try:
             mark = int(self.group[MARK][index])
@@ -121,13 +100,7 @@ class Store:
         return (self.path / name / "c" / "/".join([str(index)] + ["0"] * (len(dims) - 1))).is_file()
 
     def finish(self) -> None:
-        """Check every mark; remove what killed writers left beside files.
-
-        Raises
-        ------
-        DataError
-            If a chunk has no mark.
-        """
+        """Check every mark; remove what killed writers left beside files."""
         unmarked = np.flatnonzero(self.group[MARK][:] == 0)
         if len(unmarked):
             raise DataError(f"{self.path}: chunk {unmarked[0]} is missing; run the ensemble again")
@@ -152,37 +125,45 @@ class Store:
         return data if self.path is not None else data.load()
 
 
+def layout_of(
+    arguments: Mapping[str, Any], kept: Mapping[str, Variable], fixed: Mapping[str, Fixed]
+) -> dict[str, dict[str, Any]]:
+    """Return what `create_array` takes for each array: those of `kept`, `fixed`, and the marks."""
+    chunk, members = arguments["chunk"], arguments["members"]
+    layout = {}
+
+    def lay(name, dims, shape, dtype, own, first_chunk):
+        chunks = tuple(max(1, n) for n in (min(first_chunk, shape[0]), *shape[1:]))
+        layout[name] = {
+            "shape": tuple(shape),
+            "dtype": dtype,
+            "chunks": chunks,
+            "attributes": own,
+            "dimension_names": dims,
+        }
+
+    for name, variable in kept.items():
+        own = {**variable.attrs, "kept": "per member"}
+        lay(name, variable.dims, variable.shape, variable.dtype, own, chunk)
+    for name, (dims, values, own) in fixed.items():
+        size = chunk if dims[0] == "member" else len(values)
+        lay(name, dims, values.shape, values.dtype, own, size)
+    count = -(-members // chunk)
+    lay(MARK, ("chunk",), (count,), "int64", {"long_name": "checksum of a whole chunk"}, 1)
+    return layout
+
+
 def create_store(
     path: Path | None,
     arguments: Mapping[str, Any],
     kept: Mapping[str, Variable],
-    fixed: Mapping[str, tuple[tuple[str, ...], np.ndarray, dict[str, Any]]],
+    fixed: Mapping[str, Fixed],
     attrs: Mapping[str, Any],
 ) -> Store:
-    """Make an empty store with the members' values.
+    """Make a store without any chunk, in a folder or in memory.
 
-    Parameters
-    ----------
-    path : Path, optional
-        A folder that does not exist yet; in memory without.
-    arguments : mapping
-        What the ensemble is; `open_store` compares them.
-    kept : mapping
-        The arrays that chunks fill.
-    fixed : mapping
-        Coordinates and the members' values: name -> (dims, values, attributes).
-    attrs : mapping
-        Attributes of the whole.
-
-    Returns
-    -------
-    Store
-        Without any chunk.
-
-    Raises
-    ------
-    DataError
-        If the folder cannot be made.
+    `arguments` are what the ensemble is; chunks fill the arrays of `kept`; `fixed` are
+    coordinates and the members' values, name -> (dims, values, attributes).
     """
     import zarr
     from zarr.storage import MemoryStore
@@ -214,23 +195,7 @@ def remove_empty(store: Store) -> None:
 
 
 def open_store(path: Path) -> Store:
-    """Open a store to go on with or to read.
-
-    Parameters
-    ----------
-    path : Path
-        The folder.
-
-    Returns
-    -------
-    Store
-        With the chunks that are there.
-
-    Raises
-    ------
-    DataError
-        If the folder is no ensemble, or is damaged.
-    """
+    """Open a store to go on with or to read."""
     import zarr
 
     if not path.exists():
@@ -249,3 +214,34 @@ def open_store(path: Path) -> Store:
     if not whole:
         raise DataError(f"{path}: is no ensemble or is damaged; give another name or remove it")
     return store
+
+
+def check_store(
+    store: Any,
+    arguments: Mapping[str, Any],
+    kept: Mapping[str, Variable],
+    fixed: Mapping[str, Fixed],
+) -> None:
+    """Refuse a store that is not as `create_store` makes it."""
+    for name, made in layout_of(arguments, kept, fixed).items():
+        wrong = ""
+        try:
+            array = store.group[name]
+            found = {
+                "shape": array.shape,
+                "dtype": array.dtype,
+                "chunks": array.chunks,
+                "attributes": dict(array.attrs),
+                "dimension_names": array.metadata.dimension_names,
+            }
+            wanted = {**made, "attributes": json.loads(json.dumps(made["attributes"]))}
+            wrong = next((what for what in made if found[what] != wanted[what]), "")
+            if not wrong and name in fixed and not np.array_equal(array[:], fixed[name][1]):
+                wrong = "values"
+        except Exception:  # whatever a damaged file makes of itself
+            wrong = "files"
+        if wrong:
+            raise DataError(
+                f"{store.path}: is damaged: {name} has lost its {wrong.replace('_', ' ')}; move it "
+                "away and run the ensemble again"
+            )

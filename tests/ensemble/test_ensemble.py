@@ -15,14 +15,13 @@ from pictures import inked
 from processes import await_line, started
 
 import clpt_control
-from clpt_control.ensemble.design import draw_members
+from clpt_control.ensemble.drawn_values import draw_members
 from clpt_control.ensemble.plan import make_plan
-from clpt_control.ensemble.plots import ensemble_plot
 from clpt_control.ensemble.run import run_ensemble
-from clpt_control.ensemble.spread import ensemble_summary
+from clpt_control.ensemble.spread import ensemble_plot, ensemble_summary
 from clpt_control.ensemble.store import open_store
-from clpt_control.ensemble.vary import read_varies, read_vary, variable_values
-from clpt_control.ensemble.work import Work
+from clpt_control.ensemble.varied_keys import read_varies, read_vary, variable_values
+from clpt_control.ensemble.worker import Worker
 from clpt_control.errors import ClptError, DataError, ScenarioError
 from clpt_control.simulation.report import run_and_report
 
@@ -217,15 +216,15 @@ def test_order_and_company_do_not_matter(scenario, whole):
     plan = make_plan(scenario, VARY, 40, seed=3, samples=100, trajectories=True)
     values = plan.store.values(0)
     order = np.random.default_rng(0).permutation(40)
-    mixed = plan.work.summaries({key: array[order] for key, array in values.items()})
-    alone = plan.work.summaries({key: array[9:10] for key, array in values.items()})
+    mixed = plan.worker.summaries({key: array[order] for key, array in values.items()})
+    alone = plan.worker.summaries({key: array[9:10] for key, array in values.items()})
     for name, array in mixed.items():
         assert array.tobytes() == whole[name].values[order].tobytes(), name
         assert alone[name].tobytes() == whole[name].values[9:10].tobytes(), name
 
 
 def test_the_block_does_not_matter(scenario, whole, monkeypatch):
-    monkeypatch.setattr(Work, "block", 8)
+    monkeypatch.setattr(Worker, "block", 8)
     data = run_ensemble(scenario, VARY, 40, seed=3, threads=2, samples=100, trajectories=True)
     assert_identical(data, whole)
 
@@ -281,7 +280,7 @@ def test_an_interrupt_leaves_whole_chunks(quick, tmp_path):
 
 def test_a_whole_ensemble_is_not_run_again(quick, tmp_path, monkeypatch):
     first = run_ensemble(quick, VARY, 20, out=tmp_path / "e.zarr").load()
-    monkeypatch.setattr(Work, "summaries", None)
+    monkeypatch.setattr(Worker, "summaries", None)
     assert_identical(run_ensemble(quick, VARY, 20, out=tmp_path / "e.zarr"), first)
 
 
@@ -375,7 +374,7 @@ def test_a_store_that_memory_does_not_suffice_for_is_removed(quick, tmp_path, mo
     def too_much(work, values):
         raise MemoryError
 
-    monkeypatch.setattr(Work, "summaries", too_much)
+    monkeypatch.setattr(Worker, "summaries", too_much)
     with pytest.raises(MemoryError):
         run_ensemble(quick, VARY[0], 4, out=tmp_path / "e.zarr", threads=1)
     assert not list(tmp_path.iterdir())

@@ -1,4 +1,4 @@
-"""What is kept of each member.
+"""What is kept of each member, and at which times it is looked at.
 
     clpe_rms                rms of |e| over each full cycle of the waypoints
     clpe_rms_whole          the same over the whole run
@@ -10,16 +10,22 @@ All members of a chunk at once, from their states, which stand in the order
 x, z, alpha, K, Gamma.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..errors import ScenarioError
 from ..scenario.experiment import Scenario
+from ..simulation.integrate import sample_times
+from ..simulation.report import SAMPLES_PER_CYCLE, nearest
 from .members import States
-from .sampling import Sampling
-from .vary import variable_values
+from .varied_keys import variable_values
 
+FEWEST = 20  # samples a cycle that may be asked for
+MOST_TIMES = 10**8  # samples of a run
+MOST_SAMPLES = 20_000  # a member, unless asked for; at least 200 a cycle
+MARKS = 41  # times at which errors are kept, unless asked for
 AXES = {  # names of the dimensions of arrays; all others have one number per axis
     "basis.centers": ("basis", "axis"),
     "basis.widths": ("basis",),
@@ -34,8 +40,63 @@ AXES = {  # names of the dimensions of arrays; all others have one number per ax
 STATUS = ("not_run", "finished", "step_too_small", "not_finite", "left_the_field", "too_many_steps")
 
 
+class SampleTimes(NamedTuple):
+    """Times of the states, and the numbers of those that serve a purpose."""
+
+    all: np.ndarray  # increasing, from 0 to the end
+    fine: np.ndarray  # evenly spaced, for mean squares
+    starts: np.ndarray  # where in `fine` each full cycle starts, and where the last one ends
+    marks: np.ndarray  # when errors are kept
+    own: np.ndarray  # the scenario's own, for trajectories; empty without them
+
+
+def samples_per_cycle(scenario: Scenario, samples: int | None = None) -> int:
+    """Return how many samples a cycle mean squares are over.
+
+    2000, as in `clpt run`, up to ten cycles; fewer in longer runs, but at least 200.
+    """
+    if samples is None:
+        cycles = scenario.run.duration / scenario.cycle
+        return min(SAMPLES_PER_CYCLE, max(200, int(MOST_SAMPLES / max(cycles, 1))))
+    if not isinstance(samples, int) or isinstance(samples, bool) or samples < FEWEST:
+        raise ScenarioError(f"samples = {samples}: must be a whole number, at least {FEWEST}")
+    if samples * max(1.0, scenario.run.duration / scenario.cycle) > MOST_TIMES:
+        raise ScenarioError(f"samples = {samples}: more than {MOST_TIMES:.0e} in a run; take fewer")
+    return samples
+
+
+def marks_of(scenario: Scenario, times: Sequence[float] | None = None) -> tuple[float, ...]:
+    """Return the times at which errors are kept, increasing; the end is one."""
+    end = scenario.run.duration
+    if times is None:
+        return tuple(np.linspace(0.0, end, MARKS).tolist())
+    for time in times:
+        if not 0 <= time <= end:
+            raise ScenarioError(f"times: {time} must lie between 0 and run.duration = {end}")
+    return tuple(sorted({float(time) for time in times} | {end}))
+
+
+def sample_times_of(
+    scenario: Scenario, samples: int, marks: Sequence[float], trajectories: bool
+) -> SampleTimes:
+    """Join the times that are wanted; those that differ by rounding are one."""
+    end, cycle = scenario.run.duration, scenario.cycle
+    fine = sample_times(end, cycle / samples)
+    own = sample_times(end, scenario.run.output_step) if trajectories else np.zeros(0)
+    every = np.sort(np.concatenate([fine, np.array(marks, dtype=float), own]))
+    slack = 1e-9 * max(1.0, end)
+    merged = every[np.append(True, np.diff(every) > slack)]
+    merged[-1] = end
+    number = np.floor((fine + slack) / cycle).astype(int)
+    full = int(np.floor((end + slack) / cycle))
+    starts = np.searchsorted(number, np.arange(full + 1))
+    marked = np.array(marks, dtype=float)
+    numbers = [nearest(merged, wanted) for wanted in (fine, marked, own)]
+    return SampleTimes(merged, numbers[0], starts, *numbers[1:])
+
+
 class Variable(NamedTuple):
-    """An array of the store, without its values."""
+    """An array of the store without its values; the first dimension is the member."""
 
     dims: tuple[str, ...]
     shape: tuple[int, ...]
@@ -44,37 +105,11 @@ class Variable(NamedTuple):
 
 
 def kept_variables(
-    scenario: Scenario, sampling: Sampling, members: int, trajectories: bool
+    scenario: Scenario, times: SampleTimes, members: int, trajectories: bool
 ) -> dict[str, Variable]:
-    """Return the arrays that a summary fills.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        The base.
-    sampling : Sampling
-        Times.
-    members : int
-        How many.
-    trajectories : bool
-        Whether states are kept at the scenario's own samples.
-
-    Returns
-    -------
-    dict
-        Name -> Variable; the first dimension is the member.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> from clpt_control.ensemble.sampling import sampling
-    >>> scenario = clpt.paper_scenario()
-    >>> times = sampling(scenario, 200, (0.0, 2000.0), False)
-    >>> kept_variables(scenario, times, 7, False)["clpe_rms"].shape
-    (7, 10)
-    """
+    """Return the arrays that a summary fills: name -> Variable, the first dimension the member."""
     length, rate = scenario.units.length, f"{scenario.units.time}-1"
-    n, N = len(sampling.own), scenario.basis.N
+    n, N = len(times.own), scenario.basis.N
     found: dict[str, Variable] = {}
 
     def keep(name: str, dims: str, sizes: tuple[int, ...], long_name: str, **attrs: Any) -> None:
@@ -82,7 +117,7 @@ def kept_variables(
         attrs = {"long_name": long_name, **attrs}
         found[name] = Variable(("member", *dims.split()), (members, *sizes), dtype, attrs)
 
-    cycles, marks = (len(sampling.starts) - 1,), (len(sampling.marks),)
+    cycles, marks = (len(times.starts) - 1,), (len(times.marks),)
     keep("clpe_rms", "cycle", cycles, "rms of the CLPE over a cycle", units=length)
     keep("clpe_rms_whole", "", (), "rms of the CLPE over the whole run", units=length)
     if scenario.flow.parameters is not None:
@@ -122,49 +157,26 @@ def kept_variables(
 
 
 def dims_of(key: str, ndim: int) -> tuple[str, ...]:
-    """Name the dimensions of a key's value.
-
-    Examples
-    --------
-    >>> dims_of("flow.parameters", 2), dims_of("learning.gain", 0)
-    (('axis', 'basis'), ())
-    """
+    """Return the names of the dimensions of a key's value."""
     return AXES.get(key, ("axis",)) if ndim else ()
 
 
 def summarise_members(
     scenario: Scenario,
-    sampling: Sampling,
+    times: SampleTimes,
     values: Mapping[str, np.ndarray],
     run: States,
     trajectories: bool = False,
 ) -> dict[str, np.ndarray]:
-    """Summarise members from their states.
+    """Return what is kept of members; NaN after the end of one that failed.
 
-    Parameters
-    ----------
-    scenario : Scenario
-        The base.
-    sampling : Sampling
-        The times of the states.
-    values : mapping
-        What varies, key -> array with a row for each member.
-    run : States
-        As `Ensemble.run` gives them.
-    trajectories : bool, optional
-        Whether to keep states at the scenario's own samples.
-
-    Returns
-    -------
-    dict
-        Name -> array, as `kept_variables` lists them; NaN after the end of a
-        member that failed.
+    `values` is what varies, key -> array with a row for each member.
     """
     with np.errstate(all="ignore"):  # a member that failed may hold anything
-        return _summaries(scenario, sampling, values, run, trajectories)
+        return _summaries(scenario, times, values, run, trajectories)
 
 
-def _summaries(scenario, sampling, values, run, trajectories) -> dict[str, np.ndarray]:
+def _summaries(scenario, times, values, run, trajectories) -> dict[str, np.ndarray]:
     y, N = run.states, scenario.basis.N
     learned = scenario.learning.law == "learned-flow"
     alpha_end = 4 + 2 * N if learned else 4
@@ -174,24 +186,24 @@ def _summaries(scenario, sampling, values, run, trajectories) -> dict[str, np.nd
     def value(key: str) -> np.ndarray:
         return np.asarray(values.get(key, base[key]))
 
-    fine = slice(None) if len(sampling.fine) == len(sampling.times) else sampling.fine
-    squares = np.zeros((m, len(sampling.fine)))
+    fine = slice(None) if len(times.fine) == len(times.all) else times.fine
+    squares = np.zeros((m, len(times.fine)))
     for i in range(2):
         squares += np.square(y[:, fine, i] - y[:, fine, 2 + i])
-    spans = zip(sampling.starts[:-1], sampling.starts[1:], strict=True)
+    spans = zip(times.starts[:-1], times.starts[1:], strict=True)
     means = [np.mean(squares[:, first:last], axis=1) for first, last in spans]
     kept = {
         "clpe_rms": np.sqrt(np.array(means).reshape(-1, m).T),
         "clpe_rms_whole": np.sqrt(np.mean(squares, axis=1)),
     }
     if scenario.flow.parameters is not None:
-        estimate = -y[:, sampling.marks, 4:alpha_end]
+        estimate = -y[:, times.marks, 4:alpha_end]
         if not learned:
             estimate = value("learning.theta_estimate").reshape(-1, 1, 2 * N)
         error = np.abs(estimate - value("flow.parameters").reshape(-1, 1, 2 * N)).max(axis=2)
-        alive = np.isfinite(y[:, sampling.marks, 0])
+        alive = np.isfinite(y[:, times.marks, 0])
         kept["flow_parameter_error"] = np.where(alive, error, np.nan)
-    gains = y[:, sampling.marks, alpha_end:]
+    gains = y[:, times.marks, alpha_end:]
     true = np.concatenate(
         [
             np.broadcast_to(value(f"vehicle.{name}").reshape(-1, 1, 2), (m, 1, 2))
@@ -201,9 +213,9 @@ def _summaries(scenario, sampling, values, run, trajectories) -> dict[str, np.nd
     )
     kept["gain_error"] = np.abs(gains - true).max(axis=2)
     kept["status"] = run.status.astype("int8")
-    kept["end"] = sampling.times[np.clip(run.reached - 1, 0, None)]
+    kept["end"] = times.all[np.clip(run.reached - 1, 0, None)]
     if trajectories:
-        own = y[:, sampling.own]
+        own = y[:, times.own]
         n = own.shape[1]
         kept["position"], kept["predicted_position"] = own[..., :2], own[..., 2:4]
         if learned:

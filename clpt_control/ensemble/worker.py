@@ -1,7 +1,7 @@
-"""The work on members: whoever does it, thread or far machine, does the same.
+"""Members run and summarised: a thread and a far machine do the same.
 
-A recipe is plain text and numbers; it is all that travels.  Of it a worker
-makes the compiled ensemble once and then summarises any members it is given.
+A recipe is plain text and numbers; it is all that travels.  A worker makes the
+compiled ensemble of it once and then summarises any members it is given.
 """
 
 import hashlib
@@ -16,60 +16,32 @@ import numpy as np
 
 from ..scenario.file import scenario_from_text
 from .members import Ensemble
-from .sampling import sampling
-from .summary import summarise_members
+from .summaries import sample_times_of, summarise_members
 
 BLOCK_BYTES = 64_000_000  # states in flight, a thread
 MOST_MEMBERS = 512  # a block
 
 
 class Recipe(NamedTuple):
-    """All that a worker needs to know.
+    """All that a worker needs to know."""
 
-    Attributes
-    ----------
-    text : str
-        The scenario as TOML.
-    folder : str
-        What a relative ``flow.field`` is relative to.
-    keys : tuple
-        What varies: pairs of a key and its shape.
-    samples : int
-        Samples a cycle.
-    marks : tuple of float
-        Times at which errors are kept.
-    trajectories : bool
-        Whether states are kept.
-    """
-
-    text: str
-    folder: str
-    keys: tuple[tuple[str, tuple[int, ...]], ...]
-    samples: int
-    marks: tuple[float, ...]
-    trajectories: bool
+    text: str  # the scenario as TOML
+    folder: str  # where a relative flow.field starts from
+    keys: tuple[tuple[str, tuple[int, ...]], ...]  # what varies, and the shape of its value
+    samples: int  # a cycle, for mean squares
+    marks: tuple[float, ...]  # when errors are kept
+    trajectories: bool  # whether states are kept too
 
 
-class Work:
-    """Members of one recipe, run and summarised.
-
-    Parameters
-    ----------
-    recipe : Recipe
-        What to do.
-
-    Attributes
-    ----------
-    scenario : Scenario
-        The base.
-    sampling : Sampling
-        Times.
-    """
+class Worker:
+    """Members of one recipe, run and summarised."""
 
     def __init__(self, recipe: Recipe):
         self.recipe = recipe
         self.scenario = scenario_from_text(recipe.text, "scenario", Path(recipe.folder))
-        self.sampling = sampling(self.scenario, recipe.samples, recipe.marks, recipe.trajectories)
+        self.times = sample_times_of(
+            self.scenario, recipe.samples, recipe.marks, recipe.trajectories
+        )
         self._lock = threading.Lock()
 
     @cached_property
@@ -91,44 +63,22 @@ class Work:
     def block(self) -> int:
         """How many members' states fit into the memory of a thread."""
         states = self.ensemble.native.nstates
-        fit = BLOCK_BYTES // (8 * states * len(self.sampling.times))
+        fit = BLOCK_BYTES // (8 * states * len(self.times.all))
         return max(8, min(MOST_MEMBERS, fit // 8 * 8))
 
     def summaries(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-        """Run members together and summarise them.
-
-        Parameters
-        ----------
-        values : mapping
-            Key -> array with a row for each member; at most a block.
-
-        Returns
-        -------
-        dict
-            As `summarise_members` gives it.
-        """
-        times, run = self.sampling.times, self.scenario.run
+        """Run members together, at most a block, and return what is kept of them."""
+        times, run = self.times.all, self.scenario.run
         with self._lock:  # members are made by a shared evaluator, machine code once for all
             members = self.ensemble.members(values, float(times[-1]))
             self.ensemble.native.callee(self.ensemble.lanes)
         states = self.ensemble.run(members, times, run.rtol, run.atol)
         return summarise_members(
-            self.scenario, self.sampling, values, states, self.recipe.trajectories
+            self.scenario, self.times, values, states, self.recipe.trajectories
         )
 
     def chunk(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-        """Run and summarise any number of members, block by block.
-
-        Parameters
-        ----------
-        values : mapping
-            Key -> array with a row for each member.
-
-        Returns
-        -------
-        dict
-            As `summarise_members` gives it.
-        """
+        """Run any number of members, block by block, and return what is kept of them."""
         count = len(next(iter(values.values())))
         parts = [
             self.summaries(rows(values, first, min(first + self.block, count)))
@@ -150,6 +100,6 @@ def joined(parts: list[dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
 
 
 @lru_cache(maxsize=4)
-def work_of(recipe: Recipe) -> Work:
-    """Return the work of a recipe, made once in a process."""
-    return Work(recipe)
+def worker_of(recipe: Recipe) -> Worker:
+    """Return the worker of a recipe, made once in a process."""
+    return Worker(recipe)

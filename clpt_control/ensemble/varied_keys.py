@@ -57,29 +57,7 @@ class Vary(NamedTuple):
 
 
 def read_vary(text: str) -> Vary:
-    """Read how a key varies.
-
-    Parameters
-    ----------
-    text : str
-        ``"learning.gain=0.2:2.0"``, ``"flow.parameters~normal:0.1"`` or
-        ``"learning.gain=[0.5, 1, 2]"``.
-
-    Returns
-    -------
-    Vary
-        Not yet compared with a scenario.
-
-    Raises
-    ------
-    ScenarioError
-        If it is none of these.
-
-    Examples
-    --------
-    >>> read_vary("flow.parameters~normal:0.1")
-    Vary(key='flow.parameters', kind='normal', numbers=(0.1,))
-    """
+    """Read how a key varies, in one of the three forms above."""
     match = re.fullmatch(r"\s*([\w.]+)\s*([=~])\s*(.+?)\s*", text, re.DOTALL)
     if match is None:
         raise ScenarioError(f"vary = '{text}': must be {FORMS}, such as learning.gain=0.2:2.0")
@@ -122,31 +100,7 @@ def _number(word: str, text: str) -> float:
 
 
 def read_varies(scenario: Scenario, vary: "str | Vary | Iterable[str | Vary]") -> tuple[Vary, ...]:
-    """Read what varies and compare it with a scenario.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        The base.
-    vary : str, Vary, or several
-        As `read_vary` reads it.
-
-    Returns
-    -------
-    tuple of Vary
-        In the order given.
-
-    Raises
-    ------
-    ScenarioError
-        If a key is unknown, comes twice, is no number or cannot vary.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> len(read_varies(clpt.paper_scenario(), "learning.gain=0.2:2.0"))
-    1
-    """
+    """Read what varies and compare it with a scenario."""
     given: Iterable[str | Vary] = [vary] if isinstance(vary, str | Vary) else vary
     varies = tuple(read_vary(one) if isinstance(one, str) else one for one in given)
     if not varies:
@@ -177,24 +131,7 @@ def _check_levels(one: Vary, shape: tuple[int, ...]) -> None:
 
 
 def variable_values(scenario: Scenario) -> dict[str, np.ndarray]:
-    """Return every key that may vary, with the scenario's value.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        The base.
-
-    Returns
-    -------
-    dict
-        Dotted key -> value; what the scenario leaves out has its default.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> float(variable_values(clpt.paper_scenario())["learning.gain"])
-    0.8
-    """
+    """Return every key that may vary, with the scenario's value or the default."""
     defaults = {"basis.phases": scenario.phases, "model.parameters": scenario.model_parameters}
     if scenario.learning.law == "learned-flow":
         defaults["learning.parameters"] = scenario.learning_parameters
@@ -224,7 +161,7 @@ def _is_array(value: Any) -> bool:
 
 
 def _why_not(scenario: Scenario, key: str, allowed: list[str]) -> str:
-    """Say why a key cannot vary."""
+    """Return why a key cannot vary."""
     place: Any = scenario
     for name in key.split("."):
         known = isinstance(place, Table) and name in type(place).model_fields

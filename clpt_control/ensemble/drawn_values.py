@@ -18,7 +18,7 @@ import numpy as np
 
 from ..errors import ScenarioError
 from ..scenario.experiment import Scenario
-from .vary import Vary, variable_values
+from .varied_keys import Vary, variable_values
 
 DESIGNS = ("lhs", "grid", "random")
 MOST_NUMBERS = 2 * 10**8  # 1.6 GB
@@ -28,40 +28,7 @@ EDGE = 2.0**-53  # shares stay off 0 and 1, where the normal quantile is infinit
 def draw_members(
     scenario: Scenario, varies: Sequence[Vary], members: int, design: str = "lhs", seed: int = 0
 ) -> dict[str, np.ndarray]:
-    """Draw the members' values.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        The base.
-    varies : sequence of Vary
-        As `read_varies` gives them.
-    members : int
-        How many; for a grid the number of combinations.
-    design : str, optional
-        ``"lhs"``, ``"grid"`` or ``"random"``.
-    seed : int, optional
-        Of the random numbers; a grid needs none.
-
-    Returns
-    -------
-    dict
-        Key -> array, shape (members,) + the key's shape.
-
-    Raises
-    ------
-    ScenarioError
-        If the design is unknown, the number of members does not suit it, or
-        a member has a value that the scenario does not allow.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> from clpt_control.ensemble.vary import read_vary
-    >>> vary = [read_vary("learning.gain=0.5:1.5")]
-    >>> draw_members(clpt.paper_scenario(), vary, 3, "grid")["learning.gain"]
-    array([0.5, 1. , 1.5])
-    """
+    """Draw the members' values: key -> array, shape (members,) + the key's shape."""
     if design not in DESIGNS:
         raise ScenarioError(f"design = '{design}': must be one of {', '.join(DESIGNS)}")
     for name, value, least in (("members", members, 1), ("seed", seed, 0)):
@@ -147,20 +114,6 @@ def check_members(
 
     A scenario allows intervals: where the least and the largest of all members
     are allowed, so is what lies between.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        The base.
-    varies : sequence of Vary
-        How the keys vary, for the message.
-    values : dict
-        As `draw_members` gives them.
-
-    Raises
-    ------
-    ScenarioError
-        Naming the first such member.
     """
     for one in varies:
         own = values[one.key]
