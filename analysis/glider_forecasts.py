@@ -16,12 +16,12 @@ from typing import Annotated, Any
 import numpy as np
 import typer
 
-from clpt_control.estimation.between_fixes import ESTIMATORS
-from clpt_control.figures import BLUE, GREEN, ORANGE, new_figure
+from clpt_control.estimation.estimators import ESTIMATORS
+from clpt_control.figures import BLUE, GREEN, new_figure
 from clpt_control.files import make_folder, write_figure, write_text
 from clpt_control.gliders import sample_dives, usable
 from clpt_control.progress import progress_bar
-from clpt_control.replay import Replay, replay_dives
+from clpt_control.replay import Replay, clpe_rms, replay_dives, summary
 from clpt_control.replay.anomaly import SETTLED
 
 from .made_seas import DAY, QUARTER_DAY, Sea, made_dives
@@ -80,12 +80,12 @@ SEAS = {
         dives=14,
     ),
 }
-MARKS = {"kalman": (BLUE, "o"), "rls": (ORANGE, "^"), "gradient": (GREEN, "s")}
+MARKS = {"kalman": (BLUE, "o"), "gradient": (GREEN, "s")}
 
 
 def ratio(replay: Replay) -> float:
     """Return CLPE rms after the third dive over the previous dive's."""
-    rms = replay.rms(3)
+    rms = clpe_rms(replay, 3)
     return float(rms["adaptive"] or np.nan) / float(rms["previous_dive"] or np.nan)
 
 
@@ -98,7 +98,7 @@ def judged(name: str, seed: int) -> dict[str, Any]:
         replay = replay_dives(dives, estimator)
         found[estimator] = ratio(replay)
         if estimator == "kalman":
-            found["inside"] = replay.summary()["inside_90"]
+            found["inside"] = summary(replay)["inside_90"]
             found["flags"] = sum(step.anomaly is not None for step in replay.steps)
             found["watched"] = max(len(dives) - SETTLED, 0)
     faulty = replay_dives(made_dives(sea._replace(dives=45), seed, lost=0.15, since=20))
@@ -141,7 +141,7 @@ def main(
             + f" | {soon:.0f} % | {caught:.0f} % |"
         )
     real = {e: replay_dives(usable(sample_dives())[0], e) for e in MARKS}
-    inside = real["kalman"].summary()["inside_90"]
+    inside = summary(real["kalman"])["inside_90"]
     lines.append(
         f"| Seaglider SG542 | {' | '.join(f'{ratio(real[e]):.2f}' for e in MARKS)} | - | "
         f"{100 * inside:.0f} % | - | - | - |"

@@ -7,42 +7,42 @@ previous dive's current.  Records are the Seaglider that ships, and FILES.
     python -m analysis.prior_sensitivity [FILES...] [--out FOLDER]
 """
 
+from itertools import product
 from pathlib import Path
-from typing import Annotated, Any
-from unittest.mock import patch
+from typing import Annotated
 
 import numpy as np
 import typer
 
-from clpt_control.estimation import combination, fix_model, held, kalman, wandering
+from clpt_control.estimation import FixModel
+from clpt_control.estimation.priors import Kind, Priors
 from clpt_control.figures import BLUE, GREY, new_figure
 from clpt_control.files import make_folder, write_figure, write_text
 from clpt_control.gliders import Dive, read_dives, sample_dives, usable
 from clpt_control.progress import progress_bar
-from clpt_control.replay import replay_dives
+from clpt_control.replay import clpe_rms, replay_dives
 
-PRIORS: dict[str, tuple[Any, str, Any, Any]] = {
-    "current": (fix_model, "CURRENT", 0.5, 2.0),
-    "tide": (fix_model, "TIDE", 0.5, 2.0),
-    "inertial current": (fix_model, "INERTIAL", 0.5, 2.0),
-    "speed": (fix_model, "SPEED", 0.5, 2.0),
-    "compass": (fix_model, "COMPASS", 0.5, 2.0),
-    "fix": (fix_model, "FIX", 0.5, 2.0),
-    "odds of a shelf": (kalman, "SHELF", 0.5, 2.0),
-    "usual scatter": (kalman, "USUAL", 0.5, 2.0),
-    "spread of scatter": (kalman, "SPREAD", 0.5, 2.0),
-    "inertial fading": (kalman, "INERTIAL_FADING", 0.5, 2.0),
-    "walk of the speed": (kalman, "SPEED_WALK", 0.5, 2.0),
-    "fading of a trend": (wandering, "TREND_FADING", 0.5, 2.0),
-    "learned from": (held, "LEARNED", 2 / 3, 1.2),
-    "first share": (combination, "SHARE", 0.5, 2.0),
-    "weight of it": (combination, "WEIGHT", 0.5, 2.0),
-}
+PRIORS = (
+    *("fix", "current", "tide", "inertial", "speed", "compass", "shelf"),
+    *("inertial_fading", "tide_fading", "speed_walk", "compass_walk"),
+    *("trend_fading", "eddy_memory", "degrees_of_freedom", "weight_memory"),
+    *Kind._fields,  # of all kinds of restlessness at once
+)
+FACTORS = (0.5, 2.0)
 
 
-def ratio(dives: list[Dive]) -> float:
+def changed(name: str, factor: float) -> Priors:
+    """Return the priors with one number multiplied."""
+    priors = Priors()
+    if name not in Kind._fields:
+        return priors._replace(**{name: factor * getattr(priors, name)})
+    kinds = (k._replace(**{name: factor * getattr(k, name)}) for k in priors.kinds)
+    return priors._replace(kinds=tuple(kinds))
+
+
+def ratio(dives: list[Dive], priors: Priors) -> float:
     """Return CLPE rms after the third dive over the previous dive's."""
-    rms = replay_dives(dives).rms(3)
+    rms = clpe_rms(replay_dives(dives, model=FixModel(priors=priors)))
     return float(rms["adaptive"] or np.nan) / float(rms["previous_dive"] or np.nan)
 
 
@@ -54,14 +54,13 @@ def main(
     folder = make_folder(out)
     records = {"SG542": usable(sample_dives())[0]}
     records |= {path.stem: usable(read_dives([path])[0])[0] for path in files or []}
-    base = np.array([ratio(dives) for dives in records.values()])
+    base = np.array([ratio(dives, Priors()) for dives in records.values()])
     found = {}
-    with progress_bar("replaying", 2 * len(PRIORS)) as report:
-        for k, (name, (module, number, *factors)) in enumerate(PRIORS.items()):
-            for j, factor in enumerate(factors):
-                with patch.object(module, number, factor * getattr(module, number)):
-                    found[name, factor] = np.array([ratio(dives) for dives in records.values()])
-                report(2 * k + j + 1)
+    with progress_bar("replaying", len(FACTORS) * len(PRIORS)) as report:
+        for k, (name, factor) in enumerate(product(PRIORS, FACTORS)):
+            priors = changed(name, factor)
+            found[name, factor] = np.array([ratio(dives, priors) for dives in records.values()])
+            report(k + 1)
     lines = [f"| prior | factor | {' | '.join(records)} |", "|---|---|" + "---|" * len(records)]
     for (name, factor), row in {("as they are", 1.0): base, **found}.items():
         lines.append(f"| {name} | {factor:.3g} | " + " | ".join(f"{r:.3f}" for r in row) + " |")

@@ -3,7 +3,7 @@
     python examples/glider_replay.py [FOLDER [FILES...]]
 
 Without FILES the fourteen dives of Seaglider SG542 that ship with the package
-are used.  Each dive is forecast from earlier dives alone, by three estimators;
+are used.  Each dive is forecast from earlier dives alone, by both estimators;
 FOLDER (default: out) gets the Kalman filters' NetCDF file and figures.
 """
 
@@ -22,9 +22,9 @@ def main(folder="out", *files):
     used, unused = clpt.gliders.usable(dives)
     for skipped in [*unread, *unused]:
         print(f"dive {skipped.dive} skipped: {skipped.why}")
-    for name in ("gradient", "rls", "kalman"):
+    for name in ("gradient", "kalman"):
         replay = clpt.replay.replay_dives(used, name)
-        rms = replay.summary()["clpe_rms_after_3"]
+        rms = clpt.replay.clpe_rms(replay, 3)
         if rms["adaptive"] is not None:
             print(
                 f"{name}: CLPE rms after the third dive {rms['adaptive']:.0f} m; with the previous "

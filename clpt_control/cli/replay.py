@@ -25,7 +25,7 @@ def replay(
     sample: Annotated[
         bool, typer.Option("--sample", help="Replay the dives that come with clpt.")
     ] = False,
-    estimator: Annotated[str, typer.Option(help="kalman, rls or gradient.")] = "kalman",
+    estimator: Annotated[str, typer.Option(help="kalman or gradient.")] = "kalman",
     flow: Annotated[
         str | None,
         typer.Option(
@@ -67,15 +67,14 @@ def replay(
 ) -> None:
     """Replay a glider's dives, each forecast before its end."""
     from ..errors import DataError, ScenarioError
-    from ..estimation.between_fixes import ESTIMATORS
+    from ..estimation.estimators import ESTIMATORS
     from ..files import make_folder
     from ..gliders.dive_files import read_dives
     from ..gliders.dive_table import sample_dives
     from ..gliders.usable_dives import LEAST_DURATION, usable
     from ..progress import progress_bar
     from ..replay.flow_model_file import read_flow_model
-    from ..replay.replay import Replay
-    from ..replay.session import check_tides, feed
+    from ..replay.replay import Replay, check_tides, feed
     from ..replay.surfacing import check_plan
 
     if bool(files) + sample + (follow is not None) != 1:

@@ -40,11 +40,11 @@ def write(result: Any, folder: Path, ahead: tuple) -> list[Path]:
 
 def summary_with_next(result: Any, skipped: list, ahead: tuple) -> dict[str, Any]:
     """Return what `--json` prints: the summary and the next surfacing."""
+    from ..replay.outcome import summary
     from ..replay.surfacing import next_dive
 
-    summary = result.summary(skipped)
-    summary["next_dive"] = next_dive(result, *ahead).as_dict() if result.steps else None
-    return summary
+    ahead_of = next_dive(result, *ahead).as_dict() if result.steps else None
+    return {**summary(result, skipped), "next_dive": ahead_of}
 
 
 def show(result: Any, summary: dict[str, Any]) -> None:
@@ -65,11 +65,12 @@ def show(result: Any, summary: dict[str, Any]) -> None:
         )
     if result.steps:
         typer.echo(f"surfaced in the 90 % ellipse: {100 * summary['inside_90']:.0f} %")
+        if summary["parts"]:
+            chances = ", ".join(f"{name} {p:.2f}" for name, p in summary["parts"].items())
+            typer.echo(f"probability that a part is present: {chances}")
         typer.echo(f"learned: {shortened(summary['learned']) or 'nothing'}")
     if summary["held"]:
-        typer.echo(
-            f"held at prior values, as the dives do not excite them: {shortened(summary['held'])}"
-        )
+        typer.echo(f"held, hardly better known than before the dives: {shortened(summary['held'])}")
     for line in by_reason(summary["notes"], "note"):
         typer.echo(line)
     for entry in summary["skipped"]:
@@ -81,7 +82,7 @@ def show(result: Any, summary: dict[str, Any]) -> None:
 
 def show_tables(result: Any, summary: dict[str, Any]) -> None:
     """Print a row per dive, then the CLPE rms."""
-    from ..replay.ellipse import ellipse
+    from ..replay.step import ellipse
 
     rows = []
     for step in result.steps:

@@ -1,4 +1,4 @@
-from .between_fixes import make_estimator
+from .estimators import make_estimator
 from .fix_model import FixModel
 
 __all__ = [

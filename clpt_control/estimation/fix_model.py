@@ -5,13 +5,12 @@
 the integral of Eq. (1) with the flow of Eq. (3); int v dt is the dead-reckoned
 displacement d, f a factor on speed through water, R(psi) a compass error.
 Less d on both sides and to first order in f - 1 and psi it is linear, y = H p.
-The columns of H stand in `fix_regressor`; parameters that a dive cannot tell
-are held (`held`).  Gaussian places (`gaussian_places`) join the parameters when
-a track first comes near them, so that n grows.
+The columns of H stand in `fix_regressor`.  Gaussian places (`gaussian_places`)
+join the parameters when a track first comes near them, so that n grows.
 """
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import product
 from typing import Any
 
@@ -20,45 +19,23 @@ import numpy as np
 from ..errors import ScenarioError
 from ..scenario.tides import SPEEDS, period
 from .fix_regressor import (
+    flow_model,
     inertial,
     inertial_frequency,
     mid_time,
     miss,
-    model_way,
-    ones,
+    steady,
     tide,
     water,
 )
-from .gaussian_places import Places, near, way_over_places
+from .gaussian_places import Places, near, places_columns
+from .priors import Priors
 
 __all__ = ["FixModel", "mid_time", "miss"]
 
-CURRENT, TIDE, INERTIAL = 0.3, 0.1, 0.05  # m/s, standard deviation before any dive
-GAUSSIAN = 0.15  # m/s, the same of a place's coefficient
-MODEL = 0.7  # the same of the factor on a flow model
-SPEED, COMPASS = 0.15, 0.03  # the same of f - 1 and of psi (2 degrees)
-FIX = 30.0  # m, one component of the difference of two fixes
 FAR = 13.82  # chi-squared of two components, 99.9 %: what lies beyond is strange
 WIDTH = 20e3  # m, of a gaussian
-OTHERS = {"inertial": 2, "gaussians": 0, "model": 1}  # parts that are no tide; their parameters
-
-
-def fix_variance(dive: Any, unexplained: Any) -> Any:
-    """Return the variance of one component of y, m^2.
-
-    Parameters
-    ----------
-    dive : Dive
-        Its duration T is used.
-    unexplained : float or ndarray
-        s, of a current that no parameter explains, m/s.
-
-    Returns
-    -------
-    float or ndarray
-        FIX^2 + (s T)^2.
-    """
-    return FIX**2 + (unexplained * dive.duration) ** 2
+OTHERS = ("inertial", "gaussians", "model")  # parts that are no tide
 
 
 @dataclass(frozen=True)
@@ -76,6 +53,8 @@ class FixModel:
         Of the gaussians, m.
     places : Places or None
         Where gaussians stand so far; None before the first dive.
+    priors : Priors
+        What is believed before any dive.
 
     Examples
     --------
@@ -87,6 +66,7 @@ class FixModel:
     learn_speed: bool = True
     width: float = WIDTH
     places: Places | None = None
+    priors: Priors = field(default_factory=Priors)
 
     def __post_init__(self) -> None:
         """Refuse flows that cannot be."""
@@ -108,78 +88,65 @@ class FixModel:
             raise ScenarioError(f"width of the gaussians = {self.width} m: must be positive")
 
     @property
-    def sizes(self) -> list[int]:
-        """Numbers of parameters of the parts after the steady one."""
-        return [OTHERS.get(part, 4) for part in self.flow[1:]]
-
-    @property
-    def moving(self) -> int:
-        """Number of parameters before those of the gaussians."""
-        return 2 + sum(self.sizes) + 2 * self.learn_speed
+    def table(self) -> tuple[tuple[str, str, float], ...]:
+        """Name, part and prior standard deviation of each parameter."""
+        axes, p = ("east", "north"), self.priors
+        rows = [(f"current_{axis}", "current", p.current) for axis in axes]
+        for part in self.flow[1:]:
+            if part == "model":
+                rows.append((part, part, p.model))
+            elif part == "inertial":
+                rows += [(f"{part}_{axis}", part, p.inertial) for axis in axes]
+            elif part != "gaussians":
+                pairs = product(("cos", "sin"), axes)
+                rows += [(f"{part}_{wave}_{axis}", "tides", p.tide) for wave, axis in pairs]
+        if self.learn_speed:
+            rows += [("speed", "speed", p.speed), ("compass", "compass", p.compass)]
+        for i, j in self.places.cells if self.places else ():
+            rows += [(f"gaussian[{i},{j}]_{axis}", "gaussians", p.gaussian) for axis in axes]
+        return tuple(rows)
 
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the n parameters, in their order."""
-        names = ["current_east", "current_north"]
-        for part in self.flow[1:]:
-            if part == "model":
-                names.append(part)
-            elif part != "gaussians":
-                middle = [""] if part == "inertial" else ["_cos", "_sin"]
-                names += [f"{part}{m}_{axis}" for m in middle for axis in ("east", "north")]
-        if self.learn_speed:
-            names += ["speed", "compass"]
-        cells = self.places.cells if self.places else ()
-        return (*names, *(f"gaussian[{i},{j}]_{a}" for i, j in cells for a in ("east", "north")))
+        return tuple(name for name, _, _ in self.table)
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """Part of each of the n parameters; all tides are one part."""
+        return tuple(part for _, part, _ in self.table)
 
     @property
     def prior_sd(self) -> np.ndarray:
         """Standard deviations before any dive, (n,), m/s, 1 and rad."""
-        sd = [CURRENT] * 2
-        for part in self.flow[1:]:
-            usual = {"inertial": INERTIAL, "model": MODEL}.get(part, TIDE)
-            sd += [usual] * OTHERS.get(part, 4)
-        sd += [SPEED, COMPASS] if self.learn_speed else []
-        return np.array(sd + [GAUSSIAN] * (2 * len(self.places.cells) if self.places else 0))
+        return np.array([sd for _, _, sd in self.table])
+
+    @property
+    def moving(self) -> int:
+        """Number of parameters before those of the gaussians."""
+        return sum(part != "gaussians" for part in self.parts)
+
+    @property
+    def optional(self) -> tuple[str, ...]:
+        """Parts that a sea may lack; all tides come or go together."""
+        return tuple(dict.fromkeys(p if p in OTHERS else "tides" for p in self.flow[1:]))
 
     def choices(self) -> np.ndarray:
-        """Return the models a bank compares: flow parts on or off.
-
-        All tides together are one part: a sea is a shelf's or it is not.
-
-        Returns
-        -------
-        ndarray of bool, shape (2^k, moving + 1)
-            Which parameters are present, the last for all gaussians; steady
-            current and speed always are.
+        """Return all choices of the k optional parts, (2^k, k).
 
         Examples
         --------
-        >>> FixModel(("steady", "inertial"), False).choices().astype(int)
-        array([[1, 1, 0, 0, 0],
-               [1, 1, 1, 1, 0]])
+        >>> FixModel().choices().astype(int).tolist()
+        [[0, 0], [0, 1], [1, 0], [1, 1]]
         """
-        kinds = [part if part in OTHERS else "tides" for part in self.flow[1:]]
-        rows = []
-        for pattern in product((False, True), repeat=len(set(kinds))):
-            on = dict(zip(dict.fromkeys(kinds), pattern, strict=True))
-            flow = sum(([on[p]] * k for p, k in zip(kinds, self.sizes, strict=True)), [True, True])
-            rows.append([*flow, *[True] * (2 * self.learn_speed), on.get("gaussians", False)])
-        return np.array(rows)
+        k = len(self.optional)
+        return np.array(list(product((False, True), repeat=k)), bool).reshape(2**k, k)
 
     def reached(self, dive: Any) -> "FixModel":
         """Return the model with the places that a dive comes near.
 
-        Parameters
-        ----------
-        dive : Dive
-            Its start and dead reckoning are used, never its end.
-
-        Returns
-        -------
-        FixModel
-            Itself where nothing is new; new parameters come last, and places
-            that are far by now may be gone.
+        Its end is not read.  New parameters come last, far places may be gone;
+        where nothing is new it is the model itself.
         """
         if "gaussians" not in self.flow:
             return self
@@ -187,71 +154,49 @@ class FixModel:
         return self if places is self.places else replace(self, places=places)
 
     def kept(self, before: "FixModel") -> tuple[np.ndarray, np.ndarray]:
-        """Return where the parameters of a model before stand in this one.
-
-        Parameters
-        ----------
-        before : FixModel
-            Whose `reached` gave this one.
-
-        Returns
-        -------
-        old, new : ndarray of int
-            Places in its parameters and in these.
-        """
+        """Return where parameters stood in a model before, and now."""
         here = {name: k for k, name in enumerate(self.names)}
         pairs = [(k, here[name]) for k, name in enumerate(before.names) if name in here]
         old, new = np.array(pairs, int).T
         return old, new
 
     def regressor(self, dive: Any, ended: bool = False) -> np.ndarray:
-        """Return H of y = H p for a dive.
+        """Return H of y = H p for a dive, (2, n).
 
-        Parameters
-        ----------
-        dive : Dive
-            Its times, latitude and dead reckoning are used, its end only
-        ended : bool, optional
-            where this is True: gaussians are taken along the track as bent to
-            the fix after the dive.
-
-        Returns
-        -------
-        ndarray, shape (2, n)
-            In s for currents, m for speed, compass and model.
+        Its columns are in s for currents, in m for the others. A dive's end is read
+        only where it has `ended`: for gaussians along the bent track.
         """
-        columns = [ones(dive)]
+        columns = [steady(dive)]
         for part in self.flow[1:]:
             if part == "inertial":
                 columns.append(inertial(dive))
             elif part == "model":
-                columns.append(model_way(dive))
+                columns.append(flow_model(dive))
             elif part != "gaussians":
                 columns.append(tide(dive, 2 * math.pi / period(part, "s")))
         if self.learn_speed:
             columns.append(water(dive))
         if self.places:
-            columns.append(way_over_places(self.places, dive, ended))
+            columns.append(places_columns(self.places, dive, ended))
         return np.hstack(columns)
 
+    def noise(self, dive: Any, scatter: Any) -> Any:
+        """Return the variance FIX^2 + (s T)^2 of y, m^2; s in m/s."""
+        return self.priors.fix**2 + (scatter * dive.duration) ** 2
+
     def turning(self, dt: float, latitude: float) -> np.ndarray:
-        """Return the rotation of the moving parameters over a time.
-
-        Parameters
-        ----------
-        dt : float
-            Time from mid-dive to mid-dive, s.
-        latitude : float
-            Degrees.
-
-        Returns
-        -------
-        ndarray, shape (n, n)
-            Orthogonal; the identity but for the inertial current.
-        """
+        """Return the turn of the inertial current over `dt` s, (n, n)."""
         F = np.eye(len(self.names))
         if "inertial" in self.flow:
             k, angle = self.names.index("inertial_east"), inertial_frequency(latitude) * dt
             c, s = math.cos(angle), math.sin(angle)
             F[k : k + 2, k : k + 2] = [[c, s], [-s, c]]
         return F
+
+    def faded(self, dt: float) -> np.ndarray:
+        """Return what is left of each parameter after `dt` s, (n,)."""
+        left = {
+            "inertial": math.exp(-dt / self.priors.inertial_fading),
+            "tides": math.exp(-dt / self.priors.tide_fading),
+        }
+        return np.array([left.get(part, 1.0) for part in self.parts])

@@ -3,7 +3,7 @@
     steady current      T                             two parameters, m/s
     tide, speed w       T s(w) cos(w tm), T s(w) sin(w tm)    four, m/s
     inertial current    T s(c)                        two, m/s, at mid-dive
-    flow model          its own way (east, north)     one, a factor
+    flow model          its displacement (east, north)    one, a factor
     speed               (d_east, d_north)             f - 1
     compass             (d_north, -d_east)            psi, rad, clockwise
 
@@ -22,27 +22,19 @@ ROTATION = 7.292115e-5  # rad/s, of the Earth
 
 
 def mid_time(dive: Any) -> float:
-    """Return the middle of a dive, UTC, s."""
+    """Return the middle of a dive, s since 1970 UTC."""
     return 0.5 * (dive.t_gps2 + dive.t_gpse)
 
 
 def miss(dive: Any) -> np.ndarray:
-    """Return y, fix less dead reckoning at a dive's end, m, shape (2,)."""
+    """Return y, fix less dead reckoning at a dive's end, (2,), m."""
     return np.array([dive.miss_east, dive.miss_north])
 
 
 def reckoned(dive: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return dead reckoning in time, straight where there is no track.
+    """Return dead reckoning: time since the fix before the dive (s), east and north (m).
 
-    Parameters
-    ----------
-    dive : Dive
-        Its end is not used.
-
-    Returns
-    -------
-    tuple of ndarray
-        Time since the fix before the dive, s; way east and north, m.
+    A straight line at constant speed where the dive has no track; its end fix is not read.
     """
     if dive.track is not None:
         return dive.track
@@ -51,17 +43,7 @@ def reckoned(dive: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def inertial_frequency(latitude: float) -> float:
-    """Return the Coriolis frequency, rad/s.
-
-    Parameters
-    ----------
-    latitude : float
-        Degrees, positive north.
-
-    Returns
-    -------
-    float
-        2 Omega sin(latitude): positive turns clockwise.
+    """Return the Coriolis frequency at a latitude (degrees), rad/s: positive turns clockwise.
 
     Examples
     --------
@@ -71,63 +53,33 @@ def inertial_frequency(latitude: float) -> float:
     return 2 * ROTATION * math.sin(math.radians(latitude))
 
 
-def ones(dive: Any) -> np.ndarray:
-    """Return the columns of a steady current, s, shape (2, 2)."""
+def steady(dive: Any) -> np.ndarray:
+    """Return the columns of a steady current, (2, 2), s."""
     return dive.duration * np.eye(2)
 
 
 def swing(dive: Any, w: float) -> float:
-    """Return T s(w): how far an oscillation of unit size carries.
-
-    Parameters
-    ----------
-    dive : Dive
-        Its duration T is used.
-    w : float
-        Angular speed, rad/s.
-
-    Returns
-    -------
-    float
-        s, times the oscillation at mid-dive.
-    """
+    """Return T s(w), s: how far an oscillation of unit size at mid-dive carries; w in rad/s."""
     T = dive.duration
     return T * float(np.sinc(w * T / (2 * math.pi)))
 
 
 def tide(dive: Any, w: float) -> np.ndarray:
-    """Return the columns of a tide, s, shape (2, 4): cosine, then sine.
-
-    Parameters
-    ----------
-    dive : Dive
-        Its times are used.
-    w : float
-        Angular speed, rad/s; time counts from 1970 UTC.
-
-    Returns
-    -------
-    ndarray, shape (2, 4)
-        s; east and north of the cosine, then of the sine.
-    """
+    """Return the columns of a tide, (2, 4), s: east and north of the cosine, then of the sine."""
     turn, mean = w * mid_time(dive), swing(dive, w)
     return mean * np.hstack([math.cos(turn) * np.eye(2), math.sin(turn) * np.eye(2)])
 
 
 def inertial(dive: Any) -> np.ndarray:
-    """Return the columns of the inertial current, s, shape (2, 2)."""
+    """Return the columns of the inertial current, (2, 2), s."""
     return swing(dive, inertial_frequency(dive.lat_gps2)) * np.eye(2)
 
 
-def model_way(dive: Any) -> np.ndarray:
-    """Return the column of a flow model's own way, m, shape (2, 1).
-
-    Zero where it does not cover the dive, which then tells nothing of it.
-    """
-    way = (dive.model_east, dive.model_north)
-    return np.array([[0.0 if part is None else part] for part in way])
+def flow_model(dive: Any) -> np.ndarray:
+    """Return the column of a flow model, (2, 1), m; zero where it does not cover the dive."""
+    return np.array([[dive.model_east or 0.0], [dive.model_north or 0.0]])
 
 
 def water(dive: Any) -> np.ndarray:
-    """Return the columns of speed and compass, m, shape (2, 2)."""
+    """Return the columns of speed and compass, (2, 2), m."""
     return np.array([[dive.dr_east, dive.dr_north], [dive.dr_north, -dive.dr_east]])

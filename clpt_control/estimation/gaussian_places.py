@@ -4,9 +4,8 @@
 
 The places c stand on a square lattice of 1.5 widths about the vehicle's first
 fix.  One joins the parameters when a track first comes near enough that
-H_c > `NEAR` T; before that it has its prior and nothing else, so that joining
-late changes little.  Whether the dives excite it is then read from their
-Gramian, as for every parameter (`held`).
+H_c > `REACHED` T; before that it has its prior and nothing else, so that joining
+late changes little.
 
 A long voyage keeps the `MOST` places nearest to its last track.
 
@@ -28,23 +27,16 @@ from ..geodesy import displacement
 from .fix_regressor import miss, reckoned
 
 SPACING = 1.5  # widths
-NEAR = 0.1  # share of a dive's time
+REACHED = 0.1  # share of a dive's time
 MOST = 40  # places that are kept; the farthest are forgotten
 SAMPLES = 25  # of a track
 
 
 @dataclass(frozen=True)
 class Places:
-    """Places of gaussians on a lattice.
+    """Gaussians on a lattice: its origin (degrees), their width (m), their cells.
 
-    Attributes
-    ----------
-    latitude, longitude : float
-        The vehicle's first fix, degrees.
-    width : float
-        Of every gaussian, m.
-    cells : tuple of tuple of int
-        Columns east and rows north of it, in the order they were reached.
+    A cell is a column east and a row north of the origin; in the order they were reached.
     """
 
     latitude: float
@@ -54,49 +46,20 @@ class Places:
 
 
 def track(dive: Any, ended: bool = False) -> tuple[np.ndarray, np.ndarray]:
-    """Return a dive's track from its start, a few samples.
+    """Return a few samples of a dive's track: time (k,), s; east and north (k, 2), m.
 
-    Parameters
-    ----------
-    dive : Dive
-        Its track, or a straight way.
-    ended : bool, optional
-        Whether to bend it to the fix after the dive.
-
-    Returns
-    -------
-    time : ndarray, shape (k,)
-        Since the fix before the dive, s.
-    way : ndarray, shape (k, 2)
-        East and north, m.
+    Where it has `ended` the track is bent to the fix after the dive.
     """
     time = np.linspace(0.0, dive.duration, SAMPLES)
-    since, *ways = reckoned(dive)
-    way = np.stack([np.interp(time, since, w) for w in ways], axis=1)
-    return time, (way + (time / dive.duration)[:, None] * miss(dive) if ended else way)
+    since, *axes = reckoned(dive)
+    x = np.stack([np.interp(time, since, axis) for axis in axes], axis=1)
+    return time, (x + (time / dive.duration)[:, None] * miss(dive) if ended else x)
 
 
 def near(places: Places | None, dive: Any, width: float) -> Places:
-    """Return the places with those that a dive comes near.
+    """Return the places with those that a dive comes near; the same object where nothing is new.
 
-    Parameters
-    ----------
-    places : Places or None
-        None before the first dive, whose start becomes the lattice's origin.
-    dive : Dive
-        Its end is not used.
-    width : float
-        Of the gaussians, m; used for the first dive.
-
-    Returns
-    -------
-    Places
-        The same object where nothing is new.
-
-    Raises
-    ------
-    ScenarioError
-        If the dive is more than fifteen widths long.
+    `width` (m) and the dive's start are the first lattice's; a dive's end is not read.
 
     Examples
     --------
@@ -107,7 +70,7 @@ def near(places: Places | None, dive: Any, width: float) -> Places:
     """
     old = places or Places(dive.lat_gps2, dive.lon_gps2, width)
     x = _along(old, dive, False)[1]
-    pitch, reach = SPACING * old.width, old.width * math.sqrt(-2 * math.log(NEAR))
+    pitch, reach = SPACING * old.width, old.width * math.sqrt(-2 * math.log(REACHED))
     if np.ptp(x, axis=0).max() > 10 * pitch:
         raise ScenarioError(
             f"width of the gaussians = {old.width:g} m: must be more, for dive {dive.number} is "
@@ -126,8 +89,8 @@ def near(places: Places | None, dive: Any, width: float) -> Places:
     if not around:
         return old
     tried = Places(old.latitude, old.longitude, old.width, tuple(around))
-    support = way_over_places(tried, dive)[0, ::2]
-    fresh = [cell for cell, s in zip(around, support, strict=True) if s > NEAR * dive.duration]
+    support = places_columns(tried, dive)[0, ::2]
+    fresh = [cell for cell, s in zip(around, support, strict=True) if s > REACHED * dive.duration]
     if places is not None and not fresh:
         return places
     cells = [*old.cells, *fresh]
@@ -138,28 +101,13 @@ def near(places: Places | None, dive: Any, width: float) -> Places:
 
 
 def _along(places: Places, dive: Any, ended: bool) -> tuple[np.ndarray, np.ndarray]:
-    time, way = track(dive, ended)
+    time, x = track(dive, ended)
     start = displacement(places.latitude, places.longitude, dive.lat_gps2, dive.lon_gps2)
-    return time, np.array(start) + way
+    return time, np.array(start) + x
 
 
-def way_over_places(places: Places, dive: Any, ended: bool = False) -> np.ndarray:
-    """Return the columns of gaussians: phi integrated over a dive.
-
-    Parameters
-    ----------
-    places : Places
-        N of them.
-    dive : Dive
-        Its end is used only
-    ended : bool, optional
-        where this is True.
-
-    Returns
-    -------
-    ndarray, shape (2, 2N)
-        s; each place's east, then its north.
-    """
+def places_columns(places: Places, dive: Any, ended: bool = False) -> np.ndarray:
+    """Return phi integrated over a dive, (2, 2N), s: each place's east, then its north."""
     N = len(places.cells)
     steady = np.zeros(N)
     centers = SPACING * places.width * np.array(places.cells, float).reshape(N, 2)

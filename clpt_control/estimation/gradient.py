@@ -7,13 +7,12 @@ e.  Integrated from fix to fix phi becomes H and e the miss y - H p at the
 surfacing.  P0 gives each parameter its unit, and the division keeps a long dive
 from overshooting (G. C. Goodwin, K. S. Sin, "Adaptive Filtering Prediction and
 Control", 1984, section 3.3).  The law itself needs no covariance; that of its
-error follows from any gain K, for a current that walks by WALK,
+error follows from any gain K, for a current that walks,
 
     P <- (I - K H) (P + Q) (I - K H)^T + K r K^T,
 
-and says how far to trust it.  A fix beyond the 99.9 % ellipse moves the law less, r
-times how far beyond.  Which parameters are learned is read from the
-Gramian of the dives.
+and says how far to trust it.  A fix beyond the 99.9 % ellipse moves the law less, by
+how far beyond it lies.
 """
 
 from typing import Any
@@ -21,24 +20,11 @@ from typing import Any
 import numpy as np
 
 from .fix_model import FAR, FixModel, mid_time, miss
-from .held import LEARNED
-from .kalman import faded
-from .recursive import noise
-from .running import RunningMean
-from .wandering import QUARTER_DAY
-
-GAIN = 0.5  # mu, between 0 and 2 for stability
-WALK = 0.04  # m/s per sqrt(6 h)
-USUAL = 0.1  # m/s, a miss before dives have told
+from .priors import QUARTER_DAY
 
 
 class Gradient:
     """The paper's gradient law in integral form.
-
-    Parameters
-    ----------
-    model : FixModel
-        The parameters.
 
     Examples
     --------
@@ -47,95 +33,66 @@ class Gradient:
     """
 
     def __init__(self, model: FixModel) -> None:
-        self.model = model
-        n = len(model.names)
-        self.mean, self.gramian = np.zeros(n), np.zeros((n, n))
-        self.covariance = np.diag(model.prior_sd**2)
+        self.model, self.priors = model, model.priors
+        self.mean, self.covariance = np.zeros(len(model.names)), np.diag(model.prior_sd**2)
         self.time: float | None = None
-        self.variance = RunningMean(USUAL**2)  # of one component of the miss over time
+        self.variance = self.priors.miss**2  # of a miss over its time
+        self.count = self.priors.miss_weight
 
-    def ahead(self, dive: Any) -> tuple[FixModel, np.ndarray, np.ndarray, np.ndarray]:
-        """Return model, parameters, Gramian and covariance at a dive."""
+    def ahead(self, dive: Any) -> tuple[FixModel, np.ndarray, np.ndarray]:
+        """Return model, parameters and covariance at a dive, before its end."""
         model = self.model.reached(dive)
         old, new = model.kept(self.model)
-        n = len(model.names)
-        p, G, P = np.zeros(n), np.zeros((n, n)), np.diag(model.prior_sd**2)
-        p[new], G[np.ix_(new, new)] = self.mean[old], self.gramian[np.ix_(old, old)]
-        P[np.ix_(new, new)] = self.covariance[np.ix_(old, old)]
+        prior = model.prior_sd**2
+        p, P = np.zeros(len(prior)), np.diag(prior)
+        p[new], P[np.ix_(new, new)] = self.mean[old], self.covariance[np.ix_(old, old)]
         dt = 0.0 if self.time is None else max(0.0, mid_time(dive) - self.time)
-        F = model.turning(dt, dive.lat_gps2) * faded(model, dt)
-        P = F @ P @ F.T + np.diag((1 - faded(model, dt) ** 2) * model.prior_sd**2)
-        for k in (0, 1):
-            walked = WALK**2 * dt / QUARTER_DAY
-            P[k, k] += min(walked, max(0.0, model.prior_sd[k] ** 2 - P[k, k]))
-        return model, F @ np.where(excited(G, model), p, 0.0), F @ G @ F.T, P
+        fade = model.faded(dt)
+        F = model.turning(dt, dive.lat_gps2) * fade
+        P = F @ P @ F.T + np.diag((1 - fade**2) * prior)
+        walked = self.priors.gradient_walk**2 * dt / QUARTER_DAY
+        P[[0, 1], [0, 1]] += np.clip(prior[:2] - P[[0, 1], [0, 1]], 0.0, walked)
+        return model, F @ p, P
 
     def predict(self, dive: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Forecast fix less dead reckoning of a dive.
+        """Forecast fix less dead reckoning of a dive: mean (2,), covariance (2, 2), m.
 
-        Parameters
-        ----------
-        dive : Dive
-            Its end fix is not read.
-
-        Returns
-        -------
-        mean : ndarray, shape (2,)
-            East and north, m.
-        covariance : ndarray, shape (2, 2)
-            m^2: how far earlier forecasts missed, or the law's own errors if
-            they are larger.
+        The variance is that of earlier misses, or of the law's own errors if that is larger.
         """
-        model, p, _, P = self.ahead(dive)
+        model, p, P = self.ahead(dive)
         H = model.regressor(dive)
-        seen = self.variance.value * dive.duration**2
-        return H @ p, max(seen, np.trace(H @ P @ H.T) / 2 + noise(dive)) * np.eye(2)
+        own = np.trace(H @ P @ H.T) / 2 + model.noise(dive, self.priors.gradient_scatter)
+        return H @ p, max(self.variance * dive.duration**2, own) * np.eye(2)
 
     def update(self, dive: Any) -> None:
-        """Learn from a dive that has ended.
-
-        Parameters
-        ----------
-        dive : Dive
-            With its end fix.
-        """
+        """Learn from a dive that has ended."""
         mean, S = self.predict(dive)
         far = float(np.sum((miss(dive) - mean) ** 2)) / S[0, 0]
-        self.variance.add(0.5 * min(far, FAR) * S[0, 0] / dive.duration**2)
-        self.model, p, G, P = self.ahead(dive)
-        H, r = self.model.regressor(dive, ended=True), noise(dive) * max(1.0, far / FAR)
-        self.gramian = G + H.T @ H / r
-        weight = np.diag(self.model.prior_sd**2 * excited(self.gramian, self.model))
-        gain = GAIN * weight @ H.T @ np.linalg.inv(H @ weight @ H.T + r * np.eye(2))
+        seen = 0.5 * min(far, FAR) * S[0, 0] / dive.duration**2
+        self.variance = (self.count * self.variance + seen) / (self.count + 1)
+        self.count = min(self.count + 1, self.priors.miss_memory)
+        self.model, p, P = self.ahead(dive)
+        H = self.model.regressor(dive, ended=True)
+        r = self.model.noise(dive, self.priors.gradient_scatter)
+        weight = self.model.prior_sd[:, None] ** 2 * H.T
+        mu = self.priors.gain * FAR / max(far, FAR)
+        gain = mu * weight @ np.linalg.inv(H @ weight + r * np.eye(2))
         self.mean = p + gain @ (miss(dive) - H @ p)
         rest = np.eye(len(p)) - gain @ H
         self.covariance = rest @ P @ rest.T + r * gain @ gain.T
         self.time = mid_time(dive)
 
     def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return the parameters after the last dive.
+        """Return mean (n,), covariance (n, n) and how much of the prior's error is left (n,)."""
+        left = np.sqrt(np.diag(self.covariance)) / self.model.prior_sd
+        return self.mean, self.covariance, left
 
-        Returns
-        -------
-        mean : ndarray, shape (n,)
-            m/s, 1 and rad; held parameters stand at zero.
-        covariance : ndarray, shape (n, n)
-            Of the error, the prior's where held.
-        learned : ndarray of bool, shape (n,)
-        """
-        learned = excited(self.gramian, self.model)
-        P = np.where(np.outer(learned, learned), self.covariance, np.diag(self.model.prior_sd**2))
-        return np.where(learned, self.mean, 0.0), P, learned
+    def parts(self) -> dict[str, float]:
+        """Return nothing: the law does not ask which parts are present."""
+        return {}
 
     def forget_speed(self) -> None:
         """Make the speed factor uncertain again, after a fault."""
         if self.model.learn_speed:
             k = self.model.names.index("speed")
-            self.covariance[k, k] += self.model.prior_sd[k] ** 2
-
-
-def excited(gramian: np.ndarray, model: FixModel) -> np.ndarray:
-    """Say which parameters a Gramian of dives has excited."""
-    prior = model.prior_sd**2
-    P = np.linalg.inv(gramian + np.diag(1 / prior))
-    return np.diagonal(P) < LEARNED * prior
+            self.covariance[k, k] += self.priors.speed**2

@@ -3,13 +3,24 @@
     p_k = F p_{k-1} + w,  y_k = H_k p_k + n,  n ~ (FIX^2 + (s T)^2) I
 
 (R. E. Kalman, "A new approach to linear filtering and prediction problems",
-1960; H is that of `fix_model`, w of `wandering`).  How the current wanders, how
-much of it no parameter explains (s), and which parts of the flow there are,
-differ from sea to sea.  A bank of filters holds a grid of them; each is weighed
-by the likelihood of the dives it has forecast (D. T. Magill, "Optimal adaptive
-estimation of sampled stochastic processes", 1965), so none is set by hand, and
-what was likely weeks ago is forgotten.  A fix beyond a filter's 99.9 % ellipse
-is taken for a front: that filter's current walks until the fix lies about there.
+1960; H is that of `fix_model`, w of `wandering`).  How restless a sea is, and
+which parts of the flow there are, differ from sea to sea.  A bank holds a filter
+for each combination (D. T. Magill, "Optimal adaptive estimation of sampled
+stochastic processes", 1965), weighed by the density of the fixes that it has
+forecast, with r the innovation and S its covariance before the fix is used:
+
+    w <- w |S|^(-1/2) (1 + r^T S^-1 r / (nu - 2))^(-(nu + 2)/2)
+
+Student's t of nu degrees of freedom and covariance S, which forgives a strange fix
+(K. L. Lange, R. J. A. Little, J. M. G. Taylor, "Robust statistical modeling using
+the t distribution", J. Am. Stat. Assoc. 84, 881-896, 1989).  What was likely weeks ago is
+forgotten.  A fix beyond a filter's 99.9 % ellipse is taken for a front: that
+filter's current walks until the fix lies about there.
+
+A part is present with the weight of the filters that have it.  Speed and compass
+are in all: they are absent, f = 1 or psi = 0, with the ratio of the density there
+after and before the dives (J. M. Dickey, "The weighted likelihood ratio, linear
+hypotheses on normal location parameters", Annals of Statistics 42, 204-223, 1971).
 
 The state of a filter is that of `wandering`, continued by the other parameters.
 """
@@ -18,21 +29,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .fix_model import FAR, FixModel, fix_variance, mid_time, miss
-from .held import hold
-from .mixture import mixed
-from .wandering import QUARTER_DAY, Kinds, kinds, wander
+from .fix_model import FAR, FixModel, mid_time, miss
+from .priors import QUARTER_DAY, Kind
+from .wandering import wander
 
-UNEXPLAINED = (0.003, 0.01, 0.03, 0.06, 0.12)  # s, m/s
-USUAL, SPREAD = 0.02, 1.5  # its usual value and the spread of its logarithm
-SHELF = 0.1  # odds before any dive that tides are strong: the share of shelves in the ocean
-ABSENT = 1e-4  # share of a prior's standard deviation where a part is absent
-INERTIAL_FADING = 4 * 86400.0  # s
-TIDE_FADING = 60 * 86400.0  # s, of what neaps and another place change
-MEMORY_OF_WEIGHTS = 20 * 86400.0  # s
-MEMORY = 4  # numbers of a state before the parameters: trend and eddies
-SPEED_WALK = 0.002  # per sqrt(6 h): a factor changes by 0.04 in 100 days
-COMPASS_WALK = 0.001  # rad per sqrt(6 h): by a degree in 100 days
+HIDDEN = 4  # states before the parameters: trend and eddies
 
 
 class Seen(NamedTuple):
@@ -54,68 +55,27 @@ class Seen(NamedTuple):
     mean: np.ndarray
 
 
-def faded(model: FixModel, dt: float) -> np.ndarray:
-    """Return how much of each parameter is left after a time.
-
-    Parameters
-    ----------
-    model : FixModel
-    dt : float
-        s.
-
-    Returns
-    -------
-    ndarray, shape (n,)
-        One, but for what oscillates.
-    """
-    left = np.ones(len(model.names))
-    for k, name in enumerate(model.names):
-        if name.startswith("inertial_"):
-            left[k] = np.exp(-dt / INERTIAL_FADING)
-        elif "_cos_" in name or "_sin_" in name:
-            left[k] = np.exp(-dt / TIDE_FADING)
-    return left
-
-
 class KalmanBank:
-    """Kalman filters on a grid of wandering, noise and parts.
+    """m Kalman filters: each restlessness with each choice of parts.
 
-    Attributes
-    ----------
-    mean, covariance : ndarray, shapes (m, n) and (m, n, n)
-        Of the m filters, at the middle of the last dive; n is `MEMORY` more
-        than the model's parameters, for trend and eddies.
-    log_weight : ndarray, shape (m,)
-        Logarithms of the weights, the largest zero.
-    seen : Seen or None
-        The last dive.
-
-    Parameters
-    ----------
-    model : FixModel
-        The parameters.
+    `mean` (m, n) and `covariance` (m, n, n) are those at the middle of the last dive.
 
     Examples
     --------
-    >>> KalmanBank(FixModel(("steady",))).mean.shape
-    (75, 8)
+    >>> KalmanBank(FixModel()).mean.shape
+    (32, 14)
     """
 
     def __init__(self, model: FixModel) -> None:
-        self.model = model
-        grid, present = kinds(), model.choices()
-        which, s, parts = (
-            a.ravel()
-            for a in np.meshgrid(
-                np.arange(len(grid.walk)), UNEXPLAINED, np.arange(len(present)), indexing="ij"
-            )
+        self.model, self.priors = model, model.priors
+        grid, choices = np.array(self.priors.kinds), model.choices()
+        kind, choice = (a.ravel() for a in np.indices((len(grid), len(choices))))
+        self.kinds, self.present = Kind(*grid[kind].T), choices[choice]
+        chance = np.array(
+            [self.priors.shelf if p == "tides" else self.priors.present for p in model.optional]
         )
-        self.kinds, self.unexplained = Kinds(*(a[which] for a in grid)), s
-        self.present = present[parts]
-        self.log_weight = self.kinds.log_prior - 0.5 * (np.log(s / USUAL) / SPREAD) ** 2
-        tides = [k for k, name in enumerate(model.names) if name.endswith("_cos_east")]
-        self.log_weight += self.present[:, tides].any(axis=1) * np.log(SHELF / (1 - SHELF))
-        self.log_prior = self.log_weight
+        self.log_prior = np.log(np.where(self.present, chance, 1 - chance)).sum(axis=1)
+        self.log_weight = self.log_prior
         sd = self.prior_sd(model)
         self.mean, self.covariance = np.zeros(sd.shape), sd[:, :, None] ** 2 * np.eye(sd.shape[1])
         self.time: float | None = None
@@ -128,114 +88,74 @@ class KalmanBank:
         return w / w.sum()
 
     def has(self, model: FixModel) -> np.ndarray:
-        """Return which filters have which parameters, shape (m, n)."""
-        fixed, last = self.present[:, :-1], self.present[:, -1:]
-        return np.hstack([fixed, np.repeat(last, len(model.names) - fixed.shape[1], axis=1)])
+        """Return which filters have which parameters, (m, n less `HIDDEN`)."""
+        always = np.ones(len(self.present), bool)
+        columns = dict(zip(model.optional, self.present.T, strict=True))
+        return np.stack([columns.get(part, always) for part in model.parts], axis=1)
 
     def prior_sd(self, model: FixModel) -> np.ndarray:
-        """Return the standard deviations before any dive, shape (m, n)."""
-        memory = np.stack([self.kinds.trend / QUARTER_DAY, self.kinds.eddy], axis=1)
-        return np.hstack(
-            [np.repeat(memory, 2, axis=1), model.prior_sd * np.where(self.has(model), 1.0, ABSENT)]
-        )
+        """Return the standard deviations before any dive, (m, n); what is absent has zero."""
+        hidden = np.stack([self.kinds.trend / QUARTER_DAY, self.kinds.eddy], axis=1)
+        return np.hstack([np.repeat(hidden, 2, axis=1), model.prior_sd * self.has(model)])
+
+    def since(self, dive: Any) -> float:
+        """Return the time from the middle of the last dive to that of this one, s."""
+        return 0.0 if self.time is None else max(0.0, mid_time(dive) - self.time)
 
     def ahead(self, dive: Any) -> tuple[FixModel, np.ndarray, np.ndarray, np.ndarray]:
-        """Return the filters at a dive, before its end.
-
-        Parameters
-        ----------
-        dive : Dive
-            The next dive.
-
-        Returns
-        -------
-        model : FixModel
-            With the places it comes near.
-        F : ndarray, shape (m, n, n)
-        mean, covariance : ndarray
-            Of the m filters.
-        """
-        model = self.model.reached(dive)
+        """Return model, F, mean and covariance at a dive, before its end."""
+        model, priors, dt = self.model.reached(dive), self.priors, self.since(dive)
         sd = self.prior_sd(model)
         n = len(sd[0])
         mean, P = np.zeros(sd.shape), sd[:, :, None] ** 2 * np.eye(n)
-        old, new = with_memory_kept(*model.kept(self.model))
+        old, new = with_hidden_kept(*model.kept(self.model))
         mean[:, new] = self.mean[:, old]
         P[np.ix_(np.arange(len(P)), new, new)] = self.covariance[:, old[:, None], old]
-        dt = 0.0 if self.time is None else max(0.0, mid_time(dive) - self.time)
+        fade = model.faded(dt)
         F = np.tile(np.eye(n), (len(sd), 1, 1))
-        F[:, MEMORY:, MEMORY:] = model.turning(dt, dive.lat_gps2)
-        F[:, :6, :6], Q = wander(dt, self.kinds)
-        k = MEMORY + model.moving  # what stands behind does not move
-        fade = faded(model, dt)
-        F[:, MEMORY:, MEMORY:] *= fade
+        F[:, HIDDEN:, HIDDEN:] = model.turning(dt, dive.lat_gps2)
+        F[:, :6, :6], Q = wander(dt, self.kinds, priors)
+        F[:, HIDDEN:, HIDDEN:] *= fade
+        k = HIDDEN + model.moving  # gaussians stand behind and do not move
         mean[:, :k] = np.einsum("mij,mj->mi", F[:, :k, :k], mean[:, :k])
         P[:, :k, :] = F[:, :k, :k] @ P[:, :k, :]
         P[:, :, :k] = P[:, :, :k] @ F[:, :k, :k].transpose(0, 2, 1)
         P[:, :6, :6] += Q
-        states = np.arange(MEMORY, n)
-        P[:, states, states] += sd[:, MEMORY:] ** 2 * (1 - fade**2)
+        states = np.arange(HIDDEN, n)
+        P[:, states, states] += sd[:, HIDDEN:] ** 2 * (1 - fade**2)
         if model.learn_speed:
-            P[:, k - 2, k - 2] += SPEED_WALK**2 * dt / QUARTER_DAY
-            P[:, k - 1, k - 1] += COMPASS_WALK**2 * dt / QUARTER_DAY
+            P[:, k - 2, k - 2] += priors.speed_walk**2 * dt / QUARTER_DAY
+            P[:, k - 1, k - 1] += priors.compass_walk**2 * dt / QUARTER_DAY
         return model, F, mean, P
 
     def noise(self, dive: Any) -> np.ndarray:
         """Return the m covariances of n for a dive, m^2."""
-        return fix_variance(dive, self.unexplained)[:, None, None] * np.eye(2)
+        return self.model.noise(dive, self.kinds.scatter)[:, None, None] * np.eye(2)
 
     def predict(self, dive: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Forecast fix less dead reckoning of a dive.
-
-        Parameters
-        ----------
-        dive : Dive
-            Its end fix is not read.
-
-        Returns
-        -------
-        mean : ndarray, shape (2,)
-            East and north, m.
-        covariance : ndarray, shape (2, 2)
-            m^2, of the whole bank.
-        """
+        """Forecast fix less dead reckoning of a dive: mean (2,), covariance (2, 2), m."""
         model, _, mean, P = self.ahead(dive)
-        H = with_memory(model.regressor(dive))
-        mean, P, _ = self.held(model, mean, P)
+        H = with_hidden(model.regressor(dive))
         return mixed(mean @ H.T, H @ P @ H.T + self.noise(dive), self.weights)
 
-    def held(
-        self, model: FixModel, mean: np.ndarray, P: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Hold what is not excited; what every dive excites never is."""
-        sd = self.prior_sd(model)
-        sd[:, : MEMORY + 2] = np.inf  # trend, eddies and the current itself
-        return hold(mean, P, sd)
-
     def update(self, dive: Any) -> None:
-        """Learn from a dive that has ended.
-
-        Parameters
-        ----------
-        dive : Dive
-            With its end fix.
-        """
+        """Learn from a dive that has ended."""
         weights, before, model = self.weights, self.mean, self.model
+        dt = self.since(dive)
         self.model, F, mean, P = self.ahead(dive)
-        kept = with_memory_kept(*self.model.kept(model))
-        H, R = with_memory(self.model.regressor(dive, ended=True)), self.noise(dive)
+        kept = with_hidden_kept(*self.model.kept(model))
+        H, R = with_hidden(self.model.regressor(dive, ended=True)), self.noise(dive)
         innovation = miss(dive) - mean @ H.T
         S = H @ P @ H.T + R
         far = np.einsum("mi,mij,mj->m", innovation, np.linalg.inv(S), innovation)
+        nu = self.priors.degrees_of_freedom
+        density = -0.5 * (np.log(np.linalg.det(S)) + (nu + 2) * np.log1p(far / (nu - 2)))
+        remembered = np.exp(-dt / self.priors.weight_memory) * (self.log_weight - self.log_prior)
+        self.log_weight = self.log_prior + remembered + density
+        self.log_weight -= self.log_weight.max()
         jump = np.maximum(far / FAR - 1.0, 0.0) * np.trace(S, axis1=1, axis2=2) / 2
         P[:, [4, 5], [4, 5]] += (jump / dive.duration**2)[:, None]
-        S = H @ P @ H.T + R
-        inverse = np.linalg.inv(S)
-        far = np.einsum("mi,mij,mj->m", innovation, inverse, innovation)
-        dt = 0.0 if self.time is None else max(0.0, mid_time(dive) - self.time)
-        remembered = np.exp(-dt / MEMORY_OF_WEIGHTS) * (self.log_weight - self.log_prior)
-        self.log_weight = self.log_prior + remembered - 0.5 * (far + np.log(np.linalg.det(S)))
-        self.log_weight -= self.log_weight.max()
+        inverse = np.linalg.inv(H @ P @ H.T + R)
         gain = P @ H.T @ inverse
         self.mean = mean + np.einsum("mni,mi->mn", gain, innovation)
         rest = np.eye(P.shape[1]) - gain @ H
@@ -245,39 +165,63 @@ class KalmanBank:
         self.seen = Seen(kept, F, H, innovation, inverse, rest, weights, before)
 
     def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return the parameters after the last dive.
+        """Return mean (n,), covariance (n, n) and how much of the prior's error is left (n,).
 
-        Returns
-        -------
-        mean : ndarray, shape (n,)
-            m/s, 1 and rad; held parameters stand at zero.
-        covariance : ndarray, shape (n, n)
-            Of the whole bank.
-        learned : ndarray of bool, shape (n,)
-            Which parameters are learned by the likelier half of those filters
-            that have them; what is then found to be absent is near zero.
+        What is left is judged by the filters that have the parameter.
         """
-        mean, P, learned = self.held(self.model, self.mean, self.covariance)
-        p, C = mixed(mean, P, self.weights)
-        add = with_memory(np.eye(len(p) - MEMORY))  # the current is the steady and the eddying
-        log_weight = np.where(self.has(self.model), self.log_weight[:, None], -np.inf)
-        within = np.exp(log_weight - log_weight.max(axis=0))
-        share = (within * learned[:, MEMORY:]).sum(axis=0) / within.sum(axis=0)
-        return add @ p, add @ C @ add.T, (share > 0.5) & (self.time is not None)
+        add = with_hidden(np.eye(len(self.model.names)))  # current: steady and eddying
+        means, P = self.mean @ add.T, add @ self.covariance @ add.T
+        within = self.weights[:, None] * self.has(self.model)
+        within /= np.maximum(within.sum(axis=0), 1e-300)
+        variance = np.diagonal(P, axis1=1, axis2=2) + (means - (within * means).sum(axis=0)) ** 2
+        left = np.sqrt((within * variance).sum(axis=0)) / self.model.prior_sd
+        mean, covariance = mixed(means, P, self.weights)
+        return mean, covariance, left
+
+    def parts(self) -> dict[str, float]:
+        """Return the probability that each part is present."""
+        w = self.weights
+        has = dict(zip(self.model.optional, self.present.T, strict=True))
+        has |= {"trend": self.kinds.trend > 0, "eddies": self.kinds.eddy > 0}
+        found = {name: float(w @ on) for name, on in has.items()}
+        for name in ("speed", "compass") if self.model.learn_speed else ():
+            k = self.model.names.index(name)
+            variance = self.covariance[:, HIDDEN + k, HIDDEN + k]
+            after = np.exp(-0.5 * self.mean[:, HIDDEN + k] ** 2 / variance) / np.sqrt(variance)
+            found[name] = float(1 / (1 + w @ after * self.model.prior_sd[k]))
+        return found
 
     def forget_speed(self) -> None:
         """Make the speed factor uncertain by half its prior variance."""
         if self.model.learn_speed:
-            k = MEMORY + self.model.names.index("speed")
-            self.covariance[:, k, k] += 0.5 * self.prior_sd(self.model)[:, k] ** 2
+            k = HIDDEN + self.model.names.index("speed")
+            self.covariance[:, k, k] += 0.5 * self.priors.speed**2
 
 
-def with_memory(H: np.ndarray) -> np.ndarray:
+def mixed(
+    means: np.ndarray, covariances: np.ndarray, weights: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return mean (n,) and covariance (n, n) of a mixture of m parts: within and between them.
+
+    m = sum w_i m_i,  P = sum w_i (P_i + (m_i - m)(m_i - m)^T)
+
+    Examples
+    --------
+    >>> mixed(np.array([[0.0], [2.0]]), np.ones((2, 1, 1)), np.array([0.5, 0.5]))
+    (array([1.]), array([[2.]]))
+    """
+    mean = weights @ means
+    away = means - mean
+    between = np.einsum("m,mi,mj->ij", weights, away, away)
+    return mean, np.einsum("m,mij->ij", weights, covariances) + between
+
+
+def with_hidden(H: np.ndarray) -> np.ndarray:
     """Return the regressor of the state: eddies act as the current."""
     return np.hstack([np.zeros((len(H), 2)), H[:, :2], H])
 
 
-def with_memory_kept(old: np.ndarray, new: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def with_hidden_kept(old: np.ndarray, new: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return where states stand, from where parameters do."""
-    memory = np.arange(MEMORY)
-    return np.concatenate([memory, MEMORY + old]), np.concatenate([memory, MEMORY + new])
+    hidden = np.arange(HIDDEN)
+    return np.concatenate([hidden, HIDDEN + old]), np.concatenate([hidden, HIDDEN + new])

@@ -21,18 +21,10 @@ WORST = 1e6  # largest condition number; beyond, measurement errors of 1 % decid
 
 @dataclass(frozen=True)
 class LeastSquares:
-    """theta and how well it explains the samples.
+    """theta (2, N) and residuals F_s - theta phi_s (n, 2), in the unit of the flow.
 
-    Attributes
-    ----------
-    theta : ndarray, shape (2, N)
-        Flow parameters, in the unit of the flow.
-    residuals : ndarray, shape (n, 2)
-        F_s - theta phi_s, in the unit of the flow.
-    explained_variance : float
-        1 - sum |residual|^2 / sum |F|^2, see `explained_share`.
-    condition_number : float
-        Largest over smallest singular value of phi.
+    `explained_variance` is that of `explained_share`, `condition_number` the largest over the
+    smallest singular value of phi.
     """
 
     theta: np.ndarray
@@ -52,25 +44,10 @@ class LeastSquares:
 
 
 def explained_share(values: np.ndarray, model: np.ndarray) -> float:
-    """Return the share of the variance that a model explains.
+    """Return the share of the variance that a model (n, 2) explains, in the unit of the values.
 
-    Parameters
-    ----------
-    values, model : array_like, shape (n, 2)
-        Measured or true flow and the model's, same unit.
-
-    Returns
-    -------
-    float
-        1 - sum |values - model|^2 / sum |values|^2, both components
-        together. The variance is about no flow: Eq. (3) has no free constant,
-        and a learner that knows nothing, theta = 0, has the share 0; negative
-        where the model is worse than that.
-
-    Raises
-    ------
-    DataError
-        If the flow is zero throughout, or a number is not finite.
+    1 - sum |values - model|^2 / sum |values|^2, both components together, about no flow: Eq. (3)
+    has no free constant, and a learner that knows nothing, theta = 0, has the share 0.
 
     Examples
     --------
@@ -91,29 +68,9 @@ def explained_share(values: np.ndarray, model: np.ndarray) -> float:
 def least_squares(
     phi: np.ndarray, flow: np.ndarray, names: Sequence[str] | None = None, worst: float = WORST
 ) -> LeastSquares:
-    """Fit theta of Eq. (3) to measured flow.
+    """Fit theta of Eq. (3) to measured flow (n, 2), with phi (n, N) of `blocks.evaluate`.
 
-    Parameters
-    ----------
-    phi : array_like, shape (n, N)
-        Basis functions at the samples, from `blocks.evaluate`.
-    flow : array_like, shape (n, 2)
-        Measured flow at the samples, any unit of speed.
-    names : sequence of str, optional
-        What to call the N functions in messages.
-    worst : float, optional
-        Largest condition number that is accepted.
-
-    Returns
-    -------
-    LeastSquares
-        theta in the unit of the flow.
-
-    Raises
-    ------
-    DataError
-        If there are fewer samples than functions, a number is not finite, or
-        functions cannot be told apart at the samples; those are named.
+    `names` are those of the N functions in messages, `worst` the largest condition number.
 
     Examples
     --------

@@ -26,7 +26,7 @@ import numpy as np
 
 from ..errors import DataError
 from ..estimation.fix_model import FixModel
-from ..estimation.kalman import MEMORY, KalmanBank
+from ..estimation.kalman import HIDDEN, KalmanBank
 
 SURE = 10.0  # l of 3.2 standard deviations
 NESTED = 2.0  # what a second number explains by chance (H. Akaike, 1974)
@@ -40,19 +40,10 @@ SCATTER = 3.0  # most the rest may weigh, in expected values
 class Anomaly:
     """A dive at which the speed factor left its credible range.
 
-    Attributes
-    ----------
-    dive, since : int
-        The dive that raised it, and that from which on it holds.
-    change, standard_error : float
-        Of the factor on speed through water.
-    expected : float
-        The factor before.
-    likelihood_ratio, of_current, rest : float
-        l of the speed, of a jump of the current instead, and what the speed
-        leaves of the misses over what is expected of them.
-    certain : bool
-        Whether a current cannot explain it as well.
+    `change` of the factor on speed, with its standard error, holds from dive `since` on; the factor
+    was `expected` before. `likelihood_ratio` is l of the speed, `of_current` that of a jump of the
+    current instead, `rest` what the speed leaves of the misses over what is expected of them.
+    `certain`: a current cannot explain it as well.
     """
 
     dive: int
@@ -80,15 +71,9 @@ class Anomaly:
 
 
 class SpeedWatch:
-    """Watches the speed factor dive by dive.
+    """Watches the speed factor dive by dive, by a bank that learns the speed.
 
-    Parameters
-    ----------
-    model : FixModel
-        The flow; speed is always learned here.
-    bank : KalmanBank, optional
-        A bank that learns the speed and sees each dive before `step` does; by
-        default one of its own.
+    The bank must see each dive before `step` does; by default it is one of its own.
 
     Examples
     --------
@@ -103,18 +88,7 @@ class SpeedWatch:
         self.count = 0
 
     def step(self, dive: Any) -> Anomaly | None:
-        """Learn from a dive that has ended and judge its speed.
-
-        Parameters
-        ----------
-        dive : Dive
-            With its end fix.
-
-        Returns
-        -------
-        Anomaly or None
-            What was found, if anything.
-        """
+        """Judge the speed of a dive that has ended; None where nothing is found."""
         if self.own:
             self.bank.update(dive)
         seen = self.bank.seen
@@ -122,9 +96,9 @@ class SpeedWatch:
             raise DataError(f"dive {dive.number}: its bank must learn from it before it is judged")
         F, H = seen.F, seen.H
         m, n = F.shape[:2]
-        speed = MEMORY + self.bank.model.names.index("speed")
+        speed = HIDDEN + self.bank.model.names.index("speed")
         start = np.zeros((n, 3))
-        start[speed, 0] = start[MEMORY, 1] = start[MEMORY + 1, 2] = 1.0
+        start[speed, 0] = start[HIDDEN, 1] = start[HIDDEN + 1, 2] = 1.0
         old, new = seen.kept
         for window in self.windows:  # places reached since then have no part in it
             e = np.zeros((m, n, 3))

@@ -21,7 +21,7 @@ ALONG = {"coordinates": "time latitude longitude"}
 
 
 def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
-    """Put a replay into a dataset.
+    """Return a replay as a dataset.
 
     Parameters
     ----------
@@ -35,6 +35,14 @@ def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
     xarray.Dataset
         Dimension ``dive``; NaN where the vehicle's file had no value, or the
         flow model does not cover the dive.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> data = clpt.replay.replay_dataset(replay, "SG542")
+    >>> data.sizes["dive"], data.clpe_adaptive.units
+    (14, 'm')
     """
     import xarray
 
@@ -148,12 +156,8 @@ def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
         "m2",
         "covariance of forecast_east and forecast_north",
     )
-    add(
-        "previous_share",
-        [s.previous_share for s in steps],
-        "1",
-        "share of the previous dive's current in the forecast",
-    )
+    for part in steps[0].parts if steps else ():
+        add(f"probability_{part}", [s.parts[part] for s in steps], "1", f"that {part} is present")
     if replay.model.learn_speed:
         for key, values, errors, units, long_name in (
             (

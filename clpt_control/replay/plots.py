@@ -12,8 +12,9 @@ from ..figures import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, new_figure
 from ..files import write_together
 from ..geodesy import displacement
 from ..gliders.dives import Dive
-from .ellipse import CHI_SQUARED
+from .outcome import clpe_rms
 from .replay import Replay
+from .step import CHI_SQUARED
 from .surfacing import NextDive
 
 if TYPE_CHECKING:
@@ -91,7 +92,7 @@ def dive_clpe_plot(replay: Replay) -> "Figure":
     """Draw the CLPE of each dive for each flow model, and mark speed anomalies."""
     figure, ax = new_figure(6.8, 4.0)
     numbers = [step.dive.number for step in replay.steps]
-    for model, rms in replay.rms(1).items():
+    for model, rms in clpe_rms(replay, 1).items():
         colour, mark, style = LINES[model]
         size = [np.nan if e is None else e / 1000 for e in (s.clpe[model] for s in replay.steps)]
         label = model.replace("_", " ") + ("" if rms is None else f", rms {rms / 1000:.2f} km")

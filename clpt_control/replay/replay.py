@@ -12,26 +12,26 @@ d is the dead-reckoned displacement, y = fix - dead reckoning and T the duration
 of a dive.  Duration and d of the dive are taken as known, its end fix is not.
 The first used dive is forecast with no flow.  A given flow model is no part of
 the state: each dive brings its q, or None where the model does not cover it.
-The state moves by `step` alone, so that feeding dives one by one is feeding them
-at once, bit for bit.
+The state moves by `Replay.step` alone, so that feeding dives one by one is feeding
+them at once, bit for bit.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
+from ..currents.rayleigh import check_separable
 from ..errors import DataError
-from ..estimation.between_fixes import make_estimator
-from ..estimation.fix_model import FixModel, miss
+from ..estimation.estimators import make_estimator
+from ..estimation.fix_model import OTHERS, FixModel, miss
 from ..estimation.kalman import KalmanBank
 from ..gliders.dives import Dive
+from ..progress.interrupt import check
 from .anomaly import SpeedWatch
-from .ellipse import CHI_SQUARED
-from .flow_models import FlowModel
-from .step import FLOW_MODEL, MODELS, Step
-from .summary import rms_of, summary_of
+from .flow_models import FlowModel, carried
+from .step import CHI_SQUARED, FLOW_MODEL, MODELS, Step
 
 
 @dataclass
@@ -41,7 +41,7 @@ class Replay:
     Attributes
     ----------
     estimator : str
-        ``"kalman"``, ``"rls"`` or ``"gradient"``.
+        ``"kalman"`` or ``"gradient"``.
     model : FixModel
         The parameters.
     flow_model : FlowModel or None
@@ -66,8 +66,7 @@ class Replay:
     def __post_init__(self) -> None:
         """Start without any dive."""
         self._learner = make_estimator(self.estimator, self.model)
-        inner = self._learner.estimator
-        bank = inner if isinstance(inner, KalmanBank) else None
+        bank = self._learner if isinstance(self._learner, KalmanBank) else None
         self._watch = SpeedWatch(self.model, bank) if self.model.learn_speed else None
 
     @property
@@ -78,17 +77,8 @@ class Replay:
     def forecast(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
         """Forecast a dive's miss from the dives so far.
 
-        Parameters
-        ----------
-        dive : Dive
-            Its end fix and displacement are not read.
-
-        Returns
-        -------
-        mean : ndarray, shape (2,)
-            Fix less dead reckoning, m; zero for the first dive.
-        covariance : ndarray, shape (2, 2)
-            m^2.
+        Mean (2,), m, zero for the first dive, and covariance (2, 2), m^2; the dive's end fix and
+        displacement are not read.
         """
         mean, covariance = self._learner.predict(dive)
         return (mean if self.steps else np.zeros(2)), covariance
@@ -96,42 +86,17 @@ class Replay:
     def step(self, dive: Dive) -> Step:
         """Forecast a dive, see its end, and learn from it.
 
-        Parameters
-        ----------
-        dive : Dive
-            The next used dive.
-
-        Returns
-        -------
-        Step
-            Also the last of ``steps``.
-
-        Raises
-        ------
-        DataError
-            If the dive ends before the last one, or is not finite.
+        A dive that is not finite, or ends before the last one, is a `DataError`.
         """
         y = miss(dive)
-        numbers = [*y, dive.lat_gps2, dive.lon_gps2, dive.model_east or 0, dive.model_north or 0]
-        numbers += [np.sum(part) for part in dive.track or ()]
-        if not (np.all(np.isfinite(numbers)) and dive.duration > 0):
-            raise DataError(
-                f"dive {dive.number}: fixes, dead reckoning and flow model must be finite, its "
-                "duration above 0"
-            )
         last = self.steps[-1].dive if self.steps else None
-        if last is not None and dive.t_gpse <= last.t_gpse:
-            raise DataError(
-                f"dive {dive.number} ends before dive {last.number}, which was learned; feed dives "
-                "in the order of their ends"
-            )
+        _check(dive, last)
         previous = np.zeros(2) if last is None else miss(last) * (dive.duration / last.duration)
         mean, covariance = self.forecast(dive)
         away = y - mean
         modelled = None
         if dive.model_east is not None and dive.model_north is not None:
             modelled = _size(y - (dive.model_east, dive.model_north))
-        share = self._learner.share if self.steps else 0.0
         self._learner.update(dive)
         anomaly = None if self._watch is None else self._watch.step(dive)
         if anomaly is not None and anomaly.certain:
@@ -149,7 +114,6 @@ class Replay:
                 covariance,
                 bool(away @ np.linalg.solve(covariance, away) <= CHI_SQUARED),
                 anomaly,
-                previous_share=share,
                 **self._learned(dive),
             )
         )
@@ -157,19 +121,18 @@ class Replay:
 
     def _learned(self, dive: Dive) -> dict[str, Any]:
         """What `Step` keeps of the estimates after a dive."""
-        p, P, learned = self._learner.estimate()
+        p, P, left = self._learner.estimate()
         model = self._learner.model
-        names = model.names
-        flow = [k for k, name in enumerate(names) if name not in ("speed", "compass")]
+        flow = [k for k, part in enumerate(model.parts) if part not in ("speed", "compass")]
         H = model.regressor(dive, ended=True)[:, flow] / dive.duration
         known: dict[str, Any] = {
             "current": H @ p[flow],
             "current_error": np.sqrt(np.diag(H @ P[np.ix_(flow, flow)] @ H.T)),
-            "learned": tuple(name for name, on in zip(names, learned, strict=True) if on),
-            "held": tuple(name for name, on in zip(names, learned, strict=True) if not on),
+            "parts": self._learner.parts(),
+            "left": dict(zip(model.names, left.tolist(), strict=True)),
         }
         if model.learn_speed:
-            k = names.index("speed")
+            k = model.names.index("speed")
             factor, compass = np.sqrt(np.diag(P)[k : k + 2])
             known |= {
                 "speed": 1.0 + float(p[k]),
@@ -179,36 +142,91 @@ class Replay:
             }
         return known
 
-    def summary(self, skipped: Sequence[Any] = ()) -> dict[str, Any]:
-        """Summarize, as `clpt replay --json` prints it.
 
-        Parameters
-        ----------
-        skipped : sequence of Skipped
-            Dives that were not fed, from `usable` and the readers.
-
-        Returns
-        -------
-        dict
-            Lengths in m; what does not exist is None.
-        """
-        return summary_of(self, skipped)
-
-    def rms(self, after: int) -> dict[str, float | None]:
-        """Return the CLPE rms of each flow model, m.
-
-        Parameters
-        ----------
-        after : int
-            How many first dives are left out.
-
-        Returns
-        -------
-        dict
-            None where no dive is left or covered.
-        """
-        return rms_of(self, after)
+def _check(dive: Dive, last: Dive | None) -> None:
+    """Refuse a dive that is not finite or ends before the last one."""
+    numbers = [dive.miss_east, dive.miss_north, dive.lat_gps2, dive.lon_gps2]
+    numbers += [dive.model_east or 0, dive.model_north or 0]
+    numbers += [np.sum(part) for part in dive.track or ()]
+    if not (np.all(np.isfinite(numbers)) and dive.duration > 0):
+        raise DataError(
+            f"dive {dive.number}: fixes, dead reckoning and flow model must be finite, its "
+            "duration above 0"
+        )
+    if last is not None and dive.t_gpse <= last.t_gpse:
+        raise DataError(
+            f"dive {dive.number} ends before dive {last.number}, which was learned; feed dives "
+            "in the order of their ends"
+        )
 
 
 def _size(vector: np.ndarray) -> float:
     return float(np.hypot(vector[0], vector[1]))
+
+
+def check_tides(flow: Sequence[str], dives: Sequence[Dive]) -> None:
+    """Refuse two tides of a flow that dives, by time, are too few to tell apart.
+
+    A single tide is allowed on any record: its prior holds it.
+    """
+    tides = [name for name in flow[1:] if name not in OTHERS]
+    if len(tides) > 1 and dives:
+        hours = round((dives[-1].t_gpse - dives[0].t_gps2) / 3600, 1)
+        check_separable(tides, hours, f"flow {','.join(flow)}")
+
+
+def feed(
+    replay: Replay, dives: Sequence[Dive], report: Callable[[int], None] = lambda done: None
+) -> Replay:
+    """Feed dives to a replay, carried by its flow model; report how many are done."""
+    for k, dive in enumerate(dives):
+        check()
+        model = replay.flow_model
+        replay.step(dive if model is None else carried(dive, model))
+        report(k + 1)
+    return replay
+
+
+def replay_dives(
+    dives: Iterable[Dive],
+    estimator: str = "kalman",
+    model: FixModel | None = None,
+    flow_model: FlowModel | None = None,
+) -> Replay:
+    """Feed used dives to a new replay.
+
+    Parameters
+    ----------
+    dives : iterable of Dive
+        In the order of their ends, as `usable` returns them.
+    estimator : str, optional
+        ``"kalman"`` or ``"gradient"``.
+    model : FixModel, optional
+        The parameters; by default steady, M2, inertial and speed.
+    flow_model : FlowModel, optional
+        Carries each dive before it is fed.
+
+    Returns
+    -------
+    Replay
+        After the last dive.
+
+    Raises
+    ------
+    DataError
+        If dives are out of order, or too few to tell the model's tides apart.
+    ScenarioError
+        If the estimator is unknown.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> dives, skipped = clpt.gliders.usable(clpt.gliders.sample_dives())
+    >>> replay = clpt.replay.replay_dives(dives)
+    >>> len(replay.steps), 0.7 < replay.steps[-1].speed < 1
+    (14, True)
+    """
+    dives = list(dives)
+    replay = Replay(estimator, model or FixModel(), flow_model)
+    check_tides(replay.model.flow, dives)
+    return feed(replay, dives)

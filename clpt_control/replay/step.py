@@ -1,7 +1,9 @@
-"""What a replay says of one dive.
+"""What a replay says of one dive, and the 90 % ellipse of its forecast.
 
-CLPE is |x - z|, Eq. (10), at the surfacing; z follows one of three flow models,
-or one that was given.
+    (x - m)^T P^-1 (x - m) = 2 ln 10
+
+holds a normal pair of mean m and covariance P with probability 0.9; its half axes are
+sqrt(2 ln 10 l), l the eigenvalues of P.
 """
 
 from dataclasses import dataclass
@@ -13,37 +15,20 @@ from .anomaly import Anomaly
 
 MODELS = ("no_flow", "previous_dive", "adaptive")
 FLOW_MODEL = "flow_model"  # a forecast or a fit that was given
+CHI_SQUARED = 4.605170185988092  # of two components, 90 %: 2 ln 10
+LEARNED = 0.87  # share of a prior's standard error; a parameter with more is held
 
 
 @dataclass(frozen=True)
 class Step:
     """What a replay says of one dive.
 
-    Attributes
-    ----------
-    dive : Dive
-        The dive.
-    clpe : dict of float or None
-        |x - z| for "no_flow", "previous_dive", "adaptive" and "flow_model", m;
-        the last is None where no such model covers the dive.
-    forecast : ndarray, shape (2,)
-        Fix less dead reckoning, east and north, as forecast, m.
-    covariance : ndarray, shape (2, 2)
-        Of the forecast, m^2.
-    inside : bool
-        Whether the vehicle surfaced in the forecast's 90 % ellipse.
-    anomaly : Anomaly or None
-        Where the speed left its credible range.
-    current, current_error : ndarray, shape (2,)
-        Learned flow over this dive and its standard error, m/s.
-    learned, held : tuple of str
-        Parameters that the dives so far do and do not excite.
-    speed, speed_error : float
-        Learned factor on speed through water; 1 +- 0 where not a parameter.
-    compass, compass_error : float
-        Learned compass error, degrees clockwise; 0 +- 0 where none.
-    previous_share : float
-        Share of the previous dive's current in the forecast.
+    `clpe` has |x - z| (m) of each flow model, None where it does not cover the dive. `forecast`
+    (2,) and `covariance` (2, 2) are of the fix less dead reckoning, m; `inside` says whether the
+    vehicle surfaced in their 90 % ellipse. `current` (2,) is the learned flow over the dive, m/s,
+    `speed` the factor, `compass` the error in degrees clockwise, each with its standard error.
+    `parts` has the probability that each part of the flow is present, `left` the share of the
+    prior's standard error that the dives so far leave of each parameter.
     """
 
     dive: Dive
@@ -54,10 +39,30 @@ class Step:
     anomaly: Anomaly | None
     current: np.ndarray
     current_error: np.ndarray
-    learned: tuple[str, ...]
-    held: tuple[str, ...]
+    parts: dict[str, float]
+    left: dict[str, float]
     speed: float = 1.0
     speed_error: float = 0.0
     compass: float = 0.0
     compass_error: float = 0.0
-    previous_share: float = 0.0
+
+    @property
+    def learned(self) -> tuple[str, ...]:
+        """Parameters that the dives so far tell of."""
+        return tuple(name for name, left in self.left.items() if left < LEARNED)
+
+    @property
+    def held(self) -> tuple[str, ...]:
+        """Parameters that are hardly better known than before any dive."""
+        return tuple(name for name, left in self.left.items() if left >= LEARNED)
+
+
+def ellipse(covariance: np.ndarray) -> tuple[float, float, float]:
+    """Return half axes of the 90 % ellipse (m) and the bearing of the long one (degrees).
+
+    The covariance (2, 2) is east and north, m^2; the bearing clockwise from north, 0 to 180.
+    """
+    size, axes = np.linalg.eigh(covariance)
+    short, long = np.sqrt(CHI_SQUARED * size)
+    bearing = np.degrees(np.arctan2(axes[0, 1], axes[1, 1])) % 180.0
+    return float(long), float(short), float(bearing)

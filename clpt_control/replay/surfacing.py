@@ -17,29 +17,19 @@ from ..errors import ScenarioError
 from ..geodesy import place_from
 from ..gliders.dive_faults import FASTEST
 from ..gliders.dives import Dive
-from .ellipse import ellipse
 from .flow_models import carried, why_uncovered
 from .replay import Replay
+from .step import ellipse
 
 LONGEST = 30 * 86400.0  # s, of a plan
 
 
 @dataclass(frozen=True)
 class NextDive:
-    """A forecast surfacing.
+    """A forecast surfacing: latitude and longitude in degrees.
 
-    Attributes
-    ----------
-    plan : Dive
-        From the last fix, without an end.
-    forecast : ndarray, shape (2,)
-        Fix less dead reckoning, east and north, m.
-    covariance : ndarray, shape (2, 2)
-        m^2.
-    latitude, longitude : float
-        Of the forecast surfacing, degrees.
-    flow_model_covers : bool or None
-        Whether the given flow model covers the plan; None if none is given.
+    `plan` is a dive from the last fix without an end; `forecast` (2,), m, and `covariance` (2, 2),
+    m^2, are of its fix less dead reckoning; `flow_model_covers` is None where none is given.
     """
 
     plan: Dive
@@ -69,20 +59,7 @@ class NextDive:
 
 
 def check_plan(duration: float, way: tuple[float, float]) -> None:
-    """Refuse a plan that no dive can follow.
-
-    Parameters
-    ----------
-    duration : float
-        s.
-    way : tuple of float
-        East and north through the water, m.
-
-    Raises
-    ------
-    ScenarioError
-        If it is not finite, lasts no time or over 30 days, or is too fast.
-    """
+    """Refuse a plan that no dive can follow: `duration` in s, way through the water in m."""
     east, north = way
     size = hypot(east, north)
     given = f"next dive of {duration / 3600:g} hours and {east:g} m east, {north:g} m north"
@@ -122,14 +99,13 @@ def next_dive(
     Raises
     ------
     ScenarioError
-        If a plan is given that no dive can follow, as `check_plan` has it.
+        If a plan is given that no dive can follow.
 
     Examples
     --------
-    >>> from clpt_control.gliders.dive_table import sample_dives
-    >>> from clpt_control.gliders.usable_dives import usable
-    >>> from clpt_control.replay.session import replay_dives
-    >>> found = next_dive(replay_dives(usable(sample_dives())[0]), 18000.0, (0.0, 3000.0))
+    >>> import clpt_control as clpt
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> found = clpt.replay.next_dive(replay, 18000.0, (0.0, 3000.0))
     >>> -42.93 < found.latitude < -42.89
     True
     """

@@ -47,7 +47,7 @@ def test_measured_current_example(tmp_path):
 
 
 def test_forecasts_of_gliders_in_made_seas(tmp_path):
-    run("-m", "analysis.glider_forecasts", "--vehicles", "1", "--out", tmp_path)
+    run("-m", "analysis.glider_forecasts", "--vehicles", "3", "--out", tmp_path)
     text = (tmp_path / "glider_forecasts.md").read_text()
     rows = {cells[1].strip(): cells for cells in (r.split("|") for r in text.splitlines()[2:18])}
     assert len(rows) == 16
@@ -61,7 +61,7 @@ def test_forecasts_of_gliders_in_made_seas(tmp_path):
 def test_priors_matter_little(tmp_path):
     run("-m", "analysis.prior_sensitivity", "--out", tmp_path)
     text = (tmp_path / "prior_sensitivity.md").read_text()
-    rows = [row.strip("| ").split(" | ") for row in text.splitlines()[2:33]]
-    assert len({name for name, _, _ in rows}) == 16
+    rows = [row.strip("| ").split(" | ") for row in text.splitlines()[2:41]]
+    assert len({name for name, _, _ in rows}) == 20
     assert all(0.82 < float(found) < 0.92 for _, _, found in rows)
     assert inked(tmp_path / "prior_sensitivity.png") > 0.01

@@ -2,19 +2,27 @@
 
 import math
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.integrate import trapezoid
 from synthetic_vehicle import STEADY, vehicle
 
+from clpt_control.estimation.estimators import ESTIMATORS
 from clpt_control.estimation.fix_model import FixModel, inertial_frequency, mid_time
-from clpt_control.replay.session import replay_dives
+from clpt_control.gliders.dives import make_dive
+from clpt_control.replay.flow_model_file import read_flow_model
+from clpt_control.replay.flow_models import Uncovered, way_of_flow
+from clpt_control.replay.outcome import clpe_rms, summary
+from clpt_control.replay.replay import replay_dives
 from clpt_control.scenario.tides import period
+
+FIELD = Path(__file__).parents[3] / "shared/data/field/maracoos_hfr_2019-01-01.nc"
 
 
 def ratio(dives, estimator="kalman", model=None):
-    rms = replay_dives(dives, estimator, model).rms(3)
+    rms = clpe_rms(replay_dives(dives, estimator, model), 3)
     return rms["adaptive"] / rms["previous_dive"]
 
 
@@ -57,7 +65,7 @@ def test_against_the_previous_dives_current(case, most):
 
 @pytest.mark.parametrize("case", [{"walk": 0.03}, {"noise": 0.05}, {"flow": "M2"}])
 def test_ellipses_hold_what_they_promise(case):
-    inside = [replay_dives(vehicle(seed, **case)).summary()["inside_90"] for seed in range(6)]
+    inside = [summary(replay_dives(vehicle(seed, **case)))["inside_90"] for seed in range(6)]
     assert 0.83 < np.mean(inside) <= 1
 
 
@@ -114,7 +122,6 @@ def test_inertial_currents_turn_with_the_hemisphere(latitude):
     dives = vehicle(1, flow="inertial", latitude=latitude)
     # from the file of the other hemisphere they would turn the wrong way
     wrong = [replace(d, lat_gps2=-latitude) for d in dives]
-    assert ratio(dives, "rls") < 0.5
     assert ratio(dives) < 0.3 < ratio(wrong)
 
 
@@ -126,7 +133,7 @@ def test_a_front_is_followed_at_once():
     assert steps[21].clpe["adaptive"] < 1500
 
 
-@pytest.mark.parametrize("estimator", ["kalman", "rls", "gradient"])
+@pytest.mark.parametrize("estimator", ESTIMATORS)
 def test_one_wild_fix_does_little_harm(estimator):
     dives = vehicle(5, 40, noise=0.01)
     wild = [replace(d, gps_east=d.gps_east + 50e3) if d.number == 20 else d for d in dives]
@@ -135,13 +142,6 @@ def test_one_wild_fix_does_little_harm(estimator):
         for d in (dives, wild)
     )
     assert after[23:].mean() < 3 * calm[23:].mean() + 300
-
-
-def test_least_squares_forget_in_a_day():
-    dives = vehicle(5, 40, noise=0.003)
-    changed = [replace(d, gps_north=d.gps_north + 0.1 * d.duration) for d in dives[20:]]
-    steps = replay_dives([*dives[:20], *changed], "rls", FixModel(("steady",))).steps
-    assert steps[-1].current[1] == pytest.approx(STEADY[1] + 0.1, abs=0.02)
 
 
 def test_ellipses_hold_after_a_turn():
@@ -174,3 +174,54 @@ def test_forgetting_the_speed_makes_it_uncertain():
     assert q[2] == pytest.approx(p[2], abs=0.01)
     assert learned[2]
     assert Q[2, 2] > P[2, 2] + 0.4 * 0.15**2
+
+
+def test_the_gradients_errors_are_as_large_as_it_says():
+    """Current and speed of 100 vehicles: within three standard errors in 95 %."""
+    inside = 0
+    for seed in range(100):
+        factor = 1 + 0.1 * np.random.default_rng(seed).normal()
+        dives = vehicle(seed, 16, factor=factor, noise=0.01)
+        step = replay_dives(dives, "gradient", FixModel(("steady",))).steps[-1]
+        inside += bool(
+            abs(step.speed - factor) < 3 * step.speed_error
+            and np.all(np.abs(step.current - STEADY) < 3 * step.current_error)
+        )
+        assert np.all(step.current_error < 0.1)  # it says something: the prior has 0.3
+    assert inside >= 95
+
+
+def flight(model, seed, hours=2.0, speed=0.3):
+    """Dives of a glider in a measured current, to and fro; fewer where it leaves the data."""
+    rng = np.random.default_rng(seed)
+    time = model.column.time[0] + 60
+    lat, lon = 41.2 + 0.2 * rng.normal(), -69.5 + 0.3 * rng.normal()
+    heading, dives = rng.uniform(0, 2 * np.pi), []
+    for k in range(10):
+        T = 3600 * hours * rng.uniform(0.9, 1.1)
+        angle = heading + np.pi * ((k // 3) % 2) + 0.1 * rng.normal()
+        dr = speed * T * np.array([np.cos(angle), np.sin(angle)])
+        flying = make_dive(k, (time, lat, lon), (time + T, lat, lon), tuple(dr))
+        way = dr + way_of_flow(flying, model.along(flying)) + 20 * rng.normal(size=2)
+        lat += way[1] / 111.2e3
+        lon += way[0] / (111.2e3 * np.cos(np.radians(lat)))
+        dives.append(
+            make_dive(k, (time, flying.lat_gps2, flying.lon_gps2), (time + T, lat, lon), tuple(dr))
+        )
+        time += T + 900
+    return dives
+
+
+@pytest.mark.skipif(not FIELD.exists(), reason=f"{FIELD.name} is not in ../shared/data/field")
+def test_gliders_in_a_measured_current_lose_nothing():
+    """HF radar off Nantucket, a day; the defaults were not fitted to it."""
+    model, ratios = read_flow_model(FIELD), []
+    for seed in range(60):
+        try:
+            rms = clpe_rms(replay_dives(flight(model, seed)), 3)
+        except Uncovered:  # the radar has a gap there
+            continue
+        ratios.append(rms["adaptive"] / rms["previous_dive"])
+    assert len(ratios) >= 12
+    assert np.exp(np.mean(np.log(ratios))) < 0.97
+    assert np.max(ratios) < 1.25

@@ -29,7 +29,8 @@ from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay.file import replay_dataset
 from clpt_control.replay.flow_model_file import read_flow_model
 from clpt_control.replay.flow_models import carried, why_uncovered
-from clpt_control.replay.session import replay_dives
+from clpt_control.replay.outcome import summary
+from clpt_control.replay.replay import replay_dives
 
 
 def test_solid_rotation():
@@ -135,13 +136,13 @@ def test_files_that_are_no_flow_model(tmp_path):
 def test_replay_with_and_without_a_model(tmp_path):
     dives = usable(sample_dives())[0]
     bare = replay_dives(dives)
-    assert set(bare.summary()["clpe_rms"]) == {"no_flow", "previous_dive", "adaptive"}
-    assert "flow_model" not in bare.summary()
+    assert set(summary(bare)["clpe_rms"]) == {"no_flow", "previous_dive", "adaptive"}
+    assert "flow_model" not in summary(bare)
     assert bare.steps[3].clpe["flow_model"] is None
     calm = Made(lambda t, x, y: (0.0, 0.0))
     still = replay_dives(dives, flow_model=calm)
     for name in ("clpe_rms", "clpe_rms_all", "clpe_rms_after_3"):
-        rms = still.summary()[name]
+        rms = summary(still)[name]
         assert rms["flow_model"] == pytest.approx(rms["no_flow"])
     half = [replace(d, model_east=None) if d.number % 2 else carried(d, calm) for d in dives]
     replay = replay_dives(dives, flow_model=calm)
@@ -149,7 +150,7 @@ def test_replay_with_and_without_a_model(tmp_path):
     replay.__post_init__()
     for dive in half:
         replay.step(dive)
-    found = replay.summary()
+    found = summary(replay)
     assert found["flow_model"]["covered"] == 7
     even = [s.clpe["no_flow"] for s in bare.steps[1:] if s.dive.number % 2 == 0]
     assert found["clpe_rms"]["flow_model"] == pytest.approx(np.sqrt(np.mean(np.square(even))))

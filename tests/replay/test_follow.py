@@ -16,7 +16,7 @@ from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay import follow
 from clpt_control.replay.file import replay_dataset
 from clpt_control.replay.follow import Follower
-from clpt_control.replay.session import replay_dives
+from clpt_control.replay.replay import replay_dives
 
 
 def test_following_a_folder_equals_reading_it(tmp_path):

@@ -29,7 +29,8 @@ from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay.flow_model_file import read_flow_model
 from clpt_control.replay.flow_models import carried, why_uncovered
 from clpt_control.replay.forecast import depth_mean, gaps_of
-from clpt_control.replay.session import replay_dives
+from clpt_control.replay.outcome import summary
+from clpt_control.replay.replay import replay_dives
 
 MARACOOS = Path(__file__).parents[1] / "data/field/maracoos_hfr_2019-01-01.nc"
 DEPTH = np.array([0.0, 10.0, 50.0, 100.0, 200.0, 400.0, 1000.0, 2000.0])
@@ -48,7 +49,7 @@ def test_a_perfect_forecast_leaves_no_error(tmp_path):
     for step in replay.steps:  # u'' h^2 / 8 = 0.3 (W 900 s)^2 / 8 for six hours: 13 m
         assert step.clpe["no_flow"] > 1000
         assert step.clpe["flow_model"] < 13
-    found = replay.summary()
+    found = summary(replay)
     assert found["flow_model"]["covered"] == 6
     assert found["flow_model"]["source"] == "tide.nc"
     assert found["clpe_rms"]["flow_model"] < 13 < found["clpe_rms"]["adaptive"]
@@ -186,7 +187,7 @@ def test_measured_surface_current():
     for k in range(2):
         assert corners[k].min() * 7200 - 50 < way[k] < corners[k].max() * 7200 + 50
     replay = replay_dives(usable(sample_dives())[0], flow_model=model)
-    found = replay.summary()
+    found = summary(replay)
     assert found["clpe_rms"]["flow_model"] is None
     assert found["flow_model"]["covered"] == 0
     assert {entry["why"] for entry in found["flow_model"]["uncovered"]} == {

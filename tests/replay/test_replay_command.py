@@ -39,7 +39,7 @@ def test_the_command(command, tmp_path):
         "clpe.png",
         "current.png",
     }
-    table = command("--sample", "--no-learn-speed", "--flow", "steady", "--estimator", "rls")
+    table = command("--sample", "--no-learn-speed", "--flow", "steady", "--estimator", "gradient")
     assert table.exit_code == 0
     assert "after the third dive" in table.stdout
     for words, says in (
@@ -125,7 +125,7 @@ def test_tides_need_a_record(command, tmp_path):
     words = ("--flow", "steady,M2,S2")
     failed = str(command("--sample", *words).exception)
     assert "M2 and S2 cannot be told apart" in failed
-    assert command("--sample", "--flow", "steady,M2,K1", "--estimator", "rls").exit_code == 0
+    assert command("--sample", "--flow", "steady,M2,K1", "--estimator", "gradient").exit_code == 0
     (tmp_path / "in").mkdir()
     one_file_each(tmp_path / "in", sample_dives()[:1])
     follow = (
@@ -138,7 +138,7 @@ def test_tides_need_a_record(command, tmp_path):
         "--patience",
         "0.01",
         "--estimator",
-        "rls",
+        "gradient",
         "--json",
     )
     done = command(*follow, *words)
@@ -153,7 +153,7 @@ def test_a_killed_command_loses_nothing(command, forecast, tmp_path):
     """Kill -9 at random moments while files arrive; a restart gives what reading all gives."""
     inbox, out = tmp_path / "in", tmp_path / "out"
     inbox.mkdir()
-    words = ("--flow-model", forecast, "--estimator", "rls", "--json")
+    words = ("--flow-model", forecast, "--estimator", "gradient", "--json")
     start = [*CLPT, "replay", "--follow", inbox, "--out", out, "--every", "0.05", *words]
     rng, dives = np.random.default_rng(4), sample_dives()
     one_file_each(inbox, dives[:2])
@@ -234,7 +234,7 @@ def test_wordings(command, tmp_path):
         (("--flow", "steady,"), "gaussians, model, M2"),
         (("--flow", "steady,m2"), "unknown constituent 'm2' (did you mean M2?)"),
         (("--flow", "Steady"), "did you mean steady?"),
-        (("--estimator", "best"), "--estimator best: must be one of kalman, rls, gradient"),
+        (("--estimator", "best"), "--estimator best: must be one of kalman, gradient"),
         (("--flow-model", tmp_path / "nope.toml"), "the .toml file that `clpt fit` writes"),
     ):
         assert says in str(command("--sample", *words).exception)
@@ -244,7 +244,7 @@ def test_a_huge_number_of_a_dive_is_written(tmp_path):
     from dataclasses import replace
 
     from clpt_control.replay.file import replay_dataset
-    from clpt_control.replay.session import replay_dives
+    from clpt_control.replay.replay import replay_dives
 
     dives = sample_dives()[:2]
     assert replay_dataset(replay_dives(dives)).dive.dtype == np.int32

@@ -8,26 +8,25 @@ judged on the dives that it covers.
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ..estimation.fix_model import miss
+from ..gliders.dives import Skipped
 from .flow_models import NOTE, why_uncovered
+from .replay import Replay
 from .step import FLOW_MODEL
 
-if TYPE_CHECKING:
-    from .replay import Replay
 
-
-def rms_of(replay: "Replay", after: int, covered: bool = False) -> dict[str, float | None]:
+def clpe_rms(replay: Replay, after: int = 3, covered: bool = False) -> dict[str, float | None]:
     """Return the CLPE rms of each flow model, m.
 
     Parameters
     ----------
     replay : Replay
         With any number of dives.
-    after : int
+    after : int, optional
         How many first dives are left out.
     covered : bool, optional
         Whether to leave out what the given flow model does not cover, too.
@@ -36,6 +35,13 @@ def rms_of(replay: "Replay", after: int, covered: bool = False) -> dict[str, flo
     -------
     dict
         By name of the model; None where no dive is left.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> {name: round(rms) for name, rms in clpe_rms(replay).items() if name != "adaptive"}
+    {'no_flow': 1770, 'previous_dive': 1167}
     """
     rest = [
         step.clpe
@@ -49,21 +55,29 @@ def rms_of(replay: "Replay", after: int, covered: bool = False) -> dict[str, flo
     return found
 
 
-def summary_of(replay: "Replay", skipped: Sequence[Any] = ()) -> dict[str, Any]:
-    """Summarize, as `clpt replay --json` prints it.
+def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
+    """Summarize a replay, as `clpt replay --json` prints it.
 
     Parameters
     ----------
     replay : Replay
         With any number of dives.
-    skipped : sequence of Skipped
+    skipped : sequence of Skipped, optional
         Dives that were not fed, from `usable` and the readers.
 
     Returns
     -------
     dict
         Lengths in m; what does not exist is None. ``flow_model`` is there if
-        one was given.
+        one was given; ``parts`` has probabilities.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> dives, skipped = clpt.gliders.usable(clpt.gliders.sample_dives())
+    >>> found = summary(clpt.replay.replay_dives(dives), skipped)
+    >>> found["used"], found["held"], sorted(found["parts"])[:3]
+    (14, ['compass'], ['compass', 'eddies', 'inertial'])
     """
     steps = replay.steps
     own = [
@@ -77,9 +91,9 @@ def summary_of(replay: "Replay", skipped: Sequence[Any] = ()) -> dict[str, Any]:
     return {
         "dives": len(steps) + len(skipped),
         "used": len(steps),
-        "clpe_rms": rms_of(replay, 1),
-        "clpe_rms_all": rms_of(replay, 0),
-        "clpe_rms_after_3": rms_of(replay, 3),
+        "clpe_rms": clpe_rms(replay, 1),
+        "clpe_rms_all": clpe_rms(replay, 0),
+        "clpe_rms_after_3": clpe_rms(replay, 3),
         **given,
         "dac_identity_median": float(np.median(own)) if own else None,
         "inside_90": float(np.mean([step.inside for step in steps])) if steps else None,
@@ -87,8 +101,10 @@ def summary_of(replay: "Replay", skipped: Sequence[Any] = ()) -> dict[str, Any]:
             "value": last.speed if last and factor else None,
             "standard_error": last.speed_error if last and factor else None,
         },
+        "parts": dict(last.parts) if last else {},
         "learned": list(last.learned) if last else [],
         "held": list(last.held) if last else [],
+        "standard_error_left": dict(last.left) if last else {},
         "anomalies": [step.anomaly.as_dict() for step in steps if step.anomaly],
         "notes": [
             {"dive": step.dive.number, "note": note}
@@ -100,13 +116,13 @@ def summary_of(replay: "Replay", skipped: Sequence[Any] = ()) -> dict[str, Any]:
     }
 
 
-def _of_flow_model(replay: "Replay") -> dict[str, Any]:
-    """Say what was given, how many dives it covers, and why not the others."""
+def _of_flow_model(replay: Replay) -> dict[str, Any]:
+    """Return what was given, how many dives it covers, and why not the others."""
     bare = [step.dive for step in replay.steps if step.clpe[FLOW_MODEL] is None]
     return {
         "source": replay.flow_model.source if replay.flow_model else None,
         "about": replay.flow_model.about if replay.flow_model else None,
-        "clpe_rms": rms_of(replay, 1, covered=True),
+        "clpe_rms": clpe_rms(replay, 1, covered=True),
         "covered": len(replay.steps) - len(bare),
         "uncovered": [{"dive": dive.number, "why": why_uncovered(dive)} for dive in bare],
     }

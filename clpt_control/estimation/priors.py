@@ -1,0 +1,90 @@
+"""What is believed before any dive: every number of the estimators, with its source.
+
+"Judgement" is engineering judgement: plausible for any glider, in no paper.
+`python -m analysis.prior_sensitivity` halves and doubles the numbers one at a time.
+"""
+
+from typing import Any, NamedTuple
+
+DAY = 86400.0  # s
+QUARTER_DAY = 21600.0  # s, the time that walks and trends are given for
+
+
+class Kind(NamedTuple):
+    """How restless a sea is, as `wandering` has it: floats, or arrays (m,) for m filters."""
+
+    walk: Any = 0.01  # q, m/s per sqrt(6 h)
+    trend: Any = 0.0  # A, m/s per 6 h
+    eddy: Any = 0.0  # S, m/s
+    scatter: Any = 0.005  # s, m/s, what no parameter explains and no dive remembers
+
+
+class Priors(NamedTuple):
+    """Standard deviations and times before any dive, m, s and rad.
+
+    Examples
+    --------
+    >>> Priors()._replace(speed=0.1).speed
+    0.1
+    """
+
+    # GPS has 4 m (Rudnick, Sherman, Wu, J. Atmos. Oceanic Technol. 35, 1665, 2018); two fixes, and
+    # the drift at the surface between a fix and the water beneath: judgement
+    fix: float = 30.0  # m, one component of the difference of two fixes
+    # judgement: most of the ocean has less, jets have more
+    current: float = 0.3  # m/s
+    # judgement: 0.02 in the deep sea, 0.1 to 0.5 on shelves
+    tide: float = 0.1  # m/s, of each constituent's four numbers
+    # drifters have 0.1 to 0.2 at the surface (Poulain, J. Marine Research 48, 793, 1990); less
+    # over a dive's depth.  Was 0.05 until ellipses after a made storm held 83 % of surfacings
+    inertial: float = 0.1  # m/s
+    # judgement: half a current
+    gaussian: float = 0.15  # m/s, of a place's coefficient
+    # judgement: a forecast may be nothing, right, or half as strong again
+    model: float = 0.7  # of the factor on a flow model
+    # judgement, settled with the sample's vehicle in view: flight models that are not trimmed yet
+    speed: float = 0.15  # of the factor on speed, less one
+    # judgement: makers of compasses promise 1 degree, hulls and batteries add as much
+    compass: float = 0.03  # rad
+
+    # shelves are 9 % of the ocean (Harris et al., "Geomorphology of the oceans", 2014)
+    shelf: float = 0.1  # probability that tides are strong
+    present: float = 0.5  # of any other part: nothing is known
+
+    # ten inertial periods at mid-latitudes are a week (Poulain 1990); gliders leave the place: half
+    inertial_fading: float = 4 * DAY
+    # neaps come after 7 days, other places after weeks: judgement
+    tide_fading: float = 60 * DAY
+    # judgement: what grows on a hull changes the speed by 4 % in 100 days
+    speed_walk: float = 0.002  # per sqrt(6 h)
+    # judgement: a degree in 100 days
+    compass_walk: float = 0.001  # rad per sqrt(6 h)
+
+    # judgement: decades of restlessness, from currents that hardly change to a jet's edge
+    kinds: tuple[Kind, ...] = (
+        Kind(walk=0.003, scatter=0.003),
+        Kind(),
+        Kind(walk=0.03),
+        Kind(walk=0.1),
+        Kind(scatter=0.05),
+        Kind(trend=0.03),
+        Kind(trend=0.1),
+        Kind(eddy=0.1),
+    )
+    # judgement: an eddy of 10 km is crossed in half a day at 0.25 m/s
+    trend_fading: float = DAY / 2
+    # drifters have 2 to 3 days; a glider crosses what they follow: judgement
+    eddy_memory: float = DAY
+
+    # judgement: a lost front counts little (Lange, Little, Taylor, J. Am. Stat. Assoc. 84, 1989)
+    degrees_of_freedom: float = 8.0  # of the density that weighs filters
+    # judgement: a voyage comes to another sea in weeks
+    weight_memory: float = 20 * DAY
+
+    # the gradient's: judgement
+    gain: float = 0.5  # mu, between 0 and 2 for stability
+    gradient_walk: float = 0.04  # m/s per sqrt(6 h)
+    gradient_scatter: float = 0.04  # m/s, what nothing explains
+    miss: float = 0.1  # m/s, a miss over its time, before dives have told
+    miss_weight: float = 4.0  # dives that this guess weighs
+    miss_memory: float = 20.0  # dives that are remembered of it
