@@ -18,7 +18,7 @@ from clpt_control.replay.outcome import clpe_rms, summary
 from clpt_control.replay.replay import replay_dives
 from clpt_control.scenario.tides import period
 
-FIELD = Path(__file__).parents[3] / "shared/data/field/maracoos_hfr_2019-01-01.nc"
+FIELD = Path(__file__).parents[1] / "data/field/maracoos_hfr_2019-01-01.nc"
 
 
 def ratio(dives, estimator="kalman", model=None):
@@ -212,7 +212,6 @@ def flight(model, seed, hours=2.0, speed=0.3):
     return dives
 
 
-@pytest.mark.skipif(not FIELD.exists(), reason=f"{FIELD.name} is not in ../shared/data/field")
 def test_gliders_in_a_measured_current_lose_nothing():
     """HF radar off Nantucket, a day; the defaults were not fitted to it."""
     model, ratios = read_flow_model(FIELD), []
