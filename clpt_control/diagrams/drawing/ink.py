@@ -13,7 +13,7 @@ import control
 
 from ...blocks import Block
 from ...errors import DiagramError
-from ...files import beside
+from ...files import beside, check_name
 from ..wiring import Node, read
 from .arrows import mermaid
 from .captions import lines_of, note, width
@@ -77,6 +77,7 @@ def draw(diagram: control.NonlinearIOSystem, path: str | os.PathLike[str]) -> No
     ...     draw(clpt.closed_loop(clpt.paper_scenario()), folder + "/loop.svg")
     """
     path = Path(path)
+    check_name(path)
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
         raise DiagramError(
