@@ -1,0 +1,80 @@
+"""Files and folders are written beside their place: whole, or not at all."""
+
+import pytest
+import xarray
+
+from clpt_control.errors import DataError
+from clpt_control.figures import new_figure
+from clpt_control.files import beside, remove_left, write_together
+from clpt_control.progress import interrupt
+
+
+def fill(made, text):
+    (made / "inner" if made.is_dir() else made).write_text(text)
+
+
+def held(path):
+    return (path / "inner" if path.is_dir() else path).read_text()
+
+
+@pytest.mark.parametrize("folder", [False, True])
+def test_what_is_made_beside_is_seen_at_the_end_only(tmp_path, folder):
+    place = tmp_path / "made"
+    with beside(place, folder) as made:
+        assert made.parent == tmp_path
+        assert made.is_dir() == folder
+        fill(made, "whole")
+        assert not place.exists()
+    assert held(place) == "whole"
+    assert list(tmp_path.iterdir()) == [place]
+    assert interrupt.unfinished == set()
+
+
+@pytest.mark.parametrize("folder", [False, True])
+def test_work_that_fails_leaves_nothing(tmp_path, folder):
+    def work():
+        with beside(tmp_path / "made", folder) as made:
+            fill(made, "half")
+            raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        work()
+    assert list(tmp_path.iterdir()) == []
+    assert interrupt.unfinished == set()
+
+
+def test_a_folder_takes_the_place_of_no_other(tmp_path):
+    (tmp_path / "taken").mkdir()
+    (tmp_path / "taken" / "inner").write_text("before")
+    with (
+        pytest.raises(DataError, match="taken: cannot be written"),
+        beside(tmp_path / "taken", folder=True) as made,
+    ):
+        fill(made, "after")
+    assert held(tmp_path / "taken") == "before"
+    assert [path.name for path in tmp_path.iterdir()] == ["taken"]
+
+
+def test_files_that_belong_together_are_all_written_or_none(tmp_path):
+    figure, _ = new_figure()
+    data = xarray.Dataset({"u": ("time", [1.0, float("nan")])})
+    results = {tmp_path / "a.txt": "text", tmp_path / "b.nc": data, tmp_path / "c.png": figure}
+    with pytest.raises(DataError, match=r"none/d\.txt: cannot be written: the folder"):
+        write_together({**results, tmp_path / "none" / "d.txt": "text"})
+    assert list(tmp_path.iterdir()) == []
+    write_together(results)
+    assert (tmp_path / "a.txt").read_text() == "text"
+    with xarray.open_dataset(tmp_path / "b.nc") as read:
+        assert read.identical(data)
+    assert (tmp_path / "c.png").read_bytes().startswith(b"\x89PNG")
+    assert len(list(tmp_path.iterdir())) == 3
+
+
+def test_what_a_killed_process_left_is_known_by_its_name(tmp_path):
+    with beside(tmp_path / "replay.nc") as made:
+        left = made.name
+    others = {".replay.nc.part", ".replay.nc.mine", left.replace("replay", "other"), "replay.nc"}
+    for name in {left, *others}:
+        (tmp_path / name).write_text("")
+    remove_left(tmp_path, "replay.nc", "*.png")
+    assert {path.name for path in tmp_path.iterdir()} == others
