@@ -15,7 +15,7 @@ from clpt_control.blocks import (
     reference,
     vehicle,
 )
-from clpt_control.currents.gridded import GriddedField
+from clpt_control.currents.field_file import GriddedField
 
 SIZES = (1, 2, 3, 5)
 

@@ -11,7 +11,7 @@ import numpy as np
 import sympy
 
 from clpt_control.blocks import Guard, basis, disturbance, field, reference
-from clpt_control.currents.gridded import GriddedField
+from clpt_control.currents.field_file import GriddedField
 
 POINTS = np.array([[3.0, 1.0], [-2.0, 5.0], [7.0, -4.0]])
 KERNELS = list(basis.KERNELS)

@@ -1,6 +1,6 @@
-from .currents import read_currents
 from .fit import fit_scenario
 from .fit_file import save_fit
+from .grid_file import read_currents
 from .rayleigh import check_separable
 from .tidal.analysis import fit_tides, predict
 from .tidal.basis import tidal_basis

@@ -1,16 +1,23 @@
-"""Find velocities, coordinates and units in a NetCDF file.
+"""Find velocities, coordinates, times and units in a NetCDF file.
 
 Names follow the CF standard name table (cfconventions.org); a file without
 standard names is read by the names that are common in practice.
+
+`valid_min` and `valid_max` are not used: files disagree on whether they are in
+packed or unpacked values (MARACOOS writes -300 cm/s beside a scale factor of
+0.01, which read by the letter of CF would throw most of the data away).  A
+speed that no sea has is refused instead.
 """
 
+import re
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..errors import DataError
-from .gridded import numbers_of, speed_in_metres_per_second
+from ..units import speed_in_metres_per_second
 
 if TYPE_CHECKING:
     import xarray
@@ -31,33 +38,17 @@ AXES = {
     "time": (("time",), ("time", "t", "ocean_time", "mtime")),
 }
 DEPTHS = ("depth", "altitude", "height", "depth_below_sea_surface", "ocean_s_coordinate")
-FASTEST = 15.0  # m/s; no current at sea is faster, a fill value taken as data is
 DEPTH_NAMES = ("depth", "z", "lev", "level", "altitude", "s_rho", "deptht", "depthu", "sigma")
+FASTEST = 15.0  # m/s; no current at sea is faster, a fill value taken as data is
+REAL = ("standard", "gregorian", "proleptic_gregorian")  # calendars of real dates
+CALENDARS = (*REAL, "julian", "noleap", "365_day", "all_leap", "366_day", "360_day")
+SINCE_A_DATE = re.compile(r"\s*\w+\s+since\s+\d+-\d+-\d+.*", re.IGNORECASE)
 
 
 def find_variable(data: "xarray.Dataset", table: dict[str, Any], what: str, path: Path) -> str:
-    """Return the name of the variable, by standard name and by name.
+    """Return the name of a variable of `VELOCITY` or `AXES`, by standard name and by name.
 
-    Parameters
-    ----------
-    data : xarray.Dataset
-        The file.
-    table : dict
-        `VELOCITY` or `AXES`.
-    what : str
-        Key of the table.
-    path : Path
-        The file's name, for messages.
-
-    Returns
-    -------
-    str
-        A variable with both, or with the standard name, or with the name.
-
-    Raises
-    ------
-    DataError
-        If there is none.
+    One with both comes first, then one with the standard name, then one with the name.
     """
     standard, names = table[what]
     by_standard = [n for n in data.variables if data[n].attrs.get("standard_name") in standard]
@@ -77,29 +68,7 @@ def find_variable(data: "xarray.Dataset", table: dict[str, Any], what: str, path
 
 
 def find_axis(data: "xarray.Dataset", velocity: str, what: str, path: Path) -> "xarray.DataArray":
-    """Return a coordinate of one dimension that the velocity has.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        The file.
-    velocity : str
-        Name of a velocity.
-    what : str
-        Key of `AXES`.
-    path : Path
-        The file's name, for messages.
-
-    Returns
-    -------
-    xarray.DataArray
-        The coordinate.
-
-    Raises
-    ------
-    DataError
-        If there is none, or the grid is not one of latitudes and longitudes.
-    """
+    """Return the coordinate, of one dimension that a velocity has, for a key of `AXES`."""
     name = find_variable(data, AXES, what, path)
     axis = data[name]
     if axis.ndim != 1 or axis.dims[0] not in data[velocity].dims:
@@ -114,7 +83,8 @@ def find_axis(data: "xarray.Dataset", velocity: str, what: str, path: Path) -> "
         raise DataError(f"{path}: {name} has the length zero; must hold at least one {what}")
     most = 90.0 if what == "latitude" else 720.0
     degrees = numbers_of(axis, f"{path}: {name}")
-    degrees = degrees[np.isfinite(degrees)]
+    if not np.all(np.isfinite(degrees)):
+        raise DataError(f"{path}: {name} has values that are not finite")
     if np.any(np.abs(degrees) > most + 1e-6):
         raise DataError(
             f"{path}: {name} goes from {degrees.min():.6g} to {degrees.max():.6g}; must be "
@@ -123,23 +93,76 @@ def find_axis(data: "xarray.Dataset", velocity: str, what: str, path: Path) -> "
     return axis
 
 
-def check_speed(values: np.ndarray, what: str, path: Path) -> None:
-    """Refuse a speed that no sea has.
+def is_depth(data: "xarray.Dataset", dim: Any) -> bool:
+    """Return whether a dimension has a coordinate that is a depth by its names."""
+    if dim not in data.variables:
+        return False
+    standard = str(data[dim].attrs.get("standard_name", ""))
+    return str(dim).lower() in DEPTH_NAMES or standard.startswith(DEPTHS)
 
-    Parameters
-    ----------
-    values : ndarray
-        m/s, NaN in gaps; at least one is finite.
-    what : str
-        The velocity, for the message.
-    path : Path
-        The file's name, for the message.
 
-    Raises
-    ------
-    DataError
-        If one is faster than `FASTEST`.
+def numbers_of(variable: "xarray.DataArray", where: str) -> np.ndarray:
+    """Return a variable's values as floats; characters and ragged rows are refused."""
+    values = variable.values  # where rows are ragged, the variable says numbers and these do not
+    if values.dtype.kind not in "iuf":
+        raise DataError(f"{where} holds {values.dtype}; must hold numbers")
+    return values.astype(float)
+
+
+def decoded(numbers: np.ndarray, unit: str, calendar: str = "standard") -> np.ndarray | None:
+    """Return dates of numbers such as hours since a date, by xarray; None where they are none.
+
+    They are datetime64 in ns; in calendars without real dates, such as of 360 days, and in years
+    that ns cannot count they are objects of cftime.
+
+    >>> decoded(np.array([36.0]), "hours since 2019-1-1")
+    array(['2019-01-02T12:00:00.000000000'], dtype='datetime64[ns]')
     """
+    from xarray import Variable
+    from xarray.coders import CFDatetimeCoder
+
+    if not SINCE_A_DATE.fullmatch(unit):  # xarray would take 01/02/2019 too
+        return None
+    variable = Variable("time", numbers, {"units": unit, "calendar": calendar})
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of years that ns cannot count
+            return CFDatetimeCoder().decode(variable).values
+    except (ValueError, TypeError, KeyError, OverflowError):
+        return None
+
+
+def dates_of(when: "xarray.DataArray", path: Path, real: bool = True) -> np.ndarray:
+    """Return the times of a file as `decoded` has them, in ns where dates must be `real`.
+
+    A dive and a tide need real dates, a current alone does not.
+    """
+    where = f"{path}: {when.name}"
+    unit = str(when.attrs.get("units", ""))
+    calendar = str(when.attrs.get("calendar", "standard"))
+    if len(when) < 2:
+        raise DataError(
+            f"{where} has {len(when)} step{'s' if len(when) != 1 else ''}; at least 2 are needed"
+        )
+    numbers = numbers_of(when, where)
+    if calendar.lower() not in (REAL if real else CALENDARS):
+        raise DataError(
+            f"{where} has the calendar '{calendar}'; must be one of "
+            + (f"real dates: {', '.join(REAL)}" if real else ", ".join(CALENDARS))
+        )
+    if not np.all(np.isfinite(numbers)):
+        raise DataError(f"{where} has values that are not finite")
+    dates = decoded(when.values, unit, calendar)
+    if dates is None or (real and dates.dtype.kind != "M"):
+        years = "" if dates is None else ", with years from 1678 to 2261"
+        raise DataError(
+            f"{where} has units '{unit}'; must be such as 'hours since 2019-01-01 00:00:00'{years}"
+        )
+    return dates
+
+
+def check_speed(values: np.ndarray, what: str, path: Path) -> None:
+    """Refuse a speed, m/s with NaN in gaps, that no sea has; one at least is finite."""
     most = np.nanmax(np.abs(values))
     if most > FASTEST:
         raise DataError(
@@ -148,81 +171,45 @@ def check_speed(values: np.ndarray, what: str, path: Path) -> None:
         )
 
 
-def surface_values(
+def velocity_values(
     data: "xarray.Dataset", name: str, kept: dict[Any, np.ndarray], path: Path
 ) -> np.ndarray:
-    """Return a velocity in m/s at the level nearest the surface.
+    """Return a velocity in m/s, NaN where missing, at the indices kept of each dimension.
 
-    Parameters
-    ----------
-    data : xarray.Dataset
-        The file.
-    name : str
-        Name of the velocity.
-    kept : dict of str to ndarray
-        Names of time, latitude and longitude, and the indices to read.
-    path : Path
-        The file's name, for messages.
-
-    Returns
-    -------
-    ndarray, shape (nt, ny, nx)
-        m/s, NaN where missing.
-
-    Raises
-    ------
-    DataError
-        If units are missing or unknown, or a dimension is no depth.
+    Of a depth that is not among them the level nearest the surface is taken.
     """
-    values, dims = data[name], tuple(kept)
+    values = data[name]
     if "units" not in values.attrs:
         raise DataError(f"{path}: {name} has no units; must be such as 'm/s' or 'cm s-1'")
     size = speed_in_metres_per_second(str(values.attrs["units"]), f"{path}: {name}")
-    for dim in set(values.dims) - set(dims):
+    for dim in set(values.dims) - set(kept):
         level = 0
         if values.sizes[dim] != 1:
-            depth = data[dim] if dim in data.variables else None
-            standard = depth.attrs.get("standard_name", "") if depth is not None else ""
-            if depth is None or (
-                str(dim).lower() not in DEPTH_NAMES and not str(standard).startswith(DEPTHS)
-            ):
+            if not is_depth(data, dim):
                 raise DataError(
                     f"{path}: {name} has the dimension {dim} of {values.sizes[dim]}; allowed are "
                     "time, latitude, longitude and a depth: choose one and write it alone"
                 )
-            level = int(np.argmin(np.nan_to_num(np.abs(depth.values.astype(float)), nan=np.inf)))
+            depth = data[dim].values.astype(float)
+            level = int(np.argmin(np.nan_to_num(np.abs(depth), nan=np.inf)))
         values = values.isel({dim: level})
-    if set(values.dims) != set(dims):
+    if set(values.dims) != set(kept):
         raise DataError(
             f"{path}: {name} has the dimensions ({', '.join(map(str, values.dims))}); must have "
-            f"({', '.join(map(str, dims))})"
+            f"({', '.join(map(str, kept))})"
         )
-    chosen = values.isel(kept).transpose(*dims)
+    chosen = values.isel(kept).transpose(*kept)
     numbers = numbers_of(chosen, f"{path}: {name}")
-    check_packing(chosen, numbers, f"{path}: {name}")
+    _check_packing(chosen, numbers, f"{path}: {name}")
     return numbers * size
 
 
-def check_packing(packed: "xarray.DataArray", numbers: np.ndarray, where: str) -> None:
+def _check_packing(packed: "xarray.DataArray", numbers: np.ndarray, where: str) -> None:
     """Refuse packed gaps that the fill value does not name.
 
     A gap is packed as an end of the integers.  Where such a number is left as
     data, twice or more and further from all others than these are apart, the
     fill value of the file is another than the one that it declares.
-
-    Parameters
-    ----------
-    packed : xarray.DataArray
-        As the file has it.
-    numbers : ndarray
-        Its values, NaN in gaps.
-    where : str
-        File and variable, for the message.
-
-    Raises
-    ------
-    DataError
-        If there are such numbers.
     """
     kind = np.dtype(packed.encoding.get("dtype", float))
     if kind.kind not in "iu":

@@ -25,9 +25,9 @@ from ..errors import DataError
 from ..estimation.least_squares import least_squares
 from ..scenario import tides
 from ..scenario.experiment import Scenario
-from .currents import Currents, read_currents
+from .field_file import GriddedField
 from .gaps import fill_gaps, regular_grid
-from .gridded import GriddedField
+from .grid_file import Currents, read_currents
 from .nodal import nodal_report
 from .plane import LocalPlane
 from .rayleigh import check_separable

@@ -13,7 +13,7 @@ from ..errors import DataError
 from ..files import write_together
 from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario, scenario_to_text
-from .gridded import field_dataset
+from .field_file import field_dataset
 
 if TYPE_CHECKING:
     from .fit import Fit

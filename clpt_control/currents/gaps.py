@@ -24,7 +24,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import DataError
-from .gridded import GriddedField
+from .field_file import GriddedField
 
 SPEED = 10.0  # km/h: what one hour of distance in time is worth in space
 

@@ -6,32 +6,19 @@ m s-1; a variable without units is taken as s, m or m/s.
 """
 
 import re
-from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..currents.gridded import length_in_metres, speed_in_metres_per_second
+from ..currents.cf import decoded
 from ..errors import DataError
+from ..units import length_in_metres, speed_in_metres_per_second, time_in_seconds
 from .samples import values
 
 if TYPE_CHECKING:
     import xarray
 
-STEPS = {
-    "nanosecond": 1e-9,
-    "microsecond": 1e-6,
-    "millisecond": 1e-3,
-    "second": 1.0,
-    "sec": 1.0,
-    "s": 1.0,
-    "minute": 60.0,
-    "min": 60.0,
-    "hour": 3600.0,
-    "h": 3600.0,
-    "day": 86400.0,
-}
 NOT_A_TIME = -(2.0**63)  # smallest integer of 64 bits: how a missing time is stored
 
 
@@ -70,26 +57,14 @@ def seconds(data: "xarray.Dataset", name: str, path: Path) -> np.ndarray:
     numbers = np.where(numbers == NOT_A_TIME, np.nan, numbers)
     if " since " not in units:
         return numbers
-    step, _, since = units.partition(" since ")
-    size = STEPS.get(step.strip().lower()) or STEPS.get(step.strip().lower().rstrip("s"))
-    first = _date(since)
-    if size is None or first is None:
+    since = re.sub(r"\s*(UTC|GMT)\s*$", "", units.partition(" since ")[2].strip())
+    first = decoded(np.zeros(1), f"seconds since {since}")
+    if first is None or first.dtype.kind != "M":
         raise DataError(
             f"{path}: {name} is in '{units}'; must be such as 'seconds since 1970-01-01 00:00:00'"
         )
-    return first + size * numbers
-
-
-def _date(text: str) -> float | None:
-    """Seconds from 1970 to a date, as "1970-1-1 00:00:00" or ISO 8601 with a zone."""
-    import cftime
-
-    bare = re.sub(r"\s*(UTC|GMT)\s*$", "", text.strip())
-    try:
-        date = cftime.num2pydate(0, f"seconds since {bare}")
-    except (ValueError, TypeError, OverflowError):
-        return None
-    return (date - datetime(1970, 1, 1)).total_seconds()
+    epoch = (first[0] - np.datetime64("1970-01-01")) / np.timedelta64(1, "s")
+    return epoch + time_in_seconds(units, f"{path}: {name}") * numbers
 
 
 def metres(data: "xarray.Dataset", name: str, path: Path) -> np.ndarray:

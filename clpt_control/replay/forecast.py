@@ -23,9 +23,10 @@ from pathlib import Path
 
 import numpy as np
 
-from ..currents.forecast_file import DEEPEST, Column, read_column
+from ..currents.grid_file import DEEPEST, Currents, read_currents
 from ..currents.plane import LocalPlane
 from ..gliders.dives import Dive
+from ..units import seconds_since_1970
 from .flow_models import Flow, FlowModel, Uncovered
 
 DEGREE = 110500.0  # m; no degree of latitude is shorter
@@ -111,15 +112,15 @@ class Forecast(FlowModel):
 
     Attributes
     ----------
-    column : Column
-        As `read_column` gives it.
+    column : Currents
+        As `read_currents` reads a column.
     source : str
         Name of the file.
     about : str
         Which depths it averages.
     """
 
-    column: Column
+    column: Currents
     source: str
     about: str
 
@@ -129,9 +130,14 @@ class Forecast(FlowModel):
         return float(np.sqrt(np.nanmax(self.column.u**2 + self.column.v**2)))
 
     @cached_property
+    def time(self) -> np.ndarray:
+        """Steps, s since 1970 UTC, shape (nt,)."""
+        return seconds_since_1970(self.column.start) + 3600.0 * self.column.time
+
+    @cached_property
     def gaps(self) -> np.ndarray:
         """Which intervals of the steps are gaps, shape (nt - 1,)."""
-        return gaps_of(self.column.time)
+        return gaps_of(self.time)
 
     def along(self, dive: Dive) -> Flow:
         """Return the flow for one dive, averaged over its depths.
@@ -154,14 +160,14 @@ class Forecast(FlowModel):
         """
         from scipy.interpolate import RegularGridInterpolator
 
-        c = self.column
+        c, time = self.column, self.time
         if not self._inside(dive.lat_gps2, dive.lon_gps2):
             raise Uncovered("outside the forecast's area")
-        if not dive.t_gps2 >= c.time[0]:
+        if not dive.t_gps2 >= time[0]:
             raise Uncovered("begins before the forecast's first step")
-        if not dive.t_gpse <= c.time[-1]:
+        if not dive.t_gpse <= time[-1]:
             raise Uncovered("ends after the forecast's last step")
-        within = _bracket(c.time, dive.t_gps2, dive.t_gpse)
+        within = _bracket(time, dive.t_gps2, dive.t_gpse)
         if self.gaps[within.start : within.stop - 1].any():
             raise Uncovered("in a gap of the forecast's steps")
         plane = LocalPlane(dive.lat_gps2, dive.lon_gps2)
@@ -171,7 +177,7 @@ class Forecast(FlowModel):
             deepest = DEEPEST
         u, v = (depth_mean(c.depth, w[steps, :, rows, columns], deepest) for w in (c.u, c.v))
         look = RegularGridInterpolator(
-            (c.time[steps] - dive.t_gps2, c.lat[rows], c.lon[columns]),
+            (time[steps] - dive.t_gps2, c.lat[rows], c.lon[columns]),
             np.stack([u, v], axis=-1),
             bounds_error=False,
             fill_value=np.nan,
@@ -208,7 +214,7 @@ class Forecast(FlowModel):
         wide = high / max(cos(radians(min(abs(dive.lat_gps2) + high, 89.9))), 1e-3)
         lat, lon = dive.lat_gps2, self._unwrapped(dive.lon_gps2)
         return (
-            _bracket(c.time, dive.t_gps2, dive.t_gpse),
+            _bracket(self.time, dive.t_gps2, dive.t_gpse),
             _bracket(c.lat, lat - high, lat + high),
             _bracket(c.lon, lon - wide, lon + wide),
         )
@@ -230,9 +236,9 @@ def read_forecast(path: str | Path) -> Forecast:
     Raises
     ------
     DataError
-        As `read_column`.
+        As `read_currents`.
     """
-    column = read_column(path)
+    column = read_currents(path, column=True)
     about = f"gridded, averaged over a dive's depth, {len(column.depth)} levels"
     if len(column.depth) == 1:
         where = "surface" if column.depth[0] < 1 else f"{column.depth[0]:g} m deep"

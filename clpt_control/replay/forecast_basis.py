@@ -10,14 +10,12 @@ within the box alone.
 
 import json
 from dataclasses import dataclass
-from datetime import UTC, datetime
 from functools import cached_property
 from pathlib import Path
 
 import numpy as np
 
 from ..blocks import Block
-from ..currents.gridded import METRES, SECONDS
 from ..currents.plane import LocalPlane
 from ..diagrams.scenario_basis import scenario_basis
 from ..errors import DataError
@@ -25,6 +23,7 @@ from ..files import open_netcdf
 from ..gliders.dives import Dive
 from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario
+from ..units import METRES, SECONDS, seconds_since_1970
 from .flow_models import Flow, FlowModel, Uncovered
 
 
@@ -133,8 +132,7 @@ def read_fitted(path: str | Path) -> Fitted:
         report = json.loads(text)
         theta = np.array(report["theta"], float)
         plane = LocalPlane(*map(float, report["origin"]))
-        moment = datetime.fromisoformat(report["start"])
-        start = (moment if moment.tzinfo else moment.replace(tzinfo=UTC)).timestamp()
+        start = seconds_since_1970(report["start"])
         lat0, lat1, lon0, lon1 = map(float, report["box"])
         tides = ", ".join(report["constituents"])
     except (ValueError, KeyError, TypeError):

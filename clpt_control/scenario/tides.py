@@ -8,6 +8,7 @@ Survey Special Publication 98 (1958), table 2.
 import math
 
 from ..errors import ScenarioError
+from ..units import SECONDS
 
 SPEEDS = {
     "M2": 28.9841042,
@@ -39,7 +40,6 @@ SPEEDS = {
     "M8": 115.9364166,
     "S4": 60.0000000,
 }
-SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0, "d": 86400.0}
 
 
 def period(constituent: str, unit: str = "h") -> float:

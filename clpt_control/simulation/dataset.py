@@ -103,7 +103,7 @@ def run_dataset(
         )
     origin = {}
     if scenario.field_path is not None:
-        from ..currents.gridded import time_origin
+        from ..currents.field_file import time_origin
 
         origin = time_origin(scenario.field_path)
     return (

@@ -26,7 +26,7 @@ from numpy.typing import ArrayLike
 
 from ..blocks import evaluate
 from ..blocks.field import gridded_flow
-from ..currents.gridded import read_field
+from ..currents.field_file import read_field
 from ..diagrams.scenario_basis import scenario_basis
 from ..errors import DataError
 from ..estimation.least_squares import explained_share

@@ -98,7 +98,7 @@ def _true_flow(scenario: Scenario, disturbed: bool) -> Block:
     if scenario.field_path is None:
         theta = np.array(scenario.flow.parameters)
         return flow.true_flow(flow.TrueFlowParameters(scenario.basis.N, theta), disturbed)
-    from ..currents.gridded import read_field
+    from ..currents.field_file import read_field
 
     gridded = read_field(scenario.field_path, scenario.units)
     return field.gridded_flow(gridded, scenario.flow.outside, disturbed, scenario.units)

@@ -20,7 +20,7 @@ from clpt_control.blocks import (
     reference,
     vehicle,
 )
-from clpt_control.currents.gridded import GriddedField
+from clpt_control.currents.field_file import GriddedField
 from clpt_control.errors import ScenarioError
 
 # --- basis functions, Eq. (5) -----------------------------------------------------------------

@@ -11,10 +11,9 @@ from scipy.interpolate import make_interp_spline
 
 from clpt_control.blocks import evaluate
 from clpt_control.blocks.field import gridded_flow
-from clpt_control.currents.currents import read_currents
-from clpt_control.currents.forecast_file import read_column
+from clpt_control.currents.field_file import GriddedField, field_dataset, read_field
 from clpt_control.currents.gaps import fill_gaps, regular_grid
-from clpt_control.currents.gridded import GriddedField, field_dataset, read_field
+from clpt_control.currents.grid_file import read_currents
 from clpt_control.currents.plane import LocalPlane
 from clpt_control.currents.tidal.record import read_record
 from clpt_control.errors import DataError
@@ -179,9 +178,40 @@ def test_box_across_180_degrees(tmp_path):
     np.testing.assert_array_equal(currents.u, u[:, :, 3:6])
 
 
+def test_a_whole_file_across_180_degrees_has_no_jump(tmp_path):
+    u, v = sample()
+    lon = np.array([176.0, 177, 178, 179, -180, -179, -178, -177])
+    currents = read_currents(write(tmp_path / "c.nc", u, v, lon=lon))
+    np.testing.assert_array_equal(currents.lon, np.arange(176, 184))
+    np.testing.assert_array_equal(currents.u, u)
+
+
+@pytest.mark.parametrize("calendar", ["360_day", "noleap"])
+def test_a_current_needs_no_real_dates_but_a_column_does(tmp_path, calendar):
+    unit = "hours since 2019-02-28 20:00"
+    path = write(tmp_path / "c.nc", *sample(), time_units=unit, calendar=calendar)
+    currents = read_currents(path)
+    assert currents.start == "2019-02-28T20:00:00"
+    np.testing.assert_allclose(currents.time, TIME, atol=1e-9)
+    with pytest.raises(DataError, match=f"calendar '{calendar}'; must be one of real dates"):
+        read_currents(path, column=True)
+
+
+def test_years_that_are_far_away(tmp_path):
+    path = write(tmp_path / "c.nc", *sample(), time_units="hours since 0001-01-01")
+    assert read_currents(path).start == "0001-01-01T00:00:00"
+    with pytest.raises(DataError, match=r"'hours since 0001-01-01'; .*with years from 1678"):
+        read_currents(path, column=True)
+
+
 @pytest.mark.parametrize(
     ("options", "box", "sentence"),
     [
+        ({"time_units": "hours since 01/02/2019"}, BOX, "time has units 'hours since 01/02/2019'"),
+        ({"time_units": "hours since 2019-13-01"}, BOX, "time has units 'hours since 2019-13-01'"),
+        ({"time_units": "moons since 2019-01-01"}, BOX, "time has units 'moons since 2019-01-01'"),
+        ({"time": TIME * np.nan}, BOX, "time has values that are not finite"),
+        ({"lat": np.where(LAT > 41.2, LAT, np.nan)}, BOX, "lat has values that are not finite"),
         ({"names": ("p", "v")}, BOX, "no eastward velocity; .*'eastward_sea_water_velocity'.*p, v"),
         ({"names": ("u", "q")}, BOX, "no northward velocity"),
         ({"without": ("lat",)}, BOX, "no latitude; .*standard_name 'latitude'"),
@@ -197,10 +227,10 @@ def test_box_across_180_degrees(tmp_path):
         ({"calendar": ""}, BOX, "time has the calendar ''; must be one of standard"),
         ({"calendar": "mayan"}, BOX, "time has the calendar 'mayan'; must be one of standard"),
         ({"lat": 1e300 * LAT}, BOX, "lat goes from 4.1e.301 to 4.15e.301; must be a latitude"),
-        ({"lat": np.full(6, 41.2)}, BOX, "latitude has a value twice"),
-        ({}, (50, 51, -69.9, -69), "latitude 50 to 51 holds 0 cells; .*covers 41 to 41.5"),
-        ({}, (41, 41.5, 10, 11), "longitude 10 to 11 holds 0 cells"),
-        ({}, (41.0, 41.05, -69.9, -69), "latitude 41 to 41.05 holds 1 cells; at least 2"),
+        ({"lat": np.full(6, 41.2)}, BOX, "lat has a value twice"),
+        ({}, (50, 51, -69.9, -69), "lat holds 0 cells of the box, 50 to 51; .*covers 41 to 41.5"),
+        ({}, (41, 41.5, 10, 11), "lon holds 0 cells of the box, 10 to 11"),
+        ({}, (41.0, 41.05, -69.9, -69), "lat holds 1 cells of the box, 41 to 41.05; at least 2"),
         ({}, (41.5, 41.0, -69.9, -69), "south before north"),
         ({}, (41.0, 41.5, -69.0, -69.9), "west before east"),
         ({}, (41.0, np.nan, -69.9, -69), "4 finite numbers"),
@@ -220,9 +250,9 @@ def test_an_axis_of_length_zero_is_refused(tmp_path, name):
     path = write(
         tmp_path / "c.nc", *np.zeros((2, 10, *sizes)), **{"lat": LAT, "lon": LON[:6]} | empty
     )
-    for read in (read_currents, read_column):
+    for column in (False, True):
         with pytest.raises(DataError, match=f"{name} has the length zero; must hold at least one"):
-            read(path)
+            read_currents(path, column=column)
     with pytest.raises(DataError, match=f"{name} has the length zero"):
         read_record(path, 41.0, (41.2, -69.5))
 

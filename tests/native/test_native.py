@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 import clpt_control as clpt
 from clpt_control.blocks import Block, reference, vehicle
 from clpt_control.blocks.words import clip, floor, lookup, maximum, minimum, sign, where
-from clpt_control.currents.gridded import GriddedField
+from clpt_control.currents.field_file import GriddedField
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.errors import DiagramError, SimulationError
 from clpt_control.native import readings

@@ -21,7 +21,7 @@ from synthetic_forecast import (
     write,
 )
 
-from clpt_control.currents.forecast_file import read_column
+from clpt_control.currents.grid_file import read_currents
 from clpt_control.errors import DataError
 from clpt_control.gliders.dive_table import sample_dives
 from clpt_control.gliders.dives import make_dive
@@ -76,7 +76,8 @@ def test_the_column_is_averaged(tmp_path):
     model = read_flow_model(write(tmp_path / "c.nc", u, v, hours=hours, depth=DEPTH))
     assert eastward(900.0) == pytest.approx(0.4 - 0.5 * 0.1, abs=1e-4)
     flipped = write(tmp_path / "f.nc", u[:, ::-1], v, hours=hours, depth=-DEPTH[::-1])
-    assert np.array_equal(read_column(flipped).u, read_column(tmp_path / "c.nc").u, equal_nan=True)
+    one, two = (read_currents(file, column=True) for file in (flipped, tmp_path / "c.nc"))
+    assert np.array_equal(one.u, two.u, equal_nan=True)
 
 
 def test_profiles_with_holes():
@@ -165,17 +166,23 @@ def test_a_gap_of_the_steps_is_not_bridged(tmp_path):
 def test_too_few_values_are_counted_in_words(tmp_path):
     one = np.zeros((4, 1, len(LON)))
     for path, said in (
-        (write(tmp_path / "a.nc", one, one, lat=LAT[:1], hours=HOURS[:4]), "lat has 1 value; a"),
-        (write(tmp_path / "b.nc", one[:1], one[:1], hours=HOURS[:1], lat=LAT[:1]), "has 1 step; a"),
+        (
+            write(tmp_path / "a.nc", one, one, lat=LAT[:1], hours=HOURS[:4]),
+            "lat has 1 value; at least 2",
+        ),
+        (
+            write(tmp_path / "b.nc", one[:1], one[:1], hours=HOURS[:1], lat=LAT[:1]),
+            "has 1 step; at least 2",
+        ),
         (write(tmp_path / "c.nc", one[:0], one[:0], hours=HOURS[:0], lat=LAT[:1]), "has 0 steps;"),
     ):
         with pytest.raises(DataError, match=said):
-            read_column(path)
+            read_currents(path, column=True)
 
 
 def test_measured_surface_current():
     model = read_flow_model(MARACOOS)
-    data = read_column(MARACOOS)
+    data = read_currents(MARACOOS, column=True)
     whole = np.isfinite(data.u).all(axis=(0, 1))
     measured = np.lib.stride_tricks.sliding_window_view(whole, (4, 4)).all(axis=(2, 3))
     j, i = np.argwhere(measured)[0] + 1  # whole round about, as the dive drifts

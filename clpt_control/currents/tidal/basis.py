@@ -14,7 +14,7 @@ import numpy as np
 
 from ...errors import DataError
 from ...scenario.tides import SPEEDS
-from ..gridded import speed_in_metres_per_second
+from ...units import speed_in_metres_per_second
 from ..nodal import checked_times, nodal_corrections
 from .analysis import TidalFit
 

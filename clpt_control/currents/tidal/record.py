@@ -17,8 +17,15 @@ import numpy as np
 
 from ...errors import DataError
 from ...files import open_netcdf
-from ..cf import AXES, VELOCITY, check_speed, find_axis, find_variable, surface_values
-from ..cf_time import check_calendar, hours_since_first
+from ..cf import (
+    AXES,
+    VELOCITY,
+    check_speed,
+    dates_of,
+    find_axis,
+    find_variable,
+    velocity_values,
+)
 from .sampling import check_increasing
 from .table import is_table, read_table
 
@@ -108,9 +115,7 @@ def _from_netcdf(data: "xarray.Dataset", path: Path, at: tuple[float, float] | N
     east = find_variable(data, VELOCITY, "eastward", path)
     north = find_variable(data, VELOCITY, "northward", path)
     when = find_axis(data, east, "time", path)
-    check_calendar(when, path)
-    hours, start = hours_since_first(when, path)
-    times = np.datetime64(start, "ms") + np.round(3.6e6 * hours).astype("timedelta64[ms]")
+    times = (dates_of(when, path) + np.timedelta64(500, "us")).astype("datetime64[ms]")
     kept: dict[Any, np.ndarray] = {when.dims[0]: np.arange(len(times))}
     place = _own_place(data)
     if at is not None:
@@ -128,7 +133,7 @@ def _from_netcdf(data: "xarray.Dataset", path: Path, at: tuple[float, float] | N
             f"{path}: is a grid of {' x '.join(str(others[n]) for n in grid)} places; --at LAT LON "
             "takes the nearest"
         )
-    u, v = (surface_values(data, name, kept, path).ravel() for name in (east, north))
+    u, v = (velocity_values(data, name, kept, path).ravel() for name in (east, north))
     return times, u, v, tuple(place)
 
 

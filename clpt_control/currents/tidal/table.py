@@ -21,8 +21,8 @@ import numpy as np
 
 from ...errors import DataError
 from ...files.reading import read_text
+from ...units import speed_in_metres_per_second
 from ..cf import VELOCITY
-from ..gridded import speed_in_metres_per_second
 from ..nodal import checked_times
 from ..text_table import cells_of, lines_of, other_marks
 

@@ -12,24 +12,11 @@ import numpy as np
 
 from ..errors import DataError
 from ..files import open_netcdf
-from ..scenario.tides import SECONDS
+from ..units import METRES, SECONDS, length_in_metres, speed_in_metres_per_second, time_in_seconds
+from .cf import numbers_of
 
 if TYPE_CHECKING:
     import xarray
-
-METRES = {"m": 1.0, "km": 1000.0, "cm": 0.01}
-WORDS = {
-    "meter": "m",
-    "meters": "m",
-    "metre": "m",
-    "metres": "m",
-    "sec": "s",
-    "second": "s",
-    "seconds": "s",
-    "hour": "h",
-    "hr": "h",
-    "day": "d",
-}
 
 
 @dataclass(frozen=True)
@@ -55,101 +42,6 @@ class GriddedField:
     x1: np.ndarray
     u: np.ndarray
     v: np.ndarray
-
-
-def length_in_metres(unit: str, where: str) -> float:
-    """Return the size of a unit of length such as ``"km"``.
-
-    Parameters
-    ----------
-    unit : str
-        As the file's attribute has it.
-    where : str
-        File and variable, for the message.
-
-    Returns
-    -------
-    float
-        In m.
-
-    Raises
-    ------
-    DataError
-        If the unit is no known length.
-
-    Examples
-    --------
-    >>> length_in_metres("km", "x"), length_in_metres("Meters", "depth")
-    (1000.0, 1.0)
-    """
-    word = unit.strip().lower()
-    size = METRES.get(WORDS.get(word, word))
-    if size is None:
-        raise DataError(f"{where} has units '{unit}'; must be such as 'm', 'km' or 'cm'")
-    return size
-
-
-def speed_in_metres_per_second(unit: str, where: str) -> float:
-    """Return the size of a unit of speed such as ``"cm/s"``.
-
-    Parameters
-    ----------
-    unit : str
-        As the file's attribute has it.
-    where : str
-        File and variable, for the message.
-
-    Returns
-    -------
-    float
-        In m/s.
-
-    Raises
-    ------
-    DataError
-        If the unit is no known speed.
-
-    Examples
-    --------
-    >>> speed_in_metres_per_second("cm s-1", "u")
-    0.01
-    """
-    text = unit.strip().replace("**", "").replace("^", "").replace(".", " ")
-    for per in ("-1", "/"):
-        text = text.replace(per, " ")
-    words = text.split()
-    words = [WORDS.get(word, word) for word in words if word != "per"]
-    if words in (["knot"], ["knots"], ["kt"]):
-        return 1852.0 / 3600.0
-    if len(words) == 2 and words[0] in METRES and words[1] in SECONDS:
-        return METRES[words[0]] / SECONDS[words[1]]
-    raise DataError(f"{where}: units = '{unit}' is no speed; must be such as 'm/s' or 'cm s-1'")
-
-
-def numbers_of(variable: "xarray.DataArray", where: str) -> np.ndarray:
-    """Return a variable's values as floats.
-
-    Parameters
-    ----------
-    variable : xarray.DataArray
-        Of a file.
-    where : str
-        File and variable, for the message.
-
-    Returns
-    -------
-    ndarray
-        Of the variable's shape.
-
-    Raises
-    ------
-    DataError
-        If they are characters or rows of different lengths.
-    """
-    values = variable.values  # where rows are ragged, the variable says numbers and these do not
-    if values.dtype.kind not in "iuf":
-        raise DataError(f"{where} holds {values.dtype}; must hold numbers")
-    return values.astype(float)
 
 
 def read_field(path: Path, units) -> GriddedField:
@@ -180,7 +72,7 @@ def read_field(path: Path, units) -> GriddedField:
         for name in ("time", "y", "x"):
             where, unit = f"{path}: {name}", str(data[name].attrs.get("units", ""))
             if name == "time":
-                size = _seconds(unit, where) / SECONDS[units.time]
+                size = time_in_seconds(unit, where) / SECONDS[units.time]
             else:
                 size = length_in_metres(unit, where) / METRES[units.length]
             axes.append(_regular(numbers_of(data[name], where) * size, name, path))
@@ -209,17 +101,6 @@ def time_origin(path: Path) -> dict[str, str]:
     with open_netcdf(path) as data:
         origin = data.attrs.get("time_origin")
     return {} if origin is None else {"time_origin": str(origin)}
-
-
-def _seconds(unit: str, where: str) -> float:
-    """Return the size of a unit of time in s, whatever it counts from."""
-    unit = unit.split(" since ")[0].strip()
-    unit = {"hours": "h", "hour": "h", "seconds": "s", "days": "d", "minutes": "min"}.get(
-        unit, unit
-    )
-    if unit not in SECONDS:
-        raise DataError(f"{where} has units '{unit}'; must be one of {', '.join(SECONDS)}")
-    return SECONDS[unit]
 
 
 def _regular(axis: np.ndarray, name: str, path: Path) -> np.ndarray:

@@ -1,0 +1,265 @@
+"""Read a gridded current: CF names or u/v, units from attributes, gaps kept.
+
+The answer is always the same: latitudes and longitudes increasing, hours since the
+first step, u (east) and v (north) in m/s, NaN where either was not measured.  A
+drifter needs the level nearest the surface, a glider samples the water column.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..errors import DataError
+from ..files import open_netcdf
+from ..units import length_in_metres
+from .cf import (
+    DEPTH_NAMES,
+    VELOCITY,
+    check_speed,
+    dates_of,
+    find_axis,
+    find_variable,
+    is_depth,
+    numbers_of,
+    velocity_values,
+)
+
+if TYPE_CHECKING:
+    import xarray
+
+DEEPEST = 1000.0  # m; no level of a column further down is read, except the next
+MOST = 10**8  # values of one component: 0.8 GB
+
+
+@dataclass(frozen=True)
+class Currents:
+    """A measured or modelled current on latitudes and longitudes.
+
+    Attributes
+    ----------
+    lat : ndarray, shape (ny,)
+        Latitudes, degrees north, increasing.
+    lon : ndarray, shape (nx,)
+        Longitudes, degrees east, increasing; may pass 180.
+    depth : ndarray, shape (nz,)
+        Levels, m, increasing from the surface; ``[0.0]`` where the file has none.
+    time : ndarray, shape (nt,)
+        Hours since the first step, increasing.
+    start : str
+        The first step, ISO 8601, as the file counts it (UTC unless it says).
+    u, v : ndarray, shape (nt, ny, nx), or (nt, nz, ny, nx) of a column
+        Flow to the east and to the north, m/s; NaN in both where either is
+        missing.
+    box : tuple of float
+        lat0, lat1, lon0, lon1 that were asked for, degrees.
+    source : str
+        Name of the file.
+    """
+
+    lat: np.ndarray
+    lon: np.ndarray
+    depth: np.ndarray
+    time: np.ndarray
+    start: str
+    u: np.ndarray
+    v: np.ndarray
+    box: tuple[float, float, float, float]
+    source: str
+
+    @property
+    def measured(self) -> np.ndarray:
+        """Where the current was measured, boolean, of the shape of u."""
+        return np.isfinite(self.u)
+
+
+def read_currents(
+    path: str | Path, box: tuple[float, float, float, float] | None = None, *, column: bool = False
+) -> Currents:
+    """Read a gridded current from a NetCDF file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A NetCDF file with dims time, latitude, longitude in any order, and
+        perhaps a depth.
+    box : tuple of float, optional
+        lat0, lat1, lon0, lon1 in degrees; cells whose centre is inside are
+        kept. Without it, the whole file.
+    column : bool, optional
+        Read all levels down to 1000 m and the next, at real dates, in place of
+        the level nearest the surface. A grid around the Earth then gets its
+        first column again at its end.
+
+    Returns
+    -------
+    Currents
+        In m/s, m, degrees and hours, gaps as NaN.
+
+    Raises
+    ------
+    DataError
+        If the file, a variable, a unit, or data in the box are missing, or
+        they are too many to be held; one sentence naming file, variable and
+        what is allowed.
+
+    Examples
+    --------
+    A current of two hours on four cells:
+
+    >>> import tempfile, xarray
+    >>> hours = ("time", [0.0, 1.0], {"units": "hours since 2019-01-01"})
+    >>> grid = {"time": hours, "lat": [41.0, 41.1], "lon": [-69.2, -69.1]}
+    >>> flow = (("time", "lat", "lon"), np.full((2, 2, 2), 25.0), {"units": "cm/s"})
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     xarray.Dataset({"u": flow, "v": flow}, grid).to_netcdf(f"{folder}/current.nc")
+    ...     currents = read_currents(f"{folder}/current.nc")
+    >>> currents.start, currents.time, float(currents.u[0, 0, 0])
+    ('2019-01-01T00:00:00', array([0., 1.]), 0.25)
+    """
+    path = Path(path)
+    with open_netcdf(path) as data:
+        if "fit_report" in data.attrs:
+            raise DataError(
+                f"{path}: is the field of a `clpt fit`; give the .toml file beside it as a flow "
+                "model, or the file that was fitted"
+            )
+        names = [find_variable(data, VELOCITY, what, path) for what in ("eastward", "northward")]
+        lat, lon, when = (
+            find_axis(data, names[0], what, path) for what in ("latitude", "longitude", "time")
+        )
+        hours, start = _since_first(dates_of(when, path, real=column))
+        latitudes, longitudes = lat.values.astype(float), lon.values.astype(float)
+        span = None if box is None else _checked_box(box)
+        longitudes = _unwrapped(longitudes, span)
+        wanted = span or (latitudes.min(), latitudes.max(), longitudes.min(), longitudes.max())
+        rows = _inside(latitudes, wanted[:2], f"{path}: {lat.name}", box is None)
+        columns = _inside(longitudes, wanted[2:], f"{path}: {lon.name}", box is None)
+        lon_kept = longitudes[columns]
+        if column and lon_kept[0] + 360.0 - lon_kept[-1] < 1.5 * np.median(np.diff(lon_kept)):
+            columns = np.append(columns, columns[0])
+            lon_kept = np.append(lon_kept, lon_kept[0] + 360.0)
+        steps = np.argsort(hours)
+        if not np.all(np.diff(hours[steps]) > 0):
+            raise DataError(f"{path}: {when.name} has a step twice; keep each time once")
+        kept = {when.dims[0]: steps, lat.dims[0]: rows, lon.dims[0]: columns}
+        depth = np.zeros(1)
+        if column:
+            level, depth = _levels(data, names[0], set(kept), path)
+            order = np.argsort(depth)
+            order = order[: int(np.searchsorted(depth[order], DEEPEST)) + 1]
+            depth = depth[order]
+            if level is not None:
+                kept = {when.dims[0]: steps, level: order, lat.dims[0]: rows, lon.dims[0]: columns}
+        size = np.prod([len(index) for index in kept.values()], dtype=float)
+        if size > MOST:
+            raise DataError(
+                f"{path}: {names[0]} has {size:.3g} values; at most {MOST:.0g} can be held, cut "
+                "the file to the area and days that are needed"
+            )
+        u, v = (velocity_values(data, name, kept, path) for name in names)
+    gap = ~(np.isfinite(u) & np.isfinite(v))
+    if gap.all():
+        raise DataError(
+            f"{path}: {names[0]} and {names[1]} have no finite value in the box {_shown(wanted)}; "
+            "choose a box where the current was measured"
+        )
+    u[gap] = v[gap] = np.nan
+    for name, values in zip(names, (u, v), strict=True):
+        check_speed(values, name, path)
+    if column and u.ndim == 3:
+        u, v = u[:, None], v[:, None]
+    lat0, lat1, lon0, lon1 = map(float, wanted)
+    return Currents(
+        latitudes[rows],
+        lon_kept,
+        depth,
+        hours[steps],
+        start,
+        u,
+        v,
+        (lat0, lat1, lon0, lon1),
+        path.name,
+    )
+
+
+def _since_first(dates: np.ndarray) -> tuple[np.ndarray, str]:
+    """Return hours since the earliest date, and that date as ISO text."""
+    first = dates.min()
+    if dates.dtype.kind == "M":
+        nearest = (first + np.timedelta64(500, "us")).astype("datetime64[ms]")
+        return (dates - first) / np.timedelta64(1, "h"), nearest.item().isoformat()
+    return np.array([(date - first).total_seconds() / 3600.0 for date in dates]), first.isoformat()
+
+
+def _checked_box(box: Any) -> tuple[float, float, float, float]:
+    """Return lat0, lat1, lon0, lon1 with lon1 > lon0, also across 180 degrees."""
+    if len(box) != 4 or not np.all(np.isfinite(box)):
+        raise DataError(f"box = {tuple(box)}: must be 4 finite numbers, LAT0 LAT1 LON0 LON1")
+    lat0, lat1, lon0, lon1 = map(float, box)
+    width = (lon1 - lon0) % 360.0
+    if not -90 <= lat0 < lat1 <= 90 or not 0 < width <= 180:
+        raise DataError(
+            f"box = {_shown(box)}: must be LAT0 LAT1 LON0 LON1 in degrees, south before north "
+            "and west before east, at most 180 degrees wide"
+        )
+    return lat0, lat1, lon0, lon0 + width
+
+
+def _unwrapped(lon: np.ndarray, box: tuple[float, float, float, float] | None) -> np.ndarray:
+    """Return longitudes without a jump: cut opposite a box, or at the circle's largest gap."""
+    if box is None:
+        circle = np.sort(lon % 360.0)
+        gaps = np.diff(circle, append=circle[0] + 360.0)
+        order = np.argsort(lon % 360.0)
+        first = lon[order[(int(np.argmax(gaps)) + 1) % len(lon)]]
+    else:
+        first = box[2] + 0.5 * (box[3] - box[2]) - 180.0
+    return lon - 360.0 * np.floor((lon - first) / 360.0)
+
+
+def _inside(axis: np.ndarray, span: tuple, where: str, whole: bool) -> np.ndarray:
+    """Return the indices of the axis inside the span, in increasing order."""
+    slack = 1e-9
+    order = np.argsort(axis)
+    kept = order[(axis[order] >= span[0] - slack) & (axis[order] <= span[1] + slack)]
+    if len(kept) < 2 and whole:
+        raise DataError(f"{where} has 1 value; at least 2 are needed")
+    if len(kept) < 2:
+        raise DataError(
+            f"{where} holds {len(kept)} cells of the box, {span[0]:g} to {span[1]:g}; at least 2 "
+            f"are needed, the file covers {axis.min():.6g} to {axis.max():.6g}"
+        )
+    if not np.all(np.diff(axis[kept]) > 0):
+        raise DataError(f"{where} has a value twice; keep each cell once")
+    return kept
+
+
+def _levels(
+    data: "xarray.Dataset", name: str, axes: set, path: Path
+) -> tuple[Any | None, np.ndarray]:
+    """Return the dimension of depth, if any, and its levels, m."""
+    others = [dim for dim in data[name].dims if dim not in axes]
+    dims = [dim for dim in others if data[name].sizes[dim] != 1]
+    if not dims:
+        single = [d for d in others if str(d).lower() in DEPTH_NAMES and d in data.variables]
+        alone = np.abs(data[single[0]].values.astype(float)) if single else np.zeros(1)
+        return None, np.nan_to_num(alone)
+    if len(dims) > 1 or not is_depth(data, dims[0]):
+        raise DataError(
+            f"{path}: {name} has the dimensions ({', '.join(map(str, data[name].dims))}); allowed "
+            "are time, latitude, longitude and a depth"
+        )
+    where = f"{path}: {dims[0]}"
+    depth = np.abs(numbers_of(data[dims[0]], where))
+    unit = str(data[dims[0]].attrs.get("units", "")).strip()
+    if unit or not str(dims[0]).lower().startswith(("depth", "z")):  # else taken as m
+        depth *= length_in_metres(unit, where)
+    if not np.all(np.diff(np.sort(depth)) > 0):
+        raise DataError(f"{where} has {len(depth)} levels; must be finite depths, each once")
+    return dims[0], depth
+
+
+def _shown(box: Any) -> str:
+    return " ".join(f"{value:g}" for value in box)

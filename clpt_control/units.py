@@ -1,0 +1,89 @@
+"""Units of length, time and speed, and dates, as scenarios and files write them."""
+
+from datetime import UTC, datetime
+
+from .errors import DataError
+
+METRES = {"m": 1.0, "km": 1000.0, "cm": 0.01}
+SECONDS = {
+    "s": 1.0,
+    "min": 60.0,
+    "h": 3600.0,
+    "d": 86400.0,
+    "ms": 1e-3,
+    "us": 1e-6,
+    "ns": 1e-9,
+}
+KNOT = 1852.0 / 3600.0  # m/s
+WORDS = {  # also in the plural
+    "meter": "m",
+    "metre": "m",
+    "sec": "s",
+    "second": "s",
+    "minute": "min",
+    "hr": "h",
+    "hour": "h",
+    "day": "d",
+    "millisecond": "ms",
+    "microsecond": "us",
+    "nanosecond": "ns",
+    "kt": "knot",
+}
+
+
+def _short(word: str) -> str:
+    """Return the symbol of a unit that is written out."""
+    word = word.strip().lower()
+    single = word.removesuffix("s") if len(word) > 2 else word
+    return WORDS.get(word) or WORDS.get(single, single)
+
+
+def length_in_metres(unit: str, where: str) -> float:
+    """Return the size of a unit of length in m; `where` is file and variable, for the message.
+
+    >>> length_in_metres("km", "x"), length_in_metres("Meters", "depth")
+    (1000.0, 1.0)
+    """
+    size = METRES.get(_short(unit))
+    if size is None:
+        raise DataError(f"{where} has units '{unit}'; must be such as 'm', 'km' or 'cm'")
+    return size
+
+
+def time_in_seconds(unit: str, where: str) -> float:
+    """Return the size of a unit of time in s, whatever date it counts from.
+
+    >>> time_in_seconds("hours since 2019-01-01", "time")
+    3600.0
+    """
+    size = SECONDS.get(_short(unit.split(" since ")[0]))
+    if size is None:
+        raise DataError(f"{where} has units '{unit}'; must be such as 's', 'min', 'h' or 'd'")
+    return size
+
+
+def speed_in_metres_per_second(unit: str, where: str) -> float:
+    """Return the size of a unit of speed in m/s.
+
+    >>> speed_in_metres_per_second("cm s-1", "u")
+    0.01
+    """
+    text = unit.strip().replace("**", "").replace("^", "").replace(".", " ")
+    for per in ("-1", "/", " per "):
+        text = text.replace(per, " ")
+    words = [_short(word) for word in text.split()]
+    if words == ["knot"]:
+        return KNOT
+    if len(words) == 2 and words[0] in METRES and words[1] in SECONDS:
+        return METRES[words[0]] / SECONDS[words[1]]
+    raise DataError(f"{where}: units = '{unit}' is no speed; must be such as 'm/s' or 'cm s-1'")
+
+
+def seconds_since_1970(date: str) -> float:
+    """Return a date of ISO 8601, UTC unless it says, in s; a ValueError where it is none.
+
+    >>> seconds_since_1970("1970-01-01T02:00:00+01:00")
+    3600.0
+    """
+    moment = datetime.fromisoformat(date)
+    return (moment if moment.tzinfo else moment.replace(tzinfo=UTC)).timestamp()
