@@ -19,7 +19,7 @@ ROWS = [
 ]
 ROW = {room: k for k, row in enumerate(ROWS) for room in row}
 DOORS = ("__init__", "__main__")  # of the package itself
-ASKED = {("blocks.conformance.equations", "native.all_readings")}  # conformance asks every reading
+ASKED = {("blocks.checks.equations", "native.all_readings")}  # conformance asks every reading
 
 
 def modules():

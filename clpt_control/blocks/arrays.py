@@ -6,12 +6,12 @@ from typing import Any
 import numpy as np
 
 from .block import Block
+from .ieee import MOST_ANGLE
 from .record import Record
-from .running import MOST_ANGLE
 
 
 def on_arrays(record: Record, t: Any, x: Any, u: Any, p: Any) -> np.ndarray:
-    """Run a record on arrays."""
+    """Run a record on arrays: n times, for each state and input a number or n; shape (size, n)."""
     t = np.asarray(t, dtype=float)
     flat: dict[str, np.ndarray] = {}
 
@@ -70,7 +70,7 @@ def evaluate(block: Block, times: Any, inputs: Any) -> np.ndarray:
 
 
 def picked(numbers: np.ndarray, index: Any) -> Any:
-    """Read numbers at whole places; NaN outside."""
+    """Return numbers at whole places; NaN outside."""
     whole = np.trunc(index)
     whole = np.where(whole < 0, whole + len(numbers), whole)
     inside = (whole >= 0) & (whole < len(numbers))
@@ -125,29 +125,14 @@ OPERATIONS: dict[str, Callable[..., Any]] = {
     "cos": _circular(np.cos),
     "tan": _circular(np.tan),
     **{
-        name: getattr(np, ieee)
-        for name, ieee in {
-            **{
-                n: n
-                for n in (
-                    "exp",
-                    "expm1",
-                    "log",
-                    "log1p",
-                    "log2",
-                    "log10",
-                    "sqrt",
-                    "sinh",
-                    "cosh",
-                    "tanh",
-                    "fabs",
-                    "hypot",
-                )
-            },
-            **{
-                n: f"arc{n[1:]}"
-                for n in ("asin", "acos", "atan", "atan2", "asinh", "acosh", "atanh")
-            },
-        }.items()
+        name: getattr(np, name)
+        for name in (
+            *("exp", "expm1", "log", "log1p", "log2", "log10", "sqrt"),
+            *("sinh", "cosh", "tanh", "fabs", "hypot"),
+        )
+    },
+    **{
+        name: getattr(np, f"arc{name[1:]}")
+        for name in ("asin", "acos", "atan", "atan2", "asinh", "acosh", "atanh")
     },
 }

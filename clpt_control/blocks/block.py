@@ -20,11 +20,18 @@ import control
 import numpy as np
 
 from ..errors import BlockError
-from .parameters import NoParameters, checked_parameters
-from .ports import Equations, Guard, check_names, labels, states_as_outputs
+from .declaration import (
+    Equations,
+    Guard,
+    NoParameters,
+    check_names,
+    checked_parameters,
+    labels,
+    states_as_outputs,
+)
+from .ieee import in_ieee
 from .record import Record
 from .rules import check_equations
-from .running import running
 from .trace import trace
 from .tracers import TooLong
 
@@ -152,7 +159,7 @@ class Block(control.NonlinearIOSystem):
                 with suppress(TooLong):  # Python runs it all the same
                     sizes = (states, inputs, size)
                     record = trace(function, f"{self.name}.{role}", sizes, self.parameters)
-                found[role] = running(function), record
+                found[role] = in_ieee(function), record
         return found
 
     def _record(self, role: str) -> Record | None:

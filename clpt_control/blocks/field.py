@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .block import Block
-from .ports import Guard
+from .declaration import Guard
 from .words import clip, floor, lookup, minimum, where
 
 

@@ -1,9 +1,9 @@
-"""What a block's equations may say, checked when the block is made.
+"""What a block's equations may contain, checked when the block is made.
 
-What could not be recorded, or would have an effect beside filling the last
-argument, is refused with the function, the line and the word to use instead.
-This reads the source text to give a good sentence, where there is one; what
-equations mean is never taken from it but from running them (`trace`).
+What cannot be recorded, or has an effect beside filling the last argument, is
+refused with the function, the line and the word to use instead.  The source text
+is read here only to give a good sentence, where there is a text; what equations
+mean is never taken from it but from running them (`trace`).
 """
 
 import ast
@@ -15,8 +15,7 @@ from collections.abc import Callable
 from types import FunctionType
 
 from ..errors import BlockError
-from .bytecode import effects, names_read
-from .rebinding import helpers_of
+from .functions import effects, helpers_of, names_read
 from .words import MATH
 
 ALLOWED_BUILTINS = {"range", "len", "float", "int"}
@@ -64,7 +63,7 @@ _CALLS = {
     "abs": "math.fabs(a)",
     "sum": "a `for i in range(n)` loop that adds",
     "round": "floor(a + 0.5)",
-    "print": "a recorded output",
+    "print": "an output port",
     "zip": "`for i in range(n)` and indices",
     "enumerate": "`for i in range(n)` and indices",
 }
@@ -102,7 +101,7 @@ def opaque(function: Callable) -> Callable:
 
 
 def check_equations(function: Callable, role: str) -> None:
-    """Refuse equations that cannot be recorded."""
+    """Refuse equations that cannot be recorded: `role`, line and replacement are named."""
     key = (function, getattr(function, "__code__", None))
     if key not in _passed:
         _check(function, role, set())
@@ -228,7 +227,7 @@ def _refuse(role: str, line: int, what: str, instead: str) -> None:
 
 
 def _refused_name(function: FunctionType, name: str) -> tuple[str, str] | None:
-    """Return what to say of a name of the module; None where it may be used."""
+    """Return why a name of the module is refused and what to use; None where it may be used."""
     space = function.__globals__
     if name not in space:
         if name in ALLOWED_BUILTINS:

@@ -29,9 +29,13 @@ def expressions(
     record: Record,
     leaf: Callable[..., Any],
     constant: Callable[[float], Any] = exact,
-    told: Callable[[str, tuple], Any] = lambda name, arguments: None,
+    watch: Callable[[str, tuple], Any] = lambda name, arguments: None,
 ) -> list[sympy.Expr]:
-    """Return what a record computes, on symbols."""
+    """Return what a record computes, on symbols.
+
+    ``leaf("x", 0)`` is an expression, ``leaf("table", (field, first, stride, count))`` a name for
+    these numbers of a parameter; `watch` gets each operation and its arguments.
+    """
 
     def read(value: Any) -> Any:
         return constant(value) if type(value) is float else value
@@ -45,32 +49,19 @@ def expressions(
             named = "_".join([f"{helper}()", *parts])
             return sympy.Function(named, real=True)(*map(read, given))
         numbers = tuple(map(read, arguments))
-        told(name, numbers)
+        watch(name, numbers)
         return OPERATIONS[name](*numbers)
 
     return [read(value) for value in record.replay(leaf, apply)]
 
 
 # what SymPy leaves as it stands, by the name it has there
-WORDS = {
+UNEXPANDED = {
     **{
         name: name
         for name in (
-            "where",
-            "minimum",
-            "maximum",
-            "clip",
-            "sign",
-            "floor",
-            "trunc",
-            "ceil",
-            "mod",
-            "floordiv",
-            "lt",
-            "le",
-            "gt",
-            "ge",
-            "pick",
+            *("where", "minimum", "maximum", "clip", "sign", "floor", "trunc", "ceil"),
+            *("mod", "floordiv", "lt", "le", "gt", "ge", "pick"),
         )
     },
     **{name: f"{name}_" for name in ("and", "or", "not")},
@@ -95,12 +86,12 @@ OPERATIONS: dict[str, Callable[..., Any]] = {
             *("sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "erf", "erfc"),
         )
     },
-    **{name: sympy.Function(told, real=True) for name, told in WORDS.items()},
+    **{name: sympy.Function(own, real=True) for name, own in UNEXPANDED.items()},
 }
 
 
-class Reading:
-    """A record as SymPy reads it, ready to be asked with numbers.
+class SymbolicFunction:
+    """A record as SymPy's expressions, to be called with numbers.
 
     What is used twice is a symbol of its own, so that expressions stay short.
     """
@@ -148,7 +139,7 @@ class Reading:
         for value in (*self.outputs, *(value for _, value in self.steps)):
             if value.has(sympy.zoo, sympy.nan, sympy.I):
                 raise BlockError(f"SymPy finds that the equations divide by zero: {value}")
-        self._ask = self._function()
+        self._compiled = self._function()
 
     def _function(self) -> Callable:
         from sympy.printing.numpy import SciPyPrinter
@@ -158,18 +149,18 @@ class Reading:
         lines = [f"    {symbol} = {printer.doprint(value)}" for symbol, value in self.steps]
         outputs = ", ".join(printer.doprint(value) for value in self.outputs)
         arguments = ", ".join(map(str, self.leaves.values()))
-        text = "\n".join([f"def ask({arguments}):", *lines, f"    return [{outputs}]"])
+        text = "\n".join([f"def values({arguments}):", *lines, f"    return [{outputs}]"])
         space: dict[str, Any] = {"numpy": np, "picked": arrays.picked}
-        space |= {told: arrays.OPERATIONS[name] for name, told in WORDS.items()}
+        space |= {own: arrays.OPERATIONS[name] for name, own in UNEXPANDED.items()}
         if "scipy" in text:
             import scipy.special
 
             space["scipy"] = scipy
         exec(compile(text, "<the SymPy reading>", "exec"), space)
-        return space["ask"]
+        return space["values"]
 
-    def ask(self, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
-        """Return what the expressions are at numbers."""
+    def __call__(self, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+        """Return the value of each output; p has `interval` filled in."""
         numbers = []
         for name, *where in self.leaves:
             if name == "t":
@@ -186,11 +177,11 @@ class Reading:
                 numbers.append((x if name == "x" else u)[where[0]])
         with np.errstate(all="ignore"):
             return np.array(
-                self._ask(*(np.asarray(n, dtype=float)[()] for n in numbers)), dtype=float
+                self._compiled(*(np.asarray(n, dtype=float)[()] for n in numbers)), dtype=float
             )
 
 
 @cache
-def reading(record: Record) -> Reading:
+def in_sympy(record: Record) -> SymbolicFunction:
     """Return the SymPy reading of a record, made once."""
-    return Reading(record)
+    return SymbolicFunction(record)

@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 
 from ..errors import BlockError
-from .rebinding import fingerprint, reached, rebind
+from .functions import fingerprint, substituted, with_helpers
 from .record import Record
-from .tracers import Condition, Number, Refused, Table, Tape, TooLong, cells, operand
+from .tracers import Condition, Number, Refused, Table, Tape, TooLong, operand, tracer_array
 from .words import MATH, WORDS
 
 LARGEST_ARRAY = 4096  # numbers; a longer parameter array can be read, not calculated with
@@ -26,7 +26,11 @@ _records: OrderedDict[Any, Record] = OrderedDict()
 
 
 def trace(function: FunctionType, role: str, sizes: tuple[int, int, int], p: Any) -> Record:
-    """Run equations on tracers and return the record."""
+    """Run equations ``f(t, x, u, p, out)`` on tracers and return the record.
+
+    `sizes` are those of x, u and out.  Of p, whole numbers stay, of the rest the shapes count.
+    The same code, sizes and shapes give the same record; `role` stands in messages.
+    """
     shapes = tuple(value if isinstance(value, int) else np.shape(value) for value in p)
     key = (fingerprint(function), sizes, type(p), shapes)
     if key not in _records:
@@ -49,18 +53,25 @@ def _run(function: FunctionType, role: str, sizes: tuple[int, int, int], p: Any)
         shape, size = np.shape(value), np.size(value)
         if size > LARGEST_ARRAY:
             return Table(tape, field, np.arange(size).reshape(shape))
-        return cells(tape, leaves(("p", field), size), shape) if shape else tape.add("p", field, 0)
+        return (
+            tracer_array(tape, leaves(("p", field), size), shape)
+            if shape
+            else tape.add("p", field, 0)
+        )
 
     try:
         t = tape.add("t")
-        x, u = (cells(tape, leaves((name,), n), (n,)) for name, n in zip("xu", sizes, strict=False))
+        x, u = (
+            tracer_array(tape, leaves((name,), n), (n,))
+            for name, n in zip("xu", sizes, strict=False)
+        )
         fields = getattr(p, "_fields", ())
         traced_p = type(p)(*(parameter(f, v) for f, v in zip(fields, p, strict=True)))
-        out = cells(tape, [0.0] * sizes[2], (sizes[2],))
+        out = tracer_array(tape, [0.0] * sizes[2], (sizes[2],))
         arrays = [x, u, *(value for value in traced_p if isinstance(value, np.ndarray))]
         before, unset = [list(array.flat) for array in arrays], list(out)
         substitutes = {**SUBSTITUTES, "range": tape.turns}
-        given = rebind(function, substitutes, stand_in_for_opaque)(t, x, u, traced_p, out)
+        given = substituted(function, substitutes, stand_in_for_opaque)(t, x, u, traced_p, out)
         if given is not None:
             raise Refused("returning a value", "fill the last argument: out[0] = ...")
         for array, held in zip(arrays, before, strict=True):
@@ -82,7 +93,7 @@ def _run(function: FunctionType, role: str, sizes: tuple[int, int, int], p: Any)
 
 def _sentence(error: Exception) -> str:
     if isinstance(error, IndexError) and "only integers" in str(error):
-        return str(Refused("a number of the run as an index", "use lookup(table, index)"))
+        return str(Refused("a signal or parameter as an index", "use lookup(table, index)"))
     if isinstance(error, Refused | BlockError):
         return str(error)
     return f"cannot be run: {type(error).__name__}: {error}"
@@ -90,7 +101,7 @@ def _sentence(error: Exception) -> str:
 
 def _place(error: Exception, function: FunctionType, role: str) -> str:
     """Name the line of the block's own code at which an error was raised."""
-    codes = {one.__code__ for one in reached(function)}
+    codes = {one.__code__ for one in with_helpers(function)}
     frames = traceback.walk_tb(error.__traceback__)
     lines = [line for frame, line in frames if frame.f_code in codes]
     return f"{role}, line {lines[-1]}" if lines else role
@@ -106,7 +117,7 @@ def _word(name: str, word: Callable) -> Callable:
             return word(*arguments)
         refs = [operand(a) for a in arguments]
         if None in refs:
-            raise Refused(f"`{name}` of what is no number", "use `for i in range(n)`")
+            raise Refused(f"`{name}` of something that is not a number", "use `for i in range(n)`")
         if len(refs) != COUNTS.get(name, 1):
             raise Refused(f"`{name}` of {len(refs)} numbers", f"it takes {COUNTS.get(name, 1)}")
         return tracer.tape.add(name, *refs)
@@ -121,23 +132,25 @@ def _where(condition: Any, a: Any, b: Any) -> Any:
         return a if condition else b  # Python itself knows
     refs = operand(a), operand(b)
     if None in refs:
-        raise Refused("`where` of what is no number", "use `for i in range(n)`")
+        raise Refused("`where` of something that is not a number", "use `for i in range(n)`")
     return condition.tape.add("where", condition.ref, *refs)
 
 
 def _lookup(table: Any, index: Any) -> Any:
-    """Record a run of one parameter field, or numbers side by side."""
+    """Record a choice among evenly spaced numbers of one parameter, or among any others."""
     if not isinstance(index, Number):
         return table[int(index)]
     shape = getattr(table, "shape", None)
     if len(np.shape(table) if shape is None else shape) != 1:
-        raise Refused("`lookup` in what is no row of numbers", "give an array of one dimension")
+        raise Refused(
+            "`lookup` in something that is not a row of numbers", "give an array of one dimension"
+        )
     if isinstance(table, Table):
         field, places = table.field, table.places.ravel()
     else:
         refs = [operand(value) for value in np.ravel(np.asarray(table, dtype=object))]
         if None in refs or not refs:
-            raise Refused("`lookup` in what is no array of numbers", "give an array")
+            raise Refused("`lookup` in something that is not an array of numbers", "give an array")
         known = [index.tape.operations[r] if type(r) is int else () for r in refs]
         field = known[0][1] if known[0][:1] == ("p",) else ""
         if any(operation[:2] != ("p", field) for operation in known):
@@ -149,10 +162,10 @@ def _lookup(table: Any, index: Any) -> Any:
     return index.tape.add("table", index.ref, (field, int(places[0]), stride, len(places)))
 
 
-def stand_in_for_opaque(rebound: FunctionType, helper: FunctionType) -> Callable:
-    """Let a helper marked opaque say so in the record."""
+def stand_in_for_opaque(copy: FunctionType, helper: FunctionType) -> Callable:
+    """Return what records a call of an opaque helper as one operation."""
     if not getattr(helper, "opaque", False):
-        return rebound
+        return copy
 
     def stand_in(*arguments: Any, **named: Any) -> Any:
         if named:
@@ -162,7 +175,7 @@ def stand_in_for_opaque(rebound: FunctionType, helper: FunctionType) -> Callable
             )
         tape = next((a.tape for a in arguments if hasattr(a, "tape")), None)
         if tape is None:
-            return rebound(*arguments)
+            return copy(*arguments)
         says: list[Any] = [f"{helper.__module__}.{helper.__qualname__}"]
         refs: list[Any] = []
         for argument in arguments:
@@ -187,7 +200,7 @@ def stand_in_for_opaque(rebound: FunctionType, helper: FunctionType) -> Callable
             return tape.add("opaque", (*says, k), operand(value), *refs)
 
         held = [list(a.flat) if isinstance(a, np.ndarray) else [] for a in arguments]
-        result = rebound(*arguments)
+        result = copy(*arguments)
         written = 0
         for array, before in zip(arguments, held, strict=True):
             for place, value in enumerate(before):

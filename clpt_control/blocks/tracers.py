@@ -1,8 +1,8 @@
-"""Tracers: numbers of a run of which only the place in the record is known.
+"""Tracers: numbers without a value, of which only the place in the record is known.
 
-A function that is called with them computes nothing; what it does is written
-down on the tape.  Whatever asks for a tracer's value (`if`, `==`, an index) is
-refused, with what to write instead.
+They stand for the time, states, inputs and parameters.  A function that is called
+with them computes nothing; what it does is written on the tape.  Whatever needs a
+tracer's value (`if`, `==`, an index) is refused, with what to write instead.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -35,14 +35,14 @@ class Tape:
         self.marks: list[tuple[int, str]] = []
 
     def add(self, *operation: Any) -> "Number":
-        """Write down an operation; return its value."""
+        """Append an operation and return its value."""
         self.operations.append(operation)
         if len(self.operations) > MOST_OPERATIONS:
             raise TooLong(f"takes more than {MOST_OPERATIONS} operations")
         return Number(self, len(self.operations) - 1)
 
     def turns(self, *bounds: Any) -> Iterator[int]:
-        """Stand for `range`, and mark every turn."""
+        """Do what `range` does, and mark every turn."""
         numbers = range(*bounds)
         self.marks.append((len(self.operations), "enter"))
         try:
@@ -74,13 +74,13 @@ def _refuse(what: str, instead: str) -> Callable[..., Any]:
 
 
 _EQUAL = _refuse(
-    "`==` of numbers of a run",
+    "`==` between signals or parameters",
     "compare with <, <=, >, >=, or write where(math.fabs(a - b) < tolerance, ...)",
 )
-_CHOICE = _refuse("a choice by a number of the run", "use where(condition, a, b)")
-_INDEX = _refuse("a number of the run as an index or a count", "use lookup(table, index)")
+_CHOICE = _refuse("a choice that depends on a signal or parameter", "use where(condition, a, b)")
+_INDEX = _refuse("a signal or parameter as an index or a count", "use lookup(table, index)")
 _VALUE = _refuse(
-    "asking for the value of a number of the run",
+    "making a Python number of a signal or parameter",
     "use arithmetic, math.*, and the words of blocks.words",
 )
 
@@ -108,7 +108,7 @@ def _comparison(name: str) -> Callable:
 
 
 class Number:
-    """A number of the run."""
+    """A number that a run will have."""
 
     __slots__ = ("ref", "tape")
 
@@ -148,7 +148,7 @@ class Number:
 
 
 class Condition:
-    """A comparison of numbers of the run; as a number it is 1 or 0."""
+    """A comparison of such numbers; as a number it is 1 or 0."""
 
     __slots__ = ("ref", "tape")
 
@@ -186,7 +186,7 @@ class Condition:
 SHOWN = ("shape", "size", "ndim", "T", "flat", "tape")  # of an array, to equations and the trace
 
 
-class Cells(np.ndarray):
+class TracerArray(np.ndarray):
     """An array of tracers; what is written becomes a number."""
 
     tape: Tape
@@ -197,7 +197,7 @@ class Cells(np.ndarray):
         raise Refused(f"`{name}` of an array", "use a `for i in range(n)` loop")
 
     def __array_wrap__(self, array: Any, context: Any = None, scalar: bool = False) -> Any:
-        return array.view(Cells) if array.ndim else array[()]
+        return array.view(TracerArray) if array.ndim else array[()]
 
     def __setitem__(self, index: Any, value: Any) -> None:
         if isinstance(value, np.ndarray | tuple | list):
@@ -224,12 +224,12 @@ class Cells(np.ndarray):
         self.tape = getattr(other, "tape", None)  # type: ignore[assignment]
 
 
-def cells(tape: Tape, refs: Sequence[Ref], shape: tuple[int, ...]) -> Cells:
+def tracer_array(tape: Tape, refs: Sequence[Ref], shape: tuple[int, ...]) -> TracerArray:
     """Return an array that holds these values."""
     array = np.empty(len(refs), dtype=object)
     for k, ref in enumerate(refs):
         array[k] = Number(tape, ref)
-    made = array.reshape(shape).view(Cells)
+    made = array.reshape(shape).view(TracerArray)
     made.tape = tape
     return made
 

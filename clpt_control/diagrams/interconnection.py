@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import control
 
 from ..blocks import Block
-from ..blocks.ports import labels
+from ..blocks.declaration import labels
 from ..errors import BlockError, DiagramError
 from ..scenario.keys import call_time_name_of
 from .wiring import Wire, Wiring, read, wired

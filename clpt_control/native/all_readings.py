@@ -18,7 +18,7 @@ import control
 import numpy as np
 
 from ..blocks import Block
-from ..blocks.symbolic import reading
+from ..blocks.symbolic import in_sympy
 from ..errors import DiagramError
 from .code import code_of
 from .native_diagram import NativeDiagram
@@ -162,4 +162,4 @@ class _SymbolicSweep(Sweep):
             return
         record = block.update_record if role == "update" else block.output_record
         assert record is not None
-        out[:] = reading(record).ask(t, x, u, self._parameters[k])
+        out[:] = in_sympy(record)(t, x, u, self._parameters[k])

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..blocks import Block
-from ..blocks.ports import states_as_outputs
+from ..blocks.declaration import states_as_outputs
 from ..diagrams.wiring import Node, Wiring
 
 LARGE = 512  # numbers: a larger array is a table that runs share

@@ -9,7 +9,7 @@ import pytest
 import sympy
 
 from clpt_control.blocks import Block, opaque, words
-from clpt_control.blocks.rebinding import helpers_of
+from clpt_control.blocks.functions import helpers_of
 from clpt_control.blocks.rules import check_equations
 from clpt_control.blocks.symbolic import expressions
 from clpt_control.blocks.words import clip, floor, lookup, maximum, minimum, sign, where

@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 from package_blocks import BLOCKS
 
-from clpt_control.blocks import Block, clpe
-from clpt_control.blocks.conformance import Report, check_block, conformance
+from clpt_control.blocks import Block, ConformanceReport, check_block, clpe, conformance
 from clpt_control.blocks.words import where
 from clpt_control.errors import BlockError
 from clpt_control.native import elementary, printing
@@ -21,7 +20,7 @@ def test_package_block_conforms(case):
 
 def test_report_counts_its_checks():
     report = check_block(clpe.clpe())
-    assert isinstance(report, Report)
+    assert isinstance(report, ConformanceReport)
     assert report.ok
     assert report.failures == ()
     assert f"conforms ({len(report.checks)} checks)" in str(report)

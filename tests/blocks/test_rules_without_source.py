@@ -36,11 +36,11 @@ def block(function):
 
 
 REFUSED = {
-    "y[0] = u[0]\nif u[0] > 0:\n    y[0] = 1.0": "a choice by a number of the run",
-    "y[0] = 1.0 if u[0] > 0 else 0.0": "a choice by a number of the run",
-    "y[0] = u[0] and u[1]": "a choice by a number of the run",
-    "y[0] = u[0]\nwhile y[0] < 3:\n    y[0] += 1.0": "a choice by a number of the run",
-    "y[0] = where(u[0] == 1.0, 1.0, 2.0)": "`==` of numbers of a run",
+    "y[0] = u[0]\nif u[0] > 0:\n    y[0] = 1.0": "a choice that depends on a signal or parameter",
+    "y[0] = 1.0 if u[0] > 0 else 0.0": "a choice that depends on a signal",
+    "y[0] = u[0] and u[1]": "a choice that depends on a signal",
+    "y[0] = u[0]\nwhile y[0] < 3:\n    y[0] += 1.0": "a choice that depends on a signal",
+    "y[0] = where(u[0] == 1.0, 1.0, 2.0)": "`==` between signals or parameters",
     "y[0] = u[0] * time.time()": "`time` \\(time\\)",
     "y[0] = u[0] * random.random()": "`random` \\(random\\)",
     "y[0] = np.exp(u[0])": "`np` \\(numpy\\)",

@@ -11,7 +11,7 @@ import pytest
 
 import clpt_control as clpt
 from clpt_control.blocks import Block, disturbance, field, reference, vehicle
-from clpt_control.blocks.ports import states_as_outputs
+from clpt_control.blocks.declaration import states_as_outputs
 from clpt_control.currents.field_file import GriddedField
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.errors import ClptError, DataError, ScenarioError, SimulationError

@@ -17,8 +17,8 @@ from source_checks import CHECKS
 
 import clpt_control as clpt
 from clpt_control.blocks import basis, disturbance, error_system, field, lyapunov
-from clpt_control.blocks.ports import states_as_outputs
-from clpt_control.blocks.rules import helpers_of
+from clpt_control.blocks.declaration import states_as_outputs
+from clpt_control.blocks.functions import helpers_of
 from clpt_control.currents.field_file import GriddedField
 from clpt_control.simulation.loops import paper_blocks
 from clpt_control.theory.proving import theorems

@@ -98,7 +98,7 @@ def test_a_proof_can_be_interrupted(monkeypatch):
 
 @pytest.mark.parametrize("name", REFUSED)
 def test_equality_of_signals_is_refused(name):
-    with pytest.raises(BlockError, match=r"`==` of numbers of a run .* compare with <"):
+    with pytest.raises(BlockError, match=r"`==` between signals or parameters .* compare with <"):
         prove(law(REFUSED[name], Gain(N, 0.5)))
 
 

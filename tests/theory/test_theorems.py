@@ -123,7 +123,7 @@ def test_a_law_that_turns_at_the_papers_gain_is_not_proved(monkeypatch):
     monkeypatch.setattr(adaptation, "learned_flow", learned_but_at_the_papers_gain)
     proof = audit("3.2")["3.2"]
     assert proof.status == "failed"
-    assert "`==` of numbers of a run" in proof.failed[0].detail
+    assert "`==` between signals or parameters" in proof.failed[0].detail
 
 
 def test_a_step_that_cannot_be_checked_fails():

@@ -13,7 +13,7 @@ import numpy as np
 import sympy
 
 from ...blocks import Block
-from ...blocks.ports import states_as_outputs
+from ...blocks.declaration import states_as_outputs
 from ...blocks.symbolic import exact
 from ...diagrams.wiring import Node, Wire, read
 from ...errors import BlockError

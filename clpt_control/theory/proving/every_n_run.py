@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterator
 from types import CodeType, FrameType
 from typing import Any
 
-from ...blocks.rebinding import rebind
+from ...blocks.functions import substituted
 from ...blocks.record import Record
 from ...blocks.trace import SUBSTITUTES, stand_in_for_opaque
 from ...blocks.tracers import Condition, Number, Refused, Tape, operand
@@ -190,7 +190,7 @@ def run(function: Any, tape: Tape, given: tuple, written: dict) -> Record:
     loops = _Loops(function.__code__, tape, written)
     length = lambda array: array.length if isinstance(array, Vector) else len(array)  # noqa: E731
     substitutes = {**SUBSTITUTES, "range": loops.over, "len": length}
-    if rebind(function, substitutes, stand_in_for_opaque)(*given) is not None:
+    if substituted(function, substitutes, stand_in_for_opaque)(*given) is not None:
         raise Refused("returning a value", "fill the last argument: out[0] = ...")
     refs = tuple(number.ref for number in written.values())
     return Record(tuple(tape.operations), refs, tuple(tape.marks))

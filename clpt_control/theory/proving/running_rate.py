@@ -18,7 +18,7 @@ import sympy
 
 from ...blocks import Block
 from ...blocks.arrays import OPERATIONS
-from ...blocks.symbolic import WORDS
+from ...blocks.symbolic import UNEXPANDED
 from ...diagrams.interconnection import changed_parameters
 from ...diagrams.wiring import Wiring, read
 from ...errors import DiagramError
@@ -256,7 +256,7 @@ def numeric(expression: sympy.Expr) -> tuple[Any, list[Any]]:
     words = {str(f.func) for f in expression.atoms(sympy.core.function.AppliedUndef)} - {
         str(f.func) for f in inputs
     }
-    space = {told: OPERATIONS[name] for name, told in WORDS.items()}
+    space = {own: OPERATIONS[name] for name, own in UNEXPANDED.items()}
     if expression.has(sympy.Derivative) or words - set(space):
         unknown = ", ".join(sorted(words - set(space))) or "a derivative of an input"
         raise DiagramError(f"{unknown} has no numbers, so V' cannot be compared")

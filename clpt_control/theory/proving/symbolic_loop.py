@@ -103,7 +103,7 @@ def symbolic_loop(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()
                 return f"{fields[block.name, own]}_{'_'.join(map(str, places))}"
             return (x if name == "x" else u)[where[0]]
 
-        def told(name: str, arguments: tuple) -> None:
+        def watch(name: str, arguments: tuple) -> None:
             sizes = [extent(a) for a in arguments if isinstance(a, sympy.Basic)]
             if any(parts > LONGEST or levels > DEEPEST for parts, levels in sizes):
                 raise DiagramError(
@@ -114,7 +114,7 @@ def symbolic_loop(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()
             if gap is not None:
                 loop.gaps.append(f"{block.name}.{role} {gap}")
 
-        found = expressions(record, leaf, told=told)
+        found = expressions(record, leaf, watch=watch)
         return np.array([sympy.sympify(e) for e in found], dtype=object)
 
     for block in blocks:

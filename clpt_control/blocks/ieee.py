@@ -1,9 +1,9 @@
-"""The reading that python-control runs: the block's own code on IEEE numbers.
+"""The Python reading, which python-control runs: a block's own code on IEEE numbers.
 
 Python raises an exception where a function leaves its domain (`math.log(0.0)`)
-or a number its range (`math.exp(1e3)`), machine code goes on with infinity or
+or a number its range (`math.exp(1e3)`); machine code goes on with infinity or
 NaN.  Here Python goes on too, so that every reading gives the same: `math` and
-the words return IEEE numbers, and what is not finite is told by the integrator.
+the words return IEEE numbers, and the integrator names what is not finite.
 The sine of an angle beyond 2^50, which means nothing, is NaN in every reading.
 """
 
@@ -15,10 +15,10 @@ from typing import Any
 
 import numpy as np
 
-from .rebinding import fingerprint, rebind
+from .functions import fingerprint, substituted
 from .words import MATH, WORDS
 
-ON_RUN = (np.floating, np.bool_)  # what numbers of the run are, and no constant is
+COMPUTED = (np.floating, np.bool_)  # what signals and parameters are, and no constant is
 MOST_ANGLE = 2.0**50  # rad; beyond it doubles are a quarter apart and an angle means nothing
 
 IEEE = {
@@ -33,14 +33,14 @@ IEEE = {
 }
 
 
-def running(function: Any) -> Callable:
-    """Return equations that run on IEEE numbers."""
-    return _running(function, fingerprint(function))
+def in_ieee(function: Any) -> Callable:
+    """Return equations as code on IEEE numbers, to be called with NumPy's floats and arrays."""
+    return _in_ieee(function, fingerprint(function))
 
 
 @lru_cache(maxsize=1024)
-def _running(function: FunctionType, code: tuple) -> Callable:
-    return rebind(function, SUBSTITUTES)
+def _in_ieee(function: FunctionType, code: tuple) -> Callable:
+    return substituted(function, SUBSTITUTES)
 
 
 def _word(name: str, exact: Callable) -> Callable:
@@ -51,7 +51,7 @@ def _word(name: str, exact: Callable) -> Callable:
     ieee, float64 = getattr(np, IEEE.get(name, name), None), np.float64
 
     def word(a: Any, *more: Any) -> Any:
-        if type(a) is not float64 and not any(isinstance(b, ON_RUN) for b in (a, *more)):
+        if type(a) is not float64 and not any(isinstance(b, COMPUTED) for b in (a, *more)):
             return exact(a, *more)
         try:
             return float64(exact(a, *more))
@@ -65,7 +65,7 @@ def _circular(exact: Callable) -> Callable:
     float64 = np.float64
 
     def word(angle: Any) -> Any:
-        if type(angle) is not float64 and not isinstance(angle, ON_RUN):
+        if type(angle) is not float64 and not isinstance(angle, COMPUTED):
             return exact(angle)
         return float64(exact(angle) if -MOST_ANGLE < angle < MOST_ANGLE else np.nan)
 

@@ -1,12 +1,8 @@
-"""What every block must hold to, asked of one block.
+"""Does a block do what every block must?  `clpt.blocks.conformance(my_block)` checks.
 
 A block that passes can be wired, compiled, proved with, copied, pickled, linearized
-and integrated like the paper's own.  Run it on a block of yours:
-
-    from clpt_control.blocks.conformance import conformance
-    conformance(my_block)
-
-Each check asks with random inputs and answers in plain sentences.
+and integrated like the paper's own.  Each check is a generator that takes random
+arguments and gives one plain sentence for each failure.
 """
 
 from collections.abc import Callable, Iterator
@@ -15,8 +11,15 @@ from typing import NamedTuple
 from ...errors import BlockError
 from ..block import Block
 from .diagrams import _copies, _interconnects, _jumps, _linearizes, _parameters, _pickles
-from .equations import _docstrings, _in_range, _readings, _repeats, _zero
-from .samples import Sample, draw
+from .equations import (
+    Sample,
+    _docstrings,
+    _in_range,
+    _readings,
+    _repeats,
+    _zero,
+    random_samples,
+)
 
 Check = Callable[[Block, list[Sample]], Iterator[str]]
 CHECKS: tuple[Check, ...] = (
@@ -33,8 +36,8 @@ CHECKS: tuple[Check, ...] = (
 )
 
 
-class Report(NamedTuple):
-    """What the checks found.
+class ConformanceReport(NamedTuple):
+    """What the checks of a block found.
 
     Attributes
     ----------
@@ -44,6 +47,13 @@ class Report(NamedTuple):
         What was asked.
     failures : tuple of str
         One sentence for each failure; empty if the block conforms.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> from clpt_control.blocks.vehicle import vehicle
+    >>> clpt.blocks.check_block(vehicle()).ok
+    True
     """
 
     block: str
@@ -52,7 +62,7 @@ class Report(NamedTuple):
 
     @property
     def ok(self) -> bool:
-        """Whether nothing failed."""
+        """Return whether nothing failed."""
         return not self.failures
 
     def __str__(self) -> str:
@@ -62,16 +72,16 @@ class Report(NamedTuple):
 
 
 def conformance(block: Block, seed: int = 0, samples: int = 20) -> None:
-    """Fail unless a block conforms.
+    """Raise an error unless a block conforms.
 
     Parameters
     ----------
     block : Block
         Any block.
     seed : int, optional
-        Seed of the random inputs.
+        Seed of the random arguments.
     samples : int, optional
-        Number of random inputs.
+        Number of random arguments.
 
     Raises
     ------
@@ -80,40 +90,42 @@ def conformance(block: Block, seed: int = 0, samples: int = 20) -> None:
 
     Examples
     --------
+    >>> import clpt_control as clpt
     >>> from clpt_control.blocks.vehicle import vehicle
-    >>> conformance(vehicle())
+    >>> clpt.blocks.conformance(vehicle())
     """
     report = check_block(block, seed, samples)
     if not report.ok:
         raise BlockError(str(report))
 
 
-def check_block(block: Block, seed: int = 0, samples: int = 20) -> Report:
-    """Ask a block everything, and report.
+def check_block(block: Block, seed: int = 0, samples: int = 20) -> ConformanceReport:
+    """Check a block and return a report.
 
     Parameters
     ----------
     block : Block
         Any block.
     seed : int, optional
-        Seed of the random inputs.
+        Seed of the random arguments.
     samples : int, optional
-        Number of random inputs.
+        Number of random arguments.
 
     Returns
     -------
-    Report
-        Checks and failures.
+    ConformanceReport
+        The checks and the failures.
 
     Examples
     --------
+    >>> import clpt_control as clpt
     >>> from clpt_control.blocks.vehicle import vehicle
-    >>> print(check_block(vehicle()))
+    >>> print(clpt.blocks.check_block(vehicle()))
     vehicle: conforms (10 checks)
     """
     if not isinstance(block, Block):
         raise BlockError(f"{block!r}: must be a Block, not {type(block).__name__}")
-    drawn = draw(block, seed, max(samples, 4))
+    drawn = random_samples(block, seed, max(samples, 4))
     asked: list[str] = []
     failures: list[str] = []
     for check in CHECKS:
@@ -127,4 +139,4 @@ def check_block(block: Block, seed: int = 0, samples: int = 20) -> Report:
             if failures:
                 break
             drawn = [sample for sample in drawn if _in_range(block, sample)]
-    return Report(block.name, tuple(asked), tuple(dict.fromkeys(failures)))
+    return ConformanceReport(block.name, tuple(asked), tuple(dict.fromkeys(failures)))

@@ -1,17 +1,69 @@
-"""What a block's equations must hold to, asked with random inputs.
-
-Each check is a generator of sentences, one for each failure; `conformance`
-runs them all.
-"""
+"""Checks of a block's equations, and the random arguments of all checks."""
 
 import re
 from collections.abc import Iterator
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ...errors import ClptError
 from ..block import Block
-from .samples import Sample, differ, equations, python_values
+from ..declaration import Equations
+from ..ieee import in_ieee
+
+
+class Sample(NamedTuple):
+    """Arguments of a block's equations."""
+
+    t: float
+    x: np.ndarray
+    u: np.ndarray
+    p: Any  # the block's parameters, `interval` filled in
+
+
+def random_samples(block: Block, seed: int, count: int) -> list[Sample]:
+    """Return random arguments: t up to 100, x and u near zero, then within a few units."""
+    rng = np.random.default_rng(seed)
+    samples = []
+    for k in range(count):
+        size = 0.3 if k < count // 2 else 2.0
+        t = float(rng.uniform(0.0, 100.0))
+        x = size * rng.standard_normal(block.nstates or 0)
+        u = size * rng.standard_normal(block.ninputs or 0)
+        samples.append(Sample(t, x, u, block.parameters_at(t, block.parameters)))
+    return samples
+
+
+def equations(block: Block) -> Iterator[tuple[str, Equations, int]]:
+    """Return role, function and size of the last argument of a block's equations."""
+    if block.update_function is not None:
+        yield f"{block.name}.update", block.update_function, block.nstates
+    yield f"{block.name}.output", block.output_function, block.noutputs
+
+
+def python_values(function: Equations, sample: Sample, size: int) -> np.ndarray:
+    """Return what Python computes for one sample, whose arguments are copied."""
+    out = np.zeros(size)
+    with np.errstate(all="ignore"):
+        in_ieee(function)(
+            np.float64(sample.t), sample.x.copy(), sample.u.copy(), own_copy(sample.p), out
+        )
+    return out
+
+
+def own_copy(p: Any) -> Any:
+    """Return the same parameters with arrays of their own."""
+    return type(p)(*(value.copy() if isinstance(value, np.ndarray) else value for value in p))
+
+
+def differ(a: np.ndarray, b: np.ndarray, tolerance: float = 1e-12) -> bool:
+    """Return whether two results differ by more than rounding, NaN in the same places aside."""
+    a, b = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
+    if a.shape != b.shape or not np.array_equal(np.isfinite(a), np.isfinite(b)):
+        return True
+    finite = np.isfinite(a)
+    size = max(1.0, float(np.max(np.abs(a[finite]), initial=0.0)))
+    return bool(np.any(np.abs(a[finite] - b[finite]) > tolerance * size))
 
 
 def _in_range(block: Block, sample: Sample) -> bool:

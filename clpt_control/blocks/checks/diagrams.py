@@ -1,8 +1,4 @@
-"""What a block must hold to as a part of diagrams: copies, files, parameters.
-
-Each check is a generator of sentences, one for each failure; `conformance`
-runs them all.
-"""
+"""Checks of a block as a part of diagrams: copies, files, parameters, jumps."""
 
 import pickle
 from collections.abc import Iterator
@@ -14,7 +10,7 @@ import numpy as np
 from ...errors import BlockError
 from ..block import Block
 from ..symbolic import expressions
-from .samples import Sample, differ, equations, own_copy, python_values
+from .equations import Sample, differ, equations, own_copy, python_values
 
 LINEAR = 1e-4
 SMOOTH = frozenset(

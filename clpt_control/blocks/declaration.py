@@ -1,0 +1,107 @@
+"""What a block declares: its ports, typed parameters and guard.
+
+Parameters are a NamedTuple of numbers and arrays.  Whole numbers (int) are structure,
+such as the number of basis functions: every reading keeps them as they are.  All
+else is a float or an array of floats: symbols to SymPy, and it may differ per run.
+"""
+
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..errors import BlockError
+
+Equations = Callable[[float, np.ndarray, np.ndarray, Any, np.ndarray], None]
+
+
+class Guard(NamedTuple):
+    """Where a block may be used, and what happens outside.
+
+    Attributes
+    ----------
+    distance : callable
+        ``distance(t, x, u, p, y)`` fills y[0], an equation like a block's own:
+        positive inside, negative outside.
+    policy : str
+        ``"raise"`` fails the run, ``"stop"`` ends it there and keeps it.
+    sentence : callable
+        ``sentence(t, u, p)``: position, time and bounds, for the message.
+
+    Examples
+    --------
+    >>> def above_ground(t, x, u, p, y):
+    ...     y[0] = u[0]
+    >>> guard = Guard(above_ground, "stop", lambda t, u, p: f"it landed at time {t:g}")
+    >>> guard.margin(0.0, [-2.0], None)
+    -2.0
+    """
+
+    distance: Equations
+    policy: str
+    sentence: Callable[[float, np.ndarray, Any], str]
+
+    def margin(self, t: float, u: np.ndarray, p: Any) -> float:
+        """Return the distance at a time, for inputs and parameters."""
+        y = np.zeros(1)
+        self.distance(t, np.zeros(0), u, p, y)
+        return float(y[0])
+
+
+def states_as_outputs(t, x, u, p, y):
+    """y = x: the outputs are the states."""
+    for i in range(len(y)):
+        y[i] = x[i]
+
+
+def check_names(name: str, *ports: Mapping[str, int] | None) -> None:
+    """Refuse names and sizes that python-control cannot wire."""
+    words = [(name, ".\n"), *((port, ".[]\n") for own in ports for port in own or ())]
+    for word, not_in in words:  # python-control itself calls a system sys[0]
+        if not isinstance(word, str) or not word or word[0] in "-+" or set(word) & set(not_in):
+            raise BlockError(
+                f"the name {word!r} of a block or port must not be empty, begin with a sign or "
+                "hold . [ ] or a line end; use letters, digits and _"
+            )
+    for port, size in (item for own in ports for item in (own or {}).items()):
+        if not isinstance(size, int | np.integer) or size < 0:
+            raise BlockError(f"{name}.{port}: size {size!r} must be a whole number, 0 or more")
+
+
+def labels(ports: Mapping[str, int] | None) -> list[str]:
+    """Flatten ports to signal labels: ``{"e": 2}`` is ``e[0], e[1]``."""
+    return [f"{port}[{k}]" for port, size in (ports or {}).items() for k in range(size)]
+
+
+class NoParameters(NamedTuple):
+    """The parameters of a block that has none."""
+
+
+def checked_parameters(name: str, parameters: Any, like: Any = None) -> Any:
+    """Return parameters as whole numbers, floats and own float arrays, of the shapes of `like`."""
+    if not (isinstance(parameters, tuple) and hasattr(parameters, "_fields")):
+        raise BlockError(
+            f"{name}: parameters must be a NamedTuple, not {type(parameters).__name__}"
+        )
+    values: dict[str, Any] = {}
+    for field, value in zip(parameters._fields, parameters, strict=True):
+        old = getattr(like, field) if like is not None else value
+        try:
+            shape = np.shape(old)
+        except ValueError:
+            raise BlockError(f"{name}.{field}: its rows differ in length; give an array") from None
+        try:
+            if isinstance(old, int | np.integer) and not isinstance(old, bool):
+                values[field] = int(value) if int(value) == value else None
+            elif not shape:
+                values[field] = np.float64(value)
+            else:
+                values[field] = np.array(value, dtype=float)
+        except (TypeError, ValueError, OverflowError):
+            values[field] = None
+        if values[field] is None or np.shape(values[field]) != shape:
+            kind = f"an array of shape {shape}" if shape else type(old).__name__
+            raise BlockError(f"{name}.{field} = {value!r}: must be {kind}")
+        if not isinstance(values[field], int) and np.any(np.isnan(values[field])):
+            raise BlockError(f"{name}.{field} = {value!r}: NaN is not allowed")
+    return type(parameters)(**values)
