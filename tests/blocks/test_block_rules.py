@@ -220,7 +220,7 @@ REFUSED = [
     (says_round, "`round`", "floor(a + 0.5)"),
     (says_unknown, "the unknown name `wibble`", "define it in the module"),
     (says_nested, "a function inside a function", "at the top of the module"),
-    (says_print, "`print`", "a recorded output"),
+    (says_print, "`print`", "an output port"),
     (says_loop_over_array, "a loop over anything but range", "for i in range(n)"),
     (says_enumerate, "a loop over anything but range", "for i in range(n)"),
     (says_global_list, "`TABLE` (list)", "arithmetic"),
