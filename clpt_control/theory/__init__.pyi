@@ -5,8 +5,9 @@ from .excitation.certificates import certificate
 from .excitation.gramian import gramian, started_true
 from .excitation.transition import error_matrices
 from .proving.misprints import misprints
-from .proving.own_law import Verdict, prove
+from .proving.own_law import prove
 from .proving.theorems import audit
+from .proving.verdict import Verdict
 
 __all__ = [
     "Verdict",

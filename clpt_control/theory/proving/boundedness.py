@@ -79,12 +79,12 @@ def young_step() -> Step:
     """Check e d <= k e^2/2 + d^2/(2k), for the mean square."""
     k = sympy.Symbol("k", positive=True)
     e, d = sympy.symbols("e d", real=True)
-    whole = k * e**2 / 2 + d**2 / (2 * k) - e * d
+    rest = k * e**2 / 2 + d**2 / (2 * k) - e * d
     return checked(
         "-k e^2 + e d <= -k e^2/2 + d^2/(2k): what is left is (k/2)(e - d/k)^2; its integral "
         "bounds the mean square",
         "exact",
-        lambda: sympy.expand(whole - k * (e - d / k) ** 2 / 2) == 0,
+        lambda: sympy.expand(rest - k * (e - d / k) ** 2 / 2) == 0,
     )
 
 

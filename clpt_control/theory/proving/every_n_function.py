@@ -1,6 +1,6 @@
 """A block's equations for every number N of basis functions.
 
-The record of a run for every N (`generic_run`) is rolled into its loops, of which all
+The record of a run for every N (`every_n_run`) is rolled into its loops, of which all
 turns are the same and hand on nothing but sums.  One turn on symbols then gives
 
     y = base + sum_k term(k),    k = 1 ... N
@@ -27,17 +27,9 @@ from .undefined import undefined
 
 
 class Summed(NamedTuple):
-    """base + sum over k of term(k), k = 1 ... N.
+    """base + sum over k of term(k), k = 1 ... N."""
 
-    Attributes
-    ----------
-    base : sympy.Expr
-        Free of the index k.
-    term : sympy.Expr
-        The summand; zero where there is no sum.
-    """
-
-    base: sympy.Expr
+    base: sympy.Expr  # free of the index k
     term: sympy.Expr = sympy.Integer(0)
 
     def plus(self, other: "Summed") -> "Summed":
@@ -58,13 +50,7 @@ class Summed(NamedTuple):
 
 
 class Size(NamedTuple):
-    """A number of signals, rows N + more.
-
-    Attributes
-    ----------
-    rows, more : int
-        2 and 0 for alpha[2N], 2 and 4 for eta[2N + 4], 0 and 2 for e[2].
-    """
+    """A number of signals, rows N + more: 2 and 4 for eta[2N + 4], 0 and 2 for e[2]."""
 
     rows: int
     more: int
@@ -75,7 +61,7 @@ Key = tuple[str, int | None, int | None]  # (port, row, None) or (port, None, nu
 
 
 def port_size(port: str, size: int, functions: int) -> Size:
-    """Tell how a port grows with N, by its name."""
+    """Return how a port grows with N, by its name: phi, alpha and eta do."""
     known = KNOWN_SIZES.get(port)
     if known is None:
         return Size(0, size)
@@ -103,9 +89,14 @@ def read_function(
     role: str,
     sizes: dict[str, dict[str, Size]],
     leaf: Callable[..., Any],
-    told: Callable[[str], None],
+    warn: Callable[[str], None],
 ) -> dict[Key, Any]:
-    """Read one of a block's functions for every N."""
+    """Read a block's update or output (`role`) for every N; what is refused may be right.
+
+    sizes: ``"x"``, ``"u"`` and ``"out"`` -> {port: Size}; ``leaf("t")``, ``leaf("u", key)`` and
+    ``leaf("p", field, places)``, a place None being the index k, return an expression or
+    Summed; `warn` is called with each sentence about what may have no value.
+    """
     function = getattr(block, f"{role}_function")
     tape, written = Tape(), {}  # type: ignore[var-annotated]
     N = getattr(block.parameters, "N", 0)
@@ -131,7 +122,7 @@ def read_function(
     out = Vector(tape, "out", WholeNumber(0), lengths["out"], written)
     try:
         record = run(function, tape, (tape.add("t"), *given, p, out), written)
-        reader = _Reader(block, {name: keys(ports) for name, ports in sizes.items()}, leaf, told)
+        reader = _Reader(block, {name: keys(ports) for name, ports in sizes.items()}, leaf, warn)
         raw = reader.read(roll(record, least=inf))
         found = {key: raw[k] for k, key in enumerate(written)}
         values = {
@@ -157,8 +148,8 @@ def _moved(value: Any, k: int) -> Any:
 class _Reader:
     """Evaluate a rolled record on symbols, one turn for all."""
 
-    def __init__(self, block: Block, layout: dict, leaf: Callable, told: Callable):
-        self.block, self.layout, self.leaf, self.told = block, layout, leaf, told
+    def __init__(self, block: Block, layout: dict, leaf: Callable, warn: Callable):
+        self.block, self.layout, self.leaf, self.warn = block, layout, leaf, warn
         self.values: dict[int, Any] = {}
         self.memory: dict[int, sympy.Expr] = {}  # S
 
@@ -227,9 +218,9 @@ class _Reader:
         arguments = [self.argument(a, level) for a in item.arguments]
         if not any(isinstance(a, Summed) and a.term != 0 for a in arguments):
             arguments = [a.base if isinstance(a, Summed) else a for a in arguments]
-            gap = undefined(item.name, tuple(arguments))
-            if gap is not None:
-                self.told(gap)
+            sentence = undefined(item.name, tuple(arguments))
+            if sentence is not None:
+                self.warn(sentence)
             return OPERATIONS[item.name](*arguments)
         sums = [a if isinstance(a, Summed) else Summed(a) for a in arguments]
         minus = Summed(sympy.Integer(-1))
@@ -240,9 +231,9 @@ class _Reader:
         if item.name == "mul":
             return sums[0].times(sums[1])
         if item.name == "div" and sums[1].term == 0:
-            gap = undefined("div", (sums[0].base, sums[1].base))
-            if gap is not None:
-                self.told(gap)
+            sentence = undefined("div", (sums[0].base, sums[1].base))
+            if sentence is not None:
+                self.warn(sentence)
             return sums[0].times(Summed(1 / sums[1].base))
         raise BlockError(f"`{item.name}` of a sum over k = 1 ... N")
 

@@ -1,10 +1,9 @@
 """The closed loop on symbols for every number N of basis functions.
 
-Blocks are read in the order of the wiring, each with N any (`generic`), on what feeds
+Blocks are read in the order of the wiring, each for any N (`every_n_function`), on what feeds
 it.  A signal of a row of N is an expression of k, any other base + sum_k term(k).
 """
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -26,30 +25,17 @@ from .symbolic_loop import TIME, blocks_of
 class EveryNLoop:
     """A diagram's equations for every N.
 
-    Attributes
-    ----------
-    signals, rates : dict
-        (port, row, None) -> element k of a row of N, an expression of k;
-        (port, None, j) -> `Summed`.  States stand under their names.
-    states : dict
-        State -> Size.
-    given : set
-        Symbols of the inputs and of what stays undefined.
-    names : dict
-        (block, parameter) -> name.
-    values : dict
-        Name -> the parameter's value, of which the sign is kept.
-    gaps : list of str
-        Where equations may have no value, a sentence each.
+    Signals and rates are found by (port, row, None) -> element k of a row of N, an expression
+    of k, and by (port, None, j) -> `Summed`.  States stand under their names.
     """
 
     signals: dict[Key, Any] = field(default_factory=dict)
     rates: dict[Key, Any] = field(default_factory=dict)
     states: dict[str, Size] = field(default_factory=dict)
-    given: set = field(default_factory=set)
-    names: dict[tuple[str, str], str] = field(default_factory=dict)
-    values: dict[str, Any] = field(default_factory=dict)
-    gaps: list[str] = field(default_factory=list)
+    given: set = field(default_factory=set)  # symbols of the inputs and of opaque blocks
+    names: dict[tuple[str, str], str] = field(default_factory=dict)  # (block, parameter) -> name
+    values: dict[str, Any] = field(default_factory=dict)  # name -> value, whose sign is kept
+    undefined: list[str] = field(default_factory=list)  # where there may be no value, sentences
 
     def parameter(self, name: str, *places: int | None) -> sympy.Expr:
         """Return a parameter's symbol; a place None is the index k."""
@@ -62,7 +48,7 @@ class EveryNLoop:
         return signed(name + "".join(shown), value)
 
     def derivative(self, value: Summed) -> Summed:
-        """Differentiate base + sum_k term(k) along the equations."""
+        """Differentiate base + sum_k term(k) along the equations, multiplied out."""
         own = value.base.free_symbols | value.term.free_symbols
         if own & (self.given | {TIME}) or value.base.atoms(sympy.core.function.AppliedUndef):
             raise BlockError("V depends on time or an input, which is not read for every N")
@@ -89,9 +75,12 @@ def element_symbol(name: str, row: int | None, number: int | None = None) -> sym
     return sympy.Symbol(f"{name}[k]" if own else f"{name}_{row + 1}[k]", real=True)
 
 
-def every_n_loop(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()) -> EveryNLoop:
-    """Read a diagram's equations for every N."""
-    wiring, kept = read(diagram), set(opaque)
+def every_n_loop(diagram: control.NonlinearIOSystem) -> EveryNLoop:
+    """Read a diagram's equations for every N.
+
+    It is wired for some N; the ports phi_x, phi_z, alpha and eta grow with N.
+    """
+    wiring = read(diagram)
     blocks = blocks_of(wiring)
     N = _number_of_functions(blocks)
     states = state_names(blocks)
@@ -102,12 +91,12 @@ def every_n_loop(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ())
     place = _places(wiring.nodes, blocks, N)
     outside = _ports(_counted(diagram.input_labels), N)
     for key in keys(outside).values():
-        _give(loop, key)
+        _add_given(loop, key)
 
     def feed(k: int, key: Key) -> Any:
         return _fed(wiring.nodes[k], blocks[k], key, N, place, outside, loop)
 
-    def ask(k: int, role: str) -> dict[Key, Any]:
+    def outcome(k: int, role: str) -> dict[Key, Any]:
         block = blocks[k]
         out = block.output_ports if role == "output" else block.state_ports
         sizes = {
@@ -126,24 +115,24 @@ def every_n_loop(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ())
                 return _state(states[block.name, port], *rest)
             return loop.parameter(loop.names[block.name, where[0]], *(where[1:] and where[1]))
 
-        def told(gap: str) -> None:
-            loop.gaps.append(f"{block.name}.{role} {gap}")
+        def warn(sentence: str) -> None:
+            loop.undefined.append(f"{block.name}.{role} {sentence}")
 
-        return read_function(block, role, sizes, leaf, told)
+        return read_function(block, role, sizes, leaf, warn)
 
     for k in wiring.order:
-        if blocks[k].opaque or blocks[k].name in kept:
+        if blocks[k].opaque:
             for key in keys(_ports(blocks[k].output_ports, N)).values():
-                _give(loop, key)
+                _add_given(loop, key)
         elif blocks[k].output_function is states_as_outputs:
             own = _ports(blocks[k].state_ports, N)
             loop.signals.update({key: _state(*key) for key in keys(own).values()})
         else:
-            loop.signals.update(ask(k, "output"))
+            loop.signals.update(outcome(k, "output"))
     for k, block in enumerate(blocks):
         if block.update_function is None:
             continue
-        for (port, *rest), value in ask(k, "update").items():
+        for (port, *rest), value in outcome(k, "update").items():
             loop.rates[(states[block.name, port], *rest)] = value  # type: ignore[index]
         for port, size in _ports(block.state_ports, N).items():
             loop.states[states[block.name, port]] = size
@@ -155,7 +144,7 @@ def _state(name: str, row: int | None, number: int | None) -> Any:
     return symbol if row is not None else Summed(symbol)
 
 
-def _give(loop: EveryNLoop, key: Key) -> None:
+def _add_given(loop: EveryNLoop, key: Key) -> None:
     loop.given.add(element_symbol(*key))
     loop.signals[key] = _state(*key)
 

@@ -2,8 +2,8 @@
 
     V' = sum_i dV/ds_i * s_i'        over all states s of the closed loop
 
-V is a block of the diagram (`blocks.lyapunov`), s' comes from the traced update
-functions.  What a theorem claims V' to be is stated once, over the paper's symbols, and
+V is a block of the diagram (`blocks.lyapunov`), s' comes from the update
+functions on symbols.  What a theorem claims V' to be is stated once, over the paper's symbols, and
 compared with what the blocks give: for N = 1, 2, 3 term by term, for every N as
 base + sum over k of a summand, and at random points with the blocks that run.
 """
@@ -24,17 +24,7 @@ from .theorem_loop import theorem_loop
 
 
 class Terms(NamedTuple):
-    """The paper's symbols, for one N or for every N.
-
-    Attributes
-    ----------
-    e, KD, delta : callable
-        ``e(i)``, ``KD(i)``, ``delta(i)`` for the axes i = 0, 1.
-    theta, theta_hat : callable
-        ``theta(i, k)``.
-    phi : callable
-        ``phi(k)``, at the vehicle.
-    """
+    """The paper's symbols as functions of the axis i = 0, 1 and the function k; phi at x."""
 
     e: Callable
     KD: Callable
@@ -45,7 +35,7 @@ class Terms(NamedTuple):
 
 
 def loop_terms(loop: SymbolicLoop) -> Terms:
-    """Return the paper's symbols of a loop traced for one N."""
+    """Return the paper's symbols of a loop for one N."""
     p = loop.parameters
     return Terms(
         e=lambda i: loop.signals["e"][i],
@@ -73,6 +63,7 @@ def every_n_terms(loop: EveryNLoop) -> Terms:
     )
 
 
+# what V' should be: claim(terms, k) -> (base, summand over k)
 Claim = Callable[[Terms, int | None], tuple[sympy.Expr, sympy.Expr]]
 
 
@@ -96,7 +87,7 @@ def decay_and_disturbance(terms: Terms, k: int | None) -> tuple[sympy.Expr, symp
 
 
 def lyapunov_derivative(diagram: Diagram) -> tuple[SymbolicLoop, sympy.Expr]:
-    """Differentiate the diagram's V along its equations."""
+    """Return the diagram on symbols and its V', multiplied out."""
     loop = symbolic_loop(diagram)
     if "V" not in loop.signals:
         raise DiagramError("no block makes V; wire a candidate such as blocks.lyapunov")
@@ -111,13 +102,13 @@ def claimed(loop: SymbolicLoop, claim: Claim) -> sympy.Expr:
 
 
 def residual(diagram: Diagram, claim: Claim) -> tuple[SymbolicLoop, sympy.Expr]:
-    """Return what V' has beyond a claim, for the diagram's own N."""
+    """Return the loop and what V' has beyond a claim, for the diagram's own N."""
     loop, rate = lyapunov_derivative(diagram)
     return loop, sympy.expand(rate - claimed(loop, claim))
 
 
 def every_n_residual(diagram: Diagram, claim: Claim) -> tuple[EveryNLoop, Summed]:
-    """Return what V' has beyond a claim, for every N."""
+    """Return the loop and what V' has beyond a claim, base and summand, for every N."""
     loop = every_n_loop(diagram)
     rate = loop.derivative(loop.signals["V", None, 0])
     base, summand = claim(every_n_terms(loop), None)
@@ -127,20 +118,25 @@ def every_n_residual(diagram: Diagram, claim: Claim) -> tuple[EveryNLoop, Summed
 def identity_steps(
     text: str, law: str, claim: Claim, points: int, disturbed: bool = False
 ) -> list[Step]:
-    """Check V' for N = 1, 2, 3, every N, and the running blocks."""
+    """Check V' exactly, for N = 1, 2, 3 and every N, and at points of the running blocks.
+
+    `text` is the claim in words; the exact step says what does not cancel, the other one where.
+    """
 
     def identity() -> tuple[bool, str]:
         for N in (1, 2, 3):
-            loop, rest = residual(theorem_loop(N, law, disturbed), claim)
-            if rest != 0:
-                return False, f"N = {N}, left over: {short(rest)}"
-            if loop.gaps:
-                return False, loop.gaps[0]
-        whole, every = every_n_residual(theorem_loop(3, law, disturbed), claim)
-        if every.base != 0 or every.term != 0:
-            left = f"left over: {short(every.base)}; summand {short(every.term)}"
-            return False, f"every N, {left}"
-        return not whole.gaps, whole.gaps[0] if whole.gaps else "base and summand over k vanish"
+            loop, left = residual(theorem_loop(N, law, disturbed), claim)
+            if left != 0:
+                return False, f"N = {N}, left over: {short(left)}"
+            if loop.undefined:
+                return False, loop.undefined[0]
+        every_loop, rest = every_n_residual(theorem_loop(3, law, disturbed), claim)
+        if rest.base != 0 or rest.term != 0:
+            said = f"left over: {short(rest.base)}; summand {short(rest.term)}"
+            return False, f"every N, {said}"
+        if every_loop.undefined:
+            return False, every_loop.undefined[0]
+        return True, "base and summand over k vanish"
 
     def running() -> tuple[bool, str]:
         diagram = theorem_loop(3, law, disturbed)

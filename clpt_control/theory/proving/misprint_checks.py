@@ -1,4 +1,4 @@
-"""What tells a misprint from its correction, on the traced blocks.
+"""What tells a misprint from its correction, on the blocks.
 
 Each function takes `printed` and says whether that form agrees with what the
 blocks that run give; the table of `misprints` names them.
@@ -241,6 +241,6 @@ def bounded_z(printed: bool) -> bool:
 
 
 def forget() -> None:
-    """Forget traced loops, as after a change of the blocks."""
+    """Forget the loops read, as after a change of the blocks."""
     _loop.cache_clear()
     _dynamics.cache_clear()

@@ -1,6 +1,6 @@
 """The paper's misprints, each with a check that tells print from correction.
 
-A check compares a form with what the traced blocks give; it is false for the
+A check compares a form with what the blocks give; it is false for the
 printed form and true for the corrected one.
 """
 
@@ -12,25 +12,13 @@ from . import misprint_checks as check
 
 @dataclass(frozen=True)
 class Misprint:
-    """One misprint.
+    """One misprint."""
 
-    Attributes
-    ----------
-    equation : str
-        Where it stands in the paper.
-    printed, corrected : str
-        What is printed and what it should be.
-    check : str
-        What tells them apart.
-    holds : callable
-        ``holds(printed)``: whether the check passes on that form.
-    """
-
-    equation: str
+    equation: str  # where it stands in the paper
     printed: str
     corrected: str
-    check: str
-    holds: Callable[[bool], bool]
+    check: str  # what tells them apart
+    holds: Callable[[bool], bool]  # holds(printed): whether the check passes on that form
 
     @property
     def confirmed(self) -> bool:
@@ -46,49 +34,49 @@ MISPRINTS = (
         "(18)",
         "(K - KD)^T (K' + z e)",
         "(K - KD)^T (K'/gamma + z e)",
-        "V' of (17) along the traced loop, K' and Gamma' left free",
+        "V' of (17) along the loop, K' and Gamma' left free",
         check.equation_18,
     ),
     Misprint(
         "(25)",
         "K' + z e, and (theta + alpha) alpha'",
         "K'/gamma + z e, and (theta + alpha) alpha'/gamma",
-        "V' of (24) along the traced loop, the law left free",
+        "V' of (24) along the loop, the law left free",
         check.equation_25_gains,
     ),
     Misprint(
         "(25)",
         "-2 e^T alpha_M phi",
         "-e^T [(alpha_M + alpha) phi(x) + (alpha_M - alpha) phi(z)]",
-        "V' of (24) along the traced loop, the injection left free",
+        "V' of (24) along the loop, the injection left free",
         check.equation_25_flow,
     ),
     Misprint(
         "V'' after (26)",
         "... - Psi - 2 alpha_M phi",
         "... - Psi - (alpha_M + alpha) phi(x) - (alpha_M - alpha) phi(z)",
-        "e' of the traced loop, the injection left free",
+        "e' of the loop, the injection left free",
         check.second_derivative,
     ),
     Misprint(
         "(34)",
         "(K - KD)^T (K' + z e)",
         "(K - KD)^T (K'/gamma + z e)",
-        "V' of (24) along the traced loop with Delta, the law left free",
+        "V' of (24) along the loop with Delta, the law left free",
         check.equation_34,
     ),
     Misprint(
         "(27)",
         "x eta_3",
         "z eta_3, as in (28) and (31)",
-        "e' of the traced loop",
+        "e' of the loop",
         check.equation_27,
     ),
     Misprint(
         "(28), lower rows of A",
         "-gamma phi_1, -gamma phi_2, -gamma z, -gamma zc",
         "-gamma phi_1^T, -gamma phi_2^T, -gamma z^T, -gamma zc^T",
-        "A of the traced error and parameter blocks, N = 2",
+        "A of the error and parameter blocks, N = 2",
         check.equation_28_rows,
     ),
     Misprint(
@@ -131,7 +119,7 @@ MISPRINTS = (
         "proof of 3.2",
         "z is bounded because (8) is linear with sinusoidal inputs",
         "z = x - e, with x bounded by (9) and e by V",
-        "dz'/dz of the traced loop is free of adapting gains; z = x - e",
+        "dz'/dz of the loop is free of adapting gains; z = x - e",
         check.bounded_z,
     ),
 )

@@ -25,26 +25,12 @@ from .theorem_loop import theorem_loop, theorem_scenario
 
 
 class ErrorDynamics(NamedTuple):
-    """Eq. (28) on symbols, from the traced error blocks.
+    """Eq. (28) on symbols, from the error blocks."""
 
-    Attributes
-    ----------
-    A : sympy.Matrix
-        Shape (2N + 6, 2N + 6), in the order e, eta.
-    C : sympy.Matrix
-        [I, 0], shape (2, 2N + 6).
-    W : sympy.Matrix
-        The joint regressor, shape (2N + 4, 2).
-    KD : sympy.Matrix
-        Diagonal, shape (2, 2).
-    gamma : sympy.Symbol
-        Adaptation gain.
-    """
-
-    A: sympy.Matrix
-    C: sympy.Matrix
-    W: sympy.Matrix
-    KD: sympy.Matrix
+    A: sympy.Matrix  # (2N + 6, 2N + 6), in the order e, eta
+    C: sympy.Matrix  # [I, 0], (2, 2N + 6)
+    W: sympy.Matrix  # the joint regressor, (2N + 4, 2)
+    KD: sympy.Matrix  # diagonal, (2, 2)
     gamma: sympy.Symbol
 
 
@@ -74,9 +60,9 @@ def eta_of(loop: SymbolicLoop) -> list[sympy.Expr]:
 
 def same_dynamics() -> bool:
     """Return whether Eqs. (27)-(28) are the closed loop's own, every N."""
-    whole = every_n_loop(theorem_loop(3, "learned-flow"))
+    every_loop = every_n_loop(theorem_loop(3, "learned-flow"))
     parts = every_n_loop(error_loop(theorem_scenario(3, "learned-flow")))
-    terms = every_n_terms(whole)
+    terms = every_n_terms(every_loop)
     places: dict[sympy.Expr, sympy.Expr] = {}
     wanted: dict[Key, Summed] = {}
     for i in range(2):
@@ -85,13 +71,13 @@ def same_dynamics() -> bool:
         places[element_symbol("e", None, i)] = terms.e(i)
         tails = (
             element_symbol("K", None, i) - terms.KD(i),
-            whole.parameter("GammaD", i) - element_symbol("Gamma", None, i),
+            every_loop.parameter("GammaD", i) - element_symbol("Gamma", None, i),
         )
-        wanted["e", None, i] = whole.derivative(whole.signals["e", None, i])
-        wanted["eta", i, None] = Summed(whole.rates["alpha", i, None])
+        wanted["e", None, i] = every_loop.derivative(every_loop.signals["e", None, i])
+        wanted["eta", i, None] = Summed(every_loop.rates["alpha", i, None])
         for row, tail in enumerate(tails):
             places[element_symbol("eta", None, 2 * row + i)] = tail
-            wanted["eta", None, 2 * row + i] = whole.derivative(Summed(tail))
+            wanted["eta", None, 2 * row + i] = every_loop.derivative(Summed(tail))
     for key, rate in wanted.items():
         own = parts.rates[key] if key[1] is None else Summed(parts.rates[key])
         for a, b in zip(own, rate, strict=True):

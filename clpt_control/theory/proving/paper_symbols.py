@@ -47,7 +47,7 @@ def port_names(port: str, size: int, N: int | None = None) -> list[str]:
 
 
 def port_symbols(port: str, size: int, N: int | None = None, function_of: tuple = ()) -> np.ndarray:
-    """Return the symbols of one port, flattened row by row."""
+    """Return the symbols of one port, flattened row by row, or functions of arguments."""
     names = port_names(port, size, N)
     if function_of:
         return np.array([sympy.Function(name, real=True)(*function_of) for name in names], object)
@@ -65,7 +65,7 @@ def state_names(blocks: Iterable[Block]) -> dict[tuple[str, str], str]:
 
 
 def parameter_names(blocks: Sequence[Block]) -> dict[tuple[str, str], str]:
-    """Return what each parameter field is called."""
+    """Return (block, field) -> the paper's name where all fields of it agree, else block.field."""
     held: dict[str, list[Any]] = {}
     for block in blocks:
         for field, value in zip(block.parameters._fields, block.parameters, strict=True):
@@ -83,7 +83,7 @@ def parameter_names(blocks: Sequence[Block]) -> dict[tuple[str, str], str]:
 
 
 def parameter_symbols(blocks: Sequence[Block]) -> dict[str, Any]:
-    """Return each block's parameters as symbols."""
+    """Return block -> NamedTuple of symbols; whole numbers stay numbers, zeros are zero."""
     names = parameter_names(blocks)
     return {
         block.name: type(block.parameters)(

@@ -21,15 +21,9 @@ HIGHEST = 4  # higher powers are not factored
 
 
 class Pull(NamedTuple):
-    """V' <= -rate V + push, or -e^T KD e/2 + push where rate is zero.
+    """V' <= -rate V + push, or -e^T KD e/2 + push where rate is zero."""
 
-    Attributes
-    ----------
-    rate, push : sympy.Expr
-        In what the law does not know, theta, KD and GammaD.
-    """
-
-    rate: sympy.Expr
+    rate: sympy.Expr  # in what the law does not know: theta, KD and GammaD
     push: sympy.Expr
 
 
@@ -68,7 +62,11 @@ def _terms(expression: sympy.Expr) -> int:
 def positive_definite(
     V: sympy.Expr, states: Sequence[sympy.Symbol], truth: dict, values: dict
 ) -> bool:
-    """Return whether V is positive definite in the errors."""
+    """Return whether V is known to be positive definite in the errors of the states.
+
+    Its Hessian at the parameters' values must be constant and positive definite, V and its
+    slopes zero at the truth (state -> where its error is zero).
+    """
     H = sympy.hessian(V, list(states)).subs(values)
     if H.free_symbols or H.atoms(AppliedUndef):
         return False
@@ -78,7 +76,10 @@ def positive_definite(
 
 
 def nonpositive(expression: sympy.Expr, apart: set, values: dict) -> bool:
-    """Return whether an expression is never positive."""
+    """Return whether an expression is known never to be positive.
+
+    Terms that share no symbol of `apart`, the states and truths, are judged apart.
+    """
     return all(_negative(group, apart, values) for group in _groups(expression, apart))
 
 
@@ -122,7 +123,11 @@ def _negative(group: sympy.Expr, apart: set, values: dict) -> bool:
 def pulled(
     rate: sympy.Expr, V: sympy.Expr, truth: dict, values: dict, moving: set | None = None
 ) -> Pull | None:
-    """Bound V' by what pulls back and a constant, state by state."""
+    """Bound V' by what pulls back and a constant, state by state.
+
+    None where V' is not a sum of a term -a s^2 + b s for each error s; what depends on `moving`,
+    all states and time, is no constant.
+    """
     states, moves = list(truth), {*truth, *(moving or ())}
     shifted = {s: s + truth[s] for s in states}
     if not rate.is_polynomial(*states) or sympy.Poly(rate, *states).total_degree() > 2:

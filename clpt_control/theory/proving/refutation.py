@@ -1,4 +1,4 @@
-"""Points at which the running blocks give V' > 0.
+"""The search for points at which the running blocks have V' > 0.
 
 A law that is right but for a bounded term has V' > 0 near the truth; one that is wrong
 has it however far off.  So a point counts where V' > 0 also ten and a hundred times as far
@@ -11,7 +11,8 @@ import sympy
 
 from ...errors import DiagramError
 from ...progress.interrupt import check
-from .running_rate import Draw, Point, RunningRate, degree_of, numeric, symbol_values
+from .random_points import Draw, Point, symbol_values
+from .running_rate import RunningRate, degree_of, numeric
 from .symbolic_loop import SymbolicLoop
 
 DRAWS, PER_DRAW, TRIED = 100, 200, 3
@@ -25,8 +26,12 @@ def refuting_point(
     kept: tuple[str, ...],
     seed: int = 0,
 ) -> tuple[Point | None, float | None]:
-    """Look for a point with V' > 0, and ask the running blocks there."""
-    running, draw, degree = RunningRate(diagram), Draw(_blocks(diagram), seed), degree_of(loop)
+    """Return a point with V' > 0 and V' of the running blocks there, or None, None.
+
+    `rate` is V' on symbols, by which points are chosen where it has numbers; the blocks in
+    `kept` keep their own parameters.
+    """
+    running, draw, degree = RunningRate(diagram), Draw(diagram.syslist, seed), degree_of(loop)
     try:
         function, symbols = numeric(rate)
     except DiagramError:
@@ -53,10 +58,6 @@ def refuting_point(
     finally:
         diagram._update_params({})
     return None, None
-
-
-def _blocks(diagram: control.NonlinearIOSystem) -> list:
-    return list(diagram.syslist)
 
 
 def _persists(

@@ -9,7 +9,7 @@ python-control gives at (t, x, u),
 which is exact for a V of degree four and less, whatever h.
 """
 
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import control
@@ -24,36 +24,16 @@ from ...diagrams.wiring import Wiring, read
 from ...errors import DiagramError
 from ...native.sweep import Sweep
 from ...progress.interrupt import check
-from .paper_symbols import SCALARS, parameter_names
+from .random_points import Draw, Point, meet, symbol_values
 from .symbolic_loop import TIME, SymbolicLoop, blocks_of
 
 PER_DRAW = 100  # points for each draw of the parameters
 CLOSE = 1e-9
-LARGEST = 1e6  # of the kinks that are tried
 HUGE = 1e100  # beyond, numbers say nothing
 
 
-class Point(NamedTuple):
-    """Where the blocks are called.
-
-    Attributes
-    ----------
-    t : float
-        Time.
-    x, u : ndarray
-        States and inputs of the diagram.
-    params : dict
-        Call-time parameters, ``{"block.field": value}``.
-    """
-
-    t: float
-    x: np.ndarray
-    u: np.ndarray
-    params: dict[str, Any]
-
-
 class RunningRate:
-    """V and V' of a diagram, from its running blocks."""
+    """V and V' of a diagram, from its running blocks, one of which makes V[1]."""
 
     def __init__(self, diagram: control.NonlinearIOSystem):
         self.diagram, self.wiring = diagram, read(diagram)
@@ -66,7 +46,7 @@ class RunningRate:
         )
 
     def set(self, params: Mapping[str, Any]) -> None:
-        """Let the blocks run with these parameters."""
+        """Set the parameters with which the blocks run."""
         self.diagram._update_params(dict(params))
         found = changed_parameters(self.wiring, params)
         self._sweep = Sweep(self.wiring, found, only=self._needed)
@@ -115,90 +95,12 @@ def _ancestors(wiring: Wiring, blocks: list[Block]) -> set[int]:
     return found
 
 
-class Draw:
-    """Random parameters and points; parameters keep their signs."""
-
-    def __init__(self, blocks: list[Block], seed: int):
-        self.random, self.blocks = np.random.default_rng(seed), blocks
-        self.names = parameter_names(blocks)
-        records = [b.output_record for b in blocks] + [b.update_record for b in blocks]
-        numbers = {
-            a
-            for r in records
-            if r is not None
-            for o in r.operations
-            for a in o[1:]
-            if type(a) is float and np.isfinite(a)
-        }
-        held = [np.ravel(v) for b in blocks for v in b.parameters if not isinstance(v, int)]
-        known = np.concatenate([np.array(sorted(numbers)), np.zeros(1), *held])
-        known = known[np.abs(known) <= LARGEST]
-        self.kinks = np.concatenate([known, -known])
-
-    def parameters(self, kept: Collection[str] = (), largest: float = 1.5) -> dict[str, np.ndarray]:
-        """Return values by name, of the size 10^-1.5 to 10^largest."""
-        values: dict[str, np.ndarray] = {}
-        for block in self.blocks:
-            for field, value in zip(block.parameters._fields, block.parameters, strict=True):
-                name = self.names[block.name, field]
-                if isinstance(value, int) or name in values or field == "interval":
-                    continue
-                own = np.asarray(value, dtype=float)
-                if name in SCALARS:
-                    own = np.ravel(own)[0]
-                if block.name in kept:
-                    values[name] = own
-                    continue
-                drawn = 10.0 ** self.random.uniform(-1.5, largest, own.shape)
-                if not np.any(own):
-                    drawn = own
-                elif np.all(own < 0):
-                    drawn = -drawn
-                elif not np.all(own > 0):
-                    drawn *= self.random.choice([-1.0, 1.0], own.shape)
-                values[name] = drawn
-        return values
-
-    def params(self, values: Mapping[str, np.ndarray]) -> dict[str, Any]:
-        """Return values by name as call-time parameters."""
-        found = {}
-        for block in self.blocks:
-            for field, own in zip(block.parameters._fields, block.parameters, strict=True):
-                name = self.names[block.name, field]
-                if name not in values or isinstance(own, int):
-                    continue
-                value = values[name]
-                if name in SCALARS:
-                    value = np.full(np.shape(own), float(value))
-                found[f"{block.name}.{field}"] = float(value) if np.ndim(own) == 0 else value
-        return found
-
-    def points(self, count: int, n: int) -> np.ndarray:
-        """Return points of n numbers: wide ranges, zeros, kinks."""
-        random = self.random
-        found = random.standard_normal((count, n)) * 10.0 ** random.uniform(-2, 4, (count, 1))
-        found *= random.random((count, n)) > 0.1 * (random.random((count, 1)) < 0.5)
-        kinked = random.random((count, n)) < 0.15 * (random.random((count, 1)) < 0.3)
-        found[kinked] = random.choice(self.kinks, int(kinked.sum()))
-        return found
-
-
 class Comparison(NamedTuple):
-    """What came of calling the blocks.
+    """The outcome of calling the blocks."""
 
-    Attributes
-    ----------
-    points : int
-        How many were compared.
-    worst : float
-        Largest difference, of the size of V over the time between.
-    where : Point or None
-        The first at which they differ.
-    """
-
-    points: int
-    worst: float
-    where: Point | None
+    points: int  # how many were compared
+    worst: float  # largest difference, of the size of V over the time between
+    where: Point | None  # the first at which they differ
 
 
 def compared(
@@ -210,7 +112,11 @@ def compared(
     given: Mapping[str, Any] | None = None,
     kept: tuple[str, ...] = (),
 ) -> Comparison:
-    """Compare V' of the running blocks with an expression."""
+    """Compare V' of the running blocks with `wanted` at random points, to 1e-9.
+
+    The first 100 points have the blocks' own parameters, then every 100 others; blocks in `kept`
+    keep theirs, and a name in `given` follows from expressions of the other parameters.
+    """
     running = RunningRate(diagram)
     draw = Draw(running.blocks, seed)
     function, symbols = numeric(wanted)
@@ -229,7 +135,7 @@ def compared(
             running.set(params)
             size = min(PER_DRAW, count - done)
             x, u = draw.points(size, diagram.nstates), draw.points(size, diagram.ninputs)
-            _meet(loop, x, draw.random)
+            meet(loop, x, draw.random)
             times = draw.random.uniform(0.0, 100.0, size)
             known = symbol_values(loop, draw, values, times, x, u)
             with np.errstate(all="ignore"):
@@ -268,44 +174,9 @@ def numeric(expression: sympy.Expr) -> tuple[Any, list[Any]]:
     return sympy.lambdify(list(plain.values()), text, [space, "scipy", "numpy"], cse=True), symbols
 
 
-def symbol_values(
-    loop: SymbolicLoop, draw: Draw, values: Mapping[str, np.ndarray], *point: Any
-) -> dict[Any, Any]:
-    """Return symbol -> number, of parameters and of points (t, x, u)."""
-    found: dict[Any, Any] = {}
-    for block in draw.blocks:
-        own = loop.parameters[block.name]
-        for field, symbols in zip(own._fields, own, strict=True):
-            name = draw.names[block.name, field]
-            if name in values and not isinstance(symbols, int):
-                numbers = np.broadcast_to(values[name], np.shape(symbols) or np.shape(values[name]))
-                pairs = zip(np.ravel(np.asarray(symbols, object)), np.ravel(numbers), strict=False)
-                found.update({s: v for s, v in pairs if isinstance(s, sympy.Symbol)})
-    if point:
-        t, x, u = point
-        found[TIME] = t
-        for ports, numbers in ((loop.states, x), (loop.inputs, u)):
-            flat = [s for symbols in ports.values() for s in symbols]
-            found.update(dict(zip(flat, numbers.T, strict=True)))
-    return found
-
-
 def degree_of(loop: SymbolicLoop) -> float:
     """Return the degree of V in the states; inf for no polynomial."""
     V, states = loop.signals["V"][0], [s for port in loop.states.values() for s in port]
     if not V.is_polynomial(*states):
         return np.inf
     return sympy.Poly(V, *states).total_degree()
-
-
-def _meet(loop: SymbolicLoop, x: np.ndarray, random: np.random.Generator) -> None:
-    """Let x and z be equal at some points: e = 0."""
-    flat = [str(s) for symbols in loop.states.values() for s in symbols]
-    pairs = [
-        (flat.index(f"x_{i}"), flat.index(f"z_{i}"))
-        for i in (1, 2)
-        if f"x_{i}" in flat and f"z_{i}" in flat
-    ]
-    for a, b in pairs:
-        equal = random.random(len(x)) < 0.1
-        x[equal, a] = x[equal, b]

@@ -28,34 +28,18 @@ TIME = sympy.Symbol("t", real=True)
 
 @dataclass
 class SymbolicLoop:
-    """A diagram's equations on symbols.
+    """A diagram's equations on symbols, ports as ndarrays.
 
-    Attributes
-    ----------
-    states : dict
-        Port -> ndarray of symbols, such as ``states["alpha"]``; a state that is no
-        port of the diagram stands under ``"block:port"``.
-    signals : dict
-        Port -> ndarray of expressions in states, inputs and opaque functions.
-    rates : dict
-        As `states`: the time derivatives, expressions.
-    inputs : dict
-        Port -> ndarray of symbols, the diagram's inputs.
-    parameters : dict
-        Block name -> NamedTuple of symbols.
-    N : int or None
-        Number of basis functions, where the blocks have one.
-    gaps : list of str
-        Where equations may have no value, a sentence each.
+    A state that is no port of the diagram stands under ``"block:port"``.
     """
 
-    states: dict[str, np.ndarray] = field(default_factory=dict)
-    signals: dict[str, np.ndarray] = field(default_factory=dict)
-    rates: dict[str, np.ndarray] = field(default_factory=dict)
-    inputs: dict[str, np.ndarray] = field(default_factory=dict)
-    parameters: dict[str, Any] = field(default_factory=dict)
-    N: int | None = None
-    gaps: list[str] = field(default_factory=list)
+    states: dict[str, np.ndarray] = field(default_factory=dict)  # symbols
+    signals: dict[str, np.ndarray] = field(default_factory=dict)  # expressions
+    rates: dict[str, np.ndarray] = field(default_factory=dict)  # time derivatives of the states
+    inputs: dict[str, np.ndarray] = field(default_factory=dict)  # symbols, of the diagram
+    parameters: dict[str, Any] = field(default_factory=dict)  # block -> NamedTuple of symbols
+    N: int | None = None  # number of basis functions, where the blocks have one
+    undefined: list[str] = field(default_factory=list)  # where there may be no value, sentences
 
     def derivative(self, expression: sympy.Expr) -> sympy.Expr:
         """Differentiate an expression of the states along the equations.
@@ -70,7 +54,7 @@ class SymbolicLoop:
 
 
 def symbolic_loop(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()) -> SymbolicLoop:
-    """Read a diagram's equations on symbols."""
+    """Read a diagram's equations on symbols; blocks named in `opaque` stay undefined."""
     wiring, kept = read(diagram), set(opaque)
     blocks = blocks_of(wiring)
     loop = SymbolicLoop(parameters=parameter_symbols(blocks))
@@ -89,7 +73,7 @@ def symbolic_loop(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()
             u[wire.to : wire.to + wire.size] += gained
         return u
 
-    def ask(record: Record, role: str, block: Block, u: np.ndarray) -> np.ndarray:
+    def outcome(record: Record, role: str, block: Block, u: np.ndarray) -> np.ndarray:
         x = _flat({port: loop.states[states[block.name, port]] for port in block.state_ports})
         p = loop.parameters[block.name]
 
@@ -110,9 +94,9 @@ def symbolic_loop(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()
                     f"{block.name}.{role} has more than {LONGEST} parts or {DEEPEST} levels on "
                     "symbols, too long to prove anything of; make it simpler or its N smaller"
                 )
-            gap = undefined(name, arguments)
-            if gap is not None:
-                loop.gaps.append(f"{block.name}.{role} {gap}")
+            sentence = undefined(name, arguments)
+            if sentence is not None:
+                loop.undefined.append(f"{block.name}.{role} {sentence}")
 
         found = expressions(record, leaf, watch=watch)
         return np.array([sympy.sympify(e) for e in found], dtype=object)
@@ -132,7 +116,7 @@ def symbolic_loop(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()
                 }
             )
         else:
-            y = ask(block.output_record, "output", block, u)
+            y = outcome(block.output_record, "output", block, u)
         bus[node.outputs] = y
         at = 0
         for port, size in block.output_ports.items():
@@ -142,7 +126,7 @@ def symbolic_loop(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()
         block = blocks[k]
         if block.update_record is None:
             continue
-        dx, at = ask(block.update_record, "update", block, inputs_of(k)), 0
+        dx, at = outcome(block.update_record, "update", block, inputs_of(k)), 0
         for port, size in block.state_ports.items():
             loop.rates[states[block.name, port]] = dx[at : at + size]
             at += size

@@ -17,7 +17,10 @@ SOURCES = {"basis_x": "phi_x", "basis_z": "phi_z", "reference": "zc", "disturban
 
 
 def theorem_scenario(N: int, law: str, disturbed: bool = False) -> Scenario:
-    """Return a scenario of section II with N functions."""
+    """Return a scenario with N functions, whose numbers become symbols with their signs.
+
+    KD and gamma are positive; theta, theta_hat, alpha_M and GammaD have either sign.
+    """
     signs = np.array([[1.0], [-1.0]]) * np.arange(1, N + 1)
     known = law == "known-flow"
     push = {"kind": "constant", "amplitude": [0.1, 0.1]}
@@ -46,7 +49,11 @@ def theorem_loop(
     law_block: Block | None = None,
     candidate: Block | None = None,
 ) -> Diagram:
-    """Wire the closed loop of a theorem, with its V as a block."""
+    """Wire the closed loop of a theorem, with its V as a block.
+
+    V is that of Eq. (17) for the known-flow law, of Eq. (24) for the learned-flow law;
+    `law_block` and `candidate` (with the output V[1]) take the place of the paper's.
+    """
     scenario = theorem_scenario(N, law, disturbed)
     blocks = paper_blocks(scenario)
     external = [SOURCES[block.name] for block in blocks if block.name in SOURCES]
@@ -61,7 +68,10 @@ def theorem_loop(
 
 
 def theorem_candidate(N: int, law: str, gain: float, weights: tuple = ()) -> Block:
-    """Return V of Eq. (17) or (24) with the scenario's truth."""
+    """Return V of Eq. (17) or (24) with the scenario's truth.
+
+    The weights, gains of alpha (2, N), K and Gamma (2,), take the place of the one gain.
+    """
     scenario = theorem_scenario(N, law)
     car = scenario.vehicle
     truth = map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward))

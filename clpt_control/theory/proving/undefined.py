@@ -1,7 +1,7 @@
 """Where equations have a value: no division by what may be zero, no root of what may be less.
 
 SymPy cancels z z/z to z; the equations that run give NaN at z = 0.  So every operation
-of a record that has no value somewhere is asked whether it can come there.
+of a record that has no value somewhere is checked: can it come there?
 """
 
 from collections.abc import Callable
@@ -9,7 +9,7 @@ from functools import lru_cache
 
 import sympy
 
-ASKED = 12  # levels of operations; of deeper ones SymPy is not asked, which takes too long
+DEEPEST = 12  # levels of operations; deeper ones would take SymPy too long
 
 
 @lru_cache(maxsize=100_000)
@@ -29,9 +29,9 @@ def _not_huge(a: sympy.Expr) -> bool:
 
 
 def _power(base: sympy.Expr, exponent: sympy.Expr) -> bool:
-    whole = bool(exponent.is_integer)
+    integer = bool(exponent.is_integer)
     return bool(
-        (whole and (exponent.is_nonnegative or base.is_nonzero))
+        (integer and (exponent.is_nonnegative or base.is_nonzero))
         or base.is_positive
         or (base.is_nonnegative and exponent.is_positive)
     )
@@ -70,10 +70,13 @@ DEMANDS: dict[str, tuple[str, Callable[..., bool]]] = {
 
 
 def undefined(name: str, arguments: tuple) -> str | None:
-    """Return what may have no value here, None if it always has."""
+    """Return what may have no value, such as "divides by z, which may be zero", or None.
+
+    `name` is an operation of a record, the arguments are expressions.
+    """
     if name not in DEMANDS:
         return None
     sentence, known = DEMANDS[name]
     arguments = tuple(map(sympy.sympify, arguments))
-    shallow = all(extent(a)[1] <= ASKED for a in arguments)
+    shallow = all(extent(a)[1] <= DEEPEST for a in arguments)
     return None if shallow and known(*arguments) else sentence.format(*arguments)

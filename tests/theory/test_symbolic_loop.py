@@ -106,7 +106,7 @@ def reading(function, states=None):
             return symbol if where[0][1] is not None else Summed(symbol)
         return sympy.Symbol(str((name, *where)), real=True)
 
-    return read_function(block, "update", sizes, leaf, told=[].append)
+    return read_function(block, "update", sizes, leaf, warn=[].append)
 
 
 def test_nonlinear_use_of_a_sum_is_refused():

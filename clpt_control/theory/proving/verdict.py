@@ -1,0 +1,263 @@
+"""The verdict on an adaptive law: V' along the closed loop with the law in it, judged.
+
+    V' = -e^T KD e + residual
+
+If the residual is never positive, V falls and e goes to zero as in Theorem 3.2.  Where what is
+left pulls back but for a constant, V' is bounded.  Else points are looked for at which the
+running blocks themselves have V' > 0.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy
+
+from ...blocks import Block
+from ...diagrams.interconnection import Diagram
+from .law_gains import own_values, refuse_no_value
+from .lyapunov import claimed, decay, every_n_residual, short
+from .proof import Step, checked
+from .quadratic_forms import nonpositive, positive_definite, pulled, tidied
+from .random_points import Draw, Point
+from .refutation import refuting_point
+from .running_rate import compared
+from .symbolic_loop import TIME, SymbolicLoop
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What is known of V' under a law.
+
+    Attributes
+    ----------
+    status : str
+        ``"proved"``: V' <= -e^T KD e; ``"bounded"``: V' <= -e^T KD e + a bounded term;
+        ``"refuted"``: the running blocks give V' > 0 at `point`, however far from the
+        truth; ``"open"``: none of these is known.
+    for_every_N : bool
+        Whether it is proved for every number of basis functions.
+    residual : sympy.Expr
+        V' + e^T KD e, multiplied out.
+    point : Point or None
+        Where V' > 0: ``diagram.dynamics(*point)`` and ``diagram.output(*point)``.
+    rate : float or None
+        V' there, length squared per time.
+    reached : str
+        For ``"bounded"``: the set that V comes to, or the mean square of e.
+    steps : tuple of Step
+        What was tried.
+    diagram : Diagram
+        The closed loop that was judged, V its last output.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> from clpt_control.blocks.adaptation import LearnedFlowParameters, adaptation
+    >>> wrong = adaptation(LearnedFlowParameters(N=1, gain=-0.5))
+    >>> verdict = clpt.theory.prove(wrong, points=200)
+    >>> verdict.status, verdict.rate > 0
+    ('refuted', True)
+    """
+
+    status: str
+    for_every_N: bool
+    residual: sympy.Expr
+    point: Point | None
+    rate: float | None
+    reached: str
+    steps: tuple[Step, ...]
+    diagram: Diagram
+
+
+class Case:
+    """A law with its V, on symbols and running; V's gains are those of the law, if any."""
+
+    def __init__(
+        self,
+        diagram: Diagram,
+        loop: SymbolicLoop,
+        V: Block,
+        law: Block,
+        gains: list[sympy.Expr],
+        points: int,
+        seed: int,
+    ):
+        self.diagram, self.loop, self.V, self.law = diagram, loop, V, law
+        refuse_no_value(loop, V.name)
+        self.points, self.seed = points, seed
+        self.blocks = [node for node in diagram.syslist if isinstance(node, Block)]
+        names = Draw(self.blocks, 0).names
+        self.weights: dict[sympy.Expr, sympy.Expr] = {}
+        self.given: dict[str, list[sympy.Expr]] = {}  # V's gains, where they are apart
+        at = 0
+        for field in ("gain", "gain_K", "gain_Gamma") if gains else ():
+            own = list(np.ravel(getattr(loop.parameters[V.name], field)))
+            theirs = gains[at : at + len(own)]
+            at += len(own)
+            self.weights.update(zip(own, theirs, strict=True))
+            if own != theirs:
+                self.given[names[V.name, field]] = theirs
+        hidden = {
+            s
+            for b in self.blocks
+            if b.name not in (law.name, V.name)
+            for s in flat(loop.parameters[b.name])
+        }
+        self.values = {s: v for s, v in own_values(loop, self.blocks).items() if s not in hidden}
+        self.moving = {TIME, *(s for port in loop.states.values() for s in port)}
+        self.kept: tuple[str, ...] = ()
+        self.Vs = loop.signals["V"][0].subs(self.weights)
+        self.rate = tidied(loop.derivative(loop.signals["V"][0]).subs(self.weights))
+        self.rest = tidied(self.rate - claimed(loop, decay))
+
+    def truth(self) -> dict[Any, sympy.Expr]:
+        """Return where each error is zero."""
+        p, states = self.loop.parameters, self.loop.states
+        true = dict(zip(states["x"], states["z"], strict=True))
+        known = (
+            ("alpha", -p["true_flow"].theta.ravel()),
+            ("K", p["vehicle_controller"].KD),
+            ("Gamma", p["vehicle_controller"].GammaD),
+        )
+        for port, where in known:
+            if port in states:
+                true |= dict(zip(states[port], where, strict=True))
+        return true
+
+    def verdict(self, fitted: bool) -> Verdict:
+        """Judge the law; a V that does not fit it refutes nothing."""
+        truth = self.truth()
+        definite = checked(
+            "V is positive definite in e and the parameter errors, at the blocks' own values",
+            "exact",
+            lambda: positive_definite(self.Vs, list(truth), truth, self.values),
+            False,
+        )
+        total = Step(
+            "the equations have a value everywhere",
+            not self.loop.undefined,
+            "exact",
+            self.loop.undefined[0] if self.loop.undefined else "",
+            False,
+        )
+        if self.rest != 0 and tidied(self.rest.subs(self.values)) == 0:
+            self.rest, self.given = sympy.Integer(0), {}  # for the values that they have
+            self.kept = (self.law.name, self.V.name)
+        falls = self.falls(self.rest)
+        at = " and the parameters as they are" if self.kept else ""
+        claim = f"V' {'=' if self.rest == 0 else '<='} -e^T KD e, N = {self.loop.N}{at}"
+        left = "" if self.rest == 0 else f"left over: {short(self.rest)}"
+        steps = [definite, total, Step(claim, falls, "exact", left, False)]
+        pull = None
+        if definite.holds and not falls and self.keeps_decay():
+            pull = pulled(self.rate, self.Vs, truth, self.values, self.moving)
+        if definite.holds and total.holds and (falls or pull is not None):
+            running = self.running()
+            steps.append(running)
+            if running.holds and falls:
+                every = self.every()
+                return self.found("proved", [*steps, every], every.holds)
+            if running.holds and pull is not None:
+                return self.found("bounded", steps, reached=self.reached(pull))
+        if definite.holds and fitted:
+            kept = (self.law.name, self.V.name)
+            point, rate = refuting_point(self.diagram, self.loop, self.rate, kept, self.seed)
+            claim = "the running blocks give V' > 0, ten and a hundred times as far off as well"
+            detail = "no such point was found" if point is None else f"V' = {rate:.3g}"
+            steps.append(Step(claim, point is not None, "counterexample", detail, False))
+            if point is not None:
+                return self.found("refuted", steps, point=point, rate=rate)
+        return self.found("open", steps)
+
+    def keeps_decay(self) -> bool:
+        """Return whether V' has -e^T KD e, or more of it."""
+        return all(
+            sympy.diff(self.rest.subs(self.values), s, 2).is_nonpositive
+            for s in self.loop.states["x"]
+        )
+
+    def falls(self, rest: sympy.Expr) -> bool:
+        """Return whether what V' has beyond -e^T KD e is known not to be positive."""
+        apart = self.moving - {TIME} | rest.free_symbols - set(self.values) - {TIME}
+        return bool(rest == 0 or nonpositive(rest, apart, self.values))
+
+    def found(
+        self,
+        status: str,
+        steps: list[Step],
+        every: bool = False,
+        point: Point | None = None,
+        rate: float | None = None,
+        reached: str = "",
+    ) -> Verdict:
+        """Put a verdict together."""
+        return Verdict(status, every, self.rest, point, rate, reached, tuple(steps), self.diagram)
+
+    def running(self) -> Step:
+        """Compare V' with the running blocks."""
+
+        def same() -> tuple[bool, str]:
+            wanted = claimed(self.loop, decay) + self.rest
+            found = compared(
+                self.diagram, self.loop, wanted, self.points, self.seed, self.given, self.kept
+            )
+            if found.where is not None:
+                return False, f"differs by {found.worst:.1e} of V at {found.where}"
+            return True, f"{found.points} points, largest difference {found.worst:.0e} of V"
+
+        return checked("the running blocks give the same V'", "sampled", same, False)
+
+    def every(self) -> Step:
+        """Read the loop for every N."""
+
+        def holds() -> tuple[bool, str]:
+            loop, rest = every_n_residual(self.diagram, decay)
+            at = self.values if self.kept else {}
+            weights = {**self.weights, **self.every_n_weights()}
+            base, term = (tidied(part.subs(weights).subs(at)) for part in rest)
+            if loop.undefined:
+                return False, loop.undefined[0]
+            if self.falls(base) and self.falls(term):
+                return True, ""
+            return False, f"left over: {short(base)}; summand {short(term)}"
+
+        return checked("the same for every N", "exact", holds)
+
+    def every_n_weights(self) -> dict[sympy.Expr, sympy.Expr]:
+        """Return V's gains of the element k, where they are alike for every function."""
+        found: dict[sympy.Expr, sympy.Expr] = {}
+        if not self.weights:
+            return found
+        own = np.reshape(self.loop.parameters[self.V.name].gain, (2, -1))
+        for row in own if own.shape[1] == self.loop.N else ():
+            if row[0] not in self.weights:
+                continue
+            theirs = [self.weights[symbol] for symbol in row]
+            one = len(set(theirs)) == 1
+            whole = theirs[0] if one else _renamed(theirs[0], "[1]", "[k]")
+            if one or all(_renamed(whole, "[k]", f"[{k + 1}]") == g for k, g in enumerate(theirs)):
+                found[_renamed(row[0], "[1]", "[k]")] = whole
+        return found
+
+    def reached(self, pull: Any) -> str:
+        """Say where a bounded law comes to."""
+        push, rate = pull.push.n(4), pull.rate.n(4)
+        if rate == 0:
+            return f"V' <= -e^T KD e/2 + {push}: in the mean e^T KD e is at most {2 * push}"
+        return f"V' <= -{rate} V + {push}: V comes down to {push / rate}"
+
+
+def flat(parameters: Any) -> list[Any]:
+    """Return the symbols of a block's parameters, one after the other."""
+    return [symbol for field in parameters for symbol in np.ravel(np.asarray(field, dtype=object))]
+
+
+def _renamed(expression: sympy.Expr, last: str, new: str) -> sympy.Expr:
+    """Return an expression with another last index in the names of its symbols."""
+    names = {
+        s: sympy.Symbol(s.name.removesuffix(last) + new, **s.assumptions0)
+        for s in expression.free_symbols
+        if s.name.endswith(last)
+    }
+    return expression.subs(names)
