@@ -14,9 +14,13 @@ import os
 import sys
 import warnings
 from contextlib import suppress
+from typing import TYPE_CHECKING
 
 from ..errors import ClptError, SimulationError
 from ..progress import interrupt
+
+if TYPE_CHECKING:
+    import typer
 
 LONGEST = 1200  # letters of a sentence; names and values may have more
 
@@ -42,15 +46,38 @@ def main() -> None:
 
 
 def _run() -> int:
-    from .app import app
-
     logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it warns where there is no home
-    status = app(standalone_mode=False)
+    status = application()(standalone_mode=False)
     return status if isinstance(status, int) else 0
 
 
+def application() -> "typer.Typer":
+    """Return the command line with all its commands."""
+    import typer
+
+    from .ensemble import ensemble
+    from .excitation import excitation
+    from .fit import fit
+    from .one_scenario import diagram, init, paper, run
+    from .prove import prove
+    from .replay import replay
+    from .tides import tides
+
+    app = typer.Typer(
+        name="clpt",
+        help="Adaptive learning for controlled Lagrangian particle tracking.",
+        no_args_is_help=True,
+        add_completion=False,
+        rich_markup_mode=None,
+        pretty_exceptions_enable=False,
+    )
+    for command in (init, paper, run, diagram, ensemble, prove, excitation, fit, tides, replay):
+        app.command()(command)
+    return app
+
+
 def _answer(error: BaseException) -> int:
-    """Say in one line what went wrong; give the status."""
+    """Print in one line what went wrong; return the status."""
     if interrupt.asked() or _interrupted(error):  # whatever an interrupted import makes of it
         return 130
     if isinstance(error, SimulationError):
@@ -89,7 +116,7 @@ def _interrupted(error: BaseException | None) -> bool:
 
 
 def _let_go() -> None:
-    """Write nothing that is left for standard output."""
+    """Drop what is left for standard output."""
     with suppress(OSError, ValueError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 

@@ -57,13 +57,7 @@ def tides(
 
 
 def show(report: dict[str, Any]) -> None:
-    """Print tidal constants: a row per constituent, then the whole.
-
-    Parameters
-    ----------
-    report : dict
-        As `tides_report` gives it, with its source.
-    """
+    """Print tidal constants: a row per constituent, then the whole."""
     rows = []
     for name, each in report["constituents"].items():
         row = [name]

@@ -67,27 +67,7 @@ def load_scenario(path: str | Path) -> Scenario:
 
 
 def scenario_from_text(text: str, name: str, folder: Path) -> Scenario:
-    """Check a scenario's TOML text.
-
-    Parameters
-    ----------
-    text : str
-        TOML.
-    name : str
-        How to call it in messages, usually the path.
-    folder : Path
-        What a relative ``flow.field`` is relative to.
-
-    Returns
-    -------
-    Scenario
-        Checked.
-
-    Raises
-    ------
-    ScenarioError
-        If it is not TOML, or a key or value is not allowed.
-    """
+    """Read a scenario of TOML text; `name` begins each error, `folder` holds its files."""
     try:
         tables = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -102,20 +82,7 @@ def scenario_from_text(text: str, name: str, folder: Path) -> Scenario:
 
 
 def scenario_to_text(scenario: Scenario, folder: Path | None = None) -> str:
-    """Write a scenario as TOML text.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        The experiment.
-    folder : Path, optional
-        Where the text will lie; a relative ``flow.field`` is turned to it.
-
-    Returns
-    -------
-    str
-        TOML that reads back to the same scenario.
-    """
+    """Return a scenario as TOML text to lie in `folder`, to which a relative field is turned."""
     tables = scenario_tables(scenario)
     if folder is not None and scenario.field_path is not None:
         relative = os.path.relpath(scenario.field_path.resolve(), Path(folder).resolve())
@@ -125,14 +92,14 @@ def scenario_to_text(scenario: Scenario, folder: Path | None = None) -> str:
 
 @lru_cache(maxsize=64)
 def _dumped(tables: bytes) -> str:
-    """Write tables as TOML; the same scenario is run again and again."""
+    """Return tables as TOML; kept, as the same scenario is run again and again."""
     import tomlkit
 
     return tomlkit.dumps(_with_long_rows(pickle.loads(tables)))
 
 
 def _with_long_rows(tables: dict[str, Any]) -> dict[str, Any]:
-    """Put text for rows of numbers: what tomlkit makes of a row grows with its square."""
+    """Replace rows of numbers by text: tomlkit's time for a row grows with its square."""
     from tomlkit.items import Float, Trivia
 
     def item(value: Any) -> Any:
@@ -172,13 +139,7 @@ def save_scenario(scenario: Scenario, path: str | Path) -> None:
 
 
 def scenario_text(path: str | Path) -> str:
-    """Return the scenario that a run's file carries, as TOML text.
-
-    Raises
-    ------
-    DataError
-        If the file is missing, is not NetCDF, or carries no scenario.
-    """
+    """Return the scenario that a run's file carries, as TOML text."""
     with open_netcdf(Path(path)) as data:
         if "scenario" not in data.attrs:
             raise DataError(f"{path}: carries no scenario; `clpt run` writes runs that do")

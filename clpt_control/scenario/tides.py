@@ -72,28 +72,7 @@ def period(constituent: str, unit: str = "h") -> float:
 
 
 def speed(constituent: str) -> float:
-    """Return the angular speed of a named tidal constituent.
-
-    Parameters
-    ----------
-    constituent : str
-        A name such as ``"M2"``, or ``"steady"``.
-
-    Returns
-    -------
-    float
-        Degrees per hour; 0 for ``"steady"``.
-
-    Raises
-    ------
-    ScenarioError
-        If the name is unknown.
-
-    Examples
-    --------
-    >>> speed("S2"), speed("steady")
-    (30.0, 0.0)
-    """
+    """Return the angular speed of a named constituent, degrees per hour; 0 for ``"steady"``."""
     if constituent == "steady":
         return 0.0
     if constituent not in SPEEDS:

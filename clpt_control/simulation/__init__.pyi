@@ -1,5 +1,5 @@
 from .flows import explained_variance, flow_velocity
-from .integrate import simulate
+from .integrate import sample_times, simulate
 from .loops import closed_loop, error_loop, initial_state, paper_blocks
 from .plots import clpe_plot, learning_plot, track_plot
 from .report import claims, run_and_report
@@ -17,6 +17,7 @@ __all__ = [
     "load_run",
     "paper_blocks",
     "run_and_report",
+    "sample_times",
     "save_run",
     "simulate",
     "track_plot",

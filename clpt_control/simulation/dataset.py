@@ -44,25 +44,8 @@ def run_dataset(
 ) -> "xarray.Dataset":
     """Return a scenario's solution as a Dataset.
 
-    Parameters
-    ----------
-    scenario : Scenario
-        The experiment.
-    wiring : Wiring
-        Its closed loop.
-    given : sequence
-        Parameters of the blocks that ran.
-    signals : ndarray, shape (ntimes, nsignals)
-        All block outputs, right limits at jumps.
-    solution : Solution
-        Times, states and how they were reached.
-    left : mapping
-        Call-time parameters that the scenario does not hold.
-
-    Returns
-    -------
-    xarray.Dataset
-        Values at a jump are right limits.
+    `given` are the parameters of the blocks that ran; `signals` all block outputs, shape
+    (ntimes, nsignals), right limits at jumps; `left` call-time parameters that no key holds.
     """
     import xarray
 
@@ -150,13 +133,13 @@ def _with_folder(run: "xarray.Dataset", scenario: Scenario) -> "xarray.Dataset":
 
 
 def _changed(left: Mapping[str, Any]) -> dict[str, str]:
-    """Say what the scenario does not: a run with such parameters cannot be repeated."""
+    """Return what the scenario does not hold: a run with such parameters cannot be repeated."""
     plain = {name: np.asarray(value).tolist() for name, value in left.items()}
     return {CHANGED: json.dumps(plain)} if plain else {}
 
 
 def _lyapunov(law: str, ran: Mapping[str, Any], data: dict[str, Any]) -> np.ndarray:
-    """V of Eq. (17) or (24) along the run, with the parameters that ran."""
+    """Return V of Eq. (17) or (24) along the run, with the parameters that ran."""
     car, adapting = ran["vehicle_controller"], ran["adaptation"]
     truth = one_gain(adapting.gain, ran["true_flow"].theta, car.KD, car.GammaD)
     block = lyapunov_candidate(law, truth)

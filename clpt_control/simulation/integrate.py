@@ -183,7 +183,7 @@ class ScenarioRun:
 
 
 def sample_times(duration: float, step: float) -> np.ndarray:
-    """Return the multiples of `step` up to `duration`, and `duration`.
+    """Return the multiples of `step` up to `duration`, and the end.
 
     Parameters
     ----------

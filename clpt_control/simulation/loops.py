@@ -184,7 +184,7 @@ def error_loop(scenario: Scenario) -> Diagram:
 
 
 def started(scenario: Scenario) -> dict[str, np.ndarray]:
-    """Return what the states start at, by key, in their own order."""
+    """Return the states at t = 0 by scenario key, in the order of the diagram."""
     learning = scenario.learning
     values = {
         "vehicle.position": scenario.vehicle.position,

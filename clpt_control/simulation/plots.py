@@ -1,7 +1,4 @@
-"""Pictures of a run; they take data and give a `matplotlib.figure.Figure`.
-
-Nothing here integrates.
-"""
+"""Pictures of a run: of data, a `matplotlib.figure.Figure`; nothing here integrates."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,6 +8,8 @@ import numpy as np
 from ..figures import BLUE, COLOURS, GREY, RED, STYLES, new_figure
 from ..files import write_figure
 from ..scenario.experiment import Scenario
+
+MANY = 100  # samples an interval, for its mean square
 
 if TYPE_CHECKING:
     import xarray
@@ -122,17 +121,16 @@ def clpe_plot(run: "xarray.Dataset", scenario: Scenario) -> "Figure":
         interval, np.maximum(size, 1e-12), color=BLUE, linewidth=0.5, alpha=0.5, label="|e|"
     )
     number = np.floor(interval + 1e-9).astype(int)
-    ends = np.arange(number[-1] + 1)
-    rms = [
-        np.sqrt(np.mean(size[number == j] ** 2)) if (number == j).any() else np.nan for j in ends
-    ]
+    counts = np.bincount(number)
+    rms = np.sqrt(np.bincount(number, size**2) / np.where(counts > 0, counts, np.nan))
+    few = len(size) < MANY * len(counts)  # the pictures of a long run have fewer samples
     bottom.step(
-        ends,
+        np.arange(len(counts)),
         np.maximum(rms, 1e-12),
         where="post",
         color="black",
         linewidth=1.2,
-        label="rms per interval",
+        label="rms per interval" + (", of the samples shown" if few else ""),
     )
     bottom.set(xlabel="interval", ylabel=f"|CLPE| ({unit})", xlim=(0, interval[-1]))
     if size.max() > 0:
@@ -211,22 +209,7 @@ def learning_plot(run: "xarray.Dataset", scenario: Scenario, axis: int) -> "Figu
 
 
 def save_figures(run: "xarray.Dataset", scenario: Scenario, folder: Path) -> list[Path]:
-    """Write figure1.png to figure4.png of a run.
-
-    Parameters
-    ----------
-    run : xarray.Dataset
-        As `simulate` gives it.
-    scenario : Scenario
-        Its scenario.
-    folder : Path
-        An existing folder.
-
-    Returns
-    -------
-    list of Path
-        The files: track, CLPE, horizontal and vertical learning.
-    """
+    """Write figure1.png to figure4.png: track, CLPE, horizontal and vertical learning."""
     figures = (
         track_plot(run, scenario),
         clpe_plot(run, scenario),

@@ -273,8 +273,9 @@ def test_a_run_with_gaps_is_no_run(clpt, tmp_path):
 
 def test_warnings_of_libraries_are_no_words_of_a_command():
     code = (
-        "import warnings; from clpt_control import cli; from clpt_control.cli import app\n"
-        "app.app = lambda **options: warnings.warn('a word of a library', RuntimeWarning)\n"
+        "import warnings; from clpt_control import cli\n"
+        "warn = lambda **options: warnings.warn('a word of a library', RuntimeWarning)\n"
+        "cli.application = lambda: warn\n"
         "cli.main()"
     )
     ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)

@@ -1,0 +1,124 @@
+"""`clpt init`, `clpt paper`, `clpt run`, `clpt diagram`: one scenario."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from ..errors import ClptError
+from .printing import Json, ScenarioFile, print_json, print_table
+
+
+def init(
+    file: Annotated[Path, typer.Argument(help="Where to write it.")] = Path("paper.toml"),
+) -> None:
+    """Write the paper's scenario, commented, to start from."""
+    from ..files import check_name, write_text
+    from ..scenario.file import paper_text
+
+    check_name(file)
+    if file.exists():
+        raise ClptError(f"{file}: exists already; name another file, or move this one away")
+    write_text(file, paper_text())
+    typer.echo(f"{file}: written; run it with `clpt run {file} --out run.nc`")
+
+
+def paper(
+    out: Annotated[Path, typer.Option(help="Folder for figures and run.nc.")] = Path("paper"),
+    as_json: Json = False,
+) -> None:
+    """Run section IV of the paper and judge its claims."""
+    from ..files import make_folder
+    from ..progress import progress_bar
+    from ..scenario.file import paper_scenario
+    from ..simulation.plots import save_figures
+    from ..simulation.report import claims, run_and_report
+    from ..simulation.run_file import save_run
+
+    scenario, folder = paper_scenario(), make_folder(out)
+    with progress_bar("section IV", scenario.run.duration) as report:
+        run, fine, summary = run_and_report(scenario, report)
+    save_run(run, folder / "run.nc")
+    save_figures(fine, scenario, folder)
+    summary["claims"] = claims(summary)
+    if as_json:
+        print_json(summary)
+        return
+    print_table(
+        "Claims of section IV",
+        ["claim", "criterion", "measured", "verdict"],
+        [list(claim.values()) for claim in summary["claims"]],
+    )
+    typer.echo(f"{folder}: figure1.png to figure4.png, run.nc")
+
+
+def run(
+    scenario: ScenarioFile,
+    out: Annotated[Path, typer.Option(help="NetCDF file for the run.")],
+    figures: Annotated[Path | None, typer.Option(help="Folder for four figures.")] = None,
+    as_json: Json = False,
+) -> None:
+    """Run a scenario."""
+    from ..files import check_writable, make_folder
+    from ..progress import progress_bar
+    from ..scenario.file import load_scenario
+    from ..simulation.report import run_and_report
+    from ..simulation.run_file import save_run
+
+    experiment = load_scenario(scenario)
+    check_writable(out)
+    folder = None if figures is None else make_folder(figures)
+    with progress_bar(f"running {scenario.name}", experiment.run.duration) as report:
+        result, fine, summary = run_and_report(experiment, report)
+    save_run(result, out)
+    if folder is not None:
+        from ..simulation.plots import save_figures
+
+        save_figures(fine, experiment, folder)
+    if as_json:
+        print_json(summary)
+        return
+    rows = [["status", summary["message"]]]
+    unit = experiment.units.length
+    rms = summary["clpe_rms_per_cycle"]
+    if rms:
+        shown = ", ".join(f"{value:.3g}" for value in rms[:10]) + (", ..." if rms[10:] else "")
+        rows.append([f"CLPE rms per cycle ({unit})", shown])
+    rows.append([f"CLPE rms, whole run ({unit})", f"{summary['clpe_rms']:.3g}"])
+    rows.append([f"CLPE rms, last quarter ({unit})", f"{summary['clpe_rms_last_quarter']:.3g}"])
+    for key, name in (
+        ("max_flow_parameter_error", "largest flow parameter error"),
+        ("max_gain_error", "largest gain error"),
+    ):
+        if summary.get(key):
+            time, error = list(summary[key].items())[-1]
+            rows.append([name, f"{error:.3g} at t = {time} {experiment.units.time}"])
+    for place, share in summary.get("explained_variance", {}).items():
+        if isinstance(share, float):
+            worse = "; negative: worse than no flow" if share < 0 else ""
+            rows.append([f"share of the flow's variance learned, {place}", f"{share:.3f}{worse}"])
+    print_table(experiment.title or str(scenario), ["", ""], rows)
+    typer.echo(f"{out}: written")
+
+
+def diagram(
+    scenario: ScenarioFile,
+    out: Annotated[
+        Path | None,
+        typer.Option("-o", "--out", help=".svg, .png, .pdf or .mmd; default: Mermaid text."),
+    ] = None,
+    external: Annotated[
+        list[str] | None, typer.Option(help="A port to take from outside, such as zc.")
+    ] = None,
+) -> None:
+    """Draw a scenario's block diagram."""
+    from ..diagrams.drawing import draw, mermaid
+    from ..scenario.file import load_scenario
+    from ..simulation.loops import closed_loop
+
+    wired = closed_loop(load_scenario(scenario), external or ())
+    if out is None:
+        typer.echo(mermaid(wired))
+        return
+    draw(wired, out)
+    typer.echo(f"{out}: written")
