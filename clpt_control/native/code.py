@@ -14,6 +14,7 @@ from ..blocks.tracers import TooLong
 from ..diagrams.wiring import Wiring
 from ..errors import Uncompiled
 from . import method
+from .formula import kernel
 from .layout import Layout, Sources
 from .looped import looped_program
 from .loops import LEAST
@@ -126,4 +127,4 @@ def count(items: tuple[Item, ...]) -> int:
 def kernels(n: int, lanes: int) -> Machine:
     """Return the formulas of the method for n states as machine code."""
     formulas = method.formulas(n)
-    return Machine({name: method.kernel(f, n) for name, f in formulas.items()}, (), lanes)
+    return Machine({name: kernel(f, n) for name, f in formulas.items()}, (), lanes)

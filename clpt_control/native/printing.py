@@ -120,12 +120,9 @@ class _Printer:
             address = self._address(item.array, place, columns)
             many = self.builder.bitcast(address, kind.type().as_pointer())
             return Number(kind, self.builder.load(many, align=8))
-        found: Any = ir.Constant(kind.type(), ir.Undefined)
-        for k in range(kind.width):
-            at = self.builder.add(place, self._whole(k * stride))
-            one = self.builder.load(self._address(item.array, at, 1))
-            found = self.builder.insert_element(found, one, ir.Constant(INT32, k))
-        return Number(kind, found)
+        places = [self.builder.add(place, self._whole(k * stride)) for k in range(kind.width)]
+        ones = [self.builder.load(self._address(item.array, at, 1)) for at in places]
+        return _gathered(kind, ones)
 
     def store(self, item: Store, kind: Kind, values: dict, turns: dict[int, Any]) -> None:
         columns = self._columns(item.array)
@@ -194,7 +191,7 @@ class _Printer:
         first, columns = self._place(base, steps, turns), self._columns(array)
         moved = self._stride(steps, kind)
         safe = select(inside, whole, 0.0).value
-        found: Any = ir.Constant(kind.type(), ir.Undefined) if kind.width > 1 else None
+        ones = []
         for k in range(kind.width):
             lane = ir.Constant(INT32, k)
             one = safe if kind.width == 1 else self.builder.extract_element(safe, lane)
@@ -203,10 +200,8 @@ class _Printer:
             address = self._address(array, place, columns)
             if columns > 1:
                 address = self.builder.gep(address, [self._whole(k)])
-            number = self.builder.load(address)
-            wide = kind.width > 1
-            found = self.builder.insert_element(found, number, lane) if wide else number
-        return select(inside, Number(kind, found), float("nan"))
+            ones.append(self.builder.load(address))
+        return select(inside, _gathered(kind, ones), float("nan"))
 
     # --- loops --------------------------------------------------------------------------
 
@@ -222,49 +217,42 @@ class _Printer:
             if not rounds:
                 continue
             parts = [wide.number(0.0) for _ in sums] if width != kind.width else sums
-            parts = self._rounds(item, wide, values, turns, parts, start, at_once, rounds)
+            stop = start + rounds * at_once
+            parts = self._rounds(item, wide, values, turns, parts, range(start, stop, at_once))
             if width != kind.width:
                 parts = [s + _joined(part, kind) for s, part in zip(sums, parts, strict=True)]
-            sums, start = parts, start + rounds * at_once
+            sums, start = parts, stop
         values.update({s.result: total for s, total in zip(item.sums, sums, strict=True)})
 
     def _rounds(
-        self,
-        item: Loop,
-        kind: Kind,
-        values: dict,
-        turns: dict,
-        sums: list,
-        start: int,
-        at_once: int,
-        rounds: int,
+        self, item: Loop, kind: Kind, values: dict, turns: dict, sums: list, which: range
     ) -> list:
-        """Print `rounds` rounds of `at_once` turns each, from turn `start`."""
+        """Print rounds, of which each takes as many turns at once as `which` steps ahead."""
 
         def turn(number: Any, held: list) -> list:
             own = {**values, **{s.within: v for s, v in zip(item.sums, held, strict=True)}}
             self.print_items(item.body, kind, own, {**turns, item.level: number})
             return [own[s.turned] for s in item.sums]
 
-        if rounds == 1:
-            return turn(self._whole(start), sums)
+        if len(which) == 1:
+            return turn(self._whole(which.start), sums)
         builder, before = self.builder, self.builder.block
         body, after = builder.append_basic_block(), builder.append_basic_block()
         builder.branch(body)
         builder.position_at_end(body)
         number = builder.phi(WORD)
-        number.add_incoming(self._whole(start), before)
+        number.add_incoming(self._whole(which.start), before)
         held = []
         for first in sums:
             phi = builder.phi(kind.type())
             phi.add_incoming(first.value, before)
             held.append(phi)
         turned = turn(number, [Number(kind, phi) for phi in held])
-        following = builder.add(number, self._whole(at_once))
+        following = builder.add(number, self._whole(which.step))
         number.add_incoming(following, builder.block)
         for phi, value in zip(held, turned, strict=True):
             phi.add_incoming(value.value, builder.block)
-        more = builder.icmp_signed("<", following, self._whole(start + rounds * at_once))
+        more = builder.icmp_signed("<", following, self._whole(which.stop))
         builder.cbranch(more, body, after)
         builder.position_at_end(after)
         return turned

@@ -8,7 +8,7 @@ room), D (what is computed).  Places within a loop are affine in its turns:
     base + sum over levels of step * turn,    level 0 the innermost loop
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 CONDITIONS = ("lt", "le", "gt", "ge", "and", "or", "not")  # whose values are yes or no
 Ref = int | float  # a value by its number, or a constant
@@ -60,6 +60,36 @@ class Loop(NamedTuple):
 
 
 Item = Load | Step | Store | Loop
+
+
+def lines(items: tuple[Item, ...], indent: str = "  ") -> list[str]:
+    """Return items as text, a line each; the turn of a loop of level 0 is i0."""
+
+    def at(array: str, base: int, steps: Steps) -> str:
+        turns = [f"i{level}" if step == 1 else f"{step} i{level}" for level, step in steps]
+        return f"{array}[{' + '.join([str(base)] * (base != 0 or not turns) + turns)}]"
+
+    def argument(a: Any) -> str:
+        if type(a) is tuple:  # a table: array, base, steps, stride, count
+            return f"{at(*a[:3])} and on, {a[4]} by {a[3]}"
+        return f"v{a}" if type(a) is int else repr(a)
+
+    found = []
+    for item in items:
+        if isinstance(item, Load):
+            found.append(f"{indent}v{item.value} = {at(*item[1:])}")
+        elif isinstance(item, Step):
+            arguments = ", ".join(map(argument, item.arguments))
+            found.append(f"{indent}v{item.value} = {item.name}({arguments})")
+        elif isinstance(item, Store):
+            found.append(f"{indent}{at(*item[:3])} = {argument(item.value)}")
+        else:
+            found += [f"{indent}v{s.within} = {argument(s.first)}" for s in item.sums]
+            found.append(f"{indent}for i{item.level} in range({item.count}):")
+            found += lines(item.body, indent + "  ")
+            found += [f"{indent}  v{s.within} = v{s.turned}" for s in item.sums]
+            found += [f"{indent}v{s.result} = v{s.within}" for s in item.sums]
+    return found
 
 
 class Program(NamedTuple):

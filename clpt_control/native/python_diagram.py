@@ -15,6 +15,7 @@ from ..errors import SimulationError
 from . import method, solver
 from .batch import Batch, Callee, pace
 from .ending import Solution, ended
+from .formula import on_rows
 from .inputs import Inputs, checked_state, checked_times, numbers, read_inputs
 from .schedule import Schedule, make_schedule
 from .sweep import Sweep, first_not_finite
@@ -66,7 +67,7 @@ class PythonDiagram:
         def signals(t, X, first, P, T, W, D, to):
             W[: self.nsignals] = sweep.evaluate(t[0], X[first : first + n], u(t))
 
-        formulas = [method.on_rows(f, n) for f in method.formulas(n).values()] if n else []
+        formulas = [on_rows(f, n) for f in method.formulas(n).values()] if n else []
         functions = [derivative, prepare, margin, signals, *formulas]
         guarded = sweep.guarded
         return Callee(solver, functions, 1, n, self.nsignals, np.zeros(0), guarded, self.most)

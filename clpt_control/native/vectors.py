@@ -17,15 +17,7 @@ MAGIC = 6755399441055744.0  # 1.5 * 2^52: added to a whole number, it stands in 
 
 
 class Kind:
-    """How many numbers are worked on at once, and where code goes.
-
-    Parameters
-    ----------
-    builder : llvmlite.ir.IRBuilder
-        Where instructions are put.
-    width : int
-        1 for a double; 2, 4 or 8 for a vector of so many.
-    """
+    """How many numbers are worked on at once (1, 2, 4 or 8), and where code goes."""
 
     def __init__(self, builder: ir.IRBuilder, width: int):
         self.builder, self.width = builder, width
@@ -92,15 +84,7 @@ Like = Union["Number", float, int]
 
 
 class Number:
-    """One number, or several at once.
-
-    Parameters
-    ----------
-    kind : Kind
-        How many.
-    value : llvmlite.ir.Value
-        In LLVM.
-    """
+    """One number, or several at once, as a value of LLVM."""
 
     __slots__ = ("kind", "value")
 
