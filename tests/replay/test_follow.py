@@ -1,6 +1,7 @@
 """Following a folder: new files, kills, strange states."""
 
 import math
+import random
 import sys
 import time
 from dataclasses import replace
@@ -90,3 +91,42 @@ def test_tracks_come_back_to_the_bit(tmp_path, monkeypatch):
     for before, after in ((kept[0], again[0]), (kept[2], again[2])):
         assert before == after
         assert all(map(np.array_equal, before.track, after.track))
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_any_history_of_a_folder(tmp_path, seed):
+    """Files are written, cut short, copied, renamed and removed; followers end and begin.
+
+    A dive is known where a file holds it, or did when it was last seen.
+    """
+    rng = random.Random(seed)
+    inbox = tmp_path / "in"
+    one_file_each(tmp_path, sample_dives()[:5])
+    inbox.mkdir()
+    whole = {int(path.stem[4:]): path.read_text() for path in tmp_path.glob("dive*.csv")}
+    follower, seen = Follower(inbox, tmp_path / "state"), {}
+    for _ in range(25):
+        there = sorted(inbox.iterdir())
+        name = rng.choice(list(whole))
+        match rng.choice(["write", "write", "cut", "copy", "rename", "remove", "restart"]):
+            case "write":
+                (inbox / f"{name}.csv").write_text(whole[name])
+            case "cut":
+                (inbox / f"{name}.csv").write_text(whole[name][: rng.choice([0, 5, 60])])
+            case "copy" if there:
+                (inbox / f"{rng.randrange(3)}.csv").write_text(rng.choice(there).read_text())
+            case "rename" if there:
+                rng.choice(there).rename(inbox / f"{rng.randrange(3)}.csv")
+            case "remove" if there:
+                rng.choice(there).unlink()
+            case "restart":
+                follower = Follower(inbox, tmp_path / "state")
+        if rng.random() < 0.7:
+            follower.look()
+            texts = {path.name: path.read_text() for path in inbox.iterdir()}
+            seen |= {k: [n for n in whole if whole[n] == text] for k, text in texts.items()}
+            known = [dive.number for dive in usable(follower.dives()[0])[0]]
+            assert known == sorted({n for numbers in seen.values() for n in numbers})
+            again = Follower(inbox, tmp_path / "state")
+            assert again.look() == []
+            assert repr(again.dives()) == repr(follower.dives())
