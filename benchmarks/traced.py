@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from clpt_control.diagrams.wiring import read
+from clpt_control.diagrams.wiring import wiring_of
 
 ARITHMETIC = {
     "add": operator.add,
@@ -44,7 +44,7 @@ def rates(
     that are not traced (``{"reference": [zc1, zc2]}``), `parameters` which expressions stand
     in place of numbers (``{("adaptation", "gain"): gamma}``).
     """
-    wiring = read(diagram)
+    wiring = wiring_of(diagram)
     states = boxed(x)
     signals = np.full(wiring.nodes[-1].outputs.stop, 0.0, dtype=object)
     derivative = np.full(len(x), 0.0, dtype=object)

@@ -4,11 +4,10 @@
 
 The two functions fill their last argument, zero at first, and have no side
 effects.  They are recorded when the block is made (`trace`), and refused there
-if they cannot be.  The block adds what a diagram needs to know about them: the
-ports with their labels, the typed parameters `p`, whether the inputs reach the
-outputs at once (`feedthrough`), at which times the block jumps (`breakpoints`),
-and whether it is a source of time or tables that SymPy shall not look into
-(`opaque`).
+if they cannot be.  The block adds what a diagram needs to know: the ports with
+their labels, the typed parameters `p`, whether inputs reach the outputs at once
+(`feedthrough`), when the block jumps (`breakpoints`), and whether it is a source
+of time or tables that SymPy reads as an undefined function (`opaque`).
 """
 
 from collections.abc import Callable, Mapping
@@ -56,7 +55,7 @@ class Block(control.NonlinearIOSystem):
         Whether outputs depend on inputs at once; by default they do unless
         the outputs are the states.
     opaque : bool, optional
-        True for a source of time or tables that SymPy shall not look into.
+        True for a source of time or tables: an undefined function to SymPy.
     breakpoints : callable, optional
         ``breakpoints(p, t0, t1)``: sorted times in (t0, t1] at which the block
         jumps. Interval k ends at breakpoint k + 1, counted from time 0.
@@ -145,7 +144,7 @@ class Block(control.NonlinearIOSystem):
 
     @cached_property
     def _equations(self) -> dict[str, tuple[Callable, Record | None]]:
-        """For each role the equations as Python runs them, and their record."""
+        """Return for each role the equations as Python runs them, and their record."""
         states, inputs = (sum(ports.values()) for ports in (self.state_ports, self.input_ports))
         given: dict[str, tuple[Any, int]] = {
             "update": (self.update_function, states),
@@ -172,19 +171,19 @@ class Block(control.NonlinearIOSystem):
 
     @property
     def update_record(self) -> Record | None:
-        """The record of `update`; None where there are no states."""
+        """Return the record of `update`; None where there are no states."""
         return self._record("update")
 
     @property
     def output_record(self) -> Record:
-        """The record of `output`."""
+        """Return the record of `output`."""
         record = self._record("output")
         assert record is not None
         return record
 
     @property
     def guard_record(self) -> Record | None:
-        """The record of the distance to a guard's edge, if there is one."""
+        """Return the record of the guard's distance; None without a guard."""
         return self._record("guard")
 
     def __getstate__(self) -> dict[str, Any]:
@@ -194,7 +193,7 @@ class Block(control.NonlinearIOSystem):
 
     @property
     def parameters(self) -> Any:
-        """The block's own parameters, a NamedTuple; checked when set."""
+        """Return the block's own parameters, which are checked when set."""
         return self._parameters
 
     @parameters.setter
@@ -206,7 +205,7 @@ class Block(control.NonlinearIOSystem):
 
     @property
     def params(self) -> dict[str, Any]:
-        """The block's parameters under its name, for python-control."""
+        """Return the parameters under the block's name, for python-control."""
         return {self.name: self.parameters}
 
     @params.setter
@@ -214,7 +213,7 @@ class Block(control.NonlinearIOSystem):
         """Ignore python-control's own empty default."""
 
     def with_params(self, params: Mapping[str, Any] | None) -> Any:
-        """Return the parameters with call-time values put in."""
+        """Return the parameters, changed by ``{"block.field": value}``."""
         params = params or {}
         within_diagram = self.name in params
         changes = {}
@@ -283,32 +282,25 @@ class Block(control.NonlinearIOSystem):
 
     # --- the reading that python-control runs -------------------------------------------
 
-    def fill(self, role: str, t: float, x: Any, u: Any, p: Any, out: np.ndarray) -> None:
-        """Run the equations in Python on IEEE numbers."""
-        out[:] = 0.0
-        with np.errstate(all="ignore"):
-            self.equations(role)(
-                np.float64(t), np.asarray(x, dtype=float), np.asarray(u, dtype=float), p, out
-            )
-
     def equations(self, role: str) -> Callable:
-        """Return the equations of a role as Python runs them."""
+        """Return "update", "output" or "guard" as Python runs it."""
         return self._equations[role][0]
 
     @np.errstate(all="ignore")
-    def _values(self, role: str, size: int, t: float, x: Any, u: Any) -> np.ndarray:
+    def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+        """Return what the equations of a role fill in Python."""
         out = np.zeros(size)
         x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
-        self._equations[role][0](np.float64(t), x, u, self.parameters_at(t), out)
+        self.equations(role)(np.float64(t), x, u, p, out)
         return out
 
     def _rhs(self, t, x, u):
         if self.update_function is None:
             return np.zeros(0)
-        return self._values("update", self.nstates, t, x, u)
+        return self.values("update", self.nstates, t, x, u, self.parameters_at(t))
 
     def _out(self, t, x, u):
-        return self._values("output", self.noutputs, t, x, u)
+        return self.values("output", self.noutputs, t, x, u, self.parameters_at(t))
 
     def _updfcn(self, t, x, u, params):
         self._update_params(params)

@@ -14,7 +14,7 @@ from ..blocks import Block
 from ..blocks.declaration import labels
 from ..errors import BlockError, DiagramError
 from ..scenario.keys import call_time_name_of
-from .wiring import Wire, Wiring, read, wired
+from .wiring import Wiring, ordered_wiring, wiring_of
 
 MOST_BYTES = 10**9  # of python-control's matrices
 
@@ -34,12 +34,12 @@ class Diagram(control.InterconnectedSystem):
     def _update_params(self, params: Mapping[str, Any] | None) -> None:
         inside_another = bool(self.params) and set(self.params) <= set(params or {})
         if params and not inside_another:
-            changed_parameters(read(self), params)
+            changed_parameters(wiring_of(self), params)
         super()._update_params(params)
 
 
 def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list[Any]:
-    """Return the parameters of all blocks, call-time values put in."""
+    """Return each system's parameters, changed by ``{"block.field": value}``."""
     params = {} if params is None else params
     if not isinstance(params, Mapping):
         raise BlockError(f"params = {params!r}: must be a dict, such as {{'adaptation.gain': 2.0}}")
@@ -64,16 +64,16 @@ def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list
     return found
 
 
-class Fit(NamedTuple):
-    """Blocks that fit together by the names of their ports."""
+class Matched(NamedTuple):
+    """Ports of blocks that fit together by their names."""
 
     makers: dict[str, tuple[str, int]]  # port -> the block that makes it and its size
     users: dict[str, list[str]]  # port -> the blocks that take it
     outside: dict[str, int]  # port that comes from outside -> its size
 
 
-def fit(blocks: Sequence[Block], external: Iterable[str] = ()) -> Fit:
-    """Check that blocks fit together, and say how."""
+def match_ports(blocks: Sequence[Block], external: Iterable[str] = ()) -> Matched:
+    """Check that blocks fit together; a port that is doubled, missing or mis-sized is named."""
     external = list(external)
     if not blocks:
         raise DiagramError("a diagram of no blocks: give at least one")
@@ -111,7 +111,7 @@ def fit(blocks: Sequence[Block], external: Iterable[str] = ()) -> Fit:
                 f"'{port}' cannot come from outside: no block takes it; blocks take "
                 f"{', '.join(sorted(users))}"
             )
-    return Fit(makers, users, {port: sizes[port] for port in external})
+    return Matched(makers, users, {port: sizes[port] for port in external})
 
 
 def connect(
@@ -147,8 +147,8 @@ def connect(
     >>> diagram.output_labels
     ['x[0]', 'x[1]', 'e[0]', 'e[1]']
     """
-    fitted = fit(blocks, external)
-    made = [(port, *maker) for port, maker in fitted.makers.items()]
+    matched = match_ports(blocks, external)
+    made = [(port, *maker) for port, maker in matched.makers.items()]
     fed, makes = (sum(block.ninputs for block in blocks), sum(block.noutputs for block in blocks))
     size = 8 * (2 * fed + makes) * makes  # bytes of its full matrices of connections and outputs
     if size > MOST_BYTES:
@@ -162,17 +162,17 @@ def connect(
         connections=[
             [f"{user}.{port}[{k}]", f"{maker}.{port}[{k}]"]
             for port, maker, size in made
-            for user in fitted.users.get(port, ())
+            for user in matched.users.get(port, ())
             for k in range(size)
         ]
         or False,
         inplist=[
-            [f"{user}.{port}[{k}]" for user in fitted.users[port]]
-            for port, size in fitted.outside.items()
+            [f"{user}.{port}[{k}]" for user in matched.users[port]]
+            for port, size in matched.outside.items()
             for k in range(size)
         ],
         outlist=[f"{maker}.{port}[{k}]" for port, maker, size in made for k in range(size)],
-        inputs=labels(fitted.outside),
+        inputs=labels(matched.outside),
         outputs=labels({port: size for port, _, size in made}),
         name=name,
         check_unused=False,
@@ -181,49 +181,18 @@ def connect(
     return diagram
 
 
-def wire(blocks: Sequence[Block], external: Iterable[str] = ()) -> Wiring:
-    """Return what `read(connect(blocks, external))` does, sooner.
-
-    It makes none of python-control's matrices.
-    """
+def wiring_of_blocks(blocks: Sequence[Block], external: Iterable[str] = ()) -> Wiring:
+    """Return `wiring_of(connect(blocks, external))` without python-control's matrices."""
     from scipy.sparse import eye_array
 
-    fitted = fit(blocks, external)
-    places: dict[str, int] = {}
-    at = 0
-    for block in blocks:
-        for port, size in block.output_ports.items():
-            places[port] = at
-            at += size
-    outside, inputs = {}, 0
-    for port, size in fitted.outside.items():
-        outside[port] = inputs
-        inputs += size
-    fed = []
-    for block in blocks:
-        to = 0
-        wires: dict[bool, list[Wire]] = {False: [], True: []}
-        for port, size in block.input_ports.items():
-            external_port = port in outside
-            source = outside[port] if external_port else places[port]
-            wires[external_port].append(Wire(to, source, size, 1.0, external_port))
-            to += size
-        fed.append((*_joined(wires[False]), *_joined(wires[True])))
-    return wired(
-        [(block.name, block) for block in blocks],
-        fed,
-        inputs,
-        eye_array(at, at + inputs, format="csr"),
+    matched = match_ports(blocks, external)
+    made = [label for block in blocks for label in labels(block.output_ports)]
+    given = labels(matched.outside)
+    taken = [label for block in blocks for label in labels(block.input_ports)]
+    from_outputs, from_inputs = (
+        {to: [(place[label], 1.0)] for to, label in enumerate(taken) if label in place}
+        for place in ({label: k for k, label in enumerate(own)} for own in (made, given))
     )
-
-
-def _joined(wires: list[Wire]) -> list[Wire]:
-    """Join wires that go on with each other."""
-    found: list[Wire] = []
-    for one in wires:
-        last = found[-1] if found else None
-        if last and (last.to + last.size, last.source + last.size) == (one.to, one.source):
-            found[-1] = last._replace(size=last.size + one.size)
-        elif one.size:
-            found.append(one)
-    return found
+    output_map = eye_array(len(made), len(made) + len(given), format="csr")
+    systems = [(block.name, block) for block in blocks]
+    return ordered_wiring(systems, from_outputs, from_inputs, len(given), output_map)

@@ -1,10 +1,10 @@
-"""Read what is wired to what out of an interconnected system.
+"""What is wired to what in an interconnected system, in an order to compute it.
 
 python-control keeps a diagram as matrices: `connect_map` (block outputs to
 block inputs), `input_map` and `output_map`.  Here they become a list of blocks
 in the order in which one pass computes every signal once: a block's turn comes
 when all signals that reach its outputs at once are known.  The engine, the
-proofs and the drawing all read a diagram through this file.
+proofs and the drawing all take a diagram from here.
 """
 
 from collections.abc import Sequence
@@ -18,9 +18,11 @@ from ..blocks import Block
 from ..blocks.linear import linear
 from ..errors import DiagramError
 
+Rows = dict[int, list[tuple[int, float]]]  # block input -> (signal, gain) of all that feed it
+
 
 class Wire(NamedTuple):
-    """A run of consecutive signals, ``u += gain * source``."""
+    """Consecutive signals, ``u += gain * source``."""
 
     to: int  # first input of the block that is fed
     source: int  # first signal among all block outputs, or among the diagram's inputs
@@ -35,9 +37,9 @@ class Node:
 
     system: control.NonlinearIOSystem  # the block
     name: str  # its name; inside a nested diagram ``"outer.inner"``
-    states: slice  # where its signals stand among all states, block inputs, block outputs
-    inputs: slice  # where its signals stand among all states, block inputs, block outputs
-    outputs: slice  # where its signals stand among all states, block inputs, block outputs
+    states: slice  # where its states stand among all states
+    inputs: slice  # among all block inputs
+    outputs: slice  # among all block outputs
     wires: tuple[Wire, ...]  # what feeds it
 
 
@@ -118,10 +120,10 @@ def _check_continuous(system: control.NonlinearIOSystem, name: str) -> None:
         )
 
 
-def _entries(matrix: Any) -> dict[int, list[tuple[int, float]]]:
-    """Return source and gain of what each row of a connection matrix is fed with."""
+def _entries(matrix: Any) -> Rows:
+    """Return the rows of a connection matrix."""
     found = matrix.tocoo()
-    rows: dict[int, list[tuple[int, float]]] = {}
+    rows: Rows = {}
     columns = [column.tolist() for column in (*found.coords, found.data)]
     for to, source, gain in zip(*columns, strict=True):
         if gain != 0.0:
@@ -129,9 +131,9 @@ def _entries(matrix: Any) -> dict[int, list[tuple[int, float]]]:
     return rows
 
 
-def _runs(rows: dict, first: int, last: int, external: bool) -> list[Wire]:
-    """Gather what feeds a block into runs of consecutive signals."""
-    following: dict[tuple, int] = {}  # what would go on with a run -> its place
+def _wires(rows: Rows, first: int, last: int, external: bool) -> list[Wire]:
+    """Join the signals that feed inputs first to last - 1 where they are consecutive."""
+    following: dict[tuple, int] = {}  # what would continue a wire -> its place
     wires: list[Wire] = []
     for to in range(first, last):
         for source, gain in sorted(rows.get(to, ())):
@@ -144,7 +146,7 @@ def _runs(rows: dict, first: int, last: int, external: bool) -> list[Wire]:
 
 
 def reaches_outputs(system: control.NonlinearIOSystem) -> bool:
-    """Whether a system's inputs reach its outputs at once."""
+    """Return whether inputs reach outputs at once; a system that is no Block is tried."""
     if isinstance(system, Block):
         return system.feedthrough and system.ninputs > 0
     if not system.ninputs or not system.noutputs:
@@ -158,35 +160,41 @@ def reaches_outputs(system: control.NonlinearIOSystem) -> bool:
     return False
 
 
-def read(diagram: control.NonlinearIOSystem) -> Wiring:
-    """Read a diagram, nested ones included, into an ordered wiring."""
+def wiring_of(diagram: control.NonlinearIOSystem) -> Wiring:
+    """Return the wiring of a diagram, nested ones included; linear systems become blocks.
+
+    Blocks that feed each other at once in a circle and systems of discrete time are refused.
+    """
     from scipy.sparse import hstack
 
     flat = _flatten(diagram, getattr(diagram, "name", repr(diagram)))
     if not flat.leaves:
         raise DiagramError(f"{diagram.name}: has no blocks; give at least one")
-    leaves, fed, u = [], [], 0
-    outer, inner = _entries(flat.C), _entries(flat.D)
-    for name, system in flat.leaves:
-        first, u = u, u + system.ninputs
-        fed.append((*_runs(outer, first, u, False), *_runs(inner, first, u, True)))
-        leaves.append((name, linear(system) if isinstance(system, control.StateSpace) else system))
-    return wired(leaves, fed, diagram.ninputs or 0, hstack([flat.E, flat.F], format="csr"))
+    systems = [
+        (name, linear(system) if isinstance(system, control.StateSpace) else system)
+        for name, system in flat.leaves
+    ]
+    output_map = hstack([flat.E, flat.F], format="csr")
+    rows = _entries(flat.C), _entries(flat.D)
+    return ordered_wiring(systems, *rows, diagram.ninputs or 0, output_map)
 
 
-def wired(
+def ordered_wiring(
     systems: Sequence[tuple[str, control.NonlinearIOSystem]],
-    fed: Sequence[tuple[Wire, ...]],
+    from_outputs: Rows,
+    from_inputs: Rows,
     ninputs: int,
     output_map: Any,
 ) -> Wiring:
-    """Make a wiring of systems and of the wires that feed each."""
+    """Return the wiring of named systems, given what feeds each block input, in order."""
     nodes, x, u, y = [], 0, 0, 0
-    for (name, system), wires in zip(systems, fed, strict=True):
+    for name, system in systems:
         states = slice(x, x := x + (system.nstates or 0))
         inputs = slice(u, u := u + (system.ninputs or 0))
         outputs = slice(y, y := y + (system.noutputs or 0))
-        nodes.append(Node(system, name, states, inputs, outputs, wires))
+        inner = _wires(from_outputs, inputs.start, inputs.stop, False)
+        outer = _wires(from_inputs, inputs.start, inputs.stop, True)
+        nodes.append(Node(system, name, states, inputs, outputs, (*inner, *outer)))
     return Wiring(tuple(nodes), _order(nodes), ninputs, output_map)
 
 

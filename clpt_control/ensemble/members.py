@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ..diagrams.interconnection import wire
+from ..diagrams.interconnection import wiring_of_blocks
 from ..errors import ScenarioError
 from ..native.batch import Batch
 from ..native.native_diagram import NativeDiagram
@@ -45,7 +45,7 @@ class Ensemble:
         for key, shape in self.keys.items():
             _check(scenario, key, tuple(shape))
         self.blocks = paper_blocks(scenario)
-        self.native = NativeDiagram(wire(self.blocks))
+        self.native = NativeDiagram(wiring_of_blocks(self.blocks))
         self.lanes = self.native.lanes(LANES) if lanes else 1
         copied = {key: self._places(key) for key in self.keys}
         self.copied = {key: places for key, places in copied.items() if places is not None}

@@ -7,7 +7,7 @@ from typing import Any
 
 import control
 
-from ..diagrams.wiring import Wiring, read
+from ..diagrams.wiring import Wiring, wiring_of
 from ..errors import SimulationError, Uncompiled
 from .inputs import Inputs
 from .python_diagram import PythonDiagram
@@ -32,7 +32,7 @@ def chosen(
     if asked not in ENGINES:
         whose = "engine" if engine else f"the environment variable {VARIABLE}"
         raise SimulationError(f"{whose} = '{asked}': must be one of {', '.join(ENGINES)}")
-    wiring = diagram if isinstance(diagram, Wiring) else read(diagram)
+    wiring = diagram if isinstance(diagram, Wiring) else wiring_of(diagram)
     by_function = inputs is not None and inputs.samples is None and bool(wiring.ninputs)
     if engine == "native" and by_function:
         reason = "inputs are a function; give samples, or engine = 'python'"

@@ -10,7 +10,7 @@ import control
 import numpy as np
 
 from ..diagrams.interconnection import changed_parameters
-from ..diagrams.wiring import Wiring, read
+from ..diagrams.wiring import Wiring, wiring_of
 from ..errors import SimulationError
 from . import method, solver
 from .batch import Batch, Callee, pace
@@ -33,7 +33,7 @@ class PythonDiagram:
     def __init__(
         self, diagram: control.NonlinearIOSystem | Wiring, params: Mapping[str, Any] | None = None
     ):
-        self.wiring = diagram if isinstance(diagram, Wiring) else read(diagram)
+        self.wiring = diagram if isinstance(diagram, Wiring) else wiring_of(diagram)
         self.sweep = Sweep(self.wiring, changed_parameters(self.wiring, params))
         self.nstates, self.nsignals = self.sweep.nstates, len(self.sweep.signals)
 

@@ -135,9 +135,8 @@ class Sweep:
         for k, node in enumerate(self.nodes):
             guard = getattr(node.system, "guard", None)
             if guard is not None:
-                found, p = np.zeros(1), self._parameters[k]
-                inputs = self._inputs[node.inputs]
-                node.system.fill("guard", t, x[node.states], inputs, p, found)
+                inputs, p = self._inputs[node.inputs], self._parameters[k]
+                found = node.system.values("guard", 1, t, x[node.states], inputs, p)
                 if not found[0] >= least[0]:
                     least = (float(found[0]), guard.policy, guard.sentence(t, inputs, p))
         return least

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any, overload
 import control
 import numpy as np
 
-from ..diagrams.interconnection import Diagram, wire
-from ..diagrams.wiring import read
+from ..diagrams.interconnection import Diagram, wiring_of_blocks
+from ..diagrams.wiring import wiring_of
 from ..errors import BlockError, ScenarioError, SimulationError
 from ..native.ending import Solution
 from ..native.engines import chosen
@@ -156,7 +156,7 @@ class ScenarioRun:
         tolerances = {"run.rtol": rtol, "run.atol": atol}
         given = {key: value for key, value in tolerances.items() if value is not None}
         self.scenario: Scenario = scenario.with_values(given) if given else scenario
-        self.wiring = wire(paper_blocks(self.scenario))
+        self.wiring = wiring_of_blocks(paper_blocks(self.scenario))
         self.runner = chosen(self.wiring, self.left, None, engine, "the closed loop")
         self.start = scenario_state(self.scenario)
 
@@ -211,7 +211,7 @@ def _simulate_diagram(
     if timepts is None:
         raise SimulationError("timepts: is required to simulate a diagram")
     times = checked_times("timepts", timepts)
-    wiring = read(diagram)
+    wiring = wiring_of(diagram)
     given = read_inputs(inputs, times, wiring.ninputs)
     runner = chosen(wiring, params, given, engine, diagram.name)
     state = checked_state("initial_state", 0.0 if x0 is None else x0, (runner.nstates,))

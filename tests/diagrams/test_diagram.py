@@ -181,7 +181,7 @@ def test_two_blocks_of_one_name():
 def test_algebraic_loop_names_its_blocks():
     blocks = [follower("first", "a", "b"), follower("second", "b", "a"), follower("x", "b", "c")]
     with pytest.raises(DiagramError, match="algebraic loop") as caught:
-        wiring.read(connect(blocks))
+        wiring.wiring_of(connect(blocks))
     assert "first" in str(caught.value)
     assert "second" in str(caught.value)
     assert "block that has states" in str(caught.value)
@@ -189,7 +189,7 @@ def test_algebraic_loop_names_its_blocks():
 
 def test_a_block_that_feeds_itself_is_named():
     with pytest.raises(DiagramError, match="algebraic loop: mine"):
-        wiring.read(connect([follower("mine", "a", "a")]))
+        wiring.wiring_of(connect([follower("mine", "a", "a")]))
 
 
 # --- parameters at call time ------------------------------------------------------------------
@@ -424,7 +424,7 @@ def test_error_system_reproduces_the_error():
 
 
 def test_reference_feeds_all_who_take_it():
-    read = wiring.read(clpt.closed_loop(PAPER))
+    read = wiring.wiring_of(clpt.closed_loop(PAPER))
     names = [node.name for node in read.nodes]
     place = [names[k] for k in read.order]
     assert place.index("basis_x") < place.index("true_flow")
@@ -438,7 +438,7 @@ def test_reference_feeds_all_who_take_it():
 
 def test_every_wire_joins_equal_labels():
     loop = clpt.closed_loop(DISTURBED)
-    read = wiring.read(loop)
+    read = wiring.wiring_of(loop)
     labels = [label for node in read.nodes for label in node.system.output_labels]
     for node in read.nodes:
         for wire in node.wires:

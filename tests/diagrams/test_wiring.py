@@ -5,8 +5,8 @@ import pytest
 
 import clpt_control as clpt
 from clpt_control.blocks import Block
-from clpt_control.diagrams.interconnection import connect, wire
-from clpt_control.diagrams.wiring import read
+from clpt_control.diagrams.interconnection import connect, wiring_of_blocks
+from clpt_control.diagrams.wiring import wiring_of
 
 PAPER = clpt.paper_scenario()
 SQUARE = {"kind": "square", "amplitude": [0.05, 0.02], "period": 1.8}
@@ -39,7 +39,7 @@ def same(one, other):
 @pytest.mark.parametrize("external", [(), ("zc",), ("x",), ("x", "zc")])
 def test_the_paper(changes, external):
     loop = clpt.closed_loop(PAPER.with_values(changes), external)
-    same(wire(loop.syslist, external), read(loop))
+    same(wiring_of_blocks(loop.syslist, external), wiring_of(loop))
 
 
 def passed_on(t, x, u, p, y):
@@ -57,4 +57,4 @@ def test_ports_in_another_order_than_their_makers():
         block("first", {"w": 1, "v": 3}, {"a": 2, "b": 2}),
     ]
     for external in (["v", "w"], ["w", "v"]):
-        same(wire(blocks, external), read(connect(blocks, external)))
+        same(wiring_of_blocks(blocks, external), wiring_of(connect(blocks, external)))

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import control
 
-from ..wiring import Node, Wiring, read
+from ..wiring import Node, Wiring, wiring_of
 
 
 class Arrow(NamedTuple):
@@ -34,7 +34,7 @@ def ports(labels: list[str]) -> list[str]:
 
 def arrows(diagram: control.NonlinearIOSystem, wiring: Wiring | None = None) -> list[Arrow]:
     """List the arrows of a diagram, nested ones included."""
-    wiring = read(diagram) if wiring is None else wiring
+    wiring = wiring_of(diagram) if wiring is None else wiring
     made = [(n.name, label) for n in wiring.nodes for label in n.system.output_labels]
     given = [(port, label) for label in diagram.input_labels for port in ports([label])]
     found: list[Arrow] = []
@@ -96,7 +96,7 @@ def mermaid(diagram: control.NonlinearIOSystem) -> str:
         b0 -->|"x"| b1
         in2 -->|"z"| b1
     """
-    wiring = read(diagram)
+    wiring = wiring_of(diagram)
     outside = {port: f"in{k}" for k, port in enumerate(ports(diagram.input_labels))}
     inside = {node.name: f"b{k}" for k, node in enumerate(wiring.nodes)}
     lines = ["flowchart LR"]

@@ -14,7 +14,7 @@ import control
 from ...blocks import Block
 from ...errors import DiagramError
 from ...files import beside, check_name
-from ..wiring import Node, read
+from ..wiring import Node, wiring_of
 from .arrows import mermaid
 from .captions import lines_of, note, width
 from .layers import arrange, gather
@@ -38,7 +38,7 @@ STYLE: dict[Any, Any] = {
 
 def layout(diagram: control.NonlinearIOSystem) -> tuple[Routed, list[Any], dict[str, Node]]:
     """Lay out a diagram without drawing it."""
-    wiring = read(diagram)
+    wiring = wiring_of(diagram)
     nets = gather(diagram, wiring)
     layered = arrange(nets, wiring)
     sizes = {name: (width(name[3:], PORT) + 4, PORT) for name in layered.rank if name[:3] == "in:"}

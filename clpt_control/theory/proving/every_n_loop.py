@@ -14,7 +14,7 @@ import sympy
 from ...blocks import Block
 from ...blocks.declaration import states_as_outputs
 from ...blocks.symbolic import exact
-from ...diagrams.wiring import Node, Wire, read
+from ...diagrams.wiring import Node, Wire, wiring_of
 from ...errors import BlockError
 from .every_n_function import Key, Size, Summed, keys, port_size, read_function
 from .paper_symbols import ONE, SCALARS, parameter_names, signed, state_names
@@ -80,7 +80,7 @@ def every_n_loop(diagram: control.NonlinearIOSystem) -> EveryNLoop:
 
     It is wired for some N; the ports phi_x, phi_z, alpha and eta grow with N.
     """
-    wiring = read(diagram)
+    wiring = wiring_of(diagram)
     blocks = blocks_of(wiring)
     N = _number_of_functions(blocks)
     states = state_names(blocks)

@@ -20,7 +20,7 @@ from ...blocks import Block
 from ...blocks.arrays import OPERATIONS
 from ...blocks.symbolic import UNEXPANDED
 from ...diagrams.interconnection import changed_parameters
-from ...diagrams.wiring import Wiring, read
+from ...diagrams.wiring import Wiring, wiring_of
 from ...errors import DiagramError
 from ...native.sweep import Sweep
 from ...progress.interrupt import check
@@ -36,7 +36,7 @@ class RunningRate:
     """V and V' of a diagram, from its running blocks, one of which makes V[1]."""
 
     def __init__(self, diagram: control.NonlinearIOSystem):
-        self.diagram, self.wiring = diagram, read(diagram)
+        self.diagram, self.wiring = diagram, wiring_of(diagram)
         self.blocks = blocks_of(self.wiring)
         self._needed = _ancestors(self.wiring, self.blocks)
         self._place = next(

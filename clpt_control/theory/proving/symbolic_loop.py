@@ -17,7 +17,7 @@ import sympy
 from ...blocks import Block
 from ...blocks.record import Record
 from ...blocks.symbolic import exact, expressions
-from ...diagrams.wiring import Wiring, read
+from ...diagrams.wiring import Wiring, wiring_of
 from ...errors import DiagramError
 from .paper_symbols import parameter_names, parameter_symbols, port_symbols, state_names
 from .undefined import extent, undefined
@@ -55,7 +55,7 @@ class SymbolicLoop:
 
 def symbolic_loop(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()) -> SymbolicLoop:
     """Read a diagram's equations on symbols; blocks named in `opaque` stay undefined."""
-    wiring, kept = read(diagram), set(opaque)
+    wiring, kept = wiring_of(diagram), set(opaque)
     blocks = blocks_of(wiring)
     loop = SymbolicLoop(parameters=parameter_symbols(blocks))
     sizes = {N for b in blocks if isinstance(N := getattr(b.parameters, "N", None), int)}
