@@ -130,7 +130,7 @@ def remove_left(folder: str | Path, *names: str) -> None:
 
 
 def write_together(results: "Mapping[Path, str | xarray.Dataset | Figure]") -> None:
-    """Write files beside their places, then rename them all, or none.
+    """Write files beside their places, then rename them; none where one cannot be written.
 
     Each is a text, a dataset, whose variables with NaN get them as _FillValue, or a
     figure.  The first is renamed last: where it is new, all are.
@@ -153,11 +153,7 @@ def _put(result: Any, made: Path, path: Path) -> None:
     }
     try:
         result.to_netcdf(made, engine="netcdf4", encoding=fill)
-    except (
-        RuntimeError,
-        PermissionError,
-        UnicodeError,
-    ) as error:  # HDF5's words for a full disk, too
+    except (RuntimeError, PermissionError, UnicodeError) as error:  # of a full disk, too
         full = shutil.disk_usage(made.parent).free < 2**20
         reason = getattr(error, "strerror", None) or str(error)
         reason = "no space left" if full else f"{reason}; is there a limit on the size of files?"
