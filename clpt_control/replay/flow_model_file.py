@@ -28,6 +28,13 @@ def read_flow_model(path: str | Path) -> FlowModel:
     ------
     DataError
         If the file is missing or neither, or lacks what a flow model needs.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> model = clpt.replay.read_flow_model("forecast.nc")  # doctest: +SKIP
+    >>> dives, skipped = clpt.gliders.usable(clpt.gliders.sample_dives())
+    >>> replay = clpt.replay.replay_dives(dives, flow_model=model)  # doctest: +SKIP
     """
     path = Path(path)
     kind = path.suffix.lower()

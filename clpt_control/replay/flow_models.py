@@ -1,4 +1,4 @@
-"""The way that a modelled flow carries a glider during a dive.
+"""The displacement by which a modelled flow carries a glider during a dive.
 
 Dead reckoning carried by a flow model F is
 
@@ -9,7 +9,7 @@ Eq. (10)'s z between two fixes; what F adds to the dead reckoning,
     q(T) = int_0^T F(z(t), t) dt,    dq/dt = F(z_dr(t) + q, t),  q(0) = 0,
 
 is the model's forecast of the miss, m east and north.  z_dr is the dive's
-track, or a straight way at constant speed where it has none.  Places are in the
+track, or a straight line at constant speed where it has none.  Places are in the
 plane about GPS2 (`LocalPlane`), times in s since GPS2.  Integration: Dormand
 and Prince, order 5(4) (`scipy.integrate.solve_ivp`), to 1e-8 or 1 mm per step,
 steps of a quarter of an hour at most.
@@ -40,72 +40,24 @@ class Uncovered(ClptError):
 
 
 class FlowModel(ABC):
-    """A flow that was modelled elsewhere, to carry dead reckoning.
+    """A flow that was modelled elsewhere, to carry dead reckoning."""
 
-    Attributes
-    ----------
-    source : str
-        Name of its file.
-    about : str
-        What it is, in a few words.
-
-    Examples
-    --------
-    >>> from clpt_control.gliders.dives import make_dive
-    >>> class Stream(FlowModel):
-    ...     source, about = "none", "0.1 m/s to the east"
-    ...
-    ...     def along(self, dive):
-    ...         return lambda t, east, north: (0.1, 0.0)
-    >>> dive = make_dive(1, (0.0, 40.0, 8.0), (9000.0, 40.0, 8.02), (500.0, 0.0))
-    >>> round(carried(dive, Stream()).model_east, 6)
-    900.0
-    """
-
-    source: str
-    about: str
+    source: str  # the name of its file
+    about: str  # what it is, in a few words
 
     @abstractmethod
     def along(self, dive: Dive) -> Flow:
-        """Return the flow for one dive.
+        """Return the flow for one dive, whose end fix is not read.
 
-        Parameters
-        ----------
-        dive : Dive
-            Its end fix is not read.
-
-        Returns
-        -------
-        callable
-            (s since GPS2, m east, m north of it) -> flow east and north, m/s;
-            it raises `Uncovered` where the model says nothing.
-
-        Raises
-        ------
-        Uncovered
-            If no part of the dive is covered.
+        (s since GPS2, m east, m north of it) -> flow east and north, m/s; `Uncovered` is
+        raised where the model says nothing.
         """
 
 
-def way_of_flow(dive: Dive, flow: Flow) -> tuple[float, float]:
-    """Integrate a flow along a dive's dead reckoning.
+def carried_by(dive: Dive, flow: Flow) -> tuple[float, float]:
+    """Integrate a flow along a dive's dead reckoning: q(T), m east and north.
 
-    Parameters
-    ----------
-    dive : Dive
-        Times, track or dead-reckoned displacement.
-    flow : callable
-        (s since GPS2, m east, m north of it) -> flow east and north, m/s.
-
-    Returns
-    -------
-    east, north : float
-        Way that the flow carries the vehicle, m.
-
-    Raises
-    ------
-    Uncovered
-        If the flow says nothing on the way, or the way cannot be followed.
+    `Uncovered` is raised where the flow says nothing on the track.
     """
     from scipy.integrate import solve_ivp
 
@@ -124,29 +76,43 @@ def way_of_flow(dive: Dive, flow: Flow) -> tuple[float, float]:
         rate, (0.0, T), np.zeros(2), rtol=RELATIVE, atol=ABSOLUTE, max_step=LONGEST_STEP
     )
     if not found.success:  # pragma: no cover - only a flow that jumps endlessly
-        raise Uncovered(f"its way cannot be integrated: {found.message}")
+        raise Uncovered(f"the dive cannot be integrated: {found.message}")
     return float(found.y[0, -1]), float(found.y[1, -1])
 
 
 def carried(dive: Dive, flow_model: FlowModel) -> Dive:
-    """Return a dive with the way that a flow model carries it.
+    """Return a dive with its displacement by a flow model.
 
     Parameters
     ----------
     dive : Dive
         Its end fix is not read, and may be NaN.
     flow_model : FlowModel
-        As `flow_model_file.read_flow_model` gives it.
+        As `read_flow_model` returns it, or one of your own.
 
     Returns
     -------
     Dive
         With `model_east` and `model_north`, m; None, and the reason in
         `notes`, where the model does not cover the whole dive.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> from clpt_control.replay.flow_models import FlowModel
+    >>> class Stream(FlowModel):
+    ...     source, about = "none", "0.1 m/s to the east"
+    ...
+    ...     def along(self, dive):
+    ...         return lambda t, east, north: (0.1, 0.0)
+    >>> fixes = (0.0, 40.0, 8.0), (9000.0, 40.0, 8.02)
+    >>> dive = clpt.gliders.make_dive(1, *fixes, (500.0, 0.0))
+    >>> round(clpt.replay.carried(dive, Stream()).model_east, 6)
+    900.0
     """
     rest = tuple(note for note in dive.notes if not note.startswith(NOTE))
     try:
-        east, north = way_of_flow(dive, flow_model.along(dive))
+        east, north = carried_by(dive, flow_model.along(dive))
     except Uncovered as why:
         return replace(dive, model_east=None, model_north=None, notes=(*rest, f"{NOTE}{why}"))
     return replace(dive, model_east=east, model_north=north, notes=rest)

@@ -13,7 +13,7 @@ from clpt_control.estimation.estimators import ESTIMATORS
 from clpt_control.estimation.fix_model import FixModel, inertial_frequency, mid_time
 from clpt_control.gliders.dives import make_dive
 from clpt_control.replay.flow_model_file import read_flow_model
-from clpt_control.replay.flow_models import Uncovered, way_of_flow
+from clpt_control.replay.flow_models import Uncovered, carried_by
 from clpt_control.replay.outcome import clpe_rms, summary
 from clpt_control.replay.replay import replay_dives
 from clpt_control.scenario.tides import period
@@ -202,7 +202,7 @@ def flight(model, seed, hours=2.0, speed=0.3):
         angle = heading + np.pi * ((k // 3) % 2) + 0.1 * rng.normal()
         dr = speed * T * np.array([np.cos(angle), np.sin(angle)])
         flying = make_dive(k, (time, lat, lon), (time + T, lat, lon), tuple(dr))
-        way = dr + way_of_flow(flying, model.along(flying)) + 20 * rng.normal(size=2)
+        way = dr + carried_by(flying, model.along(flying)) + 20 * rng.normal(size=2)
         lat += way[1] / 111.2e3
         lon += way[0] / (111.2e3 * np.cos(np.radians(lat)))
         dives.append(
