@@ -18,7 +18,7 @@ import numpy as np
 from ..errors import ScenarioError
 from ..scenario.experiment import Scenario
 from ..simulation.integrate import sample_times
-from ..simulation.report import SAMPLES_PER_CYCLE, nearest
+from ..simulation.pieces import SAMPLES_PER_CYCLE, nearest
 from .members import States
 from .varied_keys import variable_values
 
@@ -109,50 +109,31 @@ def kept_variables(
 ) -> dict[str, Variable]:
     """Return the arrays that a summary fills: name -> Variable, the first dimension the member."""
     length, rate = scenario.units.length, f"{scenario.units.time}-1"
-    n, N = len(times.own), scenario.basis.N
+    speed, N = f"{length} {rate}", scenario.basis.N
+    cycles, marks = len(times.starts) - 1, len(times.marks)
+    sizes = {"cycle": cycles, "mark": marks, "time": len(times.own), "axis": 2, "basis": N}
     found: dict[str, Variable] = {}
 
-    def keep(name: str, dims: str, sizes: tuple[int, ...], long_name: str, **attrs: Any) -> None:
-        dtype = attrs.pop("dtype", "float64")
-        attrs = {"long_name": long_name, **attrs}
-        found[name] = Variable(("member", *dims.split()), (members, *sizes), dtype, attrs)
+    def keep(name: str, over: str, long_name: str, dtype: str = "float64", **attrs: Any) -> None:
+        dims = over.split()
+        shape = (members, *(sizes[dim] for dim in dims))
+        found[name] = Variable(("member", *dims), shape, dtype, {"long_name": long_name, **attrs})
 
-    cycles, marks = (len(times.starts) - 1,), (len(times.marks),)
-    keep("clpe_rms", "cycle", cycles, "rms of the CLPE over a cycle", units=length)
-    keep("clpe_rms_whole", "", (), "rms of the CLPE over the whole run", units=length)
+    keep("clpe_rms", "cycle", "rms of the CLPE over a cycle", units=length)
+    keep("clpe_rms_whole", "", "rms of the CLPE over the whole run", units=length)
     if scenario.flow.parameters is not None:
-        keep(
-            "flow_parameter_error",
-            "mark",
-            marks,
-            "largest error of a flow parameter",
-            units=f"{length} {rate}",
-        )
-    keep("gain_error", "mark", marks, "largest error of a gain", units=rate)
-    keep(
-        "status",
-        "",
-        (),
-        "how the run ended",
-        dtype="int8",
-        flag_values=list(range(len(STATUS))),
-        flag_meanings=" ".join(STATUS),
-    )
-    keep("end", "", (), "last sample reached", units=scenario.units.time)
+        keep("flow_parameter_error", "mark", "largest error of a flow parameter", units=speed)
+    keep("gain_error", "mark", "largest error of a gain", units=rate)
+    flags = {"flag_values": list(range(len(STATUS))), "flag_meanings": " ".join(STATUS)}
+    keep("status", "", "how the run ended", "int8", **flags)
+    keep("end", "", "last sample reached", units=scenario.units.time)
     if trajectories:
-        pair = (n, 2)
-        keep("position", "time axis", pair, "true position", units=length)
-        keep("predicted_position", "time axis", pair, "predicted position", units=length)
+        keep("position", "time axis", "true position", units=length)
+        keep("predicted_position", "time axis", "predicted position", units=length)
         if scenario.learning.law == "learned-flow":
-            keep(
-                "alpha",
-                "time axis basis",
-                (n, 2, N),
-                "adapted parameter alpha",
-                units=f"{length} {rate}",
-            )
-        keep("feedback_gain", "time axis", pair, "adapted feedback gain", units=rate)
-        keep("feedforward_gain", "time axis", pair, "adapted feedforward gain", units=rate)
+            keep("alpha", "time axis basis", "adapted parameter alpha", units=speed)
+        keep("feedback_gain", "time axis", "adapted feedback gain", units=rate)
+        keep("feedforward_gain", "time axis", "adapted feedforward gain", units=rate)
     return found
 
 

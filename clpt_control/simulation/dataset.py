@@ -67,69 +67,48 @@ def run_dataset(
     if scenario.learning.law == "known-flow":
         estimate = np.broadcast_to(ran["injection"].theta_hat, alpha.shape).copy()
     speed = {"units": f"{units.length} {units.time}-1"}
-    data["flow_parameters_estimate"] = (
-        ("time", "axis", "basis"),
-        estimate,
-        {"long_name": "estimate of the flow parameters theta", **speed},
-    )
+    learned = {"long_name": "estimate of the flow parameters theta", **speed}
+    data["flow_parameters_estimate"] = (("time", "axis", "basis"), estimate, learned)
     if scenario.flow.parameters is not None:
         true = ran["true_flow"].theta
-        data["flow_parameters"] = (
-            ("axis", "basis"),
-            true,
-            {"long_name": "true flow parameters theta", **speed},
-        )
-        data["lyapunov"] = (
-            ("time",),
-            _lyapunov(scenario.learning.law, ran, data),
-            {"long_name": "Lyapunov candidate V", "units": f"{units.length}2"},
-        )
+        known = {"long_name": "true flow parameters theta", **speed}
+        data["flow_parameters"] = (("axis", "basis"), true, known)
+        candidate = {"long_name": "Lyapunov candidate V", "units": f"{units.length}2"}
+        data["lyapunov"] = (("time",), _lyapunov(scenario.learning.law, ran, data), candidate)
     origin = {}
     if scenario.field_path is not None:
         from ..currents.field_file import time_origin
 
         origin = time_origin(scenario.field_path)
-    return (
-        xarray.Dataset(
-            data,
-            {
-                "time": (
-                    "time",
-                    solution.t,
-                    {"long_name": "time since the start of the run", "units": units.time},
-                ),
-                "axis": ("axis", [1, 2], {"long_name": "axis of the plane, x1 and x2"}),
-                "basis": ("basis", np.arange(1, N + 1), {"long_name": "flow basis function"}),
-            },
-            {
-                "Conventions": "CF-1.11",
-                "title": scenario.title,
-                "source": f"clpt-control {version('clpt-control')}",
-                "references": "Cho, Zhang, Edwards (2016), Adaptive learning for controlled "
-                "Lagrangian particle tracking, OCEANS 2016 MTS/IEEE Monterey",
-                "scenario": scenario_to_text(scenario),
-                **origin,
-                **_changed(left),
-                "software": _software(),
-                "status": solution.status,
-                "message": solution.message,
-                **{f"solver_{name}": value for name, value in solution.statistics.items()},
-            },
-        )
-        .assign_coords()
-        .pipe(_with_folder, scenario)
-    )
+    since = {"long_name": "time since the start of the run", "units": units.time}
+    coordinates = {
+        "time": ("time", solution.t, since),
+        "axis": ("axis", [1, 2], {"long_name": "axis of the plane, x1 and x2"}),
+        "basis": ("basis", np.arange(1, N + 1), {"long_name": "flow basis function"}),
+    }
+    attributes = {
+        "Conventions": "CF-1.11",
+        "title": scenario.title,
+        "source": f"clpt-control {version('clpt-control')}",
+        "references": "Cho, Zhang, Edwards (2016), Adaptive learning for controlled "
+        "Lagrangian particle tracking, OCEANS 2016 MTS/IEEE Monterey",
+        "scenario": scenario_to_text(scenario),
+        **origin,
+        **_changed(left),
+        "software": _software(),
+        "status": solution.status,
+        "message": solution.message,
+        **{f"solver_{name}": value for name, value in solution.statistics.items()},
+    }
+    run = xarray.Dataset(data, coordinates, attributes)
+    run.encoding["folder"] = str(scenario._folder)
+    return run
 
 
 @cache
 def _software() -> str:
     packages = ("clpt-control", "control", "numpy", "scipy")
     return ", ".join(f"{name} {version(name)}" for name in packages)
-
-
-def _with_folder(run: "xarray.Dataset", scenario: Scenario) -> "xarray.Dataset":
-    run.encoding["folder"] = str(scenario._folder)
-    return run
 
 
 def _changed(left: Mapping[str, Any]) -> dict[str, str]:

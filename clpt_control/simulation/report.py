@@ -3,31 +3,24 @@
     CLPE rms per cycle     rms of |e| over one round of the waypoints
     parameter error        max |alpha + theta|, and max |gain - true gain|
 
-Mean squares are over 2000 samples a cycle, each 0.1 of the paper's cycle of 200.  A run of
-more than 100 cycles goes piece by piece, 100 cycles at a time; of each piece only sums of
-squares and the samples that are asked for are kept.
-
+Mean squares are over 2000 samples a cycle (`pieces`).
 The claims judge the paper's sentences about figures 2 to 4, each with its
 criterion, what was measured, and a verdict.
 """
 
 from collections.abc import Callable
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ..native.ending import Solution
 from ..scenario.experiment import Scenario
-from .integrate import ScenarioRun, sample_times
+from .integrate import sample_times
+from .pieces import SAMPLES_PER_CYCLE, Grid, Squares, nearest, run_in_pieces, union
 
 if TYPE_CHECKING:
     import xarray
 
 TIMES = (10, 20, 100, 200, 500, 1000, 2000)
-SAMPLES_PER_CYCLE = 2000
-PIECE = 100 * SAMPLES_PER_CYCLE  # samples; a piece ends where a cycle does, at a breakpoint
-BLOCK = 100  # samples summed together where there are several pieces
 
 
 class RunReport(NamedTuple):
@@ -75,116 +68,21 @@ def run_and_report(
     end = scenario.run.duration
     own = sample_times(end, scenario.run.output_step)
     marks = np.array([t for t in TIMES if t <= end], dtype=float)
-    grid = Grid(end, scenario.cycle / SAMPLES_PER_CYCLE)
-    dense, squares = _run_in_pieces(scenario, _union(own, marks), grid, progress)
+    grid = Grid.to(end, scenario.cycle / SAMPLES_PER_CYCLE)
+    dense, squares = run_in_pieces(scenario, union(own, marks), grid, progress)
     reached = dense.time.values
     run = dense.isel(time=nearest(reached, own))
     if dense.attrs["status"] == "stopped":
         run = dense.isel(time=np.append(nearest(reached, own[own < reached[-1]]), -1))
     run.encoding.update(dense.encoding)
-    even = dense.isel(time=nearest(reached, grid.shown()))
+    shown = np.append(np.arange(0, grid.last, grid.every), grid.last)
+    even = dense.isel(time=nearest(reached, grid.times(shown)))
     summary = _summary(scenario, squares, dense)
     if scenario.flow.field is not None:
         from .flows import explained_variance
 
         summary["explained_variance"] = explained_variance(scenario, run)
     return RunReport(run, even, summary)
-
-
-class Grid:
-    """Evenly spaced times to the end, as `sample_times` gives them, without holding them all."""
-
-    def __init__(self, end: float, step: float):
-        self.end, self.step = end, step
-        last = int(np.floor(end / step * (1 + 1e-12)))
-        self.last = last if last * step >= end * (1 - 1e-12) else last + 1  # the end's number
-
-    def times(self, first: int, last: int) -> np.ndarray:
-        """Return times number `first` to `last`, both included."""
-        times = self.step * np.arange(first, last + 1)
-        times[-1] = min(times[-1], self.end) if last < self.last else self.end
-        return times
-
-    def pieces(self) -> list[tuple[int, int]]:
-        """Return the numbers of the first and the last time of each piece."""
-        edges = [*range(0, self.last, PIECE), self.last]
-        return list(pairwise(edges))
-
-    def shown(self, first: int = 0, last: int | None = None) -> np.ndarray:
-        """Return those of the times that pictures show: at most a piece's number and the end."""
-        last, every = self.last if last is None else last, -(-self.last // PIECE)
-        numbers = np.arange(-(-first // every) * every, last + 1, every)
-        times = numbers[numbers < self.last] * self.step
-        return np.append(times, self.end) if last == self.last else times
-
-
-class Squares(NamedTuple):
-    """Sums of |e|^2 over blocks of evenly spaced samples."""
-
-    sums: np.ndarray
-    counts: np.ndarray
-    block: int  # samples
-
-    def rms(self, first: int = 0, last: int | None = None) -> float:
-        """Return the rms of |e| from sample `first` up to `last`, to the block."""
-        span = slice(first // self.block, None if last is None else last // self.block)
-        return float(np.sqrt(self.sums[span].sum() / self.counts[span].sum()))
-
-
-def _run_in_pieces(
-    scenario: Scenario, kept: np.ndarray, grid: Grid, progress: Callable[[float], None] | None
-) -> "tuple[xarray.Dataset, Squares]":
-    """Run a scenario; return it at the times that are kept or shown, and its squares."""
-    run, pieces = ScenarioRun(scenario), grid.pieces()
-    block = 1 if len(pieces) == 1 else BLOCK
-    sums, counts, parts = [], [], []
-    state, statistics = run.start, dict[str, int]()
-    for first, last in pieces:
-        even, shown = grid.times(first, last), grid.shown(first, last)
-        inside = kept[(kept >= even[0]) & (kept <= even[-1])]
-        times = _union(inside, np.union1d(even, shown))
-        times[0], times[-1] = even[0], even[-1]
-        solution = run.integrate(state, times, progress)
-        state = solution.x[-1]
-        for name, count in solution.statistics.items():
-            statistics[name] = statistics.get(name, 0) + count
-        stopped = solution.status == "stopped"
-        whole = stopped or last == grid.last
-        signals = run.signals(solution)
-        at = nearest(solution.t, even)[: None if whole else -1]  # the next piece begins there
-        e = signals[at][:, run.columns("e")]
-        starts = np.arange(0, len(at), block)
-        sums.append(np.add.reduceat(np.sum(e**2, axis=1), starts))
-        counts.append(np.diff(np.append(starts, len(at))))
-        held = np.union1d(nearest(solution.t, inside), nearest(solution.t, shown))
-        if stopped:
-            held = np.union1d(held, [len(solution.t) - 1])
-        if not whole:
-            held = held[held < len(solution.t) - 1]
-        parts.append((solution.t[held], solution.x[held], signals[held]))
-        if stopped:
-            break
-    t, x, signals = (np.concatenate(one) for one in zip(*parts, strict=True))
-    joined = Solution(t, x, solution.status, solution.message, statistics)
-    squares = Squares(np.concatenate(sums), np.concatenate(counts), block)
-    return run.dataset(joined, signals), squares
-
-
-def _union(first: np.ndarray, more: np.ndarray) -> np.ndarray:
-    """Return sorted times of both; where two differ by rounding, the one of `first`."""
-    if not len(first):
-        return more
-    after = np.searchsorted(first, more)
-    sides = [first[np.clip(after - k, 0, len(first) - 1)] for k in (0, 1)]
-    distance = np.abs(np.array(sides) - more).min(axis=0)
-    return np.union1d(first, more[distance > 1e-9 * max(1.0, float(first[-1]))])
-
-
-def nearest(times: np.ndarray, wanted: np.ndarray) -> np.ndarray:
-    """Return where increasing times are nearest to those wanted, up to the last."""
-    wanted = wanted[wanted <= times[-1] * (1 + 1e-12)]
-    after = np.clip(np.searchsorted(times, wanted), 1, len(times) - 1)
-    return np.where(wanted - times[after - 1] < times[after] - wanted, after - 1, after)
 
 
 def _summary(scenario: Scenario, squares: Squares, dense: "xarray.Dataset") -> dict[str, Any]:

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
+from clpt_control.simulation import pieces as in_pieces
 from clpt_control.simulation import report
 
 PAPER = clpt.paper_scenario()
@@ -33,7 +34,7 @@ def rms(scenario):
 def test_mean_squares_are_over_every_sample(case, pieces, monkeypatch):
     scenario = PAPER.with_values(CASES[case])
     if pieces == "many":
-        monkeypatch.setattr(report, "PIECE", 2000)
+        monkeypatch.setattr(in_pieces, "PIECE", 2000)
     found = report.run_and_report(scenario)
     each, whole = rms(scenario)
     assert found.summary["clpe_rms_per_cycle"] == pytest.approx(each, rel=1e-6)
