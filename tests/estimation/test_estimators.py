@@ -194,7 +194,7 @@ def test_the_gradients_errors_are_as_large_as_it_says():
 def flight(model, seed, hours=2.0, speed=0.3):
     """Dives of a glider in a measured current, to and fro; fewer where it leaves the data."""
     rng = np.random.default_rng(seed)
-    time = model.column.time[0] + 60
+    time = model.time[0] + 60
     lat, lon = 41.2 + 0.2 * rng.normal(), -69.5 + 0.3 * rng.normal()
     heading, dives = rng.uniform(0, 2 * np.pi), []
     for k in range(10):
