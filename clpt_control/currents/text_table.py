@@ -1,4 +1,4 @@
-"""Lines and cells of a text table: CSV under a header, with comments.
+"""Cells of a CSV table under a header, with comments, by pandas.
 
     # latitude: 41.2
     time,u (m/s),v (m/s)
@@ -8,106 +8,85 @@ Blank lines and lines that begin with `#` are left out; of `# NAME: TEXT` or
 `# NAME = TEXT` the text is kept.
 """
 
-import csv
 import re
-from typing import NamedTuple
+from io import StringIO
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from ..errors import DataError
+
+if TYPE_CHECKING:
+    import pandas
 
 COMMENT = re.compile(r"#\s*(\w+)\s*[:=]\s*(.+?)\s*")
+OPENS = re.compile(r'(^|,)\s*"')  # a quoted cell
 OTHER_MARKS = {";": "semicolons", "\t": "tabs", "|": "bars"}
 
 
 class TextTable(NamedTuple):
-    """Lines of a table and what its comments say.
+    """Cells as text, and what comments say, by name in small letters.
 
-    Attributes
-    ----------
-    lines : list of tuple
-        Number in the file, from 1, and text; the first is the header.
-    said : dict of str to str
-        Comments by name, in small letters.
+    The index of `cells` is the line in the file, from 1; its columns are the header.
     """
 
-    lines: list[tuple[int, str]]
+    cells: "pandas.DataFrame"
     said: dict[str, str]
 
 
-def lines_of(text: str) -> TextTable:
-    r"""Return the lines of a table, comments apart.
+def table_of(text: str, name: str | Path, must_be: str) -> TextTable:
+    r"""Return the cells of a table, without spaces about them, '' where a line is too short.
 
-    Parameters
-    ----------
-    text : str
-        The whole table.
-
-    Returns
-    -------
-    TextTable
-        Without lines where there is nothing else.
-
-    Examples
-    --------
-    >>> lines_of("# latitude: 41.2\n\ntime,u,v\n0,1,2")
-    TextTable(lines=[(3, 'time,u,v'), (4, '0,1,2')], said={'latitude': '41.2'})
+    >>> cells, said = table_of("# latitude: 41.2\n\ntime,u\n0, 1,2\n3", "mine.csv", "a table")
+    >>> said, list(cells.columns), list(cells.index), cells.values.tolist()
+    ({'latitude': '41.2'}, ['time', 'u'], [4, 5], [['0', '1'], ['3', '']])
     """
-    lines, said = [], {}
-    for number, line in enumerate(text.splitlines(), 1):
-        bare = line.strip()
-        if bare.startswith("#"):
-            if found := COMMENT.fullmatch(bare):
+    from pandas import read_csv
+    from pandas.errors import ParserError
+
+    lines, said = text.splitlines(), {}
+    for k, line in enumerate(lines):
+        if line.lstrip().startswith("#"):
+            if found := COMMENT.fullmatch(line.strip()):
                 said[found[1].lower()] = found[2]
-        elif bare:
-            lines.append((number, line))
-    return TextTable(lines, said)
-
-
-def cells_of(line: str) -> list[str]:
-    """Return the cells of a line, none where it is no CSV.
-
-    Parameters
-    ----------
-    line : str
-        Without its end.
-
-    Returns
-    -------
-    list of str
-        Quotes taken off, spaces kept.
-
-    Examples
-    --------
-    >>> cells_of('7,"a, b", 2')
-    ['7', 'a, b', ' 2']
-    """
+            lines[k] = ""
+        elif line.count('"') % 2 and OPENS.search(line):  # it would join the next: one cell
+            lines[k] = '"' + line.replace('"', "'") + '"'
+    filled = [k for k, line in enumerate(lines, 1) if line.strip()]
+    if not filled:
+        raise DataError(f"{name}: is empty; must be {must_be}")
+    commas = lines[filled[0] - 1].count(",")
+    width = range(commas + 1)
+    lines.append("-" + "," * commas)  # one line at least is as wide as the header
     try:
-        return next(csv.reader([line]), [])
-    except csv.Error:  # a cell of more than 128 KiB
-        return []
+        cells = read_csv(
+            StringIO("\n".join(lines)),
+            header=None,
+            names=width,
+            usecols=width,
+            dtype=str,
+            na_filter=False,
+            skip_blank_lines=False,
+            skipinitialspace=True,
+        )
+    except ParserError as error:
+        raise DataError(f"{name}: cannot be read as CSV: {error}") from None
+    if len(cells) != len(lines):
+        raise DataError(f"{name}: a quotation mark joins two lines; take it out")
+    cells.index += 1
+    cells = cells.loc[filled].apply(lambda column: column.str.strip())
+    return TextTable(cells.iloc[1:].set_axis(list(cells.iloc[0]), axis=1), said)
 
 
 def other_marks(header: str, name: str) -> str:
-    """Say what parts the cells of a header, if not commas.
+    """Return what to do where other marks than commas separate columns, else ''.
 
-    Parameters
-    ----------
-    header : str
-        The first line.
-    name : str
-        Of a column that must be there.
+    `name` is that of a column that must be there.
 
-    Returns
-    -------
-    str
-        What to do about it; empty where commas part them, or it is no header.
-
-    Examples
-    --------
     >>> other_marks("Time;u (m/s);v (m/s)", "time")
-    'semicolons part its cells; use commas, and points in numbers'
-    >>> other_marks("time,u (m/s),v (m/s)", "time")
-    ''
+    'columns are separated by semicolons; use commas, and points in numbers'
     """
     for mark, marks in OTHER_MARKS.items():
         cells = [cell.strip(' "').lower() for cell in header.split(mark)]
         if len(cells) > 1 and name in cells:
-            return f"{marks} part its cells; use commas, and points in numbers"
+            return f"columns are separated by {marks}; use commas, and points in numbers"
     return ""

@@ -14,7 +14,7 @@ from importlib import resources
 from math import isfinite, nan
 from pathlib import Path
 
-from ..currents.text_table import cells_of, lines_of, other_marks
+from ..currents.text_table import other_marks, table_of
 from ..errors import DataError
 from ..files import write_text
 from ..files.reading import read_text
@@ -88,14 +88,13 @@ def parse_dive_table(text: str, name: str) -> tuple[list[Dive], list[Skipped]]:
     >>> round(dives[0].miss_east), dives[0].magvar, skipped
     (154, None, [])
     """
-    lines = lines_of(text).lines
-    if not lines:
-        raise DataError(f"{name}: is empty; must be NetCDF or a table with {', '.join(REQUIRED)}")
-    header = _header(lines[0][1], name)
+    cells = table_of(text, name, f"NetCDF or a table with {', '.join(REQUIRED)}").cells
+    header = list(cells.columns)
+    _check_header(header, name)
     dives: list[Dive] = []
     skipped: list[Skipped] = []
-    for line, content in lines[1:]:
-        found = _dive(dict(zip(header, cells_of(content), strict=False)), f"{name}, line {line}")
+    for line, row in zip(cells.index, cells.to_numpy(), strict=True):
+        found = _dive(dict(zip(header, row, strict=True)), f"{name}, line {line}")
         if isinstance(found, Dive):
             dives.append(found)
         else:
@@ -103,9 +102,9 @@ def parse_dive_table(text: str, name: str) -> tuple[list[Dive], list[Skipped]]:
     return dives, skipped
 
 
-def _header(line: str, name: str) -> list[str]:
-    """Return the names of the columns, or say which are missing."""
-    header = [cell.strip() for cell in cells_of(line)]
+def _check_header(header: list[str], name: str) -> None:
+    """Refuse a header without a required column, or with a column twice."""
+    line = ",".join(header)
     missing = [column for column in REQUIRED if column not in header]
     marks = other_marks(line, REQUIRED[0])
     if missing and marks:
@@ -124,7 +123,6 @@ def _header(line: str, name: str) -> list[str]:
         raise DataError(
             f"{name}: the column {', '.join(double)} stands there twice; once is allowed"
         )
-    return header
 
 
 def _dive(row: dict[str, str], where: str) -> Dive | Skipped:

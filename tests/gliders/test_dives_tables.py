@@ -29,8 +29,8 @@ def table(tmp_path):
 @pytest.mark.parametrize(
     ("change", "encoding", "sentence"),
     [
-        (lambda text: text.replace(",", ";"), "utf-8", "semicolons part its cells; use commas"),
-        (lambda text: text.replace(",", "\t"), "utf-8", "tabs part its cells; use commas"),
+        (lambda text: text.replace(",", ";"), "utf-8", "columns are separated by semicolons; use"),
+        (lambda text: text.replace(",", "\t"), "utf-8", "columns are separated by tabs; use"),
         (str.upper, "utf-8", "no column dive, t_gps2, .* in lower case; write it so"),
         (
             lambda text: text.replace("dr_east_m", "DR_east_m"),
@@ -70,6 +70,18 @@ def test_odd_numbers_and_times_are_skipped_one_by_one(tmp_path, cells, sentence)
     path.write_text(HEAD + 2 * ROW.format(*cells))
     with pytest.raises(DataError, match=r"dives.csv: no line holds a dive; the first: .*line 2"):
         read_dives(path)
+
+
+def test_quotes_join_cells_and_never_lines(tmp_path):
+    head = HEAD.replace("\n", ",note\n")
+    cells = (ROW.format(n, 9000 * n, 9000 * n + 8000).replace("\n", ",") for n in (1, 2, 3, 4))
+    notes = ('"rain, wind"', 'a 5" pipe', '"never closed', '"it ""rolled"""')
+    rows = "".join(f"{row}{note}\n" for row, note in zip(cells, notes, strict=True))
+    (tmp_path / "d.csv").write_text(head + rows)
+    dives, skipped = read_dives(tmp_path / "d.csv")
+    assert [dive.number for dive in dives] == [1, 2, 4]
+    (why,) = skipped
+    assert "line 4: dive is" in why.why
 
 
 def test_dive_numbers_of_netcdf_files(tmp_path):

@@ -13,9 +13,8 @@ Lines that begin with `#` are comments; `# latitude: DEG` is read.
 """
 
 import re
-from datetime import UTC, datetime
-from math import isfinite, nan
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -24,7 +23,10 @@ from ...files.reading import read_text
 from ...units import speed_in_metres_per_second
 from ..cf import VELOCITY
 from ..nodal import checked_times
-from ..text_table import cells_of, lines_of, other_marks
+from ..text_table import other_marks, table_of
+
+if TYPE_CHECKING:
+    import pandas
 
 NAMES = {
     "time": ("time", "date", "datetime"),
@@ -47,66 +49,47 @@ def is_table(path: Path) -> bool:
 
 
 def read_table(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray, float | None]:
-    """Read a table of a current.
+    """Return times (datetime64[ms], UTC), u, v (m/s, NaN in gaps) and latitude of a table.
 
-    Parameters
-    ----------
-    path : Path
-        The file.
-
-    Returns
-    -------
-    time : ndarray of datetime64[ms], shape (n,)
-        UTC, in the file's order.
-    u, v : ndarray, shape (n,)
-        m/s, NaN in gaps.
-    latitude : float or None
-        Degrees north, of the comment.
-
-    Raises
-    ------
-    DataError
-        If the file is missing, empty, no such table, or a cell is no number.
+    Rows stay in the file's order; the latitude, degrees north, is that of the comment or None.
     """
     text = read_text(path, "is no text; must be a table of time, u and v, or NetCDF (.nc)")
-    lines, said = lines_of(text)
-    if not lines:
-        raise DataError(f"{path}: is empty; must be a table of time, u and v")
-    columns, sizes = _header(lines[0][1], said.get("units"), path)
-    table: list[list[float]] = []
-    for number, line in lines[1:]:
-        where = f"{path}, line {number}"
-        cells = cells_of(line)
-        cells += [""] * (1 + max(columns) - len(cells))
-        time, *flow = (cells[k].strip() for k in columns)
-        table.append([_seconds(time, where), *(_value(cell, where) for cell in flow)])
-    if not table:
+    cells, said = table_of(text, path, "a table of time, u and v")
+    columns, sizes = _header(list(cells.columns), said.get("units"), path)
+    if cells.empty:
         raise DataError(f"{path}: has a header and no rows; must be a table of time, u and v")
-    seconds, u, v = np.array(table).T
-    try:
-        times = checked_times(np.round(1000 * seconds).astype("datetime64[ms]"))
-    except DataError as error:
-        raise DataError(f"{path}: {error}") from None
+    time, *flow = (cells.iloc[:, k] for k in columns)
+    times = _times(time, path)
+    u, v = (
+        size * _numbers(each, name, path)
+        for each, name, size in zip(flow, "uv", sizes, strict=True)
+    )
     latitude = None
     if "latitude" in said:
-        latitude = _value(said["latitude"].split()[0], f"{path}: the comment latitude")
-    return times, u * sizes[0], v * sizes[1], latitude
+        try:
+            latitude = float(said["latitude"].split()[0])
+        except ValueError:
+            raise DataError(
+                f"{path}: the comment latitude is {said['latitude'][:20]!r}; must begin with "
+                "degrees north"
+            ) from None
+    return times, u, v, latitude
 
 
-def _header(line: str, units: str | None, path: Path) -> tuple[list[int], list[float]]:
+def _header(header: list[str], units: str | None, path: Path) -> tuple[list[int], list[float]]:
     """Return the columns of time, u and v, and what one unit of u and v is in m/s."""
-    cells = [HEADER.fullmatch(cell) for cell in cells_of(line)]
+    cells = [HEADER.fullmatch(cell) for cell in header]
     names = [cell[1].lower() if cell else "" for cell in cells]
     columns, sizes = [], []
     for what, allowed in NAMES.items():
         found = [k for k, name in enumerate(names) if name in allowed]
-        if not found and (marks := other_marks(line, NAMES["time"][0])):
+        if not found and (marks := other_marks(",".join(header), NAMES["time"][0])):
             raise DataError(f"{path}: {marks}")
         if len(found) != 1:
             raise DataError(
                 f"{path}: {'no column' if not found else 'more than one column'} {what}; the table "
                 f"must begin with a line such as 'time,u (m/s),v (m/s)', this one does with "
-                f"{line.strip()[:60]!r}"
+                f"{','.join(header)[:60]!r}"
             )
         columns.append(found[0])
         if what == "time":
@@ -122,28 +105,40 @@ def _header(line: str, units: str | None, path: Path) -> tuple[list[int], list[f
     return columns, sizes
 
 
-def _seconds(text: str, where: str) -> float:
-    """Return seconds since 1970 UTC."""
+def _times(cells: "pandas.Series", path: Path) -> np.ndarray:
+    """Return times of ISO 8601, or seconds since 1970, as datetime64 in ms."""
+    import pandas
+
+    seconds = pandas.to_numeric(cells, errors="coerce")
+    dates = pandas.to_datetime(
+        cells.where(seconds.isna(), "1970"), utc=True, format="ISO8601", errors="coerce"
+    )
+    _refuse(
+        dates.isna(), cells, "time", "such as 2019-01-01T06:00:00Z, or seconds since 1970", path
+    )
+    _refuse(seconds.abs() >= 1e11, cells, "time", "seconds since 1970", path)
+    counted = np.round(1000 * seconds.fillna(0.0)).to_numpy("datetime64[ms]")
+    read = dates.dt.tz_localize(None).dt.round("ms").to_numpy("datetime64[ms]")
     try:
-        seconds = float(text)
-    except ValueError:
-        try:
-            date = datetime.fromisoformat(text)
-        except ValueError:
-            raise DataError(
-                f"{where}: time is {text[:30]!r}; must be such as 2019-01-01T06:00:00Z, or seconds "
-                "since 1970"
-            ) from None
-        return (date if date.tzinfo else date.replace(tzinfo=UTC)).timestamp()
-    if not (isfinite(seconds) and abs(seconds) < 1e11):
-        raise DataError(f"{where}: time is {text[:30]!r} s; must be seconds since 1970")
-    return seconds
+        return checked_times(np.where(seconds.isna(), read, counted))
+    except DataError as error:
+        raise DataError(f"{path}: {error}") from None
 
 
-def _value(text: str, where: str) -> float:
-    try:
-        return float(text) if text else nan
-    except ValueError:
-        raise DataError(
-            f"{where}: {text[:20]!r} is no number; a gap is an empty cell or nan"
-        ) from None
+def _numbers(cells: "pandas.Series", what: str, path: Path) -> np.ndarray:
+    """Return a column's numbers, NaN in gaps."""
+    import pandas
+
+    numbers = pandas.to_numeric(cells, errors="coerce")
+    wrong = numbers.isna() & ~cells.str.lower().isin(("", "nan"))
+    _refuse(wrong, cells, what, "a number; a gap is an empty cell or nan", path)
+    return numbers.to_numpy(float)
+
+
+def _refuse(
+    wrong: "pandas.Series", cells: "pandas.Series", what: str, must_be: str, path: Path
+) -> None:
+    """Raise an error that names the first line with a wrong cell."""
+    if wrong.any():
+        line = wrong.idxmax()
+        raise DataError(f"{path}, line {line}: {what} is {cells[line][:30]!r}; must be {must_be}")
