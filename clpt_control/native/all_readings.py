@@ -98,7 +98,7 @@ def readings(
 
 
 def _machine(diagram: Any, params: Any, form: str, lanes: int) -> Reading:
-    """Ask machine code: of lanes one, the others being elsewhere."""
+    """Return a reading of machine code; in lanes the last is asked, the others lie elsewhere."""
     native = NativeDiagram(diagram, params, form)
     native.code = code_of(native.wiring, native.layout, form, 2)
     addresses = [native.code.address(name, lanes) for name in ("prepare", "derivative", "signals")]

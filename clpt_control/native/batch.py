@@ -21,7 +21,7 @@ MEMBER_STEPS = 5_000_000  # tries of a run among many
 
 
 class Callee(NamedTuple):
-    """What the solver calls, and the room that takes."""
+    """What the solver calls, and how much room its arrays need."""
 
     solver: ModuleType  # as it stands, or compiled
     functions: Any  # in the solver's order: functions, or their addresses

@@ -82,7 +82,7 @@ def code_of(wiring: Wiring, layout: Layout, form: str | None = None, least: int 
 
 
 class _Hidden:
-    """What the code is made from, which does not tell one structure from another."""
+    """What code is made from; always equal, so it is no part of the cache's key."""
 
     def __init__(self, sources: Sources):
         self.sources = sources

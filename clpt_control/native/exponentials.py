@@ -84,7 +84,7 @@ def _split_log(a):
 
 
 def _where_log_is(a, value):
-    """Put in what log is outside the positive numbers."""
+    """Return a logarithm, replaced where `a` is 0, infinite, negative or NaN."""
     value = select(a == math.inf, a, value)
     value = select(a == 0.0, -math.inf, value)
     return select(a >= 0.0, value, math.nan)

@@ -126,7 +126,7 @@ class _Block:
             if isinstance(a, Constant):
                 return a.value
             if isinstance(a, Table):
-                at = self.place(a.place, counts, (a.stride, a.count))
+                at = self.place(a.place, counts)
                 return at.array, at.base, at.steps, a.stride, a.count
             if isinstance(a, Place):
                 at = self.place(a, counts)
@@ -163,7 +163,7 @@ class _Block:
             self.names[value] = self.writer.value()
         return self.names[value]
 
-    def place(self, at: Place, counts: dict[int, int], run: tuple[int, int] = (0, 1)) -> Place:
+    def place(self, at: Place, counts: dict[int, int]) -> Place:
         if at.array == "u":
             return self.input(at, counts)
         if at.array[0] == "p":

@@ -30,7 +30,7 @@ def roll(record: Record, least: float = LEAST) -> Rolled:
 
 
 class Roller:
-    """Goes through a record; keeps what loops share: constants, room and where values lie."""
+    """A pass over a record, and what its loops share: constants, room, where values lie."""
 
     def __init__(self, record: Record, least: float):
         self.record, self.least = record, least

@@ -1,4 +1,4 @@
-"""Machine code in memory: LLVM's, for this processor, and calls of it."""
+"""Machine code in memory, made by LLVM for this processor, and calls of it."""
 
 from functools import cache
 from typing import Any

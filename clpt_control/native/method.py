@@ -80,7 +80,7 @@ def _attempt() -> Formula:
 
 
 def _judge(n: int) -> Formula:
-    """Estimate the error, accept or reject, choose the next step."""
+    """The estimate of the error, whether the step is good, and the next one."""
     table = _table()
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
@@ -154,7 +154,7 @@ def _first(n: int) -> Formula:
 
 
 def _accept() -> Formula:
-    """Take the new state and its rate where the step is good."""
+    """The new state and its rate, taken where the step is good."""
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
         good = lane(GOOD) > 0.5

@@ -12,7 +12,7 @@ with a sum; signals that are recorded keep all of theirs.
 
 `abreast`: functions that do not wait for each other are calculated at once, in SIMD.
 
-    exp(a), exp(b), exp(c)   ->   exp of four numbers, of which one is nobody's
+    exp(a), exp(b), exp(c)   ->   exp of four numbers, of which the last is not used
 """
 
 from collections.abc import Callable
@@ -21,7 +21,7 @@ from typing import Any, NamedTuple
 from .program import CONDITIONS, Item, Load, Loop, Ref, Step, Store
 
 Signed = tuple[int, Ref]  # sign, value
-MOST_TERMS = 1000  # of a sum in which is looked for what cancels
+MOST_TERMS = 1000  # in a longer sum nothing is searched that cancels
 
 
 def simplified(ops: Any, roots: list[Ref]) -> list[Ref]:

@@ -169,7 +169,7 @@ def take(k, shape, runs, schedule, times, results, lane, Z, P):
 
 
 def rest(k, shape, runs, numbers, Z):
-    """Let an idle lane take the same harmless step again."""
+    """Make an idle lane take the same harmless step again."""
     lanes, n, _ = shape
     for i in range(n):
         Z[i * lanes + k] = runs[0][0, i]

@@ -95,7 +95,7 @@ def _place(folder: Path, text: Path) -> Path | None:
 
 
 def _whole(own: Path) -> bool:
-    """Whether Numba's files can be read to their ends, as after a full disk they cannot."""
+    """Whether Numba's files can be read to their ends; after a full disk they cannot."""
     for file in own.glob("__pycache__/*.nb[ci]"):
         try:
             with file.open("rb") as data:

@@ -20,7 +20,7 @@ class Different(Exception):
 
 
 class _Carried(NamedTuple):
-    """What the turn before computed; at first something else."""
+    """What the turn before computed, and what the first turn reads in its place."""
 
     value: int
     first: Any
