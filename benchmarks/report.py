@@ -18,8 +18,6 @@ Section IV, t = 0 to 2000, {rounds} rounds at most; states at the 100 waypoint e
 1e-10. Error: max |state - reference| at the times of `tests/reference/paper.json` that were reached
 (an independent simulation at 1e-12).
 
-| engine | median, ms | minimum, ms | ratio to C | error |
-|---|---|---|---|---|
 """
 BASIS = """
 ## Growth with the number of basis functions
@@ -36,8 +34,6 @@ Each run differs in parameters (theta, gain) and initial states; t = 0 to 200, 1
 thread. Error: 64 of the final states against C at 1e-12. Memory: the most a process of its own
 ever held, the interpreter and its imports included.
 
-| engine | runs/s | ratio to C | error | peak, MB |
-|---|---|---|---|---|
 """
 GROWTH = """
 ## Growth with members
@@ -51,8 +47,6 @@ PARTICLES = """
 RK4, 2000 steps of 300 s, 101 x 101 points hourly for a week, linear in space and time. Difference:
 relative, of eight end positions to those of C.
 
-| engine | particle-steps/s | ratio to C | difference | peak, MB |
-|---|---|---|---|---|
 """
 
 
@@ -60,69 +54,69 @@ def _number(value, pattern: str) -> str:
     return "" if value is None else format(value, pattern)
 
 
+def _table(header: list[str], rows: list[list[str]]) -> str:
+    def line(cells: list[str]) -> str:
+        return "| " + " | ".join(cells) + " |\n"
+
+    return line(header) + "|---" * len(header) + "|\n" + "".join(map(line, rows))
+
+
 def _paper(rows: list[dict]) -> str:
-    lines, notes = [], []
-    for row in rows:
-        mark = ""
-        if row["note"]:
-            notes.append(row["note"])
-            mark = f" [{len(notes)}]"
-        lines.append(
-            f"| {row['title']}{mark} | {1e3 * row['median']:.3g} | {1e3 * row['minimum']:.3g} "
-            f"| {_number(row.get('ratio'), '.3g')} | {row['error']:.1e} |"
-        )
-    text = PAPER.format(rounds=max(row["rounds"] for row in rows)) + "\n".join(lines) + "\n"
+    notes = [row["note"] for row in rows if row["note"]]
+    cells = [
+        [
+            row["title"] + (f" [{notes.index(row['note']) + 1}]" if row["note"] else ""),
+            f"{1e3 * row['median']:.3g}",
+            f"{1e3 * row['minimum']:.3g}",
+            _number(row.get("ratio"), ".3g"),
+            f"{row['error']:.1e}",
+        ]
+        for row in rows
+    ]
+    header = ["engine", "median, ms", "minimum, ms", "ratio to C", "error"]
+    text = PAPER.format(rounds=max(row["rounds"] for row in rows)) + _table(header, cells)
     return text + "".join(f"\n[{k}] {note}.\n" for k, note in enumerate(notes, 1))
 
 
 def _basis(results: dict) -> str:
-    sizes = list(results["basis"])
-    titles = list(dict.fromkeys(r["title"] for rows in results["basis"].values() for r in rows))
-    text = BASIS.format(end=results["basis_duration"])
-    text += "| engine | " + " | ".join(f"N = {N}" for N in sizes) + " |\n"
-    text += "|---" * (len(sizes) + 1) + "|\n"
-    for title in titles:
-        cells = []
-        for rows in results["basis"].values():
-            row = next((r for r in rows if r["title"] == title), None)
-            ratio = row and row.get("ratio")
-            beside = f" ({ratio:.3g})" if ratio else ""
-            cell = f"{1e3 * row['median']:.3g}{beside}, {row['error']:.0e}" if row else ""
-            cells.append(cell)
-        text += f"| {title} | " + " | ".join(cells) + " |\n"
-    return text
+    def cell(row: dict) -> str:
+        beside = f" ({row['ratio']:.3g})" if row.get("ratio") else ""
+        return f"{1e3 * row['median']:.3g}{beside}, {row['error']:.0e}"
+
+    sizes = results["basis"]
+    found = {(row["title"], N): cell(row) for N, rows in sizes.items() for row in rows}
+    rows = [
+        [title, *(found.get((title, N), "") for N in sizes)]
+        for title in dict.fromkeys(title for title, _ in found)
+    ]
+    header = ["engine", *(f"N = {N}" for N in sizes)]
+    return BASIS.format(end=results["basis_duration"]) + _table(header, rows)
 
 
 def _ensemble(rows: list[dict]) -> str:
-    return ENSEMBLE + "".join(
-        f"| {row['title']} | {row['rate']:.4g} | {_number(row['ratio'], '.3g')} "
-        f"| {_number(row['error'], '.1e')} | {_number(row['peak_mb'], '.0f')} |\n"
-        for row in rows
-    )
+    patterns = {"rate": ".4g", "ratio": ".3g", "error": ".1e", "peak_mb": ".0f"}
+    header = ["engine", "runs/s", "ratio to C", "error", "peak, MB"]
+    return ENSEMBLE + _table(header, [_cells(row, patterns) for row in rows])
 
 
-def _cell(row: dict) -> str:
-    peak = "" if row["peak_mb"] is None else f", {row['peak_mb']:.0f} MB"
-    return f"{row['rate']:.4g}{peak}"
+def _particles(rows: list[dict]) -> str:
+    patterns = {"rate": ".3g", "ratio": ".3g", "difference": ".0e", "peak_mb": ".0f"}
+    header = ["engine", "particle-steps/s", "ratio to C", "difference", "peak, MB"]
+    return PARTICLES + _table(header, [_cells(row, patterns) for row in rows])
+
+
+def _cells(row: dict, patterns: dict[str, str]) -> list[str]:
+    return [row["title"], *(_number(row.get(key), form) for key, form in patterns.items())]
 
 
 def _growth(rows: list[dict]) -> str:
     sizes = sorted({row["members"] for row in rows})
-    found = {(row["title"], row["members"]): row for row in rows}
-    text = GROWTH + "| engine | " + " | ".join(f"{n:,}" for n in sizes) + " |\n"
-    text += "|---" * (len(sizes) + 1) + "|\n"
-    for title in dict.fromkeys(row["title"] for row in rows):
-        cells = [_cell(found[title, n]) if (title, n) in found else "" for n in sizes]
-        text += f"| {title} | " + " | ".join(cells) + " |\n"
-    return text
-
-
-def _particles(rows: list[dict]) -> str:
-    return PARTICLES + "".join(
-        f"| {row['title']} | {row['rate']:.3g} | {_number(row.get('ratio'), '.3g')} "
-        f"| {_number(row.get('difference'), '.0e')} | {_number(row['peak_mb'], '.0f')} |\n"
-        for row in rows
-    )
+    found = {(r["title"], r["members"]): f"{r['rate']:.4g}, {r['peak_mb']:.0f} MB" for r in rows}
+    cells = [
+        [title, *(found.get((title, n), "") for n in sizes)]
+        for title in dict.fromkeys(row["title"] for row in rows)
+    ]
+    return GROWTH + _table(["engine", *(f"{n:,}" for n in sizes)], cells)
 
 
 def markdown(results: dict) -> str:
