@@ -34,25 +34,11 @@ GAP = 2.5  # times the intervals around one: beyond, steps are missing
 
 
 def depth_mean(depth: np.ndarray, values: np.ndarray, deepest: float) -> np.ndarray:
-    """Average a profile from the surface to a depth.
+    """Average a profile, shape (nt, nz, ...), from the surface to a depth, m.
 
-    Parameters
-    ----------
-    depth : ndarray, shape (nz,)
-        Levels, m, increasing from the surface.
-    values : ndarray, shape (nt, nz, ...)
-        NaN where a level has no data.
-    deepest : float
-        Lower end of the mean, m.
+    The mean ends at the deepest level with data, if that is higher, and is NaN where no
+    level above the end has any.  Levels `depth`, m, increase from the surface.
 
-    Returns
-    -------
-    ndarray, shape (nt, ...)
-        Mean down to there or to the deepest level with data; NaN where no
-        level above that end has any.
-
-    Examples
-    --------
     >>> depth = np.array([0.0, 100.0, 400.0])
     >>> depth_mean(depth, np.array([[0.4, 0.3, 0.0]]), 200.0).round(9)
     array([0.3])
@@ -78,21 +64,10 @@ def depth_mean(depth: np.ndarray, values: np.ndarray, deepest: float) -> np.ndar
 
 
 def gaps_of(time: np.ndarray) -> np.ndarray:
-    """Return which intervals between steps are gaps.
+    """Return which intervals between increasing steps are gaps.
 
-    Parameters
-    ----------
-    time : ndarray, shape (nt,)
-        Increasing.
+    They are longer than 2.5 times the median of the two before and the two after them.
 
-    Returns
-    -------
-    ndarray of bool, shape (nt - 1,)
-        Whether an interval is longer than 2.5 times the median of the two
-        before and the two after it.
-
-    Examples
-    --------
     >>> gaps_of(np.array([0.0, 6.0, 12.0, 78.0, 84.0])).tolist()
     [False, False, True, False]
     >>> gaps_of(np.array([0.0, 1.0, 2.0, 5.0, 8.0, 11.0])).tolist()
@@ -108,17 +83,7 @@ def gaps_of(time: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Forecast(FlowModel):
-    """A gridded current that carries dead reckoning.
-
-    Attributes
-    ----------
-    column : Currents
-        As `read_currents` reads a column.
-    source : str
-        Name of the file.
-    about : str
-        Which depths it averages.
-    """
+    """A gridded current, read by `read_currents`, that carries dead reckoning."""
 
     column: Currents
     source: str
@@ -142,21 +107,8 @@ class Forecast(FlowModel):
     def along(self, dive: Dive) -> Flow:
         """Return the flow for one dive, averaged over its depths.
 
-        Parameters
-        ----------
-        dive : Dive
-            Times, the fix GPS2, dead reckoning and greatest depth.
-
-        Returns
-        -------
-        callable
-            (s since GPS2, m east, m north of it) -> flow east and north, m/s.
-
-        Raises
-        ------
-        Uncovered
-            If the dive begins outside the area, is not within the steps or
-            reaches into a gap of them.
+        `Uncovered` is raised where the dive begins outside the area, is not within the
+        steps or reaches into a gap of them.
         """
         from scipy.interpolate import RegularGridInterpolator
 
@@ -208,8 +160,8 @@ class Forecast(FlowModel):
     def _reached(self, dive: Dive) -> tuple[slice, slice, slice]:
         """Return the steps, rows and columns that the dive can reach."""
         c = self.column
-        way = (dive.dr_east, dive.dr_north) if dive.track is None else dive.track[1:]
-        reach = float(np.max(np.hypot(*way))) + dive.duration * self.fastest
+        track = (dive.dr_east, dive.dr_north) if dive.track is None else dive.track[1:]
+        reach = float(np.max(np.hypot(*track))) + dive.duration * self.fastest
         high = reach / DEGREE
         wide = high / max(cos(radians(min(abs(dive.lat_gps2) + high, 89.9))), 1e-3)
         lat, lon = dive.lat_gps2, self._unwrapped(dive.lon_gps2)
@@ -221,23 +173,7 @@ class Forecast(FlowModel):
 
 
 def read_forecast(path: str | Path) -> Forecast:
-    """Read a gridded forecast as a flow model.
-
-    Parameters
-    ----------
-    path : str or Path
-        NetCDF of a current on time, latitude, longitude and perhaps depth.
-
-    Returns
-    -------
-    Forecast
-        Which says whether it has only the surface.
-
-    Raises
-    ------
-    DataError
-        As `read_currents`.
-    """
+    """Read a NetCDF of a current on time, latitude, longitude and perhaps depth."""
     column = read_currents(path, column=True)
     about = f"gridded, averaged over a dive's depth, {len(column.depth)} levels"
     if len(column.depth) == 1:

@@ -29,31 +29,13 @@ from .flow_models import Flow, FlowModel, Uncovered
 
 @dataclass(frozen=True)
 class Fitted(FlowModel):
-    """A basis with its parameters, on the plane of its fit.
-
-    Attributes
-    ----------
-    scenario : Scenario
-        Its basis and units.
-    theta : ndarray, shape (2, N)
-        Flow parameters along x1 and x2, units.length per units.time.
-    plane : LocalPlane
-        About the origin of the fit.
-    start : float
-        Its t = 0, s since 1970 UTC.
-    box : tuple of float
-        lat0, lat1, lon0, lon1 that was fitted, degrees.
-    source : str
-        Name of the scenario's file.
-    about : str
-        What it is, in a few words.
-    """
+    """A basis with its parameters, on the plane of its fit."""
 
     scenario: Scenario
-    theta: np.ndarray
-    plane: LocalPlane
-    start: float
-    box: tuple[float, float, float, float]
+    theta: np.ndarray  # shape (2, N), along x1 and x2, the scenario's length per time
+    plane: LocalPlane  # about the origin of the fit
+    start: float  # its t = 0, s since 1970 UTC
+    box: tuple[float, float, float, float]  # lat0, lat1, lon0, lon1 that was fitted, degrees
     source: str = ""
     about: str = "fitted basis"
 
@@ -63,23 +45,7 @@ class Fitted(FlowModel):
         return scenario_basis(self.scenario)
 
     def along(self, dive: Dive) -> Flow:
-        """Return theta phi for one dive.
-
-        Parameters
-        ----------
-        dive : Dive
-            Its fix GPS2 and that fix's time.
-
-        Returns
-        -------
-        callable
-            (s since GPS2, m east, m north of it) -> flow east and north, m/s.
-
-        Raises
-        ------
-        Uncovered
-            If the dive begins outside the fit's area.
-        """
+        """Return theta phi for one dive; `Uncovered` if it begins outside the fit's area."""
         here, units = LocalPlane(dive.lat_gps2, dive.lon_gps2), self.scenario.units
         long, second = METRES[units.length], SECONDS[units.time]
         basis, phi, no_state = self.basis, np.empty(self.scenario.basis.N), np.zeros(0)
@@ -102,23 +68,7 @@ class Fitted(FlowModel):
 
 
 def read_fitted(path: str | Path) -> Fitted:
-    """Read what `clpt fit` wrote as a flow model.
-
-    Parameters
-    ----------
-    path : str or Path
-        Its TOML file; the field lies beside it.
-
-    Returns
-    -------
-    Fitted
-        With the fitted theta, not the learner's.
-
-    Raises
-    ------
-    DataError
-        If the scenario is none of a fit, or does not belong to its field.
-    """
+    """Read the TOML file that `clpt fit` wrote, its field beside it; theta is the fitted one."""
     path = Path(path)
     scenario = load_scenario(path)
     if scenario.field_path is None:
