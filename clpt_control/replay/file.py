@@ -115,7 +115,7 @@ def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
                 f"flow_model_{axis}",
                 [getattr(d, f"model_{axis}") for d in dives],
                 "m",
-                f"way that the flow model carries the vehicle, {axis}",
+                f"displacement of the vehicle by the flow model, {axis}",
             )
     for i, axis in enumerate(("east", "north")):
         sea = {"standard_name": f"{axis}ward_sea_water_velocity"}

@@ -2,7 +2,7 @@
 
     z(T) = last fix + d + forecast of the miss
 
-d is the planned way through the water and T its duration; by default both are
+d is the planned displacement through the water and T its duration; by default both are
 those of the last dive.  The vehicle starts where it surfaced last: its drift at
 the surface is not known yet.
 """
@@ -58,9 +58,9 @@ class NextDive:
         }
 
 
-def check_plan(duration: float, way: tuple[float, float]) -> None:
-    """Refuse a plan that no dive can follow: `duration` in s, way through the water in m."""
-    east, north = way
+def check_plan(duration: float, through_water: tuple[float, float]) -> None:
+    """Refuse a plan that no dive can follow: duration in s, displacement through the water in m."""
+    east, north = through_water
     size = hypot(east, north)
     given = f"next dive of {duration / 3600:g} hours and {east:g} m east, {north:g} m north"
     if not (isfinite(duration) and duration > 0 and isfinite(size)):
@@ -78,7 +78,7 @@ def check_plan(duration: float, way: tuple[float, float]) -> None:
 
 
 def next_dive(
-    replay: Replay, duration: float | None = None, way: tuple[float, float] | None = None
+    replay: Replay, duration: float | None = None, through_water: tuple[float, float] | None = None
 ) -> NextDive:
     """Forecast the surfacing of the next dive.
 
@@ -88,9 +88,9 @@ def next_dive(
         With one dive at least.
     duration : float, optional
         Of the next dive, s; by default that of the last.
-    way : tuple of float, optional
-        Planned through the water, east and north, m; by default that of the
-        last dive.
+    through_water : tuple of float, optional
+        Planned displacement, east and north, m; by default that of the last
+        dive.
 
     Returns
     -------
@@ -111,8 +111,8 @@ def next_dive(
     """
     last = replay.steps[-1].dive
     T = last.duration if duration is None else duration
-    east, north = (last.dr_east, last.dr_north) if way is None else way
-    if duration is not None or way is not None:
+    east, north = (last.dr_east, last.dr_north) if through_water is None else through_water
+    if duration is not None or through_water is not None:
         check_plan(T, (east, north))
     fix = last.lat_gpse, last.lon_gpse
     plan = Dive(
@@ -127,7 +127,7 @@ def next_dive(
         east,
         north,
         depth_max=last.depth_max,
-        track=_like(last, T, east, north) if way is None else None,
+        track=_like(last, T, east, north) if through_water is None else None,
     )
     covers = None
     if replay.flow_model is not None:
@@ -142,5 +142,5 @@ def _like(last: Dive, T: float, east: float, north: float) -> tuple | None:
     """Return the last dive's track, stretched in time to the next one."""
     if last.track is None:
         return None
-    time, *way = last.track
-    return (time * (T / last.duration), *way)
+    time, *through_water = last.track
+    return (time * (T / last.duration), *through_water)
