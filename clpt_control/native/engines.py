@@ -26,7 +26,7 @@ def chosen(
     """Return a diagram ready to run, compiled where that can be.
 
     What cannot be compiled runs in Python, with a warning that calls it by `name`; so does a
-    diagram whose inputs are a function, with a warning where machine code was asked for.
+    diagram whose inputs are a function, unless machine code is asked for: an error.
     """
     asked = engine or os.environ.get(VARIABLE) or "native"
     if asked not in ENGINES:
@@ -35,8 +35,9 @@ def chosen(
     wiring = diagram if isinstance(diagram, Wiring) else wiring_of(diagram)
     by_function = inputs is not None and inputs.samples is None and bool(wiring.ninputs)
     if engine == "native" and by_function:
-        reason = "inputs are a function; give samples, or engine = 'python'"
-        warnings.warn(f"{name} runs in Python, not as machine code: {reason}", stacklevel=4)
+        raise SimulationError(
+            "inputs: machine code takes no function; give samples at timepts, or leave engine out"
+        )
     if asked == "native" and not by_function and wiring.nodes[-1].states.stop:
         from .native_diagram import NativeDiagram
 

@@ -77,7 +77,7 @@ class NativeDiagram(PythonDiagram):
         if inputs is None or not self.wiring.ninputs:
             return make_schedule(self.sweep, self.layout.intervals, t0, t1)
         if inputs.samples is None:
-            raise SimulationError("inputs: machine code takes samples; run a function in Python")
+            raise SimulationError("inputs: machine code takes no function; give samples")
         pieces = make_schedule(self.sweep, self.layout.intervals, t0, t1, inputs.kinks)
         return with_inputs(pieces, t0, inputs.samples, self.ramp)
 

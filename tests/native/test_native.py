@@ -404,7 +404,8 @@ def test_inputs_are_read_as_simulate_reads_them():
 
 def test_machine_code_that_is_asked_for_takes_no_function_as_inputs():
     loop = clpt.closed_loop(clpt.paper_scenario(), external=("zc",))
-    with pytest.warns(UserWarning, match="inputs are a function"):
-        asked = clpt.simulate(loop, [0.0, 1.0], lambda t: [t, 0.0], engine="native")
+    with pytest.raises(SimulationError, match="inputs: machine code takes no function"):
+        clpt.simulate(loop, [0.0, 1.0], lambda t: [t, 0.0], engine="native")
     left = clpt.simulate(loop, [0.0, 1.0], lambda t: [t, 0.0])
-    np.testing.assert_array_equal(asked.states, left.states)
+    given = clpt.simulate(loop, [0.0, 1.0], [[0.0, 1.0], [0.0, 0.0]], engine="native")
+    np.testing.assert_allclose(left.states, given.states, rtol=1e-9, atol=1e-9)
