@@ -1,8 +1,9 @@
-from .drawing import draw
+from .drawing import draw, mermaid
 from .interconnection import Diagram, connect
 
 __all__ = [
     "Diagram",
     "connect",
     "draw",
+    "mermaid",
 ]

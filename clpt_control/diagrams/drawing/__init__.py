@@ -1,6 +1,6 @@
 """Pictures of a diagram: `draw` writes a file, `mermaid` gives text."""
 
 from .arrows import mermaid
-from .ink import draw
+from .figure import draw
 
 __all__ = ["draw", "mermaid"]

@@ -23,7 +23,7 @@ class Arrow(NamedTuple):
 
     @property
     def label(self) -> str:
-        """The port, with its gain unless that is 1."""
+        """Return the port, with its gain unless that is 1."""
         return self.port if self.gain == 1 else f"{self.gain:g} {self.port}"
 
 
@@ -33,17 +33,15 @@ def ports(labels: list[str]) -> list[str]:
 
 
 def arrows(diagram: control.NonlinearIOSystem, wiring: Wiring | None = None) -> list[Arrow]:
-    """List the arrows of a diagram, nested ones included."""
+    """Return one arrow for each source, target, port and gain, nested diagrams included."""
     wiring = wiring_of(diagram) if wiring is None else wiring
     made = [(n.name, label) for n in wiring.nodes for label in n.system.output_labels]
     given = [(port, label) for label in diagram.input_labels for port in ports([label])]
-    found: list[Arrow] = []
-    for node in wiring.nodes:
-        found += _into(node, made, given)
-    return found
+    return [arrow for node in wiring.nodes for arrow in _into(node, made, given)]
 
 
 def _into(node: Node, made: list[tuple[str, str]], given: list[tuple[str, str]]) -> list[Arrow]:
+    """Return the arrows into a node; where a port is not taken whole, its signals are named."""
     taken: dict[tuple[bool, str, str, float], list[str]] = {}
     for wire in sorted(node.wires):
         origins = given if wire.external else made

@@ -5,7 +5,7 @@ block a layer by its longest path; a net that skips layers leaves a passage in
 each; sweeps over the barycentres order every layer so that few nets cross.
 """
 
-import copy
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import control
@@ -16,7 +16,7 @@ from .arrows import arrows, ports
 
 @dataclass
 class Net:
-    """Signals of one block that go the same ways."""
+    """Signals of one block that feed the same blocks."""
 
     source: str  # block name, or ``"in:port"`` for an input of the diagram
     text: str  # the ports carried, such as ``"K, Gamma"``
@@ -25,12 +25,12 @@ class Net:
 
     @property
     def onward(self) -> list[str]:
-        """Targets that are not reached by feedback."""
+        """Return the targets that are not reached by feedback."""
         return [target for target in self.targets if target not in self.back]
 
     @property
     def named_at_source(self) -> bool:
-        """Whether the text stands at the block too, not for one arrow."""
+        """Return whether the text stands at the source too, not only at the arrow's end."""
         return not self.source.startswith("in:") and (len(self.targets) != 1 or bool(self.back))
 
 
@@ -40,12 +40,10 @@ class Layered:
 
     nets: list[Net]  # what is connected
     rank: dict[str, int]  # block or input -> number of its layer
-    layers: list[
-        list[str]
-    ]  # from left to right, from top to bottom, with passages "pass:NET:LAYER"
+    layers: list[list[str]]  # left to right, top to bottom; a passage is "pass:NET:LAYER"
 
     def hop(self, k: int, layer: int) -> tuple[str, list[str]] | None:
-        """Return where net k comes from and goes to between two layers."""
+        """Return where net k comes from and where it goes behind a layer, if it passes there."""
         net = self.nets[k]
         start, last = self.rank[net.source], max((self.rank[t] for t in net.onward), default=-1)
         if not start <= layer < last:
@@ -54,6 +52,13 @@ class Layered:
         if last > layer + 1:
             ends.append(f"pass:{k}:{layer + 1}")
         return (net.source if start == layer else f"pass:{k}:{layer}"), ends
+
+    def hops(self) -> Iterator[tuple[int, int, str, list[str]]]:
+        """Return layer, net, where it comes from and where it goes, of every hop."""
+        for layer in range(len(self.layers)):
+            for k in range(len(self.nets)):
+                if hop := self.hop(k, layer):
+                    yield layer, k, *hop
 
 
 def gather(diagram: control.NonlinearIOSystem, wiring: Wiring) -> list[Net]:
@@ -88,21 +93,18 @@ def arrange(nets: list[Net], wiring: Wiring) -> Layered:
     layered = Layered(nets, rank, [[] for _ in range(max(rank.values()) + 1)])
     for name in names:
         layered.layers[rank[name]].append(name)
-    for k, _ in enumerate(nets):
-        for layer in range(len(layered.layers)):
-            hop = layered.hop(k, layer)
-            if hop and hop[1][-1].startswith("pass:"):
-                layered.layers[layer + 1].append(hop[1][-1])
-    _order(layered)
+    for layer, _, _, ends in layered.hops():
+        layered.layers[layer + 1] += [end for end in ends if end.startswith("pass:")]
+    _order_layers(layered)
     return layered
 
 
 def _mark_feedback(nets: list[Net], wiring: Wiring, names: list[str]) -> dict[str, set[str]]:
-    """Mark arrows that close a circle; those out of states are asked last."""
+    """Mark arrows that close a circle, those out of states last; return what follows what."""
     after: dict[str, set[str]] = {name: set() for name in names}
     with_states = {node.name for node in wiring.nodes if node.system.nstates}
-    found = _found(nets, names)
-    for net in sorted(nets, key=lambda net: (net.source in with_states, found.index(net.source))):
+    met = _depth_first(nets, names)
+    for net in sorted(nets, key=lambda net: (net.source in with_states, met.index(net.source))):
         for target in net.targets:
             if _reaches(after, target, net.source):
                 net.back.add(target)
@@ -111,8 +113,8 @@ def _mark_feedback(nets: list[Net], wiring: Wiring, names: list[str]) -> dict[st
     return after
 
 
-def _found(nets: list[Net], names: list[str]) -> list[str]:
-    """Walk depth first from where signals come in, and list what is met."""
+def _depth_first(nets: list[Net], names: list[str]) -> list[str]:
+    """Return the names in the order of a walk from where signals come in."""
     fed = {target for net in nets for target in net.targets}
     found: dict[str, None] = {}
     waiting = sorted(names, key=lambda name: name in fed)[::-1]
@@ -138,6 +140,7 @@ def _reaches(after: dict[str, set[str]], start: str, end: str) -> bool:
 
 
 def _ranks(nets: list[Net], names: list[str], after: dict[str, set[str]]) -> dict[str, int]:
+    """Return longest paths; a name with more nets out than in moves to what it feeds."""
     rank = dict.fromkeys(names, 0)
     for _ in names:
         for name in names:
@@ -147,20 +150,14 @@ def _ranks(nets: list[Net], names: list[str], after: dict[str, set[str]]) -> dic
         right = min((rank[target] for target in after[name]), default=0) - 1
         comes = sum(name in net.onward for net in nets)
         goes = sum(bool(net.onward) for net in nets if net.source == name)
-        if name.startswith("in:") or right <= rank[name] or goes < comes:
-            continue
-        crowd = list(rank.values())
-        free = range(right, rank[name], -1)
-        best = min(free, key=crowd.count)
-        if goes > comes:
+        if right > rank[name] and goes > comes and not name.startswith("in:"):
             rank[name] = right
-        elif crowd.count(best) + 1 < crowd.count(rank[name]):
-            rank[name] = best
     return rank
 
 
-def _order(layered: Layered) -> None:
-    layers, best = layered.layers, copy.deepcopy(layered.layers)
+def _order_layers(layered: Layered) -> None:
+    """Sweep over the layers to and fro, and keep the order with the fewest crossings."""
+    layers, best = layered.layers, [list(names) for names in layered.layers]
     fewest = _crossings(layered)
     for sweep in range(24):
         down = sweep % 2 == 0
@@ -174,7 +171,7 @@ def _order(layered: Layered) -> None:
             mean = {n: sum(at) / len(at) if at else place[n] for n, at in near.items()}
             layers[layer].sort(key=mean.__getitem__)
         if (crossings := _crossings(layered)) < fewest:
-            fewest, best = crossings, copy.deepcopy(layers)
+            fewest, best = crossings, [list(names) for names in layers]
     layered.layers = best
 
 

@@ -3,18 +3,20 @@
 Boxes of a layer share a column.  Between columns lies a channel: at its sides
 the texts of the ports, in its middle one vertical track for each net that
 turns there.  Feedback runs in lanes above and below all boxes.  So no arrow
-runs through a box or a text.
+runs through a box or a text.  `strokes` leaves no piece of a net to be drawn twice.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 
-from .layers import Layered
-from .places import GRID, Box, place
-from .strokes import Point, branchings
+from .heights import GRID, Box, place
+from .layers import Layered, Net
 from .tracks import Turn, channels_of, lanes_of, overlap, sort_tracks
 
-TRACK, ARROW = 7.0, 9.0
+TRACK, ARROW = 7.0, 9.0  # points between tracks, and of an arrow's head
+Point = tuple[float, float]
+Paths = dict[tuple[int, str], list[Point]]  # net and target, or "" without one -> corners
 
 
 @dataclass
@@ -22,10 +24,10 @@ class Routed:
     """A finished layout."""
 
     boxes: dict[str, Box]  # with passages among them
-    paths: dict[tuple[int, str], list[Point]]  # net and target, or "" -> corners of the arrow
+    paths: Paths
     dots: list[Point]  # where a net branches
-    width: float  # size of the picture
-    height: float  # size of the picture
+    width: float
+    height: float
 
 
 def route(
@@ -52,7 +54,7 @@ def _columns(
     channels: dict[int, list[Turn]],
     text_width: Callable[[str], float],
 ) -> None:
-    """Return boxes their x and nets their tracks, from left to right."""
+    """Set x of the boxes and of the tracks, from left to right."""
     x = 0.0
     for c, turns in channels.items():
         if c >= 0:
@@ -85,8 +87,8 @@ def _paths(
     boxes: dict[str, Box],
     channels: dict[int, list[Turn]],
     text_width: Callable[[str], float],
-) -> dict[tuple[int, str], list[Point]]:
-    paths: dict[tuple[int, str], list[Point]] = {}
+) -> Paths:
+    paths: Paths = {}
     for k, net in enumerate(layered.nets):
         source, rank = boxes[net.source], layered.rank[net.source]
         start = (source.x + source.width, source.port(k, True))
@@ -114,12 +116,55 @@ def _paths(
     return paths
 
 
-def _extent(
-    boxes: dict[str, Box], paths: dict[tuple[int, str], list[Point]]
-) -> tuple[float, float, float, float]:
+def _extent(boxes: dict[str, Box], paths: Paths) -> tuple[float, float, float, float]:
     drawn = [box for name, box in boxes.items() if not name.startswith("pass:")]
     corners = [point for path in paths.values() for point in path]
     corners += [(box.x, box.y - box.height / 2) for box in drawn]
     corners += [(box.x + box.width, box.y + box.height / 2) for box in drawn]
     xs, ys = zip(*corners, strict=True)
     return min(xs), min(ys), max(xs), max(ys)
+
+
+def branchings(paths: Paths) -> list[Point]:
+    """Return the points where three or more pieces of one net meet."""
+    dots: dict[Point, None] = {}
+    for net in dict.fromkeys(k for k, _ in paths):
+        pieces = [(a, b) for (k, _), path in paths.items() if k == net for a, b in pairwise(path)]
+        for point in dict.fromkeys(p for piece in pieces for p in piece):
+            leaving = {direction for piece in pieces for direction in _directions(point, *piece)}
+            if len(leaving) > 2:
+                dots[point] = None
+    return list(dots)
+
+
+def strokes(paths: Paths, nets: list[Net]) -> Paths:
+    """Shorten paths to what earlier paths of the net leave out, feedback last."""
+    inked: dict[tuple[int, Point, tuple[int, int]], float] = {}
+    drawn = {}
+    for (k, target), path in sorted(
+        paths.items(), key=lambda item: item[0][1] in nets[item[0][0]].back
+    ):
+        rest = list(path)
+        while len(rest) > 2:
+            (a, b), way = rest[:2], _directions(rest[0], *rest[:2])[0]
+            length = abs(b[0] - a[0]) + abs(b[1] - a[1])
+            done = min(inked.get((k, a, way), 0.0), length)
+            rest[0] = (a[0] + way[0] * done, a[1] + way[1] * done)
+            if done < length:
+                break
+            rest.pop(0)
+        drawn[k, target] = rest
+        for a, b in pairwise(path):
+            key = (k, a, _directions(a, a, b)[0])
+            inked[key] = max(inked.get(key, 0.0), abs(b[0] - a[0]) + abs(b[1] - a[1]))
+    return drawn
+
+
+def _directions(point: Point, a: Point, b: Point) -> list[tuple[int, int]]:
+    """Return the directions in which a straight piece leaves a point on it."""
+    x, y = point
+    inside = min(a[0], b[0]) <= x <= max(a[0], b[0]) and min(a[1], b[1]) <= y <= max(a[1], b[1])
+    if not inside:
+        return []
+    signs = [((end[0] > x) - (end[0] < x), (end[1] > y) - (end[1] < y)) for end in (a, b)]
+    return [sign for sign in signs if sign != (0, 0)]

@@ -6,30 +6,30 @@ net that turns there; feedback runs in lanes above and below all boxes.
 
 from dataclasses import dataclass
 
+from .heights import Box
 from .layers import Layered
-from .places import Box
 
-LANE, APART = 10.0, 7.0
+LANE, APART = 10.0, 7.0  # points between lanes, and between turns of one track
 
 
 @dataclass
 class Turn:
     """What one net does in one channel."""
 
-    net: int  # the net
-    lefts: list[float]  # the heights at which it meets them
-    rights: list[float]  # the heights at which it meets them
+    net: int
+    lefts: list[float]  # heights at which it comes in
+    rights: list[float]  # heights at which it goes out
     lane: float | None = None  # height of the feedback lane it comes from or goes to
     x: float = 0.0  # its track
 
     @property
     def ends(self) -> list[float]:
-        """All heights it joins."""
+        """Return all heights that it joins."""
         return self.lefts + self.rights + ([] if self.lane is None else [self.lane])
 
 
 def lanes_of(layered: Layered, boxes: dict[str, Box], above: dict[int, bool]) -> dict[int, float]:
-    """Return each feedback net a lane; short ones run inside."""
+    """Return the height of each feedback net's lane; short ones run inside."""
     top = min(box.y - box.height / 2 for box in boxes.values()) - LANE
     bottom = max(box.y + box.height / 2 for box in boxes.values()) + LANE
     spans = {}
@@ -39,16 +39,13 @@ def lanes_of(layered: Layered, boxes: dict[str, Box], above: dict[int, bool]) ->
     lanes: dict[int, float] = {}
     for side in (True, False):
         taken: list[list[tuple[int, int]]] = []
-        for k in sorted(
-            (k for k in above if above[k] == side), key=lambda k: spans[k][1] - spans[k][0]
-        ):
+        nets = [k for k in above if above[k] == side]
+        for k in sorted(nets, key=lambda k: spans[k][1] - spans[k][0]):
             start, end = spans[k]
+            taken.append([])
             row = next(
-                (r for r, used in enumerate(taken) if all(end < a or b < start for a, b in used)),
-                len(taken),
+                r for r, used in enumerate(taken) if all(end < a or b < start for a, b in used)
             )
-            if row == len(taken):
-                taken.append([])
             taken[row].append(spans[k])
             lanes[k] = top - row * LANE if side else bottom + row * LANE
     return lanes
@@ -57,7 +54,7 @@ def lanes_of(layered: Layered, boxes: dict[str, Box], above: dict[int, bool]) ->
 def channels_of(
     layered: Layered, boxes: dict[str, Box], lanes: dict[int, float]
 ) -> dict[int, list[Turn]]:
-    """Say what each net does in each channel."""
+    """Return what each net does in each channel; channel c lies behind layer c."""
     channels: dict[int, list[Turn]] = {c: [] for c in range(-1, len(layered.layers))}
     for k, net in enumerate(layered.nets):
         out = boxes[net.source].port(k, True)

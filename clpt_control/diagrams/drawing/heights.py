@@ -6,30 +6,26 @@ either straight or visibly bent.
 """
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from statistics import mean, median
 
 from .layers import Layered
 
-GRID, PITCH, GAP = 7.0, 14.0, 14.0
+GRID, PITCH, GAP = 7.0, 14.0, 14.0  # points; of heights, of ports, between boxes
+Links = dict[str, list[tuple[str, int, bool]]]  # box -> (other box, net, whether it goes out)
 
 
 @dataclass
 class Box:
     """A block, an input of the diagram, or a passage for a net."""
 
-    width: float  # its size; a passage has none
-    height: float  # its size; a passage has none
-    x: float = 0.0  # left edge and centre
-    y: float = 0.0  # left edge and centre
-    ins: list[int] = field(
-        default_factory=list
-    )  # nets at its left and right side, from top to bottom
-    outs: list[int] = field(
-        default_factory=list
-    )  # nets at its left and right side, from top to bottom
+    width: float  # a passage has no size
+    height: float
+    x: float = 0.0  # left edge
+    y: float = 0.0  # centre
+    ins: list[int] = field(default_factory=list)  # nets at its left side, from top to bottom
+    outs: list[int] = field(default_factory=list)  # nets at its right side
 
     def port(self, net: int, out: bool) -> float:
         """Return the height at which a net meets the box."""
@@ -42,21 +38,23 @@ class Box:
 def place(
     layered: Layered, sizes: dict[str, tuple[float, float]]
 ) -> tuple[dict[str, Box], dict[int, bool]]:
-    """Return boxes their heights and their ports an order."""
+    """Return boxes at their heights, ports in order, and which feedback returns above them."""
     boxes = _boxes(layered, sizes)
+    links = _links(layered, boxes)
     above: dict[int, bool] = {}
     for _ in range(3):
-        _settle_layers(layered, boxes)
-        above = _sides(layered, boxes)
+        _settle_layers(layered, boxes, links)
+        above = _returns_above(layered, boxes)
         _sort_ports(layered, boxes, above)
-    _settle_layers(layered, boxes)
+    _settle_layers(layered, boxes, links)
     for _ in range(3):
         _straighten(layered, boxes)
-        _align(layered, boxes)
+        _align(layered, boxes, links)
     return boxes, above
 
 
 def _boxes(layered: Layered, sizes: dict[str, tuple[float, float]]) -> dict[str, Box]:
+    """Return boxes with all their ports, of the size of their text or more."""
     boxes = {name: Box(*sizes.get(name, (0.0, 0.0))) for layer in layered.layers for name in layer}
     for k, net in enumerate(layered.nets):
         boxes[net.source].outs.append(k)
@@ -69,34 +67,29 @@ def _boxes(layered: Layered, sizes: dict[str, tuple[float, float]]) -> dict[str,
     return boxes
 
 
-def _settle_layers(layered: Layered, boxes: dict[str, Box]) -> None:
-    """Move each layer towards its neighbours, as far as its order allows."""
-    wishes: dict[str, list[tuple[str, int, str]]] = {name: [] for name in boxes}
-    for layer in range(len(layered.layers)):
-        for k in range(len(layered.nets)):
-            start, ends = layered.hop(k, layer) or ("", [])
-            for end in ends:
-                wishes[start].append((end, k, "right"))
-                wishes[end].append((start, k, "left"))
-    last = len(layered.layers) - 1
-    steps = [*range(last + 1), *range(last, -1, -1)] * 6
-    for step, layer in enumerate(steps):
-        names = layered.layers[layer]
-        back = (step // (last + 1)) % 2 == 1
+def _links(layered: Layered, boxes: dict[str, Box]) -> Links:
+    links: Links = {name: [] for name in boxes}
+    for _, k, start, ends in layered.hops():
+        for end in ends:
+            links[start].append((end, k, True))
+            links[end].append((start, k, False))
+    return links
+
+
+def _settle_layers(layered: Layered, boxes: dict[str, Box], links: Links) -> None:
+    """Move each box to the median of what it is linked with, as far as its layer allows."""
+    for names in [*layered.layers, *layered.layers[::-1]] * 6:
         wanted = []
         for name in names:
             box = boxes[name]
-            pulls = [
-                boxes[other].port(k, side == "left") - box.port(k, side == "right") + box.y
-                for other, k, side in wishes[name]
-                if step > 2 * last + 1 or side == ("right" if back else "left")
-            ]
-            wanted.append(median(pulls) if pulls else box.y)
+            pulls = [boxes[to].port(k, not out) - box.port(k, out) for to, k, out in links[name]]
+            wanted.append(box.y + (median(pulls) if pulls else 0.0))
         for name, y in zip(names, settle(wanted, _spacing(boxes, names)), strict=True):
             boxes[name].y = y
 
 
 def _spacing(boxes: dict[str, Box], names: list[str]) -> list[float]:
+    """Return the least distances between the centres of neighbours."""
     spaces = []
     for a, b in pairwise(names):
         room = (boxes[a].height + boxes[b].height) / 2 + GAP
@@ -104,8 +97,8 @@ def _spacing(boxes: dict[str, Box], names: list[str]) -> list[float]:
     return spaces
 
 
-def settle(wanted: Sequence[float], spaces: Sequence[float]) -> list[float]:
-    """Return places on the grid near those wanted, in order and apart."""
+def settle(wanted: list[float], spaces: list[float]) -> list[float]:
+    """Return heights on the grid near those wanted, in order and at least `spaces` apart."""
     offsets = [sum(spaces[:k]) for k in range(len(wanted))]
     pools: list[list[float]] = []
     for want, offset in zip(wanted, offsets, strict=True):
@@ -117,7 +110,7 @@ def settle(wanted: Sequence[float], spaces: Sequence[float]) -> list[float]:
 
 
 def _straighten(layered: Layered, boxes: dict[str, Box]) -> None:
-    """Return the passages of a net one height where their neighbours leave room."""
+    """Bring the passages of a net to one height where their neighbours leave room."""
     for k, net in enumerate(layered.nets):
         chain = [
             (layer, f"pass:{k}:{layer}")
@@ -150,15 +143,8 @@ def _room(boxes: dict[str, Box], names: list[str], name: str) -> tuple[float, fl
     return low, math.inf if last else boxes[names[here + 1]].y - spaces[here]
 
 
-def _align(layered: Layered, boxes: dict[str, Box]) -> None:
+def _align(layered: Layered, boxes: dict[str, Box], links: Links) -> None:
     """Shift each box to where most of its arrows are straight."""
-    links: dict[str, list[tuple[str, int, bool]]] = {name: [] for name in boxes}
-    for layer in range(len(layered.layers)):
-        for k in range(len(layered.nets)):
-            start, ends = layered.hop(k, layer) or ("", [])
-            for end in ends:
-                links[start].append((end, k, True))
-                links[end].append((start, k, False))
     for names in layered.layers:
         for name in names:
             low, high = _room(boxes, names, name)
@@ -174,8 +160,8 @@ def _align(layered: Layered, boxes: dict[str, Box]) -> None:
             box.y += min(fits, key=lambda step: (-fits.count(step), abs(step)), default=0.0)
 
 
-def _sides(layered: Layered, boxes: dict[str, Box]) -> dict[int, bool]:
-    """Tell for each net with feedback whether its lane is above the boxes."""
+def _returns_above(layered: Layered, boxes: dict[str, Box]) -> dict[int, bool]:
+    """Return for each net with feedback whether its lane is above the boxes."""
     middle = mean([box.y for name, box in boxes.items() if not name.startswith("pass:")])
     return {
         k: mean([boxes[name].y for name in (net.source, *net.back)]) < middle
@@ -185,14 +171,13 @@ def _sides(layered: Layered, boxes: dict[str, Box]) -> dict[int, bool]:
 
 
 def _sort_ports(layered: Layered, boxes: dict[str, Box], above: dict[int, bool]) -> None:
+    """Sort ports by where their nets come from and go; feedback to its lane's side."""
     came: dict[tuple[str, int], float] = {}
     went: dict[int, float] = {}
-    for layer in range(len(layered.layers)):
-        for k in range(len(layered.nets)):
-            start, ends = layered.hop(k, layer) or ("", [])
-            came |= {(end, k): boxes[start].port(k, True) for end in ends}
-            if start == layered.nets[k].source:
-                went[k] = mean([boxes[end].port(k, False) for end in ends])
+    for _, k, start, ends in layered.hops():
+        came |= {(end, k): boxes[start].port(k, True) for end in ends}
+        if start == layered.nets[k].source:
+            went[k] = mean([boxes[end].port(k, False) for end in ends])
     for name, box in boxes.items():
         far = {k: -math.inf if above.get(k) else math.inf for k in (*box.ins, *box.outs)}
         box.ins.sort(key=lambda k: (came.get((name, k), far[k]), k))

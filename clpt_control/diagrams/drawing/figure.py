@@ -14,14 +14,11 @@ import control
 from ...blocks import Block
 from ...errors import DiagramError
 from ...files import beside, check_name
-from ..wiring import Node, wiring_of
+from ..wiring import Node
 from .arrows import mermaid
-from .captions import lines_of, note, width
-from .layers import arrange, gather
-from .routing import Routed, route
-from .strokes import strokes
+from .layout import NAME, NOTE, PORT, layout, lines_of, note, width
+from .routing import Routed, strokes
 
-NAME, NOTE, PORT = 8.0, 6.5, 7.0
 MARGIN, KEY = 6.0, 18.0
 SUFFIXES = (".svg", ".png", ".pdf", ".mmd", ".md")
 STYLE: dict[Any, Any] = {
@@ -34,21 +31,6 @@ STYLE: dict[Any, Any] = {
     "text.usetex": False,
     "text.parse_math": False,
 }
-
-
-def layout(diagram: control.NonlinearIOSystem) -> tuple[Routed, list[Any], dict[str, Node]]:
-    """Lay out a diagram without drawing it."""
-    wiring = wiring_of(diagram)
-    nets = gather(diagram, wiring)
-    layered = arrange(nets, wiring)
-    sizes = {name: (width(name[3:], PORT) + 4, PORT) for name in layered.rank if name[:3] == "in:"}
-    for node in wiring.nodes:
-        widths = [width(line, NAME, "bold") for line in lines_of(node.name)]
-        widths.append(width(note(node.system), NOTE))
-        rows = len(lines_of(node.name)) + bool(note(node.system))
-        sizes[node.name] = (max(widths) + 11, rows * 10 + 10)
-    routed = route(layered, sizes, lambda text: width(text, PORT))
-    return routed, nets, {node.name: node for node in wiring.nodes}
 
 
 def draw(diagram: control.NonlinearIOSystem, path: str | os.PathLike[str]) -> None:
@@ -118,15 +100,8 @@ def _figure(diagram: control.NonlinearIOSystem) -> Any:
         _draw_arrows(axes, routed, nets)
         for name, box in routed.boxes.items():
             if name.startswith("in:"):
-                axes.text(
-                    box.x + box.width - 4,
-                    box.y,
-                    name[3:],
-                    size=PORT,
-                    ha="right",
-                    va="center_baseline",
-                    style="italic",
-                )
+                place: Any = {"ha": "right", "va": "center_baseline", "style": "italic"}
+                axes.text(box.x + box.width - 4, box.y, name[3:], size=PORT, **place)
             elif name in nodes:
                 _draw_block(axes, box, name, nodes[name].system)
         if key:
@@ -162,18 +137,11 @@ def _draw_arrows(axes: Any, routed: Routed, nets: list[Any]) -> None:
         axes.add_line(line)
         head = [(x1, y1), (x1 - 6, y1 - 2.2), (x1 - 6, y1 + 2.2)]
         axes.add_patch(Polygon(head, closed=True, fc="black", ec="none", zorder=3))
+        style = {"size": PORT, "va": "baseline", "style": "italic"}
         if target:
-            axes.text(
-                x1 - 8,
-                y1 - 2,
-                net.targets[target],
-                size=PORT,
-                ha="right",
-                va="baseline",
-                style="italic",
-            )
+            axes.text(x1 - 8, y1 - 2, net.targets[target], ha="right", **style)
         if net.named_at_source and target == next(iter(net.targets), ""):
-            axes.text(x0 + 3, y0 - 2, net.text, size=PORT, va="baseline", style="italic")
+            axes.text(x0 + 3, y0 - 2, net.text, **style)
     for x, y in routed.dots:
         axes.add_patch(Circle((x, y), 1.7, fc="black", ec="none", zorder=3))
 
@@ -198,13 +166,5 @@ def _draw_block(axes: Any, box: Any, name: str, system: control.NonlinearIOSyste
         rows.append((text, NOTE, "normal"))
     for k, (line, size, weight) in enumerate(rows):
         y = box.y + (k - (len(rows) - 1) / 2) * 10 + size * 0.36
-        axes.text(
-            box.x + box.width / 2,
-            y,
-            line,
-            size=size,
-            weight=weight,
-            ha="center",
-            va="baseline",
-            zorder=5,
-        )
+        place = {"ha": "center", "va": "baseline", "zorder": 5}
+        axes.text(box.x + box.width / 2, y, line, size=size, weight=weight, **place)
