@@ -20,7 +20,7 @@ from ..native.schedule import Schedule, make_schedule
 from ..native.sweep import Sweep
 from ..scenario.experiment import Scenario, scenario_tables
 from ..scenario.keys import CALL_TIME_NAMES, JUMPS, STARTS
-from ..simulation.loops import initial_state, paper_blocks, started
+from ..simulation.loops import paper_blocks, state_columns, state_of
 
 
 @dataclass
@@ -45,12 +45,13 @@ class Ensemble:
         for key, shape in self.keys.items():
             _check(scenario, key, tuple(shape))
         self.blocks = paper_blocks(scenario)
+        self.columns = state_columns(self.blocks)
         self.native = NativeDiagram(wiring_of_blocks(self.blocks))
         self.lanes = self.native.lanes(LANES) if lanes else 1
         copied = {key: self._places(key) for key in self.keys}
         self.copied = {key: places for key, places in copied.items() if places is not None}
         self.computed = [key for key, places in copied.items() if places is None]
-        self.base = self.native.parameters(), initial_state(scenario)
+        self.base = self.native.parameters(), state_of(scenario, self.blocks)
 
     def _places(self, key: str) -> tuple[list[int], list[int]] | None:
         """Return where in P and in the initial state a value begins; None if it is computed."""
@@ -65,10 +66,8 @@ class Ensemble:
                 raise ScenarioError(f"{key}: has too many numbers to vary")
             if place is not None and place.offset not in in_P:
                 in_P.append(place.offset)
-        starts, in_x = started(self.scenario), []
-        if key in starts:
-            before = list(starts)[: list(starts).index(key)]
-            in_x.append(sum(starts[other].size for other in before))
+        column = self.columns.get(STARTS.get(key, ""))
+        in_x = [] if column is None else [column.start]
         return (in_P, in_x) if in_P or in_x else None
 
     def members(self, values: Mapping[str, np.ndarray], duration: float) -> Members:
@@ -82,9 +81,10 @@ class Ensemble:
             for m in range(count):
                 own = {key: values[key][m] for key in self.computed}
                 made = self.scenario.with_values(own)
-                parameters = [block.parameters for block in paper_blocks(made)]
+                blocks = paper_blocks(made)
+                parameters = [block.parameters for block in blocks]
                 packed = self.native.layout.packed(parameters)
-                P[m, : len(packed)], x0[m] = packed, initial_state(made)
+                P[m, : len(packed)], x0[m] = packed, state_of(made, blocks)
                 one = self._schedule(parameters, duration)
                 name = (one.edges.tobytes(), one.values.tobytes())
                 if name not in known:
@@ -127,13 +127,14 @@ class Ensemble:
             batch.adaptive(rtol, atol)
         else:
             batch.fixed(step)
-        return States(batch.out, batch.status, batch.reached, batch.counts)
+        return States(self.columns, batch.out, batch.status, batch.reached, batch.counts)
 
 
 @dataclass(frozen=True)
 class States:
     """States of m runs, and how each ended."""
 
+    columns: dict[str, slice]  # where each state lies
     states: np.ndarray  # (m, ntimes, nstates), NaN after the last sample reached
     status: np.ndarray  # (m,), as `Status` numbers it
     reached: np.ndarray  # (m,), samples reached

@@ -6,8 +6,7 @@
     gain_error              max |gain - true gain| at the marks
     status, end             how the run ended and the last time it reached
 
-All members of a chunk at once, from their states, which stand in the order
-x, z, alpha, K, Gamma.
+All members of a chunk at once, from their states.
 """
 
 from collections.abc import Mapping, Sequence
@@ -36,6 +35,13 @@ AXES = {  # names of the dimensions of arrays; all others have one number per ax
     "learning.parameters": ("axis", "basis"),
     "learning.theta_estimate": ("axis", "basis"),
     "reference.points": ("waypoint", "axis"),
+}
+TRAJECTORIES = {  # name -> the state
+    "position": "x",
+    "predicted_position": "z",
+    "alpha": "alpha",
+    "feedback_gain": "K",
+    "feedforward_gain": "Gamma",
 }
 STATUS = ("not_run", "finished", "step_too_small", "not_finite", "left_the_field", "too_many_steps")
 
@@ -160,9 +166,9 @@ def summarise_members(
 def _summaries(scenario, times, values, run, trajectories) -> dict[str, np.ndarray]:
     y, N = run.states, scenario.basis.N
     learned = scenario.learning.law == "learned-flow"
-    alpha_end = 4 + 2 * N if learned else 4
     m = len(y)
     base = variable_values(scenario)
+    at = {port: y[..., column] for port, column in run.columns.items()}
 
     def value(key: str) -> np.ndarray:
         return np.asarray(values.get(key, base[key]))
@@ -170,7 +176,7 @@ def _summaries(scenario, times, values, run, trajectories) -> dict[str, np.ndarr
     fine = slice(None) if len(times.fine) == len(times.all) else times.fine
     squares = np.zeros((m, len(times.fine)))
     for i in range(2):
-        squares += np.square(y[:, fine, i] - y[:, fine, 2 + i])
+        squares += np.square(at["x"][:, fine, i] - at["z"][:, fine, i])
     spans = zip(times.starts[:-1], times.starts[1:], strict=True)
     means = [np.mean(squares[:, first:last], axis=1) for first, last in spans]
     kept = {
@@ -178,29 +184,23 @@ def _summaries(scenario, times, values, run, trajectories) -> dict[str, np.ndarr
         "clpe_rms_whole": np.sqrt(np.mean(squares, axis=1)),
     }
     if scenario.flow.parameters is not None:
-        estimate = -y[:, times.marks, 4:alpha_end]
-        if not learned:
+        if learned:
+            estimate = -at["alpha"][:, times.marks]
+        else:
             estimate = value("learning.theta_estimate").reshape(-1, 1, 2 * N)
         error = np.abs(estimate - value("flow.parameters").reshape(-1, 1, 2 * N)).max(axis=2)
         alive = np.isfinite(y[:, times.marks, 0])
         kept["flow_parameter_error"] = np.where(alive, error, np.nan)
-    gains = y[:, times.marks, alpha_end:]
-    true = np.concatenate(
-        [
-            np.broadcast_to(value(f"vehicle.{name}").reshape(-1, 1, 2), (m, 1, 2))
-            for name in ("feedback", "feedforward")
-        ],
-        axis=2,
-    )
-    kept["gain_error"] = np.abs(gains - true).max(axis=2)
+    errors = [
+        np.abs(at[port][:, times.marks] - value(f"vehicle.{key}").reshape(-1, 1, 2)).max(axis=2)
+        for port, key in (("K", "feedback"), ("Gamma", "feedforward"))
+    ]
+    kept["gain_error"] = np.maximum(*errors)
     kept["status"] = run.status.astype("int8")
     kept["end"] = times.all[np.clip(run.reached - 1, 0, None)]
     if trajectories:
-        own = y[:, times.own]
-        n = own.shape[1]
-        kept["position"], kept["predicted_position"] = own[..., :2], own[..., 2:4]
+        for name in kept_variables(scenario, times, m, True).keys() & TRAJECTORIES.keys():
+            kept[name] = at[TRAJECTORIES[name]][:, times.own]
         if learned:
-            kept["alpha"] = own[..., 4:alpha_end].reshape(m, n, 2, N)
-        kept["feedback_gain"] = own[..., alpha_end : alpha_end + 2]
-        kept["feedforward_gain"] = own[..., alpha_end + 2 :]
+            kept["alpha"] = kept["alpha"].reshape(m, -1, 2, N)
     return {name: np.ascontiguousarray(array) for name, array in kept.items()}

@@ -18,10 +18,9 @@ from ..native.ending import Solution
 from ..native.engines import chosen
 from ..native.inputs import checked_state, checked_times, read_inputs
 from ..scenario.experiment import Scenario
-from ..scenario.keys import CALL_TIME_NAMES
+from ..scenario.keys import CALL_TIME_NAMES, STARTS
 from .dataset import run_dataset
-from .loops import initial_state as scenario_state
-from .loops import paper_blocks, started
+from .loops import paper_blocks, starting_values, state_columns, state_of
 
 if TYPE_CHECKING:
     import xarray
@@ -156,9 +155,9 @@ class ScenarioRun:
         tolerances = {"run.rtol": rtol, "run.atol": atol}
         given = {key: value for key, value in tolerances.items() if value is not None}
         self.scenario: Scenario = scenario.with_values(given) if given else scenario
-        self.wiring = wiring_of_blocks(paper_blocks(self.scenario))
+        blocks = paper_blocks(self.scenario)
+        self.wiring, self.start = wiring_of_blocks(blocks), state_of(self.scenario, blocks)
         self.runner = chosen(self.wiring, self.left, None, engine, "the closed loop")
-        self.start = scenario_state(self.scenario)
 
     def integrate(
         self, state: np.ndarray, times: np.ndarray, progress: Progress | None = None
@@ -242,12 +241,16 @@ def _into_keys(
         raise BlockError(f"params = {params!r}: must be a dict, such as {{'adaptation.gain': 2.0}}")
     left = dict(params or {})
     if x0 is not None:
-        starts = started(scenario)
-        state = checked_state("initial_state", x0, (sum(start.size for start in starts.values()),))
-        ends = np.cumsum([start.size for start in starts.values()])
-        parts = zip(starts.items(), np.split(state, ends[:-1]), strict=True)
+        columns, starts = state_columns(paper_blocks(scenario)), starting_values(scenario)
+        state = checked_state("initial_state", x0, (max(c.stop for c in columns.values()),))
+        for port in columns.keys() - {STARTS[key] for key in starts}:
+            if np.any(state[columns[port]]):
+                raise SimulationError(
+                    f"initial_state: no key of a scenario holds {port}, which starts at 0; "
+                    "simulate closed_loop(scenario) to start it elsewhere"
+                )
         scenario = scenario.with_values(
-            {key: part.reshape(start.shape) for (key, start), part in parts}
+            {key: state[columns[STARTS[key]]].reshape(v.shape) for key, v in starts.items()}
         )
     alone = {names[0]: key for key, names in CALL_TIME_NAMES.items() if len(names) == 1}
     for name in [name for name in left if name in alone]:

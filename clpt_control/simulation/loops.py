@@ -133,8 +133,12 @@ def closed_loop(scenario: Scenario, external: Iterable[str] = ()) -> Diagram:
     >>> loop.input_labels
     ['zc[0]', 'zc[1]']
     """
-    blocks = paper_blocks(scenario)
     external = [external] if isinstance(external, str) else list(external)
+    return connect(_kept(paper_blocks(scenario), external), external, name="closed_loop")
+
+
+def _kept(blocks: list[Block], external: list[str]) -> list[Block]:
+    """Return the blocks that are left where some ports come from outside."""
     ports = {port for block in blocks for port in block.output_ports}
     for port in external:
         if port not in ports:
@@ -148,7 +152,7 @@ def closed_loop(scenario: Scenario, external: Iterable[str] = ()) -> Diagram:
         if not idle or len(kept) == len(blocks):
             break
         kept = [block for block in kept if block not in idle]
-    return connect(kept, external, name="closed_loop")
+    return kept
 
 
 def error_loop(scenario: Scenario) -> Diagram:
@@ -183,8 +187,8 @@ def error_loop(scenario: Scenario) -> Diagram:
     )
 
 
-def started(scenario: Scenario) -> dict[str, np.ndarray]:
-    """Return the states at t = 0 by scenario key, in the order of the diagram."""
+def starting_values(scenario: Scenario) -> dict[str, np.ndarray]:
+    """Return what the scenario's keys say of states at t = 0, by key."""
     learning = scenario.learning
     values = {
         "vehicle.position": scenario.vehicle.position,
@@ -196,6 +200,23 @@ def started(scenario: Scenario) -> dict[str, np.ndarray]:
     if learning.law == "known-flow":  # alpha is no state
         del values["learning.parameters"]
     return {key: np.asarray(value, dtype=float) for key, value in values.items()}
+
+
+def state_columns(blocks: Iterable[Block]) -> dict[str, slice]:
+    """Return where each state lies in the state of a diagram of blocks."""
+    sizes = [item for block in blocks for item in block.state_ports.items()]
+    ends = np.cumsum([size for _, size in sizes], dtype=int).tolist()
+    return {port: slice(end - size, end) for (port, size), end in zip(sizes, ends, strict=True)}
+
+
+def state_of(scenario: Scenario, blocks: Iterable[Block]) -> np.ndarray:
+    """Return the state of blocks at t = 0; a state that no key holds starts at 0."""
+    columns = state_columns(blocks)
+    state = np.zeros(max((column.stop for column in columns.values()), default=0))
+    for key, value in starting_values(scenario).items():
+        if STARTS[key] in columns:
+            state[columns[STARTS[key]]] = value.ravel()
+    return state
 
 
 def initial_state(scenario: Scenario, external: Iterable[str] = ()) -> np.ndarray:
@@ -219,12 +240,5 @@ def initial_state(scenario: Scenario, external: Iterable[str] = ()) -> np.ndarra
     >>> initial_state(clpt.paper_scenario()).shape
     (14,)
     """
-    external = (external,) if isinstance(external, str) else tuple(external)
-    left_out = {"alpha", "K", "Gamma"} if "alpha" in external else set()
-    return np.concatenate(
-        [
-            value.ravel()
-            for key, value in started(scenario).items()
-            if STARTS[key] not in {*external, *left_out}
-        ]
-    )
+    external = [external] if isinstance(external, str) else list(external)
+    return state_of(scenario, _kept(paper_blocks(scenario), external))
