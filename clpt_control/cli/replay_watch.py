@@ -30,10 +30,10 @@ def check_pace(every: float, patience: float) -> None:
 def watch(
     take: Take, folder: Path, out: Path, ahead: tuple, every: float, patience: float
 ) -> tuple[Any, list]:
-    """Replay all dives of a folder whenever a file arrives; return what the last look gave.
+    """Replay all dives of a folder whenever a file arrives; return the last replay.
 
-    Times are in s.  Ctrl-C or SIGTERM ends it: in the usual way while it waits, as a
-    `KeyboardInterrupt` while it learns, when there is no result yet to end with.
+    Times are in s.  Ctrl-C or SIGTERM ends it: while it waits, with the last replay; while
+    it learns, by a `KeyboardInterrupt`, as no replay has all dives yet.
     """
     from ..files import remove_left
     from ..replay.follow import following
@@ -66,7 +66,7 @@ def watch(
 
 
 def said_of(replay: Any, files: int, out: Path, ahead: tuple) -> str:
-    """Write a replay's results; return how many files are new, and what the last dive says."""
+    """Write a replay's results; return a line on the new files and the last dive."""
     from ..replay.surfacing import next_dive
 
     used = len(replay.steps)

@@ -1,13 +1,14 @@
 """Dives as their files arrive in a folder, and dives whose files are gone.
 
 At each look the files are read whose size or times have changed.  What was read
-of FILE is also kept in the state, a folder, as FILE.json: it is used again only
-where FILE is gone or cannot be opened.  JSON keeps every digit, NaN and Infinity.
+of FILE is kept in a folder, the state, as FILE.json, so that it is known after a
+restart, and where FILE is gone or cannot be opened.  JSON keeps every digit, NaN
+and Infinity.
 
 A file that is still being copied reads as damaged, and is read again when it has
-changed; one that cannot be opened is tried at each look.  A file that is gone
-keeps its dives, but for those that another file has with the same times and
-fixes: it was renamed.
+changed; one that cannot be opened is tried at each look.  Dives of a file that is
+gone are kept, unless another file has dives with the same times and fixes: then
+the file was renamed.
 """
 
 import os
