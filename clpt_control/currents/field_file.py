@@ -21,49 +21,17 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class GriddedField:
-    """A current on a regular grid, without gaps.
-
-    Attributes
-    ----------
-    time, x2, x1 : ndarray
-        Uniform axes, at least two points each, time and length.
-    u, v : ndarray, shape (nt, n2, n1)
-        Flow along x1 and x2, length per time.
-
-    Examples
-    --------
-    >>> axis = np.arange(3.0)
-    >>> GriddedField(axis, axis, axis, np.ones((3, 3, 3)), np.zeros((3, 3, 3))).u.shape
-    (3, 3, 3)
-    """
+    """A current on a regular grid, without gaps; axes are even and have two points at least."""
 
     time: np.ndarray
-    x2: np.ndarray
+    x2: np.ndarray  # length
     x1: np.ndarray
-    u: np.ndarray
-    v: np.ndarray
+    u: np.ndarray  # flow along x1, length per time, shape (nt, n2, n1)
+    v: np.ndarray  # flow along x2
 
 
 def read_field(path: Path, units) -> GriddedField:
-    """Read a gridded field in a scenario's units.
-
-    Parameters
-    ----------
-    path : Path
-        A file that `clpt fit` wrote, or one like it.
-    units : Units
-        The scenario's units of length and time.
-
-    Returns
-    -------
-    GriddedField
-        Axes and values in these units.
-
-    Raises
-    ------
-    DataError
-        If variables, units or values are missing or the grid is not regular.
-    """
+    """Return the field of a file, such as `clpt fit` writes, in the units of a scenario."""
     with open_netcdf(path) as data:
         for name in ("time", "y", "x", "u", "v"):
             if name not in data.variables:

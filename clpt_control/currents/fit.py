@@ -39,21 +39,11 @@ KM_PER_HOUR = 3.6  # one m/s
 
 @dataclass(frozen=True)
 class Fit:
-    """A scenario made from a measured current.
+    """A scenario made from a measured current."""
 
-    Attributes
-    ----------
-    scenario : Scenario
-        In km and h; its field is not on disk before `save_fit`.
-    field : GriddedField
-        The true flow, km/h on a grid in km and h.
-    report : dict
-        What was read, filled and fitted; fit for JSON.
-    """
-
-    scenario: Scenario
-    field: GriddedField
-    report: dict[str, Any]
+    scenario: Scenario  # in km and h; its field is not on disk before `save_fit`
+    field: GriddedField  # the true flow, km/h on a grid in km and h
+    report: dict[str, Any]  # what was read, filled and fitted; fit for JSON
 
 
 def fit_scenario(
@@ -93,16 +83,35 @@ def fit_scenario(
     Returns
     -------
     Fit
-        Scenario, field and report.
+        `scenario`, in km and h, `field`, the true flow, and `report`, a dict.
 
     Raises
     ------
     DataError
         If the file cannot be used, the record is too short to tell the
-        constituents apart (`rayleigh`), the circle leaves the field, or the
-        samples cannot separate the functions.
+        constituents apart (`check_separable`), the circle leaves the field, or
+        the samples cannot separate the functions.
     ScenarioError
         If a constituent is unknown.
+
+    Examples
+    --------
+    A made tide, the same everywhere:
+
+    >>> import tempfile, xarray
+    >>> hours, dims = np.arange(25.0), ("time", "lat", "lon")
+    >>> tide = 0.5 * np.cos(2 * np.pi * hours / 12.42)[:, None, None] * np.ones((7, 7))
+    >>> flow = (dims, tide, {"units": "m/s"})
+    >>> axes = {
+    ...     "time": ("time", hours, {"units": "hours since 2019-01-01"}),
+    ...     "lat": np.linspace(40.9, 41.5, 7),
+    ...     "lon": np.linspace(-69.9, -69.0, 7),
+    ... }
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     xarray.Dataset({"u": flow, "v": flow}, axes).to_netcdf(f"{folder}/tide.nc")
+    ...     fit = fit_scenario(f"{folder}/tide.nc", rows=2, columns=2, width_km=60)
+    >>> fit.scenario.basis.N, bool(fit.report["explained_variance"] > 0.95)
+    (12, True)
     """
     constituents = tuple(constituents)
     _check(rows, columns, constituents)

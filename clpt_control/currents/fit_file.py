@@ -38,6 +38,12 @@ def save_fit(fit: "Fit", out: str | Path) -> Scenario:
     ------
     DataError
         If the name is not a TOML file's or the folder cannot be written to.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> fit = clpt.currents.fit_scenario("currents.nc")  # doctest: +SKIP
+    >>> clpt.simulate(save_fit(fit, "mine.toml"))  # doctest: +SKIP
     """
     out = Path(out)
     if out.suffix != ".toml":

@@ -25,30 +25,21 @@ import numpy as np
 
 from ..errors import DataError
 from .field_file import GriddedField
+from .plane import LocalPlane
 
 SPEED = 10.0  # km/h: what one hour of distance in time is worth in space
 
 
 @dataclass(frozen=True)
 class Filled:
-    """A current without gaps, and how much of it was made up.
+    """A current without gaps, and how much of it was made up."""
 
-    Attributes
-    ----------
-    u, v : ndarray, shape (nt, ny, nx)
-        Measured values as they were, filled ones elsewhere.
-    samples, filled : int
-        How many values each component has, and how many of them were filled.
-    cells, never : int
-        How many cells there are, and how many of them have no measured hour.
-    """
-
-    u: np.ndarray
+    u: np.ndarray  # measured values as they were, filled ones elsewhere, shape (nt, ny, nx)
     v: np.ndarray
-    samples: int
-    filled: int
+    samples: int  # values of each component
+    filled: int  # of them
     cells: int
-    never: int
+    never: int  # cells without any measured hour
 
     @property
     def share(self) -> float:
@@ -66,29 +57,9 @@ def fill_gaps(
 ) -> Filled:
     """Fill the gaps of a current harmonically in space and time.
 
-    Parameters
-    ----------
-    time : array_like, shape (nt,)
-        Increasing times, h.
-    x2, x1 : array_like, shapes (ny,), (nx,)
-        Increasing places of rows and columns, km.
-    u, v : array_like, shape (nt, ny, nx)
-        The two components, NaN where missing.
-    speed : float, optional
-        What one hour is worth in space, km/h.
+    `time` in h, `x2` and `x1` in km increase; `u` and `v`, shape (nt, ny, nx), are NaN where
+    missing; one hour is worth `speed` in space, km/h.
 
-    Returns
-    -------
-    Filled
-        Finite everywhere; measured values unchanged.
-
-    Raises
-    ------
-    DataError
-        If nothing was measured.
-
-    Examples
-    --------
     >>> axis = np.arange(3.0)
     >>> u = np.broadcast_to(axis, (3, 3, 3)).copy()
     >>> u[1, 1, 1] = np.nan
@@ -134,35 +105,18 @@ def fill_gaps(
 
 
 def regular_grid(
-    time: np.ndarray, lat: np.ndarray, lon: np.ndarray, u: np.ndarray, v: np.ndarray, plane
+    time: np.ndarray,
+    lat: np.ndarray,
+    lon: np.ndarray,
+    u: np.ndarray,
+    v: np.ndarray,
+    plane: LocalPlane,
 ) -> GriddedField:
-    """Put a current without gaps on a regular grid of the plane.
+    """Put a current without gaps on a regular grid of the plane, in h and km.
 
-    The grid is the largest rectangle of the plane whose corners lie within
-    the cells, with as many points as there are cells, and the record's mean
-    step in time; values come from cubic splines in time, latitude and
-    longitude, so nothing is extrapolated.
-
-    Parameters
-    ----------
-    time : ndarray, shape (nt,)
-        Increasing times, h.
-    lat, lon : ndarray, shapes (ny,), (nx,)
-        Increasing degrees.
-    u, v : ndarray, shape (nt, ny, nx)
-        Flow along x1 and x2 of the plane, finite, any unit of speed.
-    plane : LocalPlane
-        The plane.
-
-    Returns
-    -------
-    GriddedField
-        Time in h, places in km, values in the unit given.
-
-    Raises
-    ------
-    DataError
-        If the cells do not hold a rectangle of the plane.
+    The grid is the largest rectangle of the plane whose corners lie within the cells, with as
+    many points as there are cells, and the record's mean step in time; values, shape (nt, ny,
+    nx), come from cubic splines in time, latitude and longitude, so nothing is extrapolated.
     """
     from scipy.interpolate import RectBivariateSpline, make_interp_spline
 

@@ -35,38 +35,17 @@ MOST = 10**8  # values of one component: 0.8 GB
 
 @dataclass(frozen=True)
 class Currents:
-    """A measured or modelled current on latitudes and longitudes.
+    """A measured or modelled current on latitudes and longitudes."""
 
-    Attributes
-    ----------
-    lat : ndarray, shape (ny,)
-        Latitudes, degrees north, increasing.
-    lon : ndarray, shape (nx,)
-        Longitudes, degrees east, increasing; may pass 180.
-    depth : ndarray, shape (nz,)
-        Levels, m, increasing from the surface; ``[0.0]`` where the file has none.
-    time : ndarray, shape (nt,)
-        Hours since the first step, increasing.
-    start : str
-        The first step, ISO 8601, as the file counts it (UTC unless it says).
-    u, v : ndarray, shape (nt, ny, nx), or (nt, nz, ny, nx) of a column
-        Flow to the east and to the north, m/s; NaN in both where either is
-        missing.
-    box : tuple of float
-        lat0, lat1, lon0, lon1 that were asked for, degrees.
-    source : str
-        Name of the file.
-    """
-
-    lat: np.ndarray
-    lon: np.ndarray
-    depth: np.ndarray
-    time: np.ndarray
-    start: str
-    u: np.ndarray
-    v: np.ndarray
-    box: tuple[float, float, float, float]
-    source: str
+    lat: np.ndarray  # degrees north, increasing, shape (ny,)
+    lon: np.ndarray  # degrees east, increasing, may pass 180, shape (nx,)
+    depth: np.ndarray  # levels, m, increasing from the surface; 0 where the file has none
+    time: np.ndarray  # hours since the first step, increasing, shape (nt,)
+    start: str  # the first step, ISO 8601, as the file counts it (UTC unless it says)
+    u: np.ndarray  # to the east, m/s, NaN in gaps, shape (nt, ny, nx), or (nt, nz, ny, nx)
+    v: np.ndarray  # to the north
+    box: tuple[float, float, float, float]  # lat0, lat1, lon0, lon1 asked for, degrees
+    source: str  # name of the file
 
     @property
     def measured(self) -> np.ndarray:

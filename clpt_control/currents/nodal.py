@@ -24,36 +24,15 @@ YEARS = (1700, 2200)  # the series of the moon's and the sun's longitudes hold w
 
 
 class NodalCorrections(NamedTuple):
-    """What turns Greenwich constants into a tide at given times.
+    """What turns Greenwich constants into a tide: one row per time, one column per tide."""
 
-    Attributes
-    ----------
-    f : ndarray, shape (nt, nc)
-        Nodal factor.
-    u : ndarray, shape (nt, nc)
-        Nodal angle, degrees, -180 to 180.
-    V : ndarray, shape (nt, nc)
-        Astronomical argument at Greenwich, degrees, 0 to 360.
-    """
-
-    f: np.ndarray
-    u: np.ndarray
-    V: np.ndarray
+    f: np.ndarray  # nodal factor
+    u: np.ndarray  # nodal angle, degrees, -180 to 180
+    V: np.ndarray  # astronomical argument at Greenwich, degrees, 0 to 360
 
 
 def load_utide() -> Any:
-    """Import UTide, or say what to install.
-
-    Returns
-    -------
-    module
-        ``utide``.
-
-    Raises
-    ------
-    DataError
-        If it is not installed.
-    """
+    """Import UTide, or say what to install."""
     if find_spec("utide") is None:
         raise DataError(
             "tides and nodal corrections need UTide, which is not installed; "
@@ -65,23 +44,7 @@ def load_utide() -> Any:
 
 
 def utide_names(constituents: Sequence[str]) -> list[str]:
-    """Return UTide's names of constituents.
-
-    Parameters
-    ----------
-    constituents : sequence of str
-        Names of `tides.SPEEDS`, or UTide's own.
-
-    Returns
-    -------
-    list of str
-        In the same order.
-
-    Raises
-    ------
-    ScenarioError
-        If UTide has no such name.
-    """
+    """Return UTide's names of constituents, which may be those of `tides.SPEEDS`."""
     known = load_utide().constit_index_dict
     names = [OTHER_NAMES.get(name, name) for name in constituents]
     for name in names:
@@ -93,31 +56,10 @@ def utide_names(constituents: Sequence[str]) -> list[str]:
 
 
 def nodal_corrections(constituents: Sequence[str], time: Any, latitude: float) -> NodalCorrections:
-    """Return f, u and V of constituents at given times.
+    """Return f, u and V of constituents at times in UTC.
 
-    Parameters
-    ----------
-    constituents : sequence of str
-        Names of `tides.SPEEDS`, or UTide's own; nc of them.
-    time : array_like of datetime64, shape (nt,)
-        UTC.
-    latitude : float
-        Degrees north; within 5 degrees of the equator, 5 is used.
+    The latitude is in degrees north; within 5 degrees of the equator, 5 is used.
 
-    Returns
-    -------
-    NodalCorrections
-        Factors and angles, shape (nt, nc).
-
-    Raises
-    ------
-    DataError
-        If UTide is not installed, or a time or the latitude is not allowed.
-    ScenarioError
-        If a name is unknown.
-
-    Examples
-    --------
     >>> m2 = nodal_corrections(["M2"], ["2024-06-01"], 41.0)
     >>> m2.f.round(3), m2.u.round(1)
     (array([[0.965]]), array([[-0.6]]))
@@ -136,21 +78,9 @@ def nodal_corrections(constituents: Sequence[str], time: Any, latitude: float) -
 def nodal_report(
     constituents: Sequence[str], time: Any, latitude: float
 ) -> dict[str, dict[str, float]] | None:
-    """Return f, u and V by name, or None where UTide is missing.
+    """Return f, u and V by name at one instant, UTC, "steady" left out.
 
-    Parameters
-    ----------
-    constituents : sequence of str
-        As for `nodal_corrections`; "steady" is left out.
-    time : str or datetime64
-        One instant, UTC; None is given too where its calendar is no real one.
-    latitude : float
-        Degrees north.
-
-    Returns
-    -------
-    dict or None
-        Name -> ``{"f": 1, "u": degrees, "V": degrees}``.
+    None where UTide is missing or the instant is not in a real calendar.
     """
     names = [name for name in constituents if name != "steady"]
     try:
@@ -164,23 +94,7 @@ def nodal_report(
 
 
 def checked_times(time: Any) -> np.ndarray:
-    """Return times as datetime64 in ms, or say what is wrong.
-
-    Parameters
-    ----------
-    time : array_like of datetime64 or str, shape (nt,)
-        UTC.
-
-    Returns
-    -------
-    ndarray of datetime64[ms], shape (nt,)
-        The same instants.
-
-    Raises
-    ------
-    DataError
-        If one is no time, or lies outside the years that are allowed.
-    """
+    """Return times as datetime64[ms], of the years that are allowed."""
     try:
         times = np.atleast_1d(np.asarray(time, dtype="datetime64[ms]"))
     except (ValueError, TypeError, OverflowError):
@@ -199,23 +113,7 @@ def checked_times(time: Any) -> np.ndarray:
 
 
 def checked_latitude(latitude: float) -> float:
-    """Return a latitude as UTide takes it, or say what is wrong.
-
-    Parameters
-    ----------
-    latitude : float
-        Degrees north.
-
-    Returns
-    -------
-    float
-        The same, but for 0, which UTide would divide by.
-
-    Raises
-    ------
-    DataError
-        If it is none.
-    """
+    """Return a latitude in degrees north as UTide takes it: not 0, by which it would divide."""
     if not (np.isfinite(latitude) and -90 <= latitude <= 90):
         raise DataError(f"latitude = {latitude}: must be degrees north, from -90 to 90")
     return float(latitude) or 1e-9

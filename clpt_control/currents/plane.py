@@ -25,26 +25,14 @@ WIDEST = 1000.0  # km from the origin; beyond, lengths across are off by more th
 class LocalPlane:
     """The plane around one place.
 
-    Attributes
-    ----------
-    lat, lon : float
-        The origin, degrees north and east.
-
-    Raises
-    ------
-    DataError
-        If the origin is no place on Earth.
-
-    Examples
-    --------
     >>> plane = LocalPlane(41.0, -69.0)
     >>> x1, x2 = plane.to_plane(41.1, -69.0)
     >>> round(float(x1), 6) + 0.0, round(float(x2), 2)
     (0.0, 11.11)
     """
 
-    lat: float
-    lon: float
+    lat: float  # of the origin, degrees north
+    lon: float  # degrees east
 
     def __post_init__(self):
         if not (abs(self.lat) <= 90 and np.isfinite(self.lon)):
@@ -60,23 +48,7 @@ class LocalPlane:
         return Proj(proj="aeqd", ellps="WGS84", lat_0=self.lat, lon_0=self.lon, units="km")
 
     def to_plane(self, lat: Any, lon: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Return places in the plane.
-
-        Parameters
-        ----------
-        lat, lon : array_like
-            Degrees north and east, of shapes that fit each other.
-
-        Returns
-        -------
-        x1, x2 : ndarray
-            East and north of the origin, km.
-
-        Raises
-        ------
-        DataError
-            If a place is not finite or more than 1000 km from the origin.
-        """
+        """Return x1 and x2 in km of places in degrees, 1000 km from the origin at most."""
         lat, lon = np.broadcast_arrays(np.asarray(lat, float), np.asarray(lon, float))
         x1, x2 = self._projection(lon, lat)
         distance = np.hypot(x1, x2)
@@ -88,37 +60,16 @@ class LocalPlane:
         return x1, x2
 
     def to_earth(self, x1: Any, x2: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Return latitude and longitude of points of the plane.
+        """Return latitude and longitude of points in km.
 
-        Parameters
-        ----------
-        x1, x2 : array_like
-            East and north of the origin, km.
-
-        Returns
-        -------
-        lat, lon : ndarray
-            Degrees; the longitude within 180 degrees of the origin's.
+        The longitude lies within 180 degrees of the origin's.
         """
         x1, x2 = np.broadcast_arrays(np.asarray(x1, float), np.asarray(x2, float))
         lon, lat = self._projection(x1, x2, inverse=True)
         return lat, self.lon + (lon - self.lon + 180.0) % 360.0 - 180.0
 
     def turn(self, lat: Any, lon: Any, u: Any, v: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Turn velocities from east and north to x1 and x2.
-
-        Parameters
-        ----------
-        lat, lon : array_like
-            Where, degrees.
-        u, v : array_like
-            Flow to the east and to the north, any unit of speed.
-
-        Returns
-        -------
-        u1, u2 : ndarray
-            Flow along x1 and x2, same unit and speed.
-        """
+        """Turn velocities at places in degrees from east and north to x1 and x2."""
         lat, lon = np.broadcast_arrays(np.asarray(lat, float), np.asarray(lon, float))
         factors = self._projection.get_factors(lon, lat)
         # where east points in the plane

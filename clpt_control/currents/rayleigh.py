@@ -23,29 +23,10 @@ TURN = 360.0 * (1 - 1e-9)  # times in files are rounded
 def inseparable(
     names: Sequence[str], hours: float, speeds: Mapping[str, float] | None = None
 ) -> list[tuple[str, str, float]]:
-    """Return the pairs that a record cannot tell apart.
+    """Return the pairs that a record of some hours cannot tell apart, and the hours they need.
 
-    Parameters
-    ----------
-    names : sequence of str
-        Names of `tides.SPEEDS`, and "steady", each once.
-    hours : float
-        From the first measurement to the last, h.
-    speeds : mapping of str to float, optional
-        Degrees per hour of each name; those of `tides` by default.
+    The longest comes first; `speeds` are degrees per hour, those of `tides` by default.
 
-    Returns
-    -------
-    list of tuple
-        First, second, and the hours that are needed; the longest first.
-
-    Raises
-    ------
-    ScenarioError
-        If a name is unknown.
-
-    Examples
-    --------
     >>> inseparable(["steady", "M2", "S2"], 24.0)
     [('M2', 'S2', 354.367...)]
     >>> inseparable(["steady", "M2"], 24.0)
@@ -75,7 +56,7 @@ def check_separable(
     where : str
         The record, for the message.
     speeds : mapping of str to float, optional
-        As for `inseparable`.
+        Degrees per hour of each name; those of `tides` by default.
 
     Raises
     ------

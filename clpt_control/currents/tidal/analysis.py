@@ -8,7 +8,7 @@ V are.  The same tide drawn as an ellipse has a semi-major and a semi-minor axis
 counter-clockwise, and the phase lag of the greatest speed.  Solved by
 utide.solve (D. L. Codiga, URI/GSO technical report 2011-01).
 
-Standard errors: UTide's linear ones for white residuals, times `loudness`.  Its
+Standard errors: UTide's linear ones for white residuals, times `noise_ratio`.  Its
 own coloured errors are not used: over 60 seeds of white noise they were 0.7 of
 the estimates' true spread, and 0.55 with 40 % of the samples missing.
 """
@@ -22,7 +22,7 @@ from ...errors import DataError, ScenarioError
 from ..nodal import checked_latitude, checked_times, load_utide, utide_names
 from ..rayleigh import check_separable
 from .constants import Constituent, TidalFit
-from .sampling import check_increasing, check_sampling, loudness
+from .sampling import check_increasing, check_sampling, noise_ratio
 
 LEAST_CHANGE = 1e-9  # m/s in a record; less is no measured tide, and its squares vanish
 CI = 1.96  # UTide's half widths, in standard errors
@@ -96,7 +96,7 @@ def fit_tides(
     model = _predicted(both, times)
     residual = flow - model
     tides = tuple(
-        _constituent(name, k, both, east, north, loudness(residual, hours, cycles, k))
+        _constituent(name, k, both, east, north, noise_ratio(residual, hours, cycles, k))
         for k, name in enumerate(names)
     )
     power = float(np.mean(np.abs(residual) ** 2))
@@ -192,17 +192,17 @@ def _names(constituents: Sequence[str] | str, hours: float, where: str) -> tuple
 
 
 def _constituent(
-    name: str, k: int, both: Any, east: Any, north: Any, loud: np.ndarray
+    name: str, k: int, both: Any, east: Any, north: Any, ratio: np.ndarray
 ) -> Constituent:
     parts = {
-        "east": (east, "A", loud[1]),
-        "east_phase": (east, "g", loud[1]),
-        "north": (north, "A", loud[2]),
-        "north_phase": (north, "g", loud[2]),
-        "major": (both, "Lsmaj", loud[0]),
-        "minor": (both, "Lsmin", loud[0]),
-        "inclination": (both, "theta", loud[0]),
-        "phase": (both, "g", loud[0]),
+        "east": (east, "A", ratio[1]),
+        "east_phase": (east, "g", ratio[1]),
+        "north": (north, "A", ratio[2]),
+        "north_phase": (north, "g", ratio[2]),
+        "major": (both, "Lsmaj", ratio[0]),
+        "minor": (both, "Lsmin", ratio[0]),
+        "inclination": (both, "theta", ratio[0]),
+        "phase": (both, "g", ratio[0]),
     }
     values = {key: float(fit[own][k]) for key, (fit, own, _) in parts.items()}
     errors = {key: float(fit[f"{own}_ci"][k] / CI * by) for key, (fit, own, by) in parts.items()}

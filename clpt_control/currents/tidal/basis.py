@@ -20,21 +20,11 @@ from .analysis import TidalFit
 
 
 class TidalBasis(NamedTuple):
-    """Functions of time and their theta.
+    """Functions of time and their theta, as `basis` of a scenario has them."""
 
-    Attributes
-    ----------
-    constituents : tuple of str, length N
-        As `basis.constituents` of a scenario: steady, then each tide twice.
-    phases : tuple of float, length N
-        As `basis.phases`, rad: 0 for cosines, -pi/2 for sines.
-    theta : ndarray, shape (2, N)
-        East and north, in the unit that was asked for.
-    """
-
-    constituents: tuple[str, ...]
-    phases: tuple[float, ...]
-    theta: np.ndarray
+    constituents: tuple[str, ...]  # steady, then each tide twice
+    phases: tuple[float, ...]  # rad: 0 for cosines, -pi/2 for sines
+    theta: np.ndarray  # east and north, in the unit that was asked for, shape (2, N)
 
 
 def tidal_basis(fit: TidalFit, epoch: Any, unit: str = "m s-1") -> TidalBasis:

@@ -25,21 +25,7 @@ NUMBERS = {
 
 @dataclass(frozen=True)
 class Constituent:
-    """One tide of a current: amplitudes, phases and ellipse.
-
-    Attributes
-    ----------
-    name : str
-        Such as "M2".
-    east, north, major, minor : float
-        Amplitudes, m/s; minor is negative where the current turns clockwise.
-    east_phase, north_phase, phase : float
-        Greenwich phase lags, degrees, of the two components and the ellipse.
-    inclination : float
-        Of the major axis, degrees counter-clockwise from east, 0 to 180.
-    errors : dict of str to float
-        Standard error of each number above; NaN where it has none.
-    """
+    """One tide of a current: amplitudes (m/s), Greenwich phases and ellipse (degrees)."""
 
     name: str
     east: float
@@ -47,45 +33,25 @@ class Constituent:
     north: float
     north_phase: float
     major: float
-    minor: float
+    minor: float  # negative where the current turns clockwise
     inclination: float
     phase: float
-    errors: dict[str, float]
+    errors: dict[str, float]  # standard error of each number; NaN where it has none
 
 
 @dataclass(frozen=True)
 class TidalFit:
-    """Tidal constants of a record and how well they explain it.
+    """Tidal constants of a record and how well they explain it."""
 
-    Attributes
-    ----------
-    constituents : tuple of Constituent
-        In the order that was asked for.
-    mean : tuple of float
-        East and north, m/s.
-    explained_variance : float
-        Share of the variance about the mean, both components together.
-    residual_rms : float
-        Root of the mean squared length of the residual, m/s.
-    start, end : datetime64[ms]
-        First and last measurement, UTC.
-    samples : int
-        Measurements that were used.
-    latitude : float
-        Degrees north, of the nodal corrections.
-    coefficients : Bunch
-        As utide.solve gives them.
-    """
-
-    constituents: tuple[Constituent, ...]
-    mean: tuple[float, float]
-    explained_variance: float
-    residual_rms: float
-    start: np.datetime64
+    constituents: tuple[Constituent, ...]  # in the order that was asked for
+    mean: tuple[float, float]  # east and north, m/s
+    explained_variance: float  # share about the mean, both components together
+    residual_rms: float  # root of the mean squared length of the residual, m/s
+    start: np.datetime64  # first measurement, UTC
     end: np.datetime64
-    samples: int
-    latitude: float
-    coefficients: Any = field(repr=False, compare=False)
+    samples: int  # measurements that were used
+    latitude: float  # of the nodal corrections, degrees north
+    coefficients: Any = field(repr=False, compare=False)  # as utide.solve gives them
 
     @property
     def hours(self) -> float:
@@ -99,18 +65,9 @@ class TidalFit:
 
 
 def tides_report(fit: TidalFit) -> dict[str, Any]:
-    """Return a fit as one JSON object.
+    """Return a fit as one JSON object, numbers that are not finite as None.
 
-    Parameters
-    ----------
-    fit : TidalFit
-        From `fit_tides`.
-
-    Returns
-    -------
-    dict
-        Numbers and standard errors by constituent, None where there is none;
-        f, u and V at the record's middle under "nodal".
+    f, u and V at the record's middle stand under "nodal".
     """
     return {
         "start": str(fit.start),

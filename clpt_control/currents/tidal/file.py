@@ -21,20 +21,7 @@ if TYPE_CHECKING:
 
 
 def tides_dataset(fit: TidalFit, record: CurrentRecord) -> "xarray.Dataset":
-    """Return tidal constants as a dataset to write.
-
-    Parameters
-    ----------
-    fit : TidalFit
-        From `fit_tides`.
-    record : CurrentRecord
-        What was fitted.
-
-    Returns
-    -------
-    xarray.Dataset
-        Dims constituent and axis.
-    """
+    """Return tidal constants and the place of their record as a dataset to write."""
     import xarray
 
     names = [each.name for each in fit.constituents]

@@ -28,20 +28,7 @@ DAY = np.timedelta64(1, "D")
 
 
 def tides_plot(fit: TidalFit, record: CurrentRecord) -> "Figure":
-    """Draw tidal ellipses, and the record against the fit.
-
-    Parameters
-    ----------
-    fit : TidalFit
-        From `fit_tides`.
-    record : CurrentRecord
-        What was fitted.
-
-    Returns
-    -------
-    Figure
-        m/s; of a long record the middle 15 days.
-    """
+    """Draw tidal ellipses, and the record (its middle 15 days) against the fit, m/s."""
     ellipses = _chosen(fit)
     inch = _inch(ellipses)
     row = 2 * max(each.high for each in ellipses) / inch + 5 * LINE

@@ -35,39 +35,25 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class CurrentRecord:
-    """A current at one place over time.
+    """A current at one place over time."""
 
-    Attributes
-    ----------
-    time : ndarray of datetime64[ms], shape (n,)
-        UTC, increasing.
-    u, v : ndarray, shape (n,)
-        To the east and to the north, m/s; NaN where not measured.
-    latitude : float
-        Degrees north.
-    longitude : float or None
-        Degrees east, where the file says it.
-    source : str
-        Name of the file.
-    """
-
-    time: np.ndarray
-    u: np.ndarray
-    v: np.ndarray
-    latitude: float
-    longitude: float | None
-    source: str
+    time: np.ndarray  # datetime64[ms], UTC, increasing, shape (n,)
+    u: np.ndarray  # to the east, m/s; NaN in both where not measured
+    v: np.ndarray  # to the north
+    latitude: float  # degrees north
+    longitude: float | None  # degrees east, where the file says it
+    source: str  # name of the file
 
 
 def read_record(
     path: str | Path, latitude: float | None = None, at: tuple[float, float] | None = None
 ) -> CurrentRecord:
-    """Read a current record at one place.
+    r"""Read a current record at one place.
 
     Parameters
     ----------
     path : str or Path
-        NetCDF, or a table that `table` describes.
+        NetCDF, or a table with the columns time, u and v.
     latitude : float, optional
         Degrees north; the file's own by default.
     at : tuple of float, optional
@@ -76,12 +62,23 @@ def read_record(
     Returns
     -------
     CurrentRecord
-        m/s and UTC, gaps as NaN.
+        `time` (datetime64, UTC), `u` and `v` (m/s, NaN in gaps), `latitude`,
+        `longitude` and `source`.
 
     Raises
     ------
     DataError
         If the file cannot be read or used; one sentence says why.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> text = "# latitude: 41.2\n time, u (cm/s), v (cm/s)\n 2019-01-01, 12, -5\n 2019-01-02,,"
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     _ = Path(folder, "mooring.csv").write_text(text)
+    ...     record = read_record(Path(folder, "mooring.csv"))
+    >>> record.latitude, record.u
+    (41.2, array([0.12,  nan]))
     """
     path = Path(path)
     if is_table(path):

@@ -1,4 +1,4 @@
-"""Whether a record's times suffice for its tides, and how loud the rest is.
+"""Whether a record's times suffice for its tides, and how much noise is near them.
 
 A record can be long enough (`rayleigh`) and still be blind: a tide sampled once
 a period looks like a mean.  The functions 1, cos w t, sin w t at the record's
@@ -17,20 +17,7 @@ NEAR = np.array([*range(-10, 0), *range(1, 11)])  # neighbours of a tide, in 1 /
 
 
 def check_increasing(times: np.ndarray, where: str) -> None:
-    """Refuse times that do not increase.
-
-    Parameters
-    ----------
-    times : ndarray of datetime64, shape (n,)
-        UTC.
-    where : str
-        The record, for the message.
-
-    Raises
-    ------
-    DataError
-        At the first that does not.
-    """
+    """Refuse times, datetime64, at the first that does not increase."""
     late = np.flatnonzero(np.diff(times) <= np.timedelta64(0, "ms"))
     if len(late):
         raise DataError(
@@ -40,26 +27,10 @@ def check_increasing(times: np.ndarray, where: str) -> None:
 
 
 def check_sampling(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], where: str) -> None:
-    """Refuse times at which tides look alike.
+    """Refuse times, in hours, that are too few or at which tides look alike.
 
-    Parameters
-    ----------
-    hours : ndarray, shape (n,)
-        Times of the measurements, h.
-    cycles : ndarray, shape (nc,)
-        Frequencies, cycles per hour.
-    names : sequence of str
-        Of the nc tides.
-    where : str
-        The record, for the message.
+    `cycles` are frequencies in cycles per hour.
 
-    Raises
-    ------
-    DataError
-        If there are too few times, or functions look alike; they are named.
-
-    Examples
-    --------
     >>> check_sampling(np.arange(48.0), np.array([1 / 12]), ["S2"], "record")
     >>> check_sampling(12.0 * np.arange(48), np.array([1 / 12]), ["S2"], "record")
     Traceback (most recent call last):
@@ -92,30 +63,16 @@ def check_sampling(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], 
     )
 
 
-def loudness(residual: np.ndarray, hours: np.ndarray, cycles: np.ndarray, k: int) -> np.ndarray:
-    """Return how much louder a residual is near a tide than on average.
+def noise_ratio(residual: np.ndarray, hours: np.ndarray, cycles: np.ndarray, k: int) -> np.ndarray:
+    """Return sqrt(power / mean power) of a residual near a tide: of both, of east, of north.
 
-    Parameters
-    ----------
-    residual : ndarray of complex, shape (n,)
-        East + i north.
-    hours : ndarray, shape (n,)
-        From 0 to the record's length, h.
-    cycles : ndarray, shape (nc,)
-        Frequencies of all tides, cycles per hour.
-    k : int
-        Which tide.
+    The power is that of the 20 neighbouring frequencies, those of other tides left out; a ratio
+    below 1 counts as 1.  The residual is east + i north, hours begin at 0, `cycles` are
+    frequencies of all tides in cycles per hour, of which the tide has the index k.
 
-    Returns
-    -------
-    ndarray, shape (3,)
-        sqrt(power / mean power) over the 20 neighbouring frequencies, those of
-        other tides left out: of both, of east, of north; 1 where it is less.
-
-    Examples
-    --------
     >>> noise = np.random.default_rng(1).normal(size=(2, 500))
-    >>> bool(loudness(noise[0] + 1j * noise[1], np.arange(500.0), np.array([1 / 12]), 0)[0] < 1.3)
+    >>> found = noise_ratio(noise[0] + 1j * noise[1], np.arange(500.0), np.array([1 / 12]), 0)
+    >>> bool(found[0] < 1.3)
     True
     """
     step = 1.0 / hours[-1]
