@@ -10,7 +10,13 @@ from clpt_control.theory.excitation.bounds import time_to_error, ultimate_bound
 from clpt_control.theory.excitation.certificates import certificate, window_drops
 from clpt_control.theory.excitation.gramian import started_true
 from clpt_control.theory.excitation.regressor import joint_regressor
-from clpt_control.theory.excitation.transition import axis_states, error_matrices, propagate
+from clpt_control.theory.excitation.transition import (
+    axis_states,
+    collocation,
+    error_matrices,
+    propagate,
+    regressors,
+)
 
 NODES = 12
 NODE, WEIGHT = np.polynomial.legendre.leggauss(NODES)
@@ -88,8 +94,7 @@ def test_collocation_agrees_with_scipy():
     times = (np.arange(4)[:, None] + (1 + NODE) / 2) * 0.75
     values = np.moveaxis(np.array([[w(t) for t in row] for row in times]), -1, 0)
     phi, z, zc = (np.moveaxis(values[s], 0, -1) for s in (slice(1), slice(1, 3), slice(3, 5)))
-    A = error_matrices(phi, z, zc, [1.0, 0.5], 0.8)
-    _, end = propagate(A, np.full(4, 0.75))
+    _, end = propagate(regressors(phi, z, zc), np.array([1.0, 0.5]), 0.8, np.full(4, 0.75))
 
     def rate(t, flat):
         v = w(t)
@@ -98,6 +103,42 @@ def test_collocation_agrees_with_scipy():
 
     truth = solve_ivp(rate, (0, 3), np.eye(4).ravel(), method="DOP853", rtol=1e-12, atol=1e-13)
     np.testing.assert_allclose(end[1], truth.y[:, -1].reshape(4, 4), atol=1e-9)
+
+
+def collocated(A, length):
+    """Phi at the nodes and the end of one piece by collocation with the whole of A."""
+    *batch, nodes, n, _ = A.shape
+    a, b = collocation(nodes)
+    system = -np.einsum("jl,...lpq->...jplq", length * a, A)
+    system = system.reshape(*batch, nodes * n, nodes * n) + np.eye(nodes * n)
+    starts = np.broadcast_to(np.tile(np.eye(n), (nodes, 1)), (*batch, nodes * n, n))
+    inner = np.linalg.solve(system, starts).reshape(*batch, nodes, n, n)
+    return inner, np.eye(n) + np.einsum("l,...lpq,...lqr->...pr", length * b, A, inner)
+
+
+@pytest.mark.parametrize("gain", [0.0, 0.8, 30.0])
+def test_the_row_of_e_is_that_of_the_whole_matrix(gain):
+    phi, z, zc, weights = random_regressors(5, 3.0, N=3)
+    lengths = weights.sum(1)
+    KD = np.array([1.0, 0.5])
+    rows, end = propagate(regressors(phi, z, zc), KD[:, None], gain, lengths)
+    A = error_matrices(phi, z, zc, KD, gain)
+    wanted = np.broadcast_to(np.eye(6), end.shape)
+    for k, length in enumerate(lengths):
+        inner, moved = collocated(A[..., k, :, :, :], length)
+        np.testing.assert_allclose(rows[..., k, :, :], inner[..., 0, :] @ wanted, atol=1e-9)
+        wanted = moved @ wanted
+    np.testing.assert_allclose(end, wanted, atol=1e-9)
+
+
+def test_more_parameters_than_samples_are_guaranteed_nothing():
+    weights = np.tile(WEIGHT / 2, (1, 1))
+    rng = np.random.default_rng(8)
+    phi, z, zc = (rng.normal(size=(1, NODES, n)) for n in (NODES, 2, 2))
+    found = window_drops(phi, z, zc, weights, [1.0, 1.0], 0.8)
+    assert np.all(found["rho"] == 0)
+    assert np.all(found["drop"] == 0)
+    assert found["contraction"] == pytest.approx(1.0)
 
 
 def test_the_axes_do_not_meet_and_the_matrices_are_the_diagram_s():
@@ -126,10 +167,7 @@ def test_the_corrected_bound_is_never_violated(group):
     pieces = len(lengths)
     A = error_matrices(phi, z, zc, KD, gain)
     steps = np.stack(  # the transition over each piece, beside a constant push on e
-        [
-            propagate(_pushed(A[..., k : k + 1, :, :, :]), lengths[k : k + 1])[1]
-            for k in range(pieces)
-        ]
+        [collocated(_pushed(A[..., k, :, :, :]), lengths[k])[1] for k in range(pieces)]
     )
     rng = np.random.default_rng(40 + group)
     count = 300 * pieces

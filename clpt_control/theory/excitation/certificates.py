@@ -22,7 +22,7 @@ import numpy as np
 from ...errors import ScenarioError
 from .recorded import Source
 from .regressor import Regressor, joint_regressor
-from .transition import error_matrices, propagate
+from .transition import propagate, regressors
 
 TURN = 10.0  # radians that e and eta may turn within a piece
 MOST = 20000  # pieces
@@ -70,29 +70,27 @@ def window_drops(
     phi (..., pieces, nodes, N), z and zc (..., pieces, nodes, 2) stand at Gauss-Legendre nodes
     with weights (pieces, nodes); `adapted` are those of the N + 2 parameters that adapt.
     """
-    KD, lengths = np.asarray(KD, dtype=float), weights.sum(1)
-    kept = np.concatenate([[0], 1 + np.arange(phi.shape[-1] + 2)[adapted]])
-    moving, resting = (
-        error_matrices(phi, z, zc, KD, g)[..., kept[:, None], kept] for g in (gain, 0.0)
-    )
-    w, root = resting[..., 0, 1:], np.sqrt(weights)[..., None]
-    inside, transition = propagate(moving, lengths)
-    filtered, _ = propagate(resting, lengths)
-    scale = np.concatenate([[1.0], np.full(len(kept) - 1, gain**-0.5)])  # the diagonal of S
+    lengths, root = weights.sum(1), np.sqrt(weights)[..., None]
+    w = regressors(phi, z, zc)[..., adapted]
+    k = np.asarray(KD, dtype=float).reshape(2, *[1] * (w.ndim - 4))
+    scale = np.concatenate([[1.0], np.full(w.shape[-1], gain**-0.5)])  # the diagonal of S
+    inside, transition = propagate(w, k, gain, lengths)
+    filtered, _ = propagate(w, k, 0.0, lengths)
 
     def least(rows: np.ndarray) -> np.ndarray:
-        """Smallest eigenvalue of the Gramian of rows."""
+        """Return the smallest eigenvalue of the Gramian of rows, 0 where they are too few."""
         flat = (root * rows).reshape(*rows.shape[:-3], -1, rows.shape[-1])
+        if flat.shape[-2] < flat.shape[-1]:
+            return np.zeros(flat.shape[:-2])
         return np.linalg.svd(flat, compute_uv=False)[..., -1] ** 2
 
     size = np.sum(w**2, axis=-1)
-    k = KD.reshape(2, *[1] * (size.ndim - 3))
     q = gain * size.max((-1, -2)) * lengths.sum() / k
     norm = np.linalg.norm(transition * (scale[:, None] / scale), 2, axis=(-2, -1))
     return {
         "contraction": np.minimum(norm**2, 1.0),  # V never grows: V' = -k e^2
-        "drop": 2 * k * least(inside[..., 0, :] / scale),
-        "rho": k * min(1.0, gain) * least(filtered[..., 0, :]) / (1 + q**2),
+        "drop": 2 * k * least(inside / scale),
+        "rho": k * min(1.0, gain) * least(filtered) / (1 + q**2),
         "transition": transition,
     }
 

@@ -14,6 +14,7 @@ of 1e3.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -46,12 +47,12 @@ class Excitation:
     @property
     def eigenvalues(self) -> dict[str, np.ndarray]:
         """Eigenvalues of each axis, from kappa_1 to kappa_2."""
-        return {axis: self._spectrum(axis)[0] for axis in self.factors}
+        return {axis: values for axis, (values, _) in self._spectra.items()}
 
     @property
     def directions(self) -> dict[str, np.ndarray]:
         """Unit eigenvectors as columns, in the order of the eigenvalues."""
-        return {axis: self._spectrum(axis)[1] for axis in self.factors}
+        return {axis: vectors for axis, (_, vectors) in self._spectra.items()}
 
     @property
     def least_excited(self) -> dict[str, dict[str, float]]:
@@ -93,9 +94,13 @@ class Excitation:
                 sentences.append(f"{listed} are not learnable one by one on this track")
         return sentences
 
-    def _spectrum(self, axis: str) -> tuple[np.ndarray, np.ndarray]:
-        _, sizes, rows = np.linalg.svd(self.factors[axis])
-        return sizes[::-1] ** 2, rows[::-1].T
+    @cached_property
+    def _spectra(self) -> dict[str, tuple[np.ndarray, np.ndarray]]:
+        found = {}
+        for axis, R in self.factors.items():
+            _, sizes, rows = np.linalg.svd(R)
+            found[axis] = sizes[::-1] ** 2, rows[::-1].T
+        return found
 
     def _idle(self) -> dict[str, np.ndarray]:
         return {a: values <= self.tolerance * values[-1] for a, values in self.eigenvalues.items()}

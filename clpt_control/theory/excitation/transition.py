@@ -1,16 +1,21 @@
 """The transition matrix of the error system, Eq. (28), from its blocks.
 
-    [e_i, eta_i]' = A_i(t) [e_i, eta_i]
-    eta_i = [theta_i + alpha_i, K_i - KD_i, GammaD_i - Gamma_i]
+    [e_i, eta_i]' = A_i(t) [e_i, eta_i],    A_i = [[-k, w^T], [-gamma w, 0]],    k = KD_i
+    eta_i = [theta_i + alpha_i, K_i - KD_i, GammaD_i - Gamma_i],    w of Eq. (31)
 
-A is read off `error_system` and `parameter_system`: their functions are linear
-in (e, eta), so a call on a unit vector gives a column.  The two axes do not
-meet.  Phi(s, t) is found by collocation at the Gauss-Legendre nodes of each
-piece, the implicit Runge-Kutta method of order 2 NODES,
+A is read off `error_system` and `parameter_system`: their functions are linear in (e, eta), so
+a call on a unit vector yields a column, and one on e = (1, 1) yields w.  The two axes do not
+meet.  Phi is found by collocation at the Gauss-Legendre nodes of each piece of length h, the
+implicit Runge-Kutta method of order 2 NODES.  Within a piece eta moves along the w at the nodes,
+the rows of W, so that only e at the nodes, E, is to be solved for; with G = W W^T and the
+method's a, b, entries of a and G multiplied one by one in a*G,
 
-    Y_j = I + h sum_l a_jl A_l Y_l,    Phi = I + h sum_l b_l A_l Y_l.
+    (I + h k a + gamma h^2 a (a*G)) E = e + h a W eta
+    e   -> e + h b (W eta - k E - gamma h (a*G) E)
+    eta -> eta - gamma h sum_j b_j w_j E_j
 """
 
+from collections.abc import Callable
 from functools import cache
 
 import numpy as np
@@ -55,31 +60,47 @@ def error_matrices(
            [-6. ,  0. ,  0. ,  0. ]])
     """
     N, shape = phi.shape[-1], phi.shape[:-1]
-    blocks = (
-        error_system(ErrorSystemParameters(N, np.asarray(KD, dtype=float))),
-        parameter_system(ParameterSystemParameters(N, float(gain))),
-    )
-    equations = [(block, block.update_function) for block in blocks if block.update_function]
-    given = {
-        "phi_x": np.moveaxis(phi, -1, 0),
-        "z": np.moveaxis(z, -1, 0),
-        "zc": np.moveaxis(zc, -1, 0),
-    }
+    rates = _error_rates(phi, z, zc, KD, gain)
     A = np.empty((2, *shape, N + 3, N + 3))
-    rates = np.empty((2 * N + 6, *shape))
     for axis, own in enumerate(axis_states(N)):
         for column, state in enumerate(own):
             unit = np.zeros((2 * N + 6, *shape))
             unit[state] = 1.0
-            ports = {**given, "e": unit[:2], "eta": unit[2:]}
-            row = 0
-            for block, rate in equations:
-                u = np.concatenate([ports[port] for port in block.input_ports])
-                x = np.concatenate([ports[port] for port in block.state_ports])
-                rate(0.0, x, u, block.parameters, rates[row : row + len(x)])
-                row += len(x)
-            A[axis, ..., column] = np.moveaxis(rates[own], 0, -1)
+            A[axis, ..., column] = np.moveaxis(rates(unit)[own], 0, -1)
     return A + 0.0  # without -0
+
+
+def regressors(phi: np.ndarray, z: np.ndarray, zc: np.ndarray) -> np.ndarray:
+    """Return w of Eq. (31) off the blocks, eta' = -w e for gamma = 1: (2, ..., N + 2)."""
+    N, shape = phi.shape[-1], phi.shape[:-1]
+    unit = np.zeros((2 * N + 6, *shape))
+    unit[:2] = 1.0
+    rates = _error_rates(phi, z, zc, np.ones(2), 1.0)(unit)
+    return -np.stack([np.moveaxis(rates[own[1:]], 0, -1) for own in axis_states(N)])
+
+
+def _error_rates(
+    phi: np.ndarray, z: np.ndarray, zc: np.ndarray, KD: np.ndarray, gain: float
+) -> Callable[[np.ndarray], np.ndarray]:
+    """Return the blocks' function (e, eta) -> (e, eta)', both (2N + 6, ...)."""
+    N, shape = phi.shape[-1], phi.shape[:-1]
+    blocks = (
+        error_system(ErrorSystemParameters(N, np.asarray(KD, dtype=float))),
+        parameter_system(ParameterSystemParameters(N, float(gain))),
+    )
+    given = {name: np.moveaxis(v, -1, 0) for name, v in (("phi_x", phi), ("z", z), ("zc", zc))}
+
+    def rates(X: np.ndarray) -> np.ndarray:
+        ports, found, row = {**given, "e": X[:2], "eta": X[2:]}, np.empty((2 * N + 6, *shape)), 0
+        for block in blocks:
+            u = np.concatenate([ports[port] for port in block.input_ports])
+            x = np.concatenate([ports[port] for port in block.state_ports])
+            assert block.update_function is not None
+            block.update_function(0.0, x, u, block.parameters, found[row : row + len(x)])
+            row += len(x)
+        return found
+
+    return rates
 
 
 def axis_states(N: int) -> list[list[int]]:
@@ -101,23 +122,27 @@ def collocation(nodes: int) -> tuple[np.ndarray, np.ndarray]:
     return integrals @ coefficients / 2, weight / 2
 
 
-def propagate(A: np.ndarray, lengths: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return Phi at the nodes and at the end, Phi = I at the start.
+def propagate(
+    w: np.ndarray, k: np.ndarray, gain: float, lengths: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the row of e in Phi at the nodes, (..., pieces, nodes, n + 1), and Phi at the end.
 
-    A has the shape (..., pieces, nodes, n, n) and holds Gauss-Legendre nodes; so has the first
-    result.  Phi at the end is (..., n, n); lengths (pieces,) are times.
+    w (..., pieces, nodes, n) stands at the Gauss-Legendre nodes of pieces with these lengths
+    (pieces,), k (...) is the feedback gain; Phi = I at the start.
     """
-    *batch, pieces, nodes, n, _ = A.shape
+    *batch, pieces, nodes, n = w.shape
     a, b = collocation(nodes)
-    at_nodes = np.empty((*batch, pieces, nodes, n, n))
-    end = np.broadcast_to(np.eye(n), (*batch, n, n)).copy()
-    for k in range(pieces):
-        here = lengths[k] * A[..., k, :, :, :]
-        # the block (j, l) of the system is delta_jl I - h a_jl A_l
-        system = -np.einsum("jl,...lpq->...jplq", a, here).reshape(*batch, nodes * n, nodes * n)
-        system += np.eye(nodes * n)
-        ones = np.broadcast_to(np.tile(np.eye(n), (nodes, 1)), (*batch, nodes * n, n))
-        inner = np.linalg.solve(system, ones).reshape(*batch, nodes, n, n)
-        at_nodes[..., k, :, :, :] = inner @ end[..., None, :, :]
-        end = end + np.einsum("l,...lpq,...lqr->...pr", b, here, at_nodes[..., k, :, :, :])
-    return at_nodes, end
+    k = np.asarray(k)[..., None, None]
+    rows = np.empty((*batch, pieces, nodes, n + 1))
+    end = np.broadcast_to(np.eye(n + 1), (*batch, n + 1, n + 1)).copy()
+    e, eta = end[..., :1, :], end[..., 1:, :]
+    for piece in range(pieces):
+        h, W = lengths[piece], w[..., piece, :, :]
+        Wt = np.swapaxes(W, -1, -2)
+        fed_back, pushed = gain * h * a * (W @ Wt), W @ eta
+        system = np.eye(nodes) + h * a @ (k * np.eye(nodes) + fed_back)
+        E = np.linalg.solve(system, e + h * a @ pushed)
+        e += h * b[None] @ (pushed - k * E - fed_back @ E)
+        eta -= gain * h * (Wt * b) @ E
+        rows[..., piece, :, :] = E
+    return rows, end
