@@ -11,7 +11,9 @@ All of them are made from the same functions; they agree, or one refuses with a
 sentence.
 """
 
+import ctypes
 from collections.abc import Callable, Mapping
+from functools import cache
 from typing import Any
 
 import control
@@ -66,48 +68,48 @@ def readings(
     lanes [2. 1.]
     symbolic [2. 1.]
     """
-    in_python = PythonDiagram(diagram, params)
-    made: dict[tuple[str, int], Callable] = {}
-
-    def machine(form: str, lanes: int) -> Reading:
-        def ask(t: float, x: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
-            if (form, lanes) not in made:
-                made[form, lanes] = _machine(diagram, params, form, lanes)
-            return made[form, lanes](t, x, u)
-
-        return ask
-
-    def python(t: float, x: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
-        in_python.sweep.enter(t)
-        x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
-        dx = in_python.sweep.derivative(t, x, u)
-        return dx, in_python.sweep.outputs(u)
+    sweep = PythonDiagram(diagram, params).sweep
 
     def by_control(t: float, x: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
         arguments = (t, np.asarray(x, dtype=float), np.asarray(u, dtype=float), params)
         return np.asarray(diagram.dynamics(*arguments)), np.asarray(diagram.output(*arguments))
 
     return {
-        "python": python,
+        "python": _in_sweep(sweep),
         "control": by_control,
-        "scalar": machine("unrolled", 1),
-        "looped": machine("looped", 1),
-        "lanes": machine("unrolled", LANES),
-        "symbolic": _symbolic(in_python),
+        "scalar": _by_machine(diagram, params, "unrolled", 1),
+        "looped": _by_machine(diagram, params, "looped", 1),
+        "lanes": _by_machine(diagram, params, "unrolled", LANES),
+        "symbolic": _in_sweep(_SymbolicSweep(sweep.wiring, sweep.given)),
     }
 
 
-def _machine(diagram: Any, params: Any, form: str, lanes: int) -> Reading:
+def _in_sweep(sweep: Sweep) -> Reading:
+    def ask(t: float, x: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
+        sweep.enter(t)
+        x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
+        return sweep.derivative(t, x, u), sweep.outputs(u)
+
+    return ask
+
+
+def _by_machine(diagram: Any, params: Any, form: str, lanes: int) -> Reading:
     """Return a reading of machine code; in lanes the last is asked, the others lie elsewhere."""
-    native = NativeDiagram(diagram, params, form)
-    native.code = code_of(native.wiring, native.layout, form, 2)
-    addresses = [native.code.address(name, lanes) for name in ("prepare", "derivative", "signals")]
-    lane, n, m = lanes - 1, native.nstates, native.wiring.ninputs
-    arrays = _arrays(native, lanes)
+
+    @cache
+    def compiled() -> tuple[NativeDiagram, list[int], tuple[np.ndarray, ...]]:
+        native = NativeDiagram(diagram, params, form)
+        code = native.code = code_of(native.wiring, native.layout, form, 2)
+        addresses = [code.address(name, lanes) for name in ("prepare", "derivative", "signals")]
+        sizes = native.nstates, code.program.parameters, code.program.room, native.nstates
+        X, P, W, D = (np.zeros((max(size, 1), lanes)) for size in sizes)
+        return native, addresses, (np.zeros(lanes), X, P, np.append(native.layout.T, 0.0), W, D)
 
     def ask(t: float, x: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
+        native, addresses, arrays = compiled()
         x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
         time, X, P, _, W, D = arrays
+        lane, n, m = lanes - 1, native.nstates, native.wiring.ninputs
         own = native.parameters()
         own[native.ramp : native.ramp + 1 + 2 * m] = [t, *u, *np.zeros(m)]
         for k, place in native.layout.intervals.items():
@@ -117,35 +119,10 @@ def _machine(diagram: Any, params: Any, form: str, lanes: int) -> Reading:
             elsewhere = 1.0 + 0.1 * (lane - k)
             time[k], X[:n, k], P[: len(own), k] = t, x * elsewhere, own
         for address in addresses:
-            _call(address, arrays)
+            function = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 6)(int(address))
+            function(*(array.ctypes.data for array in arrays))
         signals = W[: native.nsignals, lane]
         return D[:n, lane].copy(), native.wiring.output_map @ np.concatenate([signals, u])
-
-    return ask
-
-
-def _arrays(native: NativeDiagram, lanes: int) -> tuple[np.ndarray, ...]:
-    """Return t, X, P, T, W and D for so many lanes."""
-    program = native.code.program
-    sizes = native.nstates, program.parameters, program.room, native.nstates
-    X, P, W, D = (np.zeros((max(size, 1), lanes)) for size in sizes)
-    return np.zeros(lanes), X, P, np.append(native.layout.T, 0.0), W, D
-
-
-def _call(address: int, arrays: tuple[np.ndarray, ...]) -> None:
-    import ctypes
-
-    function = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 6)(int(address))
-    function(*(array.ctypes.data for array in arrays))
-
-
-def _symbolic(in_python: PythonDiagram) -> Reading:
-    def ask(t: float, x: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
-        sweep = _SymbolicSweep(in_python.wiring, in_python.sweep.given)
-        sweep.enter(t)
-        u = np.asarray(u, dtype=float)
-        dx = sweep.derivative(t, np.asarray(x, dtype=float), u)
-        return dx, sweep.outputs(u)
 
     return ask
 
