@@ -12,7 +12,7 @@ from numba.core.compiler_lock import global_compiler_lock
 from ..blocks import Block
 from ..blocks.tracers import TooLong
 from ..diagrams.wiring import Wiring
-from ..errors import Uncompiled
+from ..errors import DiagramError, Uncompiled
 from . import method
 from .formula import kernel
 from .layout import Layout, Sources
@@ -23,6 +23,7 @@ from .program import Item, Loop, Program
 from .unrolled import unrolled_program
 
 UNROLLED = 3_000  # items of a derivative; a larger one keeps its loops
+FORMS = (None, "unrolled", "looped")
 MOST = 30_000  # items of a derivative; a larger one is left to Python
 
 
@@ -39,8 +40,8 @@ class Structure(NamedTuple):
 class Code:
     """The program of a structure, and its machine code once it is asked for."""
 
-    def __init__(self, program: Program, nstates: int):
-        self.program, self.nstates = program, nstates
+    def __init__(self, program: Program):
+        self.program = program
         self.unrolled = not any(isinstance(item, Loop) for item in program.derivative)
         self._machines: dict[tuple[str, int], Machine] = {}
 
@@ -65,6 +66,8 @@ def code_of(wiring: Wiring, layout: Layout, form: str | None = None, least: int 
     `form` is ``"unrolled"``, ``"looped"``, or None: by size; loops of fewer turns than `least`
     are unrolled.  What cannot be compiled is an `Uncompiled` error.
     """
+    if form not in FORMS:
+        raise DiagramError(f"form = {form!r}: must be 'unrolled' or 'looped', or left out")
     for node in wiring.nodes:
         if not isinstance(node.system, Block):
             raise Uncompiled(f"{node.name} is no block and cannot be compiled")
@@ -98,7 +101,7 @@ class _Hidden:
 @global_compiler_lock  # threads that ask at once are given the same code
 @lru_cache(maxsize=64)
 def _code(structure: Structure, form: str | None, least: int, hidden: _Hidden) -> Code:
-    sources, nodes = hidden.sources, hidden.sources.wiring.nodes
+    sources = hidden.sources
     operations = sum(len(r.operations) for own in structure.records for r in own if r is not None)
     program = None
     if form == "unrolled" or (form is None and operations <= 2 * UNROLLED):
@@ -113,7 +116,7 @@ def _code(structure: Structure, form: str | None, least: int, hidden: _Hidden) -
             f"the diagram takes {size} operations apart from loops, more than {MOST}: write what "
             "repeats as `for i in range(n)` with equal turns"
         )
-    return Code(program, nodes[-1].states.stop)
+    return Code(program)
 
 
 def count(items: tuple[Item, ...]) -> int:

@@ -24,11 +24,10 @@ SIGNED = {"div", "atan2", "pow", "floordiv", "mod"}  # that tell -0.0 from 0.0
 
 
 class Slot(NamedTuple):
-    """Where a parameter field lies: in P, own to a run, or in T; its first number; its shape."""
+    """Where a parameter field lies: in P, own to a run, or in T; its first number."""
 
     array: str
     offset: int
-    shape: tuple[int, ...]
 
 
 @dataclass
@@ -78,7 +77,7 @@ def lay_out(wiring: Wiring, parameters: Sequence[Any]) -> Layout:
                 stack = tables if large else own
                 offset = sum(part.size for part in stack)
                 stack.append(array.ravel())
-                known[key] = Slot("T" if large else "P", offset, array.shape)
+                known[key] = Slot("T" if large else "P", offset)
             slot = layout.slots[k, name] = known[key]
             names.append(f"{k}.{name}:{slot.array}{slot.offset}{array.shape}")
             if name == "interval" and node.system.breakpoints_function is not None:
@@ -134,7 +133,7 @@ class Sources:
 
     def parameter(self, k: int, name: str) -> tuple[str, int]:
         """Return array and first place of a parameter field of block k."""
-        return self.layout.slots[k, name][:2]
+        return self.layout.slots[k, name]
 
     def external(self, place: int) -> tuple[int, int, int]:
         """Return where an input's beginning, value and slope lie in P."""

@@ -381,6 +381,11 @@ def test_every_engine_refuses_what_it_would_have_to_ignore(made, changes, senten
         runner.run(given.pop("x0"), given.pop("times"), **given)
 
 
+def test_unknown_forms_of_machine_code_are_refused():
+    with pytest.raises(DiagramError, match="form = 'rolled': must be 'unrolled' or 'looped'"):
+        NativeDiagram(clpt.closed_loop(clpt.paper_scenario()), form="rolled")
+
+
 @pytest.mark.parametrize("made", [NativeDiagram, PythonDiagram])
 def test_many_starts_are_checked_too(made):
     runner = made(clpt.closed_loop(clpt.paper_scenario()))
