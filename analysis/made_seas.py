@@ -19,7 +19,7 @@ import numpy as np
 from clpt_control.estimation.fix_regressor import inertial_frequency
 from clpt_control.estimation.wandering import QUARTER_DAY
 from clpt_control.gliders import Dive
-from clpt_control.scenario.tides import period
+from clpt_control.scenario import period
 
 DAY, TICK = 86400.0, 600.0  # s
 LATITUDE, LONGITUDE = 40.0, 8.0  # degrees, of all dives

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 import clpt_control as clpt
-from clpt_control.simulation.loops import initial_state
+from clpt_control import initial_state
 
 REFERENCE = Path(__file__).parent.parent / "tests" / "reference" / "paper.json"
 CHUNK = 4096  # members drawn at a time

@@ -4,7 +4,7 @@ import heyoka as hy
 import numpy as np
 
 import clpt_control as clpt
-from clpt_control.simulation.loops import initial_state
+from clpt_control import initial_state
 
 from .cases import Case
 from .engines import timed

@@ -4,8 +4,8 @@ import control
 import numpy as np
 
 import clpt_control as clpt
+from clpt_control import initial_state
 from clpt_control.native.python_diagram import PythonDiagram
-from clpt_control.simulation.loops import initial_state
 
 from .cases import Case
 from .engines import timed

@@ -70,7 +70,7 @@ def flow_velocity(
     array([[1.492, 1.392]])
     """
     points = np.atleast_2d(np.asarray(points, dtype=float))
-    if parameters is None and scenario.flow.field is not None:
+    if parameters is None and scenario.flow.parameters is None:
         calm = scenario.with_values({"flow.disturbance": None})
         block = next(b for b in paper_blocks(calm) if b.name == "true_flow")
         return evaluate(block, times, points)
