@@ -1,9 +1,13 @@
 """Files of dives, told apart by what is in them.
 
-Each path is a file or a folder of `*.nc` and `*.csv`; a file is a Seaglider
-basestation file, an OG1 trajectory or a CSV table, found by its content.  A
-damaged file among good ones is left out with its reason and the good dives are
-used; what was named and does not exist is an error.
+Each path is a file or a folder of `*.nc` and `*.csv`; a file is of one of the dialects
+below, found by its content.  A damaged file among good ones is left out with its
+reason and the good dives are used; what was named and does not exist is an error.
+
+A dialect is a module with two functions: `is_known(content)` and
+`dives_of(content, path)`.  The content is an open xarray.Dataset or a text, and the
+dives come as a list, from a text with a list of `Skipped` lines.  A further format
+is a module and its row here.
 """
 
 from collections.abc import Iterable
@@ -14,41 +18,24 @@ from ..errors import DataError
 from ..files import open_netcdf
 from ..files.reading import read_bytes, text_of
 from ..progress.interrupt import check
-from . import og1, seaglider
-from .dive_table import NO_TEXT, parse_dive_table
+from . import dive_table, og1, seaglider
 from .dives import Dive, Skipped
 
+OF_NETCDF = (seaglider, og1)
+OF_TEXT = (dive_table,)  # which takes any text, so it is the last
+KINDS = "Seaglider or OG1 NetCDF files, a CSV table of dives"
 SUFFIXES = (".nc", ".csv")
 NETCDF = (b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF")
 
 
 def dive_paths(paths: Iterable[str | Path]) -> list[Path]:
-    """Return the files that paths name, folders opened.
-
-    Parameters
-    ----------
-    paths : iterable of str or Path
-        Files and folders.
-
-    Returns
-    -------
-    list of Path
-        Files of a folder by name, those that begin with a dot left out.
-
-    Raises
-    ------
-    DataError
-        If a path does not exist or a folder has no such file.
-    """
+    """Return the files that paths name; those of a folder by name, hidden ones left out."""
     files: list[Path] = []
     for path in map(Path, paths):
         try:
             inside = list(path.iterdir()) if S_ISDIR(path.stat().st_mode) else None
         except (FileNotFoundError, NotADirectoryError):
-            raise DataError(
-                f"{path}: no such file; give Seaglider or OG1 NetCDF files, a CSV table of dives, "
-                "or a folder of them"
-            ) from None
+            raise DataError(f"{path}: no such file; give {KINDS}, or a folder of them") from None
         except OSError as error:
             raise DataError(f"{path}: cannot be read: {error.strerror}") from None
         if inside is None:
@@ -66,44 +53,28 @@ def dive_paths(paths: Iterable[str | Path]) -> list[Path]:
 
 
 def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
-    """Read a file of dives, whichever kind it is.
+    """Read a file of any dialect: its dives, and lines of a text that hold none.
 
-    Parameters
-    ----------
-    path : str or Path
-        Seaglider basestation file, OG1 trajectory or CSV table; a table may
-        be a pipe that is open.
-
-    Returns
-    -------
-    dives : list of Dive
-        In the file's order.
-    skipped : list of Skipped
-        Lines of a table that hold no dive.
-
-    Raises
-    ------
-    DataError
-        If the file is missing, empty, damaged or of another kind.
+    A text may be a pipe that is open.
     """
     path = Path(path)
     raw = read_bytes(path, NETCDF)
     if not raw:
-        raise DataError(f"{path}: is empty; must be a Seaglider or OG1 file or a CSV table")
+        raise DataError(f"{path}: is empty; must be one of {KINDS}")
     if raw not in NETCDF:
-        return parse_dive_table(text_of(raw, path, NO_TEXT), str(path))
+        text = text_of(raw, path, f"is neither NetCDF nor text; must be one of {KINDS}")
+        return next(one for one in OF_TEXT if one.is_known(text)).dives_of(text, path)
     if not path.is_file():
         raise DataError(f"{path}: is NetCDF through a pipe; save it as a file and give that")
     with open_netcdf(path) as data:
-        if seaglider.is_seaglider(data):
-            return [seaglider.dive_of(data, path)], []
-        if og1.is_og1(data):
-            return og1.dives_of(data, path), []
+        for dialect in OF_NETCDF:
+            if dialect.is_known(data):
+                return dialect.dives_of(data, path), []
         known = ", ".join(map(str, list(data.variables)[:8])) or "no variables"
     raise DataError(
         f"{path}: neither a Seaglider file (with log_gps_time) nor OG1 (with LATITUDE_GPS): it has "
-        f"{known}, not the fixes and the way through the water that a dive needs; a CSV table of "
-        "dives can give both"
+        f"{known}, not the fixes and the displacement through the water that a dive needs; a CSV "
+        "table of dives can give both"
     )
 
 
@@ -126,6 +97,10 @@ def read_dives(paths: str | Path | Iterable[str | Path]) -> tuple[list[Dive], li
     ------
     DataError
         If a path does not exist, or no file holds a dive.
+
+    Examples
+    --------
+    >>> dives, skipped = read_dives("p5420304.nc")  # doctest: +SKIP
     """
     files = dive_paths([paths] if isinstance(paths, str | Path) else paths)
     dives: list[Dive] = []

@@ -5,7 +5,7 @@ One row per dive under a header.  Required columns: `dive`, `t_gps2`, `lat_gps2`
 `dr_east_m`, `dr_north_m` (dead reckoning through the water, m).  Optional:
 `t_gps1`, `lat_gps1`, `lon_gps1`, `dac_east`, `dac_north` (m/s), `dac_qc`,
 `magvar` (degrees), `depth_max` (m).  Lines that begin with `#` are comments, other columns are
-left alone, and the way between the fixes is computed, never read.
+left alone, and the displacement between the fixes is computed, never read.
 """
 
 from collections.abc import Iterable
@@ -13,18 +13,17 @@ from datetime import UTC, datetime
 from importlib import resources
 from math import isfinite, nan
 from pathlib import Path
+from typing import Any
 
 from ..currents.text_table import other_marks, table_of
 from ..errors import DataError
 from ..files import write_text
-from ..files.reading import read_text
-from .dive_faults import NUMBERS, whole_number
-from .dives import Dive, Skipped, make_dive
+from .dives import NUMBERS, Dive, Skipped, make_dive, whole_number
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")
 END = ("t_gpse", "lat_gpse", "lon_gpse")
-WAY = ("dr_east_m", "dr_north_m")
-REQUIRED = ("dive", *START, *END, *WAY)
+THROUGH_WATER = ("dr_east_m", "dr_north_m")
+REQUIRED = ("dive", *START, *END, *THROUGH_WATER)
 OPTIONAL = (
     "t_gps1",
     "lat_gps1",
@@ -35,66 +34,28 @@ OPTIONAL = (
     "magvar",
     "depth_max",
 )
-NO_TEXT = "is neither NetCDF nor text; must be a Seaglider or OG1 file or a CSV table"
 
 
-def read_dive_table(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
-    """Read a CSV table of dives.
-
-    Parameters
-    ----------
-    path : str or Path
-        The file.
-
-    Returns
-    -------
-    dives : list of Dive
-        In the file's order; NaN where a required number is missing.
-    skipped : list of Skipped
-        Lines that hold no dive.
-
-    Raises
-    ------
-    DataError
-        If the file is missing, empty, no text or lacks required columns.
-    """
-    return parse_dive_table(read_text(path, NO_TEXT), str(path))
+def is_known(_: str) -> bool:
+    """Whether a text is a table of dives: any is taken for one, and told what it lacks."""
+    return True
 
 
-def parse_dive_table(text: str, name: str) -> tuple[list[Dive], list[Skipped]]:
-    r"""Read a table of dives from text.
+def dives_of(text: str, path: str | Path) -> tuple[list[Dive], list[Skipped]]:
+    r"""Return the dives of a table, NaN where a number is missing, and lines that hold none.
 
-    Parameters
-    ----------
-    text : str
-        The table with its header.
-    name : str
-        Where it comes from, for messages.
-
-    Returns
-    -------
-    tuple
-        As `read_dive_table`.
-
-    Raises
-    ------
-    DataError
-        If it is empty or lacks required columns.
-
-    Examples
-    --------
     >>> header = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m"
-    >>> dives, skipped = parse_dive_table(header + "\n1,0,-43,8,9000,-43,8.1,8000,0", "mine.csv")
+    >>> dives, skipped = dives_of(header + "\n1,0,-43,8,9000,-43,8.1,8000,0", "mine.csv")
     >>> round(dives[0].miss_east), dives[0].magvar, skipped
     (154, None, [])
     """
-    cells = table_of(text, name, f"NetCDF or a table with {', '.join(REQUIRED)}").cells
+    cells = table_of(text, path, f"NetCDF or a table with {', '.join(REQUIRED)}").cells
     header = list(cells.columns)
-    _check_header(header, name)
+    _check_header(header, path)
     dives: list[Dive] = []
     skipped: list[Skipped] = []
     for line, row in zip(cells.index, cells.to_numpy(), strict=True):
-        found = _dive(dict(zip(header, row, strict=True)), f"{name}, line {line}")
+        found = _dive(dict(zip(header, row, strict=True)), f"{path}, line {line}")
         if isinstance(found, Dive):
             dives.append(found)
         else:
@@ -102,7 +63,7 @@ def parse_dive_table(text: str, name: str) -> tuple[list[Dive], list[Skipped]]:
     return dives, skipped
 
 
-def _check_header(header: list[str], name: str) -> None:
+def _check_header(header: list[str], name: str | Path) -> None:
     """Refuse a header without a required column, or with a column twice."""
     line = ",".join(header)
     missing = [column for column in REQUIRED if column not in header]
@@ -130,9 +91,10 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
     if number is None:
         given = repr(row.get("dive", "")[:30])
         return Skipped(None, f"{where}: dive is {given}; must be a whole number below {NUMBERS}")
-    notes, found = [], {}
+    notes: list[str] = []
+    found: dict[str, Any] = {}
     for column in (*REQUIRED[1:], *OPTIONAL):
-        text = (row.get(column) or "").strip()
+        text = row.get(column, "")
         value = _number(text)
         if value is None and text and column in (START[0], END[0]):
             return Skipped(number, f"{where}: {column} is {text[:30]!r}; {_in_seconds(text)}")
@@ -143,13 +105,15 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
         if column in REQUIRED:
             found[column] = nan if value is None else value
         else:
-            found[column] = value if value is not None and isfinite(value) else None  # type: ignore
-    start, end, way = ([found[column] for column in columns] for columns in (START, END, WAY))
+            found[column] = value if value is not None and isfinite(value) else None
+    start, end, through_water = (
+        tuple(found[column] for column in columns) for columns in (START, END, THROUGH_WATER)
+    )
     return make_dive(
         number,
-        (start[0], start[1], start[2]),
-        (end[0], end[1], end[2]),
-        (way[0], way[1]),
+        start,
+        end,
+        through_water,
         **{column: found[column] for column in OPTIONAL},
         notes=tuple(notes),
     )
@@ -163,7 +127,7 @@ def _number(text: str | None) -> float | None:
 
 
 def _in_seconds(text: str) -> str:
-    """Say how a time that is no number must be written."""
+    """Return how a time that is no number must be written."""
     try:
         date = datetime.fromisoformat(text)
     except ValueError:
@@ -173,7 +137,7 @@ def _in_seconds(text: str) -> str:
 
 
 def write_dive_table(dives: Iterable[Dive], path: str | Path, comment: str = "") -> None:
-    """Write dives as a CSV table that reads back to the same numbers.
+    """Write dives as a CSV table that reads back bit for bit.
 
     Parameters
     ----------
@@ -188,6 +152,10 @@ def write_dive_table(dives: Iterable[Dive], path: str | Path, comment: str = "")
     ------
     DataError
         If the file cannot be written.
+
+    Examples
+    --------
+    >>> write_dive_table(sample_dives(), "dives.csv")  # doctest: +SKIP
     """
     lines = [f"# {line}".rstrip() for line in comment.splitlines()]
     lines.append(",".join((*REQUIRED, "gps_east_m", "gps_north_m", *OPTIONAL)))
@@ -220,4 +188,4 @@ def sample_dives() -> list[Dive]:
     (14, 304, 1371)
     """
     text = (resources.files("clpt_control.data") / "sg542_dives.csv").read_text("utf-8")
-    return parse_dive_table(text, "sg542_dives.csv")[0]
+    return dives_of(text, "sg542_dives.csv")[0]

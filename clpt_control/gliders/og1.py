@@ -2,86 +2,84 @@
 
 The format (OceanGliders community, "OG1.0 format user manual") has one dimension
 `N_MEASUREMENTS` with `TIME`, `LATITUDE`, `LONGITUDE`, `DEPTH` along the track and
-`TIME_GPS`, `LATITUDE_GPS`, `LONGITUDE_GPS` at the fixes.  It standardizes neither
-dives nor dead reckoning; `og1_names` has what converters call them.
+`TIME_GPS`, `LATITUDE_GPS`, `LONGITUDE_GPS` at the fixes (`og1_columns`).  It
+standardizes neither dives nor dead reckoning.
 
 A dive lies between two fixes with more than ten minutes and a measurement under
 water between them: deeper than 5 m, else of a `PHASE` under water, else any.  What
-lacks one is a long surfacing.  Dives without a fix between them are one.  The
-writer adds `GPS_FIX`, which says what each fix is to its dive, so that a file
-reads back to the same dives whatever their fixes.
+lacks one is a long surfacing.  Dives without a fix between them are one.
+
+The displacement dr through the water is the first that the file allows of
+
+1. displacements (m since the sample before): dr = sum_i d_i;
+2. the flight model's horizontal speed s and the heading h from true north, or
+   from magnetic north where the variation is in the file:
+   d_i = s_i (t_i - t_{i-1}) (sin h_i, cos h_i);
+3. the file's depth-averaged current c:
+   dr = (displacement between the fixes) - c (t_E - t_2);
+4. as 2 with a magnetic heading and no variation, taken as true.
+
+The dive's notes say which it was where it was not the first.
 """
 
+from math import nan
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from ..errors import DataError
-from ..files import open_netcdf
-from .dives import Dive, Fix, make_dive
+from ..geodesy import displacement
+from .dives import Dive, Fix, compared, make_dive
 from .og1_columns import Columns, columns_of, fixes_in
-from .og1_columns import is_og1 as is_og1
-from .og1_names import GPS1, GPS2, GPSE, UNDER_WATER
-from .og1_way import way_of
-from .og1_writer import write_og1 as write_og1
-from .own_current import compared
-from .samples import deepest
+from .og1_columns import is_known as is_known
+from .samples import deepest, hole_under_water, track_of
 
 if TYPE_CHECKING:
     import xarray
 
+    from ..estimation.dive import Track
+
 LEAST_GAP = 600.0  # s between two fixes with a dive between them
 LEAST_DEPTH = 5.0  # m that a dive reaches
+UNDER_WATER = (1, 2, 4, 5)  # PHASE: ascent, descent, parking, inflexion
 
 
-def read_og1(path: str | Path) -> list[Dive]:
-    """Read the dives of an OG1 trajectory file.
+class ThroughWater(NamedTuple):
+    """Displacement east and north (m), NaN where the file has none, its track, notes."""
 
-    Parameters
-    ----------
-    path : str or Path
-        The file.
-
-    Returns
-    -------
-    list of Dive
-        By time; NaN where the way through the water is not in the file.
-
-    Raises
-    ------
-    DataError
-        If the file is missing, damaged or without fixes.
-    """
-    path = Path(path)
-    with open_netcdf(path) as data:
-        return dives_of(data, path)
+    total: tuple[float, float]
+    track: "Track | None"
+    notes: list[str]
 
 
 def dives_of(data: "xarray.Dataset", path: Path) -> list[Dive]:
-    """Return the dives of an open OG1 file.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        The file.
-    path : Path
-        Its name, for messages.
-
-    Returns
-    -------
-    list of Dive
-        As `read_og1`.
-
-    Raises
-    ------
-    DataError
-        If it has no fixes, or none far enough apart for a dive.
-    """
+    """Return the dives of a file by time, between fixes that are far apart in time."""
     columns = columns_of(data, path)
-    if np.isfinite(columns.of["kind"]).any():
-        return _by_kind(columns)
-    dives = _by_gaps(columns, path)
+    of = columns.of
+    rows, failed = fixes_in(of, path)
+    when = of["t_fix"][rows]
+    gaps = np.flatnonzero(np.diff(when) > LEAST_GAP).tolist()
+    wet = _under_water(of)
+    inside = [np.flatnonzero((of["time"] > when[k]) & (of["time"] <= when[k + 1])) for k in gaps]
+    under = [bool(wet[part].any()) for part in inside]
+    fixes = [_fix(of, row) for row in rows]
+    dives: list[Dive] = []
+    surfaced = 0  # first fix since the dive before
+    for k, part, dived in zip(gaps, inside, under, strict=True):
+        if not dived and any(under):
+            continue
+        before = fixes[surfaced] if k > surfaced else None
+        surfaced = k + 1
+        notes = []
+        if np.any(np.diff(of["time"][part]) < 0):
+            notes.append("the measurements were not in order of time, sorted")
+        part = part[np.argsort(of["time"][part], kind="stable")]
+        bad = int(np.sum((failed >= when[k]) & (failed <= when[k + 1])))
+        if bad:
+            notes.append(f"{bad} fix(es) that are no place or 0 N 0 E left out")
+        three = (before, fixes[k], fixes[k + 1])
+        dives.append(_dive(columns, part, part[wet[part]], three, len(dives) + 1, notes))
     if not dives:
         raise DataError(
             f"{path}: no two fixes more than {LEAST_GAP:g} s apart in LATITUDE_GPS, LONGITUDE_GPS; "
@@ -90,64 +88,12 @@ def dives_of(data: "xarray.Dataset", path: Path) -> list[Dive]:
     return dives
 
 
-def _fix(columns: Columns, row: int) -> Fix:
-    time, lat, lon = (float(columns.of[name][row]) for name in ("t_fix", "lat", "lon"))
-    return time, lat, lon
-
-
-def _by_kind(columns: Columns) -> list[Dive]:
-    """Dives of a file of `write_og1`: each begins at its first fix."""
-    kind = columns.of["kind"]
-    dives = []
-    starts = np.flatnonzero(kind == GPS2).tolist()
-    for start in starts:
-        ends = np.flatnonzero(kind[start:] == GPSE)
-        if not ends.size:
-            continue
-        end = start + int(ends[0])
-        before = start - 1 if start > 0 and kind[start - 1] == GPS1 else None
-        first = None if before is None else _fix(columns, before)
-        rows = np.arange(start, end + 1)
-        dives.append(_dive(columns, rows, _fix(columns, start), _fix(columns, end), first, start))
-    return dives
-
-
-def _by_gaps(columns: Columns, path: Path) -> list[Dive]:
-    """Dives of any OG1 file: between fixes that are far apart in time."""
-    of = columns.of
-    rows, failed = fixes_in(of, path)
-    when = of["t_fix"][rows]
-    gaps = np.flatnonzero(np.diff(when) > LEAST_GAP).tolist()
-    wet = _under_water(of)
-    inside = [np.flatnonzero((of["time"] > when[k]) & (of["time"] <= when[k + 1])) for k in gaps]
-    under = [bool(wet[part].any()) for part in inside]
-    dives: list[Dive] = []
-    surfaced = 0  # first fix since the dive before
-    for k, part, dived in zip(gaps, inside, under, strict=True):
-        if not dived and any(under):
-            continue
-        start, end = _fix(columns, rows[k]), _fix(columns, rows[k + 1])
-        first = _fix(columns, rows[surfaced]) if k > surfaced else None
-        surfaced = k + 1
-        notes = []
-        if np.any(np.diff(of["time"][part]) < 0):
-            notes.append("the measurements were not in order of time, sorted")
-        part = part[np.argsort(of["time"][part], kind="stable")]
-        numbers = np.unique(of["number"][part[wet[part]]])
-        numbers = numbers[np.isfinite(numbers)]
-        if numbers.size > 1:
-            notes.append(
-                f"no fix between dives {numbers[0]:.0f} and {numbers[-1]:.0f}: taken as one"
-            )
-        bad = int(np.sum((failed >= start[0]) & (failed <= end[0])))
-        if bad:
-            notes.append(f"{bad} fix(es) that are no place or 0 N 0 E left out")
-        dives.append(_dive(columns, part, start, end, first, len(dives) + 1, wet, notes))
-    return dives
+def _fix(of: dict[str, np.ndarray], row: int) -> Fix:
+    return float(of["t_fix"][row]), float(of["lat"][row]), float(of["lon"][row])
 
 
 def _under_water(of: dict[str, np.ndarray]) -> np.ndarray:
-    """Which rows are measurements under water."""
+    """Return which rows are measurements under water."""
     known = np.isfinite(of["phase"]) & (of["phase"] != 0)
     wet = np.where(known, np.isin(of["phase"], UNDER_WATER), True) & ~np.isfinite(of["lat"])
     return np.where(np.isfinite(of["depth"]), of["depth"] > LEAST_DEPTH, wet)
@@ -156,13 +102,12 @@ def _under_water(of: dict[str, np.ndarray]) -> np.ndarray:
 def _dive(
     columns: Columns,
     rows: np.ndarray,
-    start: Fix,
-    end: Fix,
-    first: Fix | None,
+    wet: np.ndarray,
+    fixes: tuple[Fix | None, Fix, Fix],
     otherwise: int,
-    wet: np.ndarray | None = None,
-    notes: list[str] | None = None,
+    notes: list[str],
 ) -> Dive:
+    """Make the dive of some rows, wet or not; `otherwise` is its number where none is known."""
     of = columns.of
 
     def of_dive(key: str, among: np.ndarray = rows) -> float | None:
@@ -170,29 +115,114 @@ def _dive(
         found = found[np.isfinite(found)]
         return float(np.median(found)) if found.size else None
 
-    number = of_dive("number", rows if wet is None else rows[wet[rows]])
-    if number is None:
-        number = of_dive("number")
-    u, v = of_dive("u"), of_dive("v")
-    if notes and any("taken as one" in note for note in notes):
-        u = v = None
-    found = way_of(columns, rows, start, end, (u, v), whole=wet is not None)
-    before: dict[str, Any] = {}
-    if first is not None:
-        before = dict(zip(("t_gps1", "lat_gps1", "lon_gps1"), first, strict=True))
+    numbers = np.unique(of["number"][wet][np.isfinite(of["number"][wet])])
+    number = of_dive("number", wet if numbers.size else rows)
+    current = of_dive("u"), of_dive("v")
+    if numbers.size > 1:
+        first, last = numbers[[0, -1]]
+        notes.append(f"no fix between dives {first:.0f} and {last:.0f}: taken as one")
+        current = None, None
+    before, start, end = fixes
+    found = _through_water(columns, rows, start, end, current)
     greatest = of_dive("depth_max")
     dive = make_dive(
         otherwise if number is None else int(number),
         start,
         end,
         found.total,
-        **before,
-        dac_east=u,
-        dac_north=v,
+        **dict(zip(("t_gps1", "lat_gps1", "lon_gps1"), before or (None,) * 3, strict=True)),
+        dac_east=current[0],
+        dac_north=current[1],
         dac_qc=of_dive("qc"),
         magvar=of_dive("magvar"),
         depth_max=deepest(of["depth"][rows]) if greatest is None else greatest,
         track=found.track,
-        notes=(*(notes or []), *found.notes),
+        notes=(*notes, *found.notes),
     )
-    return dive if wet is None else compared(dive)
+    return compared(dive)
+
+
+def _through_water(
+    columns: Columns,
+    rows: np.ndarray,
+    start: Fix,
+    end: Fix,
+    current: tuple[float | None, float | None],
+) -> ThroughWater:
+    """Return the displacement through the water of one dive from its rows, by time."""
+    of = columns.of
+    duration = end[0] - start[0]
+    found = _summed(of, rows, (of["east"], of["north"]), start[0], duration)
+    if found is not None:
+        if columns.steps.upper().endswith("_GSM"):
+            found.notes.append(f"dead reckoning of the glide-slope model ({columns.steps})")
+        return found
+    turn = of["magvar"][rows][np.isfinite(of["magvar"][rows])]
+    variation = None if columns.north == "true" else float(np.median(turn)) if turn.size else None
+    flown = _flown(of, rows, variation or 0.0)
+    sure = columns.north == "true" or variation is not None
+    if sure:
+        found = _summed(of, rows, flown, start[0], duration)
+    u, v = current
+    if found is None and u is not None and v is not None:
+        east, north = displacement(*start[1:], *end[1:])
+        total = east - u * duration, north - v * duration
+        note = "dead reckoning computed from the file's depth-averaged current"
+        return ThroughWater(total, None, [note])
+    if found is None and not sure:
+        found = _summed(of, rows, flown, start[0], duration)
+    if found is None:
+        lacking = (
+            "no EAST_DISPLACEMENT, NORTH_DISPLACEMENT, no speed and heading, no depth-averaged "
+            "current"
+        )
+        return ThroughWater((nan, nan), None, [lacking])
+    said = columns.north or "of a north that the file does not name"
+    if variation is not None:
+        said += f", turned by the file's variation of {variation:g} degrees"
+    elif not sure:
+        said += " and the variation not in the file, taken as true"
+    found.notes.append(f"dead reckoning of the flight model's speed and the heading, {said}")
+    return found
+
+
+def _flown(
+    of: dict[str, np.ndarray], rows: np.ndarray, variation: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return steps of speed and heading, m; NaN where a row has none.
+
+    A row with a heading and no speed is a stall of the flight model: no step.
+    """
+    steps = np.full(of["time"].shape, nan), np.full(of["time"].shape, nan)
+    own = rows[np.isfinite(of["time"][rows]) & np.isfinite(of["heading"][rows])]
+    since = np.diff(of["time"][own], prepend=of["time"][own[:1]])
+    heading = np.radians(of["heading"][own] + variation)
+    for step, part in zip(steps, (np.sin(heading), np.cos(heading)), strict=True):
+        step[own] = of["speed"][own] * since * part
+    return steps
+
+
+def _summed(
+    of: dict[str, np.ndarray],
+    rows: np.ndarray,
+    steps: tuple[np.ndarray, np.ndarray],
+    start: float,
+    duration: float,
+) -> ThroughWater | None:
+    """Sum the steps of a dive; None where it has none."""
+    rows = rows[np.all([np.isfinite(a[rows]) for a in (of["time"], *steps)], axis=0)]
+    if not rows.size:
+        return None
+    since, notes = of["time"][rows] - start, []
+    again = np.diff(since, prepend=-1.0) == 0
+    if again.any() and np.any([step[rows][again] != 0 for step in steps]):
+        notes.append(f"{again.sum()} samples have the time of the one before, left out")
+    rows, since = rows[~again], since[~again]
+    east, north = (step[rows] for step in steps)
+    total = float(np.sum(east)), float(np.sum(north))
+    if np.any(np.diff(since) <= 0) or since[0] < 0:
+        return ThroughWater(total, None, [*notes, "no track: the times are not in order"])
+    hole = hole_under_water(since, of["depth"][rows], duration)
+    if hole:
+        return ThroughWater((nan, nan), None, [*notes, hole])
+    return ThroughWater(total, track_of(since, east, north, duration), notes)

@@ -1,13 +1,23 @@
-"""Samples of a dive: numbers of a file, gaps filled, steps summed to a track.
+"""Samples of a dive: numbers of a file in s, m and m/s, and steps summed to a track.
 
-A step is the way since the sample before, so a track is their running sum, from
-rest at the fix before the dive to rest at the fix after it.  Times are s, ways m.
+Files of different makers give the same sample as seconds since 1970 or as
+nanoseconds since the first of them, a depth as m or cm, a speed as cm/s or
+m s-1; a variable without units is taken as s, m or m/s.  A step is the
+displacement since the sample before, so a track is their running sum, from rest at
+the fix before the dive to rest at the fix after it.
 """
 
+import re
 from math import nan
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+
+from ..currents.cf import decoded
+from ..errors import DataError
+from ..estimation.dive import Track
+from ..units import length_in_metres, speed_in_metres_per_second
 
 if TYPE_CHECKING:
     import xarray
@@ -15,6 +25,7 @@ if TYPE_CHECKING:
 SURFACE = 20.0  # m: a vehicle last seen above needs no samples until its fix
 LARGEST_HOLE = 0.1  # share of a dive that may be without samples under water
 DEEPEST = 12000.0  # m: no sea is deeper
+NOT_A_TIME = -(2.0**63)  # smallest integer of 64 bits: how a missing time is stored
 
 
 def values(data: "xarray.Dataset", name: str) -> np.ndarray:
@@ -39,25 +50,53 @@ def scalar(data: "xarray.Dataset", name: str) -> float | None:
     return float(found.flat[0]) if found.size and np.isfinite(found.flat[0]) else None
 
 
+def seconds(data: "xarray.Dataset", name: str, path: Path) -> np.ndarray:
+    """Return times as seconds since 1970 UTC, NaN where missing.
+
+    >>> import xarray
+    >>> units = {"units": "nanoseconds since 2010-07-29 13:31:04"}
+    >>> data = xarray.Dataset({"TIME": ("n", np.array([0, 234_000_000_000]), units)})
+    >>> seconds(data, "TIME", Path("mission.nc")) - 1280410264.0
+    array([  0., 234.])
+    """
+    numbers = values(data, name)
+    numbers = np.where(numbers == NOT_A_TIME, nan, numbers)
+    units = str(data[name].attrs.get("units", ""))
+    if " since " not in units:
+        return numbers
+    bare = re.sub(r"\s*(UTC|GMT)\s*$", "", units)
+    dates = decoded(np.array([0.0, 1.0]), bare)  # of two numbers, so that digits stay
+    if dates is None or dates.dtype.kind != "M":
+        raise DataError(
+            f"{path}: {name} is in '{units}'; must be such as 'seconds since 1970-01-01 00:00:00'"
+        )
+    first, step = (dates - [np.datetime64("1970-01-01"), dates[0]]) / np.timedelta64(1, "s")
+    return first + step * numbers
+
+
+def metres(data: "xarray.Dataset", name: str, path: Path) -> np.ndarray:
+    """Return lengths in m, depths positive down, NaN where missing.
+
+    >>> import xarray
+    >>> data = xarray.Dataset({"eng_depth": ("n", [150.0], {"units": "cm"})})
+    >>> metres(data, "eng_depth", Path("p0010001.nc"))
+    array([1.5])
+    """
+    units = str(data[name].attrs.get("units", "")).strip() or "m"
+    size = length_in_metres(units, f"{path}: {name}")
+    up = str(data[name].attrs.get("positive", "")).lower() == "up"
+    return values(data, name) * (-size if up else size)
+
+
+def metres_per_second(data: "xarray.Dataset", name: str, path: Path) -> np.ndarray:
+    """Return speeds in m/s, NaN where missing."""
+    units = str(data[name].attrs.get("units", "")).strip() or "m/s"
+    return values(data, name) * speed_in_metres_per_second(units, f"{path}: {name}")
+
+
 def fill(time: np.ndarray, steps: np.ndarray, bad: np.ndarray) -> np.ndarray:
-    """Fill single steps by the speed of their neighbours.
+    """Fill steps (m) where bad by the speed of their neighbours; times (s) increase.
 
-    Parameters
-    ----------
-    time : ndarray
-        Increasing, s.
-    steps : ndarray
-        Way since the sample before, m.
-    bad : ndarray of bool
-        Which to fill; not all.
-
-    Returns
-    -------
-    ndarray
-        speed * (time since the sample before) where bad, as it was elsewhere.
-
-    Examples
-    --------
     >>> time = np.array([0.0, 10.0, 20.0, 40.0])
     >>> fill(time, np.array([0.0, 2.0, np.nan, 8.0]), np.array([False, False, True, False]))
     array([0. , 2. , 2.66..., 8. ])
@@ -68,25 +107,8 @@ def fill(time: np.ndarray, steps: np.ndarray, bad: np.ndarray) -> np.ndarray:
     return np.where(bad, speed * since, steps)
 
 
-def track_of(
-    since: np.ndarray, east: np.ndarray, north: np.ndarray, duration: float
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Sum steps to a track from fix to fix.
-
-    Parameters
-    ----------
-    since : ndarray
-        Time since the fix before the dive, s.
-    east, north : ndarray
-        Way since the sample before, m.
-    duration : float
-        Time of the fix after the dive, s.
-
-    Returns
-    -------
-    tuple of ndarray
-        Time, east and north; begins at 0 and ends at `duration` at rest.
-    """
+def track_of(since: np.ndarray, east: np.ndarray, north: np.ndarray, duration: float) -> Track:
+    """Sum steps (m) at times since the fix before the dive (s) to a track of the whole dive."""
     east, north = np.cumsum(east), np.cumsum(north)
     if since[0] > 0:
         since, east, north = (np.concatenate([[0.0], a]) for a in (since, east, north))
@@ -99,28 +121,11 @@ def track_of(
 
 
 def hole_under_water(since: np.ndarray, depth: np.ndarray, duration: float) -> str:
-    """Say where a dive lacks too many samples for a sum.
+    """Return which part of a dive lacks samples, empty where none is over a tenth of it.
 
     At the surface, before its first sample and after its last, a vehicle has no
-    way through the water to sum; a part of the dive that is missing is another
-    thing.
+    displacement through the water to sum.  A depth that is not known counts as deep.
 
-    Parameters
-    ----------
-    since : ndarray
-        Increasing times of the samples since the fix before the dive, s.
-    depth : ndarray
-        Of the samples, m; NaN where not known, which counts as deep.
-    duration : float
-        Time of the fix after the dive, s.
-
-    Returns
-    -------
-    str
-        Empty where no hole under water is longer than a tenth of the dive.
-
-    Examples
-    --------
     >>> since = np.array([50.0, 400.0, 800.0])
     >>> hole_under_water(since, np.array([1.0, 90.0, 3.0]), 4000.0)
     ''
@@ -140,20 +145,8 @@ def hole_under_water(since: np.ndarray, depth: np.ndarray, duration: float) -> s
 
 
 def deepest(depth: np.ndarray) -> float | None:
-    """Return the greatest depth of samples, m, or None.
+    """Return the greatest depth that is one of the sea, m, or None.
 
-    Parameters
-    ----------
-    depth : ndarray
-        m, positive down.
-
-    Returns
-    -------
-    float or None
-        None where no sample is a depth of the sea.
-
-    Examples
-    --------
     >>> deepest(np.array([1.0, 985.5, 9.97e36, np.nan]))
     985.5
     """

@@ -1,6 +1,6 @@
 """Seaglider basestation files: NetCDF, one per dive.
 
-The basestation (University of Washington and Kongsberg) stores the way through
+The basestation (University of Washington and Kongsberg) stores the displacement through
 the water since the sample before, by its hydrodynamic model, in
 `east_displacement`, `north_displacement` (m): their sums are the dead reckoning,
 
@@ -14,81 +14,39 @@ and where that model is missing the glide-slope model (`_gsm`) is read.  Times a
 import re
 from math import nan
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..errors import DataError
-from ..files import open_netcdf
-from .dive_faults import NUMBERS, whole_number
-from .dives import Dive, make_dive
-from .own_current import compared
-from .sample_units import metres, seconds
-from .samples import deepest, fill, hole_under_water, scalar, track_of, values
+from .dives import NUMBERS, Dive, compared, make_dive, whole_number
+from .samples import deepest, fill, hole_under_water, metres, scalar, seconds, track_of, values
 from .seaglider_fixes import FIXES, fixes_of
 
 if TYPE_CHECKING:
     import xarray
 
+    from ..estimation.dive import Track
+
 LONGEST_STEP = 1e5  # m in one sample: beyond, a fill value
 REPAIRABLE = 0.05  # largest share of samples that is filled from their neighbours
 LONGEST_GAP = 900.0  # s between samples that is mentioned
 DEPTHS = ("depth", "ctd_depth", "eng_depth")
+NOT_KNOWN = (nan, nan)
 
 
-def is_seaglider(data: "xarray.Dataset") -> bool:
+def is_known(data: "xarray.Dataset") -> bool:
     """Whether a NetCDF file is of the Seaglider basestation."""
     return any(name in data.variables for name in FIXES) or "sg_data_point" in data.dims
 
 
-def read_seaglider(path: str | Path) -> Dive:
-    """Read one dive of a Seaglider basestation file.
-
-    Parameters
-    ----------
-    path : str or Path
-        Such as ``p5420304.nc``.
-
-    Returns
-    -------
-    Dive
-        NaN where a fix or the way through the water is missing.
-
-    Raises
-    ------
-    DataError
-        If the file is missing, damaged, or without fixes or dive number.
-    """
-    path = Path(path)
-    with open_netcdf(path) as data:
-        return dive_of(data, path)
-
-
-def dive_of(data: "xarray.Dataset", path: Path) -> Dive:
-    """Return the dive of an open basestation file.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        The file.
-    path : Path
-        Its name, for messages and for a missing dive number.
-
-    Returns
-    -------
-    Dive
-        As `read_seaglider`.
-
-    Raises
-    ------
-    DataError
-        If it has no fixes or no dive number.
-    """
+def dives_of(data: "xarray.Dataset", path: Path) -> list[Dive]:
+    """Return the one dive of a file; NaN where a fix or the displacement is missing."""
     names = _displacement(data)
     time, why_not = _times(data, names[0], path) if names else (None, "")
     fixes = fixes_of(data, path, nan if time is None else float(time[0]))
     start, end = fixes.start, fixes.end
-    through_water, track, notes = _way(data, names, time, start[0], end[0], path)
+    through_water, track, notes = _dead_reckoning(data, names, time, start[0], end[0], path)
     depths = (deepest(metres(data, name, path)) for name in DEPTHS if name in data.variables)
     before = dict(zip(("t_gps1", "lat_gps1", "lon_gps1"), fixes.first or (None,) * 3, strict=True))
     number, misnumbered = _number(data, path)
@@ -106,7 +64,7 @@ def dive_of(data: "xarray.Dataset", path: Path) -> Dive:
         track=track,
         notes=(*notes, *([why_not] if why_not else []), *fixes.notes, *misnumbered),
     )
-    return compared(dive)
+    return [compared(dive)]
 
 
 def number_in_name(path: Path) -> int | None:
@@ -135,7 +93,7 @@ def _number(data: "xarray.Dataset", path: Path) -> tuple[int, list[str]]:
 
 
 def _variation(data: "xarray.Dataset") -> float | None:
-    """Magnetic variation, or that of GPS2 where the file has one per fix."""
+    """Return the magnetic variation, that of GPS2 where the file has one per fix."""
     found = scalar(data, "magnetic_variation")
     if found is not None or "log_gps_magvar" not in data.variables:
         return found
@@ -144,7 +102,7 @@ def _variation(data: "xarray.Dataset") -> float | None:
 
 
 def _displacement(data: "xarray.Dataset") -> tuple[str, str] | None:
-    """Names of the displacement, the better model first."""
+    """Return the names of the displacement, the better model first."""
     for suffix in ("", "_gsm"):
         east, north = f"east_displacement{suffix}", f"north_displacement{suffix}"
         if east in data.variables and north in data.variables:
@@ -169,29 +127,28 @@ def _times(data: "xarray.Dataset", like: str, path: Path) -> tuple[np.ndarray | 
     return None, f"no track: the times {same[0]} are not finite or not in order"
 
 
-def _way(
+def _dead_reckoning(
     data: "xarray.Dataset",
     names: tuple[str, str] | None,
     time: np.ndarray | None,
     start: float,
     end: float,
     path: Path,
-) -> tuple[Any, Any, list[str]]:
-    """Sum the way through the water; give it, its track and notes."""
-    none = nan, nan
+) -> tuple[tuple[float, float], "Track | None", list[str]]:
+    """Sum the displacement through the water; return it, its track and notes."""
     if names is None:
-        return none, None, ["no variables east_displacement, north_displacement"]
+        return NOT_KNOWN, None, ["no variables east_displacement, north_displacement"]
     notes = []
     if names[0].endswith("_gsm"):
         notes.append(f"dead reckoning of the glide-slope model ({names[0]})")
     east, north = (metres(data, name, path) for name in names)
     if east.shape != north.shape or east.ndim != 1 or not east.size:
-        return none, None, [*notes, f"{names[0]} and {names[1]} differ in length or are empty"]
+        return NOT_KNOWN, None, [*notes, f"{names[0]} and {names[1]} differ in length or are empty"]
     bad = ~((np.abs(east) < LONGEST_STEP) & (np.abs(north) < LONGEST_STEP))
     if bad.any():
         said = f"{bad.sum()} of {bad.size} samples of the displacement are not finite"
         if time is None or bad.mean() > REPAIRABLE:
-            return none, None, [*notes, said]
+            return NOT_KNOWN, None, [*notes, said]
         east, north = (fill(time, steps, bad) for steps in (east, north))
         notes.append(f"{said}, filled from their neighbours' speed")
     total = float(np.sum(east)), float(np.sum(north))
@@ -202,12 +159,12 @@ def _way(
     since = time - start
     hole = hole_under_water(since, _depths(data, names[0], path), end - start)
     if hole:
-        return none, None, [*notes, hole]
+        return NOT_KNOWN, None, [*notes, hole]
     return total, track_of(since, east, north, end - start), notes
 
 
 def _depths(data: "xarray.Dataset", like: str, path: Path) -> np.ndarray:
-    """Depths of the samples that a variable has; NaN where there are none."""
+    """Return depths of the samples that a variable has, NaN where there are none."""
     for name in DEPTHS:
         if name in data.variables and data[name].dims == data[like].dims:
             return metres(data, name, path)

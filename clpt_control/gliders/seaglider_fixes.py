@@ -16,8 +16,7 @@ import numpy as np
 from ..errors import DataError
 from ..geodesy import is_place
 from .dives import Fix
-from .sample_units import seconds
-from .samples import scalar, values
+from .samples import scalar, seconds, values
 
 if TYPE_CHECKING:
     import xarray
@@ -30,7 +29,7 @@ FAILED = 99.0  # hdop of a receiver that timed out
 
 
 class Fixes(NamedTuple):
-    """Fixes of a dive; the first is None where it says nothing."""
+    """Fixes of a dive; the first is None where there is none that can be used."""
 
     first: Fix | None
     start: Fix
@@ -39,26 +38,9 @@ class Fixes(NamedTuple):
 
 
 def fixes_of(data: "xarray.Dataset", path: Path, first_sample: float) -> Fixes:
-    """Return the fixes of an open basestation file.
+    """Return the fixes of a file whose first sample is at a time (s, NaN where not known).
 
-    Parameters
-    ----------
-    data : xarray.Dataset
-        The file.
-    path : Path
-        Its name, for messages.
-    first_sample : float
-        Time of the first sample, s since 1970 UTC; NaN where not known.
-
-    Returns
-    -------
-    Fixes
-        A failed fix is NaN, and said in the notes.
-
-    Raises
-    ------
-    DataError
-        If the file does not have three fixes.
+    A fix that failed is NaN, and its note says so.
     """
     missing = [name for name in FIXES if name not in data.variables]
     if missing:

@@ -1,15 +1,40 @@
-"""Dives that can be used, and why the others cannot (`dive_faults`, `dive_order`)."""
+"""Dives that can be used, and why the others cannot.
+
+A dive needs both fixes, a time and a place each, in their order, and a finite
+displacement through the water; no speed that follows from them may be above 5 m/s.
+Times are those of the years 1970 to 2200 (`nodal.YEARS`, where tides end too): what
+lies outside is most often in another unit, which is named where it would bring the
+time there.
+
+Between two dives a vehicle drifts at the surface, or makes dives that are not known,
+from the fix at the end of the one (GPSE) to the last fix before the other (GPS2), at
+most
+
+    max(5 m/s * time between them, `ASTRAY`);
+
+more says that one of the fixes is wrong or that the dives are of two vehicles.  What
+is further than 5 m/s allow and than `NEAR` is noted.
+"""
 
 from collections.abc import Iterable
 from dataclasses import replace
+from datetime import UTC, datetime
+from math import hypot, isfinite
 
 import numpy as np
 
-from .dive_faults import fault_of
-from .dive_order import ANOTHER, NEAR, by_time, overlap, too_far
-from .dives import Dive, Skipped
+from ..currents.nodal import YEARS
+from ..geodesy import displacement, is_place
+from .dives import NUMBERS, Dive, Skipped
 
 LEAST_DURATION = 4000.0  # s
+FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is wrong
+LATEST = datetime(YEARS[1], 1, 1, tzinfo=UTC).timestamp()  # s since 1970
+DAY = 86400.0  # s
+SMALLER = {"milliseconds": 1e3, "microseconds": 1e6, "nanoseconds": 1e9}  # in one second
+OVERLAP = 60.0  # s that neighbours may share by rounding
+NEAR, ASTRAY = 5e3, 50e3  # m: what is noted, and refused, however short the time
+ANOTHER = "another vehicle? replay each on its own"
 
 
 def usable(
@@ -51,7 +76,7 @@ def usable(
     """
     fit, skipped, latest = [], [], -np.inf
     for dive in dives:
-        why = fault_of(dive, least_duration)
+        why = _fault(dive, least_duration)
         if why:
             skipped.append(Skipped(dive.number, "; ".join((why, *dive.notes))))
             continue
@@ -61,23 +86,23 @@ def usable(
         fit.append(dive)
     used: list[Dive] = []
     stray: Dive | None = None  # the last one, if it starts too far from the used one
-    for dive in sorted(fit, key=by_time):
+    for dive in sorted(fit, key=_by_time):
         before = used[-1] if used else None
         if before is None:
             used.append(dive)
             continue
-        why = overlap(dive, before)
+        why = _overlap(dive, before)
         if why:
             skipped.append(Skipped(dive.number, why))
             continue
-        why = too_far(dive, before)
-        if why and (stray is None or overlap(dive, stray) or too_far(dive, stray)):
+        why = _too_far(dive, before)
+        if why and (stray is None or _overlap(dive, stray) or _too_far(dive, stray)):
             skipped.append(Skipped(dive.number, f"{why}; {ANOTHER}"))
             stray = dive
             continue
         if why and stray is not None:
             dive = _noted(dive, f"{why}, but follows dive {stray.number}, which was left out: used")
-        elif odd := too_far(dive, before, NEAR):
+        elif odd := _too_far(dive, before, NEAR):
             dive = _noted(dive, odd)
         stray = None
         missing = dive.number - before.number - 1
@@ -89,3 +114,110 @@ def usable(
 
 def _noted(dive: Dive, note: str) -> Dive:
     return dive if note in dive.notes else replace(dive, notes=(*dive.notes, note))
+
+
+def _fault(dive: Dive, least_duration: float) -> str:
+    """Return why a dive alone cannot be used, empty where it can."""
+    if not abs(dive.number) < NUMBERS:
+        return f"its number is {dive.number:.6g}; must be a whole number below {NUMBERS}"
+    why = _fix_fault("before", dive.t_gps2, dive.lat_gps2, dive.lon_gps2)
+    why = why or _fix_fault("after", dive.t_gpse, dive.lat_gpse, dive.lon_gpse)
+    if why:
+        return why
+    if dive.duration <= 0:
+        return f"the fix after the dive is {-dive.duration:.0f} s before its start: swapped times"
+    if not (isfinite(dive.dr_east) and isfinite(dive.dr_north)):
+        return "the displacement through the water is not finite"
+    if not dive.duration > least_duration:
+        days = dive.t_gpse < LATEST / DAY and dive.duration * DAY > least_duration
+        lasts = f"{dive.duration:.0f}" if dive.duration > 10 else f"{dive.duration:.2g}"
+        return (
+            f"lasts {lasts} s; must last longer than {least_duration:g} s"
+            f"{': its times look like days, give seconds since 1970' if days else ''}"
+        )
+    for name, length in (
+        ("between the fixes", hypot(dive.gps_east, dive.gps_north)),
+        ("through the water", hypot(dive.dr_east, dive.dr_north)),
+    ):
+        if length > FASTEST * dive.duration:
+            return (
+                f"the displacement {name} is {length / 1000:.4g} km, "
+                f"{length / dive.duration:.3g} m/s; at most {FASTEST:g} m/s can be"
+            )
+    return ""
+
+
+def _fix_fault(name: str, time: float, lat: float, lon: float) -> str:
+    """Return what is wrong with one fix, empty where it is good."""
+    if isfinite(time) and isfinite(lat) and isfinite(lon):
+        if 90.0 < abs(lat) <= 360.0 and abs(lon) <= 360.0:
+            swapped = ": swapped with the longitude?" if abs(lon) <= 90.0 else ""
+            return (
+                f"the fix {name} the dive has the latitude {lat:g}, which is none; "
+                f"must be -90 to 90{swapped}"
+            )
+        if abs(lat) <= 90.0 and 360.0 < abs(lon) <= 720.0:
+            return f"the fix {name} the dive has the longitude {lon:g}; must be -360 to 360"
+    if not (isfinite(time) and is_place(lat, lon)):
+        return f"no fix {name} the dive (time {time:g}, latitude {lat:g}, longitude {lon:g})"
+    if lat == lon == 0.0:
+        return f"no fix {name} the dive: 0 N 0 E is what a receiver without a fix gives"
+    if 0.0 <= time < LATEST:
+        return ""
+    unit = next((unit for unit, size in SMALLER.items() if 0.0 < time / size < LATEST), "")
+    return (
+        f"the fix {name} the dive is at {time:.10g} s since 1970; must be from 1970 to {YEARS[1]}"
+        f"{f': it looks like {unit}, give seconds' if unit else ''}"
+    )
+
+
+def _by_time(dive: Dive) -> tuple:
+    """Return the key that puts dives in one order: end, start, number, then all else."""
+    through_water = (dive.dr_east, dive.dr_north)
+    return (dive.t_gpse, dive.t_gps2, dive.number, *through_water, dive.track is None, repr(dive))
+
+
+def _overlap(dive: Dive, before: Dive) -> str:
+    """Return how a dive overlaps one that is used and ended before it, empty where not."""
+    if dive.t_gps2 >= before.t_gpse - OVERLAP:
+        return ""
+    starts = _between(dive.lat_gps2, dive.lon_gps2, before.lat_gps2, before.lon_gps2)
+    if (dive.t_gps2, dive.t_gpse) != (before.t_gps2, before.t_gpse):
+        other = starts > max(FASTEST * abs(dive.t_gps2 - before.t_gps2), ASTRAY)
+        return (
+            f"overlaps dive {before.number}, which is used: starts "
+            f"{before.t_gpse - dive.t_gps2:.0f} s before that ends"
+            f"{f' and {starts / 1000:.0f} km from where it started; {ANOTHER}' if other else ''}"
+        )
+    ends = _between(dive.lat_gpse, dive.lon_gpse, before.lat_gpse, before.lon_gpse)
+    apart = max(starts, ends)
+    if apart > 0:
+        return f"duplicate of dive {before.number}, which is used, with other fixes ({_far(apart)})"
+    apart = hypot(dive.dr_east - before.dr_east, dive.dr_north - before.dr_north)
+    if apart > 0:
+        return (
+            f"duplicate of dive {before.number}, which is used, with another displacement through "
+            f"the water ({_far(apart)})"
+        )
+    return f"duplicate: has the times of dive {before.number}, which is used"
+
+
+def _too_far(dive: Dive, before: Dive, least: float | None = None) -> str:
+    """Return how far from the end of the one before a dive starts, empty where it can."""
+    since = dive.t_gps2 - before.t_gpse
+    apart = _between(before.lat_gpse, before.lon_gpse, dive.lat_gps2, dive.lon_gps2)
+    if apart <= max(FASTEST * since, ASTRAY if least is None else least):
+        return ""
+    return (
+        f"starts {apart / 1000:.0f} km from where dive {before.number} ended "
+        f"{max(since, 0.0) / 3600:.1f} h before"
+    )
+
+
+def _between(lat1: float, lon1: float, lat2: float, lon2: float) -> float:
+    """Return the length of the geodesic between two places, m."""
+    return hypot(*displacement(lat1, lon1, lat2, lon2))
+
+
+def _far(length: float) -> str:
+    return f"{length:.3g} m apart" if length < 1000 else f"{length / 1000:.3g} km apart"

@@ -15,8 +15,8 @@ import numpy as np
 
 from ..errors import ScenarioError
 from ..geodesy import place_from
-from ..gliders.dive_faults import FASTEST
 from ..gliders.dives import Dive
+from ..gliders.usable_dives import FASTEST
 from .flow_models import carried, why_uncovered
 from .replay import Replay
 from .step import ellipse

@@ -148,7 +148,7 @@ def main(shared):
         name = f"glider/sg171/p1710{number}.nc"
         dive(shared / name, HERE / name, 16)
     for name, names, rows, k in (
-        ("sg015_20040929T140907_delayed.nc", OF_OG1.split(), 2001, 16),
+        ("sg015_20040929T140907_delayed.nc", OF_OG1.split(), 2001, 8),
         ("sp028_20230202T1637_R.nc", OF_SPRAY.split(), 372, 6),
     ):
         mission(shared / "glider/og1" / name, HERE / "glider/og1" / name, names, rows, k)

@@ -6,18 +6,14 @@ from math import hypot, nan
 
 import numpy as np
 import pytest
+import xarray
+from glider_dialects import dives_in, og1_of
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from clpt_control.gliders.dive_files import read_dives
-from clpt_control.gliders.dive_table import (
-    OPTIONAL,
-    read_dive_table,
-    sample_dives,
-    write_dive_table,
-)
+from clpt_control.gliders.dive_files import read_dive_file, read_dives
+from clpt_control.gliders.dive_table import OPTIONAL, sample_dives, write_dive_table
 from clpt_control.gliders.dives import make_dive
-from clpt_control.gliders.og1 import read_og1, write_og1
 from clpt_control.gliders.usable_dives import usable
 
 TABLE = [field.name for field in fields(make_dive(1, (0, 0, 0), (1, 0, 0), (0, 0)))]
@@ -148,45 +144,22 @@ def test_the_facts_are_those_of_the_whole_files(facts, shared):
                 np.testing.assert_allclose(few.track[axis], at, rtol=0, atol=1e-9)
 
 
-def test_og1_round_trip(dives, tmp_path):
-    write_og1(dives, tmp_path / "sg542.nc", "sg542")
-    back = read_og1(tmp_path / "sg542.nc")
-    same_table(back, dives)
+def test_the_same_dives_as_an_og1_mission(dives, tmp_path):
+    """GPS1 there is the first fix since the dive before."""
+    back = dives_in(og1_of(dives, tmp_path / "sg542.nc"))
+    assert [one.t_gps1 for one in back[1:]] == [one.t_gpse for one in dives[:-1]]
+    forget = dict.fromkeys(("t_gps1", "lat_gps1", "lon_gps1"))
+    same_table([replace(one, **forget) for one in back], [replace(d, **forget) for d in dives])
     for one, other in zip(back, dives, strict=True):
         for a, b in zip(one.track, other.track, strict=True):
             np.testing.assert_allclose(a, b, rtol=0, atol=1e-5)
-    same_table(read_dives(tmp_path / "sg542.nc")[0], dives)
-
-
-def test_og1_without_our_own_variable_gives_the_same_dives(dives, tmp_path):
-    import xarray
-
-    write_og1(dives, tmp_path / "ours.nc")
-    with xarray.open_dataset(tmp_path / "ours.nc", decode_times=False) as data:
-        data.drop_vars("GPS_FIX").to_netcdf(tmp_path / "theirs.nc")
-        data.drop_vars(["GPS_FIX", "EAST_DISPLACEMENT", "DIVE_NUMBER"]).to_netcdf(
-            tmp_path / "less.nc"
-        )
-    theirs = read_og1(tmp_path / "theirs.nc")  # GPS1: the first fix since the dive before
-    assert [one.t_gps1 for one in theirs[1:]] == [one.t_gpse for one in dives[:-1]]
-    forget = dict.fromkeys(("t_gps1", "lat_gps1", "lon_gps1"))
-    same_table([replace(one, **forget) for one in theirs], [replace(d, **forget) for d in dives])
-    less = read_og1(tmp_path / "less.nc")
+    with xarray.open_dataset(tmp_path / "sg542.nc", decode_times=False) as data:
+        data.drop_vars(["EAST_DISPLACEMENT", "DIVE_NUMBER"]).to_netcdf(tmp_path / "less.nc")
+    less = dives_in(tmp_path / "less.nc")
     assert [dive.number for dive in less] == list(range(1, 7))
     for one, other in zip(less, dives, strict=True):
         assert one.dr_east == pytest.approx(other.dr_east, abs=1e-3 * one.duration)
         assert "depth-averaged current" in one.notes[0]
-
-
-def test_og1_round_trip_without_tracks(tmp_path):
-    odd = [
-        *sample_dives(),
-        replace(sample_dives()[3], dr_east=nan, dr_north=nan),
-        replace(sample_dives()[0], t_gps1=None, lat_gps1=None, lon_gps1=None, dac_qc=None),
-        replace(sample_dives()[1], lat_gpse=nan, gps_east=nan, gps_north=nan, magvar=None),
-    ]
-    write_og1(odd, tmp_path / "sample.nc")
-    same_table(read_og1(tmp_path / "sample.nc"), odd)
 
 
 number = st.floats(-1e12, 1e12)
@@ -209,7 +182,7 @@ optional = st.one_of(st.none(), number)
 )
 def test_csv_round_trip(tmp_path, dives):
     write_dive_table(dives, tmp_path / "dives.csv", "a comment\nof two lines")
-    back, skipped = read_dive_table(tmp_path / "dives.csv")
+    back, skipped = read_dive_file(tmp_path / "dives.csv")
     assert not skipped
     assert repr(back) == repr(dives)  # bit for bit, NaN too
 

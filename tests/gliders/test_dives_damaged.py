@@ -6,11 +6,11 @@ from pathlib import Path
 import netCDF4
 import numpy as np
 import pytest
+from glider_dialects import dives_in
 
 from clpt_control.errors import DataError
 from clpt_control.gliders.dive_files import read_dive_file, read_dives
 from clpt_control.gliders.dive_table import sample_dives, write_dive_table
-from clpt_control.gliders.seaglider import read_seaglider
 from clpt_control.gliders.usable_dives import usable
 
 
@@ -166,7 +166,7 @@ def test_a_damaged_file_is_named_and_the_good_dives_are_used(among_good, name):
 
 def test_what_can_be_repaired_is_and_says_so(folder, tmp_path):
     source = folder / "p5420306.nc"
-    whole = read_seaglider(source)
+    whole = dives_in(source)[0]
 
     def some_nan(data):
         data[WAY[0]][6:110:27] = nan
@@ -179,13 +179,13 @@ def test_what_can_be_repaired_is_and_says_so(folder, tmp_path):
     }
     for said, damage in cases.items():
         damage(source, tmp_path / "p5420306.nc")
-        dive = read_seaglider(tmp_path / "p5420306.nc")
+        dive = dives_in(tmp_path / "p5420306.nc")[0]
         assert any(said in note for note in dive.notes), (said, dive.notes)
         assert [one.number for one in usable([dive])[0]] == [306]
         if "glide" not in said:
             assert dive.dr_east == pytest.approx(whole.dr_east, rel=0.01)
     changed(drop=("depth_avg_curr_east",))(source, tmp_path / "p5420306.nc")
-    assert read_seaglider(tmp_path / "p5420306.nc").dac_east is None
+    assert dives_in(tmp_path / "p5420306.nc")[0].dac_east is None
 
 
 def test_a_cut_mission_of_no_fixed_length_is_refused(tmp_path):
@@ -204,8 +204,6 @@ def test_a_cut_mission_of_no_fixed_length_is_refused(tmp_path):
 def test_what_was_named_must_exist(tmp_path):
     with pytest.raises(DataError, match="no such file"):
         read_dives([tmp_path / "nothing.nc"])
-    with pytest.raises(DataError, match="no such file"):
-        read_seaglider(tmp_path / "nothing.nc")
     with pytest.raises(DataError, match="the folder has no"):
         read_dives(tmp_path)
     (tmp_path / "a.nc").write_bytes(b"")

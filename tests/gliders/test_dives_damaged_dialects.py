@@ -11,6 +11,7 @@ from glider_dialects import (
     M,
     basestation,
     basestation3,
+    dives_in,
     fixes,
     og1,
     og1_rows,
@@ -19,8 +20,6 @@ from glider_dialects import (
 
 from clpt_control.errors import DataError
 from clpt_control.gliders.dive_files import read_dives
-from clpt_control.gliders.og1 import read_og1
-from clpt_control.gliders.seaglider import read_seaglider
 from clpt_control.gliders.usable_dives import usable
 
 CTD, LEGATO, GPS = ("ctd_data_point",), ("legato_data_point",), ("gps_info",)
@@ -129,7 +128,7 @@ REPAIRED = {
 @pytest.mark.parametrize("name", REPAIRED)
 def test_what_can_be_repaired_in_basestation3(name, tmp_path):
     changed, drop, said = REPAIRED[name]
-    dive = read_seaglider(basestation3(tmp_path / "p1230007.nc", drop=drop, **changed))
+    dive = dives_in(basestation3(tmp_path / "p1230007.nc", drop=drop, **changed))[0]
     assert [one.number for one in usable([dive])[0]] == [7]
     assert said in "; ".join(dive.notes)
     assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(SWUM), rel=1e-6)
@@ -150,7 +149,7 @@ def without(columns, rows):
 def test_og1_with_fixes_at_its_ends_only(tmp_path):
     columns = og1_rows()
     rows = np.flatnonzero(np.isfinite(columns["LATITUDE_GPS"]))
-    (dive,) = read_og1(og1(tmp_path / "og1.nc", columns=without(columns, rows[2:-1])))
+    (dive,) = dives_in(og1(tmp_path / "og1.nc", columns=without(columns, rows[2:-1])))
     assert dive.notes == ("no fix between dives 1 and 3: taken as one",)
     assert (dive.t_gps2, dive.t_gpse) == (T0, T0 + 20000 + DURATION)
     assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(3 * SWUM))
@@ -165,11 +164,11 @@ def test_og1_with_no_fix_at_all_or_one(tmp_path):
     for kept in ([], rows[:1]):
         path = og1(tmp_path / "og1.nc", columns=without(og1_rows(), np.setdiff1d(rows, kept)))
         with pytest.raises(DataError, match="no two fixes more than 600 s apart"):
-            read_og1(path)
+            dives_in(path)
     with pytest.raises(DataError, match="no variable LONGITUDE_GPS; OG1 has the fixes there"):
-        read_og1(og1(tmp_path / "og1.nc", drop=("LONGITUDE_GPS",)))
+        dives_in(og1(tmp_path / "og1.nc", drop=("LONGITUDE_GPS",)))
     with pytest.raises(DataError, match="no variable TIME_GPS; OG1"):
-        read_og1(og1(tmp_path / "og1.nc", drop=("TIME",)))
+        dives_in(og1(tmp_path / "og1.nc", drop=("TIME",)))
 
 
 def test_og1_fixes_that_are_none_are_left_out_and_said(tmp_path):
@@ -177,7 +176,7 @@ def test_og1_fixes_that_are_none_are_left_out_and_said(tmp_path):
     rows = np.flatnonzero(np.isfinite(columns["LATITUDE_GPS"]))
     columns["LATITUDE_GPS"][rows[2]] = 91.0  # GPSE of the first dive
     columns["LONGITUDE_GPS"][rows[5]] = 0.0  # GPSE of the second: 0 N 0 E
-    dives = read_og1(og1(tmp_path / "og1.nc", columns=columns))
+    dives = dives_in(og1(tmp_path / "og1.nc", columns=columns))
     for dive, later in zip(dives, (T0 + 9700, T0 + 19700, T0 + 29000), strict=True):
         assert dive.t_gpse == later  # the next fix: GPS1 of the dive after
         assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(SWUM))
@@ -190,36 +189,38 @@ def test_og1_fixes_that_were_repeated_or_interpolated(tmp_path):
     fix = np.isfinite(columns["LATITUDE_GPS"])
     last = np.maximum.accumulate(np.where(fix, np.arange(fix.size), 0))
     places = {name: columns[name][last] for name in ("LATITUDE_GPS", "LONGITUDE_GPS")}
-    dives = read_og1(og1(tmp_path / "a.nc", columns=columns | places))
+    dives = dives_in(og1(tmp_path / "a.nc", columns=columns | places))
     assert [dive.number for dive in dives] == [1, 2, 3]
     for dive in dives:
         assert dive.gps_east == pytest.approx(GPS_EAST)
         assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(SWUM))
     for name in places:
         places[name] = np.interp(columns["TIME"], columns["TIME"][fix], columns[name][fix])
-    with pytest.raises(DataError, match=r"change under water, 1\d\d\d times; they must be fixes"):
-        read_og1(og1(tmp_path / "b.nc", columns=columns | places))
+    deep = np.flatnonzero(columns["DEPTH"] > 20.0)
+    said = f"in row {deep[0]} and {deep.size - 1} more rows .* set both to NaN there"
+    with pytest.raises(DataError, match=said):
+        dives_in(og1(tmp_path / "b.nc", columns=columns | places))
 
 
 def test_og1_rows_in_any_order_and_twice(tmp_path):
     columns = {name: a[::-1] for name, a in og1_rows().items()}
-    for dive in read_og1(og1(tmp_path / "a.nc", columns=columns)):
+    for dive in dives_in(og1(tmp_path / "a.nc", columns=columns)):
         assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(SWUM))
         assert dive.notes == ("the measurements were not in order of time, sorted",)
         assert np.all(np.diff(dive.track[0]) > 0)
     columns = {name: np.repeat(a, 2) for name, a in og1_rows().items()}
-    for dive in read_og1(og1(tmp_path / "b.nc", columns=columns)):
+    for dive in dives_in(og1(tmp_path / "b.nc", columns=columns)):
         assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(SWUM))
         assert dive.notes == ("400 samples have the time of the one before, left out",)
 
 
 def test_og1_without_a_whole_way_through_the_water(tmp_path):
-    dives = read_og1(og1(tmp_path / "none.nc", drop=(*STEPS, *OTHER)))
+    dives = dives_in(og1(tmp_path / "none.nc", drop=(*STEPS, *OTHER)))
     assert usable(dives)[0] == []
     assert "no EAST_DISPLACEMENT, NORTH_DISPLACEMENT, no speed" in dives[0].notes[0]
     columns = og1_rows()
     columns["EAST_DISPLACEMENT"][100:300] = np.nan
-    first, *others = read_og1(og1(tmp_path / "hole.nc", columns=columns))
+    first, *others = dives_in(og1(tmp_path / "hole.nc", columns=columns))
     assert [one.number for one in usable([first, *others])[0]] == [2, 3]
     assert "no samples for" in first.notes[0]
 
@@ -235,7 +236,7 @@ def test_og1_without_a_whole_way_through_the_water(tmp_path):
 )
 def test_og1_units_that_are_none(name, units, tmp_path):
     with pytest.raises(DataError, match=f"{name}.*'{units}'.*must be such as"):
-        read_og1(og1(tmp_path / "og1.nc", units={name: {"units": units}}))
+        dives_in(og1(tmp_path / "og1.nc", units={name: {"units": units}}))
 
 
 @pytest.mark.parametrize("share", [0.001, 0.1, 0.6, 0.999])

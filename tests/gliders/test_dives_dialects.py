@@ -22,14 +22,13 @@ from glider_dialects import (
     basestation,
     basestation3,
     current,
+    dives_in,
     og1,
     og1_rows,
 )
 
 from clpt_control.gliders.dive_files import read_dives
-from clpt_control.gliders.dive_table import read_dive_table, write_dive_table
-from clpt_control.gliders.og1 import read_og1, write_og1
-from clpt_control.gliders.seaglider import read_seaglider
+from clpt_control.gliders.dive_table import write_dive_table
 from clpt_control.gliders.usable_dives import usable
 
 DATE_LINE = 180.0 - DRIFT / 2
@@ -57,7 +56,7 @@ def half_way(dive):
 @pytest.mark.parametrize("make", [basestation, basestation3])
 @pytest.mark.parametrize("lon", [8.0, DATE_LINE])
 def test_basestation_files_of_both_kinds(make, lon, tmp_path):
-    dive = read_seaglider(make(tmp_path / "p1230007.nc", lon=lon))
+    dive = dives_in(make(tmp_path / "p1230007.nc", lon=lon))[0]
     assert swam(dive)
     half_way(dive)
     assert (dive.number, dive.magvar, dive.notes) == (7, VARIATION, ())
@@ -66,14 +65,14 @@ def test_basestation_files_of_both_kinds(make, lon, tmp_path):
 
 
 def test_the_track_has_the_times_of_its_displacement(tmp_path):
-    dive = read_seaglider(basestation(tmp_path / "a.nc"))  # ctd_time is half a second later
+    dive = dives_in(basestation(tmp_path / "a.nc"))[0]  # ctd_time is half a second later
     assert dive.track[0][1] == pytest.approx(60.5, abs=1e-6)
     late = (("ctd_data_point",), np.full(1800, np.nan), EPOCH)
-    dive = read_seaglider(basestation3(tmp_path / "b.nc", ctd_time=late))
+    dive = dives_in(basestation3(tmp_path / "b.nc", ctd_time=late))[0]
     assert dive.track is None
     assert dive.dr_east == pytest.approx(SWUM[0])
     assert dive.notes == ("no track: the times ctd_time are not finite or not in order",)
-    dive = read_seaglider(basestation(tmp_path / "c.nc", drop=("ctd_time",)))
+    dive = dives_in(basestation(tmp_path / "c.nc", drop=("ctd_time",)))[0]
     assert dive.track[0][1] == pytest.approx(60.0, abs=1e-6)
 
 
@@ -81,17 +80,17 @@ def test_a_part_of_the_dive_that_is_missing_is_no_time_at_the_surface(tmp_path):
     point = ("ctd_data_point",)
     since = np.linspace(60.0, DURATION - 1200.0, 1800)  # up 1200 s before the fix
     risen = {"ctd_time": (point, T0 + 60000.0 + since, EPOCH)}
-    dive = read_seaglider(basestation3(tmp_path / "risen.nc", **risen))
+    dive = dives_in(basestation3(tmp_path / "risen.nc", **risen))[0]
     assert dive.dr_east == pytest.approx(SWUM[0])
     down = {"ctd_depth": (point, np.linspace(0.0, 300.0, 1800), M)}  # still deep then
-    dive = read_seaglider(basestation3(tmp_path / "cut.nc", **risen, **down))
+    dive = dives_in(basestation3(tmp_path / "cut.nc", **risen, **down))[0]
     assert usable([dive])[0] == []
     assert "no samples for 1200 s of 9000 s, from 300 m depth on" in dive.notes
 
 
 @pytest.mark.parametrize("lon", [8.0, DATE_LINE])
 def test_og1_without_gps_times(lon, tmp_path):
-    dives = read_og1(og1(tmp_path / "og1.nc", columns=og1_rows(lon=lon)))
+    dives = dives_in(og1(tmp_path / "og1.nc", columns=og1_rows(lon=lon)))
     assert [dive.number for dive in dives] == [1, 2, 3]
     for dive in dives:
         assert swam(dive)
@@ -105,7 +104,7 @@ def test_og1_times_in_nanoseconds_since_the_first(tmp_path):
     whole = np.round(columns["TIME"] - T0 + 300, 3)
     columns["TIME"] = (whole * 1e9).astype(np.int64)
     units = {"TIME": {"units": "nanoseconds since 2017-07-14 02:35:00"}}  # T0 - 300 s
-    dives = read_og1(og1(tmp_path / "og1.nc", columns=columns, units=units))
+    dives = dives_in(og1(tmp_path / "og1.nc", columns=columns, units=units))
     assert [dive.t_gps2 for dive in dives] == [T0, T0 + 10000, T0 + 20000]
     assert all(swam(dive) for dive in dives)
 
@@ -124,7 +123,7 @@ def test_og1_with_fixes_on_a_dimension_of_their_own(tmp_path):
         for name, (dims, numbers, attrs) in own.items():
             data.createVariable(name, float, dims)[:] = numbers
             data[name].setncatts(attrs)
-    dives = read_og1(path)
+    dives = dives_in(path)
     assert [dive.number for dive in dives] == [1, 2, 3]
     assert all(swam(dive) for dive in dives)
 
@@ -138,7 +137,7 @@ def test_og1_dives_without_numbers_depth_or_phase(drop, tmp_path):
     drifted = {name: np.repeat(a, 1 + 2 * again) for name, a in columns.items()}
     place = np.flatnonzero(again)[0]
     drifted["TIME"][place + 1 : place + 3] += [310.0, 690.0]  # two more fixes at the surface
-    dives = read_og1(og1(tmp_path / "og1.nc", drop=drop, columns=drifted))
+    dives = dives_in(og1(tmp_path / "og1.nc", drop=drop, columns=drifted))
     assert [dive.number for dive in dives] == [1, 2, 3]
     for dive in dives:
         assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(SWUM))
@@ -151,14 +150,14 @@ OWN = ("DAVG_CURR_EAST", "DAVG_CURR_NORTH")
 
 def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
     turned = {"MAGNETIC_VARIATION": ((), VARIATION, {})}
-    for dive in read_og1(og1(tmp_path / "a.nc", drop=(*STEPS, *OWN), **turned)):
+    for dive in dives_in(og1(tmp_path / "a.nc", drop=(*STEPS, *OWN), **turned)):
         assert swam(dive)
         assert "magnetic, turned by the file's variation of -15 degrees" in dive.notes[0]
-    for dive in read_og1(og1(tmp_path / "b.nc", drop=STEPS)):  # own current before a guess
+    for dive in dives_in(og1(tmp_path / "b.nc", drop=STEPS)):  # own current before a guess
         assert swam(dive)
-        assert dive.notes == ("dead reckoning computed from the file's own depth-averaged current",)
+        assert dive.notes == ("dead reckoning computed from the file's depth-averaged current",)
     off = SPEED * (DURATION - 200.0), np.radians(BEARING - VARIATION)
-    for dive in read_og1(og1(tmp_path / "c.nc", drop=(*STEPS, *OWN))):
+    for dive in dives_in(og1(tmp_path / "c.nc", drop=(*STEPS, *OWN))):
         there = off[0] * np.sin(off[1]), off[0] * np.cos(off[1])
         assert (dive.dr_east, dive.dr_north) == pytest.approx(there)
         assert "the variation not in the file, taken as true" in dive.notes[0]
@@ -166,7 +165,7 @@ def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
     columns = og1_rows()
     columns["HEADING"] = columns["HEADING"] + VARIATION
     path = og1(tmp_path / "d.nc", drop=(*STEPS, *OWN), columns=columns, units=true)
-    assert all(swam(dive) for dive in read_og1(path))
+    assert all(swam(dive) for dive in dives_in(path))
 
 
 def test_a_stall_of_the_flight_model_is_no_way(tmp_path):
@@ -176,7 +175,7 @@ def test_a_stall_of_the_flight_model_is_no_way(tmp_path):
         columns[name][stall] = 0.0 if name in STEPS else np.nan
     turned = {"MAGNETIC_VARIATION": ((), VARIATION, {})}
     ways = [
-        read_og1(og1(tmp_path / f"{len(drop)}.nc", drop=drop, columns=columns, **turned))[0]
+        dives_in(og1(tmp_path / f"{len(drop)}.nc", drop=drop, columns=columns, **turned))[0]
         for drop in ((), (*STEPS, *OWN))
     ]
     assert (ways[0].dr_east, ways[0].dr_north) == pytest.approx((ways[1].dr_east, ways[1].dr_north))
@@ -184,17 +183,18 @@ def test_a_stall_of_the_flight_model_is_no_way(tmp_path):
 
 def test_another_current_in_the_file_is_said(tmp_path):
     odd = {"depth_avg_curr_east": ((), current()[0] + 0.02, {})}
-    dive = read_seaglider(basestation(tmp_path / "p1230007.nc", **odd))
-    assert dive.notes == ("miss over duration differs by 20 mm/s from the file's own current",)
+    dive = dives_in(basestation(tmp_path / "p1230007.nc", **odd))[0]
+    assert dive.notes == (
+        "miss over duration differs by 20 mm/s from the file's depth-averaged current",
+    )
 
 
 def test_missions_over_the_date_line_go_round(tmp_path):
-    dives = read_og1(og1(tmp_path / "og1.nc", columns=og1_rows(lon=DATE_LINE - DRIFT)))
+    dives = dives_in(og1(tmp_path / "og1.nc", columns=og1_rows(lon=DATE_LINE - DRIFT)))
     assert {np.sign(dive.lon_gps2) for dive in dives} == {1.0, -1.0}
-    write_og1(dives, tmp_path / "back.nc")
     write_dive_table(dives, tmp_path / "back.csv")
-    for back in (read_og1(tmp_path / "back.nc"), read_dive_table(tmp_path / "back.csv")[0]):
-        assert [swam(replace(dive, track=None)) for dive in back] == [True] * 3
+    back = dives_in(tmp_path / "back.csv")
+    assert [swam(replace(dive, track=None)) for dive in back] == [True] * 3
     east = [replace(dive, lon_gpse=dive.lon_gpse % 360.0, gps_east=0.0) for dive in dives]
     write_dive_table(east, tmp_path / "east.csv")  # longitudes to 360 east
     rows = read_dives([tmp_path / "east.csv"])[0]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from clpt_control.currents.nodal import YEARS
-from clpt_control.gliders import dive_order
+from clpt_control.gliders import usable_dives
 from clpt_control.gliders.dives import make_dive
 from clpt_control.gliders.usable_dives import usable
 
@@ -141,7 +141,7 @@ def test_what_can_be_reached_is_not_refused():
 
 
 def test_one_wrong_fix_costs_few_dives(monkeypatch):
-    monkeypatch.setattr(dive_order, "ASTRAY", 5000.0)
+    monkeypatch.setattr(usable_dives, "ASTRAY", 5000.0)
     astray = replace(at(11, 40.0), lat_gpse=40.3)  # its own way is 33 km in 10000 s: possible
     after = [at(k, 40.0) for k in (12, 13, 14)]
     assert numbers([at(10, 40.0), astray, *after]) == ([10, 11, 13, 14], [12])  # 60 km in 12000 s

@@ -7,13 +7,12 @@ from pathlib import Path
 
 import netCDF4
 import pytest
-from glider_dialects import basestation, og1, og1_rows
+from glider_dialects import basestation, dives_in, og1, og1_rows
 
 from clpt_control.errors import DataError
 from clpt_control.files import reading
 from clpt_control.gliders.dive_files import dive_paths, read_dive_file, read_dives
 from clpt_control.gliders.dive_table import sample_dives, write_dive_table
-from clpt_control.gliders.seaglider import read_seaglider
 from clpt_control.gliders.usable_dives import usable
 
 HEAD = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m\n"
@@ -89,14 +88,14 @@ def test_dive_numbers_of_netcdf_files(tmp_path):
     for number in (7.5, 1e10, "seven"):
         with netCDF4.Dataset(path, "a") as data:
             data.dive_number = number
-        dive = read_seaglider(path)
+        dive = dives_in(path)[0]
         assert dive.number == 7
         assert dive.notes == (
             f"dive_number is '{number}', no whole number below 2147483648; taken from name",
         )
     path = path.rename(tmp_path / "other.nc")
     with pytest.raises(DataError, match=r"other.nc: dive_number is 'seven', no whole number"):
-        read_seaglider(path)
+        dives_in(path)[0]
     columns = og1_rows()
     columns["divenum"] = columns["divenum"] + 1e12
     used, skipped = usable(read_dive_file(og1(tmp_path / "og1.nc", columns=columns))[0])

@@ -1,6 +1,7 @@
 """Files of real vehicles, drawn in `tests/data`, against plain netCDF4 and WGS84 arithmetic."""
 
 import csv
+import shutil
 
 import netCDF4
 import numpy as np
@@ -78,10 +79,46 @@ def test_every_row_of_a_seaexplorer_is_read(facts):
     assert (len(everyone), none) == (len(rows), [])
 
 
-def test_an_og1_fix_at_depth_is_refused(facts):
+def test_an_og1_fix_at_depth_is_refused_with_its_row(facts):
     path = facts / "glider" / "og1" / "sg015_20040929T140907_delayed.nc"
-    with pytest.raises(DataError, match="LATITUDE_GPS, LONGITUDE_GPS change under water"):
+    with netCDF4.Dataset(path) as data:
+        is_fix = np.isfinite(np.ma.filled(data["LATITUDE_GPS"][:], np.nan))
+        (row,) = np.flatnonzero(is_fix & (data["DEPTH"][:] > 20))
+        depth = float(data["DEPTH"][row])
+    assert depth == pytest.approx(251, abs=1)
+    said = f"have a new fix {depth:.0f} m under water in row {row} .* set both to NaN there"
+    with pytest.raises(DataError, match=said):
         read_dives(path)
+
+
+def test_the_other_fixes_of_that_mission_are_in_nanoseconds(facts, tmp_path):
+    """Without that row and with units the dives are those between fixes over 600 s apart."""
+    path = tmp_path / "sg015.nc"
+    shutil.copyfile(facts / "glider" / "og1" / "sg015_20040929T140907_delayed.nc", path)
+    with netCDF4.Dataset(path, "a") as data:
+        deep = data["DEPTH"][:] > 20
+        for name in ("LATITUDE_GPS", "LONGITUDE_GPS"):
+            data[name][:] = np.where(deep, np.nan, data[name][:])
+        times = data["TIME_GPS"][:][np.isfinite(data["LATITUDE_GPS"][:])] / 1e9
+    dives = read_dives(path)[0]
+    assert all("it looks like nanoseconds" in one.why for one in usable(dives)[1])
+    with netCDF4.Dataset(path, "a") as data:
+        data["TIME_GPS"].units = "nanoseconds since 1970-01-01"
+        data.renameVariable("HORZ_GLIDER_SPEED", "HORZ_SPEED")
+        time, heading, speed = (data[name][:] for name in ("TIME", "HEADING", "HORZ_SPEED"))
+    dives = read_dives(path)[0]
+    gaps = np.flatnonzero(np.diff(times) > 600)
+    assert [dive.duration for dive in dives] == pytest.approx(np.diff(times)[gaps])
+    for dive in dives:
+        assert "magnetic and the variation not in the file" in "; ".join(dive.notes)
+    whole = [dive for dive in dives if np.isfinite(dive.dr_east)]
+    assert 0 < len(whole) < len(dives)  # a climb is missing
+    for dive in whole:
+        inside = (time > dive.t_gps2) & (time <= dive.t_gpse) & np.isfinite(heading)
+        since = np.diff(time[inside], prepend=time[inside][0])
+        cm, angle = speed[inside] * since, np.radians(heading[inside])
+        swum = [float(np.nansum(cm * part(angle))) / 100 for part in (np.sin, np.cos)]
+        assert (dive.dr_east, dive.dr_north) == pytest.approx(swum)
 
 
 def test_an_og1_mission_without_fixes_is_refused(facts):

@@ -1,0 +1,136 @@
+"""A dive of a glider: two fixes and the displacement through the water between them.
+
+A vehicle that dives knows where it is at the last fix before the dive (GPS2)
+and at the first one after it (GPSE).  Between them it moves through the water
+by its dead reckoning; what is left,
+
+    miss = (displacement between the fixes) - (displacement through the water),
+
+is its CLPE without a flow model, and miss / duration the current averaged over
+the dive, as gliders report it (D. L. Rudnick, J. T. Sherman, A. P. Wu,
+"Depth-average velocity from Spray underwater gliders", J. Atmos. Oceanic
+Technol. 35, 1665-1673, 2018).  Displacements are WGS84 geodesics by
+`pyproj.Geod`, resolved east and north at the start fix.
+"""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from ..geodesy import displacement
+
+Fix = tuple[float, float, float]  # s since 1970 UTC, degrees north, degrees east
+Track = tuple[np.ndarray, np.ndarray, np.ndarray]  # s since the fix, m east, m north
+
+
+@dataclass(frozen=True)
+class Dive:
+    """One dive; what is not known is NaN, or None if optional.
+
+    Attributes
+    ----------
+    number : int
+        The vehicle's own number of the dive.
+    t_gps2, lat_gps2, lon_gps2 : float
+        Last fix before the dive: s since 1970 UTC, degrees north and east.
+    t_gpse, lat_gpse, lon_gpse : float
+        First fix after it.
+    gps_east, gps_north : float
+        Displacement between the two fixes, m.
+    dr_east, dr_north : float
+        Dead-reckoned displacement through the water, m.
+    t_gps1, lat_gps1, lon_gps1 : float or None
+        First fix of the surfacing before the dive.
+    dac_east, dac_north : float or None
+        Depth-averaged current in the file, m/s.
+    dac_qc : float or None
+        Its quality flag, as the file has it.
+    magvar : float or None
+        Magnetic variation, degrees east.
+    depth_max : float or None
+        Greatest depth, m.
+    model_east, model_north : float or None
+        Displacement that a chosen flow model gives the vehicle, m (`flow_models`).
+    track : tuple of ndarray or None
+        Time since `t_gps2` (s), displacement east and north through the water (m).
+    notes : tuple of str
+        What was repaired or looks odd, in plain words.
+
+    Examples
+    --------
+    >>> dive = Dive(1, 0.0, 0.0, 8.0, 9000.0, 0.0, 8.1, 11132.0, 0.0, 9332.0, 0.0)
+    >>> dive.miss_east / dive.duration  # m/s
+    0.2
+    """
+
+    number: int
+    t_gps2: float
+    lat_gps2: float
+    lon_gps2: float
+    t_gpse: float
+    lat_gpse: float
+    lon_gpse: float
+    gps_east: float
+    gps_north: float
+    dr_east: float
+    dr_north: float
+    t_gps1: float | None = None
+    lat_gps1: float | None = None
+    lon_gps1: float | None = None
+    dac_east: float | None = None
+    dac_north: float | None = None
+    dac_qc: float | None = None
+    magvar: float | None = None
+    depth_max: float | None = None
+    model_east: float | None = None
+    model_north: float | None = None
+    track: Track | None = field(default=None, compare=False, repr=False)
+    notes: tuple[str, ...] = field(default=(), compare=False)
+
+    @property
+    def duration(self) -> float:
+        """Time between the two fixes, s."""
+        return self.t_gpse - self.t_gps2
+
+    @property
+    def miss_east(self) -> float:
+        """How far east of its dead reckoning the vehicle surfaced, m."""
+        return self.gps_east - self.dr_east
+
+    @property
+    def miss_north(self) -> float:
+        """How far north of its dead reckoning the vehicle surfaced, m."""
+        return self.gps_north - self.dr_north
+
+
+def make_dive(
+    number: int, start: Fix, end: Fix, through_water: tuple[float, float], **optional: Any
+) -> Dive:
+    """Make a dive of its fixes and its displacement through water.
+
+    Parameters
+    ----------
+    number : int
+        The vehicle's own number of the dive.
+    start, end : tuple of float
+        Time (s since 1970 UTC), latitude and longitude (degrees) of a fix.
+    through_water : tuple of float
+        East and north, m.
+    **optional : float, tuple or None
+        Other fields of `Dive`.
+
+    Returns
+    -------
+    Dive
+        With the displacement between the fixes.
+
+    Examples
+    --------
+    >>> dive = make_dive(1, (0.0, 0.0, 8.0), (9000.0, 0.0, 8.1), (9332.0, 0.0))
+    >>> round(dive.gps_east), round(dive.miss_east)
+    (11132, 1800)
+    """
+    return Dive(
+        number, *start, *end, *displacement(*start[1:], *end[1:]), *through_water, **optional
+    )
