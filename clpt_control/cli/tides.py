@@ -25,7 +25,7 @@ def tides(
 ) -> None:
     """Fit tidal constituents to a current record."""
     from ..currents.tidal.analysis import fit_tides
-    from ..currents.tidal.constants import tides_report
+    from ..currents.tidal.constants import tides_dataset, tides_report
     from ..currents.tidal.record import read_record
     from ..files import make_folder, write_figure, write_netcdf
 
@@ -42,7 +42,6 @@ def tides(
     report = {"source": measured.source, **tides_report(fit)}
     written = []
     if out is not None:
-        from ..currents.tidal.file import tides_dataset
         from ..currents.tidal.plots import tides_plot
 
         written = [make_folder(out) / "tides.nc", out / "tides.png"]

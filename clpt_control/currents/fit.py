@@ -25,6 +25,7 @@ from ..errors import DataError
 from ..estimation.least_squares import least_squares
 from ..scenario import tides
 from ..scenario.experiment import Scenario
+from ..units import seconds_since_1970
 from .field_file import GriddedField
 from .gaps import fill_gaps, regular_grid
 from .grid_file import Currents, read_currents
@@ -229,10 +230,10 @@ def _middles(
 def _nodal(currents: Currents, constituents: tuple, latitude: float) -> dict | None:
     """Return f, u and V at the record's middle, None without UTide or a real calendar."""
     try:
-        middle = np.datetime64(currents.start, "s") + int(1800 * currents.time[-1])
+        middle = seconds_since_1970(currents.start) + 1800 * currents.time[-1]
     except ValueError:
         return None
-    return nodal_report(constituents, middle, latitude)
+    return nodal_report(constituents, np.datetime64(int(middle), "s"), latitude)
 
 
 def _functions(constituents: tuple[str, ...]) -> int:

@@ -16,6 +16,7 @@ from ..files import open_netcdf
 from ..units import length_in_metres
 from .cf import (
     DEPTH_NAMES,
+    REAL,
     VELOCITY,
     check_speed,
     dates_of,
@@ -164,12 +165,15 @@ def read_currents(
 
 
 def _since_first(dates: np.ndarray) -> tuple[np.ndarray, str]:
-    """Return hours since the earliest date, and that date as ISO text."""
+    """Return hours since the earliest date, and that date, with its calendar if not real."""
     first = dates.min()
     if dates.dtype.kind == "M":
         nearest = (first + np.timedelta64(500, "us")).astype("datetime64[ms]")
         return (dates - first) / np.timedelta64(1, "h"), nearest.item().isoformat()
-    return np.array([(date - first).total_seconds() / 3600.0 for date in dates]), first.isoformat()
+    start = first.isoformat()
+    if first.calendar not in REAL:
+        start += f" in the calendar {first.calendar}"
+    return np.array([(date - first).total_seconds() / 3600.0 for date in dates]), start
 
 
 def _checked_box(box: Any) -> tuple[float, float, float, float]:

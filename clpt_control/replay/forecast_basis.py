@@ -87,8 +87,8 @@ def read_fitted(path: str | Path) -> Fitted:
         tides = ", ".join(report["constituents"])
     except (ValueError, KeyError, TypeError):
         raise DataError(
-            f"{scenario.field_path}: has no fit_report with theta, origin, start and box; write "
-            "scenario and field anew with `clpt fit`"
+            f"{scenario.field_path}: has no fit_report with theta, origin, box and a real date as "
+            "start; write scenario and field anew with `clpt fit`"
         ) from None
     if theta.shape != (2, scenario.basis.N) or not np.all(np.isfinite(theta)):
         raise DataError(

@@ -191,7 +191,7 @@ def test_a_current_needs_no_real_dates_but_a_column_does(tmp_path, calendar):
     unit = "hours since 2019-02-28 20:00"
     path = write(tmp_path / "c.nc", *sample(), time_units=unit, calendar=calendar)
     currents = read_currents(path)
-    assert currents.start == "2019-02-28T20:00:00"
+    assert currents.start == f"2019-02-28T20:00:00 in the calendar {calendar}"
     np.testing.assert_allclose(currents.time, TIME, atol=1e-9)
     with pytest.raises(DataError, match=f"calendar '{calendar}'; must be one of real dates"):
         read_currents(path, column=True)

@@ -14,6 +14,7 @@ from clpt_control.currents.fit import fit_scenario
 from clpt_control.currents.fit_file import save_fit
 from clpt_control.diagrams.scenario_basis import scenario_basis
 from clpt_control.errors import ClptError, DataError, ScenarioError
+from clpt_control.replay.flow_model_file import read_flow_model
 from clpt_control.simulation.flows import explained_variance
 
 MARACOOS = Path(__file__).parents[1] / "data/field/maracoos_hfr_2019-01-01.nc"
@@ -129,6 +130,18 @@ def test_steps_without_any_measurement_do_not_lengthen_a_record(tmp_path):
     u[12:] = np.nan
     with pytest.raises(DataError, match=r"in 11 h, steady and M2 cannot be told apart: 12.43 h"):
         fit_scenario(write(tmp_path / "c.nc", u, v), BOX, rows=1, columns=1, width_km=30.0)
+
+
+def test_a_calendar_without_real_dates_has_no_moon_and_carries_no_dive(known, tmp_path):
+    (tmp_path / "c.nc").write_bytes(known[0].read_bytes())
+    with netCDF4.Dataset(tmp_path / "c.nc", "a") as file:
+        file["time"].calendar = "noleap"
+    fit = fit_scenario(tmp_path / "c.nc", BOX, rows=1, columns=1, width_km=30.0)
+    assert fit.report["start"] == "2020-06-01T00:00:00 in the calendar noleap"
+    assert fit.report["nodal"] is None
+    save_fit(fit, tmp_path / "s.toml")
+    with pytest.raises(DataError, match="a real date"):
+        read_flow_model(tmp_path / "s.toml")
 
 
 def test_saved_scenario_and_field_belong_together(known, tmp_path):
