@@ -1,7 +1,8 @@
-"""The paper's diagram, a file per room.
+"""The paper's diagram, a page for each block, and what makes blocks of equations.
 
-`block` makes a block of equations, `words` and `rules` say what equations may
-use, `trace` records them; every other file is a page of the paper.
+`block` makes a block.  Equations may use `words`; `rules` refuses all else; `trace`
+runs them on `tracers` and keeps their `record`; `ieee`, `arrays` and `symbolic` are
+readings; `checks` compares all readings.  Every other file is a page of the paper.
 """
 
 import lazy_loader

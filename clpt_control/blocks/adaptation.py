@@ -37,12 +37,12 @@ class LearnedFlowParameters(NamedTuple):
 
 
 def adapt_feedback(gamma, e, z):
-    """K_i' = -gamma z_i e_i, Eq. (14) and Eq. (22)."""
+    """Return K_i' = -gamma z_i e_i, Eq. (14) and Eq. (22)."""
     return -gamma * z * e
 
 
 def adapt_feedforward(gamma, e, zc):
-    """Gamma_i' = gamma zc_i e_i, Eq. (15) and Eq. (23)."""
+    """Return Gamma_i' = gamma zc_i e_i, Eq. (15) and Eq. (23)."""
     return gamma * zc * e
 
 

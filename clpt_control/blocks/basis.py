@@ -33,12 +33,12 @@ class BasisParameters(NamedTuple):
 
 
 def squared_distance(x, p, i):
-    """|x - c_i|^2, length squared."""
+    """Return |x - c_i|^2, length squared."""
     return (x[0] - p.centers[i, 0]) ** 2 + (x[1] - p.centers[i, 1]) ** 2
 
 
 def tide(t, p, i):
-    """cos(omega_i t + phase_i), the temporal factor of Eq. (5)."""
+    """Return cos(omega_i t + phase_i), the temporal factor of Eq. (5)."""
     return math.cos(p.frequencies[i] * t + p.phases[i])
 
 

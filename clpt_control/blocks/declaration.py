@@ -69,7 +69,7 @@ def check_names(name: str, *ports: Mapping[str, int] | None) -> None:
 
 
 def labels(ports: Mapping[str, int] | None) -> list[str]:
-    """Flatten ports to signal labels: ``{"e": 2}`` is ``e[0], e[1]``."""
+    """Return the signal labels of ports: ``{"e": 2}`` is ``e[0], e[1]``."""
     return [f"{port}[{k}]" for port, size in (ports or {}).items() for k in range(size)]
 
 

@@ -37,12 +37,12 @@ class DisturbanceParameters(NamedTuple):
 
 
 def remainder(a):
-    """a mod MODULUS, exact for 0 <= a < 2^53."""
+    """Return a mod MODULUS, exact for 0 <= a < 2^53."""
     return a - MODULUS * floor(a / MODULUS)
 
 
 def hash_fraction(seed, k, axis, stream):
-    """Hash four whole numbers to a fraction in (0, 1).
+    """Return a fraction in (0, 1), the hash of four whole numbers.
 
     Rounds of h -> h^2 + c h + key modulo a prime, in exact double arithmetic.
     """
@@ -56,7 +56,7 @@ def hash_fraction(seed, k, axis, stream):
 
 
 def normal(seed, k, axis):
-    """Standard normal from the hash, as Box and Muller."""
+    """Return a standard normal number of the hash, as Box and Muller."""
     radius = math.sqrt(-2 * math.log(hash_fraction(seed, k, axis, 0)))
     return radius * math.cos(2 * math.pi * hash_fraction(seed, k, axis, 1))
 

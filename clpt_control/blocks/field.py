@@ -31,22 +31,22 @@ class FieldParameters(NamedTuple):
 
 
 def coordinate(value, p, axis):
-    """Position in grid steps along an axis, held at the edges."""
+    """Return a position in grid steps along an axis, held at the edges."""
     return clip((value - p.start[axis]) / p.step[axis], 0.0, p.shape[axis] - 1)
 
 
 def cell(position, p, axis):
-    """Index of the grid cell that holds a position in grid steps."""
+    """Return the index of the grid cell that holds a position in grid steps."""
     return minimum(floor(position), p.shape[axis] - 2)
 
 
 def spline(d):
-    """Cubic B-spline at distance d in [0, 2] grid steps."""
+    """Return the cubic B-spline at distance d in [0, 2] grid steps."""
     return where(d < 1, (4 - 6 * d**2 + 3 * d**3) / 6, (2 - d) ** 3 / 6)
 
 
 def weight(position, first, k):
-    """Weight of the k-th of four coefficients, k = 0 ... 3."""
+    """Return the weight of the k-th of four coefficients, k = 0 ... 3."""
     d = position - (first + k - 1)
     return spline(where(d > 0, d, -d))
 
@@ -76,7 +76,7 @@ def gridded_disturbed(t, x, u, p, y):
 
 
 def steps_inside(value, p, axis):
-    """Grid steps from a coordinate to the nearer edge of its axis."""
+    """Return the grid steps from a coordinate to the nearer edge of its axis."""
     here = (value - p.start[axis]) / p.step[axis]
     return minimum(here, p.shape[axis] - 1 - here)
 

@@ -100,7 +100,7 @@ def _sentence(error: Exception) -> str:
 
 
 def _place(error: Exception, function: FunctionType, role: str) -> str:
-    """Name the line of the block's own code at which an error was raised."""
+    """Return the line of the block's own code at which an error was raised."""
     codes = {one.__code__ for one in with_helpers(function)}
     frames = traceback.walk_tb(error.__traceback__)
     lines = [line for frame, line in frames if frame.f_code in codes]

@@ -201,18 +201,17 @@ class TracerArray(np.ndarray):
 
     def __setitem__(self, index: Any, value: Any) -> None:
         if isinstance(value, np.ndarray | tuple | list):
-            given = np.asarray(value, dtype=object)
-            if not given.ndim:
-                super().__setitem__(index, self._number(given[()]))
-                return
-            if not isinstance(self[index], np.ndarray):
-                raise Refused("writing an array into one number", "give one, as in u[0]")
-            numbers = np.empty(given.shape, dtype=object)
-            for place in np.ndindex(given.shape):
-                numbers[place] = self._number(given[place])
-            super().__setitem__(index, numbers)
+            value = np.asarray(value, dtype=object)
+            value = value if value.ndim else value[()]
+        if not isinstance(value, np.ndarray):
+            super().__setitem__(index, self._number(value))
             return
-        super().__setitem__(index, self._number(value))
+        if not isinstance(self[index], np.ndarray):
+            raise Refused("writing an array into one number", "give one, as in u[0]")
+        numbers = np.empty(value.shape, dtype=object)
+        for place in np.ndindex(value.shape):
+            numbers[place] = self._number(value[place])
+        super().__setitem__(index, numbers)
 
     def _number(self, value: Any) -> Number:
         ref = operand(value)

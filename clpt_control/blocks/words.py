@@ -1,9 +1,9 @@
 """The words a block's equations may use beside arithmetic and `math`.
 
-Each word has one meaning, written here in Python; machine code and SymPy have
-it from the record (`native.elementary`, `blocks.symbolic`).  There is no `if`
-among them: a choice is `where`, so that the same line can be recorded once and
-run in SIMD lanes.  A number that is not a number (NaN) stays one.
+Each word has one meaning, written here in Python; machine code and SymPy take it
+from the record (`native.elementary`, `blocks.symbolic`).  There is no `if` among
+them: a choice is `where`, so that a line is recorded once and runs in SIMD lanes.
+NaN stays NaN.
 """
 
 import math
@@ -77,9 +77,9 @@ def floor(value):
 
 
 def lookup(table, index):
-    """Read an array at a whole number, from the end where negative.
+    """Return an array's entry at an index, a float cut to a whole number.
 
-    The number is a float; what it has behind the point is left out.
+    A negative index counts from the end.
 
     Examples
     --------
@@ -93,38 +93,11 @@ WORDS: dict[str, Callable] = {
     word.__name__: word for word in (where, minimum, maximum, clip, sign, floor, lookup)
 }
 
-MATH = frozenset(
-    {
-        "pi",
-        "e",
-        "tau",
-        "exp",
-        "log",
-        "sqrt",
-        "sin",
-        "cos",
-        "tan",
-        "asin",
-        "acos",
-        "atan",
-        "atan2",
-        "sinh",
-        "cosh",
-        "tanh",
-        "asinh",
-        "acosh",
-        "atanh",
-        "fabs",
-        "hypot",
-        "log1p",
-        "expm1",
-        "log2",
-        "log10",
-        "pow",
-        "degrees",
-        "radians",
-        "erf",
-        "erfc",
-        "ceil",
-    }
-)  # the names of `math` that every reading knows
+MATH = frozenset(  # the names of `math` that every reading knows
+    (
+        *("pi", "e", "tau", "exp", "expm1", "log", "log1p", "log2", "log10", "sqrt", "pow"),
+        *("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "degrees", "radians"),
+        *("sinh", "cosh", "tanh", "asinh", "acosh", "atanh"),
+        *("fabs", "hypot", "erf", "erfc", "ceil"),
+    )
+)

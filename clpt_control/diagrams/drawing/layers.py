@@ -62,7 +62,7 @@ class Layered:
 
 
 def gather(diagram: control.NonlinearIOSystem, wiring: Wiring) -> list[Net]:
-    """Gather the arrows of a diagram into nets."""
+    """Return nets: ports of one block that feed the same blocks, or nothing."""
     reached: dict[tuple[str, str], dict[str, str]] = {
         (node.name, port): {} for node in wiring.nodes for port in ports(node.system.output_labels)
     }
@@ -85,7 +85,7 @@ def gather(diagram: control.NonlinearIOSystem, wiring: Wiring) -> list[Net]:
 
 
 def arrange(nets: list[Net], wiring: Wiring) -> Layered:
-    """Put blocks into ordered layers and mark feedback."""
+    """Return blocks in ordered layers, sources at the left; feedback is marked in the nets."""
     names = [net.source for net in nets if net.source.startswith("in:")]
     names = list(dict.fromkeys(names)) + [node.name for node in wiring.nodes]
     after = _mark_feedback(nets, wiring, names)

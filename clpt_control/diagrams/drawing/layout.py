@@ -49,7 +49,7 @@ def equations(system: control.NonlinearIOSystem) -> str:
 
 
 def lines_of(name: str) -> list[str]:
-    """Break a long name where its words meet."""
+    """Return a name in lines, broken where its words meet."""
     lines: list[str] = []
     for word in re.findall(r"[^_.]+[_.]*|[_.]+", name):
         if lines and len(lines[-1]) + len(word) <= 12:
