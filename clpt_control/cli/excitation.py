@@ -8,6 +8,8 @@ import typer
 from ..errors import ClptError
 from .printing import Json, ScenarioFile, print_json, print_table
 
+MOST_SHOWN = 20  # eigenvalues in the table; --json has all
+
 
 def excitation(
     scenario: ScenarioFile,
@@ -47,7 +49,10 @@ def excitation(
     unit = report["time_unit"]
     rows = []
     for axis, values in report["eigenvalues"].items():
-        rows.append([f"{axis}: eigenvalues", ", ".join(f"{value:.4g}" for value in values)])
+        shown = [f"{value:.4g}" for value in values]
+        if len(shown) > MOST_SHOWN:
+            shown = [*shown[:6], "...", *shown[-3:], f"({len(values)} in all)"]
+        rows.append([f"{axis}: eigenvalues", ", ".join(shown)])
         parts = sorted(report["least_excited"][axis].items(), key=lambda part: -abs(part[1]))[:8]
         listed = ", ".join(f"{name} {share:+.2f}" for name, share in parts)
         rows.append([f"{axis}: least excited direction", listed])

@@ -304,3 +304,21 @@ def test_the_command_names_what_is_not_learnable(clpt, tmp_path):
     outcome = clpt("excitation", tmp_path / "true.toml", "--window", "500")
     assert outcome.status == 2
     assert outcome.err.count("\n") == 1
+
+
+def test_of_many_eigenvalues_the_command_shows_some(clpt, tmp_path, paper):
+    N = 20
+    places = 0.1 * np.arange(2 * N).reshape(N, 2)
+    scenario = paper.with_values(
+        {
+            "basis": {"kernel": "exponential", "centers": places, "widths": [5.0] * N}
+            | {"periods": 10.0 + np.arange(N), "phases": [0.0] * N},
+            "flow.parameters": 0.01 * np.ones((2, N)),
+            "model.parameters": np.zeros((2, N)),
+            "learning.parameters": np.zeros((2, N)),
+            "run.duration": 20,
+        }
+    )
+    clpt_package.save_scenario(scenario, tmp_path / "many.toml")
+    outcome = clpt("excitation", tmp_path / "many.toml", "--window", "20")
+    assert outcome.out.count(", ..., ") == 2

@@ -1,4 +1,4 @@
-"""What a certificate is good for: bounds under a disturbance, and times.
+"""Bounds under a disturbance and times, from the drop of V over a window.
 
     limsup |e| <= T Dmax (1 + 1/(1 - sqrt(1 - rho)))              Theorem 3.4, corrected
     |eta(t + n T)| <= sqrt(2 gamma V(t)) (1 - drop)^{n/2}         from V, Eq. (24)

@@ -20,7 +20,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...errors import ScenarioError
-from .recorded import Source
+from .between_samples import Source
 from .regressor import Regressor, joint_regressor
 from .transition import propagate, regressors
 

@@ -20,11 +20,11 @@ import numpy as np
 
 from ...errors import ScenarioError
 from ...scenario.experiment import Scenario
-from .recorded import Source
+from .between_samples import Source
 from .regressor import Regressor, joint_regressor
 
 NOT_LEARNABLE = 1e-9  # eigenvalues below this share of the largest say: not learnable
-INVOLVED = 0.05  # a parameter belongs to a subspace if its unit vector leans into it this far
+INVOLVED = 0.05  # a parameter belongs to a subspace if its unit vector has this length in it
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
     w = [phi(x), z_i, zc_i],    axis i = 1, 2                     Eq. (31)
 
 A scenario is simulated to the very nodes; a recorded run is read between its
-samples, see `recorded`.
+samples, see `between_samples`.
 """
 
 from dataclasses import dataclass
@@ -17,7 +17,8 @@ from ...diagrams.scenario_basis import scenario_basis
 from ...errors import ScenarioError
 from ...scenario.experiment import Scenario
 from ...simulation.integrate import simulate
-from .recorded import Source, positions_between, scenario_of, span_of
+from .between_samples import Source, positions_between, scenario_of, span_of
+from .transition import regressors
 
 NODES = 16  # Gauss-Legendre nodes of a piece: exact to degree 31
 TRANSIENT = 10.0  # longest piece in time constants 1/KD
@@ -39,9 +40,7 @@ class Regressor:
     @property
     def w(self) -> np.ndarray:
         """w = [phi, z_i, zc_i], shape (2, pieces, NODES, N + 2)."""
-        return np.stack(
-            [np.concatenate([self.phi, self.z[..., [i]], self.zc[..., [i]]], -1) for i in range(2)]
-        )
+        return regressors(self.phi, self.z, self.zc)
 
 
 def quadrature(

@@ -10,10 +10,10 @@ import numpy as np
 
 from ...errors import ScenarioError
 from ...scenario.experiment import Scenario
+from .between_samples import Source, thinned
 from .bounds import time_to_error
 from .certificates import certificate
 from .gramian import gramian
-from .recorded import Source, thinned
 from .regressor import joint_regressor
 
 

@@ -2,16 +2,16 @@
 
     t -> eigenvalues of int_t^{t+T} w(s) w(s)^T ds
 
-Persistent excitation asks for kappa_1 > 0 for all t; a picture of the smallest
-eigenvalue along time says where a track stops teaching.
+Persistent excitation asks for kappa_1 > 0 for all t; where the smallest eigenvalue falls to zero
+along time, the track stops teaching.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 
+from .between_samples import Source, scenario_of, span_of
 from .gramian import NOT_LEARNABLE, Excitation, joined, parameter_names, piece_factors
-from .recorded import Source, scenario_of, span_of
 from .regressor import checked_window, joint_regressor
 
 

@@ -1,12 +1,11 @@
-"""A recorded run, read between its samples.
+"""A run, read between its samples.
 
-Between two switches of the waypoint the positions are joined by a spline of
-degree 5 through their samples: continuous at a switch, with a kink there.  zc and
-the tides are the scenario's own, so that jumps are exact.  On the paper's
-scenario, started true, eigenvalues of the Gramian over a cycle are then within
-0.2 % at samples each 1 and 1e-6 at each 0.2; while the learner still rings, in
-the first cycle of a run started at zero, within 16 % and 2e-5.  `thinned` gives an
-estimate for any run: what changes when every second sample is left out.
+Between two switches of the waypoint a spline of degree 5 joins the samples of a position: it is
+continuous at a switch, with a kink there.  zc and the tides are the scenario's own, so that
+jumps are exact.  On the paper's scenario, started true, eigenvalues of the Gramian over a cycle
+are then within 0.2 % at samples each 1 s and 1e-6 at each 0.2 s; in the first cycle of a run
+started at zero, where the learner oscillates, within 16 % and 2e-5.  For any run, `thinned`
+shows what changes when every second sample is left out.
 """
 
 from pathlib import Path
