@@ -171,7 +171,7 @@ class Block(control.NonlinearIOSystem):
 
     @property
     def update_record(self) -> Record | None:
-        """Return the record of `update`; None where there are no states."""
+        """Return the record of `update`, or None without states."""
         return self._record("update")
 
     @property
@@ -183,7 +183,7 @@ class Block(control.NonlinearIOSystem):
 
     @property
     def guard_record(self) -> Record | None:
-        """Return the record of the guard's distance; None without a guard."""
+        """Return the record of the guard's distance, or None."""
         return self._record("guard")
 
     def __getstate__(self) -> dict[str, Any]:
@@ -193,7 +193,7 @@ class Block(control.NonlinearIOSystem):
 
     @property
     def parameters(self) -> Any:
-        """Return the block's own parameters, which are checked when set."""
+        """Return the block's own parameters, checked when set."""
         return self._parameters
 
     @parameters.setter
@@ -205,7 +205,7 @@ class Block(control.NonlinearIOSystem):
 
     @property
     def params(self) -> dict[str, Any]:
-        """Return the parameters under the block's name, for python-control."""
+        """Return the parameters under the name, for python-control."""
         return {self.name: self.parameters}
 
     @params.setter
@@ -213,7 +213,7 @@ class Block(control.NonlinearIOSystem):
         """Ignore python-control's own empty default."""
 
     def with_params(self, params: Mapping[str, Any] | None) -> Any:
-        """Return the parameters, changed by ``{"block.field": value}``."""
+        """Return the parameters, changed by {"block.field": value}."""
         params = params or {}
         within_diagram = self.name in params
         changes = {}
