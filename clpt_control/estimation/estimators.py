@@ -6,11 +6,12 @@ reads the dive's times, start and dead reckoning, never its end.
 """
 
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 
 from ..errors import ScenarioError
+from .dive import Dive
 from .fix_model import FixModel
 from .gradient import Gradient
 from .kalman import KalmanBank
@@ -21,10 +22,10 @@ class Estimator(Protocol):
 
     model: FixModel
 
-    def predict(self, dive: Any) -> tuple[np.ndarray, np.ndarray]:
+    def predict(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
         """Forecast a dive's miss: mean (2,) and covariance (2, 2), m."""
 
-    def update(self, dive: Any) -> None:
+    def update(self, dive: Dive) -> None:
         """Learn from a dive that has ended."""
 
     def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -18,6 +18,7 @@ import numpy as np
 
 from ..errors import ScenarioError
 from ..scenario.tides import SPEEDS, period
+from .dive import Dive
 from .fix_regressor import (
     flow_model,
     inertial,
@@ -142,7 +143,7 @@ class FixModel:
         k = len(self.optional)
         return np.array(list(product((False, True), repeat=k)), bool).reshape(2**k, k)
 
-    def reached(self, dive: Any) -> "FixModel":
+    def reached(self, dive: Dive) -> "FixModel":
         """Return the model with the places that a dive comes near.
 
         Its end is not read.  New parameters come last, far places may be gone;
@@ -160,7 +161,7 @@ class FixModel:
         old, new = np.array(pairs, int).T
         return old, new
 
-    def regressor(self, dive: Any, ended: bool = False) -> np.ndarray:
+    def regressor(self, dive: Dive, ended: bool = False) -> np.ndarray:
         """Return H of y = H p for a dive, (2, n).
 
         Its columns are in s for currents, in m for the others. A dive's end is read
@@ -180,7 +181,7 @@ class FixModel:
             columns.append(places_columns(self.places, dive, ended))
         return np.hstack(columns)
 
-    def noise(self, dive: Any, scatter: Any) -> Any:
+    def noise(self, dive: Dive, scatter: Any) -> Any:
         """Return the variance FIX^2 + (s T)^2 of y, m^2; s in m/s."""
         return self.priors.fix**2 + (scatter * dive.duration) ** 2
 

@@ -14,24 +14,25 @@ section 8.3).
 """
 
 import math
-from typing import Any
 
 import numpy as np
+
+from .dive import Dive
 
 ROTATION = 7.292115e-5  # rad/s, of the Earth
 
 
-def mid_time(dive: Any) -> float:
+def mid_time(dive: Dive) -> float:
     """Return the middle of a dive, s since 1970 UTC."""
     return 0.5 * (dive.t_gps2 + dive.t_gpse)
 
 
-def miss(dive: Any) -> np.ndarray:
+def miss(dive: Dive) -> np.ndarray:
     """Return y, fix less dead reckoning at a dive's end, (2,), m."""
     return np.array([dive.miss_east, dive.miss_north])
 
 
-def reckoned(dive: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def reckoned(dive: Dive) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return dead reckoning: time since the fix before the dive (s), east and north (m).
 
     A straight line at constant speed where the dive has no track; its end fix is not read.
@@ -53,33 +54,33 @@ def inertial_frequency(latitude: float) -> float:
     return 2 * ROTATION * math.sin(math.radians(latitude))
 
 
-def steady(dive: Any) -> np.ndarray:
+def steady(dive: Dive) -> np.ndarray:
     """Return the columns of a steady current, (2, 2), s."""
     return dive.duration * np.eye(2)
 
 
-def swing(dive: Any, w: float) -> float:
+def swing(dive: Dive, w: float) -> float:
     """Return T s(w), s: how far an oscillation of unit size at mid-dive carries; w in rad/s."""
     T = dive.duration
     return T * float(np.sinc(w * T / (2 * math.pi)))
 
 
-def tide(dive: Any, w: float) -> np.ndarray:
+def tide(dive: Dive, w: float) -> np.ndarray:
     """Return the columns of a tide, (2, 4), s: east and north of the cosine, then of the sine."""
     turn, mean = w * mid_time(dive), swing(dive, w)
     return mean * np.hstack([math.cos(turn) * np.eye(2), math.sin(turn) * np.eye(2)])
 
 
-def inertial(dive: Any) -> np.ndarray:
+def inertial(dive: Dive) -> np.ndarray:
     """Return the columns of the inertial current, (2, 2), s."""
     return swing(dive, inertial_frequency(dive.lat_gps2)) * np.eye(2)
 
 
-def flow_model(dive: Any) -> np.ndarray:
+def flow_model(dive: Dive) -> np.ndarray:
     """Return the column of a flow model, (2, 1), m; zero where it does not cover the dive."""
     return np.array([[dive.model_east or 0.0], [dive.model_north or 0.0]])
 
 
-def water(dive: Any) -> np.ndarray:
+def water(dive: Dive) -> np.ndarray:
     """Return the columns of speed and compass, (2, 2), m."""
     return np.array([[dive.dr_east, dive.dr_north], [dive.dr_north, -dive.dr_east]])

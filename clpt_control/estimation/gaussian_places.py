@@ -15,7 +15,6 @@ dive has ended, the track bent evenly to the fix after it.
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from scipy.integrate import trapezoid
@@ -24,6 +23,7 @@ from ..blocks import evaluate
 from ..blocks.basis import BasisParameters, flow_basis
 from ..errors import ScenarioError
 from ..geodesy import displacement
+from .dive import Dive
 from .fix_regressor import miss, reckoned
 
 SPACING = 1.5  # widths
@@ -45,7 +45,7 @@ class Places:
     cells: tuple[tuple[int, int], ...] = ()
 
 
-def track(dive: Any, ended: bool = False) -> tuple[np.ndarray, np.ndarray]:
+def track(dive: Dive, ended: bool = False) -> tuple[np.ndarray, np.ndarray]:
     """Return a few samples of a dive's track: time (k,), s; east and north (k, 2), m.
 
     Where it has `ended` the track is bent to the fix after the dive.
@@ -56,14 +56,14 @@ def track(dive: Any, ended: bool = False) -> tuple[np.ndarray, np.ndarray]:
     return time, (x + (time / dive.duration)[:, None] * miss(dive) if ended else x)
 
 
-def near(places: Places | None, dive: Any, width: float) -> Places:
+def near(places: Places | None, dive: Dive, width: float) -> Places:
     """Return the places with those that a dive comes near; the same object where nothing is new.
 
     `width` (m) and the dive's start are the first lattice's; a dive's end is not read.
 
     Examples
     --------
-    >>> from clpt_control.gliders.dives import make_dive
+    >>> from clpt_control.estimation.dive import make_dive
     >>> dive = make_dive(1, (0.0, 40.0, 8.0), (9000.0, 40.0, 8.02), (500.0, 0.0))
     >>> near(None, dive, 20e3).cells
     ((-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 0), (0, 1), (1, -1), (1, 0), (1, 1))
@@ -100,13 +100,13 @@ def near(places: Places | None, dive: Any, width: float) -> Places:
     return Places(old.latitude, old.longitude, old.width, tuple(cells))
 
 
-def _along(places: Places, dive: Any, ended: bool) -> tuple[np.ndarray, np.ndarray]:
+def _along(places: Places, dive: Dive, ended: bool) -> tuple[np.ndarray, np.ndarray]:
     time, x = track(dive, ended)
     start = displacement(places.latitude, places.longitude, dive.lat_gps2, dive.lon_gps2)
     return time, np.array(start) + x
 
 
-def places_columns(places: Places, dive: Any, ended: bool = False) -> np.ndarray:
+def places_columns(places: Places, dive: Dive, ended: bool = False) -> np.ndarray:
     """Return phi integrated over a dive, (2, 2N), s: each place's east, then its north."""
     N = len(places.cells)
     steady = np.zeros(N)

@@ -15,10 +15,9 @@ and says how far to trust it.  A fix beyond the 99.9 % ellipse moves the law les
 how far beyond it lies.
 """
 
-from typing import Any
-
 import numpy as np
 
+from .dive import Dive
 from .fix_model import FAR, FixModel, mid_time, miss
 from .priors import QUARTER_DAY
 
@@ -39,7 +38,7 @@ class Gradient:
         self.variance = self.priors.miss**2  # of a miss over its time
         self.count = self.priors.miss_weight
 
-    def ahead(self, dive: Any) -> tuple[FixModel, np.ndarray, np.ndarray]:
+    def ahead(self, dive: Dive) -> tuple[FixModel, np.ndarray, np.ndarray]:
         """Return model, parameters and covariance at a dive, before its end."""
         model = self.model.reached(dive)
         old, new = model.kept(self.model)
@@ -54,7 +53,7 @@ class Gradient:
         P[[0, 1], [0, 1]] += np.clip(prior[:2] - P[[0, 1], [0, 1]], 0.0, walked)
         return model, F @ p, P
 
-    def predict(self, dive: Any) -> tuple[np.ndarray, np.ndarray]:
+    def predict(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
         """Forecast fix less dead reckoning of a dive: mean (2,), covariance (2, 2), m.
 
         The variance is that of earlier misses, or of the law's own errors if that is larger.
@@ -64,7 +63,7 @@ class Gradient:
         own = np.trace(H @ P @ H.T) / 2 + model.noise(dive, self.priors.gradient_scatter)
         return H @ p, max(self.variance * dive.duration**2, own) * np.eye(2)
 
-    def update(self, dive: Any) -> None:
+    def update(self, dive: Dive) -> None:
         """Learn from a dive that has ended."""
         mean, S = self.predict(dive)
         far = float(np.sum((miss(dive) - mean) ** 2)) / S[0, 0]

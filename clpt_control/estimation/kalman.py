@@ -25,10 +25,11 @@ hypotheses on normal location parameters", Annals of Statistics 42, 204-223, 197
 The state of a filter is that of `wandering`, continued by the other parameters.
 """
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
+from .dive import Dive
 from .fix_model import FAR, FixModel, mid_time, miss
 from .priors import QUARTER_DAY, Kind
 from .wandering import wander
@@ -98,11 +99,11 @@ class KalmanBank:
         hidden = np.stack([self.kinds.trend / QUARTER_DAY, self.kinds.eddy], axis=1)
         return np.hstack([np.repeat(hidden, 2, axis=1), model.prior_sd * self.has(model)])
 
-    def since(self, dive: Any) -> float:
+    def since(self, dive: Dive) -> float:
         """Return the time from the middle of the last dive to that of this one, s."""
         return 0.0 if self.time is None else max(0.0, mid_time(dive) - self.time)
 
-    def ahead(self, dive: Any) -> tuple[FixModel, np.ndarray, np.ndarray, np.ndarray]:
+    def ahead(self, dive: Dive) -> tuple[FixModel, np.ndarray, np.ndarray, np.ndarray]:
         """Return model, F, mean and covariance at a dive, before its end."""
         model, priors, dt = self.model.reached(dive), self.priors, self.since(dive)
         sd = self.prior_sd(model)
@@ -128,17 +129,17 @@ class KalmanBank:
             P[:, k - 1, k - 1] += priors.compass_walk**2 * dt / QUARTER_DAY
         return model, F, mean, P
 
-    def noise(self, dive: Any) -> np.ndarray:
+    def noise(self, dive: Dive) -> np.ndarray:
         """Return the m covariances of n for a dive, m^2."""
         return self.model.noise(dive, self.kinds.scatter)[:, None, None] * np.eye(2)
 
-    def predict(self, dive: Any) -> tuple[np.ndarray, np.ndarray]:
+    def predict(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
         """Forecast fix less dead reckoning of a dive: mean (2,), covariance (2, 2), m."""
         model, _, mean, P = self.ahead(dive)
         H = with_hidden(model.regressor(dive))
         return mixed(mean @ H.T, H @ P @ H.T + self.noise(dive), self.weights)
 
-    def update(self, dive: Any) -> None:
+    def update(self, dive: Dive) -> None:
         """Learn from a dive that has ended."""
         weights, before, model = self.weights, self.mean, self.model
         dt = self.since(dive)

@@ -25,6 +25,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import DataError
+from ..estimation.dive import Dive
 from ..estimation.fix_model import FixModel
 from ..estimation.kalman import HIDDEN, KalmanBank
 
@@ -87,7 +88,7 @@ class SpeedWatch:
         self.windows: list[dict[str, Any]] = []
         self.count = 0
 
-    def step(self, dive: Any) -> Anomaly | None:
+    def step(self, dive: Dive) -> Anomaly | None:
         """Judge the speed of a dive that has ended; None where nothing is found."""
         if self.own:
             self.bank.update(dive)
@@ -137,7 +138,7 @@ class SpeedWatch:
             self.bank.forget_speed()
         return best
 
-    def _judge(self, dive: Any, window: dict[str, Any]) -> Anomaly | None:
+    def _judge(self, dive: Dive, window: dict[str, Any]) -> Anomaly | None:
         w, A, b = window["weights"], window["A"], window["b"]
         if not (A[:, 0, 0] > 0).all():  # no way through the water, no speed
             return None

@@ -133,7 +133,7 @@ class Follower:
             dives, skipped = [], [Skipped(None, str(error))]
         return self._record(stamp, map(_kept_dive, dives), skipped)
 
-    def _record(self, stamp: Any, dives: Iterable[Any], skipped: list[Skipped]) -> Record:
+    def _record(self, stamp: Any, dives: Iterable[Dive], skipped: list[Skipped]) -> Record:
         where = self._where
         return Record(format=3, folder=where, stamp=stamp, dives=list(dives), skipped=skipped)
 
@@ -160,7 +160,7 @@ def _kept_dive(dive: Dive) -> Any:
     return KeptDive(**{**vars(dive), "track": track})
 
 
-def _fixes(dive: Any) -> str:
+def _fixes(dive: Dive) -> str:
     """Return times and fixes of a dive, to compare; as text, NaN is NaN."""
     return repr([float(getattr(dive, name)) for name in FIXES])
 
