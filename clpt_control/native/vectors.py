@@ -7,6 +7,7 @@ contracted, so that a result depends on no neighbour and on no processor.
 """
 
 import math
+from collections.abc import Callable
 from functools import lru_cache
 from typing import Any, Union
 
@@ -83,6 +84,23 @@ def declared(module: ir.Module, name: str, result: ir.Type, arguments: list[ir.T
 Like = Union["Number", float, int]
 
 
+def _arithmetic(instruction: str, swapped: bool = False) -> Callable[["Number", Like], "Number"]:
+    def operator(a: "Number", b: Like) -> "Number":
+        values = [a.value, a.kind.number(b).value]
+        build = getattr(a.kind.builder, instruction)
+        return Number(a.kind, build(*(values[::-1] if swapped else values)))
+
+    return operator
+
+
+def _comparison(symbol: str, ordered: bool = True) -> Callable[["Number", Any], Any]:
+    def operator(a: "Number", b: Like) -> "Mask":
+        compare = a.kind.builder.fcmp_ordered if ordered else a.kind.builder.fcmp_unordered
+        return Mask(a.kind, compare(symbol, a.value, a.kind.number(b).value))
+
+    return operator
+
+
 class Number:
     """One number, or several at once, as a value of LLVM."""
 
@@ -91,62 +109,17 @@ class Number:
     def __init__(self, kind: Kind, value: Any):
         self.kind, self.value = kind, value
 
-    def _with(self, other: Like, instruction: str, swapped: bool = False) -> "Number":
-        values = [self.value, self.kind.number(other).value]
-        build = getattr(self.kind.builder, instruction)
-        return Number(self.kind, build(*(values[::-1] if swapped else values)))
-
-    def __add__(self, other: Like) -> "Number":
-        return self._with(other, "fadd")
-
-    def __radd__(self, other: Like) -> "Number":
-        return self._with(other, "fadd", True)
-
-    def __sub__(self, other: Like) -> "Number":
-        return self._with(other, "fsub")
-
-    def __rsub__(self, other: Like) -> "Number":
-        return self._with(other, "fsub", True)
-
-    def __mul__(self, other: Like) -> "Number":
-        return self._with(other, "fmul")
-
-    def __rmul__(self, other: Like) -> "Number":
-        return self._with(other, "fmul", True)
-
-    def __truediv__(self, other: Like) -> "Number":
-        return self._with(other, "fdiv")
-
-    def __rtruediv__(self, other: Like) -> "Number":
-        return self._with(other, "fdiv", True)
+    __add__, __radd__ = _arithmetic("fadd"), _arithmetic("fadd", True)
+    __sub__, __rsub__ = _arithmetic("fsub"), _arithmetic("fsub", True)
+    __mul__, __rmul__ = _arithmetic("fmul"), _arithmetic("fmul", True)
+    __truediv__, __rtruediv__ = _arithmetic("fdiv"), _arithmetic("fdiv", True)
+    __lt__, __le__ = _comparison("<"), _comparison("<=")
+    __gt__, __ge__ = _comparison(">"), _comparison(">=")
+    __eq__, __ne__ = _comparison("=="), _comparison("!=", False)
+    __hash__ = None  # type: ignore[assignment]
 
     def __neg__(self) -> "Number":
         return Number(self.kind, self.kind.builder.fneg(self.value))
-
-    def _compare(self, other: Like, symbol: str, ordered: bool = True) -> "Mask":
-        builder = self.kind.builder
-        compare = builder.fcmp_ordered if ordered else builder.fcmp_unordered
-        return Mask(self.kind, compare(symbol, self.value, self.kind.number(other).value))
-
-    def __lt__(self, other: Like) -> "Mask":
-        return self._compare(other, "<")
-
-    def __le__(self, other: Like) -> "Mask":
-        return self._compare(other, "<=")
-
-    def __gt__(self, other: Like) -> "Mask":
-        return self._compare(other, ">")
-
-    def __ge__(self, other: Like) -> "Mask":
-        return self._compare(other, ">=")
-
-    def __eq__(self, other: Like) -> "Mask":  # type: ignore[override]
-        return self._compare(other, "==")
-
-    def __ne__(self, other: Like) -> "Mask":  # type: ignore[override]
-        return self._compare(other, "!=", False)
-
-    __hash__ = None  # type: ignore[assignment]
 
     def bits(self) -> Any:
         """The bits, as whole numbers of 64 bits."""
@@ -190,29 +163,19 @@ def fma(a: Like, b: Like, c: Like) -> Number:
     return kind.call("fma", *(kind.number(n) for n in (a, b, c)))
 
 
-def absolute(a: Number) -> Number:
-    """Return the absolute value."""
-    return a.kind.call("fabs", a)
+def _intrinsic(name: str, meaning: str) -> Callable[..., Number]:
+    def call(*arguments: Number) -> Number:
+        return arguments[0].kind.call(name, *arguments)
+
+    call.__doc__ = f"Return {meaning}."
+    return call
 
 
-def square_root(a: Number) -> Number:
-    """Return the square root, correctly rounded."""
-    return a.kind.call("sqrt", a)
-
-
-def round_down(a: Number) -> Number:
-    """Return the largest whole number not above."""
-    return a.kind.call("floor", a)
-
-
-def round_to_zero(a: Number) -> Number:
-    """Return the whole number next towards zero."""
-    return a.kind.call("trunc", a)
-
-
-def copysign(a: Number, b: Number) -> Number:
-    """Return `a` with the sign of `b`."""
-    return a.kind.call("copysign", a, b)
+absolute = _intrinsic("fabs", "the absolute value")
+square_root = _intrinsic("sqrt", "the square root, correctly rounded")
+round_down = _intrinsic("floor", "the largest whole number not above")
+round_to_zero = _intrinsic("trunc", "the whole number next towards zero")
+copysign = _intrinsic("copysign", "the first number with the sign of the second")
 
 
 def nearest(a: Number) -> Number:
