@@ -1,5 +1,6 @@
 """Units of length, time and speed, and dates, as scenarios and files write them."""
 
+import re
 from datetime import UTC, datetime
 
 from .errors import DataError
@@ -15,9 +16,17 @@ SECONDS = {
     "ns": 1e-9,
 }
 KNOT = 1852.0 / 3600.0  # m/s
+SPEED = re.compile(  # m/s, m per s, m s-1, m.s-1, m s^-1, m s**-1
+    r"\s*(\w+)(?:\s*/\s*|\s+per\s+)(\w+)\s*|\s*(\w+)[\s.]+([a-z]+)\s*(?:\^|\*\*)?-1\s*",
+    re.IGNORECASE,
+)
 WORDS = {  # also in the plural
     "meter": "m",
     "metre": "m",
+    "kilometer": "km",
+    "kilometre": "km",
+    "centimeter": "cm",
+    "centimetre": "cm",
     "sec": "s",
     "second": "s",
     "minute": "min",
@@ -68,14 +77,12 @@ def speed_in_metres_per_second(unit: str, where: str) -> float:
     >>> speed_in_metres_per_second("cm s-1", "u")
     0.01
     """
-    text = unit.strip().replace("**", "").replace("^", "").replace(".", " ")
-    for per in ("-1", "/", " per "):
-        text = text.replace(per, " ")
-    words = [_short(word) for word in text.split()]
-    if words == ["knot"]:
+    if _short(unit) == "knot":
         return KNOT
-    if len(words) == 2 and words[0] in METRES and words[1] in SECONDS:
-        return METRES[words[0]] / SECONDS[words[1]]
+    found = SPEED.fullmatch(unit)
+    length, time = (_short(word) for word in found.groups() if word) if found else ("", "")
+    if length in METRES and time in SECONDS:
+        return METRES[length] / SECONDS[time]
     raise DataError(f"{where}: units = '{unit}' is no speed; must be such as 'm/s' or 'cm s-1'")
 
 

@@ -13,6 +13,7 @@ from clpt_control.blocks import (
     clpe,
     disturbance,
     error_system,
+    evaluate,
     field,
     flow,
     learner,
@@ -44,6 +45,24 @@ def test_basis_at_its_centre_is_the_tide(kernel):
     assert phi(block, [3.0, -4.0], 8.0) == pytest.approx(0.5, rel=1e-14)  # a period later
     assert phi(block, [3.0, -4.0], 4.0) == pytest.approx(-0.5, rel=1e-14)  # half a period
     assert phi(block, [3.0, -4.0], 2 / 3) == pytest.approx(0.0, abs=1e-15)  # at 90 degrees
+
+
+@pytest.mark.parametrize(
+    ("kernel", "formula"),
+    [
+        ("exponential", lambda d: np.exp(-d / 6.0)),
+        ("gaussian", lambda d: np.exp(-(d**2) / 18.0)),
+        ("gaussian-sigma", lambda d: np.exp(-(d**2) / 3.0)),
+    ],
+)
+def test_a_block_is_asked_at_many_places_and_times(kernel, formula):
+    block = one_basis(kernel, center=(1.0, -2.0), width=3.0, frequency=0.7, phase=-math.pi / 2)
+    rng = np.random.default_rng(4)
+    t, x = rng.uniform(0, 20, 50), rng.uniform(-5, 5, (50, 2))
+    shape = formula(np.hypot(x[:, 0] - 1.0, x[:, 1] + 2.0))
+    np.testing.assert_allclose(evaluate(block, t, x)[:, 0], shape * np.sin(0.7 * t), atol=1e-14)
+    np.testing.assert_allclose(evaluate(block, 5.0, x)[:, 0], shape * math.sin(3.5), atol=1e-14)
+    assert evaluate(block, 5.0, x[0]).shape == (1, 1)
 
 
 @pytest.mark.parametrize("kernel", basis.KERNELS)

@@ -43,17 +43,6 @@ def test_theta_is_recovered_exactly():
     assert fit.residual_max < 1e-12
 
 
-def test_evaluate_equals_the_formula():
-    block, (t, x) = functions([M2]), samples(20)
-    p = block.parameters
-    for k in range(p.N):
-        d2 = np.sum((x - p.centers[k]) ** 2, axis=1)
-        wave = np.cos(M2 * t) if k < 2 else np.sin(M2 * t)
-        np.testing.assert_allclose(
-            evaluate(block, t, x)[:, k], np.exp(-d2 / 200.0) * wave, atol=1e-14
-        )
-
-
 def test_residuals_are_orthogonal_and_their_figures_are_lengths():
     block, (t, x) = functions([0.0, M2]), samples()
     phi, flow = evaluate(block, t, x), np.random.default_rng(4).normal(size=(400, 2))
