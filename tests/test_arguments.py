@@ -74,6 +74,8 @@ def test_engines_refuse_the_same(system, times, arguments, engine):
 
 
 def test_there_is_no_other_engine():
+    values = [one.values[0] for one in public_functions()]
+    assert {f for f in values if "engine" in inspect.signature(f).parameters} == {clpt.simulate}
     for system in (SCENARIO, LOOP):
         with pytest.raises(ClptError, match="must be one of native, python"):
             clpt.simulate(system, [0.0, 2.0], engine="fast")

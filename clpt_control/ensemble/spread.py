@@ -68,9 +68,8 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> from clpt_control.ensemble.run import run_ensemble
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-    >>> data = run_ensemble(scenario, "learning.gain=0.2:2.0", 3, seed=1)
+    >>> data = clpt.ensemble.run_ensemble(scenario, "learning.gain=0.2:2.0", 3)
     >>> ensemble_summary(data)["ended"]
     {'finished': 3}
     """
@@ -118,9 +117,8 @@ def ensemble_plot(data: "xarray.Dataset") -> "Figure":
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> from clpt_control.ensemble.run import run_ensemble
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-    >>> figure = ensemble_plot(run_ensemble(scenario, "learning.gain=0.2:2.0", 3))
+    >>> figure = ensemble_plot(clpt.ensemble.run_ensemble(scenario, "learning.gain=0.2:2.0", 3))
     """
     figure, (top, bottom) = new_figure(6.4, 6.0, nrows=2)
     units = data["clpe_rms"].attrs["units"]
@@ -133,14 +131,8 @@ def ensemble_plot(data: "xarray.Dataset") -> "Figure":
         _logarithmic(top)
         top.legend(frameon=False, fontsize=8)
     else:
-        top.text(
-            0.5,
-            0.5,
-            "the runs are shorter than a cycle",
-            ha="center",
-            color=GREY,
-            transform=top.transAxes,
-        )
+        text = "the runs are shorter than a cycle"
+        top.text(0.5, 0.5, text, ha="center", color=GREY, transform=top.transAxes)
         top.set_axis_off()
     count = f"{data.sizes['member']:,}".replace(",", " ")
     top.set_title(f"CLPE of {count} members", loc="left", fontsize=10)

@@ -1,14 +1,16 @@
 """Pictures of a run: of data, a `matplotlib.figure.Figure`; nothing here integrates."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..errors import ClptError
 from ..figures import BLUE, COLOURS, GREY, RED, STYLES, new_figure
 from ..files import write_figure
 from ..scenario.experiment import Scenario
 
+TITLE: dict[str, Any] = {"loc": "left", "fontsize": 10}
 MANY = 100  # samples an interval, for its mean square
 
 if TYPE_CHECKING:
@@ -60,7 +62,7 @@ def track_plot(run: "xarray.Dataset", scenario: Scenario) -> "Figure":
     ax.plot(*path[0], "s", color="black", markersize=5, label="start")
     ax.set(xlabel=f"$x_1$ ({unit})", ylabel=f"$x_2$ ({unit})", aspect="equal")
     ax.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half, middle[1] + half))
-    ax.set_title("Waypoints, track, and flow at t = 0", loc="left", fontsize=10)
+    ax.set_title("Waypoints, track, and flow at t = 0", **TITLE)
     ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=4, fontsize=8, frameon=False)
     return figure
 
@@ -92,46 +94,28 @@ def clpe_plot(run: "xarray.Dataset", scenario: Scenario) -> "Figure":
     interval, e = run.time.values / dwell, run.clpe.values
     early = interval <= 2 * count
     for i in range(2):
-        top.plot(
-            interval[early],
-            e[early, i],
-            color=COLOURS[i],
-            linestyle=STYLES[i],
-            linewidth=1.1,
-            label=f"$e_{i + 1}$",
-        )
+        line: dict[str, Any] = {
+            "color": COLOURS[i],
+            "linestyle": STYLES[i],
+            "label": f"$e_{i + 1}$",
+        }
+        top.plot(interval[early], e[early, i], linewidth=1.1, **line)
     top.axvline(count, color=GREY, linewidth=0.8, linestyle=":")
-    top.annotate(
-        "one cycle",
-        (count, top.get_ylim()[1]),
-        xytext=(3, -9),
-        textcoords="offset points",
-        fontsize=8,
-        color=GREY,
-    )
+    place = {"xytext": (3, -9), "textcoords": "offset points"}
+    top.annotate("one cycle", (count, top.get_ylim()[1]), fontsize=8, color=GREY, **place)
     top.set(ylabel=f"CLPE ({unit})", xlim=(0, max(interval[early])))
     top.legend(frameon=False, fontsize=8)
-    top.set_title(
-        f"CLPE; each interval is one waypoint, {dwell:g} {scenario.units.time}",
-        loc="left",
-        fontsize=10,
-    )
+    top.set_title(f"CLPE; each interval is one waypoint, {dwell:g} {scenario.units.time}", **TITLE)
     size = np.hypot(*e.T)
-    bottom.semilogy(
-        interval, np.maximum(size, 1e-12), color=BLUE, linewidth=0.5, alpha=0.5, label="|e|"
-    )
+    drawn = np.maximum(size, 1e-12)
+    bottom.semilogy(interval, drawn, color=BLUE, linewidth=0.5, alpha=0.5, label="|e|")
     number = np.floor(interval + 1e-9).astype(int)
     counts = np.bincount(number)
     rms = np.sqrt(np.bincount(number, size**2) / np.where(counts > 0, counts, np.nan))
     few = len(size) < MANY * len(counts)  # the pictures of a long run have fewer samples
-    bottom.step(
-        np.arange(len(counts)),
-        np.maximum(rms, 1e-12),
-        where="post",
-        color="black",
-        linewidth=1.2,
-        label="rms per interval" + (", of the samples shown" if few else ""),
-    )
+    label = "rms per interval" + (", of the samples shown" if few else "")
+    line = {"color": "black", "linewidth": 1.2, "label": label}
+    bottom.step(np.arange(len(counts)), np.maximum(rms, 1e-12), where="post", **line)
     bottom.set(xlabel="interval", ylabel=f"|CLPE| ({unit})", xlim=(0, interval[-1]))
     if size.max() > 0:
         bottom.set_ylim(bottom=max(1e-12, np.nanmin(np.where(size > 0, size, np.nan)) / 2))
@@ -156,12 +140,19 @@ def learning_plot(run: "xarray.Dataset", scenario: Scenario, axis: int) -> "Figu
     Figure
         Estimates as lines, true values as thin horizontal lines.
 
+    Raises
+    ------
+    ClptError
+        If there is no such axis.
+
     Examples
     --------
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
     >>> figure = learning_plot(clpt.simulate(scenario), scenario, 1)
     """
+    if axis not in (1, 2):
+        raise ClptError(f"axis = {axis}: must be 1, horizontal, or 2, vertical")
     figure, (top, bottom) = new_figure(6.4, 5.4, nrows=2, sharex=True)
     time, i, units = run.time.values, axis - 1, scenario.units
     estimate = run.flow_parameters_estimate.values[:, i]
@@ -175,33 +166,21 @@ def learning_plot(run: "xarray.Dataset", scenario: Scenario, axis: int) -> "Figu
             top.axhline(scenario.flow.parameters[i][k], color=colour, linewidth=0.7, alpha=0.7)
     direction = "horizontal" if axis == 1 else "vertical"
     truth = ", true values thin" if scenario.flow.parameters is not None else ""
-    top.set_title(
-        f"Parameters of the {direction} flow, estimate = $-\\alpha${truth}"
-        if scenario.learning.law == "learned-flow"
-        else f"Parameters of the {direction} flow, given estimate{truth}",
-        loc="left",
-        fontsize=10,
-    )
+    learned = scenario.learning.law == "learned-flow"
+    estimated = "estimate = $-\\alpha$" if learned else "given estimate"
+    top.set_title(f"Parameters of the {direction} flow, {estimated}{truth}", **TITLE)
     top.set_ylabel(f"flow parameter ({units.length}/{units.time})")
-    for k, (name, symbol, true) in enumerate(
-        (
-            ("feedback_gain", "K", scenario.vehicle.feedback),
-            ("feedforward_gain", r"\Gamma", scenario.vehicle.feedforward),
-        )
-    ):
-        bottom.plot(
-            time,
-            run[name].values[:, i],
-            color=COLOURS[k],
-            linestyle=STYLES[k],
-            linewidth=1.2,
-            label=f"${symbol}_{axis}$",
-        )
-        bottom.axhline(true[i], color=COLOURS[k], linewidth=0.7, alpha=0.7)
-    bottom.set_title("Gains, true values thin", loc="left", fontsize=10)
-    bottom.set(
-        xlabel=f"time ({units.time})", ylabel=f"gain (1/{units.time})", xlim=(time[0], time[-1])
+    gains = (
+        ("feedback_gain", "K", scenario.vehicle.feedback),
+        ("feedforward_gain", r"\Gamma", scenario.vehicle.feedforward),
     )
+    for k, (name, symbol, true) in enumerate(gains):
+        line = {"color": COLOURS[k], "linestyle": STYLES[k], "label": f"${symbol}_{axis}$"}
+        bottom.plot(time, run[name].values[:, i], linewidth=1.2, **line)
+        bottom.axhline(true[i], color=COLOURS[k], linewidth=0.7, alpha=0.7)
+    bottom.set_title("Gains, true values thin", **TITLE)
+    bottom.set(xlabel=f"time ({units.time})", ylabel=f"gain (1/{units.time})")
+    bottom.set_xlim(time[0], time[-1])
     if N <= 6:
         top.legend(frameon=False, fontsize=9, ncols=3)
     bottom.legend(frameon=False, fontsize=9, ncols=2)
@@ -210,14 +189,9 @@ def learning_plot(run: "xarray.Dataset", scenario: Scenario, axis: int) -> "Figu
 
 def save_figures(run: "xarray.Dataset", scenario: Scenario, folder: Path) -> list[Path]:
     """Write figure1.png to figure4.png: track, CLPE, horizontal and vertical learning."""
-    figures = (
-        track_plot(run, scenario),
-        clpe_plot(run, scenario),
-        learning_plot(run, scenario, 1),
-        learning_plot(run, scenario, 2),
-    )
-    paths = []
-    for number, figure in enumerate(figures, 1):
-        paths.append(Path(folder) / f"figure{number}.png")
-        write_figure(figure, paths[-1])
+    learning = (learning_plot(run, scenario, axis) for axis in (1, 2))
+    figures = (track_plot(run, scenario), clpe_plot(run, scenario), *learning)
+    paths = [Path(folder) / f"figure{number}.png" for number in (1, 2, 3, 4)]
+    for figure, path in zip(figures, paths, strict=True):
+        write_figure(figure, path)
     return paths

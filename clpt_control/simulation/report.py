@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from ..errors import DataError
 from ..scenario.experiment import Scenario
 from .integrate import sample_times
 from .pieces import SAMPLES_PER_CYCLE, Grid, Squares, nearest, run_in_pieces, union
@@ -139,6 +140,11 @@ def claims(summary: dict[str, Any]) -> list[dict[str, str]]:
     list of dict
         ``claim``, ``criterion``, ``measured`` and ``verdict`` of each.
 
+    Raises
+    ------
+    DataError
+        If the run is too short, or its scenario has no theta.
+
     Examples
     --------
     >>> summary = {"clpe_rms_per_cycle": [0.2, 0.01],
@@ -148,6 +154,10 @@ def claims(summary: dict[str, Any]) -> list[dict[str, str]]:
     ['holds', 'holds by t = 2000, not in one cycle', 'holds']
     """
     rms = summary["clpe_rms_per_cycle"]
+    if len(rms) < 2 or "2000" not in summary.get("max_flow_parameter_error", {}):
+        raise DataError(
+            "the claims of section IV are about its scenario, which has theta, from t = 0 to 2000"
+        )
     share = rms[1] / rms[0]
     verdicts = [
         {
