@@ -4,10 +4,9 @@ Each path is a file or a folder of `*.nc` and `*.csv`; a file is of one of the d
 below, found by its content.  A damaged file among good ones is left out with its
 reason and the good dives are used; what was named and does not exist is an error.
 
-A dialect is a module with two functions: `is_known(content)` and
-`dives_of(content, path)`.  The content is an open xarray.Dataset or a text, and the
-dives come as a list, from a text with a list of `Skipped` lines.  A further format
-is a module and its row here.
+A dialect is a module with two functions: `is_known(content)`, and
+`dives_of(content, path)`, which returns its dives and what was skipped.  The content is
+an open xarray.Dataset or a text.  A further format is a module and its row here.
 """
 
 from collections.abc import Iterable
@@ -69,7 +68,7 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
     with open_netcdf(path) as data:
         for dialect in OF_NETCDF:
             if dialect.is_known(data):
-                return dialect.dives_of(data, path), []
+                return dialect.dives_of(data, path)
         known = ", ".join(map(str, list(data.variables)[:8])) or "no variables"
     raise DataError(
         f"{path}: neither a Seaglider file (with log_gps_time) nor OG1 (with LATITUDE_GPS): it has "

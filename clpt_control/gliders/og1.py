@@ -30,7 +30,7 @@ import numpy as np
 
 from ..errors import DataError
 from ..geodesy import displacement
-from .dives import Dive, Fix, compared, make_dive
+from .dives import Dive, Fix, Skipped, compared, make_dive
 from .og1_columns import Columns, columns_of, fixes_in
 from .og1_columns import is_known as is_known
 from .samples import deepest, hole_under_water, track_of
@@ -53,7 +53,7 @@ class ThroughWater(NamedTuple):
     notes: list[str]
 
 
-def dives_of(data: "xarray.Dataset", path: Path) -> list[Dive]:
+def dives_of(data: "xarray.Dataset", path: Path) -> tuple[list[Dive], list[Skipped]]:
     """Return the dives of a file by time, between fixes that are far apart in time."""
     columns = columns_of(data, path)
     of = columns.of
@@ -85,7 +85,7 @@ def dives_of(data: "xarray.Dataset", path: Path) -> list[Dive]:
             f"{path}: no two fixes more than {LEAST_GAP:g} s apart in LATITUDE_GPS, LONGITUDE_GPS; "
             "a dive needs one before and one after it"
         )
-    return dives
+    return dives, []
 
 
 def _fix(of: dict[str, np.ndarray], row: int) -> Fix:

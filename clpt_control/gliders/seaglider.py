@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import DataError
-from .dives import NUMBERS, Dive, compared, make_dive, whole_number
+from .dives import NUMBERS, Dive, Skipped, compared, make_dive, whole_number
 from .samples import deepest, fill, hole_under_water, metres, scalar, seconds, track_of, values
 from .seaglider_fixes import FIXES, fixes_of
 
@@ -40,8 +40,8 @@ def is_known(data: "xarray.Dataset") -> bool:
     return any(name in data.variables for name in FIXES) or "sg_data_point" in data.dims
 
 
-def dives_of(data: "xarray.Dataset", path: Path) -> list[Dive]:
-    """Return the one dive of a file; NaN where a fix or the displacement is missing."""
+def dives_of(data: "xarray.Dataset", path: Path) -> tuple[list[Dive], list[Skipped]]:
+    """Return the one dive of a file, NaN where a fix or the displacement is missing."""
     names = _displacement(data)
     time, why_not = _times(data, names[0], path) if names else (None, "")
     fixes = fixes_of(data, path, nan if time is None else float(time[0]))
@@ -64,7 +64,7 @@ def dives_of(data: "xarray.Dataset", path: Path) -> list[Dive]:
         track=track,
         notes=(*notes, *([why_not] if why_not else []), *fixes.notes, *misnumbered),
     )
-    return [compared(dive)]
+    return [compared(dive)], []
 
 
 def number_in_name(path: Path) -> int | None:
