@@ -9,7 +9,7 @@ learned-flow law adapts all three and drives alpha to -theta.  z and zc are
 diagonal matrices in the paper, so each axis i has its own e_i, z_i, zc_i.
 
 Ports: e[2] (length), phi_x[N], z[2], zc[2] (length) -> alpha[2N] (length per
-time), K[2], Gamma[2] (per time), the states; alpha is none in the known-flow law.
+time), K[2], Gamma[2] (per time), the states; in the known-flow law alpha is a constant output.
 """
 
 from typing import NamedTuple

@@ -118,7 +118,7 @@ OPERATIONS: dict[str, Callable[..., Any]] = {
     "trunc": lambda a: np.trunc(a) + 0.0,
     "ceil": lambda a: np.ceil(a) + 0.0,
     "pick": lambda index, *numbers: picked(np.array(np.broadcast_arrays(*numbers)), index),
-    "opaque": lambda says, value, *arguments: value,
+    "opaque": lambda identity, value, *arguments: value,
     "erf": _each("erf"),
     "erfc": _each("erfc"),
     "sin": _circular(np.sin),

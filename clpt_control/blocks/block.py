@@ -72,8 +72,7 @@ class Block(control.NonlinearIOSystem):
     Raises
     ------
     BlockError
-        If the equations use something a reader cannot read, or the ports and
-        parameters do not fit.
+        If the equations cannot be recorded, or ports and parameters do not fit.
 
     Examples
     --------

@@ -74,7 +74,7 @@ def labels(ports: Mapping[str, int] | None) -> list[str]:
 
 
 class NoParameters(NamedTuple):
-    """The parameters of a block that has none."""
+    """The parameters of a block without parameters."""
 
 
 def checked_parameters(name: str, parameters: Any, like: Any = None) -> Any:

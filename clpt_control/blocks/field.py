@@ -82,7 +82,7 @@ def steps_inside(value, p, axis):
 
 
 def inside(t, x, u, p, y):
-    """Grid steps to the edge of the field, negative outside, beside Eq. (3): u = x[2] (length)."""
+    """Grid steps to the edge of the field, negative outside, Eq. (3): u = x[2] (length)."""
     y[0] = minimum(
         steps_inside(t, p, 0), minimum(steps_inside(u[1], p, 1), steps_inside(u[0], p, 2))
     )

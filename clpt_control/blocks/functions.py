@@ -52,7 +52,7 @@ def names_read(function: FunctionType) -> Iterator[tuple[int, str]]:
 
 
 def effects(function: FunctionType) -> Iterator[tuple[int, str, str]]:
-    """Return what code does beside calculating, and what to write."""
+    """Return line, effect and replacement of what code does other than calculate."""
     for line, operation, value in _instructions(function.__code__):
         if operation in EFFECTS:
             yield line, *EFFECTS[operation]

@@ -5,7 +5,7 @@ Each operation on a signal, parameter or the time is written down, in single ass
     v0 = t    v1 = x[0]    v2 = u[0]    v3 = p.gain[0]    v4 = mul(v3, v2)
 
 An operation is a tuple of a name and arguments.  An argument is a value (int: its
-place in the list), a constant (float), or a tuple that says more.
+place in the list), a constant (float), or a tuple with more.
 
     ("t",)  ("x", i)  ("u", i)  ("p", field, k)      leaves
     ("add", 4, 2.0)  ("where", 5, 2, 3)              arithmetic, words, functions of `math`
@@ -64,7 +64,7 @@ class Record:
             operation = (name, *given)
             if name == "opaque":
                 behind[k] = operation[2]
-                operation = ("t",)  # keeps the place; nobody reads it
+                operation = ("t",)  # keeps the place and is not read
             operations.append(operation)
         return Record(tuple(operations), tuple(map(same, self.outputs)), self.marks)
 

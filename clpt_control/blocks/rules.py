@@ -1,6 +1,6 @@
 """What a block's equations may contain, checked when the block is made.
 
-What cannot be recorded, or has an effect beside filling the last argument, is
+What cannot be recorded, or has an effect other than filling the last argument, is
 refused with the function, the line and the word to use instead.  The source text
 is read here only to give a good sentence, where there is a text; what equations
 mean is never taken from it but from running them (`trace`).
@@ -75,8 +75,8 @@ _passed: set = set()  # functions, with their code, that have been checked
 def opaque(function: Callable) -> Callable:
     """Mark a helper that SymPy reads as an undefined function.
 
-    Its arguments stay visible to the tracer, its inside does not: theorems
-    then quantify over it.
+    It is an undefined function of its arguments: theorems then hold for any
+    function in its place.
 
     Parameters
     ----------
@@ -131,7 +131,7 @@ def _check(function: Callable, role: str, seen: set[Callable]) -> None:
             )
     tree, first_line = _syntax_tree(function)
     if tree is not None:
-        _Reader(function, role, first_line).visit(tree.body[0])
+        _SourceCheck(function, role, first_line).visit(tree.body[0])
     for line, name in names_read(function):
         refused = _refused_name(function, name)
         if refused is not None:
@@ -143,7 +143,7 @@ def _check(function: Callable, role: str, seen: set[Callable]) -> None:
 
 
 def _syntax_tree(function: FunctionType) -> tuple[ast.Module | None, int]:
-    """Parse the source; None where Python kept none or another, as at a bare prompt."""
+    """Return the parsed source and its first line; None where there is no source of its own."""
     try:
         lines, first = inspect.getsourcelines(function)
         tree = ast.parse(textwrap.dedent("".join(lines)))
@@ -154,7 +154,7 @@ def _syntax_tree(function: FunctionType) -> tuple[ast.Module | None, int]:
     return (tree, first) if known else (None, 0)
 
 
-class _Reader(ast.NodeVisitor):
+class _SourceCheck(ast.NodeVisitor):
     """Walk a function's body and stop at the first thing not allowed."""
 
     def __init__(self, function: FunctionType, role: str, first_line: int):

@@ -1,9 +1,8 @@
 """The SymPy reading of a record: expressions of symbols.
 
-Words with kinks, comparisons and remainders are functions of their names, which SymPy
-leaves as they stand: what is proved of them holds whatever they are.  What a helper
-marked opaque computes is an undefined function of all that it was given, and so is a
-number that is looked up, of the table's own name and the index.
+Words with kinks, comparisons and remainders are undefined functions, so a proof holds
+for any functions in their place.  An opaque helper is an undefined function of its
+arguments, `lookup` one of the table's name and the index.
 """
 
 from collections.abc import Callable
@@ -44,8 +43,8 @@ def expressions(
         if name == "table":
             return sympy.Function(f"lookup_{leaf(name, arguments[1])}", real=True)(arguments[0])
         if name == "opaque":
-            (helper, *says), _, *given = arguments
-            parts = [str(leaf("table", s) if isinstance(s, tuple) else s) for s in says if s != 0]
+            (helper, *places), _, *given = arguments
+            parts = [str(leaf("table", s) if isinstance(s, tuple) else s) for s in places if s != 0]
             named = "_".join([f"{helper}()", *parts])
             return sympy.Function(named, real=True)(*map(read, given))
         numbers = tuple(map(read, arguments))

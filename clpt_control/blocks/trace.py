@@ -86,7 +86,7 @@ def _run(function: FunctionType, role: str, sizes: tuple[int, int, int], p: Any)
         refs = tuple(operand(value) for value in out)
     except TooLong as error:
         raise TooLong(f"{role}: {error}") from None
-    except Exception as error:  # whatever Python says of these equations
+    except Exception as error:  # whatever Python identity of these equations
         raise BlockError(f"{_place(error, function, role)}: {_sentence(error)}") from None
     return Record(tuple(tape.operations), refs, tuple(tape.marks))  # type: ignore[arg-type]
 
@@ -176,11 +176,11 @@ def stand_in_for_opaque(copy: FunctionType, helper: FunctionType) -> Callable:
         tape = next((a.tape for a in arguments if hasattr(a, "tape")), None)
         if tape is None:
             return copy(*arguments)
-        says: list[Any] = [f"{helper.__module__}.{helper.__qualname__}"]
+        identity: list[Any] = [f"{helper.__module__}.{helper.__qualname__}"]
         refs: list[Any] = []
         for argument in arguments:
             if isinstance(argument, Table):
-                says.append((argument.field, *argument.places.ravel()[[0, 1, -1]].tolist()))
+                identity.append((argument.field, *argument.places.ravel()[[0, 1, -1]].tolist()))
             elif isinstance(argument, np.ndarray):
                 refs += [operand(value) for value in argument.flat]
             elif (ref := operand(argument)) is not None:
@@ -197,7 +197,7 @@ def stand_in_for_opaque(copy: FunctionType, helper: FunctionType) -> Callable:
                     f"`{helper.__name__}` returning a {type(value).__name__}",
                     "an opaque helper returns numbers, or fills an array",
                 )
-            return tape.add("opaque", (*says, k), operand(value), *refs)
+            return tape.add("opaque", (*identity, k), operand(value), *refs)
 
         held = [list(a.flat) if isinstance(a, np.ndarray) else [] for a in arguments]
         result = copy(*arguments)

@@ -1,4 +1,4 @@
-"""The words a block's equations may use beside arithmetic and `math`.
+"""The words a block's equations may use, with arithmetic and `math`.
 
 Each word has one meaning, written here in Python; machine code and SymPy take it
 from the record (`native.elementary`, `blocks.symbolic`).  There is no `if` among

@@ -44,7 +44,7 @@ class ConformanceReport(NamedTuple):
     block : str
         Name of the block.
     checks : tuple of str
-        What was asked.
+        What was checked.
     failures : tuple of str
         One sentence for each failure; empty if the block conforms.
 
@@ -126,17 +126,17 @@ def check_block(block: Block, seed: int = 0, samples: int = 20) -> ConformanceRe
     if not isinstance(block, Block):
         raise BlockError(f"{block!r}: must be a Block, not {type(block).__name__}")
     drawn = random_samples(block, seed, max(samples, 4))
-    asked: list[str] = []
+    checked: list[str] = []
     failures: list[str] = []
     for check in CHECKS:
-        asked.append((check.__doc__ or "").splitlines()[0])
+        checked.append((check.__doc__ or "").splitlines()[0])
         try:
             failures.extend(check(block, drawn))
-        except Exception as error:  # whatever a user's function raises is its failure
+        except Exception as error:  # any error of a user's function is a failure
             what = check.__name__.strip("_").replace("_", " ")
             failures.append(f"{block.name}: {what}: {type(error).__name__}: {error}")
         if check is _repeats:
             if failures:
                 break
             drawn = [sample for sample in drawn if _in_range(block, sample)]
-    return ConformanceReport(block.name, tuple(asked), tuple(dict.fromkeys(failures)))
+    return ConformanceReport(block.name, tuple(checked), tuple(dict.fromkeys(failures)))

@@ -88,10 +88,10 @@ def _linearizes(block: Block, drawn: list[Sample]) -> Iterator[str]:
         if not smooth or not about:
             continue
         jacobian = sympy.Matrix(read).jacobian(about)
-        ask = sympy.lambdify(list(symbols.values()), jacobian.tolist(), "math")
+        numeric = sympy.lambdify(list(symbols.values()), jacobian.tolist(), "math")
         for sample, matrix in zip(drawn, matrices, strict=True):
             numbers = [_number(sample, *where) for where in symbols]
-            exact = np.array(ask(*numbers), dtype=float)
+            exact = np.array(numeric(*numbers), dtype=float)
             if differ(exact, matrix, LINEAR):
                 yield f"{role}: linearize gives {matrix}, SymPy's Jacobian is {exact}"
                 break
@@ -134,7 +134,7 @@ def _alone(block: Block) -> control.InterconnectedSystem:
 
 
 def _parameters(block: Block, drawn: list[Sample]) -> Iterator[str]:
-    """Call-time parameters arrive by qualified name; others do not pass."""
+    """Call-time parameters reach the block by qualified name; unknown names are errors."""
     diagram, sample = _alone(block), drawn[0]
     arguments = (sample.t, sample.x, sample.u)
     for field, value in zip(block.parameters._fields, block.parameters, strict=True):
@@ -192,4 +192,4 @@ def _jumps(block: Block, drawn: list[Sample]) -> Iterator[str]:
             return
     pinned = block.parameters._replace(interval=2.0)
     if any(block.parameters_at(t, pinned).interval != 2.0 for t in (0.0, times[0], end)):
-        yield f"{block.name}: a given interval must stand, whatever the time"
+        yield f"{block.name}: a given interval must stay at every time"

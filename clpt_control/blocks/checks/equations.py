@@ -96,7 +96,7 @@ def _zero(block: Block, drawn: list[Sample]) -> Iterator[str]:
 
 
 def _docstrings(block: Block, drawn: list[Sample]) -> Iterator[str]:
-    """Docstrings say the equation, its number and every port."""
+    """Docstrings name the equation and every port."""
     texts = []
     for role, function, _ in equations(block):
         text = function.__doc__ or ""
@@ -112,10 +112,10 @@ def _docstrings(block: Block, drawn: list[Sample]) -> Iterator[str]:
 
 
 def _readings(block: Block, drawn: list[Sample]) -> Iterator[str]:
-    """Every reading that a command can run gives what Python gives."""
+    """Every reading computes what Python computes."""
     from ...native.all_readings import readings
 
-    for name, ask in readings(block).items():
+    for name, reading in readings(block).items():
         for sample in drawn:
             point = sample.t, sample.x, sample.u
             ours = python_values(block.output_function, sample, block.noutputs)
@@ -123,7 +123,7 @@ def _readings(block: Block, drawn: list[Sample]) -> Iterator[str]:
             if block.update_function is not None:
                 rates = python_values(block.update_function, sample, block.nstates)
             try:
-                theirs = ask(*point)
+                theirs = reading(*point)
             except ClptError as error:
                 yield f"{block.name}: the reading '{name}' refuses: {error}"
                 break

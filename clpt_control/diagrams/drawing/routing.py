@@ -76,8 +76,8 @@ def _columns(
         x += max(out, default=0.0) + GRID
         turning = [turn for turn in turns if max(turn.ends) - min(turn.ends) > 1]
         for k, turn in enumerate(turning):
-            beside = [t.x + TRACK for t in turning[:k] if overlap(t, turn)]
-            turn.x = max(beside, default=x)
+            others = [t.x + TRACK for t in turning[:k] if overlap(t, turn)]
+            turn.x = max(others, default=x)
         x = max((turn.x + TRACK for turn in turning), default=x)
         x += max(into, default=0.0) + (ARROW if into else 0.0)
 
@@ -146,10 +146,10 @@ def strokes(paths: Paths, nets: list[Net]) -> Paths:
     ):
         rest = list(path)
         while len(rest) > 2:
-            (a, b), way = rest[:2], _directions(rest[0], *rest[:2])[0]
+            (a, b), direction = rest[:2], _directions(rest[0], *rest[:2])[0]
             length = abs(b[0] - a[0]) + abs(b[1] - a[1])
-            done = min(inked.get((k, a, way), 0.0), length)
-            rest[0] = (a[0] + way[0] * done, a[1] + way[1] * done)
+            done = min(inked.get((k, a, direction), 0.0), length)
+            rest[0] = (a[0] + direction[0] * done, a[1] + direction[1] * done)
             if done < length:
                 break
             rest.pop(0)
