@@ -149,6 +149,11 @@ def main(
     every = [row for rows in records.values() for row in rows]
     flags = 100 * sum(row["flags"] for row in every) / sum(row["watched"] for row in every)
     lines.append(f"\nOver all seas {flags:.2f} flags in 100 healthy dives.")
+    for e in MARKS:
+        means = [geometric([row[e] for row in rows]) for rows in records.values()]
+        lines.append(
+            f"Geometric mean of the seas, {e}: {geometric(means):.3f}; worst {max(means):.2f}"
+        )
     write_text(folder / "glider_forecasts.md", "\n".join(lines) + "\n")
     write_figure(picture(records, real), folder / "glider_forecasts.png")
     typer.echo("\n".join(lines))

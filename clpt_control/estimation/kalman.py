@@ -64,7 +64,7 @@ class KalmanBank:
     Examples
     --------
     >>> KalmanBank(FixModel()).mean.shape
-    (32, 14)
+    (40, 14)
     """
 
     def __init__(self, model: FixModel) -> None:
@@ -184,7 +184,7 @@ class KalmanBank:
         w = self.weights
         has = dict(zip(self.model.optional, self.present.T, strict=True))
         has |= {"trend": self.kinds.trend > 0, "eddies": self.kinds.eddy > 0}
-        found = {name: float(w @ on) for name, on in has.items()}
+        found = {name: min(float(w @ on), 1.0) for name, on in has.items()}
         for name in ("speed", "compass") if self.model.learn_speed else ():
             k = self.model.names.index(name)
             variance = self.covariance[:, HIDDEN + k, HIDDEN + k]

@@ -60,12 +60,15 @@ class Priors(NamedTuple):
     # judgement: a degree in 100 days
     compass_walk: float = 0.001  # rad per sqrt(6 h)
 
-    # judgement: decades of restlessness, from currents that hardly change to a jet's edge
+    # judgement: from currents that hardly change to a jet's edge; as fine as the watch on the
+    # speed needs in the made seas of `analysis`
     kinds: tuple[Kind, ...] = (
         Kind(walk=0.003, scatter=0.003),
-        Kind(),
-        Kind(walk=0.03),
+        Kind(walk=0.01, scatter=0.01),
+        Kind(walk=0.02),
+        Kind(walk=0.04),
         Kind(walk=0.1),
+        Kind(walk=0.003, scatter=0.025),
         Kind(scatter=0.05),
         Kind(trend=0.03),
         Kind(trend=0.1),
@@ -81,8 +84,9 @@ class Priors(NamedTuple):
     # judgement: a voyage comes to another sea in weeks
     weight_memory: float = 20 * DAY
 
-    # the gradient's: judgement
-    gain: float = 0.5  # mu, between 0 and 2 for stability
+    # the gradient's.  With 1 the parameters explain the last dive (Goodwin, Sin 1984, projection)
+    gain: float = 1.0  # mu, between 0 and 2 for stability
+    # judgement
     gradient_walk: float = 0.04  # m/s per sqrt(6 h)
     gradient_scatter: float = 0.04  # m/s, what nothing explains
     miss: float = 0.1  # m/s, a miss over its time, before dives have told
