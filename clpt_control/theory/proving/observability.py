@@ -11,8 +11,6 @@ lemmas 4.8.1 to 4.8.4 and theorem 3.4.8, as the paper cites them).  Exponential 
 follows.
 """
 
-from typing import NamedTuple
-
 import sympy
 
 from ...simulation.loops import error_loop
@@ -20,42 +18,7 @@ from .every_n_function import Key, Summed
 from .every_n_loop import EveryNLoop, element_symbol, every_n_loop
 from .lyapunov import every_n_terms
 from .proof import Step, checked, cited
-from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import theorem_loop, theorem_scenario
-
-
-class ErrorDynamics(NamedTuple):
-    """Eq. (28) on symbols, from the error blocks."""
-
-    A: sympy.Matrix  # (2N + 6, 2N + 6), in the order e, eta
-    C: sympy.Matrix  # [I, 0], (2, 2N + 6)
-    W: sympy.Matrix  # the joint regressor, (2N + 4, 2)
-    KD: sympy.Matrix  # diagonal, (2, 2)
-    gamma: sympy.Symbol
-
-
-def error_dynamics(N: int) -> ErrorDynamics:
-    """Read A(t) of Eq. (28) off the error and parameter blocks."""
-    loop = symbolic_loop(error_loop(theorem_scenario(N, "learned-flow")))
-    X = sympy.Matrix([*loop.states["e"], *loop.states["eta"]])
-    rates = sympy.Matrix([*loop.rates["e"], *loop.rates["eta"]])
-    A = rates.jacobian(X)
-    if sympy.expand(rates - A * X) != sympy.zeros(*X.shape):
-        raise ValueError("Eq. (28) is not linear in (e, eta)")
-    C = sympy.eye(2).row_join(sympy.zeros(2, 2 * N + 4))
-    KD = sympy.diag(*loop.parameters["error_system"].KD)
-    return ErrorDynamics(A, C, A[:2, 2:].T, KD, loop.parameters["parameter_system"].gain)
-
-
-def eta_of(loop: SymbolicLoop) -> list[sympy.Expr]:
-    """Return eta = [theta + alpha, K - KD, GammaD - Gamma]."""
-    p = loop.parameters
-    KD, GammaD = p["vehicle_controller"].KD, p["vehicle_controller"].GammaD
-    return [
-        *(p["true_flow"].theta.ravel() + loop.states["alpha"]),
-        *(loop.states["K"] - KD),
-        *(GammaD - loop.states["Gamma"]),
-    ]
 
 
 def same_dynamics() -> bool:
