@@ -1,6 +1,6 @@
-"""Glider files in the dialects of other vehicles, made of a vehicle with known way.
+"""Glider files in the dialects of other vehicles, made of a vehicle whose displacement is known.
 
-It swims on the equator at WAY (m/s east and north) from FIRST seconds after the fix
+It swims on the equator at VELOCITY (m/s east and north) from FIRST seconds after the fix
 before the dive to LAST before the one after it, in a triangle to DEPTH, while a
 current carries its fixes by DRIFT degrees of longitude.  On the equator a degree of
 longitude is 6378137 m * pi/180 (WGS84), so every number is known without a reader.
@@ -12,13 +12,13 @@ import xarray
 
 from clpt_control.gliders.dive_files import read_dive_file
 
-WAY = np.array([0.24, -0.10])  # m/s through the water, east and north
+VELOCITY = np.array([0.24, -0.10])  # m/s through the water, east and north
 T0, DURATION, FIRST, LAST, DEPTH = 1.5e9, 9000.0, 60.0, 140.0, 400.0
 DRIFT = 0.04  # degrees of longitude between the fixes
-SWUM = WAY * (DURATION - FIRST - LAST)  # m
+SWUM = VELOCITY * (DURATION - FIRST - LAST)  # m
 GPS_EAST = 6378137.0 * np.radians(DRIFT)  # m
 VARIATION = -15.0  # degrees east
-SPEED, BEARING = np.hypot(*WAY), np.degrees(np.arctan2(*WAY))
+SPEED, BEARING = np.hypot(*VELOCITY), np.degrees(np.arctan2(*VELOCITY))
 
 
 def dives_in(path):
@@ -30,7 +30,7 @@ def swim(count):
     """Return times since the fix, depths and steps of a dive, steps (count, 2)."""
     since = np.linspace(FIRST, DURATION - LAST, count)
     depth = DEPTH * (1 - np.abs(2 * (since - FIRST) / (since[-1] - FIRST) - 1))
-    return since, depth, np.diff(since, prepend=FIRST)[:, None] * WAY
+    return since, depth, np.diff(since, prepend=FIRST)[:, None] * VELOCITY
 
 
 def current():

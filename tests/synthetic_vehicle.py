@@ -42,10 +42,10 @@ def vehicle(
         angle = rng.uniform(0, 2 * math.pi) if heading == "any" else 0.6 + 0.1 * rng.normal()
         dr = 0.25 * T * np.array([math.cos(angle), math.sin(angle)])
         f = factor * (1 - lost if fault is not None and k >= fault else 1)
-        way = f * dr + trapezoid(u, t, axis=0) + fix * rng.normal(size=2)
-        way = way + noise * T * rng.normal(size=2)
+        gps = f * dr + trapezoid(u, t, axis=0) + fix * rng.normal(size=2)
+        gps = gps + noise * T * rng.normal(size=2)
         current = current + walk * math.sqrt((T + 600) / 21600) * rng.normal(size=2)
-        dives.append(Dive(k, t[0], latitude, 8.0, t[-1], latitude, 8.0, *way, *dr))
+        dives.append(Dive(k, t[0], latitude, 8.0, t[-1], latitude, 8.0, *gps, *dr))
         time = t[-1]
     return dives
 

@@ -99,7 +99,13 @@ def read_dives(paths: str | Path | Iterable[str | Path]) -> tuple[list[Dive], li
 
     Examples
     --------
-    >>> dives, skipped = read_dives("p5420304.nc")  # doctest: +SKIP
+    >>> from tempfile import TemporaryDirectory
+    >>> from clpt_control.gliders import sample_dives, write_dive_table
+    >>> with TemporaryDirectory() as folder:
+    ...     write_dive_table(sample_dives(), f"{folder}/sg542.csv")
+    ...     dives, skipped = read_dives(folder)
+    >>> len(dives), skipped
+    (14, [])
     """
     files = dive_paths([paths] if isinstance(paths, str | Path) else paths)
     dives: list[Dive] = []

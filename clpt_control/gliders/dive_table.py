@@ -155,7 +155,12 @@ def write_dive_table(dives: Iterable[Dive], path: str | Path, comment: str = "")
 
     Examples
     --------
-    >>> write_dive_table(sample_dives(), "dives.csv")  # doctest: +SKIP
+    >>> from tempfile import TemporaryDirectory
+    >>> from clpt_control.gliders import read_dives
+    >>> with TemporaryDirectory() as folder:
+    ...     write_dive_table(sample_dives(), f"{folder}/dives.csv", "fourteen dives of SG542")
+    ...     read_dives(folder)[0] == sample_dives()
+    True
     """
     lines = [f"# {line}".rstrip() for line in comment.splitlines()]
     lines.append(",".join((*REQUIRED, "gps_east_m", "gps_north_m", *OPTIONAL)))

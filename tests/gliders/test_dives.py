@@ -1,4 +1,4 @@
-"""Readers of dives: fourteen measured files and round trips."""
+"""Readers of dives: measured files, the fourteen dives of SG542, and round trips."""
 
 import csv
 from dataclasses import fields, replace
@@ -66,7 +66,7 @@ def test_the_files_give_the_table(dives, rows):
 
 
 def error_of(dives):
-    """Return how far miss over duration is from each file's own current, m/s."""
+    """Return how far miss over duration is from each file's depth-averaged current, m/s."""
     return [
         hypot(
             dive.miss_east / dive.duration - dive.dac_east,
@@ -105,8 +105,8 @@ def test_clpe_without_flow_and_with_the_previous_current(facts):
     duration = np.array([[dive.duration] for dive in used])
     previous = miss - np.vstack([[0, 0], (miss / duration)[:-1]]) * duration
 
-    def rms(way):
-        return np.sqrt(np.mean(np.sum(way**2, 1)))
+    def rms(error):
+        return np.sqrt(np.mean(np.sum(error**2, 1)))
 
     assert rms(miss) == pytest.approx(1950, abs=1)
     assert rms(previous) == pytest.approx(1407, abs=1)  # the first dive with no flow

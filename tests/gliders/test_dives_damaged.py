@@ -94,7 +94,7 @@ def flip(source, target):
     target.write_bytes(raw)
 
 
-WAY = ("east_displacement", "north_displacement")
+STEPS = ("east_displacement", "north_displacement")
 GSM = ("east_displacement_gsm", "north_displacement_gsm")
 DAMAGES = {
     "one byte": (cut(0.0001), "neither NetCDF"),
@@ -122,10 +122,10 @@ DAMAGES = {
     "end fix of another sea": (changed(put("log_gps_lat", 2, 43.0)), "m/s"),
     "no fix times": (changed(drop=("log_gps_time",)), "no variable log_gps_time"),
     "no latitudes": (changed(drop=("log_gps_lat",)), "no variable log_gps_lat"),
-    "no displacement": (changed(drop=(*WAY, *GSM)), "no variables east_displacement"),
-    "displacement NaN": (changed(put(WAY[0], slice(None), nan)), "samples of the displacement"),
-    "a tenth NaN": (changed(put(WAY[1], slice(0, 11), nan)), "samples of the displacement"),
-    "displacement infinite": (changed(put(WAY[0], slice(5, 39), inf)), "samples of the"),
+    "no displacement": (changed(drop=(*STEPS, *GSM)), "no variables east_displacement"),
+    "displacement NaN": (changed(put(STEPS[0], slice(None), nan)), "samples of the displacement"),
+    "a tenth NaN": (changed(put(STEPS[1], slice(0, 11), nan)), "samples of the displacement"),
+    "displacement infinite": (changed(put(STEPS[0], slice(5, 39), inf)), "samples of the"),
     "duplicate of 305": (one_of_305, "duplicate"),
 }
 
@@ -169,11 +169,11 @@ def test_what_can_be_repaired_is_and_says_so(folder, tmp_path):
     whole = dives_in(source)[0]
 
     def some_nan(data):
-        data[WAY[0]][6:110:27] = nan
+        data[STEPS[0]][6:110:27] = nan
 
     cases = {
         "filled from their neighbours": changed(some_nan),
-        "glide-slope model": changed(drop=WAY),
+        "glide-slope model": changed(drop=STEPS),
         "no track": changed(put("time", 7, nan)),
         "flags GPSE 4": changed(put("GPSE_qc", 0, b"4")),
     }

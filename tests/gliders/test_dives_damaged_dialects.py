@@ -61,16 +61,16 @@ NOT_USED = {
     ),
     "no longitudes": ("log_gps_lon", "no variable log_gps_lon"),
     "times in fortnights": ({"ctd_time": (CTD, since, FORTNIGHTS)}, "'fortnights since"),
-    "way in furlongs": (
+    "displacement in furlongs": (
         {"east_displacement": (CTD, steps[:, 0], {"units": "furlong"})},
         "'furlong'; must be such as 'm'",
     ),
-    "way of another instrument": (
+    "displacement of another instrument": (
         {"north_displacement": (("two",), [1.0, 2.0], M)},
         "differ in length",
     ),
     "no north": ("north_displacement", "no variables east_displacement"),
-    "half of the way": (
+    "half of the displacement": (
         {"east_displacement": (CTD, at(steps[:, 0], slice(0, 900), np.nan), M)},
         "900 of 1800 samples",
     ),
@@ -214,7 +214,7 @@ def test_og1_rows_in_any_order_and_twice(tmp_path):
         assert dive.notes == ("400 samples have the time of the one before, left out",)
 
 
-def test_og1_without_a_whole_way_through_the_water(tmp_path):
+def test_og1_without_a_whole_displacement_through_the_water(tmp_path):
     dives = dives_in(og1(tmp_path / "none.nc", drop=(*STEPS, *OTHER)))
     assert usable(dives)[0] == []
     assert "no EAST_DISPLACEMENT, NORTH_DISPLACEMENT, no speed" in dives[0].notes[0]

@@ -1,4 +1,4 @@
-"""Files of other vehicles, old and new, against the way that their vehicle is known to swim."""
+"""Files of other vehicles, old and new, against the displacement that is known."""
 
 from dataclasses import replace
 
@@ -17,7 +17,7 @@ from glider_dialects import (
     SWUM,
     T0,
     VARIATION,
-    WAY,
+    VELOCITY,
     M,
     basestation,
     basestation3,
@@ -35,7 +35,7 @@ DATE_LINE = 180.0 - DRIFT / 2
 
 
 def swam(dive):
-    """Check a dive against the vehicle's way, its fixes, its current and its depth."""
+    """Check a dive against the vehicle's displacement, its fixes, its current and its depth."""
     assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(SWUM), rel=1e-9)
     assert (dive.gps_east, dive.gps_north) == pytest.approx((GPS_EAST, 0.0), abs=1e-5)
     assert dive.duration == DURATION
@@ -50,7 +50,7 @@ def half_way(dive):
     time, east, north = dive.track
     assert (time[0], time[-1]) == (0.0, DURATION)
     here = np.interp(DURATION / 2, time, east), np.interp(DURATION / 2, time, north)
-    assert here == pytest.approx(tuple(WAY * (DURATION / 2 - 60.0)), abs=1.0)
+    assert here == pytest.approx(tuple(VELOCITY * (DURATION / 2 - 60.0)), abs=1.0)
 
 
 @pytest.mark.parametrize("make", [basestation, basestation3])
