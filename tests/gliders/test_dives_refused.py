@@ -142,9 +142,7 @@ def test_what_can_be_reached_is_not_refused():
 
 def test_one_wrong_fix_costs_few_dives(monkeypatch):
     monkeypatch.setattr(usable_dives, "ASTRAY", 5000.0)
-    astray = replace(
-        at(11, 40.0), lat_gpse=40.3
-    )  # 33 km in 10000 s: possible
+    astray = replace(at(11, 40.0), lat_gpse=40.3)  # 33 km in 10000 s: possible
     after = [at(k, 40.0) for k in (12, 13, 14)]
     assert numbers([at(10, 40.0), astray, *after]) == ([10, 11, 13, 14], [12])  # 60 km in 12000 s
     after = [replace(dive, t_gpse=dive.t_gps2 + 4500) for dive in after]
