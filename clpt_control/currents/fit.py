@@ -139,24 +139,22 @@ def fit_scenario(
             f"{path}: a circle of {radius_km:g} km around the box's centre leaves the field, which "
             f"has {room:.3g} km there; choose a larger box or a smaller radius"
         )
-    N = _functions(constituents) * rows * columns
-    if currents.measured.sum() < N:
-        raise DataError(
-            f"{path}: {currents.measured.sum()} samples in the box cannot determine {N} basis "
-            "functions; use a larger box, fewer rows and columns or fewer constituents"
-        )
     places = _middles(plane, currents.box, rows, columns)
     scenario = _scenario(currents, places, width_km, constituents, radius_km, gain)
     measured = currents.measured
+    if measured.sum() < scenario.basis.N:
+        raise DataError(
+            f"{path}: {measured.sum()} samples in the box cannot determine {scenario.basis.N} "
+            "basis functions; use a larger box, fewer rows and columns or fewer constituents"
+        )
     t, s1, s2 = (
         np.broadcast_to(a, measured.shape)[measured] for a in (currents.time[:, None, None], x1, x2)
     )
+    basis = scenario.basis
     names = [
-        f"{'sin' if phase else 'cos'} {tide} at ({x:.3g}, {y:.3g}) km"
-        if tide != "steady"
-        else f"steady at ({x:.3g}, {y:.3g}) km"
+        f"{'' if tide == 'steady' else 'sin ' if phase else 'cos '}{tide} at ({x:.3g}, {y:.3g}) km"
         for tide, phase, (x, y) in zip(
-            scenario.basis.constituents or (), scenario.phases, scenario.basis.centers, strict=True
+            basis.constituents or (), basis.phases or (), basis.centers, strict=True
         )
     ]
     phi = evaluate(scenario_basis(scenario), t, np.column_stack([s1, s2]))
@@ -165,9 +163,9 @@ def fit_scenario(
     except DataError as error:
         raise DataError(f"{path}: {error}") from None
     if start_from_fit:
-        scenario = scenario.with_values({"learning.parameters": (-fit.theta).tolist()})
-    tables = scenario.model_dump(exclude_none=True, exclude_unset=True)
-    tables["flow"] = {"field": "field.nc", "outside": "raise"}
+        alpha = tuple(map(tuple, (-fit.theta).tolist()))
+        learning = scenario.learning.model_copy(update={"parameters": alpha})
+        scenario = scenario.model_copy(update={"learning": learning})
     report = {
         "source": currents.source,
         "box": list(currents.box),
@@ -193,7 +191,7 @@ def fit_scenario(
         "theta": fit.theta.tolist(),
         "nodal": _nodal(currents, constituents, plane.lat),
     }
-    return Fit(Scenario.model_validate(tables), field, report)
+    return Fit(scenario, field, report)
 
 
 def _check(rows: int, columns: int, constituents: tuple[str, ...]) -> None:
@@ -236,18 +234,11 @@ def _nodal(currents: Currents, constituents: tuple, latitude: float) -> dict | N
     return nodal_report(constituents, np.datetime64(int(middle), "s"), latitude)
 
 
-def _functions(constituents: tuple[str, ...]) -> int:
-    """Return the number of functions at each place."""
-    return sum(1 if name == "steady" else 2 for name in constituents)
-
-
 def _scenario(
     currents: Currents, places: list, width: float, constituents: tuple, radius: float, gain: float
 ) -> Scenario:
-    """Return the scenario without its field: the truth is zero for now."""
+    """Return the scenario; `save_fit` writes its field and names it."""
     phased = [(c, p) for c in constituents for p in ((0.0,) if c == "steady" else (0.0, SINE))]
-    N = len(phased) * len(places)
-    zero = [[0.0] * N] * 2
     return Scenario.model_validate(
         {
             "title": f"Measured current of {currents.source} from {currents.start}",
@@ -255,11 +246,11 @@ def _scenario(
             "basis": {
                 "kernel": "gaussian",
                 "centers": [place for _ in phased for place in places],
-                "widths": [float(width)] * N,
+                "widths": [float(width)] * len(phased) * len(places),
                 "constituents": [name for name, _ in phased for _ in places],
                 "phases": [phase for _, phase in phased for _ in places],
             },
-            "flow": {"parameters": zero},
+            "flow": {"field": "field.nc", "outside": "raise"},
             "vehicle": {
                 "feedback": [1.0, 1.0],
                 "feedforward": [1.0, 1.0],

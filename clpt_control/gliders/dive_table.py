@@ -9,7 +9,6 @@ left alone, and the displacement between the fixes is computed, never read.
 """
 
 from collections.abc import Iterable
-from datetime import UTC, datetime
 from importlib import resources
 from math import isfinite, nan
 from pathlib import Path
@@ -18,6 +17,7 @@ from typing import Any
 from ..currents.text_table import other_marks, table_of
 from ..errors import DataError
 from ..files import write_text
+from ..units import seconds_since_1970
 from .dives import NUMBERS, Dive, Skipped, make_dive, whole_number
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")
@@ -129,11 +129,9 @@ def _number(text: str | None) -> float | None:
 def _in_seconds(text: str) -> str:
     """Return how a time that is no number must be written."""
     try:
-        date = datetime.fromisoformat(text)
+        return f"must be seconds since 1970 UTC, which is {seconds_since_1970(text):.10g}"
     except ValueError:
         return "must be seconds since 1970 UTC"
-    seconds = (date if date.tzinfo else date.replace(tzinfo=UTC)).timestamp()
-    return f"must be seconds since 1970 UTC, which is {seconds:.10g}"
 
 
 def write_dive_table(dives: Iterable[Dive], path: str | Path, comment: str = "") -> None:
