@@ -8,7 +8,7 @@
  *     c1[N] c2[N] sigma[N] omega[N] phase[N] theta[2][N] alpha_M[2][N] KD[2] GammaD[2] gamma
  */
 
-#ifndef BASIS_LANES /* else they stand in lane_basis.h */
+#ifndef BASIS_LANES /* else they stand in scalar.c */
 /* phi_k = exp(-|x - c_k| / (2 sigma_k)) cos(omega_k t + phase_k), Eq. (5); the cosines given. */
 static inline void FN(basis)(int n, const REAL *restrict p, REAL x1, REAL x2,
                              const REAL *restrict tide, REAL *restrict phi) {
