@@ -1,6 +1,7 @@
 """Files of real vehicles, drawn in `tests/data`, against plain netCDF4 and WGS84 arithmetic."""
 
 import csv
+import json
 import shutil
 
 import netCDF4
@@ -12,6 +13,7 @@ from clpt_control.errors import DataError
 from clpt_control.gliders import read_dives, usable
 
 WGS84 = Geod(ellps="WGS84")
+AXES = ("east", "north")
 
 
 def between(lat1, lon1, lat2, lon2):
@@ -128,3 +130,22 @@ def test_an_og1_mission_without_fixes_is_refused(facts):
         assert np.ma.count(data["latitude_gps_end"][:]) > 0  # not a name of OG1 1.0
     with pytest.raises(DataError, match="no two fixes more than 600 s apart"):
         read_dives(path)
+
+
+def test_a_replay_of_files_is_that_of_the_table(clpt, facts, tmp_path):
+    """Miss and current of SG542's first six dives, by the columns of its table."""
+    files = ("replay", facts / "glider" / "basestation", "--json", "--out", tmp_path)
+    status, out, _ = clpt(*files)
+    found = json.loads(out)
+    with (facts / "glider" / "sg542_2016_dives.csv").open() as file:
+        rows = list(csv.DictReader(file))[:6]
+    miss, current, duration = [], [], []
+    for row in rows:
+        miss.append([float(row[f"gps_{axis}_m"]) - float(row[f"dr_{axis}_m"]) for axis in AXES])
+        current.append([float(row[f"dac_{axis}"]) for axis in AXES])
+        duration.append([float(row["t_gpse"]) - float(row["t_gps2"])])
+    rms = np.sqrt(np.mean(np.sum(np.square(miss), axis=1)))
+    off = np.hypot(*(np.divide(miss, duration) - current).T)
+    assert (status, found["used"], found["skipped"]) == (0, 6, [])
+    assert found["clpe_rms_all"]["no_flow"] == pytest.approx(rms, abs=1e-3)
+    assert found["dac_identity_median"] == pytest.approx(np.median(off), abs=1e-6)
