@@ -33,19 +33,13 @@ class Guard(NamedTuple):
     >>> def above_ground(t, x, u, p, y):
     ...     y[0] = u[0]
     >>> guard = Guard(above_ground, "stop", lambda t, u, p: f"it landed at time {t:g}")
-    >>> guard.margin(0.0, [-2.0], None)
-    -2.0
+    >>> guard.sentence(3.0, [-0.1], None)
+    'it landed at time 3'
     """
 
     distance: Equations
     policy: str
     sentence: Callable[[float, np.ndarray, Any], str]
-
-    def margin(self, t: float, u: np.ndarray, p: Any) -> float:
-        """Return the distance at a time, for inputs and parameters."""
-        y = np.zeros(1)
-        self.distance(t, np.zeros(0), u, p, y)
-        return float(y[0])
 
 
 def states_as_outputs(t, x, u, p, y):

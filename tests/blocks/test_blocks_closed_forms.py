@@ -608,6 +608,6 @@ def test_guard_is_positive_inside_alone():
         (10.01, [0, 0], False),
         (-0.01, [0, 0], False),
     ):
-        distance = block.guard.margin(t, np.array(position, float), block.parameters)
-        assert (distance > 0) == inside
+        distance = block.values("guard", 1, t, [], position, block.parameters)
+        assert (distance[0] > 0) == inside
     assert gridded(lambda t, y, x: t, lambda t, y, x: t, outside="clip").guard is None
