@@ -22,16 +22,16 @@ from ..progress import interrupt
 if TYPE_CHECKING:
     import typer
 
-LONGEST = 1200  # letters of a sentence; names and values may have more
+LONGEST = 1200  # letters of a sentence; longer ones lose their middle
 
 
 def main() -> None:
     """Run the command line; a failure is a sentence and a status."""
     interrupt.listen()
-    gc.set_threshold(200_000, 50, 50)  # imports make many objects and no garbage
-    warnings.showwarning = lambda *_: None  # what is wrong is said by sentences
+    gc.set_threshold(200_000, 50, 50)  # imports make many objects that stay
+    warnings.showwarning = lambda *_: None  # commands print sentences, no warnings
     if isinstance(sys.stdout, io.TextIOWrapper):
-        sys.stdout.reconfigure(errors="backslashreplace")  # names of files may hold any bytes
+        sys.stdout.reconfigure(errors="backslashreplace")  # names of files hold any bytes
     try:
         status = _run()
         sys.stdout.flush()
@@ -46,7 +46,7 @@ def main() -> None:
 
 
 def _run() -> int:
-    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it warns where there is no home
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it warns without a home folder
     status = application()(standalone_mode=False)
     return status if isinstance(status, int) else 0
 
@@ -78,19 +78,17 @@ def application() -> "typer.Typer":
 
 def _answer(error: BaseException) -> int:
     """Print in one line what went wrong; return the status."""
-    if interrupt.asked() or _interrupted(error):  # whatever an interrupted import makes of it
+    if interrupt.asked() or _interrupted(error):  # an interrupted import raises anything
         return 130
     if isinstance(error, SimulationError):
         return _complain(str(error), 1)
     if isinstance(error, ClptError):
         return _complain(str(error), 2)
-    if isinstance(error, BrokenPipeError | SystemExit):  # typer's exit where the reader went away
+    if isinstance(error, BrokenPipeError | SystemExit):  # the reader went away
         _let_go()
         return 0
     if isinstance(error, MemoryError):
-        return _complain(
-            "out of memory; give less at once: fewer samples, members, files or places", 1
-        )
+        return _complain("out of memory; take fewer samples, members, files or places at once", 1)
     if isinstance(error, OSError) and error.errno == errno.ENOSPC and error.filename is None:
         _let_go()
         return _complain("standard output: no space left; give it a place with more", 2)

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 import typer
 
 ScenarioFile = Annotated[Path, typer.Argument(help="A scenario's TOML file, or a run's NetCDF.")]
-LONG = 40  # characters; longer cells may be broken into lines
+LONG = 40  # characters; longer cells are broken into lines
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
 
 

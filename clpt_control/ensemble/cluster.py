@@ -72,11 +72,11 @@ def connected(address: str, workers: int) -> Iterator[Any]:
 
 @contextmanager
 def _interrupted_at_once() -> Iterator[None]:
-    """End the command `clpt` with its workers at an interrupt.
+    """End the command `clpt` and its workers at an interrupt.
 
-    Dask would take its time, and print at length that workers are lost.
+    Dask would wait, and print at length that workers are lost.
     """
-    quiet = "ignore:resource_tracker"  # handed on to Python's own process that tidies up
+    quiet = "ignore:resource_tracker"  # also for the process in which Python tidies up
     sys.warnoptions.append(quiet)
     try:
         yield
@@ -91,9 +91,9 @@ def _interrupted_at_once() -> Iterator[None]:
 
 
 async def _deaf() -> None:
-    """Let workers, which come from this thread, not hear Ctrl-C: their master ends them."""
+    """Make workers, which this thread starts, ignore Ctrl-C: the main process ends them."""
     if hasattr(signal, "pthread_sigmask"):
-        resource_tracker.ensure_running()  # it would let this thread hear again
+        resource_tracker.ensure_running()  # else it would unblock the signal later
         signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
 
 
@@ -129,7 +129,7 @@ def run_on_cluster(plan: Plan, address: str, workers: int, report: Callable[[int
                 check()
                 if future.status == "error":
                     raise future.exception(timeout=PATIENCE)
-                # the store is asked, not the worker: that one may be lost by now
+                # ask the store: the worker may be lost by now
                 index = given.pop(future)
                 if not plan.store.is_whole(index):
                     raise SimulationError(f"dask: chunk {index} did not reach {plan.store.path}")
@@ -160,6 +160,6 @@ def run_chunk(recipe: Recipe, code: str, path: str, index: int) -> int:
         )
     store = open_store(Path(path))
     first, last = store.range(index)
-    if not store.is_whole(index):  # a chunk whose worker was lost after it
+    if not store.is_whole(index):  # else its worker was lost after writing it
         store.write(index, worker.chunk(store.values(index)))
     return last - first

@@ -22,7 +22,7 @@ from .varied_keys import Vary, variable_values
 
 DESIGNS = ("lhs", "grid", "random")
 MOST_NUMBERS = 2 * 10**8  # 1.6 GB
-EDGE = 2.0**-53  # shares stay off 0 and 1, where the normal quantile is infinite
+EDGE = 2.0**-53  # shares stay away from 0 and 1, where the normal quantile is infinite
 
 
 def draw_members(

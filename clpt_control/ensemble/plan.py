@@ -17,7 +17,7 @@ from .summaries import dims_of, kept_variables, marks_of, samples_per_cycle
 from .varied_keys import Vary, read_varies
 from .worker import Recipe, Worker
 
-CHUNK = 1000  # members, where little is kept of each
+CHUNK = 1000  # members, where no trajectories are kept
 CHUNK_BYTES = 64_000_000  # trajectories of a chunk
 
 

@@ -1,7 +1,7 @@
 """Run an ensemble on the threads of one machine, or hand it to a cluster.
 
 Compiled members need no interpreter, so threads run side by side.  A chunk is
-cut into blocks, each a task; blocks differ with threads and memory, results do
+cut into batches, each a task; batches differ with threads and memory, results do
 not: every member is integrated and summarised by itself.
 """
 
@@ -144,8 +144,8 @@ def available_threads() -> int:
     return os.cpu_count() or 1
 
 
-def _blocks(plan: Plan, missing: list[int], size: int) -> Iterator[tuple[int, int, dict]]:
-    """Cut chunks into blocks: chunk, first row in it, and the values."""
+def _batches(plan: Plan, missing: list[int], size: int) -> Iterator[tuple[int, int, dict]]:
+    """Cut chunks into batches: chunk, first row in it, and the values."""
     for index in missing:
         values = plan.store.values(index)
         first, last = plan.store.range(index)
@@ -159,16 +159,16 @@ def _run_here(plan: Plan, threads: int, report: Callable[[int], None]) -> None:
     report(done)
     if not missing:
         return
-    spread = -(-(plan.store.members - done) // (4 * threads))  # some blocks for every thread
-    size = min(plan.worker.block, max(8, -(-spread // 8) * 8))
-    blocks = _blocks(plan, missing, size)
+    spread = -(-(plan.store.members - done) // (4 * threads))  # some batches for every thread
+    size = min(plan.worker.batch, max(8, -(-spread // 8) * 8))
+    batches = _batches(plan, missing, size)
     parts: dict[int, dict[int, dict[str, np.ndarray]]] = {}
     running: dict[Future, tuple[int, int]] = {}
     pool = ThreadPoolExecutor(threads)
     try:
         while True:
-            while len(running) < 2 * threads and (block := next(blocks, None)) is not None:
-                index, start, values = block
+            while len(running) < 2 * threads and (batch := next(batches, None)) is not None:
+                index, start, values = batch
                 running[pool.submit(plan.worker.summaries, values)] = index, start
             if not running:
                 return

@@ -1,9 +1,9 @@
 """Where an ensemble is kept: a Zarr folder, written chunk by chunk.
 
-A chunk is a fixed range of members.  Its arrays are written first and its mark
-last: a checksum of its summaries in `done`.  What has no mark, or a mark that
-does not agree with what is there, is run again; so an ensemble may be killed
-at any time and started again.  The folder itself appears whole or not at all.
+A chunk is a fixed range of members.  Its arrays are written first, the checksum
+of its summaries last, in `done`.  A chunk without a checksum, or with one that
+does not fit, is run again; so an ensemble may be killed at any time and started
+again.  The folder itself appears whole or not at all.
 """
 
 import json
@@ -23,7 +23,7 @@ from .summaries import Variable
 if TYPE_CHECKING:
     import xarray
 
-ARGUMENTS, CODE, MARK = "ensemble", "code", "done"
+ARGUMENTS, CODE, DONE = "ensemble", "code", "done"
 Fixed = tuple[tuple[str, ...], np.ndarray, dict[str, Any]]
 
 
@@ -49,13 +49,13 @@ class Store:
         return {key: self.group[key][first:last] for key in self.arguments["keys"]}
 
     def write(self, index: int, arrays: Mapping[str, np.ndarray]) -> None:
-        """Write a chunk, then its mark."""
+        """Write a chunk, then its checksum."""
         first, last = self.range(index)
         try:
             for name in self.kept:
                 if arrays[name].size:
                     self.group[name][first:last] = arrays[name]
-            self.group[MARK][index] = self._checksum(arrays)
+            self.group[DONE][index] = self._checksum(arrays)
         except OSError as error:
             reason = error.strerror or error
             raise DataError(f"{self.path}: cannot be written: {reason}") from None
@@ -72,7 +72,7 @@ class Store:
         return tuple(self.group[name].metadata.dimension_names)
 
     def missing(self) -> list[int]:
-        """List the chunks that have no mark, or are not what it says."""
+        """List the chunks without a checksum, or with one that does not fit."""
         return [k for k in range(-(-self.members // self.chunk)) if not self.is_whole(k)]
 
     def done(self, missing: Iterable[int]) -> int:
@@ -81,16 +81,17 @@ class Store:
         return self.members - sum(last - first for first, last in ranges)
 
     def is_whole(self, index: int) -> bool:
-        """Return whether a chunk is there, with the checksum of its mark."""
+        """Return whether a chunk is there and its checksum fits."""
         first, last = self.range(index)
         try:
-            mark = int(self.group[MARK][index])
-            if not mark:
+            checksum = int(self.group[DONE][index])
+            if not checksum:
                 return False
             read = {name: self.group[name][first:last] for name in self.kept}
-        except Exception:  # whatever a damaged file makes of itself
+        except Exception:  # a damaged file can raise anything
             return False
-        return self._checksum(read) == mark and all(self._there(name, index) for name in self.kept)
+        fits = self._checksum(read) == checksum
+        return fits and all(self._there(name, index) for name in self.kept)
 
     def _there(self, name: str, index: int) -> bool:
         """Return whether a chunk's file of trajectories exists."""
@@ -100,10 +101,10 @@ class Store:
         return (self.path / name / "c" / "/".join([str(index)] + ["0"] * (len(dims) - 1))).is_file()
 
     def finish(self) -> None:
-        """Check every mark; remove what killed writers left beside files."""
-        unmarked = np.flatnonzero(self.group[MARK][:] == 0)
-        if len(unmarked):
-            raise DataError(f"{self.path}: chunk {unmarked[0]} is missing; run the ensemble again")
+        """Check that every chunk is there; remove what killed writers left beside files."""
+        lost = np.flatnonzero(self.group[DONE][:] == 0)
+        if len(lost):
+            raise DataError(f"{self.path}: chunk {lost[0]} is missing; run the ensemble again")
         if self.path is not None:
             for left in self.path.rglob("*.partial"):
                 left.unlink(missing_ok=True)
@@ -119,7 +120,7 @@ class Store:
             decode_times=False,
             decode_timedelta=False,
         )
-        data = data.drop_vars(MARK)
+        data = data.drop_vars(DONE)
         for array in data.variables.values():
             array.attrs.pop("kept", None)
         return data if self.path is not None else data.load()
@@ -128,7 +129,7 @@ class Store:
 def layout_of(
     arguments: Mapping[str, Any], kept: Mapping[str, Variable], fixed: Mapping[str, Fixed]
 ) -> dict[str, dict[str, Any]]:
-    """Return what `create_array` takes for each array: those of `kept`, `fixed`, and the marks."""
+    """Return what `create_array` takes for each array: those of `kept`, of `fixed`, and `done`."""
     chunk, members = arguments["chunk"], arguments["members"]
     layout = {}
 
@@ -149,7 +150,7 @@ def layout_of(
         size = chunk if dims[0] == "member" else len(values)
         lay(name, dims, values.shape, values.dtype, own, size)
     count = -(-members // chunk)
-    lay(MARK, ("chunk",), (count,), "int64", {"long_name": "checksum of a whole chunk"}, 1)
+    lay(DONE, ("chunk",), (count,), "int64", {"long_name": "checksum of a whole chunk"}, 1)
     return layout
 
 
@@ -190,7 +191,7 @@ def _filled(group: Any, arguments, kept, fixed, attrs) -> Any:
 
 def remove_empty(store: Store) -> None:
     """Remove a store without any chunk: memory did not suffice."""
-    if store.path is not None and not np.any(store.group[MARK][:]):
+    if store.path is not None and not np.any(store.group[DONE][:]):
         shutil.rmtree(store.path, ignore_errors=True)
 
 
@@ -206,10 +207,10 @@ def open_store(path: Path) -> Store:
         raise DataError(f"{path}: is a folder without an ensemble; give another name")
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of arrays that are none: `check_store` names them
+            warnings.simplefilter("ignore")  # of what is no array: `check_store` names it
             store = Store(zarr.open_group(path, mode="r+"), path)
-        whole = MARK in store.group and "status" in store.kept
-    except Exception:  # whatever a damaged file makes of itself
+        whole = DONE in store.group and "status" in store.kept
+    except Exception:  # a damaged file can raise anything
         whole = False
     if not whole:
         raise DataError(f"{path}: is no ensemble or is damaged; give another name or remove it")
@@ -238,7 +239,7 @@ def check_store(
             wrong = next((what for what in made if found[what] != wanted[what]), "")
             if not wrong and name in fixed and not np.array_equal(array[:], fixed[name][1]):
                 wrong = "values"
-        except Exception:  # whatever a damaged file makes of itself
+        except Exception:  # a damaged file can raise anything
             wrong = "files"
         if wrong:
             raise DataError(

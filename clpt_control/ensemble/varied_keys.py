@@ -73,7 +73,7 @@ def read_vary(text: str) -> Vary:
     if rest.startswith("["):
         try:
             levels = json.loads(rest)
-        except (ValueError, RecursionError):  # no list, one of too many brackets or digits
+        except (ValueError, RecursionError):  # no list, or too many brackets or digits
             raise ScenarioError(
                 f"vary = '{text}': the list cannot be read; write it as [0.5, 1, 2]"
             ) from None

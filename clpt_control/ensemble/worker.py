@@ -1,4 +1,4 @@
-"""Members run and summarised: a thread and a far machine do the same.
+"""Members run and summarised, in the same way by a thread and by a far machine.
 
 A recipe is plain text and numbers; it is all that travels.  A worker makes the
 compiled ensemble of it once and then summarises any members it is given.
@@ -18,8 +18,8 @@ from ..scenario.file import scenario_from_text
 from .members import Ensemble
 from .summaries import sample_times_of, summarise_members
 
-BLOCK_BYTES = 64_000_000  # states in flight, a thread
-MOST_MEMBERS = 512  # a block
+BATCH_BYTES = 64_000_000  # states in flight, a thread
+MOST_MEMBERS = 512  # a batch
 
 
 class Recipe(NamedTuple):
@@ -60,16 +60,16 @@ class Worker:
         return hashlib.sha256("\n".join(made_of).encode()).hexdigest()[:16]
 
     @property
-    def block(self) -> int:
+    def batch(self) -> int:
         """How many members' states fit into the memory of a thread."""
         states = self.ensemble.native.nstates
-        fit = BLOCK_BYTES // (8 * states * len(self.times.all))
+        fit = BATCH_BYTES // (8 * states * len(self.times.all))
         return max(8, min(MOST_MEMBERS, fit // 8 * 8))
 
     def summaries(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-        """Run members together, at most a block, and return what is kept of them."""
+        """Run members together, at most a batch, and return what is kept of them."""
         times, run = self.times.all, self.scenario.run
-        with self._lock:  # members are made by a shared evaluator, machine code once for all
+        with self._lock:  # one evaluator makes all members; compile once
             members = self.ensemble.members(values, float(times[-1]))
             self.ensemble.native.callee(self.ensemble.lanes)
         states = self.ensemble.run(members, times, run.rtol, run.atol)
@@ -78,11 +78,11 @@ class Worker:
         )
 
     def chunk(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-        """Run any number of members, block by block, and return what is kept of them."""
+        """Run any number of members, batch by batch, and return what is kept of them."""
         count = len(next(iter(values.values())))
         parts = [
-            self.summaries(rows(values, first, min(first + self.block, count)))
-            for first in range(0, count, self.block)
+            self.summaries(rows(values, first, min(first + self.batch, count)))
+            for first in range(0, count, self.batch)
         ]
         return joined(parts)
 
@@ -93,7 +93,7 @@ def rows(values: Mapping[str, np.ndarray], first: int, last: int) -> dict[str, n
 
 
 def joined(parts: list[dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
-    """Join the summaries of blocks that follow each other."""
+    """Join the summaries of batches that follow each other."""
     if len(parts) == 1:
         return parts[0]
     return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}

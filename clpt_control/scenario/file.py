@@ -20,7 +20,7 @@ from ..files import open_netcdf, write_text
 from ..files.reading import read_bytes
 from .experiment import Scenario, checked_scenario, scenario_tables
 
-CHANGED = "parameters_changed"  # attribute of a run: parameters that its scenario does not hold
+CHANGED = "parameters_changed"  # attribute of a run: parameters that no key holds
 
 
 def load_scenario(path: str | Path) -> Scenario:
@@ -73,10 +73,8 @@ def scenario_from_text(text: str, name: str, folder: Path) -> Scenario:
     except tomllib.TOMLDecodeError as error:
         raise ScenarioError(f"{name}: is not valid TOML: {error}") from None
     except RecursionError:
-        raise ScenarioError(
-            f"{name}: brackets stand too deep in each other; at most 3 do"
-        ) from None
-    except ValueError:  # of whole numbers of some thousand digits
+        raise ScenarioError(f"{name}: brackets are nested too deep; at most 3 levels") from None
+    except ValueError:  # a whole number of thousands of digits
         raise ScenarioError(f"{name}: a number has too many digits; write it as 1e300") from None
     return checked_scenario(tables, name, folder)
 

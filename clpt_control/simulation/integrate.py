@@ -254,7 +254,7 @@ def _into_keys(
         )
     alone = {names[0]: key for key, names in CALL_TIME_NAMES.items() if len(names) == 1}
     for name in [name for name in left if name in alone]:
-        with suppress(ScenarioError):  # a value that a scenario may not have is run all the same
+        with suppress(ScenarioError):  # a value that no scenario may have runs, and is recorded
             scenario = scenario.with_values({alone[name]: left[name]})
             del left[name]
     return scenario, left

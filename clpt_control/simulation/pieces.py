@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 SAMPLES_PER_CYCLE = 2000
 PIECE = 100 * SAMPLES_PER_CYCLE  # samples; a piece ends where a cycle does, at a breakpoint
-BLOCK = 100  # samples summed together where there are several pieces
+GROUP = 100  # samples summed together where there are several pieces
 
 
 class Grid(NamedTuple):
@@ -47,15 +47,15 @@ class Grid(NamedTuple):
 
 
 class Squares(NamedTuple):
-    """Sums of |e|^2 over blocks of evenly spaced samples."""
+    """Sums of |e|^2 over groups of evenly spaced samples."""
 
     sums: np.ndarray
     counts: np.ndarray
-    block: int  # samples
+    group: int  # samples
 
     def rms(self, first: int = 0, last: int | None = None) -> float:
-        """Return the rms of |e| from sample `first` up to `last`, to the block."""
-        span = slice(first // self.block, None if last is None else last // self.block)
+        """Return the rms of |e| from sample `first` up to `last`, to the group."""
+        span = slice(first // self.group, None if last is None else last // self.group)
         return float(np.sqrt(self.sums[span].sum() / self.counts[span].sum()))
 
 
@@ -64,7 +64,7 @@ def run_in_pieces(
 ) -> "tuple[xarray.Dataset, Squares]":
     """Run a scenario; return it at the times that are kept or shown, and its squares."""
     run, pieces = ScenarioRun(scenario), list(pairwise([*range(0, grid.last, PIECE), grid.last]))
-    block = 1 if len(pieces) == 1 else BLOCK
+    group = 1 if len(pieces) == 1 else GROUP
     sums, counts, parts = [], [], []
     state, statistics = run.start, dict[str, int]()
     for first, last in pieces:
@@ -85,7 +85,7 @@ def run_in_pieces(
         if not final:  # the next piece begins there
             at, held = at[:-1], held[:-1]
         squares = np.sum(signals[at][:, run.columns("e")] ** 2, axis=1)
-        starts = np.arange(0, len(at), block)
+        starts = np.arange(0, len(at), group)
         sums.append(np.add.reduceat(squares, starts))
         counts.append(np.diff(np.append(starts, len(at))))
         parts.append((solution.t[held], solution.x[held], signals[held]))
@@ -94,7 +94,7 @@ def run_in_pieces(
     t, x, signals = (np.concatenate(one) for one in zip(*parts, strict=True))
     joined = Solution(t, x, solution.status, solution.message, statistics)
     return run.dataset(joined, signals), Squares(
-        np.concatenate(sums), np.concatenate(counts), block
+        np.concatenate(sums), np.concatenate(counts), group
     )
 
 

@@ -155,8 +155,8 @@ def test_files_that_are_no_scenario(clpt, tmp_path):
 @pytest.mark.parametrize(
     ("value", "words"),
     [
-        ("[" * 1000 + "]" * 1000, "brackets stand too deep"),
-        ("{a=" * 1000 + "1" + "}" * 1000, "brackets stand too deep"),
+        ("[" * 1000 + "]" * 1000, "brackets are nested too deep"),
+        ("{a=" * 1000 + "1" + "}" * 1000, "brackets are nested too deep"),
         ("1" * 5000, "too many digits"),
     ],
 )

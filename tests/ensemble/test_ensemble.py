@@ -223,8 +223,8 @@ def test_order_and_company_do_not_matter(scenario, whole):
         assert alone[name].tobytes() == whole[name].values[9:10].tobytes(), name
 
 
-def test_the_block_does_not_matter(scenario, whole, monkeypatch):
-    monkeypatch.setattr(Worker, "block", 8)
+def test_the_batch_does_not_matter(scenario, whole, monkeypatch):
+    monkeypatch.setattr(Worker, "batch", 8)
     data = run_ensemble(scenario, VARY, 40, seed=3, threads=2, samples=100, trajectories=True)
     assert_identical(data, whole)
 
@@ -284,7 +284,7 @@ def test_a_whole_ensemble_is_not_run_again(quick, tmp_path, monkeypatch):
     assert_identical(run_ensemble(quick, VARY, 20, out=tmp_path / "e.zarr"), first)
 
 
-@pytest.mark.parametrize("damage", ["cut", "removed", "trajectory removed", "mark cut"])
+@pytest.mark.parametrize("damage", ["cut", "removed", "trajectory removed", "checksum cut"])
 def test_damaged_chunks_are_run_again(quick, tmp_path, damage):
     out = tmp_path / "e.zarr"
     run_ensemble(quick, VARY, 30, out=out, chunk=10, trajectories=True)
@@ -293,7 +293,7 @@ def test_damaged_chunks_are_run_again(quick, tmp_path, damage):
         "cut": out / "gain_error" / "c" / "1" / "0",
         "removed": out / "clpe_rms_whole" / "c" / "2",
         "trajectory removed": out / "alpha" / "c" / "1" / "0" / "0" / "0",
-        "mark cut": out / "done" / "c" / "0",
+        "checksum cut": out / "done" / "c" / "0",
     }[damage]
     if "cut" in damage:
         victim.write_bytes(victim.read_bytes()[:-6])
