@@ -30,7 +30,6 @@ class Callee(NamedTuple):
     room: int  # length of W
     tables: np.ndarray  # T
     guarded: bool  # whether guards are watched
-    most: int  # tries that a single run may take
     code: tuple = ()  # what must live for as long as addresses are used
 
 

@@ -98,7 +98,6 @@ class NativeDiagram(PythonDiagram):
             self.code.program.room,
             self.layout.T,
             guarded,
-            self.most,
             (self.code, formulas),
         )
 

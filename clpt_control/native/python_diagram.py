@@ -70,7 +70,7 @@ class PythonDiagram:
         formulas = [on_rows(f, n) for f in method.formulas(n).values()] if n else []
         functions = [derivative, prepare, margin, signals, *formulas]
         guarded = sweep.guarded
-        return Callee(solver, functions, 1, n, self.nsignals, np.zeros(0), guarded, self.most)
+        return Callee(solver, functions, 1, n, self.nsignals, np.zeros(0), guarded)
 
     # --- runs -----------------------------------------------------------------------------
 
@@ -121,8 +121,7 @@ class PythonDiagram:
             raise SimulationError("step and progress: a fixed step reports none; leave one out")
         times, start = checked_times("times", times), checked_state("x0", x0, (self.nstates,))
         t0, t1 = float(times[0]), float(times[-1])
-        if inputs is not None and not isinstance(inputs, Inputs):
-            inputs = read_inputs(inputs, times, self.wiring.ninputs)
+        inputs = self._inputs(inputs, times)
         if not self.nstates:
             return Solution(times, np.zeros((len(times), 0)))
         P, pieces = self.parameters()[None], [self.schedule(t0, t1, inputs)]
@@ -179,7 +178,11 @@ class PythonDiagram:
         """Return how many of so many runs are taken at once."""
         return 1
 
-    def signals(self, solution: Solution, inputs: Inputs | None = None) -> np.ndarray:
+    def _inputs(self, inputs: Any, times: np.ndarray) -> Inputs | None:
+        read = inputs is None or isinstance(inputs, Inputs)
+        return inputs if read else read_inputs(inputs, times, self.wiring.ninputs)
+
+    def signals(self, solution: Solution, inputs: Any = None) -> np.ndarray:
         """Return all block outputs (nt, nsignals) at a solution's times, in the wiring's order.
 
         Values at a jump are right limits; one that is not finite is an error.
@@ -187,6 +190,7 @@ class PythonDiagram:
         times = solution.t
         if not len(times):  # stopped before the first
             return np.zeros((0, self.nsignals))
+        inputs = self._inputs(inputs, times)
         pieces = self.schedule(float(times[0]), float(times[-1]), inputs)
         number = np.searchsorted(pieces.edges, times, side="right")
         callee = self.callee(1, inputs)

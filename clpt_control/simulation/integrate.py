@@ -103,7 +103,7 @@ def simulate(
         Called with the time reached.
     engine : str, optional
         ``"native"``, machine code, which gives way to ``"python"`` for what
-        cannot be compiled.
+        cannot be compiled and, unless asked for, for inputs by a function.
 
     Returns
     -------

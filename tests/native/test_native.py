@@ -403,8 +403,13 @@ def test_inputs_are_read_as_simulate_reads_them():
     times, flow = [0.0, 1.0, 3.0], [[0.0, 1.0, 1.0], [2.0, 2.0, 0.0]]
     wanted = clpt.simulate(diagram, times, flow, initial_state=[1.0, -1.0]).states.T
     for made in (NativeDiagram, PythonDiagram):
-        found = made(diagram).run([1.0, -1.0], times, inputs=flow).x
-        np.testing.assert_allclose(found, wanted, rtol=1e-12, atol=1e-12)
+        runner = made(diagram)
+        found = runner.run([1.0, -1.0], times, inputs=flow)
+        np.testing.assert_allclose(found.x, wanted, rtol=1e-12, atol=1e-12)
+        signals = runner.signals(found, flow)
+        np.testing.assert_allclose(signals[:, :2], found.x, rtol=1e-12, atol=1e-12)
+        with pytest.raises(SimulationError, match="inputs: shape"):
+            runner.signals(found, [[1.0], [2.0]])
 
 
 def test_machine_code_that_is_asked_for_takes_no_function_as_inputs():
