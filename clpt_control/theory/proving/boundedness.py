@@ -1,4 +1,4 @@
-"""The chain behind Theorem 3.2: bounded signals, then no way for e but to zero.
+"""The chain behind Theorem 3.2: the signals are bounded, so e goes to zero.
 
     x' = (theta - alpha_M) phi - KD x + GammaD zc              Eq. (9)
     z  = x - e

@@ -270,7 +270,7 @@ class _Reader:
         return self.leaf("p", field, self.places(field, a.base, step))
 
     def places(self, field: str, code: int, step: int) -> tuple[int | None, ...]:
-        """Return where in a parameter array; None is the index k."""
+        """Return the places in a parameter array; None is the index k."""
         found: list[int | None] = []
         for _ in range(np.ndim(getattr(self.block.parameters, field))):
             code, place = divmod(code, BIG)

@@ -204,7 +204,7 @@ class _Loops:
         self.open = False
 
     def over(self, *bounds: Any) -> Iterator[Any]:
-        """Stand for `range`: of N, or of a number of turns that is known."""
+        """Return the turns in place of `range`: of N, or of a known number."""
         if all(type(bound) is int for bound in bounds):
             return self.tape.turns(*bounds)
         first, last = (0, *bounds) if len(bounds) == 1 else bounds[:2]
@@ -235,7 +235,7 @@ class _Loops:
         marks.append((len(tape.operations), "leave"))
 
     def _state(self, frame: FrameType | None, starts: list[int]) -> list:
-        """Return what all later turns depend on, as seen from the turn that ended."""
+        """Return all that a later turn depends on, relative to the turn that ended."""
         found: list[Any] = [len(self.tape.operations) - starts[-1]]
 
         def seen(value: Any) -> Any:

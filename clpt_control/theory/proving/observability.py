@@ -71,7 +71,7 @@ def observability_steps() -> list[Step]:
         return sympy.expand(rate.base - claim) == 0 and rate.term == 0
 
     def injection() -> bool:
-        """The lower rows of A + L C are zero: eta' = -gamma W e, W read off e'."""
+        """Return whether the lower rows of A + L C are zero: eta' = -gamma W e, W read off e'."""
         parts, gamma, _ = loop()
         for i in range(2):
             e, rate = element_symbol("e", None, i), parts.rates["e", None, i]
@@ -86,7 +86,7 @@ def observability_steps() -> list[Step]:
         return True
 
     def filtered() -> bool:
-        """Variation of constants for one axis of the injected system."""
+        """Return whether variation of constants solves one axis of the injected system."""
         k, s, t, c = sympy.symbols("k s t c", positive=True)
         w, eta, e0 = sympy.Function("w"), sympy.Symbol("eta"), sympy.Symbol("e_0")
         response = sympy.Integral(sympy.exp(-k * (s - c)) * w(c), (c, t, s))

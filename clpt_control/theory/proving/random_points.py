@@ -115,7 +115,7 @@ def symbol_values(
     return found
 
 
-def meet(loop: SymbolicLoop, x: np.ndarray, random: np.random.Generator) -> None:
+def equate_x_and_z(loop: SymbolicLoop, x: np.ndarray, random: np.random.Generator) -> None:
     """Set x = z at some points: e = 0."""
     flat = [str(s) for symbols in loop.states.values() for s in symbols]
     pairs = [

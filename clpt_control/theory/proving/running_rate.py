@@ -24,7 +24,7 @@ from ...diagrams.wiring import Wiring, wiring_of
 from ...errors import DiagramError
 from ...native.sweep import Sweep
 from ...progress.interrupt import check
-from .random_points import Draw, Point, meet, symbol_values
+from .random_points import Draw, Point, equate_x_and_z, symbol_values
 from .symbolic_loop import TIME, SymbolicLoop, blocks_of
 
 PER_DRAW = 100  # points for each draw of the parameters
@@ -135,7 +135,7 @@ def compared(
             running.set(params)
             size = min(PER_DRAW, count - done)
             x, u = draw.points(size, diagram.nstates), draw.points(size, diagram.ninputs)
-            meet(loop, x, draw.random)
+            equate_x_and_z(loop, x, draw.random)
             times = draw.random.uniform(0.0, 100.0, size)
             known = symbol_values(loop, draw, values, times, x, u)
             with np.errstate(all="ignore"):

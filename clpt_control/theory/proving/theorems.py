@@ -33,7 +33,7 @@ NO_DELTA = "the true flow is theta phi, without Delta"
 
 
 def theorem_3_1() -> Proof:
-    """Judge Theorem 3.1: the known-flow law and its bound (16)."""
+    """Judge Theorem 3.1: the known-flow law and its bound, Eq. (16)."""
     text = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
 
     def violated() -> tuple[bool, str]:

@@ -35,20 +35,20 @@ class Verdict:
         ``"proved"``: V' <= -e^T KD e; ``"bounded"``: V' <= -e^T KD e + a bounded term;
         ``"refuted"``: the running blocks give V' > 0 at `point`, however far from the
         truth; ``"open"``: none of these is known.
-    for_every_N : bool
-        Whether it is proved for every number of basis functions.
     residual : sympy.Expr
         V' + e^T KD e, multiplied out.
+    steps : tuple of Step
+        What was tried.
+    diagram : Diagram
+        The closed loop that was judged, V its last output.
+    for_every_N : bool
+        Whether it is proved for every number of basis functions.
     point : Point or None
         Where V' > 0: ``diagram.dynamics(*point)`` and ``diagram.output(*point)``.
     rate : float or None
         V' there, length squared per time.
     reached : str
         For ``"bounded"``: the set that V comes to, or the mean square of e.
-    steps : tuple of Step
-        What was tried.
-    diagram : Diagram
-        The closed loop that was judged, V its last output.
 
     Examples
     --------
@@ -61,13 +61,13 @@ class Verdict:
     """
 
     status: str
-    for_every_N: bool
     residual: sympy.Expr
-    point: Point | None
-    rate: float | None
-    reached: str
     steps: tuple[Step, ...]
     diagram: Diagram
+    for_every_N: bool = False
+    point: Point | None = None
+    rate: float | None = None
+    reached: str = ""
 
 
 class Case:
@@ -157,7 +157,7 @@ class Case:
             steps.append(running)
             if running.holds and falls:
                 every = self.every()
-                return self.found("proved", [*steps, every], every.holds)
+                return self.found("proved", [*steps, every], for_every_N=every.holds)
             if running.holds and pull is not None:
                 return self.found("bounded", steps, reached=self.reached(pull))
         if definite.holds and fitted:
@@ -182,20 +182,12 @@ class Case:
         apart = self.moving - {TIME} | rest.free_symbols - set(self.values) - {TIME}
         return bool(rest == 0 or nonpositive(rest, apart, self.values))
 
-    def found(
-        self,
-        status: str,
-        steps: list[Step],
-        every: bool = False,
-        point: Point | None = None,
-        rate: float | None = None,
-        reached: str = "",
-    ) -> Verdict:
-        """Put a verdict together."""
-        return Verdict(status, every, self.rest, point, rate, reached, tuple(steps), self.diagram)
+    def found(self, status: str, steps: list[Step], **known: Any) -> Verdict:
+        """Return a verdict with its residual and diagram."""
+        return Verdict(status, self.rest, tuple(steps), self.diagram, **known)
 
     def running(self) -> Step:
-        """Compare V' with the running blocks."""
+        """Return the step that the running blocks have the same V'."""
 
         def same() -> tuple[bool, str]:
             wanted = claimed(self.loop, decay) + self.rest
@@ -209,7 +201,7 @@ class Case:
         return checked("the running blocks give the same V'", "sampled", same, False)
 
     def every(self) -> Step:
-        """Read the loop for every N."""
+        """Return the step that the same holds for every N."""
 
         def holds() -> tuple[bool, str]:
             loop, rest = every_n_residual(self.diagram, decay)
@@ -235,13 +227,13 @@ class Case:
                 continue
             theirs = [self.weights[symbol] for symbol in row]
             one = len(set(theirs)) == 1
-            whole = theirs[0] if one else _renamed(theirs[0], "[1]", "[k]")
-            if one or all(_renamed(whole, "[k]", f"[{k + 1}]") == g for k, g in enumerate(theirs)):
-                found[_renamed(row[0], "[1]", "[k]")] = whole
+            gain = theirs[0] if one else _renamed(theirs[0], "[1]", "[k]")
+            if one or all(_renamed(gain, "[k]", f"[{k + 1}]") == g for k, g in enumerate(theirs)):
+                found[_renamed(row[0], "[1]", "[k]")] = gain
         return found
 
     def reached(self, pull: Any) -> str:
-        """Say where a bounded law comes to."""
+        """Return a sentence about where V or e comes to."""
         push, rate = pull.push.n(4), pull.rate.n(4)
         if rate == 0:
             return f"V' <= -e^T KD e/2 + {push}: in the mean e^T KD e is at most {2 * push}"
