@@ -18,8 +18,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import clpt_control as clpt
-from clpt_control.currents.fit import fit_scenario
-from clpt_control.currents.fit_file import save_fit
+from clpt_control.currents import fit_scenario, save_fit
 from clpt_control.simulation import explained_variance, flow_velocity
 
 BOX = (40.9, 41.55, -69.9, -69.0)

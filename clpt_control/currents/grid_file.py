@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     import xarray
 
 DEEPEST = 1000.0  # m; no level of a column further down is read, except the next
+AROUND = 1.5  # times the median step: no longer step is missing in a grid around the Earth
 MOST = 10**8  # values of one component: 0.8 GB
 
 
@@ -117,7 +118,7 @@ def read_currents(
         rows = _inside(latitudes, wanted[:2], f"{path}: {lat.name}", box is None)
         columns = _inside(longitudes, wanted[2:], f"{path}: {lon.name}", box is None)
         lon_kept = longitudes[columns]
-        if column and lon_kept[0] + 360.0 - lon_kept[-1] < 1.5 * np.median(np.diff(lon_kept)):
+        if column and lon_kept[0] + 360.0 - lon_kept[-1] < AROUND * np.median(np.diff(lon_kept)):
             columns = np.append(columns, columns[0])
             lon_kept = np.append(lon_kept, lon_kept[0] + 360.0)
         steps = np.argsort(hours)
@@ -191,14 +192,17 @@ def _checked_box(box: Any) -> tuple[float, float, float, float]:
 
 
 def _unwrapped(lon: np.ndarray, box: tuple[float, float, float, float] | None) -> np.ndarray:
-    """Return longitudes without a jump: cut opposite a box, or at the circle's largest gap."""
-    if box is None:
-        circle = np.sort(lon % 360.0)
-        gaps = np.diff(circle, append=circle[0] + 360.0)
-        order = np.argsort(lon % 360.0)
-        first = lon[order[(int(np.argmax(gaps)) + 1) % len(lon)]]
-    else:
+    """Return longitudes without a jump: cut opposite a box, or at the circle's largest gap.
+
+    A grid around the Earth has none and is cut where the file begins.
+    """
+    if box is not None:
         first = box[2] + 0.5 * (box[3] - box[2]) - 180.0
+    else:
+        order = np.argsort(lon % 360.0)
+        gaps = np.diff(lon[order] % 360.0, append=lon[order[0]] % 360.0 + 360.0)
+        after = order[(int(np.argmax(gaps)) + 1) % len(lon)]
+        first = lon[after] if np.max(gaps) > AROUND * np.median(gaps) else lon[0]
     return lon - 360.0 * np.floor((lon - first) / 360.0)
 
 

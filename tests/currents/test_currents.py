@@ -186,6 +186,16 @@ def test_a_whole_file_across_180_degrees_has_no_jump(tmp_path):
     np.testing.assert_array_equal(currents.u, u)
 
 
+def test_a_grid_around_the_earth_begins_where_the_file_does(tmp_path):
+    lon = np.arange(-180.0, 180.0, 0.7) + 0.1  # the last step is shorter, roundings differ
+    u, v = 0.3 * np.random.default_rng(2).normal(size=(2, 10, 6, len(lon)))
+    path = write(tmp_path / "c.nc", u, v, lon=lon)
+    np.testing.assert_array_equal(read_currents(path).lon, lon)
+    column = read_currents(path, column=True)
+    np.testing.assert_array_equal(column.lon, [*lon, lon[0] + 360])
+    np.testing.assert_array_equal(column.u[:, 0, :, -1], u[:, :, 0])
+
+
 @pytest.mark.parametrize("calendar", ["360_day", "noleap"])
 def test_a_current_needs_no_real_dates_but_a_column_does(tmp_path, calendar):
     unit = "hours since 2019-02-28 20:00"
