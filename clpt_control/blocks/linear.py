@@ -1,6 +1,6 @@
 """A linear system as a block, so that `control.ss` and `tf` are parts like any other.
 
-x' = A x + B u,    y = C x + D u         Eqs. (1), (2) of linear systems
+x' = A x + B u,    y = C x + D u
 """
 
 from typing import NamedTuple
@@ -24,7 +24,7 @@ class LinearParameters(NamedTuple):
 
 
 def rate(t, x, u, p, dx):
-    """Eq. (1) of linear systems, x' = A x + B u: u[inputs], x[n]."""
+    """x' = A x + B u, section "linear systems" of any textbook: u[inputs], x[n]."""
     for i in range(p.n):
         total = 0.0
         for k in range(p.n):
@@ -35,7 +35,7 @@ def rate(t, x, u, p, dx):
 
 
 def output(t, x, u, p, y):
-    """Eq. (2) of linear systems, y = C x + D u: u[inputs], x[n], y[outputs]."""
+    """y = C x + D u, section "linear systems": u[inputs], x[n], y[outputs]."""
     for i in range(p.outputs):
         total = 0.0
         for k in range(p.n):
@@ -46,7 +46,7 @@ def output(t, x, u, p, y):
 
 
 def output_of_states(t, x, u, p, y):
-    """Eq. (2) of linear systems with D = 0, y = C x: x[n], y[outputs]."""
+    """y = C x, section "linear systems", D = 0: x[n], y[outputs]."""
     for i in range(p.outputs):
         total = 0.0
         for k in range(p.n):

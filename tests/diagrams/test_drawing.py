@@ -317,6 +317,11 @@ def test_nothing_half_written(tmp_path, monkeypatch):
 # --- captions ---------------------------------------------------------------------------
 
 
+def test_linear_systems_carry_no_equation_of_the_paper():
+    _, _, nodes = layout(nested())
+    assert {equations(node.system) for node in nodes.values()} == {""}
+
+
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
