@@ -119,10 +119,10 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
     )
 
 
-def _number(text: str | None) -> float | None:
+def _number(text: str) -> float | None:
     try:
-        return float(text)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
+        return float(text)
+    except ValueError:
         return None
 
 

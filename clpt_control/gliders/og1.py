@@ -29,6 +29,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from ..errors import DataError
+from ..estimation.dive import Track
 from ..geodesy import displacement
 from .dives import Dive, Fix, Skipped, compared, make_dive
 from .og1_columns import Columns, columns_of, fixes_in
@@ -37,8 +38,6 @@ from .samples import deepest, hole_under_water, track_of
 
 if TYPE_CHECKING:
     import xarray
-
-    from ..estimation.dive import Track
 
 LEAST_GAP = 600.0  # s between two fixes with a dive between them
 LEAST_DEPTH = 5.0  # m that a dive reaches
@@ -49,7 +48,7 @@ class ThroughWater(NamedTuple):
     """Displacement east and north (m), NaN where the file has none, its track, notes."""
 
     total: tuple[float, float]
-    track: "Track | None"
+    track: Track | None
     notes: list[str]
 
 

@@ -19,14 +19,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import DataError
+from ..estimation.dive import Track
 from .dives import NUMBERS, Dive, Skipped, compared, make_dive, whole_number
 from .samples import deepest, fill, hole_under_water, metres, scalar, seconds, track_of, values
 from .seaglider_fixes import FIXES, fixes_of
 
 if TYPE_CHECKING:
     import xarray
-
-    from ..estimation.dive import Track
 
 LONGEST_STEP = 1e5  # m in one sample: beyond, a fill value
 REPAIRABLE = 0.05  # largest share of samples that is filled from their neighbours
@@ -134,7 +133,7 @@ def _dead_reckoning(
     start: float,
     end: float,
     path: Path,
-) -> tuple[tuple[float, float], "Track | None", list[str]]:
+) -> tuple[tuple[float, float], Track | None, list[str]]:
     """Sum the displacement through the water; return it, its track and notes."""
     if names is None:
         return NOT_KNOWN, None, ["no variables east_displacement, north_displacement"]
