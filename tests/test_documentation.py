@@ -1,9 +1,11 @@
 """Every public name is documented: summary, parameters, result, source, example."""
 
+import ast
 import importlib
 import inspect
 import pkgutil
 import re
+from pathlib import Path
 
 import pytest
 
@@ -80,6 +82,33 @@ def test_every_name_says_what_it_is():
             assert re.search(source, text), f"{name} has no source"
 
 
+def all_docstrings():
+    for path in sorted(Path(clpt_control.__file__).parent.rglob("*.py")):
+        tree = ast.parse(path.read_text())
+        inner = {n: top for top in tree.body for n in ast.walk(top)}
+        for node in inner:
+            if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
+                text = ast.get_docstring(node) or ""
+                yield f"{path.stem}.{node.name}", getattr(inner[node], "name", ""), text
+
+
+def test_docstrings_say_what_is_done():
+    words = ("Give", "Gives", "Tell", "Tells", "Say", "Says", "Ask", "Asks", "Let", "Lets")
+    found = [name for name, _, text in all_docstrings() if text.split(" ", 1)[0] in words]
+    assert found == []
+
+
+def test_only_public_names_have_sections():
+    """Of all others one good line is enough."""
+    values = [parameter.values[0] for parameter in public_objects()]
+    public = {one.__name__ for value in values for one in getattr(value, "__mro__", [value])}
+    sections = re.compile(r"^(Parameters|Returns|Raises|Yields)\n---", re.M)
+    found = [
+        name for name, top, text in all_docstrings() if top not in public and sections.search(text)
+    ]
+    assert found == []
+
+
 @pytest.mark.parametrize("value", list(public_objects()))
 def test_documented(value):
     text = inspect.getdoc(value)
@@ -105,8 +134,6 @@ def test_documented(value):
 
 
 def test_the_readme_runs(tmp_path, monkeypatch):
-    from pathlib import Path
-
     text = (Path(__file__).parent.parent / "README.md").read_text()
     code = text.split("```python\n")[1].split("```")[0]
     code = code.replace(
@@ -120,8 +147,6 @@ def test_the_readme_runs(tmp_path, monkeypatch):
 
 
 def test_equations_are_found_by_their_numbers():
-    from pathlib import Path
-
     text = "".join(p.read_text() for p in Path(clpt_control.__file__).parent.rglob("*.py"))
     missing = [
         n

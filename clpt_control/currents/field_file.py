@@ -59,13 +59,7 @@ def read_field(path: Path, units) -> GriddedField:
 
 
 def time_origin(path: Path) -> dict[str, str]:
-    """Return the date of a field's t = 0, where its file has one.
-
-    Returns
-    -------
-    dict
-        ``{"time_origin": "2019-01-01T00:00:00"}``, or empty.
-    """
+    """Return the date of a field's t = 0, ``{"time_origin": "2019-01-01T00:00:00"}``, or none."""
     with open_netcdf(path) as data:
         origin = data.attrs.get("time_origin")
     return {} if origin is None else {"time_origin": str(origin)}

@@ -101,13 +101,13 @@ def answer() -> None:
 
 
 def end() -> None:
-    """Let the command end: what comes now changes nothing any more."""
+    """End the command: an interrupt that comes now changes nothing any more."""
     global _over
     _over = True
 
 
 def say() -> None:
-    """Say on standard error, once, that the process was interrupted."""
+    """Print on standard error, once, that the process was interrupted."""
     global _said
     if not _said:
         _said = True
@@ -169,7 +169,7 @@ def _uncaught(kind: type[BaseException], error: BaseException, traceback: Any) -
 
 
 def _dropped(problem: Any) -> None:
-    """Say nothing of an interrupt that a callback dropped: the flag is set."""
+    """Ignore the error of an interrupt that a callback dropped: the flag is set."""
     if not (_asked and isinstance(problem.exc_value, KeyboardInterrupt)):
         sys.__unraisablehook__(problem)
 
