@@ -19,6 +19,7 @@ import numpy as np
 
 from ..errors import ScenarioError
 from ..scenario.experiment import Scenario
+from ..scenario.keys import key_of
 from ..scenario.mistakes import Table
 
 FORMS = "KEY=LOW:HIGH, KEY~normal:DEVIATION or KEY=[VALUE, ...]"
@@ -162,6 +163,8 @@ def _is_array(value: Any) -> bool:
 
 def _why_not(scenario: Scenario, key: str, allowed: list[str]) -> str:
     """Return why a key cannot vary."""
+    if key not in allowed and (other := key_of(key)):
+        return f"vary: {other}"
     place: Any = scenario
     for name in key.split("."):
         known = isinstance(place, Table) and name in type(place).model_fields

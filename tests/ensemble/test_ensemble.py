@@ -447,6 +447,7 @@ MISTAKES = [
     ({"vary": ["learning.gain=1:2", "learning.gain=1:2"]}, "named 2 times"),
     ({"vary": "learning.gian=1:2"}, "did you mean learning.gain? May vary: basis.centers"),
     ({"vary": "nothing=1:2"}, "unknown key nothing; may vary: basis.centers"),
+    ({"vary": "adaptation.gain=1:2"}, "the scenario's key is learning.gain"),
     ({"vary": "learning=1:2"}, "is a table; name one of its keys, such as learning.law"),
     ({"vary": "reference.count=5:10"}, "counts and seeds are whole numbers"),
     ({"vary": "basis.kernel=1:2"}, "it is not a number"),
