@@ -131,7 +131,8 @@ def misprints() -> tuple[Misprint, ...]:
     Returns
     -------
     tuple of Misprint
-        Ask each for `confirmed`.
+        Each with `equation`, `printed`, `corrected`, `check` and `confirmed`, whether the check
+        fails on the print and passes on the correction.
 
     Examples
     --------

@@ -109,13 +109,13 @@ def compared(
     wanted: sympy.Expr,
     count: int,
     seed: int = 0,
-    given: Mapping[str, Any] | None = None,
+    tied: Mapping[str, Any] | None = None,
     kept: tuple[str, ...] = (),
 ) -> Comparison:
     """Compare V' of the running blocks with `wanted` at random points, to 1e-9.
 
     The first 100 points have the blocks' own parameters, then every 100 others; blocks in `kept`
-    keep theirs, and a name in `given` follows from expressions of the other parameters.
+    keep theirs, and a name in `tied` follows from expressions of the other parameters.
     """
     running = RunningRate(diagram)
     draw = Draw(running.blocks, seed)
@@ -126,7 +126,7 @@ def compared(
         while done < count:
             check()
             values = draw.parameters(kept if done else [block.name for block in running.blocks])
-            for name, expressions in (given or {}).items():
+            for name, expressions in (tied or {}).items():
                 known = symbol_values(loop, draw, values)
                 numbers = np.array([float(e.subs(known)) for e in expressions])
                 shape = np.shape(values[name])  # one number where all of them are one symbol

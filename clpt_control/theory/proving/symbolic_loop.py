@@ -55,7 +55,7 @@ class SymbolicLoop:
 
 def symbolic_loop(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()) -> SymbolicLoop:
     """Read a diagram's equations on symbols; blocks named in `opaque` stay undefined."""
-    wiring, kept = wiring_of(diagram), set(opaque)
+    wiring, undefined_blocks = wiring_of(diagram), set(opaque)
     blocks = blocks_of(wiring)
     loop = SymbolicLoop(parameters=parameter_symbols(blocks))
     sizes = {N for b in blocks if isinstance(N := getattr(b.parameters, "N", None), int)}
@@ -108,7 +108,7 @@ def symbolic_loop(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()
     for k in wiring.order:
         node, block = wiring.nodes[k], blocks[k]
         u = inputs_of(k)
-        if block.opaque or block.name in kept:
+        if block.opaque or block.name in undefined_blocks:
             y = _flat(
                 {
                     port: port_symbols(port, size, loop.N, (TIME, *u))

@@ -230,7 +230,8 @@ def audit(
     Returns
     -------
     dict
-        Number -> Proof.
+        Number -> Proof: its `status`, the `printed` statement, what `assumptions`, the `steps`, and
+        what is `corrected`, `cited` and `not_proved`.
 
     Raises
     ------

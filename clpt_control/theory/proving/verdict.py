@@ -89,7 +89,7 @@ class Case:
         self.blocks = [node for node in diagram.syslist if isinstance(node, Block)]
         names = Draw(self.blocks, 0).names
         self.weights: dict[sympy.Expr, sympy.Expr] = {}
-        self.given: dict[str, list[sympy.Expr]] = {}  # V's gains, where they are apart
+        self.tied: dict[str, list[sympy.Expr]] = {}  # V's gains, where they are apart
         at = 0
         for field in ("gain", "gain_K", "gain_Gamma") if gains else ():
             own = list(np.ravel(getattr(loop.parameters[V.name], field)))
@@ -97,7 +97,7 @@ class Case:
             at += len(own)
             self.weights.update(zip(own, theirs, strict=True))
             if own != theirs:
-                self.given[names[V.name, field]] = theirs
+                self.tied[names[V.name, field]] = theirs
         hidden = {
             s
             for b in self.blocks
@@ -142,7 +142,7 @@ class Case:
             False,
         )
         if self.rest != 0 and tidied(self.rest.subs(self.values)) == 0:
-            self.rest, self.given = sympy.Integer(0), {}  # for the values that they have
+            self.rest, self.tied = sympy.Integer(0), {}  # for the values that they have
             self.kept = (self.law.name, self.V.name)
         falls = self.falls(self.rest)
         at = " and the parameters as they are" if self.kept else ""
@@ -192,7 +192,7 @@ class Case:
         def same() -> tuple[bool, str]:
             wanted = claimed(self.loop, decay) + self.rest
             found = compared(
-                self.diagram, self.loop, wanted, self.points, self.seed, self.given, self.kept
+                self.diagram, self.loop, wanted, self.points, self.seed, self.tied, self.kept
             )
             if found.where is not None:
                 return False, f"differs by {found.worst:.1e} of V at {found.where}"
