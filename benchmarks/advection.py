@@ -111,13 +111,13 @@ def run_native(count: int) -> tuple[np.ndarray, float]:
     return advect(*current(), *starts(count), STEP, STEPS)
 
 
-ENGINES = {"c": run_c, "native": run_native, "parcels": run_parcels}
+PARTICLE_ENGINES = {"c": run_c, "native": run_native, "parcels": run_parcels}
 
 
 def main(engine: str, particles: str) -> None:
     """Run one engine and print its figures."""
     count = int(particles)
-    run = ENGINES[engine]
+    run = PARTICLE_ENGINES[engine]
     if engine == "c":
         run(1)
     ends, spent = run(count)

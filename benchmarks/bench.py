@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from . import cases, ensemble, report, single
-from .advection import ENGINES as PARTICLES
+from .advection import PARTICLE_ENGINES
 from .engines import ENGINES
 from .measure import FAILURES, ROOT, in_turn, machine
 
@@ -24,7 +24,7 @@ SECTIONS = ("paper", "basis", "ensemble", "particles")
 def particles(chosen: list[str], count: int, rounds: int, say) -> list[dict]:
     """Move passive particles in turn; return a row for each engine, with its difference to C."""
     titles = {"c": "C", "native": ENGINES["native"].title, "parcels": "Parcels 3, JIT"}
-    able = {name: titles[name] for name in PARTICLES if name in chosen}
+    able = {name: titles[name] for name in PARTICLE_ENGINES if name in chosen}
     rows = in_turn("benchmarks.advection", able, count, rounds, say)
     exact = next((row["ends"] for row in rows if row["engine"] == "c"), None)
     for row in rows if exact else ():

@@ -88,7 +88,7 @@ def _in_sweep(sweep: Sweep) -> Reading:
     def ask(t: float, x: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
         sweep.enter(t)
         x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
-        return sweep.derivative(t, x, u), sweep.outputs(u)
+        return sweep.derivative(t, x, u), sweep.outputs()
 
     return ask
 

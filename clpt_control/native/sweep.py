@@ -89,9 +89,11 @@ class Sweep:
             self._parameters[k] = self.given[k]._replace(interval=interval)
 
     def evaluate(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
-        """Return all block outputs at (t, x, u), in the array that the next pass overwrites."""
-        if u is not None:
-            self._external[:] = u
+        """Return all block outputs at (t, x, u), in the array that the next pass overwrites.
+
+        Inputs of the diagram that are not given are zero.
+        """
+        self._external[:] = 0.0 if u is None else u
         t = np.float64(t)
         with np.errstate(all="ignore"):
             for (k, node), out in zip(self._plan, self._outputs, strict=True):
@@ -122,7 +124,7 @@ class Sweep:
         except TROUBLE:
             out[:] = np.nan
 
-    def outputs(self, u: np.ndarray | None = None) -> np.ndarray:
+    def outputs(self) -> np.ndarray:
         """Return the diagram's outputs of the last pass."""
         return self.wiring.output_map @ np.concatenate([self.signals, self._external])
 

@@ -381,6 +381,14 @@ def test_every_engine_refuses_what_it_would_have_to_ignore(made, changes, senten
         runner.run(given.pop("x0"), given.pop("times"), **given)
 
 
+@pytest.mark.parametrize("made", [NativeDiagram, PythonDiagram])
+def test_a_run_without_inputs_forgets_those_of_the_run_before(made):
+    runner = made(clpt.closed_loop(clpt.paper_scenario(), external=("zc",)))
+    first = runner.run(np.zeros(14), [0.0, 1.0]).x
+    runner.run(np.zeros(14), [0.0, 1.0], inputs=[5.0, 5.0])
+    np.testing.assert_array_equal(runner.run(np.zeros(14), [0.0, 1.0]).x, first)
+
+
 def test_unknown_forms_of_machine_code_are_refused():
     with pytest.raises(DiagramError, match="form = 'rolled': must be 'unrolled' or 'looped'"):
         NativeDiagram(clpt.closed_loop(clpt.paper_scenario()), form="rolled")
