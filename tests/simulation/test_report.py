@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import xarray
 
 import clpt_control as clpt
 from clpt_control.simulation import pieces as in_pieces
@@ -44,6 +45,31 @@ def test_mean_squares_are_over_every_sample(case, pieces, monkeypatch):
     for name in ("position", "alpha", "reference", "lyapunov"):
         np.testing.assert_allclose(found.run[name], own[name], rtol=0, atol=1e-7, err_msg=name)
     assert found.run.attrs["solver_steps"] == pytest.approx(own.attrs["solver_steps"], rel=0.1)
+
+
+@pytest.mark.parametrize("pieces", ["one", "many"])
+@pytest.mark.parametrize("end", [730.05, 600.0])
+def test_a_run_that_stops_is_kept_to_where_it_stops(end, pieces, monkeypatch, tmp_path):
+    """The field ends in the fourth cycle, or with the third: the run's last sample is there."""
+    grid, ones = np.linspace(-10, 10, 5), np.ones((2, 5, 5))
+    velocity = (("time", "y", "x"), 0.1 * ones, {"units": "m s-1"})
+    axes = {name: (name, grid, {"units": "m"}) for name in ("x", "y")}
+    times = ("time", [0.0, end], {"units": "s"})
+    field = xarray.Dataset({"u": velocity, "v": velocity}, {"time": times, **axes})
+    field.to_netcdf(tmp_path / "field.nc")
+    flow = {"field": str(tmp_path / "field.nc"), "outside": "stop"}
+    scenario = PAPER.with_values({"flow": flow, "run.duration": 1000.0})
+    if pieces == "many":
+        monkeypatch.setattr(in_pieces, "PIECE", 2000)
+    found = report.run_and_report(scenario)
+    own = clpt.simulate(scenario, np.append(np.arange(int(end) + 1.0), 1000.0))
+    assert found.summary["status"] == "stopped"
+    assert found.summary["end"] == pytest.approx(end)
+    assert len(found.summary["clpe_rms_per_cycle"]) == 3
+    for run in (found.run, own):
+        assert float(run.time[-1]) == pytest.approx(end)
+    np.testing.assert_allclose(found.run.position, own.position, rtol=0, atol=1e-7)
+    assert float(found.fine.time[-1]) == pytest.approx(end, abs=0.1)
 
 
 def test_a_run_of_many_cycles_is_sampled_as_finely():
