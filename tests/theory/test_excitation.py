@@ -256,14 +256,10 @@ def test_the_circle_is_what_a_run_measures(paper):
 
 
 def test_the_command_prints_the_eigenvalues(clpt, tmp_path):
-    import json
-
-    import clpt_control
-
-    paper = clpt_control.paper_scenario()
+    paper = clpt_package.paper_scenario()
     for kernel, wanted in (("exponential", (4.3331, 4.6692)), ("gaussian", (0.19002, 0.19353))):
         scenario = started_true(paper.with_values({"basis.kernel": kernel, "run.duration": 400}))
-        clpt_control.save_scenario(scenario, tmp_path / "true.toml")
+        clpt_package.save_scenario(scenario, tmp_path / "true.toml")
         outcome = clpt(
             "excitation",
             tmp_path / "true.toml",
@@ -291,14 +287,9 @@ def test_the_command_prints_the_eigenvalues(clpt, tmp_path):
 
 
 def test_the_command_names_what_is_not_learnable(clpt, tmp_path):
-    import clpt_control
-
-    scenario = started_true(
-        clpt_control.paper_scenario().with_values(
-            {"basis.kernel": "gaussian-sigma", "run.duration": 400}
-        )
-    )
-    clpt_control.save_scenario(scenario, tmp_path / "true.toml")
+    values = {"basis.kernel": "gaussian-sigma", "run.duration": 400}
+    scenario = started_true(clpt_package.paper_scenario().with_values(values))
+    clpt_package.save_scenario(scenario, tmp_path / "true.toml")
     outcome = clpt("excitation", tmp_path / "true.toml", "--window", "200", "--start", "200")
     assert "theta_1[2] is not learnable on this track" in outcome.out
     outcome = clpt("excitation", tmp_path / "true.toml", "--window", "500")

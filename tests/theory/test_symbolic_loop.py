@@ -1,4 +1,4 @@
-"""Tracing: symbols agree with numbers, every N agrees with each N, misuse is refused."""
+"""A diagram on symbols: as its numbers, for every N as for each N; misuse is refused."""
 
 from typing import NamedTuple
 
@@ -10,8 +10,9 @@ import clpt_control as clpt
 from clpt_control.blocks.adaptation import LearnedFlowParameters, adaptation
 from clpt_control.blocks.words import where
 from clpt_control.errors import BlockError, DiagramError
-from clpt_control.theory.proving.every_n_function import Size, Summed, port_size, read_function
+from clpt_control.theory.proving.every_n_function import read_function
 from clpt_control.theory.proving.every_n_loop import element_symbol, every_n_loop
+from clpt_control.theory.proving.every_n_signals import Size, Summed, port_size
 from clpt_control.theory.proving.lyapunov import every_n_terms
 from clpt_control.theory.proving.symbolic_loop import TIME, symbolic_loop
 from clpt_control.theory.proving.theorem_loop import theorem_loop, theorem_scenario
@@ -34,18 +35,18 @@ def test_symbols_agree_with_python_control(N, law):
                 places.update(zip(np.ravel(symbol), np.ravel(value), strict=True))
     zc = diagram.output(t, state, [])[:2]
     places.update(zip(loop.signals["zc"], zc, strict=True))
-    traced = [rate for rates in loop.rates.values() for rate in rates]
-    found = [float(rate.subs(places).evalf(30)) for rate in traced]
+    rates = [rate for port in loop.rates.values() for rate in port]
+    found = [float(rate.subs(places).evalf(30)) for rate in rates]
     np.testing.assert_allclose(found, diagram.dynamics(t, state, []), rtol=1e-10, atol=1e-12)
 
 
 @pytest.mark.parametrize("law", ["learned-flow", "known-flow"])
 @pytest.mark.parametrize("N", [1, 3])
 def test_every_N_agrees_with_each_N(law, N):
-    whole, one = every_n_loop(theorem_loop(3, law)), symbolic_loop(theorem_loop(N, law))
+    every, one = every_n_loop(theorem_loop(3, law)), symbolic_loop(theorem_loop(N, law))
 
     def summed(value):
-        """Sum over k, with the names of the concrete trace."""
+        """Sum over k, with the names of the loop for one N."""
         total = value.base
         for k in range(N):
             named = {
@@ -62,9 +63,9 @@ def test_every_N_agrees_with_each_N(law, N):
 
     for port in ("x", "z", "K", "Gamma"):
         for i in range(2):
-            rest = summed(whole.rates[port, None, i]) - plain(one.rates[port][i])
+            rest = summed(every.rates[port, None, i]) - plain(one.rates[port][i])
             assert sympy.expand(rest) == 0
-    assert sympy.expand(summed(whole.signals["V", None, 0]) - one.signals["V"][0]) == 0
+    assert sympy.expand(summed(every.signals["V", None, 0]) - one.signals["V"][0]) == 0
 
 
 class LawParameters(NamedTuple):
@@ -282,7 +283,7 @@ def test_sizes_of_ports(port, size, N, wanted):
     assert port_size(port, size, N) == wanted
 
 
-def test_a_plain_system_cannot_be_traced():
+def test_a_plain_system_cannot_be_read():
     import control
 
     plant = control.NonlinearIOSystem(

@@ -14,8 +14,8 @@ eps - B s for the time eps/B, which takes eps^2/(2 B) out of int g dt <= V(0).
 
 import sympy
 
-from .every_n_function import Summed
 from .every_n_loop import EveryNLoop, element_symbol, every_n_loop
+from .every_n_signals import Summed
 from .lyapunov import every_n_terms
 from .proof import Step, checked
 from .theorem_loop import theorem_loop

@@ -16,7 +16,8 @@ from ...blocks.declaration import states_as_outputs
 from ...blocks.symbolic import exact
 from ...diagrams.wiring import Node, Wire, wiring_of
 from ...errors import BlockError
-from .every_n_function import Key, Size, Summed, keys, port_size, read_function
+from .every_n_function import read_function
+from .every_n_signals import Key, Size, Summed, keys, port_size
 from .paper_symbols import ONE, SCALARS, parameter_names, signed, state_names
 from .symbolic_loop import TIME, blocks_of
 

@@ -15,8 +15,8 @@ import sympy
 
 from ...diagrams.interconnection import Diagram
 from ...errors import DiagramError
-from .every_n_function import Summed
 from .every_n_loop import EveryNLoop, every_n_loop
+from .every_n_signals import Summed
 from .proof import Step, checked
 from .running_rate import compared
 from .symbolic_loop import SymbolicLoop, symbolic_loop

@@ -14,8 +14,8 @@ follows.
 import sympy
 
 from ...simulation.loops import error_loop
-from .every_n_function import Key, Summed
 from .every_n_loop import EveryNLoop, element_symbol, every_n_loop
+from .every_n_signals import Key, Summed
 from .lyapunov import every_n_terms
 from .proof import Step, checked, cited
 from .theorem_loop import theorem_loop, theorem_scenario
