@@ -1,0 +1,148 @@
+"""Runs against exact solutions: held waypoints, oscillators, inputs."""
+
+import itertools
+import math
+from typing import NamedTuple
+
+import control
+import numpy as np
+import pytest
+from calm_water import CALM, PAPER, exact_positions
+
+import clpt_control as clpt
+from clpt_control.blocks import Block
+from clpt_control.errors import ClptError, SimulationError
+
+
+def test_calm_water_across_waypoints():
+    run = clpt.simulate(CALM, rtol=1e-11, atol=1e-13)
+    exact = exact_positions(run.time.values)
+    assert len(exact) == 51
+    np.testing.assert_allclose(run.position.values, exact, rtol=0, atol=1e-9)
+
+
+def test_calm_water_at_the_default_tolerance():
+    run = clpt.simulate(CALM)
+    np.testing.assert_allclose(run.position.values, exact_positions(run.time.values), atol=2e-7)
+
+
+def test_tolerance_buys_accuracy():
+    errors = []
+    for rtol in (1e-4, 1e-6, 1e-8, 1e-10):
+        run = clpt.simulate(CALM, rtol=rtol, atol=rtol / 100)
+        errors.append(np.abs(run.position.values - exact_positions(run.time.values)).max())
+    assert errors[0] < 1e-2
+    assert errors[-1] < 1e-8
+    assert all(later < earlier / 5 for earlier, later in itertools.pairwise(errors))
+
+
+class Rate(NamedTuple):
+    k: float
+
+
+def decays(t, x, u, p, dx):
+    """x' = -k x + u, section 2: u[1], x[1]."""
+    dx[0] = -p.k * x[0] + u[0]
+
+
+def oscillates(t, x, u, p, dx):
+    """x'' = -x, section 2: x[2]."""
+    dx[0] = x[1]
+    dx[1] = -x[0]
+
+
+def decaying(k=2.0):
+    block = Block("decay", update=decays, inputs={"u": 1}, states={"x": 1}, parameters=Rate(k))
+    return control.interconnect(
+        [block],
+        inplist=["decay.u[0]"],
+        outlist=["decay.x[0]"],
+        inputs=["u"],
+        outputs=["x"],
+        connections=False,
+        name="one",
+    )
+
+
+def test_circle_of_a_linear_oscillator():
+    block = Block("spring", update=oscillates, states={"x": 2})
+    loop = control.interconnect(
+        [block],
+        outlist=["spring.x[0]", "spring.x[1]"],
+        name="loop",
+        connections=False,
+        outputs=["a", "b"],
+    )
+    times = np.linspace(0, 20 * math.pi, 41)  # every quarter turn
+    run = clpt.simulate(loop, times, initial_state=[1, 0], rtol=1e-11, atol=1e-13)
+    np.testing.assert_allclose(run.outputs[0, ::4], 1.0, atol=1e-8)
+    np.testing.assert_allclose(run.outputs[0, 2::4], -1.0, atol=1e-8)
+    np.testing.assert_allclose(run.outputs[1, ::2], 0.0, atol=1e-8)
+
+
+def test_constant_input():
+    times = np.linspace(0, 3, 13)
+    exact = 2.5 * (1 - np.exp(-2 * times))  # rest at u/k = 5/2
+    for inputs in (
+        5.0,
+        [5.0],
+        np.array([5.0]),
+        lambda t: np.array([5.0]),
+        lambda t: [5.0],
+        np.full((1, 13), 5.0),
+        np.full(13, 5.0),
+    ):
+        run = clpt.simulate(decaying(), times, inputs, rtol=1e-11, atol=1e-13)
+        np.testing.assert_allclose(run.outputs.ravel(), exact, atol=1e-9)
+        np.testing.assert_allclose(run.inputs.ravel(), 5.0)
+
+
+def test_array_is_joined_by_straight_lines_and_its_kinks_are_hit():
+    # u = t on [0, 1], then 2 - t on [1, 2]: x' = -x + u from 0
+    times = np.array([0.0, 1.0, 2.0])
+    run = clpt.simulate(decaying(1.0), times, [[0.0, 1.0, 0.0]], rtol=1e-12, atol=1e-14)
+    one = math.exp(-1)  # x(1) = 1 - 1 + e^-1
+    # on [1, 2] with s = t - 1: x' = -x + 1 - s, x = (x1 - 2) e^-s + 2 - s
+    two = (one - 2) * math.exp(-1) + 1
+    np.testing.assert_allclose(run.outputs.ravel(), [0, one, two], atol=1e-10)
+
+
+def test_callable_input():
+    # x' = -x + cos t from 1/2: x = (cos t + sin t)/2
+    times = np.linspace(0, 10, 21)
+    run = clpt.simulate(
+        decaying(1.0), times, lambda t: [math.cos(t)], initial_state=[0.5], rtol=1e-11, atol=1e-13
+    )
+    np.testing.assert_allclose(run.outputs.ravel(), (np.cos(times) + np.sin(times)) / 2, atol=1e-9)
+    np.testing.assert_allclose(run.inputs.ravel(), np.cos(times), rtol=1e-15)
+
+
+def test_no_input_is_zero():
+    run = clpt.simulate(decaying(), [0.0, 1.0], initial_state=[1.0], rtol=1e-11, atol=1e-13)
+    assert run.outputs.ravel()[-1] == pytest.approx(math.exp(-2), abs=1e-10)
+
+
+def test_inputs_that_do_not_fit():
+    loop = clpt.closed_loop(PAPER, external=("zc",))
+    with pytest.raises(SimulationError, match="inputs"):
+        clpt.simulate(loop, [0, 1, 2], [1.0, 2.0, 3.0, 4.0])
+    with pytest.raises(SimulationError, match=r"inputs: shape \(2, 2\) must be \(2, 3\)"):
+        clpt.simulate(loop, [0, 1, 2], np.zeros((2, 2)))
+    with pytest.raises(SimulationError, match="inputs: must be finite"):
+        clpt.simulate(loop, [0, 1], [[0, np.nan], [0, 0]])
+    with pytest.raises(ClptError, match="inputs"):
+        clpt.simulate(loop, [0, 1], lambda t: [1.0, 2.0, 3.0])
+    with pytest.raises(SimulationError, match="a scenario has no inputs"):
+        clpt.simulate(PAPER, [0, 1], inputs=1.0)
+
+
+def test_initial_state_that_does_not_fit():
+    with pytest.raises(SimulationError, match="initial_state"):
+        clpt.simulate(clpt.closed_loop(PAPER), [0, 1], initial_state=[1.0, 2.0, 3.0])
+    with pytest.raises(SimulationError, match="initial_state"):
+        clpt.simulate(PAPER, [0, 1], initial_state=[1.0, 2.0, 3.0])
+
+
+def test_nan_input_of_a_callable_is_an_error():
+    with pytest.raises(SimulationError, match="not finite"):
+        clpt.simulate(decaying(), [0.0, 1.0], lambda t: [math.nan])

@@ -1,0 +1,145 @@
+"""What cannot be computed, and what leaves a field, is said in a sentence."""
+
+import math
+from typing import NamedTuple
+
+import control
+import numpy as np
+import pytest
+from calm_water import PAPER
+
+import clpt_control as clpt
+from clpt_control.blocks import Block, field, vehicle
+from clpt_control.currents.field_file import GriddedField
+from clpt_control.diagrams.interconnection import connect
+from clpt_control.errors import ScenarioError, SimulationError
+from clpt_control.simulation.loops import initial_state
+
+
+def test_infinite_parameter_is_named():
+    loop = clpt.closed_loop(PAPER)
+    with pytest.raises(SimulationError) as caught:
+        clpt.simulate(loop, [5.0, 6.0], params={"true_flow.theta": np.full((2, 3), np.inf)})
+    sentence = str(caught.value)
+    assert "t = 5" in sentence
+    assert "flow_x[0]" in sentence
+    assert "true_flow" in sentence
+
+
+def test_infinite_state_is_named():
+    x0 = initial_state(PAPER)
+    x0[1] = np.nan
+    with pytest.raises(ScenarioError, match=r"vehicle\.position\[1\] = nan: must be a finite"):
+        clpt.simulate(PAPER, [0, 1], initial_state=x0)
+    for engine in ("native", "python"):
+        with pytest.raises(SimulationError, match=r"t = 0.*x\[1\].*vehicle"):
+            clpt.simulate(clpt.closed_loop(PAPER), [0, 1], initial_state=x0, engine=engine)
+
+
+class Nothing(NamedTuple):
+    pass
+
+
+def blows_up(t, x, u, p, dx):
+    """x' = x^2, section 2: x[1]."""
+    dx[0] = x[0] ** 2
+
+
+def leaves_its_range(t, x, u, p, y):
+    """y = sqrt(1 - x), section 2: u = x[1], y = root[1]."""
+    y[0] = math.sqrt(1 - u[0])
+
+
+def grows(t, x, u, p, dx):
+    """x' = 1, section 2: x[1]; u = root[1]."""
+    dx[0] = 1.0 + 0.0 * u[0]
+
+
+def test_blow_up_is_a_sentence():
+    block = Block("burst", update=blows_up, states={"x": 1})
+    loop = control.interconnect([block], outlist=["burst.x[0]"], outputs=["x"], connections=False)
+    with pytest.raises(SimulationError, match=r"stopped at t = (0\.9|1)") as caught:
+        clpt.simulate(loop, [0.0, 2.0], initial_state=[1.0])
+    assert "\n" not in str(caught.value)
+
+
+def test_signal_that_leaves_its_range_is_named():
+    blocks = [
+        Block("root", output=leaves_its_range, inputs={"x": 1}, outputs={"root": 1}),
+        Block("line", update=grows, inputs={"root": 1}, states={"x": 1}),
+    ]
+    with pytest.raises(SimulationError, match=r"root\[0\] of block root is not finite"):
+        clpt.simulate(connect(blocks), [0.0, 2.0], initial_state=[0.0])
+
+
+def drift(outside, u=1.0, v=0.0, end=10.0):
+    """A vehicle that swims nowhere in a uniform current on x1 = -2 ... 2, x2 = -1 ... 1."""
+    axes = [np.linspace(0, end, 5), np.linspace(-1, 1, 5), np.linspace(-2, 2, 9)]
+    shape = tuple(len(axis) for axis in axes)
+    grid = GriddedField(*axes, np.full(shape, u), np.full(shape, v))
+    units = PAPER.units.model_copy(update={"length": "km", "time": "h"})
+    return connect(
+        [field.gridded_flow(grid, outside, units=units), vehicle.vehicle()], external=["v_x"]
+    )
+
+
+def test_leaving_raises_with_position_time_and_bounds():
+    with pytest.raises(SimulationError) as caught:
+        clpt.simulate(drift("raise"), np.linspace(0, 5, 11), initial_state=[0.0, 0.5])
+    sentence = str(caught.value)
+    for part in ("(2, 0.5) km", "time 2 h", "x1 -2 to 2", "x2 -1 to 1", "time 0 to 10"):
+        assert part in sentence, (part, sentence)
+    assert "clip" in sentence
+    assert "stop" in sentence
+
+
+def test_leaving_stops_where_it_leaves():
+    run = clpt.simulate(drift("stop"), np.linspace(0, 5, 11), initial_state=[0.0, 0.5])
+    assert run.time.tolist()[:-1] == pytest.approx([0, 0.5, 1, 1.5, 2][: len(run.time) - 1])
+    assert run.time[-1] == pytest.approx(2.0, abs=1e-9)
+    np.testing.assert_allclose(run.states[:, -1], [2.0, 0.5], atol=1e-8)
+    assert "time 2 h" in run.message
+    assert run.message.startswith("stopped")
+
+
+def test_leaving_between_samples_is_kept():
+    run = clpt.simulate(drift("stop"), [0.0, 1.0, 3.0], initial_state=[0.75, 0.5])
+    np.testing.assert_allclose(run.time, [0.0, 1.0, 1.25], atol=1e-9)
+    np.testing.assert_allclose(run.states[0], [0.75, 1.75, 2.0], atol=1e-8)
+
+
+def test_clip_goes_on_with_the_flow_at_the_edge():
+    run = clpt.simulate(drift("clip", v=-0.5), [0.0, 4.0, 20.0], initial_state=[0.0, 0.0])
+    np.testing.assert_allclose(run.states[:, 1], [4.0, -2.0], atol=1e-8)
+    np.testing.assert_allclose(run.states[:, 2], [20.0, -10.0], atol=1e-8)
+
+
+def test_leaving_in_time():
+    with pytest.raises(SimulationError, match=r"time 3 h; .*time 0 to 3 h"):
+        clpt.simulate(drift("raise", u=0.1, end=3.0), [0.0, 5.0], initial_state=[0.0, 0.0])
+    run = clpt.simulate(drift("stop", u=0.1, end=3.0), [0.0, 5.0], initial_state=[0.0, 0.0])
+    np.testing.assert_allclose(run.time, [0.0, 3.0], atol=1e-9)
+
+
+def test_ending_at_the_edge_is_inside():
+    run = clpt.simulate(drift("raise"), [0.0, 2.0], initial_state=[0.0, 1.0])
+    np.testing.assert_allclose(run.states[:, -1], [2.0, 1.0], atol=1e-9)
+
+
+def test_starting_outside():
+    with pytest.raises(SimulationError, match=r"\(3, 0\) km, time 0 h"):
+        clpt.simulate(drift("raise"), [0.0, 1.0], initial_state=[3.0, 0.0])
+    run = clpt.simulate(drift("stop"), [0.0, 1.0], initial_state=[3.0, 0.0])
+    assert run.time.tolist() == [0.0]
+
+
+@pytest.mark.parametrize("farthest", [4.04, 2.02])
+def test_out_and_back_within_a_step_is_found(farthest):
+    # x1 = a sin(pi t/10) against a current of 1: out at the first time where it is 2
+    def velocity(t):
+        return [-1.0 + farthest * math.pi / 10 * math.cos(math.pi * t / 10), 0.0]
+
+    run = clpt.simulate(drift("stop"), [0.0, 9.9], velocity, initial_state=[0.0, 0.0])
+    leaves = 10 / math.pi * math.asin(2 / farthest)
+    assert run.time[-1] == pytest.approx(leaves, abs=1e-6)
+    assert run.states[0, -1] == pytest.approx(2.0, abs=1e-8)
