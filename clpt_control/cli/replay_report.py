@@ -27,7 +27,7 @@ def write(result: Any, folder: Path, ahead: tuple) -> list[Path]:
     ``replay.nc`` is the first and is put in place last: where it is new, the figures are.
     """
     from ..files import write_together
-    from ..replay.file import replay_dataset
+    from ..replay.dataset import replay_dataset
     from ..replay.plots import replay_figures
     from ..replay.surfacing import next_dive
 

@@ -133,13 +133,7 @@ class FixModel:
         return tuple(dict.fromkeys(p if p in OTHERS else "tides" for p in self.flow[1:]))
 
     def choices(self) -> np.ndarray:
-        """Return all choices of the k optional parts, (2^k, k).
-
-        Examples
-        --------
-        >>> FixModel().choices().astype(int).tolist()
-        [[0, 0], [0, 1], [1, 0], [1, 1]]
-        """
+        """Return all choices of the k optional parts, (2^k, k)."""
         k = len(self.optional)
         return np.array(list(product((False, True), repeat=k)), bool).reshape(2**k, k)
 

@@ -45,28 +45,10 @@ class Places:
     cells: tuple[tuple[int, int], ...] = ()
 
 
-def track(dive: Dive, ended: bool = False) -> tuple[np.ndarray, np.ndarray]:
-    """Return a few samples of a dive's track: time (k,), s; east and north (k, 2), m.
-
-    Where it has `ended` the track is bent to the fix after the dive.
-    """
-    time = np.linspace(0.0, dive.duration, SAMPLES)
-    since, *axes = reckoned(dive)
-    x = np.stack([np.interp(time, since, axis) for axis in axes], axis=1)
-    return time, (x + (time / dive.duration)[:, None] * miss(dive) if ended else x)
-
-
 def near(places: Places | None, dive: Dive, width: float) -> Places:
     """Return the places with those that a dive comes near; the same object where nothing is new.
 
     `width` (m) and the dive's start are the first lattice's; a dive's end is not read.
-
-    Examples
-    --------
-    >>> from clpt_control.estimation.dive import make_dive
-    >>> dive = make_dive(1, (0.0, 40.0, 8.0), (9000.0, 40.0, 8.02), (500.0, 0.0))
-    >>> near(None, dive, 20e3).cells
-    ((-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 0), (0, 1), (1, -1), (1, 0), (1, 1))
     """
     old = places or Places(dive.lat_gps2, dive.lon_gps2, width)
     x = _along(old, dive, False)[1]
@@ -101,7 +83,15 @@ def near(places: Places | None, dive: Dive, width: float) -> Places:
 
 
 def _along(places: Places, dive: Dive, ended: bool) -> tuple[np.ndarray, np.ndarray]:
-    time, x = track(dive, ended)
+    """Return a few samples of a dive's track: time (k,), s; from the lattice's origin (k, 2), m.
+
+    Where the dive has `ended` its track is bent to the fix after it.
+    """
+    time = np.linspace(0.0, dive.duration, SAMPLES)
+    since, *axes = reckoned(dive)
+    x = np.stack([np.interp(time, since, axis) for axis in axes], axis=1)
+    if ended:
+        x = x + (time / dive.duration)[:, None] * miss(dive)
     start = displacement(places.latitude, places.longitude, dive.lat_gps2, dive.lon_gps2)
     return time, np.array(start) + x
 

@@ -23,13 +23,7 @@ from .priors import QUARTER_DAY
 
 
 class Gradient:
-    """The paper's gradient law in integral form.
-
-    Examples
-    --------
-    >>> Gradient(FixModel(("steady",))).estimate()[0]
-    array([0., 0., 0., 0.])
-    """
+    """The paper's gradient law in integral form."""
 
     def __init__(self, model: FixModel) -> None:
         self.model, self.priors = model, model.priors

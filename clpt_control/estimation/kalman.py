@@ -60,11 +60,6 @@ class KalmanBank:
     """m Kalman filters: each restlessness with each choice of parts.
 
     `mean` (m, n) and `covariance` (m, n, n) are those at the middle of the last dive.
-
-    Examples
-    --------
-    >>> KalmanBank(FixModel()).mean.shape
-    (40, 14)
     """
 
     def __init__(self, model: FixModel) -> None:
@@ -205,11 +200,6 @@ def mixed(
     """Return mean (n,) and covariance (n, n) of a mixture of m parts: within and between them.
 
     m = sum w_i m_i,  P = sum w_i (P_i + (m_i - m)(m_i - m)^T)
-
-    Examples
-    --------
-    >>> mixed(np.array([[0.0], [2.0]]), np.ones((2, 1, 1)), np.array([0.5, 0.5]))
-    (array([1.]), array([[2.]]))
     """
     mean = weights @ means
     away = means - mean

@@ -48,11 +48,6 @@ def explained_share(values: np.ndarray, model: np.ndarray) -> float:
 
     1 - sum |values - model|^2 / sum |values|^2, both components together, about no flow: Eq. (3)
     has no free constant, and a learner that knows nothing, theta = 0, has the share 0.
-
-    Examples
-    --------
-    >>> explained_share([[0, 0], [2, 0]], [[0, 0], [1, 0]])
-    0.75
     """
     values, model = np.asarray(values, float), np.asarray(model, float)
     total = np.sum(values**2)
@@ -71,14 +66,6 @@ def least_squares(
     """Fit theta of Eq. (3) to measured flow (n, 2), with phi (n, N) of `blocks.evaluate`.
 
     `names` are those of the N functions in messages, `worst` the largest condition number.
-
-    Examples
-    --------
-    >>> phi = np.array([[1.0, 0.0], [1.0, 1.0], [1.0, 2.0]])
-    >>> fit = least_squares(phi, phi @ np.array([[1.0, 3.0], [2.0, 4.0]]))
-    >>> fit.theta.round(12)
-    array([[1., 2.],
-           [3., 4.]])
     """
     from scipy.linalg import lstsq, svd
 

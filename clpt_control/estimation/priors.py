@@ -20,13 +20,7 @@ class Kind(NamedTuple):
 
 
 class Priors(NamedTuple):
-    """Standard deviations and times before any dive, m, s and rad.
-
-    Examples
-    --------
-    >>> Priors()._replace(speed=0.1).speed
-    0.1
-    """
+    """Standard deviations and times before any dive, m, s and rad."""
 
     # GPS has 4 m (Rudnick, Sherman, Wu, J. Atmos. Oceanic Technol. 35, 1665, 2018); two fixes, and
     # the drift at the surface between a fix and the water beneath: judgement

@@ -27,14 +27,7 @@ from .priors import QUARTER_DAY, Kind, Priors
 
 
 def wander(dt: float, kinds: Kind, priors: Priors) -> tuple[np.ndarray, np.ndarray]:
-    """Return F and Q of (a, v, u) over `dt` s, (m, 6, 6) each, for m kinds.
-
-    Examples
-    --------
-    >>> F, Q = wander(21600.0, Kind(np.array([0.03])), Priors())
-    >>> round(float(Q[0, 4, 4]), 6)
-    0.0009
-    """
+    """Return F and Q of (a, v, u) over `dt` s, (m, 6, 6) each, for m kinds."""
     fading = priors.trend_fading
     x, r = dt / fading, math.exp(-dt / fading)
     b = math.exp(-dt / priors.eddy_memory)

@@ -1,4 +1,4 @@
-from .file import replay_dataset
+from .dataset import replay_dataset
 from .flow_model_file import read_flow_model
 from .flow_models import carried
 from .outcome import clpe_rms, summary

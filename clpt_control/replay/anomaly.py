@@ -75,11 +75,6 @@ class SpeedWatch:
     """Watches the speed factor dive by dive, by a bank that learns the speed.
 
     The bank must see each dive before `step` does; by default it is one of its own.
-
-    Examples
-    --------
-    >>> SpeedWatch(FixModel()).count
-    0
     """
 
     def __init__(self, model: FixModel, bank: KalmanBank | None = None) -> None:

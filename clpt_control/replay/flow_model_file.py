@@ -3,9 +3,9 @@
 from pathlib import Path
 
 from ..errors import DataError
+from .fitted_flow import read_fitted
 from .flow_models import FlowModel
 from .forecast import read_forecast
-from .forecast_basis import read_fitted
 
 NETCDF = (".nc", ".nc4", ".cdf", ".netcdf")
 

@@ -82,6 +82,7 @@ def test_the_coriolis_turn_is_right():
     dt, w = 7200.0, inertial_frequency(dive.lat_gps2)
     east, north = model.turning(dt, dive.lat_gps2)[2:, 2:] @ [1.0, 0.0]
     assert (east, north) == pytest.approx((math.cos(w * dt), -math.sin(w * dt)))  # clockwise
+    assert 2 * math.pi / inertial_frequency(30.0) / 3600 == pytest.approx(23.93, abs=0.005)
     t = np.linspace(-dive.duration / 2, dive.duration / 2, 10001)
     whole = trapezoid(np.cos(w * t), t)
     assert model.regressor(dive)[0, 2] == pytest.approx(whole, rel=1e-6)

@@ -15,7 +15,7 @@ from clpt_control.errors import DataError
 from clpt_control.gliders.dive_table import sample_dives
 from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay import follow
-from clpt_control.replay.file import replay_dataset
+from clpt_control.replay.dataset import replay_dataset
 from clpt_control.replay.follow import Follower
 from clpt_control.replay.replay import replay_dives
 
