@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import DataError
-from ..files import write_together
+from ..files import check_writable, write_together
 from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario, scenario_to_text
 from .field_file import field_dataset
@@ -48,14 +48,10 @@ def save_fit(fit: "Fit", out: str | Path) -> Scenario:
     out = Path(out)
     if out.suffix != ".toml":
         raise DataError(f"{out}: must end in .toml; the field is written beside it")
-    if out.is_dir():
-        raise DataError(f"{out}: is a folder; give a scenario's TOML file")
-    if not out.parent.is_dir():
-        raise DataError(f"{out}: cannot be written: the folder {out.parent} does not exist")
     field = out.with_name(f"{out.stem}_field.nc")
-    if field.is_dir():
-        raise DataError(f"{field}: is a folder; the field is written there, choose another name")
-    report, scenario = fit.report, fit.scenario.model_copy(deep=True)
+    for path in (out, field):
+        check_writable(path)
+    report, scenario = fit.report, fit.scenario
     attributes = {
         "title": scenario.title,
         "source": f"{report['source']}, by clpt-control {version('clpt-control')}",

@@ -11,7 +11,6 @@ A and g stay, f, u and V are taken anew.  Angles are in degrees.
 """
 
 from collections.abc import Sequence
-from importlib.util import find_spec
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -33,13 +32,13 @@ class NodalCorrections(NamedTuple):
 
 def load_utide() -> Any:
     """Import UTide, or say what to install."""
-    if find_spec("utide") is None:
+    try:
+        import utide
+    except ImportError:
         raise DataError(
             "tides and nodal corrections need UTide, which is not installed; "
             "pip install 'clpt-control[ocean]'"
-        )
-    import utide
-
+        ) from None
     return utide
 
 

@@ -136,8 +136,8 @@ def _from_netcdf(data: "xarray.Dataset", path: Path, at: tuple[float, float] | N
 
 def _nearest(axis: np.ndarray, wanted: float, what: str, path: Path) -> int:
     """Return the cell nearest to a place that lies in the grid."""
-    if not (np.isfinite(wanted) and np.all(np.isfinite(axis))):
-        raise DataError(f"{path}: {what} {wanted}: must be finite, as those of the grid")
+    if not np.isfinite(wanted):
+        raise DataError(f"{path}: {what} {wanted}: must be finite degrees")
     apart = axis - wanted
     if what == "longitude":
         apart = (apart + 180.0) % 360.0 - 180.0
