@@ -153,7 +153,7 @@ def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
     for dive in dives_in(og1(tmp_path / "a.nc", drop=(*STEPS, *OWN), **turned)):
         assert swam(dive)
         assert "magnetic, turned by the file's variation of -15 degrees" in dive.notes[0]
-    for dive in dives_in(og1(tmp_path / "b.nc", drop=STEPS)):  # own current before a guess
+    for dive in dives_in(og1(tmp_path / "b.nc", drop=STEPS)):  # the file's current before a guess
         assert swam(dive)
         assert dive.notes == ("dead reckoning computed from the file's depth-averaged current",)
     off = SPEED * (DURATION - 200.0), np.radians(BEARING - VARIATION)
