@@ -17,11 +17,10 @@ from typing import NamedTuple
 import numpy as np
 
 from clpt_control.estimation.fix_regressor import inertial_frequency
-from clpt_control.estimation.wandering import QUARTER_DAY
 from clpt_control.gliders import Dive
 from clpt_control.scenario import period
 
-DAY, TICK = 86400.0, 600.0  # s
+DAY, QUARTER_DAY, TICK = 86400.0, 21600.0, 600.0  # s
 LATITUDE, LONGITUDE = 40.0, 8.0  # degrees, of all dives
 SURFACE = 900.0  # s between dives
 SPEED, FIX = 0.25, 20.0  # m/s through the water; m, error of a displacement

@@ -14,8 +14,8 @@ from typing import Annotated
 import numpy as np
 import typer
 
-from clpt_control.estimation import FixModel
-from clpt_control.estimation.priors import Kind, Priors
+from clpt_control.estimation import FixModel, Priors
+from clpt_control.estimation.priors import Kind
 from clpt_control.figures import BLUE, GREY, new_figure
 from clpt_control.files import make_folder, write_figure, write_text
 from clpt_control.gliders import Dive, read_dives, sample_dives, usable

@@ -20,7 +20,15 @@ class Kind(NamedTuple):
 
 
 class Priors(NamedTuple):
-    """Standard deviations and times before any dive, m, s and rad."""
+    """Standard deviations and times before any dive, m, s and rad.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> doubtful = clpt.estimation.FixModel(priors=clpt.estimation.Priors(speed=0.3))
+    >>> doubtful.prior_sd[-2:]
+    array([0.3 , 0.03])
+    """
 
     # GPS has 4 m (Rudnick, Sherman, Wu, J. Atmos. Oceanic Technol. 35, 1665, 2018); two fixes, and
     # the drift at the surface between a fix and the water beneath: judgement
