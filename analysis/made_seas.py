@@ -103,21 +103,9 @@ def background(sea: Sea, rng: np.random.Generator, end: float) -> np.ndarray:
 
 
 def made_dives(sea: Sea, seed: int, lost: float = 0.0, since: int = 0) -> list[Dive]:
-    """Return the dives of a vehicle in a sea.
+    """Return the dives of a vehicle in a sea, all at 40 N 8 E.
 
-    Parameters
-    ----------
-    sea : Sea
-    seed : int
-    lost : float, optional
-        Share of its speed that it loses.
-    since : int, optional
-        From which dive on.
-
-    Returns
-    -------
-    list of Dive
-        With displacements in m; all at one place on Earth, 40 N 8 E.
+    It has `lost` a share of its speed from the dive `since` on.
     """
     rng = np.random.default_rng(seed)
     factor, compass = 1 + sea.speed_sd * rng.normal(), sea.compass_sd * rng.normal()
@@ -147,8 +135,7 @@ def made_dives(sea: Sea, seed: int, lost: float = 0.0, since: int = 0) -> list[D
             if sea.jet:
                 flow += sea.jet[0] * math.exp(-0.5 * (x @ aside / sea.jet[1] - 0.8) ** 2) * ahead
             x = x + (water + flow) * T[k] / steps
-        way = x - here + FIX * rng.normal(size=2)
-        way = way + sea.scatter * T[k] * rng.normal(size=2)
+        moved = x - here + FIX * rng.normal(size=2) + sea.scatter * T[k] * rng.normal(size=2)
         t = 1.6e9 + start[k]
-        dives.append(Dive(k, t, LATITUDE, LONGITUDE, t + T[k], LATITUDE, LONGITUDE, *way, *dr))
+        dives.append(Dive(k, t, LATITUDE, LONGITUDE, t + T[k], LATITUDE, LONGITUDE, *moved, *dr))
     return dives
