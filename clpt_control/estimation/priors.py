@@ -37,8 +37,9 @@ class Priors(NamedTuple):
     current: float = 0.3  # m/s
     # judgement: 0.02 in the deep sea, 0.1 to 0.5 on shelves
     tide: float = 0.1  # m/s, of each constituent's four numbers
-    # drifters have 0.1 to 0.2 at the surface (Poulain, J. Marine Research 48, 793, 1990); less
-    # over a dive's depth.  Was 0.05 until ellipses after a made storm held 83 % of surfacings
+    # strong events have 0.2 at the surface (Poulain, "Near-inertial and diurnal motions in the
+    # trajectories of mixed layer drifters", J. Marine Research 48, 1990), a dive's mean has less;
+    # with 0.05 the 90 % ellipses after a made storm held 83 % of the surfacings
     inertial: float = 0.1  # m/s
     # judgement: half a current
     gaussian: float = 0.15  # m/s, of a place's coefficient
@@ -78,10 +79,11 @@ class Priors(NamedTuple):
     )
     # judgement: an eddy of 10 km is crossed in half a day at 0.25 m/s
     trend_fading: float = DAY / 2
-    # drifters have 2 to 3 days; a glider crosses what they follow: judgement
+    # drifters of GLOBEC have 1.8 and 2.9 days (Limeburner); a glider crosses what they follow:
+    # judgement
     eddy_memory: float = DAY
 
-    # judgement: a lost front counts little (Lange, Little, Taylor, J. Am. Stat. Assoc. 84, 1989)
+    # judgement: a missed front counts little (Lange, Little, Taylor, J. Am. Stat. Assoc. 84, 1989)
     degrees_of_freedom: float = 8.0  # of the density that weighs filters
     # judgement: a voyage comes to another sea in weeks
     weight_memory: float = 20 * DAY
