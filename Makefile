@@ -5,7 +5,7 @@ READY := .venv/.ready
 
 BENCH := build/benchmarks/venv
 LOWEST := build/lowest
-ENGINE := native elementary loops solver closed_form_flows written_is_run random_diagrams trace \
+ENGINE := native elementary engine_page loops solver closed_form_flows written_is_run random_diagrams trace \
 	words simulation conformance members ensemble
 
 .PHONY: paper test test-slow test-generic test-lowest lint format clean bench bench-quick
