@@ -1,0 +1,24 @@
+"""One small ensemble, asked by many tests."""
+
+import pytest
+from ensemble_stores import VARY
+
+import clpt_control
+from clpt_control.ensemble.run import run_ensemble
+
+
+@pytest.fixture(scope="module")
+def scenario():
+    """Two and a half rounds of the paper's waypoints, four times faster."""
+    return clpt_control.paper_scenario().with_values({"run.duration": 125, "reference.dwell": 5})
+
+
+@pytest.fixture
+def quick(scenario):
+    return scenario.with_values({"run.duration": 10})
+
+
+@pytest.fixture(scope="module")
+def whole(scenario):
+    """One thread, one chunk, trajectories: what all other ways must give."""
+    return run_ensemble(scenario, VARY, 40, seed=3, threads=1, samples=100, trajectories=True)

@@ -1,0 +1,248 @@
+"""The same ensemble, to the last bit: on threads, after interruptions, on a cluster."""
+
+import importlib.util
+import json
+import os
+import re
+import shutil
+import signal
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from ensemble_stores import VARY, assert_identical, files
+from processes import await_line, started
+
+import clpt_control
+from clpt_control.ensemble.plan import make_plan
+from clpt_control.ensemble.run import run_ensemble
+from clpt_control.ensemble.store import open_store
+from clpt_control.ensemble.worker import Worker
+from clpt_control.errors import ClptError, DataError, ScenarioError
+
+
+@pytest.mark.parametrize(("threads", "chunk"), [(1, 7), (2, 1), (2, 16), (3, 1000)])
+def test_threads_and_chunks_do_not_matter(scenario, whole, tmp_path, threads, chunk):
+    data = run_ensemble(
+        scenario,
+        VARY,
+        40,
+        seed=3,
+        out=tmp_path / "e.zarr",
+        threads=threads,
+        chunk=chunk,
+        samples=100,
+        trajectories=True,
+    )
+    assert_identical(data, whole)
+
+
+def test_order_and_company_do_not_matter(scenario, whole):
+    plan = make_plan(scenario, VARY, 40, seed=3, samples=100, trajectories=True)
+    values = plan.store.values(0)
+    order = np.random.default_rng(0).permutation(40)
+    mixed = plan.worker.summaries({key: array[order] for key, array in values.items()})
+    alone = plan.worker.summaries({key: array[9:10] for key, array in values.items()})
+    for name, array in mixed.items():
+        assert array.tobytes() == whole[name].values[order].tobytes(), name
+        assert alone[name].tobytes() == whole[name].values[9:10].tobytes(), name
+
+
+def test_the_batch_does_not_matter(scenario, whole, monkeypatch):
+    monkeypatch.setattr(Worker, "batch", 8)
+    data = run_ensemble(scenario, VARY, 40, seed=3, threads=2, samples=100, trajectories=True)
+    assert_identical(data, whole)
+
+
+KILLED = """
+import sys
+import threading
+import clpt_control
+from clpt_control.ensemble.run import run_ensemble
+scenario = clpt_control.load_scenario(sys.argv[1])
+def stop(done):
+    if done >= 100:
+        print("far", flush=True)
+        threading.Event().wait()
+run_ensemble(
+    scenario, sys.argv[4:], int(sys.argv[3]), seed=1, out=sys.argv[2], chunk=20, progress=stop
+)
+"""
+
+
+def test_killed_and_started_again(scenario, tmp_path):
+    members, file = 300, tmp_path / "scenario.toml"
+    clpt_control.save_scenario(scenario, file)
+    out, wanted = tmp_path / "killed.zarr", tmp_path / "whole.zarr"
+    words = [sys.executable, "-c", KILLED, file, out, members, *VARY]
+    with started(words, stderr=None) as work:
+        await_line(work, work.stdout, "far")
+    missing = open_store(out).missing()
+    assert 0 < len(missing) < members // 20
+    counts = []
+    again = clpt_control.load_scenario(file)
+    run_ensemble(again, VARY, members, seed=1, out=out, chunk=20, progress=counts.append)
+    assert counts[0] == members - 20 * len(missing)
+    assert counts[-1] == members
+    run_ensemble(again, VARY, members, seed=1, out=wanted, chunk=20)
+    assert files(out) == files(wanted)
+
+
+def test_an_interrupt_leaves_whole_chunks(quick, tmp_path):
+    def stop(done):
+        if done >= 30:
+            raise KeyboardInterrupt
+
+    out = tmp_path / "e.zarr"
+    with pytest.raises(KeyboardInterrupt):
+        run_ensemble(quick, VARY, 100, out=out, chunk=10, threads=2, progress=stop)
+    assert 0 < len(open_store(out).missing()) < 10
+    data = run_ensemble(quick, VARY, 100, out=out, chunk=10)
+    assert_identical(data, run_ensemble(quick, VARY, 100))
+
+
+def test_a_whole_ensemble_is_not_run_again(quick, tmp_path, monkeypatch):
+    first = run_ensemble(quick, VARY, 20, out=tmp_path / "e.zarr").load()
+    monkeypatch.setattr(Worker, "summaries", None)
+    assert_identical(run_ensemble(quick, VARY, 20, out=tmp_path / "e.zarr"), first)
+
+
+@pytest.mark.parametrize("damage", ["cut", "removed", "trajectory removed", "checksum cut"])
+def test_damaged_chunks_are_run_again(quick, tmp_path, damage):
+    out = tmp_path / "e.zarr"
+    run_ensemble(quick, VARY, 30, out=out, chunk=10, trajectories=True)
+    before = files(out)
+    victim = {
+        "cut": out / "gain_error" / "c" / "1" / "0",
+        "removed": out / "clpe_rms_whole" / "c" / "2",
+        "trajectory removed": out / "alpha" / "c" / "1" / "0" / "0" / "0",
+        "checksum cut": out / "done" / "c" / "0",
+    }[damage]
+    if "cut" in damage:
+        victim.write_bytes(victim.read_bytes()[:-6])
+    else:
+        victim.unlink()
+    run_ensemble(quick, VARY, 30, out=out, chunk=10, trajectories=True)
+    assert files(out) == before
+
+
+def edited(key, value):
+    def edit(path):
+        metadata = json.loads(path.read_text())
+        metadata[key] = value
+        path.write_text(json.dumps(metadata))
+
+    return edit
+
+
+def flipped(path):
+    raw = bytearray(path.read_bytes())
+    raw[len(raw) // 2] ^= 0xFF
+    path.write_bytes(raw)
+
+
+LOST = {  # file -> (what happens to it, what is said)
+    "gain_error/zarr.json": (Path.unlink, "gain_error has lost its files"),
+    "learning.gain/zarr.json": (edited("shape", [7]), "learning.gain has lost its shape"),
+    "end/zarr.json": (edited("data_type", "float32"), "end has lost its dtype"),
+    "mark/zarr.json": (edited("dimension_names", ["time"]), "mark has lost its dimension names"),
+    "alpha/zarr.json": (edited("attributes", {}), "alpha has lost its attributes"),
+    "done/zarr.json": (edited("shape", [9]), "done has lost its shape"),
+    "zarr.json": (flipped, "is no ensemble or is damaged"),
+    "time/c/0": (flipped, "time has lost its files"),
+    "learning.gain/c/1": (flipped, "learning.gain has lost its files"),
+    "member/c/0": (Path.unlink, "member has lost its values"),
+}
+
+
+@pytest.fixture(scope="module")
+def stored(scenario, tmp_path_factory):
+    """A whole store of a short ensemble, with how to run it."""
+    quick = scenario.with_values({"run.duration": 10})
+    out = tmp_path_factory.mktemp("stored") / "e.zarr"
+
+    def run(path):
+        return run_ensemble(
+            quick, VARY[0], 6, out=path, chunk=3, threads=1, trajectories=True, samples=100
+        )
+
+    run(out)
+    return out, run
+
+
+@pytest.mark.parametrize("name", LOST)
+def test_a_store_without_what_it_must_hold_is_named_and_left(stored, tmp_path, name):
+    whole, run = stored
+    out = tmp_path / "e.zarr"
+    shutil.copytree(whole, out)
+    damage, sentence = LOST[name]
+    damage(out / name)
+    before = files(out)
+    with pytest.raises(DataError, match=rf"e\.zarr: .*{re.escape(sentence)}"):
+        run(out)
+    assert files(out) == before
+
+
+@pytest.mark.parametrize("name", ["alpha/c/1/0/0/0", "gain_error/c/0/0"])
+def test_a_flipped_byte_of_a_chunk_is_run_again(stored, tmp_path, name):
+    whole, run = stored
+    out = tmp_path / "e.zarr"
+    shutil.copytree(whole, out)
+    flipped(out / name)
+    run(out)
+    assert files(out) == files(whole)
+
+
+def test_a_store_that_memory_does_not_suffice_for_is_removed(quick, tmp_path, monkeypatch):
+    def too_much(work, values):
+        raise MemoryError
+
+    monkeypatch.setattr(Worker, "summaries", too_much)
+    with pytest.raises(MemoryError):
+        run_ensemble(quick, VARY[0], 4, out=tmp_path / "e.zarr", threads=1)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="Dask is not installed")
+def test_a_dask_worker_is_killed(scenario, tmp_path):
+    from distributed import Client, LocalCluster
+
+    members, killed = 240, []
+    with (
+        LocalCluster(
+            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0"
+        ) as cluster,
+        Client(cluster) as client,
+    ):
+        pids = list(client.run(os.getpid).values())
+
+        def kill_one(done):
+            if done and not killed:
+                killed.append(pids[0])
+                os.kill(pids[0], signal.SIGKILL)
+
+        data = run_ensemble(
+            scenario,
+            VARY,
+            members,
+            seed=1,
+            out=tmp_path / "d.zarr",
+            chunk=10,
+            dask=cluster.scheduler_address,
+            progress=kill_one,
+        )
+    assert killed
+    assert_identical(data, run_ensemble(scenario, VARY, members, seed=1, chunk=10))
+
+
+def test_dask_that_is_not_installed(quick, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(ClptError, match="not installed; install it with"):
+        run_ensemble(quick, VARY, 4, out=tmp_path / "e.zarr", dask="local")
+    assert not (tmp_path / "e.zarr").exists()
+
+
+def test_dask_needs_a_folder(quick):
+    with pytest.raises(ScenarioError, match="needs out"):
+        run_ensemble(quick, VARY, 4, dask="local")

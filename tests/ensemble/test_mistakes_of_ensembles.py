@@ -1,0 +1,192 @@
+"""What an ensemble refuses, its figure, and its command."""
+
+import json
+import shutil
+
+import pytest
+from ensemble_stores import VARY, files
+from pictures import inked
+
+import clpt_control
+from clpt_control.ensemble.run import run_ensemble
+from clpt_control.ensemble.spread import ensemble_plot
+from clpt_control.ensemble.store import open_store
+from clpt_control.ensemble.varied_keys import read_vary
+from clpt_control.errors import ClptError, DataError, ScenarioError
+
+MISTAKES = [
+    ({"vary": "learning.gain"}, "must be KEY=LOW:HIGH"),
+    ({"vary": "learning.gain=3"}, "such as learning.gain=0.2:2.0"),
+    ({"vary": "learning.gain=2:1"}, "the first number must be below the second"),
+    ({"vary": "learning.gain=a:1"}, "'a' must be a finite number"),
+    ({"vary": "learning.gain=0:inf"}, "'inf' must be a finite number"),
+    ({"vary": "learning.gain~normal:0"}, "standard deviation must be positive"),
+    ({"vary": "learning.gain~gamma:1"}, "must stand normal:DEVIATION"),
+    ({"vary": "learning.gain=[0.5, 1"}, "the list cannot be read"),
+    ({"vary": "learning.gain=[]"}, "at least one value"),
+    ({"vary": "learning.gain=[[1, 2]]"}, "each value must be a number"),
+    ({"vary": "learning.gain=[true]"}, "each value must be a number"),
+    ({"vary": 'learning.gain=["a"]'}, "each value must be a number"),
+    ({"vary": "learning.position=[[1, 2, 3]]"}, "must be an array of shape (2,)"),
+    ({"vary": []}, "name at least one key"),
+    ({"vary": ["learning.gain=1:2", "learning.gain=1:2"]}, "named 2 times"),
+    ({"vary": "learning.gian=1:2"}, "did you mean learning.gain? May vary: basis.centers"),
+    ({"vary": "nothing=1:2"}, "unknown key nothing; may vary: basis.centers"),
+    ({"vary": "adaptation.gain=1:2"}, "the scenario's key is learning.gain"),
+    ({"vary": "learning=1:2"}, "is a table; name one of its keys, such as learning.law"),
+    ({"vary": "reference.count=5:10"}, "counts and seeds are whole numbers"),
+    ({"vary": "basis.kernel=1:2"}, "it is not a number"),
+    ({"vary": "run.duration=1:2"}, "members share duration"),
+    ({"vary": "flow.disturbance.period=1:2"}, "is not set in the scenario"),
+    ({"vary": "learning.theta_estimate=1:2"}, "is not set in the scenario"),
+    ({"vary": "learning.gain=-1:2"}, "must be greater than 0; or should be positive"),
+    ({"vary": "vehicle.feedback~normal:9"}, "vehicle.feedback"),
+    ({"vary": VARY[0], "members": 0}, "members = 0: must be a whole number, at least 1"),
+    ({"vary": VARY[0], "members": 2.5}, "members = 2.5: must be a whole number"),
+    ({"vary": VARY[0], "members": 10**20}, "would draw 1e+20 numbers; at most 2e+08"),
+    ({"vary": VARY[0], "members": 10**20, "design": "grid"}, "would draw 1e+20 numbers"),
+    ({"vary": VARY[0], "members": 2, "samples": 10**20}, "more than 1e+08 in a run"),
+    ({"vary": "learning.gain=٢:٣", "members": 2}, "'٢' must be a finite number"),
+    ({"vary": "learning.gain=" + "[" * 5000, "members": 2}, "the list cannot be read"),
+    ({"vary": f"learning.gain=[{'1' * 5000}]", "members": 2}, "the list cannot be read"),
+    ({"vary": f"learning.gain=[{'1' * 400}]", "members": 2}, "each value must be a number"),
+    ({"vary": VARY[0], "seed": -1}, "seed = -1: must be a whole number"),
+    ({"vary": VARY[0], "design": "sobol"}, "must be one of lhs, grid, random"),
+    ({"vary": VARY[0], "chunk": 0}, "chunk = 0: must be a whole number"),
+    ({"vary": VARY[0], "threads": 0}, "threads = 0: must be a whole number"),
+    ({"vary": VARY[0], "samples": 3}, "samples = 3: must be a whole number, at least 20"),
+    ({"vary": VARY[0], "times": [11.0]}, "11.0 must lie between 0 and run.duration = 10"),
+    ({"vary": "learning.gain=[1, 2]", "design": "grid", "members": 5}, "must have 2 members"),
+    (
+        {"vary": ["learning.gain=[1, 2]", "learning.position=0:1"], "design": "grid"},
+        "must have 2 n^2 members, such as 2 or 8 or 18",
+    ),
+]
+
+
+@pytest.mark.parametrize(("given", "sentence"), MISTAKES)
+def test_mistakes_are_one_sentence(quick, tmp_path, given, sentence):
+    given = {"members": 10, **given}
+    with pytest.raises(ClptError) as error:
+        run_ensemble(quick, out=tmp_path / "e.zarr", **given)
+    text = str(error.value)
+    assert "\n" not in text
+    if "greater" not in sentence:
+        assert sentence in text
+    else:
+        assert "member " in text
+        assert "narrow learning.gain=-1.0:2.0" in text
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_first_member_that_is_not_allowed_is_named(quick):
+    values = [0.5, 1.0, -0.1, 2.0, -3.0]
+    with pytest.raises(ScenarioError, match=r"^member 2: learning.gain = -0.1: must be"):
+        run_ensemble(quick, f"learning.gain={values}", 5, "grid")
+
+
+@pytest.mark.parametrize(
+    ("given", "sentence"),
+    [
+        ({"seed": 1}, "holds an ensemble of seed = 0, not 1"),
+        ({"members": 21}, "holds an ensemble of members = 20, not 21"),
+        ({"design": "random"}, "holds an ensemble of design = lhs, not random"),
+        ({"vary": "learning.gain=1:2"}, "holds an ensemble of vary = learning.gain=0.2:2.0"),
+        ({"trajectories": True}, "holds an ensemble of trajectories = False, not True"),
+        ({"chunk": 7}, "holds an ensemble of chunk = 20, not 7"),
+        ({"samples": 50}, "holds an ensemble of samples = 2000, not 50"),
+        ({"scenario": 1}, "holds an ensemble of another scenario"),
+    ],
+)
+def test_another_ensemble_is_refused(quick, tmp_path, given, sentence):
+    out = tmp_path / "e.zarr"
+    run_ensemble(quick, VARY, 20, out=out)
+    before = files(out)
+    arguments = {"scenario": quick, "vary": VARY, "members": 20, **given}
+    if given == {"scenario": 1}:
+        arguments["scenario"] = quick.with_values({"learning.gain": 0.9})
+    with pytest.raises(DataError) as error:
+        run_ensemble(out=out, **arguments)
+    assert sentence in str(error.value)
+    assert files(out) == before
+
+
+def test_folders_that_are_no_ensemble(quick, tmp_path):
+    out = tmp_path / "e.zarr"
+    cases = []
+    file = tmp_path / "file"
+    file.write_text("text")
+    cases.append((file, "is a file"))
+    filled = tmp_path / "filled"
+    filled.mkdir()
+    (filled / "notes.txt").write_text("mine")
+    cases.append((filled, "is a folder without an ensemble"))
+    cases.append((tmp_path / "no" / "e.zarr", "does not exist"))
+    run_ensemble(quick, VARY, 4, out=out)
+    for name, text in (("text", "{"), ("empty", "{}")):
+        damaged = tmp_path / f"{name}.zarr"
+        shutil.copytree(out, damaged)
+        (damaged / "zarr.json").write_text(text)
+        cases.append((damaged, "is no ensemble or is damaged"))
+    lost = tmp_path / "lost.zarr"
+    shutil.copytree(out, lost)
+    shutil.rmtree(lost / "status")
+    cases.append((lost, "is no ensemble or is damaged"))
+    for path, sentence in cases:
+        with pytest.raises(DataError, match=sentence):
+            run_ensemble(quick, VARY, 4, out=path)
+    assert (filled / "notes.txt").read_text() == "mine"
+    empty = tmp_path / "new"
+    empty.mkdir()
+    assert run_ensemble(quick, VARY, 4, out=empty).sizes["member"] == 4
+
+
+def test_numbers_of_other_versions_are_not_mixed(quick, tmp_path):
+    out = tmp_path / "e.zarr"
+    run_ensemble(quick, VARY, 20, out=out, chunk=10)
+    store = open_store(out)
+    store.group.attrs["code"] = "another"
+    run_ensemble(quick, VARY, 20, out=out, chunk=10)
+    store.group["done"][1] = 0
+    with pytest.raises(DataError, match="begun by other versions"):
+        run_ensemble(quick, VARY, 20, out=out, chunk=10)
+
+
+def test_vary_reads_back():
+    for text in ("a.b=0.2:2.0", "a.b~normal:0.1", "a.b=[0.5, 1, [2, 3]]"):
+        assert read_vary(read_vary(text).text) == read_vary(text) or "[" in text
+
+
+@pytest.mark.parametrize("duration", [10, 125])
+def test_the_figure(scenario, duration):
+    data = run_ensemble(scenario.with_values({"run.duration": duration}), VARY, 8, samples=50)
+    figure = ensemble_plot(data)
+    assert [len(ax.get_title(loc="left")) > 0 for ax in figure.axes] == [True, True]
+    assert figure.axes[1].get_yscale() == "log"
+
+
+@pytest.fixture
+def ensemble(clpt):
+    """`clpt ensemble`."""
+    return lambda *arguments: clpt("ensemble", *arguments)
+
+
+def test_the_command(ensemble, quick, tmp_path):
+    file, out, figure = tmp_path / "s.toml", tmp_path / "e.zarr", tmp_path / "e.png"
+    clpt_control.save_scenario(quick, file)
+    many = ("--members", 12, "--vary", VARY[0], "--vary", VARY[1], "--seed", 4, "--out", out)
+    outcome = ensemble(file, *many, "--json", "--figure", figure)
+    assert outcome.status == 0, outcome.err
+    printed = json.loads(outcome.out)
+    assert printed["ended"] == {"finished": 12}
+    assert inked(figure) > 0.01
+    table = ensemble(file, *many)
+    assert table.status == 0
+    assert "12 finished" in table.out
+    wrong = ensemble(file, "--members", 3, "--vary", "x=1:2", "--out", tmp_path / "f.zarr")
+    assert wrong.status == 2
+    assert wrong.err.count("\n") == 1
+    assert not (tmp_path / "f.zarr").exists()
+    named = ensemble(file, *many, "--figure", tmp_path / "e.gif")
+    assert named.status == 2
+    assert ".png, .pdf or .svg" in named.err
