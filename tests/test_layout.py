@@ -31,15 +31,6 @@ def modules():
 FILES = dict(modules())
 
 
-class WhatRuns(ast.NodeTransformer):
-    """Leave out what only type checkers read."""
-
-    def visit_If(self, node):
-        if isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING":
-            return None
-        return self.generic_visit(node)
-
-
 def imports(name, path, tree):
     """Modules of the package that a module imports, those inside functions too."""
     package = name.split(".") if path.name == "__init__.py" else name.split(".")[:-1]
@@ -66,9 +57,6 @@ def imports(name, path, tree):
 
 TREES = {name: ast.parse(path.read_text()) for name, path in FILES.items()}
 EDGES = {(n, used) for n, path in FILES.items() for used in imports(n, path, TREES[n])}
-RUN = {
-    (n, used) for n, path in FILES.items() for used in imports(n, path, WhatRuns().visit(TREES[n]))
-}
 
 
 def test_the_top_holds_few_files():
@@ -94,7 +82,7 @@ def test_imports_run_downhill():
 def test_there_are_no_circles(level):
     short = (lambda m: m) if level == "files" else (lambda m: m.split(".")[0])
     below = {}
-    for name, used in (RUN if level == "files" else EDGES) - ASKED:
+    for name, used in EDGES - ASKED:
         if name not in DOORS and short(name) != short(used):
             below.setdefault(short(name), set()).add(short(used))
     done, path = set(), []

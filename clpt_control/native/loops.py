@@ -12,7 +12,7 @@ from ..blocks.record import LEAVES, Record
 from ..errors import BlockError
 from .program import Loop, Step, Store
 from .rolled import Constant, Place, Rolled, Table, expanded, numbered
-from .turns import Different, Merge
+from .turns import Different, Merge, Shared
 
 LEAST = 5  # turns; fewer stay apart
 
@@ -30,30 +30,26 @@ def roll(record: Record, least: float = LEAST) -> Rolled:
 
 
 class Roller:
-    """A pass over a record, and what its loops share: constants, room, where values lie."""
+    """A pass over a record."""
 
     def __init__(self, record: Record, least: float):
         self.record, self.least = record, least
-        self.constants: list[float] = []
-        self.tables: dict[tuple, int] = {}
-        self.room = 0
-        self.alias: dict[int, Place] = {}
-        self.fresh = len(record.operations)
-        self.last_use = [0] * len(record.operations)
+        last_use = [0] * len(record.operations)
         for k, (name, *arguments) in enumerate(record.operations):
             if name not in LEAVES:
                 for a in arguments:
                     if type(a) is int:
-                        self.last_use[a] = k
+                        last_use[a] = k
         for ref in record.outputs:
             if type(ref) is int:
-                self.last_use[ref] = len(record.operations)
+                last_use[ref] = len(record.operations)
+        self.shared = Shared(len(record.operations), last_use)
 
     def run(self) -> Rolled:
         """Return the record with its loops."""
         items = self.items(self.tree())
         items += stored([self.argument(ref) for ref in self.record.outputs])
-        return Rolled(tuple(items), tuple(self.constants), self.room)
+        return Rolled(tuple(items), tuple(self.shared.constants), self.shared.room)
 
     def tree(self) -> list:
         """Return operations, those of a loop turn by turn."""
@@ -93,7 +89,7 @@ class Roller:
             return Place(("p", where[0]), where[1])
         if name in LEAVES:
             return Place(name, where[0])
-        return self.alias.get(a, a)
+        return self.shared.alias.get(a, a)
 
     def items(self, nodes: Iterable) -> list:
         """Return the items of operations and loops."""
@@ -119,25 +115,16 @@ class Roller:
         apart = [item for turn in turns for item in turn]
         if event == "enter" and (len(turns) < self.least or not apart):
             return apart
-        kept = self.room, len(self.constants), dict(self.alias), dict(self.tables)
+        before = self.shared.copy()
         try:
-            return [Merge(self, turns, end).loop()]
+            return [Merge(self.shared, turns, end).loop()]
         except Different:
             if event == "every":
                 raise BlockError(
                     "turns of a loop over all functions differ, or hand on more than a sum"
                 ) from None
-            self.room, self.alias, self.tables = kept[0], kept[2], kept[3]
-            del self.constants[kept[1] :]
+            self.shared = before
             return apart
-
-    def table(self, column: list[Constant]) -> int:
-        """Return the place in K of constants, kept once."""
-        key = tuple(column)
-        if key not in self.tables:
-            self.tables[key] = len(self.constants)
-            self.constants += [constant.value for constant in column]
-        return self.tables[key]
 
 
 def stored(values: list) -> list:

@@ -6,13 +6,10 @@ become a table.
 """
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from .program import Loop, Step, Store, Sum
 from .rolled import Constant, Place, Table
-
-if TYPE_CHECKING:
-    from .loops import Roller
 
 
 class Different(Exception):
@@ -26,11 +23,37 @@ class _Carried(NamedTuple):
     first: Any
 
 
+class Shared:
+    """What the loops of a record share: constants, room, and where values lie."""
+
+    def __init__(self, fresh: int, last_use: list[int]):
+        self.fresh, self.last_use = fresh, last_use
+        self.constants: list[float] = []
+        self.tables: dict[tuple, int] = {}
+        self.room = 0
+        self.alias: dict[int, Place] = {}
+
+    def copy(self) -> "Shared":
+        """Return a copy, to go back to where turns differ."""
+        other = Shared(self.fresh, self.last_use)
+        other.constants, other.tables = list(self.constants), dict(self.tables)
+        other.room, other.alias = self.room, dict(self.alias)
+        return other
+
+    def table(self, column: list[Constant]) -> int:
+        """Return the place in K of constants, kept once."""
+        key = tuple(column)
+        if key not in self.tables:
+            self.tables[key] = len(self.constants)
+            self.constants += [constant.value for constant in column]
+        return self.tables[key]
+
+
 class Merge:
     """Make one loop of turns that do the same."""
 
-    def __init__(self, roller: "Roller", turns: list[list], end: int):
-        self.roller, self.turns, self.end = roller, turns, end
+    def __init__(self, shared: Shared, turns: list[list], end: int):
+        self.shared, self.turns, self.end = shared, turns, end
         self.level = 1 + max((i.level for i in turns[0] if isinstance(i, Loop)), default=-1)
         # value of a turn -> the same one of the first turn
         self.same: list[dict[int, int]] = [{} for _ in turns]
@@ -96,7 +119,7 @@ class Merge:
         if kinds == {Constant}:
             if len(set(column)) == 1:
                 return first
-            return Place("K", self.roller.table(column), ((self.level, 1),))
+            return Place("K", self.shared.table(column), ((self.level, 1),))
         if kinds == {Place}:
             step = column[1].base - first.base
             for k, place in enumerate(column):
@@ -129,9 +152,9 @@ class Merge:
         sums = []
         for one in sorted(carried):
             self.follow(body, one)
-            self.roller.fresh += 1
+            self.shared.fresh += 1
             last = {same: own for own, same in self.same[-1].items()}
-            sums.append(Sum(one.first, self.roller.fresh, one.value, last[one.value]))
+            sums.append(Sum(one.first, self.shared.fresh, one.value, last[one.value]))
         names = {one: s.within for one, s in zip(sorted(carried), sums, strict=True)}
         return [_renamed(item, names) for item in body], sums
 
@@ -163,7 +186,7 @@ class Merge:
 
     def read_outside(self, value: int) -> bool:
         """Whether a value is read behind the loop."""
-        uses = self.roller.last_use
+        uses = self.shared.last_use
         return value < len(uses) and uses[value] >= self.end
 
     def kept(self, body: list, sums: set[int]) -> list[Store]:
@@ -176,10 +199,10 @@ class Merge:
                 own = [next(v for v, first in same.items() if first == value) for same in self.same]
                 if value in sums or not any(map(self.read_outside, own)):
                     continue
-                base = self.roller.room
-                self.roller.room += len(own)
+                base = self.shared.room
+                self.shared.room += len(own)
                 stores.append(Store("S", base, ((self.level, 1),), value))
-                self.roller.alias.update({v: Place("S", base + k) for k, v in enumerate(own)})
+                self.shared.alias.update({v: Place("S", base + k) for k, v in enumerate(own)})
         return stores
 
 
