@@ -67,7 +67,7 @@ def regressor_matrices(scenario: clpt.Scenario, end: float, step: float) -> np.n
         run.outputs[[port == name for port in ports], 1:].T for name in ("phi_x", "z", "zc")
     )
     KD = np.array(calm.vehicle.feedback)
-    return clpt.theory.error_matrices(phi, z, zc, KD, calm.learning.gain)
+    return clpt.theory.error_matrices(phi, z, zc, KD, calm.learning.used_gains.parameters)
 
 
 def worst_disturbance(

@@ -3,7 +3,6 @@
 import numpy as np
 
 from clpt_control.blocks import (
-    adaptation,
     basis,
     clpe,
     disturbance,
@@ -15,6 +14,7 @@ from clpt_control.blocks import (
     reference,
     vehicle,
 )
+from clpt_control.blocks.laws import known_flow, learned_flow
 from clpt_control.currents.field_file import GriddedField
 
 SIZES = (1, 2, 3, 5)
@@ -82,11 +82,11 @@ def package_blocks():
         )
         yield (
             f"adaptation-known-{N}",
-            adaptation.adaptation(adaptation.KnownFlowParameters(N, 0.7, a)),
+            known_flow.known_flow_law(known_flow.KnownFlowParameters(N, 0.7, a)),
         )
         yield (
             f"adaptation-learned-{N}",
-            adaptation.adaptation(adaptation.LearnedFlowParameters(N, 0.7)),
+            learned_flow.learned_flow_law(learned_flow.LearnedFlowParameters(N, 0.7)),
         )
         yield (
             f"error_system-{N}",

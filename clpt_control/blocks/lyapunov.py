@@ -10,6 +10,7 @@ the functions here.
 Ports: e[2] (length), alpha[2N] (length per time), K[2], Gamma[2] (per time) -> V[1].
 """
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -29,14 +30,23 @@ class LyapunovParameters(NamedTuple):
     GammaD: np.ndarray  # shape (2,), feedforward gains, per time
 
 
+def weighed(
+    gains: Sequence[float], theta: np.ndarray, KD: np.ndarray, GammaD: np.ndarray
+) -> LyapunovParameters:
+    """Return the parameters of V for the gains of alpha, K and Gamma; a gain of 0 has no error."""
+    theta, KD, GammaD = (np.asarray(a, dtype=float) for a in (theta, KD, GammaD))
+    alpha, K, Gamma = (gain if gain > 0 else np.inf for gain in gains)
+    every = np.full(theta.shape, alpha)
+    return LyapunovParameters(
+        theta.shape[1], every, np.full(2, K), np.full(2, Gamma), theta, KD, GammaD
+    )
+
+
 def one_gain(
     gain: float, theta: np.ndarray, KD: np.ndarray, GammaD: np.ndarray
 ) -> LyapunovParameters:
     """Return the parameters of Eqs. (17) and (24): one gain gamma."""
-    theta, KD, GammaD = (np.asarray(a, dtype=float) for a in (theta, KD, GammaD))
-    two = np.full(2, gain)
-    N = theta.shape[1]
-    return LyapunovParameters(N, np.full(theta.shape, gain), two, two, theta, KD, GammaD)
+    return weighed((gain, gain, gain), theta, KD, GammaD)
 
 
 def known_flow(t, x, u, p, y):

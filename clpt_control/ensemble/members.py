@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from ..blocks import Block
 from ..diagrams.interconnection import wiring_of_blocks
 from ..errors import ScenarioError
 from ..native.batch import Batch
@@ -19,7 +20,7 @@ from ..native.printing import LANES
 from ..native.schedule import Schedule, make_schedule
 from ..native.sweep import Sweep
 from ..scenario.experiment import Scenario, scenario_tables
-from ..scenario.keys import CALL_TIME_NAMES, JUMPS, STARTS
+from ..scenario.keys import CALL_TIME_NAMES, JUMPS, STARTS, names_held
 from ..simulation.loops import paper_blocks, state_columns, state_of
 
 
@@ -37,35 +38,43 @@ class Ensemble:
     """One scenario, compiled, from which members are made.
 
     `keys` is what varies: dotted key -> shape of its value, ``()`` for a number.  With `lanes`
-    eight members run at once where that is quicker.
+    eight members run at once where that is quicker.  `law` takes the place of the scenario's.
     """
 
-    def __init__(self, scenario: Scenario, keys: Mapping[str, tuple[int, ...]], lanes: bool = True):
-        self.scenario, self.keys = scenario, dict(keys)
+    def __init__(
+        self,
+        scenario: Scenario,
+        keys: Mapping[str, tuple[int, ...]],
+        lanes: bool = True,
+        law: Block | None = None,
+    ):
+        self.scenario, self.keys, self.law = scenario, dict(keys), law
         for key, shape in self.keys.items():
             _check(scenario, key, tuple(shape))
-        self.blocks = paper_blocks(scenario)
+        self.blocks = paper_blocks(scenario, law)
         self.columns = state_columns(self.blocks)
         self.native = NativeDiagram(wiring_of_blocks(self.blocks))
         self.lanes = self.native.lanes(LANES) if lanes else 1
         copied = {key: self._places(key) for key in self.keys}
         self.copied = {key: places for key, places in copied.items() if places is not None}
         self.computed = [key for key, places in copied.items() if places is None]
-        self.base = self.native.parameters(), state_of(scenario, self.blocks)
+        self.base = self.native.parameters(), state_of(scenario, self.blocks, law)
 
     def _places(self, key: str) -> tuple[list[int], list[int]] | None:
         """Return where in P and in the initial state a value begins; None if it is computed."""
         if key in JUMPS or key not in {**CALL_TIME_NAMES, **STARTS}:
             return None
-        names = {block.name: k for k, block in enumerate(self.blocks)}
+        places = {
+            f"{self.blocks[k].name}.{field}": place
+            for (k, field), place in self.native.layout.slots.items()
+            if self.blocks[k] is not self.law
+        }
         in_P = []
-        for name in CALL_TIME_NAMES.get(key, ()):
-            block, field = name.split(".")
-            place = self.native.layout.slots.get((names.get(block, -1), field))
-            if place is not None and place.array != "P":
+        for name in names_held(self.scenario, key, places):
+            if places[name].array != "P":
                 raise ScenarioError(f"{key}: has too many numbers to vary")
-            if place is not None and place.offset not in in_P:
-                in_P.append(place.offset)
+            if places[name].offset not in in_P:
+                in_P.append(places[name].offset)
         column = self.columns.get(STARTS.get(key, ""))
         in_x = [] if column is None else [column.start]
         return (in_P, in_x) if in_P or in_x else None
@@ -81,10 +90,10 @@ class Ensemble:
             for m in range(count):
                 own = {key: values[key][m] for key in self.computed}
                 made = self.scenario.with_values(own)
-                blocks = paper_blocks(made)
+                blocks = paper_blocks(made, self.law)
                 parameters = [block.parameters for block in blocks]
                 packed = self.native.layout.packed(parameters)
-                P[m, : len(packed)], x0[m] = packed, state_of(made, blocks)
+                P[m, : len(packed)], x0[m] = packed, state_of(made, blocks, self.law)
                 one = self._schedule(parameters, duration)
                 name = (one.edges.tobytes(), one.values.tobytes())
                 if name not in known:

@@ -1,5 +1,6 @@
 """An ensemble before it runs: all arguments checked, its store made or opened."""
 
+import pickle
 from collections.abc import Iterable, Mapping, Sequence
 from importlib.metadata import version
 from pathlib import Path
@@ -7,7 +8,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..errors import DataError, ScenarioError
+from ..blocks import Block
+from ..blocks.laws.law import functions_of
+from ..errors import DataError, DiagramError, ScenarioError
 from ..files import check_name, check_writable
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_to_text
@@ -40,6 +43,7 @@ def make_plan(
     chunk: int | None = None,
     samples: int | None = None,
     times: Sequence[float] | None = None,
+    law: Block | None = None,
 ) -> Plan:
     """Check the arguments of `run_ensemble`; make the store, or open one that holds a part."""
     varies = read_varies(scenario, vary)
@@ -53,7 +57,13 @@ def make_plan(
     shapes = tuple((key, array.shape[1:]) for key, array in values.items())
     folder = scenario._folder.absolute()
     recipe = Recipe(
-        scenario_to_text(scenario), str(folder), shapes, per_cycle, marks, bool(trajectories)
+        scenario_to_text(scenario),
+        str(folder),
+        shapes,
+        per_cycle,
+        marks,
+        bool(trajectories),
+        _pickled(law),
     )
     worker = Worker(recipe)
     kept = kept_variables(worker.scenario, worker.times, int(members), bool(trajectories))
@@ -73,6 +83,7 @@ def make_plan(
         "trajectories": bool(trajectories),
         "samples": per_cycle,
         "times": list(marks),
+        **({} if law is None else {"law": law.name}),
     }
     fixed = _fixed(worker, values, int(members), kept)
     if path is not None and path.exists() and not (path.is_dir() and not any(path.iterdir())):
@@ -87,6 +98,20 @@ def make_plan(
         return Plan(worker, store)
     attrs = {**_attributes(scenario, arguments), CODE: worker.code}
     return Plan(worker, create_store(path, arguments, kept, fixed, attrs))
+
+
+def _pickled(law: Block | None) -> bytes:
+    """Return a law of the user's own as workers take it."""
+    if law is None:
+        return b""
+    functions_of(law)
+    try:
+        return pickle.dumps(law)
+    except (pickle.PicklingError, AttributeError, TypeError):
+        raise DiagramError(
+            f"{law.name}: cannot be sent to workers; define its equations and parameters at the "
+            "top of a module"
+        ) from None
 
 
 def _fixed(

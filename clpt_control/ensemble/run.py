@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..blocks import Block
 from ..errors import ScenarioError
 from ..progress.interrupt import SLICE, check
 from ..scenario.experiment import Scenario
@@ -40,6 +41,7 @@ def run_ensemble(
     times: Sequence[float] | None = None,
     progress: Callable[[int], None] | None = None,
     dask: str | None = None,
+    law: Block | None = None,
 ) -> "xarray.Dataset":
     """Run many members of one scenario.
 
@@ -77,6 +79,8 @@ def run_ensemble(
         Called with the number of members done.
     dask : str, optional
         Address of a Dask scheduler, or ``"local"``; needs `out`.
+    law : Block, optional
+        A law of your own in place of the scenario's; workers get it pickled.
 
     Returns
     -------
@@ -90,6 +94,8 @@ def run_ensemble(
         If an argument is not allowed; a member is named.
     DataError
         If `out` cannot be written or holds another ensemble.
+    DiagramError
+        If the law does not fit or cannot be pickled.
     SimulationError
         If a cluster gives up on a chunk.
 
@@ -120,6 +126,7 @@ def run_ensemble(
         chunk=chunk,
         samples=samples,
         times=times,
+        law=law,
     )
     report = progress or (lambda done: None)
     count = threads or available_threads()

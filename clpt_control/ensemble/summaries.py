@@ -136,7 +136,7 @@ def kept_variables(
     if trajectories:
         keep("position", "time axis", "true position", units=length)
         keep("predicted_position", "time axis", "predicted position", units=length)
-        if scenario.learning.law == "learned-flow":
+        if not scenario.learning.row.given_estimate:
             keep("alpha", "time axis basis", "adapted parameter alpha", units=speed)
         keep("feedback_gain", "time axis", "adapted feedback gain", units=rate)
         keep("feedforward_gain", "time axis", "adapted feedforward gain", units=rate)
@@ -165,7 +165,7 @@ def summarise_members(
 
 def _summaries(scenario, times, values, run, trajectories) -> dict[str, np.ndarray]:
     y, N = run.states, scenario.basis.N
-    learned = scenario.learning.law == "learned-flow"
+    learned = not scenario.learning.row.given_estimate
     m = len(y)
     base = variable_values(scenario)
     at = {port: y[..., column] for port, column in run.columns.items()}

@@ -134,7 +134,7 @@ def _check_levels(one: Vary, shape: tuple[int, ...]) -> None:
 def variable_values(scenario: Scenario) -> dict[str, np.ndarray]:
     """Return every key that may vary, with the scenario's value or the default."""
     defaults = {"basis.phases": scenario.phases, "model.parameters": scenario.model_parameters}
-    if scenario.learning.law == "learned-flow":
+    if not scenario.learning.row.given_estimate:
         defaults["learning.parameters"] = scenario.learning_parameters
     found: dict[str, np.ndarray] = {}
 

@@ -1,10 +1,12 @@
 """Members run and summarised, in the same way by a thread and by a far machine.
 
-A recipe is plain text and numbers; it is all that travels.  A worker makes the
-compiled ensemble of it once and then summarises any members it is given.
+A recipe is plain text and numbers, and a law of the user's own, pickled; it is all that
+travels.  A worker makes the compiled ensemble of it once and then summarises any members
+it is given.
 """
 
 import hashlib
+import pickle
 import threading
 from collections.abc import Mapping
 from functools import cached_property, lru_cache
@@ -31,6 +33,7 @@ class Recipe(NamedTuple):
     samples: int  # a cycle, for mean squares
     marks: tuple[float, ...]  # when errors are kept
     trajectories: bool  # whether states are kept too
+    law: bytes = b""  # a pickled Block in place of the scenario's law
 
 
 class Worker:
@@ -47,7 +50,8 @@ class Worker:
     @cached_property
     def ensemble(self) -> Ensemble:
         """The compiled diagram."""
-        return Ensemble(self.scenario, dict(self.recipe.keys))
+        law = pickle.loads(self.recipe.law) if self.recipe.law else None
+        return Ensemble(self.scenario, dict(self.recipe.keys), law=law)
 
     @cached_property
     def code(self) -> str:

@@ -13,6 +13,7 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
+from ..blocks.laws.law import Known
 from ..errors import ScenarioError
 from .mistakes import Table
 from .tables import (
@@ -132,10 +133,23 @@ class Scenario(Table):
 
     @property
     def learning_parameters(self) -> TwoRows:
-        """alpha(0); the known-flow law keeps alpha_M."""
-        if self.learning.law == "known-flow":
+        """alpha(0); a law that is given the flow keeps alpha_M."""
+        if self.learning.row.given_estimate:
             return self.model_parameters
         return self.learning.parameters or ((0.0,) * self.basis.N,) * 2
+
+    @property
+    def known_to_law(self) -> Known:
+        """What the law may know of the experiment."""
+        return Known(
+            self.basis.N,
+            self.learning.used_gains,
+            np.array(self.model_parameters),
+            np.array(self.vehicle.feedback),
+            self.waypoints,
+            self.reference.dwell,
+            self.learning.settings,
+        )
 
     @property
     def waypoints(self) -> np.ndarray:

@@ -21,6 +21,7 @@ from ..files.reading import read_bytes
 from .experiment import Scenario, checked_scenario, scenario_tables
 
 CHANGED = "parameters_changed"  # attribute of a run: parameters that no key holds
+OWN_LAW = "own_law"  # attribute of a run: the name of a law given in Python
 
 
 def load_scenario(path: str | Path) -> Scenario:
@@ -146,6 +147,12 @@ def scenario_text(path: str | Path) -> str:
                 f"{path}: was run with parameters that no key of a scenario holds, "
                 f"{data.attrs[CHANGED]}, so it cannot be repeated; give the scenario itself, and "
                 "the parameters to simulate(params=...)"
+            )
+        if OWN_LAW in data.attrs:
+            raise DataError(
+                f"{path}: was run with a law given in Python, {data.attrs[OWN_LAW]}, which no file "
+                "holds, so it cannot be repeated; give the scenario itself, and the law to "
+                "simulate(law=...)"
             )
         return str(data.attrs["scenario"])
 

@@ -4,6 +4,9 @@ A key such as ``learning.gain`` is its name in a scenario, ``adaptation.gain`` a
 time, in ``simulate(params=...)``.
 """
 
+from collections.abc import Collection
+from typing import Any
+
 # scenario key -> parameters of blocks that hold its value as it is
 CALL_TIME_NAMES = {
     "basis.centers": ("basis_x.centers", "basis_z.centers"),
@@ -21,10 +24,17 @@ CALL_TIME_NAMES = {
     "vehicle.feedback": ("vehicle_controller.KD",),
     "vehicle.feedforward": ("vehicle_controller.GammaD",),
     "reference.dwell": ("reference.dwell",),
-    "learning.gain": ("adaptation.gain",),
+    "learning.gain": ("adaptation.gain", "adaptation.gain_K", "adaptation.gain_Gamma"),
+    "learning.gains.parameters": ("adaptation.gain",),
+    "learning.gains.feedback": ("adaptation.gain_K",),
+    "learning.gains.feedforward": ("adaptation.gain_Gamma",),
     "learning.theta_estimate": ("injection.theta_hat",),
 }
-KEYS = {name: key for key, names in CALL_TIME_NAMES.items() for name in names}
+KEYS = {  # the other way round
+    name: " or ".join(key for key, held in CALL_TIME_NAMES.items() if name in held)
+    for names in CALL_TIME_NAMES.values()
+    for name in names
+}
 JUMPS = ("reference.dwell", "flow.disturbance.period")  # keys that move breakpoints
 # scenario key -> the state that starts there, in the order of the diagram's states
 STARTS = {
@@ -34,6 +44,24 @@ STARTS = {
     "learning.feedback": "K",
     "learning.feedforward": "Gamma",
 }
+
+
+def names_held(scenario: Any, key: str, known: Collection[str]) -> tuple[str, ...]:
+    """Return which parameters of a scenario's blocks, of those known, hold a key's value."""
+    names, learning = CALL_TIME_NAMES.get(key, ()), scenario.learning
+    if key == "learning.gain" and not learning.adapt_gains:
+        names = names[:1]  # the others are 0
+    if key.startswith("learning.gain") and key.startswith("learning.gains.") == (
+        learning.gains is None
+    ):
+        names = ()
+    return tuple(name for name in names if name in known)
+
+
+def keys_alone(scenario: Any, known: Collection[str]) -> dict[str, str]:
+    """Return call-time name -> key, where one parameter of those known holds the key's value."""
+    held = {key: names_held(scenario, key, known) for key in CALL_TIME_NAMES}
+    return {names[0]: key for key, names in held.items() if len(names) == 1}
 
 
 def key_of(name: str) -> str:

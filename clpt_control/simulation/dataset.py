@@ -13,11 +13,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..blocks.arrays import on_arrays
-from ..blocks.lyapunov import lyapunov_candidate, one_gain
+from ..blocks.block import Block
+from ..blocks.laws.law import Truth
 from ..diagrams.wiring import Wiring
 from ..native.ending import Solution
 from ..scenario.experiment import Scenario
-from ..scenario.file import CHANGED, scenario_to_text
+from ..scenario.file import CHANGED, OWN_LAW, scenario_to_text
 
 if TYPE_CHECKING:
     import xarray
@@ -41,11 +42,13 @@ def run_dataset(
     signals: np.ndarray,
     solution: Solution,
     left: Mapping[str, Any],
+    law: Block | None = None,
 ) -> "xarray.Dataset":
     """Return a scenario's solution as a Dataset.
 
     `given` are the parameters of the blocks that ran; `signals` all block outputs, shape
-    (ntimes, nsignals), right limits at jumps; `left` call-time parameters that no key holds.
+    (ntimes, nsignals), right limits at jumps; `left` call-time parameters that no key holds; `law`
+    a law of the user's own, which has no V here.
     """
     import xarray
 
@@ -64,7 +67,7 @@ def run_dataset(
         data[name] = (dims, values, {"long_name": long_name, "units": unit})
     alpha = data["alpha"][1]
     estimate = 0.0 - alpha  # without -0
-    if scenario.learning.law == "known-flow":
+    if scenario.learning.row.given_estimate:
         estimate = np.broadcast_to(ran["injection"].theta_hat, alpha.shape).copy()
     speed = {"units": f"{units.length} {units.time}-1"}
     learned = {"long_name": "estimate of the flow parameters theta", **speed}
@@ -73,8 +76,9 @@ def run_dataset(
         true = ran["true_flow"].theta
         known = {"long_name": "true flow parameters theta", **speed}
         data["flow_parameters"] = (("axis", "basis"), true, known)
+    if scenario.flow.parameters is not None and law is None:
         candidate = {"long_name": "Lyapunov candidate V", "units": f"{units.length}2"}
-        data["lyapunov"] = (("time",), _lyapunov(scenario.learning.law, ran, data), candidate)
+        data["lyapunov"] = (("time",), _lyapunov(scenario, ran, signals, column), candidate)
     origin = {}
     if scenario.field_path is not None:
         from ..currents.field_file import time_origin
@@ -94,7 +98,7 @@ def run_dataset(
         "Lagrangian particle tracking, OCEANS 2016 MTS/IEEE Monterey",
         "scenario": scenario_to_text(scenario),
         **origin,
-        **_changed(left),
+        **_changed(left, law),
         "software": _software(),
         "status": solution.status,
         "message": solution.message,
@@ -111,17 +115,20 @@ def _software() -> str:
     return ", ".join(f"{name} {version(name)}" for name in packages)
 
 
-def _changed(left: Mapping[str, Any]) -> dict[str, str]:
-    """Return what the scenario does not hold: a run with such parameters cannot be repeated."""
+def _changed(left: Mapping[str, Any], law: Block | None) -> dict[str, str]:
+    """Return what the scenario does not hold: a run with that cannot be repeated."""
     plain = {name: np.asarray(value).tolist() for name, value in left.items()}
-    return {CHANGED: json.dumps(plain)} if plain else {}
+    own = {} if law is None else {OWN_LAW: law.name}
+    return {CHANGED: json.dumps(plain), **own} if plain else own
 
 
-def _lyapunov(law: str, ran: Mapping[str, Any], data: dict[str, Any]) -> np.ndarray:
-    """Return V of Eq. (17) or (24) along the run, with the parameters that ran."""
-    car, adapting = ran["vehicle_controller"], ran["adaptation"]
-    truth = one_gain(adapting.gain, ran["true_flow"].theta, car.KD, car.GammaD)
-    block = lyapunov_candidate(law, truth)
-    ports = [data[name][1] for name in ("clpe", "alpha", "feedback_gain", "feedforward_gain")]
-    inputs = np.column_stack([values.reshape(len(values), -1) for values in ports])
-    return on_arrays(block.output_record, np.zeros(len(inputs)), (), inputs.T, truth)[0]
+def _lyapunov(
+    scenario: Scenario, ran: Mapping[str, Any], signals: np.ndarray, column: Mapping[str, int]
+) -> np.ndarray:
+    """Return the law's V along the run, with the parameters that ran."""
+    car, p = ran["vehicle_controller"], ran["adaptation"]
+    block = scenario.learning.row.V(p, Truth(ran["true_flow"].theta, car.KD, car.GammaD))
+    ports = block.input_ports.items()
+    inputs = signals[:, [column[f"{port}[{k}]"] for port, size in ports for k in range(size)]]
+    zero = np.zeros(len(inputs))
+    return on_arrays(block.output_record, zero, (), inputs.T, block.parameters)[0]

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, overload
 import control
 import numpy as np
 
+from ..blocks import Block
 from ..diagrams.interconnection import Diagram, wiring_of_blocks
 from ..diagrams.wiring import wiring_of
 from ..errors import BlockError, ScenarioError, SimulationError
@@ -18,7 +19,7 @@ from ..native.ending import Solution
 from ..native.engines import chosen
 from ..native.inputs import checked_state, checked_times, read_inputs
 from ..scenario.experiment import Scenario
-from ..scenario.keys import CALL_TIME_NAMES, STARTS
+from ..scenario.keys import STARTS, keys_alone
 from .dataset import run_dataset
 from .loops import paper_blocks, starting_values, state_columns, state_of
 
@@ -54,6 +55,7 @@ def simulate(
     atol: float | None = None,
     progress: Progress | None = None,
     engine: str | None = None,
+    law: Block | None = None,
 ) -> "xarray.Dataset": ...
 @overload
 def simulate(
@@ -79,6 +81,7 @@ def simulate(
     atol: float | None = None,
     progress: Progress | None = None,
     engine: str | None = None,
+    law: Block | None = None,
 ) -> Any:
     """Run a scenario, or any diagram of blocks.
 
@@ -104,6 +107,8 @@ def simulate(
     engine : str, optional
         ``"native"``, machine code, which gives way to ``"python"`` for what
         cannot be compiled and, unless asked for, for inputs by a function.
+    law : Block, optional
+        For a scenario: a law of your own in place of the scenario's.
 
     Returns
     -------
@@ -127,12 +132,14 @@ def simulate(
     (0.027, 'finished')
     """
     if not isinstance(system, Scenario):
+        if law is not None:
+            raise SimulationError("law: is for a scenario; a diagram has its law among its blocks")
         return _simulate_diagram(
             system, timepts, inputs, initial_state, params, rtol, atol, progress, engine
         )
     if inputs is not None:
         raise SimulationError("a scenario has no inputs; simulate closed_loop(..., external=)")
-    run = ScenarioRun(system, params, initial_state, rtol, atol, engine)
+    run = ScenarioRun(system, params, initial_state, rtol, atol, engine, law)
     wanted = run.scenario.run
     if timepts is None:
         times = sample_times(wanted.duration, wanted.output_step)
@@ -149,14 +156,15 @@ class ScenarioRun:
     """A scenario's closed loop, ready to run: integrate, ask its signals, make a Dataset."""
 
     def __init__(
-        self, scenario, params=None, initial_state=None, rtol=None, atol=None, engine=None
+        self, scenario, params=None, initial_state=None, rtol=None, atol=None, engine=None, law=None
     ):
-        scenario, self.left = _into_keys(scenario, params, initial_state)
+        scenario, self.left = _into_keys(scenario, params, initial_state, law)
+        self.law: Block | None = law
         tolerances = {"run.rtol": rtol, "run.atol": atol}
         given = {key: value for key, value in tolerances.items() if value is not None}
         self.scenario: Scenario = scenario.with_values(given) if given else scenario
-        blocks = paper_blocks(self.scenario)
-        self.wiring, self.start = wiring_of_blocks(blocks), state_of(self.scenario, blocks)
+        blocks = paper_blocks(self.scenario, law)
+        self.wiring, self.start = wiring_of_blocks(blocks), state_of(self.scenario, blocks, law)
         self.runner = chosen(self.wiring, self.left, None, engine, "the closed loop")
 
     def integrate(
@@ -177,8 +185,15 @@ class ScenarioRun:
 
     def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
         """Return a solution and its signals with names, units and attributes."""
-        given = self.runner.sweep.given
-        return run_dataset(self.scenario, self.wiring, given, signals, solution, self.left)
+        return run_dataset(
+            self.scenario,
+            self.wiring,
+            self.runner.sweep.given,
+            signals,
+            solution,
+            self.left,
+            self.law,
+        )
 
 
 def sample_times(duration: float, step: float) -> np.ndarray:
@@ -234,25 +249,34 @@ def _simulate_diagram(
 
 
 def _into_keys(
-    scenario: Scenario, params: Mapping[str, Any] | None, x0: Any
+    scenario: Scenario, params: Mapping[str, Any] | None, x0: Any, law: Block | None
 ) -> tuple[Scenario, dict[str, Any]]:
     """Put call-time values into the scenario where keys hold them; return it and what is left."""
     if params is not None and not isinstance(params, Mapping):
         raise BlockError(f"params = {params!r}: must be a dict, such as {{'adaptation.gain': 2.0}}")
     left = dict(params or {})
+    if x0 is None and not left:
+        return scenario, left
+    blocks = paper_blocks(scenario, law)
     if x0 is not None:
-        columns, starts = state_columns(paper_blocks(scenario)), starting_values(scenario)
-        state = checked_state("initial_state", x0, (max(c.stop for c in columns.values()),))
-        for port in columns.keys() - {STARTS[key] for key in starts}:
-            if np.any(state[columns[port]]):
+        columns, usual = state_columns(blocks), state_of(scenario, blocks, law)
+        held = {STARTS[key]: (key, v.shape) for key, v in starting_values(scenario).items()}
+        state = checked_state("initial_state", x0, usual.shape)
+        for port in columns.keys() - held.keys():
+            if not np.array_equal(state[columns[port]], usual[columns[port]]):
                 raise SimulationError(
-                    f"initial_state: no key of a scenario holds {port}, which starts at 0; "
-                    "simulate closed_loop(scenario) to start it elsewhere"
+                    f"initial_state: no key of a scenario holds {port}, which starts at "
+                    f"{usual[columns[port]].tolist()}; simulate closed_loop(scenario) to start it "
+                    "elsewhere"
                 )
+        given = columns.keys() & held.keys()
         scenario = scenario.with_values(
-            {key: state[columns[STARTS[key]]].reshape(v.shape) for key, v in starts.items()}
+            {held[port][0]: state[columns[port]].reshape(held[port][1]) for port in given}
         )
-    alone = {names[0]: key for key, names in CALL_TIME_NAMES.items() if len(names) == 1}
+    known = {f"{block.name}.{field}" for block in blocks for field in block.parameters._fields}
+    if law is not None:  # no key holds what is in it
+        known = {name for name in known if name.partition(".")[0] != law.name}
+    alone = keys_alone(scenario, known)
     for name in [name for name in left if name in alone]:
         with suppress(ScenarioError):  # a value that no scenario may have runs, and is recorded
             scenario = scenario.with_values({alone[name]: left[name]})

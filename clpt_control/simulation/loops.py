@@ -14,7 +14,6 @@ import numpy as np
 
 from ..blocks import (
     Block,
-    adaptation,
     clpe,
     disturbance,
     error_system,
@@ -24,6 +23,8 @@ from ..blocks import (
     reference,
     vehicle,
 )
+from ..blocks.laws.law import functions_of
+from ..blocks.laws.table import LAWS
 from ..diagrams.interconnection import Diagram, connect
 from ..diagrams.scenario_basis import scenario_basis
 from ..errors import DiagramError
@@ -31,13 +32,15 @@ from ..scenario.experiment import Scenario
 from ..scenario.keys import STARTS
 
 
-def paper_blocks(scenario: Scenario) -> list[Block]:
+def paper_blocks(scenario: Scenario, law: Block | None = None) -> list[Block]:
     """Make the blocks of the paper's closed loop.
 
     Parameters
     ----------
     scenario : Scenario
         The experiment.
+    law : Block, optional
+        A law of your own in place of the scenario's, with outputs alpha[2N], K[2], Gamma[2].
 
     Returns
     -------
@@ -49,6 +52,8 @@ def paper_blocks(scenario: Scenario) -> list[Block]:
     ------
     DataError
         If the scenario's field cannot be read.
+    DiagramError
+        If the law does not make alpha[2N], K[2] and Gamma[2].
 
     Examples
     --------
@@ -62,13 +67,11 @@ def paper_blocks(scenario: Scenario) -> list[Block]:
         N, alpha_M, np.array(car.feedback), np.array(car.feedforward)
     )
     learning = scenario.learning
-    if learning.law == "known-flow":
+    if learning.row.given_estimate:
         theta_hat = np.array(learning.theta_estimate)
         inject: Any = learner.KnownFlowInjectionParameters(N, theta_hat, alpha_M)
-        law: Any = adaptation.KnownFlowParameters(N, learning.gain, alpha_M)
     else:
         inject = learner.LearnedFlowInjectionParameters(N, alpha_M)
-        law = adaptation.LearnedFlowParameters(N, learning.gain)
     delta = scenario.flow.disturbance
     disturbances = []
     if delta is not None:
@@ -90,8 +93,17 @@ def paper_blocks(scenario: Scenario) -> list[Block]:
         learner.learning_model(),
         learner.injection(inject),
         clpe.clpe(),
-        adaptation.adaptation(law),
+        learning.row.block(scenario.known_to_law) if law is None else _own(law, N),
     ]
+
+
+def _own(law: Block, N: int) -> Block:
+    """Return a law of the user's, if it is one for N functions."""
+    if functions_of(law) != N:
+        raise DiagramError(
+            f"{law.name}: makes alpha of N = {functions_of(law)} functions; the scenario has {N}"
+        )
+    return law
 
 
 def _true_flow(scenario: Scenario, disturbed: bool) -> Block:
@@ -104,7 +116,9 @@ def _true_flow(scenario: Scenario, disturbed: bool) -> Block:
     return field.gridded_flow(gridded, scenario.flow.outside, disturbed, scenario.units)
 
 
-def closed_loop(scenario: Scenario, external: Iterable[str] = ()) -> Diagram:
+def closed_loop(
+    scenario: Scenario, external: Iterable[str] = (), law: Block | None = None
+) -> Diagram:
     """Wire the paper's closed loop.
 
     Parameters
@@ -115,16 +129,19 @@ def closed_loop(scenario: Scenario, external: Iterable[str] = ()) -> Diagram:
         Ports taken from outside in place of the blocks that make them, such
         as ``("zc",)`` for step responses, or ``("x",)`` for the learner alone,
         fed by a measured track. Blocks that then feed nothing are left out.
+    law : Block, optional
+        A law of your own in place of the scenario's, with outputs alpha[2N], K[2], Gamma[2].
 
     Returns
     -------
     Diagram
-        A `control.InterconnectedSystem`; states x, z, alpha, K, Gamma.
+        A `control.InterconnectedSystem`; states x, z, and those of the law, first
+        alpha, K, Gamma.
 
     Raises
     ------
     DiagramError
-        If an external port is unknown.
+        If an external port is unknown, or the law does not fit.
 
     Examples
     --------
@@ -134,7 +151,7 @@ def closed_loop(scenario: Scenario, external: Iterable[str] = ()) -> Diagram:
     ['zc[0]', 'zc[1]']
     """
     external = [external] if isinstance(external, str) else list(external)
-    return connect(_kept(paper_blocks(scenario), external), external, name="closed_loop")
+    return connect(_kept(paper_blocks(scenario, law), external), external, name="closed_loop")
 
 
 def _kept(blocks: list[Block], external: list[str]) -> list[Block]:
@@ -175,11 +192,17 @@ def error_loop(scenario: Scenario) -> Diagram:
     12
     """
     N, KD = scenario.basis.N, np.array(scenario.vehicle.feedback)
+    gains = scenario.learning.used_gains
+    if scenario.learning.row is not LAWS["learned-flow"] or not gains.one:
+        raise DiagramError(
+            'error_loop: Eqs. (27)-(28) are of law = "learned-flow" with one gain for all; '
+            f'the scenario has law = "{scenario.learning.law}"'
+        )
     return connect(
         [
             error_system.error_system(error_system.ErrorSystemParameters(N, KD)),
             error_system.parameter_system(
-                error_system.ParameterSystemParameters(N, scenario.learning.gain)
+                error_system.ParameterSystemParameters(N, gains.parameters)
             ),
         ],
         external=("phi_x", "z", "zc"),
@@ -197,7 +220,7 @@ def starting_values(scenario: Scenario) -> dict[str, np.ndarray]:
         "learning.feedback": learning.feedback,
         "learning.feedforward": learning.feedforward,
     }
-    if learning.law == "known-flow":  # alpha is no state
+    if learning.row.given_estimate:  # alpha is no state
         del values["learning.parameters"]
     return {key: np.asarray(value, dtype=float) for key, value in values.items()}
 
@@ -209,18 +232,28 @@ def state_columns(blocks: Iterable[Block]) -> dict[str, slice]:
     return {port: slice(end - size, end) for (port, size), end in zip(sizes, ends, strict=True)}
 
 
-def state_of(scenario: Scenario, blocks: Iterable[Block]) -> np.ndarray:
-    """Return the state of blocks at t = 0; a state that no key holds starts at 0."""
+def state_of(scenario: Scenario, blocks: Iterable[Block], law: Block | None = None) -> np.ndarray:
+    """Return the state of blocks at t = 0; the states of a law of the user's own start at 0."""
     columns = state_columns(blocks)
     state = np.zeros(max((column.stop for column in columns.values()), default=0))
     for key, value in starting_values(scenario).items():
         if STARTS[key] in columns:
             state[columns[STARTS[key]]] = value.ravel()
+    for port, value in _own_starts(scenario, law).items():
+        if port in columns:
+            state[columns[port]] = np.ravel(value)
     return state
 
 
-def initial_state(scenario: Scenario, external: Iterable[str] = ()) -> np.ndarray:
-    """Return the state at t = 0 of `closed_loop(scenario, external)`.
+def _own_starts(scenario: Scenario, law: Block | None) -> dict[str, Any]:
+    """Return where the states that only this law has start."""
+    return scenario.learning.row.starts(scenario.known_to_law) if law is None else {}
+
+
+def initial_state(
+    scenario: Scenario, external: Iterable[str] = (), law: Block | None = None
+) -> np.ndarray:
+    """Return the state at t = 0 of `closed_loop(scenario, external, law)`.
 
     Parameters
     ----------
@@ -228,11 +261,14 @@ def initial_state(scenario: Scenario, external: Iterable[str] = ()) -> np.ndarra
         The experiment.
     external : iterable of str, optional
         As given to `closed_loop`.
+    law : Block, optional
+        As given to `closed_loop`; what it has beside alpha, K and Gamma starts at 0.
 
     Returns
     -------
     ndarray
-        x(0), z(0), alpha(0) row by row where it is a state, K(0), Gamma(0).
+        x(0), z(0), alpha(0) row by row where it is a state, K(0), Gamma(0), and the
+        law's own states.
 
     Examples
     --------
@@ -241,4 +277,4 @@ def initial_state(scenario: Scenario, external: Iterable[str] = ()) -> np.ndarra
     (14,)
     """
     external = [external] if isinstance(external, str) else list(external)
-    return state_of(scenario, _kept(paper_blocks(scenario), external))
+    return state_of(scenario, _kept(paper_blocks(scenario, law), external), law)

@@ -19,7 +19,8 @@ from own_laws import (
     law,
 )
 
-from clpt_control.blocks import Block, adaptation
+from clpt_control.blocks import Block
+from clpt_control.blocks.laws import learned_flow
 from clpt_control.blocks.lyapunov import lyapunov_candidate, one_gain
 from clpt_control.errors import BlockError, ClptError, DiagramError
 from clpt_control.progress import interrupt
@@ -134,7 +135,7 @@ def test_what_has_no_value_says_so():
 
 
 def test_the_papers_law_is_proved_for_every_N():
-    verdict = prove(adaptation.adaptation(adaptation.LearnedFlowParameters(3, 2.5)))
+    verdict = prove(learned_flow.learned_flow_law(learned_flow.LearnedFlowParameters(3, 2.5)))
     assert (verdict.status, verdict.for_every_N, verdict.residual) == ("proved", True, 0)
     running = next(s for s in verdict.steps if s.how == "sampled")
     assert running.detail.startswith("10000 points")

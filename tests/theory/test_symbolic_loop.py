@@ -7,7 +7,7 @@ import pytest
 import sympy
 
 import clpt_control as clpt
-from clpt_control.blocks.adaptation import LearnedFlowParameters, adaptation
+from clpt_control.blocks.laws.learned_flow import LearnedFlowParameters, learned_flow_law
 from clpt_control.blocks.words import where
 from clpt_control.errors import BlockError, DiagramError
 from clpt_control.theory.proving.every_n_function import read_function
@@ -300,7 +300,7 @@ def test_a_port_that_does_not_go_with_N_is_refused():
 
 
 def test_two_values_of_one_name_are_two_symbols():
-    law = adaptation(LearnedFlowParameters(2, 0.123))
+    law = learned_flow_law(LearnedFlowParameters(2, 0.123))
     candidate = theorem_loop(2, "learned-flow").syslist[-1]
     loop = symbolic_loop(theorem_loop(2, "learned-flow", law_block=law, candidate=candidate))
     assert str(loop.parameters["adaptation"].gain) == "adaptation.gain"

@@ -5,7 +5,8 @@ import json
 import pytest
 
 from analysis.theorems import page
-from clpt_control.blocks import adaptation, vehicle
+from clpt_control.blocks import vehicle
+from clpt_control.blocks.laws import learned_flow
 from clpt_control.blocks.words import where
 from clpt_control.theory.proving.misprints import misprints
 from clpt_control.theory.proving.proof import Proof, Step, checked, cited
@@ -120,7 +121,7 @@ def learned_but_at_the_papers_gain(t, x, u, p, dx):
 
 
 def test_a_law_that_turns_at_the_papers_gain_is_not_proved(monkeypatch):
-    monkeypatch.setattr(adaptation, "learned_flow", learned_but_at_the_papers_gain)
+    monkeypatch.setattr(learned_flow, "learned_flow", learned_but_at_the_papers_gain)
     proof = audit("3.2")["3.2"]
     assert proof.status == "failed"
     assert "`==` between signals or parameters" in proof.failed[0].detail

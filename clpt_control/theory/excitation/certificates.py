@@ -120,7 +120,8 @@ def certificate(
     Raises
     ------
     ScenarioError
-        If the window does not fit into the run or holds too many turns.
+        If the window does not fit into the run or holds too many turns, or the law is not
+        one of the paper's.
     DataError
         If the dataset is no run.
 
@@ -132,7 +133,13 @@ def certificate(
     True
     """
     along = source if isinstance(source, Regressor) else joint_regressor(source, window, start)
-    scenario, gain = along.scenario, along.scenario.learning.gain
+    scenario, gains = along.scenario, along.scenario.learning.used_gains
+    if scenario.learning.law not in ("learned-flow", "known-flow") or not gains.one:
+        raise ScenarioError(
+            "certificate: is of the paper's two laws with one gain for all; the scenario has "
+            f'law = "{scenario.learning.law}"' + ("" if gains.one else " with a gain each")
+        )
+    gain = gains.parameters
     turn = np.sqrt(gain * np.max(np.sum(along.w**2, -1)))
     if np.max(np.diff(along.cuts)) * turn > TURN:
         span = along.cuts[-1] - along.cuts[0]
@@ -142,7 +149,7 @@ def certificate(
                 f"a window up to {MOST * TURN / turn:.3g} {scenario.units.time} can be certified"
             )
         along = _refined(along, TURN / turn)
-    adapted = slice(scenario.basis.N if scenario.learning.law == "known-flow" else 0, None)
+    adapted = slice(scenario.basis.N if scenario.learning.row.given_estimate else 0, None)
     found = window_drops(
         along.phi,
         along.z,

@@ -9,6 +9,7 @@ import numpy as np
 import sympy
 
 from ...blocks import Block
+from ...blocks.laws.law import functions_of
 from ...diagrams.interconnection import Diagram
 from ...errors import ClptError, DiagramError
 from .law_gains import law_alone, law_gains, own_values
@@ -49,16 +50,15 @@ def prove(law_block: Block, V: Block | None = None, points: int = 10_000, seed: 
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> from clpt_control.blocks.adaptation import LearnedFlowParameters, adaptation
-    >>> clpt.theory.prove(adaptation(LearnedFlowParameters(N=2, gain=0.5)), points=200).status
+    >>> from clpt_control.blocks.laws.learned_flow import LearnedFlowParameters, learned_flow_law
+    >>> clpt.theory.prove(learned_flow_law(LearnedFlowParameters(N=2, gain=0.5)), points=200).status
     'proved'
     """
-    for block in (law_block, *(() if V is None else (V,))):
-        if not isinstance(block, Block):
-            raise DiagramError(f"{block!r} is a {type(block).__name__}: give a Block")
+    if V is not None and not isinstance(V, Block):
+        raise DiagramError(f"{V!r} is a {type(V).__name__}: give a Block")
     if V is not None and V.output_ports != {"V": 1}:
         raise DiagramError(f"{V.name}: a candidate makes V[1] and nothing else")
-    N = _functions(law_block)
+    N = functions_of(law_block)
     diagram = theorem_loop(N, "learned-flow", law_block=law_block, candidate=V)
     try:
         return _judged(diagram, law_block, V, N, points, seed)
@@ -87,16 +87,3 @@ def _judged(
         here, there = (flat(one.parameters[law.name]) for one in (alone, loop))
         gains = [gain.subs(dict(zip(here, there, strict=True))) for gain in gains]
     return Case(diagram, loop, candidate, law, gains, points, seed).verdict(fitted)
-
-
-def _functions(law: Block) -> int:
-    sizes = law.output_ports
-    N = sizes.get("alpha", 0) // 2
-    if N < 1 or sizes.get("alpha") != 2 * N or sizes.get("K") != 2 or sizes.get("Gamma") != 2:
-        raise DiagramError(
-            f"{law.name}: a law makes alpha[2N], K[2] and Gamma[2]; it makes "
-            + (", ".join(f"{port}[{size}]" for port, size in sizes.items()) or "nothing")
-        )
-    if law.input_ports.get("phi_x", N) != N:
-        raise DiagramError(f"{law.name}: phi_x has {law.input_ports['phi_x']} signals, N is {N}")
-    return N

@@ -25,6 +25,8 @@ ONE = {
     "GammaD": ("vehicle_controller.GammaD", "lyapunov.GammaD"),
     "gamma": (
         "adaptation.gain",
+        "adaptation.gain_K",
+        "adaptation.gain_Gamma",
         "parameter_system.gain",
         "lyapunov.gain",
         "lyapunov.gain_K",

@@ -61,7 +61,8 @@ def theorem_loop(
     if law_block is not None:
         blocks = [law_block if block.name == "adaptation" else block for block in blocks]
     if candidate is None:
-        candidate = theorem_candidate(N, law, scenario.learning.gain)
+        gain = scenario.learning.used_gains.parameters
+        candidate = theorem_candidate(N, law, gain)
     return connect(
         [*blocks, candidate], sorted(external, key=list(SOURCES.values()).index), name="theorem"
     )

@@ -1,0 +1,98 @@
+"""What a row of the table of laws is, and what all laws share: K and Gamma.
+
+    K'     = -gamma_K z e                         Eq. (14), Eq. (22)
+    Gamma' =  gamma_Gamma zc e                    Eq. (15), Eq. (23)
+
+z and zc are diagonal matrices in the paper, so each axis i has its own e_i, z_i, zc_i; there
+gamma is one number for all.  A gain of 0 holds what it adapts.
+"""
+
+from collections.abc import Callable, Mapping
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+
+from ...errors import DiagramError
+from ..block import Block
+
+
+class Gains(NamedTuple):
+    """The gains with which a law adapts; 0 holds K or Gamma."""
+
+    parameters: float  # gamma of alpha, per time squared
+    feedback: float  # gamma of K, per length squared per time squared
+    feedforward: float  # gamma of Gamma, per length squared per time squared
+    one: bool  # whether one number is given for all, as in the paper
+
+
+class Setting(NamedTuple):
+    """A key of a law's own table of the scenario."""
+
+    default: Any  # a number; None where the law makes it of what is known
+    allowed: Literal["number", "positive", "not negative", "two rows"]
+    meaning: str  # what it is, with its unit
+
+
+class Known(NamedTuple):
+    """What a law may know of the experiment: never theta."""
+
+    N: int  # number of basis functions
+    gains: Gains
+    alpha_M: np.ndarray  # shape (2, N), the modelled flow, length per time
+    KD: np.ndarray  # shape (2,), feedback gains of the vehicle, per time
+    waypoints: np.ndarray  # shape (n, 2), length
+    dwell: float  # time at each waypoint
+    settings: Mapping[str, Any]  # every key of the law's own table, its value or default
+
+
+class Truth(NamedTuple):
+    """What V measures the distance to."""
+
+    theta: np.ndarray  # shape (2, N), length per time
+    KD: np.ndarray  # shape (2,), feedback gains of the vehicle, per time
+    GammaD: np.ndarray  # shape (2,), feedforward gains, per time
+
+
+class Law(NamedTuple):
+    """A row of the table of laws."""
+
+    name: str  # learning.law; its own table is learning.NAME, with _ for -
+    promise: str  # one line
+    needs: str  # one line
+    block: Callable[[Known], Block]  # named "adaptation"; makes alpha[2N], K[2], Gamma[2]
+    V: Callable[[Any, Truth], Block]  # of the block's parameters; inputs e and the law's outputs
+    settings: Mapping[str, Setting] = {}
+    gain: float | None = None  # where learning.gain is left out; None: it is required
+    starts: Callable[[Known], dict[str, Any]] = lambda known: {}  # its own states at t = 0
+    given_estimate: bool = False  # theta_hat is given, alpha = alpha_M, Eq. (13)
+
+    @property
+    def table(self) -> str:
+        """The name of its own table within [learning]."""
+        return self.name.replace("-", "_")
+
+
+def adapt_feedback(gamma, e, z):
+    """Return K_i' = -gamma z_i e_i, Eq. (14) and Eq. (22)."""
+    return -gamma * z * e
+
+
+def adapt_feedforward(gamma, e, zc):
+    """Return Gamma_i' = gamma zc_i e_i, Eq. (15) and Eq. (23)."""
+    return gamma * zc * e
+
+
+def functions_of(law: Block) -> int:
+    """Return the N of a law; refuse a block that does not make alpha[2N], K[2] and Gamma[2]."""
+    if not isinstance(law, Block):
+        raise DiagramError(f"{law!r} is a {type(law).__name__}: give a Block")
+    sizes = law.output_ports
+    N = sizes.get("alpha", 0) // 2
+    if N < 1 or sizes.get("alpha") != 2 * N or sizes.get("K") != 2 or sizes.get("Gamma") != 2:
+        raise DiagramError(
+            f"{law.name}: a law makes alpha[2N], K[2] and Gamma[2]; it makes "
+            + (", ".join(f"{port}[{size}]" for port, size in sizes.items()) or "nothing")
+        )
+    if law.input_ports.get("phi_x", N) != N:
+        raise DiagramError(f"{law.name}: phi_x has {law.input_ports['phi_x']} signals, N is {N}")
+    return N
