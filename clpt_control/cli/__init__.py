@@ -58,6 +58,7 @@ def application() -> "typer.Typer":
     from .ensemble import ensemble
     from .excitation import excitation
     from .fit import fit
+    from .laws import laws
     from .one_scenario import diagram, init, paper, run
     from .prove import prove
     from .replay import replay
@@ -71,7 +72,8 @@ def application() -> "typer.Typer":
         rich_markup_mode=None,
         pretty_exceptions_enable=False,
     )
-    for command in (init, paper, run, diagram, ensemble, prove, excitation, fit, tides, replay):
+    one, many = (init, paper, run, diagram), (ensemble, laws, prove, excitation, fit, tides, replay)
+    for command in one + many:
         app.command()(command)
     return app
 

@@ -1,4 +1,4 @@
-"""`clpt prove`: the paper's theorems on the equations that run."""
+"""`clpt prove`: the paper's theorems and every law of the table, on the equations that run."""
 
 from dataclasses import asdict
 from typing import Annotated, Any
@@ -10,19 +10,23 @@ from .printing import Json, print_json, print_table
 
 
 def prove(
-    theorem: Annotated[str | None, typer.Option(help="3.1, 3.2, 3.3 or 3.4; default: all.")] = None,
+    theorem: Annotated[
+        str | None, typer.Option(help="3.1 to 3.4; default: all, and every law.")
+    ] = None,
     as_json: Json = False,
 ) -> None:
-    """Check the paper's theorems on the equations that run."""
+    """Check the paper's theorems, and every law, on the equations that run."""
     from ..progress import progress_bar
+    from ..theory.proving.judged_laws import judged_laws
     from ..theory.proving.misprints import misprints
-    from ..theory.proving.theorems import audit
+    from ..theory.proving.theorems import THEOREMS, audit
 
-    with progress_bar("proving", 4 if theorem is None else 1) as report:
+    with progress_bar("proving", len(THEOREMS) if theorem is None else 1) as report:
         proofs = audit(theorem, report)
         listed = misprints()
+        laws = judged_laws() if theorem is None else {}
     if as_json:
-        print_json(_as_json(proofs, listed))
+        print_json(_as_json(proofs, listed, laws))
     else:
         for number, proof in proofs.items():
             rows = [["yes" if s.holds else "NO", s.how, s.claim, s.detail] for s in proof.steps]
@@ -38,20 +42,28 @@ def prove(
             for rest in proof.not_proved:
                 typer.echo(f"not shown: {rest}")
             typer.echo("")
+        if laws:
+            rows = [
+                [law, found.status + (", every N" if found.for_every_N else ""), found.claim]
+                for law, found in laws.items()
+            ]
+            print_table("Laws", ["law", "status", "V' along the closed loop"], rows)
+            typer.echo("")
         print_table(
             "Misprints",
             ["equation", "printed", "should be", "confirmed"],
             [[m.equation, m.printed, m.corrected, "yes" if m.confirmed else "NO"] for m in listed],
         )
     wrong = [f"{n} at step '{s.claim}'" for n, p in proofs.items() for s in p.failed]
+    wrong += [f"law {law}: {found.claim}" for law, found in laws.items() if not found.holds]
     wrong += [f"the misprint of {m.equation} is not confirmed" for m in listed if not m.confirmed]
     if wrong:
         more = f" (and {len(wrong) - 1} more)" if len(wrong) > 1 else ""
         raise SimulationError(f"the proof fails: {wrong[0]}{more}")
 
 
-def _as_json(proofs: dict, listed: tuple) -> dict[str, Any]:
-    """Return the statuses, steps and statements, and the misprints."""
+def _as_json(proofs: dict, listed: tuple, laws: dict) -> dict[str, Any]:
+    """Return the statuses, steps and statements, the laws and the misprints."""
     theorems = {}
     for number, proof in proofs.items():
         said = asdict(proof)
@@ -60,5 +72,9 @@ def _as_json(proofs: dict, listed: tuple) -> dict[str, Any]:
     keys = ("equation", "printed", "corrected", "check", "confirmed")
     return {
         "theorems": theorems,
+        "laws": {
+            law: {**found._asdict(), "steps": [asdict(step) for step in found.steps]}
+            for law, found in laws.items()
+        },
         "misprints": [{key: getattr(m, key) for key in keys} for m in listed],
     }

@@ -253,7 +253,7 @@ def _own_starts(scenario: Scenario, law: Block | None) -> dict[str, Any]:
 def initial_state(
     scenario: Scenario, external: Iterable[str] = (), law: Block | None = None
 ) -> np.ndarray:
-    """Return the state at t = 0 of `closed_loop(scenario, external, law)`.
+    """Return the state at t = 0 of a scenario's `closed_loop`.
 
     Parameters
     ----------

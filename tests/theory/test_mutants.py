@@ -2,14 +2,15 @@
 
 The mutants come from the syntax tree of every function that a block runs; none is listed
 by hand.  The code object is exchanged in place, so that every table and helper sees the
-altered equation.  Equations of the paper are the theorems' to defend, sources of time and
-tables those of `source_checks`.
+altered equation.  Equations of the paper are the theorems' to defend, those of a law its own
+row's, sources of time and tables those of `source_checks`.
 """
 
 import ast
 import inspect
 import random
 import textwrap
+from functools import cache
 
 import numpy as np
 import pytest
@@ -19,13 +20,17 @@ import clpt_control as clpt
 from clpt_control.blocks import basis, disturbance, error_system, field, lyapunov
 from clpt_control.blocks.declaration import states_as_outputs
 from clpt_control.blocks.functions import helpers_of
+from clpt_control.blocks.laws.table import LAWS
 from clpt_control.currents.field_file import GriddedField
 from clpt_control.simulation.loops import paper_blocks
-from clpt_control.theory.proving import theorems
+from clpt_control.theory.proving import judged_laws, theorems
 from clpt_control.theory.proving.misprints import misprints
 from clpt_control.theory.proving.theorems import THEOREMS, audit
 
 FIRST = {"error_system": "3.3"}  # where to look first; every theorem is tried before giving up
+PAGES = sorted(
+    {"laws.law"} | {law.block.__module__.partition("blocks.")[2] for law in LAWS.values()}
+)
 SOURCES = ("basis", "reference", "disturbance", "field")
 
 
@@ -55,6 +60,8 @@ def every_block():
     truth = lyapunov.one_gain(0.8, np.ones((2, 3)), np.ones(2), np.ones(2))
     for law in lyapunov.LAWS:
         yield lyapunov.lyapunov_candidate(law, truth)
+    for law in LAWS.values():
+        yield from judged_laws.law_and_V(law)
 
 
 def functions():
@@ -62,7 +69,7 @@ def functions():
     found = {}
 
     def visit(function):
-        key = f"{function.__module__.rsplit('.', 1)[-1]}.{function.__name__}"
+        key = f"{function.__module__.partition('blocks.')[2]}.{function.__name__}"
         if function is not states_as_outputs and key not in found:
             found[key] = function
             for helper in helpers_of(function).values():
@@ -115,9 +122,14 @@ def altered(function, which):
     return space[function.__name__].__code__
 
 
+@cache
+def judged_unaltered():
+    return judged_laws.judged_laws()
+
+
 def caught_by(function, which, first):
     """Name the step that fails on the altered function; None if none does."""
-    own = function.__code__
+    own, unaltered = function.__code__, judged_unaltered()
     function.__code__ = altered(function, which)
     try:
         for check in CHECKS if function.__module__.endswith(SOURCES) else ():
@@ -125,6 +137,10 @@ def caught_by(function, which, first):
                 check()
             except Exception:  # whatever a wrong equation does
                 return check.__name__
+        for law, wanted in unaltered.items() if ".laws." in function.__module__ else ():
+            found = judged_laws.judged(LAWS[law])
+            if found[:4] != wanted[:4]:
+                return f"{law}: {found.claim}"
         for number in sorted(THEOREMS, key=lambda n: n != first):
             for step in audit(number)[number].failed:
                 return f"{number}: {step.claim}"
@@ -150,7 +166,7 @@ def test_there_are_signs_to_alter():
     listed = list(mutants())
     assert len(listed) > 130
     rooms = {key.split(".")[0] for key, _ in listed}
-    assert {"vehicle", "learner", "adaptation", "basis", "clpe", "error_system"} <= rooms
+    assert {"vehicle", "learner", "laws", "basis", "clpe", "error_system"} <= rooms
 
 
 @pytest.fixture(autouse=True)
@@ -158,9 +174,10 @@ def few_points(monkeypatch):
     """The exact steps come first; blocks are called at a few points only."""
     monkeypatch.setattr(theorems, "POINTS", 100)
     monkeypatch.setattr(theorems, "FEWER", 100)
+    monkeypatch.setattr(judged_laws, "POINTS", 100)
 
 
-@pytest.mark.parametrize("room", ["vehicle", "learner", "adaptation", "clpe", "lyapunov", "basis"])
+@pytest.mark.parametrize("room", ["vehicle", "learner", *PAGES, "clpe", "lyapunov", "basis"])
 def test_altered_signs_fail_the_proof(room):
     listed = [mutant for mutant in mutants() if mutant[0].startswith(f"{room}.")]
     chosen = random.Random(1).sample(listed, min(3, len(listed)))

@@ -1,0 +1,89 @@
+"""Every law of the table, judged with its own V on the equations that run.
+
+A law with V' <= -e^T KD e is proved; one with V' <= -e^T KD e + what is bounded is bounded, and
+the set that V comes to is said.  A law that is given an estimate of the flow has the V' of
+Theorem 3.1, and is bounded in the mean square by the error of the estimate.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from ...blocks import Block
+from ...blocks.laws.law import Law, Truth
+from ...blocks.laws.table import LAWS
+from ...progress.interrupt import check
+from .lyapunov import decay_and_known_error, identity_steps
+from .own_law import prove
+from .proof import Step
+from .theorem_loop import theorem_scenario
+
+POINTS = 1_000  # at which the running blocks of each law are called
+N = 2  # functions; a proof for every N says so
+
+
+class JudgedLaw(NamedTuple):
+    """What is known of V' under a law of the table."""
+
+    law: str
+    status: str  # "proved", "bounded", "open" or "refuted"
+    claim: str  # V', and the set that is reached
+    for_every_N: bool
+    steps: tuple[Step, ...]
+
+    @property
+    def holds(self) -> bool:
+        """Whether the law may stand in the table."""
+        return self.status in ("proved", "bounded")
+
+
+def judged_laws(progress: Callable[[float], None] | None = None) -> dict[str, JudgedLaw]:
+    """Judge every law of the table, by name; `progress` is called with the number done."""
+    found = {}
+    for done, law in enumerate(LAWS.values(), 1):
+        check()
+        found[law.name] = judged(law)
+        if progress is not None:
+            progress(done)
+    return found
+
+
+def judged(law: Law) -> JudgedLaw:
+    """Judge one law; equations that cannot be read leave it open."""
+    try:
+        return _of_given_flow(law) if law.given_estimate else _with_own_V(law)
+    except Exception as error:  # an equation so changed that it cannot be traced
+        step = Step("the equations can be read", False, "exact", f"{error}")
+        return JudgedLaw(law.name, "open", str(error), False, (step,))
+
+
+def law_and_V(law: Law) -> tuple[Block, Block]:
+    """Return a law's block and V in the theorems' scenario, at its defaults."""
+    scenario = theorem_scenario(N, law.name)
+    made, car = law.block(scenario.known_to_law), scenario.vehicle
+    truth = map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward))
+    return made, law.V(made.parameters, Truth(*truth))
+
+
+def _with_own_V(law: Law) -> JudgedLaw:
+    """Judge a law that learns the flow."""
+    verdict = prove(*law_and_V(law), points=POINTS)
+    sign = "=" if verdict.residual == 0 else "<="
+    claim = verdict.reached or f"V' {sign} -e^T KD e, so CLPE goes to zero"
+    if verdict.status not in ("proved", "bounded"):
+        failed = [f"{s.claim} ({s.detail})" for s in verdict.steps if not s.holds]
+        claim = failed[0] if failed else "V' is not known to fall"
+    return JudgedLaw(law.name, verdict.status, claim, verdict.for_every_N, verdict.steps)
+
+
+def _of_given_flow(law: Law) -> JudgedLaw:
+    """Judge a law that is given an estimate of the flow."""
+    text = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
+    steps = tuple(identity_steps(text, law.name, decay_and_known_error, POINTS))
+    holds = all(step.holds for step in steps)
+    every = holds and all(step.every_N for step in steps if step.how == "exact")
+    claim = f"{text}: in the mean |e| <= |(theta - theta_hat) phi| over the least of KD"
+    if not holds:
+        claim = next(f"{s.claim} ({s.detail})" for s in steps if not s.holds)
+    return JudgedLaw(law.name, "bounded" if holds else "open", claim, every, steps)
