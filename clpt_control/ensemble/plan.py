@@ -1,6 +1,6 @@
 """An ensemble before it runs: all arguments checked, its store made or opened."""
 
-import pickle
+import json
 from collections.abc import Iterable, Mapping, Sequence
 from importlib.metadata import version
 from pathlib import Path
@@ -18,7 +18,7 @@ from .drawn_values import draw_members
 from .store import CODE, Store, check_store, create_store, open_store
 from .summaries import dims_of, kept_variables, marks_of, samples_per_cycle
 from .varied_keys import Vary, read_varies
-from .worker import Recipe, Worker
+from .worker import Recipe, Worker, pickled
 
 CHUNK = 1000  # members, where no trajectories are kept
 CHUNK_BYTES = 64_000_000  # trajectories of a chunk
@@ -44,8 +44,10 @@ def make_plan(
     samples: int | None = None,
     times: Sequence[float] | None = None,
     law: Block | None = None,
+    cluster: bool = False,
 ) -> Plan:
     """Check the arguments of `run_ensemble`; make the store, or open one that holds a part."""
+    _checked_law(law, scenario)
     varies = read_varies(scenario, vary)
     marks, per_cycle = marks_of(scenario, times), samples_per_cycle(scenario, samples)
     path = None if out is None else Path(out).absolute()
@@ -63,7 +65,7 @@ def make_plan(
         per_cycle,
         marks,
         bool(trajectories),
-        _pickled(law),
+        b"" if law is None else pickled(law, cluster),
     )
     worker = Worker(recipe)
     kept = kept_variables(worker.scenario, worker.times, int(members), bool(trajectories))
@@ -83,7 +85,7 @@ def make_plan(
         "trajectories": bool(trajectories),
         "samples": per_cycle,
         "times": list(marks),
-        **({} if law is None else {"law": law.name}),
+        **({} if law is None else {"law": _named(law)}),
     }
     fixed = _fixed(worker, values, int(members), kept)
     if path is not None and path.exists() and not (path.is_dir() and not any(path.iterdir())):
@@ -100,18 +102,26 @@ def make_plan(
     return Plan(worker, create_store(path, arguments, kept, fixed, attrs))
 
 
-def _pickled(law: Block | None) -> bytes:
-    """Return a law of the user's own as workers take it."""
+def _named(law: Block) -> str:
+    """Return the name and the numbers of a law of the user's own; its equations are in the code."""
+    numbers = {
+        field: np.asarray(value).tolist() for field, value in law.parameters._asdict().items()
+    }
+    return f"{law.name} {json.dumps(numbers)}"
+
+
+def _checked_law(law: Block | None, scenario: Scenario) -> None:
+    """Refuse a law whose states do not hold what summaries are made of."""
     if law is None:
-        return b""
+        return
     functions_of(law)
-    try:
-        return pickle.dumps(law)
-    except (pickle.PicklingError, AttributeError, TypeError):
-        raise DiagramError(
-            f"{law.name}: cannot be sent to workers; define its equations and parameters at the "
-            "top of a module"
-        ) from None
+    states = ["K", "Gamma"] if scenario.learning.row.given_estimate else ["alpha", "K", "Gamma"]
+    for port in states:
+        if port not in law.state_ports:
+            raise DiagramError(
+                f"{law.name}: {port} is no state of it; members are summarised from the states "
+                f"{', '.join(states)}"
+            )
 
 
 def _fixed(

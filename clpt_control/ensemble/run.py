@@ -127,6 +127,7 @@ def run_ensemble(
         samples=samples,
         times=times,
         law=law,
+        cluster=dask is not None,
     )
     report = progress or (lambda done: None)
     count = threads or available_threads()

@@ -16,6 +16,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..blocks import Block
+from ..errors import DiagramError
 from ..scenario.file import scenario_from_text
 from .members import Ensemble
 from .summaries import sample_times_of, summarise_members
@@ -34,6 +36,21 @@ class Recipe(NamedTuple):
     marks: tuple[float, ...]  # when errors are kept
     trajectories: bool  # whether states are kept too
     law: bytes = b""  # a pickled Block in place of the scenario's law
+
+
+def pickled(law: Block, cluster: bool) -> bytes:
+    """Return a law of the user's own as workers take it; a cluster's get its equations too."""
+    try:
+        if cluster:  # equations of a script or a notebook go along
+            from distributed.protocol.pickle import dumps
+
+            return bytes(dumps(law))
+        return pickle.dumps(law)
+    except (pickle.PicklingError, AttributeError, TypeError):
+        raise DiagramError(
+            f"{law.name}: cannot be sent to workers; define its equations and parameters at the "
+            "top of a module"
+        ) from None
 
 
 class Worker:

@@ -79,7 +79,7 @@ def residual(scenario: Scenario, run: "xarray.Dataset") -> np.ndarray:
     """
     if scenario.flow.parameters is None:
         raise ScenarioError("flow.field: a gridded field has no parameters theta to compare with")
-    known = scenario.learning.law == "known-flow"
+    known = scenario.learning.row.given_estimate
     estimate = scenario.learning.theta_estimate if known else scenario.flow.parameters
     modelled = flow_velocity(scenario, run.position.values, run.time.values, np.array(estimate))
     return run.true_flow.values - modelled
@@ -106,7 +106,8 @@ def printed_bound(scenario: Scenario, run: "xarray.Dataset", start: float) -> Pr
     Raises
     ------
     ScenarioError
-        If the true flow is a gridded field, which has no theta.
+        If the true flow is a gridded field, which has no theta, or the law is not one of
+        the paper's.
 
     Examples
     --------
@@ -118,10 +119,16 @@ def printed_bound(scenario: Scenario, run: "xarray.Dataset", start: float) -> Pr
     >>> clpt.theory.printed_bound(scenario, clpt.simulate(scenario), 0.0).ratio > 1
     True
     """
-    equation, claim = {
+    printed = {
         "known-flow": ("(16)", "|e| <= max|(theta - theta_hat) phi|/mu for any mu < k"),
         "learned-flow": ("(33)", "|e| <= max|Delta|/beta for any beta < k"),
-    }[scenario.learning.law]
+    }
+    law = scenario.learning.law
+    if law not in printed:
+        raise ScenarioError(
+            f'learning.law = "{law}": has no printed bound; must be {" or ".join(printed)}'
+        )
+    equation, claim = printed[law]
     return PrintedBound(
         equation,
         claim,
