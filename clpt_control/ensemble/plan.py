@@ -85,7 +85,7 @@ def make_plan(
         "trajectories": bool(trajectories),
         "samples": per_cycle,
         "times": list(marks),
-        **({} if law is None else {"law": _named(law)}),
+        "law": _named(law),
     }
     fixed = _fixed(worker, values, int(members), kept)
     if path is not None and path.exists() and not (path.is_dir() and not any(path.iterdir())):
@@ -102,8 +102,10 @@ def make_plan(
     return Plan(worker, create_store(path, arguments, kept, fixed, attrs))
 
 
-def _named(law: Block) -> str:
+def _named(law: Block | None) -> str | None:
     """Return the name and the numbers of a law of the user's own; its equations are in the code."""
+    if law is None:
+        return None
     numbers = {
         field: np.asarray(value).tolist() for field, value in law.parameters._asdict().items()
     }

@@ -134,10 +134,11 @@ def certificate(
     """
     along = source if isinstance(source, Regressor) else joint_regressor(source, window, start)
     scenario, gains = along.scenario, along.scenario.learning.used_gains
-    if scenario.learning.law not in ("learned-flow", "known-flow") or not gains.one:
+    law = scenario.learning.law
+    if along.own_law or law not in ("learned-flow", "known-flow") or not gains.one:
         raise ScenarioError(
-            "certificate: is of the paper's two laws with one gain for all; the scenario has "
-            f'law = "{scenario.learning.law}"' + ("" if gains.one else " with a gain each")
+            "no certificate: it is of the paper's two laws with one gain for all, the run has the "
+            f"law {along.own_law or law}" + ("" if gains.one else " with a gain each")
         )
     gain = gains.parameters
     turn = np.sqrt(gain * np.max(np.sum(along.w**2, -1)))

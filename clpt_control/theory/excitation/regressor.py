@@ -16,6 +16,7 @@ from ...blocks.reference import multiples, reference
 from ...diagrams.scenario_basis import scenario_basis
 from ...errors import ScenarioError
 from ...scenario.experiment import Scenario
+from ...scenario.file import OWN_LAW
 from ...simulation.integrate import simulate
 from .between_samples import Source, positions_between, scenario_of, span_of
 from .transition import regressors
@@ -36,6 +37,7 @@ class Regressor:
     phi: np.ndarray  # (pieces, NODES, N), basis functions at the vehicle
     z: np.ndarray  # (pieces, NODES, 2), predicted position, units.length
     zc: np.ndarray  # (pieces, NODES, 2), desired position, units.length
+    own_law: str = ""  # the name of a law given in Python, of a recorded run
 
     @property
     def w(self) -> np.ndarray:
@@ -125,4 +127,5 @@ def joint_regressor(
         trajectory = f"recorded run, sampled each {step:g} {scenario.units.time}"
     phi = evaluate(scenario_basis(scenario), times.ravel(), x.reshape(-1, 2))
     phi = phi.reshape(*times.shape, -1)
-    return Regressor(scenario, trajectory, cuts, times, weights, phi, z, zc)
+    own_law = "" if isinstance(source, Scenario) else source.attrs.get(OWN_LAW, "")
+    return Regressor(scenario, trajectory, cuts, times, weights, phi, z, zc, own_law)

@@ -1,0 +1,136 @@
+"""Ensembles of any law: each member is the run of its scenario, to the last bit."""
+
+import importlib.util
+
+import law_blocks
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.blocks import Block
+from clpt_control.blocks.laws.table import LAWS
+from clpt_control.blocks.words import where
+from clpt_control.ensemble.run import run_ensemble
+from clpt_control.errors import DataError, DiagramError, ScenarioError
+
+EACH = {"parameters": 0.8, "feedback": 0.3, "feedforward": 0.5}
+HELD = {"learning.adapt_gains": False, "learning.feedback": [1, 1], "learning.feedforward": [1, 1]}
+
+
+def assert_members_are_runs(data, scenario, key, law=None):
+    """Each member's last errors are those of its own run."""
+    theta = np.array(scenario.flow.parameters)
+    for member in data.member.values:
+        value = data[key].values[member]
+        run = clpt.simulate(scenario.with_values({key: value}), law=law)
+        error = np.abs(run.flow_parameters_estimate.values[-1] - theta).max()
+        assert float(data.flow_parameter_error[member, -1]) == pytest.approx(error, rel=1e-6)
+        gains = np.concatenate([run.feedback_gain[-1], run.feedforward_gain[-1]])
+        wrong = np.abs(gains - 1.0).max()
+        assert float(data.gain_error[member, -1]) == pytest.approx(wrong, rel=1e-6, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("values", "key"),
+    [
+        ({"learning.gain": None, "learning.gains": EACH}, "learning.gains.parameters"),
+        ({"learning.gain": None, "learning.gains": EACH}, "learning.gains.feedforward"),
+        (HELD, "learning.gain"),
+        (HELD, "learning.feedback"),
+    ],
+)
+def test_gains_vary_one_by_one(quick, values, key):
+    scenario = quick.with_values(values)
+    data = run_ensemble(scenario, f"{key}=0.2:2.0", 3, samples=20)
+    assert_members_are_runs(data, scenario, key)
+    assert len(set(data.flow_parameter_error.values[:, -1])) == 3
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_every_law_makes_ensembles(quick, name):
+    given = LAWS[name].given_estimate
+    values = {
+        "learning.law": name,
+        "learning.theta_estimate": [[0.9, 0.5, 0.7]] * 2 if given else None,
+        "learning.parameters": None,
+        "learning.gain": 0.8,
+    }
+    scenario = quick.with_values(values)
+    data = run_ensemble(scenario, "learning.gain=0.2:2.0", 3, samples=20)
+    assert_members_are_runs(data, scenario, "learning.gain")
+
+
+@pytest.mark.parametrize("name", [name for name, law in LAWS.items() if law.settings])
+def test_settings_vary(quick, name):
+    law = LAWS[name]
+    numbers = [key for key, one in law.settings.items() if isinstance(one.default, float)]
+    if not numbers:
+        pytest.skip("it has no setting that is a number")
+    key = f"learning.{law.table}.{numbers[0]}"
+    usual = law.settings[numbers[0]].default
+    scenario = quick.with_values({"learning.law": name, key: usual})
+    data = run_ensemble(scenario, f"{key}=[{usual}, {2 * usual}]", 2, design="grid", samples=20)
+    assert_members_are_runs(data, scenario, key)
+
+
+def test_a_block_takes_the_laws_place(quick, tmp_path):
+    law, vary = law_blocks.remembering_law(), "flow.parameters~normal:0.1"
+    data = run_ensemble(quick, vary, 12, law=law, samples=20, threads=2, chunk=4)
+    stored = run_ensemble(quick, vary, 12, law=law, samples=20, out=tmp_path / "e.zarr", chunk=4)
+    for name in data.variables:
+        np.testing.assert_array_equal(stored[name], data[name])
+    own = run_ensemble(quick, vary, 12, samples=20)
+    assert not np.array_equal(own.gain_error, data.gain_error)
+    for other in (None, law_blocks.remembering_law(gain=0.9), law_blocks.papers_law()):
+        with pytest.raises(DataError, match="holds an ensemble of"):
+            run_ensemble(quick, vary, 12, law=other, samples=20, out=tmp_path / "e.zarr", chunk=4)
+
+
+@pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="Dask is not installed")
+def test_a_cluster_gets_the_block(quick, tmp_path):
+    law, vary = law_blocks.papers_law(gain=1.1), "flow.parameters~normal:0.1"
+    here = run_ensemble(quick, vary, 8, law=law, samples=20, chunk=4)
+    data = run_ensemble(
+        quick,
+        vary,
+        8,
+        law=law,
+        samples=20,
+        chunk=4,
+        out=tmp_path / "e.zarr",
+        threads=1,
+        dask="local",
+    )
+    for name in here.variables:
+        np.testing.assert_array_equal(data[name], here[name])
+
+
+def without_states(t, x, u, p, y):
+    """alpha = 0, K = Gamma = 1, section III."""
+    for j in range(10):
+        y[j] = where(j < 6, 0.0, 1.0)
+
+
+def test_what_members_cannot_be_summarised_from_is_refused(quick):
+    ports = {"alpha": 6, "K": 2, "Gamma": 2}
+    fixed = Block("fixed", output=without_states, outputs=ports)
+    with pytest.raises(DiagramError, match="fixed: alpha is no state of it"):
+        run_ensemble(quick, "flow.parameters~normal:0.1", 3, law=fixed)
+
+
+def test_a_law_that_cannot_be_sent_is_refused(quick):
+    def local(t, x, u, p, dx):
+        """All held, section III."""
+        for j in range(10):
+            dx[j] = 0.0
+
+    own = law_blocks.papers_law()
+    law = Block("local", update=local, inputs=own.input_ports, states=own.state_ports)
+    with pytest.raises(DiagramError, match="cannot be sent to workers; define"):
+        run_ensemble(quick, "flow.parameters~normal:0.1", 3, law=law)
+
+
+def test_a_gain_that_is_not_set_cannot_vary(quick):
+    scenario = quick.with_values({"learning.gain": None, "learning.gains": EACH})
+    with pytest.raises(ScenarioError, match=r"vary: learning.gain is not set"):
+        run_ensemble(scenario, "learning.gain=0.2:2.0", 3)

@@ -1,0 +1,161 @@
+"""Every law of the table runs, and so does a block that no table knows."""
+
+from itertools import pairwise
+
+import law_blocks
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.blocks.laws.table import LAWS
+from clpt_control.errors import DataError, DiagramError, ScenarioError, SimulationError
+
+PAPER = clpt.paper_scenario().with_values({"run.duration": 40})
+EACH = {"parameters": 0.8, "feedback": 0.3, "feedforward": 0.5}
+TRUE_GAINS = {"learning.feedback": [1, 1], "learning.feedforward": [1, 1]}
+
+
+def with_law(name, **more):
+    """The paper's scenario with a law of the table."""
+    given = LAWS[name].given_estimate
+    theta = [[0.9, 0.5, 0.7], [0.8, 0.5, 0.9]] if given else None
+    alpha = None if given else [[0.0] * 3] * 2
+    values = {"learning.law": name, "learning.theta_estimate": theta}
+    return PAPER.with_values({**values, "learning.parameters": alpha, **more})
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_every_law_runs_and_keeps_its_V(name, tmp_path):
+    scenario = with_law(name)
+    run = clpt.simulate(scenario)
+    assert run.attrs["status"] == "finished"
+    assert run.lyapunov.shape == run.time.shape
+    assert np.all(run.lyapunov.values >= 0)
+    clpt.save_run(run, tmp_path / "run.nc")
+    again = clpt.load_scenario(tmp_path / "run.nc")
+    assert again == scenario
+    np.testing.assert_array_equal(clpt.simulate(again).alpha, run.alpha)
+
+
+@pytest.mark.parametrize("name", LAWS)
+@pytest.mark.parametrize("engine", ["native", "python"])
+def test_gains_that_are_held_stay(name, engine):
+    values = {"learning.adapt_gains": False, "run.duration": 20}
+    start = {"learning.feedback": [0.7, 1.1], "learning.feedforward": [0.9, 1.2]}
+    run = clpt.simulate(with_law(name, **values, **start), engine=engine)
+    np.testing.assert_array_equal(run.feedback_gain, np.tile([0.7, 1.1], (21, 1)))
+    np.testing.assert_array_equal(run.feedforward_gain, np.tile([0.9, 1.2], (21, 1)))
+
+
+def balance(scenario):
+    """V(end) - V(0) and -int e^T KD e, by Simpson's rule from one waypoint to the next."""
+    from scipy.integrate import simpson
+
+    dwell, parts = scenario.reference.dwell, []
+    edges = np.arange(0.0, scenario.run.duration + dwell / 2, dwell)
+    for a, b in pairwise(edges):  # e is continuous at a waypoint; its rate is not
+        times = np.linspace(a, b, 2001)
+        run = clpt.simulate(scenario, times, rtol=1e-11, atol=1e-13)
+        decay = np.sum(np.array(scenario.vehicle.feedback) * run.clpe.values**2, axis=1)
+        parts.append((run.lyapunov.values[-1] - run.lyapunov.values[0], -simpson(decay, x=times)))
+    return np.sum(parts, axis=0)
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        {},
+        {"learning.gain": None, "learning.gains": EACH},
+        {"learning.adapt_gains": False, **TRUE_GAINS},
+    ],
+    ids=["one gain", "a gain each", "gains held true"],
+)
+def test_V_of_the_papers_law_falls_by_what_e_takes(values):
+    fallen, taken = balance(PAPER.with_values(values))
+    assert fallen == pytest.approx(taken, rel=1e-8)
+
+
+def test_equal_gains_each_are_one_gain():
+    each = dict.fromkeys(EACH, 0.8)
+    one = clpt.simulate(PAPER)
+    three = clpt.simulate(PAPER.with_values({"learning.gain": None, "learning.gains": each}))
+    np.testing.assert_allclose(three.alpha, one.alpha, rtol=0, atol=1e-9)
+    np.testing.assert_allclose(three.lyapunov, one.lyapunov, rtol=0, atol=1e-9)
+
+
+def test_a_block_takes_the_laws_place(tmp_path):
+    run = clpt.simulate(PAPER, law=law_blocks.papers_law())
+    own = clpt.simulate(PAPER)
+    for name in run.data_vars:
+        np.testing.assert_array_equal(run[name], own[name], err_msg=name)
+    assert set(own.data_vars) - set(run.data_vars) == {"lyapunov"}  # of a block none is known
+    clpt.save_run(run, tmp_path / "run.nc")
+    np.testing.assert_array_equal(clpt.load_run(tmp_path / "run.nc").alpha, run.alpha)
+    with pytest.raises(DataError, match=r"law given in Python, mine, .* cannot be repeated"):
+        clpt.load_scenario(tmp_path / "run.nc")
+
+
+def test_what_a_block_remembers_starts_at_zero_and_is_wired():
+    law = law_blocks.remembering_law()
+    loop = clpt.closed_loop(PAPER, law=law)
+    state = clpt.initial_state(PAPER, law=law)
+    assert loop.nstates == len(state) == 15
+    response = clpt.simulate(loop, [0.0, 4.0], initial_state=state)
+    assert response.states[-1, -1] == pytest.approx(0.5 * 4.0, rel=1e-12)
+    run = clpt.simulate(PAPER, law=law)
+    assert np.all(run.feedback_gain.values == 0)
+    assert run.alpha.values[-1].any()
+    only = clpt.initial_state(PAPER, external="x", law=law)
+    assert clpt.closed_loop(PAPER, external="x", law=law).nstates == len(only) == 13
+
+
+def test_a_blocks_own_gain_is_its_own():
+    run = clpt.simulate(PAPER, law=law_blocks.papers_law(name="adaptation", gain=2.0))
+    faster = clpt.simulate(PAPER.with_values({"learning.gain": 2.0}))
+    np.testing.assert_array_equal(run.alpha, faster.alpha)
+    law = law_blocks.papers_law(name="adaptation")
+    called = clpt.simulate(PAPER, law=law, params={"adaptation.gain": 2.0})
+    np.testing.assert_array_equal(called.alpha, faster.alpha)
+    assert "learning" in called.attrs["scenario"]
+    assert "adaptation.gain" in called.attrs["parameters_changed"]
+
+
+def test_an_initial_state_that_no_key_holds_is_refused():
+    law = law_blocks.remembering_law()
+    state = clpt.initial_state(PAPER, law=law)
+    assert clpt.simulate(PAPER, initial_state=state, law=law).attrs["status"] == "finished"
+    state[-1] = 1.0
+    with pytest.raises(SimulationError, match=r"no key of a scenario holds m, which starts at"):
+        clpt.simulate(PAPER, initial_state=state, law=law)
+
+
+@pytest.mark.parametrize(
+    ("law", "said"),
+    [
+        ("sigma", "'sigma' is a str: give a Block"),
+        (law_blocks.papers_law(N=2), r"alpha of N = 2 functions; the scenario has 3"),
+        (clpt.paper_blocks(PAPER)[0], r"a law makes alpha\[2N\], K\[2\] and Gamma\[2\]"),
+    ],
+)
+def test_what_is_no_law_for_the_scenario_is_refused(law, said):
+    for use in (clpt.simulate, clpt.initial_state, clpt.closed_loop):
+        with pytest.raises(DiagramError, match=said):
+            use(PAPER, law=law)
+
+
+def test_a_diagram_has_its_law_already():
+    with pytest.raises(SimulationError, match="a diagram has its law among its blocks"):
+        clpt.simulate(clpt.closed_loop(PAPER), [0, 1], law=law_blocks.papers_law())
+
+
+def test_the_error_loop_is_of_the_papers_law():
+    scenario = PAPER.with_values({"learning.gain": None, "learning.gains": EACH})
+    with pytest.raises(DiagramError, match=r"Eqs. \(27\)-\(28\) are of law"):
+        clpt.error_loop(scenario)
+
+
+def test_no_certificate_for_a_law_that_it_is_not_of():
+    run = clpt.simulate(PAPER, np.linspace(0, 40, 801), law=law_blocks.papers_law())
+    with pytest.raises(ScenarioError, match=r"no certificate: .* the run has the law mine"):
+        clpt.theory.certificate(run, 20.0, 0.0)
+    assert clpt.theory.gramian(run, 20.0, 0.0).eigenvalues["x1"][0] > 0
