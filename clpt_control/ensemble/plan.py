@@ -1,5 +1,6 @@
 """An ensemble before it runs: all arguments checked, its store made or opened."""
 
+import hashlib
 import json
 from collections.abc import Iterable, Mapping, Sequence
 from importlib.metadata import version
@@ -103,13 +104,13 @@ def make_plan(
 
 
 def _named(law: Block | None) -> str | None:
-    """Return the name and the numbers of a law of the user's own; its equations are in the code."""
+    """Return a name for a law of the user's own, its numbers and its equations."""
     if law is None:
         return None
-    numbers = {
-        field: np.asarray(value).tolist() for field, value in law.parameters._asdict().items()
-    }
-    return f"{law.name} {json.dumps(numbers)}"
+    fields = law.parameters._asdict().items()
+    numbers = json.dumps({field: np.asarray(value).tolist() for field, value in fields})
+    equations = hashlib.sha256(repr((law.update_record, law.output_record)).encode()).hexdigest()
+    return f"{law.name} {equations[:8]} {numbers}"
 
 
 def _checked_law(law: Block | None, scenario: Scenario) -> None:
