@@ -27,7 +27,7 @@ from ..blocks import (
 from ..diagrams.interconnection import Diagram, connect
 from ..diagrams.scenario_basis import scenario_basis
 from ..errors import DiagramError
-from ..scenario.experiment import Scenario
+from ..scenario.experiment import Scenario, require_scenario
 from ..scenario.keys import STARTS
 
 
@@ -56,6 +56,7 @@ def paper_blocks(scenario: Scenario) -> list[Block]:
     >>> len(paper_blocks(clpt.paper_scenario()))
     12
     """
+    require_scenario(scenario)
     N, alpha_M = scenario.basis.N, np.array(scenario.model_parameters)
     car = scenario.vehicle
     desired = vehicle.ControllerParameters(
@@ -174,6 +175,7 @@ def error_loop(scenario: Scenario) -> Diagram:
     >>> error_loop(clpt.paper_scenario()).nstates
     12
     """
+    require_scenario(scenario)
     N, KD = scenario.basis.N, np.array(scenario.vehicle.feedback)
     return connect(
         [
