@@ -50,6 +50,9 @@ def states_as_outputs(t, x, u, p, y):
 
 def check_names(name: str, *ports: Mapping[str, int] | None) -> None:
     """Refuse names and sizes that python-control cannot wire."""
+    for own in ports:
+        if own is not None and not isinstance(own, Mapping):
+            raise BlockError(f"{name}: ports {own!r} must be a dict of sizes, such as {{'e': 2}}")
     words = [(name, ".\n"), *((port, ".[]\n") for own in ports for port in own or ())]
     for word, not_in in words:  # python-control itself calls a system sys[0]
         if not isinstance(word, str) or not word or word[0] in "-+" or set(word) & set(not_in):

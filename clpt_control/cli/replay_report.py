@@ -60,7 +60,7 @@ def show(result: Any, summary: dict[str, Any]) -> None:
             typer.echo(f"speed anomaly: {step.anomaly}")
     if summary["dac_identity_median"] is not None:
         typer.echo(
-            "miss / duration differs from the file's own current by "
+            "miss / duration differs from the file's depth-averaged current by "
             f"{1000 * summary['dac_identity_median']:.2g} mm/s (median)"
         )
     if result.steps:

@@ -42,7 +42,7 @@ DEPTH_NAMES = ("depth", "z", "lev", "level", "altitude", "s_rho", "deptht", "dep
 FASTEST = 15.0  # m/s; no current at sea is faster, a fill value taken as data is
 REAL = ("standard", "gregorian", "proleptic_gregorian")  # calendars of real dates
 CALENDARS = (*REAL, "julian", "noleap", "365_day", "all_leap", "366_day", "360_day")
-SINCE_A_DATE = re.compile(r"\s*\w+\s+since\s+\d+-\d+-\d+.*", re.IGNORECASE)
+SINCE_A_DATE = re.compile(r"\s*(\w+)\s+since\s+(\d+-\d+-\d+.*)", re.IGNORECASE)
 
 
 def find_variable(data: "xarray.Dataset", table: dict[str, Any], what: str, path: Path) -> str:
@@ -121,8 +121,10 @@ def decoded(numbers: np.ndarray, unit: str, calendar: str = "standard") -> np.nd
     from xarray import Variable
     from xarray.coders import CFDatetimeCoder
 
-    if not SINCE_A_DATE.fullmatch(unit):  # xarray would take 01/02/2019 too
+    found = SINCE_A_DATE.fullmatch(unit)
+    if found is None:  # xarray would take 01/02/2019 too
         return None
+    unit = " since ".join(found.groups())  # xarray knows the word in small letters only
     variable = Variable("time", numbers, {"units": unit, "calendar": calendar})
     try:
         with warnings.catch_warnings():

@@ -117,7 +117,7 @@ def fit_scenario(
     constituents = tuple(constituents)
     _check(rows, columns, constituents)
     for what, value, unit in (
-        ("width", width_km, " km"),
+        ("width (--width-km)", width_km, " km"),
         ("radius", radius_km, " km"),
         ("gain", gain, ""),
     ):

@@ -77,6 +77,9 @@ def match_ports(blocks: Sequence[Block], external: Iterable[str] = ()) -> Matche
     external = list(external)
     if not blocks:
         raise DiagramError("a diagram of no blocks: give at least one")
+    for block in blocks:
+        if not hasattr(block, "output_ports"):
+            raise DiagramError(f"{block!r:.60} is no block: give a list of clpt.Block")
     names = [block.name for block in blocks]
     for name_ in names:
         if names.count(name_) > 1:

@@ -16,7 +16,7 @@ import numpy as np
 from ..blocks import Block
 from ..errors import ScenarioError
 from ..progress.interrupt import SLICE, check
-from ..scenario.experiment import Scenario
+from ..scenario.experiment import Scenario, require_scenario
 from .plan import Plan, make_plan
 from .store import remove_empty
 from .varied_keys import Vary
@@ -107,6 +107,7 @@ def run_ensemble(
     >>> data["gain_error"].dims, data["status"].values
     (('member', 'mark'), array([1, 1, 1], dtype=int8))
     """
+    require_scenario(scenario)
     if threads is not None and (not isinstance(threads, int) or threads < 1):
         raise ScenarioError(f"threads = {threads}: must be a whole number, at least 1")
     if dask is not None and out is None:

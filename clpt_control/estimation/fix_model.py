@@ -86,7 +86,9 @@ class FixModel:
                 "part once, such as steady,M2,inertial"
             )
         if not (math.isfinite(self.width) and self.width > 0):
-            raise ScenarioError(f"width of the gaussians = {self.width} m: must be positive")
+            raise ScenarioError(
+                f"width of the gaussians (--width-km) = {self.width:g} m: must be positive"
+            )
 
     @property
     def table(self) -> tuple[tuple[str, str, float], ...]:

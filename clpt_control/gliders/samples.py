@@ -62,7 +62,7 @@ def seconds(data: "xarray.Dataset", name: str, path: Path) -> np.ndarray:
     numbers = values(data, name)
     numbers = np.where(numbers == NOT_A_TIME, nan, numbers)
     units = str(data[name].attrs.get("units", ""))
-    if " since " not in units:
+    if " since " not in units.lower():
         return numbers
     bare = re.sub(r"\s*(UTC|GMT)\s*$", "", units)
     dates = decoded(np.array([0.0, 1.0]), bare)  # of two numbers, so that digits stay

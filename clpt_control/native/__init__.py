@@ -1,7 +1,7 @@
 """The engine: one pass over a diagram, and integration to every breakpoint.
 
 `compile(diagram)` makes machine code of a diagram; `simulate` does so by itself.
-`docs/engine.md` shows the way from a diagram to machine code.
+`docs/engine.md` leads from a diagram to machine code, step by step.
 """
 
 import lazy_loader

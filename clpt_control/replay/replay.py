@@ -227,6 +227,11 @@ def replay_dives(
     (14, True)
     """
     dives = list(dives)
+    for dive in dives:
+        if not isinstance(dive, Dive):
+            raise DataError(
+                f"dives hold {dive!r:.60}: must be Dives; clpt.gliders.read_dives(FILES) reads them"
+            )
     replay = Replay(estimator, model or FixModel(), flow_model)
     check_tides(replay.model.flow, dives)
     return feed(replay, dives)

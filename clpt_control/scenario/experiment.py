@@ -218,6 +218,14 @@ def checked_scenario(tables: dict[str, Any], name: str, folder: Path = Path()) -
     return Scenario.model_validate(tables, context={"name": name, "folder": folder})
 
 
+def require_scenario(given: object) -> None:
+    """Raise a ScenarioError that names what was given in place of a Scenario."""
+    if not isinstance(given, Scenario):
+        raise ScenarioError(
+            f"{given!r:.60}: must be a Scenario; clpt.load_scenario('mine.toml') reads one"
+        )
+
+
 def scenario_tables(scenario: Scenario) -> dict[str, Any]:
     """Return a scenario as nested dicts, with the keys it was given."""
     return scenario.model_dump(mode="python", exclude_none=True, exclude_unset=True)

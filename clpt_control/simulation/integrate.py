@@ -222,6 +222,11 @@ def sample_times(duration: float, step: float) -> np.ndarray:
 def _simulate_diagram(
     diagram, timepts, inputs, x0, params, rtol, atol, progress, engine
 ) -> control.TimeResponseData:
+    if not isinstance(diagram, control.InputOutputSystem):
+        raise SimulationError(
+            f"{diagram!r:.60}: must be a Scenario or a diagram; clpt.load_scenario('mine.toml') "
+            "reads a scenario, clpt.connect(blocks) wires a diagram"
+        )
     if timepts is None:
         raise SimulationError("timepts: is required to simulate a diagram")
     times = checked_times("timepts", timepts)

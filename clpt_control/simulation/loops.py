@@ -28,7 +28,7 @@ from ..blocks.laws.table import LAWS
 from ..diagrams.interconnection import Diagram, connect
 from ..diagrams.scenario_basis import scenario_basis
 from ..errors import DiagramError
-from ..scenario.experiment import Scenario
+from ..scenario.experiment import Scenario, require_scenario
 from ..scenario.keys import STARTS
 
 
@@ -61,6 +61,7 @@ def paper_blocks(scenario: Scenario, law: Block | None = None) -> list[Block]:
     >>> len(paper_blocks(clpt.paper_scenario()))
     12
     """
+    require_scenario(scenario)
     N, alpha_M = scenario.basis.N, np.array(scenario.model_parameters)
     car = scenario.vehicle
     desired = vehicle.ControllerParameters(
@@ -191,6 +192,7 @@ def error_loop(scenario: Scenario) -> Diagram:
     >>> error_loop(clpt.paper_scenario()).nstates
     12
     """
+    require_scenario(scenario)
     N, KD = scenario.basis.N, np.array(scenario.vehicle.feedback)
     gains = scenario.learning.used_gains
     if scenario.learning.row is not LAWS["learned-flow"] or not gains.one:

@@ -420,3 +420,8 @@ def test_declarations_that_cannot_work():
         Block("mine", output=twice, outputs={"y": 1}, parameters={"k": 1.0})
     with pytest.raises(BlockError, match=r"needs a parameter `interval = -1\.0`"):
         Block("mine", output=twice, outputs={"y": 1}, breakpoints=lambda p, a, b: np.zeros(0))
+
+
+def test_ports_have_sizes():
+    with pytest.raises(BlockError, match=r"a: ports \['e'\] must be a dict of sizes"):
+        Block("a", output=lambda t, x, u, p, y: None, inputs=["e"], outputs={"y": 1})

@@ -89,6 +89,7 @@ def write(path, u, v, lat=LAT, lon=LON, time=TIME, **options):
         (1.0, {"order": ("lon", "time", "lat")}),
         (1.0, {"lon": LON + 360}),
         (1.0, {"time": TIME * 60, "time_units": "minutes since 2019-01-01 06:00"}),
+        (1.0, {"time_units": "Hours Since 2019-01-01 06:00"}),
         (1.0, {"time": TIME / 24 + 0.25, "time_units": "days since 2019-01-01"}),
     ],
 )

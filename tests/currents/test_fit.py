@@ -205,8 +205,8 @@ def test_places_that_cannot_be_written_to(known, tmp_path, name, sentence):
     [
         ({"rows": 0}, DataError, "rows = 0: must be a whole number, at least 1"),
         ({"columns": 1.5}, DataError, "columns = 1.5: must be a whole number"),
-        ({"width_km": -1.0}, DataError, "width = -1.0 km: must be positive"),
-        ({"width_km": np.nan}, DataError, "width = nan km"),
+        ({"width_km": -1.0}, DataError, r"width \(--width-km\) = -1.0 km: must be positive"),
+        ({"width_km": np.nan}, DataError, r"width \(--width-km\) = nan km"),
         ({"width_km": 1e4}, DataError, "cannot separate the basis functions .* smaller width"),
         ({"constituents": ()}, DataError, "at least one name"),
         ({"constituents": ("M2", "M2")}, DataError, "each once"),
@@ -227,8 +227,8 @@ def test_each_mistake_is_one_sentence(known, options, error, sentence):
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        (("--width-km", "-15"), "width = -15.0 km: must be positive and finite"),
-        (("--width-km", "1e999"), "width = inf km: must be positive and finite"),
+        (("--width-km", "-15"), r"width \(--width-km\) = -15.0 km: must be positive and finite"),
+        (("--width-km", "1e999"), r"width \(--width-km\) = inf km: must be positive and finite"),
         (("--rows", "0"), "rows = 0: must be a whole number, at least 1"),
         (("--columns", "-3"), "columns = -3: must be a whole number, at least 1"),
         (("--columns", "2.5"), "--columns.*valid integer"),

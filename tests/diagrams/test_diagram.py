@@ -453,3 +453,8 @@ def test_blocks_of_a_reference_alone_run():
     loop = connect([reference.reference([[1.0, 0.0], [0.0, 1.0]], dwell=2.0)])
     run = clpt.simulate(loop, [0.0, 1.0, 2.0, 3.0])
     assert run.outputs[0].tolist() == [1.0, 1.0, 0.0, 0.0]
+
+
+def test_what_is_no_block_is_named():
+    with pytest.raises(DiagramError, match="'vehicle' is no block"):
+        connect(["vehicle"])

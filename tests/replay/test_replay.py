@@ -153,3 +153,8 @@ def test_what_was_repaired_is_said():
     noted = replace(vehicle(1, 3)[1], notes=("filled 2 samples",))
     found = summary(replay_dives([vehicle(1, 3)[0], noted]))
     assert found["notes"] == [{"dive": 1, "note": "filled 2 samples"}]
+
+
+def test_a_path_is_no_dive():
+    with pytest.raises(DataError, match=r"'p5420304.nc'.*must be Dives.*read_dives"):
+        replay_dives(["p5420304.nc"])

@@ -29,6 +29,11 @@ def scenario_of(source: Source) -> Scenario:
 
     if isinstance(source, Scenario):
         return source
+    if not hasattr(source, "attrs"):
+        raise DataError(
+            f"{source!r:.60}: must be a Scenario or a run; clpt.load_scenario and clpt.load_run "
+            "read them"
+        )
     text = source.attrs.get("scenario")
     if text is None:
         raise DataError("the run carries no scenario in its attributes; `clpt run` writes one")

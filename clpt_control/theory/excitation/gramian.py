@@ -19,7 +19,7 @@ from functools import cached_property
 import numpy as np
 
 from ...errors import ScenarioError
-from ...scenario.experiment import Scenario
+from ...scenario.experiment import Scenario, require_scenario
 from .between_samples import Source
 from .regressor import Regressor, joint_regressor
 
@@ -153,6 +153,7 @@ def started_true(scenario: Scenario) -> Scenario:
     >>> clpt.theory.started_true(clpt.paper_scenario()).learning.parameters[0]
     (-1.0, -0.4, -0.8)
     """
+    require_scenario(scenario)
     if scenario.flow.parameters is None:
         raise ScenarioError("flow.field: a gridded field has no true parameters to start from")
     return scenario.with_values(
