@@ -14,10 +14,17 @@ from clpt_control.blocks import (
     reference,
     vehicle,
 )
-from clpt_control.blocks.laws import known_flow, learned_flow
+from clpt_control.blocks.laws.law import Gains, Truth
+from clpt_control.blocks.laws.table import LAWS
 from clpt_control.currents.field_file import GriddedField
+from clpt_control.theory.proving.theorem_loop import theorem_scenario
 
 SIZES = (1, 2, 3, 5)
+GAINS = {
+    "one": Gains(0.7, 0.7, 0.7, one=True),
+    "each": Gains(0.7, 0.4, 1.3, one=False),
+    "held": Gains(0.7, 0.0, 0.0, one=False),
+}
 
 
 def basis_parameters(rng, N):
@@ -80,14 +87,13 @@ def package_blocks():
             f"injection-learned-{N}",
             learner.injection(learner.LearnedFlowInjectionParameters(N, a)),
         )
-        yield (
-            f"adaptation-known-{N}",
-            known_flow.known_flow_law(known_flow.KnownFlowParameters(N, 0.7, a)),
-        )
-        yield (
-            f"adaptation-learned-{N}",
-            learned_flow.learned_flow_law(learned_flow.LearnedFlowParameters(N, 0.7)),
-        )
+        for name, law in LAWS.items():
+            scenario = theorem_scenario(N, name)
+            for way, gains in GAINS.items():
+                block = law.block(scenario.known_to_law._replace(gains=gains))
+                yield f"law-{name}-{way}-{N}", block
+                if way == "one":
+                    yield f"V-{name}-{N}", law.V(block.parameters, Truth(theta, KD, GammaD))
         yield (
             f"error_system-{N}",
             error_system.error_system(error_system.ErrorSystemParameters(N, KD)),

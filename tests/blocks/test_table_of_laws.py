@@ -1,0 +1,96 @@
+"""What all laws of the table share: ports, K' and Gamma', gains that are held, and V.
+
+K' = -gamma_K z e, Gamma' = gamma_Gamma zc e, Eqs. (22)-(23), by gains of their own.
+"""
+
+import numpy as np
+import pytest
+
+from clpt_control.blocks.laws.law import Gains, Truth, functions_of
+from clpt_control.blocks.laws.table import LAWS
+from clpt_control.theory.proving.theorem_loop import theorem_scenario
+
+N = 2
+TRUTH = Truth(np.array([[0.1, 0.2], [-0.1, -0.2]]), np.array([1.0, 0.7]), np.array([1.2, -0.5]))
+
+
+def made(name, **gains):
+    known = theorem_scenario(N, name).known_to_law
+    given = {"parameters": 0.5, "feedback": 0.3, "feedforward": 0.2, "one": False, **gains}
+    return LAWS[name].block(known._replace(gains=Gains(**given)))
+
+
+def place(ports, port):
+    """Return where a port lies among all."""
+    names = [name for name, size in ports.items() for _ in range(size)]
+    return [k for k, name in enumerate(names) if name == port]
+
+
+def rates(block, seed=0):
+    """Return the rates by state at a random point, and the inputs there."""
+    random = np.random.default_rng(seed)
+    x, u = random.normal(size=block.nstates), random.normal(size=block.ninputs)
+    dx = block.dynamics(0.0, x, u)
+    given = {port: u[place(block.input_ports, port)] for port in block.input_ports}
+    return {port: dx[place(block.state_ports, port)] for port in block.state_ports}, given
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_a_law_has_the_ports_of_the_diagram(name):
+    block = made(name)
+    assert block.name == "adaptation"
+    assert functions_of(block) == N
+    assert {"K", "Gamma"} <= set(block.state_ports)
+    assert set(block.state_ports) <= set(block.output_ports)  # runs and V see every state
+    assert not block.feedthrough
+
+
+@pytest.mark.parametrize("name", LAWS)
+@pytest.mark.parametrize("seed", range(3))
+def test_gains_that_are_held_do_not_move(name, seed):
+    found, _ = rates(made(name, feedback=0.0, feedforward=0.0), seed)
+    assert not np.any(found["K"])
+    assert not np.any(found["Gamma"])
+
+
+@pytest.mark.parametrize("name", ["learned-flow", "known-flow"])
+def test_each_gain_is_its_own(name):
+    found, u = rates(made(name))
+    np.testing.assert_allclose(found["K"], -0.3 * u["z"] * u["e"], rtol=1e-14)
+    np.testing.assert_allclose(found["Gamma"], 0.2 * u["zc"] * u["e"], rtol=1e-14)
+    if name == "learned-flow":
+        outer = -0.5 * np.outer(u["e"], u["phi_x"])
+        np.testing.assert_allclose(found["alpha"], outer.ravel(), rtol=1e-14)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_V_is_zero_at_the_truth_and_e_squared_over_2_beside_it(name):
+    block = made(name)
+    V = LAWS[name].V(block.parameters, TRUTH)
+    assert V.output_ports == {"V": 1}
+    assert set(V.input_ports) <= {"e", *block.output_ports}
+    known = theorem_scenario(N, name).known_to_law
+    own = LAWS[name].starts(known)
+    at = {"alpha": -TRUTH.theta.ravel(), "K": TRUTH.KD, "Gamma": TRUTH.GammaD, **own}
+    for e in ([0.0, 0.0], [0.3, -0.4]):
+        u = np.concatenate([np.ravel(at.get(port, e)) for port in V.input_ports])
+        assert V.output(0.0, [], u)[0] == pytest.approx(np.sum(np.square(e)) / 2, abs=1e-15)
+
+
+@pytest.mark.parametrize("name", ["learned-flow", "known-flow"])
+def test_V_weighs_each_error_by_its_gain(name):
+    V = LAWS[name].V(made(name).parameters, TRUTH)
+    off = {"alpha": 0.1, "K": 0.2, "Gamma": 0.3}
+    true = {"e": np.zeros(2), "alpha": -TRUTH.theta.ravel(), "K": TRUTH.KD, "Gamma": TRUTH.GammaD}
+    u = np.concatenate([true[port] + off.get(port, 0.0) for port in V.input_ports])
+    alpha = 2 * N * 0.1**2 / 0.5 if name == "learned-flow" else 0.0
+    wanted = (alpha + 2 * 0.2**2 / 0.3 + 2 * 0.3**2 / 0.2) / 2
+    assert V.output(0.0, [], u)[0] == pytest.approx(wanted, rel=1e-14)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_starts_are_those_of_own_states(name):
+    block, known = made(name), theorem_scenario(N, name).known_to_law
+    for port, value in LAWS[name].starts(known).items():
+        assert np.size(value) == block.state_ports[port]
+        assert port not in ("alpha", "K", "Gamma")
