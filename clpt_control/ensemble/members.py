@@ -62,7 +62,8 @@ class Ensemble:
 
     def _places(self, key: str) -> tuple[list[int], list[int]] | None:
         """Return where in P and in the initial state a value begins; None if it is computed."""
-        if key in JUMPS or key not in {**CALL_TIME_NAMES, **STARTS}:
+        made = self.scenario.learning.row.made_of if self.law is None else ()
+        if key in (*JUMPS, *made) or key not in {**CALL_TIME_NAMES, **STARTS}:
             return None
         places = {
             f"{self.blocks[k].name}.{field}": place

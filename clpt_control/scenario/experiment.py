@@ -148,6 +148,8 @@ class Scenario(Table):
             np.array(self.vehicle.feedback),
             self.waypoints,
             self.reference.dwell,
+            np.array(self.vehicle.position),
+            np.array(self.learning_parameters),
             self.learning.settings,
         )
 

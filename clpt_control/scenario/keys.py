@@ -49,6 +49,8 @@ STARTS = {
 def names_held(scenario: Any, key: str, known: Collection[str]) -> tuple[str, ...]:
     """Return which parameters of a scenario's blocks, of those known, hold a key's value."""
     names, learning = CALL_TIME_NAMES.get(key, ()), scenario.learning
+    if key in learning.row.made_of:  # held elsewhere too, in another form
+        names = ()
     if key == "learning.gain" and not learning.adapt_gains:
         names = names[:1]  # the others are 0
     if key.startswith("learning.gain") and key.startswith("learning.gains.") == (

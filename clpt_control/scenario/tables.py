@@ -30,6 +30,7 @@ def _period(value: float) -> float:
 
 Number = Annotated[float, Strict(), AfterValidator(_finite)]
 Positive = Annotated[Number, Field(gt=0)]
+NotNegative = Annotated[Number, Field(ge=0)]
 Period = Annotated[float, Strict(), AfterValidator(_period)]
 Count = Annotated[int, Strict(), Field(ge=1, le=10**6)]
 Pair = tuple[Number, Number]
@@ -39,7 +40,8 @@ TwoRows = tuple[Row, Row]
 KINDS: dict[str, Any] = {  # what a law's setting may be
     "number": Number,
     "positive": Positive,
-    "not negative": Annotated[Number, Field(ge=0)],
+    "not negative": NotNegative,
+    "number or row": NotNegative | tuple[NotNegative, ...],
     "two rows": TwoRows,
 }
 Kernel = Literal["exponential", "gaussian", "gaussian-sigma"]

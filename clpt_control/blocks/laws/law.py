@@ -29,7 +29,7 @@ class Setting(NamedTuple):
     """A key of a law's own table of the scenario."""
 
     default: Any  # a number; None where the law makes it of what is known
-    allowed: Literal["number", "positive", "not negative", "two rows"]
+    allowed: Literal["number", "positive", "not negative", "number or row", "two rows"]
     meaning: str  # what it is, with its unit
 
 
@@ -42,6 +42,8 @@ class Known(NamedTuple):
     KD: np.ndarray  # shape (2,), feedback gains of the vehicle, per time
     waypoints: np.ndarray  # shape (n, 2), length
     dwell: float  # time at each waypoint
+    position: np.ndarray  # shape (2,), x(0), length
+    alpha: np.ndarray  # shape (2, N), alpha(0), length per time
     settings: Mapping[str, Any]  # every key of the law's own table, its value or default
 
 
@@ -64,6 +66,7 @@ class Law(NamedTuple):
     settings: Mapping[str, Setting] = {}
     gain: float | None = None  # where learning.gain is left out; None: it is required
     starts: Callable[[Known], dict[str, Any]] = lambda known: {}  # its own states at t = 0
+    made_of: tuple[str, ...] = ()  # keys of which its parameters and starts are made, beside its own
     given_estimate: bool = False  # theta_hat is given, alpha = alpha_M, Eq. (13)
 
     @property

@@ -3,7 +3,10 @@
 To add a law, write its page and put its row, `LAW`, in here; CONTRIBUTING has the recipe.
 """
 
-from . import known_flow, learned_flow
+from . import composite_least_squares, composite_memory, known_flow, learned_flow
 from .law import Law
 
-LAWS: dict[str, Law] = {page.LAW.name: page.LAW for page in (learned_flow, known_flow)}
+LAWS: dict[str, Law] = {
+    page.LAW.name: page.LAW
+    for page in (learned_flow, known_flow, composite_least_squares, composite_memory)
+}
