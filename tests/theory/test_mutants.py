@@ -23,7 +23,7 @@ from clpt_control.blocks.functions import helpers_of
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.currents.field_file import GriddedField
 from clpt_control.simulation.loops import paper_blocks
-from clpt_control.theory.proving import judged_laws, theorems
+from clpt_control.theory.proving import judged_laws, theorem_loop, theorems
 from clpt_control.theory.proving.misprints import misprints
 from clpt_control.theory.proving.theorems import THEOREMS, audit
 
@@ -61,7 +61,7 @@ def every_block():
     for law in lyapunov.LAWS:
         yield lyapunov.lyapunov_candidate(law, truth)
     for law in LAWS.values():
-        yield from judged_laws.law_and_V(law)
+        yield from theorem_loop.law_and_V(law, judged_laws.N)
 
 
 def functions():

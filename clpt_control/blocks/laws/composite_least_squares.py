@@ -12,7 +12,7 @@ gamma = w/r^2 with a weight w.  K and Gamma follow Eqs. (22)-(23), or are held.
 Source: Slotine and Li 1989, Automatica 25(4), Composite adaptive control of robot manipulators.
 
     V  = (|e|^2 + tr(eta P^-1 eta^T)/gamma + |K - KD|^2/gamma_K + |Gamma - GammaD|^2/gamma_Gamma)/2
-    V' = -e^T KD e - |eta phi_f|^2/(2 gamma r^2),    where each held parameter is true
+    V' = -e^T KD e - |eta phi_f|^2/(2 w),    where each held parameter is true
 
 Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> alpha[2N] (length
 per time), K[2], Gamma[2] (per time), impulse[2N] (s, time per length), states; own states
@@ -46,7 +46,8 @@ class CandidateParameters(NamedTuple):
     """What V measures and its weights."""
 
     N: int  # number of basis functions
-    gain: float  # gamma = w/r^2, time per length squared
+    weight: float  # w
+    noise: float  # r, length per square root of time
     information: np.ndarray  # shape (N,), (time per length) squared
     gain_K: np.ndarray  # shape (2,)
     gain_Gamma: np.ndarray  # shape (2,)
@@ -108,7 +109,7 @@ def candidate(t, x, u, p, y):
         for k in range(n):
             eta = p.theta[i, k] + u[2 + i * n + k]
             share = u[6 + 2 * n + i * n + k] + p.theta[i, k] * p.information[k]
-            y[0] += eta * share / (2 * p.gain)
+            y[0] += eta * share * p.noise**2 / (2 * p.weight)
 
 
 def composite_least_squares_law(parameters: CompositeLeastSquaresParameters) -> Block:
@@ -173,17 +174,37 @@ def starts(known: Known) -> dict[str, Any]:
 
 def V(p: Any, truth: Truth) -> Block:
     """Make V, each error weighed by its own gain."""
-    gamma = p.weight / p.noise**2
-    w = weighed((gamma, p.gain_K, p.gain_Gamma), *truth)
+    w = weighed((1.0, p.gain_K, p.gain_Gamma), *truth)
     return Block(
         "lyapunov",
         output=candidate,
         inputs={"e": 2, "alpha": 2 * p.N, "K": 2, "Gamma": 2, "impulse": 2 * p.N},
         outputs={"V": 1},
         parameters=CandidateParameters(
-            p.N, gamma, p.information, w.gain_K, w.gain_Gamma, w.theta, w.KD, w.GammaD
+            p.N,
+            p.weight,
+            p.noise,
+            p.information,
+            w.gain_K,
+            w.gain_Gamma,
+            w.theta,
+            w.KD,
+            w.GammaD,
         ),
     )
+
+
+def keeps(s: Any, p: Any, theta: Any) -> dict[str, Any]:
+    """Return what the states are at all times: P = P^T, eta = (s + theta P(0)^-1) P, F_f."""
+    P = np.triu(s["P"].reshape(p.N, p.N))
+    P = P + np.triu(P, 1).T
+    alpha = (s["impulse"].reshape(2, p.N) + theta * p.information) @ P - theta
+    return {"P": P, "alpha": alpha, "q": p.filter * s["x"] - theta @ s["phi_f"]}
+
+
+def gains(s: Any, p: Any, theta: Any) -> Any:
+    """Return V' + e^T KD e = -|eta phi_f|^2/(2 w)."""
+    return -sum(((theta + s["alpha"].reshape(2, p.N)) @ s["phi_f"]) ** 2) / (2 * p.weight)
 
 
 LAW = Law(
@@ -204,5 +225,9 @@ LAW = Law(
     },
     gain=1.0,
     starts=starts,
+    keeps=keeps,
+    gains=gains,
+    cone="P",
+    says="-e^T KD e - |eta phi_f|^2/(2 w)",
     made_of=("vehicle.feedback", "vehicle.position", "learning.parameters"),
 )

@@ -120,6 +120,19 @@ def V(p: Any, truth: Truth) -> Block:
     return lyapunov_candidate("learned-flow", weighed((p.gain, p.gain_K, p.gain_Gamma), *truth))
 
 
+def keeps(s: Any, p: Any, theta: Any) -> dict[str, Any]:
+    """Return what the states are at all times: Q = Q^T, b = theta Q, F_f = theta phi_f."""
+    Q = np.triu(s["Q"].reshape(p.N, p.N))
+    Q = Q + np.triu(Q, 1).T
+    return {"Q": Q, "b": theta @ Q, "q": p.filter * s["x"] - theta @ s["phi_f"]}
+
+
+def gains(s: Any, p: Any, theta: Any) -> Any:
+    """Return V' + e^T KD e = -gamma_c tr(eta Q eta^T)/gamma."""
+    eta, Q = theta + s["alpha"].reshape(2, p.N), s["Q"].reshape(p.N, p.N)
+    return -p.memory_gain * np.sum((eta @ Q) * eta) / p.gain
+
+
 LAW = Law(
     "composite-memory",
     promise="CLPE goes to zero, and alpha to -theta exponentially once the track has excited",
@@ -133,5 +146,9 @@ LAW = Law(
     },
     gain=1.0,
     starts=starts,
+    keeps=keeps,
+    gains=gains,
+    cone="Q",
+    says="-e^T KD e - gamma_c tr(eta Q eta^T)/gamma",
     made_of=("vehicle.feedback", "vehicle.position"),
 )

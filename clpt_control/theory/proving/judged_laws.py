@@ -8,16 +8,14 @@ Theorem 3.1, and is bounded in the mean square by the error of the estimate.
 from collections.abc import Callable
 from typing import NamedTuple
 
-import numpy as np
-
-from ...blocks import Block
-from ...blocks.laws.law import Law, Truth
+from ...blocks.laws.law import Law
 from ...blocks.laws.table import LAWS
 from ...progress.interrupt import check
+from .kept_relations import kept_steps
 from .lyapunov import decay_and_known_error, identity_steps
 from .own_law import prove
 from .proof import Step
-from .theorem_loop import theorem_scenario
+from .theorem_loop import law_and_V
 
 POINTS = 1_000  # at which the running blocks of each law are called
 N = 2  # functions; a proof for every N says so
@@ -52,29 +50,31 @@ def judged_laws(progress: Callable[[float], None] | None = None) -> dict[str, Ju
 def judged(law: Law) -> JudgedLaw:
     """Judge one law; equations that cannot be read leave it open."""
     try:
+        if law.keeps is not None:
+            return _with_kept_relations(law)
         return _of_given_flow(law) if law.given_estimate else _with_own_V(law)
     except Exception as error:  # an equation so changed that it cannot be traced
         step = Step("the equations can be read", False, "exact", f"{error}")
         return JudgedLaw(law.name, "open", str(error), False, (step,))
 
 
-def law_and_V(law: Law) -> tuple[Block, Block]:
-    """Return a law's block and V in the theorems' scenario, at its defaults."""
-    scenario = theorem_scenario(N, law.name)
-    made, car = law.block(scenario.known_to_law), scenario.vehicle
-    truth = map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward))
-    return made, law.V(made.parameters, Truth(*truth))
-
-
 def _with_own_V(law: Law) -> JudgedLaw:
     """Judge a law that learns the flow."""
-    verdict = prove(*law_and_V(law), points=POINTS)
+    verdict = prove(*law_and_V(law, N), points=POINTS)
     sign = "=" if verdict.residual == 0 else "<="
     claim = verdict.reached or f"V' {sign} -e^T KD e, so CLPE goes to zero"
     if verdict.status not in ("proved", "bounded"):
         failed = [f"{s.claim} ({s.detail})" for s in verdict.steps if not s.holds]
         claim = failed[0] if failed else "V' is not known to fall"
     return JudgedLaw(law.name, verdict.status, claim, verdict.for_every_N, verdict.steps)
+
+
+def _with_kept_relations(law: Law) -> JudgedLaw:
+    """Judge a law whose states keep relations."""
+    steps = tuple(kept_steps(law, POINTS))
+    failed = [f"{s.claim} ({s.detail})" for s in steps if not s.holds]
+    claim = failed[0] if failed else f"V' = {law.says}, so CLPE goes to zero"
+    return JudgedLaw(law.name, "open" if failed else "proved", claim, False, steps)
 
 
 def _of_given_flow(law: Law) -> JudgedLaw:

@@ -7,6 +7,7 @@ holds for every phi_x, phi_z, zc and Delta, and the running blocks are called wi
 import numpy as np
 
 from ...blocks import Block
+from ...blocks.laws.law import Law, Truth
 from ...blocks.lyapunov import lyapunov_candidate, one_gain
 from ...diagrams.interconnection import Diagram, connect
 from ...scenario.experiment import Scenario
@@ -40,6 +41,14 @@ def theorem_scenario(N: int, law: str, disturbed: bool = False) -> Scenario:
             "learning.theta_estimate": (0.4 * signs).tolist() if known else None,
         }
     )
+
+
+def law_and_V(law: Law, N: int) -> tuple[Block, Block]:
+    """Return a law's block and V in the theorems' scenario, at its defaults."""
+    scenario = theorem_scenario(N, law.name)
+    made, car = law.block(scenario.known_to_law), scenario.vehicle
+    truth = map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward))
+    return made, law.V(made.parameters, Truth(*truth))
 
 
 def theorem_loop(

@@ -1,0 +1,161 @@
+"""Prove a law whose states keep relations between each other, such as P with the information.
+
+A law's row says which relations its states `keep` (state = expression of the others), which
+matrix is not negative, and what V' `gains` beyond -e^T KD e.  Each is then shown:
+
+    s' = (expression)'                    where the relations hold: what starts there stays
+    c^T M' c >= 0  where  M c = 0         the cone M >= 0 is not left (Nagumo)
+    V' = -e^T KD e + gains <= -e^T KD e   where the relations hold, V and -gains not negative
+
+The first two are exact for N = 1, 2, 3; so is the third, and the running blocks give the same V'.
+"""
+
+from typing import Any
+
+import numpy as np
+import sympy
+
+from ...blocks import Block
+from ...blocks.laws.law import Law
+from .lyapunov import claimed, decay, short
+from .proof import Step, checked
+from .quadratic_forms import nonpositive
+from .running_rate import compared
+from .symbolic_loop import SymbolicLoop, symbolic_loop
+from .theorem_loop import law_and_V, theorem_loop
+
+SIZES = (1, 2, 3)  # numbers of functions
+
+
+class Kept:
+    """A law's closed loop on symbols for one N, with the relations that its row states."""
+
+    def __init__(self, law: Law, N: int):
+        made, V = law_and_V(law, N)
+        self.diagram = theorem_loop(N, "learned-flow", law_block=made, candidate=V)
+        self.loop: SymbolicLoop = symbolic_loop(self.diagram)
+        own = self.loop.states
+        self.states = {port.rpartition(":")[2]: symbols for port, symbols in own.items()}
+        self.rates = {port.rpartition(":")[2]: rate for port, rate in self.loop.rates.items()}
+        p, theta = self.loop.parameters[made.name], self.loop.parameters["true_flow"].theta
+        assert law.keeps is not None
+        relations = law.keeps(self.states, p, theta)
+        self.relations: dict[Any, sympy.Expr] = {
+            symbol: sympy.expand(value)
+            for port, values in relations.items()
+            for symbol, value in zip(self.states[port], np.ravel(values), strict=True)
+            if symbol != value
+        }
+        self.gains = sympy.sympify(law.gains(self.states, p, theta))
+        self.matrix = self.states[law.cone].reshape(N, N)
+        self.slope = self.rates[law.cone].reshape(N, N)
+        tied = _tied(self.loop, made, V)
+        self.V = self.loop.signals["V"][0].subs(tied)
+        self.rate = self.loop.derivative(self.V)
+        self.untied = self.loop.derivative(self.loop.signals["V"][0])
+        car = self.loop.parameters["vehicle_controller"]
+        truth = (theta.ravel(), car.KD, car.GammaD)
+        self.apart = {s for symbols in (*own.values(), *truth) for s in symbols}
+
+    def here(self, expression: Any) -> sympy.Expr:
+        """Return an expression where the relations hold."""
+        return sympy.expand(sympy.sympify(expression).subs(self.relations, simultaneous=True))
+
+    def left(self) -> str:
+        """Return which relation is left, or nothing."""
+        for symbol, value in self.relations.items():
+            drift = self.here(self.loop.derivative(symbol - value))
+            if drift != 0 and sympy.cancel(sympy.together(drift)) != 0:
+                return f"{symbol} leaves it by {short(drift)}"
+        return ""
+
+    def cone_is_kept(self) -> bool:
+        """Return whether c^T M' c is not negative where M c = 0, for every c."""
+        n = len(self.matrix)
+        c = sympy.Matrix(sympy.symbols(f"c_1:{n + 1}", real=True))
+        apart = sympy.eye(n) - c * c.T / (c.T * c)[0]  # every M with M c = 0 is apart M apart
+        touching = apart * sympy.Matrix(n, n, self.symmetric().ravel()) * apart
+        at = dict(zip(self.matrix.ravel(), touching, strict=True))
+        form = (c.T * sympy.Matrix(n, n, self.slope.ravel()) * c)[0]
+        found = sympy.factor(sympy.together(form.subs(at, simultaneous=True)))
+        return bool(found.is_nonnegative)
+
+    def symmetric(self) -> np.ndarray:
+        """Return the matrix with its relations, shape (N, N)."""
+        return np.array([[self.here(s) for s in row] for row in self.matrix], dtype=object)
+
+    def not_negative(self, expression: sympy.Expr) -> bool:
+        """Return whether F = F(M = 0) + tr(M S) is known not to be negative for M >= 0."""
+        if all(term.is_nonnegative for term in sympy.Add.make_args(expression)):
+            return True
+        n, found = len(self.matrix), self.here(expression)
+        symbols = sorted(set(self.symmetric().ravel()), key=str)
+        zero = dict.fromkeys(symbols, 0)
+        if not found.is_polynomial(*symbols) or sympy.Poly(found, *symbols).total_degree() > 1:
+            return False
+        c, form = sympy.symbols(f"c_1:{n + 1}", real=True), sympy.Integer(0)
+        for j in range(n):
+            for k in range(j, n):  # M_jk stands for M_kj as well
+                form += c[j] * c[k] * sympy.diff(found, self.here(self.matrix[j, k]))
+        parts = (found.subs(zero), sympy.expand(form))
+        return all(nonpositive(-part, self.apart, {}) for part in parts)
+
+
+def _tied(loop: SymbolicLoop, law: Block, V: Block) -> dict[Any, Any]:
+    """Return V's symbols -> the law's, for fields of one name and value."""
+    tied: dict[Any, Any] = {}
+    for field in set(V.parameters._fields) & set(law.parameters._fields) - {"N"}:
+        mine, own = (np.asarray(getattr(b.parameters, field)) for b in (V, law))
+        if np.array_equal(mine, np.broadcast_to(own, mine.shape)):
+            symbols = np.asarray(getattr(loop.parameters[V.name], field), dtype=object)
+            theirs = np.asarray(getattr(loop.parameters[law.name], field), dtype=object)
+            theirs = np.broadcast_to(theirs, symbols.shape)
+            tied.update(zip(symbols.ravel(), theirs.ravel(), strict=True))
+    return tied
+
+
+def kept_steps(law: Law, points: int) -> list[Step]:
+    """Check a law whose row states what its states keep, for N = 1, 2, 3."""
+    cases = [Kept(law, N) for N in SIZES]
+
+    def stays() -> tuple[bool, str]:
+        left = next(
+            (f"N = {N}: {said}" for N, k in zip(SIZES, cases, strict=True) if (said := k.left())),
+            "",
+        )
+        return not left, left
+
+    def falls() -> tuple[bool, str]:
+        for N, case in zip(SIZES, cases, strict=True):
+            rest = case.here(case.rate - claimed(case.loop, decay) - case.gains)
+            if rest != 0 and sympy.cancel(sympy.together(rest)) != 0:
+                return False, f"N = {N}, left over: {short(rest)}"
+            if case.loop.undefined:
+                return False, case.loop.undefined[0]
+        return True, ""
+
+    def running() -> tuple[bool, str]:
+        case = cases[1]
+        found = compared(case.diagram, case.loop, sympy.expand(case.untied), points)
+        if found.where is not None:
+            return False, f"differs by {found.worst:.1e} of V at {found.where}"
+        return True, f"{found.points} points, largest difference {found.worst:.0e} of V"
+
+    name = law.cone
+    return [
+        checked("what the law's states keep is kept", "exact", stays, False),
+        checked(
+            f"c^T {name}' c >= 0 where {name} c = 0, so {name} >= 0 is not left",
+            "exact",
+            lambda: all(case.cone_is_kept() for case in cases),
+            False,
+        ),
+        checked(f"V' = -e^T KD e + gains, N = 1, 2, 3: {law.says}", "exact", falls, False),
+        checked(
+            f"with {name} >= 0 V and -gains are not negative",
+            "exact",
+            lambda: all(k.not_negative(k.V) and k.not_negative(-k.gains) for k in cases),
+            False,
+        ),
+        checked("the running blocks give the same V'", "sampled", running, False),
+    ]
