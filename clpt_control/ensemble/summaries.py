@@ -145,7 +145,7 @@ def kept_variables(
 
 def dims_of(key: str, ndim: int) -> tuple[str, ...]:
     """Return the names of the dimensions of a key's value."""
-    return AXES.get(key, ("axis",)) if ndim else ()
+    return AXES.get(key, ("axis", "basis")[:ndim]) if ndim else ()
 
 
 def summarise_members(

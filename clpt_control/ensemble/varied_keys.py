@@ -150,6 +150,13 @@ def variable_values(scenario: Scenario) -> dict[str, np.ndarray]:
                 found[key] = np.array(value, dtype=float)
 
     walk(scenario, "")
+    learning = scenario.learning
+    own = {f"{learning.row.table}.{key}": value for key, value in learning.settings.items()}
+    if learning.gain is None and learning.gains is None:
+        own["gain"] = learning.row.gain
+    for name, value in own.items():  # the law's defaults may vary too
+        if isinstance(value, float) or _is_array(value):
+            found.setdefault(f"learning.{name}", np.array(value, dtype=float))
     if scenario.flow.disturbance is not None and scenario.flow.disturbance.kind == "constant":
         found.pop("flow.disturbance.period", None)
     return found
