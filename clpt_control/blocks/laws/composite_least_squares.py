@@ -57,10 +57,10 @@ class CandidateParameters(NamedTuple):
 
 
 def composite_least_squares(t, x, u, p, dx):
-    """alpha', K', Gamma', s', P' of Slotine and Li 1989, and the filter's rates.
+    """alpha' of Eq. (21) with P and the regression, K', Gamma' of Eqs. (22)-(23), s', P', filter.
 
-    u = e[2], phi_x[N], z[2], zc[2], x[2], v_x[2]; states alpha[2N], K[2], Gamma[2], s[2N],
-    P[N*N], phi_f[N], q[2].
+    u = e[2], phi_x[N], z[2], zc[2], x[2], v_x[2]; states alpha[2N], K[2], Gamma[2],
+    impulse[2N] (s), P[N*N], phi_f[N], q[2].
     """
     n = p.N
     e, phi, z, zc = u[0:2], u[2 : 2 + n], u[2 + n : 4 + n], u[4 + n : 6 + n]
@@ -93,15 +93,15 @@ def composite_least_squares(t, x, u, p, dx):
 
 
 def outputs(t, x, u, p, y):
-    """y = alpha[2N], K[2], Gamma[2], s[2N], the first states, Slotine and Li 1989."""
+    """y = alpha[2N], K[2], Gamma[2], impulse[2N], the first states, Eqs. (21)-(23)."""
     for j in range(4 * p.N + 4):
         y[j] = x[j]
 
 
 def candidate(t, x, u, p, y):
-    """V with tr(eta P^-1 eta^T) = sum eta (s + theta P(0)^-1), Slotine and Li 1989.
+    """V of Eq. (24) with tr(eta P^-1 eta^T) = sum eta (s + theta P(0)^-1) for |eta|^2.
 
-    u = e[2], alpha[2N], K[2], Gamma[2], s[2N]; y = V[1].
+    u = e[2], alpha[2N], K[2], Gamma[2], impulse[2N] (s); y = V[1].
     """
     n = p.N
     known_flow(t, x, u, p, y)

@@ -40,7 +40,7 @@ class CompositeMemoryParameters(NamedTuple):
 
 
 def composite_memory(t, x, u, p, dx):
-    """alpha', K', Gamma', Q', b' of Kreisselmeier 1977, and the filter's rates.
+    """alpha' of Eq. (21) with the memory, K', Gamma' of Eqs. (22)-(23), Q', b', filter.
 
     u = e[2], phi_x[N], z[2], zc[2], x[2], v_x[2]; states alpha[2N], K[2], Gamma[2], Q[N*N],
     b[2N], phi_f[N], q[2].
@@ -71,7 +71,7 @@ def composite_memory(t, x, u, p, dx):
 
 
 def outputs(t, x, u, p, y):
-    """y = alpha[2N], K[2], Gamma[2], the first states, Kreisselmeier 1977."""
+    """y = alpha[2N], K[2], Gamma[2], the first states, Eqs. (21)-(23)."""
     for j in range(2 * p.N + 4):
         y[j] = x[j]
 
