@@ -41,7 +41,7 @@ KINDS: dict[str, Any] = {  # what a law's setting may be
     "number": Number,
     "positive": Positive,
     "not negative": NotNegative,
-    "number or row": NotNegative | tuple[NotNegative, ...],
+    "row": tuple[NotNegative, ...],
     "two rows": TwoRows,
 }
 Kernel = Literal["exponential", "gaussian", "gaussian-sigma"]

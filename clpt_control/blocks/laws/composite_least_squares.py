@@ -26,7 +26,7 @@ import numpy as np
 from ...errors import ScenarioError
 from ..block import Block
 from ..lyapunov import known_flow, weighed
-from .filtered_flow import filter_rates, filter_starts, reach, stiffness, unexplained
+from .filtered_flow import filter_rates, filter_starts, reach, mean_feedback, unexplained
 from .law import Known, Law, Setting, Truth, adapt_feedback, adapt_feedforward
 
 
@@ -130,21 +130,23 @@ def composite_least_squares_law(parameters: CompositeLeastSquaresParameters) -> 
 
 def _prior(known: Known) -> np.ndarray:
     """Return the prior standard deviation of each parameter, shape (N,), length per time."""
-    given = known.settings["prior"]
-    if given is None:
-        given = 0.3 * stiffness(known) * reach(known)
-    prior = np.ravel(np.asarray(given, dtype=float))
-    if len(prior) not in (1, known.N):
+    one, each = known.settings["prior"], known.settings["priors"]
+    table = "learning.composite_least_squares"
+    if each is None:
+        return np.full(known.N, one or 0.3 * mean_feedback(known) * reach(known))
+    if one is not None:
+        raise ScenarioError(f"{table}.priors: give either prior or priors, one of the two")
+    if len(each) != known.N:
         raise ScenarioError(
-            f"learning.composite_least_squares.prior: has {len(prior)} numbers; must be one, or "
-            f"one for each of the {known.N} functions"
+            f"{table}.priors: has {len(each)} numbers; must be one for each of the {known.N} "
+            "functions, 0 to hold its parameter"
         )
-    return np.full(known.N, prior[0]) if len(prior) == 1 else prior
+    return np.asarray(each, dtype=float)
 
 
 def block(known: Known) -> Block:
     """Make the law of what is known; its scales are k = mean KD and R, the reach of the track."""
-    own, k, prior = known.settings, stiffness(known), _prior(known)
+    own, k, prior = known.settings, mean_feedback(known), _prior(known)
     r = own["noise"]
     if r is None:
         r = 0.1 * reach(known) * np.sqrt(k)
@@ -210,15 +212,16 @@ def gains(s: Any, p: Any, theta: Any) -> Any:
 LAW = Law(
     "composite-least-squares",
     promise="CLPE goes to zero, and alpha to -theta faster the more the track has shown",
-    needs="the commanded velocity; learning.gain adapts K and Gamma alone",
+    needs="the commanded velocity; quickest with K and Gamma held, which learning.gain adapts",
     block=block,
     V=V,
     settings={
         "prior": Setting(
             None,
-            "number or row",
-            "standard deviation of theta, one or one a function, length/time; 0 holds; 0.3 k R",
+            "positive",
+            "standard deviation of each theta, length/time; 0.3 k R (k mean KD, R reach of the track)",
         ),
+        "priors": Setting(None, "row", "in place of prior: one a function, 0 to hold it"),
         "noise": Setting(None, "positive", "r of the regression, length/time^0.5; 0.1 R k^0.5"),
         "filter": Setting(None, "positive", "pole l of the filter, 1/time; 2 k"),
         "weight": Setting(100.0, "positive", "w, of CLPE beside the regression, no unit"),

@@ -23,7 +23,7 @@ import numpy as np
 
 from ..block import Block
 from ..lyapunov import lyapunov_candidate, weighed
-from .filtered_flow import filter_rates, filter_starts, filtered_flow, stiffness
+from .filtered_flow import filter_rates, filter_starts, filtered_flow, mean_feedback
 from .law import Known, Law, Setting, Truth, adapt_feedback, adapt_feedforward
 
 
@@ -94,7 +94,7 @@ def composite_memory_law(parameters: CompositeMemoryParameters) -> Block:
 
 def block(known: Known) -> Block:
     """Make the law of what is known; its scale is k = mean KD."""
-    own, gains, k = known.settings, known.gains, stiffness(known)
+    own, gains, k = known.settings, known.gains, mean_feedback(known)
     forgetting = own["forgetting"]
     return composite_memory_law(
         CompositeMemoryParameters(
@@ -140,7 +140,7 @@ LAW = Law(
     block=block,
     V=V,
     settings={
-        "memory_gain": Setting(None, "positive", "gamma_c, 1/time^2; 0.8 k^2"),
+        "memory_gain": Setting(None, "positive", "gamma_c, 1/time^2; 0.8 k^2 (k mean KD)"),
         "forgetting": Setting(None, "not negative", "m of the memory, 1/time; 0.02 k"),
         "filter": Setting(None, "positive", "pole l of the filter, 1/time; 2 k"),
     },

@@ -42,7 +42,7 @@ def filter_starts(known: Known, pole: float) -> dict[str, np.ndarray]:
     return {"phi_f": np.zeros(known.N), "q": pole * known.position}
 
 
-def stiffness(known: Known) -> float:
+def mean_feedback(known: Known) -> float:
     """Return k, the mean feedback gain of the vehicle, per time: the scale of time."""
     return float(np.mean(known.KD))
 

@@ -29,7 +29,7 @@ class Setting(NamedTuple):
     """A key of a law's own table of the scenario."""
 
     default: Any  # a number; None where the law makes it of what is known
-    allowed: Literal["number", "positive", "not negative", "number or row", "two rows"]
+    allowed: Literal["number", "positive", "not negative", "row", "two rows"]
     meaning: str  # what it is, with its unit
 
 
