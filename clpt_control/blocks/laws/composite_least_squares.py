@@ -26,7 +26,7 @@ import numpy as np
 from ...errors import ScenarioError
 from ..block import Block
 from ..lyapunov import known_flow, weighed
-from .filtered_flow import filter_rates, filter_starts, reach, mean_feedback, unexplained
+from .filtered_flow import filter_rates, filter_starts, mean_feedback, reach, unexplained
 from .law import Known, Law, Setting, Truth, adapt_feedback, adapt_feedforward
 
 
@@ -219,7 +219,7 @@ LAW = Law(
         "prior": Setting(
             None,
             "positive",
-            "standard deviation of each theta, length/time; 0.3 k R (k mean KD, R reach of the track)",
+            "standard deviation of each theta, length/time; 0.3 k R, mean KD times track's reach",
         ),
         "priors": Setting(None, "row", "in place of prior: one a function, 0 to hold it"),
         "noise": Setting(None, "positive", "r of the regression, length/time^0.5; 0.1 R k^0.5"),
