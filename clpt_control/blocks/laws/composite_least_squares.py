@@ -15,8 +15,8 @@ Source: Slotine and Li 1989, Automatica 25(4), Composite adaptive control of rob
     V' = -e^T KD e - |eta phi_f|^2/(2 w),    where each held parameter is true
 
 Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> alpha[2N] (length
-per time), K[2], Gamma[2] (per time), impulse[2N] (s, time per length), states; own states
-P[N*N] (length per time, squared), phi_f[N], q[2] (length per time).
+per time), K[2], Gamma[2] (per time), impulse[2N] (s, time per length),
+P[N*N] (length per time, squared), phi_f[N], q[2] (length per time), the states.
 """
 
 from typing import Any, NamedTuple
@@ -92,12 +92,6 @@ def composite_least_squares(t, x, u, p, dx):
     filter_rates(dx, at, x, phi, position, v, p.filter, n)
 
 
-def outputs(t, x, u, p, y):
-    """y = alpha[2N], K[2], Gamma[2], impulse[2N], the first states, Eqs. (21)-(23)."""
-    for j in range(4 * p.N + 4):
-        y[j] = x[j]
-
-
 def candidate(t, x, u, p, y):
     """V of Eq. (24) with tr(eta P^-1 eta^T) = sum eta (s + theta P(0)^-1) for |eta|^2.
 
@@ -115,15 +109,19 @@ def candidate(t, x, u, p, y):
 def composite_least_squares_law(parameters: CompositeLeastSquaresParameters) -> Block:
     """Make composite least squares."""
     N = parameters.N
-    shown = {"alpha": 2 * N, "K": 2, "Gamma": 2, "impulse": 2 * N}
     return Block(
         "adaptation",
         update=composite_least_squares,
-        output=outputs,
         inputs={"e": 2, "phi_x": N, "z": 2, "zc": 2, "x": 2, "v_x": 2},
-        outputs=shown,
-        states={**shown, "P": N * N, "phi_f": N, "q": 2},
-        feedthrough=False,
+        states={
+            "alpha": 2 * N,
+            "K": 2,
+            "Gamma": 2,
+            "impulse": 2 * N,
+            "P": N * N,
+            "phi_f": N,
+            "q": 2,
+        },
         parameters=parameters,
     )
 

@@ -13,8 +13,8 @@ V of Eq. (24), each error weighed by its own gain, has with eta = theta + alpha
     V' = -e^T KD e - gamma_c tr(eta Q eta^T)/gamma
 
 Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> alpha[2N] (length
-per time), K[2], Gamma[2] (per time), states; own states Q[N*N] (time), b[2N] (length),
-phi_f[N], q[2] (length per time).
+per time), K[2], Gamma[2] (per time), Q[N*N] (time), b[2N] (length),
+phi_f[N], q[2] (length per time), the states.
 """
 
 from typing import Any, NamedTuple
@@ -70,24 +70,14 @@ def composite_memory(t, x, u, p, dx):
     filter_rates(dx, at, x, phi, position, v, p.filter, n)
 
 
-def outputs(t, x, u, p, y):
-    """y = alpha[2N], K[2], Gamma[2], the first states, Eqs. (21)-(23)."""
-    for j in range(2 * p.N + 4):
-        y[j] = x[j]
-
-
 def composite_memory_law(parameters: CompositeMemoryParameters) -> Block:
     """Make composite adaptation with memory."""
     N = parameters.N
-    shown = {"alpha": 2 * N, "K": 2, "Gamma": 2}
     return Block(
         "adaptation",
         update=composite_memory,
-        output=outputs,
         inputs={"e": 2, "phi_x": N, "z": 2, "zc": 2, "x": 2, "v_x": 2},
-        outputs=shown,
-        states={**shown, "Q": N * N, "b": 2 * N, "phi_f": N, "q": 2},
-        feedthrough=False,
+        states={"alpha": 2 * N, "K": 2, "Gamma": 2, "Q": N * N, "b": 2 * N, "phi_f": N, "q": 2},
         parameters=parameters,
     )
 
