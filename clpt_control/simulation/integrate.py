@@ -263,21 +263,6 @@ def _into_keys(
     if x0 is None and not left:
         return scenario, left
     blocks = paper_blocks(scenario, law)
-    if x0 is not None:
-        columns, usual = state_columns(blocks), state_of(scenario, blocks, law)
-        held = {STARTS[key]: (key, v.shape) for key, v in starting_values(scenario).items()}
-        state = checked_state("initial_state", x0, usual.shape)
-        for port in columns.keys() - held.keys():
-            if not np.array_equal(state[columns[port]], usual[columns[port]]):
-                raise SimulationError(
-                    f"initial_state: no key of a scenario holds {port}, which starts at "
-                    f"{usual[columns[port]].tolist()}; simulate closed_loop(scenario) to start it "
-                    "elsewhere"
-                )
-        given = columns.keys() & held.keys()
-        scenario = scenario.with_values(
-            {held[port][0]: state[columns[port]].reshape(held[port][1]) for port in given}
-        )
     known = {f"{block.name}.{field}" for block in blocks for field in block.parameters._fields}
     if law is not None:  # no key holds what is in it
         known = {name for name in known if name.partition(".")[0] != law.name}
@@ -286,4 +271,20 @@ def _into_keys(
         with suppress(ScenarioError):  # a value that no scenario may have runs, and is recorded
             scenario = scenario.with_values({alone[name]: left[name]})
             del left[name]
+    if x0 is not None:
+        columns = state_columns(blocks)
+        held = {STARTS[key]: (key, v.shape) for key, v in starting_values(scenario).items()}
+        state = checked_state("initial_state", x0, (max(c.stop for c in columns.values()),))
+        given = columns.keys() & held.keys()
+        scenario = scenario.with_values(
+            {held[port][0]: state[columns[port]].reshape(held[port][1]) for port in given}
+        )
+        usual = state_of(scenario, paper_blocks(scenario, law), law)
+        for port in columns.keys() - held.keys():
+            if not np.array_equal(state[columns[port]], usual[columns[port]]):
+                raise SimulationError(
+                    f"initial_state: no key of a scenario holds {port}, which starts at "
+                    f"{usual[columns[port]].tolist()}; simulate closed_loop(scenario) to start it "
+                    "elsewhere"
+                )
     return scenario, left

@@ -7,8 +7,9 @@ from clpt_control.blocks.laws import learned_flow
 from clpt_control.blocks.laws.law import Gains
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory.proving import judged_laws
-from clpt_control.theory.proving.judged_laws import judged, law_and_V
+from clpt_control.theory.proving.judged_laws import judged
 from clpt_control.theory.proving.own_law import prove
+from clpt_control.theory.proving.theorem_loop import law_and_V
 
 POINTS = 200
 
@@ -56,7 +57,7 @@ def test_a_wrong_law_would_not_stand_in_the_table():
         return learned_flow.block(known._replace(gains=Gains(-0.8, -0.8, -0.8, one=True)))
 
     law = LAWS["learned-flow"]
-    _, V = law_and_V(law)
+    _, V = law_and_V(law, judged_laws.N)
     found = judged(law._replace(block=backwards, V=lambda p, truth: V))
     assert not found.holds
     assert "V' " in found.claim

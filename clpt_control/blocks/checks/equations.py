@@ -104,8 +104,11 @@ def _docstrings(block: Block, drawn: list[Sample]) -> Iterator[str]:
         if not text.strip() or not text.splitlines()[0].strip():
             yield f"{role}: has no docstring that begins with a summary, such as the equation"
     text = "\n".join(texts)
-    if not re.search(r"\bEqs?\.|\b[Ss]ection\b", text):
-        yield f'{block.name}: no docstring names its equation: "Eq. (7)" or "section IV"'
+    if not re.search(r"\bEqs?\.|\b[Ss]ection\b|\b[A-Z]\w+ (19|20)\d\d\b", text):
+        yield (
+            f'{block.name}: no docstring names its equation: "Eq. (7)" or "section IV", or the '
+            'source of what is not in the paper: "Slotine and Li 1989"'
+        )
     for port in {**block.input_ports, **block.state_ports, **block.output_ports}:
         if not re.search(rf"(?<!\w){re.escape(port)}(?!\w)", text):
             yield f"{block.name}: port '{port}' is in no docstring of its equations"
