@@ -188,6 +188,55 @@ def projection(t, x, u, p, dx):
             dx[i * n + k] -= off * x[i * n + k]
 
 
+def leak_by(x, p, dx, factor, last):
+    """Take gain c factor times the states up to `last` from their rates."""
+    for j in range(last):
+        dx[j] -= p.gain * p.c * factor * x[j]
+
+
+def e_leak_of_alpha(t, x, u, p, dx):
+    """A leak of alpha alone, in proportion to |e|, section III."""
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+    leak_by(x, p, dx, math.hypot(u[0], u[1]), 2 * p.N)
+
+
+def leak_that_fades(t, x, u, p, dx):
+    """A leak that is zero where |alpha| > 2, section III."""
+    squares = 0.0
+    for j in range(2 * p.N):
+        squares += x[j] ** 2
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+    leak_by(x, p, dx, clip(2.0 - math.sqrt(squares), 0.0, 1.0), 2 * p.N)
+
+
+def leak_of_any_sign(t, x, u, p, dx):
+    """A leak between -c and c that rises with |alpha|, section III."""
+    squares = 0.0
+    for j in range(2 * p.N):
+        squares += x[j] ** 2
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+    leak_by(x, p, dx, clip(math.sqrt(squares) - 1.0, -1.0, 1.0), 2 * p.N)
+
+
+def half_a_projection(t, x, u, p, dx):
+    """Half of the outward part taken away, section III."""
+    for i in range(2):
+        filled(x, u, p, dx, p.gain, u[i], i)
+    for ball in range(2):
+        first, last = ball * 2 * p.N, 2 * p.N + 4 * ball
+        size, outward = 0.0, 0.0
+        for j in range(first, last):
+            size += x[j] ** 2
+            outward += dx[j] * x[j]
+        share = 0.5 * clip(size / p.c**2 - 1.0, 0.0, 1.0)
+        off = share * maximum(outward, 0.0) / maximum(size, p.c**2)
+        for j in range(first, last):
+            dx[j] -= off * x[j]
+
+
 def equal_gain(t, x, u, p, dx):
     """The sign turns at one gain, section III."""
     for i in range(2):
@@ -424,6 +473,10 @@ NOT_PROVED = {  # wrong, or right but not known to be
     "pulled to a private state": lambda: law(pulled_to_a_runaway, Gain(N, 0.5), states=MORE),
     "pulled to the time": lambda: law(pulled_to_time, Gain(N, 0.5)),
     "log(exp(e))": lambda: law(too_large, Gain(N, 0.5)),
+    "|e| pulls alpha alone": lambda: law(e_leak_of_alpha, Two(N, 0.5, 0.1)),
+    "a leak that fades": lambda: law(leak_that_fades, Two(N, 0.5, 0.1)),
+    "a leak of any sign": lambda: law(leak_of_any_sign, Two(N, 0.5, 0.1)),
+    "half a projection": lambda: law(half_a_projection, Two(N, 0.5, 2.0)),
     "(e + 1e16) - 1e16": lambda: law(rounded_away, Two(N, 0.5, 1e16)),
 }
 NOT_REFUTED = {  # right, or right with another V

@@ -73,7 +73,8 @@ def test_V_is_zero_at_the_truth_and_e_squared_over_2_beside_it(name):
     at = {"alpha": -TRUTH.theta.ravel(), "K": TRUTH.KD, "Gamma": TRUTH.GammaD, **own}
     for e in ([0.0, 0.0], [0.3, -0.4]):
         u = np.concatenate([np.ravel(at.get(port, e)) for port in V.input_ports])
-        assert V.output(0.0, [], u)[0] == pytest.approx(np.sum(np.square(e)) / 2, abs=1e-15)
+        far = np.maximum(np.abs(e) - getattr(block.parameters, "zone", 0.0), 0.0)
+        assert V.output(0.0, [], u)[0] == pytest.approx(np.sum(far**2) / 2, abs=1e-15)
 
 
 @pytest.mark.parametrize("name", ["learned-flow", "known-flow"])

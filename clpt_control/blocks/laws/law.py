@@ -46,6 +46,21 @@ class Known(NamedTuple):
     alpha: np.ndarray  # shape (2, N), alpha(0), length per time
     settings: Mapping[str, Any]  # every key of the law's own table, its value or default
 
+    @property
+    def cycle(self) -> float:
+        """Time to visit every waypoint once."""
+        return len(self.waypoints) * self.dwell
+
+    @property
+    def reach(self) -> float:
+        """The largest distance of a waypoint from the origin; 1 where all are at it."""
+        return float(np.hypot(*self.waypoints.T).max()) or 1.0
+
+    def setting(self, key: str, scale: float) -> float:
+        """Return what the scenario gives for a key, or this scale of its own."""
+        given = self.settings[key]
+        return scale if given is None else given
+
 
 class Truth(NamedTuple):
     """What V measures the distance to."""

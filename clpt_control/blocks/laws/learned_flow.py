@@ -46,18 +46,23 @@ class LearnedFlowGains(NamedTuple):
     gain_Gamma: float  # per length squared per time squared
 
 
+def adapt_axis(i, e, u, p, dx):
+    """Fill alpha', K', Gamma' of axis i by Eq. (21), Eq. (22), Eq. (23), driven by e."""
+    n = p.N
+    phi, z, zc = u[2 : 2 + n], u[2 + n : 4 + n], u[4 + n : 6 + n]
+    for k in range(n):
+        dx[i * n + k] = -p.gain * e * phi[k]
+    dx[2 * n + i] = adapt_feedback(p.gain_K, e, z[i])
+    dx[2 * n + 2 + i] = adapt_feedforward(p.gain_Gamma, e, zc[i])
+
+
 def learned_flow(t, x, u, p, dx):
     """alpha', K', Gamma' of Eq. (21), Eq. (22), Eq. (23).
 
     u = e[2], phi_x[N], z[2], zc[2]; states alpha[2N], K[2], Gamma[2].
     """
-    n = p.N
-    e, phi, z, zc = u[0:2], u[2 : 2 + n], u[2 + n : 4 + n], u[4 + n : 6 + n]
     for i in range(2):
-        for k in range(n):
-            dx[i * n + k] = -p.gain * e[i] * phi[k]
-        dx[2 * n + i] = adapt_feedback(p.gain_K, e[i], z[i])
-        dx[2 * n + 2 + i] = adapt_feedforward(p.gain_Gamma, e[i], zc[i])
+        adapt_axis(i, u[i], u, p, dx)
 
 
 def learned_flow_law(parameters: LearnedFlowParameters | LearnedFlowGains) -> Block:

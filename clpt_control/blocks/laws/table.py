@@ -3,10 +3,28 @@
 To add a law, write its page and put its row, `LAW`, in here; CONTRIBUTING has the recipe.
 """
 
-from . import composite_least_squares, composite_memory, known_flow, learned_flow
+from . import (
+    composite_least_squares,
+    composite_memory,
+    dead_zone,
+    known_flow,
+    leakage,
+    learned_flow,
+    projection,
+)
 from .law import Law
 
 LAWS: dict[str, Law] = {
-    page.LAW.name: page.LAW
-    for page in (learned_flow, known_flow, composite_least_squares, composite_memory)
+    law.name: law
+    for law in (
+        learned_flow.LAW,
+        known_flow.LAW,
+        leakage.SIGMA,
+        leakage.SWITCHING_SIGMA,
+        leakage.E_MODIFICATION,
+        dead_zone.LAW,
+        projection.LAW,
+        composite_least_squares.LAW,
+        composite_memory.LAW,
+    )
 }

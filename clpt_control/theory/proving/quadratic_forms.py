@@ -120,6 +120,12 @@ def _negative(group: sympy.Expr, apart: set, values: dict) -> bool:
     )
 
 
+def positive_maximum(f: sympy.Expr) -> bool:
+    """Return whether an expression is maximum(a, b) with a positive one."""
+    own = isinstance(f, AppliedUndef) and str(f.func) == "maximum"
+    return own and any(bool(a.is_positive) for a in f.args)
+
+
 def pulled(
     rate: sympy.Expr, V: sympy.Expr, truth: dict, values: dict, moving: set | None = None
 ) -> Pull | None:

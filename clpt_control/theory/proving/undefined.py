@@ -9,6 +9,8 @@ from functools import lru_cache
 
 import sympy
 
+from .quadratic_forms import positive_maximum
+
 DEEPEST = 12  # levels of operations; deeper ones would take SymPy too long
 
 
@@ -21,6 +23,11 @@ def extent(expression: sympy.Basic) -> tuple[int, int]:
 
 def _parameters(expression: sympy.Expr) -> bool:
     return all("." in symbol.name for symbol in expression.free_symbols)
+
+
+def _nonzero(b: sympy.Expr) -> bool:
+    """Return whether a divisor is known not to be zero; maximum(a, b) is not where b > 0."""
+    return bool(b.is_nonzero) or positive_maximum(b)
 
 
 def _not_huge(a: sympy.Expr) -> bool:
@@ -39,9 +46,9 @@ def _power(base: sympy.Expr, exponent: sympy.Expr) -> bool:
 
 # operation -> (what must hold, as a sentence, whether it is known to)
 DEMANDS: dict[str, tuple[str, Callable[..., bool]]] = {
-    "div": ("divides by {1}, which may be zero", lambda a, b: bool(b.is_nonzero)),
-    "mod": ("takes the remainder by {1}, which may be zero", lambda a, b: bool(b.is_nonzero)),
-    "floordiv": ("divides by {1}, which may be zero", lambda a, b: bool(b.is_nonzero)),
+    "div": ("divides by {1}, which may be zero", lambda a, b: _nonzero(b)),
+    "mod": ("takes the remainder by {1}, which may be zero", lambda a, b: _nonzero(b)),
+    "floordiv": ("divides by {1}, which may be zero", lambda a, b: _nonzero(b)),
     "pow": ("raises {0} to the power {1}, which may have no value", _power),
     "sqrt": ("takes the root of {0}, which may be negative", lambda a: bool(a.is_nonnegative)),
     "log1p": ("takes log(1 + {0}), which may have no value", lambda a: bool((1 + a).is_positive)),

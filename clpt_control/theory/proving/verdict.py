@@ -8,6 +8,7 @@ running blocks themselves have V' > 0.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -15,14 +16,17 @@ import sympy
 
 from ...blocks import Block
 from ...diagrams.interconnection import Diagram
+from .dead_zones import DeadZones
 from .law_gains import own_values, refuse_no_value
+from .leaks import Bound, Leaking, delta_bounds, leaks_of, pull_bound
 from .lyapunov import claimed, decay, every_n_residual, short
 from .proof import Step, checked
 from .quadratic_forms import nonpositive, positive_definite, pulled, tidied
 from .random_points import Draw, Point
 from .refutation import refuting_point
 from .running_rate import compared
-from .symbolic_loop import TIME, SymbolicLoop
+from .symbolic_loop import TIME, SymbolicLoop, symbolic_loop
+from .theorem_loop import theorem_loop
 
 
 @dataclass(frozen=True)
@@ -49,6 +53,9 @@ class Verdict:
         V' there, length squared per time.
     reached : str
         For ``"bounded"``: the set that V comes to, or the mean square of e.
+    level : sympy.Expr or None
+        V of that set, where there is one, in theta, KD, GammaD and Delta_1, Delta_2, the largest
+        disturbance of each axis.
 
     Examples
     --------
@@ -68,6 +75,7 @@ class Verdict:
     point: Point | None = None
     rate: float | None = None
     reached: str = ""
+    level: sympy.Expr | None = None
 
 
 class Case:
@@ -108,6 +116,7 @@ class Case:
         self.moving = {TIME, *(s for port in loop.states.values() for s in port)}
         self.kept: tuple[str, ...] = ()
         self.Vs = loop.signals["V"][0].subs(self.weights)
+        self.zones = DeadZones(loop, self.Vs, self.values)
         self.rate = tidied(loop.derivative(loop.signals["V"][0]).subs(self.weights))
         self.rest = tidied(self.rate - claimed(loop, decay))
 
@@ -128,19 +137,15 @@ class Case:
     def verdict(self, fitted: bool) -> Verdict:
         """Judge the law; a V that does not fit it refutes nothing."""
         truth = self.truth()
+        if self.zones.zone is not None:
+            return self.beyond_a_zone(truth)
         definite = checked(
             "V is positive definite in e and the parameter errors, at the blocks' own values",
             "exact",
             lambda: positive_definite(self.Vs, list(truth), truth, self.values),
             False,
         )
-        total = Step(
-            "the equations have a value everywhere",
-            not self.loop.undefined,
-            "exact",
-            self.loop.undefined[0] if self.loop.undefined else "",
-            False,
-        )
+        total = self.valued()
         if self.rest != 0 and tidied(self.rest.subs(self.values)) == 0:
             self.rest, self.tied = sympy.Integer(0), {}  # for the values that they have
             self.kept = (self.law.name, self.V.name)
@@ -149,17 +154,18 @@ class Case:
         claim = f"V' {'=' if self.rest == 0 else '<='} -e^T KD e, N = {self.loop.N}{at}"
         left = "" if self.rest == 0 else f"left over: {short(self.rest)}"
         steps = [definite, total, Step(claim, falls, "exact", left, False)]
-        pull = None
-        if definite.holds and not falls and self.keeps_decay():
-            pull = pulled(self.rate, self.Vs, truth, self.values, self.moving)
-        if definite.holds and total.holds and (falls or pull is not None):
+        bound = None
+        if definite.holds and not falls:
+            bound = self.bound(truth)
+        if definite.holds and total.holds and (falls or bound is not None):
             running = self.running()
             steps.append(running)
             if running.holds and falls:
                 every = self.every()
                 return self.found("proved", [*steps, every], for_every_N=every.holds)
-            if running.holds and pull is not None:
-                return self.found("bounded", steps, reached=self.reached(pull))
+            if running.holds and bound is not None:
+                steps.append(Step(bound.says, True, "exact", "", False))
+                return self.found("bounded", steps, reached=bound.says, level=bound.level)
         if definite.holds and fitted:
             kept = (self.law.name, self.V.name)
             point, rate = refuting_point(self.diagram, self.loop, self.rate, kept, self.seed)
@@ -169,6 +175,90 @@ class Case:
             if point is not None:
                 return self.found("refuted", steps, point=point, rate=rate)
         return self.found("open", steps)
+
+    def beyond_a_zone(self, truth: dict) -> Verdict:
+        """Judge a law with a V that has a dead zone."""
+        zones, d = self.zones, self.zones.zone
+        KD = list(self.loop.parameters["vehicle_controller"].KD)
+        delta = [self.disturbed.inputs["delta"][i] for i in range(2)]
+        self.rest = zones.beyond(self.loop, KD)
+        pushed = zones.beyond(self.disturbed, KD)
+        kept = (self.law.name, self.V.name)
+        steps = [
+            Step(
+                "V = |D|^2/2 + a positive definite form of the parameter errors, D = e - clip(e)",
+                zones.definite(truth),
+                "exact",
+                "",
+                False,
+            ),
+            self.valued(),
+            Step(
+                "V' = -D^T KD e + D^T Delta",
+                self.rest == 0 and sympy.expand(pushed - sum(map(sympy.Mul, zones.D, delta))) == 0,
+                "exact",
+                "" if self.rest == 0 else f"left over: {short(self.rest)}",
+                False,
+            ),
+        ]
+        if not all(step.holds for step in steps):
+            return self.found("open", steps)
+        steps.append(
+            checked(
+                "the running blocks give the same rates and V",
+                "sampled",
+                lambda: zones.same(self.diagram, self.points, self.seed, kept),
+                False,
+            )
+        )
+        if not steps[-1].holds:
+            return self.found("open", steps)
+        said = f"V' <= -D^T KD D where |Delta_i| <= {d} KD_i: V never rises, |e_i| comes to {d}"
+        return self.found("bounded", steps, reached=said)
+
+    @cached_property
+    def disturbed(self) -> SymbolicLoop:
+        """The loop with the disturbance of Eq. (32) as an input."""
+        law, V = self.law, self.V
+        return symbolic_loop(
+            theorem_loop(self.loop.N or 1, "learned-flow", True, law_block=law, candidate=V)
+        )
+
+    def valued(self) -> Step:
+        """Return the step that the equations have a value everywhere."""
+        return Step(
+            "the equations have a value everywhere",
+            not self.loop.undefined,
+            "exact",
+            self.loop.undefined[0] if self.loop.undefined else "",
+            False,
+        )
+
+    def bound(self, truth: dict) -> Bound | None:
+        """Return what V comes to where V' pulls back, or where leaks do."""
+        at, p = self.values, self.loop.parameters
+        KD, disturbed = list(p["vehicle_controller"].KD), self.takes_delta()
+        pull = None
+        if self.keeps_decay():
+            pull = pulled(self.rate, self.Vs, truth, at, self.moving)
+        if pull is not None:
+            return pull_bound(pull, KD, delta_bounds(disturbed))
+        rate, rest, V = (one.subs(at) for one in (self.rate, self.rest, self.Vs))
+        leaks = leaks_of(rest, truth, self.moving)
+        pairs = [
+            (s, sympy.sympify(value).subs(at))
+            for port, symbols in self.loop.states.items()
+            for s, value in zip(symbols, self.loop.rates[port], strict=True)
+        ]
+        leaking = Leaking(rate, leaks, V, truth, self.moving, dict(pairs), KD, disturbed)
+        return leaking.bound() if leaks else None
+
+    def takes_delta(self) -> bool:
+        """Return whether a disturbance adds e^T Delta to V' and nothing else."""
+        loop = self.disturbed
+        rate = loop.derivative(loop.signals["V"][0]).subs(self.weights)
+        delta = zip(loop.signals["e"], loop.inputs["delta"], strict=True)
+        return tidied(rate - self.rate - sum(e * d for e, d in delta)) == 0
 
     def keeps_decay(self) -> bool:
         """Return whether V' has -e^T KD e, or more of it."""
@@ -231,13 +321,6 @@ class Case:
             if one or all(_renamed(gain, "[k]", f"[{k + 1}]") == g for k, g in enumerate(theirs)):
                 found[_renamed(row[0], "[1]", "[k]")] = gain
         return found
-
-    def reached(self, pull: Any) -> str:
-        """Return a sentence about where V or e comes to."""
-        push, rate = pull.push.n(4), pull.rate.n(4)
-        if rate == 0:
-            return f"V' <= -e^T KD e/2 + {push}: in the mean e^T KD e is at most {2 * push}"
-        return f"V' <= -{rate} V + {push}: V comes down to {push / rate}"
 
 
 def flat(parameters: Any) -> list[Any]:
