@@ -80,7 +80,7 @@ def test_a_robust_law_is_bounded(name, N):
         "sigma": "V comes down to",
         "switching-sigma": "V comes down to",
         "e-modification": "V never rises above it",
-        "projection": "stays within 33/10, 33/10 and 11/5",
+        "projection": "|Gamma| <= 3.3, |K| <= 3.3 and |alpha| <= 2.2 for good",
         "dead-zone": "V never rises, |e_i| comes to 1",
     }
     assert said[name] in verdict.reached

@@ -152,7 +152,7 @@ class Leaking:
                 return None
             full = full.subs(own.word, own.top)
             more += own.top * leak.weight * (own.R**2 + self.size(leak) * own.R)
-            within.append(f"{self.size(leak)} <= {own.M}")
+            within.append(f"{self.size(leak)} <= {float(own.M):.4g}")
         pull = pulled(sympy.expand(full), self.V, self.truth, {}, self.moving)
         if pull is None:
             return None
@@ -184,10 +184,12 @@ class Leaking:
                 return None
             slowest = sympy.Max(*(self.weights[s] for s in leak.states))
             level += slowest * (own.R + self.size(leak)) ** 2 / 2
-            within.append((f"{self.size(leak)} <= {own.M}", str(own.R)))
+            port = leak.states[0].name.partition("_")[0]
+            radius, largest = f"|{port}| <= {float(own.R):.4g}", f"{float(own.M):.4g}"
+            within.append((f"{self.size(leak)} <= {largest}", radius))
         truths, radii = map(listed, zip(*within, strict=True))
         return Bound(
-            f"what is learned stays within {radii} where it starts there; where {truths}, "
+            f"{radii} for good where it starts so; where {truths}, "
             f"V' <= -e^T KD e + e^T Delta, and V comes down to {level.n(4)}",
             level,
         )

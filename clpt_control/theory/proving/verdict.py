@@ -213,7 +213,10 @@ class Case:
         )
         if not steps[-1].holds:
             return self.found("open", steps)
-        said = f"V' <= -D^T KD D where |Delta_i| <= {d} KD_i: V never rises, |e_i| comes to {d}"
+        zone = f"{float(d):.4g}"
+        said = (
+            f"V' <= -D^T KD D where |Delta_i| <= {zone} KD_i: V never rises, |e_i| comes to {zone}"
+        )
         return self.found("bounded", steps, reached=said)
 
     @cached_property
@@ -280,7 +283,9 @@ class Case:
         """Return the step that the running blocks have the same V'."""
 
         def same() -> tuple[bool, str]:
-            wanted = claimed(self.loop, decay) + self.rest
+            square = sum(e**2 for e in self.loop.signals["e"])  # multiplied out it loses digits
+            rest = self.rest.xreplace({sympy.expand(square): square})
+            wanted = claimed(self.loop, decay) + rest
             found = compared(
                 self.diagram, self.loop, wanted, self.points, self.seed, self.tied, self.kept
             )
