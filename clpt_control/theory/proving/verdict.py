@@ -137,8 +137,9 @@ class Case:
     def verdict(self, fitted: bool) -> Verdict:
         """Judge the law; a V that does not fit it refutes nothing."""
         truth = self.truth()
-        if self.zones.zone is not None:
-            return self.beyond_a_zone(truth)
+        zone = self.zones.zone
+        if zone is not None:
+            return self.beyond_a_zone(truth, f"{float(zone):.4g}")
         definite = checked(
             "V is positive definite in e and the parameter errors, at the blocks' own values",
             "exact",
@@ -176,9 +177,9 @@ class Case:
                 return self.found("refuted", steps, point=point, rate=rate)
         return self.found("open", steps)
 
-    def beyond_a_zone(self, truth: dict) -> Verdict:
+    def beyond_a_zone(self, truth: dict, zone: str) -> Verdict:
         """Judge a law with a V that has a dead zone."""
-        zones, d = self.zones, self.zones.zone
+        zones = self.zones
         KD = list(self.loop.parameters["vehicle_controller"].KD)
         delta = [self.disturbed.inputs["delta"][i] for i in range(2)]
         self.rest = zones.beyond(self.loop, KD)
@@ -213,7 +214,6 @@ class Case:
         )
         if not steps[-1].holds:
             return self.found("open", steps)
-        zone = f"{float(d):.4g}"
         said = (
             f"V' <= -D^T KD D where |Delta_i| <= {zone} KD_i: V never rises, |e_i| comes to {zone}"
         )
