@@ -20,7 +20,7 @@ from ..native.printing import LANES
 from ..native.schedule import Schedule, make_schedule
 from ..native.sweep import Sweep
 from ..scenario.experiment import Scenario, scenario_tables
-from ..scenario.keys import CALL_TIME_NAMES, JUMPS, KNOWN_TO_LAW, STARTS, names_held
+from ..scenario.keys import CALL_TIME_NAMES, JUMPS, STARTS, names_held
 from ..simulation.loops import paper_blocks, state_columns, state_of
 
 
@@ -64,9 +64,6 @@ class Ensemble:
         """Return where in P and in the initial state a value begins; None if it is computed."""
         made = self.scenario.learning.row.made_of if self.law is None else ()
         if key in (*JUMPS, *made) or key not in {**CALL_TIME_NAMES, **STARTS}:
-            return None
-        own = self.law is None and self.scenario.learning.row.settings
-        if own and key.startswith(KNOWN_TO_LAW):  # its defaults may be made of it
             return None
         places = {
             f"{self.blocks[k].name}.{field}": place

@@ -36,8 +36,6 @@ KEYS = {  # the other way round
     for name in names
 }
 JUMPS = ("reference.dwell", "flow.disturbance.period")  # keys that move breakpoints
-# what keys begin with that a law's defaults may be made of, besides those of [reference]
-KNOWN_TO_LAW = ("learning.gain", "model.parameters", "vehicle.feedback")
 # scenario key -> the state that starts there, in the order of the diagram's states
 STARTS = {
     "vehicle.position": "x",

@@ -17,14 +17,14 @@ from scipy.integrate import solve_ivp
 import clpt_control as clpt
 from clpt_control.blocks import error_system
 from clpt_control.blocks.laws import dead_zone, leakage, projection
-from clpt_control.blocks.laws.law import Gains, Known, Truth
+from clpt_control.blocks.laws.law import Gains, Truth
 from clpt_control.blocks.laws.learned_flow import LearnedFlowParameters, learned_flow_law
 from clpt_control.blocks.laws.table import LAWS as TABLE
 from clpt_control.simulation.loops import paper_blocks
 from clpt_control.theory.counterexamples.paper_system import with_square_wave
 from clpt_control.theory.counterexamples.scalar import burst_counterexample
 from clpt_control.theory.proving.own_law import prove
-from clpt_control.theory.proving.theorem_loop import theorem_candidate
+from clpt_control.theory.proving.theorem_loop import theorem_candidate, theorem_scenario
 
 LIMITS = {"largest_flow": 2.0, "largest_feedback": 3.0, "largest_feedforward": 3.0}
 LAWS = {
@@ -39,15 +39,9 @@ BY_LEVEL = [name for name in LAWS if name != "dead-zone"]
 
 def law_of(name, N=2, gain=0.5, gains=None):
     """Return a law of the table with the settings above."""
-    known = Known(
-        N,
-        gains or Gains(gain, gain, gain, one=True),
-        np.zeros((2, N)),
-        np.ones(2),
-        np.ones((2, 2)),
-        1.0,
-        LAWS[name],
-    )
+    known = theorem_scenario(N, name).known_to_law
+    gains = gains or Gains(gain, gain, gain, one=True)
+    known = known._replace(gains=gains, settings=LAWS[name])
     return TABLE[name].block(known)
 
 

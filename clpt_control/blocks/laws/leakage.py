@@ -176,6 +176,7 @@ LIMITS = {
         None, "positive", "largest norm of Gamma, per time; twice that of KD"
     ),
 }
+GAIN = ("learning.gain", "learning.gains.parameters")
 LEAK = Setting(
     None, "positive", "gain times leak is what is forgotten per time; all within a cycle"
 )
@@ -186,6 +187,7 @@ SIGMA = Law(
     block=sigma,
     V=V,
     settings={"leak": LEAK},
+    made_of=GAIN,
 )
 SWITCHING_SIGMA = Law(
     "switching-sigma",
@@ -194,6 +196,7 @@ SWITCHING_SIGMA = Law(
     block=switching_sigma,
     V=V,
     settings={"leak": LEAK, **LIMITS},
+    made_of=(*GAIN, "vehicle.feedback"),
 )
 E_MODIFICATION = Law(
     "e-modification",
@@ -210,4 +213,5 @@ E_MODIFICATION = Law(
             "a cycle at a CLPE as large as the farthest waypoint's distance",
         )
     },
+    made_of=GAIN,
 )

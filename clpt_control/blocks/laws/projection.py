@@ -82,4 +82,5 @@ LAW = Law(
         **LIMITS,
         "layer": Setting(0.1, "positive", "how far beyond a limit, as a share of it"),
     },
+    made_of=("vehicle.feedback",),
 )
