@@ -249,7 +249,7 @@ class Learning(OwnTables):
 
     @model_validator(mode="after")
     def _gain_or_gains(self) -> "Learning":
-        needed = [] if self.row.given_estimate else ["parameters"]
+        needed = ["parameters"] if self.row.alpha_by_gain else []
         needed += ["feedback", "feedforward"] if self.adapt_gains else []
         if self.gain is not None and self.gains is not None:
             raise ValueError("learning.gains: give either gain or gains, one of the two")
@@ -262,8 +262,8 @@ class Learning(OwnTables):
                 if key in needed and not given:
                     raise ValueError(f"learning.gains.{key}: is required; or give one gain for all")
                 if given and key not in needed:
-                    held = "alpha" if key == "parameters" else "each gain"
-                    raise ValueError(f"learning.gains.{key}: {held} is held here; remove the key")
+                    why = "alpha does not adapt by it" if key == "parameters" else "it is held"
+                    raise ValueError(f"learning.gains.{key}: {why} here; remove the key")
         for key in ("feedback", "feedforward"):
             if not self.adapt_gains and key not in self.model_fields_set:
                 raise ValueError(

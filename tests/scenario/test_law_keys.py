@@ -27,7 +27,7 @@ NONE = {"learning.gain": None}
         ({"learning.adapt_gains": 0}, "learning.adapt_gains = 0: must be a valid boolean"),
         (
             {**NONE, "learning.gains": EACH, "learning.adapt_gains": False},
-            "learning.gains.feedback: each gain is held here; remove the key",
+            "learning.gains.feedback: it is held here; remove the key",
         ),
         (
             {"learning.adapt_gains": False, "learning.feedback": None},
@@ -46,8 +46,10 @@ def test_gains_that_the_law_does_not_use_are_refused():
         "learning.parameters": None,
         "learning.theta_estimate": [[1, 1, 1]] * 2,
     }
-    with pytest.raises(ScenarioError, match=r"learning.gains.parameters: alpha is held here"):
-        PAPER.with_values({**known, **NONE, "learning.gains": EACH})
+    weighted = {"learning.law": "composite-least-squares"}
+    for law in (known, weighted):
+        with pytest.raises(ScenarioError, match="parameters: alpha does not adapt by it here"):
+            PAPER.with_values({**law, **NONE, "learning.gains": EACH})
     used = {"feedback": 0.3, "feedforward": 0.5}
     gains = PAPER.with_values({**known, **NONE, "learning.gains": used}).learning.used_gains
     assert gains == (0.0, 0.3, 0.5, False)

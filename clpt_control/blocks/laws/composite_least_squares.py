@@ -210,7 +210,7 @@ def gains(s: Any, p: Any, theta: Any) -> Any:
 LAW = Law(
     "composite-least-squares",
     promise="CLPE goes to zero, and alpha to -theta faster the more the track has shown",
-    needs="the commanded velocity; quickest with K and Gamma held, which learning.gain adapts",
+    needs="the commanded velocity; K and Gamma held: adapted by learning.gain, they delay it",
     block=block,
     V=V,
     settings={
@@ -225,6 +225,7 @@ LAW = Law(
         "weight": Setting(100.0, "positive", "w, of CLPE beside the regression, no unit"),
     },
     gain=1.0,
+    alpha_by_gain=False,
     starts=starts,
     keeps=keeps,
     gains=gains,

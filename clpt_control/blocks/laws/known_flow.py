@@ -102,5 +102,6 @@ LAW = Law(
     needs="an estimate of theta, learning.theta_estimate",
     block=block,
     V=V,
+    alpha_by_gain=False,
     given_estimate=True,
 )

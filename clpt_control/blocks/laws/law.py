@@ -81,13 +81,13 @@ class Law(NamedTuple):
     settings: Mapping[str, Setting] = {}
     gain: float | None = None  # where learning.gain is left out; None: it is required
     starts: Callable[[Known], dict[str, Any]] = lambda known: {}  # its own states at t = 0
-    made_of: tuple[
-        str, ...
-    ] = ()  # keys of which its parameters and starts are made, beside its own
+    # keys of which its parameters and starts are made, beside its own
+    made_of: tuple[str, ...] = ()
     keeps: Callable[..., dict[str, Any]] | None = None  # relations of its states, for the proof
     gains: Callable[..., Any] = lambda states, p, theta: 0  # V' + e^T KD e where they hold
     cone: str = ""  # a state that is a matrix M >= 0
     says: str = ""  # V' in words
+    alpha_by_gain: bool = True  # whether learning.gain adapts alpha too, not only K and Gamma
     given_estimate: bool = False  # theta_hat is given, alpha = alpha_M, Eq. (13)
 
     @property
