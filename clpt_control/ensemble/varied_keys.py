@@ -194,4 +194,7 @@ def _why_not(scenario: Scenario, key: str, allowed: list[str]) -> str:
 
 
 def _first(part: Table) -> str:
-    return next(iter(type(part).model_fields))
+    names = list(type(part).model_fields)
+    return next(
+        (name for name in names if isinstance(getattr(part, name), float | tuple)), names[0]
+    )
