@@ -12,6 +12,7 @@ from clpt_control.blocks import (
     learner,
     lyapunov,
     reference,
+    speed_limit,
     vehicle,
 )
 from clpt_control.blocks.laws.law import Gains, Truth
@@ -47,6 +48,9 @@ def package_blocks():
     yield "clpe", clpe.clpe()
     yield "vehicle", vehicle.vehicle()
     yield "learning_model", learner.learning_model()
+    yield "learning_model-hedged", learner.learning_model(hedged=True)
+    yield "speed_limit", speed_limit.speed_limit(speed_limit.SpeedLimitParameters(1.5))
+    yield "hedging", speed_limit.hedging()
     for count in (1, 2, 7):
         points = rng.uniform(-3, 3, (count, 2))
         yield f"reference-{count}", reference.reference(points, dwell=1.7)
@@ -77,6 +81,10 @@ def package_blocks():
         yield (
             f"vehicle_controller-{N}",
             vehicle.vehicle_controller(vehicle.ControllerParameters(N, a, KD, GammaD)),
+        )
+        yield (
+            f"vehicle_controller-limited-{N}",
+            vehicle.vehicle_controller(vehicle.ControllerParameters(N, a, KD, GammaD), True),
         )
         yield f"learning_controller-{N}", learner.learning_controller(N)
         yield (

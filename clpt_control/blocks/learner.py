@@ -1,17 +1,19 @@
 """The learning model, Eq. (2), its controller, Eq. (6), and the injections.
 
     dz/dt = F_M(z, t) + v                                               Eq. (2)
+    dz/dt = F_M(z, t) + v - d                                           Eq. (2), hedged
     v = -alpha phi(z) - K z + Gamma zc + Psi                            Eq. (6)
     Psi = (theta_hat - alpha_M) phi(x)                                  Eq. (13)
     Psi = -(alpha_M + alpha) phi(x) - (alpha_M - alpha) phi(z)          Eq. (20)
 
 z is the predicted position (length); Eq. (13) belongs to the known-flow law,
 Eq. (20) to the learned-flow law, where alpha is driven to -theta.  In Eqs.
-(12)-(13) the estimate theta_hat stands where the print lost the hat.
+(12)-(13) the estimate theta_hat stands where the print lost the hat.  d is what the vehicle
+could not fly of its commanded velocity (`speed_limit`).
 
 | block | inputs | output |
 |---|---|---|
-| learning_model | flow_z[2], v_z[2] (length per time) | z[2] (length), a state |
+| learning_model | flow_z[2], v_z[2], hedged unflown[2] (length per time) | z[2] (length), a state |
 | learning_controller | z[2], zc[2], phi_z[N], alpha[2N], K[2], Gamma[2], psi[2] | v_z[2] |
 | injection | phi_x[N], phi_z[N], alpha[2N] (length per time) | psi[2] (length per time) |
 """
@@ -48,6 +50,13 @@ def model(t, x, u, p, dx):
     """z' = F_M + v, Eq. (2): u = flow_z[2], v_z[2] (length per time), state z[2]."""
     for i in range(2):
         dx[i] = u[i] + u[2 + i]
+
+
+def hedged_model(t, x, u, p, dx):
+    """z' = F_M + v - d, Eq. (2) hedged: u = flow_z[2], v_z[2], unflown[2], state z[2]."""
+    model(t, x, u, p, dx)
+    for i in range(2):
+        dx[i] -= u[4 + i]
 
 
 def controller(t, x, u, p, y):
@@ -93,9 +102,11 @@ def learned_flow(t, x, u, p, y):
         y[i] = injected
 
 
-def learning_model() -> Block:
-    """Make the learning model, Eq. (2)."""
-    return Block("learning_model", update=model, inputs={"flow_z": 2, "v_z": 2}, states={"z": 2})
+def learning_model(hedged: bool = False) -> Block:
+    """Make the learning model, Eq. (2), or with the input unflown, hedged."""
+    inputs = {"flow_z": 2, "v_z": 2} | ({"unflown": 2} if hedged else {})
+    update = hedged_model if hedged else model
+    return Block("learning_model", update=update, inputs=inputs, states={"z": 2})
 
 
 def learning_controller(N: int) -> Block:

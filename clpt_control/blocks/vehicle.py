@@ -4,10 +4,11 @@
     v = -alpha_M phi(x, t) - KD x + GammaD zc               Eq. (7)
 
 x is the true position (length), F_R the true flow and v the through-water
-velocity (length per time).  KD and GammaD are diagonal.
+velocity (length per time).  KD and GammaD are diagonal.  Where the speed is limited, Eq. (7) gives
+v_c, and `speed_limit` makes v of it.
 
 Ports: flow_x[2], v_x[2] (length per time) -> x[2] (length), a state;
-x[2], zc[2] (length), phi_x[N] -> v_x[2].
+x[2], zc[2] (length), phi_x[N] -> v_x[2], or v_c[2] where the speed is limited.
 """
 
 from typing import NamedTuple
@@ -33,7 +34,10 @@ def kinematics(t, x, u, p, dx):
 
 
 def controller(t, x, u, p, y):
-    """v = -alpha_M phi(x) - KD x + GammaD zc, Eq. (7): u = x[2], zc[2], phi_x[N], y = v_x[2]."""
+    """v = -alpha_M phi(x) - KD x + GammaD zc, Eq. (7).
+
+    u = x[2], zc[2], phi_x[N]; y = v_x[2], or v_c[2] where the speed is limited.
+    """
     position, zc, phi = u[0:2], u[2:4], u[4 : 4 + p.N]
     for i in range(2):
         cancelled = 0.0
@@ -47,12 +51,12 @@ def vehicle() -> Block:
     return Block("vehicle", update=kinematics, inputs={"flow_x": 2, "v_x": 2}, states={"x": 2})
 
 
-def vehicle_controller(parameters: ControllerParameters) -> Block:
-    """Make the vehicle controller, Eq. (7)."""
+def vehicle_controller(parameters: ControllerParameters, limited: bool = False) -> Block:
+    """Make the vehicle controller, Eq. (7); its velocity is v_c where the speed is limited."""
     return Block(
         "vehicle_controller",
         output=controller,
         inputs={"x": 2, "zc": 2, "phi_x": parameters.N},
-        outputs={"v_x": 2},
+        outputs={"v_c" if limited else "v_x": 2},
         parameters=parameters,
     )

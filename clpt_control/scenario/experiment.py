@@ -76,6 +76,15 @@ class Scenario(Table):
         return self
 
     @model_validator(mode="after")
+    def _hedging_has_a_limit(self) -> "Scenario":
+        if self.learning.hedging is not None and self.vehicle.max_speed is None:
+            raise ValueError(
+                f"learning.hedging = {str(self.learning.hedging).lower()}: is allowed only with "
+                "vehicle.max_speed, which it tells the learner of; remove the key or give the limit"
+            )
+        return self
+
+    @model_validator(mode="after")
     def _countable_jumps(self) -> "Scenario":
         disturbance = self.flow.disturbance
         spans = {"reference.dwell": self.reference.dwell}
@@ -137,6 +146,11 @@ class Scenario(Table):
         if self.learning.row.given_estimate:
             return self.model_parameters
         return self.learning.parameters or ((0.0,) * self.basis.N,) * 2
+
+    @property
+    def hedged(self) -> bool:
+        """Whether the learner is told what the vehicle could not fly."""
+        return self.vehicle.max_speed is not None and self.learning.hedging is not False
 
     @property
     def known_to_law(self) -> Known:

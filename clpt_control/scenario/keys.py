@@ -23,6 +23,7 @@ CALL_TIME_NAMES = {
     ),
     "vehicle.feedback": ("vehicle_controller.KD",),
     "vehicle.feedforward": ("vehicle_controller.GammaD",),
+    "vehicle.max_speed": ("speed_limit.max_speed",),
     "reference.dwell": ("reference.dwell",),
     "learning.gain": ("adaptation.gain", "adaptation.gain_K", "adaptation.gain_Gamma"),
     "learning.gains.parameters": ("adaptation.gain",),

@@ -126,11 +126,12 @@ class Model(Table):
 
 
 class Vehicle(Table):
-    """The vehicle and its controller, Eqs. (1) and (7)."""
+    """The vehicle, its controller, Eqs. (1) and (7), and how fast it is."""
 
     feedback: PositivePair
     feedforward: Pair
     position: Pair = (0.0, 0.0)
+    max_speed: Positive | None = None
 
 
 class Circle(Table):
@@ -192,6 +193,7 @@ class Learning(OwnTables):
     gain: Positive | None = None
     gains: LearningGains | None = None
     adapt_gains: Annotated[bool, Strict()] = True
+    hedging: Annotated[bool, Strict()] | None = None
     theta_estimate: TwoRows | None = None
     position: Pair = (0.0, 0.0)
     feedback: Pair = (0.0, 0.0)

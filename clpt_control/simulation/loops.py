@@ -21,6 +21,7 @@ from ..blocks import (
     flow,
     learner,
     reference,
+    speed_limit,
     vehicle,
 )
 from ..blocks.laws.law import functions_of
@@ -45,8 +46,8 @@ def paper_blocks(scenario: Scenario, law: Block | None = None) -> list[Block]:
     Returns
     -------
     list of Block
-        In the order of the table in the documentation; `disturbance` is among
-        them where the scenario has one.
+        In the order of the table in the documentation; `disturbance`, `speed_limit` and
+        `hedging` are among them where the scenario has them.
 
     Raises
     ------
@@ -73,6 +74,11 @@ def paper_blocks(scenario: Scenario, law: Block | None = None) -> list[Block]:
         inject: Any = learner.KnownFlowInjectionParameters(N, theta_hat, alpha_M)
     else:
         inject = learner.LearnedFlowInjectionParameters(N, alpha_M)
+    limits = []
+    if car.max_speed is not None:
+        limits.append(speed_limit.speed_limit(speed_limit.SpeedLimitParameters(car.max_speed)))
+    if scenario.hedged:
+        limits.append(speed_limit.hedging())
     delta = scenario.flow.disturbance
     disturbances = []
     if delta is not None:
@@ -88,10 +94,11 @@ def paper_blocks(scenario: Scenario, law: Block | None = None) -> list[Block]:
         *disturbances,
         _true_flow(scenario, disturbed=delta is not None),
         flow.modeled_flow(flow.ModeledFlowParameters(N, alpha_M)),
-        vehicle.vehicle_controller(desired),
+        vehicle.vehicle_controller(desired, limited=car.max_speed is not None),
+        *limits,
         vehicle.vehicle(),
         learner.learning_controller(N),
-        learner.learning_model(),
+        learner.learning_model(hedged=scenario.hedged),
         learner.injection(inject),
         clpe.clpe(),
         learning.row.block(scenario.known_to_law) if law is None else _own(law, N),

@@ -1,0 +1,159 @@
+"""The limit of the vehicle's speed: closed forms, and what holds of any velocity."""
+
+import math
+
+import control
+import numpy as np
+import pytest
+from hypothesis import given, seed, settings
+from hypothesis import strategies as st
+
+import clpt_control as clpt
+from clpt_control.blocks import speed_limit
+from clpt_control.errors import ScenarioError
+from clpt_control.native.all_readings import readings
+
+PAPER = clpt.paper_scenario()
+LIMITED = PAPER.with_values({"vehicle.max_speed": 1.5})
+velocity = st.floats(-1e6, 1e6).filter(lambda v: v == 0 or abs(v) > 1e-100)
+
+
+def flown(v, limit):
+    block = speed_limit.speed_limit(speed_limit.SpeedLimitParameters(limit))
+    return np.asarray(block.output(0.0, [], v))
+
+
+@seed(1)
+@settings(max_examples=200, deadline=None)
+@given(v=st.tuples(velocity, velocity), limit=st.floats(1e-3, 1e3))
+def test_at_most_the_limit_in_the_same_direction_and_as_commanded_below(v, limit):
+    found, speed = flown(v, limit), math.hypot(*v)
+    assert math.hypot(*found) <= limit * (1 + 1e-14)
+    if speed < limit * (1 - 1e-15):
+        assert found.tolist() == list(v)
+    if speed > limit * (1 + 1e-15):
+        assert math.hypot(*found) == pytest.approx(limit, rel=1e-14)
+        assert math.atan2(found[1], found[0]) == pytest.approx(math.atan2(v[1], v[0]), abs=1e-14)
+    missing = speed_limit.hedging().output(0.0, [], [*v, *found])
+    np.testing.assert_allclose(found + missing, v, rtol=1e-15)
+
+
+def test_at_rest_and_at_the_limit_itself():
+    assert flown([0.0, 0.0], 1.5).tolist() == [0.0, 0.0]
+    np.testing.assert_allclose(flown([0.9, 1.2], 1.5), [0.9, 1.2], rtol=1e-15)
+    np.testing.assert_allclose(flown([-3.0, 4.0], 1.5), [-0.9, 1.2], rtol=1e-15)
+    assert np.isnan(flown([math.nan, 1.0], 1.5)).all()
+
+
+def against(flow, start, duration, max_speed=1.5):
+    """A vehicle with KD = 1 that steers to the origin in a constant flow it does not know."""
+    return PAPER.with_values(
+        {
+            "flow.parameters": [[0.0] * 3] * 2,
+            "flow.disturbance": {"kind": "constant", "amplitude": flow},
+            "vehicle.position": start,
+            "vehicle.max_speed": max_speed,
+            "reference": {"kind": "waypoints", "points": [[0.0, 0.0]], "dwell": 100.0},
+            "run.duration": duration,
+        }
+    )
+
+
+def test_a_vehicle_drifts_at_what_the_flow_is_faster():
+    # 2.5 against 1.5, along (0.6, 0.8): the distance grows by 1.0 a second, from 3
+    run = clpt.simulate(against([1.5, 2.0], [1.8, 2.4], 40.0))
+    drift = np.outer(3.0 + run.time.values, [0.6, 0.8])
+    np.testing.assert_allclose(run.position, drift, rtol=1e-12)
+
+
+def test_a_vehicle_comes_home_at_what_it_is_faster_and_then_settles():
+    # r' = 1 - 1.5 down to r = 1.5 at t = 17, then r' = 1 - r
+    run = clpt.simulate(against([0.6, 0.8], [6.0, 8.0], 40.0))
+    t = run.time.values
+    r = np.where(t <= 17, 10.0 - 0.5 * t, 1.0 + 0.5 * np.exp(-(t - 17)))
+    np.testing.assert_allclose(run.position, np.outer(r, [0.6, 0.8]), rtol=1e-7)
+
+
+def test_a_limit_that_is_never_reached_changes_nothing():
+    short = {"run.duration": 60}
+    free = clpt.simulate(PAPER.with_values(short))
+    for hedging in (True, False):
+        limit = {"vehicle.max_speed": 1e3, "learning.hedging": hedging}
+        run = clpt.simulate(PAPER.with_values({**short, **limit}))
+        for name in free.data_vars:
+            np.testing.assert_allclose(run[name], free[name], rtol=1e-9, atol=1e-9, err_msg=name)
+
+
+def test_hedging_keeps_the_rate_of_clpe_and_the_limit_does_not_without():
+    rng, fast = np.random.default_rng(3), 0
+    loops = {
+        name: clpt.closed_loop(PAPER.with_values(values), external=("zc",))
+        for name, values in {
+            "free": {},
+            "hedged": {"vehicle.max_speed": 1.5},
+            "unhedged": {"vehicle.max_speed": 1.5, "learning.hedging": False},
+        }.items()
+    }
+    for _ in range(30):
+        x, zc = rng.normal(0, 2, 14), rng.normal(0, 3, 2)
+        rates = {name: loop.dynamics(3.0, x, zc) for name, loop in loops.items()}
+        e = {name: rate[0:2] - rate[2:4] for name, rate in rates.items()}
+        np.testing.assert_allclose(e["hedged"], e["free"], atol=1e-13)
+        np.testing.assert_array_equal(rates["hedged"][4:], rates["free"][4:])
+        missing = rates["free"][0:2] - rates["hedged"][0:2]
+        np.testing.assert_allclose(e["free"] - e["unhedged"], missing, atol=1e-13)
+        fast += np.hypot(*missing) > 0
+    assert fast > 5
+
+
+@pytest.mark.parametrize("hedging", [True, False])
+def test_every_reading_agrees(hedging):
+    scenario = LIMITED.with_values({"learning.hedging": hedging})
+    loop, state = clpt.closed_loop(scenario), clpt.initial_state(scenario)
+    assert isinstance(loop, control.InterconnectedSystem)
+    for far in (0.1, 3.0):
+        found = {name: read(1.0, state + far, []) for name, read in readings(loop).items()}
+        rate, outputs = found.pop("python")
+        for name, (other, more) in found.items():
+            np.testing.assert_allclose(other, rate, rtol=1e-12, atol=1e-12, err_msg=name)
+            np.testing.assert_allclose(more, outputs, rtol=1e-12, atol=1e-12, err_msg=name)
+
+
+def test_the_diagram_without_a_limit_is_as_it_was():
+    names = [block.name for block in clpt.closed_loop(PAPER).syslist]
+    limited = [block.name for block in clpt.closed_loop(LIMITED).syslist]
+    assert [name for name in limited if name not in ("speed_limit", "hedging")] == names
+    bare = clpt.closed_loop(LIMITED.with_values({"learning.hedging": False}))
+    assert "hedging" not in [block.name for block in bare.syslist]
+    assert "v_c[0]" not in clpt.closed_loop(PAPER).output_labels
+
+
+@pytest.mark.parametrize(
+    ("values", "sentence"),
+    [
+        ({"vehicle.max_speed": 0.0}, r"vehicle.max_speed = 0.0: must be greater than 0"),
+        ({"vehicle.max_speed": -1.5}, r"vehicle.max_speed"),
+        ({"vehicle.max_speed": math.inf}, r"vehicle.max_speed.*finite"),
+        ({"vehicle.max_speed": "fast"}, r"vehicle.max_speed"),
+        ({"learning.hedging": True}, r"learning.hedging = true: .* only with vehicle.max_speed"),
+        ({"learning.hedging": False}, r"learning.hedging = false: .* vehicle.max_speed"),
+        ({"vehicle.max_speed": 1.5, "learning.hedging": 1}, r"learning.hedging = 1"),
+    ],
+)
+def test_what_is_not_allowed_is_said(values, sentence):
+    with pytest.raises(ScenarioError, match=sentence):
+        PAPER.with_values(values)
+
+
+def test_the_limit_has_a_name_at_call_time_and_may_vary():
+    run = clpt.simulate(LIMITED, [0.0, 5.0, 9.0], params={"speed_limit.max_speed": 1.1})
+    same = clpt.simulate(LIMITED.with_values({"vehicle.max_speed": 1.1}), [0.0, 5.0, 9.0])
+    np.testing.assert_array_equal(run.position, same.position)
+    assert "max_speed = 1.1" in run.attrs["scenario"]
+    short = LIMITED.with_values({"run.duration": 10})
+    many = clpt.run_ensemble(short, "vehicle.max_speed=[1.1, 1.5]", 2, trajectories=True)
+    speeds = many["vehicle.max_speed"].values
+    assert sorted(speeds) == [1.1, 1.5]
+    for m, speed in enumerate(speeds):
+        alone = clpt.simulate(short.with_values({"vehicle.max_speed": float(speed)}))
+        np.testing.assert_allclose(many.position[m], alone.position, rtol=1e-9, atol=1e-9)
