@@ -10,6 +10,7 @@ from clpt_control.blocks import (
     field,
     flow,
     learner,
+    localization,
     lyapunov,
     reference,
     speed_limit,
@@ -60,6 +61,9 @@ def package_blocks():
             f"disturbance-{kind}",
             disturbance.disturbance(kind, [0.3, -0.7], period=1.3, seed=5.0),
         )
+    seen = localization.MeasurementParameters(0.3, 1.3, 5.0)
+    yield "measurement", localization.measurement(seen)
+    yield "vehicle-measured", vehicle.vehicle(localization.TRUE)
     for outside in ("raise", "clip", "stop"):
         yield f"field-{outside}", field.gridded_flow(grid(rng), outside)
         yield f"field-{outside}-disturbed", field.gridded_flow(grid(rng), outside, disturbed=True)

@@ -96,11 +96,13 @@ def spline_coefficients(values: np.ndarray) -> np.ndarray:
     return np.pad(coefficients, 1, mode="reflect").ravel()
 
 
-def gridded_flow(grid, outside: str = "raise", disturbed: bool = False, units=None) -> Block:
+def gridded_flow(
+    grid, outside: str = "raise", disturbed: bool = False, units=None, position: str = "x"
+) -> Block:
     """Make the true flow of a gridded current (`currents.field_file.GriddedField`).
 
     Outside of it ``"raise"`` fails a run, ``"stop"`` ends it, ``"clip"`` holds the edge's value.
-    `units` are named in the message.
+    `units` are named in the message; `position` is the port of the true position.
     """
     axes = (grid.time, grid.x2, grid.x1)
     parameters = FieldParameters(
@@ -114,7 +116,7 @@ def gridded_flow(grid, outside: str = "raise", disturbed: bool = False, units=No
     return Block(
         "true_flow",
         output=gridded_disturbed if disturbed else gridded,
-        inputs={"x": 2} | ({"delta": 2} if disturbed else {}),
+        inputs={position: 2} | ({"delta": 2} if disturbed else {}),
         outputs={"flow_x": 2},
         parameters=parameters,
         opaque=True,

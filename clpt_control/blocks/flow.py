@@ -56,9 +56,11 @@ def modeled(t, x, u, p, y):
         y[i] = flow
 
 
-def true_flow(parameters: TrueFlowParameters, disturbed: bool = False) -> Block:
-    """Make the true flow, Eq. (3), or with the input delta, Eq. (32)."""
-    inputs = {"x": 2, "phi_x": parameters.N} | ({"delta": 2} if disturbed else {})
+def true_flow(
+    parameters: TrueFlowParameters, disturbed: bool = False, position: str = "x"
+) -> Block:
+    """Make the true flow at a position, Eq. (3), or with the input delta, Eq. (32)."""
+    inputs = {position: 2, f"phi_{position}": parameters.N} | ({"delta": 2} if disturbed else {})
     return Block(
         "true_flow",
         output=true_disturbed if disturbed else true,

@@ -7,7 +7,8 @@ x is the true position (length), F_R the true flow and v the through-water
 velocity (length per time).  KD and GammaD are diagonal.  Where the speed is limited, Eq. (7) gives
 v_c, and `speed_limit` makes v of it.
 
-Ports: flow_x[2], v_x[2] (length per time) -> x[2] (length), a state;
+Ports: flow_x[2], v_x[2] (length per time) -> x[2] (length), a state, or x_true[2] where the
+vehicle does not read it as it is (`localization`);
 x[2], zc[2] (length), phi_x[N] -> v_x[2], or v_c[2] where the speed is limited.
 """
 
@@ -46,9 +47,26 @@ def controller(t, x, u, p, y):
         y[i] = -cancelled - p.KD[i] * position[i] + p.GammaD[i] * zc[i]
 
 
-def vehicle() -> Block:
-    """Make the vehicle, Eq. (1)."""
-    return Block("vehicle", update=kinematics, inputs={"flow_x": 2, "v_x": 2}, states={"x": 2})
+def true_position(t, x, u, p, y):
+    """y = x, the state of Eq. (1): y = x_true[2] (length)."""
+    for i in range(2):
+        y[i] = x[i]
+
+
+def vehicle(position: str = "x") -> Block:
+    """Make the vehicle, Eq. (1); its position is the port ``"x"`` or ``"x_true"``."""
+    inputs, states = {"flow_x": 2, "v_x": 2}, {"x": 2}
+    if position == "x":
+        return Block("vehicle", update=kinematics, inputs=inputs, states=states)
+    return Block(
+        "vehicle",
+        update=kinematics,
+        output=true_position,
+        inputs=inputs,
+        outputs={position: 2},
+        states=states,
+        feedthrough=False,
+    )
 
 
 def vehicle_controller(parameters: ControllerParameters, limited: bool = False) -> Block:

@@ -15,6 +15,7 @@ from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
 from ..blocks.laws.law import Known
 from ..errors import ScenarioError
+from .localization import Localization
 from .mistakes import Table
 from .tables import (
     Basis,
@@ -56,6 +57,7 @@ class Scenario(Table):
     vehicle: Vehicle
     reference: Annotated[Circle | Waypoints, Field(discriminator="kind")]
     learning: Learning
+    localization: Localization | None = None
     run: Run
     _folder: Path = PrivateAttr(default_factory=Path)
 
@@ -90,6 +92,8 @@ class Scenario(Table):
         spans = {"reference.dwell": self.reference.dwell}
         if disturbance is not None and disturbance.kind in ("square", "noise"):
             spans["flow.disturbance.period"] = disturbance.period or 1.0
+        if self.localization is not None:
+            spans.update(self.localization.spans)
         for key, span in spans.items():
             least = self.run.duration / MOST_JUMPS
             if span < least:

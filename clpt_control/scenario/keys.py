@@ -9,12 +9,14 @@ from typing import Any
 
 # scenario key -> parameters of blocks that hold its value as it is
 CALL_TIME_NAMES = {
-    "basis.centers": ("basis_x.centers", "basis_z.centers"),
-    "basis.widths": ("basis_x.widths", "basis_z.widths"),
-    "basis.phases": ("basis_x.phases", "basis_z.phases"),
+    "basis.centers": ("basis_x.centers", "basis_z.centers", "basis_x_true.centers"),
+    "basis.widths": ("basis_x.widths", "basis_z.widths", "basis_x_true.widths"),
+    "basis.phases": ("basis_x.phases", "basis_z.phases", "basis_x_true.phases"),
     "flow.parameters": ("true_flow.theta",),
     "flow.disturbance.amplitude": ("disturbance.amplitude",),
     "flow.disturbance.period": ("disturbance.period",),
+    "localization.noise": ("measurement.noise",),
+    "localization.noise_period": ("measurement.period",),
     "model.parameters": (
         "modeled_flow.alpha_M",
         "vehicle_controller.alpha_M",
@@ -36,7 +38,11 @@ KEYS = {  # the other way round
     for names in CALL_TIME_NAMES.values()
     for name in names
 }
-JUMPS = ("reference.dwell", "flow.disturbance.period")  # keys that move breakpoints
+JUMPS = (  # keys that move breakpoints
+    "reference.dwell",
+    "flow.disturbance.period",
+    "localization.noise_period",
+)
 # scenario key -> the state that starts there, in the order of the diagram's states
 STARTS = {
     "vehicle.position": "x",

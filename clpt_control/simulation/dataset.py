@@ -15,6 +15,7 @@ import numpy as np
 from ..blocks.arrays import on_arrays
 from ..blocks.block import Block
 from ..blocks.laws.law import Truth
+from ..blocks.localization import TRUE
 from ..diagrams.wiring import Wiring
 from ..native.ending import Solution
 from ..scenario.experiment import Scenario
@@ -32,6 +33,11 @@ VARIABLES = {  # name -> (port, long name, unit of length or none, powers of 1/t
     "feedforward_gain": ("Gamma", "adapted feedforward gain", 0, 1),
     "alpha": ("alpha", "adapted parameter alpha", 1, 1),
     "true_flow": ("flow_x", "true flow at the vehicle", 1, 1),
+}
+MEASURED = {  # where the vehicle reads its position with noise
+    "position": (TRUE, "true position", 1, 0),
+    "measured_position": ("x", "measured position, which the vehicle reads", 1, 0),
+    "clpe": ("e", "controlled Lagrangian prediction error, of the measured position", 1, 0),
 }
 
 
@@ -57,7 +63,9 @@ def run_dataset(
     column = {label: k for k, label in enumerate(labels)}
     ran = {node.name: p for node, p in zip(wiring.nodes, given, strict=True)}
     data: dict[str, Any] = {}
-    for name, (port, long_name, lengths, rates) in VARIABLES.items():
+    measured = f"{TRUE}[0]" in column
+    wanted = {**VARIABLES, **(MEASURED if measured else {})}
+    for name, (port, long_name, lengths, rates) in wanted.items():
         size = 2 * N if port == "alpha" else 2
         values = signals[:, [column[f"{port}[{k}]"] for k in range(size)]]
         unit = " ".join([units.length] * lengths + [f"{units.time}-1"] * rates)
@@ -128,7 +136,12 @@ def _lyapunov(
     """Return the law's V along the run, with the parameters that ran."""
     car, p = ran["vehicle_controller"], ran["adaptation"]
     block = scenario.learning.row.V(p, Truth(ran["true_flow"].theta, car.KD, car.GammaD))
-    ports = block.input_ports.items()
-    inputs = signals[:, [column[f"{port}[{k}]"] for port, size in ports for k in range(size)]]
+
+    def values(port: str, size: int) -> np.ndarray:
+        if port == "e" and f"{TRUE}[0]" in column:  # not of the measured position
+            return values(TRUE, 2) - values("z", 2)
+        return signals[:, [column[f"{port}[{k}]"] for k in range(size)]]
+
+    inputs = np.hstack([values(port, size) for port, size in block.input_ports.items()])
     zero = np.zeros(len(inputs))
     return on_arrays(block.output_record, zero, (), inputs.T, block.parameters)[0]

@@ -12,6 +12,7 @@ import control
 import numpy as np
 
 from ..blocks import Block
+from ..blocks.localization import TRUE
 from ..diagrams.interconnection import Diagram, wiring_of_blocks
 from ..diagrams.wiring import wiring_of
 from ..errors import BlockError, ScenarioError, SimulationError
@@ -182,6 +183,10 @@ class ScenarioRun:
         """Return the columns of a port in `signals`."""
         labels = [label for node in self.wiring.nodes for label in node.system.output_labels]
         return [k for k, label in enumerate(labels) if label.partition("[")[0] == port]
+
+    def true_position(self, signals: np.ndarray) -> np.ndarray:
+        """Return x of `signals`, shape (ntimes, 2), also where the vehicle reads it with noise."""
+        return signals[:, self.columns(TRUE) or self.columns("x")]
 
     def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
         """Return a solution and its signals with names, units and attributes."""

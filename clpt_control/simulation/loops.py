@@ -20,17 +20,20 @@ from ..blocks import (
     field,
     flow,
     learner,
+    localization,
     reference,
     speed_limit,
     vehicle,
 )
 from ..blocks.laws.law import functions_of
 from ..blocks.laws.table import LAWS
+from ..blocks.localization import TRUE
 from ..diagrams.interconnection import Diagram, connect
 from ..diagrams.scenario_basis import scenario_basis
 from ..errors import DiagramError
 from ..scenario.experiment import Scenario, require_scenario
 from ..scenario.keys import STARTS
+from ..scenario.localization import Localization
 
 
 def paper_blocks(scenario: Scenario, law: Block | None = None) -> list[Block]:
@@ -46,8 +49,8 @@ def paper_blocks(scenario: Scenario, law: Block | None = None) -> list[Block]:
     Returns
     -------
     list of Block
-        In the order of the table in the documentation; `disturbance`, `speed_limit` and
-        `hedging` are among them where the scenario has them.
+        In the order of the table in the documentation; `measurement`, `disturbance`,
+        `speed_limit` and `hedging` are among them where the scenario has them.
 
     Raises
     ------
@@ -87,16 +90,20 @@ def paper_blocks(scenario: Scenario, law: Block | None = None) -> list[Block]:
                 delta.kind, delta.amplitude, delta.period or 1.0, float(delta.seed or 0)
             )
         )
+    seen = scenario.localization
+    measured = [] if seen is None else [_measurement(seen), scenario_basis(scenario, TRUE)]
+    true = TRUE if measured else "x"
     return [
         reference.reference(scenario.waypoints, scenario.reference.dwell),
         scenario_basis(scenario, "x"),
         scenario_basis(scenario, "z"),
+        *measured,
         *disturbances,
-        _true_flow(scenario, disturbed=delta is not None),
+        _true_flow(scenario, delta is not None, true),
         flow.modeled_flow(flow.ModeledFlowParameters(N, alpha_M)),
         vehicle.vehicle_controller(desired, limited=car.max_speed is not None),
         *limits,
-        vehicle.vehicle(),
+        vehicle.vehicle(true),
         learner.learning_controller(N),
         learner.learning_model(hedged=scenario.hedged),
         learner.injection(inject),
@@ -114,14 +121,22 @@ def _own(law: Block, N: int) -> Block:
     return law
 
 
-def _true_flow(scenario: Scenario, disturbed: bool) -> Block:
+def _measurement(seen: Localization) -> Block:
+    return localization.measurement(
+        localization.MeasurementParameters(
+            seen.noise, seen.noise_period or 1.0, float(seen.seed or 0)
+        )
+    )
+
+
+def _true_flow(scenario: Scenario, disturbed: bool, position: str) -> Block:
     if scenario.field_path is None:
         theta = np.array(scenario.flow.parameters)
-        return flow.true_flow(flow.TrueFlowParameters(scenario.basis.N, theta), disturbed)
+        return flow.true_flow(flow.TrueFlowParameters(scenario.basis.N, theta), disturbed, position)
     from ..currents.field_file import read_field
 
     gridded = read_field(scenario.field_path, scenario.units)
-    return field.gridded_flow(gridded, scenario.flow.outside, disturbed, scenario.units)
+    return field.gridded_flow(gridded, scenario.flow.outside, disturbed, scenario.units, position)
 
 
 def closed_loop(
@@ -170,7 +185,8 @@ def _kept(blocks: list[Block], external: list[str]) -> list[Block]:
             raise DiagramError(
                 f"external = '{port}': must be among the ports {', '.join(sorted(ports))}"
             )
-    kept = [block for block in blocks if not set(block.output_ports) & set(external)]
+    outside = {*external, *({TRUE} if "x" in external else ())}
+    kept = [block for block in blocks if not set(block.output_ports) & outside]
     while True:
         used = {port for block in kept for port in block.input_ports}
         idle = [b for b in kept if b.name != "clpe" and not set(b.output_ports) & used]

@@ -65,7 +65,7 @@ def run_in_pieces(
     """Run a scenario; return it at the times that are kept or shown, and its squares."""
     run, pieces = ScenarioRun(scenario), list(pairwise([*range(0, grid.last, PIECE), grid.last]))
     group = 1 if len(pieces) == 1 else GROUP
-    sums, counts, parts = [], [], []
+    sums, counts, parts, z = [], [], [], run.columns("z")
     state, statistics = run.start, dict[str, int]()
     for first, last in pieces:
         numbers = np.arange(first, last + 1)
@@ -84,7 +84,7 @@ def run_in_pieces(
         held = np.unique(np.concatenate([nearest(solution.t, inside), shown, end]))
         if not final:  # the next piece begins there
             at, held = at[:-1], held[:-1]
-        squares = np.sum(signals[at][:, run.columns("e")] ** 2, axis=1)
+        squares = np.sum((run.true_position(signals[at]) - signals[at][:, z]) ** 2, axis=1)
         starts = np.arange(0, len(at), group)
         sums.append(np.add.reduceat(squares, starts))
         counts.append(np.diff(np.append(starts, len(at))))

@@ -92,6 +92,22 @@ SCENARIOS = {  # name -> (changes, words that the line must hold)
         {"flow.disturbance": {"kind": "sine", "amplitude": [1.0, 0.0], "period": 1.0, "seed": 1}},
         ["flow.disturbance.seed", "noise"],
     ),
+    "noise on the position below 0": (
+        {"localization": {"noise": -0.1, "noise_period": 1.0}},
+        ["localization.noise", "-0.1", "greater than or equal to 0"],
+    ),
+    "noise on the position of nothing": (
+        {"localization": {"noise": 0.1, "noise_period": 1e-300}},
+        ["localization.noise_period", "1e-300", "at least"],
+    ),
+    "noise on the position that is never new": (
+        {"localization": {"noise": 0.1}},
+        ["localization.noise_period"],
+    ),
+    "seed of the position of 2^63": (
+        {"localization": {"noise": 0.1, "noise_period": 1.0, "seed": 2**63}},
+        ["localization.seed", "less than"],
+    ),
     "square without period": (
         {"flow.disturbance": {"kind": "square", "amplitude": [1.0, 0.0]}},
         ["flow.disturbance.period", "required"],

@@ -69,6 +69,8 @@ def test_an_error_about_one_name_says_the_other(key):
         scenario = scenario.with_values({"flow.disturbance": square})
     if key == "vehicle.max_speed":
         scenario = scenario.with_values({key: 1.5})
+    if "localization" in key:
+        scenario = scenario.with_values({"localization": {"noise": 0.1, "noise_period": 2.0}})
     if key == "learning.theta_estimate":
         law = {"learning.law": "known-flow", "learning.parameters": None, key: [[1, 1, 1]] * 2}
         scenario = scenario.with_values(law)

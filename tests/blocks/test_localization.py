@@ -1,0 +1,115 @@
+"""The measured position x_m = x + s n, n standard normal, held: what reads it, and its law."""
+
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.blocks import evaluate, localization
+from clpt_control.blocks.disturbance import disturbance
+from clpt_control.diagrams.scenario_basis import scenario_basis
+from clpt_control.ensemble.members import Ensemble
+
+COUNT = 6000
+NOISE = {"noise": 0.05, "noise_period": 0.5, "seed": 3}
+NOISY = clpt.paper_scenario().with_values({"localization": NOISE, "run.duration": 20})
+
+
+def noise_of(seed=1.0, sd=1.0):
+    """The noise of both axes in COUNT intervals, shape (COUNT, 2)."""
+    block = localization.measurement(localization.MeasurementParameters(sd, 0.5, seed))
+    return np.array([block.output(0.5 * k + 0.2, [], [0.0, 0.0]) for k in range(COUNT)])
+
+
+def test_noise_is_standard_normal_and_independent():
+    from scipy.stats import kstest
+
+    n, other = noise_of(), noise_of(seed=2.0)
+    pushed = disturbance("noise", [1.0, 1.0], 0.5, 1.0)  # of the same seed
+    delta = np.array([pushed.output(0.5 * k + 0.2, [], []) for k in range(COUNT)])
+    few = 4 / np.sqrt(COUNT)  # four standard deviations of a mean of COUNT
+    for values in n.T:
+        assert abs(values.mean()) < few
+        assert abs(values.var() - 1) < few * np.sqrt(2)
+        assert kstest(values, "norm").pvalue > 0.01
+    pairs = [(n[:, 0], n[:, 1]), *((a[1:], a[:-1]) for a in n.T)]
+    pairs += [(n[:, i], far[:, j]) for far in (other, delta) for i in (0, 1) for j in (0, 1)]
+    assert all(abs(np.mean(a * b)) < few for a, b in pairs)
+
+
+def test_noise_adds_to_the_position_by_its_deviation_and_is_held():
+    block = localization.measurement(localization.MeasurementParameters(0.3, 2.0, 5.0))
+    unit = localization.measurement(localization.MeasurementParameters(1.0, 2.0, 5.0))
+    x = np.array([7.0, -4.0])
+    first = block.output(0.0, [], x) - x
+    np.testing.assert_allclose(first, 0.3 * unit.output(0.0, [], [0.0, 0.0]), rtol=1e-13)
+    np.testing.assert_array_equal(block.output(1.999, [], x) - x, first)
+    assert np.all(block.output(2.0, [], x) - x != first)
+    np.testing.assert_array_equal(block.breakpoints(0.0, 7.0), [2.0, 4.0, 6.0])
+
+
+def test_the_vehicle_steers_on_what_it_reads():
+    """In calm water x' = -k (x + n) + k zc: exact from one period of the noise to the next."""
+    calm = {"flow.parameters": [[0.0] * 3] * 2, "run.output_step": 0.5}
+    run = clpt.simulate(NOISY.with_values(calm))
+    x, n = run.position.values, (run.measured_position - run.position).values
+    left = np.exp(-0.5)
+    wanted = left * x[:-1] + (1 - left) * (run.reference.values[:-1] - n[:-1])
+    np.testing.assert_allclose(x[1:], wanted, rtol=0, atol=1e-8)
+    assert np.std(n) == pytest.approx(0.05, rel=0.3)
+
+
+def test_the_truth_is_without_noise():
+    run = clpt.simulate(NOISY)
+    phi = evaluate(scenario_basis(NOISY), run.time.values, run.position.values)
+    flow = np.einsum("ik,tk->ti", run.flow_parameters.values, phi)
+    np.testing.assert_allclose(run.true_flow, flow, rtol=0, atol=1e-12)
+    seen = run.measured_position - run.predicted_position
+    np.testing.assert_allclose(run.clpe, seen, rtol=0, atol=1e-12)
+    e = (run.position - run.predicted_position).values
+    learning = NOISY.learning
+    V = np.sum(e**2, axis=1) / 2
+    for name, true in (("flow_parameters_estimate", NOISY.flow.parameters),):
+        V += np.sum((run[name].values - np.array(true)) ** 2, axis=(1, 2)) / (2 * learning.gain)
+    for name in ("feedback_gain", "feedforward_gain"):
+        V += np.sum((run[name].values - 1.0) ** 2, axis=1) / (2 * learning.gain)
+    np.testing.assert_allclose(run.lyapunov, V, rtol=1e-12)
+
+
+def test_no_noise_is_no_localization():
+    quiet = clpt.simulate(NOISY.with_values({"localization.noise": 0.0}))
+    plain = clpt.simulate(NOISY.with_values({"localization": None}))
+    for name in plain.data_vars:
+        np.testing.assert_allclose(quiet[name], plain[name], rtol=0, atol=1e-7, err_msg=name)
+    assert set(quiet.data_vars) - set(plain.data_vars) == {"measured_position"}
+
+
+def test_both_engines_and_the_report_agree():
+    native, python = (clpt.simulate(NOISY, engine=name) for name in ("native", "python"))
+    for name in native.data_vars:
+        np.testing.assert_allclose(native[name], python[name], rtol=0, atol=1e-8, err_msg=name)
+    fine = clpt.simulation.run_and_report(NOISY.with_values({"run.duration": 200})).summary
+    many = clpt.run_ensemble(NOISY.with_values({"run.duration": 200}), "learning.gain=[0.8]", 1)
+    assert fine["clpe_rms_per_cycle"][0] == pytest.approx(float(many.clpe_rms[0, 0]), rel=1e-6)
+
+
+@pytest.mark.parametrize("lanes", [False, True])
+def test_noise_varies_in_ensembles(lanes):
+    values = {
+        "localization.noise": np.linspace(0.0, 0.1, 9),
+        "localization.noise_period": np.tile([0.5, 0.7, 1.1], 3),
+    }
+    ensemble = Ensemble(NOISY, {key: () for key in values}, lanes=lanes)
+    times = np.array([0.0, 7.3, 20.0])
+    found = ensemble.run(ensemble.members(values, 20.0), times)
+    for m in (0, 4, 8):
+        own = NOISY.with_values({key: value[m] for key, value in values.items()})
+        position = clpt.simulate(own, times).position
+        np.testing.assert_allclose(found.states[m, :, :2], position, rtol=0, atol=1e-10)
+
+
+def test_a_measured_track_feeds_the_learner_alone():
+    loop = clpt.closed_loop(NOISY, external="x")
+    assert loop.input_labels == ["x[0]", "x[1]"]
+    names = [block.name for block in clpt.paper_blocks(NOISY)]
+    assert {"measurement", "basis_x_true"} <= set(names)
+    assert clpt.closed_loop(NOISY, external="x_true").nstates == loop.nstates
