@@ -115,6 +115,8 @@ def read_varies(scenario: Scenario, vary: "str | Vary | Iterable[str | Vary]") -
             raise ScenarioError(f"vary: {one.key} is named {keys.count(one.key)} times, not once")
         if one.kind == "levels":
             _check_levels(one, values[one.key].shape)
+        elif one.key.endswith(".seed"):
+            raise ScenarioError(f"vary = '{one.text}': a seed is a whole number; list the values")
     return varies
 
 
@@ -125,6 +127,8 @@ def _check_levels(one: Vary, shape: tuple[int, ...]) -> None:
             fits = np.shape(np.asarray(level, dtype=float)) == shape and level is not None
         except (TypeError, ValueError, OverflowError):
             fits = False
+        if fits and one.key.endswith(".seed") and not float(level).is_integer():
+            fits, allowed = False, "a whole number"
         if not fits or isinstance(level, bool):
             shown = json.dumps(level)
             shown = shown if len(shown) <= 40 else shown[:37] + "..."
@@ -145,7 +149,7 @@ def variable_values(scenario: Scenario) -> dict[str, np.ndarray]:
                 if key != "run":
                     walk(value, f"{key}.")
                 continue
-            value = defaults.get(key, value)
+            value = float(value or 0) if name == "seed" else defaults.get(key, value)
             if isinstance(value, float) or _is_array(value):
                 found[key] = np.array(value, dtype=float)
 
@@ -157,8 +161,11 @@ def variable_values(scenario: Scenario) -> dict[str, np.ndarray]:
     for name, value in own.items():  # the law's defaults may vary too
         if isinstance(value, float) or _is_array(value):
             found.setdefault(f"learning.{name}", np.array(value, dtype=float))
-    if scenario.flow.disturbance is not None and scenario.flow.disturbance.kind == "constant":
+    kind = None if scenario.flow.disturbance is None else scenario.flow.disturbance.kind
+    if kind == "constant":
         found.pop("flow.disturbance.period", None)
+    if kind != "noise":
+        found.pop("flow.disturbance.seed", None)
     return found
 
 
@@ -181,7 +188,7 @@ def _why_not(scenario: Scenario, key: str, allowed: list[str]) -> str:
     if key.split(".")[0] == "run":
         return f"vary: {key} cannot vary: members share duration, samples and tolerances"
     if isinstance(place, int):
-        return f"vary: {key} = {place} cannot vary: counts and seeds are whole numbers"
+        return f"vary: {key} = {place} cannot vary: counts are whole numbers"
     if isinstance(place, Table):
         return f"vary: {key} is a table; name one of its keys, such as {key}.{_first(place)}"
     if place is not None and known:

@@ -15,8 +15,10 @@ CALL_TIME_NAMES = {
     "flow.parameters": ("true_flow.theta",),
     "flow.disturbance.amplitude": ("disturbance.amplitude",),
     "flow.disturbance.period": ("disturbance.period",),
+    "flow.disturbance.seed": ("disturbance.seed",),
     "localization.noise": ("measurement.noise",),
     "localization.noise_period": ("measurement.period",),
+    "localization.seed": ("measurement.seed",),
     "model.parameters": (
         "modeled_flow.alpha_M",
         "vehicle_controller.alpha_M",

@@ -4,12 +4,8 @@ With interval = 0 it reads its position at all times, with noise; without the ta
 true one.
 """
 
-from typing import Annotated
-
-from pydantic import Field, Strict
-
 from .mistakes import Table
-from .tables import NotNegative, Positive
+from .tables import NotNegative, Positive, Seed
 
 
 class Localization(Table):
@@ -17,7 +13,7 @@ class Localization(Table):
 
     noise: NotNegative = 0.0
     noise_period: Positive
-    seed: Annotated[int, Strict(), Field(ge=0, lt=67108859)] | None = None
+    seed: Seed | None = None
 
     @property
     def spans(self) -> dict[str, float]:

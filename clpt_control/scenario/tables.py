@@ -7,7 +7,7 @@ table needs of another is checked in `experiment`.
 import math
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import AfterValidator, Field, Strict, create_model, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field, Strict, create_model, model_validator
 from pydantic_core import PydanticCustomError
 
 from ..blocks.laws.law import Gains, Law
@@ -28,11 +28,17 @@ def _period(value: float) -> float:
     return value
 
 
+def _whole(value: Any) -> Any:
+    """Return a whole float, such as an ensemble has, as an int."""
+    return int(value) if isinstance(value, float) and value.is_integer() else value
+
+
 Number = Annotated[float, Strict(), AfterValidator(_finite)]
 Positive = Annotated[Number, Field(gt=0)]
 NotNegative = Annotated[Number, Field(ge=0)]
 Period = Annotated[float, Strict(), AfterValidator(_period)]
 Count = Annotated[int, Strict(), Field(ge=1, le=10**6)]
+Seed = Annotated[int, BeforeValidator(_whole), Strict(), Field(ge=0, lt=67108859)]
 Pair = tuple[Number, Number]
 PositivePair = tuple[Positive, Positive]
 Row = tuple[Number, ...]
@@ -90,7 +96,7 @@ class Disturbance(Table):
     kind: Literal["constant", "sine", "square", "noise"]
     amplitude: Pair
     period: Positive | None = None
-    seed: Annotated[int, Strict(), Field(ge=0, lt=67108859)] | None = None
+    seed: Seed | None = None
 
     @model_validator(mode="after")
     def _what_the_kind_needs(self) -> "Disturbance":

@@ -113,3 +113,15 @@ def test_a_measured_track_feeds_the_learner_alone():
     names = [block.name for block in clpt.paper_blocks(NOISY)]
     assert {"measurement", "basis_x_true"} <= set(names)
     assert clpt.closed_loop(NOISY, external="x_true").nstates == loop.nstates
+
+
+def test_a_seed_varies_by_a_list_and_every_member_has_its_own_noise():
+    many = clpt.run_ensemble(
+        NOISY, "localization.seed=[0, 1, 2, 3]", 4, design="grid", trajectories=True
+    )
+    for seed, position in enumerate(many.position.values):
+        own = clpt.simulate(NOISY.with_values({"localization.seed": seed}))
+        np.testing.assert_allclose(position, own.position, rtol=0, atol=1e-10)
+    for vary, said in (("=0:3", "list the values"), ("=[1, 2.5]", "must be a whole number")):
+        with pytest.raises(clpt.ClptError, match=said):
+            clpt.run_ensemble(NOISY, f"localization.seed{vary}", 2)

@@ -67,6 +67,8 @@ def test_an_error_about_one_name_says_the_other(key):
     if "disturbance" in key:
         square = {"kind": "square", "amplitude": [0.1, 0.0], "period": 2.0}
         scenario = scenario.with_values({"flow.disturbance": square})
+    if key == "flow.disturbance.seed":
+        scenario = scenario.with_values({"flow.disturbance.kind": "noise"})
     if key == "vehicle.max_speed":
         scenario = scenario.with_values({key: 1.5})
     if "localization" in key:
