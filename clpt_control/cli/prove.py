@@ -1,4 +1,4 @@
-"""`clpt prove`: the paper's theorems and every law of the table, on the equations that run."""
+"""`clpt prove`: the paper's theorems, a limited speed and every law, on the equations that run."""
 
 from dataclasses import asdict
 from typing import Annotated, Any
@@ -11,13 +11,14 @@ from .printing import Json, print_json, print_table
 
 def prove(
     theorem: Annotated[
-        str | None, typer.Option(help="3.1 to 3.4; default: all, and every law.")
+        str | None, typer.Option(help="3.1 to 3.4; default: all, limits and every law.")
     ] = None,
     as_json: Json = False,
 ) -> None:
     """Check the paper's theorems, and every law, on the equations that run."""
     from ..progress import progress_bar
     from ..theory.proving.judged_laws import judged_laws
+    from ..theory.proving.limited_speed import judged_limits
     from ..theory.proving.misprints import misprints
     from ..theory.proving.theorems import THEOREMS, audit
 
@@ -25,15 +26,16 @@ def prove(
         proofs = audit(theorem, report)
         listed = misprints()
         laws = judged_laws() if theorem is None else {}
+        limits = judged_limits() if theorem is None else {}
     if as_json:
-        print_json(_as_json(proofs, listed, laws))
+        print_json(_as_json(proofs, limits, listed, laws))
     else:
-        for number, proof in proofs.items():
+        named = {f"Theorem {number}": proof for number, proof in proofs.items()}
+        named |= {f"Limited speed, {name}": proof for name, proof in limits.items()}
+        for name, proof in named.items():
             rows = [["yes" if s.holds else "NO", s.how, s.claim, s.detail] for s in proof.steps]
             every = ", for every N" if proof.for_every_N else ""
-            print_table(
-                f"Theorem {number}: {proof.status}{every}", ["holds", "how", "claim", ""], rows
-            )
+            print_table(f"{name}: {proof.status}{every}", ["holds", "how", "claim", ""], rows)
             typer.echo(f"printed: {proof.printed}")
             if proof.corrected:
                 typer.echo(f"holds:   {proof.corrected}")
@@ -54,7 +56,8 @@ def prove(
             ["equation", "printed", "should be", "confirmed"],
             [[m.equation, m.printed, m.corrected, "yes" if m.confirmed else "NO"] for m in listed],
         )
-    wrong = [f"{n} at step '{s.claim}'" for n, p in proofs.items() for s in p.failed]
+    judged = {**proofs, **{f"limited speed, {name}": proof for name, proof in limits.items()}}
+    wrong = [f"{n} at step '{s.claim}'" for n, p in judged.items() for s in p.failed]
     wrong += [f"law {law}: {found.claim}" for law, found in laws.items() if not found.holds]
     wrong += [f"the misprint of {m.equation} is not confirmed" for m in listed if not m.confirmed]
     if wrong:
@@ -62,16 +65,21 @@ def prove(
         raise SimulationError(f"the proof fails: {wrong[0]}{more}")
 
 
-def _as_json(proofs: dict, listed: tuple, laws: dict) -> dict[str, Any]:
+def _as_json(proofs: dict, limits: dict, listed: tuple, laws: dict) -> dict[str, Any]:
     """Return the statuses, steps and statements, the laws and the misprints."""
-    theorems = {}
-    for number, proof in proofs.items():
-        said = asdict(proof)
-        del said["theorem"], said["printed_holds"]
-        theorems[number] = {"status": proof.status, "for_every_N": proof.for_every_N, **said}
+
+    def plain(judged: dict) -> dict[str, Any]:
+        found = {}
+        for name, proof in judged.items():
+            said = asdict(proof)
+            del said["theorem"], said["printed_holds"]
+            found[name] = {"status": proof.status, "for_every_N": proof.for_every_N, **said}
+        return found
+
     keys = ("equation", "printed", "corrected", "check", "confirmed")
     return {
-        "theorems": theorems,
+        "theorems": plain(proofs),
+        "limited_speed": plain(limits),
         "laws": {
             law: {**found._asdict(), "steps": [asdict(step) for step in found.steps]}
             for law, found in laws.items()

@@ -23,7 +23,7 @@ from clpt_control.blocks.functions import helpers_of
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.currents.field_file import GriddedField
 from clpt_control.simulation.loops import paper_blocks
-from clpt_control.theory.proving import judged_laws, theorem_loop, theorems
+from clpt_control.theory.proving import judged_laws, limited_speed, theorem_loop, theorems
 from clpt_control.theory.proving.misprints import misprints
 from clpt_control.theory.proving.theorems import THEOREMS, audit
 
@@ -48,6 +48,7 @@ def every_block():
     )
     yield from paper_blocks(paper)
     yield from paper_blocks(known)
+    yield from paper_blocks(paper.with_values({"vehicle.max_speed": 1.5}))
     for kernel in basis.KERNELS:
         yield from paper_blocks(paper.with_values({"basis.kernel": kernel}))[1:2]
     for kind in disturbance.KINDS:
@@ -148,6 +149,9 @@ def caught_by(function, which, first):
         for misprint in misprints():
             if not misprint.confirmed:
                 return f"misprint {misprint.equation}"
+        for name, proof in limited_speed.judged_limits().items():
+            for step in proof.failed:
+                return f"{name}: {step.claim}"
     finally:
         function.__code__ = own
     return None
@@ -176,9 +180,12 @@ def few_points(monkeypatch):
     monkeypatch.setattr(theorems, "POINTS", 100)
     monkeypatch.setattr(theorems, "FEWER", 100)
     monkeypatch.setattr(judged_laws, "POINTS", 100)
+    monkeypatch.setattr(limited_speed, "POINTS", 100)
 
 
-@pytest.mark.parametrize("room", ["vehicle", "learner", *PAGES, "clpe", "lyapunov", "basis"])
+@pytest.mark.parametrize(
+    "room", ["vehicle", "learner", "speed_limit", *PAGES, "clpe", "lyapunov", "basis"]
+)
 def test_altered_signs_fail_the_proof(room):
     listed = [mutant for mutant in mutants() if mutant[0].startswith(f"{room}.")]
     chosen = random.Random(1).sample(listed, min(3, len(listed)))

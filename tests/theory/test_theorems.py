@@ -82,6 +82,9 @@ def test_prove_prints_json(clpt):
         for step in theorem["steps"]:
             assert step["how"] in ("exact", "cited", "counterexample", "sampled")
     assert {"equation", "printed", "corrected", "check"} <= set(printed["misprints"][0])
+    limited = printed["limited_speed"]
+    assert limited["with hedging"]["status"] == "proved"
+    assert limited["without hedging"]["corrected"].startswith("int |e|^2")
 
 
 def test_prove_one_theorem_and_refuse_another(clpt):

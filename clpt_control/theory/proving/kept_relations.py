@@ -22,7 +22,7 @@ from .proof import Step, checked
 from .quadratic_forms import nonpositive
 from .running_rate import compared
 from .symbolic_loop import SymbolicLoop, symbolic_loop
-from .theorem_loop import law_and_V, theorem_loop
+from .theorem_loop import Hedging, law_and_V, theorem_loop
 
 SIZES = (1, 2, 3)  # numbers of functions
 
@@ -30,9 +30,9 @@ SIZES = (1, 2, 3)  # numbers of functions
 class Kept:
     """A law's closed loop on symbols for one N, with the relations that its row states."""
 
-    def __init__(self, law: Law, N: int):
+    def __init__(self, law: Law, N: int, speed: Hedging = "no limit"):
         made, V = law_and_V(law, N)
-        self.diagram = theorem_loop(N, "learned-flow", law_block=made, candidate=V)
+        self.diagram = theorem_loop(N, "learned-flow", law_block=made, candidate=V, speed=speed)
         self.loop: SymbolicLoop = symbolic_loop(self.diagram)
         own = self.loop.states
         self.states = {port.rpartition(":")[2]: symbols for port, symbols in own.items()}

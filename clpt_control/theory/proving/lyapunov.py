@@ -20,7 +20,7 @@ from .every_n_signals import Summed
 from .proof import Step, checked
 from .running_rate import compared
 from .symbolic_loop import SymbolicLoop, symbolic_loop
-from .theorem_loop import theorem_loop
+from .theorem_loop import Hedging, theorem_loop
 
 
 class Terms(NamedTuple):
@@ -116,7 +116,12 @@ def every_n_residual(diagram: Diagram, claim: Claim) -> tuple[EveryNLoop, Summed
 
 
 def identity_steps(
-    text: str, law: str, claim: Claim, points: int, disturbed: bool = False
+    text: str,
+    law: str,
+    claim: Claim,
+    points: int,
+    disturbed: bool = False,
+    speed: Hedging = "no limit",
 ) -> list[Step]:
     """Check V' exactly, for N = 1, 2, 3 and every N, and at points of the running blocks.
 
@@ -125,12 +130,12 @@ def identity_steps(
 
     def identity() -> tuple[bool, str]:
         for N in (1, 2, 3):
-            loop, left = residual(theorem_loop(N, law, disturbed), claim)
+            loop, left = residual(theorem_loop(N, law, disturbed, speed=speed), claim)
             if left != 0:
                 return False, f"N = {N}, left over: {short(left)}"
             if loop.undefined:
                 return False, loop.undefined[0]
-        every_loop, rest = every_n_residual(theorem_loop(3, law, disturbed), claim)
+        every_loop, rest = every_n_residual(theorem_loop(3, law, disturbed, speed=speed), claim)
         if rest.base != 0 or rest.term != 0:
             said = f"left over: {short(rest.base)}; summand {short(rest.term)}"
             return False, f"every N, {said}"
@@ -139,7 +144,7 @@ def identity_steps(
         return True, "base and summand over k vanish"
 
     def running() -> tuple[bool, str]:
-        diagram = theorem_loop(3, law, disturbed)
+        diagram = theorem_loop(3, law, disturbed, speed=speed)
         loop = symbolic_loop(diagram)
         found = compared(diagram, loop, claimed(loop, claim), points)
         if found.where is not None:

@@ -90,6 +90,15 @@ def checked(claim: str, how: str, check: Callable[[], Any], every_N: bool = True
     return Step(claim, bool(truth), how, str(detail), every_N)
 
 
+def judged(theorem: str, proof: Callable[[], Proof]) -> Proof:
+    """Return a proof; one whose parts cannot be read has a failed step."""
+    try:
+        return proof()
+    except Exception as error:  # an equation so changed that it cannot be traced
+        step = Step("the equations can be read", False, "exact", f"{error}")
+        return Proof(theorem, "", (), (step,), False, "nothing")
+
+
 def cited(claim: str, source: str) -> Step:
     """Return a step that is taken from a source, not checked here."""
     return Step(claim, True, "cited", source)

@@ -1,8 +1,11 @@
 """The closed loop that the theorems speak of, with its V as a block.
 
-The basis, the waypoints and the disturbance are inputs of the diagram: what is proved
-holds for every phi_x, phi_z, zc and Delta, and the running blocks are called with any.
+The basis, the waypoints, the disturbance and the limit of the speed are inputs of the diagram:
+what is proved holds for every phi_x, phi_z, zc, Delta and flown velocity v_x, and the running
+blocks are called with any.
 """
+
+from typing import Literal
 
 import numpy as np
 
@@ -14,10 +17,19 @@ from ...scenario.experiment import Scenario
 from ...scenario.file import paper_scenario
 from ...simulation.loops import paper_blocks
 
-SOURCES = {"basis_x": "phi_x", "basis_z": "phi_z", "reference": "zc", "disturbance": "delta"}
+SOURCES = {
+    "basis_x": "phi_x",
+    "basis_z": "phi_z",
+    "reference": "zc",
+    "disturbance": "delta",
+    "speed_limit": "v_x",
+}
+Hedging = Literal["no limit", "hedged", "not hedged"]
 
 
-def theorem_scenario(N: int, law: str, disturbed: bool = False) -> Scenario:
+def theorem_scenario(
+    N: int, law: str, disturbed: bool = False, speed: Hedging = "no limit"
+) -> Scenario:
     """Return a scenario with N functions, whose numbers become symbols with their signs.
 
     KD and gamma are positive; theta, theta_hat, alpha_M and GammaD have either sign.
@@ -36,6 +48,8 @@ def theorem_scenario(N: int, law: str, disturbed: bool = False) -> Scenario:
             "model.parameters": (-0.3 * signs).tolist(),
             "vehicle.feedback": [1.0, 0.7],
             "vehicle.feedforward": [1.2, -0.5],
+            "vehicle.max_speed": None if speed == "no limit" else 1.5,
+            "learning.hedging": None if speed == "no limit" else speed == "hedged",
             "learning.law": law,
             "learning.parameters": None,
             "learning.theta_estimate": (0.4 * signs).tolist() if known else None,
@@ -57,13 +71,14 @@ def theorem_loop(
     disturbed: bool = False,
     law_block: Block | None = None,
     candidate: Block | None = None,
+    speed: Hedging = "no limit",
 ) -> Diagram:
     """Wire the closed loop of a theorem, with its V as a block.
 
     V is that of Eq. (17) for the known-flow law, of Eq. (24) for the learned-flow law;
     `law_block` and `candidate` (with the output V[1]) take the place of the paper's.
     """
-    scenario = theorem_scenario(N, law, disturbed)
+    scenario = theorem_scenario(N, law, disturbed, speed)
     blocks = paper_blocks(scenario)
     external = [SOURCES[block.name] for block in blocks if block.name in SOURCES]
     blocks = [block for block in blocks if block.name not in SOURCES]

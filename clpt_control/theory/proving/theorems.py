@@ -22,7 +22,7 @@ from .boundedness import convergence_steps, definite_step, dissipation_step, you
 from .circle import circle_step
 from .lyapunov import decay, decay_and_disturbance, decay_and_known_error, identity_steps
 from .observability import observability_steps
-from .proof import Proof, Step, checked, cited
+from .proof import Proof, Step, checked, cited, judged
 
 POINTS = 10_000  # at which the running blocks are called for Theorem 3.2
 FEWER = 1_000  # for 3.1 and 3.4, whose blocks are the same but for one
@@ -250,16 +250,7 @@ def audit(
     proofs = {}
     for done, number in enumerate(wanted, 1):
         check()
-        proofs[number] = _judged(number)
+        proofs[number] = judged(number, THEOREMS[number])
         if progress is not None:
             progress(done)
     return proofs
-
-
-def _judged(number: str) -> Proof:
-    """Return a proof; one whose parts cannot be read has a failed step."""
-    try:
-        return THEOREMS[number]()
-    except Exception as error:  # an equation so changed that it cannot be traced
-        step = Step("the equations can be read", False, "exact", f"{error}")
-        return Proof(number, "", (), (step,), False, "nothing")

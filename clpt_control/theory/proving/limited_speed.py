@@ -1,0 +1,227 @@
+"""A vehicle whose speed is limited: what hedging keeps of the theorems, and what is lost without.
+
+    x' = F_R + v,   z' = F_M + v_z - (v_c - v)        v_c commanded by Eq. (7), v flown
+
+With hedging e' = F_R + v_c - F_M - v_z, whatever v is: e' and V' of every law are those of a
+vehicle without a limit.  Without it V' = -e^T KD e - e^T (v_c - v).
+
+Theorem 3.2 also needs x bounded.  With w = KD x and v_c = b - w, b of phi and zc alone, the limit
+v = v_max v_c/|v_c| gives w^T v <= v_max (2 |b| - |w|), so
+
+    (x^T KD x/2)' = w^T (F_R + v) < 0      where |w| > 2 v_max |b|/(v_max - |F_R|)
+
+if the flow is slower than the vehicle; x is then bounded.  A faster one carries it away.
+"""
+
+from collections.abc import Callable
+
+import sympy
+
+from ...blocks.laws.table import LAWS
+from ...blocks.speed_limit import SpeedLimitParameters, speed_limit
+from ...diagrams.interconnection import connect
+from ..counterexamples.paper_system import limited_speed_counterexample
+from .boundedness import definite_step, dissipation_step, young_step
+from .every_n_loop import EveryNLoop, element_symbol, every_n_loop
+from .every_n_signals import Summed
+from .kept_relations import Kept
+from .lyapunov import decay, every_n_terms, identity_steps, short
+from .proof import Proof, Step, checked, judged
+from .symbolic_loop import symbolic_loop
+from .theorem_loop import Hedging, law_and_V, theorem_loop
+
+POINTS = 1_000  # at which the running blocks are called
+N = 2  # functions, for each law of the table
+OPEN = "Theorem 3.2 where the vehicle's speed is limited, which the paper leaves open"
+SLOWER = "|F_R| stays below some F < v_max"
+
+
+def every(speed: Hedging) -> EveryNLoop:
+    """Return the learned-flow law's loop for every N."""
+    return every_n_loop(theorem_loop(3, "learned-flow", speed=speed))
+
+
+def minus(one: Summed, other: Summed) -> Summed:
+    """Return a difference, multiplied out."""
+    return one.plus(other.times(Summed(sympy.Integer(-1)))).expanded()
+
+
+def same_error_rate() -> bool:
+    """Return whether e' of a hedged vehicle is that of one without a limit, for every N."""
+    free, hedged = every("no limit"), every("hedged")
+    rates = [
+        [loop.derivative(loop.signals["e", None, i]) for i in range(2)] for loop in (free, hedged)
+    ]
+    return all(minus(*pair) == Summed(sympy.Integer(0)) for pair in zip(*rates, strict=True))
+
+
+def same_rate_of_every_law() -> tuple[bool, str]:
+    """Return whether V' of each law is that without a limit, and its relations are kept."""
+    for law in LAWS.values():
+        made, V = law_and_V(law, N)
+        name = law.name if law.given_estimate else "learned-flow"
+        free, hedged = (
+            symbolic_loop(theorem_loop(N, name, law_block=made, candidate=V, speed=speed))
+            for speed in ("no limit", "hedged")
+        )
+        rates = [loop.derivative(loop.signals["V"][0]) for loop in (free, hedged)]
+        left = sympy.expand(rates[0] - rates[1])
+        if left != 0:
+            return False, f"{law.name}: left over: {short(left)}"
+        if law.keeps is not None and (said := Kept(law, N, "hedged").left()):
+            return False, f"{law.name}: {said}"
+    return True, ", ".join(LAWS)
+
+
+def limits() -> bool:
+    """Return whether the block flies v_c up to v_max, and v_max in its direction beyond."""
+    loop = symbolic_loop(connect([speed_limit(SpeedLimitParameters(1.5))], external=["v_c"]))
+    v, c = loop.signals["v_x"], loop.inputs["v_c"]
+    largest = loop.parameters["speed_limit"].max_speed
+    speed = sympy.sqrt(c[0] ** 2 + c[1] ** 2)
+    words = {f for one in v for f in one.atoms(sympy.core.function.AppliedUndef)} - set(c)
+    if len(words) != 1:
+        return False
+    (larger,) = words
+    if str(larger.func) != "maximum" or set(larger.args) != {speed, largest}:
+        return False
+    below = all(sympy.simplify(a.subs(larger, largest) - b) == 0 for a, b in zip(v, c, strict=True))
+    beyond = [a.subs(larger, speed) - largest * b / speed for a, b in zip(v, c, strict=True)]
+    return below and all(sympy.simplify(left) == 0 for left in beyond)
+
+
+def commanded_back() -> bool:
+    """Return whether v_c = b - KD x with b of phi and zc alone, and x' = F_R + v, for every N."""
+    loop = every("hedged")
+    for i in range(2):
+        x, flown = (element_symbol(port, None, i) for port in ("x", "v_x"))
+        flow = loop.signals["flow_x", None, i]
+        if minus(loop.rates["x", None, i], flow) != Summed(flown):
+            return False
+        w = Summed(every_n_terms(loop).KD(i) * x)
+        b = loop.signals["v_c", None, i].plus(w).expanded()
+        moving = (b.base + b.term).free_symbols & loop.given
+        states = {
+            element_symbol(port, None, j) for port in ("x", "z", "K", "Gamma") for j in range(2)
+        }
+        states |= {element_symbol("alpha", row) for row in range(2)}
+        if (b.base + b.term).free_symbols & states:
+            return False
+        if not moving <= {element_symbol("phi_x", 0), element_symbol("zc", None, i)}:
+            return False
+    return True
+
+
+def pulls_back() -> bool:
+    """Return whether w^T v <= v_max (2 |b| - |w|) at the limit, v = v_max c/|c|, c = b - w."""
+    b, c = sympy.symbols("b_1:3", real=True), sympy.symbols("c_1:3", real=True)
+    squares = [sum(one[i] ** 2 for i in range(2)) for one in (b, c)]
+    cross = sum(b[i] * c[i] for i in range(2))
+    pull = sum((b[i] - c[i]) * c[i] for i in range(2))  # |c| w^T v/v_max
+    lagrange = squares[0] * squares[1] - cross**2 - (b[0] * c[1] - b[1] * c[0]) ** 2
+    # so b^T c <= |b| |c|; and |c| >= |w| - |b|, the triangle of w = b - c
+    F, B, W, high = sympy.symbols("F B W v_max", positive=True)
+    rate = W * F + high * (2 * B - W)
+    return (
+        sympy.expand(pull - (cross - squares[1])) == 0
+        and sympy.expand(lagrange) == 0
+        and sympy.simplify(rate.subs(W, 2 * high * B / (high - F))) == 0
+        and sympy.diff(rate, W) == F - high
+    )
+
+
+def lost_without() -> bool:
+    """Return whether V' = -e^T KD e - e^T (v_c - v) without hedging, for every N."""
+    loop = every("not hedged")
+    terms = every_n_terms(loop)
+    wanted = Summed(decay(terms, None)[0])
+    for i in range(2):
+        missing = minus(loop.signals["v_c", None, i], loop.signals["v_x", None, i])
+        wanted = minus(wanted, missing.times(Summed(terms.e(i))))
+    return minus(loop.derivative(loop.signals["V", None, 0]), wanted) == Summed(sympy.Integer(0))
+
+
+def with_hedging() -> Proof:
+    """Prove Theorem 3.2 of a vehicle whose speed is limited, with hedging."""
+    text = "V' = -e^T KD e, whatever v is flown"
+    steps: list[Step] = [
+        *identity_steps(text, "learned-flow", decay, POINTS, speed="hedged"),
+        checked("e' is that without a limit, for every N", "exact", same_error_rate),
+        definite_step("learned-flow"),
+        dissipation_step(),
+        checked("v = v_c up to |v_c| = v_max, and v_max v_c/|v_c| beyond", "exact", limits),
+        checked(
+            "x' = F_R + v and v_c = b - KD x, b of phi and zc alone, for every N",
+            "exact",
+            commanded_back,
+        ),
+        checked(
+            "w = KD x: (x^T KD x/2)' = w^T (F_R + v) <= |w| |F_R| + v_max (2 |b| - |w|) at the "
+            "limit, so x is bounded where |F_R| < v_max",
+            "exact",
+            pulls_back,
+        ),
+    ]
+    return Proof(
+        "3.2, limited speed, with hedging",
+        OPEN,
+        ("Assumptions of Theorem 3.2", f"for CLPE -> 0 also: {SLOWER}"),
+        tuple(steps),
+        printed_holds=True,
+        conclusion="V falls as without a limit; where the flow is slower than the vehicle x is "
+        "bounded, and Theorem 3.2 goes on as it stands, since e' is the same.",
+        not_proved=("that CLPE goes to zero where the flow carries the vehicle away",),
+    )
+
+
+def every_law() -> Proof:
+    """Prove that hedging keeps V' of every law of the table."""
+    claim = f"V' is that without a limit, whatever v is flown, N = {N}"
+    return Proof(
+        "every law, limited speed, with hedging",
+        "not in the paper",
+        ("what the law's own proof assumes",),
+        (checked(claim, "exact", same_rate_of_every_law, False),),
+        printed_holds=True,
+        conclusion="Laws that read the velocity are given the one that is flown.",
+    )
+
+
+def without_hedging() -> Proof:
+    """Refute Theorem 3.2 of a vehicle whose speed is limited, without hedging."""
+
+    def grows() -> tuple[bool, str]:
+        told, untold = limited_speed_counterexample(end=200.0)
+        return told < 1e-6 < 1e-2 < untold, (
+            f"largest |e| {untold:.3f} within a cycle, {told:.0e} with hedging"
+        )
+
+    return Proof(
+        "3.2, limited speed, without hedging",
+        OPEN,
+        ("Assumptions of Theorem 3.2",),
+        (
+            checked("V' = -e^T KD e - e^T (v_c - v), for every N", "exact", lost_without),
+            young_step(),
+            checked(
+                "the paper's system, started true, with v_max = 1.5: CLPE leaves zero",
+                "counterexample",
+                grows,
+            ),
+        ),
+        printed_holds=False,
+        conclusion="What is not flown acts like a disturbance at every waypoint.",
+        corrected="int |e|^2 dt <= 2 V(0)/k + int |v_c - v|^2 dt/k^2 with k = lambda_min(KD)",
+    )
+
+
+LIMITS: dict[str, Callable[[], Proof]] = {
+    "with hedging": with_hedging,
+    "every law with hedging": every_law,
+    "without hedging": without_hedging,
+}
+
+
+def judged_limits() -> dict[str, Proof]:
+    """Judge what a limit of the speed does to the theorems, by name."""
+    return {name: judged(name, proof) for name, proof in LIMITS.items()}

@@ -1,0 +1,110 @@
+"""A limited speed: hedging keeps V' of every law, and without it the theorem is lost."""
+
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.blocks import learner, speed_limit
+from clpt_control.blocks.laws.law import Truth
+from clpt_control.blocks.laws.table import LAWS
+from clpt_control.diagrams.interconnection import connect
+from clpt_control.simulation.loops import paper_blocks
+from clpt_control.theory.proving import limited_speed
+from clpt_control.theory.proving.limited_speed import judged_limits
+from clpt_control.theory.proving.running_rate import RunningRate
+
+PAPER = clpt.paper_scenario()
+ESTIMATE = {"learning.theta_estimate": [[0.9, 0.5, 0.7], [1.0, 0.3, 0.9]]}
+
+
+@pytest.fixture(autouse=True)
+def few_points(monkeypatch):
+    monkeypatch.setattr(limited_speed, "POINTS", 200)
+
+
+def rates_of_V(scenario):
+    """V' along a run by the diagram's own rates, and -e^T KD e, at its samples."""
+    blocks, car = paper_blocks(scenario), scenario.vehicle
+    truth = Truth(*map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward)))
+    V = scenario.learning.row.V(blocks[-1].parameters, truth)
+    loop = connect([*blocks, V], name="with_V")
+    times = np.arange(0.0, scenario.run.duration, scenario.run.output_step)
+    states = clpt.simulate(loop, times, initial_state=clpt.initial_state(scenario)).states.T
+    running = RunningRate(loop)
+    running.set({})
+    rates = [running.rate(t, x, np.zeros(0), 2)[0] for t, x in zip(times, states, strict=True)]
+    e = states[:, 0:2] - states[:, 2:4]
+    return np.array(rates), -np.sum(np.array(car.feedback) * e**2, axis=1)
+
+
+def test_V_falls_along_the_papers_run_as_without_a_limit():
+    limited = PAPER.with_values({"vehicle.max_speed": 1.5, "run.duration": 400})
+    rates, wanted = rates_of_V(limited)
+    assert wanted.min() < -0.1
+    np.testing.assert_allclose(rates, wanted, atol=1e-9)
+    rates, wanted = rates_of_V(limited.with_values({"learning.hedging": False}))
+    assert np.abs(rates - wanted).max() > 0.1
+    assert rates.max() > 0.1
+
+
+def test_clpe_of_the_papers_run_goes_to_zero_with_hedging_and_not_without():
+    told, untold = (
+        clpt.simulation.run_and_report(
+            PAPER.with_values({"vehicle.max_speed": 1.5, "learning.hedging": hedging})
+        ).summary["clpe_rms_per_cycle"][-1]
+        for hedging in (True, False)
+    )
+    assert told < 1e-2
+    assert untold > 10 * told
+
+
+def test_what_is_proved_and_what_is_refuted():
+    found = judged_limits()
+    statuses = {name: (proof.status, proof.for_every_N) for name, proof in found.items()}
+    assert statuses == {
+        "with hedging": ("proved", True),
+        "every law with hedging": ("proved", False),
+        "without hedging": ("corrected", True),
+    }
+    (laws,) = found["every law with hedging"].steps
+    assert set(laws.detail.split(", ")) == set(LAWS)
+
+
+def added(t, x, u, p, dx):
+    """z' = F_M + v + d, not Eq. (2) hedged: u = flow_z[2], v_z[2], unflown[2], state z[2]."""
+    for i in range(2):
+        dx[i] = u[i] + u[2 + i] + u[4 + i]
+
+
+def too_fast(t, x, u, p, y):
+    """v = 2 v_c, no limit, for Eq. (1): u = v_c[2], y = v_x[2]."""
+    for i in range(2):
+        y[i] = 2 * u[i]
+
+
+@pytest.mark.parametrize(
+    ("module", "name", "wrong", "claim"),
+    [
+        (learner, "hedged_model", added, "V' = -e^T KD e"),
+        (speed_limit, "limited", too_fast, "up to |v_c| = v_max"),
+        (speed_limit, "difference", too_fast, "V' = -e^T KD e"),
+    ],
+)
+def test_a_wrong_equation_is_not_proved(module, name, wrong, claim, monkeypatch):
+    monkeypatch.setattr(module, name, wrong)
+    proof = judged_limits()["with hedging"]
+    assert proof.status == "failed"
+    assert any(claim in step.claim for step in proof.failed)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_every_law_runs_with_a_limit_and_its_clpe_is_hedged(name):
+    values = {"learning.law": name, "vehicle.max_speed": 1.5, "run.duration": 200}
+    if LAWS[name].given_estimate:
+        values |= {"learning.parameters": None, **ESTIMATE}
+    scenario = PAPER.with_values(values)
+    told, untold = (
+        clpt.simulate(scenario.with_values({"learning.hedging": hedging})).clpe.values[100:]
+        for hedging in (True, False)
+    )
+    assert np.sqrt(np.mean(told**2)) < np.sqrt(np.mean(untold**2))
