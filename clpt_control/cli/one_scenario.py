@@ -86,6 +86,12 @@ def run(
         rows.append([f"CLPE rms per cycle ({unit})", shown])
     rows.append([f"CLPE rms, whole run ({unit})", f"{summary['clpe_rms']:.3g}"])
     rows.append([f"CLPE rms, last quarter ({unit})", f"{summary['clpe_rms_last_quarter']:.3g}"])
+    if "speed" in summary:
+        rows.append(
+            ["share of time at the speed limit", f"{summary['speed']['share_at_limit']:.3g}"]
+        )
+        if summary["speed"]["faster_flow"] is None:
+            rows.append(["flow faster than the vehicle", "never"])
     for key, name in (
         ("max_flow_parameter_error", "largest flow parameter error"),
         ("max_gain_error", "largest gain error"),

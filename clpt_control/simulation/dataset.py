@@ -34,6 +34,10 @@ VARIABLES = {  # name -> (port, long name, unit of length or none, powers of 1/t
     "alpha": ("alpha", "adapted parameter alpha", 1, 1),
     "true_flow": ("flow_x", "true flow at the vehicle", 1, 1),
 }
+LIMITED = {  # where the vehicle's speed has a limit
+    "velocity": ("v_x", "velocity through the water, as flown", 1, 1),
+    "commanded_velocity": ("v_c", "velocity through the water, as commanded", 1, 1),
+}
 MEASURED = {  # where the vehicle reads its position with noise
     "position": (TRUE, "true position", 1, 0),
     "measured_position": ("x", "measured position, which the vehicle reads", 1, 0),
@@ -65,6 +69,7 @@ def run_dataset(
     data: dict[str, Any] = {}
     measured = f"{TRUE}[0]" in column
     wanted = {**VARIABLES, **(MEASURED if measured else {})}
+    wanted |= LIMITED if "v_c[0]" in column else {}
     for name, (port, long_name, lengths, rates) in wanted.items():
         size = 2 * N if port == "alpha" else 2
         values = signals[:, [column[f"{port}[{k}]"] for k in range(size)]]

@@ -23,6 +23,7 @@ from ..scenario.experiment import Scenario
 from ..scenario.keys import STARTS, keys_alone
 from .dataset import run_dataset
 from .loops import paper_blocks, starting_values, state_columns, state_of
+from .speeds import note_speeds, speeds_of
 
 if TYPE_CHECKING:
     import xarray
@@ -114,7 +115,8 @@ def simulate(
     Returns
     -------
     xarray.Dataset or control.TimeResponseData
-        Samples at the times asked for; values at a jump are right limits.
+        Samples at the times asked for; values at a jump are right limits. Where the flow is
+        faster than a vehicle with ``vehicle.max_speed``, the attribute ``message`` says so.
 
     Raises
     ------
@@ -150,7 +152,10 @@ def simulate(
     solution = run.integrate(run.start, from_zero, progress)
     if times[0] != 0:
         solution.t, solution.x = solution.t[1:], solution.x[1:]
-    return run.dataset(solution, run.signals(solution))
+    found = run.dataset(solution, run.signals(solution))
+    if run.max_speed is not None:
+        note_speeds(found, speeds_of(found, run.max_speed), run.scenario.units)
+    return found
 
 
 class ScenarioRun:
@@ -167,6 +172,12 @@ class ScenarioRun:
         blocks = paper_blocks(self.scenario, law)
         self.wiring, self.start = wiring_of_blocks(blocks), state_of(self.scenario, blocks, law)
         self.runner = chosen(self.wiring, self.left, None, engine, "the closed loop")
+
+    @property
+    def max_speed(self) -> float | None:
+        """The vehicle's largest speed in this run, units.length per units.time, if it has one."""
+        nodes = zip(self.wiring.nodes, self.runner.sweep.given, strict=True)
+        return next((p.max_speed for node, p in nodes if node.name == "speed_limit"), None)
 
     def integrate(
         self, state: np.ndarray, times: np.ndarray, progress: Progress | None = None

@@ -14,6 +14,7 @@ import numpy as np
 from ..native.ending import Solution
 from ..scenario.experiment import Scenario
 from .integrate import ScenarioRun
+from .speeds import SpeedWatch
 
 if TYPE_CHECKING:
     import xarray
@@ -61,11 +62,12 @@ class Squares(NamedTuple):
 
 def run_in_pieces(
     scenario: Scenario, kept: np.ndarray, grid: Grid, progress: Callable[[float], None] | None
-) -> "tuple[xarray.Dataset, Squares]":
-    """Run a scenario; return it at the times that are kept or shown, and its squares."""
+) -> "tuple[xarray.Dataset, Squares, SpeedWatch | None]":
+    """Run a scenario; return it at the times that are kept or shown, its squares and speeds."""
     run, pieces = ScenarioRun(scenario), list(pairwise([*range(0, grid.last, PIECE), grid.last]))
     group = 1 if len(pieces) == 1 else GROUP
     sums, counts, parts, z = [], [], [], run.columns("z")
+    watch = None if run.max_speed is None else SpeedWatch(run.max_speed)
     state, statistics = run.start, dict[str, int]()
     for first, last in pieces:
         numbers = np.arange(first, last + 1)
@@ -85,6 +87,9 @@ def run_in_pieces(
         if not final:  # the next piece begins there
             at, held = at[:-1], held[:-1]
         squares = np.sum((run.true_position(signals[at]) - signals[at][:, z]) ** 2, axis=1)
+        if watch is not None:
+            speeds = (signals[at][:, run.columns(port)] for port in ("v_c", "flow_x"))
+            watch.add(solution.t[at], *speeds)
         starts = np.arange(0, len(at), group)
         sums.append(np.add.reduceat(squares, starts))
         counts.append(np.diff(np.append(starts, len(at))))
@@ -93,9 +98,8 @@ def run_in_pieces(
             break
     t, x, signals = (np.concatenate(one) for one in zip(*parts, strict=True))
     joined = Solution(t, x, solution.status, solution.message, statistics)
-    return run.dataset(joined, signals), Squares(
-        np.concatenate(sums), np.concatenate(counts), group
-    )
+    squared = Squares(np.concatenate(sums), np.concatenate(counts), group)
+    return run.dataset(joined, signals), squared, watch
 
 
 def union(first: np.ndarray, more: np.ndarray) -> np.ndarray:

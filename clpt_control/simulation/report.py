@@ -17,6 +17,7 @@ from ..errors import DataError
 from ..scenario.experiment import Scenario
 from .integrate import sample_times
 from .pieces import SAMPLES_PER_CYCLE, Grid, Squares, nearest, run_in_pieces, union
+from .speeds import note_speeds
 
 if TYPE_CHECKING:
     import xarray
@@ -51,7 +52,8 @@ def run_and_report(
         cycle, fewer in a run of more than 100 cycles); and the summary:
         ``clpe_rms_per_cycle`` (over 2000 samples a cycle),
         ``max_flow_parameter_error`` and ``max_gain_error`` keyed by time,
-        ``status`` and ``message``; for a gridded field also the shares of
+        ``status`` and ``message``; with ``vehicle.max_speed`` also ``speed``, the share of time
+        at it and when the flow was faster; for a gridded field also the shares of
         variance that the learned flow explains.
 
     Raises
@@ -70,7 +72,9 @@ def run_and_report(
     own = sample_times(end, scenario.run.output_step)
     marks = np.array([t for t in TIMES if t <= end], dtype=float)
     grid = Grid.to(end, scenario.cycle / SAMPLES_PER_CYCLE)
-    dense, squares = run_in_pieces(scenario, union(own, marks), grid, progress)
+    dense, squares, watch = run_in_pieces(scenario, union(own, marks), grid, progress)
+    if watch is not None:
+        note_speeds(dense, watch.figures(), scenario.units)
     reached = dense.time.values
     run = dense.isel(time=nearest(reached, own))
     if dense.attrs["status"] == "stopped":
@@ -79,6 +83,8 @@ def run_and_report(
     shown = np.append(np.arange(0, grid.last, grid.every), grid.last)
     even = dense.isel(time=nearest(reached, grid.times(shown)))
     summary = _summary(scenario, squares, dense)
+    if watch is not None:
+        summary["speed"] = watch.figures()
     if scenario.flow.field is not None:
         from .flows import explained_variance
 
