@@ -8,14 +8,15 @@
 
 z is the predicted position (length); Eq. (13) belongs to the known-flow law,
 Eq. (20) to the learned-flow law, where alpha is driven to -theta.  In Eqs.
-(12)-(13) the estimate theta_hat stands where the print lost the hat.  d is what the vehicle
-could not fly of its commanded velocity (`speed_limit`).
+(12)-(13) the estimate theta_hat stands where the print lost the hat; it is given, or comes
+from a law that estimates it.  d is what the vehicle could not fly of its commanded velocity
+(`speed_limit`).
 
 | block | inputs | output |
 |---|---|---|
 | learning_model | flow_z[2], v_z[2], hedged unflown[2] (length per time) | z[2] (length), a state |
 | learning_controller | z[2], zc[2], phi_z[N], alpha[2N], K[2], Gamma[2], psi[2] | v_z[2] |
-| injection | phi_x[N], phi_z[N], alpha[2N] (length per time) | psi[2] (length per time) |
+| injection | phi_x[N], phi_z[N], alpha[2N] or theta_hat[2N] (length per time) | psi[2] (the same) |
 """
 
 from typing import NamedTuple
@@ -36,6 +37,13 @@ class KnownFlowInjectionParameters(NamedTuple):
 
     N: int  # number of basis functions
     theta_hat: np.ndarray  # shape (2, N), estimate of theta, length per time
+    alpha_M: np.ndarray  # shape (2, N), length per time
+
+
+class EstimatedFlowInjectionParameters(NamedTuple):
+    """What Eq. (13) knows beside the estimate, a signal."""
+
+    N: int  # number of basis functions
     alpha_M: np.ndarray  # shape (2, N), length per time
 
 
@@ -74,17 +82,28 @@ def controller(t, x, u, p, y):
         y[i] = -cancelled - K[i] * z[i] + Gamma[i] * zc[i] + psi[i]
 
 
+def estimate_injected(theta_hat, alpha_M, phi, n):
+    """Return (theta_hat - alpha_M) phi(x) of one axis, Eq. (13)."""
+    injected = 0.0
+    for k in range(n):
+        injected += (theta_hat[k] - alpha_M[k]) * phi[k]
+    return injected
+
+
 def known_flow(t, x, u, p, y):
     """Psi = (theta_hat - alpha_M) phi(x), Eq. (13).
 
     u = phi_x[N], phi_z[N], alpha[2N] (of which phi_x is used); y = psi[2].
     """
-    phi_x = u[0 : p.N]
     for i in range(2):
-        injected = 0.0
-        for k in range(p.N):
-            injected += (p.theta_hat[i, k] - p.alpha_M[i, k]) * phi_x[k]
-        y[i] = injected
+        y[i] = estimate_injected(p.theta_hat[i], p.alpha_M[i], u, p.N)
+
+
+def estimated_flow(t, x, u, p, y):
+    """Psi of Eq. (13) with the estimate a signal: u = phi_x[N], theta_hat[2N]; y = psi[2]."""
+    n = p.N
+    for i in range(2):
+        y[i] = estimate_injected(u[n + i * n : 2 * n + i * n], p.alpha_M[i], u, n)
 
 
 def learned_flow(t, x, u, p, y):
@@ -120,10 +139,22 @@ def learning_controller(N: int) -> Block:
     )
 
 
-def injection(parameters: KnownFlowInjectionParameters | LearnedFlowInjectionParameters) -> Block:
+def injection(
+    parameters: KnownFlowInjectionParameters
+    | EstimatedFlowInjectionParameters
+    | LearnedFlowInjectionParameters,
+) -> Block:
     """Make the learning injection, Eq. (13) or (20), by the class of its parameters."""
     known = isinstance(parameters, KnownFlowInjectionParameters)
     N = parameters.N
+    if isinstance(parameters, EstimatedFlowInjectionParameters):
+        return Block(
+            "injection",
+            output=estimated_flow,
+            inputs={"phi_x": N, "theta_hat": 2 * N},
+            outputs={"psi": 2},
+            parameters=parameters,
+        )
     return Block(
         "injection",
         output=known_flow if known else learned_flow,

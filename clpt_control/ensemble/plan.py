@@ -118,7 +118,9 @@ def _checked_law(law: Block | None, scenario: Scenario) -> None:
     if law is None:
         return
     functions_of(law)
-    states = ["K", "Gamma"] if scenario.learning.row.given_estimate else ["alpha", "K", "Gamma"]
+    row = scenario.learning.row
+    states = ["theta_hat"] if row.makes_estimate else [] if row.given_estimate else ["alpha"]
+    states += ["K", "Gamma"]
     for port in states:
         if port not in law.state_ports:
             raise DiagramError(

@@ -136,7 +136,7 @@ def kept_variables(
     if trajectories:
         keep("position", "time axis", "true position", units=length)
         keep("predicted_position", "time axis", "predicted position", units=length)
-        if not scenario.learning.row.given_estimate:
+        if not scenario.learning.row.keeps_alpha:
             keep("alpha", "time axis basis", "adapted parameter alpha", units=speed)
         keep("feedback_gain", "time axis", "adapted feedback gain", units=rate)
         keep("feedforward_gain", "time axis", "adapted feedforward gain", units=rate)
@@ -165,7 +165,7 @@ def summarise_members(
 
 def _summaries(scenario, times, values, run, trajectories) -> dict[str, np.ndarray]:
     y, N = run.states, scenario.basis.N
-    learned = not scenario.learning.row.given_estimate
+    row = scenario.learning.row
     m = len(y)
     base = variable_values(scenario)
     at = {port: y[..., column] for port, column in run.columns.items()}
@@ -184,10 +184,12 @@ def _summaries(scenario, times, values, run, trajectories) -> dict[str, np.ndarr
         "clpe_rms_whole": np.sqrt(np.mean(squares, axis=1)),
     }
     if scenario.flow.parameters is not None:
-        if learned:
-            estimate = -at["alpha"][:, times.marks]
-        else:
+        if row.given_estimate:
             estimate = value("learning.theta_estimate").reshape(-1, 1, 2 * N)
+        elif row.makes_estimate:
+            estimate = at["theta_hat"][:, times.marks]
+        else:
+            estimate = -at["alpha"][:, times.marks]
         error = np.abs(estimate - value("flow.parameters").reshape(-1, 1, 2 * N)).max(axis=2)
         alive = np.isfinite(y[:, times.marks, 0])
         kept["flow_parameter_error"] = np.where(alive, error, np.nan)
@@ -201,6 +203,6 @@ def _summaries(scenario, times, values, run, trajectories) -> dict[str, np.ndarr
     if trajectories:
         for name in kept_variables(scenario, times, m, True).keys() & TRAJECTORIES.keys():
             kept[name] = at[TRAJECTORIES[name]][:, times.own]
-        if learned:
+        if not row.keeps_alpha:
             kept["alpha"] = kept["alpha"].reshape(m, -1, 2, N)
     return {name: np.ascontiguousarray(array) for name, array in kept.items()}

@@ -138,7 +138,7 @@ def _check_levels(one: Vary, shape: tuple[int, ...]) -> None:
 def variable_values(scenario: Scenario) -> dict[str, np.ndarray]:
     """Return every key that may vary, with the scenario's value or the default."""
     defaults = {"basis.phases": scenario.phases, "model.parameters": scenario.model_parameters}
-    if not scenario.learning.row.given_estimate:
+    if not scenario.learning.row.keeps_alpha:
         defaults["learning.parameters"] = scenario.learning_parameters
     found: dict[str, np.ndarray] = {}
 

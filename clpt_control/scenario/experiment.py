@@ -147,7 +147,7 @@ class Scenario(Table):
     @property
     def learning_parameters(self) -> TwoRows:
         """alpha(0); a law that is given the flow keeps alpha_M."""
-        if self.learning.row.given_estimate:
+        if self.learning.row.keeps_alpha:
             return self.model_parameters
         return self.learning.parameters or ((0.0,) * self.basis.N,) * 2
 
@@ -168,6 +168,7 @@ class Scenario(Table):
             self.reference.dwell,
             np.array(self.vehicle.position),
             np.array(self.learning_parameters),
+            np.array(self.learning.theta_estimate or self.model_parameters),
             self.learning.settings,
         )
 

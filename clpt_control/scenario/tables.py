@@ -234,15 +234,15 @@ class Learning(OwnTables):
     @model_validator(mode="after")
     def _what_the_law_needs(self) -> "Learning":
         own = f'law = "{self.law}"'
-        if self.row.given_estimate:
-            if self.theta_estimate is None:
+        if self.row.keeps_alpha:
+            if self.theta_estimate is None and self.row.given_estimate:
                 raise ValueError(f"learning.theta_estimate: is required by {own}")
             if self.parameters is not None:
                 raise ValueError(
                     f"learning.parameters: {own} keeps alpha = alpha_M; remove the key"
                 )
         elif self.theta_estimate is not None:
-            allowed = [f'"{law.name}"' for law in LAWS.values() if law.given_estimate]
+            allowed = [f'"{law.name}"' for law in LAWS.values() if law.keeps_alpha]
             raise ValueError(
                 f"learning.theta_estimate: is allowed only with law = {' or '.join(allowed)}; "
                 "remove the key"

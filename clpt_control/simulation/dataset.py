@@ -82,6 +82,9 @@ def run_dataset(
     estimate = 0.0 - alpha  # without -0
     if scenario.learning.row.given_estimate:
         estimate = np.broadcast_to(ran["injection"].theta_hat, alpha.shape).copy()
+    elif "theta_hat[0]" in column:
+        made = [column[f"theta_hat[{k}]"] for k in range(2 * N)]
+        estimate = signals[:, made].reshape(n, 2, N)
     speed = {"units": f"{units.length} {units.time}-1"}
     learned = {"long_name": "estimate of the flow parameters theta", **speed}
     data["flow_parameters_estimate"] = (("time", "axis", "basis"), estimate, learned)

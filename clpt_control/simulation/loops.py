@@ -75,6 +75,8 @@ def paper_blocks(scenario: Scenario, law: Block | None = None) -> list[Block]:
     if learning.row.given_estimate:
         theta_hat = np.array(learning.theta_estimate)
         inject: Any = learner.KnownFlowInjectionParameters(N, theta_hat, alpha_M)
+    elif learning.row.makes_estimate and (law is None or "theta_hat" in law.output_ports):
+        inject = learner.EstimatedFlowInjectionParameters(N, alpha_M)
     else:
         inject = learner.LearnedFlowInjectionParameters(N, alpha_M)
     limits = []
@@ -245,7 +247,7 @@ def starting_values(scenario: Scenario) -> dict[str, np.ndarray]:
         "learning.feedback": learning.feedback,
         "learning.feedforward": learning.feedforward,
     }
-    if learning.row.given_estimate:  # alpha is no state
+    if learning.row.keeps_alpha:  # alpha is no state
         del values["learning.parameters"]
     return {key: np.asarray(value, dtype=float) for key, value in values.items()}
 

@@ -166,8 +166,9 @@ def learning_plot(run: "xarray.Dataset", scenario: Scenario, axis: int) -> "Figu
             top.axhline(scenario.flow.parameters[i][k], color=colour, linewidth=0.7, alpha=0.7)
     direction = "horizontal" if axis == 1 else "vertical"
     truth = ", true values thin" if scenario.flow.parameters is not None else ""
-    learned = not scenario.learning.row.given_estimate
-    estimated = "estimate = $-\\alpha$" if learned else "given estimate"
+    row, estimated = scenario.learning.row, "estimate = $-\\alpha$"
+    if row.keeps_alpha:
+        estimated = "given estimate" if row.given_estimate else "estimate of the filter"
     top.set_title(f"Parameters of the {direction} flow, {estimated}{truth}", **TITLE)
     top.set_ylabel(f"flow parameter ({units.length}/{units.time})")
     gains = (

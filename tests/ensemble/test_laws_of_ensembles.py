@@ -65,7 +65,7 @@ def test_settings_vary(quick, name):
     law = LAWS[name]
     setting = next(key for key, one in law.settings.items() if one.allowed == "positive")
     key, usual = f"learning.{law.table}.{setting}", law.settings[setting].default
-    values = {"learning.law": name}
+    values = {"learning.law": name, "learning.parameters": None}
     if usual is None:  # made of the scenario's other keys
         usual = values[key] = 0.5
     scenario = quick.with_values(values)  # a plain default need not be named

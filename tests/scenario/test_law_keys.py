@@ -94,7 +94,7 @@ def test_a_laws_own_table_is_checked_like_all_else(name):
     key, table = next(iter(law.settings)), f"learning.{law.table}"
     with pytest.raises(ScenarioError, match=f"{table}: belongs to law = .{name}"):
         PAPER.with_values({table: {}})
-    mine = {"learning.law": name}
+    mine = {"learning.law": name, "learning.parameters": None}
     with pytest.raises(ScenarioError, match=f"unknown key {table}.none.*{key}"):
         PAPER.with_values({**mine, f"{table}.none": 1.0})
     with pytest.raises(ScenarioError, match=f"{table}.{key} = 'x': must be"):

@@ -44,6 +44,7 @@ class Known(NamedTuple):
     dwell: float  # time at each waypoint
     position: np.ndarray  # shape (2,), x(0), length
     alpha: np.ndarray  # shape (2, N), alpha(0), length per time
+    theta_estimate: np.ndarray  # shape (2, N), given, or alpha_M, length per time
     settings: Mapping[str, Any]  # every key of the law's own table, its value or default
 
     @property
@@ -84,11 +85,18 @@ class Law(NamedTuple):
     # keys of which its parameters and starts are made, beside its own
     made_of: tuple[str, ...] = ()
     keeps: Callable[..., dict[str, Any]] | None = None  # relations of its states, for the proof
-    gains: Callable[..., Any] = lambda states, p, theta: 0  # V' + e^T KD e where they hold
+    # V' + e^T KD e where they hold; of a law that makes an estimate: what its error grows by
+    gains: Callable[..., Any] = lambda states, p, theta: 0
     cone: str = ""  # a state that is a matrix M >= 0
     says: str = ""  # V' in words
     alpha_by_gain: bool = True  # whether learning.gain adapts alpha too, not only K and Gamma
     given_estimate: bool = False  # theta_hat is given, alpha = alpha_M, Eq. (13)
+    makes_estimate: bool = False  # theta_hat[2N] is a state of it, alpha = alpha_M, Eq. (13)
+
+    @property
+    def keeps_alpha(self) -> bool:
+        """Whether alpha stays alpha_M, and the injection is Eq. (13)."""
+        return self.given_estimate or self.makes_estimate
 
     @property
     def table(self) -> str:

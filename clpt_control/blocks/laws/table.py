@@ -7,6 +7,7 @@ from . import (
     composite_least_squares,
     composite_memory,
     dead_zone,
+    kalman_flow,
     known_flow,
     leakage,
     learned_flow,
@@ -19,6 +20,7 @@ LAWS: dict[str, Law] = {
     for law in (
         learned_flow.LAW,
         known_flow.LAW,
+        kalman_flow.LAW,
         leakage.SIGMA,
         leakage.SWITCHING_SIGMA,
         leakage.E_MODIFICATION,

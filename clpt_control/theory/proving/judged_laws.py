@@ -11,7 +11,7 @@ from typing import NamedTuple
 from ...blocks.laws.law import Law
 from ...blocks.laws.table import LAWS
 from ...progress.interrupt import check
-from .kept_relations import kept_steps
+from .kept_relations import GIVEN, kept_steps
 from .lyapunov import decay_and_known_error, identity_steps
 from .own_law import prove
 from .proof import Step
@@ -19,6 +19,7 @@ from .theorem_loop import law_and_V
 
 POINTS = 1_000  # at which the running blocks of each law are called
 N = 2  # functions; a proof for every N says so
+MEAN = f"{GIVEN}: in the mean |e| <= |(theta - theta_hat) phi| over the least of KD"
 
 
 class JudgedLaw(NamedTuple):
@@ -73,17 +74,20 @@ def _with_kept_relations(law: Law) -> JudgedLaw:
     """Judge a law whose states keep relations."""
     steps = tuple(kept_steps(law, POINTS))
     failed = [f"{s.claim} ({s.detail})" for s in steps if not s.holds]
-    claim = failed[0] if failed else f"V' = {law.says}, so CLPE goes to zero"
-    return JudgedLaw(law.name, "open" if failed else "proved", claim, False, steps)
+    status, claim = "proved", f"V' = {law.says}, so CLPE goes to zero"
+    if law.makes_estimate:
+        status, claim = "bounded", f"{MEAN}, and {law.says}"
+    if failed:
+        status, claim = "open", failed[0]
+    return JudgedLaw(law.name, status, claim, False, steps)
 
 
 def _of_given_flow(law: Law) -> JudgedLaw:
     """Judge a law that is given an estimate of the flow."""
-    text = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
-    steps = tuple(identity_steps(text, law.name, decay_and_known_error, POINTS))
+    steps = tuple(identity_steps(GIVEN, law.name, decay_and_known_error, POINTS))
     holds = all(step.holds for step in steps)
     every = holds and all(step.every_N for step in steps if step.how == "exact")
-    claim = f"{text}: in the mean |e| <= |(theta - theta_hat) phi| over the least of KD"
+    claim = MEAN
     if not holds:
         claim = next(f"{s.claim} ({s.detail})" for s in steps if not s.holds)
     return JudgedLaw(law.name, "bounded" if holds else "open", claim, every, steps)

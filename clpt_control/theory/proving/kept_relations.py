@@ -8,6 +8,10 @@ matrix is not negative, and what V' `gains` beyond -e^T KD e.  Each is then show
     V' = -e^T KD e + gains <= -e^T KD e   where the relations hold, V and -gains not negative
 
 The first two are exact for N = 1, 2, 3; so is the third, and the running blocks give the same V'.
+For a law that makes an estimate theta_hat = theta + d with its covariance M, the third is
+
+    V' = -e^T KD e + e^T (theta - theta_hat) phi          Theorem 3.1
+    (d M^-1 d^T)' <= gains <= 0                           so d never grows in this norm
 """
 
 from typing import Any
@@ -17,7 +21,7 @@ import sympy
 
 from ...blocks import Block
 from ...blocks.laws.law import Law
-from .lyapunov import claimed, decay, short
+from .lyapunov import Claim, claimed, decay, decay_and_known_error, short
 from .proof import Step, checked
 from .quadratic_forms import nonpositive
 from .running_rate import compared
@@ -25,6 +29,7 @@ from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import Hedging, law_and_V, theorem_loop
 
 SIZES = (1, 2, 3)  # numbers of functions
+GIVEN = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
 
 
 class Kept:
@@ -32,7 +37,8 @@ class Kept:
 
     def __init__(self, law: Law, N: int, speed: Hedging = "no limit"):
         made, V = law_and_V(law, N)
-        self.diagram = theorem_loop(N, "learned-flow", law_block=made, candidate=V, speed=speed)
+        wired = law.name if law.makes_estimate else "learned-flow"
+        self.diagram = theorem_loop(N, wired, law_block=made, candidate=V, speed=speed)
         self.loop: SymbolicLoop = symbolic_loop(self.diagram)
         own = self.loop.states
         self.states = {port.rpartition(":")[2]: symbols for port, symbols in own.items()}
@@ -68,6 +74,25 @@ class Kept:
             if drift != 0 and sympy.cancel(sympy.together(drift)) != 0:
                 return f"{symbol} leaves it by {short(drift)}"
         return ""
+
+    def estimate_grows(self) -> str:
+        """Return what (d M^-1 d^T)' <= gains <= 0, d = theta_hat - theta, fails by, or nothing.
+
+        With M = M^T and d = c M, whatever c is: 2 d' c^T - c M' c^T.
+        """
+        n, M = len(self.matrix), self.symmetric()
+        if np.any(M != M.T):
+            return f"left over: {short(M[0, 1] - M[1, 0])}"
+        c = np.array(sympy.symbols(f"c_1:{2 * n + 1}", real=True), object).reshape(2, n)
+        theta = self.loop.parameters["true_flow"].theta
+        at = dict(zip(self.states["theta_hat"], (theta + c @ M).ravel(), strict=True))
+        slope = self.rates["theta_hat"].reshape(2, n)
+        rate = 2 * np.sum(slope * c) - np.sum((c @ self.slope) * c)
+        rest = self.here(sympy.sympify(rate - self.gains).subs(at, simultaneous=True))
+        falls = self.gains.is_nonpositive
+        if falls and all(term.is_nonpositive for term in sympy.Add.make_args(rest)):
+            return ""
+        return f"left over: {short(rest)}"
 
     def cone_is_kept(self) -> bool:
         """Return whether c^T M' c is not negative where M c = 0, for every c."""
@@ -117,6 +142,8 @@ def _tied(loop: SymbolicLoop, law: Block, V: Block) -> dict[Any, Any]:
 def kept_steps(law: Law, points: int) -> list[Step]:
     """Check a law whose row states what its states keep, for N = 1, 2, 3."""
     cases = [Kept(law, N) for N in SIZES]
+    made = law.makes_estimate
+    claim: Claim = decay_and_known_error if made else decay
 
     def stays() -> tuple[bool, str]:
         left = next(
@@ -127,12 +154,16 @@ def kept_steps(law: Law, points: int) -> list[Step]:
 
     def falls() -> tuple[bool, str]:
         for N, case in zip(SIZES, cases, strict=True):
-            rest = case.here(case.rate - claimed(case.loop, decay) - case.gains)
+            rest = case.here(case.rate - claimed(case.loop, claim) - (0 if made else case.gains))
             if rest != 0 and sympy.cancel(sympy.together(rest)) != 0:
                 return False, f"N = {N}, left over: {short(rest)}"
             if case.loop.undefined:
                 return False, case.loop.undefined[0]
         return True, ""
+
+    def recedes() -> tuple[bool, str]:
+        grown = next((said for said in (case.estimate_grows() for case in cases) if said), "")
+        return not grown, grown
 
     def running() -> tuple[bool, str]:
         case = cases[1]
@@ -142,6 +173,26 @@ def kept_steps(law: Law, points: int) -> list[Step]:
         return True, f"{found.points} points, largest difference {found.worst:.0e} of V"
 
     name = law.cone
+    if made:
+        third = [
+            checked(f"{GIVEN}, N = 1, 2, 3", "exact", falls, False),
+            checked(
+                f"the error of the estimate never grows: {law.says}",
+                "exact",
+                recedes,
+                False,
+            ),
+        ]
+    else:
+        third = [
+            checked(f"V' = -e^T KD e + gains, N = 1, 2, 3: {law.says}", "exact", falls, False),
+            checked(
+                f"with {name} >= 0 V and -gains are not negative",
+                "exact",
+                lambda: all(k.not_negative(k.V) and k.not_negative(-k.gains) for k in cases),
+                False,
+            ),
+        ]
     return [
         checked("what the law's states keep is kept", "exact", stays, False),
         checked(
@@ -150,12 +201,6 @@ def kept_steps(law: Law, points: int) -> list[Step]:
             lambda: all(case.cone_is_kept() for case in cases),
             False,
         ),
-        checked(f"V' = -e^T KD e + gains, N = 1, 2, 3: {law.says}", "exact", falls, False),
-        checked(
-            f"with {name} >= 0 V and -gains are not negative",
-            "exact",
-            lambda: all(k.not_negative(k.V) and k.not_negative(-k.gains) for k in cases),
-            False,
-        ),
+        *third,
         checked("the running blocks give the same V'", "sampled", running, False),
     ]

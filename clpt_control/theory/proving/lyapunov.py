@@ -36,13 +36,13 @@ class Terms(NamedTuple):
 
 def loop_terms(loop: SymbolicLoop) -> Terms:
     """Return the paper's symbols of a loop for one N."""
-    p = loop.parameters
+    p, made, N = loop.parameters, loop.states.get("theta_hat"), loop.N or 0
     return Terms(
         e=lambda i: loop.signals["e"][i],
         KD=lambda i: p["vehicle_controller"].KD[i],
         delta=lambda i: loop.inputs["delta"][i],
         theta=lambda i, k: p["true_flow"].theta[i, k],
-        theta_hat=lambda i, k: p["injection"].theta_hat[i, k],
+        theta_hat=lambda i, k: p["injection"].theta_hat[i, k] if made is None else made[i * N + k],
         phi=lambda k: loop.inputs["phi_x"][k],
     )
 

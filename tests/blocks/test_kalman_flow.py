@@ -1,0 +1,106 @@
+"""The known-flow law fed by a Kalman filter, against closed forms of the filter.
+
+One function, phi_f = 1:  P = p (P0 + p tanh s)/(p + P0 tanh s),  d = d0/(cosh s + (P0/p) sinh s),
+with p = w r, s = w t/r, d = theta_hat - theta.  Without a walk, for any phi: d P^-1 = d0 P0^-1.
+"""
+
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.blocks.laws import kalman_flow
+from clpt_control.errors import ScenarioError
+
+PAPER = clpt.paper_scenario()
+THETA = np.array(PAPER.flow.parameters)
+
+
+def filtered(duration, step=1.0, **own):
+    """The paper's scenario with the filter; `own` are keys of its table."""
+    values = {"learning.law": "kalman-flow", "learning.parameters": None}
+    values |= {f"learning.kalman_flow.{key}": value for key, value in own.items()}
+    return PAPER.with_values({**values, "run.duration": duration, "run.output_step": step})
+
+
+def states(scenario, times):
+    """d = theta_hat - theta and P along a run."""
+    loop = clpt.closed_loop(scenario)
+    found = clpt.simulate(
+        loop, times, None, clpt.initial_state(scenario), rtol=1e-11, atol=1e-14
+    ).states
+    d = found[8:14].T.reshape(-1, 2, 3) - THETA  # after x, z, K, Gamma
+    return d, found[14:23].T.reshape(-1, 3, 3)
+
+
+@pytest.mark.parametrize("walk", [0.2, 0.5])
+def test_one_function_is_the_closed_form(walk):
+    r, pole, P0, theta, t = 0.3, 1.5, 0.64, np.array([0.6, -0.4]), np.linspace(0, 3, 7)
+    law = kalman_flow.kalman_flow_law(
+        kalman_flow.KalmanFlowParameters(1, 0.0, 0.0, np.zeros((2, 1)), r, walk, pole)
+    )
+    inputs = law.input_ports
+    u = np.zeros((sum(inputs.values()), len(t)))
+    u[2] = 1.0
+    u[7:9] = theta[:, None] * t  # a vehicle that drifts
+    start = [0, 0, 0, 0, 0.1, 0.2, P0, 1.0, *-theta]  # K, Gamma, theta_hat, P, phi_f, q = -theta
+    loop = clpt.connect([law], external=list(inputs))
+    found = clpt.simulate(loop, t, u, start, rtol=1e-11, atol=1e-13).states
+    p, s = walk * r, walk * t / r
+    np.testing.assert_allclose(
+        found[6], p * (P0 + p * np.tanh(s)) / (p + P0 * np.tanh(s)), rtol=1e-9
+    )
+    left = np.array([0.1, 0.2])[:, None] - theta[:, None]
+    left = left / (np.cosh(s) + P0 / p * np.sinh(s))
+    np.testing.assert_allclose(found[4:6] - theta[:, None], left, atol=1e-9)
+
+
+def test_without_a_walk_the_error_is_the_prior_error_weighed_by_P():
+    d, P = states(filtered(60.0, walk=0.0, noise=0.3, prior=0.7), np.linspace(0, 60, 13))
+    np.testing.assert_allclose(d, d[0] @ P / 0.7**2, atol=1e-9)
+    assert np.abs(d[-1]).max() < 0.2 * np.abs(d[0]).max()
+
+
+@pytest.mark.parametrize("walk", [0.0, 0.03])
+def test_the_error_never_grows_in_the_norm_of_P(walk):
+    d, P = states(filtered(60.0, walk=walk, noise=0.3), np.linspace(0, 60, 241))
+    weighed = np.einsum("tik,tkj,tij->t", d, np.linalg.inv(P), d)
+    assert np.all(np.diff(weighed) <= 1e-9 * weighed[0])
+
+
+def test_a_filter_that_starts_true_is_the_known_flow_law():
+    known = PAPER.with_values(
+        {
+            "learning.law": "known-flow",
+            "learning.parameters": None,
+            "learning.theta_estimate": THETA,
+            "model.parameters": 0.5 * THETA,
+            "run.duration": 100.0,
+            "run.rtol": 1e-11,
+            "run.atol": 1e-13,
+        }
+    )
+    made = clpt.simulate(known.with_values({"learning.law": "kalman-flow"}))
+    given = clpt.simulate(known)
+    for name in ("clpe", "predicted_position", "feedback_gain", "alpha", "lyapunov"):
+        np.testing.assert_allclose(made[name], given[name], atol=1e-7, err_msg=name)
+    estimate = np.broadcast_to(THETA, made.flow_parameters_estimate.shape)
+    np.testing.assert_allclose(made.flow_parameters_estimate, estimate, atol=1e-7)
+    assert np.abs(given.clpe.values).max() > 0.01
+
+
+def test_clpe_vanishes_with_the_gains_adapted():
+    run = clpt.simulate(filtered(2000.0, step=0.5))
+    off = np.abs(run.flow_parameters_estimate.sel(time=200.0) - THETA).max()
+    last = run.clpe.sel(time=slice(1800.0, 2000.0))
+    assert off < 0.05 * np.abs(THETA).min()
+    assert float(np.sqrt((last**2).sum("axis").mean())) < 1e-4
+    assert np.ptp(run.feedback_gain.values) > 0.5  # K adapts
+
+
+def test_alpha_and_its_start_are_those_of_the_known_flow_law():
+    with pytest.raises(ScenarioError, match=r'"kalman-flow" keeps alpha = alpha_M; remove'):
+        filtered(10.0).with_values({"learning.parameters": THETA})
+    start = filtered(10.0).with_values({"model.parameters": 0.5 * THETA})
+    run = clpt.simulate(start)
+    np.testing.assert_array_equal(run.flow_parameters_estimate[0], 0.5 * THETA)
+    np.testing.assert_array_equal(run.alpha[-1], 0.5 * THETA)
