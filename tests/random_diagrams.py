@@ -62,8 +62,9 @@ class Jumping(NamedTuple):
 
 
 def jumps(p: Any, t0: float, t1: float) -> np.ndarray:
-    """Jump at each whole number."""
-    times = np.arange(1.0, math.floor(t1) + 1)
+    """Jump at each whole number, or three times in two."""
+    period = 1.0 if p.n % 2 else 2.0 / 3.0
+    times = period * np.arange(1.0, math.floor(t1 / period * (1 + 1e-12)) + 1)
     return times[(times > t0) & (times <= t1)]
 
 
@@ -267,6 +268,8 @@ def random_block(random, name):
     if not plain:
         own = 0 if later else nu
         texts.append(_Writer(random, nx, own, ny, n, m, jumping, "y").text("output"))
+    if dynamic and jumping:
+        texts.append(_Writer(random, nx, nu, nx, n, m, jumping, "new").text("jump"))
     space = executed("\n".join(texts))
     numbers = np.random.default_rng(random.randrange(2**32))
     kind = Jumping if jumping else Parameters
@@ -288,6 +291,7 @@ def random_block(random, name):
         parameters=parameters,
         feedthrough=None if plain else not later,
         breakpoints=jumps if jumping else None,
+        jump=space.get("jump"),
     )
 
 

@@ -2,9 +2,10 @@
 
     dx/dt = update(t, x, u, p),    y = output(t, x, u, p)
 
-The two functions fill their last argument, zero at first, and have no side
-effects.  They are recorded when the block is made (`trace`), and refused there
-if they cannot be.  The block adds what a diagram needs to know: the ports with
+and, right after the block's own breakpoints, x = jump(t, x, u, p) where it has a jump.
+The functions fill their last argument, zero at first, and have no side effects.  They
+are recorded when the block is made (`trace`), and refused there if they cannot be.  The
+block adds what a diagram needs to know: the ports with
 their labels, the typed parameters `p`, whether inputs reach the outputs at once
 (`feedthrough`), when the block jumps (`breakpoints`), and whether it is a source
 of time or tables that SymPy reads as an undefined function (`opaque`).
@@ -59,12 +60,17 @@ class Block(control.NonlinearIOSystem):
     breakpoints : callable, optional
         ``breakpoints(p, t0, t1)``: sorted times in (t0, t1] at which the block
         jumps. Interval k ends at breakpoint k + 1, counted from time 0.
+    jump : callable, optional
+        ``jump(t, x, u, p, new)`` fills all states right after a breakpoint, from
+        the states x right before it and the inputs u that follow from states right
+        before it; ``p.interval`` is the interval that begins. `clpt.simulate` runs
+        it, python-control does not.
     guard : Guard, optional
         Where the block may be used.
 
     Attributes
     ----------
-    update_function, output_function : callable or None
+    update_function, output_function, jump_function : callable or None
         The equations (the name ``output`` belongs to python-control).
     parameters : NamedTuple
         The block's own parameters.
@@ -97,6 +103,7 @@ class Block(control.NonlinearIOSystem):
         feedthrough: bool | None = None,
         opaque: bool = False,
         breakpoints: Callable[[Any, float, float], np.ndarray] | None = None,
+        jump: Equations | None = None,
         guard: Guard | None = None,
     ):
         check_names(name, inputs, outputs, states)
@@ -106,9 +113,15 @@ class Block(control.NonlinearIOSystem):
             raise BlockError(f"{name}: `update` and `states` belong together; give both or none")
         if output is None and outputs is not None and dict(outputs) != dict(states or {}):
             raise BlockError(f"{name}: without `output` the outputs are the states; leave them out")
+        if jump is not None and (breakpoints is None or not states):
+            raise BlockError(
+                f"{name}: a jump sets states at the block's own breakpoints; give `breakpoints` "
+                "and `states` with it, or leave `jump` out"
+            )
         self.update_function = update
+        self.jump_function = jump
         self.output_function: Equations = states_as_outputs if output is None else output
-        for role, function in (("update", update), ("output", output)):
+        for role, function in (("update", update), ("output", output), ("jump", jump)):
             if function is not None:
                 check_equations(function, f"{name}.{role}")
         self.input_ports = dict(inputs or {})
@@ -149,6 +162,7 @@ class Block(control.NonlinearIOSystem):
             "update": (self.update_function, states),
             "output": (self.output_function, sum(self.output_ports.values())),
             "guard": (None if self.guard is None else self.guard.distance, 1),
+            "jump": (self.jump_function, states),
         }
         found: dict[str, tuple[Callable, Record | None]] = {}
         for role, (function, size) in given.items():
@@ -185,6 +199,11 @@ class Block(control.NonlinearIOSystem):
         """Return the record of the guard's distance, or None."""
         return self._record("guard")
 
+    @property
+    def jump_record(self) -> Record | None:
+        """Return the record of `jump`, or None."""
+        return self._record("jump")
+
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in self.__dict__.items() if name != "_equations"}
 
@@ -201,6 +220,7 @@ class Block(control.NonlinearIOSystem):
         self.__dict__.pop("_equations", None)
         self._current = self._parameters
         self._jumps, self._jumps_until = np.zeros(0), 0.0
+        self._seen: tuple[float, float] | None = None  # time and interval of the first rate
 
     @property
     def params(self) -> dict[str, Any]:
@@ -241,7 +261,7 @@ class Block(control.NonlinearIOSystem):
         return checked_parameters(self.name, self.parameters._replace(**changes), self.parameters)
 
     def _update_params(self, params: Mapping[str, Any] | None) -> None:
-        self._current = self.with_params(params)
+        self._current, self._seen = self.with_params(params), None
 
     # --- jumps in time ----------------------------------------------------------------
 
@@ -282,7 +302,7 @@ class Block(control.NonlinearIOSystem):
     # --- the reading that python-control runs -------------------------------------------
 
     def equations(self, role: str) -> Callable:
-        """Return "update", "output" or "guard" as Python runs it."""
+        """Return "update", "output", "guard" or "jump" as Python runs it."""
         return self._equations[role][0]
 
     @np.errstate(all="ignore")
@@ -296,7 +316,20 @@ class Block(control.NonlinearIOSystem):
     def _rhs(self, t, x, u):
         if self.update_function is None:
             return np.zeros(0)
-        return self.values("update", self.nstates, t, x, u, self.parameters_at(t))
+        p = self.parameters_at(t)
+        if self.jump_function is not None and not self._current.interval >= 0:
+            self._refuse_jumps(float(t), float(p.interval))
+        return self.values("update", self.nstates, t, x, u, p)
+
+    def _refuse_jumps(self, t: float, interval: float) -> None:
+        """Refuse rates on both sides of a jump, which is what an integration asks for."""
+        since, first = self._seen = self._seen or (t, interval)
+        if interval != first:
+            raise BlockError(
+                f"{self.name}: its states jump between t = {since:.9g} and t = {t:.9g}, and "
+                "python-control integrates over jumps as if there were none; run the diagram with "
+                "clpt.simulate"
+            )
 
     def _out(self, t, x, u):
         return self.values("output", self.noutputs, t, x, u, self.parameters_at(t))

@@ -110,7 +110,8 @@ class Ensemble:
 
     def _schedule(self, parameters: list[Any], duration: float) -> Schedule:
         sweep = Sweep(self.native.wiring, parameters)
-        return make_schedule(sweep, self.native.layout.intervals, 0.0, duration)
+        layout = self.native.layout
+        return make_schedule(sweep, layout.intervals, layout.jumps, 0.0, duration)
 
     def run(
         self,

@@ -8,13 +8,13 @@
     symbolic    SymPy's expressions, block by block; opaque blocks stand for themselves
 
 All of them are made from the same functions; they agree, or one refuses with a
-sentence.
+sentence.  Each also reads the jumps of states, but python-control, which knows none.
 """
 
 import ctypes
 from collections.abc import Callable, Mapping
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import control
 import numpy as np
@@ -28,7 +28,18 @@ from .printing import LANES
 from .python_diagram import PythonDiagram
 from .sweep import Sweep
 
-Reading = Callable[[float, Any, Any], tuple[np.ndarray, np.ndarray]]
+Asked = tuple[np.ndarray, np.ndarray]
+
+
+class Reading(NamedTuple):
+    """One reading of a diagram."""
+
+    ask: Callable[[float, Any, Any], Asked]  # state derivative and outputs at (t, x, u)
+    jump: Callable[[float, Any, Any], np.ndarray]  # states where every block that can has jumped
+
+    def __call__(self, t: float, x: Any, u: Any) -> Asked:
+        """Return state derivative and outputs."""
+        return self.ask(t, x, u)
 
 
 def readings(
@@ -47,8 +58,8 @@ def readings(
     -------
     dict
         Name -> ``function(t, x, u)``, which returns the state derivative and
-        the diagram's outputs; one that cannot read the diagram raises a
-        ClptError.
+        the diagram's outputs; ``function.jump(t, x, u)`` the states right
+        after all blocks that can jump do.  What cannot be read raises a ClptError.
 
     Raises
     ------
@@ -70,13 +81,16 @@ def readings(
     """
     sweep = PythonDiagram(diagram, params).sweep
 
-    def by_control(t: float, x: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
+    def by_control(t: float, x: Any, u: Any) -> Asked:
         arguments = (t, np.asarray(x, dtype=float), np.asarray(u, dtype=float), params)
         return np.asarray(diagram.dynamics(*arguments)), np.asarray(diagram.output(*arguments))
 
+    def no_jump(t: float, x: Any, u: Any) -> np.ndarray:
+        raise DiagramError("python-control knows no jumps of states; clpt.simulate runs them")
+
     return {
         "python": _in_sweep(sweep),
-        "control": by_control,
+        "control": Reading(by_control, no_jump),
         "scalar": _by_machine(diagram, params, "unrolled", 1),
         "looped": _by_machine(diagram, params, "looped", 1),
         "lanes": _by_machine(diagram, params, "unrolled", LANES),
@@ -85,28 +99,34 @@ def readings(
 
 
 def _in_sweep(sweep: Sweep) -> Reading:
-    def ask(t: float, x: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
+    def ask(t: float, x: Any, u: Any) -> Asked:
         sweep.enter(t)
         x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
         return sweep.derivative(t, x, u), sweep.outputs()
 
-    return ask
+    def jump(t: float, x: Any, u: Any) -> np.ndarray:
+        sweep.enter(t)
+        x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
+        return sweep.leap(t, x, u, sweep.leaping)
+
+    return Reading(ask, jump)
 
 
 def _by_machine(diagram: Any, params: Any, form: str, lanes: int) -> Reading:
     """Return a reading of machine code; in lanes the last is asked, the others lie elsewhere."""
 
     @cache
-    def compiled() -> tuple[NativeDiagram, list[int], tuple[np.ndarray, ...]]:
+    def compiled() -> tuple[NativeDiagram, tuple[np.ndarray, ...]]:
         native = NativeDiagram(diagram, params, form)
-        code = native.code = code_of(native.wiring, native.layout, form, 2)
-        addresses = [code.address(name, lanes) for name in ("prepare", "derivative", "signals")]
-        sizes = native.nstates, code.program.parameters, code.program.room, native.nstates
+        native.code = code_of(native.wiring, native.layout, form, 2)
+        program, n = native.code.program, native.nstates
+        sizes = n, program.parameters, program.room, n
         X, P, W, D = (np.zeros((max(size, 1), lanes)) for size in sizes)
-        return native, addresses, (np.zeros(lanes), X, P, np.append(native.layout.T, 0.0), W, D)
+        return native, (np.zeros(lanes), X, P, np.append(native.layout.T, 0.0), W, D)
 
-    def ask(t: float, x: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
-        native, addresses, arrays = compiled()
+    def run(t: float, x: Any, u: Any, *functions: str) -> Asked:
+        native, arrays = compiled()
+        addresses = [native.code.address(name, lanes) for name in ("prepare", *functions)]
         x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
         time, X, P, _, W, D = arrays
         lane, n, m = lanes - 1, native.nstates, native.wiring.ninputs
@@ -115,6 +135,7 @@ def _by_machine(diagram: Any, params: Any, form: str, lanes: int) -> Reading:
         for k, place in native.layout.intervals.items():
             block, given = native.wiring.nodes[k].system, native.sweep.given[k]
             own[place] = block.parameters_at(t, given).interval
+        own[list(native.layout.jumps.values())] = 1.0
         for k in range(lanes):
             elsewhere = 1.0 + 0.1 * (lane - k)
             time[k], X[:n, k], P[: len(own), k] = t, x * elsewhere, own
@@ -124,7 +145,12 @@ def _by_machine(diagram: Any, params: Any, form: str, lanes: int) -> Reading:
         signals = W[: native.nsignals, lane]
         return D[:n, lane].copy(), native.wiring.output_map @ np.concatenate([signals, u])
 
-    return ask
+    def jump(t: float, x: Any, u: Any) -> np.ndarray:
+        if not compiled()[0].layout.jumps:
+            return np.array(x, dtype=float)
+        return run(t, x, u, "jump")[0]
+
+    return Reading(lambda t, x, u: run(t, x, u, "derivative", "signals"), jump)
 
 
 class _SymbolicSweep(Sweep):
@@ -137,6 +163,6 @@ class _SymbolicSweep(Sweep):
         if block.opaque:
             super()._call(role, k, t, x, u, out)
             return
-        record = block.update_record if role == "update" else block.output_record
+        record = getattr(block, f"{role}_record")
         assert record is not None
         out[:] = in_sympy(record)(t, x, u, self._parameters[k])

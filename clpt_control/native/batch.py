@@ -30,6 +30,7 @@ class Callee(NamedTuple):
     room: int  # length of W
     tables: np.ndarray  # T
     guarded: bool  # whether guards are watched
+    jumping: bool  # whether states jump
     code: tuple = ()  # what must live for as long as addresses are used
 
 
@@ -104,6 +105,7 @@ class Batch:
                     budget,
                     most,
                     self.callee.guarded,
+                    self.callee.jumping,
                 )
             spent = time.perf_counter() - begin
             budget = int(np.clip(budget * PAUSE / max(spent, 1e-6), budget / 2 + 1, 4 * budget))
@@ -116,7 +118,12 @@ class Batch:
         check()
         with np.errstate(all="ignore"):
             self.callee.solver.advance_fixed(
-                self.callee.functions, self.shape, float(step), *self._shared, self.callee.guarded
+                self.callee.functions,
+                self.shape,
+                float(step),
+                *self._shared,
+                self.callee.guarded,
+                self.callee.jumping,
             )
 
     @property

@@ -30,7 +30,7 @@ MOST = 30_000  # items of a derivative; a larger one is left to Python
 class Structure(NamedTuple):
     """All that machine code depends on, but for parameters, which it is given."""
 
-    records: tuple  # update, output and guard of each block
+    records: tuple  # update, output, guard and jump of each block
     wires: tuple  # what feeds each block
     order: tuple  # of evaluation, and which blocks pass their inputs on at once
     pattern: str  # which parameter fields share a slot, and where
@@ -54,7 +54,8 @@ class Code:
     @global_compiler_lock
     def _make(self, name: str, lanes: int) -> None:
         if (name, lanes) not in self._machines:  # another thread may have been first
-            together = ("margin",) if name == "margin" else ("derivative", "prepare", "signals")
+            apart = name in ("margin", "jump")  # only some diagrams need them
+            together = (name,) if apart else ("derivative", "prepare", "signals")
             functions = {one: getattr(self.program, one) for one in together}
             made = Machine(functions, self.program.constants, lanes)
             self._machines.update({(one, lanes): made for one in together})
@@ -73,7 +74,12 @@ def code_of(wiring: Wiring, layout: Layout, form: str | None = None, least: int 
             raise Uncompiled(f"{node.name} is no block and cannot be compiled")
     try:
         records = tuple(
-            (node.system.update_record, node.system.output_record, node.system.guard_record)
+            (
+                node.system.update_record,
+                node.system.output_record,
+                node.system.guard_record,
+                node.system.jump_record,
+            )
             for node in wiring.nodes
         )
     except TooLong as error:
@@ -106,11 +112,11 @@ def _code(structure: Structure, form: str | None, least: int, hidden: _Hidden) -
     program = None
     if form == "unrolled" or (form is None and operations <= 2 * UNROLLED):
         program = unrolled_program(sources)
-        if form is None and len(program.derivative) > UNROLLED:
+        if form is None and max(len(program.derivative), len(program.jump)) > UNROLLED:
             program = None
     if program is None:
         program = looped_program(sources, least)
-    size = count(program.derivative)
+    size = max(count(program.derivative), count(program.jump))
     if size > MOST:
         raise Uncompiled(
             f"the diagram takes {size} operations apart from loops, more than {MOST}: write what "

@@ -36,6 +36,7 @@ class Layout:
 
     slots: dict[tuple[int, str], Slot] = field(default_factory=dict)  # of (block, field)
     intervals: dict[int, int] = field(default_factory=dict)  # block -> its `interval` in P
+    jumps: dict[int, int] = field(default_factory=dict)  # block -> place in P: 1 where it jumps
     P: np.ndarray = field(default_factory=lambda: np.zeros(0))
     T: np.ndarray = field(default_factory=lambda: np.zeros(0))
     pattern: str = ""  # which fields share a slot: part of the key of compiled code
@@ -82,6 +83,10 @@ def lay_out(wiring: Wiring, parameters: Sequence[Any]) -> Layout:
             names.append(f"{k}.{name}:{slot.array}{slot.offset}{array.shape}")
             if name == "interval" and node.system.breakpoints_function is not None:
                 layout.intervals[k] = slot.offset
+        if node.system.jump_function is not None:
+            layout.jumps[k] = sum(part.size for part in own)
+            own.append(np.zeros(1))
+            names.append(f"{k} jumps:P{layout.jumps[k]}")
     layout.P = np.concatenate([np.zeros(0), *own])
     layout.T = np.concatenate([np.zeros(0), *tables])
     layout.pattern = " ".join(names)
@@ -120,7 +125,12 @@ class Sources:
     def signed(self, node: Node) -> bool:
         """Whether a block tells -0.0 from 0.0: sums in Python begin at 0.0, are never -0.0."""
         block = node.system
-        records = (block.update_record, block.output_record, block.guard_record)
+        records = (
+            block.update_record,
+            block.output_record,
+            block.guard_record,
+            block.jump_record,
+        )
         return any(o[0] in SIGNED for r in records if r is not None for o in r.operations)
 
     def inputs(self, node: Node) -> list[list[Term]]:

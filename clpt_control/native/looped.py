@@ -39,17 +39,20 @@ def looped_program(sources: Sources, least: int = LEAST) -> Program:
     for one in margins:
         least_margin = writer.step(guards, "minimum", least_margin, one)
     guards.append(Store("D", 0, (), least_margin))
+    jump = [item for k in range(len(nodes)) for item in writer.after(k)]
     first = sources.prepared
     prepare: list[Item] = []
     functions: list[tuple[Item, ...]] = []
-    for items in ([*outputs, *rates], [*outputs, *states], [*outputs, *guards]):
+    kept = [*outputs, *jump] if sources.layout.jumps else []
+    for items in ([*outputs, *rates], [*outputs, *states], [*outputs, *guards], kept):
         left, early, count = prepared(items, first)
         functions.append(left)
         prepare += early
         first += count
-    derivative, signals, distance = functions
+    derivative, signals, distance, leap = functions
+    constants = tuple(writer.constants)
     return Program(
-        derivative, signals, distance, tuple(prepare), tuple(writer.constants), first, writer.room
+        derivative, signals, distance, tuple(prepare), constants, first, writer.room, leap
     )
 
 
@@ -88,6 +91,26 @@ class _Writer:
             Store("W", node.outputs.start, ((0, 1),), value),
         )
         return [Loop(0, node.system.nstates, copy, ())]
+
+    def after(self, k: int) -> list[Item]:
+        """Return what computes a block's states after its jump, where P asks for it."""
+        if not self.sources.layout.jumps:
+            return []
+        states = self.sources.wiring.nodes[k].states
+        n, turn = states.stop - states.start, ((0, 1),)
+        old = self.value()
+        items: list[Item] = []
+        body: list[Item] = [Load(old, "X", states.start, turn)]
+        ref: Ref = old
+        if k in self.sources.layout.jumps:
+            room, new, asked = self.room, self.value(), self.value()
+            self.room += n
+            items = self.block(k, self.sources.wiring.nodes[k].system.jump_record, "W", room)
+            body += [Load(new, "W", room, turn), Load(asked, "P", self.sources.layout.jumps[k])]
+            jumps, ref = self.step(body, "gt", asked, 0.5), self.value()
+            body.append(Step(ref, "where", (jumps, new, old)))
+        body.append(Store("D", states.start, turn, ref))
+        return [*items, Loop(0, n, tuple(body), ())] if n else []
 
     def block(self, k: int, record: Record, array: str, first: int) -> list[Item]:
         """Return a block's items; its last argument lies in an array from a place."""

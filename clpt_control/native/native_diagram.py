@@ -18,7 +18,7 @@ from .python_diagram import PythonDiagram
 from .schedule import Schedule, make_schedule, with_inputs
 from .solver_cache import compiled_solver
 
-FUNCTIONS = ("derivative", "prepare", "margin", "signals")  # in the solver's order
+FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump")  # in the solver's order
 
 
 class NativeDiagram(PythonDiagram):
@@ -74,20 +74,19 @@ class NativeDiagram(PythonDiagram):
 
     def schedule(self, t0: float, t1: float, inputs: Inputs | None = None) -> Schedule:
         """Return the pieces of a run."""
+        own = self.sweep, self.layout.intervals, self.layout.jumps, t0, t1
         if inputs is None or not self.wiring.ninputs:
-            return make_schedule(self.sweep, self.layout.intervals, t0, t1)
+            return make_schedule(*own)
         if inputs.samples is None:
             raise SimulationError("inputs: machine code takes no function; give samples")
-        pieces = make_schedule(self.sweep, self.layout.intervals, t0, t1, inputs.kinks)
+        pieces = make_schedule(*own, inputs.kinks)
         return with_inputs(pieces, t0, inputs.samples, self.ramp)
 
     def callee(self, lanes: int = 1, inputs: Inputs | None = None) -> Callee:
         """Return what the solver calls."""
-        guarded, n = self.sweep.guarded, self.nstates
-        own = [
-            0 if name == "margin" and not guarded else self.code.address(name, lanes)
-            for name in FUNCTIONS
-        ]
+        guarded, jumping, n = self.sweep.guarded, bool(self.layout.jumps), self.nstates
+        unused = {"margin": not guarded, "jump": not jumping}
+        own = [0 if unused.get(name) else self.code.address(name, lanes) for name in FUNCTIONS]
         formulas = kernels(n, lanes) if n else None
         more = formulas.addresses.values() if formulas else ()
         return Callee(
@@ -98,6 +97,7 @@ class NativeDiagram(PythonDiagram):
             self.code.program.room,
             self.layout.T,
             guarded,
+            jumping,
             (self.code, formulas),
         )
 

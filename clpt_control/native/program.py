@@ -105,3 +105,4 @@ class Program(NamedTuple):
     constants: tuple[float, ...]  # K
     parameters: int  # length of P
     room: int  # length of W
+    jump: tuple[Item, ...] = ()  # D = states after the jumps that P asks for; empty without any

@@ -36,17 +36,18 @@ class PythonDiagram:
         self.wiring = diagram if isinstance(diagram, Wiring) else wiring_of(diagram)
         self.sweep = Sweep(self.wiring, changed_parameters(self.wiring, params))
         self.nstates, self.nsignals = self.sweep.nstates, len(self.sweep.signals)
+        self._jumps = {k: place for place, k in enumerate(self.sweep.leaping)}  # places in P
 
     # --- what machine code does otherwise -------------------------------------------------
 
     def parameters(self) -> np.ndarray:
-        """Return P, which the solver carries; empty in Python."""
-        return np.zeros(0)
+        """Return P, which the solver carries; in Python it says which blocks jump."""
+        return np.zeros(len(self._jumps))
 
     def schedule(self, t0: float, t1: float, inputs: Inputs | None = None) -> Schedule:
         """Return the pieces of a run."""
         kinks = None if inputs is None else inputs.kinks
-        return make_schedule(self.sweep, {}, t0, t1, kinks)
+        return make_schedule(self.sweep, {}, self._jumps, t0, t1, kinks)
 
     def callee(self, lanes: int = 1, inputs: Inputs | None = None) -> Callee:
         """Return what the solver calls."""
@@ -67,10 +68,14 @@ class PythonDiagram:
         def signals(t, X, first, P, T, W, D, to):
             W[: self.nsignals] = sweep.evaluate(t[0], X[first : first + n], u(t))
 
+        def jump(t, X, first, P, T, W, D, to):
+            blocks = [k for k, place in self._jumps.items() if P[place] > 0.5]
+            D[to : to + n] = sweep.leap(t[0], X[first : first + n], u(t), blocks)
+
         formulas = [on_rows(f, n) for f in method.formulas(n).values()] if n else []
-        functions = [derivative, prepare, margin, signals, *formulas]
-        guarded = sweep.guarded
-        return Callee(solver, functions, 1, n, self.nsignals, np.zeros(0), guarded)
+        functions = [derivative, prepare, margin, signals, jump, *formulas]
+        guarded, jumping = sweep.guarded, bool(self._jumps)
+        return Callee(solver, functions, 1, n, self.nsignals, np.zeros(0), guarded, jumping)
 
     # --- runs -----------------------------------------------------------------------------
 

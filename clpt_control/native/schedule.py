@@ -1,7 +1,8 @@
 """Pieces of time: where a run stops exactly, and what every piece sets in P.
 
 A piece ends at a breakpoint of a block or at a sample of the diagram's inputs.  It
-sets the `interval` of blocks that jump, and the straight line of each input.
+sets the `interval` of blocks that jump, whether their states jump where it begins, and
+the straight line of each input.  States do not jump where a run begins: it begins after.
 """
 
 from typing import NamedTuple
@@ -22,26 +23,36 @@ class Schedule(NamedTuple):
 
 
 def make_schedule(
-    sweep: Sweep, intervals: dict[int, int], t0: float, t1: float, kinks: np.ndarray | None = None
+    sweep: Sweep,
+    intervals: dict[int, int],
+    jumps: dict[int, int],
+    t0: float,
+    t1: float,
+    kinks: np.ndarray | None = None,
 ) -> Schedule:
     """Return the pieces of a run from t0 to t1, which also stop at `kinks` of the inputs.
 
-    `intervals` holds the place in P of each block's `interval`.
+    `intervals` holds the place in P of each block's `interval`, `jumps` the place that is 1
+    where a piece begins with a jump of the block's states.
     """
     edges = sweep.breakpoints(t0, t1)
     if kinks is not None:
         edges = np.union1d(edges, kinks[(kinks > t0) & (kinks < t1)])
     edges = np.append(edges[edges < t1], t1)
     starts = np.append(t0, edges)
-    places = np.array(list(intervals.values()), dtype=np.int64)
-    values = np.empty((len(starts), len(places)))
-    for j, k in enumerate(intervals):
+    places = np.array([*intervals.values(), *jumps.values()], dtype=np.int64)
+    values = np.zeros((len(starts), len(places)))
+
+    def numbers(k: int) -> np.ndarray:
         block, given = sweep.nodes[k].system, sweep.given[k]
         if given.interval >= 0:
-            values[:, j] = given.interval
-        else:
-            jumps = block.breakpoints(0.0, t1, given)
-            values[:, j] = np.searchsorted(jumps, starts, side="right")
+            return np.full(len(starts), given.interval)
+        return np.searchsorted(block.breakpoints(0.0, t1, given), starts, side="right")
+
+    for j, k in enumerate(intervals):
+        values[:, j] = numbers(k)
+    for j, k in enumerate(jumps, len(intervals)):
+        values[1:, j] = np.diff(numbers(k)) != 0
     return Schedule(edges, places, values)
 
 

@@ -36,8 +36,9 @@ NUMBERS = 12  # rows of numbers
 MEMBER, EDGE, DONE = range(3)  # rows of whole numbers
 STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of the counts
 # places of `code`: the diagram's functions, then the formulas; stage s stands at STAGE + s
-DERIVATIVE, PREPARE, MARGIN, SIGNALS, ATTEMPT, JUDGE, SIZES, TRIAL, FIRST, ACCEPT, DENSE = range(11)
-STAGE, FIXED = 10, 25
+DERIVATIVE, PREPARE, MARGIN, SIGNALS, JUMP = range(5)
+ATTEMPT, JUDGE, SIZES, TRIAL, FIRST, ACCEPT, DENSE = range(5, 12)
+STAGE, FIXED = 11, 26
 OUTSIDE = 1e-9  # grid steps beyond the edge that count as outside
 LOOKS = 16  # places within a step at which guards are looked at
 
@@ -48,11 +49,24 @@ def call(function, t, X, first, P, T, W, D, to):
 
 
 def advance(
-    code, shape, tolerances, runs, schedule, times, results, lane, arrays, budget, most, guarded
+    code,
+    shape,
+    tolerances,
+    runs,
+    schedule,
+    times,
+    results,
+    lane,
+    arrays,
+    budget,
+    most,
+    guarded,
+    jumping,
 ):
     """Take at most `budget` steps in every lane; return how many lanes are at work.
 
-    A run that has taken `most` tries is given up; guards are watched if `guarded`.
+    A run that has taken `most` tries is given up; guards are watched if `guarded`, states jump
+    if `jumping`.
     """
     lanes, n, _ = shape
     (_, status, reached, counts), (numbers, whole, queue) = results, lane
@@ -101,6 +115,8 @@ def advance(
                 watch(code, shape, results, lane, arrays)
             sample(shape, times, results, lane, Z)
         call(code[ACCEPT], flat, Z, 0, P, T, W, D, 0)
+        if jumping:
+            leap(code, shape, runs, schedule, times, results, lane, arrays, guarded)
         for k in range(lanes):
             m = whole[MEMBER, k]
             if m < 0:
@@ -209,6 +225,53 @@ def enter(k, lanes, runs, schedule, status, lane, P):
         P[places[j] * lanes + k] = values[g, whole[EDGE, k], j]
 
 
+def leap(code, shape, runs, schedule, times, results, lane, arrays, guarded):
+    """Jump in lanes that are at the end of a piece; a sample there comes after.
+
+    The next piece, which says what jumps, is set in P; after the last it is the time of the end.
+    """
+    lanes, n, _ = shape
+    _, _, places, values = schedule
+    (out, status, _, _), (numbers, whole, _) = results, lane
+    Z, P, T, W, D = arrays
+    some = False
+    for k in range(lanes):
+        if at_end(k, status, numbers, whole):
+            some = True
+            g, piece = runs[2][whole[MEMBER, k]], whole[EDGE, k] + 1
+            for j in range(len(places)):
+                P[places[j] * lanes + k] = values[g, piece, j]
+    if not some:
+        return
+    call(code[PREPARE], numbers[TIME], Z, 0, P, T, W, D, 0)
+    call(code[JUMP], numbers[TIME], Z, 0, P, T, W, Z, ARGUMENT * n * lanes)
+    for k in range(lanes):
+        if at_end(k, status, numbers, whole):
+            m, done, trouble = whole[MEMBER, k], whole[DONE, k], 0.0
+            sampled = done > 0 and times[done - 1] == numbers[TIME, k]
+            for i in range(n):
+                new = Z[(ARGUMENT * n + i) * lanes + k]
+                trouble += 0.0 * new
+                Z[i * lanes + k] = new
+                if sampled:
+                    out[m, done - 1, i] = new
+            if trouble != 0.0:
+                fail(status, whole, k, NOT_FINITE)
+    if guarded:
+        call(code[MARGIN], numbers[TIME], Z, 0, P, T, W, D, 0)
+        for k in range(lanes):
+            if at_end(k, status, numbers, whole) and D[k] < -OUTSIDE:
+                fail(status, whole, k, LEFT)
+
+
+def at_end(k, status, numbers, whole):
+    """Whether the run of a lane is at the end of a piece of time."""
+    m = whole[MEMBER, k]
+    if m < 0 or status[m] != RUNNING or numbers[GOOD, k] < 0.5:
+        return False
+    return numbers[TIME, k] == numbers[END, k]
+
+
 # --- within a step --------------------------------------------------------------------------
 
 
@@ -261,7 +324,9 @@ def watch(code, shape, results, lane, arrays):
 # --- steps of one length, and signals -------------------------------------------------------
 
 
-def advance_fixed(code, shape, step, runs, schedule, times, results, lane, arrays, guarded):
+def advance_fixed(
+    code, shape, step, runs, schedule, times, results, lane, arrays, guarded, jumping
+):
     """Run all to the end by Runge and Kutta's method of order 4.
 
     Runs that are taken together follow one schedule.
@@ -296,6 +361,10 @@ def advance_fixed(code, shape, step, runs, schedule, times, results, lane, array
                     done = len(times)
                     break
                 t = stop
+                if jumping and t == edges[g, edge]:
+                    numbers[TIME, :], numbers[END, :], numbers[GOOD, :] = t, t, 1.0
+                    whole[EDGE, :], whole[DONE, :] = edge, 0
+                    leap(code, shape, runs, schedule, times, results, lane, arrays, guarded)
                 if stop == times[done]:
                     keep(shape, done, results, whole, Z)
                     done += 1

@@ -30,7 +30,8 @@ FOLDER = "CLPT_CONTROL_CACHE"  # environment variable that names another folder
 KEPT = 4  # compiled solvers of other versions that stay
 OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy"}
 ENTRIES = ("advance", "advance_fixed", "signals_at", "between")  # what is called from Python
-APART = (*ENTRIES[:3], "watch", "take", "sample", "keep")  # the rest is put in where it is called
+# the rest is put in where it is called
+APART = (*ENTRIES[:3], "watch", "take", "sample", "leap", "keep")
 
 
 def cache_folder() -> Path | None:

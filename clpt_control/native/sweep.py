@@ -38,7 +38,7 @@ class Sweep:
             (role, k): node.system.equations(role)
             for k, node in enumerate(self.nodes)
             if isinstance(node.system, Block)
-            for role in (("output", "update") if node.system.nstates else ("output",))
+            for role in _roles(node.system)
         }
         self.given = list(parameters)
         self._parameters = list(parameters)
@@ -49,6 +49,7 @@ class Sweep:
             and node.system.breakpoints_function is not None
             and not self.given[k].interval >= 0.0
         ]
+        self.leaping = [k for k, node in enumerate(self.nodes) if _leaps(node.system)]
         self.enter(0.0)
 
     def _views(self, node: Node) -> tuple[np.ndarray, list[tuple[np.ndarray, np.ndarray, float]]]:
@@ -111,6 +112,18 @@ class Sweep:
                     self._call("update", k, t, x[node.states], self._gather(k), dx[node.states])
         return dx
 
+    def leap(
+        self, t: float, x: np.ndarray, u: np.ndarray | None, blocks: Sequence[int]
+    ) -> np.ndarray:
+        """Return the states after these blocks jump at once, x being right before."""
+        self.evaluate(t, x, u)
+        new, t = np.array(x, dtype=float), np.float64(t)
+        with np.errstate(all="ignore"):
+            for k in blocks:
+                states = self.nodes[k].states
+                self._call("jump", k, t, x[states], self._gather(k), new[states])
+        return new
+
     def _call(self, role: str, k: int, t: float, x: np.ndarray, u: np.ndarray, out: Any) -> None:
         p, equations = self._parameters[k], self._equations.get((role, k))
         if equations is not None:
@@ -164,6 +177,15 @@ class Sweep:
                 if not np.isfinite(value):
                     return f"derivative of {label} of block {node.name}"
         return None
+
+
+def _leaps(system: Any) -> bool:
+    return isinstance(system, Block) and system.jump_function is not None
+
+
+def _roles(block: Block) -> list[str]:
+    more = ["update"] * bool(block.nstates) + ["jump"] * _leaps(block)
+    return ["output", *more]
 
 
 def first_not_finite(wiring: Wiring, signals: np.ndarray) -> str | None:

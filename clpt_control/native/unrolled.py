@@ -119,11 +119,31 @@ def unrolled_program(sources: Sources) -> Program:
             rates[node.states] = run_block(ops, block.update_record, sources, k, inputs)
         if block.guard_record is not None:
             margins += run_block(ops, block.guard_record, sources, k, inputs)
-    return programmed(ops, sources, simplified(ops, rates), signals, margins)
+    rates = simplified(ops, rates)
+    after = _after_jumps(ops, sources, signals) if sources.layout.jumps else []
+    return programmed(ops, sources, rates, signals, margins, after)
+
+
+def _after_jumps(ops: Operations, sources: Sources, signals: list[Ref]) -> list[Ref]:
+    """Return all states after the jumps of the blocks that P marks."""
+    nodes = sources.wiring.nodes
+    after: list[Ref] = [ops.add("load", ("X", i)) for i in range(nodes[-1].states.stop)]
+    for k, place in sources.layout.jumps.items():
+        node, record = nodes[k], nodes[k].system.jump_record
+        new = run_block(ops, record, sources, k, gather(ops, sources, node, signals))
+        jumps = ops.add("gt", ops.add("load", ("P", place)), 0.5)
+        pairs = zip(new, after[node.states], strict=True)
+        after[node.states] = [ops.add("where", jumps, one, old) for one, old in pairs]
+    return after
 
 
 def programmed(
-    ops: Operations, sources: Sources, rates: list[Ref], signals: list[Ref], margins: list[Ref]
+    ops: Operations,
+    sources: Sources,
+    rates: list[Ref],
+    signals: list[Ref],
+    margins: list[Ref],
+    after: list[Ref],
 ) -> Program:
     """Return the program that computes these values."""
     least: Ref = 1.0
@@ -153,8 +173,8 @@ def programmed(
         return (*items, *(Store(array, k, (), root) for k, root in enumerate(roots)))
 
     derivative, of_signals = function("D", rates), function("W", signals)
-    distance = function("D", [least])
+    distance, jump = function("D", [least]), function("D", after)
     prepare = [item(value) for value in ops.reached(places)]
     prepare += [Store("P", place, (), value) for value, place in places.items()]
     size = sources.prepared + len(places)
-    return Program(derivative, of_signals, distance, tuple(prepare), (), size, len(signals))
+    return Program(derivative, of_signals, distance, tuple(prepare), (), size, len(signals), jump)

@@ -39,6 +39,8 @@ def equations(block: Block) -> Iterator[tuple[str, Equations, int]]:
     if block.update_function is not None:
         yield f"{block.name}.update", block.update_function, block.nstates
     yield f"{block.name}.output", block.output_function, block.noutputs
+    if block.jump_function is not None:
+        yield f"{block.name}.jump", block.jump_function, block.nstates
 
 
 def python_values(function: Equations, sample: Sample, size: int) -> np.ndarray:
@@ -130,6 +132,14 @@ def _readings(block: Block, drawn: list[Sample]) -> Iterator[str]:
             except ClptError as error:
                 yield f"{block.name}: the reading '{name}' refuses: {error}"
                 break
+            if block.jump_function is not None and name != "control":
+                after = python_values(block.jump_function, sample, block.nstates)
+                if differ(after, read := reading.jump(*point)):
+                    yield (
+                        f"{block.name}: Python jumps to {after}, the reading '{name}' to {read} "
+                        f"at {sample}"
+                    )
+                    break
             if differ(rates, theirs[0]) or differ(ours, theirs[1]):
                 yield (
                     f"{block.name}: Python gives {rates} and {ours}, the reading '{name}' "

@@ -141,6 +141,11 @@ def blocks_of(wiring: Wiring) -> list[Block]:
             raise DiagramError(
                 f"{node.name} is no block, so its equations cannot be read; make it a Block"
             )
+        if node.system.jump_function is not None:
+            raise DiagramError(
+                f"{node.name}: its states jump, and nothing is known of V across jumps; prove the "
+                "block without its `jump`"
+            )
         blocks.append(node.system)
     names = [block.name for block in blocks] + [p for block in blocks for p in block.output_ports]
     twice = sorted({name for name in names if names.count(name) > 1 and name})

@@ -1,0 +1,302 @@
+"""Jumps of states: closed forms, left limits, ends of runs, and what refuses them."""
+
+import copy
+import math
+import pickle
+from typing import NamedTuple
+
+import control
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.blocks import Block, Guard
+from clpt_control.errors import BlockError, SimulationError
+from clpt_control.native import readings
+from clpt_control.native.native_diagram import NativeDiagram
+from clpt_control.native.python_diagram import PythonDiagram
+from clpt_control.native.solver import JUMP
+
+
+class Clock(NamedTuple):
+    """Jumps at each multiple of a period, by a factor."""
+
+    period: float = 1.0
+    factor: float = 0.0
+    interval: float = -1.0
+
+
+def ticks(p, t0, t1):
+    times = p.period * np.arange(1, math.floor(t1 / p.period * (1 + 1e-12)) + 1)
+    return times[(times > t0) & (times <= t1)]
+
+
+def grow(t, x, u, p, dx):
+    """s' = 1, section I: state s[1]."""
+    dx[0] = 1.0
+
+
+def scale(t, x, u, p, new):
+    """s = factor s after a jump, section I."""
+    new[0] = p.factor * x[0]
+
+
+def saw(name="saw", jump=scale, parameters=None, **more):
+    return Block(
+        name,
+        update=grow,
+        states={"s": 1},
+        parameters=parameters or Clock(),
+        breakpoints=ticks,
+        jump=jump,
+        **more,
+    )
+
+
+ENGINES = {
+    "python": lambda d: PythonDiagram(d),
+    "scalar": lambda d: NativeDiagram(d, form="unrolled"),
+    "looped": lambda d: NativeDiagram(d, form="looped"),
+}
+every_engine = pytest.mark.parametrize("engine", ENGINES)
+every_step = pytest.mark.parametrize("step", [None, 0.1], ids=["DOP853", "RK4"])
+
+
+@every_engine
+@every_step
+def test_an_integrator_that_is_reset_is_a_saw(engine, step):
+    times = np.array([0.0, 0.5, 1.0, 1.5, 2.0, 2.25, 3.0])
+    found = ENGINES[engine](saw()).run([0.0], times, step=step)
+    np.testing.assert_allclose(found.x[:, 0], times % 1.0, atol=1e-12)
+    assert found.statistics["restarts"] == 3
+
+
+def fall(t, x, u, p, dx):
+    dx[0] = x[1]
+    dx[1] = -p.gravity
+
+
+def bounce(t, x, u, p, new):
+    new[0] = x[0]
+    new[1] = -p.restitution * x[1]
+
+
+class Ball(NamedTuple):
+    """A ball that is thrown up, and bounces where it comes down."""
+
+    speed: float = 3.0
+    gravity: float = 9.81
+    restitution: float = 0.8
+    interval: float = -1.0
+
+
+def landings(p, t0, t1):
+    flights = 2 * p.speed / p.gravity * p.restitution ** np.arange(40)
+    times = np.cumsum(flights)
+    return times[(times > t0) & (times <= t1)]
+
+
+@every_engine
+def test_a_ball_bounces(engine):
+    p = Ball()
+    ball = Block(
+        "ball", update=fall, states={"s": 2}, parameters=p, breakpoints=landings, jump=bounce
+    )
+    at = landings(p, 0.0, 2.3)
+    tops = np.append(0.0, at[:-1]) + np.diff(np.append(0.0, at)) / 2
+    times = np.union1d(np.append(0.0, at), tops)
+    found = ENGINES[engine](ball).run([0.0, p.speed], times).x
+    up = p.speed * p.restitution ** np.arange(1, len(at) + 1)
+    np.testing.assert_allclose(found[np.isin(times, at)].T, [0.0 * up, up], atol=1e-10)
+    down = (up / p.restitution) ** 2 / (2 * p.gravity)
+    np.testing.assert_allclose(found[np.isin(times, tops)].T, [down, 0.0 * down], atol=1e-10)
+
+
+def still(t, x, u, p, dx):
+    dx[0] = 0.0
+
+
+def one_more(t, x, u, p, new):
+    new[0] = u[0] + 1.0
+
+
+def twice(t, x, u, p, new):
+    new[0] = 2.0 * u[0]
+
+
+@every_engine
+@every_step
+def test_blocks_that_jump_at_once_see_each_other_before(engine, step):
+    a = Block("a", update=still, states={"a": 1}, inputs={"b": 1}, parameters=Clock(1.0),
+              breakpoints=ticks, jump=one_more)  # fmt: skip
+    b = Block("b", update=still, states={"b": 1}, inputs={"a": 1}, parameters=Clock(2.0),
+              breakpoints=ticks, jump=twice)  # fmt: skip
+    found = ENGINES[engine](clpt.connect([a, b])).run([1.0, 2.0], np.arange(5.0), step=step)
+    assert found.x.tolist() == [[1, 2], [3, 2], [3, 6], [7, 6], [7, 14]]
+
+
+def number(t, x, u, p, y):
+    y[0] = 10.0 * p.interval
+
+
+def take(t, x, u, p, new):
+    new[0] = u[0] + p.interval
+
+
+@every_engine
+@every_step
+def test_a_jump_sees_the_pieces_that_begin(engine, step):
+    counter = Block(
+        "counter", output=number, outputs={"n": 1}, parameters=Clock(0.5), breakpoints=ticks
+    )
+    taker = Block("taker", update=still, states={"s": 1}, inputs={"n": 1}, parameters=Clock(1.0),
+                  breakpoints=ticks, jump=take)  # fmt: skip
+    times = np.array([0.0, 0.5, 1.0, 1.5, 2.0])
+    found = ENGINES[engine](clpt.connect([counter, taker])).run([-7.0], times, step=step)
+    assert found.x[:, 0].tolist() == [-7, -7, 21, 21, 42]
+
+
+def read(t, x, u, p, new):
+    """s = s + r after a jump, section I: input r[1]."""
+    new[0] = x[0] + u[0]
+
+
+@pytest.mark.parametrize("engine", ["python", "native"])
+def test_a_jump_reads_an_input_of_the_diagram(engine):
+    reader = Block("reader", update=still, states={"s": 1}, inputs={"r": 1}, parameters=Clock(),
+                   breakpoints=ticks, jump=read)  # fmt: skip
+    times, u = np.array([0.0, 0.8, 1.2, 2.0, 2.5]), np.array([0.0, 0.0, 4.0, 5.0, 5.0])
+    run = clpt.simulate(clpt.connect([reader], external=["r"]), times, u, engine=engine)
+    np.testing.assert_allclose(run.states[0], [0, 0, 2, 7, 7], atol=1e-12)
+
+
+@every_engine
+@pytest.mark.parametrize("cut", [0.4, 1.0, 2.0, 2.6])
+def test_a_run_goes_on_from_a_right_limit(engine, cut):
+    """It does not jump twice where it is cut, nor miss a jump."""
+    runner = ENGINES[engine](saw(parameters=Clock(factor=0.5)))
+    first = runner.run([0.3], [0.0, cut])
+    second = runner.run(first.x[-1], [cut, 3.0])
+    whole = runner.run([0.3], [0.0, cut, 3.0])
+    np.testing.assert_allclose(first.x[-1], whole.x[1], atol=1e-13)
+    np.testing.assert_allclose(second.x[-1], whole.x[-1], atol=1e-13)
+    np.testing.assert_allclose(whole.x[-1, 0], 0.875 + 0.3 / 8, atol=1e-12)
+
+
+@every_engine
+def test_a_given_interval_does_not_end(engine):
+    diagram = clpt.connect([saw()])
+    make = PythonDiagram if engine == "python" else NativeDiagram
+    found = make(diagram, {"saw.interval": 0.0}).run([0.0], [0.0, 2.5])
+    np.testing.assert_allclose(found.x[-1], [2.5], atol=1e-12)
+
+
+def decay(t, x, u, p, dx):
+    dx[0] = -x[0] * math.sin(3.0 * t)
+
+
+def test_a_fixed_step_keeps_its_order():
+    block = Block("d", update=decay, states={"s": 1}, parameters=Clock(0.7, -1.5),
+                  breakpoints=ticks, jump=scale)  # fmt: skip
+    exact = (-1.5) ** 4 * math.exp((math.cos(9.0) - 1.0) / 3.0)
+    runner = NativeDiagram(block)
+    errors = [abs(runner.run([1.0], [0.0, 3.0], step=0.7 / n).x[-1, 0] - exact) for n in (4, 8, 16)]
+    orders = np.log2(np.divide(errors[:-1], errors[1:]))
+    assert np.all((orders > 3.7) & (orders < 4.6)), orders
+
+
+# --- guards, and numbers that are not finite --------------------------------------------------
+
+
+def height(t, x, u, p, y):
+    y[0] = x[0] + 1.0
+
+
+def low(t, u, p):
+    return f"too low at {t:g}"
+
+
+@every_engine
+@every_step
+@pytest.mark.parametrize("end", [2.0, 2.5], ids=["at the end", "on the way"])
+def test_a_guard_sees_a_state_after_its_jump(engine, step, end):
+    guarded = saw(parameters=Clock(2.0, -3.0), guard=Guard(height, "stop", low))
+    found = ENGINES[engine](guarded).run([0.0], [0.0, 1.0, end], step=step)
+    assert (found.status, found.message) == ("stopped", "stopped: too low at 2")
+    np.testing.assert_allclose(found.t, [0.0, 1.0, 2.0])
+    np.testing.assert_allclose(found.x[:, 0], [0.0, 1.0, -6.0], atol=1e-12)
+
+
+def over_nothing(t, x, u, p, new):
+    new[0] = x[0] / p.factor
+
+
+@every_engine
+@every_step
+@pytest.mark.parametrize("end", [2.0, 2.5], ids=["at the end", "on the way"])
+def test_a_jump_to_nowhere_is_named(engine, step, end):
+    block = saw(jump=over_nothing, parameters=Clock(2.0, 0.0))
+    with pytest.raises(SimulationError, match=r"t = 2: state s\[0\] of block saw is not finite"):
+        ENGINES[engine](block).run([1.0], [0.0, end], step=step)
+
+
+# --- python-control ---------------------------------------------------------------------------
+
+
+def test_python_control_refuses_to_integrate_over_jumps():
+    inner = control.interconnect([saw()], outlist=["saw.s[0]"], outputs=["y"], name="inner")
+    for system in (saw(), clpt.connect([saw()]), inner):
+        with pytest.raises(BlockError, match=r"^saw: its states jump .* clpt\.simulate$"):
+            control.input_output_response(system, np.linspace(0.0, 3.0, 4), 0.0, [0.0])
+
+
+def test_python_control_reads_points_and_the_time_between_jumps():
+    diagram = clpt.connect([saw(inputs={"r": 1})], external=["r"])
+    for t in (0.3, 1.7, 5.0):
+        assert diagram.dynamics(t, [2.0], [0.0]) == [1.0]
+        assert diagram.output(t, [2.0], [0.0]) == [2.0]
+        assert diagram.linearize([2.0], [0.0], t=t).A == [[0.0]]
+    within = control.input_output_response(diagram, [1.0, 1.9], 0.0, [0.0])
+    np.testing.assert_allclose(within.states[0, -1], 0.9)
+    pinned = {"saw.interval": 0.0}
+    held = control.input_output_response(diagram, [0.0, 3.0], 0.0, [0.0], params=pinned)
+    np.testing.assert_allclose(held.states[0, -1], 3.0)
+
+
+# --- blocks -----------------------------------------------------------------------------------
+
+
+def test_a_jump_needs_states_and_breakpoints():
+    said = r"^b: a jump sets states at the block's own breakpoints; give `breakpoints` and `states`"
+    with pytest.raises(BlockError, match=said):
+        Block("b", update=grow, states={"s": 1}, parameters=Clock(), jump=scale)
+    with pytest.raises(BlockError, match=said):
+        Block("b", output=number, outputs={"s": 1}, parameters=Clock(), breakpoints=ticks,
+              jump=scale)  # fmt: skip
+
+
+def branching(t, x, u, p, new):
+    new[0] = x[0] if x[0] > 0.0 else 0.0
+
+
+def test_a_jump_keeps_the_rules_of_equations():
+    with pytest.raises(BlockError, match=r"^saw\.jump, line .*use where"):
+        saw(jump=branching)
+
+
+def test_a_block_that_jumps_conforms_is_copied_and_pickled():
+    block = saw(jump=read, inputs={"r": 1})
+    clpt.blocks.conformance(block)
+    for twin in (pickle.loads(pickle.dumps(block)), copy.deepcopy(block), block.copy(name="twin")):
+        found = clpt.simulate(twin, [0.0, 1.5], 3.0, [0.0])
+        np.testing.assert_allclose(found.states[0], [0.0, 4.5], atol=1e-12)
+    assert str(block.jump_record).endswith("v6 = add(v1, v2)\nout[0] = v6")
+
+
+def test_a_diagram_without_jumps_has_no_such_code():
+    native = clpt.native.compile(clpt.connect([saw(jump=None)]))
+    callee = native.callee()
+    assert (native.code.program.jump, callee.jumping, callee.functions[JUMP]) == ((), False, 0)
+    for name, ask in readings(saw(jump=None)).items():
+        if name != "control":
+            assert ask.jump(1.0, [2.0], []) == [2.0]
