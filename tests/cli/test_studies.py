@@ -65,3 +65,15 @@ def test_priors_matter_little(tmp_path):
     assert len({name for name, _, _ in rows}) == 20
     assert all(0.82 < float(found) < 0.92 for _, _, found in rows)
     assert inked(tmp_path / "prior_sensitivity.png") > 0.01
+
+
+def test_limited_speed_costs_nothing_with_hedging(tmp_path):
+    run("-m", "analysis.limited_speed", "--out", tmp_path)
+    lines = (tmp_path / "limited_speed.md").read_text().splitlines()[2:]
+    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
+    rises = {(row[0], row[1]): float(row[4]) for row in rows}
+    errors = {(row[0], row[1]): float(row[2].split(", ")[1]) for row in rows}
+    for speed in ("1", "1.25", "1.5", "2"):
+        assert rises[speed, "yes"] < 1e-9 < 0.1 < rises[speed, "no"]
+        assert errors[speed, "yes"] < 2e-3 < 1e-2 < errors[speed, "no"]
+    assert inked(tmp_path / "limited_speed.png") > 0.01

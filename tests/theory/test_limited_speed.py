@@ -100,8 +100,10 @@ def test_a_wrong_equation_is_not_proved(module, name, wrong, claim, monkeypatch)
 @pytest.mark.parametrize("name", LAWS)
 def test_every_law_runs_with_a_limit_and_its_clpe_is_hedged(name):
     values = {"learning.law": name, "vehicle.max_speed": 1.5, "run.duration": 200}
+    if LAWS[name].keeps_alpha:
+        values["learning.parameters"] = None
     if LAWS[name].given_estimate:
-        values |= {"learning.parameters": None, **ESTIMATE}
+        values |= ESTIMATE
     scenario = PAPER.with_values(values)
     told, untold = (
         clpt.simulate(scenario.with_values({"learning.hedging": hedging})).clpe.values[100:]
