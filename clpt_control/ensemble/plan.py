@@ -109,7 +109,8 @@ def _named(law: Block | None) -> str | None:
         return None
     fields = law.parameters._asdict().items()
     numbers = json.dumps({field: np.asarray(value).tolist() for field, value in fields})
-    equations = hashlib.sha256(repr((law.update_record, law.output_record)).encode()).hexdigest()
+    records = law.update_record, law.output_record, *filter(None, [law.jump_record])
+    equations = hashlib.sha256(repr(records).encode()).hexdigest()
     return f"{law.name} {equations[:8]} {numbers}"
 
 

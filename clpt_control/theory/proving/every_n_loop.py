@@ -19,7 +19,7 @@ from ...errors import BlockError
 from .every_n_function import read_function
 from .every_n_signals import Key, Size, Summed, keys, port_size
 from .paper_symbols import ONE, SCALARS, parameter_names, signed, state_names
-from .symbolic_loop import TIME, blocks_of
+from .symbolic_loop import TIME, blocks_of, refuse_jumps
 
 
 @dataclass
@@ -83,6 +83,7 @@ def every_n_loop(diagram: control.NonlinearIOSystem) -> EveryNLoop:
     """
     wiring = wiring_of(diagram)
     blocks = blocks_of(wiring)
+    refuse_jumps(blocks)
     N = _number_of_functions(blocks)
     states = state_names(blocks)
     loop = EveryNLoop(names=parameter_names(blocks))

@@ -22,7 +22,7 @@ from .symbolic_loop import TIME, SymbolicLoop, symbolic_loop
 
 def law_alone(law: Block) -> SymbolicLoop:
     """Return a law on symbols, all that feeds it an input."""
-    return symbolic_loop(connect([law], external=list(law.input_ports)))
+    return symbolic_loop(connect([law], external=list(law.input_ports)), jumps=True)
 
 
 def own_values(loop: SymbolicLoop, blocks: list[Block]) -> dict[Any, sympy.Rational]:

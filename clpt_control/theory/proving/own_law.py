@@ -38,7 +38,8 @@ def prove(law_block: Block, V: Block | None = None, points: int = 10_000, seed: 
     -------
     Verdict
         `status`: ``"proved"``, ``"bounded"``, ``"refuted"`` or ``"open"``; `residual`, what V'
-        has beyond -e^T KD e; `point`, where V' > 0; and the `steps` that were tried.
+        has beyond -e^T KD e; `point`, where V' > 0; and the `steps` that were tried. A law whose
+        states jump is only ``"proved between jumps"`` where V may rise at a jump.
 
     Raises
     ------
@@ -82,7 +83,7 @@ def _judged(
         parts = (np.reshape(numbers[: 2 * N], (2, N)), *np.split(np.array(numbers[2 * N :]), 2))
         candidate = theorem_candidate(N, "learned-flow", 1.0, parts)
         diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=candidate)
-    loop = symbolic_loop(diagram)
+    loop = symbolic_loop(diagram, jumps=True)
     if gains:  # in the names of the whole diagram
         here, there = (flat(one.parameters[law.name]) for one in (alone, loop))
         gains = [gain.subs(dict(zip(here, there, strict=True))) for gain in gains]

@@ -39,6 +39,7 @@ class RunningRate:
         self.diagram, self.wiring = diagram, wiring_of(diagram)
         self.blocks = blocks_of(self.wiring)
         self._needed = _ancestors(self.wiring, self.blocks)
+        self._jumping = any(block.jump_function is not None for block in self.blocks)
         self._place = next(
             node.outputs.start
             for node, block in zip(self.wiring.nodes, self.blocks, strict=True)
@@ -47,7 +48,8 @@ class RunningRate:
 
     def set(self, params: Mapping[str, Any]) -> None:
         """Set the parameters with which the blocks run."""
-        self.diagram._update_params(dict(params))
+        self._params = dict(params)
+        self.diagram._update_params(self._params)
         found = changed_parameters(self.wiring, params)
         self._sweep = Sweep(self.wiring, found, only=self._needed)
 
@@ -58,6 +60,8 @@ class RunningRate:
     def rate(self, t: float, x: np.ndarray, u: np.ndarray, degree: float) -> tuple[float, float]:
         """Return V', and V over the time between which it is taken."""
         try:
+            if self._jumping:  # every point by itself
+                self.diagram._update_params(self._params)
             rates = self.diagram._rhs(t, x, u)
         except RuntimeError:  # python-control's word for a NaN on its way
             return np.nan, np.nan

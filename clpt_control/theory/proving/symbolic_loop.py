@@ -36,6 +36,7 @@ class SymbolicLoop:
     states: dict[str, np.ndarray] = field(default_factory=dict)  # symbols
     signals: dict[str, np.ndarray] = field(default_factory=dict)  # expressions
     rates: dict[str, np.ndarray] = field(default_factory=dict)  # time derivatives of the states
+    jumps: dict[str, dict] = field(default_factory=dict)  # block -> state: what it jumps to
     inputs: dict[str, np.ndarray] = field(default_factory=dict)  # symbols, of the diagram
     parameters: dict[str, Any] = field(default_factory=dict)  # block -> NamedTuple of symbols
     N: int | None = None  # number of basis functions, where the blocks have one
@@ -53,10 +54,17 @@ class SymbolicLoop:
         return rate
 
 
-def symbolic_loop(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()) -> SymbolicLoop:
-    """Read a diagram's equations on symbols; blocks named in `opaque` stay undefined."""
+def symbolic_loop(
+    diagram: control.NonlinearIOSystem, opaque: Iterable[str] = (), jumps: bool = False
+) -> SymbolicLoop:
+    """Read a diagram's equations on symbols; blocks named in `opaque` stay undefined.
+
+    States that jump are refused unless `jumps`: the caller then judges what V does there.
+    """
     wiring, undefined_blocks = wiring_of(diagram), set(opaque)
     blocks = blocks_of(wiring)
+    if not jumps:
+        refuse_jumps(blocks)
     loop = SymbolicLoop(parameters=parameter_symbols(blocks))
     sizes = {N for b in blocks if isinstance(N := getattr(b.parameters, "N", None), int)}
     loop.N = sizes.pop() if len(sizes) == 1 else None
@@ -130,7 +138,21 @@ def symbolic_loop(diagram: control.NonlinearIOSystem, opaque: Iterable[str] = ()
         for port, size in block.state_ports.items():
             loop.rates[states[block.name, port]] = dx[at : at + size]
             at += size
+        if block.jump_record is not None:
+            own = _flat({port: loop.states[states[block.name, port]] for port in block.state_ports})
+            new = outcome(block.jump_record, "jump", block, inputs_of(k))
+            loop.jumps[block.name] = dict(zip(own, new, strict=True))
     return loop
+
+
+def refuse_jumps(blocks: Iterable[Block]) -> None:
+    """Refuse blocks whose states jump, where nobody judges what V does there."""
+    for block in blocks:
+        if block.jump_function is not None:
+            raise DiagramError(
+                f"{block.name}: its states jump, and this proof speaks of no jumps; prove the "
+                "block without its `jump`"
+            )
 
 
 def blocks_of(wiring: Wiring) -> list[Block]:
@@ -140,11 +162,6 @@ def blocks_of(wiring: Wiring) -> list[Block]:
         if not isinstance(node.system, Block):
             raise DiagramError(
                 f"{node.name} is no block, so its equations cannot be read; make it a Block"
-            )
-        if node.system.jump_function is not None:
-            raise DiagramError(
-                f"{node.name}: its states jump, and nothing is known of V across jumps; prove the "
-                "block without its `jump`"
             )
         blocks.append(node.system)
     names = [block.name for block in blocks] + [p for block in blocks for p in block.output_ports]

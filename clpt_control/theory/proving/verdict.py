@@ -9,10 +9,12 @@ running blocks themselves have V' > 0.
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import combinations
 from typing import Any
 
 import numpy as np
 import sympy
+from sympy.core.function import AppliedUndef
 
 from ...blocks import Block
 from ...diagrams.interconnection import Diagram
@@ -38,7 +40,8 @@ class Verdict:
     status : str
         ``"proved"``: V' <= -e^T KD e; ``"bounded"``: V' <= -e^T KD e + a bounded term;
         ``"refuted"``: the running blocks give V' > 0 at `point`, however far from the
-        truth; ``"open"``: none of these is known.
+        truth; ``"open"``: none of these is known. ``"proved between jumps"`` and ``"bounded
+        between jumps"`` where states jump, and V is not known not to rise there.
     residual : sympy.Expr
         V' + e^T KD e, multiplied out.
     steps : tuple of Step
@@ -224,7 +227,8 @@ class Case:
         """The loop with the disturbance of Eq. (32) as an input."""
         law, V = self.law, self.V
         return symbolic_loop(
-            theorem_loop(self.loop.N or 1, "learned-flow", True, law_block=law, candidate=V)
+            theorem_loop(self.loop.N or 1, "learned-flow", True, law_block=law, candidate=V),
+            jumps=True,
         )
 
     def valued(self) -> Step:
@@ -276,8 +280,32 @@ class Case:
         return bool(rest == 0 or nonpositive(rest, apart, self.values))
 
     def found(self, status: str, steps: list[Step], **known: Any) -> Verdict:
-        """Return a verdict with its residual and diagram."""
+        """Return a verdict with its residual and diagram; it says what is known of jumps."""
+        if self.loop.jumps:
+            steps = [*steps, self.across_jumps()]
+            if status in ("proved", "bounded") and not steps[-1].holds:
+                status = f"{status} between jumps"
         return Verdict(status, self.rest, tuple(steps), self.diagram, **known)
+
+    def across_jumps(self) -> Step:
+        """Return the step that V does not rise where states jump, whichever jump at once."""
+
+        def no_rise() -> tuple[bool, str]:
+            V, jumps = self.Vs, self.loop.jumps
+            own = (self.loop.parameters[block.name] for block in self.blocks)
+            steps = {p.interval for p in own if "interval" in p._fields}
+            if V.free_symbols & steps or V.atoms(AppliedUndef):
+                return False, "V itself depends on time"
+            for count in range(1, len(jumps) + 1):
+                for together in combinations(jumps.values(), count):
+                    after = {s: new for one in together for s, new in one.items()}
+                    rise = tidied(V.subs(after, simultaneous=True) - V).subs(self.values)
+                    if not self.falls(rise):
+                        return False, f"V changes by {short(rise)}"
+            return True, ""
+
+        claim = f"V does not rise where states of {' and '.join(self.loop.jumps)} jump"
+        return checked(claim, "exact", no_rise, False)
 
     def running(self) -> Step:
         """Return the step that the running blocks have the same V'."""
