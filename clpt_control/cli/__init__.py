@@ -55,6 +55,7 @@ def application() -> "typer.Typer":
     """Return the command line with all its commands."""
     import typer
 
+    from .design import design
     from .ensemble import ensemble
     from .excitation import excitation
     from .fit import fit
@@ -72,8 +73,9 @@ def application() -> "typer.Typer":
         rich_markup_mode=None,
         pretty_exceptions_enable=False,
     )
-    one, many = (init, paper, run, diagram), (ensemble, laws, prove, excitation, fit, tides, replay)
-    for command in one + many:
+    one, theory = (init, paper, run, diagram), (laws, prove, excitation, design)
+    many = (ensemble, *theory, fit, tides, replay)
+    for command in (*one, *many):
         app.command()(command)
     return app
 

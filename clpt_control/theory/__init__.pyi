@@ -1,5 +1,6 @@
 from .counterexamples.paper_system import disturbance_counterexample
 from .counterexamples.printed_bounds import printed_bound
+from .designing.design import design_track
 from .excitation.bounds import ultimate_bound
 from .excitation.certificates import certificate
 from .excitation.gramian import gramian, started_true
@@ -13,6 +14,7 @@ __all__ = [
     "Verdict",
     "audit",
     "certificate",
+    "design_track",
     "disturbance_counterexample",
     "error_matrices",
     "gramian",

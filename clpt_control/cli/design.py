@@ -1,0 +1,165 @@
+"""`clpt design`: waypoints from which most can be learned."""
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from ..errors import ClptError
+from .printing import Json, ScenarioFile, print_json, print_table, shown
+
+Four = tuple[float, float, float, float]
+
+
+def design(
+    scenario: ScenarioFile,
+    out: Annotated[Path, typer.Option(help="Scenario file to write, with the new waypoints.")],
+    length: Annotated[
+        float | None, typer.Option(help="Longest closed polygon; default: the scenario's own.")
+    ] = None,
+    max_speed: Annotated[
+        float | None, typer.Option(help="Largest speed through the water; default: any.")
+    ] = None,
+    area: Annotated[
+        Four | None, typer.Option(help="X1FROM X1TO X2FROM X2TO; default: where it drives now.")
+    ] = None,
+    box: Annotated[
+        Four | None, typer.Option(help="In its place LAT0 LAT1 LON0 LON1, degrees, in a field.")
+    ] = None,
+    count: Annotated[int | None, typer.Option(help="Waypoints; default: as many as now.")] = None,
+    dwell: Annotated[float | None, typer.Option(help="Time at each; default: as now.")] = None,
+    window: Annotated[
+        float | None, typer.Option(help="Length of the window; default: one cycle of waypoints.")
+    ] = None,
+    start: Annotated[
+        float | None, typer.Option(help="Start of the window; default: the second cycle.")
+    ] = None,
+    level: Annotated[
+        float | None, typer.Option(help="Error that ends the learning time; default: a tenth.")
+    ] = None,
+    seed: Annotated[int, typer.Option(help="Of the search.")] = 0,
+    generations: Annotated[int, typer.Option(help="Of the search.")] = 60,
+    figure: Annotated[
+        Path | None, typer.Option(help=".png, .pdf or .svg: old and new track.")
+    ] = None,
+    as_json: Json = False,
+) -> None:
+    """Find waypoints from which most can be learned."""
+    from ..files import check_writable, write_together
+    from ..progress import progress_bar
+    from ..scenario.file import load_scenario, scenario_to_text
+    from ..theory.designing.design import design_track
+
+    experiment = load_scenario(scenario)
+    for path in (out, figure):
+        if path is not None:
+            check_writable(path)
+    if out.suffix != ".toml":
+        raise ClptError(f"{out}: must end in .toml; it becomes a scenario")
+    if figure is not None and figure.suffix not in (".png", ".pdf", ".svg"):
+        raise ClptError(f"{figure}: a figure's name must end in .png, .pdf or .svg")
+    with progress_bar(f"designing {scenario.name}", 1.0) as report:
+        found = design_track(
+            experiment,
+            length=length,
+            max_speed=max_speed,
+            area=area,
+            box=box,
+            count=count,
+            dwell=dwell,
+            window=window,
+            start=start,
+            level=level,
+            seed=seed,
+            generations=generations,
+            progress=report,
+        )
+    results: dict[Path, Any] = {out: scenario_to_text(found.scenario, out.parent)}
+    if figure is not None:
+        from ..theory.designing.plot import design_plot
+
+        results[figure] = design_plot(found)
+    write_together(results)
+    if as_json:
+        print_json(found.report)
+        return
+    print_table(_title(found.report), ["", "before", "after"], _rows(found.report))
+    for line in _sentences(found.report):
+        typer.echo(line)
+    for path in results:
+        typer.echo(f"{path}: written")
+
+
+def _title(report: dict[str, Any]) -> str:
+    end = report["start"] + report["window"]
+    return (
+        f"Smallest eigenvalue of the joint Gramian over {report['start']:g} to {end:g} "
+        f"{report['units']['time']}, along {report['trajectory']}"
+    )
+
+
+def _rows(report: dict[str, Any]) -> list[list[str]]:
+    length, time = report["units"]["length"], report["units"]["time"]
+    names = [
+        ("smallest_eigenvalue", "smallest eigenvalue"),
+        ("of_the_run", f"of the run with {report['law']} (clpt excitation)"),
+        ("closed_length", f"closed length ({length})"),
+        ("largest_speed", f"largest speed through the water ({length}/{time})"),
+        ("positions", f"x1 from, to; x2 from, to ({length})"),
+        ("learning_time", f"learning time ({time})"),
+        ("error_at_end", f"largest flow-parameter error at the end ({length}/{time})"),
+        ("explained_variance", "share of the flow's variance learned, along the track, over box"),
+        ("clpe_rms_last_quarter", f"CLPE rms, last quarter ({length})"),
+        ("waypoints", f"waypoints ({length})"),
+    ]
+    rows = []
+    for key, name in names:
+        if key in report["after"]:
+            cells = [_cell(key, report[track][key]) for track in ("before", "after")]
+            rows.append([name, *cells])
+    return rows
+
+
+def _cell(key: str, value: Any) -> str:
+    if value is None:
+        return "not within the run"
+    if key == "waypoints":
+        return "\n".join(f"{x1:8.3f} {x2:8.3f}" for x1, x2 in value)
+    if key == "positions":
+        return "; ".join(shown(pair) for pair in value)
+    return shown(list(value.values()) if isinstance(value, dict) else value)
+
+
+def _sentences(report: dict[str, Any]) -> list[str]:
+    before, after, ratio = report["before"], report["after"], report["ratio"]
+    times = "" if ratio is None else f", {ratio:.3g} times"
+    said = [
+        f"the smallest eigenvalue rose from {before['smallest_eigenvalue']:.4g} to "
+        f"{after['smallest_eigenvalue']:.4g}{times}, the best of {report['tracks_tried']} tracks"
+    ]
+    if ratio is not None and ratio <= 1:
+        said = [
+            "no better track was found within these limits; give more generations, or allow "
+            "more length, speed or area"
+        ]
+    if after["of_the_run"] < before["of_the_run"]:
+        said.append(
+            f"along the run with {report['law']} it fell: there the learner's own errors excite"
+        )
+    if "level" in after:
+        if slower(before["learning_time"], after["learning_time"]):
+            said.append(
+                f"{report['law']} is no faster there: the eigenvalue says what the track shows, "
+                "and a law that keeps what it was shown, or K and Gamma held, makes use of it; "
+                "`clpt tune` compares laws"
+            )
+        said.append(
+            f"the learning time ends where every flow parameter stays within "
+            f"{after['level']:.3g} of the truth"
+        )
+    return said
+
+
+def slower(before: float | None, after: float | None) -> bool:
+    """Return whether a learning time did not shorten; None is never."""
+    return after is None or (before is not None and after >= before)

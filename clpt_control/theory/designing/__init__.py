@@ -1,0 +1,1 @@
+"""Where to drive: waypoints from which most can be learned, within limits."""

@@ -1,0 +1,275 @@
+"""A design: the scenario with better waypoints, and both tracks side by side.
+
+Waypoints maximise kappa_1, the smallest eigenvalue over both axes of the joint Gramian of
+Definition 3.1 where e = 0 (`tracks`), within limits (`limits`).  The result is looked at again,
+closely and over the whole run; where it is beyond a limit there, it climbs again under
+tighter limits, watched over the whole run.  What is reported of both tracks beside kappa_1 comes
+from `gramian` and `simulate` of the two scenarios with their own law.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ...errors import ScenarioError
+from ...scenario.experiment import Scenario, require_scenario
+from ..excitation.gramian import gramian
+from ..excitation.regressor import checked_window
+from .area import area_of_degrees, field_area
+from .learned import Learned, learned
+from .limits import (
+    MARGIN,
+    Box,
+    Limits,
+    around,
+    check_area,
+    check_numbers,
+    closed_length,
+    own_area,
+    shortened,
+)
+from .search import Search
+from .tracks import Tracks
+
+COARSE = (9, 1e-6)  # looks in a piece, relative tolerance
+CLOSE = (129, 1e-9)
+ROUNDS = 6  # climbs, each under tighter limits
+MOST_GENERATIONS = 100_000
+TRAJECTORY = "the vehicle alone in the scenario's flow, without CLPE (e = 0, z = x) and disturbance"
+
+
+@dataclass(frozen=True)
+class Design:
+    """What `design_track` found."""
+
+    scenario: Scenario  # with the new waypoints
+    report: dict[str, Any]  # ready for JSON
+    tracks: tuple[Learned, Learned]  # runs with the scenario's own law, before and after
+
+
+def design_track(
+    scenario: Scenario,
+    *,
+    length: float | None = None,
+    max_speed: float | None = None,
+    area: Box | None = None,
+    box: tuple[float, float, float, float] | None = None,
+    count: int | None = None,
+    dwell: float | None = None,
+    window: float | None = None,
+    start: float | None = None,
+    level: float | None = None,
+    seed: int = 0,
+    generations: int = 60,
+    progress: Callable[[float], None] | None = None,
+) -> Design:
+    """Find waypoints from which most can be learned, within limits.
+
+    They maximise the smallest eigenvalue of the joint Gramian over a window, along the vehicle
+    in the scenario's flow without CLPE: where every law that works ends. The vehicle may wait:
+    waypoints may coincide.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The flow to expect, the vehicle, the track to begin with.
+    length : float, optional
+        Longest closed polygon of waypoints, units.length; that of the scenario's own.
+    max_speed : float, optional
+        Largest speed through the water, length per time; any without.
+    area : tuple of float, optional
+        Box for waypoints and vehicle: x1 from and to, x2 from and to. Without, the field's, or
+        what the scenario's own track fills.
+    box : tuple of float, optional
+        In place of area LAT0 LAT1 LON0 LON1, degrees, for a scenario with a field.
+    count : int, optional
+        Number of waypoints; that of the scenario.
+    dwell : float, optional
+        Time at each, units.time; that of the scenario.
+    window, start : float, optional
+        Of the Gramian, units.time; by default the second cycle, or as late as fits.
+    level : float, optional
+        Error of a flow parameter that ends the learning time; a tenth of the first.
+    seed : int, optional
+        Of the search; the same seed gives the same design.
+    generations : int, optional
+        Of the search.
+    progress : callable, optional
+        Called with the share of the work done.
+
+    Returns
+    -------
+    Design
+        `scenario` with the new waypoints, `report` and `tracks`, the runs before and after.
+
+    Raises
+    ------
+    ScenarioError
+        If a limit is impossible, or no track was found that keeps to the limits.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 200})
+    >>> found = clpt.theory.design_track(scenario, count=3, window=60, generations=2)
+    >>> found.report["ratio"] >= 1, len(found.scenario.waypoints)
+    (True, 3)
+    """
+    require_scenario(scenario)
+    check_numbers(scenario, length, max_speed, count, dwell)
+    for name, value, least in (("seed", seed, 0), ("generations", generations, 1)):
+        if not isinstance(value, int) or not least <= value <= MOST_GENERATIONS:
+            raise ScenarioError(
+                f"{name} = {value}: must be a whole number, {least} to {MOST_GENERATIONS}"
+            )
+    if area is not None and box is not None:
+        raise ScenarioError("area: give either area or box, one of the two")
+    span = checked_window(scenario, window, start)
+    field = field_area(scenario)
+    if box is not None:
+        area = area_of_degrees(scenario, box)
+    if area is not None:
+        check_area(scenario, area, field)
+    before = _look(scenario, span)
+    own = scenario.waypoints
+    limits = Limits(
+        float(closed_length(own)) if length is None else float(length),
+        max_speed,
+        area or field or own_area(own, before.extremes),
+    )
+    report = progress or (lambda share: None)
+    planned = with_waypoints(scenario, around(own, count or len(own)), dwell)
+    points, runs = _found(planned, limits, span, seed, generations, report)
+    made = with_waypoints(scenario, points, dwell)
+    after = _look(made, span)
+    ran = learned(scenario, level), learned(made, level)
+    report(1.0)
+    found: dict[str, Any] = {
+        "title": scenario.title,
+        "units": scenario.units.model_dump(),
+        "law": scenario.learning.law,
+        "window": span[0],
+        "start": span[1],
+        "trajectory": TRAJECTORY,
+        "limits": limits._asdict() | {"count": len(points), "dwell": made.reference.dwell},
+        "seed": seed,
+        "tracks_tried": runs,
+        "before": _reported(scenario, before, span, ran[0]),
+        "after": _reported(made, after, span, ran[1]),
+    }
+    for name, key in (("ratio", "smallest_eigenvalue"), ("ratio_of_run", "of_the_run")):
+        first, last = found["before"][key], found["after"][key]
+        found[name] = last / first if first > 0 else None
+    return Design(made, found, ran)
+
+
+@dataclass(frozen=True)
+class _Looked:
+    """One track, closely and over the whole run."""
+
+    least: float
+    extremes: Any
+
+
+def _look(scenario: Scenario, span: tuple[float, float]) -> _Looked:
+    tracks = Tracks(scenario, span, scenario.run.duration, *CLOSE)
+    least, extremes = tracks(scenario.waypoints[None])
+    return _Looked(float(least.min()), extremes)
+
+
+def with_waypoints(scenario: Scenario, points: np.ndarray, dwell: float | None) -> Scenario:
+    """Return the scenario with other waypoints."""
+    own = scenario.reference.dwell if dwell is None else float(dwell)
+    reference = {"kind": "waypoints", "points": np.asarray(points).tolist(), "dwell": own}
+    return scenario.with_values({"reference": reference})
+
+
+def _found(
+    scenario: Scenario,
+    limits: Limits,
+    span: tuple[float, float],
+    seed: int,
+    generations: int,
+    report: Callable[[float], None],
+) -> tuple[np.ndarray, int]:
+    """Return the best waypoints that keep to the limits, and how many tracks were tried."""
+    speeds, runs, free = limits.max_speed is not None, 0, MARGIN
+    end, whole = span[0] + span[1], scenario.run.duration
+    close = Tracks(scenario, span, whole, *CLOSE, speeds=speeds)
+    points = shortened(scenario.waypoints, limits.length)
+    kept = [_judged(close, limits, points)]  # the track to begin with competes
+    for turn in range(ROUNDS):
+        tracks = Tracks(scenario, span, whole if turn else end, *COARSE, speeds=speeds)
+        search = Search(tracks, limits.tighter(free), len(points))
+        again = turn == ROUNDS - 1 and not any(one.least >= 0 for one in kept)
+        if turn == 0 or again:
+            first = search.unknowns(shortened(scenario.waypoints, limits.length))
+
+            def shown(done: float, base: float = 0.5 * (turn > 0)) -> None:
+                report(base + 0.4 * done / (generations + 1))
+
+            points = search.points(search.evolve(first, generations, seed, shown)[None])[0]
+            kept.append(_judged(close, limits, points))
+        points = search.points(search.climb(search.unknowns(points))[None])[0]
+        kept.append(_judged(close, limits, points))
+        runs += tracks.runs
+        report(0.4 + 0.5 * (turn + 1) / ROUNDS)
+        if kept[-1].least >= 0 and (turn or end == whole or kept[-1].least >= kept[0].least):
+            break
+        if turn:
+            free = min(0.3, free + max(MARGIN, 1.1 * kept[-1].beyond))
+    best = max(kept, key=lambda one: one.least)
+    if best.least < 0:
+        raise ScenarioError(_none(scenario, limits, min(one.beyond for one in kept)))
+    return best.points, runs
+
+
+class _Judged(NamedTuple):
+    """Waypoints, their kappa_1, -1 beyond a limit, and how far they are beyond."""
+
+    points: np.ndarray
+    least: float
+    beyond: float
+
+
+def _judged(close: Tracks, limits: Limits, points: np.ndarray) -> _Judged:
+    least, extremes = close(points[None])
+    beyond = float(limits.excess(extremes)[0])
+    low, high = np.array(limits.area[::2]), np.array(limits.area[1::2])
+    out = bool(np.any((points < low) | (points > high)))
+    return _Judged(points, -1.0 if beyond > 0 or out else float(least.min()), beyond)
+
+
+def _none(scenario: Scenario, limits: Limits, nearest: float) -> str:
+    """Return in a sentence that no track keeps to the limits."""
+    unit, time = scenario.units.length, scenario.units.time
+    speed = f"max_speed = {limits.max_speed:g} {unit}/{time} and " if limits.max_speed else ""
+    return (
+        f"{speed}area = {', '.join(f'{edge:g}' for edge in limits.area)} {unit}: no track was "
+        f"found that keeps to them in this flow all the time; the nearest is {100 * nearest:.2g} % "
+        "beyond; allow more speed or a larger area, or give more generations"
+    )
+
+
+def _reported(
+    scenario: Scenario, looked: _Looked, span: tuple[float, float], ran: Learned
+) -> dict[str, Any]:
+    found = gramian(scenario, *span)
+    return {
+        "smallest_eigenvalue": looked.least,
+        "of_the_run": min(float(values[0]) for values in found.eigenvalues.values()),
+        "closed_length": float(closed_length(scenario.waypoints)),
+        "largest_speed": float(looked.extremes.speed.max()),
+        "positions": [
+            [float(side.min()), float(other.max())]
+            for side, other in zip(
+                np.moveaxis(looked.extremes.low[0], -1, 0),
+                np.moveaxis(looked.extremes.high[0], -1, 0),
+                strict=True,
+            )
+        ],
+        "waypoints": scenario.waypoints.tolist(),
+        **ran.summary,
+    }

@@ -1,0 +1,132 @@
+"""The limits of a design: closed length, speed through the water, area.
+
+length   sum_j |w_{j+1} - w_j| once around, at most; longer polygons shrink about their middle
+speed    |v_x| of Eq. (7), at most, at all times of the run
+area     a box that waypoints and vehicle stay in, at all times of the run
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ...errors import ScenarioError
+from ...scenario.experiment import Scenario
+from .tracks import Extremes
+
+MARGIN = 1e-3  # of a limit, kept free between the times at which it is looked at
+MOST_WAYPOINTS = 200
+WIDER = 0.01  # than what the scenario's own track fills, where no area is given
+Box = tuple[float, float, float, float]
+
+
+class Limits(NamedTuple):
+    """What a track must keep to."""
+
+    length: float
+    max_speed: float | None  # None: any
+    area: Box  # x1 from and to, x2 from and to
+
+    def tighter(self, part: float) -> "Limits":
+        """Return limits for speed and path that leave a part of each free."""
+        x1, x2 = (part * (self.area[k + 1] - self.area[k]) for k in (0, 2))
+        low1, high1, low2, high2 = self.area
+        speed = None if self.max_speed is None else (1 - part) * self.max_speed
+        return Limits(self.length, speed, (low1 + x1, high1 - x1, low2 + x2, high2 - x2))
+
+    def excess(self, extremes: Extremes) -> np.ndarray:
+        """Return how far tracks go beyond, as a share of the limit; 0 where they keep to it.
+
+        A run that failed counts 1 and the share of the time that it missed.
+        """
+        found = np.maximum(-self.slack(extremes).min(axis=0), 0.0)
+        return np.where(np.isfinite(found), found, 2.0 - extremes.share)
+
+    def slack(self, extremes: Extremes) -> np.ndarray:
+        """Return how far tracks stay within, piece by piece, shares of the limits, (k, m)."""
+        low, high = np.array(self.area[::2]), np.array(self.area[1::2])
+        rows = [(extremes.low - low) / (high - low), (high - extremes.high) / (high - low)]
+        if self.max_speed is not None:
+            rows.append(1 - extremes.speed[..., None] / self.max_speed)
+        return np.concatenate([row.reshape(len(row), -1) for row in rows], axis=1).T
+
+
+def closed_length(points: np.ndarray) -> np.ndarray:
+    """Return the length of closed polygons, (..., n, 2) -> (...)."""
+    return np.linalg.norm(np.roll(points, -1, axis=-2) - points, axis=-1).sum(axis=-1)
+
+
+def shortened(points: np.ndarray, length: float) -> np.ndarray:
+    """Return closed polygons, those that are longer shrunk about their middle."""
+    middle = points.mean(axis=-2, keepdims=True)
+    share = np.minimum(1.0, length / np.maximum(closed_length(points), 1e-300))
+    share = np.where(share < 1, share * (1 - 1e-13), 1.0)[..., None, None]
+    return middle + share * (points - middle)
+
+
+def around(points: np.ndarray, count: int) -> np.ndarray:
+    """Return so many points evenly along a closed polygon; itself where it has as many."""
+    if len(points) == count:
+        return points
+    closed = np.vstack([points, points[:1]])
+    along = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(closed, axis=0), axis=1)))
+    wanted = along[-1] * np.arange(count) / count
+    return np.column_stack([np.interp(wanted, along, closed[:, i]) for i in range(2)])
+
+
+def own_area(points: np.ndarray, extremes: Extremes) -> Box:
+    """Return the box that a track fills, waypoints and path, and a little more."""
+    low = np.minimum(points.min(axis=0), extremes.low[0].min(axis=0))
+    high = np.maximum(points.max(axis=0), extremes.high[0].max(axis=0))
+    more = WIDER * np.maximum(high - low, 1e-9 + 1e-9 * np.abs(high))
+    (low1, low2), (high1, high2) = (low - more).tolist(), (high + more).tolist()
+    return low1, high1, low2, high2
+
+
+def check_numbers(
+    scenario: Scenario,
+    length: float | None,
+    max_speed: float | None,
+    count: int | None,
+    dwell: float | None,
+) -> None:
+    """Refuse numbers that no track can have."""
+    unit, time = scenario.units.length, scenario.units.time
+    for name, value, of in (
+        ("length", length, unit),
+        ("max_speed", max_speed, f"{unit}/{time}"),
+        ("dwell", dwell, time),
+    ):
+        if value is not None and not 0 < value < np.inf:
+            raise ScenarioError(f"{name} = {value:g}: must be a positive number of {of}")
+    whole = isinstance(count, int) and not isinstance(count, bool)
+    if count is not None and not (whole and 2 <= count <= MOST_WAYPOINTS):
+        raise ScenarioError(f"count = {count}: must be a whole number, 2 to {MOST_WAYPOINTS}")
+
+
+def check_area(scenario: Scenario, area: Box, field: Box | None) -> None:
+    """Refuse an area that is none, that the vehicle starts outside of, or that leaves the field."""
+    unit = scenario.units.length
+    low1, high1, low2, high2 = area
+    shown = _shown(area, unit)
+    if not (np.isfinite(area).all() and low1 < high1 and low2 < high2):
+        raise ScenarioError(
+            f"area = {shown}: must be four numbers, x1 from and to, x2 from and to, each pair "
+            "increasing"
+        )
+    if field is not None and not (
+        field[0] <= low1 and high1 <= field[1] and field[2] <= low2 and high2 <= field[3]
+    ):
+        raise ScenarioError(
+            f"area = {shown}: reaches out of the scenario's field, {_shown(field, unit)}; must lie "
+            "within it"
+        )
+    x1, x2 = scenario.vehicle.position
+    if not (low1 <= x1 <= high1 and low2 <= x2 <= high2):
+        raise ScenarioError(
+            f"area = {shown}: the vehicle starts outside of it, at ({x1:g}, {x2:g}); the area must "
+            "hold vehicle.position"
+        )
+
+
+def _shown(area: Box, unit: str) -> str:
+    return f"x1 {area[0]:g} to {area[1]:g}, x2 {area[2]:g} to {area[3]:g} {unit}"

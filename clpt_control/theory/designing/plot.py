@@ -1,0 +1,128 @@
+"""Two tracks side by side, and what is learned on each."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...figures import BLUE, GREY, ORANGE, RED, new_figure
+from .design import Design
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+SAME = 0.02  # of the picture: waypoints nearer than that share a label
+LOWEST = 1e-16  # errors below are drawn there
+
+
+def design_plot(design: Design) -> "Figure":
+    """Draw the old and the new track over the window, and the error of learning on both."""
+    error = design.tracks[0].error
+    panels = 2 if error is None else 3
+    figure, axes = new_figure(3.6 * panels + 1, 4.6, ncols=panels)
+    low, high = _frame(design)
+    for k, ax in enumerate(axes[:2]):
+        _track(ax, design, k, float(max(high - low)))
+        ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
+    handles, labels = axes[1].get_legend_handles_labels()
+    figure.legend(handles, labels, fontsize=8, frameon=False, ncols=5, loc="outside upper center")
+    if error is not None:
+        _error(axes[2], design)
+    return figure
+
+
+def _frame(design: Design) -> tuple[np.ndarray, np.ndarray]:
+    seen = [one.run.position.values for one in design.tracks]
+    seen += [one.scenario.waypoints for one in design.tracks]
+    places = np.vstack(seen)
+    low, high = places.min(axis=0), places.max(axis=0)
+    area = np.array(design.report["limits"]["area"])
+    wide = 3 * max(high - low)  # a far larger area is not drawn whole
+    low = np.maximum(np.minimum(low, area[::2]), low - wide)
+    high = np.minimum(np.maximum(high, area[1::2]), high + wide)
+    more = 0.06 * max(high - low)
+    return low - more, high + more
+
+
+def _track(ax: "Axes", design: Design, k: int, size: float) -> None:
+    one, report = design.tracks[k], design.report
+    found = report["before" if k == 0 else "after"]
+    unit, (x1, x1_end, x2, x2_end) = one.scenario.units.length, report["limits"]["area"]
+    corners = np.array([[x1, x2], [x1_end, x2], [x1_end, x2_end], [x1, x2_end], [x1, x2]])
+    ax.plot(*corners.T, color=GREY, linewidth=1.0, linestyle=":", label="area")
+    points = one.scenario.waypoints
+    ax.plot(
+        *np.vstack([points, points[:1]]).T,
+        color=ORANGE,
+        linewidth=1.0,
+        linestyle="--",
+        label="closed polygon",
+    )
+    t = one.run.time.values
+    inside = (t >= report["start"]) & (t <= report["start"] + report["window"])
+    ax.plot(
+        *one.run.position.values[inside].T,
+        color=BLUE,
+        linewidth=1.0,
+        label="vehicle, in the window",
+    )
+    ax.plot(*points.T, "o", color=RED, markersize=6, label="waypoints, numbered")
+    ax.plot(*one.run.position.values[0], "s", color="black", markersize=5, label="start")
+    for place, numbers in _groups(points, SAME * size):
+        ax.annotate(
+            numbers,
+            (float(place[0]), float(place[1])),
+            xytext=(6, 6),
+            textcoords="offset points",
+            fontsize=8,
+            bbox={"facecolor": "white", "alpha": 0.7, "edgecolor": "none", "pad": 0.5},
+        )
+    name = "old" if k == 0 else "new"
+    ax.set_title(
+        rf"{name}: $\kappa_1$ = {found['smallest_eigenvalue']:.3g}, "
+        f"length {found['closed_length']:.4g} {unit}",
+        loc="left",
+        fontsize=10,
+    )
+    ax.set(xlabel=f"$x_1$ ({unit})", ylabel=f"$x_2$ ({unit})")
+
+
+def _groups(points: np.ndarray, near: float) -> list[tuple[np.ndarray, str]]:
+    """Return places and the numbers of the waypoints there, 3 to 5 as 3-5."""
+    groups: list[list[int]] = []
+    for k, point in enumerate(points):
+        for group in groups:
+            if np.hypot(*(points[group[0]] - point)) <= near:
+                group.append(k)
+                break
+        else:
+            groups.append([k])
+    return [(points[group[0]], _runs(group)) for group in groups]
+
+
+def _runs(group: list[int]) -> str:
+    parts: list[list[int]] = []
+    for k in group:
+        if parts and k == parts[-1][1] + 1:
+            parts[-1][1] = k
+        else:
+            parts.append([k, k])
+    return ", ".join(f"{a + 1}" if a == b else f"{a + 1}-{b + 1}" for a, b in parts)
+
+
+def _error(ax: "Axes", design: Design) -> None:
+    units = design.report["units"]
+    for one, colour, style, name in zip(
+        design.tracks, (ORANGE, BLUE), ("--", "-"), ("old track", "new track"), strict=True
+    ):
+        assert one.error is not None
+        error = np.maximum(one.error, LOWEST)
+        ax.semilogy(one.run.time, error, style, color=colour, linewidth=1.6, label=name)
+    level = design.report["after"]["level"]
+    ax.axhline(level, color=GREY, linewidth=1.0, linestyle=":", label=f"level {level:.3g}")
+    ax.set(
+        xlabel=f"time ({units['time']})",
+        ylabel=f"largest flow-parameter error ({units['length']}/{units['time']})",
+    )
+    ax.set_title(f"what `{design.report['law']}` learns", loc="left", fontsize=10)
+    ax.legend(fontsize=8, frameon=False)

@@ -1,0 +1,130 @@
+"""The search: differential evolution over all tracks, then a climb on both axes at once.
+
+    maximise kappa_1(w_1 ... w_n),    unknowns in [0, 1]: places in the area's box
+
+Differential evolution (Storn and Price 1997) takes its whole population to the tracks' lanes
+at once.  A track beyond a limit costs more than any that keeps to it, the more the farther it is
+beyond.  kappa_1 has a ridge where both axes have the same smallest eigenvalue, so the climb asks
+SLSQP (Kraft 1988) for the largest s with log kappa of each axis >= s and each slack >= 0;
+derivatives are differences, again in lanes.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from ...progress.interrupt import check
+from .limits import Limits, shortened
+from .tracks import Tracks
+
+BEYOND = 1e4  # cost of a limit that is not kept, more than -log of any eigenvalue
+LEAST = 1e-300
+NEAR = 0.15  # spread of the half of the population that begins near the first track
+STEP = 1e-6  # of the differences, share of the area's box
+CLIMBS = 60  # iterations of SLSQP
+INSIDE = 1e-5  # of each limit, that a climb leaves free
+WAY = 33  # places looked at between the start and the end of a climb
+
+
+class Search:
+    """Tracks of `count` waypoints within limits, as points of a unit cube."""
+
+    def __init__(self, tracks: Tracks, limits: Limits, count: int):
+        self.tracks, self.limits, self.count = tracks, limits, count
+        area = np.array(limits.area)
+        self.low, self.size = area[::2], area[1::2] - area[::2]
+
+    def points(self, u: np.ndarray) -> np.ndarray:
+        """Return the waypoints (m, n, 2) of unknowns (m, 2 n)."""
+        places = self.low + self.size * np.clip(u, 0.0, 1.0).reshape(len(u), self.count, 2)
+        return shortened(places, self.limits.length)
+
+    def unknowns(self, points: np.ndarray) -> np.ndarray:
+        """Return the unknowns (2 n,) of waypoints (n, 2), moved into the area."""
+        return np.clip((points - self.low) / self.size, 0.0, 1.0).ravel()
+
+    def evolve(
+        self, first: np.ndarray, generations: int, seed: int, report: Callable[[float], None]
+    ) -> np.ndarray:
+        """Return the best unknowns that differential evolution finds from a first track on."""
+        from scipy.optimize import differential_evolution
+
+        rng = np.random.default_rng(seed)
+        m = 8 * -(-max(32, 8 * self.count) // 8)
+        near = first + NEAR * rng.standard_normal((m // 2, len(first)))
+        population = np.vstack([near, rng.random((m - len(near), len(first)))])
+        population[0] = first
+        done = 0
+
+        def cost(u: np.ndarray) -> np.ndarray:
+            nonlocal done
+            check()
+            found = self.cost(u.T)
+            report(done)
+            done += 1
+            return found
+
+        ended = differential_evolution(
+            cost,
+            [(0.0, 1.0)] * len(first),
+            init=np.clip(population, 0.0, 1.0),
+            maxiter=generations,
+            tol=0.0,
+            polish=False,
+            vectorized=True,
+            updating="deferred",
+            seed=rng,
+        )
+        return np.asarray(ended.x)
+
+    def cost(self, u: np.ndarray) -> np.ndarray:
+        """Return -log kappa_1 of unknowns (m, 2 n), or how far they go beyond a limit."""
+        least, extremes = self.tracks(self.points(u))
+        beyond = self.limits.excess(extremes)
+        found = -np.log(np.maximum(least.min(axis=0), LEAST))
+        return np.where(beyond > 0, BEYOND * (1 + beyond), found)
+
+    def climb(self, u: np.ndarray) -> np.ndarray:
+        """Return unknowns uphill of some, the best on the way that keep to the limits."""
+        from scipy.optimize import minimize
+
+        held: dict[bytes, tuple[np.ndarray, np.ndarray]] = {}
+
+        def values(y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+            key = y[:-1].tobytes()
+            if key not in held:
+                check()
+                held.clear()
+                steps = STEP * np.eye(len(u))
+                least, extremes = self.tracks(self.points(np.vstack([y[:-1], y[:-1] + steps])))
+                rows = np.vstack([np.log(np.maximum(least, LEAST)), self.limits.slack(extremes)])
+                held[key] = rows[:, 0], (rows[:, 1:] - rows[:, :1]) / STEP
+            return held[key]
+
+        def above(y: np.ndarray) -> np.ndarray:
+            found = values(y)[0].copy()
+            found[:2] -= y[-1]
+            found[2:] -= INSIDE
+            return found
+
+        def slopes(y: np.ndarray) -> np.ndarray:
+            found = values(y)[1]
+            return np.column_stack([found, np.where(np.arange(len(found)) < 2, -1.0, 0.0)])
+
+        start = np.append(u, 0.0)
+        start[-1] = values(start)[0][:2].min()
+        if not np.isfinite(values(start)[0]).all():
+            return u
+        towards: Any = np.append(np.zeros(len(u)), -1.0)
+        ended = minimize(
+            lambda y: -y[-1],
+            start,
+            jac=lambda y: towards,
+            method="SLSQP",
+            bounds=[(0.0, 1.0)] * len(u) + [(None, None)],
+            constraints={"type": "ineq", "fun": above, "jac": slopes},
+            options={"maxiter": CLIMBS},
+        )
+        way = u + np.linspace(0.0, 1.0, WAY)[:, None] * (np.clip(ended.x[:-1], 0.0, 1.0) - u)
+        return np.asarray(way[np.argmin(self.cost(way))])

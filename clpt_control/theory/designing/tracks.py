@@ -1,0 +1,188 @@
+"""Many tracks of waypoints at once, where nothing is left to learn: e = 0, z = x.
+
+    x' = F_R(x, t) + v                                              Eqs. (1), (7)
+    w  = [phi(x), x_i, zc_i],    kappa_1 = min_i lambda_min(int w w^T dt)
+
+W of Eq. (31) holds z, which depends on the law.  Every law that works ends at e = 0, where W
+depends on the vehicle alone; so the vehicle's own blocks are run, without the learner and
+without the disturbance, which nobody knows beforehand.  Tracks are members of one compiled
+diagram: only the waypoints in its parameters differ.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ...blocks import Block, evaluate
+from ...diagrams.interconnection import wiring_of_blocks
+from ...native.batch import Batch
+from ...native.native_diagram import NativeDiagram
+from ...native.printing import LANES
+from ...scenario.experiment import Scenario
+from ...simulation.loops import paper_blocks, state_of
+from ..excitation.regressor import quadrature
+from ..excitation.transition import regressors
+
+ATOL = 1e-2  # absolute tolerance over the relative one
+BYTES = 100_000_000  # of one array of tracks that are taken together
+
+
+class Extremes(NamedTuple):
+    """The farthest that each of m tracks goes in each piece; NaN where a run failed."""
+
+    speed: np.ndarray  # (m, pieces), largest |v_x|, length per time; NaN where it is not asked
+    low: np.ndarray  # (m, pieces, 2), of the vehicle's positions, length
+    high: np.ndarray  # (m, pieces, 2)
+    share: np.ndarray  # (m,), of the time that was reached
+
+
+class Tracks:
+    """The vehicle of a scenario on tracks of as many waypoints, each held as long as its own.
+
+    It is watched from 0 to `end`, at `looks` times in each piece, its speed where `speeds` asks;
+    `window` is length and start of the Gramian's.
+    """
+
+    def __init__(
+        self,
+        scenario: Scenario,
+        window: tuple[float, float],
+        end: float,
+        looks: int,
+        rtol: float,
+        speeds: bool = True,
+    ):
+        self.scenario = vehicle_alone(scenario)
+        self.end, self.rtol, self.speeds, self.runs = end, rtol, speeds, 0
+        self.blocks = _blocks_of_the_vehicle(self.scenario)
+        self.native = NativeDiagram(wiring_of_blocks(self.blocks))
+        self.callee = self.native.callee(self.native.lanes(LANES))
+        self.schedule = self.native.schedule(0.0, end)
+        self.start = state_of(self.scenario, self.blocks)
+        cuts, self.nodes, self.weights = quadrature(self.scenario, window[1], sum(window))
+        edges, _, _ = quadrature(self.scenario, 0.0, end)
+        self.looks = edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(0.0, 1.0, looks)
+        times = np.concatenate([[0.0], self.nodes.ravel(), self.looks.ravel(), [end]])
+        self.times, self.place = np.unique(times, return_inverse=True)
+        self.held = [self._waypoint(middles(cuts)), self._waypoint(middles(edges))]
+
+    def _waypoint(self, times: np.ndarray) -> np.ndarray:
+        """Return which waypoint is held at times that are no switches."""
+        dwell, count = self.scenario.reference.dwell, len(self.scenario.waypoints)
+        return np.floor(times / dwell).astype(int) % count
+
+    def __call__(self, points: np.ndarray) -> tuple[np.ndarray, Extremes]:
+        """Return kappa_1, (2, m), axis first, and the extremes of tracks (m, n, 2)."""
+        size = 16 * self.nodes.size * (self.scenario.basis.N + 2) + 16 * len(self.times)
+        together = max(8, BYTES // size)
+        parts = [self._together(points[k : k + together]) for k in range(0, len(points), together)]
+        found = [Extremes(*map(np.concatenate, zip(*(part[1] for part in parts), strict=True)))]
+        return np.concatenate([part[0] for part in parts], axis=1), found[0]
+
+    def _together(self, points: np.ndarray) -> tuple[np.ndarray, Extremes]:
+        m = len(points)
+        self.runs += m
+        batch = Batch(
+            self.callee,
+            np.tile(self.start, (m, 1)),
+            self._parameters(points),
+            self.times,
+            [self.schedule],
+        )
+        batch.adaptive(self.rtol, ATOL * self.rtol)
+        x = batch.out[:, self.place]
+        nodes, looks = np.split(x[:, 1:-1], [self.nodes.size], axis=1)
+        share = self.times[np.clip(batch.reached - 1, 0, None)] / self.end
+        return (
+            self._least(nodes.reshape(m, *self.nodes.shape, 2), points),
+            self._extremes(looks.reshape(m, *self.looks.shape, 2), points, share),
+        )
+
+    def _parameters(self, points: np.ndarray) -> np.ndarray:
+        P = np.tile(self.native.parameters(), (len(points), 1))
+        names = [block.name for block in self.blocks]
+        for i, field in enumerate(("x1", "x2")):
+            place = self.native.layout.slots[names.index("reference"), field].offset
+            P[:, place : place + points.shape[1]] = points[:, :, i]
+        return P
+
+    def _least(self, x: np.ndarray, points: np.ndarray) -> np.ndarray:
+        """Return the smallest eigenvalue of each axis, 0 where the run failed."""
+        basis = next(block for block in self.blocks if "phi_x" in block.output_ports)
+        times = np.broadcast_to(self.nodes, x.shape[:-1])
+        phi = evaluate(basis, times.ravel(), x.reshape(-1, 2)).reshape(*x.shape[:-1], -1)
+        zc = np.broadcast_to(points[:, self.held[0], None], x.shape)
+        w = np.sqrt(self.weights)[..., None] * regressors(phi, x, zc)
+        rows = np.nan_to_num(w).reshape(2, len(points), -1, w.shape[-1])
+        if rows.shape[-2] < rows.shape[-1]:
+            return np.zeros(rows.shape[:2])
+        sizes = np.linalg.svd(np.linalg.qr(rows, mode="r"), compute_uv=False)[..., -1] ** 2
+        return np.where(np.isfinite(x).all(axis=(1, 2, 3)), sizes, 0.0)
+
+    def _extremes(self, x: np.ndarray, points: np.ndarray, share: np.ndarray) -> Extremes:
+        speed = np.full(x.shape[:-1], np.nan)
+        if self.speeds:
+            zc = np.broadcast_to(points[:, self.held[1], None], x.shape)
+            times = np.broadcast_to(self.looks, x.shape[:-1]).ravel()
+            ports = {"x": x.reshape(-1, 2), "zc": zc.reshape(-1, 2)}
+            v = _signal("v_x", self.blocks, times, ports)
+            speed = np.hypot(*v.T).reshape(x.shape[:-1])
+        return Extremes(speed.max(axis=2), x.min(axis=2), x.max(axis=2), share)
+
+    def path(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return times and positions of one track at each look, for pictures."""
+        batch = Batch(
+            self.callee,
+            self.start[None],
+            self._parameters(points[None]),
+            self.times,
+            [self.schedule],
+        )
+        batch.adaptive(self.rtol, ATOL * self.rtol)
+        inside = slice(1 + self.nodes.size, -1)
+        return self.looks.ravel(), batch.out[0, self.place][inside]
+
+
+def middles(cuts: np.ndarray) -> np.ndarray:
+    """Return the middle of each piece."""
+    return (cuts[:-1] + cuts[1:]) / 2
+
+
+def vehicle_alone(scenario: Scenario) -> Scenario:
+    """Return the scenario without disturbance, and with waypoints as a list."""
+    return scenario.with_values(
+        {
+            "flow.disturbance": None,
+            "reference": {
+                "kind": "waypoints",
+                "points": scenario.waypoints.tolist(),
+                "dwell": scenario.reference.dwell,
+            },
+        }
+    )
+
+
+def _blocks_of_the_vehicle(scenario: Scenario) -> list[Block]:
+    """Return the blocks that reach x, and no others."""
+    blocks = paper_blocks(scenario)
+    makers = {port: block for block in blocks for port in block.output_ports}
+    wanted, needed = ["x"], set[str]()
+    while wanted:
+        block = makers[wanted.pop()]
+        if block.name not in needed:
+            needed.add(block.name)
+            wanted += block.input_ports
+    return [block for block in blocks if block.name in needed]
+
+
+def _signal(
+    port: str, blocks: list[Block], times: np.ndarray, known: dict[str, np.ndarray]
+) -> np.ndarray:
+    """Return a signal of static blocks, (n, size), made of those known."""
+    if port not in known:
+        block = next(block for block in blocks if port in block.output_ports)
+        inputs = [_signal(name, blocks, times, known) for name in block.input_ports]
+        values = evaluate(block, times, np.concatenate(inputs, axis=1))
+        ends = np.cumsum(list(block.output_ports.values()))[:-1]
+        known |= dict(zip(block.output_ports, np.split(values, ends, axis=1), strict=True))
+    return known[port]
