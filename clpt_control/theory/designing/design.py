@@ -118,7 +118,7 @@ def design_track(
     (True, 3)
     """
     require_scenario(scenario)
-    check_numbers(scenario, length, max_speed, count, dwell)
+    check_numbers(scenario, length, max_speed, count, dwell, level)
     for name, value, least in (("seed", seed, 0), ("generations", generations, 1)):
         if not isinstance(value, int) or not least <= value <= MOST_GENERATIONS:
             raise ScenarioError(

@@ -88,6 +88,7 @@ def check_numbers(
     max_speed: float | None,
     count: int | None,
     dwell: float | None,
+    level: float | None,
 ) -> None:
     """Refuse numbers that no track can have."""
     unit, time = scenario.units.length, scenario.units.time
@@ -95,6 +96,7 @@ def check_numbers(
         ("length", length, unit),
         ("max_speed", max_speed, f"{unit}/{time}"),
         ("dwell", dwell, time),
+        ("level", level, f"{unit}/{time}"),
     ):
         if value is not None and not 0 < value < np.inf:
             raise ScenarioError(f"{name} = {value:g}: must be a positive number of {of}")

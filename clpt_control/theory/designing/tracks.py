@@ -4,9 +4,9 @@
     w  = [phi(x), x_i, zc_i],    kappa_1 = min_i lambda_min(int w w^T dt)
 
 W of Eq. (31) holds z, which depends on the law.  Every law that works ends at e = 0, where W
-depends on the vehicle alone; so the vehicle's own blocks are run, without the learner and
-without the disturbance, which nobody knows beforehand.  Tracks are members of one compiled
-diagram: only the waypoints in its parameters differ.
+depends on the vehicle alone; so the vehicle's own blocks are run, without the learner, and
+without disturbance and noise of the position, which nobody knows beforehand.  Tracks are members
+of one compiled diagram: only the waypoints in its parameters differ.
 """
 
 from typing import NamedTuple
@@ -149,10 +149,11 @@ def middles(cuts: np.ndarray) -> np.ndarray:
 
 
 def vehicle_alone(scenario: Scenario) -> Scenario:
-    """Return the scenario without disturbance, and with waypoints as a list."""
+    """Return the scenario with nothing that is random, and with waypoints as a list."""
     return scenario.with_values(
         {
             "flow.disturbance": None,
+            "localization": None,
             "reference": {
                 "kind": "waypoints",
                 "points": scenario.waypoints.tolist(),
