@@ -88,6 +88,18 @@ def run_dataset(
     speed = {"units": f"{units.length} {units.time}-1"}
     learned = {"long_name": "estimate of the flow parameters theta", **speed}
     data["flow_parameters_estimate"] = (("time", "axis", "basis"), estimate, learned)
+    row = scenario.learning.row
+    if row.readout and law is None:
+        values = signals[:, [column[f"{row.readout}[{k}]"] for k in range(2 * N)]]
+        right = f"theta_hat until {row.shrinking} is small enough"
+        named = {"long_name": f"readout of the flow parameters theta; {right}", **speed}
+        data["flow_parameters_readout"] = (
+            ("time", "axis", "basis"),
+            values.reshape(n, 2, N),
+            named,
+        )
+        left_of = {"long_name": "share of the first error of theta_hat that is left", "units": "1"}
+        data["error_left"] = (("time",), signals[:, column[f"{row.shrinking}[0]"]], left_of)
     if scenario.flow.parameters is not None:
         true = ran["true_flow"].theta
         known = {"long_name": "true flow parameters theta", **speed}

@@ -5,13 +5,20 @@ import pytest
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.theory.proving import judged_laws
+from clpt_control.theory.proving import judged_laws, kept_relations, shrinking_errors
 
 KEEPING = [law for law in LAWS.values() if law.keeps is not None]
-OWN = {"composite-least-squares": "alpha", "composite-memory": "b", "kalman-flow": "P"}
+OWN = {
+    "composite-least-squares": "alpha",
+    "composite-memory": "b",
+    "drem": "alpha",
+    "kalman-flow": "P",
+}
 DROPPED = [(law, OWN[law.name]) for law in KEEPING if law.name in OWN]
 START = [[0.3, -0.2, 0.1], [0.0, 0.4, 0.2]]
 DROPPED += [(law, "q") for law in KEEPING]
+FALLING = [law for law in KEEPING if not law.shrinking]
+SHRINKING = [law for law in KEEPING if law.shrinking]
 
 
 @pytest.fixture(autouse=True)
@@ -27,7 +34,23 @@ def test_without_a_relation_nothing_is_proved(law, port):
     assert judged_laws.judged(law._replace(keeps=fewer)).status == "open"
 
 
-@pytest.mark.parametrize("law", KEEPING, ids=lambda law: law.name)
+@pytest.mark.parametrize("law", SHRINKING, ids=lambda law: law.name)
+def test_a_law_is_bounded_only_where_every_error_shrinks(law, monkeypatch):
+    for page in (kept_relations, shrinking_errors):
+        monkeypatch.setattr(page, "SIZES", (1, 2))
+
+    def fewer(s, p, theta):
+        kept = law.keeps(s, p, theta)
+        first = np.ravel(kept["alpha"])
+        return {**kept, "alpha": [first[0], *s["alpha"][1:]]}
+
+    assert judged_laws.judged(law).status == "bounded"
+    assert judged_laws.judged(law._replace(keeps=fewer)).status == "open"
+    assert judged_laws.judged(law._replace(shrinking="q")).status == "open"
+    assert judged_laws.judged(law._replace(readout="b")).status == "open"
+
+
+@pytest.mark.parametrize("law", FALLING, ids=lambda law: law.name)
 def test_a_wrong_rate_of_V_is_not_proved(law):
     def twice(s, p, theta):
         return 2 * law.gains(s, p, theta)

@@ -39,6 +39,30 @@ class CompositeMemoryParameters(NamedTuple):
     filter: float  # l > 0, per time
 
 
+def memory_rates(dx, Q, b, x, position, pole, forgetting, n):
+    """Fill Q' and b', which stand from Q and b on; phi_f and q come after b."""
+    at = b + 2 * n
+    phi_f, size = x[at : at + n], 1.0
+    for k in range(n):
+        size += phi_f[k] * phi_f[k]
+    for j in range(n):
+        for k in range(n):
+            seen = phi_f[j] * phi_f[k] / size
+            dx[Q + j * n + k] = seen - forgetting * x[Q + j * n + k]
+    for i in range(2):
+        flow = filtered_flow(position[i], x[at + n + i], pole)
+        for j in range(n):
+            dx[b + i * n + j] = flow * phi_f[j] / size - forgetting * x[b + i * n + j]
+
+
+def missed(alpha, Q, b, j, n):
+    """Return entry j of b + alpha Q = eta Q of one axis, length."""
+    found = b[j]
+    for k in range(n):
+        found += Q[j * n + k] * alpha[k]
+    return found
+
+
 def composite_memory(t, x, u, p, dx):
     """alpha' of Eq. (21) with the memory, K', Gamma' of Eqs. (22)-(23), Q', b', filter.
 
@@ -49,25 +73,15 @@ def composite_memory(t, x, u, p, dx):
     e, phi, z, zc = u[0:2], u[2 : 2 + n], u[2 + n : 4 + n], u[4 + n : 6 + n]
     position, v = u[6 + n : 8 + n], u[8 + n : 10 + n]
     Q, b = 2 * n + 4, 2 * n + 4 + n * n
-    at = b + 2 * n
-    phi_f, size = x[at : at + n], 1.0
-    for k in range(n):
-        size += phi_f[k] * phi_f[k]
-    for j in range(n):
-        for k in range(n):
-            seen = phi_f[j] * phi_f[k] / size
-            dx[Q + j * n + k] = seen - p.forgetting * x[Q + j * n + k]
     for i in range(2):
-        flow = filtered_flow(position[i], x[at + n + i], p.filter)
+        alpha, seen = x[i * n : i * n + n], x[b + i * n : b + i * n + n]
         for j in range(n):
-            missed = x[b + i * n + j]
-            for k in range(n):
-                missed += x[Q + j * n + k] * x[i * n + k]
-            dx[i * n + j] = -p.gain * e[i] * phi[j] - p.memory_gain * missed
-            dx[b + i * n + j] = flow * phi_f[j] / size - p.forgetting * x[b + i * n + j]
+            off = missed(alpha, x[Q:b], seen, j, n)
+            dx[i * n + j] = -p.gain * e[i] * phi[j] - p.memory_gain * off
         dx[2 * n + i] = adapt_feedback(p.gain_K, e[i], z[i])
         dx[2 * n + 2 + i] = adapt_feedforward(p.gain_Gamma, e[i], zc[i])
-    filter_rates(dx, at, x, phi, position, v, p.filter, n)
+    memory_rates(dx, Q, b, x, position, p.filter, p.forgetting, n)
+    filter_rates(dx, b + 2 * n, x, phi, position, v, p.filter, n)
 
 
 def composite_memory_law(parameters: CompositeMemoryParameters) -> Block:

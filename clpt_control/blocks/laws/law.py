@@ -88,6 +88,8 @@ class Law(NamedTuple):
     # V' + e^T KD e where they hold; of a law that makes an estimate: what its error grows by
     gains: Callable[..., Any] = lambda states, p, theta: 0
     cone: str = ""  # a state that is a matrix M >= 0
+    shrinking: str = ""  # a state w: every parameter's error is w times its first, and w' <= 0
+    readout: str = ""  # an output that is theta once w has shrunk
     says: str = ""  # V' in words
     alpha_by_gain: bool = True  # whether learning.gain adapts alpha too, not only K and Gamma
     given_estimate: bool = False  # theta_hat is given, alpha = alpha_M, Eq. (13)

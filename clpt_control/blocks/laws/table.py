@@ -7,6 +7,7 @@ from . import (
     composite_least_squares,
     composite_memory,
     dead_zone,
+    drem,
     kalman_flow,
     known_flow,
     leakage,
@@ -28,5 +29,6 @@ LAWS: dict[str, Law] = {
         projection.LAW,
         composite_least_squares.LAW,
         composite_memory.LAW,
+        drem.LAW,
     )
 }

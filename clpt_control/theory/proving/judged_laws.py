@@ -15,6 +15,7 @@ from .kept_relations import GIVEN, kept_steps
 from .lyapunov import decay_and_known_error, identity_steps
 from .own_law import prove
 from .proof import Step
+from .shrinking_errors import shrinking_steps
 from .theorem_loop import law_and_V
 
 POINTS = 1_000  # at which the running blocks of each law are called
@@ -51,6 +52,8 @@ def judged_laws(progress: Callable[[float], None] | None = None) -> dict[str, Ju
 def judged(law: Law) -> JudgedLaw:
     """Judge one law; equations that cannot be read leave it open."""
     try:
+        if law.shrinking:
+            return _with_shrinking_errors(law)
         if law.keeps is not None:
             return _with_kept_relations(law)
         return _of_given_flow(law) if law.given_estimate else _with_own_V(law)
@@ -80,6 +83,15 @@ def _with_kept_relations(law: Law) -> JudgedLaw:
     if failed:
         status, claim = "open", failed[0]
     return JudgedLaw(law.name, status, claim, False, steps)
+
+
+def _with_shrinking_errors(law: Law) -> JudgedLaw:
+    """Judge a law of which no parameter's error rises."""
+    steps = tuple(shrinking_steps(law, POINTS))
+    failed = [f"{s.claim} ({s.detail})" for s in steps if not s.holds]
+    claim = f"V' = {law.says}: in the mean |e| <= |eta phi| over the least of KD"
+    status = "open" if failed else "bounded"
+    return JudgedLaw(law.name, status, failed[0] if failed else claim, False, steps)
 
 
 def _of_given_flow(law: Law) -> JudgedLaw:

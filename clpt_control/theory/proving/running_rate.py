@@ -174,7 +174,7 @@ def numeric(expression: sympy.Expr) -> tuple[Any, list[Any]]:
     if expression.has(TIME):
         symbols.append(TIME)
     plain = {s: sympy.Dummy(f"s{k}") for k, s in enumerate(symbols)}
-    text = expression.subs(plain, simultaneous=True)
+    text = expression.xreplace(plain)
     return sympy.lambdify(list(plain.values()), text, [space, "scipy", "numpy"], cse=True), symbols
 
 

@@ -32,7 +32,7 @@ def theorem_scenario(
 ) -> Scenario:
     """Return a scenario with N functions, whose numbers become symbols with their signs.
 
-    KD and gamma are positive; theta, theta_hat, alpha_M and GammaD have either sign.
+    KD and gamma are positive; theta, theta_hat, alpha_M, alpha(0) and GammaD have either sign.
     """
     signs = np.array([[1.0], [-1.0]]) * np.arange(1, N + 1)
     known = law == "known-flow"
@@ -51,7 +51,7 @@ def theorem_scenario(
             "vehicle.max_speed": None if speed == "no limit" else 1.5,
             "learning.hedging": None if speed == "no limit" else speed == "hedged",
             "learning.law": law,
-            "learning.parameters": None,
+            "learning.parameters": None if known else (0.2 * signs).tolist(),
             "learning.theta_estimate": (0.4 * signs).tolist() if known else None,
         }
     )

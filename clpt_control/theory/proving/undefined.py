@@ -85,5 +85,7 @@ def undefined(name: str, arguments: tuple) -> str | None:
         return None
     sentence, known = DEMANDS[name]
     arguments = tuple(map(sympy.sympify, arguments))
+    if name == "div" and positive_maximum(arguments[1]):
+        return None
     shallow = all(extent(a)[1] <= DEEPEST for a in arguments)
     return None if shallow and known(*arguments) else sentence.format(*arguments)

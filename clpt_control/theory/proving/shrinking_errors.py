@@ -1,0 +1,127 @@
+"""Prove a law of which no parameter's error ever rises: eta = w eta(0), w' = -f w, f >= 0.
+
+Such a law takes no part of e into alpha', so that V' has e^T eta phi left, as in Theorem 3.1:
+
+    V' = -e^T KD e + e^T eta phi - f |eta|^2/gamma,    |eta_ik| never rises
+
+which bounds the mean square of e by that of eta phi.  That eta = w eta(0) is kept is shown as in
+`kept_relations`; the readout is theta where its condition holds.
+"""
+
+from typing import Any
+
+import numpy as np
+import sympy
+
+from ...blocks.laws.law import Law
+from ...blocks.symbolic import UNEXPANDED
+from .boundedness import young_step
+from .kept_relations import SIZES, Kept, kept_step, vanishes
+from .lyapunov import claimed, decay, short
+from .proof import Step, checked
+from .quadratic_forms import positive_maximum
+from .running_rate import compared
+
+MAXIMUM = sympy.Function(UNEXPANDED["maximum"], real=True)
+WHERE = sympy.Function(UNEXPANDED["where"], real=True)
+
+
+def shrinking_steps(law: Law, points: int) -> list[Step]:
+    """Check a law whose row names the state with which every parameter's error shrinks."""
+    cases = [Kept(law, N) for N in SIZES]
+
+    def shrinks() -> tuple[bool, str]:
+        for N, case in zip(SIZES, cases, strict=True):
+            f = rate_of_shrinking(case, law)
+            if not f.is_nonnegative or sympy.expand(f) == 0:
+                return False, f"N = {N}: {law.shrinking}' = {short(case.rates[law.shrinking][0])}"
+        return True, ""
+
+    def all_errors() -> bool:
+        return all(_is_all_of_alpha(case, law) for case in cases)
+
+    def falls() -> tuple[bool, str]:
+        for N, case in zip(SIZES, cases, strict=True):
+            rest = case.here(case.rate - claimed(case.loop, decay) - driven(case, law))
+            if not vanishes(rest):
+                return False, f"N = {N}, left over: {short(rest)}"
+            if case.loop.undefined:
+                return False, case.loop.undefined[0]
+        return True, ""
+
+    def running() -> tuple[bool, str]:
+        case = cases[1]
+        found = compared(case.diagram, case.loop, case.untied, points)
+        if found.where is not None:
+            return False, f"differs by {found.worst:.1e} of V at {found.where}"
+        return True, f"{found.points} points, largest difference {found.worst:.0e} of V"
+
+    w = law.shrinking
+    steps = [
+        kept_step(cases),
+        checked(f"eta = {w} eta(0) for every parameter", "exact", all_errors, False),
+        checked(f"{w}' = -f {w}, f >= 0, so no parameter's error rises", "exact", shrinks, False),
+        checked(f"V' = {law.says}, N = 1, 2, 3", "exact", falls, False),
+        checked(
+            "V is not negative", "exact", lambda: all(k.not_negative(k.V) for k in cases), False
+        ),
+        young_step(),
+        checked("the running blocks give the same V'", "sampled", running, False),
+    ]
+    if law.readout:
+        claim = f"{law.readout} is theta where its condition holds, and -alpha elsewhere"
+        steps.insert(3, checked(claim, "exact", lambda: all(_reads(k, law) for k in cases), False))
+    return steps
+
+
+def rate_of_shrinking(case: Kept, law: Law) -> sympy.Expr:
+    """Return f of w' = -f w, each maximum(a, b) with a positive one a positive symbol."""
+    (w,), (rate,) = case.states[law.shrinking], case.rates[law.shrinking]
+    words = [word for word in rate.atoms(MAXIMUM) if positive_maximum(word)]
+    words.sort(key=lambda word: len(str(word)), reverse=True)  # the outer before the inner
+    for word in words:
+        rate = rate.xreplace({word: sympy.Dummy("m", positive=True)})
+    f = -rate / w
+    return sympy.nan if f.has(w) else f
+
+
+def driven(case: Kept, law: Law) -> sympy.Expr:
+    """Return e^T eta phi - f |eta|^2/gamma, gamma those of V."""
+    p, loop = case.loop.parameters, case.loop
+    eta = p["true_flow"].theta + case.states["alpha"].reshape(2, -1)
+    w, rate = case.states[law.shrinking][0], case.rates[law.shrinking][0]
+    pushed = sum(loop.signals["e"] * (eta @ loop.inputs["phi_x"]))
+    return pushed + rate / w * np.sum(eta**2 / p["lyapunov"].gain)
+
+
+def _is_all_of_alpha(case: Kept, law: Law) -> bool:
+    """Return whether each alpha is kept at w times what does not move, less theta."""
+    (w,) = case.states[law.shrinking]
+    moving = {s for port in case.loop.states.values() for s in port}
+    theta = case.loop.parameters["true_flow"].theta.ravel()
+    for alpha, own in zip(case.states["alpha"], theta, strict=True):
+        eta = sympy.expand(case.relations.get(alpha, alpha) + own)
+        first = sympy.cancel(eta / w)
+        if first == 0 or first.free_symbols & moving or not first.has(own):
+            return False
+    return True
+
+
+def _reads(case: Kept, law: Law) -> bool:
+    """Return whether a readout where(1 - w >= m, a, -alpha) is theta in its first branch."""
+    (w,) = case.states[law.shrinking]
+    theta = case.loop.parameters["true_flow"].theta.ravel()
+    triples = zip(case.loop.signals[law.readout], case.states["alpha"], theta, strict=True)
+    return all(_is_readout(case, *triple, w) for triple in triples)
+
+
+def _is_readout(case: Kept, found: Any, alpha: Any, theta: Any, w: Any) -> bool:
+    if not isinstance(found, WHERE):
+        return False
+    condition, then, before = found.args
+    if str(getattr(condition, "func", "")) != "ge" or condition.args[0] != 1 - w:
+        return False
+    margin = condition.args[1]
+    known = {MAXIMUM(*pair): 1 - w for pair in ((margin, 1 - w), (1 - w, margin))}
+    right = vanishes(case.here(then.subs(known)) - theta)
+    return bool(margin.is_positive) and right and sympy.expand(before + alpha) == 0

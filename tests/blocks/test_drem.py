@@ -1,0 +1,157 @@
+"""DREM against closed forms and NumPy: each error shrinks by itself, theta is read in finite time.
+
+S adj(Q S) against det times inverse; one function seen without CLPE, phi = 1, has
+Q = int phi_f^2/(1 + phi_f^2), Delta = Q/max(Q, 1/l) and eta = eta(0) exp(-g int min(1, Delta/c)^2).
+"""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+from scipy.integrate import cumulative_simpson
+
+import clpt_control as clpt
+from clpt_control.blocks.laws.drem import DremParameters, drem_law, mixing
+from clpt_control.errors import ScenarioError
+
+PAPERS = 0.257  # largest error of the paper's law at t = 200, its gains adapted
+TRUE = {"learning.feedback": [1, 1], "learning.feedforward": [1, 1]}
+HELD = {"learning.adapt_gains": False, **TRUE}
+STARTS = {"learning.parameters": [[0.3, -0.2, 0.1], [0.0, 0.4, -2.0]]}
+
+
+def of_paper(**more):
+    paper = clpt.paper_scenario().with_values({"learning.law": "drem", "run.duration": 200.0})
+    return paper.with_values(more)
+
+
+def errors(run):
+    """Return |theta_hat - theta| and |readout - theta| by time, axis and basis."""
+    theta = run.flow_parameters
+    found = (run.flow_parameters_estimate, run.flow_parameters_readout)
+    return [np.abs((one - theta).transpose("time", ...).values) for one in found]
+
+
+@st.composite
+def memories(draw):
+    """Symmetric matrices, and diagonals to scale them."""
+    n = draw(st.integers(1, 6))
+    numbers = st.floats(-1, 1, width=32)
+    half = draw(hnp.arrays(float, (n, n), elements=numbers))
+    S = draw(hnp.arrays(float, n, elements=st.floats(0.25, 1, width=32)))
+    return half + half.T, S
+
+
+@settings(max_examples=200, deadline=None, derandomize=True)
+@given(memories())
+def test_the_adjugate_is_numpys(memory):
+    Q, S = memory
+    n = len(Q)
+    mixed, A = np.zeros(n * n), Q * S
+    Delta = mixing(mixed, np.zeros(n), Q.ravel(), S, n)
+    size = max(np.linalg.norm(A), 1.0) ** n
+    assert Delta == pytest.approx(np.linalg.det(A), abs=1e-11 * size)
+    cofactors = np.empty((n, n))  # singular ones have an adjugate too
+    for j in range(n):
+        for k in range(n):
+            minor = np.delete(np.delete(A, j, 0), k, 1)
+            cofactors[k, j] = (-1) ** (j + k) * (np.linalg.det(minor) if n > 1 else 1.0)
+    wanted = S[:, None] * cofactors
+    np.testing.assert_allclose(mixed.reshape(n, n), wanted, rtol=0, atol=1e-11 * size)
+
+
+def test_one_function_is_the_closed_form():
+    g, c, pole = 0.7, 0.6, 1.5
+    theta, first = np.array([0.6, -0.4]), np.array([[0.2], [0.5]])
+    law = drem_law(DremParameters(1, g, c, 0.3, 0.0, 0.0, 0.0, pole, first))
+    inputs = {"e": 2, "phi_x": 1, "z": 2, "zc": 2, "x": 2, "v_x": 2}
+    t = np.linspace(0, 8, 1601)
+    u = np.zeros((11, len(t)))
+    u[2], u[7:9] = 1.0, theta[:, None] * t
+    start = np.zeros(13)
+    start[:2], start[12] = first.ravel(), 1.0
+    run = clpt.simulate(clpt.connect([law], external=list(inputs)), t, u, start, rtol=1e-11)
+    phi_f = 1 - np.exp(-pole * t)
+    Q = cumulative_simpson(phi_f**2 / (1 + phi_f**2), x=t, initial=0)
+    Delta = Q / np.maximum(Q, 1 / pole)
+    w = np.exp(-g * cumulative_simpson(np.minimum(1, (Delta / c) ** 2), x=t, initial=0))
+    np.testing.assert_allclose(run.states[12], w, atol=1e-5)  # the kinks are between samples
+    eta = w * (theta[:, None] + first)
+    np.testing.assert_allclose(run.states[:2], eta - theta[:, None], atol=2e-5)
+    late = run.states[12] < 0.7
+    assert 0.1 < late.mean() < 0.9
+    np.testing.assert_allclose(run.outputs[13:, late], np.tile(theta[:, None], late.sum()))
+    np.testing.assert_allclose(run.outputs[13:, ~late], -run.states[:2, ~late])
+
+
+@pytest.mark.parametrize("held", [{}, HELD], ids=["adapted", "held"])
+def test_each_error_only_shrinks_and_together(held):
+    run = clpt.simulate(of_paper(**{**STARTS, **held, "run.output_step": 0.1}))
+    off, _ = errors(run)
+    assert np.all(np.diff(off, axis=0) <= 1e-13)
+    first, w = off[0], run.error_left.values
+    np.testing.assert_allclose(off, w[:, None, None] * first, atol=1e-12)
+    assert w[0] == 1
+    assert w[-1] < 1e-9
+
+
+@pytest.mark.parametrize("held", [{}, HELD], ids=["adapted", "held"])
+def test_the_flow_is_learned_a_hundred_times_closer_than_by_the_papers_law(held):
+    off, _ = errors(clpt.simulate(of_paper(**held)))
+    assert off[-1].max() <= PAPERS / 100
+
+
+@pytest.mark.parametrize("margin", [0.1, 0.5])
+def test_theta_is_read_in_finite_time(margin):
+    own = {"margin": margin, "rate": 0.02}  # slow, so that much of the first error is left
+    run = clpt.simulate(of_paper(**{**STARTS, "learning.drem": own}))
+    off, read = errors(run)
+    right = 1 - run.error_left.values >= margin
+    assert read[right].max() < 1e-11
+    np.testing.assert_array_equal(read[~right], off[~right])
+    assert off[right][0].max() > 0.5  # the estimate itself is not there yet
+    assert right[-1]
+    assert not right[0]
+
+
+def test_a_faint_track_teaches_nothing_wrong():
+    """One waypoint: the functions are seen in few ways, and nothing moves away from theta."""
+    still = {"kind": "waypoints", "points": [[3.0, 0.0]], "dwell": 20.0}
+    off, _ = errors(clpt.simulate(of_paper(**{**STARTS, "reference": still})))
+    assert np.all(np.diff(off, axis=0) <= 1e-12)
+
+
+def of_many(N):
+    """The paper's scenario with more functions on two rings."""
+    turn = 2 * np.pi * np.arange(N) / N
+    ring = (5 + 3 * (np.arange(N) % 2)) * np.array([np.cos(turn), np.sin(turn)])
+    return clpt.paper_scenario().with_values(
+        {
+            "basis.centers": ring.T.tolist(),
+            "basis.widths": [3.0] * N,
+            "basis.periods": [9.0 + 2 * k for k in range(N)],
+            "basis.phases": [0.0] * N,
+            "flow.parameters": np.linspace(-1, 1, 2 * N).reshape(2, N).tolist(),
+            "model.parameters": [[0.0] * N] * 2,
+            "learning.parameters": [[0.0] * N] * 2,
+            "learning.law": "drem",
+            "run.duration": 200.0,
+        }
+    )
+
+
+def test_six_functions_are_mixed_and_seven_refused():
+    off, read = errors(clpt.simulate(of_many(6)))
+    assert np.all(np.diff(off, axis=0) <= 1e-10)
+    assert off[-1].max() < 1e-9
+    assert read[-1].max() < 1e-9
+    with pytest.raises(ScenarioError, match=r'"drem": the basis has 7 functions.*use "composite'):
+        clpt.simulate(of_many(7))
+
+
+def test_a_margin_that_is_never_reached_is_refused():
+    with pytest.raises(ScenarioError, match=r"learning.drem.margin = 1.0: must be less than 1"):
+        clpt.simulate(of_paper(**{"learning.drem": {"margin": 1.0}}))
+    with pytest.raises(ScenarioError, match=r"learning.drem.excitation = 2.0: must be at most 1"):
+        clpt.simulate(of_paper(**{"learning.drem": {"excitation": 2.0}}))
