@@ -122,7 +122,7 @@ def drem(t, x, u, p, dx):
 
 
 def output(t, x, u, p, y):
-    """The states, and readout[2N]: theta_FT once 1 - w >= margin, theta_hat before."""
+    """The states, and readout[2N] of theta, Eq. (3): theta_FT once 1 - w >= margin."""
     n = p.N
     size = n * n + 5 * n + 7
     gone = 1 - x[size - 1]

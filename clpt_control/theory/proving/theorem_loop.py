@@ -11,6 +11,7 @@ import numpy as np
 
 from ...blocks import Block
 from ...blocks.laws.law import Law, Truth
+from ...blocks.laws.table import LAWS
 from ...blocks.lyapunov import lyapunov_candidate, one_gain
 from ...diagrams.interconnection import Diagram, connect
 from ...scenario.experiment import Scenario
@@ -51,7 +52,7 @@ def theorem_scenario(
             "vehicle.max_speed": None if speed == "no limit" else 1.5,
             "learning.hedging": None if speed == "no limit" else speed == "hedged",
             "learning.law": law,
-            "learning.parameters": None if known else (0.2 * signs).tolist(),
+            "learning.parameters": None if LAWS[law].keeps_alpha else (0.2 * signs).tolist(),
             "learning.theta_estimate": (0.4 * signs).tolist() if known else None,
         }
     )
