@@ -57,16 +57,26 @@ STARTS = {
 
 def names_held(scenario: Any, key: str, known: Collection[str]) -> tuple[str, ...]:
     """Return which parameters of a scenario's blocks, of those known, hold a key's value."""
+    if key in scenario.learning.row.made_of:  # held elsewhere too, in another form
+        return ()
+    return tuple(name for name in _names(scenario, key) if name in known)
+
+
+def _names(scenario: Any, key: str) -> tuple[str, ...]:
+    """Return which parameters hold a key's value in this scenario, whatever else is made of it."""
     names, learning = CALL_TIME_NAMES.get(key, ()), scenario.learning
-    if key in learning.row.made_of:  # held elsewhere too, in another form
-        names = ()
     if key == "learning.gain" and not learning.adapt_gains:
         names = names[:1]  # the others are 0
     if key.startswith("learning.gain") and key.startswith("learning.gains.") == (
         learning.gains is None
     ):
         names = ()
-    return tuple(name for name in names if name in known)
+    return names
+
+
+def keys_of(scenario: Any, name: str) -> list[str]:
+    """Return the keys of a scenario whose value a call-time name holds."""
+    return [key for key in CALL_TIME_NAMES if name in _names(scenario, key)]
 
 
 def keys_alone(scenario: Any, known: Collection[str]) -> dict[str, str]:

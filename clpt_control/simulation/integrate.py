@@ -5,7 +5,6 @@ be repeated; a diagram gives python-control's own `TimeResponseData`.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
 from typing import TYPE_CHECKING, Any, overload
 
 import control
@@ -20,7 +19,7 @@ from ..native.ending import Solution
 from ..native.engines import chosen
 from ..native.inputs import checked_state, checked_times, read_inputs
 from ..scenario.experiment import Scenario
-from ..scenario.keys import STARTS, keys_alone
+from ..scenario.keys import STARTS, keys_alone, keys_of
 from .dataset import run_dataset
 from .loops import paper_blocks, starting_values, state_columns, state_of
 from .speeds import note_speeds, speeds_of
@@ -124,7 +123,7 @@ def simulate(
         If the run cannot go on (block, signal and time are named), or an
         argument is not allowed.
     BlockError
-        If a call-time parameter is unknown.
+        If a call-time parameter is unknown, or has a value that no scenario may have.
 
     Examples
     --------
@@ -269,6 +268,23 @@ def _simulate_diagram(
     )
 
 
+def _checked(scenario: Scenario, name: str, value: Any) -> Scenario:
+    """Return a scenario with a call-time value in its key; refuse what no scenario may have."""
+    if value is None:
+        raise BlockError(f"params: {name} = None: must be a number or an array")
+    held = name.endswith((".gain_K", ".gain_Gamma")) and np.array_equal(value, 0.0)
+    changed = scenario
+    for key in () if held else keys_of(scenario, name):
+        try:
+            changed = scenario.with_values({key: value})
+        except ScenarioError as error:
+            raise BlockError(
+                f"params: {name}, the scenario's {str(error).partition(': ')[2]}; simulate the "
+                "diagram, closed_loop(scenario), to try what no scenario may have"
+            ) from None
+    return changed
+
+
 def _into_keys(
     scenario: Scenario, params: Mapping[str, Any] | None, x0: Any, law: Block | None
 ) -> tuple[Scenario, dict[str, Any]]:
@@ -283,9 +299,10 @@ def _into_keys(
     if law is not None:  # no key holds what is in it
         known = {name for name in known if name.partition(".")[0] != law.name}
     alone = keys_alone(scenario, known)
-    for name in [name for name in left if name in alone]:
-        with suppress(ScenarioError):  # a value that no scenario may have runs, and is recorded
-            scenario = scenario.with_values({alone[name]: left[name]})
+    for name in [name for name in left if name in known]:
+        changed = _checked(scenario, name, left[name])
+        if name in alone:
+            scenario = changed
             del left[name]
     if x0 is not None:
         columns = state_columns(blocks)

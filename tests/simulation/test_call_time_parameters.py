@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control.errors import DataError
+from clpt_control.errors import BlockError, DataError
 
 PAPER = clpt.paper_scenario().with_values({"run.duration": 40})
 
@@ -63,3 +63,34 @@ def test_what_no_key_holds_is_refused_when_run_again(params, tmp_path):
     with pytest.raises(DataError, match=rf"{name}.*cannot be repeated"):
         clpt.load_scenario(tmp_path / "run.nc")
     identical(clpt.load_run(tmp_path / "run.nc"), run)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "sentence"),
+    [
+        ("adaptation.gain", -1, r"learning\.gain = -1: must be greater than 0"),
+        ("adaptation.gain", 0.0, r"learning\.gain = 0\.0: must be greater than 0"),
+        ("adaptation.gain", np.nan, r"learning\.gain = nan: must be a finite number"),
+        ("adaptation.gain", None, r"adaptation\.gain = None: must be a number"),
+        ("vehicle_controller.KD", [-1.0, 1.0], r"vehicle\.feedback\[0\] = -1\.0: must be greater"),
+        ("basis_x.widths", [-4.0, 5.0, 6.0], r"basis\.widths\[0\] = -4\.0: must be greater"),
+        ("reference.dwell", 0.0, r"reference\.dwell = 0\.0: must be greater than 0"),
+    ],
+)
+def test_what_no_scenario_may_have_is_refused(name, value, sentence):
+    with pytest.raises(BlockError, match=rf"params: .*{sentence}"):
+        clpt.simulate(PAPER, params={name: value})
+
+
+def test_a_gain_each_is_asked_of_the_one_key_unless_it_holds():
+    memory = PAPER.with_values({"learning.law": "composite-memory"})
+    with pytest.raises(BlockError, match=r"adaptation\.gain_K, .*learning\.gain = -1"):
+        clpt.simulate(memory, params={"adaptation.gain_K": -1.0})
+    run = clpt.simulate(memory, params={"adaptation.gain_K": 0.0})
+    assert np.all(run.feedback_gain == 0.0)
+
+
+def test_a_diagram_runs_with_any_number():
+    loop, state = clpt.closed_loop(PAPER), clpt.initial_state(PAPER)
+    found = clpt.simulate(loop, [0.0, 5.0], initial_state=state, params={"adaptation.gain": 0.0})
+    np.testing.assert_array_equal(found.states[4:, -1], state[4:])  # nothing adapts
