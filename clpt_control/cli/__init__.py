@@ -57,6 +57,7 @@ def application() -> "typer.Typer":
 
     from .design import design
     from .ensemble import ensemble
+    from .estimate import estimate
     from .excitation import excitation
     from .fit import fit
     from .laws import laws
@@ -74,7 +75,7 @@ def application() -> "typer.Typer":
         pretty_exceptions_enable=False,
     )
     one, theory = (init, paper, run, diagram), (laws, prove, excitation, design)
-    many = (ensemble, *theory, fit, tides, replay)
+    many = (ensemble, *theory, estimate, fit, tides, replay)
     for command in (*one, *many):
         app.command()(command)
     return app

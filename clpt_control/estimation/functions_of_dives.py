@@ -1,0 +1,86 @@
+"""A basis for a glider's dives: currents everywhere, and gaussians on a lattice about the track.
+
+    steady: phi = 1;  a tide: cos(w t) and sin(w t);  a place: exp(-|x - c|^2/(2 width^2))
+
+The places are those of `gaussian_places`: only starts and dead reckoning of the dives are read.
+"""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..blocks import Block
+from ..blocks.basis import BasisParameters, flow_basis
+from ..errors import DataError, ScenarioError
+from ..scenario.tides import period
+from .dive import Dive
+from .fix_model import WIDTH
+from .gaussian_places import SPACING, near
+from .priors import Priors
+
+WIDE = 1e12  # m, of a gaussian that is 1 everywhere on Earth
+
+
+def dive_basis(
+    dives: Sequence[Dive],
+    width: float | None = WIDTH,
+    constituents: Sequence[str] = ("steady",),
+) -> tuple[Block, np.ndarray]:
+    """Make a flow basis for dives, and what is believed of it before.
+
+    Parameters
+    ----------
+    dives : sequence of Dive
+        In their order; their ends are not read.
+    width : float or None
+        Of the gaussians, m, which stand 1.5 widths apart where the track comes near; None for
+        no gaussians.
+    constituents : sequence of str
+        Currents that are the same everywhere: ``"steady"``, ``"M2"``, ...
+
+    Returns
+    -------
+    basis : Block
+        phi of Eq. (5), x in m east and north of the first dive's start, time in s since 1970.
+    prior : ndarray, shape (N,)
+        Standard deviation of each parameter, m/s (`Priors`).
+
+    Raises
+    ------
+    DataError
+        If there is no dive.
+    ScenarioError
+        If a constituent is unknown, or there is no function.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> basis, prior = clpt.estimation.dive_basis(clpt.gliders.sample_dives(), width=20e3)
+    >>> basis.output_ports, prior[:2].tolist()
+    ({'phi_x': 9}, [0.3, 0.15])
+    """
+    if not dives:
+        raise DataError("no dive is given; a basis of dives needs one at least")
+    priors, turn = Priors(), -math.pi / 2
+    rows = []  # center, width, frequency, phase, prior
+    for name in constituents:
+        w = 2 * math.pi / period(name, "s")
+        sd = priors.tide if w else priors.current
+        rows += [((0.0, 0.0), WIDE, w, phase, sd) for phase in ((0.0, turn) if w else (0.0,))]
+    if width is not None:
+        if not (math.isfinite(width) and width > 0):
+            raise ScenarioError(f"width = {width:g} m: must be positive, or None for no gaussians")
+        places = None
+        for dive in dives:
+            places = near(places, dive, width)
+        for i, j in places.cells if places else ():
+            center = (SPACING * width * i, SPACING * width * j)
+            rows.append((center, width, 0.0, 0.0, priors.gaussian))
+    if not rows:
+        raise ScenarioError("no function: give a constituent or a width")
+    centers, widths, frequencies, phases, prior = (
+        np.array(column) for column in zip(*rows, strict=True)
+    )
+    parameters = BasisParameters(len(rows), centers, widths, frequencies, phases)
+    return flow_basis("basis_x", "x", "gaussian", parameters), prior

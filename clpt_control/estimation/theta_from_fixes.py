@@ -1,0 +1,324 @@
+"""theta of Eq. (3) from segments, for the known-flow law (Remark 3.2): three ways to one number.
+
+    y_s = theta h_s + n_s,    n_s ~ r_s^2 I,    each row of theta ~ prior^2    (`segments`)
+
+least-squares   theta = theta_0 + (sum y~ h^T/r^2) P,  P^-1 = P_0^-1 + sum h h^T/r^2,
+                y~ = y - theta_0 h, with h along the track that is known
+kalman          the same one by one, P <- P + w^2 dt I before each: k = P h/(r^2 + h^T P h),
+                theta <- theta + (y - theta h) k^T, P <- P - k h^T P
+tomography      the track is not known: h along the track that theta predicts, least squares for
+                theta, and again until it settles.  Then y is what the predicted track misses by
+
+P is N x N and serves both axes.  Without a walk w the filter ends at least squares.
+Sources: R. E. Kalman, "A new approach to linear filtering and prediction problems", 1960; D.
+Chang, W. Wu, C. R. Edwards, F. Zhang, "Motion tomography: mapping flow fields using autonomous
+underwater vehicles", International Journal of Robotics Research 36, 320-336, 2017.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from ..blocks import Block
+from ..blocks.laws.filtered_flow import mean_feedback, reach
+from ..errors import DataError, ScenarioError
+from ..progress.interrupt import check
+from ..scenario.experiment import Scenario
+from .dive import Dive
+from .priors import QUARTER_DAY, Priors
+from .run_segments import run_scenario, run_segments
+from .segments import Segments, dive_segments
+
+if TYPE_CHECKING:
+    import xarray
+
+MOST = 100  # turns of the tomography
+SETTLED = 1e-9  # of the prior
+Method = Literal["least-squares", "kalman", "tomography"]
+
+
+@dataclass(frozen=True)
+class FlowEstimate:
+    """An estimate of theta with how well it is known.
+
+    Attributes
+    ----------
+    theta : ndarray, shape (2, N)
+        In the unit of speed of the run; m/s for dives.
+    covariance : ndarray, shape (N, N)
+        Of each row of theta.
+    misses : ndarray, shape (n, 2)
+        What theta leaves of the segments' misses, length.
+    condition_number : float
+        The largest over the smallest singular value of the integrals h, each over its noise.
+    steps : ndarray, shape (k, 2, N)
+        theta after each segment of the filter or each turn of the tomography.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> dive = clpt.gliders.make_dive(1, (0.0, 0.0, 8.0), (9000.0, 0.0, 8.02), (500.0, 0.0))
+    >>> basis, prior = clpt.estimation.dive_basis([dive], width=None)
+    >>> found = clpt.estimation.flow_estimate([dive], basis=basis, prior=prior)
+    >>> found.theta.round(2).tolist(), found.miss(dive).round()
+    ([[0.19], [0.0]], array([1696.,    0.]))
+    """
+
+    theta: np.ndarray
+    covariance: np.ndarray
+    misses: np.ndarray
+    condition_number: float
+    steps: np.ndarray
+    basis: Block = field(repr=False)
+    origin: tuple[float, float] | None = None
+
+    @property
+    def standard_deviation(self) -> np.ndarray:
+        """Of each theta, shape (N,): the same for both axes."""
+        return np.sqrt(np.diag(self.covariance))
+
+    def miss(self, dive: Dive) -> np.ndarray:
+        """Forecast a dive's miss, (2,), m; its end is not read."""
+        if self.origin is None:
+            raise DataError("the estimate is of a run; one of dives forecasts dives")
+        segments = dive_segments([dive], self.origin)
+        track = segments.predicted(self.basis, self.theta)[0]
+        return track[-1] - segments.start[0] - segments.water[0, -1]
+
+
+def flow_estimate(
+    data: "xarray.Dataset | Sequence[Dive]",
+    method: Method = "least-squares",
+    *,
+    basis: Block | None = None,
+    every: float | None = None,
+    prior: float | np.ndarray | None = None,
+    noise: float | np.ndarray | None = None,
+    walk: float | np.ndarray | None = None,
+    start: np.ndarray | None = None,
+) -> FlowEstimate:
+    """Estimate the flow parameters theta from fix to fix.
+
+    Parameters
+    ----------
+    data : xarray.Dataset or sequence of Dive
+        A run, whose vehicle has a fix each `every`, or dives in their order.
+    method : str
+        ``"least-squares"``, ``"kalman"`` or ``"tomography"``, which of a run reads the fixes and
+        the velocity through the water, and no position between.
+    basis : Block, optional
+        phi of Eq. (5) at x; of a run that of its scenario. `dive_basis` makes one for dives.
+    every : float, optional
+        Time between fixes of a run; by default a tenth of ``reference.dwell``.
+    prior : float or array_like, shape (N,), optional
+        Standard deviation of each theta before any fix; by default the law's of a run, 0.3 k R
+        with the mean k of KD and the track's reach R, and 0.3 m/s of dives.
+    noise : float or array_like, shape (n,), optional
+        Standard deviation of a miss, length: by default 1e-4 R of a run, or what its samples leave
+        open where that is more; of dives 30 m and 0.04 m/s over their time (`Priors`).
+    walk : float or array_like, shape (N,), optional
+        Of each theta, for the filter alone: speed per square root of time; by default 0 of a run,
+        and of dives 0.13 of the prior in six hours (`Priors`).
+    start : array_like, shape (2, N), optional
+        theta before any fix; by default alpha_M of a run, 0 of dives.
+
+    Returns
+    -------
+    FlowEstimate
+        `theta`, its `covariance`, what is left of the `misses`, and the `steps` to it.
+
+    Raises
+    ------
+    DataError
+        If there is no segment, a number is not finite, the run's samples are too coarse, or the
+        tomography does not settle.
+    ScenarioError
+        If an argument is not allowed, or the scenario's vehicle reads noisy positions.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> values = {"run.duration": 60, "run.output_step": 0.1}
+    >>> run = clpt.simulate(clpt.paper_scenario().with_values(values))
+    >>> found = clpt.estimation.flow_estimate(run, "tomography")
+    >>> found.theta.round(2).tolist()
+    [[1.0, 0.4, 0.8], [0.9, 0.4, 0.8]]
+    """
+    if method not in METHODS:
+        raise ScenarioError(f"method {method!r}: must be one of {', '.join(METHODS)}")
+    origin, doubt, usual_prior, usual_start = None, 0.0, Priors().current, None
+    if isinstance(data, Sequence):
+        if not data:
+            raise DataError("no dive is given; an estimate needs one at least")
+        if basis is None or every is not None:
+            raise ScenarioError("dives need a basis, such as that of dive_basis, and no every")
+        origin = (data[0].lat_gps2, data[0].lon_gps2)
+        segments, usual_noise = dive_segments(data, origin), dive_noise(data)
+    else:
+        scenario = run_scenario(data)
+        segments, own, doubt = run_segments(data, scenario, every)
+        basis, known = own if basis is None else basis, scenario.known_to_law
+        usual_prior = 0.3 * mean_feedback(known) * reach(known)
+        usual_noise = np.full(len(segments.start), max(1e-4 * reach(known), doubt))
+        usual_start = known.alpha_M if basis is own else None
+    n, N = len(segments.start), _functions(basis)
+    sd = _numbers("prior", usual_prior if prior is None else prior, (N,))
+    r = _numbers("noise", usual_noise if noise is None else noise, (n,))
+    if walk is not None and method != "kalman":
+        raise ScenarioError(f'walk: is for the method "kalman", not for "{method}"')
+    usual_walk = 0.0 if origin is None else dive_walk(sd)
+    w = _numbers("walk", usual_walk if walk is None else walk, (N,), zero=True)
+    usual = np.zeros((2, N)) if usual_start is None else usual_start
+    theta = usual if start is None else np.asarray(start, dtype=float)
+    if theta.shape != (2, N) or not np.all(np.isfinite(theta)):
+        raise ScenarioError(f"start: must be 2 rows of {N} finite numbers")
+    if not all(np.all(np.isfinite(part)) for part in segments[:4]):
+        raise DataError("a fix or the way through the water is not finite; leave it out")
+    return _found(METHODS[method](segments, basis, theta, sd, r, w), segments, basis, r, origin)
+
+
+def dive_noise(dives: Sequence[Dive]) -> np.ndarray:
+    """Return the standard deviation of each dive's miss, (n,), m: fixes, and what is unknown."""
+    priors = Priors()
+    time = np.array([dive.duration for dive in dives])
+    return np.hypot(priors.fix, priors.gradient_scatter * time)
+
+
+def dive_walk(prior: np.ndarray) -> np.ndarray:
+    """Return the walk of each parameter, m/s per square root of s: that of a current, scaled."""
+    priors = Priors()
+    return prior * priors.gradient_walk / (priors.current * np.sqrt(QUARTER_DAY))
+
+
+def fitted(h, y, theta, sd, r) -> tuple[np.ndarray, np.ndarray]:
+    """Return theta and P of regularised least squares: h (n, N), y (n, 2)."""
+    weighed = h * sd / r[:, None]  # in units of the prior
+    U, s, Vt = np.linalg.svd(weighed, full_matrices=False)
+    left = (y - h @ theta.T) / r[:, None]
+    moved = Vt.T @ ((s / (1 + s**2))[:, None] * (U.T @ left))
+    P = np.eye(len(sd)) - (Vt.T * (s**2 / (1 + s**2))) @ Vt
+    return theta + (sd[:, None] * moved).T, sd[:, None] * P * sd
+
+
+def least_squares(segments, basis, theta, sd, r, w):
+    """Return theta, P, the steps and h of batch least squares."""
+    h = segments.integrals(basis, segments.seen)
+    theta, P = fitted(h, segments.miss, theta, sd, r)
+    return theta, P, theta[None], h
+
+
+def kalman(segments, basis, theta, sd, r, w):
+    """Return theta, P, the steps and h of the filter, causal: each segment after its end."""
+    h, y = segments.integrals(basis, segments.seen), segments.miss
+    P, steps, before = np.diag(sd**2), [], segments.time[0, -1]
+    for k in range(len(y)):
+        P = P + np.diag(w**2 * max(segments.time[k, -1] - before, 0.0))
+        before = segments.time[k, -1]
+        gain = P @ h[k] / (r[k] ** 2 + h[k] @ P @ h[k])
+        theta = theta + np.outer(y[k] - theta @ h[k], gain)
+        rest = np.eye(len(sd)) - np.outer(gain, h[k])
+        P = rest @ P @ rest.T + r[k] ** 2 * np.outer(gain, gain)
+        steps.append(theta)
+    return theta, P, np.array(steps), h
+
+
+def tomography(segments, basis, theta, sd, r, w):
+    """Return theta, P, the steps and h where tracks are predicted, until theta settles."""
+    first, steps = theta, []
+    for _ in range(MOST):
+        check()
+        h = segments.integrals(basis, segments.predicted(basis, theta))
+        before, (theta, P) = theta, fitted(h, segments.miss, first, sd, r)
+        steps.append(theta)
+        if np.max(np.abs(theta - before) / sd) < SETTLED:
+            return theta, P, np.array(steps), h
+    raise DataError(
+        f"the tomography does not settle in {MOST} turns: its last moved theta by "
+        f"{np.abs(theta - before).max():.2g}; give fixes more often, a smaller prior or fewer "
+        "functions"
+    )
+
+
+METHODS: dict[str, Callable[..., Any]] = {
+    "least-squares": least_squares,
+    "kalman": kalman,
+    "tomography": tomography,
+}
+
+
+def _found(
+    outcome: Any, segments: Segments, basis: Block, r: np.ndarray, origin: Any
+) -> FlowEstimate:
+    theta, P, steps, h = outcome
+    if not np.all(np.isfinite(theta)):
+        raise DataError("the estimate is not finite; give a smaller prior or more noise")
+    s = np.linalg.svd(h / r[:, None], compute_uv=False)
+    condition = float(s[0] / s[-1]) if len(s) == len(P) and s[-1] > 0 else np.inf
+    left = segments.miss - h @ theta.T
+    return FlowEstimate(theta, P, left, condition, steps, basis, origin)
+
+
+def _functions(basis: Block) -> int:
+    sizes = list(basis.output_ports.values())
+    if basis.state_ports or list(basis.input_ports.values()) != [2] or len(sizes) != 1:
+        raise ScenarioError(f"{basis.name}: is no basis, a block x[2] -> phi_x[N] without states")
+    return sizes[0]
+
+
+def _numbers(name: str, given: Any, shape: tuple[int], zero: bool = False) -> np.ndarray:
+    """Return positive numbers, one or one each."""
+    try:
+        values = np.broadcast_to(np.asarray(given, dtype=float), shape)
+    except ValueError:
+        values = np.array([np.nan])
+    if not (np.all(np.isfinite(values)) and np.all(values >= 0 if zero else values > 0)):
+        allowed = "zero or positive" if zero else "positive"
+        raise ScenarioError(f"{name}: must be a {allowed} number, or {shape[0]} of them")
+    return values
+
+
+def known_flow_scenario(scenario: Scenario, theta: np.ndarray) -> Scenario:
+    """Feed the known-flow law of a scenario with an estimate.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        With any law; what that law alone needs is left out.
+    theta : array_like, shape (2, N)
+        Such as `FlowEstimate.theta`.
+
+    Returns
+    -------
+    Scenario
+        With ``learning.law = "known-flow"`` and ``learning.theta_estimate``.
+
+    Raises
+    ------
+    ScenarioError
+        If theta is not two rows of N numbers.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> paper = clpt.paper_scenario()
+    >>> clpt.estimation.known_flow_scenario(paper, paper.flow.parameters).learning.law
+    'known-flow'
+    """
+    learning = scenario.learning
+    values: dict[str, Any] = {
+        "learning.law": "known-flow",
+        "learning.theta_estimate": np.asarray(theta, dtype=float),
+        "learning.parameters": None,
+    }
+    if learning.row.settings:
+        values[f"learning.{learning.row.table}"] = None
+    gains = learning.used_gains
+    if not learning.adapt_gains:
+        values |= {"learning.gain": None, "learning.gains": None}
+    elif learning.gains is not None:
+        values["learning.gains.parameters"] = None
+    else:
+        values["learning.gain"] = gains.feedback
+    return scenario.with_values(values)
