@@ -83,6 +83,13 @@ def ensemble(
         f"{count} {name.replace('_', ' ')}" for name, count in summary["ended"].items()
     )
     print_table(f"{experiment.title or scenario}: {ended}", columns, rows)
+    if "faster_flow" in summary and summary["faster_flow"]["members"]:
+        faster = summary["faster_flow"]
+        typer.echo(
+            f"in {faster['members']} members the flow was faster than the vehicle, for at most "
+            f"{100 * faster['largest_share']:.3g} % of the time and {faster['longest']:.3g} {time} "
+            "in a stretch"
+        )
     if summary["first_failed"] is not None:
         typer.echo(f"the first member that did not finish is {summary['first_failed']}")
     typer.echo(f"{out}: written")

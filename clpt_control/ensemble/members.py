@@ -5,8 +5,9 @@ initial state is declared (`scenario.keys`), so members are filled in whole colu
 computed from values, such as frequencies from periods, is made member by member.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -139,6 +140,24 @@ class Ensemble:
         else:
             batch.fixed(step)
         return States(self.columns, batch.out, batch.status, batch.reached, batch.counts)
+
+    def signals(
+        self, members: Members, run: "States", m: int, times: np.ndarray, ports: Sequence[str]
+    ) -> list[np.ndarray]:
+        """Return some ports of one member at the times of its states that it reached."""
+        reached, pieces = int(run.reached[m]), members.schedules[members.group[m]]
+        callee, native = self.native.callee(1), self.native
+        found = native.signals_of(
+            callee, times[:reached], run.states[m, :reached], pieces, members.P[m]
+        )
+        made = [(label, k) for k, label in enumerate(self._labels)]
+        columns = [[k for label, k in made if label.partition("[")[0] == port] for port in ports]
+        return [found[:, own] for own in columns]
+
+    @cached_property
+    def _labels(self) -> list[str]:
+        nodes = self.native.wiring.nodes
+        return [label for node in nodes for label in node.system.output_labels]
 
 
 @dataclass(frozen=True)

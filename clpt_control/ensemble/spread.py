@@ -63,7 +63,8 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
     dict
         ``members``, how they ended and the first that failed, and percentiles
         of the CLPE rms per cycle and over the run, and of the errors at the
-        last mark; None where no member came.
+        last mark; None where no member came. With ``vehicle.max_speed`` also in how many members
+        the flow was faster than the vehicle, the largest share of time and the longest stretch.
 
     Examples
     --------
@@ -89,6 +90,13 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
     for name in ("flow_parameter_error", "gain_error"):
         if name in data:
             summary[f"{name}_at_end"] = _listed(percentiles(last, name)[:, 0])
+    if "share_in_faster_flow" in data:
+        share, longest = (data[f"{name}_in_faster_flow"].values for name in ("share", "longest"))
+        summary["faster_flow"] = {
+            "members": int(np.sum(share > 0)),
+            "largest_share": float(np.nanmax(share, initial=0.0)),
+            "longest": float(np.nanmax(longest, initial=0.0)),
+        }
     return summary
 
 

@@ -4,6 +4,7 @@
     clpe_rms_whole          the same over the whole run
     flow_parameter_error    max |estimate - theta| at the marks
     gain_error              max |gain - true gain| at the marks
+    share_at_speed_limit    and two more of a vehicle whose speed is limited (`speeds`)
     status, end             how the run ended and the last time it reached
 
 All members of a chunk at once, from their states.
@@ -19,6 +20,7 @@ from ..scenario.experiment import Scenario
 from ..simulation.integrate import sample_times
 from ..simulation.pieces import SAMPLES_PER_CYCLE, nearest
 from .members import States
+from .speeds import SPEEDS
 from .varied_keys import variable_values
 
 FEWEST = 20  # samples a cycle that may be asked for
@@ -131,6 +133,9 @@ def kept_variables(
         keep("flow_parameter_error", "mark", "largest error of a flow parameter", units=speed)
     keep("gain_error", "mark", "largest error of a gain", units=rate)
     flags = {"flag_values": list(range(len(STATUS))), "flag_meanings": " ".join(STATUS)}
+    if scenario.vehicle.max_speed is not None:
+        for name, (long_name, power) in SPEEDS.items():
+            keep(name, "", long_name, units=scenario.units.time if power else "1")
     keep("status", "", "how the run ended", "int8", **flags)
     keep("end", "", "last sample reached", units=scenario.units.time)
     if trajectories:

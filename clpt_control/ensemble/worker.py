@@ -20,6 +20,7 @@ from ..blocks import Block
 from ..errors import DiagramError
 from ..scenario.file import scenario_from_text
 from .members import Ensemble
+from .speeds import speeds_of_members
 from .summaries import sample_times_of, summarise_members
 
 BATCH_BYTES = 64_000_000  # states in flight, a thread
@@ -93,10 +94,15 @@ class Worker:
         with self._lock:  # one evaluator makes all members; compile once
             members = self.ensemble.members(values, float(times[-1]))
             self.ensemble.native.callee(self.ensemble.lanes)
+            if self.scenario.vehicle.max_speed is not None:
+                self.ensemble.native.callee(1)
         states = self.ensemble.run(members, times, run.rtol, run.atol)
-        return summarise_members(
+        kept = summarise_members(
             self.scenario, self.times, values, states, self.recipe.trajectories
         )
+        if self.scenario.vehicle.max_speed is not None:
+            kept |= speeds_of_members(self.ensemble, members, states, times, values)
+        return kept
 
     def chunk(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
         """Run any number of members, batch by batch, and return what is kept of them."""

@@ -197,12 +197,25 @@ class PythonDiagram:
             return np.zeros((0, self.nsignals))
         inputs = self._inputs(inputs, times)
         pieces = self.schedule(float(times[0]), float(times[-1]), inputs)
-        number = np.searchsorted(pieces.edges, times, side="right")
         callee = self.callee(1, inputs)
-        own = self.parameters()
+        out = self.signals_of(callee, times, solution.x, pieces, self.parameters())
+        bad = np.flatnonzero(~np.all(np.isfinite(out), axis=1))
+        if len(bad):
+            raise SimulationError(
+                f"{first_not_finite(self.wiring, out[bad[0]])} is not finite at "
+                f"t = {times[bad[0]]:.9g}; check the parameters of that block, or keep its "
+                "arguments in range"
+            )
+        return out
+
+    def signals_of(
+        self, callee: Callee, times: np.ndarray, x: np.ndarray, pieces: Schedule, own: np.ndarray
+    ) -> np.ndarray:
+        """Return all block outputs at states x (nt, nstates), with the parameters `own`."""
+        number = np.searchsorted(pieces.edges, times, side="right")
         P, W = np.append(own, 0.0), np.zeros(max(callee.room, 1))
         out = np.empty((len(times), self.nsignals))
-        states = np.append(solution.x.ravel(), 0.0)
+        states = np.append(x.ravel(), 0.0)
         callee.solver.signals_at(
             callee.functions,
             times,
@@ -216,13 +229,6 @@ class PythonDiagram:
             W,
             out,
         )
-        bad = np.flatnonzero(~np.all(np.isfinite(out), axis=1))
-        if len(bad):
-            raise SimulationError(
-                f"{first_not_finite(self.wiring, out[bad[0]])} is not finite at "
-                f"t = {times[bad[0]]:.9g}; check the parameters of that block, or keep its "
-                "arguments in range"
-            )
         return out
 
 
