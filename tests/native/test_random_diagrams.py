@@ -9,6 +9,10 @@ from random_diagrams import random_diagram
 
 from clpt_control.errors import ClptError
 from clpt_control.native import readings
+from clpt_control.native.batch import Batch
+from clpt_control.native.native_diagram import NativeDiagram
+from clpt_control.native.printing import LANES
+from clpt_control.native.python_diagram import PythonDiagram
 
 IN_A_TEST, TESTS, SLOW_TESTS = 10, 20, 200
 POINTS = 3
@@ -65,6 +69,49 @@ def asked(seed):
 def ask_all(seeds):
     refused = Counter(sentence for sentence in map(asked, seeds) if sentence)
     assert refused.total() <= len(seeds) // 2, refused
+
+
+def run(runner, lanes, x, times):
+    """Return the states of one run, in lanes beside others."""
+    starts = x * np.linspace(1.0, 1.1, LANES + 3 if lanes > 1 else 1)[:, None]
+    P = np.tile(runner.parameters(), (len(starts), 1))
+    runs = Batch(runner.callee(lanes), starts, P, times, [runner.schedule(0.0, times[-1])])
+    runs.fixed(0.5)
+    return runs.out[0]
+
+
+def jumped(seed):
+    """Run a diagram whose states jump in every engine; return whether there are any."""
+    draw, numbers = random.Random(seed), np.random.default_rng(seed)
+    try:
+        diagram = random_diagram(draw)
+        python = PythonDiagram(diagram)
+        if not python.sweep.leaping:
+            return False
+        engines = [NativeDiagram(diagram, form=form) for form in ("unrolled", "looped")]
+    except ClptError:
+        return False
+    x, times = numbers.normal(size=diagram.nstates), np.array([0.0, 0.5, 1.0, 1.4, 2.0])
+    wanted = run(python, 1, x, times)
+    finite = np.isfinite(wanted)
+    scale = max(1.0, np.abs(wanted[finite]).max(initial=0.0))
+    for engine, lanes in ((engines[0], 1), (engines[1], 1), (engines[0], LANES)):
+        found = run(engine, lanes, x, times)
+        said = f"seed {seed}, {engine.code.unrolled}, {lanes}"
+        np.testing.assert_array_equal(np.isfinite(found), finite, err_msg=said)
+        np.testing.assert_allclose(
+            found[finite], wanted[finite], rtol=1e-7, atol=1e-9 * scale, err_msg=said
+        )
+    return True
+
+
+def test_random_diagrams_jump_alike():
+    assert sum(map(jumped, range(20_000, 20_030))) >= 5
+
+
+@pytest.mark.slow
+def test_many_random_diagrams_jump_alike():
+    assert sum(map(jumped, range(20_030, 20_400))) >= 60
 
 
 @pytest.mark.parametrize("part", range(TESTS))

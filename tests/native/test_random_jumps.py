@@ -130,6 +130,9 @@ def test_every_engine_follows_matrix_exponentials(seed):
         for diagram, x, states in zip(diagrams, starts, wanted, strict=False):
             found = NativeDiagram(diagram, form=form).run(x, times, rtol=1e-11, atol=1e-12)
             close(found.x, states, 1e-8, (seed, form))
+        first = NativeDiagram(diagrams[0]).run(starts[0], times[:4], rtol=1e-11, atol=1e-12)
+        again = NativeDiagram(diagrams[0]).run(first.x[-1], times[3:], rtol=1e-11, atol=1e-12)
+        close(again.x, wanted[0][3:], 1e-8, (seed, "cut"))
     in_python = PythonDiagram(diagrams[0]).run(starts[0], times, rtol=1e-7, atol=1e-9).x
     close(in_python, wanted[0], 1e-4, (seed, "python"))
     runner = NativeDiagram(diagrams[0], form="unrolled")
@@ -145,3 +148,7 @@ def test_every_engine_follows_matrix_exponentials(seed):
         assert set(batch.status) == {Status.FINISHED}
         for k, states in enumerate(wanted):
             close(batch.out[k], states, 1e-8, (seed, lanes, k))
+        own = slice(3, 4), runner.callee(lanes)
+        alone = Batch(own[1], starts[own[0]], P[own[0]], times, schedules, group[own[0]])
+        alone.adaptive(1e-11, 1e-12)
+        np.testing.assert_array_equal(alone.out[0], batch.out[3])
