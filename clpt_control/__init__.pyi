@@ -23,7 +23,7 @@ from .errors import (
     SimulationError,
     Uncompiled,
 )
-from .scenario import Scenario, load_scenario, paper_scenario, save_scenario
+from .scenario import Scenario, Team, load_scenario, load_team, paper_scenario, save_scenario
 from .simulation import (
     closed_loop,
     error_loop,
@@ -32,6 +32,7 @@ from .simulation import (
     paper_blocks,
     save_run,
     simulate,
+    team_loop,
 )
 
 __version__: str
@@ -45,6 +46,7 @@ __all__ = [
     "Scenario",
     "ScenarioError",
     "SimulationError",
+    "Team",
     "Uncompiled",
     "blocks",
     "closed_loop",
@@ -59,6 +61,7 @@ __all__ = [
     "initial_state",
     "load_run",
     "load_scenario",
+    "load_team",
     "native",
     "paper_blocks",
     "paper_scenario",
@@ -69,5 +72,6 @@ __all__ = [
     "scenario",
     "simulate",
     "simulation",
+    "team_loop",
     "theory",
 ]

@@ -14,6 +14,7 @@ from clpt_control.blocks import (
     lyapunov,
     reference,
     speed_limit,
+    team,
     vehicle,
 )
 from clpt_control.blocks.laws.law import Gains, Truth
@@ -67,6 +68,7 @@ def package_blocks():
     for outside in ("raise", "clip", "stop"):
         yield f"field-{outside}", field.gridded_flow(grid(rng), outside)
         yield f"field-{outside}-disturbed", field.gridded_flow(grid(rng), outside, disturbed=True)
+    yield "V-of-a-team", team.total_candidate(["a", "b", "c"])
     for N in SIZES:
         a, b, theta = rng.uniform(-1, 1, (3, 2, N))
         KD, GammaD = rng.uniform(0.5, 2, (2, 2))
@@ -114,6 +116,11 @@ def package_blocks():
             f"parameter_system-{N}",
             error_system.parameter_system(error_system.ParameterSystemParameters(N, 0.7)),
         )
+        for neighbours in ([], ["b"], ["b", "c"]):
+            block = team.consensus_block("a", neighbours, N, 0.4)
+            yield f"consensus-{len(neighbours)}-{N}", block
+        learned = LAWS["learned-flow"].block(theorem_scenario(N, "learned-flow").known_to_law)
+        yield f"law-in-a-team-{N}", team.pulled_law(learned)
         for law in lyapunov.LAWS:
             p = lyapunov.one_gain(0.7, theta, KD, GammaD)
             yield f"lyapunov-{law}-{N}", lyapunov.lyapunov_candidate(law, p)

@@ -24,13 +24,22 @@ def excitation(
     ] = None,
     as_json: Json = False,
 ) -> None:
-    """Measure what can be learned on a track, and how fast."""
+    """Measure what can be learned on a track, and how fast; of a team, alone and together."""
     from ..files import check_writable, write_figure
-    from ..scenario.file import load_scenario
+    from ..scenario.file import TEAM
+    from ..scenario.team import Team
+    from ..scenario.team_file import load_either
     from ..simulation.run_file import load_run
     from ..theory.excitation.report import excitation_report
 
-    source = load_run(scenario) if scenario.suffix == ".nc" else load_scenario(scenario)
+    source = load_run(scenario) if scenario.suffix == ".nc" else load_either(scenario)
+    if isinstance(source, Team) or TEAM in getattr(source, "attrs", {}):
+        if figure is not None:
+            raise ClptError("--figure: is for one vehicle; leave it out for a team")
+        from .team import excitation_and_print
+
+        excitation_and_print(source, window, start, as_json)
+        return
     if figure is not None:
         check_writable(figure)
         if figure.suffix not in (".png", ".pdf", ".svg"):

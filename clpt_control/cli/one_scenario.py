@@ -55,19 +55,25 @@ def paper(
 def run(
     scenario: ScenarioFile,
     out: Annotated[Path, typer.Option(help="NetCDF file for the run.")],
-    figures: Annotated[Path | None, typer.Option(help="Folder for four figures.")] = None,
+    figures: Annotated[Path | None, typer.Option(help="Folder for the figures.")] = None,
     as_json: Json = False,
 ) -> None:
-    """Run a scenario."""
+    """Run a scenario, or a team: a scenario with a table [team]."""
     from ..files import check_writable, make_folder
     from ..progress import progress_bar
-    from ..scenario.file import load_scenario
+    from ..scenario.team import Team
+    from ..scenario.team_file import load_either
     from ..simulation.report import run_and_report
     from ..simulation.run_file import save_run
 
-    experiment = load_scenario(scenario)
+    experiment = load_either(scenario)
     check_writable(out)
     folder = None if figures is None else make_folder(figures)
+    if isinstance(experiment, Team):
+        from .team import run_and_print
+
+        run_and_print(experiment, scenario.name, out, folder, as_json)
+        return
     with progress_bar(f"running {scenario.name}", experiment.run.duration) as report:
         result, fine, summary = run_and_report(experiment, report)
     save_run(result, out)

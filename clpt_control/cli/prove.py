@@ -20,6 +20,7 @@ def prove(
     from ..theory.proving.judged_laws import judged_laws
     from ..theory.proving.limited_speed import judged_limits
     from ..theory.proving.misprints import misprints
+    from ..theory.proving.team import judged_team
     from ..theory.proving.theorems import THEOREMS, audit
 
     with progress_bar("proving", len(THEOREMS) if theorem is None else 1) as report:
@@ -27,8 +28,9 @@ def prove(
         listed = misprints()
         laws = judged_laws() if theorem is None else {}
         limits = judged_limits() if theorem is None else {}
+        team = judged_team() if theorem is None else None
     if as_json:
-        print_json(_as_json(proofs, limits, listed, laws))
+        print_json(_as_json(proofs, limits, listed, laws, team))
     else:
         named = {f"Theorem {number}": proof for number, proof in proofs.items()}
         named |= {f"Limited speed, {name}": proof for name, proof in limits.items()}
@@ -51,6 +53,13 @@ def prove(
             ]
             print_table("Laws", ["law", "status", "V' along the closed loop"], rows)
             typer.echo("")
+        if team is not None:
+            rows = [["yes" if s.holds else "NO", s.how, s.claim, s.detail] for s in team.steps]
+            every = ", for every N" if team.for_every_N else ""
+            columns = ["holds", "how", "claim", ""]
+            print_table(f"A team that learns one flow: {team.status}{every}", columns, rows)
+            typer.echo(f"cited:   {team.cited}")
+            typer.echo("")
         print_table(
             "Misprints",
             ["equation", "printed", "should be", "confirmed"],
@@ -59,14 +68,15 @@ def prove(
     judged = {**proofs, **{f"limited speed, {name}": proof for name, proof in limits.items()}}
     wrong = [f"{n} at step '{s.claim}'" for n, p in judged.items() for s in p.failed]
     wrong += [f"law {law}: {found.claim}" for law, found in laws.items() if not found.holds]
+    wrong += [f"team: {team.claim}"] if team is not None and not team.holds else []
     wrong += [f"the misprint of {m.equation} is not confirmed" for m in listed if not m.confirmed]
     if wrong:
         more = f" (and {len(wrong) - 1} more)" if len(wrong) > 1 else ""
         raise SimulationError(f"the proof fails: {wrong[0]}{more}")
 
 
-def _as_json(proofs: dict, limits: dict, listed: tuple, laws: dict) -> dict[str, Any]:
-    """Return the statuses, steps and statements, the laws and the misprints."""
+def _as_json(proofs: dict, limits: dict, listed: tuple, laws: dict, team: Any) -> dict[str, Any]:
+    """Return the statuses, steps and statements, laws, team and misprints."""
 
     def plain(judged: dict) -> dict[str, Any]:
         found = {}
@@ -80,9 +90,12 @@ def _as_json(proofs: dict, limits: dict, listed: tuple, laws: dict) -> dict[str,
     return {
         "theorems": plain(proofs),
         "limited_speed": plain(limits),
-        "laws": {
-            law: {**found._asdict(), "steps": [asdict(step) for step in found.steps]}
-            for law, found in laws.items()
-        },
+        "laws": {law: _judged(found) for law, found in laws.items()},
+        "team": None if team is None else _judged(team),
         "misprints": [{key: getattr(m, key) for key in keys} for m in listed],
     }
+
+
+def _judged(found: Any) -> dict[str, Any]:
+    """Return what is known of a law, with its steps."""
+    return {**found._asdict(), "steps": [asdict(step) for step in found.steps]}

@@ -1,10 +1,14 @@
 from .experiment import Scenario
 from .file import load_scenario, paper_scenario, save_scenario
+from .team import Team
+from .team_file import load_team
 from .tides import period
 
 __all__ = [
     "Scenario",
+    "Team",
     "load_scenario",
+    "load_team",
     "paper_scenario",
     "period",
     "save_scenario",

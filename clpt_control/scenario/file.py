@@ -21,6 +21,7 @@ from ..files.reading import read_bytes
 from .experiment import Scenario, checked_scenario, scenario_tables
 
 CHANGED = "parameters_changed"  # attribute of a run: parameters that no key holds
+TEAM = "team"  # attribute of a team's run, in place of its scenario: the team as TOML text
 OWN_LAW = "own_law"  # attribute of a run: the name of a law given in Python
 
 
@@ -52,10 +53,14 @@ def load_scenario(path: str | Path) -> Scenario:
     True
     """
     path = Path(path)
-    if path.suffix == ".nc":
-        return scenario_from_text(scenario_text(path), str(path), path.parent)
+    text = scenario_text(path) if path.suffix == ".nc" else read_text(path)
+    return scenario_from_text(text, str(path), path.parent)
+
+
+def read_text(path: Path) -> str:
+    """Return the text of a scenario's file."""
     try:
-        text = read_bytes(path).decode("utf-8")
+        return read_bytes(path).decode("utf-8")
     except UnicodeDecodeError:
         raise ScenarioError(f"{path}: is not text; a scenario is a TOML file in UTF-8") from None
     except DataError as error:
@@ -64,28 +69,47 @@ def load_scenario(path: str | Path) -> Scenario:
                 f"{path}: no such file; `clpt init` writes a scenario to start from"
             ) from None
         raise ScenarioError(str(error)) from None
-    return scenario_from_text(text, str(path), path.parent)
 
 
 def scenario_from_text(text: str, name: str, folder: Path) -> Scenario:
     """Read a scenario of TOML text; `name` begins each error, `folder` holds its files."""
+    tables = tables_of(text, name)
+    if "team" in tables:
+        raise ScenarioError(
+            f"{name}: has a table [team], so it is a team's file; `clpt run`, `clpt excitation` "
+            "and clpt.load_team read it"
+        )
+    return checked_scenario(tables, name, folder)
+
+
+def tables_of(text: str, name: str) -> dict[str, Any]:
+    """Return TOML text as nested dicts; `name` begins each error."""
     try:
-        tables = tomllib.loads(text)
+        return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise ScenarioError(f"{name}: is not valid TOML: {error}") from None
     except RecursionError:
         raise ScenarioError(f"{name}: brackets are nested too deep; at most 3 levels") from None
     except ValueError:  # a whole number of thousands of digits
         raise ScenarioError(f"{name}: a number has too many digits; write it as 1e300") from None
-    return checked_scenario(tables, name, folder)
 
 
 def scenario_to_text(scenario: Scenario, folder: Path | None = None) -> str:
     """Return a scenario as TOML text to lie in `folder`, to which a relative field is turned."""
+    return toml(placed_tables(scenario, folder))
+
+
+def placed_tables(scenario: Scenario, folder: Path | None) -> dict[str, Any]:
+    """Return a scenario as nested dicts, a relative field turned to `folder`."""
     tables = scenario_tables(scenario)
     if folder is not None and scenario.field_path is not None:
         relative = os.path.relpath(scenario.field_path.resolve(), Path(folder).resolve())
         tables["flow"]["field"] = Path(relative).as_posix()
+    return tables
+
+
+def toml(tables: dict[str, Any]) -> str:
+    """Return nested dicts as TOML text."""
     return _dumped(pickle.dumps(tables))
 
 
@@ -139,8 +163,16 @@ def save_scenario(scenario: Scenario, path: str | Path) -> None:
 
 def scenario_text(path: str | Path) -> str:
     """Return the scenario that a run's file carries, as TOML text."""
+    text, team = run_text(path)
+    if team:
+        raise DataError(f"{path}: is a team's run; clpt.load_team reads its team")
+    return text
+
+
+def run_text(path: str | Path) -> tuple[str, bool]:
+    """Return the TOML text that a run's file carries, and whether it is a team's."""
     with open_netcdf(Path(path)) as data:
-        if "scenario" not in data.attrs:
+        if "scenario" not in data.attrs and TEAM not in data.attrs:
             raise DataError(f"{path}: carries no scenario; `clpt run` writes runs that do")
         if CHANGED in data.attrs:
             raise DataError(
@@ -154,7 +186,7 @@ def scenario_text(path: str | Path) -> str:
                 "holds, so it cannot be repeated; give the scenario itself, and the law to "
                 "simulate(law=...)"
             )
-        return str(data.attrs["scenario"])
+        return str(data.attrs.get(TEAM, data.attrs.get("scenario"))), TEAM in data.attrs
 
 
 def paper_text() -> str:

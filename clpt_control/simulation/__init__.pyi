@@ -4,6 +4,8 @@ from .loops import closed_loop, error_loop, initial_state, paper_blocks
 from .plots import clpe_plot, learning_plot, track_plot
 from .report import claims, run_and_report
 from .run_file import load_run, save_run
+from .team_plots import team_plot
+from .teams import team_loop
 
 __all__ = [
     "claims",
@@ -20,5 +22,7 @@ __all__ = [
     "sample_times",
     "save_run",
     "simulate",
+    "team_loop",
+    "team_plot",
     "track_plot",
 ]

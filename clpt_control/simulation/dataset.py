@@ -8,7 +8,7 @@ import json
 from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib.metadata import version
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -45,10 +45,25 @@ MEASURED = {  # where the vehicle reads its position with noise
 }
 
 
+class Columns(NamedTuple):
+    """Where a vehicle's signals stand, and with what its blocks ran."""
+
+    column: dict[str, int]  # label -> column of the signals
+    ran: Mapping[str, Any]  # block -> its parameters
+
+
+def all_columns(wiring: Wiring, given: Sequence[Any]) -> Columns:
+    """Return where all signals of a diagram stand; `given` are its blocks' parameters."""
+    labels = [label for node in wiring.nodes for label in node.system.output_labels]
+    return Columns(
+        {label: k for k, label in enumerate(labels)},
+        {node.name: p for node, p in zip(wiring.nodes, given, strict=True)},
+    )
+
+
 def run_dataset(
     scenario: Scenario,
-    wiring: Wiring,
-    given: Sequence[Any],
+    columns: Columns,
     signals: np.ndarray,
     solution: Solution,
     left: Mapping[str, Any],
@@ -56,16 +71,13 @@ def run_dataset(
 ) -> "xarray.Dataset":
     """Return a scenario's solution as a Dataset.
 
-    `given` are the parameters of the blocks that ran; `signals` all block outputs, shape
-    (ntimes, nsignals), right limits at jumps; `left` call-time parameters that no key holds; `law`
-    a law of the user's own, which has no V here.
+    `signals` are all block outputs, shape (ntimes, nsignals), right limits at jumps; `left`
+    call-time parameters that no key holds; `law` a law of the user's own, which has no V here.
     """
     import xarray
 
     units, N, n = scenario.units, scenario.basis.N, len(solution.t)
-    labels = [label for node in wiring.nodes for label in node.system.output_labels]
-    column = {label: k for k, label in enumerate(labels)}
-    ran = {node.name: p for node, p in zip(wiring.nodes, given, strict=True)}
+    column, ran = columns
     data: dict[str, Any] = {}
     measured = f"{TRUE}[0]" in column
     wanted = {**VARIABLES, **(MEASURED if measured else {})}

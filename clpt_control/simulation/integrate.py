@@ -20,9 +20,11 @@ from ..native.engines import chosen
 from ..native.inputs import checked_state, checked_times, read_inputs
 from ..scenario.experiment import Scenario
 from ..scenario.keys import STARTS, keys_alone, keys_of
-from .dataset import run_dataset
+from ..scenario.team import Team
+from .dataset import all_columns, run_dataset
 from .loops import paper_blocks, starting_values, state_columns, state_of
 from .speeds import note_speeds, speeds_of
+from .teams import TeamRun
 
 if TYPE_CHECKING:
     import xarray
@@ -60,6 +62,19 @@ def simulate(
 ) -> "xarray.Dataset": ...
 @overload
 def simulate(
+    system: Team,
+    timepts: Times | None = None,
+    inputs: None = None,
+    initial_state: None = None,
+    params: None = None,
+    *,
+    rtol: float | None = None,
+    atol: float | None = None,
+    progress: Progress | None = None,
+    engine: str | None = None,
+) -> "xarray.Dataset": ...
+@overload
+def simulate(
     system: control.NonlinearIOSystem,
     timepts: Times,
     inputs: Any = None,
@@ -84,21 +99,23 @@ def simulate(
     engine: str | None = None,
     law: Block | None = None,
 ) -> Any:
-    """Run a scenario, or any diagram of blocks.
+    """Run a scenario, a team, or any diagram of blocks.
 
     Parameters
     ----------
-    system : Scenario or control.NonlinearIOSystem
-        A scenario gives a Dataset, a diagram a TimeResponseData.
+    system : Scenario, Team or control.NonlinearIOSystem
+        A scenario gives a Dataset, a team one with a dimension ``vehicle``, a diagram a
+        TimeResponseData.
     timepts : array_like, optional
-        Times of the samples, increasing; a scenario has its own
+        Times of the samples, increasing; a scenario and a team have their own
         (multiples of ``run.output_step``, and the end).
     inputs : array_like or callable, optional
         For a diagram: shape (ninputs, ntimes), joined by straight lines
         between `timepts`; a number or one number per input is held; a
         callable gives the inputs at any time.
     initial_state : array_like, optional
-        State at ``timepts[0]``; zero for a diagram, the scenario's own else.
+        State at ``timepts[0]``; zero for a diagram, the scenario's own else. A team takes neither
+        this nor `params`.
     params : mapping, optional
         Call-time parameters, ``{"adaptation.gain": 2.0}``.
     rtol, atol : float, optional
@@ -133,7 +150,7 @@ def simulate(
     >>> float(run.clpe[-1, 0].round(3)), run.attrs["status"]
     (0.027, 'finished')
     """
-    if not isinstance(system, Scenario):
+    if not isinstance(system, Scenario | Team):
         if law is not None:
             raise SimulationError("law: is for a scenario; a diagram has its law among its blocks")
         return _simulate_diagram(
@@ -141,7 +158,16 @@ def simulate(
         )
     if inputs is not None:
         raise SimulationError("a scenario has no inputs; simulate closed_loop(..., external=)")
-    run = ScenarioRun(system, params, initial_state, rtol, atol, engine, law)
+    run: ScenarioRun | TeamRun
+    if isinstance(system, Team):
+        for name, given in (("initial_state", initial_state), ("params", params), ("law", law)):
+            if given is not None:
+                raise SimulationError(
+                    f"{name}: a team has its own; change its scenarios, or simulate team_loop(team)"
+                )
+        run = TeamRun(system, rtol, atol, engine)
+    else:
+        run = ScenarioRun(system, params, initial_state, rtol, atol, engine, law)
     wanted = run.scenario.run
     if timepts is None:
         times = sample_times(wanted.duration, wanted.output_step)
@@ -152,7 +178,7 @@ def simulate(
     if times[0] != 0:
         solution.t, solution.x = solution.t[1:], solution.x[1:]
     found = run.dataset(solution, run.signals(solution))
-    if run.max_speed is not None:
+    if isinstance(run, ScenarioRun) and run.max_speed is not None:
         note_speeds(found, speeds_of(found, run.max_speed), run.scenario.units)
     return found
 
@@ -202,8 +228,7 @@ class ScenarioRun:
         """Return a solution and its signals with names, units and attributes."""
         return run_dataset(
             self.scenario,
-            self.wiring,
-            self.runner.sweep.given,
+            all_columns(self.wiring, self.runner.sweep.given),
             signals,
             solution,
             self.left,

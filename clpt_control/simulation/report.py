@@ -112,25 +112,31 @@ def _summary(scenario: Scenario, squares: Squares, dense: "xarray.Dataset") -> d
     marks = {str(t): float(t) for t in TIMES if t <= end * (1 + 1e-12)}
     at = {key: dense.sel(time=t, method="nearest") for key, t in marks.items()}
     if scenario.flow.parameters is not None:
-        theta = np.array(scenario.flow.parameters)
         summary["max_flow_parameter_error"] = {
-            key: float(np.abs(run.flow_parameters_estimate - theta).max())
-            for key, run in at.items()
+            key: parameter_error(scenario, sample) for key, sample in at.items()
         }
-    gains = {
-        "feedback_gain": np.array(scenario.vehicle.feedback),
-        "feedforward_gain": np.array(scenario.vehicle.feedforward),
-    }
-    summary["max_gain_error"] = {
-        key: max(float(np.abs(run[name] - true).max()) for name, true in gains.items())
-        for key, run in at.items()
-    }
+    summary["max_gain_error"] = {key: gain_error(scenario, one) for key, one in at.items()}
     summary["solver"] = {
         name.removeprefix("solver_"): int(value)
         for name, value in dense.attrs.items()
         if name.startswith("solver_")
     }
     return summary
+
+
+def parameter_error(scenario: Scenario, sample: "xarray.Dataset") -> float:
+    """Return the largest error of a flow parameter at one time."""
+    theta = np.array(scenario.flow.parameters)
+    return float(np.abs(sample.flow_parameters_estimate - theta).max())
+
+
+def gain_error(scenario: Scenario, sample: "xarray.Dataset") -> float:
+    """Return the largest error of K and Gamma at one time."""
+    gains = {
+        "feedback_gain": np.array(scenario.vehicle.feedback),
+        "feedforward_gain": np.array(scenario.vehicle.feedforward),
+    }
+    return max(float(np.abs(sample[name] - true).max()) for name, true in gains.items())
 
 
 def claims(summary: dict[str, Any]) -> list[dict[str, str]]:

@@ -37,12 +37,16 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     >>> clpt.load_scenario(file) == scenario
     True
     """
-    from ..scenario.file import scenario_from_text, scenario_to_text
+    from ..scenario.file import TEAM, scenario_from_text, scenario_to_text
+    from ..scenario.team_file import team_from_text, team_to_text
 
-    path, text = Path(path), run.attrs.get("scenario")
-    if text is not None:
-        scenario = scenario_from_text(text, "scenario", Path(run.encoding.get("folder", ".")))
+    path, folder = Path(path), Path(run.encoding.get("folder", "."))
+    if (text := run.attrs.get("scenario")) is not None:
+        scenario = scenario_from_text(text, "scenario", folder)
         run = run.assign_attrs(scenario=scenario_to_text(scenario, path.parent))
+    if (text := run.attrs.get(TEAM)) is not None:
+        team = team_from_text(text, TEAM, folder)
+        run = run.assign_attrs({TEAM: team_to_text(team, path.parent)})
     write_netcdf(run, path)
 
 

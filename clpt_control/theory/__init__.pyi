@@ -4,6 +4,7 @@ from .designing.design import design_track
 from .excitation.bounds import ultimate_bound
 from .excitation.certificates import certificate
 from .excitation.gramian import gramian, started_true
+from .excitation.pooled import team_gramian
 from .excitation.transition import error_matrices
 from .proving.misprints import misprints
 from .proving.own_law import prove
@@ -22,5 +23,6 @@ __all__ = [
     "printed_bound",
     "prove",
     "started_true",
+    "team_gramian",
     "ultimate_bound",
 ]

@@ -3,7 +3,7 @@
 The mutants come from the syntax tree of every function that a block runs; none is listed
 by hand.  The code object is exchanged in place, so that every table and helper sees the
 altered equation.  Equations of the paper are the theorems' to defend, those of a law its own
-row's, sources of time and tables those of `source_checks`.
+row's, those of a team its proof's, sources of time and tables those of `source_checks`.
 """
 
 import ast
@@ -23,7 +23,8 @@ from clpt_control.blocks.functions import helpers_of
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.currents.field_file import GriddedField
 from clpt_control.simulation.loops import paper_blocks
-from clpt_control.theory.proving import judged_laws, limited_speed, theorem_loop, theorems
+from clpt_control.simulation.teams import team_blocks
+from clpt_control.theory.proving import judged_laws, limited_speed, team, theorem_loop, theorems
 from clpt_control.theory.proving.misprints import misprints
 from clpt_control.theory.proving.theorems import THEOREMS, audit
 
@@ -64,6 +65,8 @@ def every_block():
         yield lyapunov.lyapunov_candidate(law, truth)
     for law in LAWS.values():
         yield from theorem_loop.law_and_V(law, judged_laws.N)
+    yield from team_blocks(team.team_of(team.GRAPHS["two vehicles"], 2))
+    yield team.total_candidate(["a", "b"])
 
 
 def functions():
@@ -139,6 +142,9 @@ def caught_by(function, which, first):
                 check()
             except Exception:  # whatever a wrong equation does
                 return check.__name__
+        for step in team.team_steps() if function.__module__.endswith(".team") else ():
+            if not step.holds:
+                return f"team: {step.claim}"
         own_first = sorted(LAWS, key=lambda law: LAWS[law].block.__module__ != function.__module__)
         for law in own_first if ".laws." in function.__module__ else ():
             found = judged_laws.judged(LAWS[law])
@@ -182,10 +188,11 @@ def few_points(monkeypatch):
     monkeypatch.setattr(theorems, "FEWER", 100)
     monkeypatch.setattr(judged_laws, "POINTS", 100)
     monkeypatch.setattr(limited_speed, "POINTS", 100)
+    monkeypatch.setattr(team, "POINTS", 100)
 
 
 @pytest.mark.parametrize(
-    "room", ["vehicle", "learner", "speed_limit", *PAGES, "clpe", "lyapunov", "basis"]
+    "room", ["vehicle", "learner", "speed_limit", *PAGES, "team", "clpe", "lyapunov", "basis"]
 )
 def test_altered_signs_fail_the_proof(room):
     listed = [mutant for mutant in mutants() if mutant[0].startswith(f"{room}.")]

@@ -10,6 +10,7 @@ from ...errors import ClptError
 from ..block import Block
 from ..declaration import Equations
 from ..ieee import in_ieee
+from ..namespaces import split
 
 
 class Sample(NamedTuple):
@@ -114,7 +115,8 @@ def _docstrings(block: Block, drawn: list[Sample]) -> Iterator[str]:
             'source of what is not in the paper: "Slotine and Li 1989"'
         )
     for port in {**block.input_ports, **block.state_ports, **block.output_ports}:
-        if not re.search(rf"(?<!\w){re.escape(port)}(?!\w)", text):
+        own = split(port)[1]  # a namespace is of one vehicle, the equations are of any
+        if not re.search(rf"(?<!\w){re.escape(own)}(?!\w)", text):
             yield f"{block.name}: port '{port}' is in no docstring of its equations"
 
 

@@ -8,6 +8,7 @@ samples, see `between_samples`.
 
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -17,9 +18,13 @@ from ...diagrams.scenario_basis import scenario_basis
 from ...errors import ScenarioError
 from ...scenario.experiment import Scenario
 from ...scenario.file import OWN_LAW
+from ...scenario.team import Team
 from ...simulation.integrate import simulate
 from .between_samples import Source, positions_between, scenario_of, span_of
 from .transition import regressors
+
+if TYPE_CHECKING:
+    import xarray
 
 NODES = 16  # Gauss-Legendre nodes of a piece: exact to degree 31
 TRANSIENT = 10.0  # longest piece in time constants 1/KD
@@ -45,9 +50,17 @@ class Regressor:
         return regressors(self.phi, self.z, self.zc)
 
 
+class Nodes(NamedTuple):
+    """A quadrature: cuts (pieces + 1,), Gauss-Legendre nodes and weights (pieces, NODES)."""
+
+    cuts: np.ndarray
+    times: np.ndarray
+    weights: np.ndarray
+
+
 def quadrature(
     scenario: Scenario, start: float, end: float, edges: np.ndarray | None = None
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+) -> Nodes:
     """Return cuts (pieces + 1,), Gauss-Legendre nodes and weights (pieces, NODES).
 
     Pieces end at each switch and at `edges`, and are no longer than half a period of the
@@ -70,7 +83,7 @@ def quadrature(
     cuts = np.append(np.concatenate(pieces), end)
     node, weight = np.polynomial.legendre.leggauss(NODES)
     half = np.diff(cuts)[:, None] / 2
-    return cuts, cuts[:-1, None] + half * (1 + node), half * weight
+    return Nodes(cuts, cuts[:-1, None] + half * (1 + node), half * weight)
 
 
 def checked_window(
@@ -103,29 +116,45 @@ def joint_regressor(
     """
     scenario = scenario_of(source)
     window, start = checked_window(source, window, start)
-    cuts, times, weights = quadrature(scenario, start, start + window, edges)
+    cuts, times, weights = nodes = quadrature(scenario, start, start + window, edges)
     if isinstance(source, Scenario):
-        run = simulate(scenario, times.ravel())
-        if run.sizes["time"] < times.size or run.attrs["status"] != "finished":
-            raise ScenarioError(
-                f"window {window:g} from {start:g}: the run ended before: {run.attrs['message']}"
-            )
-        x, z, zc = (
-            run[name].values.reshape(*times.shape, 2)
-            for name in ("position", "predicted_position", "reference")
-        )
-        trajectory = "simulated from the scenario's initial values"
-    else:
-        x, z = (
-            positions_between(source, name, scenario, times)
-            for name in ("position", "predicted_position")
-        )
-        desired = reference(scenario.waypoints, scenario.reference.dwell)
-        held = np.array([desired.output(t, [], []) for t in times.mean(1)])
-        zc = np.broadcast_to(held[:, None], z.shape)
-        step = np.median(np.diff(source.time.values))
-        trajectory = f"recorded run, sampled each {step:g} {scenario.units.time}"
-    phi = evaluate(scenario_basis(scenario), times.ravel(), x.reshape(-1, 2))
-    phi = phi.reshape(*times.shape, -1)
-    own_law = "" if isinstance(source, Scenario) else source.attrs.get(OWN_LAW, "")
+        run = finished_run(scenario, times.ravel())
+        return at_nodes(scenario, run, nodes, "simulated from the scenario's initial values")
+    x, z = (
+        positions_between(source, name, scenario, times)
+        for name in ("position", "predicted_position")
+    )
+    desired = reference(scenario.waypoints, scenario.reference.dwell)
+    held = np.array([desired.output(t, [], []) for t in times.mean(1)])
+    zc = np.broadcast_to(held[:, None], z.shape)
+    step = np.median(np.diff(source.time.values))
+    trajectory = f"recorded run, sampled each {step:g} {scenario.units.time}"
+    phi = basis_along(scenario, times, x)
+    own_law = source.attrs.get(OWN_LAW, "")
     return Regressor(scenario, trajectory, cuts, times, weights, phi, z, zc, own_law)
+
+
+def finished_run(source: "Scenario | Team", times: np.ndarray) -> "xarray.Dataset":
+    """Return a run at the nodes of a quadrature; refuse one that ended before the last."""
+    run = simulate(source, times)
+    if run.sizes["time"] < times.size or run.attrs["status"] != "finished":
+        raise ScenarioError(
+            f"window up to {times[-1]:g}: the run ended before: {run.attrs['message']}"
+        )
+    return run
+
+
+def at_nodes(scenario: Scenario, run: "xarray.Dataset", nodes: Nodes, trajectory: str) -> Regressor:
+    """Return w along a vehicle's run whose samples are the nodes."""
+    x, z, zc = (
+        run[name].values.reshape(*nodes.times.shape, 2)
+        for name in ("position", "predicted_position", "reference")
+    )
+    phi = basis_along(scenario, nodes.times, x)
+    return Regressor(scenario, trajectory, *nodes, phi, z, zc)
+
+
+def basis_along(scenario: Scenario, times: np.ndarray, x: np.ndarray) -> np.ndarray:
+    """Return the basis functions at positions x (pieces, NODES, 2)."""
+    phi = evaluate(scenario_basis(scenario), times.ravel(), x.reshape(-1, 2))
+    return phi.reshape(*times.shape, -1)

@@ -13,6 +13,7 @@ import sympy
 
 from ...blocks import Block
 from ...blocks.declaration import states_as_outputs
+from ...blocks.namespaces import split
 from ...blocks.symbolic import exact
 from ...diagrams.wiring import Node, Wire, wiring_of
 from ...errors import BlockError
@@ -44,7 +45,7 @@ class EveryNLoop:
         if not places or name in SCALARS:
             return signed(name, value)
         shown = [f"[{'k' if place is None else place + 1}]" for place in places]
-        if name in ONE and np.shape(value)[0] == 2 and places[0] is not None:
+        if split(name)[1] in ONE and np.shape(value)[0] == 2 and places[0] is not None:
             shown[0] = f"_{places[0] + 1}"
         return signed(name + "".join(shown), value)
 
@@ -72,7 +73,7 @@ def element_symbol(name: str, row: int | None, number: int | None = None) -> sym
     """Return the symbol of one signal: alpha_1[k], phi_x[k], K_2."""
     if row is None:
         return sympy.Symbol(f"{name}_{(number or 0) + 1}", real=True)
-    own = name.rpartition(".")[2].startswith("phi")
+    own = split(name)[1].startswith("phi")
     return sympy.Symbol(f"{name}[k]" if own else f"{name}_{row + 1}[k]", real=True)
 
 

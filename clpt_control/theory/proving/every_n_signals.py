@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import sympy
 
+from ...blocks.namespaces import split
 from ...errors import BlockError
 
 
@@ -41,13 +42,19 @@ class Size(NamedTuple):
     more: int
 
 
-KNOWN_SIZES = {"phi_x": Size(1, 0), "phi_z": Size(1, 0), "alpha": Size(2, 0), "eta": Size(2, 4)}
+KNOWN_SIZES = {
+    "phi_x": Size(1, 0),
+    "phi_z": Size(1, 0),
+    "alpha": Size(2, 0),
+    "pull": Size(2, 0),
+    "eta": Size(2, 4),
+}
 Key = tuple[str, int | None, int | None]  # (port, row, None) or (port, None, number)
 
 
 def port_size(port: str, size: int, functions: int) -> Size:
-    """Return how a port grows with N, by its name: phi, alpha and eta do."""
-    known = KNOWN_SIZES.get(port)
+    """Return how a port grows with N, by its name: phi, alpha, pull and eta do."""
+    known = KNOWN_SIZES.get(split(port)[1])
     if known is None:
         return Size(0, size)
     if size != known.rows * functions + known.more:

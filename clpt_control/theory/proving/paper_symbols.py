@@ -14,6 +14,7 @@ import numpy as np
 import sympy
 
 from ...blocks import Block
+from ...blocks.namespaces import named, split
 from ...scenario.keys import CALL_TIME_NAMES
 
 # fields that stand for one thing, and its name in the paper
@@ -32,17 +33,19 @@ ONE = {
         "lyapunov.gain_K",
         "lyapunov.gain_Gamma",
     ),
+    "kappa": ("consensus.coupling",),
 }
+SHARED = ("theta", "gamma", "kappa")  # by all vehicles of a team
 SCALARS = ("gamma",)  # one number in the paper, whatever shape a block keeps it in
 _NAMES = {field: name for name, fields in ONE.items() for field in fields}
 
 
 def port_names(port: str, size: int, N: int | None = None) -> list[str]:
     """Return the names of one port's signals, flattened row by row."""
-    own = port.rpartition(".")[2]
+    own = split(port)[1]
     if N is not None and own.startswith("phi") and size == N:
         return [f"{port}[{k + 1}]" for k in range(size)]
-    if N is not None and own in ("alpha", "eta") and size >= 2 * N:
+    if N is not None and own in ("alpha", "eta", "pull") and size >= 2 * N:
         names = [f"{port}_{k // N + 1}[{k % N + 1}]" for k in range(2 * N)]
         return names + [f"{port}_{k + 1}" for k in range(2 * N, size)]
     return [f"{port}_{k + 1}" for k in range(size)]
@@ -66,12 +69,19 @@ def state_names(blocks: Iterable[Block]) -> dict[tuple[str, str], str]:
     }
 
 
+def paper_name(block: str, field: str) -> str | None:
+    """Return what the paper calls a field, with the vehicle's name where it is its own."""
+    space, own = split(block)
+    name = _NAMES.get(f"{own}.{field}")
+    return name if name is None or not space or name in SHARED else named(space, name)
+
+
 def parameter_names(blocks: Sequence[Block]) -> dict[tuple[str, str], str]:
     """Return (block, field) -> the paper's name where all fields of it agree, else block.field."""
     held: dict[str, list[Any]] = {}
     for block in blocks:
         for field, value in zip(block.parameters._fields, block.parameters, strict=True):
-            name = _NAMES.get(f"{block.name}.{field}")
+            name = paper_name(block.name, field)
             if name is not None:
                 held.setdefault(name, []).append(value)
     ports = {port for b in blocks for port in (*b.input_ports, *b.output_ports)}
@@ -79,7 +89,7 @@ def parameter_names(blocks: Sequence[Block]) -> dict[tuple[str, str], str]:
     found = {}
     for block in blocks:
         for field in block.parameters._fields:
-            name = _NAMES.get(f"{block.name}.{field}")
+            name = paper_name(block.name, field)
             found[block.name, field] = name if name in one else f"{block.name}.{field}"
     return found
 
@@ -117,7 +127,7 @@ def symbols_of(name: str, value: Any) -> Any:
         return signed(name, value)
     array = np.empty(shape, dtype=object)
     for index in np.ndindex(shape):
-        axis = name in ONE and shape[0] == 2
+        axis = split(name)[1] in ONE and shape[0] == 2
         place = f"_{index[0] + 1}" if axis else f"[{index[0] + 1}]"
         place += "".join(f"[{k + 1}]" for k in index[1:])
         array[index] = signed(name if name in SCALARS else name + place, value)

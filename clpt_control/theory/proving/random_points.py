@@ -10,6 +10,7 @@ import numpy as np
 import sympy
 
 from ...blocks import Block
+from ...blocks.namespaces import BETWEEN, named, split
 from .paper_symbols import SCALARS, parameter_names
 from .symbolic_loop import TIME, SymbolicLoop
 
@@ -117,12 +118,10 @@ def symbol_values(
 
 def equate_x_and_z(loop: SymbolicLoop, x: np.ndarray, random: np.random.Generator) -> None:
     """Set x = z at some points: e = 0."""
-    flat = [str(s) for symbols in loop.states.values() for s in symbols]
-    pairs = [
-        (flat.index(f"x_{i}"), flat.index(f"z_{i}"))
-        for i in (1, 2)
-        if f"x_{i}" in flat and f"z_{i}" in flat
-    ]
-    for a, b in pairs:
+    flat = {str(s): k for k, s in enumerate(s for own in loop.states.values() for s in own)}
+    for name, a in flat.items():
+        b = flat.get(named(split(name)[0], f"z_{name[-1]}").lstrip(BETWEEN))
+        if split(name)[1] not in ("x_1", "x_2") or b is None:
+            continue
         equal = random.random(len(x)) < 0.1
         x[equal, a] = x[equal, b]

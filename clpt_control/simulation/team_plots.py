@@ -1,0 +1,110 @@
+"""The picture of a team's run: who swam where, and what they learned together."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..errors import ClptError
+from ..figures import COLOURS, GREY, STYLES, new_figure
+from ..scenario.team import Team
+from .plots import TITLE
+from .teams import require_team
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.figure import Figure
+
+MARKS = "os^vD*"
+LEAST = 1e-16  # shown of what falls to zero
+
+
+def team_plot(run: "xarray.Dataset", team: Team) -> "Figure":
+    """Draw a team's tracks, CLPE and errors.
+
+    Parameters
+    ----------
+    run : xarray.Dataset
+        As `simulate` gives it for the team.
+    team : Team
+        Its team.
+
+    Returns
+    -------
+    Figure
+        Tracks, waypoints and the flow at the start; |e| of each vehicle; the largest error of a
+        flow parameter of each, or without theta the estimates, and the largest disagreement.
+
+    Raises
+    ------
+    ClptError
+        If the run is not of this team.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> one = clpt.paper_scenario().with_values({"run.duration": 20})
+    >>> team = clpt.Team(members={"a": one, "b": one}, coupling=0.5)
+    >>> figure = team_plot(clpt.simulate(team), team)
+    """
+    require_team(team)
+    if "vehicle" not in run.dims or list(run.vehicle.values) != list(team.members):
+        raise ClptError(f"run: is none of the vehicles {', '.join(team.members)}; simulate(team)")
+    scale = {"height_ratios": [1.3, 1, 1.2]}
+    figure, (chart, top, bottom) = new_figure(6.4, 8.4, nrows=3, gridspec_kw=scale)
+    lines = {
+        name: {"color": COLOURS[k % 6], "linestyle": STYLES[k % 6], "linewidth": 1.1}
+        for k, name in enumerate(team.members)
+    }
+    _tracks(chart, run, team, lines)
+    units, time = team.first.units, run.time.values
+    apart = (run.alpha.max("vehicle") - run.alpha.min("vehicle")).max(("axis", "basis")).values
+    known = "flow_parameters" in run
+    wrong = run.flow_parameters_estimate - (run.flow_parameters if known else 0.0)
+    errors = abs(wrong).max(("axis", "basis"))
+    for name, line in lines.items():
+        size = np.hypot(*run.clpe.sel(vehicle=name).values.T)
+        top.semilogy(time, _positive(size), label=name, **{**line, "linewidth": 0.7})
+        bottom.semilogy(time, _positive(errors.sel(vehicle=name).values), label=name, **line)
+    most = {"color": GREY, "linewidth": 1.0, "linestyle": ":", "label": "largest disagreement"}
+    bottom.semilogy(time, _positive(apart), **most)
+    top.set(ylabel=f"|CLPE| ({units.length})")
+    top.set_title("Prediction errors", **TITLE)
+    bottom.set(xlabel=f"time ({units.time})", ylabel=f"size ({units.length}/{units.time})")
+    learned = "error of a flow parameter" if known else "flow parameter"
+    bottom.set_title(f"Largest {learned} of each vehicle", **TITLE)
+    for ax in (top, bottom):
+        ax.set_xlim(time[0], time[-1])
+        ax.legend(frameon=False, fontsize=8, ncols=4)
+    return figure
+
+
+def _positive(values: np.ndarray) -> np.ndarray:
+    """Return what a logarithmic axis can show."""
+    return np.where(values > LEAST, values, np.nan)
+
+
+def _tracks(ax: Any, run: "xarray.Dataset", team: Team, lines: dict[str, dict[str, Any]]) -> None:
+    """Draw tracks and waypoints over the flow at the start."""
+    from .flows import flow_velocity
+
+    unit, first = team.first.units, team.first
+    points = np.concatenate([one.waypoints for one in team.members.values()])
+    paths = np.concatenate([points, run.position.values.reshape(-1, 2)])
+    low, high = paths.min(0), paths.max(0)
+    rim = 0.08 * max(high - low)
+    count = np.clip(np.round(20 * (high - low + 2 * rim) / max(high - low)), 3, 25).astype(int)
+    edges = zip(low - rim, high + rim, count, strict=True)
+    grid = np.stack(np.meshgrid(*(np.linspace(*edge) for edge in edges)), -1).reshape(-1, 2)
+    flow = flow_velocity(first, grid, 0.0)
+    arrows = ax.quiver(*grid.T, *flow.T, color=GREY, alpha=0.6, width=0.0025)
+    size = float(f"{np.hypot(*flow.T).max():.1g}")
+    if size > 0:
+        ax.quiverkey(arrows, 0.9, 1.05, size, f"{size:g} {unit.length}/{unit.time}", labelpos="E")
+    for k, (name, scenario) in enumerate(team.members.items()):
+        path = run.position.sel(vehicle=name).values
+        ax.plot(*path.T, **{**lines[name], "linewidth": 0.6}, alpha=0.7)
+        mark = {"marker": MARKS[k % 6], "linestyle": "none", "markersize": 5}
+        ax.plot(*scenario.waypoints.T, color=lines[name]["color"], label=name, **mark)
+    ax.set(xlabel=f"$x_1$ ({unit.length})", ylabel=f"$x_2$ ({unit.length})", aspect="equal")
+    ax.set_title("Waypoints, tracks, and flow at t = 0", **TITLE)
+    ax.legend(frameon=False, fontsize=8, ncols=4, loc="upper left", bbox_to_anchor=(0, -0.25))

@@ -1,0 +1,206 @@
+"""What a team can learn together: the pooled Gramian.
+
+All vehicles share the flow parameters of an axis; K_i and Gamma_i are each vehicle's own.  With
+the vehicles m = 1 ... M, the parameters of axis i and the pooled Gramian are
+
+    theta_i[1..N], K_i and Gamma_i of each vehicle
+    G = sum_m int w_m w_m^T dt,    w_m = [phi(x_m), 0, ..., z_i, zc_i of m, ..., 0]
+
+so that its flow part is sum_m int phi(x_m) phi(x_m)^T dt.  Where the gains are held only the flow
+part counts, of each vehicle and of the team.  A vehicle's Gramian with K_i and Gamma_i has a
+smallest eigenvalue at most that of its flow part, as of every matrix and a part of it.
+"""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Union
+
+import numpy as np
+
+from ...errors import DataError
+from ...scenario.file import TEAM, scenario_to_text
+from ...scenario.team import Team
+from ...scenario.team_file import team_of_run
+from .gramian import NOT_LEARNABLE, Excitation, joined, parameter_names, piece_factors
+from .regressor import (
+    Regressor,
+    at_nodes,
+    checked_window,
+    finished_run,
+    joint_regressor,
+    quadrature,
+)
+
+if TYPE_CHECKING:
+    import xarray
+
+TeamSource = Union[Team, "xarray.Dataset"]
+
+
+@dataclass(frozen=True)
+class TeamExcitation:
+    """Excitation of each vehicle alone, and of the team."""
+
+    gains_adapt: bool  # whether K and Gamma are among what is learned
+    vehicles: dict[str, Excitation]
+    team: Excitation
+
+    def smallest(self) -> dict[str, float]:
+        """Return the smallest eigenvalue over both axes of each vehicle, and of ``"team"``."""
+        every = {**self.vehicles, "team": self.team}
+        return {
+            name: min(float(values[0]) for values in one.eigenvalues.values())
+            for name, one in every.items()
+        }
+
+
+def team_gramian(
+    source: TeamSource,
+    window: float | None = None,
+    start: float | None = None,
+    tolerance: float = NOT_LEARNABLE,
+) -> TeamExcitation:
+    """Measure the Gramians of a team over one window.
+
+    Parameters
+    ----------
+    source : Team or xarray.Dataset
+        A team is run from its own initial values; a run is read.
+    window : float, optional
+        Length of the window, units.time; the longest cycle of the waypoints.
+    start : float, optional
+        Start of the window; the second cycle, or as late as fits.
+    tolerance : float, optional
+        Eigenvalues up to this share of the largest are not excited.
+
+    Returns
+    -------
+    TeamExcitation
+        `vehicles`, by name, and `team`: the pooled Gramian, each an Excitation as `gramian`
+        gives it. Where the gains are held, of the flow parameters alone.
+
+    Raises
+    ------
+    ScenarioError
+        If the window is not positive or does not fit into the run.
+    DataError
+        If the dataset is no run of a team.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> one = clpt.paper_scenario().with_values({"run.duration": 400})
+    >>> other = one.with_values({"reference.radius": 2.0})
+    >>> team = clpt.Team(members={"a": one, "b": other}, coupling=0.5)
+    >>> found = clpt.theory.team_gramian(team).smallest()
+    >>> found["team"] > found["a"]
+    True
+    """
+    along = _regressors(source, window, start)
+    scenario = next(iter(along.values())).scenario
+    N, adapt = scenario.basis.N, scenario.learning.adapt_gains
+    adapted = slice(None if adapt else N)
+    one = next(iter(along.values()))
+    first, last, unit = float(one.cuts[0]), float(one.cuts[-1]), scenario.units.time
+
+    def found(names: dict[str, list[str]], factors: Any, trajectory: str) -> Excitation:
+        by_axis = dict(zip(names, factors, strict=True))
+        return Excitation(first, last - first, trajectory, unit, names, by_axis, tolerance)
+
+    own_names = {axis: names[adapted] for axis, names in parameter_names(N).items()}
+    pieces = {name: piece_factors(one)[..., adapted] for name, one in along.items()}
+    vehicles = {
+        name: found(own_names, [joined(axis) for axis in own], along[name].trajectory)
+        for name, own in pieces.items()
+    }
+    shared = {axis: names[:N] for axis, names in own_names.items()}
+    names = {
+        axis: shared[axis] + [f"{own} of {name}" for name in along for own in own_names[axis][N:]]
+        for axis in shared
+    }
+    wide = [_placed(own, k, len(along), N) for k, own in enumerate(pieces.values())]
+    team = [joined(np.concatenate([one[axis] for one in wide])) for axis in range(2)]
+    return TeamExcitation(adapt, vehicles, found(names, team, one.trajectory))
+
+
+def _placed(pieces: np.ndarray, vehicle: int, vehicles: int, N: int) -> np.ndarray:
+    """Return a vehicle's factors with its own gains in their columns among all vehicles'."""
+    own = pieces.shape[-1] - N
+    wide = np.zeros((*pieces.shape[:-1], N + own * vehicles))
+    wide[..., :N] = pieces[..., :N]
+    wide[..., N + own * vehicle : N + own * (vehicle + 1)] = pieces[..., N:]
+    return wide
+
+
+def _regressors(
+    source: TeamSource, window: float | None, start: float | None
+) -> dict[str, Regressor]:
+    """Return w of every vehicle over one window."""
+    if isinstance(source, Team):
+        team, first, last = source, 0.0, float(source.run.duration)
+        runs: Any = team.members
+    else:
+        team = team_of_run(source)
+        runs = {name: vehicle_run(source, team, name) for name in team.members}
+        first, last = float(source.time[0]), float(source.time[-1])
+    cycle = max(one.cycle for one in team.members.values())
+    window = min(cycle, last - first) if window is None else window
+    start = max(first, min(first + cycle, last - window)) if start is None else start
+    checked_window(next(iter(runs.values())), window, start)
+    if not isinstance(source, Team):
+        return {name: joint_regressor(run, window, start) for name, run in runs.items()}
+    nodes = {name: quadrature(one, start, start + window) for name, one in team.members.items()}
+    times = np.unique(np.concatenate([one.times.ravel() for one in nodes.values()]))
+    run = finished_run(team, times)
+    said = "simulated from the team's initial values"
+    return {
+        name: at_nodes(
+            scenario,
+            run.sel(vehicle=name).isel(time=np.searchsorted(times, nodes[name].times.ravel())),
+            nodes[name],
+            said,
+        )
+        for name, scenario in team.members.items()
+    }
+
+
+def vehicle_run(run: "xarray.Dataset", team: Team, name: str) -> "xarray.Dataset":
+    """Return what one vehicle of a team did, as a run of its own scenario."""
+    if "vehicle" not in run.dims or name not in run.vehicle:
+        raise DataError(f"the run holds no vehicle {name}; `clpt run` writes all of a team")
+    own = run.sel(vehicle=name, drop=True)
+    attributes = {key: value for key, value in run.attrs.items() if key != TEAM}
+    own.attrs = {**attributes, "scenario": scenario_to_text(team.members[name])}
+    own.encoding.update(run.encoding)
+    return own
+
+
+def team_excitation_report(
+    source: TeamSource, window: float | None = None, start: float | None = None
+) -> dict[str, Any]:
+    """Return what a team's run can teach over one window, for JSON.
+
+    ``window``, ``start``, ``time_unit``, ``trajectory``; ``measured`` (of which parameters);
+    ``vehicles`` by name and ``team``: by axis ``eigenvalues`` (ascending) and ``dimension`` of
+    what can be learned, and ``not_learnable``, sentences.
+    """
+    found = team_gramian(source, window, start)
+
+    def of(one: Excitation) -> dict[str, Any]:
+        return {
+            "eigenvalues": {axis: values.tolist() for axis, values in one.eigenvalues.items()},
+            "dimension": one.dimension,
+            "not_learnable": one.not_learnable,
+        }
+
+    both = "the flow parameters, which all share, and each vehicle's own K and Gamma"
+    alone = "the flow parameters, which all share; K and Gamma are held"
+    return {
+        "window": found.team.window,
+        "start": found.team.start,
+        "time_unit": found.team.time_unit,
+        "trajectory": found.team.trajectory,
+        "measured": both if found.gains_adapt else alone,
+        "smallest": found.smallest(),
+        "vehicles": {name: of(one) for name, one in found.vehicles.items()},
+        "team": of(found.team),
+    }

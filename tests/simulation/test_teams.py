@@ -1,0 +1,199 @@
+"""Teams against closed forms and identities: one flow, learned over a graph."""
+
+import numpy as np
+import pytest
+from scipy.linalg import expm
+from strait import DIFFERENT, FILE, PAPER, ROW, team, vehicle
+
+import clpt_control as clpt
+
+VARIABLES = ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain")
+CLOSE = {"rtol": 0.0, "atol": 1e-8}
+
+
+def same(run, other, names=VARIABLES):
+    for name in names:
+        np.testing.assert_allclose(run[name].values, other[name].values, **CLOSE, err_msg=name)
+
+
+def test_identical_vehicles_are_as_one():
+    one = vehicle(learning_position=[0.4, -0.2])
+    run = clpt.simulate(team(a=one, b=one, c=one))
+    for name in "abc":
+        same(run.sel(vehicle=name), clpt.simulate(one))
+    assert float(abs(run.alpha - run.alpha[0]).max()) == 0.0
+    np.testing.assert_allclose(run.lyapunov, 3 * clpt.simulate(one).lyapunov, rtol=1e-7)
+
+
+def test_without_coupling_each_is_alone():
+    run = clpt.simulate(team(0.0, ROW, **DIFFERENT))
+    for name, scenario in DIFFERENT.items():
+        same(run.sel(vehicle=name), clpt.simulate(scenario))
+
+
+def test_with_coupling_they_are_not_alone():
+    run = clpt.simulate(team(0.6, ROW, **DIFFERENT))
+    alone = clpt.simulate(DIFFERENT["b"])
+    assert float(abs(run.alpha.sel(vehicle="b") - alone.alpha).max()) > 0.01
+
+
+def test_the_engines_agree():
+    of = team(0.6, ROW, **DIFFERENT)
+    same(clpt.simulate(of, engine="native"), clpt.simulate(of, engine="python"))
+
+
+@pytest.mark.parametrize("gains", ["one", "each", "held true"])
+def test_V_falls_by_what_is_claimed(gains):
+    """V(s) - V(t) is the integral of sum e^T KD e + kappa/gamma sum over edges |apart|^2."""
+    values = {"run.rtol": 1e-12, "run.atol": 1e-13}
+    each = {"parameters": 1.3, "feedback": 0.2, "feedforward": 0.5}
+    if gains == "each":
+        values |= {"learning.gain": None, "learning.gains": each}
+    members = {name: one.with_values(values) for name, one in DIFFERENT.items()}
+    if gains == "held true":
+        members = {
+            name: one.with_values(
+                {
+                    "learning.adapt_gains": False,
+                    "learning.feedback": one.vehicle.feedback,
+                    "learning.feedforward": one.vehicle.feedforward,
+                }
+            )
+            for name, one in members.items()
+        }
+    gamma, kappa = 1.3 if gains == "each" else 0.8, 0.6
+    node, weight = np.polynomial.legendre.leggauss(10)
+    cuts = np.arange(0.0, 12.01, 0.1)  # each jump is a cut
+    half = np.diff(cuts)[:, None] / 2
+    inside = cuts[:-1, None] + half * (1 + node)
+    times = np.unique(np.concatenate([cuts, inside.ravel()]))
+    run = clpt.simulate(team(kappa, ROW, **members), times)
+    falls = np.zeros(len(times))
+    for name, one in members.items():
+        e = run.clpe.sel(vehicle=name).values
+        falls += e**2 @ np.array(one.vehicle.feedback)
+    for a, b in ROW:
+        apart = run.alpha.sel(vehicle=a).values - run.alpha.sel(vehicle=b).values
+        falls += kappa / gamma * (apart**2).sum((1, 2))
+    at = np.searchsorted(times, inside)
+    fallen = (falls[at] * half * weight).sum(1)
+    V = run.lyapunov.values
+    there = np.searchsorted(times, cuts)
+    np.testing.assert_allclose(V[there[:-1]] - V[there[1:]], fallen, rtol=0, atol=1e-9 * V[0])
+    assert np.ptp(V) > 0.1 * V[0]
+
+
+@pytest.mark.parametrize(
+    ("edges", "connectivity"),
+    [
+        ([("a", "b"), ("b", "c")], 1.0),
+        ([("a", "b"), ("b", "c"), ("c", "a")], 3.0),
+        ([("a", "b"), ("a", "c"), ("a", "d")], 1.0),
+    ],
+    ids=["row", "circle", "star"],
+)
+def test_where_nothing_is_seen_the_disagreement_falls_by_the_laplacian(edges, connectivity):
+    """phi = 0 and e = 0: alpha(t) = exp(-kappa L t) alpha(0)."""
+    names = sorted({name for edge in edges for name in edge})
+    random, kappa = np.random.default_rng(3), 0.35
+    starts = random.standard_normal((len(names), 2, 3))
+    far = {
+        "basis_kernel": "gaussian",
+        "basis_centers": [[1e3, 0.0]] * 3,
+        "learning_adapt_gains": False,
+        "learning_feedback": [1, 1],
+        "learning_feedforward": [1, 1],
+        "run_rtol": 1e-11,
+    }
+    members = {
+        name: vehicle(**far, learning_parameters=start)
+        for name, start in zip(names, starts, strict=True)
+    }
+    of = team(kappa, edges, **members)
+    assert of.connectivity == pytest.approx(connectivity)
+    run = clpt.simulate(of)
+    assert float(abs(run.clpe).max()) == 0.0
+    L = np.zeros((len(names),) * 2)
+    for edge in edges:
+        a, b = map(names.index, edge)
+        L += np.outer(*[np.eye(len(names))[a] - np.eye(len(names))[b]] * 2)
+    for t in (0.0, 2.5, 12.0):
+        exact = np.einsum("vw,wik->vik", expm(-kappa * L * t), starts)
+        np.testing.assert_allclose(run.alpha.sel(time=t).values, exact, rtol=0, atol=1e-9)
+    mean = run.alpha.mean("vehicle")
+    assert float(abs(mean - mean[0]).max()) < 1e-9
+    apart = np.sqrt(((run.alpha - mean) ** 2).sum(("vehicle", "axis", "basis")).values)
+    bound = apart[0] * np.exp(-kappa * connectivity * run.time.values)
+    assert np.all(apart <= bound * (1 + 1e-7) + 1e-9)
+
+
+def test_none_sees_the_whole_flow_yet_the_team_learns_it():
+    """Issue: each smallest eigenvalue below 1e-6, all parameters to 1e-3 together."""
+    of = clpt.load_team(FILE)
+    theta = np.array(of.first.flow.parameters)
+    end = of.run.duration
+    run = clpt.simulate(of, [0.0, end])
+    errors = abs(run.flow_parameters_estimate[:, -1] - theta).max(("axis", "basis"))
+    assert float(errors.max()) < 1e-3
+    for scenario in of.members.values():
+        joint = clpt.theory.gramian(scenario, end, 0.0).eigenvalues
+        assert max(float(values[0]) for values in joint.values()) < 1e-6
+        alone = clpt.simulate(scenario, [0.0, end]).flow_parameters_estimate[-1]
+        assert float(abs(alone - theta).max()) > 0.5
+    together = clpt.theory.team_gramian(of, end, 0.0)
+    smallest = together.smallest()
+    assert max(smallest["west"], smallest["east"]) < 1e-6
+    assert smallest["team"] > 1.0
+    assert together.team.not_learnable == []
+
+
+def test_a_team_is_a_diagram_of_python_control():
+    of = team(0.6, ROW, **DIFFERENT)
+    loop = clpt.team_loop(of)
+    assert loop.nstates == 3 * 14
+    assert "b/alpha[0]" in loop.output_labels
+    start = np.concatenate([clpt.initial_state(one) for one in DIFFERENT.values()])
+    response = clpt.simulate(loop, [0.0, 1.0], initial_state=start)
+    run = clpt.simulate(of, [0.0, 1.0])
+    x = [response.output_labels.index(f"c/x[{k}]") for k in range(2)]
+    np.testing.assert_allclose(response.outputs[x, -1], run.position[2, -1], rtol=0, atol=1e-7)
+    steered = clpt.simulate(loop, [0.0, 1.0], 0, start, params={"b/consensus.coupling": 0.0})
+    assert abs(steered.states[:, -1] - response.states[:, -1]).max() > 1e-4
+
+
+def test_one_vehicle_may_have_a_limit_of_speed():
+    """What the other has no limit of is flown as commanded; no gap is filled with NaN."""
+    of = team(slow=vehicle(vehicle_max_speed=0.5), free=PAPER)
+    run = clpt.simulate(of)
+    assert "; slow: the flow was faster than the vehicle (0.5 m/s)" in run.attrs["message"]
+    assert "free:" not in run.attrs["message"]
+    speed = np.hypot(*np.moveaxis(run.velocity.values, -1, 0))
+    assert speed[0].max() <= 0.5 + 1e-12 < speed[1].max()
+    np.testing.assert_array_equal(run.velocity[1], run.commanded_velocity[1])
+    assert all(np.isfinite(run[name]).all() for name in run.data_vars)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        ({"initial_state": [1.0]}, "initial_state: a team has its own; change its"),
+        ({"inputs": [1.0]}, "a scenario has no inputs"),
+        ({"params": {"a/adaptation.gain": 1.0}}, r"params: a team has its own.*team_loop\(team\)"),
+        ({"rtol": -1.0}, "rtol"),
+        ({"timepts": [1.0, 0.0]}, "timepts"),
+        ({"engine": "fast"}, "must be one of native, python"),
+    ],
+    ids=str,
+)
+def test_what_a_team_cannot_take(arguments, said):
+    with pytest.raises(clpt.ClptError, match=said) as caught:
+        clpt.simulate(team(a=PAPER, b=PAPER), **arguments)
+    assert "\n" not in str(caught.value)
+
+
+def test_others_take_no_team():
+    for function in (clpt.closed_loop, clpt.initial_state, clpt.paper_blocks):
+        with pytest.raises(clpt.ScenarioError, match="must be a Scenario"):
+            function(team(a=PAPER, b=PAPER))
+    with pytest.raises(clpt.ScenarioError, match="must be a Team"):
+        clpt.team_loop(PAPER)

@@ -1,0 +1,107 @@
+"""The proof of a team, and its pooled Gramian, against closed forms and sums."""
+
+import numpy as np
+import pytest
+from strait import DIFFERENT, ROW, team, vehicle
+
+import clpt_control as clpt
+from clpt_control.blocks import team as blocks
+from clpt_control.theory.proving.team import GRAPHS, exact_step, judged_team
+
+
+def test_the_team_is_proved_for_every_N():
+    found = judged_team()
+    assert (found.status, found.for_every_N) == ("proved", True), found.claim
+    assert [step.how for step in found.steps].count("exact") == 2 * len(GRAPHS)
+    assert any(step.how == "sampled" for step in found.steps)
+
+
+def test_a_sum_in_place_of_the_difference_is_not_proved(monkeypatch):
+    def together(t, x, u, p, y):
+        """pull = -kappa sum_j (alpha + alpha_j), section III with a wrong sign."""
+        n = p.N
+        for i in range(2):
+            for k in range(n):
+                apart = 0.0
+                for j in range(p.neighbours):
+                    apart += u[i * n + k] + u[2 * n * (j + 1) + i * n + k]
+                y[i * n + k] = -p.coupling * apart
+
+    monkeypatch.setattr(blocks, "consensus", together)
+    step = exact_step("two vehicles", GRAPHS["two vehicles"])
+    assert not step.holds
+    assert "left over" in step.detail
+
+
+def test_a_one_sided_graph_is_not_proved(monkeypatch):
+    """One hears the other, who does not hear back: V' is not that of the edge."""
+    monkeypatch.setattr(clpt.Team, "neighbours", lambda self, name: ["b"] if name == "a" else [])
+    assert not exact_step("two vehicles", GRAPHS["two vehicles"]).holds
+
+
+def test_two_that_stand_still_have_a_gramian_by_hand():
+    """phi is [1, q] and [q, 1]: eigenvalues T (1 - q)^2 and T (1 + q)^2 of the team, 0 alone."""
+    places, width, T = [[0.0, 0.0], [3.0, 0.0]], 2.0, 7.0
+    q = np.exp(-(3.0**2) / (2 * width**2))
+    members = {
+        name: vehicle(
+            basis={
+                "kernel": "gaussian",
+                "centers": places,
+                "widths": [width] * 2,
+                "periods": [float("inf")] * 2,
+            },
+            flow_parameters=[[0.0] * 2] * 2,
+            model_parameters=None,
+            learning_parameters=None,
+            vehicle_position=place,
+            learning_position=place,
+            learning_adapt_gains=False,
+            learning_feedback=[1, 1],
+            learning_feedforward=[1, 1],
+            reference={"kind": "waypoints", "points": [place], "dwell": 20.0},
+        )
+        for name, place in zip("ab", places, strict=True)
+    }
+    found = clpt.theory.team_gramian(team(**members), T, 1.0)
+    for axis in ("x1", "x2"):
+        pooled = found.team.eigenvalues[axis]
+        np.testing.assert_allclose(pooled, [T * (1 - q) ** 2, T * (1 + q) ** 2], rtol=1e-12)
+        for one in found.vehicles.values():
+            np.testing.assert_allclose(one.eigenvalues[axis], [0, T * (1 + q**2)], atol=1e-12)
+    assert found.team.not_learnable == []
+    assert found.vehicles["a"].dimension == {"x1": 1, "x2": 1}
+
+
+def test_the_pooled_gramian_is_the_sum_with_gains_of_their_own():
+    of = team(0.0, ROW, **DIFFERENT)  # uncoupled, each as its own scenario runs
+    N, window, start = 3, 6.0, 2.0
+    found = clpt.theory.team_gramian(of, window, start)
+    assert found.gains_adapt
+    assert found.team.names["x1"][N:] == [f"{g}_1 of {v}" for v in "abc" for g in ("K", "Gamma")]
+    for axis in ("x1", "x2"):
+        whole = np.zeros((N + 6, N + 6))
+        for k, scenario in enumerate(of.members.values()):
+            own = clpt.theory.gramian(scenario, window, start).gramians[axis]
+            at = [*range(N), N + 2 * k, N + 2 * k + 1]
+            whole[np.ix_(at, at)] += own
+        np.testing.assert_allclose(found.team.gramians[axis], whole, rtol=0, atol=1e-6)
+    run = clpt.simulate(of, np.arange(0.0, 12.01, 0.05))
+    read = clpt.theory.team_gramian(run, window, start)
+    for name, value in read.smallest().items():
+        assert value == pytest.approx(found.smallest()[name], rel=1e-2)
+
+
+@pytest.mark.parametrize(
+    ("source", "arguments", "said"),
+    [
+        (3, (), "must be a Team or a team's run"),
+        (clpt.paper_scenario(), (), "must be a Team or a team's run"),
+        (team(a=vehicle(), b=vehicle()), (50.0,), "window 50 from 0: must be positive and lie"),
+        (team(a=vehicle(), b=vehicle()), (-1.0, 0.0), "window -1 from 0: must be positive"),
+    ],
+    ids=["number", "scenario", "too long", "negative"],
+)
+def test_what_has_no_pooled_gramian(source, arguments, said):
+    with pytest.raises(clpt.ClptError, match=said):
+        clpt.theory.team_gramian(source, *arguments)
