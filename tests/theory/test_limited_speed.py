@@ -8,6 +8,7 @@ from clpt_control.blocks import learner, speed_limit
 from clpt_control.blocks.laws.law import Truth
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.diagrams.interconnection import connect
+from clpt_control.errors import ScenarioError
 from clpt_control.simulation.loops import paper_blocks
 from clpt_control.theory.proving import limited_speed
 from clpt_control.theory.proving.limited_speed import judged_limits
@@ -68,6 +69,15 @@ def test_what_is_proved_and_what_is_refuted():
     }
     (laws,) = found["every law with hedging"].steps
     assert set(laws.detail.split(", ")) == set(LAWS)
+
+
+def test_a_certificate_holds_along_a_hedged_run_and_is_refused_without():
+    scenario = PAPER.with_values({"vehicle.max_speed": 1.5, "run.duration": 100})
+    found = clpt.theory.certificate(scenario, 80.0, 20.0)
+    V = clpt.simulate(scenario, [0.0, 20.0, 100.0]).lyapunov.values
+    assert V[2] / V[1] <= found.contraction < 1
+    with pytest.raises(ScenarioError, match=r"no certificate: learning\.hedging = false"):
+        clpt.theory.certificate(scenario.with_values({"learning.hedging": False}), 80.0, 20.0)
 
 
 def added(t, x, u, p, dx):

@@ -121,7 +121,7 @@ def certificate(
     ------
     ScenarioError
         If the window does not fit into the run or holds too many turns, or the law is not
-        one of the paper's.
+        one of the paper's, or the speed is limited without hedging.
     DataError
         If the dataset is no run.
 
@@ -139,6 +139,11 @@ def certificate(
         raise ScenarioError(
             "no certificate: it is of the paper's two laws with one gain for all, the run has the "
             f"law {along.own_law or law}" + ("" if gains.one else " with a gain each")
+        )
+    if scenario.vehicle.max_speed is not None and not scenario.hedged:
+        raise ScenarioError(
+            "no certificate: learning.hedging = false, so what the vehicle cannot fly adds to V'; "
+            "with hedging V falls as certified"
         )
     gain = gains.parameters
     turn = np.sqrt(gain * np.max(np.sum(along.w**2, -1)))
