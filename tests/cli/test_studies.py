@@ -28,6 +28,20 @@ def test_step_response_agrees_with_theory(tmp_path):
     assert inked(tmp_path / "step_response.png") > 0.01
 
 
+def test_forecasts_of_flow_estimators(tmp_path):
+    few = ROOT / "clpt_control/data/sg542_dives.csv"
+    lines = few.read_text().splitlines(keepends=True)
+    (tmp_path / "few.csv").write_text("".join(lines[:14]))
+    run("-m", "analysis.flow_estimators", tmp_path / "few.csv", "--out", tmp_path)
+    text = (tmp_path / "flow_estimators.md").read_text()
+    rows = {cells[1].strip(): cells for cells in (r.split("|") for r in text.splitlines()[2:])}
+    assert len(rows) == 9
+    first = {name: float(cells[2]) for name, cells in rows.items()}
+    assert first["tomography, steady"] == first["least-squares, steady"]
+    assert max(first.values()) == first["no flow"]
+    assert inked(tmp_path / "flow_estimators.png") > 0.01
+
+
 @pytest.mark.slow
 def test_readings_find_the_one_that_reproduces_the_paper(tmp_path):
     done = run("-m", "analysis.readings", "--out", tmp_path)
