@@ -48,7 +48,7 @@ def estimate(
         if not data.time.values[1] < until <= data.time.values[-1]:
             raise ScenarioError(f"--until {until:g}: must lie within the run")
         data = data.sel(time=slice(None, until * (1 + 1e-12)))
-    found = flow_estimate(data, method, every=every, prior=prior, noise=noise)  # type: ignore[arg-type]
+    found = flow_estimate(data, method, every=every, prior=prior, noise=noise)
     if out is not None:
         save_scenario(known_flow_scenario(scenario, found.theta), out)
     sd, speed = found.standard_deviation, f"{scenario.units.length}/{scenario.units.time}"

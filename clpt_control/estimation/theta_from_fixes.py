@@ -17,7 +17,7 @@ underwater vehicles", International Journal of Robotics Research 36, 320-336, 20
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -36,7 +36,6 @@ if TYPE_CHECKING:
 
 MOST = 100  # turns of the tomography
 SETTLED = 1e-9  # of the prior
-Method = Literal["least-squares", "kalman", "tomography"]
 
 
 @dataclass(frozen=True)
@@ -90,7 +89,7 @@ class FlowEstimate:
 
 def flow_estimate(
     data: "xarray.Dataset | Sequence[Dive]",
-    method: Method = "least-squares",
+    method: str = "least-squares",
     *,
     basis: Block | None = None,
     every: float | None = None,
