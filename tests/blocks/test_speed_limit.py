@@ -119,6 +119,15 @@ def test_every_reading_agrees(hedging):
             np.testing.assert_allclose(more, outputs, rtol=1e-12, atol=1e-12, err_msg=name)
 
 
+def test_machine_code_and_python_run_alike_through_the_kinks():
+    short = {"vehicle.max_speed": 1.1, "run.duration": 30, "run.rtol": 1e-11, "run.atol": 1e-12}
+    scenario = PAPER.with_values(short)
+    native, python = (clpt.simulate(scenario, engine=engine) for engine in ("native", "python"))
+    assert native.attrs["share_at_speed_limit"] > 0.1
+    for name in native.data_vars:
+        np.testing.assert_allclose(native[name], python[name], atol=1e-7, err_msg=name)
+
+
 def test_the_diagram_without_a_limit_is_as_it_was():
     names = [block.name for block in clpt.closed_loop(PAPER).syslist]
     limited = [block.name for block in clpt.closed_loop(LIMITED).syslist]

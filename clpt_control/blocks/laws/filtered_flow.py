@@ -4,7 +4,8 @@
 
 By Eq. (1), x' - v = F, so F_f' = l (F - F_f): F_f is the flow through the filter, made of the
 position x and the commanded velocity v alone.  With phi_f(0) = 0 and q(0) = l x(0) it is
-theta phi_f at all times, whatever theta is: the regression of the composite laws.
+theta phi_f at all times, whatever theta is: the regression of the composite laws.  Where the
+speed is limited, v is what is flown, and the same holds.
 Source: Slotine and Li 1989, Automatica 25(4), composite adaptive control.
 
 Ports: phi_x[N], x[2] (length), v_x[2] (length per time); states phi_f[N], q[2] (length per time).
