@@ -5,8 +5,8 @@ READY := .venv/.ready
 
 BENCH := build/benchmarks/venv
 LOWEST := build/lowest
-ENGINE := native elementary engine_page loops solver closed_form_flows written_is_run random_diagrams trace \
-	words simulation conformance members ensemble
+ENGINE := native jumps random_jumps elementary engine_page loops solver closed_form_flows written_is_run random_diagrams \
+	trace words simulation conformance members ensemble
 
 .PHONY: paper test test-slow test-generic test-lowest lint format clean bench bench-quick
 
