@@ -1,12 +1,12 @@
 """A team in a TOML file: a scenario whose [team] says what each vehicle has for itself.
 
-[team]
-coupling = 0.5                        # kappa, 1/time
-edges = [["west", "east"]]            # who hears whom; left out: all
+    [team]
+    coupling = 0.5                        # kappa, 1/time
+    edges = [["west", "east"]]            # who hears whom; left out: all
 
-[team.members.west]                   # keys in place of those at the top
-vehicle.position = [-15, 0]
-reference = { kind = "circle", radius = 3, count = 8, dwell = 2 }
+    [team.members.west]                   # keys in place of those at the top
+    vehicle.position = [-15, 0]
+    reference = { kind = "circle", radius = 3, count = 8, dwell = 2 }
 
 A vehicle's [reference] with a kind takes the place of the common one; else key by key.
 """

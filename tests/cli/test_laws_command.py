@@ -39,6 +39,8 @@ def test_every_law_runs_and_runs_again(clpt, tmp_path, name):
 def test_the_laws_are_proved(clpt):
     outcome = clpt("prove", "--json")
     assert outcome.status == 0, outcome.err
+    team = json.loads(outcome.out)["team"]
+    assert (team["status"], team["for_every_N"]) == ("proved", True)
     laws = json.loads(outcome.out)["laws"]
     assert list(laws) == list(LAWS)
     for found in laws.values():

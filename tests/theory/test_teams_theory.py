@@ -105,3 +105,10 @@ def test_the_pooled_gramian_is_the_sum_with_gains_of_their_own():
 def test_what_has_no_pooled_gramian(source, arguments, said):
     with pytest.raises(clpt.ClptError, match=said):
         clpt.theory.team_gramian(source, *arguments)
+
+
+def test_the_measure_of_one_vehicle_takes_no_team():
+    of = team(a=vehicle(), b=vehicle())
+    for source in (of, clpt.simulate(of, [0.0, 1.0, 2.0])):
+        with pytest.raises(clpt.DataError, match="team_gramian measures a team"):
+            clpt.theory.gramian(source)

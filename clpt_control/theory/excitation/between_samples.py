@@ -25,15 +25,17 @@ Source = Union[Scenario, "xarray.Dataset"]
 
 def scenario_of(source: Source) -> Scenario:
     """Return a scenario, or that which a run carries in its attributes."""
-    from ...scenario.file import scenario_from_text
+    from ...scenario.file import TEAM, scenario_from_text
 
     if isinstance(source, Scenario):
         return source
     if not hasattr(source, "attrs"):
         raise DataError(
             f"{source!r:.60}: must be a Scenario or a run; clpt.load_scenario and clpt.load_run "
-            "read them"
+            "read them; clpt.theory.team_gramian measures a team"
         )
+    if TEAM in source.attrs:
+        raise DataError("the run is a team's; clpt.theory.team_gramian measures a team")
     text = source.attrs.get("scenario")
     if text is None:
         raise DataError("the run carries no scenario in its attributes; `clpt run` writes one")
