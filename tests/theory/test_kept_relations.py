@@ -11,12 +11,13 @@ KEEPING = [law for law in LAWS.values() if law.keeps is not None]
 OWN = {
     "composite-least-squares": "alpha",
     "composite-memory": "b",
+    "concurrent": "B",
     "drem": "alpha",
     "kalman-flow": "P",
 }
 DROPPED = [(law, OWN[law.name]) for law in KEEPING if law.name in OWN]
 START = [[0.3, -0.2, 0.1], [0.0, 0.4, 0.2]]
-DROPPED += [(law, "q") for law in KEEPING]
+DROPPED += [(law, "origin" if law.name == "concurrent" else "q") for law in KEEPING]
 FALLING = [law for law in KEEPING if not law.shrinking]
 SHRINKING = [law for law in KEEPING if law.shrinking]
 

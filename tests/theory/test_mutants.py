@@ -81,7 +81,7 @@ def functions():
                 visit(helper)
 
     for block in every_block():
-        for function in (block.update_function, block.output_function):
+        for function in (block.update_function, block.output_function, block.jump_function):
             if function is not None:
                 visit(function)
     return found

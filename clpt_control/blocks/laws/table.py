@@ -6,6 +6,7 @@ To add a law, write its page and put its row, `LAW`, in here; CONTRIBUTING has t
 from . import (
     composite_least_squares,
     composite_memory,
+    concurrent,
     dead_zone,
     drem,
     kalman_flow,
@@ -29,6 +30,7 @@ LAWS: dict[str, Law] = {
         projection.LAW,
         composite_least_squares.LAW,
         composite_memory.LAW,
+        concurrent.LAW,
         drem.LAW,
     )
 }

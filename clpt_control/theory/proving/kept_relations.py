@@ -8,12 +8,18 @@ matrix is not negative, and what V' `gains` beyond -e^T KD e.  Each is then show
     V' = -e^T KD e + gains <= -e^T KD e   where the relations hold, V and -gains not negative
 
 The first two are exact for N = 1, 2, 3; so is the third, and the running blocks give the same V'.
+Where its states jump, at times that may be any, x and inputs being those right before:
+
+    the relations before give the relations after,  M >= 0 gives M+ >= 0,  V+ <= V
+
+so that between and across jumps V falls.
 For a law that makes an estimate theta_hat = theta + d with its covariance M, the third is
 
     V' = -e^T KD e + e^T (theta - theta_hat) phi          Theorem 3.1
     (d M^-1 d^T)' <= gains <= 0                           so d never grows in this norm
 """
 
+from collections.abc import Callable, Set
 from typing import Any
 
 import numpy as np
@@ -24,7 +30,7 @@ from ...blocks import Block
 from ...blocks.laws.law import Law
 from .lyapunov import Claim, claimed, decay, decay_and_known_error, short
 from .proof import Step, checked
-from .quadratic_forms import nonpositive
+from .quadratic_forms import nonpositive, positive_maximum
 from .running_rate import compared
 from .symbolic_loop import TIME, SymbolicLoop, symbolic_loop
 from .theorem_loop import Hedging, law_and_V, theorem_loop
@@ -41,7 +47,7 @@ class Kept:
         made, V = law_and_V(law, N)
         wired = law.name if law.makes_estimate else "learned-flow"
         self.diagram = theorem_loop(N, wired, law_block=made, candidate=V, speed=speed)
-        self.loop: SymbolicLoop = symbolic_loop(self.diagram)
+        self.loop: SymbolicLoop = symbolic_loop(self.diagram, jumps=True)
         self.words: dict[Any, sympy.Symbol] = {}
         own = self.loop.states
         self.states = {port.rpartition(":")[2]: symbols for port, symbols in own.items()}
@@ -76,7 +82,8 @@ class Kept:
         words = [f for f in expression.atoms(AppliedUndef) if f.args != (TIME,)]
         for word in sorted(words, key=lambda f: (-extent(f)[0], str(f))):  # outer before inner
             if expression.has(word):
-                symbol = self.words.setdefault(word, sympy.Dummy(str(word.func), real=True))
+                sign = {"positive": True} if positive_maximum(word) else {"real": True}
+                symbol = self.words.setdefault(word, sympy.Dummy(str(word.func), **sign))
                 expression = expression.xreplace({word: symbol})
         return expression
 
@@ -86,6 +93,32 @@ class Kept:
             drift = self.here(self.loop.derivative(symbol - value))
             if not vanishes(drift):
                 return f"{symbol} leaves it by {short(drift)}"
+        return ""
+
+    def left_at_a_jump(self) -> str:
+        """Return which relation is left where states jump, or nothing."""
+        for after in self.loop.jumps_at_once():
+            for symbol, value in self.relations.items():
+                off = self.here((symbol - value).xreplace(after))
+                if not vanishes(off):
+                    return f"{symbol} leaves it by {short(off)}"
+        return ""
+
+    def cone_is_kept_at_a_jump(self) -> bool:
+        """Return whether c^T M c is not negative after a jump, for every M >= 0 and c."""
+        c = np.array(sympy.symbols(f"a_1:{len(self.matrix) + 1}", real=True), dtype=object)
+        for after in self.loop.jumps_at_once():
+            new = np.array([[after.get(m, m) for m in row] for row in self.matrix], dtype=object)
+            if not self.not_negative(self.veiled(sympy.expand(c @ new @ c)), set(c)):
+                return False
+        return True
+
+    def V_rises_by(self) -> str:
+        """Return what V may rise by where states jump, or nothing."""
+        for after in self.loop.jumps_at_once():
+            rise = self.here(self.V.xreplace(after) - self.V)
+            if not vanishes(rise) and not self.not_negative(-rise):
+                return short(rise)
         return ""
 
     def estimate_grows(self) -> str:
@@ -122,8 +155,11 @@ class Kept:
         """Return the matrix with its relations, shape (N, N)."""
         return np.array([[self.here(s) for s in row] for row in self.matrix], dtype=object)
 
-    def not_negative(self, expression: sympy.Expr) -> bool:
-        """Return whether F = F(M = 0) + tr(M S) is known not to be negative for M >= 0."""
+    def not_negative(self, expression: sympy.Expr, more: Set[Any] = frozenset()) -> bool:
+        """Return whether F = F(M = 0) + tr(M S) is known not to be negative for M >= 0.
+
+        `more` are symbols beside states and truths that may have any value.
+        """
         if all(term.is_nonnegative for term in sympy.Add.make_args(expression)):
             return True
         n, found = len(self.matrix), self.here(expression)
@@ -136,7 +172,7 @@ class Kept:
             for k in range(j, n):  # M_jk stands for M_kj as well
                 form += c[j] * c[k] * sympy.diff(found, self.here(self.matrix[j, k]))
         parts = (found.subs(zero), sympy.expand(form))
-        return all(nonpositive(-part, self.apart, {}) for part in parts)
+        return all(nonpositive(-part, self.apart | more, {}) for part in parts)
 
 
 def _tied(loop: SymbolicLoop, law: Block, V: Block) -> dict[Any, Any]:
@@ -170,6 +206,28 @@ def kept_step(cases: list[Kept]) -> Step:
     return checked("what the law's states keep is kept", "exact", stays, False)
 
 
+def jump_steps(cases: list[Kept], law: Law) -> list[Step]:
+    """Check what the states keep, and V, where they jump; nothing where they do not."""
+
+    def none(say: Callable[[Kept], str]) -> tuple[bool, str]:
+        said = [(N, say(case)) for N, case in zip(SIZES, cases, strict=True)]
+        return not any(one for _, one in said), "; ".join(
+            f"N = {N}: {one}" for N, one in said if one
+        )
+
+    name = law.cone
+    return [
+        checked("and is kept where they jump", "exact", lambda: none(Kept.left_at_a_jump), False),
+        checked(
+            f"{name} >= 0 is not left where they jump",
+            "exact",
+            lambda: all(case.cone_is_kept_at_a_jump() for case in cases),
+            False,
+        ),
+        checked("V does not rise where they jump", "exact", lambda: none(Kept.V_rises_by), False),
+    ] * any(case.loop.jumps for case in cases)
+
+
 def kept_steps(law: Law, points: int) -> list[Step]:
     """Check a law whose row states what its states keep, for N = 1, 2, 3."""
     cases = [Kept(law, N) for N in SIZES]
@@ -186,6 +244,8 @@ def kept_steps(law: Law, points: int) -> list[Step]:
         return True, ""
 
     def recedes() -> tuple[bool, str]:
+        if any(case.loop.jumps for case in cases):
+            return False, "its states jump, and what its error does there is not judged"
         grown = next((said for said in (case.estimate_grows() for case in cases) if said), "")
         return not grown, grown
 
@@ -219,6 +279,7 @@ def kept_steps(law: Law, points: int) -> list[Step]:
         ]
     return [
         kept_step(cases),
+        *jump_steps(cases, law),
         checked(
             f"c^T {name}' c >= 0 where {name} c = 0, so {name} >= 0 is not left",
             "exact",

@@ -64,7 +64,9 @@ def same_rate_of_every_law() -> tuple[bool, str]:
         made, V = law_and_V(law, N)
         name = law.name if law.keeps_alpha else "learned-flow"
         free, hedged = (
-            symbolic_loop(theorem_loop(N, name, law_block=made, candidate=V, speed=speed))
+            symbolic_loop(
+                theorem_loop(N, name, law_block=made, candidate=V, speed=speed), jumps=True
+            )
             for speed in ("no limit", "hedged")
         )
         rates = [loop.derivative(loop.signals["V"][0]) for loop in (free, hedged)]
@@ -76,6 +78,8 @@ def same_rate_of_every_law() -> tuple[bool, str]:
             for one, other in zip(free.rates[port], hedged.rates[port], strict=True):
                 if sympy.expand(one - other.subs(flown)) != 0:
                     return False, f"{law.name}: {port} moves differently"
+        if free.jumps != hedged.jumps:
+            return False, f"{law.name}: its states jump otherwise"
         if law.keeps is not None and (said := Kept(law, N, "hedged").left()):
             return False, f"{law.name}: {said}"
     return True, ", ".join(LAWS)

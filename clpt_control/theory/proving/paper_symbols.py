@@ -111,6 +111,8 @@ def parameter_symbols(blocks: Sequence[Block]) -> dict[str, Any]:
 def signed(name: str, value: Any) -> sympy.Expr:
     """Return a symbol with the sign that all values have, or zero."""
     value = np.asarray(value, dtype=float)
+    if name.endswith(".interval"):  # its own value, -1, says only that it is counted
+        return sympy.Symbol(name, real=True)
     if value.size and not np.any(value):
         return sympy.Integer(0)
     if value.size and np.all(value > 0):

@@ -6,8 +6,9 @@ stay undefined functions of time and their inputs, and so does any block named i
 `opaque`: what is proved then holds for all of them.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
+from itertools import combinations
 from typing import Any
 
 import control
@@ -52,6 +53,12 @@ class SymbolicLoop:
             for symbol, value in zip(symbols, self.rates[port], strict=True):
                 rate += sympy.diff(expression, symbol) * value
         return rate
+
+    def jumps_at_once(self) -> Iterator[dict[Any, Any]]:
+        """Return state -> what it jumps to, for every set of blocks that may jump at once."""
+        for count in range(1, len(self.jumps) + 1):
+            for together in combinations(self.jumps.values(), count):
+                yield {s: new for one in together for s, new in one.items()}
 
 
 def symbolic_loop(
