@@ -65,6 +65,7 @@ def application() -> "typer.Typer":
     from .prove import prove
     from .replay import replay
     from .tides import tides
+    from .tune import tune
 
     app = typer.Typer(
         name="clpt",
@@ -75,7 +76,7 @@ def application() -> "typer.Typer":
         pretty_exceptions_enable=False,
     )
     one, theory = (init, paper, run, diagram), (laws, prove, excitation, design)
-    many = (ensemble, *theory, estimate, fit, tides, replay)
+    many = (ensemble, *theory, tune, estimate, fit, tides, replay)
     for command in (*one, *many):
         app.command()(command)
     return app

@@ -1,5 +1,6 @@
 from .run import run_ensemble
 from .spread import ensemble_plot, ensemble_summary, percentiles
+from .tuning.tune import tune_law
 from .varied_keys import Vary
 
 __all__ = [
@@ -8,4 +9,5 @@ __all__ = [
     "ensemble_summary",
     "percentiles",
     "run_ensemble",
+    "tune_law",
 ]

@@ -1,0 +1,98 @@
+"""`clpt tune`: law, gains and filter, chosen by an ensemble, with the reason."""
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from ..errors import ClptError
+from .printing import Json, ScenarioFile, print_json, print_table, shown
+
+MOST_SHOWN = 15  # candidates in the table; --json has all
+
+
+def tune(
+    scenario: ScenarioFile,
+    out: Annotated[
+        Path | None, typer.Option(help="Scenario file to write, with the choice in it.")
+    ] = None,
+    members: Annotated[int, typer.Option(help="How many flows are drawn.")] = 24,
+    prior: Annotated[
+        float | None, typer.Option(help="Standard deviation of flow parameters; default: 0.3 k R.")
+    ] = None,
+    unmodelled: Annotated[
+        float | None, typer.Option(help="Rms of flow beside the basis; default: the scenario's.")
+    ] = None,
+    law: Annotated[
+        list[str] | None, typer.Option(help="A law to compare; repeat it; default: all.")
+    ] = None,
+    seed: Annotated[int, typer.Option(help="Of the draws.")] = 0,
+    as_json: Json = False,
+) -> None:
+    """Choose law, gains and filter for a flow that is not known."""
+    from ..ensemble.tuning.tune import tune_law
+    from ..files import check_writable, write_text
+    from ..progress import progress_bar
+    from ..scenario.file import load_scenario, scenario_to_text
+
+    experiment = load_scenario(scenario)
+    if out is not None:
+        check_writable(out)
+        if out.suffix != ".toml":
+            raise ClptError(f"{out}: must end in .toml; it becomes a scenario")
+    with progress_bar(f"tuning {scenario.name}", 1.0) as report:
+        tuned = tune_law(
+            experiment,
+            members=members,
+            prior=prior,
+            unmodelled=unmodelled,
+            laws=law or (),
+            seed=seed,
+            progress=report,
+        )
+    if out is not None:
+        write_text(out, scenario_to_text(tuned.scenario, out.parent))
+    if as_json:
+        print_json(tuned.report)
+        return
+    _table(tuned.report)
+    for name, why in tuned.report["skipped"].items():
+        typer.echo(f"skipped {name}: {why}")
+    typer.echo(tuned.report["because"])
+    if out is not None:
+        typer.echo(f"{out}: written")
+
+
+def _table(report: dict[str, Any]) -> None:
+    length, time = report["units"]["length"], report["units"]["time"]
+    rows = [_row(one) for one in report["candidates"][:MOST_SHOWN]]
+    if report["own"] is not None:
+        rows.append(_row(report["own"]))
+    more = len(report["candidates"]) - MOST_SHOWN
+    print_table(
+        f"{report['members']} flows drawn with a prior of {report['prior']:.3g} {length}/{time}, "
+        f"the scenario's own flow unseen{f'; {more} more candidates' if more > 0 else ''}",
+        [
+            "law",
+            "gain",
+            "K, Gamma",
+            "filter",
+            f"error at the end ({length}/{time})",
+            "95 %",
+            f"to a tenth ({time})",
+            f"CLPE rms ({length})",
+        ],
+        rows,
+    )
+
+
+def _row(one: dict[str, Any]) -> list[str]:
+    if one["failed"]:
+        return [one["law"], *_choice(one), f"{one['failed']} runs failed", "", "", ""]
+    found = [one[key] for key in ("error", "error_95", "learning_time", "clpe_rms")]
+    return [one["law"], *_choice(one), *("never" if v is None else shown(v) for v in found)]
+
+
+def _choice(one: dict[str, Any]) -> list[str]:
+    gain, pole = ("-" if one[key] is None else shown(one[key]) for key in ("gain", "filter"))
+    return [gain, "held" if one["held"] else "adapted", pole]

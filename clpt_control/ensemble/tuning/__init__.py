@@ -1,0 +1,1 @@
+"""Which law, with which gains and filter, for a scenario whose flow nobody knows."""

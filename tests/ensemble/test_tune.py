@@ -1,0 +1,167 @@
+"""Tuning: the answer stays unseen, the fast or the robust law is taken where it is obvious."""
+
+import json
+
+import numpy as np
+import pytest
+
+import clpt_control
+from clpt_control.blocks.laws.table import LAWS
+from clpt_control.ensemble import tune_law
+from clpt_control.ensemble.tuning.candidates import Candidate, about, as_they_come, laws_to_try
+from clpt_control.ensemble.tuning.scores import Score, _below, _middle
+from clpt_control.ensemble.tuning.tune import ranked
+from clpt_control.ensemble.tuning.unknown import belief, unknown_of
+from clpt_control.errors import ScenarioError
+
+ROBUST = ["learned-flow", "sigma", "e-modification"]
+
+
+@pytest.fixture(scope="module")
+def paper():
+    return clpt_control.paper_scenario().with_values({"run.duration": 200})
+
+
+def scored(law, score, time=np.inf, failed=0, error=1.0):
+    return Score(Candidate(law, 1.0, False, None, {}), error, error, 1.0, time, score, failed)
+
+
+def test_of_those_as_good_as_the_best_the_quickest_is_taken():
+    near, best, far = scored("a", 1.15, 3.0), scored("b", 1.0, 9.0), scored("c", 1.5, 1.0)
+    broken = scored("d", 0.5, 0.5, failed=1)
+    endless = scored("e", np.inf)
+    assert ranked([far, broken, best, endless, near]) == [near, best, far]
+    assert ranked([broken, endless]) == []
+
+
+def test_quantiles_and_crossings_count_what_never_came():
+    assert _middle(np.array([np.inf, 1.0, 2.0])) == 2.0
+    assert _middle(np.array([np.inf, np.inf, 2.0])) == np.inf
+    assert _middle(np.arange(1.0, 21.0), 0.95) == 19.0
+    times = np.array([0.0, 1.0, 2.0])
+    assert _below(times, np.array([1.0, 0.1, 0.1]), 0.1) == 1.0
+    assert _below(times, np.array([0.1, 0.1, 0.2]), 0.1) == np.inf
+    assert _below(times, np.array([1.0, np.nan, 0.1]), 0.1) == 2.0
+
+
+def test_the_answer_is_not_seen(paper):
+    other = paper.with_values({"flow.parameters": [[5, 6, 7], [8, 9, 10]]})
+    found = [tune_law(one, members=3, laws=ROBUST) for one in (paper, other)]
+    assert found[0].report == found[1].report
+    assert found[0].scenario.learning == found[1].scenario.learning
+    assert found[1].scenario.flow == other.flow  # it comes back with the choice
+
+
+def test_what_is_drawn_is_drawn_about_the_belief(paper):
+    unknown = unknown_of(paper, None, None, 4)
+    assert unknown.prior == pytest.approx(0.3 * 1.0 * 3.0)  # k = 1/s, the circle reaches 3 m
+    assert not np.any(unknown.scenario.flow.parameters)
+    told = paper.with_values({"learning.parameters": [[-1, -2, -3], [0, 0, -4]]})
+    np.testing.assert_array_equal(belief(told), [[1, 2, 3], [0, 0, 4]])
+    modelled = paper.with_values({"model.parameters": [[1, 2, 3], [0, 0, 4]]})
+    np.testing.assert_array_equal(belief(modelled), [[1, 2, 3], [0, 0, 4]])
+    noisy = paper.with_values({"localization": {"noise": 0.02, "noise_period": 1}})
+    unknown = unknown_of(noisy, 0.5, 0.2, 4)
+    assert [one.key for one in unknown.varies] == [
+        "flow.parameters",
+        "flow.disturbance.seed",
+        "localization.seed",
+    ]
+    assert (unknown.prior, unknown.noise) == (0.5, 0.02)
+    assert unknown.unmodelled == pytest.approx(0.2)
+
+
+@pytest.mark.parametrize("name", [law.name for law in LAWS.values() if not law.given_estimate])
+def test_every_law_that_learns_is_a_candidate(paper, name):
+    law = LAWS[name]
+    found = [*as_they_come(paper, law), *about(paper, law, True), *about(paper, law, False)]
+    assert len({one.text for one in found}) == len(found)
+    for one in found:
+        made = paper.with_values(one.values)
+        assert made.learning.law == name
+        assert made.learning.adapt_gains != one.held
+        if one.held:
+            assert made.learning.feedback == made.vehicle.feedback
+        if one.filter is not None:
+            parameters = law.block(made.known_to_law).parameters
+            assert parameters.filter == pytest.approx(one.filter, rel=1e-12)
+
+
+def test_a_law_that_is_told_the_flow_is_skipped_with_the_reason():
+    tried, skipped = laws_to_try(())
+    assert skipped == {"known-flow": "is given the flow and does not learn it"}
+    assert [law.name for law in tried] == [name for name in LAWS if name != "known-flow"]
+
+
+def test_the_fast_law_is_taken_where_nothing_disturbs(paper):
+    tuned = tune_law(paper, members=4, laws=["learned-flow", "composite-memory"], seed=1)
+    chosen, own = tuned.report["chosen"], tuned.report["own"]
+    assert chosen["law"] == "composite-memory"
+    assert chosen["error"] < 1e-3 * own["error"]
+    assert tuned.report["because"].startswith("composite-memory, gain")
+    assert "no unmodelled flow and exact positions" in tuned.report["because"]
+    run = clpt_control.simulate(tuned.scenario)  # the scenario's own flow, which was not seen
+    error = np.abs(run.flow_parameters_estimate[-1] - run.flow_parameters).max()
+    assert float(error) < 1e-3
+
+
+def test_a_robust_law_is_taken_where_unmodelled_flow_is_ten_times_the_prior(paper):
+    longer = paper.with_values({"run.duration": 400})
+    tuned = tune_law(longer, members=6, laws=ROBUST, prior=0.05, unmodelled=0.5)
+    assert tuned.report["chosen"]["law"] == "sigma"
+    assert "unmodelled flow of 0.5 m/s" in tuned.report["because"]
+
+
+def test_a_measured_current_is_taken_out(facts, tmp_path):
+    from clpt_control.currents import fit_scenario, save_fit
+
+    field = facts / "field/maracoos_hfr_2019-01-01.nc"
+    fit = fit_scenario(field, (40.9, 41.55, -69.9, -69.0), rows=1, columns=2, width_km=30.0)
+    scenario = save_fit(fit, tmp_path / "shoals.toml")
+    tuned = tune_law(scenario, members=3, laws=["learned-flow"], unmodelled=0.5)
+    assert tuned.scenario.field_path == scenario.field_path
+    assert tuned.report["prior"] == pytest.approx(0.3 * 1.0 * 10.0)
+    assert not np.any(tuned.report["belief"])
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        ({"members": 2}, "members = 2: must be a whole number, 3 to"),
+        ({"seed": -1}, "seed = -1"),
+        ({"prior": 0.0}, "prior = 0: must be a positive speed"),
+        ({"unmodelled": float("inf")}, "unmodelled = inf"),
+        ({"laws": ["magic"]}, "'magic' is no law"),
+        ({"laws": ["known-flow"]}, "none of known-flow learns the flow"),
+    ],
+    ids=str,
+)
+def test_what_cannot_be_tuned_is_refused(paper, arguments, said):
+    with pytest.raises(ScenarioError, match=said) as caught:
+        tune_law(paper, **arguments)
+    assert "\n" not in str(caught.value)
+
+
+def test_the_command_writes_the_choice(clpt, paper, tmp_path):
+    clpt_control.save_scenario(paper, tmp_path / "mine.toml")
+    words = (
+        "tune",
+        tmp_path / "mine.toml",
+        "--members",
+        "3",
+        "--law",
+        "sigma",
+        "--law",
+        "dead-zone",
+    )
+    outcome = clpt(*words, "--out", tmp_path / "tuned.toml", "--json")
+    assert outcome.status == 0, outcome.err
+    report = json.loads(outcome.out)
+    made = clpt_control.load_scenario(tmp_path / "tuned.toml")
+    assert made.learning.law == report["chosen"]["law"]
+    assert made.learning.gain == report["chosen"]["gain"]
+    assert made.flow == paper.flow
+    shown = clpt(*words)
+    assert shown.status == 0, shown.err
+    assert report["because"] in shown.out
+    assert clpt("tune", tmp_path / "mine.toml", "--law", "magic").status == 2
