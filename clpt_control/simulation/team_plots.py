@@ -92,19 +92,18 @@ def _tracks(ax: Any, run: "xarray.Dataset", team: Team, lines: dict[str, dict[st
     paths = np.concatenate([points, run.position.values.reshape(-1, 2)])
     low, high = paths.min(0), paths.max(0)
     rim = 0.08 * max(high - low)
-    count = np.clip(np.round(20 * (high - low + 2 * rim) / max(high - low)), 3, 25).astype(int)
+    count = np.clip(np.round(16 * (high - low + 2 * rim) / max(high - low)), 3, 20).astype(int)
     edges = zip(low - rim, high + rim, count, strict=True)
     grid = np.stack(np.meshgrid(*(np.linspace(*edge) for edge in edges)), -1).reshape(-1, 2)
     flow = flow_velocity(first, grid, 0.0)
-    arrows = ax.quiver(*grid.T, *flow.T, color=GREY, alpha=0.6, width=0.0025)
-    size = float(f"{np.hypot(*flow.T).max():.1g}")
-    if size > 0:
-        ax.quiverkey(arrows, 0.9, 1.05, size, f"{size:g} {unit.length}/{unit.time}", labelpos="E")
+    ax.quiver(*grid.T, *flow.T, color=GREY, alpha=0.6, width=0.003)
+    longest = f"{np.hypot(*flow.T).max():.2g} {unit.length}/{unit.time}"
     for k, (name, scenario) in enumerate(team.members.items()):
         path = run.position.sel(vehicle=name).values
         ax.plot(*path.T, **{**lines[name], "linewidth": 0.6}, alpha=0.7)
-        mark = {"marker": MARKS[k % 6], "linestyle": "none", "markersize": 5}
-        ax.plot(*scenario.waypoints.T, color=lines[name]["color"], label=name, **mark)
+        mark = {"marker": MARKS[k % 6], "linestyle": "none", "markerfacecolor": "none"}
+        size, colour = 4.5 + 1.5 * (k % 6), lines[name]["color"]  # waypoints of several may agree
+        ax.plot(*scenario.waypoints.T, color=colour, label=name, markersize=size, **mark)
     ax.set(xlabel=f"$x_1$ ({unit.length})", ylabel=f"$x_2$ ({unit.length})", aspect="equal")
-    ax.set_title("Waypoints, tracks, and flow at t = 0", **TITLE)
+    ax.set_title(f"Waypoints, tracks, and flow at t = 0, at most {longest}", fontsize=10)
     ax.legend(frameon=False, fontsize=8, ncols=4, loc="upper left", bbox_to_anchor=(0, -0.25))
