@@ -2,6 +2,9 @@
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
 from pictures import inked
 
 import clpt_control as clpt_package
@@ -157,6 +160,21 @@ def test_impossible_limits_are_refused_in_a_sentence(paper, limits, said):
     assert "\n" not in str(caught.value)
 
 
+@settings(max_examples=60, deadline=None, derandomize=True)
+@given(
+    arrays(float, (5, 2), elements=st.floats(-1e3, 1e3, allow_subnormal=False)),
+    st.floats(1e-3, 1e3),
+)
+def test_a_polygon_shrinks_within_its_own_box(points, length):
+    found = shortened(points, length)
+    assert closed_length(found) <= length * (1 + 1e-9)
+    slack = 1e-9 * np.ptp(points, axis=0).max() + 1e-9
+    assert np.all(found >= points.min(axis=0) - slack)
+    assert np.all(found <= points.max(axis=0) + slack)
+    if closed_length(points) > length:
+        assert closed_length(found) == pytest.approx(length, rel=1e-6)
+
+
 def test_lengths_and_polygons():
     square = np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]])
     assert closed_length(square) == 4
@@ -202,5 +220,8 @@ def test_a_track_in_a_measured_current(facts, tmp_path):
     write_figure(design_plot(found), tmp_path / "both.png")
     with pytest.raises(ScenarioError, match="reaches out of the scenario's field"):
         design_track(scenario, area=(-1e3, 1e3, -1.0, 1.0))
+    far = scenario.with_values({"reference.radius": 60.0})
+    with pytest.raises(ScenarioError, match="own vehicle does not reach the end, 23 h, but "):
+        design_track(far)
     with pytest.raises(ScenarioError, match="must be LAT0 LAT1 LON0 LON1"):
         design_track(scenario, box=(41.4, 41.0, -69.8, -69.2))

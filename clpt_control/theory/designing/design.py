@@ -1,15 +1,14 @@
 """A design: the scenario with better waypoints, and both tracks side by side.
 
 Waypoints maximise kappa_1, the smallest eigenvalue over both axes of the joint Gramian of
-Definition 3.1 where e = 0 (`tracks`), within limits (`limits`).  The result is looked at again,
-closely and over the whole run; where it is beyond a limit there, it climbs again under
-tighter limits, watched over the whole run.  What is reported of both tracks beside kappa_1 comes
-from `gramian` and `simulate` of the two scenarios with their own law.
+Definition 3.1 where e = 0 (`tracks`), within limits (`limits`) that are kept over the whole run
+(`rounds`).  What is reported of both tracks beside kappa_1 comes from `gramian` and `simulate` of
+the two scenarios with their own law.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -19,23 +18,10 @@ from ..excitation.gramian import gramian
 from ..excitation.regressor import checked_window
 from .area import area_of_degrees, field_area
 from .learned import Learned, learned
-from .limits import (
-    MARGIN,
-    Box,
-    Limits,
-    around,
-    check_area,
-    check_numbers,
-    closed_length,
-    own_area,
-    shortened,
-)
-from .search import Search
+from .limits import Box, Limits, around, check_area, check_numbers, closed_length, own_area
+from .rounds import CLOSE, best_waypoints
 from .tracks import Tracks
 
-COARSE = (9, 1e-6)  # looks in a piece, relative tolerance
-CLOSE = (129, 1e-9)
-ROUNDS = 6  # climbs, each under tighter limits
 MOST_GENERATIONS = 100_000
 TRAJECTORY = "the vehicle alone in the scenario's flow, without CLPE (e = 0, z = x) and disturbance"
 
@@ -133,6 +119,13 @@ def design_track(
     if area is not None:
         check_area(scenario, area, field)
     before = _look(scenario, span)
+    reached = float(before.extremes.share[0])
+    if reached < 1:
+        raise ScenarioError(
+            f"the scenario's own vehicle does not reach the end, {scenario.run.duration:g} "
+            f"{scenario.units.time}, but {reached * scenario.run.duration:.4g}: shorten "
+            "run.duration, or move its waypoints so that it stays within flow.field"
+        )
     own = scenario.waypoints
     limits = Limits(
         float(closed_length(own)) if length is None else float(length),
@@ -141,7 +134,7 @@ def design_track(
     )
     report = progress or (lambda share: None)
     planned = with_waypoints(scenario, around(own, count or len(own)), dwell)
-    points, runs = _found(planned, limits, span, seed, generations, report)
+    points, runs = best_waypoints(planned, limits, span, seed, generations, report)
     made = with_waypoints(scenario, points, dwell)
     after = _look(made, span)
     ran = learned(scenario, level), learned(made, level)
@@ -184,73 +177,6 @@ def with_waypoints(scenario: Scenario, points: np.ndarray, dwell: float | None) 
     own = scenario.reference.dwell if dwell is None else float(dwell)
     reference = {"kind": "waypoints", "points": np.asarray(points).tolist(), "dwell": own}
     return scenario.with_values({"reference": reference})
-
-
-def _found(
-    scenario: Scenario,
-    limits: Limits,
-    span: tuple[float, float],
-    seed: int,
-    generations: int,
-    report: Callable[[float], None],
-) -> tuple[np.ndarray, int]:
-    """Return the best waypoints that keep to the limits, and how many tracks were tried."""
-    speeds, runs, free = limits.max_speed is not None, 0, MARGIN
-    end, whole = span[0] + span[1], scenario.run.duration
-    close = Tracks(scenario, span, whole, *CLOSE, speeds=speeds)
-    points = shortened(scenario.waypoints, limits.length)
-    kept = [_judged(close, limits, points)]  # the track to begin with competes
-    for turn in range(ROUNDS):
-        tracks = Tracks(scenario, span, whole if turn else end, *COARSE, speeds=speeds)
-        search = Search(tracks, limits.tighter(free), len(points))
-        again = turn == ROUNDS - 1 and not any(one.least >= 0 for one in kept)
-        if turn == 0 or again:
-            first = search.unknowns(shortened(scenario.waypoints, limits.length))
-
-            def shown(done: float, base: float = 0.5 * (turn > 0)) -> None:
-                report(base + 0.4 * done / (generations + 1))
-
-            points = search.points(search.evolve(first, generations, seed, shown)[None])[0]
-            kept.append(_judged(close, limits, points))
-        points = search.points(search.climb(search.unknowns(points))[None])[0]
-        kept.append(_judged(close, limits, points))
-        runs += tracks.runs
-        report(0.4 + 0.5 * (turn + 1) / ROUNDS)
-        if kept[-1].least >= 0 and (turn or end == whole or kept[-1].least >= kept[0].least):
-            break
-        if turn:
-            free = min(0.3, free + max(MARGIN, 1.1 * kept[-1].beyond))
-    best = max(kept, key=lambda one: one.least)
-    if best.least < 0:
-        raise ScenarioError(_none(scenario, limits, min(one.beyond for one in kept)))
-    return best.points, runs
-
-
-class _Judged(NamedTuple):
-    """Waypoints, their kappa_1, -1 beyond a limit, and how far they are beyond."""
-
-    points: np.ndarray
-    least: float
-    beyond: float
-
-
-def _judged(close: Tracks, limits: Limits, points: np.ndarray) -> _Judged:
-    least, extremes = close(points[None])
-    beyond = float(limits.excess(extremes)[0])
-    low, high = np.array(limits.area[::2]), np.array(limits.area[1::2])
-    out = bool(np.any((points < low) | (points > high)))
-    return _Judged(points, -1.0 if beyond > 0 or out else float(least.min()), beyond)
-
-
-def _none(scenario: Scenario, limits: Limits, nearest: float) -> str:
-    """Return in a sentence that no track keeps to the limits."""
-    unit, time = scenario.units.length, scenario.units.time
-    speed = f"max_speed = {limits.max_speed:g} {unit}/{time} and " if limits.max_speed else ""
-    return (
-        f"{speed}area = {', '.join(f'{edge:g}' for edge in limits.area)} {unit}: no track was "
-        f"found that keeps to them in this flow all the time; the nearest is {100 * nearest:.2g} % "
-        "beyond; allow more speed or a larger area, or give more generations"
-    )
 
 
 def _reported(
