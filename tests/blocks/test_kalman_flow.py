@@ -97,6 +97,26 @@ def test_clpe_vanishes_with_the_gains_adapted():
     assert np.ptp(run.feedback_gain.values) > 0.5  # K adapts
 
 
+def test_a_block_of_ones_own_may_make_the_estimate():
+    scenario = filtered(60.0)
+    table = clpt.paper_blocks(scenario)[-1]
+    mine = clpt.Block(
+        "mine",
+        update=kalman_flow.kalman_flow,
+        output=kalman_flow.kalman_flow_output,
+        inputs=table.input_ports,
+        outputs=table.output_ports,
+        states=table.state_ports,
+        feedthrough=False,
+        parameters=table.parameters._replace(walk=0.5),
+    )
+    run = clpt.simulate(scenario, law=mine)
+    injected = clpt.closed_loop(scenario, law=mine).syslist[-3]
+    assert injected.input_ports == {"phi_x": 3, "theta_hat": 6}
+    assert np.ptp(run.alpha.values) == 0
+    assert np.ptp(run.flow_parameters_estimate.values) > 0.1
+
+
 def test_alpha_and_its_start_are_those_of_the_known_flow_law():
     with pytest.raises(ScenarioError, match=r'"kalman-flow" keeps alpha = alpha_M; remove'):
         filtered(10.0).with_values({"learning.parameters": THETA})

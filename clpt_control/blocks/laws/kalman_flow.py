@@ -116,9 +116,9 @@ def block(known: Known) -> Block:
     own, k = known.settings, mean_feedback(known)
     noise, walk = own["noise"], own["walk"]
     if noise is None:
-        noise = 0.01 * reach(known) * np.sqrt(k)
+        noise = 0.1 * reach(known) * np.sqrt(k)
     if walk is None:
-        walk = 1e-3 * _prior(known) * np.sqrt(k)
+        walk = 0.03 * _prior(known) * np.sqrt(k)
     return kalman_flow_law(
         KalmanFlowParameters(
             known.N,
@@ -170,9 +170,9 @@ LAW = Law(
             "positive",
             "standard deviation of each theta, length/time; 0.3 k R, mean KD times track's reach",
         ),
-        "noise": Setting(None, "positive", "r of the regression, length/time^0.5; 0.01 R k^0.5"),
+        "noise": Setting(None, "positive", "r of the regression, length/time^0.5; 0.1 R k^0.5"),
         "walk": Setting(
-            None, "not negative", "w of each theta, length/time^1.5; 0.001 of prior, times k^0.5"
+            None, "not negative", "w of each theta, length/time^1.5; 0.03 of prior, times k^0.5"
         ),
         "filter": Setting(None, "positive", "pole l of the filter, 1/time; 2 k"),
     },
