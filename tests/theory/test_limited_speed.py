@@ -116,7 +116,7 @@ def test_a_law_that_reads_the_velocity_reads_the_flown_one(law):
     run = clpt.simulate(PAPER.with_values({**values, "run.rtol": 1e-10}))
     assert run.attrs["share_at_speed_limit"] > 0.2
     error = run.flow_parameters_estimate[-1].values - np.array(PAPER.flow.parameters)
-    assert np.abs(error).max() < 1e-3
+    assert np.abs(error).max() < 5e-3
 
 
 @pytest.mark.parametrize("name", LAWS)
