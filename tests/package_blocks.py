@@ -64,6 +64,7 @@ def package_blocks():
         )
     seen = localization.MeasurementParameters(0.3, 1.3, 5.0)
     yield "measurement", localization.measurement(seen)
+    yield "fixes", localization.fixes(localization.FixParameters(0.3, 5.0, 0.4, 5.0))
     yield "vehicle-measured", vehicle.vehicle(localization.TRUE)
     for outside in ("raise", "clip", "stop"):
         yield f"field-{outside}", field.gridded_flow(grid(rng), outside)
@@ -89,6 +90,12 @@ def package_blocks():
             vehicle.vehicle_controller(vehicle.ControllerParameters(N, a, KD, GammaD)),
         )
         yield (
+            f"vehicle_controller-z-{N}",
+            vehicle.vehicle_controller(
+                vehicle.ControllerParameters(N, a, KD, GammaD), position="z"
+            ),
+        )
+        yield (
             f"vehicle_controller-limited-{N}",
             vehicle.vehicle_controller(vehicle.ControllerParameters(N, a, KD, GammaD), True),
         )
@@ -106,6 +113,9 @@ def package_blocks():
             for way, gains in GAINS.items():
                 block = law.block(scenario.known_to_law._replace(gains=gains))
                 yield f"law-{name}-{way}-{N}", block
+                if law.at_fixes:
+                    late = scenario.with_values({"localization.latency": 2.0})
+                    yield f"law-{name}-late-{way}-{N}", law.block(late.known_to_law)
                 if way == "one":
                     yield f"V-{name}-{N}", law.V(block.parameters, Truth(theta, KD, GammaD))
         yield (

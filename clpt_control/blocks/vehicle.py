@@ -9,7 +9,7 @@ v_c, and `speed_limit` makes v of it.
 
 Ports: flow_x[2], v_x[2] (length per time) -> x[2] (length), a state, or x_true[2] where the
 vehicle does not read it as it is (`localization`);
-x[2], zc[2] (length), phi_x[N] -> v_x[2], or v_c[2] where the speed is limited.
+x[2] or z[2], zc[2] (length), phi_x[N] or phi_z[N] -> v_x[2], or v_c[2] where the speed is limited.
 """
 
 from typing import NamedTuple
@@ -37,7 +37,8 @@ def kinematics(t, x, u, p, dx):
 def controller(t, x, u, p, y):
     """v = -alpha_M phi(x) - KD x + GammaD zc, Eq. (7).
 
-    u = x[2], zc[2], phi_x[N]; y = v_x[2], or v_c[2] where the speed is limited.
+    u = x[2], zc[2], phi_x[N], or z[2], zc[2], phi_z[N] between fixes; y = v_x[2], or v_c[2] where
+    the speed is limited.
     """
     position, zc, phi = u[0:2], u[2:4], u[4 : 4 + p.N]
     for i in range(2):
@@ -69,12 +70,17 @@ def vehicle(position: str = "x") -> Block:
     )
 
 
-def vehicle_controller(parameters: ControllerParameters, limited: bool = False) -> Block:
-    """Make the vehicle controller, Eq. (7); its velocity is v_c where the speed is limited."""
+def vehicle_controller(
+    parameters: ControllerParameters, limited: bool = False, position: str = "x"
+) -> Block:
+    """Make the vehicle controller, Eq. (7); its velocity is v_c where the speed is limited.
+
+    It steers on the port `position`: ``"x"``, or ``"z"`` between fixes.
+    """
     return Block(
         "vehicle_controller",
         output=controller,
-        inputs={"x": 2, "zc": 2, "phi_x": parameters.N},
+        inputs={position: 2, "zc": 2, f"phi_{position}": parameters.N},
         outputs={"v_c" if limited else "v_x": 2},
         parameters=parameters,
     )

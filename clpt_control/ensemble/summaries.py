@@ -3,7 +3,7 @@
     clpe_rms                rms of |e| over each full cycle of the waypoints
     clpe_rms_whole          the same over the whole run
     flow_parameter_error    max |estimate - theta| at the marks
-    gain_error              max |gain - true gain| at the marks
+    gain_error              max |gain - true gain| at the marks, where gains adapt
     share_at_speed_limit    and two more of a vehicle whose speed is limited (`speeds`)
     status, end             how the run ended and the last time it reached
 
@@ -131,7 +131,9 @@ def kept_variables(
     keep("clpe_rms_whole", "", "rms of the CLPE over the whole run", units=length)
     if scenario.flow.parameters is not None:
         keep("flow_parameter_error", "mark", "largest error of a flow parameter", units=speed)
-    keep("gain_error", "mark", "largest error of a gain", units=rate)
+    adapted = not scenario.learning.row.at_fixes  # K and Gamma
+    if adapted:
+        keep("gain_error", "mark", "largest error of a gain", units=rate)
     flags = {"flag_values": list(range(len(STATUS))), "flag_meanings": " ".join(STATUS)}
     if scenario.vehicle.max_speed is not None:
         for name, (long_name, power) in SPEEDS.items():
@@ -143,8 +145,9 @@ def kept_variables(
         keep("predicted_position", "time axis", "predicted position", units=length)
         if not scenario.learning.row.keeps_alpha:
             keep("alpha", "time axis basis", "adapted parameter alpha", units=speed)
-        keep("feedback_gain", "time axis", "adapted feedback gain", units=rate)
-        keep("feedforward_gain", "time axis", "adapted feedforward gain", units=rate)
+        if adapted:
+            keep("feedback_gain", "time axis", "adapted feedback gain", units=rate)
+            keep("feedforward_gain", "time axis", "adapted feedforward gain", units=rate)
     return found
 
 
@@ -198,11 +201,12 @@ def _summaries(scenario, times, values, run, trajectories) -> dict[str, np.ndarr
         error = np.abs(estimate - value("flow.parameters").reshape(-1, 1, 2 * N)).max(axis=2)
         alive = np.isfinite(y[:, times.marks, 0])
         kept["flow_parameter_error"] = np.where(alive, error, np.nan)
-    errors = [
-        np.abs(at[port][:, times.marks] - value(f"vehicle.{key}").reshape(-1, 1, 2)).max(axis=2)
-        for port, key in (("K", "feedback"), ("Gamma", "feedforward"))
-    ]
-    kept["gain_error"] = np.maximum(*errors)
+    if not scenario.learning.row.at_fixes:
+        errors = [
+            np.abs(at[port][:, times.marks] - value(f"vehicle.{key}").reshape(-1, 1, 2)).max(axis=2)
+            for port, key in (("K", "feedback"), ("Gamma", "feedforward"))
+        ]
+        kept["gain_error"] = np.maximum(*errors)
     kept["status"] = run.status.astype("int8")
     kept["end"] = times.all[np.clip(run.reached - 1, 0, None)]
     if trajectories:

@@ -14,6 +14,7 @@ import numpy as np
 from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
 from ..blocks.laws.law import Known
+from ..blocks.laws.table import LAWS
 from ..errors import ScenarioError
 from .localization import Localization
 from .mistakes import Table
@@ -33,6 +34,7 @@ from .tides import period
 
 EXAMPLE = "{'learning.gain': 2.0}"
 MOST_JUMPS = 10**7  # of one block in a run
+AT_FIXES = " or ".join(law.name for law in LAWS.values() if law.at_fixes)
 
 
 class Scenario(Table):
@@ -83,6 +85,21 @@ class Scenario(Table):
             raise ValueError(
                 f"learning.hedging = {str(self.learning.hedging).lower()}: is allowed only with "
                 "vehicle.max_speed, which it tells the learner of; remove the key or give the limit"
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _fixes_for_the_law_of_fixes(self) -> "Scenario":
+        row, seen = self.learning.row, self.localization
+        if row.at_fixes and (seen is None or seen.interval == 0):
+            raise ValueError(
+                f'learning.law = "{row.name}": learns at fixes; give localization.interval, the '
+                "time from one fix to the next, above 0"
+            )
+        if seen is not None and seen.interval > 0 and not row.at_fixes:
+            raise ValueError(
+                f'localization.interval = {seen.interval}: law = "{row.name}" reads the position '
+                f'at all times; take learning.law = "{AT_FIXES}", or interval = 0'
             )
         return self
 
@@ -154,7 +171,8 @@ class Scenario(Table):
     @property
     def hedged(self) -> bool:
         """Whether the learner is told what the vehicle could not fly."""
-        return self.vehicle.max_speed is not None and self.learning.hedging is not False
+        tells = self.learning.hedging is not False and not self.learning.row.at_fixes
+        return self.vehicle.max_speed is not None and tells
 
     @property
     def known_to_law(self) -> Known:
@@ -170,6 +188,8 @@ class Scenario(Table):
             np.array(self.learning_parameters),
             np.array(self.learning.theta_estimate or self.model_parameters),
             self.learning.settings,
+            np.array(self.vehicle.feedforward),
+            None if self.localization is None else self.localization.fixes,
         )
 
     @property

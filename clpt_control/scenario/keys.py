@@ -16,9 +16,12 @@ CALL_TIME_NAMES = {
     "flow.disturbance.amplitude": ("disturbance.amplitude",),
     "flow.disturbance.period": ("disturbance.period",),
     "flow.disturbance.seed": ("disturbance.seed",),
-    "localization.noise": ("measurement.noise",),
+    "localization.interval": ("fixes.between", "adaptation.between"),
+    "localization.latency": ("adaptation.latency",),
+    "localization.noise": ("measurement.noise", "fixes.noise"),
     "localization.noise_period": ("measurement.period",),
-    "localization.seed": ("measurement.seed",),
+    "localization.dropouts": ("fixes.dropouts",),
+    "localization.seed": ("measurement.seed", "fixes.seed"),
     "model.parameters": (
         "modeled_flow.alpha_M",
         "vehicle_controller.alpha_M",
@@ -43,6 +46,8 @@ KEYS = {  # the other way round
 JUMPS = (  # keys that move breakpoints
     "reference.dwell",
     "flow.disturbance.period",
+    "localization.interval",
+    "localization.latency",
     "localization.noise_period",
 )
 # scenario key -> the state that starts there, in the order of the diagram's states

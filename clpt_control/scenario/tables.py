@@ -256,7 +256,20 @@ class Learning(OwnTables):
         return self
 
     @model_validator(mode="after")
+    def _nothing_idle_at_fixes(self) -> "Learning":
+        idle = ("gain", "gains", "adapt_gains", "hedging", "feedback", "feedforward")
+        for key in idle if self.row.at_fixes else ():
+            if key in self.model_fields_set:
+                raise ValueError(
+                    f'learning.{key}: law = "{self.law}" adapts by no gain and holds the gains of '
+                    "the vehicle; remove the key"
+                )
+        return self
+
+    @model_validator(mode="after")
     def _gain_or_gains(self) -> "Learning":
+        if self.row.at_fixes:
+            return self
         needed = ["parameters"] if self.row.alpha_by_gain else []
         needed += ["feedback", "feedforward"] if self.adapt_gains else []
         if self.gain is not None and self.gains is not None:

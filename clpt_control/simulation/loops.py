@@ -33,7 +33,6 @@ from ..diagrams.scenario_basis import scenario_basis
 from ..errors import DiagramError
 from ..scenario.experiment import Scenario, require_scenario
 from ..scenario.keys import STARTS
-from ..scenario.localization import Localization
 
 
 def paper_blocks(scenario: Scenario, law: Block | None = None) -> list[Block]:
@@ -49,7 +48,7 @@ def paper_blocks(scenario: Scenario, law: Block | None = None) -> list[Block]:
     Returns
     -------
     list of Block
-        In the order of the table in the documentation; `measurement`, `disturbance`,
+        In the order of the table in the documentation; `measurement`, `fixes`, `disturbance`,
         `speed_limit` and `hedging` are among them where the scenario has them.
 
     Raises
@@ -92,23 +91,34 @@ def paper_blocks(scenario: Scenario, law: Block | None = None) -> list[Block]:
                 delta.kind, delta.amplitude, delta.period or 1.0, float(delta.seed or 0)
             )
         )
-    seen = scenario.localization
-    measured = [] if seen is None else [_measurement(seen), scenario_basis(scenario, TRUE)]
-    true = TRUE if measured else "x"
+    at_fixes = learning.row.at_fixes
+    if at_fixes and law is not None:
+        raise DiagramError(
+            f"{law.name}: a law of your own reads the position at all times; set "
+            "localization.interval to 0, or leave the law out"
+        )
+    localized = _localized(scenario)
+    true = TRUE if any(block.name == "measurement" for block in localized) else "x"
+    modeled = [flow.modeled_flow(flow.ModeledFlowParameters(N, alpha_M))]
+    predicting = [
+        learner.learning_controller(N),
+        learner.learning_model(hedged=scenario.hedged),
+        learner.injection(inject),
+    ]
+    if at_fixes:  # the law predicts by itself
+        modeled, predicting = [], []
     return [
         reference.reference(scenario.waypoints, scenario.reference.dwell),
         scenario_basis(scenario, "x"),
         scenario_basis(scenario, "z"),
-        *measured,
+        *localized,
         *disturbances,
         _true_flow(scenario, delta is not None, true),
-        flow.modeled_flow(flow.ModeledFlowParameters(N, alpha_M)),
-        vehicle.vehicle_controller(desired, limited=car.max_speed is not None),
+        *modeled,
+        vehicle.vehicle_controller(desired, car.max_speed is not None, "z" if at_fixes else "x"),
         *limits,
         vehicle.vehicle(true),
-        learner.learning_controller(N),
-        learner.learning_model(hedged=scenario.hedged),
-        learner.injection(inject),
+        *predicting,
         clpe.clpe(),
         learning.row.block(scenario.known_to_law) if law is None else _own(law, N),
     ]
@@ -123,12 +133,17 @@ def _own(law: Block, N: int) -> Block:
     return law
 
 
-def _measurement(seen: Localization) -> Block:
-    return localization.measurement(
-        localization.MeasurementParameters(
-            seen.noise, seen.noise_period or 1.0, float(seen.seed or 0)
-        )
-    )
+def _localized(scenario: Scenario) -> list[Block]:
+    """Return the blocks between the true position and who reads it."""
+    seen = scenario.localization
+    if seen is None:
+        return []
+    seed = float(seen.seed or 0)
+    if seen.interval > 0:
+        own = localization.FixParameters(seen.noise, seen.interval, seen.dropouts, seed)
+        return [localization.fixes(own)]
+    held = localization.MeasurementParameters(seen.noise, seen.noise_period or 1.0, seed)
+    return [localization.measurement(held), scenario_basis(scenario, TRUE)]
 
 
 def _true_flow(scenario: Scenario, disturbed: bool, position: str) -> Block:

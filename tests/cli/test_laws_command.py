@@ -6,6 +6,7 @@ import pytest
 
 import clpt_control
 from clpt_control.blocks.laws.table import LAWS
+from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
 
 def test_laws_are_listed(clpt):
@@ -27,6 +28,7 @@ def test_every_law_runs_and_runs_again(clpt, tmp_path, name):
         "learning.law": name,
         "learning.parameters": None,
         "learning.theta_estimate": [[1.0, 0.4, 0.8]] * 2 if given else None,
+        **(AT_FIXES if LAWS[name].at_fixes else {}),
     }
     scenario = clpt_control.paper_scenario().with_values(values)
     clpt_control.save_scenario(scenario, tmp_path / "mine.toml")

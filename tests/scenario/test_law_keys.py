@@ -9,6 +9,7 @@ from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import ScenarioError
 from clpt_control.scenario.file import scenario_to_text
 from clpt_control.scenario.tables import KINDS, Learning
+from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
 PAPER = clpt.paper_scenario()
 EACH = {"parameters": 0.8, "feedback": 0.3, "feedforward": 0.5}
@@ -95,6 +96,7 @@ def test_a_laws_own_table_is_checked_like_all_else(name):
     with pytest.raises(ScenarioError, match=f"{table}: belongs to law = .{name}"):
         PAPER.with_values({table: {}})
     mine = {"learning.law": name, "learning.parameters": None}
+    mine |= AT_FIXES if law.at_fixes else {}
     with pytest.raises(ScenarioError, match=f"unknown key {table}.none.*{key}"):
         PAPER.with_values({**mine, f"{table}.none": 1.0})
     with pytest.raises(ScenarioError, match=f"{table}.{key} = 'x': must be"):

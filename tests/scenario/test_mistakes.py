@@ -10,6 +10,7 @@ import clpt_control as clpt
 from clpt_control.errors import BlockError, ScenarioError
 from clpt_control.scenario.keys import CALL_TIME_NAMES
 from clpt_control.scenario.tables import Learning
+from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
 PAPER = clpt.paper_scenario()
 WRONG = {
@@ -73,6 +74,8 @@ def test_an_error_about_one_name_says_the_other(key):
         scenario = scenario.with_values({key: 1.5})
     if "localization" in key:
         scenario = scenario.with_values({"localization": {"noise": 0.1, "noise_period": 2.0}})
+    if key in ("localization.interval", "localization.latency", "localization.dropouts"):
+        scenario = PAPER.with_values({"learning.law": "fix-regression", **AT_FIXES})
     if key == "learning.theta_estimate":
         law = {"learning.law": "known-flow", "learning.parameters": None, key: [[1, 1, 1]] * 2}
         scenario = scenario.with_values(law)

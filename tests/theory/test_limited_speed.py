@@ -68,7 +68,7 @@ def test_what_is_proved_and_what_is_refuted():
         "without hedging": ("corrected", True),
     }
     (laws,) = found["every law with hedging"].steps
-    assert set(laws.detail.split(", ")) == set(LAWS)
+    assert set(laws.detail.split(", ")) == {law.name for law in LAWS.values() if not law.at_fixes}
 
 
 def test_a_certificate_holds_along_a_hedged_run_and_is_refused_without():
@@ -119,7 +119,7 @@ def test_a_law_that_reads_the_velocity_reads_the_flown_one(law):
     assert np.abs(error).max() < 5e-3
 
 
-@pytest.mark.parametrize("name", LAWS)
+@pytest.mark.parametrize("name", [name for name, law in LAWS.items() if not law.at_fixes])
 def test_every_law_runs_with_a_limit_and_its_clpe_is_hedged(name):
     values = {"learning.law": name, "vehicle.max_speed": 1.5, "run.duration": 200}
     if LAWS[name].keeps_alpha:

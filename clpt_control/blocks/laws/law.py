@@ -33,6 +33,14 @@ class Setting(NamedTuple):
     meaning: str  # what it is, with its unit
 
 
+class Fixes(NamedTuple):
+    """When the vehicle learns where it is."""
+
+    between: float  # from one fix to the next, time
+    latency: float  # from a fix to its arrival, time; below `between`
+    noise: float  # standard deviation of each axis, length
+
+
 class Known(NamedTuple):
     """What a law may know of the experiment: never theta."""
 
@@ -46,6 +54,8 @@ class Known(NamedTuple):
     alpha: np.ndarray  # shape (2, N), alpha(0), length per time
     theta_estimate: np.ndarray  # shape (2, N), given, or alpha_M, length per time
     settings: Mapping[str, Any]  # every key of the law's own table, its value or default
+    GammaD: np.ndarray  # shape (2,), feedforward gains of the vehicle, per time
+    fixes: Fixes | None = None  # None: the position is read at all times
 
     @property
     def cycle(self) -> float:
@@ -92,6 +102,7 @@ class Law(NamedTuple):
     readout: str = ""  # an output that is theta once w has shrunk
     says: str = ""  # V' in words
     alpha_by_gain: bool = True  # whether learning.gain adapts alpha too, not only K and Gamma
+    at_fixes: bool = False  # whether it makes z too, and learns at fixes; K and Gamma are true
     given_estimate: bool = False  # theta_hat is given, alpha = alpha_M, Eq. (13)
     makes_estimate: bool = False  # theta_hat[2N] is a state of it, alpha = alpha_M, Eq. (13)
 

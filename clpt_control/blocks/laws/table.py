@@ -9,6 +9,7 @@ from . import (
     concurrent,
     dead_zone,
     drem,
+    fix_regression,
     kalman_flow,
     known_flow,
     leakage,
@@ -32,5 +33,6 @@ LAWS: dict[str, Law] = {
         composite_memory.LAW,
         concurrent.LAW,
         drem.LAW,
+        fix_regression.LAW,
     )
 }

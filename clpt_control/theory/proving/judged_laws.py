@@ -2,7 +2,8 @@
 
 A law with V' <= -e^T KD e is proved; one with V' <= -e^T KD e + what is bounded is bounded, and
 the set that V comes to is said.  A law that is given an estimate of the flow has the V' of
-Theorem 3.1, and is bounded in the mean square by the error of the estimate.
+Theorem 3.1, and is bounded in the mean square by the error of the estimate.  A law that learns at
+fixes keeps V from rising there.
 """
 
 from collections.abc import Callable
@@ -11,6 +12,7 @@ from typing import NamedTuple
 from ...blocks.laws.law import Law
 from ...blocks.laws.table import LAWS
 from ...progress.interrupt import check
+from .fixes import fix_steps
 from .kept_relations import GIVEN, kept_steps
 from .lyapunov import decay_and_known_error, identity_steps
 from .own_law import prove
@@ -54,6 +56,8 @@ def judged(law: Law) -> JudgedLaw:
     try:
         if law.shrinking:
             return _with_shrinking_errors(law)
+        if law.at_fixes:
+            return _at_fixes(law)
         if law.keeps is not None:
             return _with_kept_relations(law)
         return _of_given_flow(law) if law.given_estimate else _with_own_V(law)
@@ -92,6 +96,14 @@ def _with_shrinking_errors(law: Law) -> JudgedLaw:
     claim = f"V' = {law.says}: in the mean |e| <= |eta phi| over the least of KD"
     status = "open" if failed else "bounded"
     return JudgedLaw(law.name, status, failed[0] if failed else claim, False, steps)
+
+
+def _at_fixes(law: Law) -> JudgedLaw:
+    """Judge a law that learns at fixes: V does not rise, but CLPE is only what fixes leave."""
+    steps = tuple(fix_steps(law, POINTS))
+    failed = [f"{s.claim} ({s.detail})" for s in steps if not s.holds]
+    claim = failed[0] if failed else f"V' = {law.says}; |eta_k| <= (2 V(0) P_kk)^(1/2)/r"
+    return JudgedLaw(law.name, "open" if failed else "bounded", claim, False, steps)
 
 
 def _of_given_flow(law: Law) -> JudgedLaw:

@@ -25,6 +25,12 @@ SOURCES = {
     "disturbance": "delta",
     "speed_limit": "v_x",
 }
+AT_FIXES = {  # what a law that learns at fixes needs, and has no use for
+    "localization": {"interval": 5.0},
+    "learning.gain": None,
+    "learning.feedback": None,
+    "learning.feedforward": None,
+}
 Hedging = Literal["no limit", "hedged", "not hedged"]
 
 
@@ -54,6 +60,7 @@ def theorem_scenario(
             "learning.law": law,
             "learning.parameters": None if LAWS[law].keeps_alpha else (0.2 * signs).tolist(),
             "learning.theta_estimate": (0.4 * signs).tolist() if known else None,
+            **(AT_FIXES if LAWS[law].at_fixes else {}),
         }
     )
 

@@ -1,0 +1,236 @@
+"""Learning at fixes: closed forms of least squares, causality, and what a fix does to the run."""
+
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.blocks import evaluate, localization
+from clpt_control.blocks.disturbance import hash_fraction
+from clpt_control.diagrams.scenario_basis import scenario_basis
+from clpt_control.ensemble.members import Ensemble
+from clpt_control.theory.proving.theorem_loop import AT_FIXES
+
+TABLE = "learning.fix_regression"
+PAPER = clpt.paper_scenario().with_values({"learning.law": "fix-regression", **AT_FIXES})
+# one steady function so wide that it is 1 to rounding: a uniform current, and m = t
+UNIFORM = PAPER.with_values(
+    {
+        "basis.kernel": "gaussian",
+        "basis.centers": [[0.0, 0.0]],
+        "basis.widths": [1e9],
+        "basis.periods": [float("inf")],
+        "basis.phases": None,
+        "flow.parameters": [[0.3], [-0.2]],
+        "model.parameters": None,
+        "learning.parameters": None,
+        f"{TABLE}.prior": 0.5,
+        f"{TABLE}.noise": 0.1,
+        "run.duration": 60.0,
+    }
+)
+THETA = np.array([0.3, -0.2])
+
+
+def largest_error(run, time):
+    return float(np.abs(run.flow_parameters_estimate - run.flow_parameters).sel(time=time).max())
+
+
+def estimates(run):
+    return run.flow_parameters_estimate.values[..., 0]
+
+
+@pytest.mark.parametrize("latency", [0.0, 2.0])
+@pytest.mark.parametrize("engine", ["native", "python"])
+def test_in_a_uniform_current_the_estimate_is_that_of_ridge_regression(latency, engine):
+    """After k exact fixes, T apart: theta_hat = theta k T^2 / (k T^2 + (r/prior)^2)."""
+    run = clpt.simulate(UNIFORM.with_values({"localization.latency": latency}), engine=engine)
+    k = np.floor((run.time.values - latency) / 5.0 + 1e-9)
+    share = np.where(k > 0, k * 25.0, 0.0) / (np.maximum(k, 0) * 25.0 + (0.1 / 0.5) ** 2)
+    np.testing.assert_allclose(estimates(run), share[:, None] * THETA, rtol=0, atol=1e-10)
+    since = run.time.values - 5.0 * np.maximum(k, 0)
+    away = (1 - share) * since  # x - z = eta m
+    np.testing.assert_allclose(run.clpe, away[:, None] * THETA, rtol=0, atol=1e-8)
+    V = 0.1**2 * (1 - share) ** 2 * (0.5**-2 + np.maximum(k, 0) * 25.0 / 0.1**2) / 2
+    np.testing.assert_allclose(run.lyapunov, V * np.sum(THETA**2), rtol=1e-9)
+    assert np.all(run.feedback_gain == 1.0)
+
+
+def test_where_fixes_are_missing_the_integral_goes_on():
+    scenario = UNIFORM.with_values({"localization.dropouts": 0.5, "localization.seed": 2})
+    taken = [
+        k for k in range(1, 13) if hash_fraction(2.0, float(k), localization.MISSING, 0) >= 0.5
+    ]
+    assert 2 < len(taken) < 10
+    run = clpt.simulate(scenario)
+    learned = np.zeros(len(run.time))
+    squares, last = 0.0, 0
+    for k in taken:
+        squares += (5.0 * (k - last)) ** 2
+        last = k
+        learned[run.time >= 5.0 * k - 1e-9] = squares / (squares + 0.04)
+    np.testing.assert_allclose(estimates(run), learned[:, None] * THETA, rtol=0, atol=1e-10)
+
+
+def test_dropouts_are_as_frequent_as_said_and_independent_of_noise():
+    count, rate = 4000, 0.3
+    block = localization.fixes(localization.FixParameters(1.0, 5.0, rate, 7.0))
+    found = np.array([block.output(5.0 * k, [], [0.0, 0.0]) for k in range(1, count + 1)])
+    taken, noise = found[:, 2], found[:, :2]
+    assert set(taken) == {0.0, 1.0}
+    few = 4 * np.sqrt(rate * (1 - rate) / count)
+    assert abs(1 - taken.mean() - rate) < few
+    apart = taken - taken.mean()
+    assert abs(np.mean(apart[1:] * apart[:-1])) < few
+    assert all(abs(np.mean(apart * n)) < few for n in noise.T)
+    always = localization.fixes(localization.FixParameters(1.0, 5.0, 0.0, 7.0))
+    assert all(always.output(5.0 * k, [], [0.0, 0.0])[2] == 1.0 for k in range(count))
+
+
+def test_steps_of_equal_length_average_the_noise_of_fixes():
+    """y_k is theta T + n_k - n_{k-1}; with a wide prior the sum leaves the last n alone."""
+    exact = UNIFORM.with_values({f"{TABLE}.noise": 1e-9, f"{TABLE}.prior": 1e3})
+    noisy = exact.with_values({"localization.noise": 0.05, "localization.interval": 20.0})
+    run = clpt.simulate(noisy)
+    block = localization.fixes(localization.FixParameters(0.05, 20.0, 0.0))
+    for k in (1, 2, 3):
+        n = block.output(20.0 * k, [], [0.0, 0.0])[:2]
+        learned = estimates(run.sel(time=20.0 * k))
+        np.testing.assert_allclose(learned, THETA + n / (20.0 * k), rtol=0, atol=1e-9)
+
+
+def test_nothing_before_it_arrives_depends_on_a_fix():
+    late = {"localization.latency": 2.0, "run.duration": 30.0, "run.output_step": 0.5}
+    learns = {f"{TABLE}.noise": 0.3}  # the same r for both
+    calm = clpt.simulate(PAPER.with_values({**late, **learns}))
+    other = clpt.simulate(PAPER.with_values({**late, **learns, "localization.noise": 0.3}))
+    before = calm.time.values < 7.0
+    for name in ("position", "predicted_position", "alpha"):
+        apart = np.abs(calm[name] - other[name]).max(dim=calm[name].dims[1:]).values
+        assert np.all(apart[before] < 1e-12)
+        assert np.all(apart[~before][1:] > 1e-6)
+
+
+def test_latency_goes_to_none():
+    plain = clpt.simulate(PAPER.with_values({"run.duration": 100.0}))
+    late = clpt.simulate(PAPER.with_values({"run.duration": 100.0, "localization.latency": 1e-5}))
+    inside = plain.time.values % 5 != 0
+    for name in ("position", "alpha"):
+        np.testing.assert_allclose(late[name][inside], plain[name][inside], rtol=0, atol=2e-4)
+
+
+def test_ever_more_fixes_give_continuous_least_squares():
+    """As T goes to 0 with r^2 = s^2 T, P^-1 is 1/prior^2 + int phi phi^T/s^2 along the track."""
+    from scipy.integrate import simpson
+
+    s, prior, times = 0.3, 0.9, np.linspace(0.0, 20.0, 4001)
+    plain = clpt.paper_scenario().with_values({"run.duration": 20.0})
+    track = clpt.simulate(plain, times).position.values
+    phi = evaluate(scenario_basis(plain), times, track)
+    information = (
+        np.eye(3) / prior**2 + simpson(phi[:, :, None] * phi[:, None], x=times, axis=0) / s**2
+    )
+    theta = np.array(plain.flow.parameters)
+    limit = theta @ (np.eye(3) - np.linalg.inv(information) / prior**2)
+    apart = []
+    for between in (0.2, 0.1, 0.05):
+        own = {f"{TABLE}.noise": s * np.sqrt(between), f"{TABLE}.prior": prior}
+        often = PAPER.with_values({"localization.interval": between, **own})
+        run = clpt.simulate(often, [0.0, 20.0])
+        apart.append(np.abs(run.flow_parameters_estimate[-1] - limit).max().item())
+    assert apart[2] < 3e-4, apart
+    assert apart[0] > 1.8 * apart[1] > 3.2 * apart[2]
+
+
+def test_the_vehicle_steers_on_its_prediction_alone():
+    times = np.linspace(0.0, 5.0, 21)
+    run = clpt.simulate(PAPER, times, rtol=1e-11, atol=1e-12)
+    calm = PAPER.with_values({"flow.parameters": [[0.0] * 3] * 2})
+    still = clpt.simulate(calm, times, rtol=1e-11, atol=1e-12)
+    np.testing.assert_allclose(  # before the first fix no flow is known
+        run.predicted_position[:-1], still.position[:-1], rtol=0, atol=1e-9
+    )
+    assert np.abs(run.clpe[:-1]).max() > 1
+    np.testing.assert_allclose(run.clpe[-1], 0.0, atol=1e-12)  # right after the fix
+
+
+@pytest.mark.parametrize(
+    ("values", "bounds"),
+    [
+        ({}, {200: 0.02, 1000: 0.005}),
+        ({"localization.interval": 20.0, "vehicle.max_speed": 1.5}, {1000: 0.05}),
+        ({"localization.interval": 20.0}, {1000: 0.05}),
+    ],
+    ids=["each 5", "each 20, speed limited", "each 20"],
+)
+def test_the_papers_flow_is_learned_at_fixes(values, bounds):
+    run = clpt.simulate(PAPER.with_values({**values, "run.duration": 1000.0}))
+    for time, bound in bounds.items():
+        assert largest_error(run, time) < bound
+    if "vehicle.max_speed" in values:
+        moved = np.diff(run.predicted_position.values, axis=0)
+        assert np.all(np.isfinite(moved))
+
+
+@pytest.mark.parametrize("lanes", [False, True])
+def test_members_of_an_ensemble_are_runs(lanes):
+    base = PAPER.with_values({"run.duration": 40.0, "localization.noise": 0.01})
+    values = {
+        "localization.interval": np.tile([5.0, 7.0, 20.0], 3),
+        "localization.latency": np.repeat([0.0, 1.0, 4.5], 3),
+        "localization.noise": np.linspace(0.0, 0.05, 9),
+        "localization.dropouts": np.linspace(0.0, 0.5, 9),
+    }
+    ensemble = Ensemble(base, dict.fromkeys(values, ()), lanes=lanes)
+    times = np.array([0.0, 5.0, 13.7, 40.0])
+    found = ensemble.run(ensemble.members(values, 40.0), times)
+    for m in range(9):
+        own = base.with_values({key: value[m] for key, value in values.items()})
+        run = clpt.simulate(own, times)
+        alpha = found.states[m][:, found.columns["alpha"]].reshape(-1, 2, 3)
+        np.testing.assert_allclose(alpha, run.alpha, rtol=0, atol=1e-9)
+
+
+def test_a_run_with_fixes_repeats_from_its_file(tmp_path):
+    scenario = PAPER.with_values({"run.duration": 30.0, "localization.dropouts": 0.2})
+    run = clpt.simulate(scenario)
+    clpt.save_run(run, tmp_path / "run.nc")
+    again = clpt.load_scenario(tmp_path / "run.nc")
+    assert again == scenario
+    np.testing.assert_array_equal(clpt.simulate(again).alpha, run.alpha)
+
+
+REFUSED = {
+    "localization.interval": ({"learning.law": "learned-flow", "learning.gain": 0.8}, "fix-reg"),
+    "learning.law": ({"localization": None}, "learns at fixes; give localization.interval"),
+    "learning.gain": ({"learning.gain": 0.8}, "adapts by no gain"),
+    "learning.feedback": ({"learning.feedback": [1.0, 1.0]}, "remove the key"),
+    "learning.hedging": ({"learning.hedging": True, "vehicle.max_speed": 1.5}, "remove the key"),
+    "localization.dropouts": ({"localization.dropouts": 1.0}, "less than 1"),
+    "localization.latency": ({"localization.latency": 5.0}, "below the interval"),
+    "localization.noise": ({"localization.noise": -1.0}, "greater than or equal to 0"),
+    "localization.noise_period": ({"localization.noise_period": 1.0}, "only with interval = 0"),
+    "localization.seed": ({"localization.seed": 0.5}, "valid integer"),
+}
+
+
+@pytest.mark.parametrize("key", REFUSED)
+def test_what_does_not_fit_is_said(key):
+    values, said = REFUSED[key]
+    with pytest.raises(clpt.ClptError, match=said) as caught:
+        PAPER.with_values(values)
+    assert key in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_keys_of_fixes_are_refused_without_fixes():
+    noisy = clpt.paper_scenario().with_values({"localization": {"noise_period": 1.0}})
+    for key in ("latency", "dropouts"):
+        with pytest.raises(clpt.ClptError, match=f"localization.{key} = 0.1: is of fixes"):
+            noisy.with_values({f"localization.{key}": 0.1})
+
+
+def test_a_law_of_ones_own_is_refused_at_fixes():
+    import law_blocks
+
+    with pytest.raises(clpt.ClptError, match="reads the position at all times"):
+        clpt.simulate(PAPER, law=law_blocks.papers_law())
