@@ -92,8 +92,8 @@ def run_segments(
     """Return the segments of a run, the scenario's basis, and the doubt of a miss, length."""
     if scenario.localization is not None:
         raise ScenarioError(
-            "localization: the vehicle of this run steers by noisy positions, so its velocity is "
-            "not known from the samples; estimate from a run without the table"
+            "localization: the vehicle of this run does not steer by its true position, so its "
+            "velocity is not known from the samples; estimate from a run without the table"
         )
     way, fix = Way(run, scenario), scenario.reference.dwell / 10 if every is None else every
     length = float(way.time[-1] - way.time[0])
@@ -119,9 +119,17 @@ def run_scenario(run: "xarray.Dataset") -> Scenario:
     """Return the scenario that a run carries."""
     from pathlib import Path
 
-    from ..scenario.file import scenario_from_text
+    from ..scenario.file import CHANGED, scenario_from_text
 
-    text: Any = run.attrs.get("scenario")
-    if text is None:
+    attributes: Any = getattr(run, "attrs", None)
+    if attributes is None:
+        raise DataError(f"{run!r:.60}: is no run; clpt.simulate gives one, clpt.load_run reads one")
+    if CHANGED in attributes:
+        raise DataError(
+            f"the run was made with parameters that its scenario does not hold, "
+            f"{attributes[CHANGED]}, so its vehicle is not known; estimate from a run without them"
+        )
+    text = attributes.get("scenario")
+    if text is None or "position" not in run:
         raise DataError("the run carries no scenario; clpt.simulate gives runs that do")
     return scenario_from_text(text, "scenario", Path(run.encoding.get("folder", ".")))

@@ -149,8 +149,8 @@ def flow_estimate(
         raise ScenarioError(f"method {method!r}: must be one of {', '.join(METHODS)}")
     origin, doubt, usual_prior, usual_start = None, 0.0, Priors().current, None
     if isinstance(data, Sequence):
-        if not data:
-            raise DataError("no dive is given; an estimate needs one at least")
+        if not data or not all(isinstance(dive, Dive) for dive in data):
+            raise DataError(f"{data!r:.40}: is no run and no list of dives; give one dive at least")
         if basis is None or every is not None:
             raise ScenarioError("dives need a basis, such as that of dive_basis, and no every")
         origin = (data[0].lat_gps2, data[0].lon_gps2)
@@ -175,6 +175,8 @@ def flow_estimate(
         raise ScenarioError(f"start: must be 2 rows of {N} finite numbers")
     if not all(np.all(np.isfinite(part)) for part in segments[:4]):
         raise DataError("a fix or the way through the water is not finite; leave it out")
+    if not np.all(segments.duration > 0):
+        raise DataError("a segment does not end after it begins; clpt.gliders.usable leaves it out")
     return _found(METHODS[method](segments, basis, theta, sd, r, w), segments, basis, r, origin)
 
 
@@ -193,6 +195,11 @@ def dive_walk(prior: np.ndarray) -> np.ndarray:
 
 def fitted(h, y, theta, sd, r) -> tuple[np.ndarray, np.ndarray]:
     """Return theta and P of regularised least squares: h (n, N), y (n, 2)."""
+    if not np.all(np.isfinite(h)):
+        raise DataError(
+            "phi along the tracks is not finite; where they are predicted, give fixes more often "
+            "or a smaller prior"
+        )
     weighed = h * sd / r[:, None]  # in units of the prior
     U, s, Vt = np.linalg.svd(weighed, full_matrices=False)
     left = (y - h @ theta.T) / r[:, None]

@@ -273,6 +273,13 @@ def test_what_is_not_allowed_is_said(lap, change, said):
 def test_runs_that_tell_too_little_are_refused(lap):
     with pytest.raises(clpt.DataError, match="carries no scenario"):
         estimate(lap.drop_attrs())
+    with pytest.raises(clpt.DataError, match="5: is no run"):
+        estimate(5)
+    faster = clpt.simulate(
+        PAPER.with_values({"run.duration": 20}), params={"vehicle_controller.alpha_M": THETA}
+    )
+    with pytest.raises(clpt.DataError, match="parameters that its scenario does not hold"):
+        estimate(faster)
     with pytest.raises(clpt.ScenarioError, match="2 samples between two changes"):
         estimate(lap.sel(time=slice(19.7, 60)))
     coarse = clpt.simulate(PAPER.with_values({"run.duration": 200, "run.output_step": 4}))
@@ -282,14 +289,17 @@ def test_runs_that_tell_too_little_are_refused(lap):
     with pytest.raises(clpt.ScenarioError, match="between two samples of the run"):
         estimate(beside)
     noisy = {"localization": {"noise": 0.02, "noise_period": 1.0}, "run.duration": 40}
-    with pytest.raises(clpt.ScenarioError, match="steers by noisy positions"):
+    with pytest.raises(clpt.ScenarioError, match="does not steer by its true position"):
         estimate(clpt.simulate(PAPER.with_values(noisy)))
 
 
 def test_dives_that_tell_too_little_are_refused():
     basis = steady()
-    with pytest.raises(clpt.DataError, match="no dive is given"):
-        estimate([], basis=basis)
+    for nothing in ([], "dives", [1, 2]):
+        with pytest.raises(clpt.DataError, match="is no run and no list of dives"):
+            estimate(nothing, basis=basis)
+    with pytest.raises(clpt.DataError, match="does not end after it begins"):
+        estimate([dive(1, (0, 0), hours=0.0)], basis=basis)
     with pytest.raises(clpt.ScenarioError, match="dives need a basis"):
         estimate([dive(1, (0, 0))])
     with pytest.raises(clpt.DataError, match="is not finite"):
