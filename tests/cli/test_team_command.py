@@ -60,3 +60,13 @@ def test_what_takes_no_team_says_so(clpt, tmp_path, monkeypatch, arguments):
     assert outcome.status == 2
     assert "team" in outcome.err
     assert outcome.err.count("\n") == 1
+
+
+def test_the_example_draws_what_it_says(tmp_path, capsys):
+    from examples.team import main
+
+    main(tmp_path / "team.png")
+    said = capsys.readouterr().out
+    assert "west alone: smallest eigenvalue" in said
+    assert "the team: smallest eigenvalue" in said
+    assert (tmp_path / "team.png").stat().st_size > 10_000
