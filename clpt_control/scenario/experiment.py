@@ -190,6 +190,7 @@ class Scenario(Table):
             self.learning.settings,
             np.array(self.vehicle.feedforward),
             None if self.localization is None else self.localization.fixes,
+            self.vehicle.max_speed is not None,
         )
 
     @property

@@ -24,13 +24,21 @@ from clpt_control.blocks.laws.table import LAWS
 from clpt_control.currents.field_file import GriddedField
 from clpt_control.simulation.loops import paper_blocks
 from clpt_control.simulation.teams import team_blocks
-from clpt_control.theory.proving import judged_laws, limited_speed, team, theorem_loop, theorems
+from clpt_control.theory.proving import (
+    judged_laws,
+    kept_relations,
+    limited_speed,
+    shrinking_errors,
+    team,
+    theorem_loop,
+    theorems,
+)
 from clpt_control.theory.proving.misprints import misprints
 from clpt_control.theory.proving.theorems import THEOREMS, audit
 
 FIRST = {"error_system": "3.3"}  # where to look first; every theorem is tried before giving up
 PAGES = sorted(
-    {"laws.law", "laws.filtered_flow"}
+    {"laws.law", "laws.filtered_flow", "laws.commanded_gains", "laws.covariance"}
     | {law.block.__module__.partition("blocks.")[2] for law in LAWS.values()}
 )
 SOURCES = ("basis", "reference", "disturbance", "field")
@@ -128,6 +136,24 @@ def altered(function, which):
 
 
 @cache
+def laws_of(function):
+    """Name the laws whose equations or V have this function of a law's page."""
+    found = []
+    for law in LAWS.values() if ".laws." in function.__module__ else ():
+        reached, stack = set(), []
+        for block in theorem_loop.law_and_V(law, judged_laws.N):
+            stack += [f for f in (block.update_function, block.output_function) if f is not None]
+        while stack:
+            one = stack.pop()
+            if one not in reached:
+                reached.add(one)
+                stack += helpers_of(one).values()
+        if function in reached:
+            found.append(law.name)
+    return tuple(found)
+
+
+@cache
 def judged_unaltered():
     return judged_laws.judged_laws()
 
@@ -135,6 +161,7 @@ def judged_unaltered():
 def caught_by(function, which, first):
     """Name the step that fails on the altered function; None if none does."""
     own, unaltered = function.__code__, judged_unaltered()
+    laws_of(function)  # before it is altered
     function.__code__ = altered(function, which)
     try:
         for check in CHECKS if function.__module__.endswith(SOURCES) else ():
@@ -145,8 +172,7 @@ def caught_by(function, which, first):
         for step in team.team_steps() if function.__module__.endswith(".team") else ():
             if not step.holds:
                 return f"team: {step.claim}"
-        own_first = sorted(LAWS, key=lambda law: LAWS[law].block.__module__ != function.__module__)
-        for law in own_first if ".laws." in function.__module__ else ():
+        for law in laws_of(function):
             found = judged_laws.judged(LAWS[law])
             if found[:4] != unaltered[law][:4]:
                 return f"{law}: {found.claim}"
@@ -189,6 +215,8 @@ def few_points(monkeypatch):
     monkeypatch.setattr(judged_laws, "POINTS", 100)
     monkeypatch.setattr(limited_speed, "POINTS", 100)
     monkeypatch.setattr(team, "POINTS", 100)
+    for page in (kept_relations, shrinking_errors):  # all three sizes in test_judged_laws
+        monkeypatch.setattr(page, "SIZES", (1, 2))
 
 
 @pytest.mark.parametrize(

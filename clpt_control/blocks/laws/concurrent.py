@@ -37,6 +37,7 @@ from ..block import Block
 from ..lyapunov import lyapunov_candidate, weighed
 from ..reference import multiples
 from ..words import maximum
+from .commanded_gains import symmetric
 from .composite_memory import missed
 from .filtered_flow import mean_feedback
 from .law import Known, Law, Setting, Truth, adapt_feedback, adapt_feedforward
@@ -172,17 +173,16 @@ def V(p: Any, truth: Truth) -> Block:
     return lyapunov_candidate("learned-flow", weighed((p.gain, p.gain_K, p.gain_Gamma), *truth))
 
 
-def keeps(s: Any, p: Any, theta: Any) -> dict[str, Any]:
+def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
     """Return what the states are at all times: S = S^T, B = theta S, x - origin = theta Phi."""
-    S = np.triu(s["S"].reshape(p.N, p.N))
-    S = S + np.triu(S, 1).T
-    return {"S": S, "B": theta @ S, "origin": s["x"] - theta @ s["Phi"]}
+    S = symmetric(s["S"], p.N)
+    return {"S": S, "B": truth.theta @ S, "origin": s["x"] - truth.theta @ s["Phi"]}
 
 
-def gains(s: Any, p: Any, theta: Any) -> Any:
-    """Return V' + e^T KD e = -gamma_c tr(eta S eta^T)/gamma."""
-    eta, S = theta + s["alpha"].reshape(2, p.N), s["S"].reshape(p.N, p.N)
-    return -p.memory_gain * np.sum((eta @ S) * eta) / p.gain
+def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
+    """Return gamma_c tr(eta S eta^T)/gamma."""
+    eta, S = truth.theta + s["alpha"].reshape(2, p.N), s["S"].reshape(p.N, p.N)
+    return [(p.memory_gain / p.gain, np.sum((eta @ S) * eta))]
 
 
 LAW = Law(
@@ -199,8 +199,8 @@ LAW = Law(
     gain=1.0,
     starts=starts,
     keeps=keeps,
-    gains=gains,
-    cone="S",
+    losses=losses,
+    cones=("S",),
     says="-e^T KD e - gamma_c tr(eta S eta^T)/gamma",
     made_of=("vehicle.feedback", "vehicle.position"),
 )

@@ -37,9 +37,8 @@ from ...errors import ScenarioError
 from ..block import Block
 from ..lyapunov import lyapunov_candidate, weighed
 from ..words import maximum, where
-from .composite_memory import keeps as memory_keeps
-from .composite_memory import memory_rates, missed
-from .filtered_flow import filter_rates, filter_starts, mean_feedback
+from .composite_memory import memory_kept, memory_rates, missed
+from .filtered_flow import filter_kept, filter_rates, filter_starts, mean_feedback
 from .law import Known, Law, Setting, Truth, adapt_feedback, adapt_feedforward
 
 MOST = 6  # functions
@@ -116,7 +115,7 @@ def drem(t, x, u, p, dx):
             dx[i * n + k] = scale * Delta * dx[i * n + k]
         dx[2 * n + i] = adapt_feedback(p.gain_K, e[i], z[i])
         dx[2 * n + 2 + i] = adapt_feedforward(p.gain_Gamma, e[i], zc[i])
-    memory_rates(dx, Q, b, x, position, p.filter, p.forgetting, n)
+    memory_rates(dx, Q, b, at, x, position, p.filter, p.forgetting, n)
     filter_rates(dx, at, x, phi, position, v, p.filter, n)
     dx[at + n + 2] = -scale * Delta * Delta * x[at + n + 2]
 
@@ -198,9 +197,10 @@ def V(p: Any, truth: Truth) -> Block:
     return lyapunov_candidate("learned-flow", weighed((p.rate**2, p.gain_K, p.gain_Gamma), *truth))
 
 
-def keeps(s: Any, p: Any, theta: Any) -> dict[str, Any]:
+def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
     """Return what the states are at all times: those of the memory, and eta = w eta(0)."""
-    return {**memory_keeps(s, p, theta), "alpha": s["w"] * (theta + p.alpha_0) - theta}
+    alpha = s["w"] * (truth.theta + p.alpha_0) - truth.theta
+    return {**memory_kept(s, p, truth), **filter_kept(s, p, truth), "alpha": alpha}
 
 
 LAW = Law(
@@ -223,7 +223,7 @@ LAW = Law(
     alpha_by_gain=False,
     starts=starts,
     keeps=keeps,
-    cone="Q",
+    cones=("Q",),
     shrinking="w",
     readout="readout",
     says="-e^T KD e + e^T eta phi - f |eta|^2/g^2, eta = w eta(0), w' = -f w <= 0",

@@ -26,7 +26,15 @@ import numpy as np
 
 from ..block import Block
 from ..lyapunov import lyapunov_candidate, weighed
-from .filtered_flow import filter_rates, filter_starts, filtered_flow, mean_feedback, reach
+from .commanded_gains import symmetric
+from .filtered_flow import (
+    filter_kept,
+    filter_rates,
+    filter_starts,
+    filtered_flow,
+    mean_feedback,
+    reach,
+)
 from .law import Known, Law, Setting, Truth, adapt_feedback, adapt_feedforward
 
 
@@ -146,15 +154,15 @@ def V(p: Any, truth: Truth) -> Block:
     return lyapunov_candidate("known-flow", weighed((1.0, p.gain_K, p.gain_Gamma), *truth))
 
 
-def keeps(s: Any, p: Any, theta: Any) -> dict[str, Any]:
+def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
     """Return what the states are at all times: P = P^T, F_f = theta phi_f."""
-    P = np.triu(s["P"].reshape(p.N, p.N))
-    return {"P": P + np.triu(P, 1).T, "q": p.filter * s["x"] - theta @ s["phi_f"]}
+    return {"P": symmetric(s["P"], p.N), **filter_kept(s, p, truth)}
 
 
-def gains(s: Any, p: Any, theta: Any) -> Any:
+def gains(s: Any, p: Any, truth: Truth) -> Any:
     """Return what (d P^-1 d^T)' is at most: -|d phi_f|^2/r^2, both axes together."""
-    return -sum(((s["theta_hat"].reshape(2, p.N) - theta) @ s["phi_f"]) ** 2) / p.noise**2
+    off = (s["theta_hat"].reshape(2, p.N) - truth.theta) @ s["phi_f"]
+    return -sum(off**2) / p.noise**2
 
 
 LAW = Law(
@@ -182,7 +190,7 @@ LAW = Law(
     starts=starts,
     keeps=keeps,
     gains=gains,
-    cone="P",
+    cones=("P",),
     says="(d P^-1 d^T)' <= -|d phi_f|^2/r^2, d = theta_hat - theta",
     made_of=(
         "vehicle.feedback",

@@ -56,6 +56,7 @@ class Known(NamedTuple):
     settings: Mapping[str, Any]  # every key of the law's own table, its value or default
     GammaD: np.ndarray  # shape (2,), feedforward gains of the vehicle, per time
     fixes: Fixes | None = None  # None: the position is read at all times
+    limited: bool = False  # whether the vehicle's speed is limited: v_c of Eq. (7) is not v_x
 
     @property
     def cycle(self) -> float:
@@ -94,10 +95,16 @@ class Law(NamedTuple):
     starts: Callable[[Known], dict[str, Any]] = lambda known: {}  # its own states at t = 0
     # keys of which its parameters and starts are made, beside its own
     made_of: tuple[str, ...] = ()
-    keeps: Callable[..., dict[str, Any]] | None = None  # relations of its states, for the proof
-    # V' + e^T KD e where they hold; of a law that makes an estimate: what its error grows by
-    gains: Callable[..., Any] = lambda states, p, theta: 0
-    cone: str = ""  # a state that is a matrix M >= 0
+    # for the proof, of (states, parameters, truth): relations of its states
+    keeps: Callable[..., dict[str, Any]] | None = None
+    # what V' loses beyond e^T KD e where they hold: products of factors that are not negative
+    losses: Callable[..., list[tuple]] = lambda states, p, truth: []
+    push: Callable[..., Any] | None = None  # what V' has beside; the law is bounded by it
+    comes_to: str = ""  # what is reached with a push, in words
+    over: Callable[..., Any] | None = None  # eta P^-1, of a law with a covariance P
+    # of a law that makes an estimate: what the error's square, over its covariance, grows by
+    gains: Callable[..., Any] = lambda states, p, truth: 0
+    cones: tuple[str, ...] = ()  # states that are matrices M >= 0
     shrinking: str = ""  # a state w: every parameter's error is w times its first, and w' <= 0
     readout: str = ""  # an output that is theta once w has shrunk
     says: str = ""  # V' in words

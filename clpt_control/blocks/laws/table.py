@@ -14,6 +14,8 @@ from . import (
     known_flow,
     leakage,
     learned_flow,
+    least_squares,
+    normalised_gradient,
     projection,
 )
 from .law import Law
@@ -29,6 +31,8 @@ LAWS: dict[str, Law] = {
         leakage.E_MODIFICATION,
         dead_zone.LAW,
         projection.LAW,
+        normalised_gradient.LAW,
+        least_squares.LAW,
         composite_least_squares.LAW,
         composite_memory.LAW,
         concurrent.LAW,

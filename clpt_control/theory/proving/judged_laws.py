@@ -81,7 +81,9 @@ def _with_kept_relations(law: Law) -> JudgedLaw:
     """Judge a law whose states keep relations."""
     steps = tuple(kept_steps(law, POINTS))
     failed = [f"{s.claim} ({s.detail})" for s in steps if not s.holds]
-    status, claim = "proved", f"V' = {law.says}, so CLPE goes to zero"
+    status, claim = "proved", f"V' <= {law.says}, so CLPE goes to zero"
+    if law.push is not None:
+        status, claim = "bounded", f"V' <= {law.says}: {law.comes_to}"
     if law.makes_estimate:
         status, claim = "bounded", f"{MEAN}, and {law.says}"
     if failed:

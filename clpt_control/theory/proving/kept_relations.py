@@ -1,13 +1,15 @@
 """Prove a law whose states keep relations between each other, such as P with the information.
 
 A law's row says which relations its states `keep` (state = expression of the others), which
-matrix is not negative, and what V' `gains` beyond -e^T KD e.  Each is then shown:
+matrices, its `cones`, are not negative, what V' `losses` are beyond e^T KD e, products of factors
+that are not negative, and what is a `push` beside.  Each is then shown:
 
     s' = (expression)'                    where the relations hold: what starts there stays
     c^T M' c >= 0  where  M c = 0         the cone M >= 0 is not left (Nagumo)
-    V' = -e^T KD e + gains <= -e^T KD e   where the relations hold, V and -gains not negative
+    V' = -e^T KD e - losses + push        where the relations hold, V and losses not negative
 
-The first two are exact for N = 1, 2, 3; so is the third, and the running blocks give the same V'.
+A law without a push is proved, one with is bounded by it.  `covariance_bounds` says more of laws
+with a covariance P.  All is exact for N = 1, 2, 3, and the running blocks give the same V'.
 Where its states jump, at times that may be any, x and inputs being those right before:
 
     the relations before give the relations after,  M >= 0 gives M+ >= 0,  V+ <= V
@@ -19,6 +21,7 @@ For a law that makes an estimate theta_hat = theta + d with its covariance M, th
     (d M^-1 d^T)' <= gains <= 0                           so d never grows in this norm
 """
 
+import math
 from collections.abc import Callable, Set
 from typing import Any
 
@@ -27,7 +30,8 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from ...blocks import Block
-from ...blocks.laws.law import Law
+from ...blocks.laws.law import Law, Truth
+from .covariance_bounds import covariance_steps
 from .lyapunov import Claim, claimed, decay, decay_and_known_error, short
 from .proof import Step, checked
 from .quadratic_forms import nonpositive, positive_maximum
@@ -44,7 +48,7 @@ class Kept:
     """A law's closed loop on symbols for one N, with the relations that its row states."""
 
     def __init__(self, law: Law, N: int, speed: Hedging = "no limit"):
-        made, V = law_and_V(law, N)
+        made, V = law_and_V(law, N, speed)
         wired = law.name if law.makes_estimate else "learned-flow"
         self.diagram = theorem_loop(N, wired, law_block=made, candidate=V, speed=speed)
         self.loop: SymbolicLoop = symbolic_loop(self.diagram, jumps=True)
@@ -52,25 +56,31 @@ class Kept:
         own = self.loop.states
         self.states = {port.rpartition(":")[2]: symbols for port, symbols in own.items()}
         self.rates = {port.rpartition(":")[2]: rate for port, rate in self.loop.rates.items()}
-        p, theta = self.loop.parameters[made.name], self.loop.parameters["true_flow"].theta
+        p, car = self.loop.parameters[made.name], self.loop.parameters["vehicle_controller"]
+        truth = Truth(self.loop.parameters["true_flow"].theta, car.KD, car.GammaD)
         assert law.keeps is not None
-        relations = law.keeps(self.states, p, theta)
+        relations = law.keeps(self.states, p, truth)
         self.relations: dict[Any, sympy.Expr] = {
             symbol: sympy.expand(value)
             for port, values in relations.items()
             for symbol, value in zip(self.states[port], np.ravel(values), strict=True)
             if symbol != value
         }
-        self.gains = sympy.sympify(law.gains(self.states, p, theta))
-        self.matrix = self.states[law.cone].reshape(N, N)
-        self.slope = self.rates[law.cone].reshape(N, N)
+        every = {**self.loop.inputs, **self.states}
+        self.parameters, self.losses = p, law.losses(every, p, truth)
+        self.gains = sympy.sympify(law.gains(every, p, truth))
+        self.push = sympy.sympify(law.push(every, p, truth) if law.push else 0)
+        self.cones = {port: _square(self.states[port]) for port in law.cones}
+        self.slopes = {port: _square(self.rates[port]) for port in law.cones}
         tied = _tied(self.loop, made, V)
         self.V = self.loop.signals["V"][0].subs(tied)
         self.rate = self.loop.derivative(self.V)
         self.untied = self.loop.derivative(self.loop.signals["V"][0])
-        car = self.loop.parameters["vehicle_controller"]
-        truth = (theta.ravel(), car.KD, car.GammaD)
-        self.apart = {s for symbols in (*own.values(), *truth) for s in symbols}
+        known = (*np.ravel(truth.theta), *truth.KD, *truth.GammaD)
+        self.held = law.over(self.states, p, truth) if law.over else None
+        self.over = {} if self.held is None else _alone(self.held)
+        fresh = [value.free_symbols for value in self.over.values()]
+        self.apart = {s for symbols in (*own.values(), known, *fresh) for s in symbols}
 
     def here(self, expression: Any) -> sympy.Expr:
         """Return an expression where the relations hold, words with kinks any numbers."""
@@ -106,11 +116,12 @@ class Kept:
 
     def cone_is_kept_at_a_jump(self) -> bool:
         """Return whether c^T M c is not negative after a jump, for every M >= 0 and c."""
-        c = np.array(sympy.symbols(f"a_1:{len(self.matrix) + 1}", real=True), dtype=object)
         for after in self.loop.jumps_at_once():
-            new = np.array([[after.get(m, m) for m in row] for row in self.matrix], dtype=object)
-            if not self.not_negative(self.veiled(sympy.expand(c @ new @ c)), set(c)):
-                return False
+            for M in self.cones.values():
+                c = np.array(sympy.symbols(f"a_1:{len(M) + 1}", real=True), dtype=object)
+                new = np.array([[after.get(m, m) for m in row] for row in M], dtype=object)
+                if not self.not_negative(self.veiled(sympy.expand(c @ new @ c)), set(c)):
+                    return False
         return True
 
     def V_rises_by(self) -> str:
@@ -126,53 +137,86 @@ class Kept:
 
         With M = M^T and d = c M, whatever c is: 2 d' c^T - c M' c^T.
         """
-        n, M = len(self.matrix), self.symmetric()
+        (port,) = self.cones
+        n, M = len(self.cones[port]), self.symmetric(port)
         if np.any(M != M.T):
             return f"left over: {short(M[0, 1] - M[1, 0])}"
         c = np.array(sympy.symbols(f"c_1:{2 * n + 1}", real=True), object).reshape(2, n)
         theta = self.loop.parameters["true_flow"].theta
         at = dict(zip(self.states["theta_hat"], (theta + c @ M).ravel(), strict=True))
         slope = self.rates["theta_hat"].reshape(2, n)
-        rate = 2 * np.sum(slope * c) - np.sum((c @ self.slope) * c)
+        rate = 2 * np.sum(slope * c) - np.sum((c @ self.slopes[port]) * c)
         rest = self.here(sympy.sympify(rate - self.gains).subs(at, simultaneous=True))
         falls = self.gains.is_nonpositive
         if falls and all(term.is_nonpositive for term in sympy.Add.make_args(rest)):
             return ""
         return f"left over: {short(rest)}"
 
-    def cone_is_kept(self) -> bool:
+    def cone_is_kept(self, port: str) -> bool:
         """Return whether c^T M' c is not negative where M c = 0, for every c."""
-        n = len(self.matrix)
+        M, n = self.symmetric(port), len(self.cones[port])
         c = sympy.Matrix(sympy.symbols(f"c_1:{n + 1}", real=True))
         apart = sympy.eye(n) - c * c.T / (c.T * c)[0]  # every M with M c = 0 is apart M apart
-        touching = apart * sympy.Matrix(n, n, self.symmetric().ravel()) * apart
-        at = dict(zip(self.matrix.ravel(), touching, strict=True))
-        form = (c.T * sympy.Matrix(n, n, self.slope.ravel()) * c)[0]
-        found = sympy.factor(sympy.together(form.subs(at, simultaneous=True)))
-        return bool(found.is_nonnegative)
+        touching = apart * sympy.Matrix(M) * apart
+        at = dict(zip(self.cones[port].ravel(), touching, strict=True))
+        form = (c.T * sympy.Matrix(self.slopes[port]) * c)[0].subs(at, simultaneous=True)
+        return bool(sympy.factor(sympy.together(form)).is_nonnegative)
 
-    def symmetric(self) -> np.ndarray:
-        """Return the matrix with its relations, shape (N, N)."""
-        return np.array([[self.here(s) for s in row] for row in self.matrix], dtype=object)
+    def symmetric(self, port: str) -> np.ndarray:
+        """Return a cone's matrix with its relations, shape (n, n)."""
+        return np.array([[self.here(s) for s in row] for row in self.cones[port]], dtype=object)
 
-    def not_negative(self, expression: sympy.Expr, more: Set[Any] = frozenset()) -> bool:
-        """Return whether F = F(M = 0) + tr(M S) is known not to be negative for M >= 0.
+    def not_negative(self, expression: Any, more: Set[Any] = frozenset()) -> bool:
+        """Return whether F = F(M = 0) + sum tr(M S) is known not to be negative for M >= 0.
 
         `more` are symbols beside states and truths that may have any value.
         """
+        expression = sympy.sympify(expression)
+        if expression.is_nonnegative or self.within(expression):
+            return True
         if all(term.is_nonnegative for term in sympy.Add.make_args(expression)):
             return True
-        n, found = len(self.matrix), self.here(expression)
-        symbols = sorted(set(self.symmetric().ravel()), key=str)
-        zero = dict.fromkeys(symbols, 0)
+        found, parts = self.here(expression), []
+        found = sympy.expand(found.subs(self.over, simultaneous=True))
+        own = {port: self.symmetric(port) for port in self.cones}
+        symbols = sorted({s for M in own.values() for s in M.ravel()}, key=str)
         if not found.is_polynomial(*symbols) or sympy.Poly(found, *symbols).total_degree() > 1:
             return False
-        c, form = sympy.symbols(f"c_1:{n + 1}", real=True), sympy.Integer(0)
-        for j in range(n):
-            for k in range(j, n):  # M_jk stands for M_kj as well
-                form += c[j] * c[k] * sympy.diff(found, self.here(self.matrix[j, k]))
-        parts = (found.subs(zero), sympy.expand(form))
+        for M in own.values():
+            c, form = sympy.symbols(f"c_1:{len(M) + 1}", real=True), sympy.Integer(0)
+            for j in range(len(M)):
+                for k in range(j, len(M)):  # M_jk stands for M_kj as well
+                    form += c[j] * c[k] * sympy.diff(found, M[j, k])
+            parts.append(sympy.expand(form))
+        parts.append(found.subs(dict.fromkeys(symbols, 0)))
         return all(nonpositive(-part, self.apart | more, {}) for part in parts)
+
+    def within(self, expression: sympy.Expr) -> bool:
+        """Return whether an expression is 1 - tr P/k_0, which `covariance_bounds` keeps."""
+        if self.held is None:
+            return False
+        trace = sum(self.cones["P"].diagonal())
+        return sympy.expand(expression - 1 + trace / self.parameters.largest) == 0
+
+    def loses(self) -> bool:
+        """Return whether each product that V' loses has factors that are not negative."""
+        return all(self.not_negative(factor) for product in self.losses for factor in product)
+
+
+def _square(symbols: np.ndarray) -> np.ndarray:
+    n = math.isqrt(len(symbols))
+    return symbols.reshape(n, n)
+
+
+def _alone(values: np.ndarray) -> dict[Any, Any]:
+    """Return symbols -> expressions that make each value, linear in its symbol, one of its own."""
+    flat, found = list(np.ravel(values)), {}
+    for k, value in enumerate(flat):
+        others = {s for j, one in enumerate(flat) if j != k for s in one.free_symbols}
+        symbol = min(value.free_symbols - others, key=str)
+        fresh = sympy.Symbol(f"over_{k + 1}", real=True)
+        found[symbol] = (fresh - value.subs(symbol, 0)) / sympy.diff(value, symbol)
+    return found
 
 
 def _tied(loop: SymbolicLoop, law: Block, V: Block) -> dict[Any, Any]:
@@ -215,7 +259,7 @@ def jump_steps(cases: list[Kept], law: Law) -> list[Step]:
             f"N = {N}: {one}" for N, one in said if one
         )
 
-    name = law.cone
+    name = ", ".join(law.cones)
     return [
         checked("and is kept where they jump", "exact", lambda: none(Kept.left_at_a_jump), False),
         checked(
@@ -236,7 +280,8 @@ def kept_steps(law: Law, points: int) -> list[Step]:
 
     def falls() -> tuple[bool, str]:
         for N, case in zip(SIZES, cases, strict=True):
-            rest = case.here(case.rate - claimed(case.loop, claim) - (0 if made else case.gains))
+            lost = sum(math.prod(product) for product in case.losses)
+            rest = case.here(case.rate - claimed(case.loop, claim) + lost - case.push)
             if not vanishes(rest):
                 return False, f"N = {N}, left over: {short(rest)}"
             if case.loop.undefined:
@@ -251,29 +296,29 @@ def kept_steps(law: Law, points: int) -> list[Step]:
 
     def running() -> tuple[bool, str]:
         case = cases[1]
-        found = compared(case.diagram, case.loop, sympy.expand(case.untied), points)
+        found = compared(case.diagram, case.loop, case.untied, points)
         if found.where is not None:
             return False, f"differs by {found.worst:.1e} of V at {found.where}"
         return True, f"{found.points} points, largest difference {found.worst:.0e} of V"
 
-    name = law.cone
+    def cones() -> tuple[bool, str]:
+        left = [p for case in cases for p in law.cones if not case.cone_is_kept(p)]
+        return not left, ", ".join(sorted(set(left)))
+
+    names = ", ".join(law.cones)
     if made:
         third = [
             checked(f"{GIVEN}, N = 1, 2, 3", "exact", falls, False),
-            checked(
-                f"the error of the estimate never grows: {law.says}",
-                "exact",
-                recedes,
-                False,
-            ),
+            checked(f"the error of the estimate never grows: {law.says}", "exact", recedes, False),
         ]
     else:
         third = [
-            checked(f"V' = -e^T KD e + gains, N = 1, 2, 3: {law.says}", "exact", falls, False),
+            checked(f"V' as claimed, N = 1, 2, 3: {law.says}", "exact", falls, False),
+            *(covariance_steps(cases, law.push is None) if law.over else []),
             checked(
-                f"with {name} >= 0 V and -gains are not negative",
+                f"with {names} >= 0 V and what V' loses are not negative",
                 "exact",
-                lambda: all(k.not_negative(k.V) and k.not_negative(-k.gains) for k in cases),
+                lambda: all(case.not_negative(case.V) and case.loses() for case in cases),
                 False,
             ),
         ]
@@ -281,10 +326,7 @@ def kept_steps(law: Law, points: int) -> list[Step]:
         kept_step(cases),
         *jump_steps(cases, law),
         checked(
-            f"c^T {name}' c >= 0 where {name} c = 0, so {name} >= 0 is not left",
-            "exact",
-            lambda: all(case.cone_is_kept() for case in cases),
-            False,
+            f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {names}", "exact", cones, False
         ),
         *third,
         checked("the running blocks give the same V'", "sampled", running, False),

@@ -17,9 +17,10 @@ from collections.abc import Callable
 
 import sympy
 
+from ...blocks.laws.law import Law
 from ...blocks.laws.table import LAWS
 from ...blocks.speed_limit import SpeedLimitParameters, speed_limit
-from ...diagrams.interconnection import connect
+from ...diagrams.interconnection import Diagram, connect
 from ..counterexamples.paper_system import limited_speed_counterexample
 from .boundedness import definite_step, dissipation_step, young_step
 from .every_n_loop import EveryNLoop, element_symbol, every_n_loop
@@ -55,6 +56,13 @@ def same_error_rate() -> bool:
     return all(minus(*pair) == Summed(sympy.Integer(0)) for pair in zip(*rates, strict=True))
 
 
+def law_loop(law: Law, speed: Hedging) -> Diagram:
+    """Return a law's loop, with or without a limit."""
+    made, V = law_and_V(law, N, speed)
+    name = law.name if law.keeps_alpha else "learned-flow"
+    return theorem_loop(N, name, law_block=made, candidate=V, speed=speed)
+
+
 def same_rate_of_every_law() -> tuple[bool, str]:
     """Return whether V' of each law is that without a limit, and its relations are kept.
 
@@ -62,13 +70,8 @@ def same_rate_of_every_law() -> tuple[bool, str]:
     """
     told = [law for law in LAWS.values() if not law.at_fixes]  # those predict with v as flown
     for law in told:
-        made, V = law_and_V(law, N)
-        name = law.name if law.keeps_alpha else "learned-flow"
         free, hedged = (
-            symbolic_loop(
-                theorem_loop(N, name, law_block=made, candidate=V, speed=speed), jumps=True
-            )
-            for speed in ("no limit", "hedged")
+            symbolic_loop(law_loop(law, speed), jumps=True) for speed in ("no limit", "hedged")
         )
         rates = [loop.derivative(loop.signals["V"][0]) for loop in (free, hedged)]
         left = sympy.expand(rates[0] - rates[1])

@@ -65,10 +65,15 @@ def theorem_scenario(
     )
 
 
-def law_and_V(law: Law, N: int) -> tuple[Block, Block]:
-    """Return a law's block and V in the theorems' scenario, at its defaults."""
-    scenario = theorem_scenario(N, law.name)
-    made, car = law.block(scenario.known_to_law), scenario.vehicle
+def law_and_V(law: Law, N: int, speed: Hedging = "no limit") -> tuple[Block, Block]:
+    """Return a law's block and V in the theorems' scenario, at its defaults.
+
+    A default of 0 is 0.1 instead: what is 0 would be no symbol.
+    """
+    scenario = theorem_scenario(N, law.name, speed=speed)
+    known, car = scenario.known_to_law, scenario.vehicle
+    settings = {key: 0.1 if value == 0 else value for key, value in known.settings.items()}
+    made = law.block(known._replace(settings=settings))
     truth = map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward))
     return made, law.V(made.parameters, Truth(*truth))
 
