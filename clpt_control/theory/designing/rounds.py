@@ -44,9 +44,12 @@ def best_waypoints(
             def shown(done: float, base: float = 0.5 * (turn > 0)) -> None:
                 report(base + 0.4 * done / (generations + 1))
 
-            points = search.points(search.evolve(first, generations, seed, shown)[None])[0]
-            kept.append(_judged(close, limits, points))
-        points = search.points(search.climb(search.unknowns(points))[None])[0]
+            starts = search.evolve(first, generations, seed, shown)
+            kept.append(_judged(close, limits, search.points(starts[:1])[0]))
+        else:
+            starts = search.unknowns(points)[None]
+        ends = np.array([search.climb(u) for u in starts])
+        points = search.points(ends)[np.argmin(search.cost(ends))]
         kept.append(_judged(close, limits, points))
         runs += tracks.runs
         report(0.4 + 0.5 * (turn + 1) / ROUNDS)

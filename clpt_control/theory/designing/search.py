@@ -1,10 +1,10 @@
-"""The search: differential evolution over all tracks, then a climb on both axes at once.
+"""The search: differential evolution over all tracks, then climbs on both axes at once.
 
     maximise kappa_1(w_1 ... w_n),    unknowns in [0, 1]: places in the area's box
 
 Differential evolution (Storn and Price 1997) takes its whole population to the tracks' lanes
 at once.  A track beyond a limit costs more than any that keeps to it, the more the farther it is
-beyond.  kappa_1 has a ridge where both axes have the same smallest eigenvalue, so the climb asks
+beyond.  kappa_1 has a ridge where both axes have the same smallest eigenvalue, so a climb asks
 SLSQP (Kraft 1988) for the largest s with log kappa of each axis >= s and each slack >= 0;
 derivatives are differences, again in lanes.
 """
@@ -22,6 +22,7 @@ BEYOND = 1e4  # cost of a limit that is not kept, more than -log of any eigenval
 LEAST = 1e-300
 NEAR = 0.15  # spread of the half of the population that begins near the first track
 STEP = 1e-6  # of the differences, share of the area's box
+STARTS = 4  # of climbs: evolution may not have found the highest hill
 CLIMBS = 60  # iterations of SLSQP
 INSIDE = 1e-5  # of each limit, that a climb leaves free
 WAY = 33  # places looked at between the start and the end of a climb
@@ -47,7 +48,10 @@ class Search:
     def evolve(
         self, first: np.ndarray, generations: int, seed: int, report: Callable[[float], None]
     ) -> np.ndarray:
-        """Return the best unknowns that differential evolution finds from a first track on."""
+        """Return `STARTS` unknowns (k, 2 n) of differential evolution from a first track on.
+
+        The best of the last generation first, then others down to the middle of it.
+        """
         from scipy.optimize import differential_evolution
 
         rng = np.random.default_rng(seed)
@@ -76,7 +80,9 @@ class Search:
             updating="deferred",
             seed=rng,
         )
-        return np.asarray(ended.x)
+        rest = ended.population[np.argsort(ended.population_energies, kind="stable")]
+        places = np.linspace(0, len(rest) // 2, STARTS).astype(int)[1:]
+        return np.vstack([ended.x, rest[places]])
 
     def cost(self, u: np.ndarray) -> np.ndarray:
         """Return -log kappa_1 of unknowns (m, 2 n), or how far they go beyond a limit."""
