@@ -44,6 +44,8 @@ def laws_to_try(names: tuple[str, ...]) -> tuple[list[Law], dict[str, str]]:
             continue
         if law.given_estimate:
             skipped[law.name] = "is given the flow and does not learn it"
+        elif law.at_fixes:
+            skipped[law.name] = "learns at fixes, not from the position at all times"
         else:
             tried.append(law)
     return tried, skipped

@@ -85,6 +85,11 @@ def tune_law(
     True
     """
     require_scenario(scenario)
+    if scenario.learning.row.at_fixes:
+        raise ScenarioError(
+            f'learning.law = "{scenario.learning.law}": is the only law that learns at fixes; '
+            "nothing is to choose, and its settings vary in an ensemble"
+        )
     names = tuple([laws] if isinstance(laws, str) else laws)
     for name in names:
         if name not in LAWS:

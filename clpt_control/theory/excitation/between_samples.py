@@ -70,6 +70,11 @@ def positions_between(
 
     if name not in run:
         raise DataError(f"the dataset is no run: it needs '{name}'")
+    if scenario.localization is not None and scenario.localization.interval > 0:
+        raise DataError(
+            "localization.interval: z of a recorded run jumps at fixes, and is not known between "
+            "samples; give the scenario in place of the run"
+        )
     t, values = run.time.values, run[name].values
     dwell = scenario.reference.dwell
     number = np.floor(times.mean(1) / dwell).astype(int)

@@ -140,6 +140,11 @@ def certificate(
             "no certificate: it is of the paper's two laws with one gain for all, the run has the "
             f"law {along.own_law or law}" + ("" if gains.one else " with a gain each")
         )
+    if scenario.localization is not None and scenario.localization.noise > 0:
+        raise ScenarioError(
+            "no certificate: localization.noise is read with the position and adds to V'; without "
+            "it V falls as certified"
+        )
     if scenario.vehicle.max_speed is not None and not scenario.hedged:
         raise ScenarioError(
             "no certificate: learning.hedging = false, so what the vehicle cannot fly adds to V'; "

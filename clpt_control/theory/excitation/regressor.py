@@ -70,6 +70,8 @@ def quadrature(
     tides = scenario.periods[np.isfinite(scenario.periods)] / 2
     longest = min([dwell, TRANSIENT / max(scenario.vehicle.feedback), *tides])
     inner = np.concatenate([multiples(dwell, start, end), [] if edges is None else edges])
+    seen = {} if scenario.localization is None else scenario.localization.spans
+    inner = np.concatenate([inner, *(multiples(span, start, end) for span in seen.values())])
     near = 1e-9 * min(longest, end - start)
     inner = np.sort(inner[(inner > start + near) & (inner < end - near)])
     kept = [start]
