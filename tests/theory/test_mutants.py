@@ -142,7 +142,8 @@ def laws_of(function):
     for law in LAWS.values() if ".laws." in function.__module__ else ():
         reached, stack = set(), []
         for block in theorem_loop.law_and_V(law, judged_laws.N):
-            stack += [f for f in (block.update_function, block.output_function) if f is not None]
+            run = (block.update_function, block.output_function, block.jump_function)
+            stack += [f for f in run if f is not None]
         while stack:
             one = stack.pop()
             if one not in reached:
