@@ -241,8 +241,7 @@ def V(p: Any, truth: Truth) -> Block:
 
 LAW = Law(
     "fix-regression",
-    promise="V never rises, at exact fixes: no estimate of the flow gets worse in the norm of what "
-    "was known before",
+    promise="V does not rise at exact fixes, as far as phi at the prediction is phi at the vehicle",
     needs="fixes, localization.interval; steers on the prediction in between",
     block=block,
     V=V,
