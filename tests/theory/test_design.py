@@ -8,6 +8,7 @@ from hypothesis.extra.numpy import arrays
 from pictures import inked
 
 import clpt_control as clpt_package
+from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import ScenarioError
 from clpt_control.files import write_figure
 from clpt_control.theory import design_track
@@ -123,6 +124,21 @@ def test_no_design_is_worse_than_the_start_and_a_seed_repeats_it(paper):
     assert found[0].scenario == found[1].scenario
     assert found[0].report == found[1].report
     assert found[0].scenario != found[2].scenario
+
+
+def test_fixes_and_noise_leave_the_design_as_it_is(paper):
+    """Where e = 0 the vehicle knows where it is; the run with its own law is another matter."""
+    law = next(law.name for law in LAWS.values() if law.at_fixes)
+    fixes = {"learning": {"law": law}, "localization": {"interval": 5.0}}
+    noise = {"localization": {"noise": 0.02, "noise_period": 1.0}}
+    found = [
+        design_track(paper.with_values(values), window=60.0, generations=1)
+        for values in ({}, fixes, noise)
+    ]
+    first = found[0].report["after"]
+    for other in found[1:]:
+        assert other.report["after"]["waypoints"] == first["waypoints"]
+        assert other.report["after"]["smallest_eigenvalue"] == first["smallest_eigenvalue"]
 
 
 def test_the_papers_track_can_be_2_3_times_better(paper):

@@ -53,7 +53,7 @@ def unknown_of(
     delta, seen = drawn.flow.disturbance, drawn.localization
     if delta is not None and delta.kind == "noise":
         varies.append(Vary("flow.disturbance.seed", "levels", seeds))
-    if seen is not None and seen.noise > 0:
+    if seen is not None and (seen.noise > 0 or seen.dropouts > 0):
         varies.append(Vary("localization.seed", "levels", seeds))
     return Unknown(
         drawn, size, tuple(varies), _rms(drawn), 0.0 if seen is None else float(seen.noise)

@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...blocks import Block, evaluate
+from ...blocks.laws.table import LAWS
 from ...diagrams.interconnection import wiring_of_blocks
 from ...native.batch import Batch
 from ...native.native_diagram import NativeDiagram
@@ -23,6 +24,7 @@ from ...simulation.loops import paper_blocks, state_of
 from ..excitation.regressor import quadrature
 from ..excitation.transition import regressors
 
+ANY = next(law for law in LAWS.values() if not (law.at_fixes or law.given_estimate))
 ATOL = 1e-2  # absolute tolerance over the relative one
 BYTES = 100_000_000  # of one array of tracks that are taken together
 
@@ -149,11 +151,15 @@ def middles(cuts: np.ndarray) -> np.ndarray:
 
 
 def vehicle_alone(scenario: Scenario) -> Scenario:
-    """Return the scenario with nothing that is random, and with waypoints as a list."""
+    """Return the scenario with nothing that is random, waypoints as a list, and any learner.
+
+    The learner is not run; one that the vehicle steers by is left out too, since e = 0.
+    """
     return scenario.with_values(
         {
             "flow.disturbance": None,
             "localization": None,
+            "learning": {"law": ANY.name, "gain": 1.0},
             "reference": {
                 "kind": "waypoints",
                 "points": scenario.waypoints.tolist(),
