@@ -108,14 +108,14 @@ def tune_law(
         try:
             scores.append(score_of(unknown, one, members, seed))
         except ClptError as error:
-            skipped[one.text] = str(error)
+            skipped[one.text] = str(error).removeprefix("scenario: ")
 
     for k, law in enumerate(tried):
         report(0.5 * k / len(tried))
         try:
             both = list(as_they_come(scenario, law))
         except ClptError as error:
-            skipped[law.name] = str(error)
+            skipped[law.name] = str(error).removeprefix("scenario: ")
             continue
         for one in both:
             score(one)
