@@ -22,12 +22,6 @@ def paper():
     return clpt_control.paper_scenario().with_values({"run.duration": 200})
 
 
-def with_fixes(paper):
-    own = {"law": next(law.name for law in LAWS.values() if law.at_fixes)}
-    seen = {"interval": 5.0, "dropouts": 0.1, "seed": 0}
-    return paper.with_values({"learning": own, "localization": seen})
-
-
 def scored(law, score, time=np.inf, failed=0, error=1.0):
     return Score(Candidate(law, 1.0, False, None, {}), error, error, 1.0, time, score, failed)
 
@@ -77,39 +71,34 @@ def test_what_is_drawn_is_drawn_about_the_belief(paper):
     assert unknown.unmodelled == pytest.approx(0.2)
 
 
-@pytest.mark.parametrize("name", [law.name for law in LAWS.values() if not law.given_estimate])
+@pytest.mark.parametrize("name", [law.name for law in laws_to_try(())[0]])
 def test_every_law_that_learns_is_a_candidate(paper, name):
     law = LAWS[name]
-    scenario = with_fixes(paper) if law.at_fixes else paper
-    first = list(as_they_come(scenario, law))
-    found = first + [other for one in first for other in about(scenario, law, one.held)]
+    found = [*as_they_come(paper, law), *about(paper, law, True), *about(paper, law, False)]
     assert len({one.text for one in found}) == len(found)
     for one in found:
-        made = scenario.with_values(one.values)
+        made = paper.with_values(one.values)
         assert made.learning.law == name
-        if not law.at_fixes:
-            assert made.learning.adapt_gains != one.held
-        if one.held and not law.at_fixes:
+        assert made.learning.adapt_gains != one.held
+        if one.held:
             assert made.learning.feedback == made.vehicle.feedback
         if one.filter is not None:
             parameters = law.block(made.known_to_law).parameters
             assert parameters.filter == pytest.approx(one.filter, rel=1e-12)
 
 
-def test_a_law_that_is_told_the_flow_is_skipped_with_the_reason():
+def test_laws_that_cannot_be_tuned_are_skipped_with_the_reason():
     tried, skipped = laws_to_try(())
-    assert skipped == {"known-flow": "is given the flow and does not learn it"}
-    assert [law.name for law in tried] == [name for name in LAWS if name != "known-flow"]
+    assert skipped["known-flow"] == "is given the flow and does not learn it"
+    assert set(skipped) == {law.name for law in LAWS.values() if law.given_estimate or law.at_fixes}
+    assert [law.name for law in tried] == [name for name in LAWS if name not in skipped]
 
 
-def test_fixes_leave_the_law_of_fixes_and_say_why_the_others_go(paper):
-    scenario = with_fixes(paper)
-    tuned = tune_law(scenario, members=3)
-    assert tuned.report["chosen"]["law"] == scenario.learning.law
-    assert set(tuned.report["skipped"]) == set(LAWS) - {scenario.learning.law}
-    assert "reads the position at all times" in tuned.report["skipped"]["sigma"]
-    without = tune_law(paper, members=3, laws=["sigma", scenario.learning.law])
-    assert "learns at fixes" in without.report["skipped"][scenario.learning.law]
+def test_with_fixes_there_is_nothing_to_choose(paper):
+    own = {"law": next(law.name for law in LAWS.values() if law.at_fixes)}
+    scenario = paper.with_values({"learning": own, "localization": {"interval": 5.0}})
+    with pytest.raises(ScenarioError, match="is the only law that learns at fixes"):
+        tune_law(scenario)
 
 
 def test_the_fast_law_is_taken_where_nothing_disturbs(paper):

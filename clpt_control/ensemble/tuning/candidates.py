@@ -52,8 +52,8 @@ def laws_to_try(names: tuple[str, ...]) -> tuple[list[Law], dict[str, str]]:
 
 
 def as_they_come(scenario: Scenario, law: Law) -> Iterator[Candidate]:
-    """Return a law with its defaults, adapted and held; one that learns at fixes holds."""
-    for held in (True,) if law.at_fixes else (False, True):
+    """Return a law with its defaults, adapted and held."""
+    for held in (False, True):
         yield candidate(scenario, law, held, 1.0, 1.0)
 
 
@@ -77,10 +77,8 @@ def candidate(scenario: Scenario, law: Law, held: bool, gain: float, pole: float
         values["learning.parameters"] = None
     else:
         values["learning.theta_estimate"] = None
-    values["learning.adapt_gains"] = None if law.at_fixes else not held
-    if law.at_fixes:
-        values |= {"learning.feedback": None, "learning.feedforward": None}
-    elif held:
+    values["learning.adapt_gains"] = not held
+    if held:
         values |= {"learning.feedback": car.feedback, "learning.feedforward": car.feedforward}
     used = None
     if law.alpha_by_gain or not held:
