@@ -31,8 +31,9 @@ def write(result: Any, folder: Path, ahead: tuple) -> list[Path]:
     from ..replay.plots import replay_figures
     from ..replay.surfacing import next_dive
 
-    figures = replay_figures(result, next_dive(result, *ahead))
-    results: dict[Path, Any] = {folder / RESULTS[0]: replay_dataset(result)}
+    goal = next_dive(result, *ahead)
+    figures = replay_figures(result, goal)
+    results: dict[Path, Any] = {folder / RESULTS[0]: replay_dataset(result, ahead=goal)}
     results |= {folder / name: figure for name, figure in figures.items()}
     write_together(results)
     return list(results)

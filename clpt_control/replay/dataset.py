@@ -5,13 +5,18 @@ CF conventions 1.11, appendix H.4: `dive` is the element dimension, `time`,
 `trajectory` bears `cf_role`.  Forecast places have their own coordinates.
 """
 
+from collections.abc import Sequence
 from importlib.metadata import version
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..geodesy import place_from
+from .over_ground import drifts, over_ground
 from .replay import Replay
+from .step import ellipse
+from .surfacing import NextDive
+from .wording import direction
 
 if TYPE_CHECKING:
     import xarray
@@ -20,7 +25,9 @@ EPOCH = "seconds since 1970-01-01 00:00:00 UTC"
 ALONG = {"coordinates": "time latitude longitude"}
 
 
-def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
+def replay_dataset(
+    replay: Replay, name: str = "glider", ahead: NextDive | None = None
+) -> "xarray.Dataset":
     """Return a replay as a dataset.
 
     Parameters
@@ -29,6 +36,8 @@ def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
         With one dive at least.
     name : str, optional
         Of the trajectory.
+    ahead : NextDive, optional
+        The next surfacing, which scalars then say.
 
     Returns
     -------
@@ -204,4 +213,76 @@ def replay_dataset(replay: Replay, name: str = "glider") -> "xarray.Dataset":
                 **ALONG,
             },
         )
+    _over_ground(data, replay)
+    if ahead is not None:
+        _next(data, ahead)
     return data
+
+
+def _over_ground(data: "xarray.Dataset", replay: Replay) -> None:
+    """Add drift at the surface, way over ground, size and direction of the current."""
+    dives = [step.dive for step in replay.steps]
+    ways = [None if way is None else way.as_dict() for way in drifts(dives)]
+    made = [over_ground(dive).as_dict() for dive in dives]
+    for key, values, units, long_name, standard in (
+        ("surface_drift", _of(ways, "distance"), "m", "drift at the surface before the dive", ""),
+        ("surface_drift_speed", _of(ways, "speed"), "m s-1", "speed of surface_drift", ""),
+        (
+            "surface_drift_direction",
+            _of(ways, "direction"),
+            "degree",
+            "where surface_drift goes to, clockwise from north",
+            "",
+        ),
+        (
+            "speed_over_ground",
+            _of(made, "speed"),
+            "m s-1",
+            "from fix to fix",
+            "platform_speed_wrt_ground",
+        ),
+        (
+            "course_over_ground",
+            _of(made, "direction"),
+            "degree",
+            "from fix to fix, clockwise from north",
+            "platform_course",
+        ),
+        (
+            "current_speed",
+            [float(np.hypot(*step.current)) for step in replay.steps],
+            "m s-1",
+            "learned current over the dive",
+            "sea_water_speed",
+        ),
+        (
+            "current_direction",
+            [direction(*map(float, step.current)) for step in replay.steps],
+            "degree",
+            "where the learned current goes to, clockwise from north",
+            "sea_water_velocity_to_direction",
+        ),
+    ):
+        column = np.array([np.nan if v is None else v for v in values], float)
+        more = {"standard_name": standard} if standard else {}
+        data[key] = ("dive", column, {"units": units, "long_name": long_name, **more, **ALONG})
+
+
+def _of(ways: Sequence[dict | None], key: str) -> list:
+    return [None if way is None else way[key] for way in ways]
+
+
+def _next(data: "xarray.Dataset", ahead: NextDive) -> None:
+    """Add the next surfacing: when, where, and its 90 % ellipse."""
+    long, short, bearing = ellipse(ahead.covariance)
+    said = "of the next surfacing, as forecast"
+    for key, value, attributes in (
+        ("next_time", ahead.plan.t_gpse, {"units": EPOCH, "calendar": "standard"}),
+        ("next_latitude", ahead.latitude, {"units": "degrees_north"}),
+        ("next_longitude", ahead.longitude, {"units": "degrees_east"}),
+        ("next_ellipse_90_long", long, {"units": "m"}),
+        ("next_ellipse_90_short", short, {"units": "m"}),
+        ("next_ellipse_90_bearing", bearing, {"units": "degree"}),
+    ):
+        name = key.removeprefix("next_").replace("_90", " of 90 %").replace("_", " ")
+        data[key] = ((), value, {"long_name": f"{name} {said}", **attributes})

@@ -16,6 +16,7 @@ from ..estimation.fix_model import miss
 from ..gliders.dives import Skipped
 from .flow_models import NOTE, why_uncovered
 from .replay import Replay
+from .rows import rows
 from .step import FLOW_MODEL
 
 
@@ -69,7 +70,7 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
     -------
     dict
         Lengths in m; what does not exist is None. ``flow_model`` is there if
-        one was given; ``parts`` has probabilities.
+        one was given; ``parts`` has probabilities; ``each_dive`` a row for each.
 
     Examples
     --------
@@ -113,6 +114,7 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
             if not note.startswith(NOTE)
         ],
         "skipped": [{"dive": s.dive, "why": s.why} for s in skipped],
+        "each_dive": rows(replay),
     }
 
 

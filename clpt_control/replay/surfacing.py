@@ -4,9 +4,14 @@
 
 d is the planned displacement through the water and T its duration; by default both are
 those of the last dive.  The vehicle starts where it surfaced last: its drift at
-the surface is not known yet.
+the surface is not known yet.  It stays up as long as it did between earlier dives,
+by the median.
+
+Hours are counted from now: from the clock where it is at most `RECENT` after the end of the
+last dive, else from that end, as for a record of years ago.
 """
 
+import time
 from dataclasses import dataclass, replace
 from math import hypot, isfinite, nan
 from typing import Any
@@ -18,10 +23,14 @@ from ..geodesy import place_from
 from ..gliders.dives import Dive
 from ..gliders.usable_dives import FASTEST
 from .flow_models import carried, why_uncovered
+from .over_ground import at_the_surface
 from .replay import Replay
 from .step import ellipse
+from .wording import in_minutes, utc
 
 LONGEST = 30 * 86400.0  # s, of a plan
+RECENT = 30 * 86400.0  # s; who heard nothing for longer looks at an old record
+CLOCK, LAST_END = "clock", "end of the last dive"
 
 
 @dataclass(frozen=True)
@@ -29,7 +38,8 @@ class NextDive:
     """A forecast surfacing: latitude and longitude in degrees.
 
     `plan` is a dive from the last fix without an end; `forecast` (2,), m, and `covariance` (2, 2),
-    m^2, are of its fix less dead reckoning; `flow_model_covers` is None where none is given.
+    m^2, are of its fix less dead reckoning; `flow_model_covers` is None where none is given;
+    `up` is when the vehicle surfaced last, s since 1970.
     """
 
     plan: Dive
@@ -38,11 +48,22 @@ class NextDive:
     latitude: float
     longitude: float
     flow_model_covers: bool | None = None
+    up: float = nan
+
+    def now(self) -> tuple[float, str]:
+        """Return the time that hours are counted from, s since 1970, and which it is."""
+        return now_after(self.up)
 
     def as_dict(self) -> dict[str, Any]:
         """Return the forecast by name, for JSON: degrees, m and s."""
         long, short, bearing = ellipse(self.covariance)
+        now, which = self.now()
         return {
+            "time": utc(self.plan.t_gpse),
+            "now": utc(now),
+            "now_is": which,
+            "hours_from_now": (self.plan.t_gpse - now) / 3600,
+            "surface_time": self.plan.t_gps2 - self.up,
             "from_latitude": self.plan.lat_gps2,
             "from_longitude": self.plan.lon_gps2,
             "duration": self.plan.duration,
@@ -50,12 +71,19 @@ class NextDive:
             "dr_north": self.plan.dr_north,
             "latitude": self.latitude,
             "longitude": self.longitude,
+            "place": in_minutes(self.latitude, self.longitude),
             "ellipse_90_long": long,
             "ellipse_90_short": short,
             "ellipse_90_bearing": bearing,
             "flow_model_covers": self.flow_model_covers,
             "why_uncovered": why_uncovered(self.plan) or None,
         }
+
+
+def now_after(end: float) -> tuple[float, str]:
+    """Return now, s since 1970, and which: the clock, or the end of a dive long ago or to come."""
+    now = time.time()
+    return (now, CLOCK) if 0.0 <= now - end <= RECENT else (end, LAST_END)
 
 
 def check_plan(duration: float, through_water: tuple[float, float]) -> None:
@@ -115,11 +143,12 @@ def next_dive(
     if duration is not None or through_water is not None:
         check_plan(T, (east, north))
     fix = last.lat_gpse, last.lon_gpse
+    start = last.t_gpse + at_the_surface([step.dive for step in replay.steps])
     plan = Dive(
         last.number + 1,
-        last.t_gpse,
+        start,
         *fix,
-        last.t_gpse + T,
+        start + T,
         nan,
         nan,
         nan,
@@ -135,7 +164,7 @@ def next_dive(
         covers = plan.model_east is not None
     mean, covariance = replay.forecast(plan)
     place = place_from(*fix, east + mean[0], north + mean[1])
-    return NextDive(replace(plan, track=None), mean, covariance, *place, covers)
+    return NextDive(replace(plan, track=None), mean, covariance, *place, covers, last.t_gpse)
 
 
 def _like(last: Dive, T: float, east: float, north: float) -> tuple | None:

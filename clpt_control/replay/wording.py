@@ -1,0 +1,109 @@
+"""Times, places and velocities as one on watch reads them.
+
+A place is said in decimal degrees, and in degrees and minutes of two decimals (18 m):
+0.01 minutes are counted as whole numbers, so that 59.999 carries to the next degree.
+A direction is where something goes to, clockwise from true north, [0, 360).
+"""
+
+from datetime import UTC, datetime
+from math import atan2, degrees, hypot
+
+
+def utc(time: float) -> str:
+    """Return a time, s since 1970 UTC, as ISO 8601 to the second.
+
+    >>> utc(1454292746.4)
+    '2016-02-01T02:12:26Z'
+    """
+    return datetime.fromtimestamp(round(time), UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
+
+
+def clock(time: float) -> str:
+    """Return a time, s since 1970 UTC, to the minute, as a sentence has it.
+
+    >>> clock(1454292746.0)
+    '2016-02-01 02:12 UTC'
+    """
+    return datetime.fromtimestamp(60 * round(time / 60), UTC).strftime("%Y-%m-%d %H:%M UTC")
+
+
+def direction(east: float, north: float) -> float | None:
+    """Return where a vector points, degrees clockwise from north; None where it has no length.
+
+    >>> direction(-1.0, 0.0), direction(0.0, 0.0)
+    (270.0, None)
+    """
+    if hypot(east, north) == 0.0:
+        return None
+    turned = degrees(atan2(east, north)) % 360.0
+    return 0.0 if turned == 360.0 else turned  # of -1e-15
+
+
+def compass(angle: float) -> str:
+    """Return a direction in whole degrees, three digits.
+
+    >>> compass(7.2), compass(359.6), compass(-90.0)
+    ('007', '000', '270')
+    """
+    return f"{round(angle) % 360:03d}"
+
+
+def velocity(east: float, north: float) -> str:
+    """Return a current in m/s and where it goes to.
+
+    >>> velocity(0.0, -0.21), velocity(0.0, 0.0)
+    ('0.21 m/s to 180', '0.00 m/s')
+    """
+    angle = direction(east, north)
+    return f"{hypot(east, north):.2f} m/s" + ("" if angle is None else f" to {compass(angle)}")
+
+
+def east_of(lon: float) -> float:
+    """Return a longitude between -180 and 180 degrees.
+
+    >>> east_of(190.0), east_of(-180.0), east_of(180.0), east_of(-540.0)
+    (-170.0, -180.0, 180.0, -180.0)
+    """
+    return lon if -180.0 <= lon <= 180.0 else (lon + 180.0) % 360.0 - 180.0
+
+
+def in_degrees(lat: float, lon: float) -> str:
+    """Return a place in decimal degrees.
+
+    >>> in_degrees(-42.93, 8.42), in_degrees(0.0, 190.0)
+    ('42.9300 S 8.4200 E', '0.0000 N 170.0000 W')
+    """
+    pairs = ((round(lat, 4), "NS"), (round(east_of(lon), 4), "EW"))
+    return " ".join(f"{abs(angle):.4f} {names[angle < 0]}" for angle, names in pairs)
+
+
+def in_minutes(lat: float, lon: float) -> str:
+    """Return a place in degrees and decimal minutes.
+
+    >>> in_minutes(-42.93, 8.42), in_minutes(-0.00001, -179.99999)
+    ('42 55.80 S 8 25.20 E', '0 00.00 N 180 00.00 W')
+    """
+    words = []
+    for angle, names in ((lat, "NS"), (east_of(lon), "EW")):
+        hundredths = round(6000 * angle)
+        whole, rest = divmod(abs(hundredths), 6000)
+        words.append(f"{whole} {rest // 100:02d}.{rest % 100:02d} {names[hundredths < 0]}")
+    return " ".join(words)
+
+
+def place(lat: float, lon: float) -> str:
+    """Return a place both ways.
+
+    >>> place(-42.93, 8.42)
+    '42 55.80 S 8 25.20 E (42.9300 S 8.4200 E)'
+    """
+    return f"{in_minutes(lat, lon)} ({in_degrees(lat, lon)})"
+
+
+def from_now(hours: float) -> str:
+    """Return when something is, in hours from now.
+
+    >>> from_now(4.26), from_now(-0.52)
+    ('in 4.3 h', '0.5 h ago')
+    """
+    return f"{-hours:.1f} h ago" if round(hours, 1) < 0 else f"in {abs(hours):.1f} h"
