@@ -47,6 +47,10 @@ def replay(
     least_duration: Annotated[
         float | None, typer.Option(help="Dives must last longer than this, s.")
     ] = None,
+    variation: Annotated[
+        float | None,
+        typer.Option(help="Variation of magnetic headings, degrees east; else the file's or IGRF."),
+    ] = None,
     out: Annotated[
         Path | None,
         typer.Option(parser=folder_named, metavar="PATH", help="Folder for NetCDF and figures."),
@@ -71,6 +75,7 @@ def replay(
     from ..files import make_folder
     from ..gliders.dive_files import read_dives
     from ..gliders.dive_table import sample_dives
+    from ..gliders.magnetic import turned
     from ..gliders.usable_dives import LEAST_DURATION, usable
     from ..progress import progress_bar
     from ..replay.flow_model_file import read_flow_model
@@ -87,6 +92,10 @@ def replay(
     least = LEAST_DURATION if least_duration is None else least_duration
     if not least >= 0:
         raise ScenarioError(f"--least-duration {least:g} s: must be 0 s or more")
+    if variation is not None and not abs(variation) <= 180:
+        raise ScenarioError(
+            f"--variation {variation:g} degrees: must be -180 to 180, east positive"
+        )
     model = chosen_model(flow, width_km, learn_speed, flow_model is not None)
     forecast = None if flow_model is None else read_flow_model(flow_model)
     ahead = () if plan is None else (3600 * plan[0], plan[1:])
@@ -96,6 +105,13 @@ def replay(
 
     def take(dives: Any, unread: Any) -> tuple[Any, list]:
         """Replay the dives that can be used, and return what was left out, too."""
+        if variation is not None:
+            if follow is None and all(dive.turned is None for dive in dives):
+                raise ScenarioError(
+                    f"--variation {variation:g}: no dive here has its dead reckoning from a "
+                    "magnetic heading; leave it away"
+                )
+            dives = [turned(dive, variation) for dive in dives]
         used, unused = usable(dives, least)
         skipped = [*unread, *unused]
         if follow is None and not used:

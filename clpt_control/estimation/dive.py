@@ -50,6 +50,11 @@ class Dive:
         Magnetic variation, degrees east.
     depth_max : float or None
         Greatest depth, m.
+    turned : float or None
+        Variation by which a magnetic heading was turned to make the dead reckoning, degrees
+        east; None where it is the file's own, or of a true heading.
+    doubt : float
+        Standard error of the displacement between fixes that disagree with a neighbour's, m.
     model_east, model_north : float or None
         Displacement that a chosen flow model gives the vehicle, m (`flow_models`).
     track : tuple of ndarray or None
@@ -83,6 +88,8 @@ class Dive:
     dac_qc: float | None = None
     magvar: float | None = None
     depth_max: float | None = None
+    turned: float | None = None
+    doubt: float = 0.0
     model_east: float | None = None
     model_north: float | None = None
     track: Track | None = field(default=None, compare=False, repr=False)

@@ -1,9 +1,13 @@
 """A plain table of dives, for any vehicle: CSV.
 
 One row per dive under a header.  Required columns: `dive`, `t_gps2`, `lat_gps2`,
-`lon_gps2`, `t_gpse`, `lat_gpse`, `lon_gpse` (s since 1970 UTC, degrees),
-`dr_east_m`, `dr_north_m` (dead reckoning through the water, m).  Optional:
-`t_gps1`, `lat_gps1`, `lon_gps1`, `dac_east`, `dac_north` (m/s), `dac_qc`,
+`lon_gps2`, `t_gpse`, `lat_gpse`, `lon_gpse` (s since 1970 UTC or ISO 8601, degrees) and
+`dr_east_m`, `dr_north_m` (dead reckoning through the water, m) or `dac_east`, `dac_north`
+(the vehicle's own depth-averaged current c, m/s), of which dead reckoning is computed,
+
+    dr = (displacement between the fixes) - c (t_gpse - t_gps2).
+
+Optional: `t_gps1`, `lat_gps1`, `lon_gps1`, `dac_east`, `dac_north`, `dac_qc`,
 `magvar` (degrees), `depth_max` (m).  Lines that begin with `#` are comments, other columns are
 left alone, and the displacement between the fixes is computed, never read.
 """
@@ -17,13 +21,18 @@ from typing import Any
 from ..currents.text_table import other_marks, table_of
 from ..errors import DataError
 from ..files import write_text
+from ..geodesy import displacement
 from ..units import seconds_since_1970
-from .dives import NUMBERS, Dive, Skipped, make_dive, whole_number
+from .dives import NUMBERS, Dive, Fix, Skipped, make_dive, whole_number
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")
 END = ("t_gpse", "lat_gpse", "lon_gpse")
 THROUGH_WATER = ("dr_east_m", "dr_north_m")
+CURRENT = ("dac_east", "dac_north")
 REQUIRED = ("dive", *START, *END, *THROUGH_WATER)
+AS_TIME = "must be seconds since 1970 UTC, or a date such as 2016-01-31T22:04:50Z"
+OTHERWISE = "; dac_east, dac_north (m/s), the vehicle's own current, may stand instead"
+TIMES = ("t_gps1", "t_gps2", "t_gpse")
 OPTIONAL = (
     "t_gps1",
     "lat_gps1",
@@ -67,6 +76,8 @@ def _check_header(header: list[str], name: str | Path) -> None:
     """Refuse a header without a required column, or with a column twice."""
     line = ",".join(header)
     missing = [column for column in REQUIRED if column not in header]
+    if set(CURRENT) <= set(header) and not {cell.lower() for cell in header} & set(THROUGH_WATER):
+        missing = [column for column in missing if column not in THROUGH_WATER]
     marks = other_marks(line, REQUIRED[0])
     if missing and marks:
         raise DataError(f"{name}: {marks}")
@@ -78,7 +89,10 @@ def _check_header(header: list[str], name: str | Path) -> None:
             f"{','.join(REQUIRED)}, this file with {line[:40]!r}"
         )
     if missing:
-        raise DataError(f"{name}: no column {', '.join(missing)}; has {', '.join(header)[:300]}")
+        raise DataError(
+            f"{name}: no column {', '.join(missing)}; has {', '.join(header)[:300]}"
+            f"{OTHERWISE if set(missing) & set(THROUGH_WATER) else ''}"
+        )
     double = [column for column in (*REQUIRED, *OPTIONAL) if header.count(column) > 1]
     if double:
         raise DataError(
@@ -95,12 +109,12 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
     found: dict[str, Any] = {}
     for column in (*REQUIRED[1:], *OPTIONAL):
         text = row.get(column, "")
-        value = _number(text)
+        value = _time(text) if column in TIMES else _number(text)
         if value is None and text and column in (START[0], END[0]):
-            return Skipped(number, f"{where}: {column} is {text[:30]!r}; {_in_seconds(text)}")
+            return Skipped(number, f"{where}: {column} is {text[:30]!r}; {AS_TIME}")
         if value is None and text:
             notes.append(f"{where}: {column} is {text[:20]!r}, no number")
-        elif column in REQUIRED and not text:
+        elif column in REQUIRED and not text and column in row:
             notes.append(f"{where}: {column} is empty")
         if column in REQUIRED:
             found[column] = nan if value is None else value
@@ -109,6 +123,9 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
     start, end, through_water = (
         tuple(found[column] for column in columns) for columns in (START, END, THROUGH_WATER)
     )
+    if not set(THROUGH_WATER) & set(row):
+        through_water, why = _of_current(start, end, found["dac_east"], found["dac_north"])
+        notes.append(why)
     return make_dive(
         number,
         start,
@@ -126,12 +143,32 @@ def _number(text: str) -> float | None:
         return None
 
 
-def _in_seconds(text: str) -> str:
-    """Return how a time that is no number must be written."""
-    try:
-        return f"must be seconds since 1970 UTC, which is {seconds_since_1970(text):.10g}"
-    except ValueError:
-        return "must be seconds since 1970 UTC"
+def _time(text: str) -> float | None:
+    """Return s since 1970 UTC of a number of them or a date of ISO 8601, or None."""
+    number = _number(text)
+    if number is None and text:
+        try:
+            return seconds_since_1970(text)
+        except ValueError:
+            return None
+    return number
+
+
+def _of_current(
+    start: Fix, end: Fix, east: float | None, north: float | None
+) -> tuple[tuple[float, float], str]:
+    """Return the displacement through the water that a depth-averaged current leaves, and a note.
+
+    NaN where the current (m/s) is not known.
+    """
+    if east is None or north is None:
+        return (nan, nan), "dac_east or dac_north is no number, and there is no dead reckoning"
+    gps = displacement(*start[1:], *end[1:])
+    duration = end[0] - start[0]
+    return (
+        (gps[0] - east * duration, gps[1] - north * duration),
+        "dead reckoning computed from dac_east, dac_north",
+    )
 
 
 def write_dive_table(dives: Iterable[Dive], path: str | Path, comment: str = "") -> None:

@@ -7,7 +7,8 @@ standardizes neither dives nor dead reckoning.
 
 A dive lies between two fixes with more than ten minutes and a measurement under
 water between them: deeper than 5 m, else of a `PHASE` under water, else any.  What
-lacks one is a long surfacing.  Dives without a fix between them are one.
+lacks one is a long surfacing.  Dives without a fix between them are one.  Files that give
+both fixes with each measurement are read as they say (`og1_segments`).
 
 The displacement dr through the water is the first that the file allows of
 
@@ -17,12 +18,13 @@ The displacement dr through the water is the first that the file allows of
    d_i = s_i (t_i - t_{i-1}) (sin h_i, cos h_i);
 3. the file's depth-averaged current c:
    dr = (displacement between the fixes) - c (t_E - t_2);
-4. as 2 with a magnetic heading and no variation, taken as true.
+4. as 2 with a magnetic heading, turned by IGRF's variation in the middle of the dive
+   (`magnetic`), or a heading of which the file does not say from which north, taken as true.
 
 The dive's notes say which it was where it was not the first.
 """
 
-from math import nan
+from math import isfinite, nan
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -31,7 +33,9 @@ import numpy as np
 from ..errors import DataError
 from ..estimation.dive import Track
 from ..geodesy import displacement
+from . import og1_segments
 from .dives import Dive, Fix, Skipped, compared, make_dive
+from .magnetic import LAST, variation
 from .og1_columns import Columns, columns_of, fixes_in
 from .og1_columns import is_known as is_known
 from .samples import deepest, hole_under_water, track_of
@@ -50,11 +54,14 @@ class ThroughWater(NamedTuple):
     total: tuple[float, float]
     track: Track | None
     notes: list[str]
+    turned: float | None = None  # by which a magnetic heading was turned, degrees east
 
 
 def dives_of(data: "xarray.Dataset", path: Path) -> tuple[list[Dive], list[Skipped]]:
     """Return the dives of a file by time, between fixes that are far apart in time."""
     columns = columns_of(data, path)
+    if og1_segments.is_known(data):
+        return _of_segments(columns, og1_segments.segments_of(data, path))
     of = columns.of
     rows, failed = fixes_in(of, path)
     when = of["t_fix"][rows]
@@ -76,7 +83,7 @@ def dives_of(data: "xarray.Dataset", path: Path) -> tuple[list[Dive], list[Skipp
         part = part[np.argsort(of["time"][part], kind="stable")]
         bad = int(np.sum((failed >= when[k]) & (failed <= when[k + 1])))
         if bad:
-            notes.append(f"{bad} fix(es) that are no place or 0 N 0 E left out")
+            notes.append(f"{bad} fix(es) that are no place, 0 N 0 E or under water left out")
         three = (before, fixes[k], fixes[k + 1])
         dives.append(_dive(columns, part, part[wet[part]], three, len(dives) + 1, notes))
     if not dives:
@@ -85,6 +92,27 @@ def dives_of(data: "xarray.Dataset", path: Path) -> tuple[list[Dive], list[Skipp
             "a dive needs one before and one after it"
         )
     return dives, []
+
+
+def _of_segments(
+    columns: Columns, segments: list[og1_segments.Segment]
+) -> tuple[list[Dive], list[Skipped]]:
+    """Return the dives of segments with a measurement under water, and the others."""
+    of = columns.of
+    wet = _under_water(of)
+    dives: list[Dive] = []
+    skipped: list[Skipped] = []
+    for count, (start, end, notes) in enumerate(segments, 1):
+        inside = np.flatnonzero((of["time"] > start[0]) & (of["time"] <= end[0]))
+        if isfinite(start[0]) and not wet[inside].any():
+            known = of["number"][inside][np.isfinite(of["number"][inside])]
+            number = int(known[0]) if known.size else None
+            skipped.append(Skipped(number, "no measurement under water between its fixes"))
+            continue
+        order = inside[np.argsort(of["time"][inside], kind="stable")]
+        three = (None, start, end)
+        dives.append(_dive(columns, order, order[wet[order]], three, count, notes))
+    return dives, skipped
 
 
 def _fix(of: dict[str, np.ndarray], row: int) -> Fix:
@@ -133,10 +161,11 @@ def _dive(
         dac_east=current[0],
         dac_north=current[1],
         dac_qc=of_dive("qc"),
-        magvar=of_dive("magvar"),
+        magvar=of_dive("magvar") if found.turned is None else found.turned,
+        turned=found.turned,
         depth_max=deepest(of["depth"][rows]) if greatest is None else greatest,
         track=found.track,
-        notes=(*notes, *found.notes),
+        notes=(*notes, *found.notes, *columns.notes),
     )
     return compared(dive)
 
@@ -156,10 +185,9 @@ def _through_water(
         if columns.steps.upper().endswith("_GSM"):
             found.notes.append(f"dead reckoning of the glide-slope model ({columns.steps})")
         return found
-    turn = of["magvar"][rows][np.isfinite(of["magvar"][rows])]
-    variation = None if columns.north == "true" else float(np.median(turn)) if turn.size else None
-    flown = _flown(of, rows, variation or 0.0)
-    sure = columns.north == "true" or variation is not None
+    turned, said = _turned(columns, rows, start, end)
+    flown = _flown(of, rows, turned or 0.0)
+    sure = columns.north == "true" or bool(np.isfinite(of["magvar"][rows]).any())
     if sure:
         found = _summed(of, rows, flown, start[0], duration)
     u, v = current
@@ -176,13 +204,29 @@ def _through_water(
             "current"
         )
         return ThroughWater((nan, nan), None, [lacking])
-    said = columns.north or "of a north that the file does not name"
-    if variation is not None:
-        said += f", turned by the file's variation of {variation:g} degrees"
-    elif not sure:
-        said += " and the variation not in the file, taken as true"
+    if not isfinite(found.total[0]):
+        return found
     found.notes.append(f"dead reckoning of the flight model's speed and the heading, {said}")
-    return found
+    return found._replace(turned=turned)
+
+
+def _turned(columns: Columns, rows: np.ndarray, start: Fix, end: Fix) -> tuple[float | None, str]:
+    """Return the variation that turns a dive's heading (degrees east), None if true; in words."""
+    if columns.north == "true":
+        return None, "true"
+    own = columns.of["magvar"][rows]
+    if np.isfinite(own).any():
+        found = float(np.median(own[np.isfinite(own)]))
+        north = columns.north or "of a north that the file does not name"
+        return found, f"{north}, turned by the file's variation of {found:g} degrees"
+    if not columns.north:
+        return 0.0, ("of a north that the file does not name, taken as true (--variation turns it)")
+    found = float(variation(0.5 * (start[0] + end[0]), *start[1:])[0])
+    if not isfinite(found):
+        return 0.0, f"magnetic, taken as true: IGRF ends in {LAST} (--variation turns it)"
+    return found, (
+        f"magnetic, turned by IGRF's variation of {found:.0f} degrees (--variation gives another)"
+    )
 
 
 def _flown(

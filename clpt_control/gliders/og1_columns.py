@@ -1,12 +1,16 @@
 """Columns of an OG1 file: whatever it calls them, under one name, in SI units.
 
-Case does not matter.  OG1 1.0 standardizes the fixes, `TIME`, `DEPTH` and `PHASE`;
+Case does not matter.  OG1 1.0 standardizes the fixes, `TIME`, `DEPTH` and `PHASE`, its
+vocabulary `WCUR_X`, `WCUR_Y` and `DEAD_RECKONING`;
 numbers of dives, displacements, the flight model's speed and the depth-averaged
 current are named as by seagliderOG1 and votoutils, or kept from the basestation.
 
 Every column has one number per row, NaN where there is none.  Rows are those of
 `N_MEASUREMENTS`; fixes that stand on a dimension of their own follow as further
-rows.  Where there is no `TIME_GPS`, a fix has the `TIME` of its row.
+rows.  Where there is no `TIME_GPS`, a fix has the `TIME` of its row.  Where there is no
+`LATITUDE_GPS`, fixes are the places with `DEAD_RECKONING` = 0, which the receiver gave.
+Times of fixes without units are in the unit in which most of them lie among the
+measurements, or within a day of them.
 """
 
 from math import nan
@@ -18,6 +22,7 @@ import numpy as np
 from ..errors import DataError
 from ..geodesy import is_place
 from .samples import SURFACE, metres, metres_per_second, seconds, values
+from .usable_dives import DAY, SMALLER
 
 if TYPE_CHECKING:
     import xarray
@@ -25,7 +30,14 @@ if TYPE_CHECKING:
 FIXES = ("TIME_GPS", "LATITUDE_GPS", "LONGITUDE_GPS")
 STEPS = ("EAST_DISPLACEMENT", "NORTH_DISPLACEMENT")
 STEPS_GSM = ("EAST_DISPLACEMENT_GSM", "NORTH_DISPLACEMENT_GSM")
+FLAG = "DEAD_RECKONING"  # 0 where a place is a fix
 HEADING = ("HEADING", "GLIDER_HEADING", "ENG_HEAD")
+SPEED = ("GLIDER_HORZ_VELO_MODEL", "HORZ_SPEED", "HORZ_SPEED_GSM", "HORZ_GLIDER_SPEED")
+EAST = ("DAVG_CURR_EAST", "UCUR", "DAC_EAST", "DEPTH_AVG_CURR_EAST", "WCUR_X")
+NORTH = ("DAVG_CURR_NORTH", "VCUR", "DAC_NORTH", "DEPTH_AVG_CURR_NORTH", "WCUR_Y")
+QUALITY = ("DAVG_CURR_EAST_QC", "DAVG_CURR_QC", "DEPTH_AVG_CURR_QC", "WCUR_QC")
+NUMBER = ("DIVE_NUMBER", "DIVE_NUM", "DIVENUM", "DIVE_NUM_CAST", "PROFILE_INDEX")
+FASTEST_CLIMB = 1.0  # m/s: no glider comes up faster
 
 
 class Columns(NamedTuple):
@@ -39,42 +51,37 @@ class Columns(NamedTuple):
     of: dict[str, np.ndarray]
     north: str  # "magnetic", "true" or "" where the file does not say
     steps: str  # name of the displacement
+    notes: tuple[str, ...]  # on all of its dives
 
 
 def is_known(data: "xarray.Dataset") -> bool:
     """Whether a NetCDF file is an OG1 trajectory."""
-    known = _known(data)
+    known = known_names(data)
     return "N_MEASUREMENTS" in data.dims or any(name in known for name in FIXES)
 
 
 def columns_of(data: "xarray.Dataset", path: Path) -> Columns:
     """Return the columns of a file, of one length."""
-    known = _known(data)
-    t_name = next((name for name in ("TIME_GPS", "TIME") if name in known), "TIME_GPS")
-    missing = [name for name in (t_name, *FIXES[1:]) if name not in known]
-    if missing:
-        raise DataError(
-            f"{path}: no variable {' and no '.join(missing)}; OG1 has the fixes there, which are "
-            "needed, as is the displacement through the water; a CSV table of dives can give both"
-        )
-    fixes = [seconds(data, known[t_name], path)]
-    fixes += [values(data, known[name]) for name in FIXES[1:]]
-    if any(fix.shape != fixes[0].shape or fix.ndim != 1 for fix in fixes):
-        raise DataError(
-            f"{path}: {t_name}, {', '.join(FIXES[1:])} differ in length; must be one per fix"
-        )
+    known = known_names(data)
+    fixes, t_name = _fix_columns(data, known, path)
     time = seconds(data, known["TIME"], path) if "TIME" in known else fixes[0]
+    notes: list[str] = []
+    if t_name in known and not str(data[known[t_name]].attrs.get("units", "")).strip():
+        unit = unit_of_times(fixes[0], time)
+        if unit:
+            fixes[0] = fixes[0] / SMALLER[unit]
+            notes.append(f"{t_name} has no units and is read as {unit}, as its numbers are")
     steps = next((pair for pair in (STEPS, STEPS_GSM) if set(pair) <= set(known)), STEPS)
     of = {"time": time}
     for key, candidates, read in (
         ("east", steps[:1], metres),
         ("north", steps[1:], metres),
-        ("speed", ("GLIDER_HORZ_VELO_MODEL", "HORZ_SPEED", "HORZ_SPEED_GSM"), metres_per_second),
+        ("speed", SPEED, metres_per_second),
         ("heading", HEADING, _degrees),
-        ("u", ("DAVG_CURR_EAST", "UCUR", "DAC_EAST", "DEPTH_AVG_CURR_EAST"), metres_per_second),
-        ("v", ("DAVG_CURR_NORTH", "VCUR", "DAC_NORTH", "DEPTH_AVG_CURR_NORTH"), metres_per_second),
-        ("number", ("DIVE_NUMBER", "DIVE_NUM", "DIVENUM", "DIVE_NUM_CAST"), _plain),
-        ("qc", ("DAVG_CURR_EAST_QC", "DAVG_CURR_QC", "DEPTH_AVG_CURR_QC"), _plain),
+        ("u", EAST, metres_per_second),
+        ("v", NORTH, metres_per_second),
+        ("number", NUMBER, _plain),
+        ("qc", QUALITY, _plain),
         ("magvar", ("MAGNETIC_VARIATION",), _plain),
         ("depth", ("DEPTH", "GLIDER_DEPTH"), metres),
         ("depth_max", ("DEPTH_MAX",), metres),
@@ -97,14 +104,58 @@ def columns_of(data: "xarray.Dataset", path: Path) -> Columns:
             else np.concatenate([column, np.full(further, nan)])
             for key, column in of.items()
         }
-    return Columns(of, _frame(data, known), f"{known.get(steps[0], steps[0])}")
+    name = f"{known.get(steps[0], steps[0])}"
+    return Columns(of, _frame(data, known), name, tuple(notes))
+
+
+def _fix_columns(
+    data: "xarray.Dataset", known: dict[str, str], path: Path
+) -> tuple[list[np.ndarray], str]:
+    """Return time (s), latitude and longitude of the fixes, and the name of that time."""
+    if "LATITUDE_GPS" not in known and {"TIME", "LATITUDE", "LONGITUDE", FLAG} <= set(known):
+        fixed = values(data, known[FLAG]) == 0
+        columns = [values(data, known[name]) for name in ("LATITUDE", "LONGITUDE")]
+        time = seconds(data, known["TIME"], path)
+        if all(column.shape == fixed.shape == time.shape for column in columns):
+            return [time, *(np.where(fixed, column, nan) for column in columns)], "TIME"
+    t_name = next((name for name in ("TIME_GPS", "TIME") if name in known), "TIME_GPS")
+    missing = [name for name in (t_name, *FIXES[1:]) if name not in known]
+    if missing:
+        raise DataError(
+            f"{path}: no variable {' and no '.join(missing)}; OG1 has the fixes there, which are "
+            "needed, as is the displacement through the water; a CSV table of dives can give both"
+        )
+    fixes = [seconds(data, known[t_name], path)]
+    fixes += [values(data, known[name]) for name in FIXES[1:]]
+    if any(fix.shape != fixes[0].shape or fix.ndim != 1 for fix in fixes):
+        raise DataError(
+            f"{path}: {t_name}, {', '.join(FIXES[1:])} differ in length; must be one per fix"
+        )
+    return fixes, t_name
+
+
+def unit_of_times(fixes: np.ndarray, time: np.ndarray) -> str:
+    """Return the unit smaller than s in which times of fixes lie among measurements (s), or ''.
+
+    >>> measured = np.array([1.0e9, 1.1e9])
+    >>> unit_of_times(np.array([1.01e18, np.nan]), measured), unit_of_times(measured, measured)
+    ('nanoseconds', '')
+    """
+    known, fixes = time[np.isfinite(time)], fixes[np.isfinite(fixes)]
+    if not (known.size and fixes.size):
+        return ""
+    middle = float(np.median(fixes))
+    first, last = known.min() - DAY, known.max() + DAY
+    return next((unit for unit, size in SMALLER.items() if first <= middle / size <= last), "")
 
 
 def fixes_in(of: dict[str, np.ndarray], path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Return rows of the fixes by time, and times of rows with half a fix or one off the Earth.
+    """Return rows of the fixes by time, and times of fixes that are left out.
 
-    Where fixes stand under water too, each was repeated until the next; the first
-    of each is taken.
+    These are half a fix, one off the Earth, and one under water: in a row deeper than
+    20 m, at a time at which the vehicle cannot be up from there.  Where most fixes are,
+    the file is refused.  Where fixes stand under water too, each was repeated until the
+    next; the first of each is taken.
     """
     some = np.isfinite(of["lat"]) | np.isfinite(of["lon"])
     places = zip(of["lat"].tolist(), of["lon"].tolist(), strict=True)
@@ -116,19 +167,22 @@ def fixes_in(of: dict[str, np.ndarray], path: Path) -> tuple[np.ndarray, np.ndar
     if deep.any():
         moved = [np.diff(of[key][rows], prepend=np.inf) != 0 for key in ("lat", "lon")]
         first = moved[0] | moved[1]
-        wrong = rows[first & deep]
-        if wrong.size > deep.sum() / 2:
+        later = of["t_fix"][rows] - of["time"][rows]
+        afloat = ~deep | (later >= of["depth"][rows] / FASTEST_CLIMB)
+        wrong = rows[first & ~afloat]
+        if wrong.size > first.sum() / 2:
             others = f" and {wrong.size - 1} more rows" if wrong.size > 1 else ""
             raise DataError(
                 f"{path}: LATITUDE_GPS, LONGITUDE_GPS have a new fix {of['depth'][wrong[0]]:.0f} m "
                 f"under water in row {wrong[0]}{others} (the first row is 0); fixes are made at "
                 "the surface: set both to NaN there"
             )
-        rows = rows[first & ~deep]
+        failed = np.concatenate([failed, of["t_fix"][wrong]])
+        rows = rows[first & afloat]
     return rows[np.argsort(of["t_fix"][rows], kind="stable")], failed
 
 
-def _known(data: "xarray.Dataset") -> dict[str, str]:
+def known_names(data: "xarray.Dataset") -> dict[str, str]:
     """Return names in the file by their capitals; a name in capitals goes before others."""
     return {str(name).upper(): str(name) for name in sorted(map(str, data.variables), reverse=True)}
 

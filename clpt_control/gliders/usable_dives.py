@@ -27,7 +27,7 @@ from ..currents.nodal import YEARS
 from ..geodesy import displacement, is_place
 from .dives import NUMBERS, Dive, Skipped
 
-LEAST_DURATION = 4000.0  # s
+LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for minutes
 FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is wrong
 LATEST = datetime(YEARS[1], 1, 1, tzinfo=UTC).timestamp()  # s since 1970
 DAY = 86400.0  # s
@@ -132,7 +132,7 @@ def _fault(dive: Dive, least_duration: float) -> str:
         days = dive.t_gpse < LATEST / DAY and dive.duration * DAY > least_duration
         lasts = f"{dive.duration:.0f}" if dive.duration > 10 else f"{dive.duration:.2g}"
         return (
-            f"lasts {lasts} s; must last longer than {least_duration:g} s"
+            f"lasts {lasts} s; must last longer than {least_duration:g} s (--least-duration)"
             f"{': its times look like days, give seconds since 1970' if days else ''}"
         )
     for name, length in (
@@ -150,6 +150,8 @@ def _fault(dive: Dive, least_duration: float) -> str:
 def _fix_fault(name: str, time: float, lat: float, lon: float) -> str:
     """Return what is wrong with one fix, empty where it is good."""
     if isfinite(time) and isfinite(lat) and isfinite(lon):
+        if minutes := _in_minutes(lat, lon):
+            return f"the fix {name} the dive is at latitude {lat:g}, longitude {lon:g}: {minutes}"
         if 90.0 < abs(lat) <= 360.0 and abs(lon) <= 360.0:
             swapped = ": swapped with the longitude?" if abs(lon) <= 90.0 else ""
             return (
@@ -168,6 +170,26 @@ def _fix_fault(name: str, time: float, lat: float, lon: float) -> str:
     return (
         f"the fix {name} the dive is at {time:.10g} s since 1970; must be from 1970 to {YEARS[1]}"
         f"{f': it looks like {unit}, give seconds' if unit else ''}"
+    )
+
+
+def _in_minutes(lat: float, lon: float) -> str:
+    """Return what a place would be if it were written in degrees and minutes, empty if it is none.
+
+    >>> _in_minutes(5141.048, -12818.018)
+    'looks like ddmm.mmm, degrees and minutes; give decimal degrees, 51.684133 -128.300300'
+    >>> _in_minutes(51.68, -128.3), _in_minutes(199.0, 8.0)
+    ('', '')
+    """
+    large = abs(lat) > 360.0 or (abs(lat) > 90.0 and abs(lon) > 360.0)
+    degrees = [np.sign(part) * (abs(part) // 100 + abs(part) % 100 / 60) for part in (lat, lon)]
+    if not (large and abs(lat) % 100 < 60 and abs(lon) % 100 < 60):
+        return ""
+    if not (is_place(*degrees) and abs(degrees[1]) <= 180.0):
+        return ""
+    return (
+        "looks like ddmm.mmm, degrees and minutes; give decimal degrees, "
+        f"{degrees[0]:.6f} {degrees[1]:.6f}"
     )
 
 

@@ -43,7 +43,7 @@ VERT_GLIDER_SPEED PROFILE_NUMBER dive_num dive_num_cast
 """
 OF_SPRAY = """
 profile_index time time_gps latitude_gps longitude_gps time_gps_end latitude_gps_end
-longitude_gps_end latitude longitude depth wcur_x wcur_y
+longitude_gps_end latitude longitude depth wcur_x wcur_y time_uv latitude_uv longitude_uv
 """
 
 

@@ -181,7 +181,7 @@ def test_og1_fixes_that_are_none_are_left_out_and_said(tmp_path):
         assert dive.t_gpse == later  # the next fix: GPS1 of the dive after
         assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(SWUM))
         assert bool(dive.notes) == (dive.number < 3)
-    assert dives[0].notes[0] == "1 fix(es) that are no place or 0 N 0 E left out"
+    assert dives[0].notes[0] == "1 fix(es) that are no place, 0 N 0 E or under water left out"
 
 
 def test_og1_fixes_that_were_repeated_or_interpolated(tmp_path):

@@ -29,6 +29,8 @@ from glider_dialects import (
 
 from clpt_control.gliders.dive_files import read_dives
 from clpt_control.gliders.dive_table import write_dive_table
+from clpt_control.gliders.magnetic import turned as turned_by
+from clpt_control.gliders.magnetic import variation
 from clpt_control.gliders.usable_dives import usable
 
 DATE_LINE = 180.0 - DRIFT / 2
@@ -156,16 +158,28 @@ def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
     for dive in dives_in(og1(tmp_path / "b.nc", drop=STEPS)):  # the file's current before a guess
         assert swam(dive)
         assert dive.notes == ("dead reckoning computed from the file's depth-averaged current",)
-    off = SPEED * (DURATION - 200.0), np.radians(BEARING - VARIATION)
     for dive in dives_in(og1(tmp_path / "c.nc", drop=(*STEPS, *OWN))):
-        there = off[0] * np.sin(off[1]), off[0] * np.cos(off[1])
-        assert (dive.dr_east, dive.dr_north) == pytest.approx(there)
-        assert "the variation not in the file, taken as true" in dive.notes[0]
+        middle = 0.5 * (dive.t_gps2 + dive.t_gpse)
+        (igrf,) = variation(middle, dive.lat_gps2, dive.lon_gps2)
+        bearing = np.radians(BEARING - VARIATION + igrf)
+        there = SPEED * (DURATION - 200.0) * np.array([np.sin(bearing), np.cos(bearing)])
+        assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(there))
+        assert (dive.turned, dive.magvar) == (igrf, igrf)
+        assert f"magnetic, turned by IGRF's variation of {igrf:.0f} degrees" in dive.notes[0]
+        back = turned_by(dive, VARIATION)
+        assert swam(back)
+        assert np.hypot(*(end[-1] for end in back.track[1:])) == pytest.approx(np.hypot(*there))
+        assert "--variation: turned by -15 degrees instead" in back.notes
     true = {"HEADING": {"units": "degrees", "comment": "relative to true north"}}
     columns = og1_rows()
     columns["HEADING"] = columns["HEADING"] + VARIATION
     path = og1(tmp_path / "d.nc", drop=(*STEPS, *OWN), columns=columns, units=true)
-    assert all(swam(dive) for dive in dives_in(path))
+    assert all(swam(dive) and turned_by(dive, 90.0) is dive for dive in dives_in(path))
+    unnamed = {"HEADING": {"units": "degrees"}}
+    path = og1(tmp_path / "e.nc", drop=(*STEPS, *OWN), units=unnamed)
+    for dive in dives_in(path):
+        assert "a north that the file does not name, taken as true (--variation" in dive.notes[0]
+        assert swam(turned_by(dive, VARIATION))
 
 
 def test_a_stall_of_the_flight_model_is_no_way(tmp_path):

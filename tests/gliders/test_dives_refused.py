@@ -33,9 +33,14 @@ def later(number, **changes):
         ({"t_gpse": BASE.t_gps2}, "swapped"),
         ({"dr_east": nan}, "not finite"),
         ({"dr_north": -inf}, "not finite"),
-        ({"t_gpse": BASE.t_gps2 + 4000}, "lasts 4000 s"),
+        ({"t_gpse": BASE.t_gps2 + 1000}, "lasts 1000 s"),
         ({"lat_gpse": 91.0}, "the latitude 91, which is none; must be -90 to 90: swapped"),
         ({"lat_gps2": -120.0, "lon_gps2": 140.0}, "the latitude -120, which is none; must be -90"),
+        (
+            {"lat_gps2": 5141.048, "lon_gps2": -12818.018},
+            "degrees and minutes; give decimal degrees, 51.684133 -128.300300",
+        ),
+        ({"lat_gpse": -4304.5, "lon_gpse": 829.4}, "decimal degrees, -43.075000 8.490000"),
         ({"lon_gps2": 408.0}, "the longitude 408; must be -360 to 360"),
         ({"t_gps2": -1.0}, "before the dive is at -1 s since 1970; must be from 1970 to 2200"),
         ({"t_gps2": -1e300, "t_gpse": 1e300}, "from 1970 to 2200"),
@@ -61,8 +66,10 @@ def test_a_dive_is_refused_with_its_reason(changes, why):
 
 def test_least_duration_is_an_option():
     short = replace(BASE, t_gpse=BASE.t_gps2 + 3000)
-    assert usable([short])[0] == []
-    assert usable([short], least_duration=2000)[0] == [short]
+    assert usable([short])[0] == [short]
+    used, skipped = usable([short], least_duration=4000)
+    assert used == []
+    assert skipped[0].why == "lasts 3000 s; must last longer than 4000 s (--least-duration)"
 
 
 def test_duplicates_overlaps_order_and_gaps_are_said():

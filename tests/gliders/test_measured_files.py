@@ -2,15 +2,16 @@
 
 import csv
 import json
-import shutil
+import re
+from itertools import pairwise
 
 import netCDF4
 import numpy as np
 import pytest
 from pyproj import Geod
 
-from clpt_control.errors import DataError
 from clpt_control.gliders import read_dives, usable
+from clpt_control.gliders.magnetic import turned
 
 WGS84 = Geod(ellps="WGS84")
 AXES = ("east", "north")
@@ -67,13 +68,15 @@ def test_every_row_of_a_seaexplorer_is_read(facts):
     path = facts / "glider" / "sea035m10_dives.csv"
     with path.open() as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
-    long = [row for row in rows if float(row["t_gpse"]) - float(row["t_gps2"]) > 4000]
+    long = [row for row in rows if float(row["t_gpse"]) - float(row["t_gps2"]) > 1000]
     dives, unread = read_dives(path)
     used, unused = usable(dives)
     assert unread == []
     assert len(dives) == len(rows)
     assert [dive.number for dive in used] == [int(row["dive"]) for row in long]
-    assert all("must last longer than 4000 s" in one.why for one in unused)
+    assert [one.why for one in unused] == [
+        "lasts 620 s; must last longer than 1000 s (--least-duration)"
+    ]
     for dive, row in zip(used, long, strict=True):
         fixes = [float(row[name]) for name in ("lat_gps2", "lon_gps2", "lat_gpse", "lon_gpse")]
         assert (dive.gps_east, dive.gps_north) == pytest.approx(between(*fixes), abs=1e-6)
@@ -81,55 +84,97 @@ def test_every_row_of_a_seaexplorer_is_read(facts):
     assert (len(everyone), none) == (len(rows), [])
 
 
-def test_an_og1_fix_at_depth_is_refused_with_its_row(facts):
-    path = facts / "glider" / "og1" / "sg015_20040929T140907_delayed.nc"
+OG1 = "sg015_20040929T140907_delayed.nc"
+
+
+def swum_in(data, dive, variation):
+    """Speed times time along the heading, summed over the rows of a dive, east and north, m."""
+    time, heading, speed = (data[name][:] for name in ("TIME", "HEADING", "HORZ_GLIDER_SPEED"))
+    inside = (time > dive.t_gps2) & (time <= dive.t_gpse) & np.isfinite(heading)
+    since = np.diff(time[inside], prepend=time[inside][0])
+    cm, angle = speed[inside] * since, np.radians(heading[inside] + variation)
+    return [float(np.nansum(cm * part(angle))) / 100 for part in (np.sin, np.cos)]
+
+
+def test_an_early_og1_mission_is_read_as_it_was_meant(facts):
+    """Fixes in nanoseconds without units, one in a row at 250 m, speed in cm/s, magnetic."""
+    path = facts / "glider" / "og1" / OG1
+    dives, unread = read_dives(path)
     with netCDF4.Dataset(path) as data:
         is_fix = np.isfinite(np.ma.filled(data["LATITUDE_GPS"][:], np.nan))
-        (row,) = np.flatnonzero(is_fix & (data["DEPTH"][:] > 20))
-        depth = float(data["DEPTH"][row])
-    assert depth == pytest.approx(251, abs=1)
-    said = f"have a new fix {depth:.0f} m under water in row {row} .* set both to NaN there"
-    with pytest.raises(DataError, match=said):
-        read_dives(path)
+        times = data["TIME_GPS"][:][is_fix] / 1e9
+        assert data["DEPTH"][:][is_fix].max() == pytest.approx(251, abs=1)
+        gaps = np.flatnonzero(np.diff(times) > 600)
+        assert unread == []
+        assert [dive.t_gps2 for dive in dives] == pytest.approx(times[gaps])
+        assert [dive.duration for dive in dives] == pytest.approx(np.diff(times)[gaps])
+        used, skipped = usable(dives)
+        (climb,) = (one.why for one in skipped if one.dive == 5)  # whose samples are missing
+        assert re.search(r"no samples for 3\d\d\d s of 5065 s, from 2\d\d m depth on", climb)
+        assert 6 in [dive.number for dive in used]
+        for dive in used:
+            assert dive.turned == pytest.approx(-37.0, abs=0.2)  # of the Labrador Sea, 2004
+            assert (dive.dr_east, dive.dr_north) == pytest.approx(swum_in(data, dive, dive.turned))
+            true = turned(dive, 0.0)
+            assert (true.dr_east, true.dr_north) == pytest.approx(swum_in(data, dive, 0.0))
+            said = "; ".join(dive.notes)
+            assert "TIME_GPS has no units and is read as nanoseconds" in said
+            assert "magnetic, turned by IGRF's variation of -37 degrees" in said
 
 
-def test_the_other_fixes_of_that_mission_are_in_nanoseconds(facts, tmp_path):
-    """Without that row and with units the dives are those between fixes over 600 s apart."""
-    path = tmp_path / "sg015.nc"
-    shutil.copyfile(facts / "glider" / "og1" / "sg015_20040929T140907_delayed.nc", path)
-    with netCDF4.Dataset(path, "a") as data:
-        deep = data["DEPTH"][:] > 20
-        for name in ("LATITUDE_GPS", "LONGITUDE_GPS"):
-            data[name][:] = np.where(deep, np.nan, data[name][:])
-        times = data["TIME_GPS"][:][np.isfinite(data["LATITUDE_GPS"][:])] / 1e9
-    dives = read_dives(path)[0]
-    assert all("it looks like nanoseconds" in one.why for one in usable(dives)[1])
-    with netCDF4.Dataset(path, "a") as data:
-        data["TIME_GPS"].units = "nanoseconds since 1970-01-01"
-        data.renameVariable("HORZ_GLIDER_SPEED", "HORZ_SPEED")
-        time, heading, speed = (data[name][:] for name in ("TIME", "HEADING", "HORZ_SPEED"))
-    dives = read_dives(path)[0]
-    gaps = np.flatnonzero(np.diff(times) > 600)
-    assert [dive.duration for dive in dives] == pytest.approx(np.diff(times)[gaps])
-    for dive in dives:
-        assert "magnetic and the variation not in the file" in "; ".join(dive.notes)
-    whole = [dive for dive in dives if np.isfinite(dive.dr_east)]
-    assert 0 < len(whole) < len(dives)  # a climb is missing
-    for dive in whole:
-        inside = (time > dive.t_gps2) & (time <= dive.t_gpse) & np.isfinite(heading)
-        since = np.diff(time[inside], prepend=time[inside][0])
-        cm, angle = speed[inside] * since, np.radians(heading[inside])
-        swum = [float(np.nansum(cm * part(angle))) / 100 for part in (np.sin, np.cos)]
-        assert (dive.dr_east, dive.dr_north) == pytest.approx(swum)
+def test_the_variation_of_the_command_line_turns_magnetic_headings(clpt, facts, tmp_path):
+    path = facts / "glider" / "og1" / OG1
+    found = {}
+    for degrees in (None, -37, 0):
+        more = () if degrees is None else ("--variation", degrees)
+        status, out, _ = clpt("replay", path, "--json", *more)
+        assert status == 0
+        found[degrees] = json.loads(out)["clpe_rms_all"]["no_flow"]
+    assert found[-37] == pytest.approx(found[None], rel=0.01)
+    assert abs(found[0] - found[None]) > 100.0
+    for wrong, sentence in (("nan", "must be -180 to 180"), ("200", "must be -180 to 180")):
+        status, _, err = clpt("replay", path, "--variation", wrong)
+        assert (status, sentence in err) == (2, True)
+    status, _, err = clpt("replay", "--sample", "--variation", 3)
+    assert (status, "no dive here has its dead reckoning from a magnetic" in err) == (2, True)
 
 
-def test_an_og1_mission_without_fixes_is_refused(facts):
+def test_a_whole_early_mission_has_32_good_long_dives(clpt, shared):
+    path = shared / "glider" / "og1" / OG1
+    assert len(usable(read_dives(path)[0])[0]) == 35
+    command = ("replay", path, "--json", "--least-duration", 4000)
+    turned_by_field = json.loads(clpt(*command)[1])
+    as_true = json.loads(clpt(*command, "--variation", 0)[1])
+    assert turned_by_field["used"] == 32
+    assert turned_by_field["clpe_rms"]["adaptive"] == pytest.approx(886, rel=0.02)
+    assert as_true["clpe_rms"]["adaptive"] > 1.8 * turned_by_field["clpe_rms"]["adaptive"]
+
+
+def test_a_spray_says_where_its_dives_ended(facts):
+    """The sample of OG1 has ends, the segments' middles, and the current of each."""
     path = facts / "glider" / "og1" / "sp028_20230202T1637_R.nc"
+    dives, skipped = read_dives(path)
     with netCDF4.Dataset(path) as data:
         assert np.ma.count(data["latitude_gps"][:]) == 0
-        assert np.ma.count(data["latitude_gps_end"][:]) > 0  # not a name of OG1 1.0
-    with pytest.raises(DataError, match="no two fixes more than 600 s apart"):
-        read_dives(path)
+        row = {int(n): k for k, n in enumerate(data["profile_index"][:])}  # the last of each
+        deep = {n for n in row if data["depth"][:][data["profile_index"][:] == n].max() > 5}
+        assert [dive.number for dive in dives] == sorted(deep)
+        assert {one.dive for one in skipped} == set(row) - deep
+        assert all("no measurement under water" in one.why for one in skipped)
+        for dive in dives:
+            names = ("time_gps_end", "latitude_gps_end", "longitude_gps_end", "wcur_x", "wcur_y")
+            end = [float(data[name][row[dive.number]]) for name in names]
+            assert (dive.t_gpse, dive.lat_gpse, dive.lon_gpse) == tuple(end[:3])
+            assert (dive.miss_east, dive.miss_north) == pytest.approx(
+                (end[3] * dive.duration, end[4] * dive.duration)
+            )
+            middle = 0.5 * (dive.t_gps2 + dive.t_gpse)
+            assert middle == pytest.approx(float(data["time_uv"][row[dive.number]]))
+    for before, after in pairwise(dives):  # each starts where the one before ended
+        drift = between(before.lat_gpse, before.lon_gpse, after.lat_gps2, after.lon_gps2)
+        assert 0 < after.t_gps2 - before.t_gpse < 600
+        assert np.hypot(*drift) < 100
+    assert len(usable(dives)[0]) == len(deep) == 4
 
 
 def test_a_replay_of_files_is_that_of_the_table(clpt, facts, tmp_path):
