@@ -4,8 +4,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 from pictures import inked
+
+import clpt_control as clpt
+from analysis import laws
 
 ROOT = Path(__file__).parents[2]
 
@@ -91,3 +95,27 @@ def test_limited_speed_costs_nothing_with_hedging(tmp_path):
         assert rises[speed, "yes"] < 1e-9 < 0.1 < rises[speed, "no"]
         assert errors[speed, "yes"] < 2e-3 < 1e-2 < errors[speed, "no"]
     assert inked(tmp_path / "limited_speed.png") > 0.01
+
+
+def test_which_law_when_compares_fast_laws_with_the_papers():
+    paper, clear = clpt.paper_scenario(), laws.PAPER["as assumed"]
+    keys = laws.candidates(paper)
+    printed, memory = (
+        laws.on_papers_scenario(paper, {**keys[name], **clear}, 4)
+        for name in (laws.PRINTED, "composite-memory")
+    )
+    assert np.all(printed.error[1:] > 0.05)
+    assert memory.error[2] < 0.01 * printed.error[1]
+    assert memory.clpe[2] < 0.01 * printed.clpe[1]
+
+
+@pytest.mark.slow
+def test_which_law_when(tmp_path):
+    run("-m", "analysis.laws", "--members", "4", "--out", tmp_path)
+    text = (tmp_path / "laws.md").read_text()
+    rows = [line.strip("| ").split(" | ") for line in text.splitlines() if line.startswith("| ")]
+    told = {row[0]: row[1:] for row in rows[2:]}
+    assert len(told) == len(laws.candidates(clpt.paper_scenario()))
+    assert [cell == "-" for cell in told["fix-regression"]] == [True] * 5 + [False]
+    assert all(cell != "-" for cell in told["composite-least-squares"][:5])
+    assert inked(tmp_path / "laws.png") > 0.01
