@@ -178,8 +178,8 @@ class FixModel:
         return np.hstack(columns)
 
     def noise(self, dive: Dive, scatter: Any) -> Any:
-        """Return the variance FIX^2 + (s T)^2 of y, m^2; s in m/s."""
-        return self.priors.fix**2 + (scatter * dive.duration) ** 2
+        """Return FIX^2 + doubt^2 + (s T)^2, the variance of y, m^2."""
+        return self.priors.fix**2 + dive.doubt**2 + (scatter * dive.duration) ** 2
 
     def turning(self, dt: float, latitude: float) -> np.ndarray:
         """Return the turn of the inertial current over `dt` s, (n, n)."""

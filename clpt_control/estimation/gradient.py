@@ -12,7 +12,7 @@ error follows from any gain K, for a current that walks,
     P <- (I - K H) (P + Q) (I - K H)^T + K r K^T,
 
 and says how far to trust it.  A fix beyond the 99.9 % ellipse moves the law less, by
-how far beyond it lies.
+how far beyond it lies, and a fix that is doubted by the share of its variance that is not doubt.
 """
 
 import numpy as np
@@ -61,14 +61,15 @@ class Gradient:
         """Learn from a dive that has ended."""
         mean, S = self.predict(dive)
         far = float(np.sum((miss(dive) - mean) ** 2)) / S[0, 0]
+        trust = 1.0 - dive.doubt**2 / S[0, 0]
         seen = 0.5 * min(far, FAR) * S[0, 0] / dive.duration**2
-        self.variance = (self.count * self.variance + seen) / (self.count + 1)
+        self.variance = (self.count * self.variance + trust * seen) / (self.count + trust)
         self.count = min(self.count + 1, self.priors.miss_memory)
         self.model, p, P = self.ahead(dive)
         H = self.model.regressor(dive, ended=True)
         r = self.model.noise(dive, self.priors.gradient_scatter)
         weight = self.model.prior_sd[:, None] ** 2 * H.T
-        mu = self.priors.gain * FAR / max(far, FAR)
+        mu = trust * self.priors.gain * FAR / max(far, FAR)
         gain = mu * weight @ np.linalg.inv(H @ weight + r * np.eye(2))
         self.mean = p + gain @ (miss(dive) - H @ p)
         rest = np.eye(len(p)) - gain @ H

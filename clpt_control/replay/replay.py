@@ -10,15 +10,17 @@ the dead reckoning carried by a modelled flow:
 
 d is the dead-reckoned displacement, y = fix - dead reckoning and T the duration
 of a dive.  Duration and d of the dive are taken as known, its end fix is not.
-The first used dive is forecast with no flow.  A given flow model is no part of
+The first used dive is forecast with no flow.  Where a dive starts too far from the end of
+the last one, one of the two fixes is wrong (`doubtful_fixes`): before the dive is forecast
+the last one is learned again, its own forecast as it was.  A given flow model is no part of
 the state: each dive brings its q, or None where the model does not cover it.
 The state moves by `Replay.step` alone, so that feeding dives one by one is feeding
 them at once, bit for bit.
 """
 
+import copy
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 
@@ -30,8 +32,9 @@ from ..estimation.kalman import KalmanBank
 from ..gliders.dives import Dive
 from ..progress.interrupt import check
 from .anomaly import SpeedWatch
+from .doubtful_fixes import weighed
 from .flow_models import FlowModel, carried
-from .step import CHI_SQUARED, FLOW_MODEL, MODELS, Step
+from .step import CHI_SQUARED, FLOW_MODEL, MODELS, Step, learned
 
 
 @dataclass
@@ -68,6 +71,7 @@ class Replay:
         self._learner = make_estimator(self.estimator, self.model)
         bank = self._learner if isinstance(self._learner, KalmanBank) else None
         self._watch = SpeedWatch(self.model, bank) if self.model.learn_speed else None
+        self._before = self._learner, self._watch  # the last dive
 
     @property
     def models(self) -> tuple[str, ...]:
@@ -80,19 +84,50 @@ class Replay:
         Mean (2,), m, zero for the first dive, and covariance (2, 2), m^2; the dive's end fix and
         displacement are not read.
         """
-        mean, covariance = self._learner.predict(dive)
-        return (mean if self.steps else np.zeros(2)), covariance
+        again, dive = self._weighed(dive)
+        if again is None:
+            return self._ahead(dive)
+        known = copy.deepcopy(self)
+        known._learn_again(again)
+        return known._ahead(dive)
 
     def step(self, dive: Dive) -> Step:
         """Forecast a dive, see its end, and learn from it.
 
         A dive that is not finite, or ends before the last one, is a `DataError`.
         """
+        _check(dive, self.steps[-1].dive if self.steps else None)
+        again, dive = self._weighed(dive)
+        if again is not None:
+            self._learn_again(again)
+        self._take(dive, *self._ahead(dive))
+        return self.steps[-1]
+
+    def _ahead(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
+        """Forecast a dive's miss by what is known: mean (2,), covariance (2, 2)."""
+        mean, covariance = self._learner.predict(dive)
+        return (mean if self.steps else np.zeros(2)), covariance
+
+    def _weighed(self, dive: Dive) -> tuple[Dive | None, Dive]:
+        """Return the last dive where this one's start says that its end is wrong, and this one."""
+        if not self.steps:
+            return None, dive
+        last = self.steps[-1]
+        found, dive = weighed(last.dive, dive, (last.forecast, last.covariance), self.model)
+        return (None if found is last.dive else found), dive
+
+    def _learn_again(self, dive: Dive) -> None:
+        """Learn the last dive again, as it is now known, its forecast as it was."""
+        was = self.steps.pop()
+        self._learner, self._watch = self._before
+        self._take(dive, was.forecast, was.covariance)
+
+    def _take(self, dive: Dive, mean: np.ndarray, covariance: np.ndarray) -> None:
+        """Judge a forecast of a dive by its end, and learn from it."""
+        self._before = copy.deepcopy((self._learner, self._watch))
         y = miss(dive)
         last = self.steps[-1].dive if self.steps else None
-        _check(dive, last)
         previous = np.zeros(2) if last is None else miss(last) * (dive.duration / last.duration)
-        mean, covariance = self.forecast(dive)
         away = y - mean
         modelled = None
         if dive.model_east is not None and dive.model_north is not None:
@@ -114,33 +149,9 @@ class Replay:
                 covariance,
                 bool(away @ np.linalg.solve(covariance, away) <= CHI_SQUARED),
                 anomaly,
-                **self._learned(dive),
+                **learned(self._learner, dive),
             )
         )
-        return self.steps[-1]
-
-    def _learned(self, dive: Dive) -> dict[str, Any]:
-        """What `Step` keeps of the estimates after a dive."""
-        p, P, left = self._learner.estimate()
-        model = self._learner.model
-        flow = [k for k, part in enumerate(model.parts) if part not in ("speed", "compass")]
-        H = model.regressor(dive, ended=True)[:, flow] / dive.duration
-        known: dict[str, Any] = {
-            "current": H @ p[flow],
-            "current_error": np.sqrt(np.diag(H @ P[np.ix_(flow, flow)] @ H.T)),
-            "parts": self._learner.parts(),
-            "left": dict(zip(model.names, left.tolist(), strict=True)),
-        }
-        if model.learn_speed:
-            k = model.names.index("speed")
-            factor, compass = np.sqrt(np.diag(P)[k : k + 2])
-            known |= {
-                "speed": 1.0 + float(p[k]),
-                "speed_error": float(factor),
-                "compass": float(np.degrees(p[k + 1])),
-                "compass_error": float(np.degrees(compass)),
-            }
-        return known
 
 
 def _check(dive: Dive, last: Dive | None) -> None:

@@ -7,9 +7,11 @@ sqrt(2 ln 10 l), l the eigenvalues of P.
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
+from ..estimation.estimators import Estimator
 from ..gliders.dives import Dive
 from .anomaly import Anomaly
 
@@ -66,3 +68,27 @@ def ellipse(covariance: np.ndarray) -> tuple[float, float, float]:
     short, long = np.sqrt(CHI_SQUARED * size)
     bearing = np.degrees(np.arctan2(axes[0, 1], axes[1, 1])) % 180.0
     return float(long), float(short), float(bearing)
+
+
+def learned(learner: Estimator, dive: Dive) -> dict[str, Any]:
+    """Return what `Step` keeps of an estimator that has learned a dive."""
+    p, P, left = learner.estimate()
+    model = learner.model
+    flow = [k for k, part in enumerate(model.parts) if part not in ("speed", "compass")]
+    H = model.regressor(dive, ended=True)[:, flow] / dive.duration
+    known: dict[str, Any] = {
+        "current": H @ p[flow],
+        "current_error": np.sqrt(np.diag(H @ P[np.ix_(flow, flow)] @ H.T)),
+        "parts": learner.parts(),
+        "left": dict(zip(model.names, left.tolist(), strict=True)),
+    }
+    if model.learn_speed:
+        k = model.names.index("speed")
+        factor, compass = np.sqrt(np.diag(P)[k : k + 2])
+        known |= {
+            "speed": 1.0 + float(p[k]),
+            "speed_error": float(factor),
+            "compass": float(np.degrees(p[k + 1])),
+            "compass_error": float(np.degrees(compass)),
+        }
+    return known

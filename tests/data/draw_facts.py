@@ -38,8 +38,8 @@ depth_avg_curr_east depth_avg_curr_north depth_avg_curr_qc depth_avg_curr_error 
 flight_avg_speed_east flight_avg_speed_north total_flight_time_s
 """
 OF_OG1 = """
-TIME TIME_GPS LATITUDE_GPS LONGITUDE_GPS LATITUDE LONGITUDE DEPTH HEADING HORZ_GLIDER_SPEED
-VERT_GLIDER_SPEED PROFILE_NUMBER dive_num dive_num_cast
+TIME TIME_GPS LATITUDE_GPS LONGITUDE_GPS DEPTH HEADING HORZ_GLIDER_SPEED
+dive_num
 """
 OF_SPRAY = """
 profile_index time time_gps latitude_gps longitude_gps time_gps_end latitude_gps_end
@@ -148,7 +148,7 @@ def main(shared):
         name = f"glider/sg171/p1710{number}.nc"
         dive(shared / name, HERE / name, 16)
     for name, names, rows, k in (
-        ("sg015_20040929T140907_delayed.nc", OF_OG1.split(), 2001, 8),
+        ("sg015_20040929T140907_delayed.nc", OF_OG1.split(), 2002, 4),
         ("sp028_20230202T1637_R.nc", OF_SPRAY.split(), 372, 6),
     ):
         mission(shared / "glider/og1" / name, HERE / "glider/og1" / name, names, rows, k)

@@ -130,8 +130,10 @@ def test_the_variation_of_the_command_line_turns_magnetic_headings(clpt, facts, 
         status, out, _ = clpt("replay", path, "--json", *more)
         assert status == 0
         found[degrees] = json.loads(out)["clpe_rms_all"]["no_flow"]
+        said = [entry["note"] for entry in json.loads(out)["notes"]]
+        assert (f"--variation: turned by {degrees} degrees instead" in said) == bool(more)
     assert found[-37] == pytest.approx(found[None], rel=0.01)
-    assert abs(found[0] - found[None]) > 100.0
+    assert found[0] != pytest.approx(found[None], rel=0.01)
     for wrong, sentence in (("nan", "must be -180 to 180"), ("200", "must be -180 to 180")):
         status, _, err = clpt("replay", path, "--variation", wrong)
         assert (status, sentence in err) == (2, True)
