@@ -1,6 +1,6 @@
 """Files of dives, told apart by what is in them.
 
-Each path is a file or a folder of `*.nc` and `*.csv`; a file is of one of the dialects
+Each path is a file or a folder of files; a file is of one of the dialects
 below, found by its content.  A damaged file among good ones is left out with its
 reason and the good dives are used; what was named and does not exist is an error.
 
@@ -17,13 +17,13 @@ from ..errors import DataError
 from ..files import open_netcdf
 from ..files.reading import read_bytes, text_of
 from ..progress.interrupt import check
-from . import dive_table, og1, seaglider
+from . import dive_table, og1, seaglider, slocum
 from .dives import Dive, Skipped
 
 OF_NETCDF = (seaglider, og1)
 OF_TEXT = (dive_table,)  # which takes any text, so it is the last
-KINDS = "Seaglider or OG1 NetCDF files, a CSV table of dives"
-SUFFIXES = (".nc", ".csv")
+KINDS = "Seaglider or OG1 NetCDF files, .sbd, .mbd or .dbd of a Slocum, a CSV table of dives"
+SUFFIXES = (".nc", ".csv", *slocum.SUFFIXES)
 NETCDF = (b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF")
 
 
@@ -57,9 +57,11 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
     A text may be a pipe that is open.
     """
     path = Path(path)
-    raw = read_bytes(path, NETCDF)
+    raw = read_bytes(path, (*NETCDF, slocum.MAGIC))
     if not raw:
         raise DataError(f"{path}: is empty; must be one of {KINDS}")
+    if raw == slocum.MAGIC:
+        return slocum.dives_of(path)
     if raw not in NETCDF:
         text = text_of(raw, path, f"is neither NetCDF nor text; must be one of {KINDS}")
         return next(one for one in OF_TEXT if one.is_known(text)).dives_of(text, path)

@@ -15,6 +15,7 @@ that its current was made of.
 from dataclasses import dataclass, replace
 from math import hypot, isfinite
 
+from ..errors import DataError
 from ..estimation.dive import Dive as Dive
 from ..estimation.dive import Fix as Fix
 from ..estimation.dive import make_dive as make_dive
@@ -29,6 +30,10 @@ class Skipped:
 
     dive: int | None
     why: str
+
+
+class NotYet(DataError):
+    """A file that can be read once something beside it is there; it is tried at each look."""
 
 
 def whole_number(value: float | str | None) -> int | None:

@@ -33,6 +33,8 @@ LATEST = datetime(YEARS[1], 1, 1, tzinfo=UTC).timestamp()  # s since 1970
 DAY = 86400.0  # s
 SMALLER = {"milliseconds": 1e3, "microseconds": 1e6, "nanoseconds": 1e9}  # in one second
 OVERLAP = 60.0  # s that neighbours may share by rounding
+MISSION = 1000  # dives: a larger step in the numbers is another mission
+SHARE = 0.5  # of the shorter neighbour's time that a missing dive takes; some number surfacings
 NEAR, ASTRAY = 5e3, 50e3  # m: what is noted, and refused, however short the time
 ANOTHER = "another vehicle? replay each on its own"
 
@@ -106,7 +108,8 @@ def usable(
             dive = _noted(dive, odd)
         stray = None
         missing = dive.number - before.number - 1
-        if missing > 0:
+        since = dive.t_gps2 - before.t_gpse
+        if 0 < missing < MISSION and since > SHARE * min(dive.duration, before.duration):
             dive = _noted(dive, f"{missing} dive(s) missing after dive {before.number}")
         used.append(dive)
     return used, skipped

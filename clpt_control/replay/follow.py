@@ -25,7 +25,9 @@ from filelock import FileLock, Timeout
 from ..errors import DataError
 from ..files import make_folder, remove_left, write_text
 from ..gliders.dive_files import SUFFIXES, read_dive_file
-from ..gliders.dives import Dive, Skipped
+from ..gliders.dives import Dive, NotYet, Skipped
+from ..gliders.slocum import SUFFIXES as SEGMENTS
+from ..gliders.slocum import files_before
 from ..progress.interrupt import check
 
 LOCK = ".clpt-lock"
@@ -118,7 +120,9 @@ class Follower:
             if not stat.S_ISREG(status.st_mode):
                 return None
             stamp = (status.st_size, status.st_mtime_ns, status.st_ctime_ns)
-            if known is not None and known.stamp == stamp:
+            if path.suffix.lower() in SEGMENTS:
+                stamp = _with_those_before(path, stamp)
+            if known is not None and known.stamp is not None and _is_as(known.stamp, stamp):
                 return known
             with path.open("rb") as file:
                 file.read(1)
@@ -129,6 +133,9 @@ class Follower:
             return self._record(None, known.dives if known else [], [Skipped(None, why)])
         try:
             dives, skipped = read_dive_file(path)
+        except NotYet as error:
+            why = f"{error}; is tried at each look"
+            return self._record(None, known.dives if known else [], [Skipped(None, why)])
         except DataError as error:
             dives, skipped = [], [Skipped(None, str(error))]
         return self._record(stamp, map(_kept_dive, dives), skipped)
@@ -152,6 +159,23 @@ class Follower:
             dives += [Dive(**dict(dive)) for dive in kept]
             skipped += record.skipped
         return dives, skipped
+
+
+def _is_as(known: tuple[int, int, int], stamp: tuple[int, int, int]) -> bool:
+    """Whether a file is as it was; one that is older now has lost one that was joined to it."""
+    return known == stamp or (known[0] == stamp[0] and max(stamp[1:]) < max(known[1:]))
+
+
+def _with_those_before(path: Path, stamp: tuple[int, int, int]) -> tuple[int, int, int]:
+    """Return the stamp of a segment, as new as the newest of those that may be joined to it."""
+    size, *times = stamp
+    for before in files_before(path):
+        try:
+            status = before.stat()
+        except OSError:
+            continue
+        times = [max(times[0], status.st_mtime_ns), max(times[1], status.st_ctime_ns)]
+    return size, times[0], times[1]
 
 
 def _kept_dive(dive: Dive) -> Any:

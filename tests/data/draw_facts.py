@@ -6,7 +6,7 @@ Every file keeps its place, format, names, dimensions, types, fill values and pa
 its variables those stay that a reader reads or may take for another, of its attributes
 those that say what a number is and whose, and of its samples every k-th.  A displacement
 is the sum since the sample that was kept before, so that a dive's total is that of the
-whole file; the deepest sample and all fixes stay.
+whole file; the deepest sample and all fixes stay.  A Slocum's segments are whole.
 """
 
 import shutil
@@ -138,6 +138,23 @@ def corner(source, target, names, **spans):
     thinned(source, target, [*spans, *names], kept)
 
 
+def segments(source, target):
+    """Draw a Slocum's segments, whole, and of their list of sensors those that are logged."""
+    (source_list,) = (source / "cac").glob("6b016a2e.cac")
+    logged = [line.split() for line in source_list.read_bytes().splitlines()]
+    total, logged = len(logged), [words for words in logged if words[3] != b"-1"]
+    for k, words in enumerate(logged):
+        words[2] = b"%d" % k
+    for folder in ("sbd", "cac"):
+        (target / folder).mkdir(parents=True, exist_ok=True)
+    lines = (b" ".join(words) + b"\n" for words in logged)
+    (target / "cac" / source_list.name).write_bytes(b"".join(lines))
+    for file in sorted((source / "sbd").glob("*.sbd")):
+        head, tag, cycles = file.read_bytes().partition(b"sensor_list_factored")
+        counts = (b"total_num_sensors:    %d\n" % n for n in (total, len(logged)))
+        (target / "sbd" / file.name).write_bytes(head.replace(*counts) + tag + cycles)
+
+
 def main(shared):
     """Draw all of them."""
     for number in range(304, 310):
@@ -152,6 +169,7 @@ def main(shared):
         ("sp028_20230202T1637_R.nc", OF_SPRAY.split(), 372, 6),
     ):
         mission(shared / "glider/og1" / name, HERE / "glider/og1" / name, names, rows, k)
+    segments(shared / "glider/slocum_rosie", HERE / "glider/slocum_rosie")
     for name in ("sea035m10_dives.csv", "sg542_2016_dives.csv", "sg171_adcp.csv"):
         shutil.copyfile(shared / "glider" / name, HERE / "glider" / name)
     for name, names, spans in (

@@ -1,0 +1,196 @@
+"""Slocum files: real ones against plain arithmetic, made ones against the sea they were made in."""
+
+import shutil
+import sys
+from itertools import permutations
+
+import numpy as np
+import pytest
+from pyproj import Geod
+from slocum_bytes import CRC, cac, ddmm, segment
+
+from clpt_control.errors import DataError
+from clpt_control.gliders import read_dives, usable
+from clpt_control.gliders.slocum import dives_of, files_before
+from clpt_control.replay.follow import Follower
+
+pytest.importorskip("dbdreader", reason="dbdreader reads Slocum files (extra slocum)")
+WGS84 = Geod(ellps="WGS84")
+SENSORS = (
+    "m_present_time",
+    "m_gps_lat",
+    "m_gps_lon",
+    "m_gps_status",
+    "m_gps_mag_var",
+    "m_lat",
+    "m_lon",
+    "m_x_lmc",
+    "m_y_lmc",
+    "m_water_vx",
+    "m_water_vy",
+    "m_depth",
+    "m_heading",
+    "u_use_current_correction",
+)
+T0, LAT0, LON0 = 1.7126e9, 51.6, -128.3
+VARIATION = np.radians(17.0)  # east
+SWIM, SEA, BEFORE = np.array([0.30, -0.12]), np.array([-0.05, 0.10]), np.array([0.08, 0.06])
+LASTS = 6000.0  # s
+
+
+def place(east, north):
+    """Return the place at a displacement from the first fix."""
+    lon, lat, _ = WGS84.fwd(LON0, LAT0, np.degrees(np.arctan2(east, north)), np.hypot(east, north))
+    return lat, lon
+
+
+def magnetic(vector):
+    """Return a vector on axes along magnetic north and east of it."""
+    east, north = vector
+    return np.array(
+        [
+            east * np.cos(VARIATION) - north * np.sin(VARIATION),
+            east * np.sin(VARIATION) + north * np.cos(VARIATION),
+        ]
+    )
+
+
+def rows(names, added=0.0, every=60, used=None):
+    """Return cycles of a dive at steps of 60 s in a sea, dead reckoning in `names` every so often.
+
+    The vehicle swims for all of LASTS, adding so much of the current of the dive before.
+    """
+    out = []
+    wx, wy = magnetic(BEFORE)
+    first = {"m_water_vx": wx, "m_water_vy": wy, "m_gps_mag_var": -VARIATION}
+    if used is not None:
+        first["u_use_current_correction"] = used
+    for since in np.arange(0.0, LASTS + 180.0, 60.0):
+        row = {"m_present_time": T0 + since, "m_heading": np.arctan2(*magnetic(SWIM)) % (2 * np.pi)}
+        surfaced = since == 0.0 or since >= LASTS
+        row["m_depth"] = 0.0 if surfaced else 60.0
+        reckoned = (SWIM + added * BEFORE) * min(since, LASTS)
+        if not surfaced and since % every == 0:
+            at = (ddmm(a) for a in place(*reckoned)) if names[0] == "m_lat" else magnetic(reckoned)
+            row |= dict(zip(names, at, strict=True))
+        if surfaced:
+            lat, lon = place(*((SWIM + SEA) * min(since, LASTS)))
+            row |= {"m_gps_lat": ddmm(lat), "m_gps_lon": ddmm(lon), "m_gps_status": 0.0}
+        if since == 0.0:
+            row |= first
+            if names[0] == "m_x_lmc":
+                row |= {"m_x_lmc": 0.0, "m_y_lmc": 0.0}
+        if since == LASTS:
+            row |= dict(zip(("m_water_vx", "m_water_vy"), magnetic(SEA), strict=True))
+        out.append(row)
+    return out
+
+
+def made(folder, *parts, names=SENSORS):
+    """Write rows as segments, with their list."""
+    (folder / "cac").mkdir(exist_ok=True)
+    (folder / "cac" / f"{CRC.upper()}.CAC").write_bytes(cac(names))
+    for k, part in enumerate(parts):
+        path = folder / f"unit-2024-100-7-{k}.sbd"
+        path.write_bytes(segment(part, names, f"0007{k:04d}", path.stem))
+    return folder
+
+
+def test_rosie_agrees_with_its_own_current(facts):
+    dives, skipped = read_dives(facts / "glider/slocum_rosie/sbd")
+    assert skipped == []
+    assert [d.number for d in dives] == [970157, 970159, 970161, 980000, 980002, 980003]
+    off = [
+        np.hypot(d.miss_east / d.duration - d.dac_east, d.miss_north / d.duration - d.dac_north)
+        for d in dives
+    ]
+    assert np.median(off) < 6e-3
+    assert sorted(off)[-2] < 1e-2
+    (noted,) = [d for d in dives if d.notes]
+    assert noted.number == 970161  # its last ten minutes are after its last logged place
+    assert all(16.5 < d.magvar < 18.0 for d in dives)  # a SeaExplorer there says 17
+    used, left_out = usable(dives)
+    assert (len(used), left_out) == (6, [])
+    assert not any("missing" in note for dive in used for note in dive.notes)
+
+
+@pytest.mark.parametrize("every", [60, 600])
+@pytest.mark.parametrize("names", [("m_lat", "m_lon"), ("m_x_lmc", "m_y_lmc")])
+@pytest.mark.parametrize("added", [0.0, 1.0])
+def test_a_made_dive_is_that_of_its_sea(tmp_path, names, added, every):
+    (dive,) = dives_of(made(tmp_path, rows(names, added, every)) / "unit-2024-100-7-0.sbd")[0]
+    # under water the first and last minute are at the surface
+    assert (dive.dr_east, dive.dr_north) == pytest.approx(SWIM * LASTS, abs=60.0)
+    assert (dive.dac_east, dive.dac_north) == pytest.approx(SEA, abs=1e-9)
+    assert dive.magvar == pytest.approx(17.0)
+    assert dive.duration == LASTS
+    assert any("taken off" in note for note in dive.notes) == bool(added)
+    assert (
+        np.hypot(*(dive.track[k][-1] - (dive.dr_east, dive.dr_north)[k - 1] for k in (1, 2))) == 0
+    )
+
+
+def test_without_an_own_current_the_glider_says_whether_it_added_it(tmp_path):
+    for used in (0.0, 1.0):
+        part = rows(("m_lat", "m_lon"), used, 60, used)
+        for row in part[1:]:
+            row.pop("m_water_vx", None)
+        (dive,) = dives_of(made(tmp_path, part) / "unit-2024-100-7-0.sbd")[0]
+        assert (dive.dr_east, dive.dr_north) == pytest.approx(SWIM * LASTS, abs=60.0)
+        assert dive.dac_east is None
+
+
+def test_a_dive_over_several_files_is_one(tmp_path):
+    whole = rows(("m_lat", "m_lon"))
+    one = dives_of(made(tmp_path, whole) / "unit-2024-100-7-0.sbd")[0]
+    made(tmp_path, whole[:3], whole[3:50], whole[50:])
+    assert [len(dives_of(tmp_path / f"unit-2024-100-7-{k}.sbd")[0]) for k in range(3)] == [0, 0, 1]
+    (dive,) = read_dives(tmp_path)[0]
+    assert dive.dr_east == pytest.approx(one[0].dr_east, abs=1e-6)
+    assert files_before(tmp_path / "unit-2024-100-7-2.sbd") == [
+        tmp_path / f"unit-2024-100-7-{k}.sbd" for k in range(2)
+    ]
+    (tmp_path / "unit-2024-100-7-1.sbd").unlink()
+    (dive,) = read_dives(tmp_path)[0]
+    assert np.isnan(dive.dr_east)  # two thirds of it are missing
+    assert any("no samples for" in note for note in dive.notes)
+
+
+@pytest.mark.parametrize("order", list(permutations(range(4))))
+def test_followed_files_come_in_any_order(tmp_path, order):
+    whole = rows(("m_lat", "m_lon"))
+    source, inbox = tmp_path / "source", tmp_path / "inbox"
+    source.mkdir()
+    inbox.mkdir()
+    made(source, whole[:3], whole[3:50], whole[50:])
+    follower = Follower(inbox, tmp_path / "state")
+    things = [*sorted(source.glob("*.sbd")), source / "cac"]
+    for k in order:
+        if things[k].is_dir():
+            shutil.copytree(things[k], inbox / "cac")
+        else:
+            shutil.copy(things[k], inbox)
+        follower.look()
+    assert follower.dives() == read_dives(source)
+    for path in inbox.glob("*-[01].sbd"):
+        path.unlink()
+        follower.look()
+    assert follower.dives()[0] == read_dives(source)[0]
+    again = Follower(inbox, tmp_path / "state")
+    again.look()
+    assert again.dives()[0] == read_dives(source)[0]
+
+
+def test_without_dbdreader_it_says_what_to_install(clpt, facts, monkeypatch):
+    monkeypatch.setitem(sys.modules, "dbdreader", None)
+    ended = clpt("replay", facts / "glider/slocum_rosie/sbd")
+    assert ended.status == 2
+    assert "pip install 'clpt-control[slocum]'" in " ".join(ended.err.split())
+
+
+def test_the_folder_of_lists_can_be_named(facts, tmp_path, monkeypatch):
+    shutil.copy(facts / "glider/slocum_rosie/sbd/rosie_713-2019-170-0-2.sbd", tmp_path)
+    with pytest.raises(DataError, match=r"6b016a2e\.cac was not found .* CLPT_CAC"):
+        read_dives(tmp_path)
+    monkeypatch.setenv("CLPT_CAC", str(facts / "glider/slocum_rosie/cac"))
+    assert len(read_dives(tmp_path)[0]) == 1
