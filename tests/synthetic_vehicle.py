@@ -6,8 +6,9 @@ import numpy as np
 from scipy.integrate import trapezoid
 
 from clpt_control.estimation.fix_model import inertial_frequency
+from clpt_control.geodesy import place_from
 from clpt_control.gliders.dive_table import write_dive_table
-from clpt_control.gliders.dives import Dive
+from clpt_control.gliders.dives import Dive, make_dive
 from clpt_control.scenario.tides import period
 
 STEADY = (0.1, -0.05)
@@ -53,3 +54,19 @@ def vehicle(
 def one_file_each(folder, dives):
     for dive in dives:
         write_dive_table([dive], folder / f"dive{dive.number}.csv")
+
+
+def fixes_of(count, latitude=40.0, longitude=8.0, seed=1, hours=4.0):
+    """Dives to the east whose fixes lie where they were: each begins where the last one ended."""
+    rng = np.random.default_rng(seed)
+    time, lat, lon, dives = 1.7e9, latitude, longitude, []
+    for k in range(count):
+        T = 3600 * hours * rng.uniform(0.8, 1.2)
+        angle = 1.2 + 0.8 * math.sin(k / 9)
+        dr = 0.25 * T * math.sin(angle), 0.25 * T * math.cos(angle)
+        current = np.array([0.1 + 0.08 * math.sin(k / 7), -0.05 + 0.06 * math.cos(k / 5)])
+        east, north = dr + T * current + 200 * rng.normal(size=2)
+        end = place_from(lat, lon, east, north)
+        dives.append(make_dive(k + 1, (time, lat, lon), (time + T, *end), dr))
+        time, (lat, lon) = time + T + 600, place_from(*end, 30.0, 20.0)
+    return dives

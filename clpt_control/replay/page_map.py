@@ -1,0 +1,204 @@
+"""The map of a replay's page: SVG whose marks keep their size when it is zoomed.
+
+It is `WIDTH` units wide, y down.  A mark is a group at its place; what is in it is scaled by the
+style sheet.  Numbers of dives have the zoom from which they have room: `n0` on a telephone, each
+next one at twice the scale.
+"""
+
+from collections.abc import Sequence
+from html import escape
+from typing import Any
+
+from .chart import Chart, length_of, mark
+from .exchange import plain, said_of_dive, said_of_next
+from .rings import Place, ring_of
+
+WIDTH = 1000.0
+LINES = 5  # of the grid, about
+ROOM = (34.0, 15.0)  # of a number, px
+PHONE = 0.36  # px per unit where a telephone shows the map
+LEVELS = 7
+LAST = 12  # dives whose ellipses are always drawn
+STAR = "M0-10 2.4-3.2 9.5-3.1 3.8 1.2 5.9 8.1 0 4 -5.9 8.1 -3.8 1.2 -9.5-3.1 -2.4-3.2Z"
+CROSS = "M-4-4 4 4M-4 4 4-4"
+PLUS = "M-5.5 0H5.5M0-5.5V5.5"
+TARGET = "M0-9A9 9 0 1 1-.01-9ZM-13 0H13M0-13V13"
+
+
+class Drawing:
+    """A chart in units of the SVG."""
+
+    def __init__(self, places: Sequence[Place]) -> None:
+        self.chart = Chart(places)
+        self.metres = (self.chart.east - self.chart.west) / WIDTH  # per unit
+        self.height = (self.chart.north - self.chart.south) / self.metres
+
+    def at(self, place: Place) -> tuple[float, float]:
+        """Return where a place is drawn."""
+        x, y = self.chart.xy(*place)
+        return (x - self.chart.west) / self.metres, (self.chart.north - y) / self.metres
+
+    def line(self, places: Sequence[Place], style: str, closed: bool = False) -> str:
+        """Return a line through places."""
+        points = "L".join(_numbers(*self.at(place)) for place in places)
+        return f'<path class="{style}" d="M{points}{"Z" if closed else ""}"/>'
+
+    def mark(self, place: Place, style: str, shape: str) -> str:
+        """Return a mark of a constant size."""
+        return self.group(place, "m", f'<path class="{style}" d="{shape}"/>')
+
+    def group(self, place: Place, style: str, inner: str) -> str:
+        """Return a group at a place."""
+        return f'<g class="{style}" transform="translate({_numbers(*self.at(place))})">{inner}</g>'
+
+
+def _numbers(x: float, y: float) -> str:
+    return f"{x:.1f} {y:.1f}"
+
+
+def replay_map(found: dict[str, Any]) -> str:
+    """Return the map of what `clpt replay --json` prints, with one dive at least."""
+    rows, ahead, legs = found["each_dive"], found["next_dive"], found.get("aim") or []
+    rings = [ring_of(row) for row in rows[1:][-LAST:]]  # the first dive has no forecast
+    targets = [(leg["latitude"], leg["longitude"]) for leg in legs]
+    goal = ahead["latitude"], ahead["longitude"]
+    last = ahead["from_latitude"], ahead["from_longitude"]
+    everything = [place for row in rows for place in _places(row)]
+    everything += [place for ring in [*rings, ring_of(ahead)] for place in ring]
+    drawing = Drawing([*everything, *_in_reach(everything, targets)])
+    drawn = [*_grid(drawing), '<g id="dives">']
+    drawn += [
+        _dive(drawing, row, rows[k - 1] if k else None, k >= len(rows) - LAST)
+        for k, row in enumerate(rows)
+    ]
+    drawn += ["</g>", *_numbered(drawing, rows)]
+    for k, (leg, target) in enumerate(zip(legs, targets, strict=True)):
+        begin = leg["from_latitude"], leg["from_longitude"]
+        drawn.append(drawing.line([begin, target], "aim"))
+        title = f"<title>waypoint {k + 1}: {escape(plain(leg['place']))}</title>"
+        target_mark = f'<path class="target" d="{TARGET}"/>'
+        drawn.append(drawing.group(target, "m", title + target_mark))
+    drawn += [
+        drawing.line([last, goal], "way"),
+        drawing.line(ring_of(ahead), "ring next", closed=True),
+        drawing.group(
+            goal,
+            "m",
+            f"<title>next surfacing: {escape(plain(said_of_next(ahead)))}</title>"
+            f'<path class="star" d="{STAR}"/>',
+        ),
+        _scale(drawing),
+    ]
+    return (
+        f'<svg id="map" viewBox="0 0 {WIDTH:.0f} {drawing.height:.0f}" role="img" '
+        f'aria-label="map of the track and of the next surfacing" {_facts(drawing)}>'
+        + "\n".join(drawn)
+        + "</svg>"
+    )
+
+
+def _places(row: dict[str, Any]) -> list[Place]:
+    return [
+        (row[f"{which}_latitude"], row[f"{which}_longitude"])
+        for which in ("start", "end", "reckoned", "forecast")
+    ]
+
+
+def _in_reach(places: Sequence[Place], targets: Sequence[Place]) -> list[Place]:
+    """Return the waypoints that do not make the chart much larger; others are off it."""
+    chart = Chart(places)
+    reach = 3 * max(chart.east - chart.west, chart.north - chart.south)
+    near = []
+    for target in targets:
+        x, y = chart.xy(*target)
+        if max(abs(x - chart.west), abs(y - chart.south)) < reach:
+            near.append(target)
+    return near
+
+
+def _dive(drawing: Drawing, row: dict[str, Any], before: dict | None, recent: bool) -> str:
+    start, end, reckoned, forecast = _places(row)
+    number = escape(plain(row["dive"]))
+    parts = [f"<title>dive {number}: {escape(plain(said_of_dive(row)))}</title>"]
+    if before is not None:
+        style = "ring" if recent else "ring old"
+        parts.append(drawing.line(ring_of(row), style, closed=True))
+        parts.append(drawing.line([_places(before)[1], start], "drift"))
+    parts += [
+        drawing.line([reckoned, end], "miss"),
+        drawing.line([start, end], "track"),
+        drawing.mark(reckoned, "reckoned", CROSS),
+    ]
+    if before is not None:
+        parts.append(drawing.mark(forecast, "forecast", PLUS))
+    style = "fix" if row["inside_90"] else "fix out"
+    parts.append(drawing.group(end, "m", f'<circle class="{style}" r="3.6"/>'))
+    return f'<g class="dive" data-dive="{number}">{"".join(parts)}</g>'
+
+
+def _numbered(drawing: Drawing, rows: list[dict[str, Any]]) -> list[str]:
+    """Return the numbers of dives, each with the least zoom at which it has room."""
+    points = [drawing.at(_places(row)[1]) for row in rows]
+    free = list(range(len(rows) - 1, -1, -1))  # the last dive first
+    drawn: list[str] = []
+    placed: list[int] = []
+    for level in range(LEVELS + 1):
+        scale = PHONE * 2**level
+        for k in list(free):
+            clear = all(
+                abs(points[k][0] - points[j][0]) * scale > ROOM[0]
+                or abs(points[k][1] - points[j][1]) * scale > ROOM[1]
+                for j in placed
+            )
+            if clear or level == LEVELS:
+                placed.append(k)
+                free.remove(k)
+                number = escape(plain(rows[k]["dive"]))
+                text = f'<text class="n{level}" x="7" y="-5">{number}</text>'
+                drawn.append(drawing.group(_places(rows[k])[1], "m number", text))
+    return ['<g id="numbers">', *drawn, "</g>"]
+
+
+def _grid(drawing: Drawing) -> list[str]:
+    """Return parallels and meridians with their names; drawn anew where a script zooms."""
+    step, lats, lons = drawing.chart.grid(LINES)
+    lines = ['<g id="grid">']
+    for lat in lats:
+        y = drawing.at((lat, drawing.chart.first))[1]
+        lines.append(f'<path class="grid" d="M0 {y:.1f}H{WIDTH:.0f}"/>')
+        lines.append(_label(0, y, 4, -4, mark(lat, "NS", step)))
+    for lon in lons:
+        x = (drawing.chart.xy(drawing.chart.middle, lon)[0] - drawing.chart.west) / drawing.metres
+        lines.append(f'<path class="grid" d="M{x:.1f} 0V{drawing.height:.0f}"/>')
+        lines.append(_label(x, drawing.height, 4, -5, mark(lon, "EW", step)))
+    return [*lines, "</g>"]
+
+
+def _label(x: float, y: float, dx: float, dy: float, text: str) -> str:
+    inner = f'<text class="degrees" x="{dx}" y="{dy}">{escape(text)}</text>'
+    return f'<g class="m" transform="translate({_numbers(x, y)})">{inner}</g>'
+
+
+def _scale(drawing: Drawing) -> str:
+    length = length_of(0.25 * WIDTH * drawing.metres)
+    long, y = length / drawing.metres, drawing.height - 30
+    name = f"{length / 1000:g} km" if length >= 1000 else f"{length:g} m"
+    x = WIDTH - 30 - long
+    return (
+        f'<g id="scale"><path class="scale" d="M{x:.1f} {y - 8:.1f}V{y:.1f}h{long:.1f}v-8"/>'
+        + _label(x, y, 6, -8, name)
+        + "</g>"
+    )
+
+
+def _facts(drawing: Drawing) -> str:
+    """Return what a script needs to draw the grid: metres, longitudes, a table of latitudes."""
+    chart = drawing.chart
+    south, west = chart.place(chart.west, chart.south)
+    north, east = chart.place(chart.east, chart.north)
+    lats = [south + (north - south) * k / 32 for k in range(33)]
+    heights = " ".join(f"{drawing.at((lat, chart.first))[1]:.3f}" for lat in lats)
+    return (
+        f'data-metres="{drawing.metres!r}" data-west="{west!r}" data-east="{east!r}" '
+        f'data-south="{south!r}" data-north="{north!r}" data-heights="{heights}"'
+    )

@@ -1,0 +1,138 @@
+"""GeoJSON and KML, read back: places, rings, what is cut at 180 degrees, texts of files."""
+
+import json
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from pyproj import Geod
+from synthetic_vehicle import fixes_of
+
+import clpt_control as clpt
+from clpt_control.gliders.dives import make_dive
+from clpt_control.replay.exchange import next_geojson, plain, track_kml
+from clpt_control.replay.rings import line_pieces, ring_of, ring_pieces
+
+KML = {"k": "http://www.opengis.net/kml/2.2"}
+GEOD = Geod(ellps="WGS84")
+
+
+def found_at(lat, lon, count=5):
+    """What `--json` prints of a vehicle that begins at a place and goes to the east."""
+    replay = clpt.replay.replay_dives(fixes_of(count, lat, lon))
+    return {**clpt.replay.summary(replay), "next_dive": clpt.replay.next_dive(replay).as_dict()}
+
+
+def turned(ring):
+    """Twice the area of a ring, degrees^2, positive counter-clockwise."""
+    x, y = np.array(ring).T
+    return float(np.sum(x[:-1] * y[1:] - x[1:] * y[:-1]))
+
+
+def inside(ring, lon, lat):
+    """Whether a place lies in a convex ring that turns counter-clockwise."""
+    x, y = np.array(ring).T
+    return bool(np.all(np.diff(x) * (lat - y[:-1]) - np.diff(y) * (lon - x[:-1]) >= 0))
+
+
+@pytest.mark.parametrize("lat", [-43.0, 0.0, 67.0, 80.0])
+def test_a_ring_is_the_ellipse_on_the_earth(lat):
+    row = found_at(lat, 8.0)["each_dive"][-1]
+    ring = ring_of(row)
+    assert ring[0] == ring[-1]
+    centre = row["forecast_longitude"], row["forecast_latitude"]
+    far = [GEOD.inv(*centre, lon, lat)[2] for lat, lon in ring]
+    assert max(far) == pytest.approx(row["ellipse_90_long"], rel=2e-3)
+    assert min(far) == pytest.approx(row["ellipse_90_short"], rel=5e-3)
+    bearing = GEOD.inv(*centre, ring[0][1], ring[0][0])[0]
+    assert abs((bearing - row["ellipse_90_bearing"] + 90) % 180 - 90) < 1.0  # meridians turn
+
+
+def test_geojson_is_read_back():
+    found = found_at(-43.0, 8.0)
+    ahead = found["next_dive"]
+    read = json.loads(next_geojson(found))
+    shapes = {one["properties"]["name"]: one["geometry"] for one in read["features"]}
+    assert shapes["next surfacing"]["coordinates"] == pytest.approx(
+        [ahead["longitude"], ahead["latitude"]], abs=1e-6
+    )
+    ring = shapes["90 % ellipse"]["coordinates"][0]
+    assert ring[0] == ring[-1]
+    assert turned(ring) > 0
+    assert inside(ring, ahead["longitude"], ahead["latitude"])
+    last = found["each_dive"][-1]
+    assert shapes["way to the next surfacing"]["coordinates"][0] == pytest.approx(
+        [last["end_longitude"], last["end_latitude"]], abs=1e-6
+    )
+
+
+@pytest.mark.parametrize("lon", [179.99, -180.0, 180.0, 180.01, -180.01])
+def test_nothing_crosses_180_degrees(lon):
+    found = found_at(51.0, lon)
+    ahead = found["next_dive"]
+    shapes = {
+        one["properties"]["name"]: one["geometry"]
+        for one in json.loads(next_geojson(found))["features"]
+    }
+    polygons = shapes["90 % ellipse"]
+    rings = [polygons["coordinates"]] if polygons["type"] == "Polygon" else polygons["coordinates"]
+    goal = shapes["next surfacing"]["coordinates"]
+    assert sum(inside(ring[0], *goal) for ring in rings) == 1
+    text = track_kml(found, "x")
+    spans = [np.array(ring[0])[:, 0] for ring in rings]
+    spans += [
+        np.array([float(pair.split(",")[0]) for pair in one.text.split()])
+        for one in ElementTree.fromstring(text).iterfind(".//k:coordinates", KML)
+    ]
+    for span in spans:
+        assert np.ptp(span) < 90
+        assert np.abs(span).max() <= 180
+    whole = sum(turned(ring[0]) for ring in rings)
+    flat = [(lon, lat) for lat, lon in ring_of(ahead)]
+    near = [((x - flat[0][0] + 180) % 360 + flat[0][0] - 180, y - 51) for x, y in flat]
+    assert whole == pytest.approx(turned(near), rel=1e-3)
+
+
+def test_a_line_and_a_ring_are_cut_at_180():
+    assert line_pieces([(0.0, 179.0), (1.0, -179.0), (3.0, 179.0)]) == [
+        [(0.0, 179.0), (0.5, 180.0)],
+        [(0.5, -180.0), (1.0, -179.0), (2.0, -180.0)],
+        [(2.0, 180.0), (3.0, 179.0)],
+    ]
+    square = [(0.0, 179.0), (0.0, -179.0), (2.0, -179.0), (2.0, 179.0), (0.0, 179.0)]
+    pieces = ring_pieces(square)
+    assert len(pieces) == 2
+    assert sum(turned([(lon, lat) for lat, lon in piece]) for piece in pieces) == 8.0
+
+
+def test_kml_is_read_back():
+    found = found_at(-43.0, 8.0)
+    root = ElementTree.fromstring(track_kml(found, "SG<1> & co \x00"))
+    assert root.find("k:Document/k:name", KML).text == "SG<1> & co \ufffd"
+    folder = root.find("k:Document/k:Folder", KML)
+    fixes = [
+        (one.find("k:TimeStamp/k:when", KML).text, one.find("k:Point/k:coordinates", KML).text)
+        for one in folder.iterfind("k:Placemark", KML)
+    ]
+    assert [when for when, _ in fixes] == [row["end"] for row in found["each_dive"]]
+    for (_, text), row in zip(fixes, found["each_dive"], strict=True):
+        lon, lat = map(float, text.split(","))
+        assert (lat, lon) == pytest.approx((row["end_latitude"], row["end_longitude"]), abs=1e-6)
+    names = {style.get("id") for style in root.iterfind(".//k:Style", KML)}
+    assert {one.text[1:] for one in root.iterfind(".//k:styleUrl", KML)} <= names
+
+
+def test_plain_text_can_be_written_and_parsed():
+    text = plain("".join(map(chr, range(0x300))) + "\ud800\udcff\ufffe\U0001f600")
+    assert text.encode().decode() == text
+    made = ElementTree.Element("a")
+    made.text = text.replace("\r", "")
+    assert ElementTree.fromstring(ElementTree.tostring(made)).text == made.text
+
+
+def test_one_dive_is_enough():
+    dive = make_dive(1, (0.0, 40.0, 8.0), (9000.0, 40.0, 8.02), (500.0, 0.0))
+    replay = clpt.replay.replay_dives([dive])
+    found = {**clpt.replay.summary(replay), "next_dive": clpt.replay.next_dive(replay).as_dict()}
+    assert len(json.loads(next_geojson(found))["features"]) == 4
+    ElementTree.fromstring(track_kml(found, "one"))

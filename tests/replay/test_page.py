@@ -1,0 +1,120 @@
+"""The page of a replay: nothing is fetched, nothing of a file is markup, the chart is true."""
+
+import re
+from base64 import b64encode
+from hashlib import sha256
+from html.parser import HTMLParser
+
+import pytest
+from pyproj import Geod
+from synthetic_vehicle import fixes_of
+
+import clpt_control as clpt
+from clpt_control.gliders.dives import Skipped
+from clpt_control.replay.chart import Chart, mark
+from clpt_control.replay.page import Told, replay_page
+from clpt_control.replay.page_lines import dates, ticks
+
+EVIL = "</title></script><script>alert(1)</script><img src=x onerror='alert(2)'>\x00\udc80\"&amp;"
+VOID = {"meta", "br", "hr", "img", "input", "link"}
+
+
+class Reader(HTMLParser):
+    """All tags, attributes and texts of a page; tags must be closed in their order."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.tags, self.open, self.texts, self.styles, self.scripts = [], [], [], [], []
+        self.feed(text)
+        self.close()
+        assert self.open == []
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attrs):
+        self.tags.append((tag, dict(attrs)))
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        inner = self.open[-1] if self.open else ""
+        {"style": self.styles, "script": self.scripts}.get(inner, self.texts).append(data)
+
+
+def page_of(count, lat=40.0, lon=8.0, evil=""):
+    replay = clpt.replay.replay_dives(fixes_of(count, lat, lon))
+    found = clpt.replay.summary(replay, [Skipped(None, evil)])
+    found["next_dive"] = clpt.replay.next_dive(replay).as_dict()
+    cells = [[str(row["dive"]), evil] for row in found["each_dive"]]
+    told = Told(f"SG {evil}", [evil], [("dive", 0), (evil, 4)], cells, [evil])
+    return replay_page(found, told)
+
+
+def test_nothing_of_a_file_is_markup():
+    page = Reader(page_of(3, evil=EVIL))
+    assert [tag for tag, _ in page.tags].count("script") == 1
+    assert not [tag for tag, _ in page.tags if tag in ("img", "link", "iframe", "object", "base")]
+    assert not [name for _, names in page.tags for name in names if name.startswith("on")]
+    shown = EVIL.replace("\x00", "\ufffd").replace("\udc80", "\ufffd")
+    assert any(shown in text for text in page.texts)
+
+
+def test_nothing_is_fetched():
+    text = page_of(3)
+    page = Reader(text)
+    for tag, names in page.tags:
+        assert not {"src", "href", "srcset", "action", "data", "style"} & set(names), tag
+    assert "url(" not in text
+    assert "@import" not in text
+    assert "//" not in re.sub(r"^// .*$", "", "".join(page.scripts), flags=re.M)
+    policy = next(names["content"] for tag, names in page.tags if tag == "meta" and len(names) == 2)
+    hashes = [
+        f"'sha256-{b64encode(sha256(part.encode()).digest()).decode()}'"
+        for part in ("".join(page.styles), "".join(page.scripts))
+    ]
+    assert policy == f"default-src 'none'; style-src {hashes[0]}; script-src {hashes[1]}"
+
+
+def test_sixty_dives_are_small():
+    text = page_of(60)
+    assert len(text.encode()) < 2_000_000
+    numbers = [names["data-dive"] for _, names in Reader(text).tags if "data-dive" in names]
+    assert sorted(numbers) == sorted(2 * [str(k + 1) for k in range(60)])
+
+
+@pytest.mark.parametrize(("lat", "lon"), [(-43.0, 8.0), (67.0, -179.9), (0.0, 180.0), (89.0, 0.0)])
+def test_a_chart_is_true_to_scale_and_angle(lat, lon):
+    chart = Chart([(lat, lon), (lat + 0.2, lon + 0.2)])
+    x, y = chart.xy(chart.middle, lon)
+    for bearing in (0, 45, 90, 200):
+        east, north, _ = Geod(ellps="WGS84").fwd(lon, chart.middle, bearing, 100.0)
+        away = chart.xy(north, east)
+        assert abs(complex(away[0] - x, away[1] - y)) == pytest.approx(100, rel=1e-3)
+        turned = Geod(ellps="WGS84").inv(0, 0, (away[0] - x) / 1e5, (away[1] - y) / 1e5)[0]
+        assert turned % 360 == pytest.approx(bearing, abs=0.5)
+    back = chart.place(*chart.xy(lat + 0.1, lon + 0.1))
+    assert back == pytest.approx((lat + 0.1, lon + 0.1), abs=1e-9)
+
+
+def test_grid_names_its_lines():
+    step, _, lons = Chart([(-43.1, 179.9), (-42.9, -179.8)]).grid(5)
+    assert step == 5
+    assert [mark(lon, "EW", step) for lon in lons[:4]] == [
+        "179°55'E",
+        "180°00'E",
+        "179°55'W",
+        "179°50'W",
+    ]
+    assert mark(-0.999999, "NS", 0.1) == "1°00.0'S"
+    assert mark(59.9999 / 60, "NS", 1) == "1°00'N"
+
+
+def test_axes_have_round_ticks():
+    assert ticks(0, 2931) == [0, 1000, 2000]
+    assert ticks(0.83, 1.21) == [0.9, 1.0, 1.1, 1.2]
+    for span in (3600.0, 86400.0, 3e6, 1e8, 3e9):
+        assert 1 <= len(dates(1e9 - span / 2, 1e9 + span / 2)) <= 12 or span == 3600.0
