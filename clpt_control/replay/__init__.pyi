@@ -1,3 +1,4 @@
+from .aim import aims
 from .dataset import replay_dataset
 from .flow_model_file import read_flow_model
 from .flow_models import carried
@@ -8,6 +9,7 @@ from .surfacing import next_dive
 
 __all__ = [
     "Replay",
+    "aims",
     "carried",
     "clpe_rms",
     "next_dive",

@@ -15,6 +15,7 @@ import numpy as np
 from ..estimation.fix_model import miss
 from ..gliders.dives import Skipped
 from .flow_models import NOTE, why_uncovered
+from .learned import learned
 from .replay import Replay
 from .rows import rows
 from .step import FLOW_MODEL
@@ -103,6 +104,7 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
             "standard_error": last.speed_error if last and factor else None,
         },
         "parts": dict(last.parts) if last else {},
+        "said": learned(replay),
         "learned": list(last.learned) if last else [],
         "held": list(last.held) if last else [],
         "standard_error_left": dict(last.left) if last else {},

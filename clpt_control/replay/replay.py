@@ -91,6 +91,11 @@ class Replay:
         known._learn_again(again)
         return known._ahead(dive)
 
+    def known(self) -> dict[str, float]:
+        """Return the parameters as they are known now, by name: m/s, 1 and rad."""
+        names, (mean, _, _) = self._learner.model.names, self._learner.estimate()
+        return dict(zip(names, mean.tolist(), strict=True))
+
     def step(self, dive: Dive) -> Step:
         """Forecast a dive, see its end, and learn from it.
 

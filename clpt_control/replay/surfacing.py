@@ -20,7 +20,7 @@ import numpy as np
 
 from ..errors import ScenarioError
 from ..geodesy import place_from
-from ..gliders.dives import Dive
+from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import FASTEST
 from .flow_models import carried, why_uncovered
 from .over_ground import at_the_surface
@@ -142,28 +142,38 @@ def next_dive(
     east, north = (last.dr_east, last.dr_north) if through_water is None else through_water
     if duration is not None or through_water is not None:
         check_plan(T, (east, north))
-    fix = last.lat_gpse, last.lon_gpse
-    start = last.t_gpse + at_the_surface([step.dive for step in replay.steps])
+    track = _like(last, T, east, north) if through_water is None else None
+    return forecast_dive(replay, next_start(replay), T, (east, north), track)
+
+
+def next_start(replay: Replay) -> Fix:
+    """Return when and where the next dive begins: s since 1970, degrees."""
+    last = replay.steps[-1].dive
+    surface = at_the_surface([step.dive for step in replay.steps])
+    return last.t_gpse + surface, last.lat_gpse, last.lon_gpse
+
+
+def forecast_dive(
+    replay: Replay, start: Fix, T: float, through_water: tuple[float, float], track: Any = None
+) -> NextDive:
+    """Forecast the end of a dive of T s and a displacement through the water, m, from a start."""
+    last = replay.steps[-1].dive
     plan = Dive(
         last.number + 1,
-        start,
-        *fix,
-        start + T,
-        nan,
-        nan,
-        nan,
-        nan,
-        east,
-        north,
+        *start,
+        start[0] + T,
+        *(nan, nan, nan, nan),
+        *through_water,
         depth_max=last.depth_max,
-        track=_like(last, T, east, north) if through_water is None else None,
+        track=track,
     )
     covers = None
     if replay.flow_model is not None:
         plan = carried(plan, replay.flow_model)
         covers = plan.model_east is not None
     mean, covariance = replay.forecast(plan)
-    place = place_from(*fix, east + mean[0], north + mean[1])
+    way = through_water[0] + mean[0], through_water[1] + mean[1]
+    place = place_from(*start[1:], *way)
     return NextDive(replace(plan, track=None), mean, covariance, *place, covers, last.t_gpse)
 
 

@@ -1,0 +1,285 @@
+"""Where to steer so that the current and a vehicle's own errors carry it to a waypoint.
+
+A dive of duration T ends, from its start, at w + c: c is what the forecast current does,
+tides at that time with it, and w the way through the water,
+
+    w = (I + M) d,   M = [[f - 1, psi], [-psi, f - 1]],   |d| <= D = V T,
+
+d as the vehicle reckons it, f its speed factor and psi its compass error.  So |w| <= s,
+s = hypot(f, psi) D.  For a waypoint at g from the start:
+
+1. |g - c| <= s: the dive ends there, by w = g - c.
+2. Else the vehicle keeps to the line, as in the triangle of currents, and is there after
+   tau dives, the least root above 0 of  |g - tau c| = tau s,  by  w = g / tau - c.  The angle
+   between w and the line has the sine (current across the line) / s.
+3. No such root: it cannot be made against this current.  w along g - c ends the dive as near
+   as can be.
+
+Roots below 1 only say that the current carries it past: then the dive must be shorter.
+Where c depends on the way, as with gaussians and flow models, d and c are found in turn.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import hypot, isfinite, sqrt
+from statistics import median
+from typing import Any
+
+import numpy as np
+
+from ..errors import ScenarioError
+from ..geodesy import displacement, is_place
+from ..gliders.dives import Dive, Fix
+from ..gliders.usable_dives import FASTEST
+from .replay import Replay
+from .step import ellipse
+from .surfacing import LONGEST, NextDive, forecast_dive, next_start
+from .wording import direction, in_minutes, utc
+
+DIVES = 5  # the last ones, of which speed and duration are learned
+TURNS, CLOSE = 20, 1.0  # of finding c, and m by which the last may change it
+REACHED, UNDER_WAY, AGAINST = "reached", "under way", "cannot be made"
+Place = tuple[float, float]  # degrees north and east
+
+
+@dataclass(frozen=True)
+class Aim:
+    """How to steer a dive to a waypoint: lengths in m, angles in degrees from true north.
+
+    `ahead` is the dive as forecast when it is steered so; `bearing` and `distance` are of the
+    waypoint from its start, `heading` what to command, None to stay in place. `through_water` of
+    the `full` way that speed and time allow is to be flown, as the vehicle reckons it; `dives` is
+    how many such dives it takes, None where the waypoint cannot be made; `current` east and north
+    and `speed` through the water are what is expected, m/s.
+    """
+
+    target: Place
+    ahead: NextDive
+    distance: float
+    bearing: float | None
+    heading: float | None
+    through_water: float
+    full: float
+    state: str
+    dives: float | None
+    current: tuple[float, float]
+    speed: float
+    variation: float | None = None
+
+    @property
+    def crab(self) -> float | None:
+        """Return heading less bearing, degrees, -180 to 180."""
+        if self.heading is None or self.bearing is None:
+            return None
+        return (self.heading - self.bearing + 180.0) % 360.0 - 180.0
+
+    @property
+    def way(self) -> tuple[float, float]:
+        """Return the expected way over ground, m east and north."""
+        plan, (east, north) = self.ahead.plan, self.ahead.forecast
+        return plan.dr_east + float(east), plan.dr_north + float(north)
+
+    @property
+    def made_good(self) -> float:
+        """Return how much nearer to the waypoint the dive should end, m."""
+        return self.distance - self.left
+
+    @property
+    def left(self) -> float:
+        """Return how far from the waypoint the dive should end, m."""
+        return hypot(*displacement(self.ahead.latitude, self.ahead.longitude, *self.target))
+
+    @property
+    def magnetic(self) -> float | None:
+        """Return the heading by a magnetic compass; None where its variation is not known."""
+        if self.heading is None or self.variation is None:
+            return None
+        return (self.heading - self.variation) % 360.0
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return all by name, for JSON; `expected_miss` is rms, from where the dive should end."""
+        plan = self.ahead.plan
+        long, short, bearing = ellipse(self.ahead.covariance)
+        return {
+            "latitude": self.target[0],
+            "longitude": self.target[1],
+            "place": in_minutes(*self.target),
+            "from_latitude": plan.lat_gps2,
+            "from_longitude": plan.lon_gps2,
+            "start": utc(plan.t_gps2),
+            "distance": self.distance,
+            "bearing": self.bearing,
+            "heading": self.heading,
+            "magnetic_variation": self.variation,
+            "heading_magnetic": self.magnetic,
+            "crab": self.crab,
+            "speed": self.full / plan.duration,
+            "speed_expected": self.speed,
+            "current_east": self.current[0],
+            "current_north": self.current[1],
+            "duration": plan.duration,
+            "through_water": self.through_water,
+            "through_water_full": self.full,
+            "made_good": self.made_good,
+            "course_made_good": direction(*self.way),
+            "left": self.left,
+            "state": self.state,
+            "dives": self.dives,
+            "hours": None if self.dives is None else self.dives * plan.duration / 3600,
+            "end": utc(plan.t_gpse),
+            "end_latitude": self.ahead.latitude,
+            "end_longitude": self.ahead.longitude,
+            "expected_miss": sqrt(float(np.trace(self.ahead.covariance))),
+            "ellipse_90_long": long,
+            "ellipse_90_short": short,
+            "ellipse_90_bearing": bearing,
+        }
+
+
+def triangle(g: np.ndarray, c: np.ndarray, s: float) -> tuple[np.ndarray, str, float | None]:
+    """Return the way through the water w (2,), how it ends, and tau; all in m on a plane.
+
+    >>> w, state, tau = triangle(np.array([0.0, 8000.0]), np.array([1500.0, 0.0]), 2500.0)
+    >>> w.round(), state, round(tau, 9)  # across the line 1500 of 2500 m: 2000 m a dive
+    (array([-1500.,  2000.]), 'under way', 4.0)
+    """
+    rest = g - c
+    if hypot(*rest) <= s:
+        return rest, REACHED, 1.0
+    tau = _dives(g, c, s)
+    if tau is None:
+        return s * rest / hypot(*rest), AGAINST, None
+    return g / tau - c, UNDER_WAY, tau
+
+
+def _dives(g: np.ndarray, c: np.ndarray, s: float) -> float | None:
+    """Return the least tau > 0 of |g - tau c| = tau s; None where there is none."""
+    a, b, k = float(c @ c) - s * s, float(g @ c), float(g @ g)  # a tau^2 - 2 b tau + k = 0
+    under = b * b - a * k
+    if under < 0 or (a >= 0 and b <= 0):
+        return None
+    root = sqrt(under)
+    return k / (b + root) if b > 0 else (b - root) / a  # without a difference of like numbers
+
+
+def checked_target(lat: float, lon: float) -> Place:
+    """Return a waypoint, or refuse what is no place."""
+    if is_place(lat, lon):
+        return lat, lon
+    raise ScenarioError(
+        f"--aim {lat:g} {lon:g}: must be a latitude from -90 to 90 and a longitude from -360 to "
+        "360, in decimal degrees (43 04.27 S is -43.0712)"
+    )
+
+
+def last_speed(dives: Sequence[Dive]) -> float:
+    """Return the median speed through water of the last dives, m/s, as they reckon it."""
+    return float(median(hypot(d.dr_east, d.dr_north) / d.duration for d in dives[-DIVES:]))
+
+
+def aims(
+    replay: Replay,
+    targets: Sequence[Place],
+    speed: float | None = None,
+    duration: float | None = None,
+) -> list[Aim]:
+    """Aim at waypoints in their order, leg by leg.
+
+    Parameters
+    ----------
+    replay : Replay
+        With one dive at least.
+    targets : sequence of tuple of float
+        Latitudes and longitudes, degrees.
+    speed : float, optional
+        Through the water, m/s, as the vehicle reckons it: the learned factor is
+        put on it.  By default the median of the last five dives.
+    duration : float, optional
+        Of a dive, s; by default the median of the last five.
+
+    Returns
+    -------
+    list of Aim
+        The first is how to steer the next dive; each other one starts at the
+        waypoint before it, when that is reached.  None follows one that cannot
+        be made.
+
+    Raises
+    ------
+    ScenarioError
+        If a waypoint is no place, or no vehicle can have speed and duration.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> leg = clpt.replay.aims(replay, [(-42.5, 8.0)])[0]
+    >>> leg.state, leg.heading < leg.bearing  # against a current to the east: to the left of it
+    ('under way', True)
+    """
+    targets = [checked_target(*place) for place in targets]
+    dives = [step.dive for step in replay.steps]
+    V = last_speed(dives) if speed is None else speed
+    T = float(median(d.duration for d in dives[-DIVES:])) if duration is None else duration
+    check_speed(V, T)
+    start = next_start(replay)
+    pause = start[0] - dives[-1].t_gpse
+    found: list[Aim] = []
+    for target in targets:
+        leg = aim(replay, start, target, V, T)
+        found.append(leg)
+        if leg.dives is None:
+            break
+        plan = leg.ahead.plan
+        start = (start[0] + max(leg.dives, 1.0) * plan.duration + pause, *target)
+    return found
+
+
+def check_speed(V: float, T: float) -> None:
+    """Refuse a speed (m/s) or a duration (s) that no vehicle can have."""
+    if not (isfinite(V) and 0.0 < V <= FASTEST):
+        raise ScenarioError(f"--speed {V:g} m/s: must be above 0 and at most {FASTEST:g} m/s")
+    if not (isfinite(T) and 0.0 < T <= LONGEST):
+        raise ScenarioError(
+            f"--hours {T / 3600:g}: must be above 0 and at most {LONGEST / 3600:g} hours (30 days)"
+        )
+
+
+def aim(replay: Replay, start: Fix, target: Place, V: float, T: float, shorten: bool = True) -> Aim:
+    """Aim a dive of T s at V m/s from a start at a waypoint; a shorter one, if that must be."""
+    g = np.array(displacement(*start[1:], *target))
+    last = replay.steps[-1]
+    f, psi = last.speed, np.radians(last.compass)
+    own = np.array([[f, psi], [-psi, f]])  # I + M
+    full, s = V * T, hypot(f, psi) * V * T
+    d = full * g / max(hypot(*g), 1e-9)
+    c = np.full(2, np.inf)
+    for _ in range(TURNS):
+        ahead = forecast_dive(replay, start, T, (float(d[0]), float(d[1])))
+        before, c = c, ahead.forecast + d - own @ d
+        w, state, tau = triangle(g, c, s)
+        if hypot(*(c - before)) < CLOSE:
+            break
+        d = np.linalg.solve(own, w)
+    if state == UNDER_WAY and tau is not None and tau < 1.0 and shorten:
+        return aim(replay, start, target, V, T * _middle(g, c, s), shorten=False)
+    plan = ahead.plan  # as it was forecast, whether or not c came to rest
+    return Aim(
+        target,
+        ahead,
+        hypot(*g),
+        direction(*map(float, g)),
+        direction(plan.dr_east, plan.dr_north),
+        hypot(plan.dr_east, plan.dr_north),
+        full,
+        state,
+        tau,
+        (float(c[0]) / T, float(c[1]) / T),
+        s / T,
+        last.dive.magvar,
+    )
+
+
+def _middle(g: np.ndarray, c: np.ndarray, s: float) -> float:
+    """Return the middle of two roots, both below 1: a dive of so much of its time can end at g."""
+    return float(g @ c) / (float(c @ c) - s * s)
