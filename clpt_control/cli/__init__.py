@@ -64,6 +64,7 @@ def application() -> "typer.Typer":
     from .one_scenario import diagram, init, paper, run
     from .prove import prove
     from .replay import replay
+    from .replay_ahead import WithPlaces
     from .tides import tides
     from .tune import tune
 
@@ -78,7 +79,7 @@ def application() -> "typer.Typer":
     one, theory = (init, paper, run, diagram), (laws, prove, excitation, design)
     many = (ensemble, *theory, tune, estimate, fit, tides, replay)
     for command in (*one, *many):
-        app.command()(command)
+        app.command(cls=WithPlaces if command is replay else None)(command)
     return app
 
 

@@ -1,12 +1,14 @@
 """What commands print: one JSON object, or a table."""
 
 import json
+import os
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 ScenarioFile = Annotated[Path, typer.Argument(help="A scenario's TOML file, or a run's NetCDF.")]
+PIPED = 140  # letters of a line that goes to no terminal
 LONG = 40  # characters; longer cells are broken into lines
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
 
@@ -16,23 +18,38 @@ def print_json(value: dict[str, Any]) -> None:
     typer.echo(json.dumps(value, indent=1, allow_nan=False))
 
 
-def print_table(title: str, columns: list[str], rows: list[list[str]]) -> None:
-    """Print a table on standard output, brackets in it as they are."""
+def terminal_width() -> int:
+    """Return how many letters a line has: the terminal's, or COLUMNS; 140 into files and pipes."""
     from rich.console import Console
-    from rich.measure import Measurement
+
+    console = Console()
+    return console.width if console.is_terminal or os.environ.get("COLUMNS") else PIPED
+
+
+def print_table(
+    title: str, columns: list[str], rows: list[list[str]], width: int | None = None
+) -> None:
+    """Print a table on standard output, brackets in it as they are.
+
+    No cell is cut: words of the first column and of long cells are broken into lines, and what
+    is still too wide for the terminal is printed wider.
+    """
+    from rich.console import Console
     from rich.table import Table
     from rich.text import Text
 
     table = Table(title=Text(title), title_justify="left")
+    least = 1
     for k, column in enumerate(columns):
-        short = all(len(row[k]) <= LONG for row in rows)  # numbers are never cut
-        table.add_column(Text(column), no_wrap=short)
+        cells = [column, *(row[k] for row in rows)]
+        words = k == 0 and any(" " in cell for cell in cells)
+        whole = not words and all(len(cell) <= LONG for cell in cells)  # numbers are never cut
+        table.add_column(Text(column), no_wrap=whole, overflow="fold")
+        parts = cells if whole else [word for cell in cells for word in cell.split()]
+        least += 3 + max(min(len(part), LONG) for part in parts)
     for row in rows:
         table.add_row(*map(Text, row))
-    console = Console()
-    width = console.width if console.is_terminal else 140
-    least = Measurement.get(Console(width=1000), Console(width=1000).options, table).minimum
-    Console(width=max(width, least)).print(table)
+    Console(width=max(terminal_width() if width is None else width, least)).print(table)
 
 
 def shown(value: Any) -> str:

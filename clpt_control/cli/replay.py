@@ -7,6 +7,7 @@ from typing import Annotated, Any
 import typer
 
 from .printing import Json, print_json
+from .replay_ahead import Ahead, waypoint
 from .replay_report import show, summary_with_next, write
 from .replay_watch import check_pace, watch
 
@@ -44,6 +45,21 @@ def replay(
         tuple[float, float, float] | None,
         typer.Option("--next", help="Plan of the next dive: hours, m east, m north."),
     ] = None,
+    aim: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="LAT LON",
+            help="Waypoint to aim at, degrees: the heading that the current carries there. Give "
+            "it again for those that follow.",
+        ),
+    ] = None,
+    speed: Annotated[
+        float | None,
+        typer.Option(help="Speed through water for --aim, m/s; else that of the last dives."),
+    ] = None,
+    hours: Annotated[
+        float | None, typer.Option(help="Length of a dive for --aim; else that of the last dives.")
+    ] = None,
     least_duration: Annotated[
         float | None, typer.Option(help="Dives must last longer than this, s.")
     ] = None,
@@ -80,7 +96,6 @@ def replay(
     from ..progress import progress_bar
     from ..replay.flow_model_file import read_flow_model
     from ..replay.replay import Replay, check_tides, feed
-    from ..replay.surfacing import check_plan
 
     if bool(files) + sample + (follow is not None) != 1:
         raise ScenarioError(
@@ -98,9 +113,14 @@ def replay(
         )
     model = chosen_model(flow, width_km, learn_speed, flow_model is not None)
     forecast = None if flow_model is None else read_flow_model(flow_model)
-    ahead = () if plan is None else (3600 * plan[0], plan[1:])
-    if ahead:
-        check_plan(*ahead)
+    ahead = Ahead(
+        () if plan is None else (3600 * plan[0], plan[1:]),
+        [waypoint(text) for text in aim or ()],
+        speed,
+        hours,
+        variation,
+    )
+    ahead.check()
     told: list[str] = []  # each complaint once: the record grows
 
     def take(dives: Any, unread: Any) -> tuple[Any, list]:

@@ -49,12 +49,16 @@ def waypoint(text: str) -> tuple[float, float]:
 
 @dataclass
 class Ahead:
-    """Plan of the next dive (s; m east, m north), and waypoints to aim at, in their order."""
+    """Plan of the next dive (s; m east, m north), and waypoints to aim at, in their order.
+
+    Speed (m/s), hours and variation (degrees east) are for aiming.
+    """
 
     plan: tuple = ()
     targets: list[tuple[float, float]] = field(default_factory=list)
     speed: float | None = None
     hours: float | None = None
+    variation: float | None = None
 
     def check(self) -> None:
         """Refuse what cannot be, before work begins."""
@@ -87,7 +91,9 @@ class Ahead:
         while len(self.targets) > 1 and hypot(*displacement(*fix, *self.targets[0])) < CLOSE:
             self.targets.pop(0)
         duration = None if self.hours is None else 3600 * self.hours
-        return aims(replay, self.targets, self.speed, duration) if self.targets else []
+        if not self.targets:
+            return []
+        return aims(replay, self.targets, self.speed, duration, self.variation)
 
 
 def next_surfacing(ahead: dict[str, Any]) -> str:

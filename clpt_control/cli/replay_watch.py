@@ -9,7 +9,8 @@ from typing import Any
 import typer
 
 from ..progress import interrupt
-from .replay_report import RESULTS, place, write
+from .replay_ahead import Ahead, aimed, when
+from .replay_report import RESULTS, write
 
 LONGEST = 86400.0  # s between looks
 Take = Callable[[Any, Any], tuple[Any, list]]  # dives and what was unread -> replay, skipped
@@ -28,7 +29,7 @@ def check_pace(every: float, patience: float) -> None:
 
 
 def watch(
-    take: Take, folder: Path, out: Path, ahead: tuple, every: float, patience: float
+    take: Take, folder: Path, out: Path, ahead: Ahead, every: float, patience: float
 ) -> tuple[Any, list]:
     """Replay all dives of a folder whenever a file arrives; return the last replay.
 
@@ -65,18 +66,20 @@ def watch(
             return found
 
 
-def said_of(replay: Any, files: int, out: Path, ahead: tuple) -> str:
+def said_of(replay: Any, files: int, out: Path, ahead: Ahead) -> str:
     """Write a replay's results; return a line on the new files and the last dive."""
-    from ..replay.surfacing import next_dive
+    from ..replay.wording import place
 
     used = len(replay.steps)
     line = f"{files} new file{'s'[: files != 1]}, {used} dive{'s'[: used != 1]} used"
     if not used:
         return line
     write(replay, out, ahead)
-    step, goal = replay.steps[-1], next_dive(replay, *ahead)
+    step, goal = replay.steps[-1], ahead.next_dive(replay).as_dict()
+    legs = ahead.aims(replay)
     return (
-        f"{line}; dive {step.dive.number}: CLPE {step.clpe['adaptive']:.0f} m"
+        f"{line}; dive {step.dive.number}: miss {step.clpe['adaptive']:.0f} m"
         + (f"; speed anomaly: {step.anomaly}" if step.anomaly else "")
-        + f"; next surfacing near {place(goal.latitude, goal.longitude)}"
+        + f"; next surfacing {when(goal)}, near {place(goal['latitude'], goal['longitude'])}"
+        + (f"; {aimed(legs[0].as_dict())}" if legs else "")
     )

@@ -20,7 +20,7 @@ Where c depends on the way, as with gaussians and flow models, d and c are found
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import hypot, isfinite, sqrt
 from statistics import median
 from typing import Any
@@ -30,6 +30,7 @@ import numpy as np
 from ..errors import ScenarioError
 from ..geodesy import displacement, is_place
 from ..gliders.dives import Dive, Fix
+from ..gliders.magnetic import variation as igrf
 from ..gliders.usable_dives import FASTEST
 from .replay import Replay
 from .step import ellipse
@@ -182,6 +183,7 @@ def aims(
     targets: Sequence[Place],
     speed: float | None = None,
     duration: float | None = None,
+    variation: float | None = None,
 ) -> list[Aim]:
     """Aim at waypoints in their order, leg by leg.
 
@@ -196,6 +198,8 @@ def aims(
         put on it.  By default the median of the last five dives.
     duration : float, optional
         Of a dive, s; by default the median of the last five.
+    variation : float, optional
+        Magnetic, degrees east; by default the last dive's own, else IGRF's.
 
     Returns
     -------
@@ -227,12 +231,21 @@ def aims(
     found: list[Aim] = []
     for target in targets:
         leg = aim(replay, start, target, V, T)
-        found.append(leg)
+        found.append(replace(leg, variation=_variation(dives[-1], start, variation)))
         if leg.dives is None:
             break
         plan = leg.ahead.plan
         start = (start[0] + max(leg.dives, 1.0) * plan.duration + pause, *target)
     return found
+
+
+def _variation(last: Dive, start: Fix, given: float | None) -> float | None:
+    """Return the magnetic variation at the start of a leg, degrees east; None where not known."""
+    for known in (given, last.magvar):
+        if known is not None and isfinite(known):
+            return known
+    found = float(igrf(start[0], *start[1:])[0])
+    return found if isfinite(found) else None
 
 
 def check_speed(V: float, T: float) -> None:
@@ -276,7 +289,6 @@ def aim(replay: Replay, start: Fix, target: Place, V: float, T: float, shorten: 
         tau,
         (float(c[0]) / T, float(c[1]) / T),
         s / T,
-        last.dive.magvar,
     )
 
 

@@ -100,7 +100,7 @@ def dive_clpe_plot(replay: Replay) -> "Figure":
     flagged = [step for step in replay.steps if step.anomaly]
     for k, step in enumerate(flagged):
         ax.axvline(step.dive.number, color=RED, lw=1, label=None if k else "speed anomaly")
-    ax.set(xlabel="dive", ylabel="CLPE at the surfacing (km)", ylim=(0, None))
+    ax.set(xlabel="dive", ylabel="miss (CLPE) at the surfacing (km)", ylim=(0, None))
     _whole_dives(ax, numbers)
     ax.set_title("Prediction error, one dive ahead; rms after the first", loc="left", fontsize=10)
     figure.legend(loc="outside lower center", fontsize=8, frameon=False, ncols=3)

@@ -92,7 +92,7 @@ class Replay:
         return known._ahead(dive)
 
     def known(self) -> dict[str, float]:
-        """Return the parameters as they are known now, by name: m/s, 1 and rad."""
+        """Return the parameters as known now: m/s, 1 and rad."""
         names, (mean, _, _) = self._learner.model.names, self._learner.estimate()
         return dict(zip(names, mean.tolist(), strict=True))
 

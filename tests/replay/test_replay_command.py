@@ -20,9 +20,10 @@ def command():
     from typer.testing import CliRunner
 
     from clpt_control.cli.replay import replay
+    from clpt_control.cli.replay_ahead import WithPlaces
 
     app = typer.Typer()
-    app.command()(replay)
+    app.command(cls=WithPlaces)(replay)
     return lambda *words: CliRunner().invoke(app, list(map(str, words)))
 
 
@@ -204,7 +205,8 @@ def test_a_plan_of_the_next_dive(command):
     ahead = found["next_dive"]
     assert (ahead["duration"], ahead["dr_north"]) == (14400.0, 3000.0)
     assert ahead["latitude"] > sample_dives()[-1].lat_gpse
-    assert "next surfacing, after 4.00 h" in command("--sample", "--next", "4", "0", "3000").stdout
+    said = command("--sample", "--next", "4", "0", "3000").stdout
+    assert "next surfacing 2016-02-03 13:56 UTC, in 4.1 h from the end of the last dive" in said
     for words, says in (
         (("0", "0", "0"), "duration above 0"),
         (("nan", "0", "0"), "must be finite"),

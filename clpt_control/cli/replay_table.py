@@ -1,0 +1,139 @@
+"""The table of a replay: a row for each dive, as many columns as the terminal is wide.
+
+Columns join in the order of their rank while they fit; those of rank 0 always stand.
+"""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from .printing import print_table, terminal_width
+
+EDGES, EDGE = 3, 1  # letters around a cell, and of the table's own edge
+ROWS = {
+    "clpe_rms": "after the first dive",
+    "clpe_rms_all": "all, the first with no flow",
+    "clpe_rms_after_3": "after the third dive",
+}
+NAMES = {
+    "no_flow": "no flow",
+    "previous_dive": "previous",
+    "adaptive": "adaptive",
+    "flow_model": "model",
+}
+
+
+class Column(NamedTuple):
+    """Title, rank and cell of a column; the cell is made of a row of `--json`."""
+
+    title: str
+    rank: int
+    cell: Callable[[dict[str, Any]], str]
+
+
+def columns(row: dict[str, Any]) -> list[Column]:
+    """Return all columns for rows such as this, in their order."""
+    found = [
+        Column("dive", 0, lambda row: str(row["dive"])),
+        Column("surfaced (UTC)", 4, lambda row: row["end"][5:16].replace("T", " ")),
+        Column("no flow", 3, lambda row: metres(row["clpe"]["no_flow"])),
+        Column("previous", 0, lambda row: metres(row["clpe"]["previous_dive"])),
+        Column("adaptive", 0, lambda row: metres(row["clpe"]["adaptive"])),
+        Column("current to", 1, lambda row: _toward(row, "current")),
+        Column("current E N (m/s)", 6, _east_north),
+        Column("speed", 2, _factor),
+        Column("over ground", 7, lambda row: _way(row["over_ground"])),
+        Column("drift (m) to", 8, lambda row: _drift(row["drift"])),
+        Column(
+            "E N of DR (m)",
+            9,
+            lambda row: f"{row['forecast_east']:+.0f} {row['forecast_north']:+.0f}",
+        ),
+        Column("90 % ellipse (m, deg)", 5, _ellipse),
+        Column("90 %", 0, lambda row: "in" if row["inside_90"] else "OUT"),
+        Column("mark", 0, _mark),
+    ]
+    if "flow_model" in row["clpe"]:
+        found.insert(5, Column("model", 1, lambda row: metres(row["clpe"]["flow_model"])))
+    return found if row["speed_factor"] is not None else [c for c in found if c.title != "speed"]
+
+
+def fitting(table: list[Column], cells: list[list[str]], width: int) -> list[int]:
+    """Return which columns of a table fit into a width, in letters; `cells` are its rows."""
+    size = [
+        EDGES + max(len(column.title), *(len(row[k]) for row in cells))
+        for k, column in enumerate(table)
+    ]
+    chosen: list[int] = []
+    for k in sorted(range(len(table)), key=lambda k: table[k].rank):
+        if table[k].rank == 0 or EDGE + size[k] + sum(size[j] for j in chosen) <= width:
+            chosen.append(k)
+    return sorted(chosen)
+
+
+def show_tables(summary: dict[str, Any], width: int | None = None) -> None:
+    """Print a row per dive, then the rms of misses, into a width; by default the terminal's."""
+    width = terminal_width() if width is None else width
+    each = summary["each_dive"]
+    table = columns(each[0])
+    cells = [[column.cell(row) for column in table] for row in each]
+    chosen = fitting(table, cells, width)
+    print_table(
+        "Miss (CLPE, m) one dive ahead; currents in m/s",
+        [table[k].title for k in chosen],
+        [[row[k] for k in chosen] for row in cells],
+        width,
+    )
+    means = {name: summary[key] for key, name in ROWS.items()}
+    if "flow_model" in summary and 0 < summary["flow_model"]["covered"] < summary["used"]:
+        means["covered, after the first dive"] = summary["flow_model"]["clpe_rms"]
+    models = [NAMES[key] for key in each[0]["clpe"]]
+    rows = [[name, *map(metres, rms.values())] for name, rms in means.items()]
+    print_table("Miss, rms (m)", ["over", *models], rows, width)
+
+
+def metres(size: float | None) -> str:
+    """Return a length as the table shows it, m."""
+    return "-" if size is None else f"{size:.0f}"
+
+
+def _toward(row: dict[str, Any], name: str) -> str:
+    return _speed_to(row[f"{name}_speed"], row[f"{name}_direction"])
+
+
+def _speed_to(speed: float | None, direction: float | None) -> str:
+    """Return a speed, m/s, and where to, degrees."""
+    from ..replay.wording import compass
+
+    known = "-" if speed is None else f"{speed:.2f}"
+    return known if direction is None else f"{known} {compass(direction)}"
+
+
+def _way(way: dict[str, Any]) -> str:
+    return _speed_to(way["speed"], way["direction"])
+
+
+def _drift(way: dict[str, Any] | None) -> str:
+    if way is None:
+        return "-"
+    return f"{way['distance']:.0f}, {_way(way)}"
+
+
+def _east_north(row: dict[str, Any]) -> str:
+    return " ".join(
+        f"{row[f'current_{axis}']:+.3f}({1000 * row[f'current_{axis}_error']:.0f})"
+        for axis in ("east", "north")
+    )
+
+
+def _factor(row: dict[str, Any]) -> str:
+    return f"{row['speed_factor']:.3f}({1000 * row['speed_factor_error']:.0f})"
+
+
+def _ellipse(row: dict[str, Any]) -> str:
+    half = f"{row['ellipse_90_long']:.0f} x {row['ellipse_90_short']:.0f}"
+    return f"{half}, {row['ellipse_90_bearing']:.0f}"
+
+
+def _mark(row: dict[str, Any]) -> str:
+    anomaly = row["anomaly"]
+    return "" if anomaly is None else "SPEED" if anomaly["certain"] else "SPEED?"

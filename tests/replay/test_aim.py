@@ -1,0 +1,231 @@
+"""Aiming: the triangle of currents, what cannot be made, geodesics, shipped dives."""
+
+import json
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from synthetic_vehicle import vehicle
+
+from clpt_control.errors import ScenarioError
+from clpt_control.estimation.fix_model import FixModel, miss
+from clpt_control.geodesy import displacement, place_from
+from clpt_control.gliders.dive_files import read_dives
+from clpt_control.gliders.dive_table import sample_dives
+from clpt_control.gliders.dives import make_dive
+from clpt_control.gliders.usable_dives import usable
+from clpt_control.replay.aim import AGAINST, REACHED, UNDER_WAY, aim, aims, triangle
+from clpt_control.replay.replay import replay_dives
+
+ways = st.floats(-5000, 5000)
+
+
+@settings(derandomize=True, max_examples=300)
+@given(ways, ways, ways, ways, st.floats(10, 5000))
+def test_the_triangle_of_currents(x, y, east, north, s):
+    g, c = 20 * np.array([x, y]), np.array([east, north])
+    length, current = np.hypot(*g), np.hypot(*c)
+    assume(length > 1 and abs(s - current) > 1e-3 * s)
+    w, state, tau = triangle(g, c, s)
+    assert np.isfinite(w).all()
+    assert np.hypot(*w) <= s * (1 + 1e-9)
+    line = g / length
+    across = np.array([line[1], -line[0]])
+    if state == REACHED:
+        assert w + c == pytest.approx(g, abs=1e-6)
+    elif state == UNDER_WAY:
+        # sin(crab) = current across the line / speed; the way made good is on the line
+        assert np.hypot(*w) == pytest.approx(s)
+        assert w @ across == pytest.approx(-c @ across, abs=1e-6 * s)
+        made = math.sqrt(s**2 - (c @ across) ** 2) + c @ line
+        other = c @ line - math.sqrt(s**2 - (c @ across) ** 2)
+        assert length / tau == pytest.approx(made, rel=1e-6, abs=1e-6 * s) or current > s
+        assert min(abs(length / tau - made), abs(length / tau - other)) < 1e-6 * (s + current)
+    else:
+        assert state == AGAINST
+        assert tau is None
+        assert current > s  # in a slower current every place can be made
+        best = min(
+            np.hypot(*(g - c - s * np.array([math.sin(a), math.cos(a)])))
+            for a in np.linspace(0, 2 * math.pi, 721)
+        )
+        assert np.hypot(*(g - c - w)) <= best * (1 + 1e-12)
+
+
+def still(current=(0.0, 0.0), count=12, lat=40.0, lon=8.0, factor=1.0):
+    """Dives of a steady current (m/s) on all headings, 0.25 m/s of 4 h, from fix to fix."""
+    dives, time, place = [], 1.6e9, (lat, lon)
+    for k in range(count):
+        angle = 2.4 * k
+        dr = 3600 * np.array([math.sin(angle), math.cos(angle)])
+        end = place_from(*place, *(factor * dr + 14400 * np.array(current)))
+        dives.append(make_dive(k, (time, *place), (time + 14400, *end), tuple(dr)))
+        time, place = time + 15000, end
+    return dives
+
+
+@pytest.mark.parametrize("angle", [0.0, 45.0, 130.0, 290.0])
+def test_without_a_current_the_heading_is_the_bearing(angle):
+    replay = replay_dives(still(), model=FixModel(("steady",), learn_speed=False))
+    last = replay.steps[-1].dive
+    way = 50e3 * np.array([math.sin(math.radians(angle)), math.cos(math.radians(angle))])
+    leg = aims(replay, [place_from(last.lat_gpse, last.lon_gpse, *way)])[0]
+    assert leg.bearing == pytest.approx(angle, abs=1e-6)
+    assert leg.crab == pytest.approx(0.0, abs=0.01)
+    assert leg.made_good == pytest.approx(3600, rel=1e-3)
+    assert leg.dives == pytest.approx(50e3 / 3600, rel=1e-3)
+
+
+def test_a_current_across_the_line_is_held_off():
+    replay = replay_dives(still((0.1, 0.0)), model=FixModel(("steady",), learn_speed=False))
+    leg = aims(replay, [(45.0, replay.steps[-1].dive.lon_gpse)])[0]
+    assert leg.heading == pytest.approx(360 - math.degrees(math.asin(0.1 / 0.25)), abs=0.5)
+    assert leg.made_good == pytest.approx(14400 * math.sqrt(0.25**2 - 0.1**2), rel=0.01)
+    assert leg.way[0] == pytest.approx(0.0, abs=1.0)
+
+
+def test_speed_and_compass_are_corrected():
+    """A vehicle that goes 10 degrees to the right at 0.8 of its speed is steered to the left."""
+    turn, dives = math.radians(4.0), []
+    for dive in still():
+        e, n = dive.dr_east, dive.dr_north
+        reckoned = (
+            e * math.cos(turn) - n * math.sin(turn),
+            n * math.cos(turn) + e * math.sin(turn),
+        )
+        dives.append(replace(dive, dr_east=reckoned[0] / 0.8, dr_north=reckoned[1] / 0.8))
+    replay = replay_dives(dives, model=FixModel(("steady",)))
+    leg = aims(replay, [(45.0, replay.steps[-1].dive.lon_gpse)])[0]
+    assert leg.crab == pytest.approx(-4.0, abs=0.6)
+    assert leg.speed == pytest.approx(0.25, rel=0.02)
+    assert leg.made_good == pytest.approx(3600, rel=0.02)
+
+
+def test_what_cannot_be_made_is_said():
+    replay = replay_dives(still((0.4, 0.0)), model=FixModel(("steady",), learn_speed=False))
+    last = replay.steps[-1].dive
+    upstream = place_from(last.lat_gpse, last.lon_gpse, -30e3, 0.0)
+    legs = aims(replay, [upstream, (40.0, 9.0)])
+    assert [leg.state for leg in legs] == [AGAINST]  # and none after it
+    assert legs[0].heading == pytest.approx(270, abs=0.5)
+    assert legs[0].dives is None
+    assert legs[0].made_good < 0
+    down = aims(replay, [place_from(last.lat_gpse, last.lon_gpse, 60e3, 0.0)])[0]
+    assert down.state == UNDER_WAY
+    near = aims(replay, [place_from(last.lat_gpse, last.lon_gpse, 1000.0, 0.0)])[0]
+    assert near.state == REACHED  # by a shorter dive, else it is carried past
+    assert near.ahead.plan.duration < 14400
+    assert near.left < 5
+
+
+@settings(derandomize=True, max_examples=25, deadline=None)
+@given(st.floats(-75, 75), st.floats(-180, 180), st.floats(0, 360), st.floats(200, 2500))
+def test_a_waypoint_within_reach_is_met_on_the_ellipsoid(lat, lon, angle, away):
+    replay = replay_dives(still((0.05, 0.02), 4, lat, lon))
+    last = replay.steps[-1].dive
+    way = away * np.array([math.sin(math.radians(angle)), math.cos(math.radians(angle))])
+    target = place_from(last.lat_gpse, last.lon_gpse, *way)
+    leg = aims(replay, [target], duration=21600.0)[0]
+    assert leg.state == REACHED
+    assert leg.left < 2
+    assert leg.through_water <= leg.full * (1 + 1e-9)
+    assert json.dumps(leg.as_dict(), allow_nan=False)
+
+
+def test_staying_where_it_is():
+    replay = replay_dives(still((0.1, 0.0)), model=FixModel(("steady",), learn_speed=False))
+    last = replay.steps[-1].dive
+    leg = aims(replay, [(last.lat_gpse, last.lon_gpse)])[0]
+    assert leg.bearing is leg.crab is None
+    assert leg.heading == pytest.approx(270, abs=1)
+    assert leg.through_water == pytest.approx(1440, rel=0.02)
+
+
+def test_legs_follow_one_another():
+    replay = replay_dives(still((0.05, 0.0)))
+    first, second = (40.2, 8.1), (40.2, 8.4)
+    one, two = aims(replay, [first, second])
+    assert (two.ahead.plan.lat_gps2, two.ahead.plan.lon_gps2) == first
+    assert two.distance == pytest.approx(math.hypot(*displacement(*first, *second)))
+    later = one.ahead.plan.t_gps2 + one.dives * 14400
+    assert two.ahead.plan.t_gps2 == pytest.approx(later, abs=700)
+    assert aims(replay, [first])[0].as_dict() == one.as_dict()
+
+
+def test_tides_are_those_of_the_dive_to_come():
+    dives = vehicle(3, 40, flow="M2", fix=5.0)
+    replay = replay_dives(dives, model=FixModel(("steady", "M2"), learn_speed=False))
+    last = dives[-1]
+    seen = set()
+    for hours in (1.0, 4.0, 7.0):  # a third of the tide's period apart
+        start = last.t_gpse + 3600 * hours, last.lat_gpse, last.lon_gpse
+        leg = aim(replay, start, (41.0, 8.0), 0.25, 7200.0)
+        plan = replace(leg.ahead.plan, dr_east=0.0, dr_north=0.0)
+        assert leg.current == pytest.approx(replay.forecast(plan)[0] / 7200.0, abs=1e-4)
+        seen.add(round(leg.heading))
+    assert len(seen) == 3
+
+
+def test_gaussians_come_to_rest():
+    replay = replay_dives(still((0.1, 0.0)), model=FixModel(("steady", "gaussians")))
+    last = replay.steps[-1].dive
+    target = place_from(last.lat_gpse, last.lon_gpse, -500.0, 1500.0)
+    leg = aims(replay, [target], duration=21600.0)[0]
+    assert leg.state == REACHED
+    assert leg.left < 5
+
+
+def test_magnetic_headings():
+    replay = replay_dives(usable(sample_dives())[0])
+    leg = aims(replay, [(-42.5, 8.0)])[0]
+    assert leg.magnetic == pytest.approx((leg.heading + 25) % 360)  # the files have -25 degrees
+    given = aims(replay, [(-42.5, 8.0)], variation=10.0)[0]
+    assert given.magnetic == pytest.approx((leg.heading - 10) % 360)
+    bare = [replace(dive, magvar=None) for dive in usable(sample_dives())[0]]
+    model = aims(replay_dives(bare[:3]), [(-42.5, 8.0)])[0]  # IGRF
+    assert model.variation == pytest.approx(-25, abs=3)
+
+
+def test_refusals():
+    replay = replay_dives(still())
+    for targets, more, says in (
+        ([(4304.27, 8.0)], {}, "decimal degrees"),
+        ([(math.nan, 8.0)], {}, "must be a latitude"),
+        ([(40.0, 8.0)], {"speed": 0.0}, "above 0"),
+        ([(40.0, 8.0)], {"speed": 25.0}, "at most 5 m/s"),
+        ([(40.0, 8.0)], {"duration": math.inf}, "--hours"),
+    ):
+        with pytest.raises(ScenarioError, match=says):
+            aims(replay, targets, **more)
+
+
+@pytest.mark.parametrize("name", ["sg542", "sg171", "sea035m10_dives.csv"])
+def test_aiming_off_more_than_halves_the_distance_to_the_waypoint(name, glider_records):
+    """Each dive of a shipped vehicle: aimed by the earlier ones, flown in its true current."""
+    dives = usable(sample_dives())[0]
+    if name != "sg542":
+        dives = usable(read_dives([glider_records / name])[0])[0]
+    f, psi = replay_dives(dives).steps[-1].speed, 0.0
+    true = np.array([[f, psi], [-psi, f]])
+    replay, distances = replay_dives(dives[:1]), []
+    for dive in dives[1:]:
+        flown = np.array([dive.dr_east, dive.dr_north])
+        current, full = miss(dive) - (true - np.eye(2)) @ flown, np.hypot(*flown)
+        start = dive.t_gps2, dive.lat_gps2, dive.lon_gps2
+        for angle in np.radians(np.arange(0, 360, 45)):
+            g = full / 2 * np.array([np.sin(angle), np.cos(angle)])
+            leg = aim(
+                replay,
+                start,
+                place_from(*start[1:], *g),
+                full / dive.duration,
+                dive.duration,
+            )
+            d = np.array([leg.ahead.plan.dr_east, leg.ahead.plan.dr_north])
+            distances.append([np.hypot(*(true @ way + current - g)) for way in (d, g)])
+        replay.step(dive)
+    aimed, steered = np.median(distances, axis=0)
+    assert aimed < 0.5 * steered

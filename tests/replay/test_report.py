@@ -1,0 +1,164 @@
+"""What `clpt replay` prints: tables at any width, what was learned, when, where to aim."""
+
+import json
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from synthetic_vehicle import one_file_each, vehicle
+from typer.testing import CliRunner
+
+from clpt_control.estimation.fix_model import FixModel
+from clpt_control.gliders.dive_table import sample_dives
+from clpt_control.replay.learned import learned, odds, speed_said, strengths
+from clpt_control.replay.outcome import summary
+from clpt_control.replay.replay import replay_dives
+
+
+@pytest.fixture(scope="module")
+def sg542():
+    return summary(replay_dives(sample_dives()))
+
+
+@pytest.fixture
+def command():
+    """Run `clpt replay` as the command line has it."""
+    from clpt_control.cli import application
+
+    app = application()
+    return lambda *words: CliRunner().invoke(app, ["replay", *map(str, words)])
+
+
+def rows_of(text):
+    """Cells of the first table that was printed."""
+    lines = text.splitlines()
+    head = next(k for k, line in enumerate(lines) if line.startswith("┃"))
+    end = next(k for k, line in enumerate(lines) if line.startswith("└"))
+    table = [
+        [cell.strip() for cell in line.replace("┃", "│").strip("│").split("│")]
+        for line in lines[head:end]
+        if line[0] in "┃│"
+    ]
+    return table[0], table[1:]
+
+
+@pytest.mark.parametrize("width", [20, 60, 80, 100, 140, 200])
+def test_the_table_keeps_what_matters(width, sg542, capsys):
+    from clpt_control.cli.replay_table import show_tables
+
+    found = json.loads(json.dumps(sg542))
+    found["each_dive"][4]["anomaly"] = {"certain": False}
+    show_tables(found, width)
+    said = capsys.readouterr().out
+    assert "…" not in said
+    titles, rows = rows_of(said)
+    assert {"dive", "previous", "adaptive", "90 %", "mark"} <= set(titles)
+    assert all(titles)
+    assert len(rows) == 14
+    marks = [row[titles.index("mark")] for row in rows]
+    assert marks == ["SPEED?" if k == 4 else "" for k in range(14)]
+    for row, dive in zip(rows, found["each_dive"], strict=True):
+        assert row[titles.index("dive")] == str(dive["dive"])
+        assert row[titles.index("adaptive")] == f"{dive['clpe']['adaptive']:.0f}"
+        assert row[titles.index("90 %")] in ("in", "OUT")
+    if width >= 60:
+        assert max(map(len, said.splitlines())) <= width
+    assert (len(titles) > 12) == (width == 200)
+
+
+def test_wider_is_more(sg542):
+    from clpt_control.cli.replay_table import columns, fitting
+
+    table = columns(sg542["each_dive"][0])
+    cells = [[column.cell(row) for column in table] for row in sg542["each_dive"]]
+    counts = [len(fitting(table, cells, width)) for width in range(40, 260)]
+    assert counts[0] == 5
+    assert counts[-1] == len(table)
+    assert counts[20] < counts[60] < counts[120] < counts[-1]
+
+
+def test_the_command_prints_as_wide_as_columns_says(command, monkeypatch):
+    for width in (60, 100):
+        monkeypatch.setenv("COLUMNS", str(width))
+        said = command("--sample").stdout
+        table = [line for line in said.splitlines() if line and line[0] in "┏┃┡│└"]
+        assert max(map(len, table)) <= width
+        assert said.count("(CLPE") == said.count("CLPE") == 1
+
+
+def test_what_is_learned_is_said_as_it_is():
+    steady = replay_dives(vehicle(1, 2))
+    said = learned(steady)["sentence"]
+    assert "learned" not in said
+    assert "M2 0.0" in said
+    assert "(odds 1:" in said or "(odds below 1:99)" in said
+    tidal = replay_dives(vehicle(3, 40, flow="M2", fix=5.0))
+    # the made tide turns by 0.15 m/s one way and 0.075 the other
+    assert strengths(tidal)["M2"] == pytest.approx(0.15, abs=0.02)
+    assert "(odds above 99:1)" in learned(tidal)["sentence"]
+    assert learned(replay_dives([]))["sentence"] == "nothing"
+    bare = learned(replay_dives(vehicle(1, 3), "gradient", FixModel(("steady",), False)))
+    assert bare["sentence"].endswith("over the last dive")
+    assert json.dumps(learned(tidal), allow_nan=False)
+
+
+def test_odds_are_of_whole_numbers():
+    for p in np.linspace(0.02, 0.98, 49):
+        a, b = map(int, odds(p).split(":"))
+        assert min(a, b) == 1
+        assert math.log(a / b) == pytest.approx(math.log(p / (1 - p)), abs=0.41)
+
+
+def test_a_speed_far_from_one_is_a_sentence():
+    fast = replay_dives(vehicle(4, 30, factor=1.5)).steps[-1]
+    assert speed_said(fast).endswith(": your flight model is too slow")
+    slow = replay_dives(vehicle(4, 30, factor=0.6)).steps[-1]
+    assert speed_said(slow).endswith(": your flight model is too fast")
+    edge = replace(slow, speed=1 - 2.99 * slow.speed_error)
+    assert "flight model" not in speed_said(edge)
+
+
+def test_aiming_by_the_command(command, sg542):
+    words = ("--sample", "--aim", "-42.5", "8.0", "--aim", "-43", "-7")
+    found = json.loads(command(*words, "--json").stdout)
+    assert [(leg["latitude"], leg["longitude"]) for leg in found["aim"]] == [(-42.5, 8), (-43, -7)]
+    first = found["aim"][0]
+    said = command(*words).stdout
+    assert f"heading {first['heading']:03.0f} (magnetic {first['heading_magnetic']:03.0f})" in said
+    assert "aim at 42 30.00 S 8 00.00 E (42.5000 S 8.0000 E)" in said
+    assert "m made good of" in said
+    slow = json.loads(command(*words, "--speed", "0.01", "--hours", "6", "--json").stdout)["aim"]
+    assert [leg["state"] for leg in slow] == ["cannot be made"]
+    assert slow[0]["duration"] == 21600
+    assert "cannot be made against the current" in command(*words, "--speed", "0.01").stdout
+    assert json.loads(command("--sample", "--json").stdout)["aim"] == []
+    assert found["each_dive"] == sg542["each_dive"]
+
+
+def test_mistakes_in_aiming(command):
+    for words, says in (
+        (("--aim", "4304.27", "8.0"), "decimal degrees"),
+        (("--aim", "43 S", "8"), "such as --aim -43.05 8.40"),
+        (("--aim", "nan", "8"), "must be a latitude"),
+        (("--aim", "8"), "such as --aim"),
+        (("--speed", "0.2"), "give a waypoint"),
+        (("--aim", "40", "8", "--speed", "-1"), "above 0"),
+        (("--aim", "40", "8", "--hours", "1e9"), "at most 720 hours"),
+    ):
+        done = command("--sample", *words)
+        assert done.exit_code != 0
+        assert says in " ".join(f"{done.output} {done.exception}".replace("│", " ").split())
+
+
+def test_the_line_of_following(command, tmp_path):
+    dives = sample_dives()[:3]
+    one_file_each(tmp_path, dives)
+    near = dives[2].lat_gpse + 0.001, dives[2].lon_gpse  # come close to: the next one is aimed at
+    words = ("--follow", tmp_path, "--every", "0.01", "--patience", "0.01")
+    done = command(*words, "--aim", *near, "--aim", "-42.5", "8.0", "--json")
+    line = next(line for line in done.stderr.splitlines() if "dives used" in line)
+    assert "3 new files, 3 dives used; dive 306: miss 1220 m; next surfacing 2016-02-01" in line
+    assert "h from the end of the last dive, near 43 " in line
+    assert "; aim at 42 30.00 S 8 00.00 E" in line
+    assert len(json.loads(done.stdout)["aim"]) == 1
