@@ -99,7 +99,8 @@ def main(
         "| off a long line, steered (m) | aimed (m) | made good, steered (m) | aimed (m) | crab |",
         "|---|---|---|---|---|---|---|---|---|---|",
     ]
-    for name, sizes in found.items():
+    every = {"all": np.concatenate(list(found.values()))} if len(found) > 1 else {}
+    for name, sizes in {**found, **every}.items():
         m = np.median(sizes.reshape(-1, 7), axis=0)
         cells = [f"{m[0]:.0f}", f"{m[1]:.0f}", f"{m[1] / m[0]:.2f}", *(f"{v:.0f}" for v in m[2:])]
         lines.append(f"| {name} | {len(sizes)} | {' | '.join(cells)} |")

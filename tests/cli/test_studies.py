@@ -46,6 +46,19 @@ def test_forecasts_of_flow_estimators(tmp_path):
     assert inked(tmp_path / "flow_estimators.png") > 0.01
 
 
+def test_aiming_off_more_than_halves_the_distance_to_the_waypoint(tmp_path):
+    run("-m", "analysis.aiming", ROOT / "tests/data/glider/sea035m10_dives.csv", "--out", tmp_path)
+    text = (tmp_path / "aiming.md").read_text()
+    rows = {cells[1].strip(): cells for cells in (r.split("|") for r in text.splitlines()[2:])}
+    assert set(rows) == {"SG542", "sea035m10_dives", "all"}
+    for cells in rows.values():
+        steered, aimed, ratio = map(float, cells[3:6])
+        assert aimed < 0.5 * steered
+        assert ratio == pytest.approx(aimed / steered, abs=0.01)
+        assert float(cells[7]) < 0.5 * float(cells[6])  # off a long line
+    assert inked(tmp_path / "aiming.png") > 0.01
+
+
 @pytest.mark.slow
 def test_readings_find_the_one_that_reproduces_the_paper(tmp_path):
     done = run("-m", "analysis.readings", "--out", tmp_path)

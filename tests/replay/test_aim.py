@@ -1,4 +1,4 @@
-"""Aiming: the triangle of currents, what cannot be made, geodesics, shipped dives."""
+"""Aiming: the triangle of currents, what cannot be made, geodesics, tides, compass."""
 
 import json
 import math
@@ -11,9 +11,8 @@ from hypothesis import strategies as st
 from synthetic_vehicle import vehicle
 
 from clpt_control.errors import ScenarioError
-from clpt_control.estimation.fix_model import FixModel, miss
+from clpt_control.estimation.fix_model import FixModel
 from clpt_control.geodesy import displacement, place_from
-from clpt_control.gliders.dive_files import read_dives
 from clpt_control.gliders.dive_table import sample_dives
 from clpt_control.gliders.dives import make_dive
 from clpt_control.gliders.usable_dives import usable
@@ -200,32 +199,3 @@ def test_refusals():
     ):
         with pytest.raises(ScenarioError, match=says):
             aims(replay, targets, **more)
-
-
-@pytest.mark.parametrize("name", ["sg542", "sg171", "sea035m10_dives.csv"])
-def test_aiming_off_more_than_halves_the_distance_to_the_waypoint(name, glider_records):
-    """Each dive of a shipped vehicle: aimed by the earlier ones, flown in its true current."""
-    dives = usable(sample_dives())[0]
-    if name != "sg542":
-        dives = usable(read_dives([glider_records / name])[0])[0]
-    f, psi = replay_dives(dives).steps[-1].speed, 0.0
-    true = np.array([[f, psi], [-psi, f]])
-    replay, distances = replay_dives(dives[:1]), []
-    for dive in dives[1:]:
-        flown = np.array([dive.dr_east, dive.dr_north])
-        current, full = miss(dive) - (true - np.eye(2)) @ flown, np.hypot(*flown)
-        start = dive.t_gps2, dive.lat_gps2, dive.lon_gps2
-        for angle in np.radians(np.arange(0, 360, 45)):
-            g = full / 2 * np.array([np.sin(angle), np.cos(angle)])
-            leg = aim(
-                replay,
-                start,
-                place_from(*start[1:], *g),
-                full / dive.duration,
-                dive.duration,
-            )
-            d = np.array([leg.ahead.plan.dr_east, leg.ahead.plan.dr_north])
-            distances.append([np.hypot(*(true @ way + current - g)) for way in (d, g)])
-        replay.step(dive)
-    aimed, steered = np.median(distances, axis=0)
-    assert aimed < 0.5 * steered
