@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..blocks import Block
-from ..blocks.laws.filtered_flow import mean_feedback, reach
+from ..blocks.laws.scales import mean_feedback, reach
 from ..errors import DataError, ScenarioError
 from ..progress.interrupt import check
 from ..scenario.experiment import Scenario

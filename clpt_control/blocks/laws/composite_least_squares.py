@@ -24,29 +24,20 @@ import numpy as np
 
 from ..block import Block
 from ..lyapunov import known_flow, weighed
-from .commanded_gains import gains_losses, symmetric
 from .covariance import (
     SETTINGS,
+    covariance_kept,
+    covariance_losses,
     covariance_rates,
     covariance_starts,
     forgetting,
-    information,
-    noise,
     priors,
+    shared_parameters,
     weigh,
 )
-from .filtered_flow import (
-    MADE_OF,
-    filtered_law,
-    mean_feedback,
-    own,
-    shared_kept,
-    shared_rates,
-    shared_starts,
-    unexplained,
-    unexplained_square,
-)
+from .filtered_flow import MADE_OF, filtered_law, own, shared_rates, shared_starts, unexplained
 from .law import Known, Law, Setting, Truth
+from .scales import mean_feedback
 
 TABLE = "composite_least_squares"
 
@@ -120,19 +111,10 @@ def candidate(t, x, u, p, y):
 
 def block(known: Known) -> Block:
     """Make the law of what is known; its scales are k = mean KD and R, the reach of the track."""
-    prior, k, N = priors(known, TABLE), mean_feedback(known), known.N
+    N, own = known.N, known.settings
     p = CompositeLeastSquaresParameters(
-        N,
-        known.gains.feedback,
-        known.gains.feedforward,
-        known.alpha_M,
-        k,
-        known.settings["filter"] or 2 * k,
-        noise(known),
-        known.settings["forgetting"],
-        float(np.sum(prior**2)),
-        information(prior),
-        known.settings["weight"] or 100 * k,
+        *shared_parameters(known, priors(known, TABLE), own["forgetting"]),
+        weight=own["weight"] or 100 * mean_feedback(known),
     )
     return filtered_law(
         composite_least_squares, p, {"P": N * N, "rho": 1, "impulse": 2 * N}, known.limited
@@ -169,20 +151,12 @@ def errors_over_P(s: Any, p: Any, truth: Truth) -> Any:
 
 def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
     """Return what the states are: P = P^T, eta = (s + rho theta P(0)^-1) P, F_f = theta phi_f."""
-    P = symmetric(s["P"], p.N)
-    alpha = errors_over_P(s, p, truth) @ P - truth.theta
-    return {"P": P, "alpha": alpha, **shared_kept(s, p, truth)}
+    return covariance_kept(s, p, truth, errors_over_P(s, p, truth))
 
 
 def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
     """Return |eta phi_f|^2/(2 w), lambda tr(eta P^-1 eta^T)/(2 gamma), what K and Gamma lose."""
-    P, held = s["P"].reshape(p.N, p.N), errors_over_P(s, p, truth)
-    forgotten = (p.forgetting, 1 - np.trace(P) / p.largest, np.sum((held @ P) * held))
-    return [
-        (unexplained_square(s, p, truth), 1 / (2 * p.weight)),
-        (*forgotten, p.noise**2 / (2 * p.weight)),
-        *gains_losses(s, p, truth),
-    ]
+    return covariance_losses(s, p, truth, errors_over_P(s, p, truth), p.weight)
 
 
 LAW = Law(

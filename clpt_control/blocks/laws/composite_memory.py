@@ -22,19 +22,19 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..block import Block
-from ..lyapunov import lyapunov_candidate, weighed
 from .commanded_gains import gains_losses, remember, symmetric
 from .filtered_flow import (
     MADE_OF,
     filtered_flow,
     filtered_law,
-    mean_feedback,
     own,
     shared_kept,
     shared_rates,
     shared_starts,
 )
 from .law import Known, Law, Setting, Truth
+from .learned_flow import V
+from .scales import FILTER, MEMORY, mean_feedback
 
 
 class CompositeMemoryParameters(NamedTuple):
@@ -109,11 +109,6 @@ def starts(known: Known) -> dict[str, Any]:
     return {"Q": np.zeros(N * N), "b": np.zeros(2 * N), **shared_starts(known, pole)}
 
 
-def V(p: Any, truth: Truth) -> Block:
-    """Make V of Eq. (24), each error weighed by its own gain."""
-    return lyapunov_candidate("learned-flow", weighed((p.gain, p.gain_K, p.gain_Gamma), *truth))
-
-
 def memory_kept(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
     """Return what the memory is at all times: Q = Q^T, b = theta Q."""
     Q = symmetric(s["Q"], p.N)
@@ -139,8 +134,8 @@ LAW = Law(
     V=V,
     settings={
         "memory_gain": Setting(None, "positive", "gamma_c, 1/time^2; 0.8 k^2 (k mean KD)"),
-        "forgetting": Setting(None, "not negative", "m of the memory, 1/time; 0.02 k"),
-        "filter": Setting(None, "positive", "pole l of the filter, 1/time; 2 k"),
+        "forgetting": MEMORY,
+        "filter": FILTER,
     },
     gain=1.0,
     starts=starts,

@@ -34,13 +34,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..block import Block
-from ..lyapunov import lyapunov_candidate, weighed
 from ..reference import multiples
 from ..words import maximum
 from .commanded_gains import symmetric
 from .composite_memory import missed
-from .filtered_flow import mean_feedback
 from .law import Known, Law, Setting, Truth, adapt_feedback, adapt_feedforward
+from .learned_flow import V
+from .scales import mean_feedback
 
 
 class ConcurrentParameters(NamedTuple):
@@ -143,13 +143,11 @@ def concurrent_law(parameters: ConcurrentParameters) -> Block:
 
 def block(known: Known) -> Block:
     """Make the law of what is known; its scale is k = mean KD."""
-    own, gains, k = known.settings, known.gains, mean_feedback(known)
+    own, k = known.settings, mean_feedback(known)
     return concurrent_law(
         ConcurrentParameters(
             known.N,
-            gains.parameters,
-            gains.feedback,
-            gains.feedforward,
+            *known.gains[:3],
             own["memory_gain"] or 5 * k,
             own["window"] or 1 / k,
         )
@@ -166,11 +164,6 @@ def starts(known: Known) -> dict[str, Any]:
         "Phi": np.zeros(N),
         "origin": known.position,
     }
-
-
-def V(p: Any, truth: Truth) -> Block:
-    """Make V of Eq. (24), each error weighed by its own gain."""
-    return lyapunov_candidate("learned-flow", weighed((p.gain, p.gain_K, p.gain_Gamma), *truth))
 
 
 def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:

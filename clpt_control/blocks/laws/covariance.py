@@ -19,8 +19,13 @@ from typing import Any
 import numpy as np
 
 from ...errors import ScenarioError
-from .filtered_flow import mean_feedback, reach
-from .law import Known, Setting
+from .commanded_gains import gains_losses, symmetric
+from .filtered_flow import shared_kept, unexplained_square
+from .law import Known, Setting, Truth
+from .scales import FILTER, NOISE, PRIOR, mean_feedback, noise, prior
+
+Row = np.ndarray
+Shared = tuple[int, float, float, Row, float, float, float, float, float, Row]
 
 
 def weigh(dx, x, P, w, at, n):
@@ -54,8 +59,7 @@ def priors(known: Known, table: str) -> np.ndarray:
     """Return the prior standard deviation of each parameter, shape (N,), length per time."""
     one, each = known.settings["prior"], known.settings["priors"]
     if each is None:
-        scale = one or 0.3 * mean_feedback(known) * reach(known)
-        return np.full(known.N, scale)
+        return np.full(known.N, prior(known))
     if one is not None:
         raise ScenarioError(f"learning.{table}.priors: give either prior or priors, one of the two")
     if len(each) != known.N:
@@ -75,24 +79,48 @@ def information(prior: np.ndarray) -> np.ndarray:
     return np.divide(1.0, prior**2, out=np.zeros(len(prior)), where=prior > 0)
 
 
-def noise(known: Known) -> float:
-    """Return r of the regression, length per square root of time."""
-    given = known.settings["noise"]
-    return given or 0.1 * reach(known) * float(np.sqrt(mean_feedback(known)))
-
-
 def covariance_starts(prior: np.ndarray) -> dict[str, Any]:
     """Return P(0) and rho(0)."""
     return {"P": np.diag(prior**2), "rho": np.ones(1)}
 
 
+def shared_parameters(known: Known, prior: np.ndarray, forgotten: float) -> Shared:
+    """Return the parameters from N to P(0)^-1 that each law with this P has."""
+    k = mean_feedback(known)
+    return (
+        known.N,
+        known.gains.feedback,
+        known.gains.feedforward,
+        known.alpha_M,
+        k,
+        known.settings["filter"] or 2 * k,
+        noise(known),
+        forgotten,
+        float(np.sum(prior**2)),
+        information(prior),
+    )
+
+
+def covariance_kept(s: Any, p: Any, truth: Truth, over: Any) -> dict[str, Any]:
+    """Return P = P^T, alpha of eta P^-1 = `over`, F_f = theta phi_f and those of K and Gamma."""
+    P = symmetric(s["P"], p.N)
+    return {"P": P, "alpha": over @ P - truth.theta, **shared_kept(s, p, truth)}
+
+
+def covariance_losses(s: Any, p: Any, truth: Truth, over: Any, weight: float) -> list[tuple]:
+    """Return |eta phi_f|^2/(2 w), r^2 lambda tr(eta P^-1 eta^T)/(2 w), what K and Gamma lose."""
+    P = s["P"].reshape(p.N, p.N)
+    forgotten = (p.forgetting, 1 - np.trace(P) / p.largest, np.sum((over @ P) * over))
+    return [
+        (unexplained_square(s, p, truth), 1 / (2 * weight)),
+        (*forgotten, p.noise**2 / (2 * weight)),
+        *gains_losses(s, p, truth),
+    ]
+
+
 SETTINGS = {
-    "prior": Setting(
-        None,
-        "positive",
-        "standard deviation of each theta, length/time; 0.3 k R, mean KD times track's reach",
-    ),
+    "prior": PRIOR,
     "priors": Setting(None, "row", "in place of prior: one a function, 0 to hold it"),
-    "noise": Setting(None, "positive", "r of the regression, length/time^0.5; 0.1 R k^0.5"),
-    "filter": Setting(None, "positive", "pole l of the filter, 1/time; 2 k"),
+    "noise": NOISE,
+    "filter": FILTER,
 }

@@ -38,8 +38,9 @@ from ..block import Block
 from ..lyapunov import lyapunov_candidate, weighed
 from ..words import maximum, where
 from .composite_memory import memory_kept, memory_rates, missed
-from .filtered_flow import filter_kept, filter_rates, filter_starts, mean_feedback
+from .filtered_flow import filter_kept, filter_rates, filter_starts
 from .law import Known, Law, Setting, Truth, adapt_feedback, adapt_feedforward
+from .scales import FILTER, MEMORY, mean_feedback
 
 MOST = 6  # functions
 
@@ -216,8 +217,8 @@ LAW = Law(
             0.05, "positive", "c, the determinant from which on the rate is g; at most 1"
         ),
         "margin": Setting(0.5, "positive", "of 1 - w, from which on the readout is theta; below 1"),
-        "forgetting": Setting(None, "not negative", "m of the memory, 1/time; 0.02 k"),
-        "filter": Setting(None, "positive", "pole l of the filter, 1/time; 2 k"),
+        "forgetting": MEMORY,
+        "filter": FILTER,
     },
     gain=1.0,
     alpha_by_gain=False,

@@ -20,7 +20,6 @@ from typing import Any
 
 import numpy as np
 
-from ...errors import ScenarioError
 from ..block import Block
 from .commanded_gains import STATES, gain_rates, gains_kept
 from .law import Known, Truth
@@ -109,20 +108,3 @@ def shared_kept(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
 def unexplained_square(s: Any, p: Any, truth: Truth) -> Any:
     """Return |eta phi_f|^2, eta = theta + alpha."""
     return sum(((truth.theta + s["alpha"].reshape(2, p.N)) @ s["phi_f"]) ** 2)
-
-
-def mean_feedback(known: Known) -> float:
-    """Return k, the mean feedback gain of the vehicle, per time: the scale of time."""
-    return float(np.mean(known.KD))
-
-
-def reach(known: Known) -> float:
-    """Return R, how far start and waypoints lie from the waypoints' middle: the scale of length."""
-    places = np.vstack([known.waypoints, known.position])
-    R = float(np.max(np.linalg.norm(places - known.waypoints.mean(axis=0), axis=1)))
-    if R == 0:
-        raise ScenarioError(
-            "reference: start and waypoints lie at one place, which has no scale of length; give "
-            "prior and noise in the law's own table"
-        )
-    return R

@@ -34,8 +34,8 @@ from ...errors import ScenarioError
 from ..block import Block
 from ..reference import multiples
 from ..words import where
-from .filtered_flow import mean_feedback, reach
 from .law import Known, Law, Setting, Truth
+from .scales import PRIOR, prior, reach
 
 
 class FixRegressionParameters(NamedTuple):
@@ -176,6 +176,7 @@ def events(p: FixRegressionParameters, t0: float, t1: float) -> np.ndarray:
 def fix_regression_law(parameters: FixRegressionParameters) -> Block:
     """Make the law."""
     N = parameters.N
+    learned = {"alpha": 2 * N, "P": N * N, "information": N * N, "z": 2, "m": N}
     return Block(
         "adaptation",
         update=predict,
@@ -184,25 +185,10 @@ def fix_regression_law(parameters: FixRegressionParameters) -> Block:
         breakpoints=events,
         inputs={"fix": 2, "taken": 1, "phi_z": N, "v_x": 2},
         outputs={"alpha": 2 * N, "K": 2, "Gamma": 2, "z": 2, "information": N * N},
-        states={
-            "alpha": 2 * N,
-            "P": N * N,
-            "information": N * N,
-            "z": 2,
-            "m": N,
-            "sent": 2,
-            "waiting": 1,
-            "z_sent": 2,
-            "m_sent": N,
-        },
+        states={**learned, "sent": 2, "waiting": 1, "z_sent": 2, "m_sent": N},
         feedthrough=False,
         parameters=parameters,
     )
-
-
-def _prior(known: Known) -> float:
-    """Return the prior standard deviation of each parameter, length per time."""
-    return known.settings["prior"] or 0.3 * mean_feedback(known) * reach(known)
 
 
 def block(known: Known) -> Block:
@@ -215,17 +201,14 @@ def block(known: Known) -> Block:
     r = known.settings["noise"]
     if r is None:
         r = float(np.hypot(0.1 * reach(known), np.sqrt(2) * known.fixes.noise))
-    return fix_regression_law(
-        FixRegressionParameters(
-            known.N, r, known.KD, known.GammaD, known.fixes.between, known.fixes.latency
-        )
-    )
+    fixes = (known.fixes.between, known.fixes.latency)
+    return fix_regression_law(FixRegressionParameters(known.N, r, known.KD, known.GammaD, *fixes))
 
 
 def starts(known: Known) -> dict[str, Any]:
     """Return P(0) and its inverse."""
-    prior = _prior(known)
-    return {"P": np.eye(known.N) * prior**2, "information": np.eye(known.N) / prior**2}
+    one, variance = np.eye(known.N), prior(known) ** 2
+    return {"P": one * variance, "information": one / variance}
 
 
 def V(p: Any, truth: Truth) -> Block:
@@ -246,11 +229,7 @@ LAW = Law(
     block=block,
     V=V,
     settings={
-        "prior": Setting(
-            None,
-            "positive",
-            "standard deviation of each theta, length/time; 0.3 k R, mean KD times track's reach",
-        ),
+        "prior": PRIOR,
         "noise": Setting(
             None, "positive", "r of the regression, length; ((0.1 R)^2 + 2 noise^2)^0.5"
         ),

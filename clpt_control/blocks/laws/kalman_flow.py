@@ -25,17 +25,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..block import Block
-from ..lyapunov import lyapunov_candidate, weighed
 from .commanded_gains import symmetric
-from .filtered_flow import (
-    filter_kept,
-    filter_rates,
-    filter_starts,
-    filtered_flow,
-    mean_feedback,
-    reach,
-)
+from .filtered_flow import filter_kept, filter_rates, filter_starts, filtered_flow
+from .known_flow import V
 from .law import Known, Law, Setting, Truth, adapt_feedback, adapt_feedforward
+from .scales import FILTER, NOISE, PRIOR, mean_feedback, noise, prior
 
 
 class KalmanFlowParameters(NamedTuple):
@@ -114,26 +108,19 @@ def kalman_flow_law(parameters: KalmanFlowParameters) -> Block:
     )
 
 
-def _prior(known: Known) -> float:
-    """Return the prior standard deviation of each parameter, length per time."""
-    return known.settings["prior"] or 0.3 * mean_feedback(known) * reach(known)
-
-
 def block(known: Known) -> Block:
     """Make the law of what is known; its scales are k = mean KD and R, the reach of the track."""
     own, k = known.settings, mean_feedback(known)
-    noise, walk = own["noise"], own["walk"]
-    if noise is None:
-        noise = 0.1 * reach(known) * np.sqrt(k)
+    walk = own["walk"]
     if walk is None:
-        walk = 0.03 * _prior(known) * np.sqrt(k)
+        walk = 0.03 * prior(known) * np.sqrt(k)
     return kalman_flow_law(
         KalmanFlowParameters(
             known.N,
             known.gains.feedback,
             known.gains.feedforward,
             known.alpha_M,
-            noise,
+            noise(known),
             walk,
             own["filter"] or 2 * k,
         )
@@ -144,14 +131,9 @@ def starts(known: Known) -> dict[str, Any]:
     """Return theta_hat(0), given or alpha_M, P(0) and the filter's start."""
     return {
         "theta_hat": known.theta_estimate,
-        "P": _prior(known) ** 2 * np.eye(known.N),
+        "P": prior(known) ** 2 * np.eye(known.N),
         **filter_starts(known, block(known).parameters.filter),
     }
-
-
-def V(p: Any, truth: Truth) -> Block:
-    """Make V of Eq. (17)."""
-    return lyapunov_candidate("known-flow", weighed((1.0, p.gain_K, p.gain_Gamma), *truth))
 
 
 def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
@@ -173,16 +155,12 @@ LAW = Law(
     block=block,
     V=V,
     settings={
-        "prior": Setting(
-            None,
-            "positive",
-            "standard deviation of each theta, length/time; 0.3 k R, mean KD times track's reach",
-        ),
-        "noise": Setting(None, "positive", "r of the regression, length/time^0.5; 0.1 R k^0.5"),
+        "prior": PRIOR,
+        "noise": NOISE,
         "walk": Setting(
             None, "not negative", "w of each theta, length/time^1.5; 0.03 of prior, times k^0.5"
         ),
-        "filter": Setting(None, "positive", "pole l of the filter, 1/time; 2 k"),
+        "filter": FILTER,
     },
     gain=1.0,
     alpha_by_gain=False,

@@ -28,13 +28,12 @@ Gamma[2] (per time), the states.
 """
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from ..block import Block
-from ..lyapunov import lyapunov_candidate, weighed
 from ..words import clip
-from .law import Known, Law, Setting, Truth
-from .learned_flow import learned_flow
+from .law import Known, Law, Setting
+from .learned_flow import V, learned_flow
 
 
 class LeakParameters(NamedTuple):
@@ -157,11 +156,6 @@ def limits(known: Known) -> tuple[float, float, float]:
         known.setting("largest_feedback", 2.0 * KD),
         known.setting("largest_feedforward", 2.0 * KD),
     )
-
-
-def V(p: Any, truth: Truth) -> Block:
-    """Make V of Eq. (24), each error weighed by its own gain."""
-    return lyapunov_candidate("learned-flow", weighed((p.gain, p.gain_K, p.gain_Gamma), *truth))
 
 
 LIMITS = {

@@ -25,28 +25,19 @@ import numpy as np
 
 from ..block import Block
 from ..lyapunov import known_flow, weighed
-from .commanded_gains import gains_losses, symmetric
 from .covariance import (
     SETTINGS,
+    covariance_kept,
+    covariance_losses,
     covariance_rates,
     covariance_starts,
-    information,
-    noise,
     priors,
+    shared_parameters,
     weigh,
 )
-from .filtered_flow import (
-    MADE_OF,
-    filtered_law,
-    mean_feedback,
-    own,
-    shared_kept,
-    shared_rates,
-    shared_starts,
-    unexplained,
-    unexplained_square,
-)
+from .filtered_flow import MADE_OF, filtered_law, own, shared_rates, shared_starts, unexplained
 from .law import Known, Law, Setting, Truth
+from .scales import mean_feedback
 
 TABLE = "least_squares"
 
@@ -114,21 +105,10 @@ def candidate(t, x, u, p, y):
 
 def block(known: Known) -> Block:
     """Make the law of what is known; its scales are k = mean KD and R, the reach of the track."""
-    prior, k, N = priors(known, TABLE), mean_feedback(known), known.N
-    p = LeastSquaresParameters(
-        N,
-        known.gains.feedback,
-        known.gains.feedforward,
-        known.alpha_M,
-        k,
-        known.settings["filter"] or 2 * k,
-        noise(known),
-        known.setting("forgetting", 0.02 * k),
-        float(np.sum(prior**2)),
-        information(prior),
-        known.alpha,
-    )
-    return filtered_law(least_squares, p, {"P": N * N, "rho": 1}, known.limited)
+    forgotten = known.setting("forgetting", 0.02 * mean_feedback(known))
+    shared = shared_parameters(known, priors(known, TABLE), forgotten)
+    p = LeastSquaresParameters(*shared, first=known.alpha)
+    return filtered_law(least_squares, p, {"P": known.N**2, "rho": 1}, known.limited)
 
 
 def starts(known: Known) -> dict[str, Any]:
@@ -157,20 +137,12 @@ def errors_over_P(s: Any, p: Any, truth: Truth) -> Any:
 
 def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
     """Return what the states are: P = P^T, eta = rho eta(0) P(0)^-1 P, F_f = theta phi_f."""
-    P = symmetric(s["P"], p.N)
-    alpha = errors_over_P(s, p, truth) @ P - truth.theta
-    return {"P": P, "alpha": alpha, **shared_kept(s, p, truth)}
+    return covariance_kept(s, p, truth, errors_over_P(s, p, truth))
 
 
 def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
     """Return |eta phi_f|^2/(2 k), r^2 lambda tr(eta P^-1 eta^T)/(2 k), what K and Gamma lose."""
-    P, held = s["P"].reshape(p.N, p.N), errors_over_P(s, p, truth)
-    forgotten = (p.forgetting, 1 - np.trace(P) / p.largest, np.sum((held @ P) * held))
-    return [
-        (unexplained_square(s, p, truth), 1 / (2 * p.rate)),
-        (*forgotten, p.noise**2 / (2 * p.rate)),
-        *gains_losses(s, p, truth),
-    ]
+    return covariance_losses(s, p, truth, errors_over_P(s, p, truth), p.rate)
 
 
 def push(s: Any, p: Any, truth: Truth) -> Any:

@@ -19,12 +19,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..block import Block
-from ..lyapunov import lyapunov_candidate, weighed
 from .commanded_gains import gains_losses
 from .filtered_flow import (
     MADE_OF,
     filtered_law,
-    mean_feedback,
     shared_kept,
     shared_rates,
     shared_starts,
@@ -32,6 +30,8 @@ from .filtered_flow import (
     unexplained_square,
 )
 from .law import Known, Law, Setting, Truth
+from .learned_flow import V
+from .scales import FILTER, mean_feedback
 
 
 class NormalisedGradientParameters(NamedTuple):
@@ -87,11 +87,6 @@ def starts(known: Known) -> dict[str, Any]:
     return shared_starts(known, block(known).parameters.filter)
 
 
-def V(p: Any, truth: Truth) -> Block:
-    """Make V of Eq. (24), each error weighed by its own gain."""
-    return lyapunov_candidate("learned-flow", weighed((p.gain, p.gain_K, p.gain_Gamma), *truth))
-
-
 def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
     """Return gamma_n |eta phi_f|^2/(gamma (1 + |phi_f|^2)), and what K and Gamma lose."""
     size = 1 + sum(s["phi_f"] ** 2)
@@ -107,7 +102,7 @@ LAW = Law(
     V=V,
     settings={
         "regression_gain": Setting(None, "positive", "gamma_n, 1/time; 4 k (k mean KD)"),
-        "filter": Setting(None, "positive", "pole l of the filter, 1/time; 2 k"),
+        "filter": FILTER,
     },
     gain=1.0,
     starts=starts,
