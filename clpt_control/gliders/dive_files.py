@@ -17,14 +17,24 @@ from ..errors import DataError
 from ..files import open_netcdf
 from ..files.reading import read_bytes, text_of
 from ..progress.interrupt import check
-from . import dive_table, og1, seaglider, slocum
+from . import dive_table, og1, seaexplorer, seaglider, slocum
 from .dives import Dive, Skipped
+from .segments import is_segment
 
 OF_NETCDF = (seaglider, og1)
-OF_TEXT = (dive_table,)  # which takes any text, so it is the last
-KINDS = "Seaglider or OG1 NetCDF files, .sbd, .mbd or .dbd of a Slocum, a CSV table of dives"
+OF_TEXT = (seaexplorer, dive_table)  # which takes any text, so it is the last
+KINDS = (
+    "Seaglider or OG1 NetCDF files, .sbd, .mbd or .dbd of a Slocum, .gli of a SeaExplorer, "
+    "a CSV table of dives"
+)
 SUFFIXES = (".nc", ".csv", *slocum.SUFFIXES)
 NETCDF = (b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF")
+
+
+def may_hold_dives(path: Path) -> bool:
+    """Whether a name in a folder is that of a file of dives; hidden ones are not."""
+    named = path.suffix.lower() in SUFFIXES or is_segment(path)
+    return named and not path.name.startswith(".")
 
 
 def dive_paths(paths: Iterable[str | Path]) -> list[Path]:
@@ -40,13 +50,9 @@ def dive_paths(paths: Iterable[str | Path]) -> list[Path]:
         if inside is None:
             files.append(path)
             continue
-        dives = [
-            file
-            for file in inside
-            if file.suffix.lower() in SUFFIXES and not file.name.startswith(".")
-        ]
+        dives = [file for file in inside if may_hold_dives(file)]
         if not dives:
-            raise DataError(f"{path}: the folder has no {' and no '.join(SUFFIXES)} file")
+            raise DataError(f"{path}: the folder has no {', '.join(SUFFIXES)} or .gli file")
         files += sorted(dives)
     return files
 
@@ -63,6 +69,8 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
     if raw == slocum.MAGIC:
         return slocum.dives_of(path)
     if raw not in NETCDF:
+        if raw.startswith(seaexplorer.GZIP):
+            return seaexplorer.dives_of(seaexplorer.unzipped(raw, path), path)
         text = text_of(raw, path, f"is neither NetCDF nor text; must be one of {KINDS}")
         return next(one for one in OF_TEXT if one.is_known(text)).dives_of(text, path)
     if not path.is_file():

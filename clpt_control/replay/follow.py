@@ -24,10 +24,9 @@ from filelock import FileLock, Timeout
 
 from ..errors import DataError
 from ..files import make_folder, remove_left, write_text
-from ..gliders.dive_files import SUFFIXES, read_dive_file
+from ..gliders.dive_files import may_hold_dives, read_dive_file
 from ..gliders.dives import Dive, NotYet, Skipped
-from ..gliders.slocum import SUFFIXES as SEGMENTS
-from ..gliders.slocum import files_before
+from ..gliders.segments import files_before, is_segment
 from ..progress.interrupt import check
 
 LOCK = ".clpt-lock"
@@ -96,7 +95,7 @@ class Follower:
         for path in _inside(self.folder, lost):
             check()
             name = path.name
-            if path.suffix.lower() not in SUFFIXES or name.startswith("."):
+            if not may_hold_dives(path):
                 continue
             known, record = self.files.get(name), self._read(path)
             if record is None:
@@ -120,7 +119,7 @@ class Follower:
             if not stat.S_ISREG(status.st_mode):
                 return None
             stamp = (status.st_size, status.st_mtime_ns, status.st_ctime_ns)
-            if path.suffix.lower() in SEGMENTS:
+            if is_segment(path):
                 stamp = _with_those_before(path, stamp)
             if known is not None and known.stamp is not None and _is_as(known.stamp, stamp):
                 return known

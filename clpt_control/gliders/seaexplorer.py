@@ -1,0 +1,178 @@
+"""SeaExplorer: dives from the glider's navigation files, NAME.gli.sub.N, plain or .gz.
+
+A text of columns between `;`: Timestamp (day/month/year), NavState, Heading and Declination
+(degrees, their sum from true north), Pitch (degrees, nose up), Depth (m), Lat and Lon
+in ddmm.mmm.  A fix is a place that is new where NavState is 116, at the surface.
+
+A dive lies between two fixes with a depth of more than 5 m between them.  It often ends in the
+file after that in which it began (`segments`).  The vehicle flies along its nose,
+
+    u = -(dz/dt)/tan(pitch),    dr = sum_i u_i (t_i - t_{i-1}) (sin h_i, cos h_i),
+
+with dz/dt of second order in time.  Where the nose is within 10 degrees of the horizon, or u is
+below 0 or above 1.5 m/s, as at a turn, u is 0.  The glider knows no angle of attack: its true
+speed is another one, which the replay's speed factor learns.
+"""
+
+import zlib
+from datetime import UTC, datetime
+from math import nan
+from pathlib import Path
+
+import numpy as np
+
+from ..errors import DataError
+from ..files.reading import LARGEST, read_bytes, text_of
+from ..geodesy import is_place
+from .dives import Dive, Fix, Skipped, make_dive
+from .samples import deepest, hole_under_water, track_of
+from .segments import files_before
+from .slocum_reckoning import degrees
+
+GZIP = b"\x1f\x8b"
+FIRST = "Timestamp;"
+NEEDED = ("NavState", "Heading", "Declination", "Pitch", "Depth", "Lat", "Lon")
+ESTIMATED = "DeadReckoning"  # in some files: 1 where Lat, Lon are no fix
+AT_SURFACE = 116
+LEAST_DEPTH = 5.0  # m
+LEAST_GAP = 300.0  # s between two fixes with a dive between them
+LEAST_PITCH = 10.0  # degrees
+FASTEST = 1.5  # m/s
+Rows = np.ndarray  # a row each: time, NEEDED, whether Lat, Lon are estimated
+
+
+def is_known(text: str) -> bool:
+    """Whether a text is a navigation file."""
+    line = text.partition("\n")[0]
+    return line.startswith(FIRST) and "NavState" in line
+
+
+def unzipped(raw: bytes, path: Path) -> str:
+    """Return the text of a .gz, as far as it is whole."""
+    try:
+        plain = zlib.decompressobj(31).decompress(raw, LARGEST)
+    except zlib.error:
+        raise DataError(f"{path}: its gzip is damaged") from None
+    return text_of(plain, path, "is a gzip of no text; must be a SeaExplorer's .gli file")
+
+
+def dives_of(text: str, path: Path) -> tuple[list[Dive], list[Skipped]]:
+    """Return the dives that end in a file."""
+    own = _rows(text, path)
+    start, parts = float(own[:, 0].min()), [own]
+    for before in reversed(files_before(path)):
+        if _has_start(np.concatenate(parts)):
+            break
+        try:
+            raw = read_bytes(before)
+            known = unzipped(raw, before) if raw[:2] == GZIP else text_of(raw, before, "no text")
+            parts.insert(0, _rows(known, before))
+        except DataError:  # named where it is read for itself
+            continue
+    rows = np.concatenate(parts)
+    rows = rows[np.unique(rows[:, 0], return_index=True)[1]]
+    digits = [part for part in path.name.split(".") if part.isdecimal()]
+    number = int(digits[-1]) if digits else 0
+    return _dives(rows, start, number), []
+
+
+def _rows(text: str, path: Path) -> Rows:
+    """Return the rows of a file that have a time, NaN where a number is missing."""
+    lines = text.splitlines()
+    if not text.endswith("\n") and len(lines) > 1:
+        lines.pop()  # cut short, so its last number may be another
+    header = [name.strip() for name in lines[0].split(";")]
+    missing = [name for name in NEEDED if name not in header]
+    if missing:
+        raise DataError(f"{path}: no column {', '.join(missing)} in the SeaExplorer file")
+    places = [header.index(name) for name in NEEDED]
+    estimated = header.index(ESTIMATED) if ESTIMATED in header else None
+    rows = []
+    for line in lines[1:]:
+        cells = line.split(";")
+        try:
+            when = datetime.strptime(cells[0].strip(), "%d/%m/%Y %H:%M:%S").replace(tzinfo=UTC)
+        except ValueError:
+            continue
+        numbers = [_number(cells[k]) if k < len(cells) else nan for k in places]
+        guess = _number(cells[estimated]) if estimated is not None and estimated < len(cells) else 0
+        rows.append([when.timestamp(), *numbers, guess])
+    if not rows:
+        raise DataError(
+            f"{path}: no line has a Timestamp such as 13/06/2019 18:21:39 in the SeaExplorer file"
+        )
+    return np.array(rows)
+
+
+def _number(cell: str) -> float:
+    try:
+        return float(cell)
+    except ValueError:
+        return nan
+
+
+def _fixes(rows: Rows) -> list[Fix]:
+    """Return the fixes by time: places that are new, at the surface."""
+    fixes: list[Fix] = []
+    lat, lon = degrees(rows[:, 6]), degrees(rows[:, 7])
+    for k in range(1, len(rows)):
+        fix = float(rows[k, 0]), float(lat[k]), float(lon[k])
+        new = rows[k, 6] != rows[k - 1, 6] or rows[k, 7] != rows[k - 1, 7]
+        own = rows[k, 1] == AT_SURFACE and not rows[k, 8] > 0
+        if new and own and is_place(*fix[1:]) and not fix[1] == fix[2] == 0.0:
+            fixes.append(fix)
+    return fixes
+
+
+def _has_start(rows: Rows) -> bool:
+    fixes, wet = _fixes(rows), rows[rows[:, 5] > LEAST_DEPTH, 0]
+    return bool(fixes) and (wet.size == 0 or fixes[0][0] <= wet[0])
+
+
+def _dives(rows: Rows, since: float, number: int) -> list[Dive]:
+    """Return the dives that end at or after a time."""
+    fixes = _fixes(rows)
+    dives: list[Dive] = []
+    surfaced = 0
+    for k in range(len(fixes) - 1):
+        start, end = fixes[k], fixes[k + 1]
+        part = rows[(rows[:, 0] >= start[0]) & (rows[:, 0] <= end[0])]
+        if end[0] - start[0] < LEAST_GAP or not np.any(part[:, 5] > LEAST_DEPTH):
+            continue
+        before = fixes[surfaced] if k > surfaced else None
+        surfaced = k + 1
+        if end[0] >= since:
+            dives.append(_dive(part, (before, start, end), number))
+    return dives
+
+
+def _dive(rows: Rows, fixes: tuple[Fix | None, Fix, Fix], number: int) -> Dive:
+    before, start, end = fixes
+    duration, notes = end[0] - start[0], []
+    good = np.isfinite(rows[:, [2, 3, 4, 5]]).all(axis=1)
+    rows = rows[good]
+    time, heading, declination, pitch, depth = rows[:, [0, 2, 3, 4, 5]].T
+    hole = "no samples" if time.size < 3 else hole_under_water(time - start[0], depth, duration)
+    total, track = (nan, nan), None
+    if hole:
+        notes.append(hole)
+    else:
+        nose, true = np.radians(pitch), np.radians(heading + declination)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            speed = -np.gradient(depth, time) / np.tan(nose)
+        flies = (np.abs(pitch) > LEAST_PITCH) & (speed > 0) & (speed < FASTEST)
+        step = np.where(flies, speed, 0.0) * np.diff(time, prepend=time[0])
+        east, north = step * np.sin(true), step * np.cos(true)
+        total = float(east.sum()), float(north.sum())
+        track = track_of(time - start[0], east, north, duration)
+    return make_dive(
+        number,
+        start,
+        end,
+        total,
+        **dict(zip(("t_gps1", "lat_gps1", "lon_gps1"), before or (None,) * 3, strict=True)),
+        magvar=float(np.median(declination)) if declination.size else None,
+        depth_max=deepest(depth),
+        track=track,
+        notes=tuple(notes),
+    )
