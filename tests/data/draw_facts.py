@@ -128,6 +128,22 @@ def mission(source, target, names, rows, k):
         thinned(source, target, names, {name: every(k, rows, *np.flatnonzero(is_new))})
 
 
+def dive_rows(source, target):
+    """Draw a row for each dive of a vehicle: fixes, dead reckoning and the file's own current."""
+    lines = [
+        "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m,"
+        "dac_east,dac_north"
+    ]
+    for path in sorted(source.glob("*.nc")):
+        with netCDF4.Dataset(path) as data:
+            fixes = [data[f"log_gps_{name}"][:].tolist() for name in ("time", "lat", "lon")]
+            steps = [float(np.sum(data[name][:])) for name in STEPS[::2]]
+            own = [float(data[f"depth_avg_curr_{axis}"][...]) for axis in ("east", "north")]
+            numbers = [*(column[k] for k in (1, 2) for column in fixes), *steps, *own]
+            lines.append(",".join(map(repr, [int(data.dive_number), *numbers])))
+    target.write_text("\n".join(lines) + "\n")
+
+
 def corner(source, target, names, **spans):
     """Draw the hours and the box of a gridded current: dimension = (first, last) value."""
     with netCDF4.Dataset(source) as data:
@@ -164,6 +180,7 @@ def main(shared):
     for number in range(100, 103):
         name = f"glider/sg171/p1710{number}.nc"
         dive(shared / name, HERE / name, 16)
+    dive_rows(shared / "glider/sg171", HERE / "glider/sg171_dives.csv")
     for name, names, rows, k in (
         ("sg015_20040929T140907_delayed.nc", OF_OG1.split(), 2002, 4),
         ("sp028_20230202T1637_R.nc", OF_SPRAY.split(), 372, 6),
