@@ -112,7 +112,9 @@ def _fix_columns(
     data: "xarray.Dataset", known: dict[str, str], path: Path
 ) -> tuple[list[np.ndarray], str]:
     """Return time (s), latitude and longitude of the fixes, and the name of that time."""
-    if "LATITUDE_GPS" not in known and {"TIME", "LATITUDE", "LONGITUDE", FLAG} <= set(known):
+    own = known.get("LATITUDE_GPS")
+    bare = own is None or not np.isfinite(values(data, own)).any()
+    if bare and {"TIME", "LATITUDE", "LONGITUDE", FLAG} <= set(known):
         fixed = values(data, known[FLAG]) == 0
         columns = [values(data, known[name]) for name in ("LATITUDE", "LONGITUDE")]
         time = seconds(data, known["TIME"], path)

@@ -182,6 +182,23 @@ def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
         assert swam(turned_by(dive, VARIATION))
 
 
+def test_places_that_are_no_dead_reckoning_are_the_fixes(tmp_path):
+    """OG1's DEAD_RECKONING is 0 where the receiver gave the place, 1 where it was computed."""
+    columns = og1_rows()
+    fix = np.isfinite(columns["LATITUDE_GPS"])
+    rows = np.arange(fix.size)
+    places = {
+        name: np.interp(rows, rows[fix], columns.pop(f"{name}_GPS")[fix])
+        for name in ("LATITUDE", "LONGITUDE")
+    }
+    columns |= places | {"DEAD_RECKONING": np.where(fix, 0.0, 1.0)}
+    expected = dives_in(og1(tmp_path / "gps.nc"))
+    for k, more in enumerate(({}, {"LATITUDE_GPS": np.full(fix.size, np.nan)})):
+        found = dives_in(og1(tmp_path / f"{k}.nc", columns=columns | more))
+        assert found == expected
+        assert all(swam(dive) for dive in found)
+
+
 def test_a_stall_of_the_flight_model_is_no_way(tmp_path):
     columns = og1_rows()
     stall = np.arange(100, 111)
