@@ -119,6 +119,7 @@ def replay(
         speed,
         hours,
         variation,
+        follow is not None,
     )
     ahead.check()
     told: list[str] = []  # each complaint once: the record grows

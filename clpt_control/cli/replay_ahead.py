@@ -51,7 +51,8 @@ def waypoint(text: str) -> tuple[float, float]:
 class Ahead:
     """Plan of the next dive (s; m east, m north), and waypoints to aim at, in their order.
 
-    Speed (m/s), hours and variation (degrees east) are for aiming.
+    Speed (m/s), hours and variation (degrees east) are for aiming. `follows`: what the dives so
+    far do not allow is said, and work goes on.
     """
 
     plan: tuple = ()
@@ -59,6 +60,7 @@ class Ahead:
     speed: float | None = None
     hours: float | None = None
     variation: float | None = None
+    follows: bool = False
 
     def check(self) -> None:
         """Refuse what cannot be, before work begins."""
@@ -83,6 +85,7 @@ class Ahead:
 
     def aims(self, replay: Any) -> list[Any]:
         """Return an `Aim` for each waypoint ahead; those that were come close to are dropped."""
+        from ..errors import ScenarioError
         from ..geodesy import displacement
         from ..replay.aim import aims
 
@@ -93,7 +96,13 @@ class Ahead:
         duration = None if self.hours is None else 3600 * self.hours
         if not self.targets:
             return []
-        return aims(replay, self.targets, self.speed, duration, self.variation)
+        try:
+            return aims(replay, self.targets, self.speed, duration, self.variation)
+        except ScenarioError as error:
+            if not self.follows:
+                raise
+            typer.echo(f"so far, {error}", err=True)
+            return []
 
 
 def next_surfacing(ahead: dict[str, Any]) -> str:

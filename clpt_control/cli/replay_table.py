@@ -34,13 +34,13 @@ def columns(row: dict[str, Any]) -> list[Column]:
     """Return all columns for rows such as this, in their order."""
     found = [
         Column("dive", 0, lambda row: str(row["dive"])),
-        Column("surfaced (UTC)", 4, lambda row: row["end"][5:16].replace("T", " ")),
-        Column("no flow", 3, lambda row: metres(row["clpe"]["no_flow"])),
+        Column("ended (UTC)", 1, lambda row: _date(row["end"])),
+        Column("no flow", 4, lambda row: metres(row["clpe"]["no_flow"])),
         Column("previous", 0, lambda row: metres(row["clpe"]["previous_dive"])),
         Column("adaptive", 0, lambda row: metres(row["clpe"]["adaptive"])),
-        Column("current to", 1, lambda row: _toward(row, "current")),
+        Column("current to", 2, lambda row: _toward(row, "current")),
         Column("current E N (m/s)", 6, _east_north),
-        Column("speed", 2, _factor),
+        Column("speed", 3, _factor),
         Column("over ground", 7, lambda row: _way(row["over_ground"])),
         Column("drift (m) to", 8, lambda row: _drift(row["drift"])),
         Column(
@@ -55,6 +55,12 @@ def columns(row: dict[str, Any]) -> list[Column]:
     if "flow_model" in row["clpe"]:
         found.insert(5, Column("model", 1, lambda row: metres(row["clpe"]["flow_model"])))
     return found if row["speed_factor"] is not None else [c for c in found if c.title != "speed"]
+
+
+def ahead_cell(title: str, ahead: dict[str, Any]) -> str:
+    """Return what is known of the next dive in a column: when and how near it ends."""
+    known = {"dive": "next", "ended (UTC)": _date(ahead["time"])}
+    return {**known, "90 % ellipse (m, deg)": _ellipse(ahead)}.get(title, "")
 
 
 def fitting(table: list[Column], cells: list[list[str]], width: int) -> list[int]:
@@ -76,6 +82,8 @@ def show_tables(summary: dict[str, Any], width: int | None = None) -> None:
     each = summary["each_dive"]
     table = columns(each[0])
     cells = [[column.cell(row) for column in table] for row in each]
+    if summary.get("next_dive"):
+        cells.append([ahead_cell(column.title, summary["next_dive"]) for column in table])
     chosen = fitting(table, cells, width)
     print_table(
         "Miss (CLPE, m) one dive ahead; currents in m/s",
@@ -132,6 +140,11 @@ def _factor(row: dict[str, Any]) -> str:
 def _ellipse(row: dict[str, Any]) -> str:
     half = f"{row['ellipse_90_long']:.0f} x {row['ellipse_90_short']:.0f}"
     return f"{half}, {row['ellipse_90_bearing']:.0f}"
+
+
+def _date(time: str) -> str:
+    """Return month, day, hour and minute of an ISO time."""
+    return time[5:16].replace("T", " ")
 
 
 def _mark(row: dict[str, Any]) -> str:

@@ -37,6 +37,7 @@ from .step import ellipse
 from .surfacing import LONGEST, NextDive, forecast_dive, next_start
 from .wording import direction, in_minutes, utc
 
+YEAR = 365 * 86400.0  # s
 DIVES = 5  # the last ones, of which speed and duration are learned
 TURNS, CLOSE = 20, 1.0  # of finding c, and m by which the last may change it
 REACHED, UNDER_WAY, AGAINST = "reached", "under way", "cannot be made"
@@ -175,7 +176,13 @@ def checked_target(lat: float, lon: float) -> Place:
 
 def last_speed(dives: Sequence[Dive]) -> float:
     """Return the median speed through water of the last dives, m/s, as they reckon it."""
-    return float(median(hypot(d.dr_east, d.dr_north) / d.duration for d in dives[-DIVES:]))
+    V = float(median(hypot(d.dr_east, d.dr_north) / d.duration for d in dives[-DIVES:]))
+    if V == 0.0:
+        raise ScenarioError(
+            f"--aim: by dead reckoning the last {len(dives[-DIVES:])} dives went nowhere; give "
+            "--speed in m/s"
+        )
+    return V
 
 
 def aims(
@@ -206,7 +213,7 @@ def aims(
     list of Aim
         The first is how to steer the next dive; each other one starts at the
         waypoint before it, when that is reached.  None follows one that cannot
-        be made.
+        be made, or takes more than a year.
 
     Raises
     ------
@@ -232,9 +239,9 @@ def aims(
     for target in targets:
         leg = aim(replay, start, target, V, T)
         found.append(replace(leg, variation=_variation(dives[-1], start, variation)))
-        if leg.dives is None:
-            break
         plan = leg.ahead.plan
+        if leg.dives is None or leg.dives * plan.duration > YEAR:
+            break
         start = (start[0] + max(leg.dives, 1.0) * plan.duration + pause, *target)
     return found
 

@@ -4,7 +4,7 @@ Lengths are in m, times ISO 8601 UTC, currents in m/s, angles in degrees clockwi
 what is not known is None.
 """
 
-from math import hypot
+from math import hypot, isfinite
 from typing import Any
 
 from ..geodesy import place_from
@@ -24,8 +24,13 @@ def rows(replay: Replay) -> list[dict[str, Any]]:
         if not replay.model.learn_speed:
             row |= dict.fromkeys(("speed_factor", "speed_factor_error"))
             row |= dict.fromkeys(("compass", "compass_error"))
-        found.append(row)
+        found.append({key: _known(value) for key, value in row.items()})
     return found
+
+
+def _known(value: Any) -> Any:
+    """Return None for a number that is not finite, which JSON has no word for."""
+    return None if isinstance(value, float) and not isfinite(value) else value
 
 
 def _row(step: Step, models: tuple[str, ...]) -> dict[str, Any]:

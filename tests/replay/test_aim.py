@@ -154,6 +154,15 @@ def test_legs_follow_one_another():
     assert aims(replay, [first])[0].as_dict() == one.as_dict()
 
 
+def test_what_takes_years_has_no_leg_after_it():
+    current = 0.25 - 1e-7  # m/s; as fast as the vehicle, all but
+    replay = replay_dives(still((current, 0.0)), model=FixModel(("steady",), learn_speed=False))
+    west = place_from(40.0, replay.steps[-1].dive.lon_gpse, -500e3, 0.0)
+    legs = aims(replay, [west, (40.0, 0.0)], speed=0.2502)
+    assert [leg.state for leg in legs] == [UNDER_WAY]
+    assert json.dumps(legs[0].as_dict(), allow_nan=False)
+
+
 def test_tides_are_those_of_the_dive_to_come():
     dives = vehicle(3, 40, flow="M2", fix=5.0)
     replay = replay_dives(dives, model=FixModel(("steady", "M2"), learn_speed=False))

@@ -67,6 +67,24 @@ def test_the_table_keeps_what_matters(width, sg542, capsys):
     assert (len(titles) > 12) == (width == 200)
 
 
+def test_the_next_dive_has_a_row(command):
+    titles, rows = rows_of(command("--sample").stdout)
+    assert rows[-1][:2] == ["next", "02-03 14:19"]
+    assert len(rows) == 15
+    assert " x " in rows[-1][titles.index("90 % ellipse (m, deg)")]
+    assert rows[-1][titles.index("adaptive")] == ""
+
+
+def test_following_goes_on_where_it_cannot_aim(command, tmp_path):
+    still = [replace(dive, dr_east=0.0, dr_north=0.0) for dive in sample_dives()[:2]]
+    one_file_each(tmp_path, still)
+    aim = ("--aim", "-42.5", "8.0", "--json")
+    done = command("--follow", tmp_path, "--every", "0.01", "--patience", "0.01", *aim)
+    assert "so far, --aim: by dead reckoning the last 2 dives went nowhere" in done.stderr
+    assert json.loads(done.stdout)["aim"] == []
+    assert "give --speed" in str(command(*tmp_path.glob("*.csv"), *aim).exception)
+
+
 def test_wider_is_more(sg542):
     from clpt_control.cli.replay_table import columns, fitting
 
