@@ -51,26 +51,30 @@ def through_water(
         if columns.steps.upper().endswith("_GSM"):
             found.notes.append(f"dead reckoning of the glide-slope model ({columns.steps})")
         return found
-    turned, said = _turned(columns, rows, start, end)
-    flown = _flown(of, rows, turned or 0.0)
     sure = columns.north == "true" or bool(np.isfinite(of["magvar"][rows]).any())
-    if sure:
-        found = _summed(of, rows, flown, start[0], duration)
+    found = _along_heading(columns, rows, start, end) if sure else None
     u, v = current
     if found is None and u is not None and v is not None:
         east, north = displacement(*start[1:], *end[1:])
         total = east - u * duration, north - v * duration
         note = "dead reckoning computed from the file's depth-averaged current"
         return ThroughWater(total, None, [note])
-    if found is None and not sure:
-        found = _summed(of, rows, flown, start[0], duration)
+    found = found or _along_heading(columns, rows, start, end)
     if found is None:
         lacking = (
             "no EAST_DISPLACEMENT, NORTH_DISPLACEMENT, no speed and heading, no depth-averaged "
             "current"
         )
         return ThroughWater((nan, nan), None, [lacking])
-    if not isfinite(found.total[0]):
+    return found
+
+
+def _along_heading(columns: Columns, rows: np.ndarray, start: Fix, end: Fix) -> ThroughWater | None:
+    """Return what speed and heading come to; None where a dive has neither."""
+    of = columns.of
+    turned, said = _turned(columns, rows, start, end)
+    found = _summed(of, rows, _flown(of, rows, turned or 0.0), start[0], end[0] - start[0])
+    if found is None or not isfinite(found.total[0]):
         return found
     found.notes.append(f"dead reckoning of the flight model's speed and the heading, {said}")
     return found._replace(turned=turned)
