@@ -57,6 +57,8 @@ class Dive:
         Standard error of the displacement between fixes that disagree with a neighbour's, m.
     model_east, model_north : float or None
         Displacement that a chosen flow model gives the vehicle, m (`flow_models`).
+    vehicle : str or None
+        Its name, as the file has it.
     track : tuple of ndarray or None
         Time since `t_gps2` (s), displacement east and north through the water (m).
     notes : tuple of str
@@ -92,6 +94,7 @@ class Dive:
     doubt: float = 0.0
     model_east: float | None = None
     model_north: float | None = None
+    vehicle: str | None = field(default=None, compare=False)
     track: Track | None = field(default=None, compare=False, repr=False)
     notes: tuple[str, ...] = field(default=(), compare=False)
 

@@ -20,6 +20,7 @@ from ..progress.interrupt import check
 from . import dive_table, og1, seaexplorer, seaglider, slocum
 from .dives import Dive, Skipped
 from .segments import is_segment
+from .vehicles import name_of_file, name_in, named
 
 OF_NETCDF = (seaglider, og1)
 OF_TEXT = (seaexplorer, dive_table)  # which takes any text, so it is the last
@@ -67,18 +68,23 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
     if not raw:
         raise DataError(f"{path}: is empty; must be one of {KINDS}")
     if raw == slocum.MAGIC:
-        return slocum.dives_of(path)
+        dives, skipped = slocum.dives_of(path)
+        return named(dives, name_of_file(path.name)), skipped
     if raw not in NETCDF:
         if raw.startswith(seaexplorer.GZIP):
-            return seaexplorer.dives_of(seaexplorer.unzipped(raw, path), path)
-        text = text_of(raw, path, f"is neither NetCDF nor text; must be one of {KINDS}")
-        return next(one for one in OF_TEXT if one.is_known(text)).dives_of(text, path)
+            text = seaexplorer.unzipped(raw, path)
+            dives, skipped = seaexplorer.dives_of(text, path)
+        else:
+            text = text_of(raw, path, f"is neither NetCDF nor text; must be one of {KINDS}")
+            dives, skipped = next(one for one in OF_TEXT if one.is_known(text)).dives_of(text, path)
+        return named(dives, name_of_file(path.name)), skipped
     if not path.is_file():
         raise DataError(f"{path}: is NetCDF through a pipe; save it as a file and give that")
     with open_netcdf(path) as data:
         for dialect in OF_NETCDF:
             if dialect.is_known(data):
-                return dialect.dives_of(data, path)
+                dives, skipped = dialect.dives_of(data, path)
+                return named(dives, name_in(data)), skipped
         known = ", ".join(map(str, list(data.variables)[:8])) or "no variables"
     raise DataError(
         f"{path}: neither a Seaglider file (with log_gps_time) nor OG1 (with LATITUDE_GPS): it has "

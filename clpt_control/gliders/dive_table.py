@@ -8,7 +8,7 @@ One row per dive under a header.  Required columns: `dive`, `t_gps2`, `lat_gps2`
     dr = (displacement between the fixes) - c (t_gpse - t_gps2).
 
 Optional: `t_gps1`, `lat_gps1`, `lon_gps1`, `dac_east`, `dac_north`, `dac_qc`,
-`magvar` (degrees), `depth_max` (m).  Lines that begin with `#` are comments, other columns are
+`magvar` (degrees), `depth_max` (m), `vehicle` (its name).  Lines that begin with `#` are comments, other columns are
 left alone, and the displacement between the fixes is computed, never read.
 """
 
@@ -24,6 +24,7 @@ from ..files import write_text
 from ..geodesy import displacement
 from ..units import seconds_since_1970
 from .dives import NUMBERS, Dive, Fix, Skipped, make_dive, whole_number
+from .vehicles import name_of, named
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")
 END = ("t_gpse", "lat_gpse", "lon_gpse")
@@ -132,6 +133,7 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
         end,
         through_water,
         **{column: found[column] for column in OPTIONAL},
+        vehicle=name_of(row.get("vehicle")),
         notes=tuple(notes),
     )
 
@@ -228,4 +230,4 @@ def sample_dives() -> list[Dive]:
     (14, 304, 1371)
     """
     text = (resources.files("clpt_control.data") / "sg542_dives.csv").read_text("utf-8")
-    return dives_of(text, "sg542_dives.csv")[0]
+    return named(dives_of(text, "sg542_dives.csv")[0], "SG542")
