@@ -156,7 +156,7 @@ def replay(
     else:
         result, skipped = take(*((sample_dives(), []) if sample else read_dives(files or [])))
         if out is not None:
-            written = write(result, make_folder(out), ahead)
+            written = write(result, skipped, make_folder(out), ahead)
     summary = summary_with_next(result, skipped, ahead)
     if as_json:
         print_json(summary)

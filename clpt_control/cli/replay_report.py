@@ -6,26 +6,58 @@ from typing import Any
 import typer
 
 from .replay_ahead import Ahead, aimed, next_surfacing
-from .replay_table import show_tables
+from .replay_table import columns, show_tables
 
-RESULTS = ("replay.nc", "map.png", "clpe.png", "current.png")
+RESULTS = (
+    "replay.nc",
+    "replay.html",
+    "next.geojson",
+    "track.kml",
+    "map.png",
+    "clpe.png",
+    "current.png",
+)
 
 
-def write(result: Any, folder: Path, ahead: Ahead) -> list[Path]:
-    """Write a replay's NetCDF and figures into a folder, all or none, and return the files.
+def write(result: Any, skipped: list, folder: Path, ahead: Ahead) -> list[Path]:
+    """Write a replay's NetCDF, page, places and figures into a folder, all or none.
 
-    ``replay.nc`` is the first and is put in place last: where it is new, the figures are.
+    The files are returned.  ``replay.nc`` is the first and is put in place last: where it is
+    new, the others are.
     """
     from ..files import write_together
     from ..replay.dataset import replay_dataset
+    from ..replay.exchange import next_geojson, track_kml
+    from ..replay.page import replay_page
     from ..replay.plots import replay_figures
 
     goal = ahead.next_dive(result)
-    figures = replay_figures(result, goal)
-    results: dict[Path, Any] = {folder / RESULTS[0]: replay_dataset(result, ahead=goal)}
-    results |= {folder / name: figure for name, figure in figures.items()}
-    write_together(results)
-    return list(results)
+    found = summary_with_next(result, skipped, ahead)
+    told = told_of(result, found)
+    results: dict[str, Any] = {
+        "replay.nc": replay_dataset(result, told.vehicle, ahead=goal),
+        "replay.html": replay_page(found, told),
+        "next.geojson": next_geojson(found),
+        "track.kml": track_kml(found, told.vehicle),
+        **replay_figures(result, goal),
+    }
+    write_together({folder / name: results[name] for name in RESULTS})
+    return [folder / name for name in RESULTS]
+
+
+def told_of(result: Any, summary: dict[str, Any]) -> Any:
+    """Return what a page tells in words: those that `show` prints."""
+    from ..replay.page import Told
+
+    each = summary["each_dive"]
+    table = columns(each[0])
+    return Told(
+        result.steps[-1].dive.vehicle or "glider",
+        [next_surfacing(summary["next_dive"]), *map(aimed, summary["aim"])],
+        [(column.title, column.rank) for column in table],
+        [[column.cell(row) for column in table] for row in each],
+        remarks(result, summary),
+    )
 
 
 def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> dict[str, Any]:
@@ -47,33 +79,38 @@ def show(result: Any, summary: dict[str, Any]) -> None:
         show_tables(summary)
     else:
         typer.echo("no dives yet")
-    if "flow_model" in summary and result.steps:
-        typer.echo("\n".join(coverage(summary["flow_model"], summary["used"])))
-    for step in result.steps:
-        if step.anomaly:
-            typer.echo(f"speed anomaly: {step.anomaly}")
-    if summary["dac_identity_median"] is not None:
-        typer.echo(
-            "miss / duration differs from the file's depth-averaged current by "
-            f"{1000 * summary['dac_identity_median']:.2g} mm/s (median)"
-        )
-    if result.steps:
-        typer.echo(f"surfaced in the 90 % ellipse: {100 * summary['inside_90']:.0f} %")
-        if summary["parts"]:
-            chances = ", ".join(f"{name} {p:.2f}" for name, p in summary["parts"].items())
-            typer.echo(f"probability that a part is present: {chances}")
-        typer.echo(f"learned: {summary['said']['sentence']}")
-    if summary["held"]:
-        typer.echo(f"not yet known from these dives: {shortened(summary['held'])}")
-    for line in by_reason(summary["notes"], "note"):
+    for line in remarks(result, summary):
         typer.echo(line)
-    for entry in summary["skipped"]:
-        name = "a file" if entry["dive"] is None else f"dive {entry['dive']}"
-        typer.echo(f"skipped {name}: {entry['why']}")
     if summary["next_dive"] is not None:
         typer.echo(next_surfacing(summary["next_dive"]))
     for leg in summary["aim"]:
         typer.echo(aimed(leg))
+
+
+def remarks(result: Any, summary: dict[str, Any]) -> list[str]:
+    """Return lines on what was learned, noted and skipped."""
+    lines: list[str] = []
+    if "flow_model" in summary and result.steps:
+        lines += coverage(summary["flow_model"], summary["used"])
+    lines += [f"speed anomaly: {step.anomaly}" for step in result.steps if step.anomaly]
+    if summary["dac_identity_median"] is not None:
+        lines.append(
+            "miss / duration differs from the file's depth-averaged current by "
+            f"{1000 * summary['dac_identity_median']:.2g} mm/s (median)"
+        )
+    if result.steps:
+        lines.append(f"surfaced in the 90 % ellipse: {100 * summary['inside_90']:.0f} %")
+        if summary["parts"]:
+            chances = ", ".join(f"{name} {p:.2f}" for name, p in summary["parts"].items())
+            lines.append(f"probability that a part is present: {chances}")
+        lines.append(f"learned: {summary['said']['sentence']}")
+    if summary["held"]:
+        lines.append(f"not yet known from these dives: {shortened(summary['held'])}")
+    lines += by_reason(summary["notes"], "note")
+    for entry in summary["skipped"]:
+        name = "a file" if entry["dive"] is None else f"dive {entry['dive']}"
+        lines.append(f"skipped {name}: {entry['why']}")
+    return lines
 
 
 def shortened(names: list[str]) -> str:

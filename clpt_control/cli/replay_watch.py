@@ -50,7 +50,7 @@ def watch(
                 if arrived or follower.here != before or found is None:
                     found = None
                     learned = take(*follower.dives())
-                    line = said_of(learned[0], len(arrived), out, ahead)
+                    line = said_of(*learned, len(arrived), out, ahead)
                     found = learned  # from where the line is seen, an interrupt has its results
                     typer.echo(line, err=True)
                     if arrived:
@@ -66,7 +66,7 @@ def watch(
             return found
 
 
-def said_of(replay: Any, files: int, out: Path, ahead: Ahead) -> str:
+def said_of(replay: Any, skipped: list, files: int, out: Path, ahead: Ahead) -> str:
     """Write a replay's results; return a line on the new files and the last dive."""
     from ..replay.wording import place
 
@@ -74,7 +74,7 @@ def said_of(replay: Any, files: int, out: Path, ahead: Ahead) -> str:
     line = f"{files} new file{'s'[: files != 1]}, {used} dive{'s'[: used != 1]} used"
     if not used:
         return line
-    write(replay, out, ahead)
+    write(replay, skipped, out, ahead)
     step, goal = replay.steps[-1], ahead.next_dive(replay).as_dict()
     legs = ahead.aims(replay)
     return (

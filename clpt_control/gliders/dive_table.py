@@ -8,8 +8,9 @@ One row per dive under a header.  Required columns: `dive`, `t_gps2`, `lat_gps2`
     dr = (displacement between the fixes) - c (t_gpse - t_gps2).
 
 Optional: `t_gps1`, `lat_gps1`, `lon_gps1`, `dac_east`, `dac_north`, `dac_qc`,
-`magvar` (degrees), `depth_max` (m), `vehicle` (its name).  Lines that begin with `#` are comments, other columns are
-left alone, and the displacement between the fixes is computed, never read.
+`magvar` (degrees), `depth_max` (m), `vehicle` (its name).  Lines that begin with `#` are
+comments, other columns are left alone, and the displacement between the fixes is computed,
+never read.
 """
 
 from collections.abc import Iterable

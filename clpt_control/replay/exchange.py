@@ -52,7 +52,7 @@ def said_of_dive(row: dict[str, Any]) -> str:
 
 
 def next_geojson(found: dict[str, Any]) -> str:
-    """Return the next surfacing as GeoJSON: last fix, way, forecast, its 90 % ellipse."""
+    """Return the next surfacing as GeoJSON: last fix, way, forecast, 90 % ellipse, waypoints."""
     ahead = found["next_dive"]
     last = ahead["from_latitude"], ahead["from_longitude"]
     goal = ahead["latitude"], ahead["longitude"]
@@ -63,9 +63,15 @@ def next_geojson(found: dict[str, Any]) -> str:
         _feature("way to the next surfacing", _line([last, goal])),
         _feature("90 % ellipse", _polygon(ring_of(ahead)), time=ahead["time"]),
         _feature("next surfacing", _point(goal), description=said_of_next(ahead), **numbers),
+        *map(_waypoint, found.get("aim") or []),
     ]
     lines = ",\n".join(json.dumps(feature, allow_nan=False) for feature in features)
     return f'{{"type": "FeatureCollection", "features": [\n{lines}\n]}}\n'
+
+
+def _waypoint(leg: dict[str, Any]) -> dict[str, Any]:
+    numbers = {key: value for key, value in leg.items() if value is not None}
+    return _feature("waypoint", _point((leg["latitude"], leg["longitude"])), **numbers)
 
 
 def _feature(name: str, geometry: dict[str, Any], **properties: Any) -> dict[str, Any]:
@@ -119,6 +125,9 @@ def track_kml(found: dict[str, Any], name: str) -> str:
     told = said_of_next(ahead)
     _placemark(document, "next surfacing", "next", _points(goal), told, ahead["time"])
     _placemark(document, "next surfacing, 90 %", "next", _rings(ring_of(ahead)))
+    for leg in found.get("aim") or []:
+        target = leg["latitude"], leg["longitude"]
+        _placemark(document, "waypoint", "next", _points(target), leg["place"])
     ElementTree.indent(kml)
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(kml, "unicode") + "\n"
 

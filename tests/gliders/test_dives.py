@@ -17,7 +17,7 @@ from clpt_control.gliders.dives import make_dive
 from clpt_control.gliders.usable_dives import usable
 
 TABLE = [field.name for field in fields(make_dive(1, (0, 0, 0), (1, 0, 0), (0, 0)))]
-TABLE = [name for name in TABLE if name not in ("track", "notes")]
+TABLE = [name for name in TABLE if name not in ("track", "notes", "vehicle")]
 SETTINGS = settings(
     max_examples=50, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )

@@ -14,7 +14,15 @@ from synthetic_vehicle import one_file_each
 from clpt_control.cli import replay_watch
 from clpt_control.gliders.dive_table import sample_dives
 
-RESULTS = ("replay.nc", "map.png", "clpe.png", "current.png")
+RESULTS = (
+    "replay.nc",
+    "replay.html",
+    "next.geojson",
+    "track.kml",
+    "map.png",
+    "clpe.png",
+    "current.png",
+)
 
 
 @contextmanager

@@ -36,6 +36,9 @@ def test_the_command(command, tmp_path):
     assert 0.7 < found["speed_factor"]["value"] < 1
     assert {p.name for p in (tmp_path / "out").iterdir()} == {
         "replay.nc",
+        "replay.html",
+        "next.geojson",
+        "track.kml",
         "map.png",
         "clpe.png",
         "current.png",
@@ -176,6 +179,9 @@ def test_a_killed_command_loses_nothing(command, forecast, tmp_path):
         assert one.identical(other)
     assert {path.name for path in out.iterdir()} == {
         "replay.nc",
+        "replay.html",
+        "next.geojson",
+        "track.kml",
         "map.png",
         "clpe.png",
         "current.png",
