@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from typing import Any
 from xml.etree import ElementTree
 
-from .rings import Place, line_pieces, ring_of, ring_pieces
+from .rings import AIMED, NEXT, Place, line_pieces, place_in, ring_of, ring_pieces
 from .wording import compass, velocity
 
 NO_TEXT = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -22,6 +22,7 @@ STYLES = {  # colours as KML has them: alpha, blue, green, red
     "fix": "ffb27200",
     "forecast": "ff739e00",
     "next": "ffa779cc",
+    "aim": "ff009fe6",
 }
 
 
@@ -54,24 +55,29 @@ def said_of_dive(row: dict[str, Any]) -> str:
 def next_geojson(found: dict[str, Any]) -> str:
     """Return the next surfacing as GeoJSON: last fix, way, forecast, 90 % ellipse, waypoints."""
     ahead = found["next_dive"]
-    last = ahead["from_latitude"], ahead["from_longitude"]
-    goal = ahead["latitude"], ahead["longitude"]
+    last, goal = (place_in(ahead, which) for which in NEXT)
     numbers = {key: value for key, value in ahead.items() if value is not None}
     end = found["each_dive"][-1]
+    legs = found.get("aim") or []
     features = [
         _feature("last fix", _point(last), dive=end["dive"], time=end["end"]),
         _feature("way to the next surfacing", _line([last, goal])),
-        _feature("90 % ellipse", _polygon(ring_of(ahead)), time=ahead["time"]),
+        _feature("90 % ellipse", _polygon(ring_of(ahead, NEXT)), time=ahead["time"]),
         _feature("next surfacing", _point(goal), description=said_of_next(ahead), **numbers),
-        *map(_waypoint, found.get("aim") or []),
+        *(one for leg in legs for one in _aimed(leg)),
     ]
     lines = ",\n".join(json.dumps(feature, allow_nan=False) for feature in features)
     return f'{{"type": "FeatureCollection", "features": [\n{lines}\n]}}\n'
 
 
-def _waypoint(leg: dict[str, Any]) -> dict[str, Any]:
+def _aimed(leg: dict[str, Any]) -> list[dict[str, Any]]:
     numbers = {key: value for key, value in leg.items() if value is not None}
-    return _feature("waypoint", _point((leg["latitude"], leg["longitude"])), **numbers)
+    start, end = (place_in(leg, which) for which in AIMED)
+    return [
+        _feature("waypoint", _point(place_in(leg, "")), **numbers),
+        _feature("way made good", _line([start, end])),
+        _feature("90 % ellipse, aimed", _polygon(ring_of(leg, AIMED)), time=leg["end"]),
+    ]
 
 
 def _feature(name: str, geometry: dict[str, Any], **properties: Any) -> dict[str, Any]:
@@ -111,9 +117,9 @@ def track_kml(found: dict[str, Any], name: str) -> str:
         _within(style, "IconStyle", color=colour, scale="0.8")
         _within(style, "LineStyle", color=colour, width="2")
         _within(style, "PolyStyle", fill="0")
-    ends = [(row["end_latitude"], row["end_longitude"]) for row in rows]
-    begin = rows[0]["start_latitude"], rows[0]["start_longitude"]
-    _placemark(document, "track", "track", _lines([begin, *ends]))
+    ends = [place_in(row, "end_") for row in rows]
+    track = [place_in(rows[0], "start_"), *ends]
+    _placemark(document, "track", "track", _lines(track))
     fixes = _within(document, "Folder", name="surfacings")
     rings = _within(document, "Folder", name="forecasts, 90 %", visibility="0")
     for row, end in zip(rows, ends, strict=True):
@@ -121,13 +127,15 @@ def track_kml(found: dict[str, Any], name: str) -> str:
         _placemark(fixes, label, "fix", _points(end), said_of_dive(row), row["end"])
         if row is not rows[0]:  # the first has no dive before it to learn from
             _placemark(rings, label, "forecast", _rings(ring_of(row)), hidden=True)
-    goal = ahead["latitude"], ahead["longitude"]
+    goal = place_in(ahead, "")
     told = said_of_next(ahead)
     _placemark(document, "next surfacing", "next", _points(goal), told, ahead["time"])
-    _placemark(document, "next surfacing, 90 %", "next", _rings(ring_of(ahead)))
+    _placemark(document, "next surfacing, 90 %", "next", _rings(ring_of(ahead, NEXT)))
     for leg in found.get("aim") or []:
-        target = leg["latitude"], leg["longitude"]
-        _placemark(document, "waypoint", "next", _points(target), leg["place"])
+        target, way = place_in(leg, ""), [place_in(leg, which) for which in AIMED]
+        _placemark(document, "waypoint", "aim", _points(target), leg["place"])
+        _placemark(document, "way made good", "aim", _lines(way))
+        _placemark(document, "aimed, 90 %", "aim", _rings(ring_of(leg, AIMED)))
     ElementTree.indent(kml)
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(kml, "unicode") + "\n"
 

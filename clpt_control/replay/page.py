@@ -17,6 +17,7 @@ from .page_lines import replay_lines
 from .page_map import replay_map
 from .wording import compass, in_degrees, velocity
 
+ALARM = ' class="alarm"'
 PHONE = 2  # greatest rank of a column that a telephone shows
 
 
@@ -131,7 +132,11 @@ def _keys(found: dict[str, Any]) -> str:
     """Return the legend of the map."""
     keys = [("c", "fix to fix"), ("miss", "miss, from x, the dead-reckoned end")]
     keys += [("ring", "+ forecast, 90 %"), ("next", "next surfacing, 90 %")]
-    keys += [("aim", "waypoint")] if found.get("aim") else []
+    keys += (
+        [("aim", "to the waypoint"), ("made", "aimed: way made good, 90 %")]
+        if found.get("aim")
+        else []
+    )
     return (
         '<p class="keys">'
         + " ".join(f'<span class="key {style}">{_safe(name)}</span>' for style, name in keys)
@@ -140,21 +145,19 @@ def _keys(found: dict[str, Any]) -> str:
 
 
 def _table(found: dict[str, Any], told: Told) -> list[str]:
-    """Return the table, the last dive first."""
+    """Return the table, the last dive first, columns of rank 0 before others."""
+    order = sorted(range(len(told.titles)), key=lambda k: told.titles[k][1] > 0)
     styles = ["" if rank <= PHONE else ' class="wide"' for _, rank in told.titles]
-    names = [
-        f"<th{style}>{_safe(title)}</th>"
-        for style, (title, _) in zip(styles, told.titles, strict=True)
-    ]
+    names = [f"<th{styles[k]}>{_safe(told.titles[k][0])}</th>" for k in order]
     lines = [
         "<h2>Dives, the last one first: miss (CLPE, m) one dive ahead, currents in m/s</h2>",
         f'<div class="table"><table><thead><tr>{"".join(names)}</tr></thead><tbody>',
     ]
     for row, cells in list(zip(found["each_dive"], told.cells, strict=True))[::-1]:
         made = []
-        for style, cell in zip(styles, cells, strict=True):
-            alarm = ' class="alarm"' if cell == "OUT" or cell.startswith("SPEED") else style
-            made.append(f"<td{alarm}>{_safe(cell)}</td>")
+        for k in order:
+            loud = cells[k] == "OUT" or cells[k].startswith("SPEED")
+            made.append(f"<td{ALARM if loud else styles[k]}>{_safe(cells[k])}</td>")
         lines.append(f'<tr data-dive="{_safe(row["dive"])}">{"".join(made)}</tr>')
     return [*lines, "</tbody></table></div>"]
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from .chart import Chart, length_of, mark
 from .exchange import plain, said_of_dive, said_of_next
-from .rings import Place, ring_of
+from .rings import AIMED, NEXT, Place, place_in, ring_of
 
 WIDTH = 1000.0
 LINES = 5  # of the grid, about
@@ -60,11 +60,10 @@ def replay_map(found: dict[str, Any]) -> str:
     """Return the map of what `clpt replay --json` prints, with one dive at least."""
     rows, ahead, legs = found["each_dive"], found["next_dive"], found.get("aim") or []
     rings = [ring_of(row) for row in rows[1:][-LAST:]]  # the first dive has no forecast
-    targets = [(leg["latitude"], leg["longitude"]) for leg in legs]
-    goal = ahead["latitude"], ahead["longitude"]
-    last = ahead["from_latitude"], ahead["from_longitude"]
+    targets = [place_in(leg, "") for leg in legs]
+    last, goal = (place_in(ahead, which) for which in NEXT)
     everything = [place for row in rows for place in _places(row)]
-    everything += [place for ring in [*rings, ring_of(ahead)] for place in ring]
+    everything += [place for ring in [*rings, ring_of(ahead, NEXT)] for place in ring]
     drawing = Drawing([*everything, *_in_reach(everything, targets)])
     drawn = [*_grid(drawing), '<g id="dives">']
     drawn += [
@@ -73,14 +72,15 @@ def replay_map(found: dict[str, Any]) -> str:
     ]
     drawn += ["</g>", *_numbered(drawing, rows)]
     for k, (leg, target) in enumerate(zip(legs, targets, strict=True)):
-        begin = leg["from_latitude"], leg["from_longitude"]
-        drawn.append(drawing.line([begin, target], "aim"))
+        begin, end = (place_in(leg, which) for which in AIMED)
+        drawn += [drawing.line([begin, target], "aim"), drawing.line([begin, end], "made")]
+        drawn.append(drawing.line(ring_of(leg, AIMED), "ring aimed", closed=True))
         title = f"<title>waypoint {k + 1}: {escape(plain(leg['place']))}</title>"
         target_mark = f'<path class="target" d="{TARGET}"/>'
         drawn.append(drawing.group(target, "m", title + target_mark))
     drawn += [
         drawing.line([last, goal], "way"),
-        drawing.line(ring_of(ahead), "ring next", closed=True),
+        drawing.line(ring_of(ahead, NEXT), "ring next", closed=True),
         drawing.group(
             goal,
             "m",
@@ -98,10 +98,7 @@ def replay_map(found: dict[str, Any]) -> str:
 
 
 def _places(row: dict[str, Any]) -> list[Place]:
-    return [
-        (row[f"{which}_latitude"], row[f"{which}_longitude"])
-        for which in ("start", "end", "reckoned", "forecast")
-    ]
+    return [place_in(row, which) for which in ("start_", "end_", "reckoned_", "forecast_")]
 
 
 def _in_reach(places: Sequence[Place], targets: Sequence[Place]) -> list[Place]:

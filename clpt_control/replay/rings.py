@@ -16,16 +16,20 @@ from typing import Any
 from ..geodesy import displacement, place_from
 
 Place = tuple[float, float]  # degrees north, degrees east
+DIVE, NEXT, AIMED = ("start_", "forecast_"), ("from_", ""), ("from_", "end_")  # start, centre
 CORNERS = 48
 HALF = 180.0
 
 
-def ring_of(row: dict[str, Any]) -> list[Place]:
-    """Return the closed ring of the 90 % ellipse of a row of `rows`, or of `NextDive.as_dict`."""
-    ahead = "from_latitude" in row
-    start, end = ("from_", "") if ahead else ("start_", "forecast_")
-    begin = row[f"{start}latitude"], row[f"{start}longitude"]
-    east, north = displacement(*begin, row[f"{end}latitude"], row[f"{end}longitude"])
+def place_in(row: dict[str, Any], which: str) -> Place:
+    """Return a place of a row, such as its ``"end_"``."""
+    return row[f"{which}latitude"], row[f"{which}longitude"]
+
+
+def ring_of(row: dict[str, Any], kind: tuple[str, str] = DIVE) -> list[Place]:
+    """Return the closed ring of the 90 % ellipse of a dive, of the next one or of an aimed one."""
+    begin, end = (place_in(row, which) for which in kind)
+    east, north = displacement(*begin, *end)
     long, short = row["ellipse_90_long"], row["ellipse_90_short"]
     turn = radians(row["ellipse_90_bearing"])
     places = []

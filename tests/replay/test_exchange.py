@@ -11,7 +11,7 @@ from synthetic_vehicle import fixes_of
 import clpt_control as clpt
 from clpt_control.gliders.dives import make_dive
 from clpt_control.replay.exchange import next_geojson, plain, track_kml
-from clpt_control.replay.rings import line_pieces, ring_of, ring_pieces
+from clpt_control.replay.rings import NEXT, line_pieces, ring_of, ring_pieces
 
 KML = {"k": "http://www.opengis.net/kml/2.2"}
 GEOD = Geod(ellps="WGS84")
@@ -88,7 +88,7 @@ def test_nothing_crosses_180_degrees(lon):
         assert np.ptp(span) < 90
         assert np.abs(span).max() <= 180
     whole = sum(turned(ring[0]) for ring in rings)
-    flat = [(lon, lat) for lat, lon in ring_of(ahead)]
+    flat = [(lon, lat) for lat, lon in ring_of(ahead, NEXT)]
     near = [((x - flat[0][0] + 180) % 360 + flat[0][0] - 180, y - 51) for x, y in flat]
     assert whole == pytest.approx(turned(near), rel=1e-3)
 
