@@ -8,7 +8,7 @@ LOWEST := build/lowest
 ENGINE := native jumps random_jumps elementary engine_page loops solver closed_form_flows written_is_run random_diagrams \
 	trace words simulation conformance members ensemble
 
-.PHONY: paper test test-slow test-generic test-lowest lint format clean bench bench-quick
+.PHONY: paper test test-slow test-browser test-generic test-lowest lint format clean bench bench-quick
 
 paper: $(READY)  ## section IV of the paper: figures and the table of claims
 	$(BIN)/clpt paper --out paper
@@ -18,6 +18,9 @@ test: $(READY)  ## every test but the slow ones
 
 test-slow: $(READY)  ## the minutes-long tests
 	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 -m slow --no-header
+
+test-browser: $(READY)  ## the page of a replay in headless Chromium, where one is installed
+	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -m browser -rs tests/browser
 
 test-generic: $(READY)  ## the engine's tests as on a processor without vector extensions
 	NUMBA_CPU_NAME=generic OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 \

@@ -55,20 +55,22 @@ function scaleBar() {
   const group = document.getElementById("scale"), most = 0.25 * view.w * facts.metres;
   const power = 10 ** Math.floor(Math.log10(most));
   const length = [5, 2, 1].find((m) => m * power <= most) * power, long = length / facts.metres;
-  const x = view.x + 0.97 * view.w - long, y = view.y + view.h - 0.03 * view.w;
+  const x = view.x + 0.97 * view.w - long, y = view.y + view.h - 24 * pixel();
   group.replaceChildren();
-  part("path", { class: "scale", d: `M${x} ${y - 0.008 * view.w}V${y}h${long}v${-0.008 * view.w}` }, group);
+  part("path", { class: "scale", d: `M${x} ${y - 6 * pixel()}V${y}h${long}v${-6 * pixel()}` }, group);
   label(x, y, 6, -8, length >= 1000 ? length / 1000 + " km" : length + " m", group);
 }
+function pixel() {
+  const box = map.getBoundingClientRect();
+  return 1 / (Math.min(box.width / view.w, box.height / view.h) || 1);
+}
 function draw() {
-  const zoom = W / view.w, pixels = map.getBoundingClientRect().width / W;
   map.setAttribute("viewBox", `${view.x} ${view.y} ${view.w} ${view.h}`);
-  const shown = Math.min(map.getBoundingClientRect().width / W, map.getBoundingClientRect().height / H);
-  map.style.setProperty("--k", 1 / ((shown || pixels) * zoom));
-  const level = Math.floor(Math.log2(((shown || pixels) * zoom) / 0.36) + 0.01);
+  map.style.setProperty("--k", pixel());
+  const level = Math.floor(Math.log2(1 / pixel() / 0.36) + 0.01);
   for (const text of document.querySelectorAll("#numbers text"))
     text.style.display = +text.getAttribute("class").slice(1) <= level ? "inline" : "none";
-  map.style.touchAction = zoom > 1.01 ? "none" : "pan-y";
+  map.style.touchAction = view.w < 0.99 * W ? "none" : "pan-y";
   grid();
   scaleBar();
 }

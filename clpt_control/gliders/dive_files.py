@@ -20,7 +20,7 @@ from ..progress.interrupt import check
 from . import dive_table, og1, seaexplorer, seaglider, slocum
 from .dives import Dive, Skipped
 from .segments import is_segment
-from .vehicles import name_of_file, name_in, named
+from .vehicles import name_in, name_of_file, named
 
 OF_NETCDF = (seaglider, og1)
 OF_TEXT = (seaexplorer, dive_table)  # which takes any text, so it is the last

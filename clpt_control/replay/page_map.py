@@ -178,7 +178,7 @@ def _label(x: float, y: float, dx: float, dy: float, text: str) -> str:
 
 def _scale(drawing: Drawing) -> str:
     length = length_of(0.25 * WIDTH * drawing.metres)
-    long, y = length / drawing.metres, drawing.height - 30
+    long, y = length / drawing.metres, drawing.height - 60
     name = f"{length / 1000:g} km" if length >= 1000 else f"{length:g} m"
     x = WIDTH - 30 - long
     return (

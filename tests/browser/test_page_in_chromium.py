@@ -1,0 +1,106 @@
+"""The page of a replay in headless Chromium: whole, quiet, and no wider than a telephone.
+
+Run by `make test-browser`; skipped, with the reason, where no Chromium is installed.
+"""
+
+import json
+import re
+import shutil
+import subprocess
+
+import pytest
+from processes import CLPT, GUARD
+from synthetic_vehicle import fixes_of
+
+from clpt_control.gliders.dive_table import write_dive_table
+
+NAMES = ("chromium", "chromium-browser", "google-chrome")
+CHROMIUM = next(filter(None, map(shutil.which, NAMES)), "")
+QUIET = [
+    "--headless",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-sync",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--enable-logging=stderr",
+]
+PROBE = """
+<script>
+addEventListener("load", () => parent.postMessage(JSON.stringify({
+  inner: innerWidth, wide: document.documentElement.scrollWidth,
+  buttons: document.querySelectorAll(".buttons button").length,
+  fetched: performance.getEntriesByType("resource").map((one) => one.name),
+  k: getComputedStyle(map).getPropertyValue("--k"),
+}), "*"));
+</script>
+"""
+FRAME = """
+<!DOCTYPE html><body><iframe src="{page}" style="border:0;width:{width}px;height:900px"></iframe>
+<script>addEventListener("message", (event) => {{ document.body.textContent = event.data; }});
+</script>
+"""
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.skipif(not CHROMIUM, reason="no Chromium is installed: chromium is not on PATH"),
+]
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory):
+    """The page of sixty dives, aimed at a waypoint."""
+    folder = tmp_path_factory.mktemp("page")
+    write_dive_table(fixes_of(60), folder / "dives.csv")
+    words = ("replay", folder / "dives.csv", "--aim", "40.5", "9.0", "--out", folder / "out")
+    subprocess.run([*CLPT, *map(str, words)], check=True, capture_output=True)
+    return folder / "out" / "replay.html"
+
+
+def shown(path, profile, *words):
+    """What Chromium makes of a file: its tree, and what its console says."""
+    done = subprocess.run(
+        [CHROMIUM, *QUIET, f"--user-data-dir={profile}", *words, "--dump-dom", path.as_uri()],
+        capture_output=True,
+        text=True,
+        timeout=GUARD,
+        check=True,
+    )
+    return done.stdout, re.findall(r"CONSOLE.*", done.stderr)
+
+
+def test_the_page_obeys_its_own_policy(page, tmp_path):
+    """Its script runs under the policy, and nothing is refused, missed or complained of."""
+    tree, console = shown(page, tmp_path / "profile")
+    assert console == []
+    assert tree.count("<button") == 3
+    assert re.search(r'<svg id="map"[^>]*style="[^"]*--k', tree)
+
+
+@pytest.mark.parametrize("width", [390, 1280])
+def test_the_page_fits_its_screen(page, tmp_path, width):
+    text = re.sub(r"<meta http-equiv[^>]*>", "", page.read_text("utf-8"))
+    probed = tmp_path / "probed.html"
+    probed.write_text(text.replace("<script>", PROBE + "<script>", 1), "utf-8")
+    frame = tmp_path / "frame.html"
+    frame.write_text(FRAME.format(page=probed.as_uri(), width=width), "utf-8")
+    size = f"--window-size={max(width, 500)},900"
+    tree, _ = shown(frame, tmp_path / "profile", size, "--virtual-time-budget=5000")
+    found = json.loads(re.search(r"<body>(.*?)</body>", tree, re.S)[1])
+    assert found["inner"] == width
+    assert found["wide"] <= width
+    assert found["fetched"] == []
+    assert found["buttons"] == 3
+    assert float(found["k"]) > 0
+
+
+def test_the_page_reads_without_a_script(page, tmp_path):
+    text = re.sub(r"<script>.*?</script>", "", page.read_text("utf-8"), flags=re.S)
+    still = tmp_path / "still.html"
+    still.write_text(text, "utf-8")
+    tree, console = shown(still, tmp_path / "profile")
+    assert console == []
+    assert tree.count('class="dive"') == 60
+    assert tree.count('class="degrees"') > 5
+    assert "Next surfacing" in tree
