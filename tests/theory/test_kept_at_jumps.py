@@ -4,13 +4,13 @@ import pytest
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.concurrent import LAW, concurrent, take_in, windows
-from clpt_control.theory.proving import judged_laws, kept_relations
+from clpt_control.theory.proving import judged_laws, kept_loop
 
 
 @pytest.fixture(autouse=True)
 def few_points(monkeypatch):
     monkeypatch.setattr(judged_laws, "POINTS", 100)
-    monkeypatch.setattr(kept_relations, "SIZES", (1, 2))
+    monkeypatch.setattr(kept_loop, "SIZES", (1, 2))
 
 
 def taking(jump):

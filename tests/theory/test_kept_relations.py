@@ -9,7 +9,7 @@ import clpt_control as clpt
 from clpt_control.blocks.laws import covariance
 from clpt_control.blocks.laws.law import Truth
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.theory.proving import judged_laws, kept_relations, shrinking_errors
+from clpt_control.theory.proving import judged_laws, kept_loop
 
 KEEPING = [law for law in LAWS.values() if law.keeps is not None]
 NEEDED = {
@@ -30,8 +30,7 @@ DROPPED = [(law, port) for law in KEEPING for port in NEEDED[law.name]]
 @pytest.fixture(autouse=True)
 def few_points(monkeypatch):
     monkeypatch.setattr(judged_laws, "POINTS", 100)
-    for page in (kept_relations, shrinking_errors):  # all three sizes in test_judged_laws
-        monkeypatch.setattr(page, "SIZES", (1, 2))
+    monkeypatch.setattr(kept_loop, "SIZES", (1, 2))  # all three in test_judged_laws
 
 
 @pytest.mark.parametrize(("law", "port"), DROPPED, ids=lambda one: getattr(one, "name", one))

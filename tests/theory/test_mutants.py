@@ -26,9 +26,8 @@ from clpt_control.simulation.loops import paper_blocks
 from clpt_control.simulation.teams import team_blocks
 from clpt_control.theory.proving import (
     judged_laws,
-    kept_relations,
+    kept_loop,
     limited_speed,
-    shrinking_errors,
     team,
     theorem_loop,
     theorems,
@@ -216,8 +215,7 @@ def few_points(monkeypatch):
     monkeypatch.setattr(judged_laws, "POINTS", 100)
     monkeypatch.setattr(limited_speed, "POINTS", 100)
     monkeypatch.setattr(team, "POINTS", 100)
-    for page in (kept_relations, shrinking_errors):  # all three sizes in test_judged_laws
-        monkeypatch.setattr(page, "SIZES", (1, 2))
+    monkeypatch.setattr(kept_loop, "SIZES", (1, 2))  # all three in test_judged_laws
 
 
 @pytest.mark.parametrize(

@@ -19,6 +19,7 @@ import numpy as np
 import sympy
 
 from .proof import Step, checked
+from .vanishing import vanishes
 
 
 def covariance_steps(cases: list[Any], driven: bool) -> list[Step]:
@@ -60,7 +61,7 @@ def covariance_steps(cases: list[Any], driven: bool) -> list[Step]:
 def _parts(case: Any) -> tuple[Any, Any, Any]:
     """Return P, P' and (P phi_f) (P phi_f)^T/r^2, symmetric."""
     P = case.symmetric("P")
-    slope = np.vectorize(case.here, otypes=[object])(case.slopes["P"])
+    slope = np.vectorize(case.put, otypes=[object])(case.slopes["P"])
     seen = P @ case.states["phi_f"]
     return P, slope, np.outer(seen, seen) / case.parameters.noise**2
 
@@ -72,15 +73,15 @@ def _top(case: Any) -> bool:
     touching = {first: case.parameters.largest - sum(P.diagonal()[1:])}
     seen = (P @ case.states["phi_f"]) / case.parameters.noise
     rest = -np.trace(slope) - sum(seen**2)
-    return sympy.expand(rest.subs(touching)) == 0
+    return vanishes(rest.subs(touching))
 
 
 def _above(case: Any) -> bool:
     """Return whether rho P comes down by a square and nothing else."""
     P, slope, seen = _parts(case)
-    rho, rate = case.states["rho"][0], case.here(case.rates["rho"][0])
+    rho, rate = case.states["rho"][0], case.put(case.rates["rho"][0])
     rest = rate * P + rho * slope + rho * seen
-    return all(sympy.expand(one) == 0 for one in rest.ravel())
+    return all(map(vanishes, rest.ravel()))
 
 
 def _below(case: Any) -> bool:
@@ -89,7 +90,7 @@ def _below(case: Any) -> bool:
     share = 1 - np.trace(P) / case.parameters.largest
     rest = slope + seen - case.parameters.forgetting * share * P
     given = case.parameters.forgetting
-    return bool(given.is_nonnegative) and all(sympy.expand(one) == 0 for one in rest.ravel())
+    return bool(given.is_nonnegative) and all(map(vanishes, rest.ravel()))
 
 
 def _falls(case: Any) -> bool:
@@ -98,7 +99,7 @@ def _falls(case: Any) -> bool:
     size = np.sum((case.held @ P) * case.held)
     share = p.forgetting * (1 - np.trace(P) / p.largest)
     seen = sum((case.held @ P @ case.states["phi_f"]) ** 2) / p.noise**2
-    return sympy.expand(case.here(case.loop.derivative(size)) + seen + share * size) == 0
+    return vanishes(case.put(case.loop.derivative(size)) + seen + share * size)
 
 
 def _cauchy(n: int) -> bool:
@@ -110,4 +111,4 @@ def _cauchy(n: int) -> bool:
         (sum((v[a] * (v[b] @ p) - v[b] * (v[a] @ p)) ** 2) for a, b in combinations(range(n), 2)),
         start=sympy.Integer(0),
     )
-    return sympy.expand(np.trace(P) * (p @ P @ p) - sum((p @ P) ** 2) - squares) == 0
+    return vanishes(np.trace(P) * (p @ P @ p) - sum((p @ P) ** 2) - squares)

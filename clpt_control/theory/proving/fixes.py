@@ -24,6 +24,7 @@ from ...simulation.loops import paper_blocks
 from .proof import Step, checked
 from .symbolic_loop import symbolic_loop
 from .theorem_loop import law_and_V, theorem_scenario
+from .vanishing import vanishes
 
 SIZES = (1, 2)  # numbers of functions; 3 takes half a minute, in a slow test
 SEND, ARRIVE = 1, 2  # intervals that begin with a fix, and with its arrival
@@ -66,7 +67,7 @@ def _decided(expression: sympy.Expr) -> sympy.Expr:
 
 def is_zero(expressions: Any) -> bool:
     """Return whether every expression is zero for all symbols."""
-    return all(sympy.cancel(sympy.together(e)) == 0 for e in np.ravel(expressions))
+    return all(vanishes(e) for e in np.ravel(expressions))
 
 
 class AtAFix:

@@ -16,7 +16,7 @@ from .fixes import fix_steps
 from .kept_relations import GIVEN, kept_steps
 from .lyapunov import decay_and_known_error, identity_steps
 from .own_law import prove
-from .proof import Step
+from .proof import Step, first_failure
 from .shrinking_errors import shrinking_steps
 from .theorem_loop import law_and_V
 
@@ -72,48 +72,41 @@ def _with_own_V(law: Law) -> JudgedLaw:
     sign = "=" if verdict.residual == 0 else "<="
     claim = verdict.reached or f"V' {sign} -e^T KD e, so CLPE goes to zero"
     if verdict.status not in ("proved", "bounded"):
-        failed = [f"{s.claim} ({s.detail})" for s in verdict.steps if not s.holds]
-        claim = failed[0] if failed else "V' is not known to fall"
+        claim = first_failure(verdict.steps) or "V' is not known to fall"
     return JudgedLaw(law.name, verdict.status, claim, verdict.for_every_N, verdict.steps)
 
 
 def _with_kept_relations(law: Law) -> JudgedLaw:
     """Judge a law whose states keep relations."""
-    steps = tuple(kept_steps(law, POINTS))
-    failed = [f"{s.claim} ({s.detail})" for s in steps if not s.holds]
-    status, claim = "proved", f"V' <= {law.says}, so CLPE goes to zero"
-    if law.push is not None:
-        status, claim = "bounded", f"V' <= {law.says}: {law.comes_to}"
+    steps = kept_steps(law, POINTS)
     if law.makes_estimate:
-        status, claim = "bounded", f"{MEAN}, and {law.says}"
-    if failed:
-        status, claim = "open", failed[0]
-    return JudgedLaw(law.name, status, claim, False, steps)
+        return _if_all_hold(law, "bounded", f"{MEAN}, and {law.says}", steps)
+    if law.push is not None:
+        return _if_all_hold(law, "bounded", f"V' <= {law.says}: {law.comes_to}", steps)
+    return _if_all_hold(law, "proved", f"V' <= {law.says}, so CLPE goes to zero", steps)
 
 
 def _with_shrinking_errors(law: Law) -> JudgedLaw:
     """Judge a law of which no parameter's error rises."""
-    steps = tuple(shrinking_steps(law, POINTS))
-    failed = [f"{s.claim} ({s.detail})" for s in steps if not s.holds]
     claim = f"V' = {law.says}: in the mean |e| <= |eta phi| over the least of KD"
-    status = "open" if failed else "bounded"
-    return JudgedLaw(law.name, status, failed[0] if failed else claim, False, steps)
+    return _if_all_hold(law, "bounded", claim, shrinking_steps(law, POINTS))
 
 
 def _at_fixes(law: Law) -> JudgedLaw:
     """Judge a law that learns at fixes: V does not rise, but CLPE is only what fixes leave."""
-    steps = tuple(fix_steps(law, POINTS))
-    failed = [f"{s.claim} ({s.detail})" for s in steps if not s.holds]
-    claim = failed[0] if failed else f"V' = {law.says}; |eta_k| <= (2 V(0) P_kk)^(1/2)/r"
-    return JudgedLaw(law.name, "open" if failed else "bounded", claim, False, steps)
+    claim = f"V' = {law.says}; |eta_k| <= (2 V(0) P_kk)^(1/2)/r"
+    return _if_all_hold(law, "bounded", claim, fix_steps(law, POINTS))
 
 
 def _of_given_flow(law: Law) -> JudgedLaw:
     """Judge a law that is given an estimate of the flow."""
-    steps = tuple(identity_steps(GIVEN, law.name, decay_and_known_error, POINTS))
-    holds = all(step.holds for step in steps)
-    every = holds and all(step.every_N for step in steps if step.how == "exact")
-    claim = MEAN
-    if not holds:
-        claim = next(f"{s.claim} ({s.detail})" for s in steps if not s.holds)
-    return JudgedLaw(law.name, "bounded" if holds else "open", claim, every, steps)
+    steps = identity_steps(GIVEN, law.name, decay_and_known_error, POINTS)
+    return _if_all_hold(law, "bounded", MEAN, steps)
+
+
+def _if_all_hold(law: Law, status: str, claim: str, steps: list[Step]) -> JudgedLaw:
+    """Return a status and a claim, or what does not hold."""
+    failed = first_failure(steps)
+    every = not failed and all(step.every_N for step in steps if step.how == "exact")
+    known = ("open", failed) if failed else (status, claim)
+    return JudgedLaw(law.name, *known, every, tuple(steps))

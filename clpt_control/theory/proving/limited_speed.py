@@ -25,7 +25,7 @@ from ..counterexamples.paper_system import limited_speed_counterexample
 from .boundedness import definite_step, dissipation_step, young_step
 from .every_n_loop import EveryNLoop, element_symbol, every_n_loop
 from .every_n_signals import Summed
-from .kept_relations import Kept
+from .kept_loop import Kept
 from .lyapunov import decay, every_n_terms, identity_steps, short
 from .proof import Proof, Step, checked, judged
 from .symbolic_loop import symbolic_loop

@@ -12,10 +12,11 @@ from ...blocks import Block
 from ...blocks.laws.law import functions_of
 from ...diagrams.interconnection import Diagram
 from ...errors import ClptError, DiagramError
+from .law_case import Case, flat
 from .law_gains import law_alone, law_gains, own_values
 from .symbolic_loop import symbolic_loop
 from .theorem_loop import theorem_candidate, theorem_loop
-from .verdict import Case, Verdict, flat
+from .verdict import Verdict, judge
 
 
 def prove(law_block: Block, V: Block | None = None, points: int = 10_000, seed: int = 0) -> Verdict:
@@ -87,4 +88,4 @@ def _judged(
     if gains:  # in the names of the whole diagram
         here, there = (flat(one.parameters[law.name]) for one in (alone, loop))
         gains = [gain.subs(dict(zip(here, there, strict=True))) for gain in gains]
-    return Case(diagram, loop, candidate, law, gains, points, seed).verdict(fitted)
+    return judge(Case(diagram, loop, candidate, law, gains, points, seed), fitted)

@@ -5,7 +5,7 @@ statement as printed in the paper; where the print is false it carries the corre
 statement, and it always says what was not proved and what is cited.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -88,6 +88,11 @@ def checked(claim: str, how: str, check: Callable[[], Any], every_N: bool = True
         return Step(claim, False, how, f"cannot be checked: {type(error).__name__}: {error}")
     truth, detail = found if isinstance(found, tuple) else (found, "")
     return Step(claim, bool(truth), how, str(detail), every_N)
+
+
+def first_failure(steps: Iterable[Step]) -> str:
+    """Return what the first step that does not hold claims, and its detail, or nothing."""
+    return next((f"{step.claim} ({step.detail})" for step in steps if not step.holds), "")
 
 
 def judged(theorem: str, proof: Callable[[], Proof]) -> Proof:

@@ -24,6 +24,7 @@ from ...diagrams.wiring import Wiring, wiring_of
 from ...errors import DiagramError
 from ...native.sweep import Sweep
 from ...progress.interrupt import check
+from .proof import Step, checked
 from .random_points import Draw, Point, equate_x_and_z, symbol_values
 from .symbolic_loop import TIME, SymbolicLoop, blocks_of
 
@@ -106,6 +107,13 @@ class Comparison(NamedTuple):
     worst: float  # largest difference, of the size of V over the time between
     where: Point | None  # the first at which they differ
 
+    @property
+    def outcome(self) -> tuple[bool, str]:
+        """Whether they agree, and what was seen."""
+        if self.where is not None:
+            return False, f"differs by {self.worst:.1e} of V at {self.where}"
+        return True, f"{self.points} points, largest difference {self.worst:.0e} of V"
+
 
 def compared(
     diagram: control.NonlinearIOSystem,
@@ -158,6 +166,17 @@ def compared(
     finally:
         diagram._update_params({})
     return Comparison(done, worst, None)
+
+
+def running_step(
+    diagram: control.NonlinearIOSystem, loop: SymbolicLoop, wanted: sympy.Expr, points: int
+) -> Step:
+    """Check that the running blocks give the V' that is wanted."""
+
+    def same() -> tuple[bool, str]:
+        return compared(diagram, loop, wanted, points).outcome
+
+    return checked("the running blocks give the same V'", "sampled", same, False)
 
 
 def numeric(expression: sympy.Expr) -> tuple[Any, list[Any]]:

@@ -16,10 +16,10 @@ import sympy
 from ...blocks.laws.law import Law
 from ...blocks.symbolic import UNEXPANDED
 from .boundedness import young_step
-from .kept_relations import SIZES, Kept, kept_step, vanishes
-from .lyapunov import claimed, decay, short
+from .kept_loop import Kept, cases_of, kept_step, said_of, same_running
+from .lyapunov import decay, short
 from .proof import Step, checked
-from .running_rate import compared
+from .vanishing import vanishes
 
 MAXIMUM = sympy.Function(UNEXPANDED["maximum"], real=True)
 WHERE = sympy.Function(UNEXPANDED["where"], real=True)
@@ -27,52 +27,45 @@ WHERE = sympy.Function(UNEXPANDED["where"], real=True)
 
 def shrinking_steps(law: Law, points: int) -> list[Step]:
     """Check a law whose row names the state with which every parameter's error shrinks."""
-    cases = [Kept(law, N) for N in SIZES]
+    cases = cases_of(law)
 
     def shrinks() -> tuple[bool, str]:
-        for N, case in zip(SIZES, cases, strict=True):
-            if case.loop.jumps:
-                return False, "its states jump, and what its errors do there is not judged"
-            f = rate_of_shrinking(case, law)
-            if not f.is_nonnegative or sympy.expand(f) == 0:
-                return False, f"N = {N}: {law.shrinking}' = {short(case.rates[law.shrinking][0])}"
-        return True, ""
-
-    def all_errors() -> bool:
-        return all(_is_all_of_alpha(case, law) for case in cases)
+        return said_of(cases, lambda case: _rises(case, law))
 
     def falls() -> tuple[bool, str]:
-        for N, case in zip(SIZES, cases, strict=True):
-            rest = case.here(case.rate - claimed(case.loop, decay) - driven(case, law))
-            if not vanishes(rest):
-                return False, f"N = {N}, left over: {short(rest)}"
-            if case.loop.undefined:
-                return False, case.loop.undefined[0]
-        return True, ""
-
-    def running() -> tuple[bool, str]:
-        case = cases[1]
-        found = compared(case.diagram, case.loop, case.untied, points)
-        if found.where is not None:
-            return False, f"differs by {found.worst:.1e} of V at {found.where}"
-        return True, f"{found.points} points, largest difference {found.worst:.0e} of V"
+        return said_of(cases, lambda case: case.left_over(decay, driven(case, law)))
 
     w = law.shrinking
     steps = [
         kept_step(cases),
-        checked(f"eta = {w} eta(0) for every parameter", "exact", all_errors, False),
+        checked(
+            f"eta = {w} eta(0) for every parameter",
+            "exact",
+            lambda: all(_is_all_of_alpha(case, law) for case in cases),
+            False,
+        ),
         checked(f"{w}' = -f {w}, f >= 0, so no parameter's error rises", "exact", shrinks, False),
         checked(f"V' = {law.says}, N = 1, 2, 3", "exact", falls, False),
         checked(
             "V is not negative", "exact", lambda: all(k.not_negative(k.V) for k in cases), False
         ),
         young_step(),
-        checked("the running blocks give the same V'", "sampled", running, False),
+        same_running(cases, points),
     ]
     if law.readout:
         claim = f"{law.readout} is theta where its condition holds, and -alpha elsewhere"
         steps.insert(3, checked(claim, "exact", lambda: all(_reads(k, law) for k in cases), False))
     return steps
+
+
+def _rises(case: Kept, law: Law) -> str:
+    """Return why w is not known to fall, or nothing."""
+    if case.loop.jumps:
+        return "its states jump, and what its errors do there is not judged"
+    f = rate_of_shrinking(case, law)
+    if not f.is_nonnegative or sympy.expand(f) == 0:
+        return f"{law.shrinking}' = {short(case.rates[law.shrinking][0])}"
+    return ""
 
 
 def rate_of_shrinking(case: Kept, law: Law) -> sympy.Expr:
@@ -120,5 +113,5 @@ def _is_readout(case: Kept, found: Any, alpha: Any, theta: Any, w: Any) -> bool:
         return False
     margin = condition.args[1]
     known = {MAXIMUM(*pair): 1 - w for pair in ((margin, 1 - w), (1 - w, margin))}
-    right = vanishes(case.here(then.subs(known)) - theta)
+    right = vanishes(case.put(then.subs(known)) - theta)
     return bool(margin.is_positive) and right and sympy.expand(before + alpha) == 0

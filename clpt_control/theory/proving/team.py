@@ -22,7 +22,7 @@ from ...simulation.teams import team_blocks
 from .every_n_loop import EveryNLoop, every_n_loop
 from .every_n_signals import Summed
 from .lyapunov import short
-from .proof import Step, checked
+from .proof import Step, checked, first_failure
 from .running_rate import compared
 from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import SOURCES, theorem_scenario
@@ -61,8 +61,8 @@ class JudgedTeam(NamedTuple):
 def judged_team() -> JudgedTeam:
     """Judge the law of a team; equations that cannot be read leave it open."""
     steps = tuple(team_steps())
-    failed = [f"{s.claim} ({s.detail})" for s in steps if not s.holds]
-    claim = failed[0] if failed else f"{CLAIM}, so CLPE goes to zero and the vehicles agree"
+    failed = first_failure(steps)
+    claim = failed or f"{CLAIM}, so CLPE goes to zero and the vehicles agree"
     return JudgedTeam("open" if failed else "proved", claim, not failed, steps)
 
 
@@ -112,10 +112,7 @@ def running_step(graph: str) -> Step:
     def holds() -> tuple[bool, str]:
         diagram = team_diagram(GRAPHS[graph], SIZES[-1])
         loop = symbolic_loop(diagram)
-        found = compared(diagram, loop, claimed_rate(loop, GRAPHS[graph]), POINTS)
-        if found.where is not None:
-            return False, f"differs by {found.worst:.1e} of V at {found.where}"
-        return True, f"{found.points} points, largest difference {found.worst:.0e} of V"
+        return compared(diagram, loop, claimed_rate(loop, GRAPHS[graph]), POINTS).outcome
 
     return checked(f"the running blocks give the same V', {graph}", "sampled", holds, False)
 

@@ -1,0 +1,253 @@
+"""A law's closed loop on symbols, its states where its row says that their relations hold.
+
+A row of the table says which relations the states `keep` (state = expression of the others), which
+matrices, its `cones`, are not negative, what V' `losses` are and what is a `push`.  `Kept` answers
+what is asked of them for one N; `kept_relations` and `shrinking_errors` put the answers together.
+"""
+
+import math
+from collections.abc import Callable, Iterable, Set
+from typing import Any
+
+import numpy as np
+import sympy
+from sympy.core.function import AppliedUndef
+
+from ...blocks import Block
+from ...blocks.laws.law import Law, Truth
+from .lyapunov import Claim, claimed, short
+from .proof import Step, checked
+from .quadratic_forms import nonpositive, positive_maximum
+from .running_rate import running_step
+from .symbolic_loop import TIME, SymbolicLoop, symbolic_loop
+from .theorem_loop import Hedging, law_and_V, theorem_loop
+from .undefined import extent
+from .vanishing import vanishes
+
+SIZES = (1, 2, 3)  # numbers of functions
+
+
+class Kept:
+    """A law's closed loop on symbols for one N, with the relations that its row states."""
+
+    def __init__(self, law: Law, N: int, speed: Hedging = "no limit"):
+        made, V = law_and_V(law, N, speed)
+        wired = law.name if law.makes_estimate else "learned-flow"
+        self.diagram = theorem_loop(N, wired, law_block=made, candidate=V, speed=speed)
+        self.loop: SymbolicLoop = symbolic_loop(self.diagram, jumps=True)
+        self.words: dict[Any, sympy.Symbol] = {}
+        own = self.loop.states
+        self.states = {port.rpartition(":")[2]: symbols for port, symbols in own.items()}
+        self.rates = {port.rpartition(":")[2]: rate for port, rate in self.loop.rates.items()}
+        p, car = self.loop.parameters[made.name], self.loop.parameters["vehicle_controller"]
+        truth = Truth(self.loop.parameters["true_flow"].theta, car.KD, car.GammaD)
+        assert law.keeps is not None
+        relations = law.keeps(self.states, p, truth)
+        self.relations: dict[Any, sympy.Expr] = {
+            symbol: sympy.expand(value)
+            for port, values in relations.items()
+            for symbol, value in zip(self.states[port], np.ravel(values), strict=True)
+            if symbol != value
+        }
+        every = {**self.loop.inputs, **self.states}
+        self.parameters, self.losses = p, law.losses(every, p, truth)
+        self.gains = sympy.sympify(law.gains(every, p, truth))
+        self.push = sympy.sympify(law.push(every, p, truth) if law.push else 0)
+        self.cones = {port: _square(self.states[port]) for port in law.cones}
+        self.slopes = {port: _square(self.rates[port]) for port in law.cones}
+        tied = _tied(self.loop, made, V)
+        self.V = self.loop.signals["V"][0].subs(tied)
+        self.rate = self.loop.derivative(self.V)
+        self.untied = self.loop.derivative(self.loop.signals["V"][0])
+        known = (*np.ravel(truth.theta), *truth.KD, *truth.GammaD)
+        self.held = law.over(self.states, p, truth) if law.over else None
+        self.over = {} if self.held is None else _alone(self.held)
+        fresh = [value.free_symbols for value in self.over.values()]
+        self.apart = {s for symbols in (*own.values(), known, *fresh) for s in symbols}
+
+    def here(self, expression: Any) -> sympy.Expr:
+        """Return an expression where the relations hold, multiplied out."""
+        return sympy.expand(self.put(expression))
+
+    def put(self, expression: Any) -> sympy.Expr:
+        """Return an expression where the relations hold, words with kinks any numbers."""
+        return self.veiled(sympy.sympify(expression)).xreplace(self.relations)
+
+    def veiled(self, expression: sympy.Expr) -> sympy.Expr:
+        """Return an expression with a symbol of its own for each word of the states."""
+        words = [f for f in expression.atoms(AppliedUndef) if f.args != (TIME,)]
+        for word in sorted(words, key=lambda f: (-extent(f)[0], str(f))):  # outer before inner
+            if expression.has(word):
+                sign = {"positive": True} if positive_maximum(word) else {"real": True}
+                symbol = self.words.setdefault(word, sympy.Dummy(str(word.func), **sign))
+                expression = expression.xreplace({word: symbol})
+        return expression
+
+    def left_over(self, claim: Claim, more: Any = 0) -> str:
+        """Return what V' has beyond a claim and more, or where it has no value, or nothing."""
+        rest = self.put(self.rate - claimed(self.loop, claim) - more)
+        if not vanishes(rest):
+            return f"left over: {short(sympy.expand(rest))}"
+        return self.loop.undefined[0] if self.loop.undefined else ""
+
+    def left(self) -> str:
+        """Return which relation is left, or nothing."""
+        for symbol, value in self.relations.items():
+            drift = self.put(self.loop.derivative(symbol - value))
+            if not vanishes(drift):
+                return f"{symbol} leaves it by {short(sympy.expand(drift))}"
+        return ""
+
+    def left_at_a_jump(self) -> str:
+        """Return which relation is left where states jump, or nothing."""
+        for after in self.loop.jumps_at_once():
+            for symbol, value in self.relations.items():
+                off = self.put((symbol - value).xreplace(after))
+                if not vanishes(off):
+                    return f"{symbol} leaves it by {short(sympy.expand(off))}"
+        return ""
+
+    def cone_is_kept_at_a_jump(self) -> bool:
+        """Return whether c^T M c is not negative after a jump, for every M >= 0 and c."""
+        for after in self.loop.jumps_at_once():
+            for M in self.cones.values():
+                c = np.array(sympy.symbols(f"a_1:{len(M) + 1}", real=True), dtype=object)
+                new = np.array([[after.get(m, m) for m in row] for row in M], dtype=object)
+                if not self.not_negative(self.veiled(sympy.expand(c @ new @ c)), set(c)):
+                    return False
+        return True
+
+    def V_rises_by(self) -> str:
+        """Return what V may rise by where states jump, or nothing."""
+        for after in self.loop.jumps_at_once():
+            rise = self.here(self.V.xreplace(after) - self.V)
+            if not vanishes(rise) and not self.not_negative(-rise):
+                return short(rise)
+        return ""
+
+    def estimate_grows(self) -> str:
+        """Return what (d M^-1 d^T)' <= gains <= 0, d = theta_hat - theta, fails by, or nothing.
+
+        With M = M^T and d = c M, whatever c is: 2 d' c^T - c M' c^T.
+        """
+        (port,) = self.cones
+        n, M = len(self.cones[port]), self.symmetric(port)
+        if np.any(M != M.T):
+            return f"left over: {short(M[0, 1] - M[1, 0])}"
+        c = np.array(sympy.symbols(f"c_1:{2 * n + 1}", real=True), object).reshape(2, n)
+        theta = self.loop.parameters["true_flow"].theta
+        at = dict(zip(self.states["theta_hat"], (theta + c @ M).ravel(), strict=True))
+        slope = self.rates["theta_hat"].reshape(2, n)
+        rate = 2 * np.sum(slope * c) - np.sum((c @ self.slopes[port]) * c)
+        rest = self.here(sympy.sympify(rate - self.gains).subs(at, simultaneous=True))
+        falls = self.gains.is_nonpositive
+        if falls and all(term.is_nonpositive for term in sympy.Add.make_args(rest)):
+            return ""
+        return f"left over: {short(rest)}"
+
+    def cone_is_kept(self, port: str) -> bool:
+        """Return whether c^T M' c is not negative where M c = 0, for every c.
+
+        As c^T M' c has the sign of c^T M' c/c_n^2, c_n is 1; where it is 0, turn M and c a little.
+        """
+        M, n = self.symmetric(port), len(self.cones[port])
+        c = np.array([*sympy.symbols(f"c_1:{n}", real=True), sympy.Integer(1)], dtype=object)
+        M[:-1, -1] = M[-1, :-1] = -(M[:-1, :-1] @ c[:-1])
+        M[-1, -1] = -np.dot(M[-1, :-1], c[:-1])
+        at = dict(zip(self.cones[port].ravel(), M.ravel(), strict=True))
+        form = sympy.sympify(c @ self.slopes[port] @ c).subs(at, simultaneous=True)
+        return bool(sympy.factor(sympy.expand(form)).is_nonnegative)
+
+    def symmetric(self, port: str) -> np.ndarray:
+        """Return a cone's matrix with its relations, shape (n, n)."""
+        return np.array([[self.here(s) for s in row] for row in self.cones[port]], dtype=object)
+
+    def not_negative(self, expression: Any, more: Set[Any] = frozenset()) -> bool:
+        """Return whether F = F(M = 0) + sum tr(M S) is known not to be negative for M >= 0.
+
+        `more` are symbols beside states and truths that may have any value.
+        """
+        expression = sympy.sympify(expression)
+        if expression.is_nonnegative or self.within(expression):
+            return True
+        if all(term.is_nonnegative for term in sympy.Add.make_args(expression)):
+            return True
+        found, parts = self.here(expression), []
+        found = sympy.expand(found.subs(self.over, simultaneous=True))
+        own = {port: self.symmetric(port) for port in self.cones}
+        symbols = sorted({s for M in own.values() for s in M.ravel()}, key=str)
+        if not found.is_polynomial(*symbols) or sympy.Poly(found, *symbols).total_degree() > 1:
+            return False
+        for M in own.values():
+            c, form = sympy.symbols(f"c_1:{len(M) + 1}", real=True), sympy.Integer(0)
+            for j in range(len(M)):
+                for k in range(j, len(M)):  # M_jk stands for M_kj as well
+                    form += c[j] * c[k] * sympy.diff(found, M[j, k])
+            parts.append(sympy.expand(form))
+        parts.append(found.subs(dict.fromkeys(symbols, 0)))
+        return all(nonpositive(-part, self.apart | more, {}) for part in parts)
+
+    def within(self, expression: sympy.Expr) -> bool:
+        """Return whether an expression is 1 - tr P/k_0, which `covariance_bounds` keeps."""
+        if self.held is None:
+            return False
+        trace = sum(self.cones["P"].diagonal())
+        return sympy.expand(expression - 1 + trace / self.parameters.largest) == 0
+
+    def loses(self) -> bool:
+        """Return whether each product that V' loses has factors that are not negative."""
+        return all(self.not_negative(factor) for product in self.losses for factor in product)
+
+
+def _square(symbols: np.ndarray) -> np.ndarray:
+    n = math.isqrt(len(symbols))
+    return symbols.reshape(n, n)
+
+
+def _alone(values: np.ndarray) -> dict[Any, Any]:
+    """Return symbols -> expressions that make each value, linear in its symbol, one of its own."""
+    flat, found = list(np.ravel(values)), {}
+    for k, value in enumerate(flat):
+        others = {s for j, one in enumerate(flat) if j != k for s in one.free_symbols}
+        symbol = min(value.free_symbols - others, key=str)
+        fresh = sympy.Symbol(f"over_{k + 1}", real=True)
+        found[symbol] = (fresh - value.subs(symbol, 0)) / sympy.diff(value, symbol)
+    return found
+
+
+def _tied(loop: SymbolicLoop, law: Block, V: Block) -> dict[Any, Any]:
+    """Return V's symbols -> the law's, for fields of one name and value."""
+    tied: dict[Any, Any] = {}
+    for field in set(V.parameters._fields) & set(law.parameters._fields) - {"N"}:
+        mine, own = (np.asarray(getattr(b.parameters, field)) for b in (V, law))
+        if np.array_equal(mine, np.broadcast_to(own, mine.shape)):
+            symbols = np.asarray(getattr(loop.parameters[V.name], field), dtype=object)
+            theirs = np.asarray(getattr(loop.parameters[law.name], field), dtype=object)
+            theirs = np.broadcast_to(theirs, symbols.shape)
+            tied.update(zip(symbols.ravel(), theirs.ravel(), strict=True))
+    return tied
+
+
+def cases_of(law: Law) -> list[Kept]:
+    """Return a law's loop for each number of functions."""
+    return [Kept(law, N) for N in SIZES]
+
+
+def said_of(cases: Iterable[Kept], say: Callable[[Kept], str]) -> tuple[bool, str]:
+    """Return whether nothing is said of any case, and what is said of the first."""
+    for case in cases:
+        if said := say(case):
+            return False, f"N = {case.loop.N}: {said}"
+    return True, ""
+
+
+def kept_step(cases: list[Kept]) -> Step:
+    """Check that what the states keep is kept."""
+    claim = "what the law's states keep is kept"
+    return checked(claim, "exact", lambda: said_of(cases, Kept.left), False)
+
+
+def same_running(cases: list[Kept], points: int) -> Step:
+    """Check that the running blocks give the same V', for N = 2."""
+    case = cases[1]
+    return running_step(case.diagram, case.loop, case.untied, points)

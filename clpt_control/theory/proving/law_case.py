@@ -1,0 +1,214 @@
+"""A law with its V on symbols and running, and what can be asked of them.
+
+`verdict` puts the answers together.
+"""
+
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import sympy
+from sympy.core.function import AppliedUndef
+
+from ...blocks import Block
+from ...diagrams.interconnection import Diagram
+from .dead_zones import DeadZones
+from .law_gains import own_values, refuse_no_value
+from .leaks import Bound, Leaking, delta_bounds, leaks_of, pull_bound
+from .lyapunov import claimed, decay, every_n_residual, short
+from .proof import Step, checked
+from .quadratic_forms import nonpositive, pulled, tidied
+from .random_points import Draw
+from .running_rate import compared
+from .symbolic_loop import TIME, SymbolicLoop, symbolic_loop
+from .theorem_loop import theorem_loop
+
+
+class Case:
+    """A law with its V, on symbols and running; V's gains are those of the law, if any."""
+
+    def __init__(
+        self,
+        diagram: Diagram,
+        loop: SymbolicLoop,
+        V: Block,
+        law: Block,
+        gains: list[sympy.Expr],
+        points: int,
+        seed: int,
+    ):
+        self.diagram, self.loop, self.V, self.law = diagram, loop, V, law
+        refuse_no_value(loop, V.name)
+        self.points, self.seed = points, seed
+        self.blocks = [node for node in diagram.syslist if isinstance(node, Block)]
+        names = Draw(self.blocks, 0).names
+        self.weights: dict[sympy.Expr, sympy.Expr] = {}
+        self.tied: dict[str, list[sympy.Expr]] = {}  # V's gains, where they are apart
+        at = 0
+        for field in ("gain", "gain_K", "gain_Gamma") if gains else ():
+            own = list(np.ravel(getattr(loop.parameters[V.name], field)))
+            theirs = gains[at : at + len(own)]
+            at += len(own)
+            self.weights.update(zip(own, theirs, strict=True))
+            if own != theirs:
+                self.tied[names[V.name, field]] = theirs
+        hidden = {
+            s
+            for b in self.blocks
+            if b.name not in (law.name, V.name)
+            for s in flat(loop.parameters[b.name])
+        }
+        self.values = {s: v for s, v in own_values(loop, self.blocks).items() if s not in hidden}
+        self.moving = {TIME, *(s for port in loop.states.values() for s in port)}
+        self.kept: tuple[str, ...] = ()
+        self.Vs = loop.signals["V"][0].subs(self.weights)
+        self.zones = DeadZones(loop, self.Vs, self.values)
+        self.rate = tidied(loop.derivative(loop.signals["V"][0]).subs(self.weights))
+        self.rest = tidied(self.rate - claimed(loop, decay))
+
+    def truth(self) -> dict[Any, sympy.Expr]:
+        """Return where each error is zero."""
+        p, states = self.loop.parameters, self.loop.states
+        true = dict(zip(states["x"], states["z"], strict=True))
+        known = (
+            ("alpha", -p["true_flow"].theta.ravel()),
+            ("K", p["vehicle_controller"].KD),
+            ("Gamma", p["vehicle_controller"].GammaD),
+        )
+        for port, where in known:
+            if port in states:
+                true |= dict(zip(states[port], where, strict=True))
+        return true
+
+    @cached_property
+    def disturbed(self) -> SymbolicLoop:
+        """The loop with the disturbance of Eq. (32) as an input."""
+        law, V = self.law, self.V
+        return symbolic_loop(
+            theorem_loop(self.loop.N or 1, "learned-flow", True, law_block=law, candidate=V),
+            jumps=True,
+        )
+
+    def valued(self) -> Step:
+        """Return the step that the equations have a value everywhere."""
+        return Step(
+            "the equations have a value everywhere",
+            not self.loop.undefined,
+            "exact",
+            self.loop.undefined[0] if self.loop.undefined else "",
+            False,
+        )
+
+    def bound(self, truth: dict) -> Bound | None:
+        """Return what V comes to where V' pulls back, or where leaks do."""
+        at, p = self.values, self.loop.parameters
+        KD, disturbed = list(p["vehicle_controller"].KD), self.takes_delta()
+        pull = None
+        if self.keeps_decay():
+            pull = pulled(self.rate, self.Vs, truth, at, self.moving)
+        if pull is not None:
+            return pull_bound(pull, KD, delta_bounds(disturbed))
+        rate, rest, V = (one.subs(at) for one in (self.rate, self.rest, self.Vs))
+        leaks = leaks_of(rest, truth, self.moving)
+        pairs = [
+            (s, sympy.sympify(value).subs(at))
+            for port, symbols in self.loop.states.items()
+            for s, value in zip(symbols, self.loop.rates[port], strict=True)
+        ]
+        leaking = Leaking(rate, leaks, V, truth, self.moving, dict(pairs), KD, disturbed)
+        return leaking.bound() if leaks else None
+
+    def takes_delta(self) -> bool:
+        """Return whether a disturbance adds e^T Delta to V' and nothing else."""
+        loop = self.disturbed
+        rate = loop.derivative(loop.signals["V"][0]).subs(self.weights)
+        delta = zip(loop.signals["e"], loop.inputs["delta"], strict=True)
+        return tidied(rate - self.rate - sum(e * d for e, d in delta)) == 0
+
+    def keeps_decay(self) -> bool:
+        """Return whether V' has -e^T KD e, or more of it."""
+        rest = self.rest.subs(self.values)
+        return all(sympy.diff(rest, s, 2).is_nonpositive for s in self.loop.states["x"])
+
+    def falls(self, rest: sympy.Expr) -> bool:
+        """Return whether what V' has beyond -e^T KD e is known not to be positive."""
+        apart = self.moving - {TIME} | rest.free_symbols - set(self.values) - {TIME}
+        return bool(rest == 0 or nonpositive(rest, apart, self.values))
+
+    def across_jumps(self) -> Step:
+        """Return the step that V does not rise where states jump, whichever jump at once."""
+
+        def no_rise() -> tuple[bool, str]:
+            V = self.Vs
+            own = (self.loop.parameters[block.name] for block in self.blocks)
+            steps = {p.interval for p in own if "interval" in p._fields}
+            if V.free_symbols & steps or V.atoms(AppliedUndef):
+                return False, "V itself depends on time"
+            for after in self.loop.jumps_at_once():
+                rise = tidied(V.subs(after, simultaneous=True) - V).subs(self.values)
+                if not self.falls(rise):
+                    return False, f"V changes by {short(rise)}"
+            return True, ""
+
+        claim = f"V does not rise where states of {' and '.join(self.loop.jumps)} jump"
+        return checked(claim, "exact", no_rise, False)
+
+    def running(self) -> Step:
+        """Return the step that the running blocks have the same V'."""
+
+        def same() -> tuple[bool, str]:
+            square = sum(e**2 for e in self.loop.signals["e"])  # multiplied out it loses digits
+            rest = self.rest.xreplace({sympy.expand(square): square})
+            wanted = claimed(self.loop, decay) + rest
+            return compared(
+                self.diagram, self.loop, wanted, self.points, self.seed, self.tied, self.kept
+            ).outcome
+
+        return checked("the running blocks give the same V'", "sampled", same, False)
+
+    def every(self) -> Step:
+        """Return the step that the same holds for every N."""
+
+        def holds() -> tuple[bool, str]:
+            loop, rest = every_n_residual(self.diagram, decay)
+            at = self.values if self.kept else {}
+            weights = {**self.weights, **self.every_n_weights()}
+            base, term = (tidied(part.subs(weights).subs(at)) for part in rest)
+            if loop.undefined:
+                return False, loop.undefined[0]
+            if self.falls(base) and self.falls(term):
+                return True, ""
+            return False, f"left over: {short(base)}; summand {short(term)}"
+
+        return checked("the same for every N", "exact", holds)
+
+    def every_n_weights(self) -> dict[sympy.Expr, sympy.Expr]:
+        """Return V's gains of the element k, where they are alike for every function."""
+        found: dict[sympy.Expr, sympy.Expr] = {}
+        if not self.weights:
+            return found
+        own = np.reshape(self.loop.parameters[self.V.name].gain, (2, -1))
+        for row in own if own.shape[1] == self.loop.N else ():
+            if row[0] not in self.weights:
+                continue
+            theirs = [self.weights[symbol] for symbol in row]
+            one = len(set(theirs)) == 1
+            gain = theirs[0] if one else _renamed(theirs[0], "[1]", "[k]")
+            if one or all(_renamed(gain, "[k]", f"[{k + 1}]") == g for k, g in enumerate(theirs)):
+                found[_renamed(row[0], "[1]", "[k]")] = gain
+        return found
+
+
+def flat(parameters: Any) -> list[Any]:
+    """Return the symbols of a block's parameters, one after the other."""
+    return [symbol for field in parameters for symbol in np.ravel(np.asarray(field, dtype=object))]
+
+
+def _renamed(expression: sympy.Expr, last: str, new: str) -> sympy.Expr:
+    """Return an expression with another last index in the names of its symbols."""
+    names = {
+        s: sympy.Symbol(s.name.removesuffix(last) + new, **s.assumptions0)
+        for s in expression.free_symbols
+        if s.name.endswith(last)
+    }
+    return expression.subs(names)
