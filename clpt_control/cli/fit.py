@@ -23,6 +23,9 @@ def fit(
     start_from_fit: Annotated[
         bool, typer.Option("--start-from-fit", help="Let the learner start with the fit.")
     ] = False,
+    units: Annotated[
+        str | None, typer.Option(help="Of u and v, such as m/s, where the file has none.")
+    ] = None,
     as_json: Json = False,
 ) -> None:
     """Fit flow basis functions to a measured current."""
@@ -37,6 +40,7 @@ def fit(
         width_km=width_km,
         constituents=tuple(name.strip() for name in constituents.split(",")),
         start_from_fit=start_from_fit,
+        units=units,
     )
     save_fit(fitted, out)
     if as_json:

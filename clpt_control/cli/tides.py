@@ -20,6 +20,9 @@ def tides(
         tuple[float, float] | None,
         typer.Option(help="LAT LON, degrees: the nearest cell of a grid."),
     ] = None,
+    units: Annotated[
+        str | None, typer.Option(help="Of u and v, such as m/s, where the file has none.")
+    ] = None,
     out: Annotated[Path | None, typer.Option(help="Folder for tides.nc and tides.png.")] = None,
     as_json: Json = False,
 ) -> None:
@@ -29,7 +32,7 @@ def tides(
     from ..currents.tidal.record import read_record
     from ..files import make_folder, write_figure, write_netcdf
 
-    measured = read_record(record, latitude, at)
+    measured = read_record(record, latitude, at, units)
     names = [name.strip() for name in constituents.split(",")]
     fit = fit_tides(
         measured.time,

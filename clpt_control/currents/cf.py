@@ -39,6 +39,11 @@ AXES = {
 }
 DEPTHS = ("depth", "altitude", "height", "depth_below_sea_surface", "ocean_s_coordinate")
 DEPTH_NAMES = ("depth", "z", "lev", "level", "altitude", "s_rho", "deptht", "depthu", "sigma")
+CURE = (
+    "regrid it to latitudes and longitudes, by cdo remapbil or xESMF, and turn u and v to east and "
+    "north first: on such a grid they may lie along its own axes"
+)
+PROJECTED = ("projection_x_coordinate", "projection_y_coordinate")
 FASTEST = 15.0  # m/s; no current at sea is faster, a fill value taken as data is
 REAL = ("standard", "gregorian", "proleptic_gregorian")  # calendars of real dates
 CALENDARS = (*REAL, "julian", "noleap", "365_day", "all_leap", "366_day", "360_day")
@@ -59,6 +64,10 @@ def find_variable(data: "xarray.Dataset", table: dict[str, Any], what: str, path
     for candidates in ([n for n in by_name if n in by_standard], by_standard, by_name):
         if candidates:
             return str(candidates[0])
+    if table is AXES and any(
+        data[n].attrs.get("standard_name") in PROJECTED for n in data.variables
+    ):
+        raise DataError(f"{path}: has a projected grid, of x and y, and no {what}; {CURE}")
     kind = f"{what} velocity" if table is VELOCITY else what
     raise DataError(
         f"{path}: no {kind}; a variable with standard_name '{standard[0]}' or one of the names "
@@ -71,6 +80,11 @@ def find_axis(data: "xarray.Dataset", velocity: str, what: str, path: Path) -> "
     """Return the coordinate, of one dimension that a velocity has, for a key of `AXES`."""
     name = find_variable(data, AXES, what, path)
     axis = data[name]
+    if what != "time" and axis.ndim == 2:
+        raise DataError(
+            f"{path}: {name} has the dimensions ({', '.join(map(str, axis.dims))}): a curvilinear "
+            f"grid; {CURE}"
+        )
     if axis.ndim != 1 or axis.dims[0] not in data[velocity].dims:
         raise DataError(
             f"{path}: {name} has the dimensions ({', '.join(map(str, axis.dims))}); must be one "
@@ -173,17 +187,37 @@ def check_speed(values: np.ndarray, what: str, path: Path) -> None:
         )
 
 
+def check_places(lat: "xarray.DataArray", lon: "xarray.DataArray", path: Path) -> None:
+    """Refuse latitudes and longitudes of the same dimension: places, and no grid of them."""
+    if lat.dims == lon.dims:
+        raise DataError(
+            f"{path}: {lat.name} and {lon.name} are those of each {lat.dims[0]}: a triangular grid "
+            f"or a track; {CURE}"
+        )
+
+
 def velocity_values(
-    data: "xarray.Dataset", name: str, kept: dict[Any, np.ndarray], path: Path
+    data: "xarray.Dataset",
+    name: str,
+    kept: dict[Any, np.ndarray],
+    path: Path,
+    units: str | None = None,
 ) -> np.ndarray:
     """Return a velocity in m/s, NaN where missing, at the indices kept of each dimension.
 
-    Of a depth that is not among them the level nearest the surface is taken.
+    Of a depth that is not among them the level nearest the surface is taken.  `units` are those
+    of a variable that says none.
     """
     values = data[name]
-    if "units" not in values.attrs:
-        raise DataError(f"{path}: {name} has no units; must be such as 'm/s' or 'cm s-1'")
-    size = speed_in_metres_per_second(str(values.attrs["units"]), f"{path}: {name}")
+    own = values.attrs.get("units")
+    if own is None and units is None:
+        raise DataError(
+            f"{path}: {name} has no units; must be such as 'm/s' or 'cm s-1': give --units to clpt "
+            "fit or tides, or write the attribute"
+        )
+    size = speed_in_metres_per_second(str(units if own is None else own), f"{path}: {name}")
+    if own and units and speed_in_metres_per_second(units, "--units") != size:
+        raise DataError(f"{path}: {name} is in '{own}'; units = '{units}' is for a file without")
     for dim in set(values.dims) - set(kept):
         level = 0
         if values.sizes[dim] != 1:

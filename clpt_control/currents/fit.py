@@ -32,6 +32,7 @@ from .grid_file import Currents, read_currents
 from .nodal import nodal_report
 from .plane import LocalPlane
 from .rayleigh import check_separable
+from .tidal.sampling import check_nyquist
 
 SINE = -np.pi / 2
 SPEED = "km h-1"
@@ -58,6 +59,7 @@ def fit_scenario(
     radius_km: float = 10.0,
     gain: float = 5.0,
     start_from_fit: bool = False,
+    units: str | None = None,
 ) -> Fit:
     """Make a scenario of a gridded current, fitted by its basis.
 
@@ -80,6 +82,8 @@ def fit_scenario(
     start_from_fit : bool, optional
         Let the learner start at alpha(0) = -theta. (alpha_M stays 0: Eqs. (7)
         and (20) cancel it, so it would teach the learner nothing.)
+    units : str, optional
+        Of u and v, such as ``m/s``, where the file has none.
 
     Returns
     -------
@@ -123,9 +127,12 @@ def fit_scenario(
     ):
         if not (np.isfinite(value) and value > 0):
             raise DataError(f"{what} = {value}{unit}: must be positive and finite")
-    currents = read_currents(path, box)
+    currents = read_currents(path, box, units=units)
     seen = currents.time[currents.measured.any(axis=(1, 2))]
     check_separable(constituents, float(np.ptp(seen)), str(path))
+    turning = [name for name in constituents if name != "steady"]
+    cycles = np.array([tides.speed(name) for name in turning]) / 360.0
+    check_nyquist(seen, cycles, turning, str(path))
     lat0, lat1, lon0, lon1 = currents.box
     plane = LocalPlane(round((lat0 + lat1) / 2, 9), round((lon0 + lon1) / 2, 9))
     lat, lon = currents.lat[:, None], currents.lon[None, :]

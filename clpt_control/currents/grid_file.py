@@ -18,6 +18,7 @@ from .cf import (
     DEPTH_NAMES,
     REAL,
     VELOCITY,
+    check_places,
     check_speed,
     dates_of,
     find_axis,
@@ -56,7 +57,11 @@ class Currents:
 
 
 def read_currents(
-    path: str | Path, box: tuple[float, float, float, float] | None = None, *, column: bool = False
+    path: str | Path,
+    box: tuple[float, float, float, float] | None = None,
+    *,
+    column: bool = False,
+    units: str | None = None,
 ) -> Currents:
     """Read a gridded current from a NetCDF file.
 
@@ -72,6 +77,8 @@ def read_currents(
         Read all levels down to 1000 m and the next, at real dates, in place of
         the level nearest the surface. A grid around the Earth then gets its
         first column again at its end.
+    units : str, optional
+        Of u and v, such as ``m/s``, where the file has none.
 
     Returns
     -------
@@ -110,6 +117,7 @@ def read_currents(
         lat, lon, when = (
             find_axis(data, names[0], what, path) for what in ("latitude", "longitude", "time")
         )
+        check_places(lat, lon, path)
         hours, start = _since_first(dates_of(when, path, real=column))
         latitudes, longitudes = lat.values.astype(float), lon.values.astype(float)
         span = None if box is None else _checked_box(box)
@@ -139,7 +147,7 @@ def read_currents(
                 f"{path}: {names[0]} has {size:.3g} values; at most {MOST:.0g} can be held, cut "
                 "the file to the area and days that are needed"
             )
-        u, v = (velocity_values(data, name, kept, path) for name in names)
+        u, v = (velocity_values(data, name, kept, path, units) for name in names)
     gap = ~(np.isfinite(u) & np.isfinite(v))
     if gap.all():
         raise DataError(

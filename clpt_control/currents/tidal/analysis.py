@@ -22,7 +22,7 @@ from ...errors import DataError, ScenarioError
 from ..nodal import checked_latitude, checked_times, load_utide, utide_names
 from ..rayleigh import check_separable
 from .constants import Constituent, TidalFit
-from .sampling import check_increasing, check_sampling, noise_ratio
+from .sampling import check_increasing, check_nyquist, check_sampling, noise_ratio, nyquist
 
 LEAST_CHANGE = 1e-9  # m/s in a record; less is no measured tide, and its squares vanish
 CI = 1.96  # UTide's half widths, in standard errors
@@ -48,7 +48,8 @@ def fit_tides(
         Degrees north.
     constituents : sequence of str
         Names of `tides.SPEEDS`, or UTide's own; the mean is always fitted.
-        ``"auto"``: all that UTide thinks the record can separate.
+        ``"auto"``: all that UTide thinks the record can separate, below its
+        Nyquist frequency.
     where : str, optional
         The record, for messages.
 
@@ -76,11 +77,12 @@ def fit_tides(
     utide = load_utide()
     times, flow = _measured(time, u, v, where)
     hours = (times - times[0]).astype(float) / 3.6e6
-    names = _names(constituents, hours[-1], where)
+    names = _names(constituents, hours, where)
     cycles = np.array([utide.cycles_per_hour[name] for name in utide_names(names)])
     speeds = {"steady": 0.0} | dict(zip(names, 360.0 * cycles, strict=True))
     check_separable(tuple(speeds), hours[-1], where, speeds)
     check_sampling(hours, cycles, names, where)
+    check_nyquist(hours, cycles, names, where)
     options = {
         "lat": checked_latitude(latitude),
         "constit": utide_names(names),
@@ -175,12 +177,17 @@ def _measured(time: Any, u: Any, v: Any, where: str) -> tuple[np.ndarray, np.nda
     return times[kept], u[kept] + 1j * v[kept]
 
 
-def _names(constituents: Sequence[str] | str, hours: float, where: str) -> tuple[str, ...]:
+def _names(constituents: Sequence[str] | str, hours: np.ndarray, where: str) -> tuple[str, ...]:
     if constituents in ("auto", ["auto"], ("auto",)):
         const = load_utide().ut_constants.const  # df: cycles per hour to the next greater tide
-        names = tuple(str(n) for n, df in zip(const.name, const.df, strict=True) if df * hours >= 1)
+        fastest = nyquist(hours)
+        names = tuple(
+            str(name)
+            for name, df, cycles in zip(const.name, const.df, const.freq, strict=True)
+            if df * hours[-1] >= 1 and cycles < fastest
+        )
         if not names:
-            raise DataError(f"{where}: no tide can be told from the mean in {hours:.4g} h")
+            raise DataError(f"{where}: no tide can be told from the mean in {hours[-1]:.4g} h")
         return names
     names = tuple(name for name in constituents if name != "steady")  # the mean, always there
     if not names or len(set(utide_names(names))) != len(names):

@@ -26,6 +26,7 @@ from ..cf import (
     find_variable,
     velocity_values,
 )
+from .profiler import of_profiler
 from .sampling import check_increasing
 from .table import is_table, read_table
 
@@ -46,7 +47,10 @@ class CurrentRecord:
 
 
 def read_record(
-    path: str | Path, latitude: float | None = None, at: tuple[float, float] | None = None
+    path: str | Path,
+    latitude: float | None = None,
+    at: tuple[float, float] | None = None,
+    units: str | None = None,
 ) -> CurrentRecord:
     r"""Read a current record at one place.
 
@@ -58,6 +62,8 @@ def read_record(
         Degrees north; the file's own by default.
     at : tuple of float, optional
         Latitude and longitude, degrees: the nearest cell of a grid is read.
+    units : str, optional
+        Of u and v, such as ``m/s``, where the file has none.
 
     Returns
     -------
@@ -84,11 +90,11 @@ def read_record(
     if is_table(path):
         if at is not None:
             raise DataError(f"{path}: is a table of one place; --at is for gridded NetCDF files")
-        times, u, v, own = read_table(path)
+        times, u, v, own = read_table(path, units)
         place: tuple[float | None, float | None] = (own, None)
     else:
         with open_netcdf(path) as data:
-            times, u, v, place = _from_netcdf(data, path, at)
+            times, u, v, place = _from_netcdf(of_profiler(data, path), path, at, units)
     check_increasing(times, str(path))
     gap = ~(np.isfinite(u) & np.isfinite(v))
     if gap.all():
@@ -107,7 +113,9 @@ def read_record(
     return CurrentRecord(times, u, v, float(found), place[1], path.name)
 
 
-def _from_netcdf(data: "xarray.Dataset", path: Path, at: tuple[float, float] | None) -> tuple:
+def _from_netcdf(
+    data: "xarray.Dataset", path: Path, at: tuple[float, float] | None, units: str | None
+) -> tuple:
     """Return times, u, v and (latitude, longitude)."""
     east = find_variable(data, VELOCITY, "eastward", path)
     north = find_variable(data, VELOCITY, "northward", path)
@@ -130,7 +138,7 @@ def _from_netcdf(data: "xarray.Dataset", path: Path, at: tuple[float, float] | N
             f"{path}: is a grid of {' x '.join(str(others[n]) for n in grid)} places; --at LAT LON "
             "takes the nearest"
         )
-    u, v = (velocity_values(data, name, kept, path).ravel() for name in (east, north))
+    u, v = (velocity_values(data, name, kept, path, units).ravel() for name in (east, north))
     return times, u, v, tuple(place)
 
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from ...errors import DataError
 
+UNEVEN = 0.1  # of a step, by which a clock may be off
 WORST = 30.0  # largest condition number
 NEAR = np.array([*range(-10, 0), *range(1, 11)])  # neighbours of a tide, in 1 / record length
 
@@ -23,6 +24,38 @@ def check_increasing(times: np.ndarray, where: str) -> None:
         raise DataError(
             f"{where}: the time {times[late[0] + 1]} comes after {times[late[0]]}; times must "
             "increase: sort the record and keep each time once"
+        )
+
+
+def nyquist(hours: np.ndarray) -> float:
+    """Return the frequency, cycles per hour, from which on a record of even steps is blind.
+
+    A step may be left out; where steps are no multiples of one, endless: `check_sampling` judges.
+
+    >>> [round(nyquist(np.array([0.0, 1.0, 2.0, last])), 6) for last in (5.0, 2.4)]
+    [0.5, inf]
+    """
+    steps = np.diff(hours)
+    counts = steps / np.median(steps)
+    even = np.all(np.abs(counts - np.round(counts)) <= UNEVEN) and np.all(counts > 0.5)
+    return 0.5 / float(np.median(steps)) * (1 - 1e-9) if even else np.inf
+
+
+def check_nyquist(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], where: str) -> None:
+    """Refuse tides that steps are too long for: they would be seen as slower ones.
+
+    >>> check_nyquist(6.0 * np.arange(9), np.array([1 / 12]), ["S2"], "record")
+    Traceback (most recent call last):
+        ...
+    clpt_control.errors.DataError: record: a measurement each 6 h sees no tide of 12 h or faster:
+    leave out S2
+    """
+    fast = [name for name, each in zip(names, cycles, strict=True) if each >= nyquist(hours)]
+    if fast:
+        step = float(np.median(np.diff(hours)))
+        raise DataError(
+            f"{where}: a measurement each {step:.4g} h sees no tide of {2 * step:.4g} h or faster: "
+            f"leave out {', '.join(fast)}"
         )
 
 

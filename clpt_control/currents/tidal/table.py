@@ -6,7 +6,8 @@
     2019-01-01T01:00:00Z,,
 
 Columns `time`, `u` (to the east) and `v` (to the north), in any order, others
-are left alone.  Units stand behind the names, in () or [], or for both in a
+are left alone; in place of u and v `speed` and `direction`, the one to which it flows, degrees
+from true north.  Units stand behind the names, in () or [], or for both in a
 comment `# units: cm/s`; a table without units is refused.  Times are ISO 8601
 (UTC unless they say) or seconds since 1970 UTC.  An empty cell or nan is a gap.
 Lines that begin with `#` are comments; `# latitude: DEG` is read.
@@ -33,6 +34,11 @@ NAMES = {
     "u": VELOCITY["eastward"][1],
     "v": VELOCITY["northward"][1],
 }
+POLAR = {
+    "time": NAMES["time"],
+    "speed": ("speed", "current_speed", "velocity", "spd", "magnitude", "mag"),
+    "direction": ("direction", "current_direction", "dir", "heading"),
+}
 SUFFIXES = (".csv", ".txt", ".dat")
 HEADER = re.compile(r"\s*([^([]*?)\s*(?:[(\[]\s*([^)\]]*?)\s*[)\]])?\s*")
 
@@ -48,22 +54,28 @@ def is_table(path: Path) -> bool:
     return path.suffix.lower() in SUFFIXES
 
 
-def read_table(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray, float | None]:
+def read_table(
+    path: Path, units: str | None = None
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, float | None]:
     """Return times (datetime64[ms], UTC), u, v (m/s, NaN in gaps) and latitude of a table.
 
     Rows stay in the file's order; the latitude, degrees north, is that of the comment or None.
     """
     text = read_text(path, "is no text; must be a table of time, u and v, or NetCDF (.nc)")
     cells, said = table_of(text, path, "a table of time, u and v")
-    columns, sizes = _header(list(cells.columns), said.get("units"), path)
+    header = list(cells.columns)
+    polar = _is_polar(header)
+    columns, sizes = _header(header, said.get("units") or units, path, POLAR if polar else NAMES)
     if cells.empty:
         raise DataError(f"{path}: has a header and no rows; must be a table of time, u and v")
     time, *flow = (cells.iloc[:, k] for k in columns)
     times = _times(time, path)
     u, v = (
         size * _numbers(each, name, path)
-        for each, name, size in zip(flow, "uv", sizes, strict=True)
+        for each, name, size in zip(flow, list(POLAR)[1:] if polar else "uv", sizes, strict=True)
     )
+    if polar:
+        u, v = u * np.sin(np.radians(v)), u * np.cos(np.radians(v))
     latitude = None
     if "latitude" in said:
         try:
@@ -76,12 +88,20 @@ def read_table(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray, float | 
     return times, u, v, latitude
 
 
-def _header(header: list[str], units: str | None, path: Path) -> tuple[list[int], list[float]]:
-    """Return the columns of time, u and v, and what one unit of u and v is in m/s."""
+def _is_polar(header: list[str]) -> bool:
+    """Whether a table has a speed and a direction, and no u."""
+    names = [cell[1].lower() for cell in map(HEADER.fullmatch, header) if cell]
+    return any(name in POLAR["speed"] for name in names) and not set(names) & set(NAMES["u"])
+
+
+def _header(
+    header: list[str], units: str | None, path: Path, wanted: dict[str, tuple[str, ...]]
+) -> tuple[list[int], list[float]]:
+    """Return the columns of time and flow, and what one unit of each is in m/s or degrees."""
     cells = [HEADER.fullmatch(cell) for cell in header]
     names = [cell[1].lower() if cell else "" for cell in cells]
     columns, sizes = [], []
-    for what, allowed in NAMES.items():
+    for what, allowed in wanted.items():
         found = [k for k, name in enumerate(names) if name in allowed]
         if not found and (marks := other_marks(",".join(header), NAMES["time"][0])):
             raise DataError(f"{path}: {marks}")
@@ -93,6 +113,9 @@ def _header(header: list[str], units: str | None, path: Path) -> tuple[list[int]
             )
         columns.append(found[0])
         if what == "time":
+            continue
+        if what == "direction":
+            sizes.append(1.0)
             continue
         cell = cells[found[0]]
         unit = (cell[2] if cell else None) or units

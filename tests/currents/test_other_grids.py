@@ -1,0 +1,160 @@
+"""Grids without rows of latitudes, units that a file lacks, records of a profiler."""
+
+import numpy as np
+import pytest
+import xarray
+
+from clpt_control.currents.fit import fit_scenario
+from clpt_control.currents.grid_file import read_currents
+from clpt_control.currents.tidal.analysis import fit_tides
+from clpt_control.currents.tidal.record import read_record
+from clpt_control.currents.tidal.sampling import nyquist
+from clpt_control.errors import DataError
+
+TIME = ("time", np.arange(5.0), {"units": "hours since 2019-01-01"})
+MS = {"units": "m/s"}
+LAT, LON = np.linspace(41.0, 41.3, 4), np.linspace(-69.3, -69.0, 4)
+lat2, lon2 = np.meshgrid(LAT, LON, indexing="ij")
+
+
+def flow(*dims, units=MS):
+    return (("time", *dims), np.full((5, *(4,) * len(dims)), 0.3), units)
+
+
+UNLIKE = {
+    "curvilinear": (
+        {
+            "u": flow("y", "x"),
+            "v": flow("y", "x"),
+            "lat": (("y", "x"), lat2),
+            "lon": (("y", "x"), lon2),
+        },
+        r"lat has the dimensions \(y, x\): a curvilinear grid; regrid it .* cdo remapbil or xESMF",
+    ),
+    "triangular": (
+        {"u": flow("node"), "v": flow("node"), "lat": ("node", LAT), "lon": ("node", LON)},
+        "lat and lon are those of each node: a triangular grid",
+    ),
+    "projected": (
+        {
+            "u": flow("y", "x"),
+            "v": flow("y", "x"),
+            "x": ("x", 1e3 * np.arange(4), {"standard_name": "projection_x_coordinate"}),
+            "y": ("y", 1e3 * np.arange(4), {"standard_name": "projection_y_coordinate"}),
+        },
+        "has a projected grid, of x and y, and no latitude; regrid it",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", UNLIKE)
+def test_other_grids_are_refused_with_the_cure(tmp_path, name):
+    variables, sentence = UNLIKE[name]
+    xarray.Dataset({**variables, "time": TIME}).to_netcdf(tmp_path / "grid.nc")
+    for column in (False, True):
+        with pytest.raises(DataError, match=sentence):
+            read_currents(tmp_path / "grid.nc", column=column)
+
+
+def test_units_can_be_given_where_a_file_has_none(clpt, facts, tmp_path):
+    path = facts / "grids/wa_RTOFS_global.nc"
+    with pytest.raises(DataError, match=r"water_u has no units.*--units"):
+        read_currents(path)
+    metres, knots = read_currents(path, units="m/s"), read_currents(path, units="knots")
+    assert np.nanmax(np.abs(knots.u * 3600 / 1852 - metres.u)) < 1e-9
+    axes = {"time": TIME, "lat": ("lat", LAT), "lon": ("lon", LON)}
+    grid = xarray.Dataset({"u": flow("lat", "lon"), "v": flow("lat", "lon")}, axes)
+    grid.to_netcdf(tmp_path / "said.nc")
+    with pytest.raises(DataError, match="u is in 'm/s'; units = 'cm/s' is for a file without"):
+        read_currents(tmp_path / "said.nc", units="cm/s")
+    assert read_currents(tmp_path / "said.nc", units="m s-1").u.max() == pytest.approx(0.3)
+    ended = clpt("fit", path, "--out", tmp_path / "s.toml", "--units", "furlongs")
+    assert ended.status == 2
+    assert "furlongs" in ended.err
+
+
+def profiler(system="earth", **attrs):
+    """A made file as of dolfyn: three ranges, the last mostly empty; 0.4 to the east, 0.2 north."""
+    hours = np.arange(0.0, 360.0, 0.5)
+    vel = np.zeros((4, 3, hours.size))
+    vel[0] = [[0.3], [0.5], [9.0]]
+    vel[1] = 0.2
+    vel[:, 2, 10:] = np.nan
+    wave = np.cos(np.radians(28.9841042) * hours)
+    vel[0, :2] += 0.1 * wave
+    return xarray.Dataset(
+        {"vel": (("dir", "range", "time"), vel, MS)},
+        {
+            "dir": [*("ENU" if system == "earth" else "XYZ"), "err"],
+            "range": [1.0, 2.0, 3.0],
+            "time": ("time", 1.55e9 + 3600 * hours, {"units": "seconds since 1970-01-01"}),
+        },
+        {"coord_sys": system, "latitude": 41.0, **attrs},
+    )
+
+
+def test_a_profilers_file_is_a_record(tmp_path):
+    profiler(declination=-14.0).to_netcdf(tmp_path / "adcp.nc")
+    record = read_record(tmp_path / "adcp.nc")
+    assert record.u.mean() == pytest.approx(0.4, abs=0.01)
+    assert record.v == pytest.approx(0.2)
+    assert record.latitude == 41.0
+    profiler().to_netcdf(tmp_path / "magnetic.nc")
+    with pytest.raises(DataError, match="set_declination"):
+        read_record(tmp_path / "magnetic.nc")
+    profiler("inst", declination=0.0).to_netcdf(tmp_path / "inst.nc")
+    with pytest.raises(DataError, match=r"coordinates 'inst' .* must be earth"):
+        read_record(tmp_path / "inst.nc")
+
+
+def test_speed_and_direction_are_read_as_east_and_north(tmp_path):
+    path = tmp_path / "adcp.txt"
+    rows = "".join(f"2019-01-01T0{k}:00:00Z,{100 + k},{90 * k}\n" for k in range(4))
+    path.write_text("# latitude: 41.2\ntime,speed (cm/s),direction (deg)\n" + rows)
+    record = read_record(path)
+    assert record.u == pytest.approx([0.0, 1.01, 0.0, -1.03])
+    assert record.v == pytest.approx([1.0, 0.0, -1.02, 0.0], abs=1e-12)
+    path.write_text("# latitude: 41.2\ntime,speed,direction\n" + rows)
+    with pytest.raises(DataError, match="speed has no units"):
+        read_record(path)
+    assert read_record(path, units="cm/s").u[1] == pytest.approx(1.01)
+    path.write_text("# latitude: 41.2\ntime,speed (cm/s)\n2019-01-01,3\n")
+    with pytest.raises(DataError, match="no column direction"):
+        read_record(path)
+
+
+@pytest.mark.parametrize(("step", "auto"), [(1.0, True), (3.0, True), (8.0, False)])
+def test_no_tide_above_the_nyquist_frequency(step, auto):
+    utide = pytest.importorskip("utide")
+    hours = np.arange(0.0, 1440.0, step)
+    time = np.datetime64("2019-01-01") + (3600 * hours).astype("timedelta64[s]")
+    wave = np.cos(np.radians(15.0410686) * hours)
+    found = fit_tides(time, wave, 0.5 * wave, 41.0, "auto").constituents
+    fastest = max(utide.cycles_per_hour[tide.name] for tide in found)
+    assert fastest < 0.5 / step
+    for name, refused in (("M2", 2 * step > 12.42), ("M4", 2 * step > 6.21)):
+        if refused:
+            with pytest.raises(
+                DataError, match=f"sees no tide of {2 * step:g} h or faster.*{name}"
+            ):
+                fit_tides(time, wave, 0.5 * wave, 41.0, ["K1", name])
+        else:
+            fit_tides(time, wave, 0.5 * wave, 41.0, ["K1", name])
+    rng = np.random.default_rng(1)
+    assert nyquist(np.sort(rng.uniform(0, 100, 50))) == np.inf
+    kept = np.sort(rng.choice(hours.size, hours.size * 3 // 4, replace=False))
+    assert nyquist(hours[kept]) == pytest.approx(0.5 / step)
+
+
+def test_a_fit_of_a_grid_refuses_a_tide_that_its_steps_miss(tmp_path):
+    hours = np.arange(0.0, 240.0, 8.0)
+    wave = 0.3 * np.cos(2 * np.pi * hours / 12.42)[:, None, None] * np.ones((4, 4))
+    values = (("time", "lat", "lon"), wave, MS)
+    axes = {
+        "time": ("time", hours, {"units": "hours since 2019-01-01"}),
+        "lat": ("lat", LAT),
+        "lon": ("lon", LON),
+    }
+    xarray.Dataset({"u": values, "v": values}, axes).to_netcdf(tmp_path / "slow.nc")
+    with pytest.raises(DataError, match="a measurement each 8 h sees no tide of 16 h or faster"):
+        fit_scenario(tmp_path / "slow.nc", rows=1, columns=1, radius_km=1.0)
