@@ -22,7 +22,8 @@ from ..native.schedule import Schedule, make_schedule
 from ..native.sweep import Sweep
 from ..scenario.experiment import Scenario, scenario_tables
 from ..scenario.keys import CALL_TIME_NAMES, JUMPS, STARTS, names_held
-from ..simulation.loops import paper_blocks, state_columns, state_of
+from ..simulation.loops import paper_blocks
+from ..simulation.starts import state_columns, state_of
 
 
 @dataclass

@@ -17,7 +17,7 @@ from ..scenario.tides import period
 from .dive import Dive
 from .fix_model import WIDTH
 from .gaussian_places import SPACING, near
-from .priors import Priors
+from .priors import QUARTER_DAY, Priors
 
 WIDE = 1e12  # m, of a gaussian that is 1 everywhere on Earth
 
@@ -84,3 +84,16 @@ def dive_basis(
     )
     parameters = BasisParameters(len(rows), centers, widths, frequencies, phases)
     return flow_basis("basis_x", "x", "gaussian", parameters), prior
+
+
+def dive_noise(dives: Sequence[Dive]) -> np.ndarray:
+    """Return the standard deviation of each dive's miss, (n,), m: fixes, and what is unknown."""
+    priors = Priors()
+    time = np.array([dive.duration for dive in dives])
+    return np.hypot(priors.fix, priors.gradient_scatter * time)
+
+
+def dive_walk(prior: np.ndarray) -> np.ndarray:
+    """Return the walk of each parameter, m/s per square root of s: that of a current, scaled."""
+    priors = Priors()
+    return prior * priors.gradient_walk / (priors.current * np.sqrt(QUARTER_DAY))

@@ -1,9 +1,10 @@
 from .flows import explained_variance, flow_velocity
 from .integrate import sample_times, simulate
-from .loops import closed_loop, error_loop, initial_state, paper_blocks
+from .loops import closed_loop, error_loop, paper_blocks
 from .plots import clpe_plot, learning_plot, track_plot
 from .report import claims, run_and_report
 from .run_file import load_run, save_run
+from .starts import initial_state
 from .team_plots import team_plot
 from .teams import team_loop
 

@@ -32,7 +32,6 @@ from ..diagrams.interconnection import Diagram, connect
 from ..diagrams.scenario_basis import scenario_basis
 from ..errors import DiagramError
 from ..scenario.experiment import Scenario, require_scenario
-from ..scenario.keys import STARTS
 
 
 def paper_blocks(scenario: Scenario, law: Block | None = None) -> list[Block]:
@@ -83,14 +82,10 @@ def paper_blocks(scenario: Scenario, law: Block | None = None) -> list[Block]:
         limits.append(speed_limit.speed_limit(speed_limit.SpeedLimitParameters(car.max_speed)))
     if scenario.hedged:
         limits.append(speed_limit.hedging())
-    delta = scenario.flow.disturbance
-    disturbances = []
+    delta, disturbances = scenario.flow.disturbance, []
     if delta is not None:
-        disturbances.append(
-            disturbance.disturbance(
-                delta.kind, delta.amplitude, delta.period or 1.0, float(delta.seed or 0)
-            )
-        )
+        own = (delta.kind, delta.amplitude, delta.period or 1.0, float(delta.seed or 0))
+        disturbances.append(disturbance.disturbance(*own))
     at_fixes = learning.row.at_fixes
     if at_fixes and law is not None:
         raise DiagramError(
@@ -191,10 +186,10 @@ def closed_loop(
     ['zc[0]', 'zc[1]']
     """
     external = [external] if isinstance(external, str) else list(external)
-    return connect(_kept(paper_blocks(scenario, law), external), external, name="closed_loop")
+    return connect(kept_blocks(paper_blocks(scenario, law), external), external, name="closed_loop")
 
 
-def _kept(blocks: list[Block], external: list[str]) -> list[Block]:
+def kept_blocks(blocks: list[Block], external: list[str]) -> list[Block]:
     """Return the blocks that are left where some ports come from outside."""
     ports = {port for block in blocks for port in block.output_ports}
     for port in external:
@@ -250,73 +245,3 @@ def error_loop(scenario: Scenario) -> Diagram:
         external=("phi_x", "z", "zc"),
         name="error_loop",
     )
-
-
-def starting_values(scenario: Scenario) -> dict[str, np.ndarray]:
-    """Return what the scenario's keys say of states at t = 0, by key."""
-    learning = scenario.learning
-    values = {
-        "vehicle.position": scenario.vehicle.position,
-        "learning.position": learning.position,
-        "learning.parameters": scenario.learning_parameters,
-        "learning.feedback": learning.feedback,
-        "learning.feedforward": learning.feedforward,
-    }
-    if learning.row.keeps_alpha:  # alpha is no state
-        del values["learning.parameters"]
-    return {key: np.asarray(value, dtype=float) for key, value in values.items()}
-
-
-def state_columns(blocks: Iterable[Block]) -> dict[str, slice]:
-    """Return where each state lies in the state of a diagram of blocks."""
-    sizes = [item for block in blocks for item in block.state_ports.items()]
-    ends = np.cumsum([size for _, size in sizes], dtype=int).tolist()
-    return {port: slice(end - size, end) for (port, size), end in zip(sizes, ends, strict=True)}
-
-
-def state_of(scenario: Scenario, blocks: Iterable[Block], law: Block | None = None) -> np.ndarray:
-    """Return the state of blocks at t = 0; the states of a law of the user's own start at 0."""
-    columns = state_columns(blocks)
-    state = np.zeros(max((column.stop for column in columns.values()), default=0))
-    for key, value in starting_values(scenario).items():
-        if STARTS[key] in columns:
-            state[columns[STARTS[key]]] = value.ravel()
-    for port, value in _own_starts(scenario, law).items():
-        if port in columns:
-            state[columns[port]] = np.ravel(value)
-    return state
-
-
-def _own_starts(scenario: Scenario, law: Block | None) -> dict[str, Any]:
-    """Return where the states that only this law has start."""
-    return scenario.learning.row.starts(scenario.known_to_law) if law is None else {}
-
-
-def initial_state(
-    scenario: Scenario, external: Iterable[str] = (), law: Block | None = None
-) -> np.ndarray:
-    """Return the state at t = 0 of a scenario's `closed_loop`.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        The experiment.
-    external : iterable of str, optional
-        As given to `closed_loop`.
-    law : Block, optional
-        As given to `closed_loop`; what it has beside alpha, K and Gamma starts at 0.
-
-    Returns
-    -------
-    ndarray
-        x(0), z(0), alpha(0) row by row where it is a state, K(0), Gamma(0), and the
-        law's own states.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> initial_state(clpt.paper_scenario()).shape
-    (14,)
-    """
-    external = [external] if isinstance(external, str) else list(external)
-    return state_of(scenario, _kept(paper_blocks(scenario, law), external), law)

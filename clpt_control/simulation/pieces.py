@@ -13,7 +13,7 @@ import numpy as np
 
 from ..native.ending import Solution
 from ..scenario.experiment import Scenario
-from .integrate import ScenarioRun
+from .scenario_run import ScenarioRun
 from .speeds import SpeedWatch
 
 if TYPE_CHECKING:

@@ -23,8 +23,9 @@ from ..scenario.file import TEAM
 from ..scenario.team import LAW, Team
 from ..scenario.team_file import team_to_text
 from .dataset import Columns, run_dataset
-from .loops import paper_blocks, state_of
+from .loops import paper_blocks
 from .speeds import faster_flow, speeds_of
+from .starts import state_of
 
 if TYPE_CHECKING:
     import xarray

@@ -17,7 +17,8 @@ from clpt_control.currents.fit import fit_scenario
 from clpt_control.currents.fit_file import save_fit
 from clpt_control.errors import ScenarioError
 from clpt_control.simulation.flows import explained_variance
-from clpt_control.simulation.loops import paper_blocks, state_columns
+from clpt_control.simulation.loops import paper_blocks
+from clpt_control.simulation.starts import state_columns
 
 LAWS = ("composite-least-squares", "composite-memory", "least-squares", "normalised-gradient")
 MARACOOS = Path(__file__).parents[1] / "data/field/maracoos_hfr_2019-01-01.nc"

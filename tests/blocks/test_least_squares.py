@@ -13,7 +13,8 @@ from scipy.integrate import quad, simpson
 import clpt_control as clpt
 from clpt_control.blocks.laws import least_squares
 from clpt_control.blocks.laws.filtered_flow import filtered_law
-from clpt_control.simulation.loops import paper_blocks, state_columns
+from clpt_control.simulation.loops import paper_blocks
+from clpt_control.simulation.starts import state_columns
 
 LAWS = ("least-squares", "composite-least-squares")
 THETA = np.array([0.6, -0.4])

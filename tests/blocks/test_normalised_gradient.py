@@ -7,7 +7,8 @@ from scipy.integrate import simpson
 import clpt_control as clpt
 from clpt_control.blocks.laws import normalised_gradient
 from clpt_control.blocks.laws.filtered_flow import filtered_law
-from clpt_control.simulation.loops import paper_blocks, state_columns
+from clpt_control.simulation.loops import paper_blocks
+from clpt_control.simulation.starts import state_columns
 
 PARAMETERS = normalised_gradient.NormalisedGradientParameters(
     N=1,

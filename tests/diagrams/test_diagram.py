@@ -11,7 +11,8 @@ from clpt_control.diagrams import wiring
 from clpt_control.diagrams.interconnection import Diagram, connect
 from clpt_control.errors import BlockError, DiagramError
 from clpt_control.native.python_diagram import PythonDiagram
-from clpt_control.simulation.loops import initial_state, paper_blocks
+from clpt_control.simulation.loops import paper_blocks
+from clpt_control.simulation.starts import initial_state
 
 PAPER = clpt.paper_scenario()
 KNOWN = PAPER.with_values(

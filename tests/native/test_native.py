@@ -20,7 +20,7 @@ from clpt_control.native import readings
 from clpt_control.native.inputs import read_inputs
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
-from clpt_control.simulation.loops import initial_state
+from clpt_control.simulation.starts import initial_state
 
 
 def scenario_of(N, law, disturbed):

@@ -13,7 +13,7 @@ from clpt_control.blocks import Block
 from clpt_control.blocks.declaration import states_as_outputs
 from clpt_control.errors import DataError
 from clpt_control.native.python_diagram import PythonDiagram
-from clpt_control.simulation.loops import initial_state
+from clpt_control.simulation.starts import initial_state
 
 
 @pytest.mark.filterwarnings("ignore:.*runs in Python, not as machine code")

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control.simulation.loops import initial_state
+from clpt_control.simulation.starts import initial_state
 
 FOLDER = Path(__file__).parents[1] / "reference"
 REFERENCE = json.loads((FOLDER / "paper.json").read_text())

@@ -11,7 +11,7 @@ from clpt_control.diagrams.interconnection import connect
 from clpt_control.errors import SimulationError
 from clpt_control.native.python_diagram import PythonDiagram
 from clpt_control.simulation.integrate import sample_times
-from clpt_control.simulation.loops import initial_state
+from clpt_control.simulation.starts import initial_state
 
 
 @pytest.mark.parametrize(

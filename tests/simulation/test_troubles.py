@@ -13,7 +13,7 @@ from clpt_control.blocks import Block, field, vehicle
 from clpt_control.currents.field_file import GriddedField
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.errors import ScenarioError, SimulationError
-from clpt_control.simulation.loops import initial_state
+from clpt_control.simulation.starts import initial_state
 
 
 def test_infinite_parameter_is_named():

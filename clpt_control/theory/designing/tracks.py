@@ -20,7 +20,8 @@ from ...native.batch import Batch
 from ...native.native_diagram import NativeDiagram
 from ...native.printing import LANES
 from ...scenario.experiment import Scenario
-from ...simulation.loops import paper_blocks, state_of
+from ...simulation.loops import paper_blocks
+from ...simulation.starts import state_of
 from ..excitation.regressor import quadrature
 from ..excitation.transition import regressors
 

@@ -1,0 +1,132 @@
+"""A scenario's closed loop, ready to run; call-time values go into the keys that hold them."""
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..blocks import Block
+from ..blocks.localization import TRUE
+from ..diagrams.interconnection import wiring_of_blocks
+from ..errors import BlockError, ScenarioError, SimulationError
+from ..native.ending import Solution
+from ..native.engines import chosen
+from ..native.inputs import checked_state
+from ..scenario.experiment import Scenario
+from ..scenario.keys import STARTS, keys_alone, keys_of
+from .dataset import all_columns, run_dataset
+from .loops import paper_blocks
+from .starts import starting_values, state_columns, state_of
+
+if TYPE_CHECKING:
+    import xarray
+
+Progress = Callable[[float], None]
+
+
+class ScenarioRun:
+    """A scenario's closed loop, ready to run: integrate, ask its signals, make a Dataset."""
+
+    def __init__(
+        self, scenario, params=None, initial_state=None, rtol=None, atol=None, engine=None, law=None
+    ):
+        scenario, self.left = _into_keys(scenario, params, initial_state, law)
+        self.law: Block | None = law
+        tolerances = {"run.rtol": rtol, "run.atol": atol}
+        given = {key: value for key, value in tolerances.items() if value is not None}
+        self.scenario: Scenario = scenario.with_values(given) if given else scenario
+        blocks = paper_blocks(self.scenario, law)
+        self.wiring, self.start = wiring_of_blocks(blocks), state_of(self.scenario, blocks, law)
+        self.runner = chosen(self.wiring, self.left, None, engine, "the closed loop")
+
+    @property
+    def max_speed(self) -> float | None:
+        """The vehicle's largest speed in this run, units.length per units.time, if it has one."""
+        nodes = zip(self.wiring.nodes, self.runner.sweep.given, strict=True)
+        return next((p.max_speed for node, p in nodes if node.name == "speed_limit"), None)
+
+    def integrate(
+        self, state: np.ndarray, times: np.ndarray, progress: Progress | None = None
+    ) -> Solution:
+        """Integrate from a state at the first time to the last."""
+        run = self.scenario.run
+        return self.runner.run(state, times, rtol=run.rtol, atol=run.atol, progress=progress)
+
+    def signals(self, solution: Solution) -> np.ndarray:
+        """Return all block outputs, shape (ntimes, nsignals), right limits at jumps."""
+        return self.runner.signals(solution)
+
+    def columns(self, port: str) -> list[int]:
+        """Return the columns of a port in `signals`."""
+        labels = [label for node in self.wiring.nodes for label in node.system.output_labels]
+        return [k for k, label in enumerate(labels) if label.partition("[")[0] == port]
+
+    def true_position(self, signals: np.ndarray) -> np.ndarray:
+        """Return x of `signals`, shape (ntimes, 2), also where the vehicle reads it with noise."""
+        return signals[:, self.columns(TRUE) or self.columns("x")]
+
+    def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
+        """Return a solution and its signals with names, units and attributes."""
+        return run_dataset(
+            self.scenario,
+            all_columns(self.wiring, self.runner.sweep.given),
+            signals,
+            solution,
+            self.left,
+            self.law,
+        )
+
+
+def _checked(scenario: Scenario, name: str, value: Any) -> Scenario:
+    """Return a scenario with a call-time value in its key; refuse what no scenario may have."""
+    if value is None:
+        raise BlockError(f"params: {name} = None: must be a number or an array")
+    held = name.endswith((".gain_K", ".gain_Gamma")) and np.array_equal(value, 0.0)
+    changed = scenario
+    for key in () if held else keys_of(scenario, name):
+        try:
+            changed = scenario.with_values({key: value})
+        except ScenarioError as error:
+            raise BlockError(
+                f"params: {name}, the scenario's {str(error).partition(': ')[2]}; simulate the "
+                "diagram, closed_loop(scenario), to try what no scenario may have"
+            ) from None
+    return changed
+
+
+def _into_keys(
+    scenario: Scenario, params: Mapping[str, Any] | None, x0: Any, law: Block | None
+) -> tuple[Scenario, dict[str, Any]]:
+    """Put call-time values into the scenario where keys hold them; return it and what is left."""
+    if params is not None and not isinstance(params, Mapping):
+        raise BlockError(f"params = {params!r}: must be a dict, such as {{'adaptation.gain': 2.0}}")
+    left = dict(params or {})
+    if x0 is None and not left:
+        return scenario, left
+    blocks = paper_blocks(scenario, law)
+    known = {f"{block.name}.{field}" for block in blocks for field in block.parameters._fields}
+    if law is not None:  # no key holds what is in it
+        known = {name for name in known if name.partition(".")[0] != law.name}
+    alone = keys_alone(scenario, known)
+    for name in [name for name in left if name in known]:
+        changed = _checked(scenario, name, left[name])
+        if name in alone:
+            scenario = changed
+            del left[name]
+    if x0 is not None:
+        columns = state_columns(blocks)
+        held = {STARTS[key]: (key, v.shape) for key, v in starting_values(scenario).items()}
+        state = checked_state("initial_state", x0, (max(c.stop for c in columns.values()),))
+        given = columns.keys() & held.keys()
+        scenario = scenario.with_values(
+            {held[port][0]: state[columns[port]].reshape(held[port][1]) for port in given}
+        )
+        usual = state_of(scenario, paper_blocks(scenario, law), law)
+        for port in columns.keys() - held.keys():
+            if not np.array_equal(state[columns[port]], usual[columns[port]]):
+                raise SimulationError(
+                    f"initial_state: no key of a scenario holds {port}, which starts at "
+                    f"{usual[columns[port]].tolist()}; simulate closed_loop(scenario) to start it "
+                    "elsewhere"
+                )
+    return scenario, left
