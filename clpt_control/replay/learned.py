@@ -60,12 +60,12 @@ def learned(replay: Replay) -> dict[str, Any]:
         return {"sentence": "nothing", "strengths": {}, "odds": {}}
     step = replay.steps[-1]
     sizes = strengths(replay)
-    chances = {part: step.parts.get(_of(part)) for part in sizes}
+    chances = {part: step.parts.get(_of(part)) for part in replay.model.flow[1:]}
     words = [f"{velocity(*map(float, step.current))} over the last dive"]
-    for part, size in sizes.items():
-        p = chances[part]
-        unit = "" if part == "model" else " m/s"
-        words.append(f"{part} {size:.2f}{unit}" + ("" if p is None else f" (odds {odds(p)})"))
+    for part, p in chances.items():
+        size = f" {round(sizes[part], 2) + 0.0:.2f}" if part in sizes else ""
+        unit = " m/s" if size and part != "model" else ""
+        words.append(f"{part}{size}{unit}" + ("" if p is None else f" (odds {odds(p)})"))
     if replay.model.learn_speed:
         words += [speed_said(step), compass_said(step)]
     return {

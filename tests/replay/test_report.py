@@ -119,6 +119,8 @@ def test_what_is_learned_is_said_as_it_is():
     bare = learned(replay_dives(vehicle(1, 3), "gradient", FixModel(("steady",), False)))
     assert bare["sentence"].endswith("over the last dive")
     assert json.dumps(learned(tidal), allow_nan=False)
+    places = replay_dives(vehicle(1, 3), model=FixModel(("steady", "gaussians")))
+    assert "gaussians (odds " in learned(places)["sentence"]
 
 
 def test_odds_are_of_whole_numbers():
