@@ -5,8 +5,17 @@ from typing import Annotated, Any
 
 import typer
 
-from ..errors import ClptError
-from .printing import Json, ScenarioFile, print_json, print_table, shown
+from .printing import (
+    Json,
+    ScenarioFile,
+    Start,
+    Window,
+    check_figure,
+    check_scenario,
+    print_json,
+    print_table,
+    shown,
+)
 
 Four = tuple[float, float, float, float]
 
@@ -28,12 +37,8 @@ def design(
     ] = None,
     count: Annotated[int | None, typer.Option(help="Waypoints; default: as many as now.")] = None,
     dwell: Annotated[float | None, typer.Option(help="Time at each; default: as now.")] = None,
-    window: Annotated[
-        float | None, typer.Option(help="Length of the window; default: one cycle of waypoints.")
-    ] = None,
-    start: Annotated[
-        float | None, typer.Option(help="Start of the window; default: the second cycle.")
-    ] = None,
+    window: Window = None,
+    start: Start = None,
     level: Annotated[
         float | None, typer.Option(help="Error that ends the learning time; default: a tenth.")
     ] = None,
@@ -45,19 +50,14 @@ def design(
     as_json: Json = False,
 ) -> None:
     """Find waypoints from which most can be learned."""
-    from ..files import check_writable, write_together
+    from ..files import write_together
     from ..progress import progress_bar
     from ..scenario.file import load_scenario, scenario_to_text
     from ..theory.designing.design import design_track
 
     experiment = load_scenario(scenario)
-    for path in (out, figure):
-        if path is not None:
-            check_writable(path)
-    if out.suffix != ".toml":
-        raise ClptError(f"{out}: must end in .toml; it becomes a scenario")
-    if figure is not None and figure.suffix not in (".png", ".pdf", ".svg"):
-        raise ClptError(f"{figure}: a figure's name must end in .png, .pdf or .svg")
+    check_scenario(out)
+    check_figure(figure)
     with progress_bar(f"designing {scenario.name}", 1.0) as report:
         found = design_track(
             experiment,

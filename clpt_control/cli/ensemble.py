@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from .printing import Json, ScenarioFile, print_json, print_table, shown
+from .printing import Json, ScenarioFile, check_figure, print_json, print_table, shown
 
 
 def ensemble(
@@ -35,16 +35,12 @@ def ensemble(
     """Run a scenario many times with values that vary."""
     from ..ensemble.run import run_ensemble
     from ..ensemble.spread import ensemble_summary
-    from ..errors import ClptError
-    from ..files import check_writable, write_figure
+    from ..files import write_figure
     from ..progress import progress_bar
     from ..scenario.file import load_scenario
 
     experiment = load_scenario(scenario)
-    if figure is not None:
-        check_writable(figure)
-        if figure.suffix not in (".png", ".pdf", ".svg"):
-            raise ClptError(f"{figure}: a figure's name must end in .png, .pdf or .svg")
+    check_figure(figure)
     with progress_bar(f"running {scenario.name}", members, "members") as report:
         data = run_ensemble(
             experiment,

@@ -6,26 +6,22 @@ from typing import Annotated
 import typer
 
 from ..errors import ClptError
-from .printing import Json, ScenarioFile, print_json, print_table
+from .printing import Json, ScenarioFile, Start, Window, check_figure, print_json, print_table
 
 MOST_SHOWN = 20  # eigenvalues in the table; --json has all
 
 
 def excitation(
     scenario: ScenarioFile,
-    window: Annotated[
-        float | None, typer.Option(help="Length of the window; default: one cycle of waypoints.")
-    ] = None,
-    start: Annotated[
-        float | None, typer.Option(help="Start of the window; default: the second cycle.")
-    ] = None,
+    window: Window = None,
+    start: Start = None,
     figure: Annotated[
         Path | None, typer.Option(help=".png, .pdf or .svg: eigenvalues and directions.")
     ] = None,
     as_json: Json = False,
 ) -> None:
     """Measure what can be learned on a track, and how fast; of a team, alone and together."""
-    from ..files import check_writable, write_figure
+    from ..files import write_figure
     from ..scenario.file import TEAM
     from ..scenario.team import Team
     from ..scenario.team_file import load_either
@@ -40,10 +36,7 @@ def excitation(
 
         excitation_and_print(source, window, start, as_json)
         return
-    if figure is not None:
-        check_writable(figure)
-        if figure.suffix not in (".png", ".pdf", ".svg"):
-            raise ClptError(f"{figure}: a figure's name must end in .png, .pdf or .svg")
+    check_figure(figure)
     report = excitation_report(source, window, start)
     if figure is not None:
         from ..theory.excitation.gramian import gramian

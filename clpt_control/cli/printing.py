@@ -7,10 +7,40 @@ from typing import Annotated, Any
 
 import typer
 
+from ..errors import ClptError
+
 ScenarioFile = Annotated[Path, typer.Argument(help="A scenario's TOML file, or a run's NetCDF.")]
+Window = Annotated[
+    float | None, typer.Option(help="Length of the window; default: one cycle of waypoints.")
+]
+Start = Annotated[
+    float | None, typer.Option(help="Start of the window; default: the second cycle.")
+]
 PIPED = 140  # letters of a line that goes to no terminal
 LONG = 40  # characters; longer cells are broken into lines
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
+
+
+def check_figure(path: Path | None) -> None:
+    """Refuse a figure that cannot be written, before work begins."""
+    from ..files import check_writable
+
+    if path is None:
+        return
+    check_writable(path)
+    if path.suffix not in (".png", ".pdf", ".svg"):
+        raise ClptError(f"{path}: a figure's name must end in .png, .pdf or .svg")
+
+
+def check_scenario(path: Path | None) -> None:
+    """Refuse a scenario's file that cannot be written, before work begins."""
+    from ..files import check_writable
+
+    if path is None:
+        return
+    check_writable(path)
+    if path.suffix != ".toml":
+        raise ClptError(f"{path}: must end in .toml; it becomes a scenario")
 
 
 def print_json(value: dict[str, Any]) -> None:

@@ -5,8 +5,7 @@ from typing import Annotated, Any
 
 import typer
 
-from ..errors import ClptError
-from .printing import Json, ScenarioFile, print_json, print_table, shown
+from .printing import Json, ScenarioFile, check_scenario, print_json, print_table, shown
 
 MOST_SHOWN = 15  # candidates in the table; --json has all
 
@@ -31,15 +30,12 @@ def tune(
 ) -> None:
     """Choose law, gains and filter for a flow that is not known."""
     from ..ensemble.tuning.tune import tune_law
-    from ..files import check_writable, write_text
+    from ..files import write_text
     from ..progress import progress_bar
     from ..scenario.file import load_scenario, scenario_to_text
 
     experiment = load_scenario(scenario)
-    if out is not None:
-        check_writable(out)
-        if out.suffix != ".toml":
-            raise ClptError(f"{out}: must end in .toml; it becomes a scenario")
+    check_scenario(out)
     with progress_bar(f"tuning {scenario.name}", 1.0) as report:
         tuned = tune_law(
             experiment,

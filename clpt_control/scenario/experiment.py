@@ -16,20 +16,10 @@ from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 from ..blocks.laws.law import Known
 from ..blocks.laws.table import LAWS
 from ..errors import ScenarioError
+from .learning import Learning
 from .localization import Localization
 from .mistakes import Table
-from .tables import (
-    Basis,
-    Circle,
-    Flow,
-    Learning,
-    Model,
-    Run,
-    TwoRows,
-    Units,
-    Vehicle,
-    Waypoints,
-)
+from .tables import Basis, Circle, Flow, Model, Run, TwoRows, Units, Vehicle, Waypoints
 from .tides import period
 
 EXAMPLE = "{'learning.gain': 2.0}"

@@ -5,13 +5,10 @@ table needs of another is checked in `experiment`.
 """
 
 import math
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, BeforeValidator, Field, Strict, create_model, model_validator
-from pydantic_core import PydanticCustomError
+from pydantic import AfterValidator, BeforeValidator, Field, Strict, model_validator
 
-from ..blocks.laws.law import Gains, Law
-from ..blocks.laws.table import LAWS
 from .mistakes import Table
 from .tides import period
 
@@ -43,13 +40,6 @@ Pair = tuple[Number, Number]
 PositivePair = tuple[Positive, Positive]
 Row = tuple[Number, ...]
 TwoRows = tuple[Row, Row]
-KINDS: dict[str, Any] = {  # what a law's setting may be
-    "number": Number,
-    "positive": Positive,
-    "not negative": NotNegative,
-    "row": tuple[NotNegative, ...],
-    "two rows": TwoRows,
-}
 Kernel = Literal["exponential", "gaussian", "gaussian-sigma"]
 
 
@@ -155,143 +145,6 @@ class Waypoints(Table):
     kind: Literal["waypoints"]
     points: Annotated[tuple[Pair, ...], Field(min_length=1)]
     dwell: Positive
-
-
-class LearningGains(Table):
-    """A gain each for alpha, K and Gamma; what is left out is not adapted by the law."""
-
-    parameters: Positive | None = None
-    feedback: Positive | None = None
-    feedforward: Positive | None = None
-
-
-def _own_table(law: Law) -> tuple[Any, None]:
-    """Return a law's own table as a field that may be left out."""
-    keys: dict[str, Any] = {}
-    for key, one in law.settings.items():
-        kind = KINDS[one.allowed]
-        keys[key] = (kind | None if one.default is None else kind, one.default)
-    return create_model(law.table, __base__=Table, **keys) | None, None
-
-
-if TYPE_CHECKING:
-    OwnTables = Table
-else:
-    OwnTables = create_model(
-        "OwnTables",
-        __base__=Table,
-        **{law.table: _own_table(law) for law in LAWS.values() if law.settings},
-    )
-
-
-def _law(name: str) -> str:
-    if name not in LAWS:
-        *names, last = (f"'{known}'" for known in LAWS)
-        allowed = f"must be {', '.join(names)} or {last}; `clpt laws` says what each does"
-        raise PydanticCustomError("law", "{allowed}", {"allowed": allowed})
-    return name
-
-
-class Learning(OwnTables):
-    """The adaptive law, its gains, its own table and its initial values."""
-
-    law: Annotated[str, AfterValidator(_law)]
-    gain: Positive | None = None
-    gains: LearningGains | None = None
-    adapt_gains: Annotated[bool, Strict()] = True
-    hedging: Annotated[bool, Strict()] | None = None
-    theta_estimate: TwoRows | None = None
-    position: Pair = (0.0, 0.0)
-    feedback: Pair = (0.0, 0.0)
-    feedforward: Pair = (0.0, 0.0)
-    parameters: TwoRows | None = None
-
-    @property
-    def row(self) -> Law:
-        """The law's row in the table of laws."""
-        return LAWS[self.law]
-
-    @property
-    def settings(self) -> dict[str, Any]:
-        """Every key of the law's own table, its value or default."""
-        given = getattr(self, self.row.table, None)
-        return {
-            key: one.default if given is None else getattr(given, key)
-            for key, one in self.row.settings.items()
-        }
-
-    @property
-    def used_gains(self) -> Gains:
-        """The gains with which alpha, K and Gamma adapt; 0 where they are held."""
-        one = self.gain or self.row.gain or 0.0
-        alpha, K, Gamma = (
-            getattr(self.gains, key, one) or 0.0 for key in LearningGains.model_fields
-        )
-        if not self.adapt_gains:
-            K, Gamma = 0.0, 0.0
-        return Gains(alpha, K, Gamma, one=self.gains is None and self.adapt_gains)
-
-    @model_validator(mode="after")
-    def _what_the_law_needs(self) -> "Learning":
-        own = f'law = "{self.law}"'
-        if self.row.keeps_alpha:
-            if self.theta_estimate is None and self.row.given_estimate:
-                raise ValueError(f"learning.theta_estimate: is required by {own}")
-            if self.parameters is not None:
-                raise ValueError(
-                    f"learning.parameters: {own} keeps alpha = alpha_M; remove the key"
-                )
-        elif self.theta_estimate is not None:
-            allowed = [f'"{law.name}"' for law in LAWS.values() if law.keeps_alpha]
-            raise ValueError(
-                f"learning.theta_estimate: is allowed only with law = {' or '.join(allowed)}; "
-                "remove the key"
-            )
-        for law in LAWS.values():
-            if law.name != self.law and getattr(self, law.table, None) is not None:
-                raise ValueError(
-                    f'learning.{law.table}: belongs to law = "{law.name}", not to {own}; remove '
-                    "the table"
-                )
-        return self
-
-    @model_validator(mode="after")
-    def _nothing_idle_at_fixes(self) -> "Learning":
-        idle = ("gain", "gains", "adapt_gains", "hedging", "feedback", "feedforward")
-        for key in idle if self.row.at_fixes else ():
-            if key in self.model_fields_set:
-                raise ValueError(
-                    f'learning.{key}: law = "{self.law}" adapts by no gain and holds the gains of '
-                    "the vehicle; remove the key"
-                )
-        return self
-
-    @model_validator(mode="after")
-    def _gain_or_gains(self) -> "Learning":
-        if self.row.at_fixes:
-            return self
-        needed = ["parameters"] if self.row.alpha_by_gain else []
-        needed += ["feedback", "feedforward"] if self.adapt_gains else []
-        if self.gain is not None and self.gains is not None:
-            raise ValueError("learning.gains: give either gain or gains, one of the two")
-        if self.gains is None:
-            if self.gain is None and self.row.gain is None and needed:
-                raise ValueError(f'learning.gain: is required by law = "{self.law}"')
-        else:
-            for key in LearningGains.model_fields:
-                given = getattr(self.gains, key) is not None
-                if key in needed and not given:
-                    raise ValueError(f"learning.gains.{key}: is required; or give one gain for all")
-                if given and key not in needed:
-                    why = "alpha does not adapt by it" if key == "parameters" else "it is held"
-                    raise ValueError(f"learning.gains.{key}: {why} here; remove the key")
-        for key in ("feedback", "feedforward"):
-            if not self.adapt_gains and key not in self.model_fields_set:
-                raise ValueError(
-                    f"learning.{key}: is required with adapt_gains = false, which holds it; to "
-                    f"hold the vehicle's own give the value of vehicle.{key}"
-                )
-        return self
 
 
 class Run(Table):

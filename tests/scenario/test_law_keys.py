@@ -8,7 +8,7 @@ import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import ScenarioError
 from clpt_control.scenario.file import scenario_to_text
-from clpt_control.scenario.tables import KINDS, Learning
+from clpt_control.scenario.learning import KINDS, Learning
 from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
 PAPER = clpt.paper_scenario()

@@ -13,7 +13,7 @@ import numpy as np
 from ...blocks.laws.law import Law
 from ...blocks.laws.table import LAWS
 from ...scenario.experiment import Scenario
-from ...scenario.tables import LearningGains
+from ...scenario.learning import LearningGains
 
 GAINS = (0.25, 1.0, 4.0)
 FILTERS = (0.5, 1.0, 2.0)
