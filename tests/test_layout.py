@@ -99,3 +99,8 @@ def test_there_are_no_circles(level):
 
     for one in sorted(below):
         visit(one)
+
+
+def test_files_of_tests_have_names_of_their_own():
+    names = [path.name for path in Path(__file__).parent.rglob("test_*.py")]
+    assert sorted(names) == sorted(set(names))  # pytest imports them by name alone
