@@ -39,7 +39,7 @@ def write(result: Any, skipped: list, folder: Path, ahead: Ahead) -> list[Path]:
         "replay.html": replay_page(found, told),
         "next.geojson": next_geojson(found),
         "track.kml": track_kml(found, told.vehicle),
-        **replay_figures(result, goal),
+        **replay_figures(result, goal, found["aim"]),
     }
     write_together({folder / name: results[name] for name in RESULTS})
     return [folder / name for name in RESULTS]

@@ -35,20 +35,20 @@ function label(x, y, dx, dy, text, parent) {
 }
 function grid() {
   const group = document.getElementById("grid"), minutes = ((east - west) * 60 * view.w) / W;
-  const tall = ((north - south) * 60 * view.h) / H, rough = Math.max(minutes, tall) / 5;
-  const step = STEPS.find((s) => s >= rough) || 1800;
+  const tall = ((north - south) * 60 * view.h) / H;
+  const [up, along] = [tall, minutes].map((span) => STEPS.find((s) => s >= span / 5) || 1800);
   group.replaceChildren();
-  for (let k = Math.ceil((south * 60) / step); k * step <= north * 60; k++) {
-    const y = yOf((k * step) / 60);
+  for (let k = Math.ceil((south * 60) / up); k * up <= north * 60; k++) {
+    const y = yOf((k * up) / 60);
     if (y < view.y || y > view.y + view.h) continue;
     part("path", { class: "grid", d: `M${view.x} ${y}h${view.w}` }, group);
-    label(view.x, y, 4, -4, named((k * step) / 60, "NS", step), group);
+    label(view.x, y, 4, -4, named((k * up) / 60, "NS", up), group);
   }
-  for (let k = Math.ceil((west * 60) / step); k * step <= east * 60; k++) {
-    const x = xOf((k * step) / 60);
+  for (let k = Math.ceil((west * 60) / along); k * along <= east * 60; k++) {
+    const x = xOf((k * along) / 60);
     if (x < view.x || x > view.x + view.w) continue;
     part("path", { class: "grid", d: `M${x} ${view.y}v${view.h}` }, group);
-    label(x, view.y + view.h, 4, -5, named((k * step) / 60, "EW", step), group);
+    label(x, view.y + view.h, 4, -5, named((k * along) / 60, "EW", along), group);
   }
 }
 function scaleBar() {

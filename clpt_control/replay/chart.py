@@ -57,12 +57,12 @@ class Chart:
         lat = self._proj(0.0, y + self._zero, inverse=True)[1]
         return lat, self.first + x / self._proj(1.0, 0.0)[0]
 
-    def grid(self, lines: int) -> tuple[float, list[float], list[float]]:
-        """Return a step in minutes, and the parallels and meridians (degrees) of about so many."""
+    def grid(self, lines: int) -> tuple[float, list[float], float, list[float]]:
+        """Return steps (minutes) and places (degrees) of parallels, then of meridians."""
         south, west = self.place(self.west, self.south)
         north, east = self.place(self.east, self.north)
-        step = step_of(max((north - south), (east - west)) * 60 / lines)
-        return step, _marks(south, north, step), _marks(west, east, step)
+        up, along = (step_of(span * 60 / lines) for span in (north - south, east - west))
+        return up, _marks(south, north, up), along, _marks(west, east, along)
 
 
 def _shown(lat: float) -> float:

@@ -158,16 +158,16 @@ def _numbered(drawing: Drawing, rows: list[dict[str, Any]]) -> list[str]:
 
 def _grid(drawing: Drawing) -> list[str]:
     """Return parallels and meridians with their names; drawn anew where a script zooms."""
-    step, lats, lons = drawing.chart.grid(LINES)
+    up, lats, along, lons = drawing.chart.grid(LINES)
     lines = ['<g id="grid">']
     for lat in lats:
         y = drawing.at((lat, drawing.chart.first))[1]
         lines.append(f'<path class="grid" d="M0 {y:.1f}H{WIDTH:.0f}"/>')
-        lines.append(_label(0, y, 4, -4, mark(lat, "NS", step)))
+        lines.append(_label(0, y, 4, -4, mark(lat, "NS", up)))
     for lon in lons:
         x = (drawing.chart.xy(drawing.chart.middle, lon)[0] - drawing.chart.west) / drawing.metres
         lines.append(f'<path class="grid" d="M{x:.1f} 0V{drawing.height:.0f}"/>')
-        lines.append(_label(x, drawing.height, 4, -5, mark(lon, "EW", step)))
+        lines.append(_label(x, drawing.height, 4, -5, mark(lon, "EW", along)))
     return [*lines, "</g>"]
 
 

@@ -3,9 +3,9 @@
 import re
 from base64 import b64encode
 from hashlib import sha256
-from html.parser import HTMLParser
 
 import pytest
+from pages import Reader
 from pyproj import Geod
 from synthetic_vehicle import fixes_of
 
@@ -16,33 +16,6 @@ from clpt_control.replay.page import Told, replay_page
 from clpt_control.replay.page_lines import dates, ticks
 
 EVIL = "</title></script><script>alert(1)</script><img src=x onerror='alert(2)'>\x00\udc80\"&amp;"
-VOID = {"meta", "br", "hr", "img", "input", "link"}
-
-
-class Reader(HTMLParser):
-    """All tags, attributes and texts of a page; tags must be closed in their order."""
-
-    def __init__(self, text):
-        super().__init__()
-        self.tags, self.open, self.texts, self.styles, self.scripts = [], [], [], [], []
-        self.feed(text)
-        self.close()
-        assert self.open == []
-
-    def handle_starttag(self, tag, attrs):
-        self.tags.append((tag, dict(attrs)))
-        if tag not in VOID:
-            self.open.append(tag)
-
-    def handle_startendtag(self, tag, attrs):
-        self.tags.append((tag, dict(attrs)))
-
-    def handle_endtag(self, tag):
-        assert self.open.pop() == tag
-
-    def handle_data(self, data):
-        inner = self.open[-1] if self.open else ""
-        {"style": self.styles, "script": self.scripts}.get(inner, self.texts).append(data)
 
 
 def page_of(count, lat=40.0, lon=8.0, evil=""):
@@ -101,7 +74,7 @@ def test_a_chart_is_true_to_scale_and_angle(lat, lon):
 
 
 def test_grid_names_its_lines():
-    step, _, lons = Chart([(-43.1, 179.9), (-42.9, -179.8)]).grid(5)
+    _, _, step, lons = Chart([(-43.1, 179.9), (-42.9, -179.8)]).grid(5)
     assert step == 5
     assert [mark(lon, "EW", step) for lon in lons[:4]] == [
         "179°55'E",
