@@ -42,7 +42,7 @@ function grid() {
     const y = yOf((k * up) / 60);
     if (y < view.y || y > view.y + view.h) continue;
     part("path", { class: "grid", d: `M${view.x} ${y}h${view.w}` }, group);
-    label(view.x, y, 4, -4, named((k * up) / 60, "NS", up), group);
+    if (y < view.y + view.h - 24 * pixel()) label(view.x, y, 4, -4, named((k * up) / 60, "NS", up), group);
   }
   for (let k = Math.ceil((west * 60) / along); k * along <= east * 60; k++) {
     const x = xOf((k * along) / 60);

@@ -18,7 +18,7 @@ from .page_map import replay_map
 from .wording import compass, in_degrees, velocity
 
 ALARM = ' class="alarm"'
-PHONE = 2  # greatest rank of a column that a telephone shows
+PHONE, PAPER = 2, 6  # greatest rank of a column that a telephone shows, and a printed page
 
 
 class Told(NamedTuple):
@@ -147,7 +147,7 @@ def _keys(found: dict[str, Any]) -> str:
 def _table(found: dict[str, Any], told: Told) -> list[str]:
     """Return the table, the last dive first, columns of rank 0 before others."""
     order = sorted(range(len(told.titles)), key=lambda k: told.titles[k][1] > 0)
-    styles = ["" if rank <= PHONE else ' class="wide"' for _, rank in told.titles]
+    styles = [_shown_on(rank) for _, rank in told.titles]
     names = [f"<th{styles[k]}>{_safe(told.titles[k][0])}</th>" for k in order]
     lines = [
         "<h2>Dives, the last one first: miss (CLPE, m) one dive ahead, currents in m/s</h2>",
@@ -160,6 +160,11 @@ def _table(found: dict[str, Any], told: Told) -> list[str]:
             made.append(f"<td{ALARM if loud else styles[k]}>{_safe(cells[k])}</td>")
         lines.append(f'<tr data-dive="{_safe(row["dive"])}">{"".join(made)}</tr>')
     return [*lines, "</tbody></table></div>"]
+
+
+def _shown_on(rank: int) -> str:
+    """Return the class of a column: not on a telephone, nor on paper."""
+    return "" if rank <= PHONE else f' class="wide{" most" if rank > PAPER else ""}"'
 
 
 def _remarks(remarks: Sequence[str]) -> list[str]:

@@ -18,6 +18,7 @@ LINES = 5  # of the grid, about
 ROOM = (34.0, 15.0)  # of a number, px
 PHONE = 0.36  # px per unit where a telephone shows the map
 LEVELS = 7
+CORNER = 60.0  # units above the lower edge, where meridians have their names
 LAST = 12  # dives whose ellipses are always drawn
 STAR = "M0-10 2.4-3.2 9.5-3.1 3.8 1.2 5.9 8.1 0 4 -5.9 8.1 -3.8 1.2 -9.5-3.1 -2.4-3.2Z"
 CROSS = "M-4-4 4 4M-4 4 4-4"
@@ -163,7 +164,8 @@ def _grid(drawing: Drawing) -> list[str]:
     for lat in lats:
         y = drawing.at((lat, drawing.chart.first))[1]
         lines.append(f'<path class="grid" d="M0 {y:.1f}H{WIDTH:.0f}"/>')
-        lines.append(_label(0, y, 4, -4, mark(lat, "NS", up)))
+        if y < drawing.height - CORNER:
+            lines.append(_label(0, y, 4, -4, mark(lat, "NS", up)))
     for lon in lons:
         x = (drawing.chart.xy(drawing.chart.middle, lon)[0] - drawing.chart.west) / drawing.metres
         lines.append(f'<path class="grid" d="M{x:.1f} 0V{drawing.height:.0f}"/>')
