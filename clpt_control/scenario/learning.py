@@ -10,11 +10,19 @@ from ..blocks.laws.table import LAWS
 from .mistakes import Table
 from .tables import NotNegative, Number, Pair, Positive, TwoRows
 
+
+def _square_is_a_number(value: float) -> float:
+    if value != 0 and not 1e-100 <= abs(value) <= 1e100:
+        raise ValueError("must be 0, if allowed, or between 1e-100 and 1e100 in size")
+    return value
+
+
+_Squared = AfterValidator(_square_is_a_number)  # laws square and divide by their settings
 KINDS: dict[str, Any] = {  # what a law's setting may be
-    "number": Number,
-    "positive": Positive,
-    "not negative": NotNegative,
-    "row": tuple[NotNegative, ...],
+    "number": Annotated[Number, _Squared],
+    "positive": Annotated[Positive, _Squared],
+    "not negative": Annotated[NotNegative, _Squared],
+    "row": tuple[Annotated[NotNegative, _Squared], ...],
     "two rows": TwoRows,
 }
 

@@ -102,3 +102,12 @@ def test_a_laws_own_table_is_checked_like_all_else(name):
     with pytest.raises(ScenarioError, match=f"{table}.{key} = 'x': must be"):
         PAPER.with_values({**mine, f"{table}.{key}": "x"})
     assert list(PAPER.with_values(mine).learning.settings) == list(law.settings)
+
+
+@pytest.mark.parametrize("value", [1e300, 1e-300])
+@pytest.mark.parametrize("key", ["prior", "noise"])
+def test_a_setting_whose_square_is_no_number_is_refused(key, value):
+    """Laws square their settings: 1e300 overflows, 1e-300 is a standard deviation of nothing."""
+    mine = {"learning.law": "kalman-flow", "learning.parameters": None}
+    with pytest.raises(ScenarioError, match=rf"learning.kalman_flow.{key} = .*: must be .* 1e100"):
+        PAPER.with_values({**mine, f"learning.kalman_flow.{key}": value})
