@@ -29,11 +29,20 @@ QUIET = [
 ]
 PROBE = """
 <script>
+function used() {
+  const before = map.viewBox.baseVal.width, k = +getComputedStyle(map).getPropertyValue("--k");
+  document.querySelector(".buttons button").click();
+  document.querySelector("tr[data-dive]").click();
+  return { zoom: before / map.viewBox.baseVal.width,
+    smaller: k / +getComputedStyle(map).getPropertyValue("--k"),
+    named: document.querySelectorAll("#grid text").length,
+    said: document.getElementById("said").textContent };
+}
 addEventListener("load", () => parent.postMessage(JSON.stringify({
   inner: innerWidth, wide: document.documentElement.scrollWidth,
   buttons: document.querySelectorAll(".buttons button").length,
   fetched: performance.getEntriesByType("resource").map((one) => one.name),
-  k: getComputedStyle(map).getPropertyValue("--k"),
+  k: getComputedStyle(map).getPropertyValue("--k"), ...used(),
 }), "*"));
 </script>
 """
@@ -93,6 +102,10 @@ def test_the_page_fits_its_screen(page, tmp_path, width):
     assert found["fetched"] == []
     assert found["buttons"] == 3
     assert float(found["k"]) > 0
+    assert found["zoom"] == pytest.approx(2)
+    assert found["smaller"] == pytest.approx(2)  # marks and numbers keep their size
+    assert found["named"] > 3
+    assert found["said"].startswith("dive 60: surfaced ")
 
 
 def test_the_page_reads_without_a_script(page, tmp_path):
