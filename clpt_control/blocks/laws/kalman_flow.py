@@ -142,9 +142,9 @@ def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
 
 
 def gains(s: Any, p: Any, truth: Truth) -> Any:
-    """Return what (d P^-1 d^T)' is at most: -|d phi_f|^2/r^2, both axes together."""
+    """Return (d P^-1 d^T)' = -|d phi_f|^2/r^2 - w^2 |d P^-1|^2, both axes together."""
     off = (s["theta_hat"].reshape(2, p.N) - truth.theta) @ s["phi_f"]
-    return -sum(off**2) / p.noise**2
+    return -sum(off**2) / p.noise**2 - p.walk**2 * sum(s["d P^-1"].ravel() ** 2)
 
 
 LAW = Law(

@@ -102,7 +102,8 @@ class Law(NamedTuple):
     push: Callable[..., Any] | None = None  # what V' has beside; the law is bounded by it
     comes_to: str = ""  # what is reached with a push, in words
     over: Callable[..., Any] | None = None  # eta P^-1, of a law with a covariance P
-    # of a law that makes an estimate: what the error's square, over its covariance, grows by
+    # of a law that makes an estimate: what the error's square, over its covariance, grows by;
+    # beside the states it is given d P^-1, shape (2, N), d = theta_hat - theta
     gains: Callable[..., Any] = lambda states, p, truth: 0
     cones: tuple[str, ...] = ()  # states that are matrices M >= 0
     shrinking: str = ""  # a state w: every parameter's error is w times its first, and w' <= 0

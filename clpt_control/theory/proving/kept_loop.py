@@ -51,6 +51,10 @@ class Kept:
         }
         every = {**self.loop.inputs, **self.states}
         self.parameters, self.losses = p, law.losses(every, p, truth)
+        n = made.parameters.N
+        c = sympy.symbols(f"c_1:{2 * n + 1}", real=True)
+        self.weighed = np.array(c, dtype=object).reshape(2, n)  # d P^-1, d = theta_hat - theta
+        every["d P^-1"] = self.weighed
         self.gains = sympy.sympify(law.gains(every, p, truth))
         self.push = sympy.sympify(law.push(every, p, truth) if law.push else 0)
         self.cones = {port: _square(self.states[port]) for port in law.cones}
@@ -126,24 +130,22 @@ class Kept:
         return ""
 
     def estimate_grows(self) -> str:
-        """Return what (d M^-1 d^T)' <= gains <= 0, d = theta_hat - theta, fails by, or nothing.
+        """Return what (d M^-1 d^T)' = gains <= 0, d = theta_hat - theta, fails by, or nothing.
 
         With M = M^T and d = c M, whatever c is: 2 d' c^T - c M' c^T.
         """
         (port,) = self.cones
-        n, M = len(self.cones[port]), self.symmetric(port)
+        M, c = self.symmetric(port), self.weighed
         if np.any(M != M.T):
             return f"left over: {short(M[0, 1] - M[1, 0])}"
-        c = np.array(sympy.symbols(f"c_1:{2 * n + 1}", real=True), object).reshape(2, n)
         theta = self.loop.parameters["true_flow"].theta
         at = dict(zip(self.states["theta_hat"], (theta + c @ M).ravel(), strict=True))
-        slope = self.rates["theta_hat"].reshape(2, n)
+        slope = self.rates["theta_hat"].reshape(c.shape)
         rate = 2 * np.sum(slope * c) - np.sum((c @ self.slopes[port]) * c)
-        rest = self.here(sympy.sympify(rate - self.gains).subs(at, simultaneous=True))
-        falls = self.gains.is_nonpositive
-        if falls and all(term.is_nonpositive for term in sympy.Add.make_args(rest)):
+        rest = self.put(sympy.sympify(rate - self.gains).subs(at, simultaneous=True))
+        if self.gains.is_nonpositive and vanishes(rest):
             return ""
-        return f"left over: {short(rest)}"
+        return f"left over: {short(sympy.expand(rest))}"
 
     def cone_is_kept(self, port: str) -> bool:
         """Return whether c^T M' c is not negative where M c = 0, for every c.

@@ -18,7 +18,7 @@ so that between and across jumps V falls.
 For a law that makes an estimate theta_hat = theta + d with its covariance M, the third is
 
     V' = -e^T KD e + e^T (theta - theta_hat) phi          Theorem 3.1
-    (d M^-1 d^T)' <= gains <= 0                           so d never grows in this norm
+    (d M^-1 d^T)' = gains <= 0                            so d never grows in this norm
 """
 
 import math

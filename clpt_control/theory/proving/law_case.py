@@ -12,6 +12,7 @@ from sympy.core.function import AppliedUndef
 
 from ...blocks import Block
 from ...diagrams.interconnection import Diagram
+from ...errors import DiagramError
 from .dead_zones import DeadZones
 from .law_gains import own_values, refuse_no_value
 from .leaks import Bound, Leaking, delta_bounds, leaks_of, pull_bound
@@ -19,9 +20,12 @@ from .lyapunov import claimed, decay, every_n_residual, short
 from .proof import Step, checked
 from .quadratic_forms import nonpositive, pulled, tidied
 from .random_points import Draw
-from .running_rate import compared
+from .running_rate import compared, numeric
 from .symbolic_loop import TIME, SymbolicLoop, symbolic_loop
 from .theorem_loop import theorem_loop
+
+TRIED = 100  # points at which a sign is looked at before it is proved
+SMALL = 1e-6  # of the largest value there; less may be rounding
 
 
 class Case:
@@ -128,12 +132,33 @@ class Case:
     def keeps_decay(self) -> bool:
         """Return whether V' has -e^T KD e, or more of it."""
         rest = self.rest.subs(self.values)
-        return all(sympy.diff(rest, s, 2).is_nonpositive for s in self.loop.states["x"])
+        bent = [sympy.diff(rest, s, 2) for s in self.loop.states["x"]]
+        if any(one.has(sympy.Derivative, sympy.Subs) for one in bent):  # of words: no sign is known
+            return False
+        return all(one.is_nonpositive for one in bent)
 
     def falls(self, rest: sympy.Expr) -> bool:
         """Return whether what V' has beyond -e^T KD e is known not to be positive."""
         apart = self.moving - {TIME} | rest.free_symbols - set(self.values) - {TIME}
-        return bool(rest == 0 or nonpositive(rest, apart, self.values))
+        if rest == 0:
+            return True
+        return not self.positive_somewhere(rest) and nonpositive(rest, apart, self.values)
+
+    def positive_somewhere(self, rest: sympy.Expr) -> bool:
+        """Return whether an expression is positive at a point: then no proof is tried."""
+        try:
+            function, symbols = numeric(rest.subs(self.values))
+        except DiagramError:
+            return False
+        random = np.random.default_rng(self.seed)
+        drawn = random.standard_normal((len(symbols), TRIED)) * 10 ** random.uniform(-1, 1, TRIED)
+        for k, symbol in enumerate(symbols):
+            sign = 1 if symbol.is_positive else -1 if symbol.is_negative else 0
+            drawn[k] = sign * np.abs(drawn[k]) if sign else drawn[k]
+        with np.errstate(all="ignore"):
+            found = np.broadcast_to(function(*drawn), TRIED)
+        found = found[np.isfinite(found)]
+        return bool(found.size and found.max() > SMALL * np.abs(found).max())
 
     def across_jumps(self) -> Step:
         """Return the step that V does not rise where states jump, whichever jump at once."""
