@@ -132,10 +132,10 @@ class Case:
     def keeps_decay(self) -> bool:
         """Return whether V' has -e^T KD e, or more of it."""
         rest = self.rest.subs(self.values)
-        bent = [sympy.diff(rest, s, 2) for s in self.loop.states["x"]]
-        if any(one.has(sympy.Derivative, sympy.Subs) for one in bent):  # of words: no sign is known
+        x = self.loop.states["x"]
+        if any(word.has(*x) for word in rest.atoms(AppliedUndef)):  # how it bends is not known
             return False
-        return all(one.is_nonpositive for one in bent)
+        return all(sympy.diff(rest, s, 2).is_nonpositive for s in x)
 
     def falls(self, rest: sympy.Expr) -> bool:
         """Return whether what V' has beyond -e^T KD e is known not to be positive."""
