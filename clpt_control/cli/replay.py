@@ -21,7 +21,7 @@ def folder_named(text: str) -> Path:
 
 def replay(
     files: Annotated[
-        list[Path] | None, typer.Argument(help="Seaglider, OG1 or CSV files, or folders of them.")
+        list[Path] | None, typer.Argument(help="Files of one vehicle, or folders of them.")
     ] = None,
     sample: Annotated[
         bool, typer.Option("--sample", help="Replay the dives that come with clpt.")
