@@ -125,6 +125,7 @@ class PythonDiagram:
         if step is not None and progress is not None:
             raise SimulationError("step and progress: a fixed step reports none; leave one out")
         times, start = checked_times("times", times), checked_state("x0", x0, (self.nstates,))
+        times = self.sweep.at_jumps(times)
         t0, t1 = float(times[0]), float(times[-1])
         inputs = self._inputs(inputs, times)
         if not self.nstates:

@@ -80,8 +80,19 @@ class Sweep:
             if isinstance(node.system, Block) and node.system.breakpoints_function is not None
         ]
         times = np.unique(np.concatenate([np.zeros(0), *jumps]))
-        apart = np.append(np.diff(times) > 1e-12 * np.maximum(1.0, np.abs(times[1:])), True)
+        apart = np.append(np.diff(times) > _rounding(times[1:]), True)
         return times[apart[-len(times) :]] if len(times) else times
+
+    def at_jumps(self, times: np.ndarray) -> np.ndarray:
+        """Return increasing times; one that is before a jump by rounding alone is the jump's.
+
+        A sample there is then what comes after the jump.
+        """
+        first, last = float(times[0]), float(times[-1] + _rounding(times[-1]))
+        jumps = np.append(self.breakpoints(first, last), np.inf)
+        following = jumps[np.searchsorted(jumps, times)]
+        found = np.where(following - times <= _rounding(times), following, times)
+        return found if np.all(np.diff(found) > 0) else times
 
     def enter(self, t: float) -> None:
         """Set every block's `interval` to the one that holds t."""
@@ -198,3 +209,8 @@ def first_not_finite(wiring: Wiring, signals: np.ndarray) -> str | None:
             if not np.isfinite(value):
                 return f"signal {label} of block {node.name}"
     return None
+
+
+def _rounding(times: np.ndarray) -> np.ndarray:
+    """Return by how much times may differ that are one but for rounding."""
+    return 1e-12 * np.maximum(1.0, np.abs(times))

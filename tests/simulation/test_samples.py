@@ -146,3 +146,15 @@ def test_units_and_dimensions():
     assert run.attrs["Conventions"].startswith("CF-")
     np.testing.assert_array_equal(run.flow_parameters_estimate, -run.alpha)
     np.testing.assert_allclose(run.clpe, run.position - run.predicted_position, atol=1e-15)
+
+
+@pytest.mark.parametrize("engine", ["native", "python"])
+def test_samples_that_miss_a_jump_by_rounding_are_right_limits(engine):
+    hour = 1 / 3600  # so that k of a step often lies just below the same time as j dwells
+    scenario = clpt.paper_scenario().with_values(
+        {"reference.dwell": 5 * hour, "run.output_step": hour, "run.duration": 40 * hour}
+    )
+    run = clpt.simulate(scenario, engine=engine)
+    number = np.arange(41) // 5
+    np.testing.assert_array_equal(run.reference.values, scenario.waypoints[number % 10])
+    np.testing.assert_allclose(run.time.values, hour * np.arange(41), rtol=1e-12)

@@ -172,7 +172,9 @@ LIMITS = {
 }
 GAIN = ("learning.gain", "learning.gains.parameters")
 LEAK = Setting(
-    None, "positive", "gain times leak is what is forgotten per time; all within a cycle"
+    None,
+    "positive",
+    "its gain times leak is what is forgotten per time, of alpha all within a cycle",
 )
 SIGMA = Law(
     "sigma",
@@ -203,7 +205,7 @@ E_MODIFICATION = Law(
         "leak": Setting(
             None,
             "positive",
-            "gain times leak times CLPE is what is forgotten per time; all within "
+            "its gain times leak times CLPE is what is forgotten per time, of alpha all within "
             "a cycle at a CLPE as large as the farthest waypoint's distance",
         )
     },
