@@ -1,6 +1,7 @@
 """Shared fixtures: the command line in-process, the reference numbers, measured data."""
 
 import json
+import os
 import sys
 from pathlib import Path
 from typing import NamedTuple
@@ -8,6 +9,8 @@ from typing import NamedTuple
 import pytest
 
 HERE = Path(__file__).parent
+for name in ("COLUMNS", "FORCE_COLOR", "TTY_COMPATIBLE", "TTY_INTERACTIVE"):
+    os.environ.pop(name, None)  # what is printed is as wide and plain as in a pipe, everywhere
 
 
 class Outcome(NamedTuple):

@@ -1,5 +1,6 @@
 """What `clpt replay` is asked of dives to come: `--next`, `--aim`, and how it says them."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from math import hypot
@@ -8,6 +9,7 @@ from typing import Any
 import typer
 from typer.core import TyperCommand
 
+PAIR = re.compile(r"\s*[-+.\d]+\s+[-+.\d]+\s*")  # both numbers quoted as one word
 CLOSE = 1000.0  # m; who is so close to a waypoint goes on to the next one
 
 
@@ -28,7 +30,7 @@ def joined(args: Sequence[str]) -> list[str]:
     found, rest = [], list(args)
     while rest:
         word = rest.pop(0)
-        if word == "--aim" and rest and "," not in rest[0]:
+        if word == "--aim" and rest and "," not in rest[0] and not PAIR.fullmatch(rest[0]):
             word = "--aim=" + ",".join(rest[:2])
             rest = rest[2:]
         found.append(word)
@@ -38,11 +40,11 @@ def joined(args: Sequence[str]) -> list[str]:
 def waypoint(text: str) -> tuple[float, float]:
     """Return the place that an option gives, degrees."""
     try:
-        lat, lon = map(float, text.split(","))
+        lat, lon = map(float, text.replace(",", " ").split())
     except ValueError:
         raise typer.BadParameter(
-            f"{text.replace(',', ' ')}: must be a latitude and a longitude in decimal degrees, "
-            "such as --aim -43.05 8.40"
+            f"--aim {text.replace(',', ' ')}: must be a latitude and a longitude in decimal "
+            "degrees, such as --aim -43.05 8.40"
         ) from None
     return lat, lon
 
@@ -161,7 +163,9 @@ def aimed(leg: dict[str, Any]) -> str:
     if leg["state"] == REACHED:
         said += f", {leg['through_water']:.0f} of {full} through the water; there at {_end(leg)}"
     else:
-        said += f", {leg['made_good']:.0f} m made good of {full}, then {leg['left'] / 1000:.1f} km"
+        made = leg["made_good"]
+        said += f", {made:.0f} m made good of {full}" if made >= 0 else f", {-made:.0f} m are lost"
+        said += f", then {leg['left'] / 1000:.1f} km"
         said += "" if against else f"; there in {leg['dives']:.1f} dives, {leg['hours']:.0f} h"
     return (
         f"{said}; expected miss {leg['expected_miss']:.0f} m, 90 % within "

@@ -16,7 +16,7 @@ import re
 from functools import lru_cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -27,6 +27,7 @@ SUFFIXES = (".sbd", ".mbd", ".dbd")
 MAGIC = b"dbd_"  # first bytes of `dbd_label:`
 FOLDERS = ("cac", "cache")
 KNOWN = 16  # bytes: b"sa", 4660 in 2, 123.456 in 4, 123456789.12345 in 8
+HOMES = ("HOME", "USERPROFILE")
 LARGEST = 2 * 10**8  # bytes
 WHOLE = ("num_ascii_tags", "total_num_sensors", "state_bytes_per_cycle", "sensor_list_factored")
 Series = tuple[np.ndarray, np.ndarray]  # s since 1970 UTC, values
@@ -182,8 +183,8 @@ def _read(
 ) -> dict[str, Series]:
     """Read whole cycles by dbdreader."""
     try:
-        import dbdreader
-    except (ImportError, OSError):  # it makes a folder of its own when imported
+        dbdreader = _dbdreader()
+    except ImportError:
         raise NotYet(
             f"{path}: is a Slocum file, which dbdreader reads; install it: "
             "pip install 'clpt-control[slocum]'"
@@ -210,6 +211,24 @@ def _read(
         name: (np.asarray(time, float), np.asarray(value, float))
         for name, (time, value) in zip(known, columns, strict=True)
     }
+
+
+def _dbdreader() -> Any:
+    """Return dbdreader, which makes a folder in the home of who imports it first: elsewhere."""
+    homes = {name: os.environ.get(name) for name in HOMES}
+    with TemporaryDirectory() as folder:
+        os.environ.update(dict.fromkeys(HOMES, folder))
+        try:
+            import dbdreader
+        finally:
+            for name, home in homes.items():
+                if home is None:
+                    del os.environ[name]
+                else:
+                    os.environ[name] = home
+    if (dbdreader.DBDCache.CACHEDIR or "").startswith(folder):
+        dbdreader.DBDCache.CACHEDIR = None  # it looks for one again when it needs one
+    return dbdreader
 
 
 def _number(short: str, path: Path) -> int:

@@ -1,10 +1,12 @@
 """Magnetic variation against the values of IGRF's own Fortran program."""
 
 import calendar
+import sys
 
 import numpy as np
 import pytest
 
+from clpt_control.errors import DataError
 from clpt_control.gliders.magnetic import variation
 
 # D, degrees, of `igrf13syn` (British Geological Survey) at geodetic places: latitude,
@@ -51,3 +53,10 @@ def test_where_the_field_does_not_reach_there_is_no_number(capsys):
     assert np.isnan(variation(seconds(2020.0), np.nan, 5.0)).all()
     assert np.isfinite(variation(seconds(2020.0), 90.0, 5.0)).all()
     assert capsys.readouterr().out == ""
+
+
+def test_without_ppigrf_it_says_what_to_install(clpt, monkeypatch):
+    monkeypatch.setitem(sys.modules, "ppigrf", None)
+    with pytest.raises(DataError, match="pip install ppigrf"):
+        variation(1.0e9, 60.0, 5.0)
+    assert clpt("replay", "--sample").status == 0

@@ -152,6 +152,10 @@ def test_aiming_by_the_command(command, sg542):
     assert [leg["state"] for leg in slow] == ["cannot be made"]
     assert slow[0]["duration"] == 21600
     assert "cannot be made against the current" in command(*words, "--speed", "0.01").stdout
+    upstream = ("--sample", "--aim", "-42.93", "8.42", "--speed", "0.01")
+    assert "m are lost, then " in command(*upstream).stdout
+    quoted = command("--sample", "--aim", "-42.5 8.0", "--aim=-43,-7", "--json")
+    assert json.loads(quoted.stdout)["aim"] == found["aim"]
     assert json.loads(command("--sample", "--json").stdout)["aim"] == []
     assert found["each_dive"] == sg542["each_dive"]
 
@@ -162,6 +166,7 @@ def test_mistakes_in_aiming(command):
         (("--aim", "43 S", "8"), "such as --aim -43.05 8.40"),
         (("--aim", "nan", "8"), "must be a latitude"),
         (("--aim", "8"), "such as --aim"),
+        (("--aim", "", ""), "--aim : must be"),
         (("--speed", "0.2"), "give a waypoint"),
         (("--aim", "40", "8", "--speed", "-1"), "above 0"),
         (("--aim", "40", "8", "--hours", "1e9"), "at most 720 hours"),
