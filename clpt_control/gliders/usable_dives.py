@@ -13,7 +13,8 @@ most
     max(5 m/s * time between them, `ASTRAY`);
 
 more says that one of the fixes is wrong or that the dives are of two vehicles.  What
-is further than 5 m/s allow and than `NEAR` is noted.
+is further than 5 m/s allow and than `NEAR` is noted, and so is a dive whose file names
+another vehicle than those before.
 """
 
 from collections.abc import Iterable
@@ -26,6 +27,7 @@ import numpy as np
 from ..currents.nodal import YEARS
 from ..geodesy import displacement, is_place
 from .dives import NUMBERS, Dive, Skipped
+from .vehicles import changes_noted
 
 LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for minutes
 FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is wrong
@@ -112,7 +114,7 @@ def usable(
         if 0 < missing < MISSION and since > SHARE * min(dive.duration, before.duration):
             dive = _noted(dive, f"{missing} dive(s) missing after dive {before.number}")
         used.append(dive)
-    return used, skipped
+    return changes_noted(used), skipped
 
 
 def _noted(dive: Dive, note: str) -> Dive:

@@ -19,6 +19,19 @@ def named(dives: list[Dive], name: str | None) -> list[Dive]:
     return [dive if dive.vehicle else replace(dive, vehicle=name) for dive in dives]
 
 
+def changes_noted(dives: list[Dive]) -> list[Dive]:
+    """Return dives, noted where one is of another vehicle than the last that bears a name."""
+    noted, last = [], None
+    for dive in dives:
+        name = dive.vehicle
+        if name and last and name.casefold() != last.casefold():
+            note = f"is of {name}, those before of {last}: replay each on its own"
+            dive = replace(dive, notes=(*dive.notes, note))
+        last = name or last
+        noted.append(dive)
+    return noted
+
+
 def name_in(data: Any) -> str | None:
     """Return the vehicle's name in an open xarray.Dataset: its identifier, or its serial number.
 

@@ -118,6 +118,13 @@ def numbers(dives):
     return [dive.number for dive in used], [one.dive for one in skipped]
 
 
+def test_vehicles_years_apart_are_noted():
+    names = ("SG1", "sg1", None, "rosie", "rosie")
+    dives = [later(10 + k, vehicle=name) for k, name in enumerate(names)]
+    found = [[note for note in dive.notes if "on its own" in note] for dive in usable(dives)[0]]
+    assert found == [[], [], [], ["is of rosie, those before of sg1: replay each on its own"], []]
+
+
 def test_two_vehicles_in_one_input_are_not_mixed():
     ours, theirs = [at(k, 40.0) for k in (10, 12, 14)], [at(k, -40.0) for k in (11, 13, 15)]
     used, skipped = usable([*ours, *theirs])
