@@ -95,13 +95,14 @@ def jumped(seed):
     wanted = run(python, 1, x, times)
     finite = np.isfinite(wanted)
     scale = max(1.0, np.abs(wanted[finite]).max(initial=0.0))
+    # a diagram may be so unstable that rounding shows: how much does Python's own run feel it?
+    felt = np.nan_to_num(np.abs(run(python, 1, x * (1 + 1e-13), times) - wanted))
+    allowed = (1e-7 * np.abs(wanted) + 1e-9 * scale + felt.max(axis=1, keepdims=True))[finite]
     for engine, lanes in ((engines[0], 1), (engines[1], 1), (engines[0], LANES)):
         found = run(engine, lanes, x, times)
         said = f"seed {seed}, {engine.code.unrolled}, {lanes}"
         np.testing.assert_array_equal(np.isfinite(found), finite, err_msg=said)
-        np.testing.assert_allclose(
-            found[finite], wanted[finite], rtol=1e-7, atol=1e-9 * scale, err_msg=said
-        )
+        assert np.all(np.abs(found[finite] - wanted[finite]) <= allowed), said
     return True
 
 
