@@ -5,10 +5,11 @@ READY := .venv/.ready
 
 BENCH := build/benchmarks/venv
 LOWEST := build/lowest
+DIST := build/dist
 ENGINE := native jumps random_jumps elementary engine_page loops solver closed_form_flows written_is_run random_diagrams \
 	trace words simulation conformance members ensemble
 
-.PHONY: paper test test-slow test-browser test-generic test-lowest lint format clean bench bench-quick
+.PHONY: paper test test-slow test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel
 
 paper: $(READY)  ## section IV of the paper: figures and the table of claims
 	$(BIN)/clpt paper --out paper
@@ -33,6 +34,19 @@ lint: $(READY)  ## ruff and mypy
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+
+dist: $(DIST)/.ready  ## sdist and wheel into dist/, checked
+	rm -rf dist
+	$(DIST)/bin/python -m build --quiet
+	$(DIST)/bin/twine check --strict dist/*
+	$(DIST)/bin/check-wheel-contents dist/*.whl
+	$(DIST)/bin/cffconvert --validate
+	$(DIST)/bin/python .ci/check_dist.py
+
+try-wheel: dist  ## the wheel alone, in a new environment and an empty folder
+	$(PYTHON) -m venv --clear $(DIST)/alone
+	$(DIST)/alone/bin/python -m pip install --quiet --disable-pip-version-check dist/*.whl
+	PATH="$(CURDIR)/$(DIST)/alone/bin:$$PATH" .ci/try_wheel
 
 bench: $(BENCH)/.ready  ## time the engines against each other: docs/performance.md
 	$(BENCH)/bin/python -m benchmarks.bench
@@ -59,6 +73,12 @@ $(BENCH)/.ready: pyproject.toml constraints.txt benchmarks/requirements.txt
 		--constraint constraints.txt --editable .
 	-$(BENCH)/bin/python -m pip install --quiet --disable-pip-version-check \
 		--constraint constraints.txt --requirement benchmarks/requirements.txt
+	touch $@
+
+$(DIST)/.ready: Makefile
+	test -x $(DIST)/bin/python || $(PYTHON) -m venv $(DIST)
+	$(DIST)/bin/python -m pip install --quiet --disable-pip-version-check \
+		build twine check-wheel-contents cffconvert py-rattler-build
 	touch $@
 
 $(LOWEST)/.ready: pyproject.toml

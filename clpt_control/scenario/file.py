@@ -10,6 +10,7 @@ import os
 import pickle
 import re
 import tomllib
+from collections.abc import Mapping
 from functools import lru_cache
 from importlib import resources
 from pathlib import Path
@@ -23,6 +24,8 @@ from .experiment import Scenario, checked_scenario, scenario_tables
 CHANGED = "parameters_changed"  # attribute of a run: parameters that no key holds
 TEAM = "team"  # attribute of a team's run, in place of its scenario: the team as TOML text
 OWN_LAW = "own_law"  # attribute of a run: the name of a law given in Python
+FORM = "run_format"  # attribute of a run's file: the form in which it is written; none is 1
+LATEST = 1  # form that is written; all up to it are read
 
 
 def load_scenario(path: str | Path) -> Scenario:
@@ -172,6 +175,7 @@ def scenario_text(path: str | Path) -> str:
 def run_text(path: str | Path) -> tuple[str, bool]:
     """Return the TOML text that a run's file carries, and whether it is a team's."""
     with open_netcdf(Path(path)) as data:
+        check_form(data.attrs, path)
         if "scenario" not in data.attrs and TEAM not in data.attrs:
             raise DataError(f"{path}: carries no scenario; `clpt run` writes runs that do")
         if CHANGED in data.attrs:
@@ -187,6 +191,17 @@ def run_text(path: str | Path) -> tuple[str, bool]:
                 "simulate(law=...)"
             )
         return str(data.attrs.get(TEAM, data.attrs.get("scenario"))), TEAM in data.attrs
+
+
+def check_form(attributes: Mapping[str, Any], path: str | Path) -> None:
+    """Refuse a run's file that a later version wrote in a form unknown to this one."""
+    form = str(attributes.get(FORM, LATEST))
+    if form not in map(str, range(1, LATEST + 1)):
+        writer = attributes.get("source", "what is not said")
+        raise DataError(
+            f"{path}: {FORM} = {form:.20}, written by {writer}; "
+            f"this version reads 1 to {LATEST}: update clpt-control"
+        )
 
 
 def paper_text() -> str:

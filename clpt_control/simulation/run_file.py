@@ -37,7 +37,7 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     >>> clpt.load_scenario(file) == scenario
     True
     """
-    from ..scenario.file import TEAM, scenario_from_text, scenario_to_text
+    from ..scenario.file import FORM, LATEST, TEAM, scenario_from_text, scenario_to_text
     from ..scenario.team_file import team_from_text, team_to_text
 
     path, folder = Path(path), Path(run.encoding.get("folder", "."))
@@ -47,7 +47,7 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     if (text := run.attrs.get(TEAM)) is not None:
         team = team_from_text(text, TEAM, folder)
         run = run.assign_attrs({TEAM: team_to_text(team, path.parent)})
-    write_netcdf(run, path)
+    write_netcdf(run.assign_attrs({FORM: LATEST}), path)
 
 
 def load_run(path: str | Path) -> "xarray.Dataset":
@@ -66,7 +66,7 @@ def load_run(path: str | Path) -> "xarray.Dataset":
     Raises
     ------
     DataError
-        If the file is missing, is not NetCDF, is no run, or one with gaps.
+        If the file is missing, is not NetCDF, is no run, one with gaps, or of a later form.
 
     Examples
     --------
@@ -78,7 +78,10 @@ def load_run(path: str | Path) -> "xarray.Dataset":
     >>> clpt.load_run(file).sizes["time"]
     6
     """
+    from ..scenario.file import FORM, check_form
+
     with open_netcdf(Path(path)) as data:
+        check_form(data.attrs, path)
         if "clpe" not in data.variables:
             raise DataError(f"{path}: is no run: it has no variable 'clpe'; `clpt run` writes one")
         run = data.load()
@@ -89,5 +92,6 @@ def load_run(path: str | Path) -> "xarray.Dataset":
                 f"{path}: is no whole run: {name} holds what is no finite number; `clpt "
                 "run` writes one"
             )
+    run.attrs.pop(FORM, None)  # of the file, not of the run
     run.encoding["folder"] = str(Path(path).parent)
     return run

@@ -4,6 +4,7 @@ import math
 import pickle
 
 import control
+import netCDF4
 import numpy as np
 import pytest
 from calm_water import CALM, PAPER
@@ -110,6 +111,18 @@ def test_what_is_no_run_is_an_error(tmp_path):
     for path in ("text.nc", "none.nc"):
         with pytest.raises(DataError, match=path):
             clpt.load_run(tmp_path / path)
+
+
+@pytest.mark.parametrize("form", [2, "two", 0])
+def test_a_run_of_a_later_version_is_refused(form, tmp_path):
+    clpt.save_run(clpt.simulate(CALM), tmp_path / "run.nc")
+    with netCDF4.Dataset(tmp_path / "run.nc", "a") as file:
+        assert file.run_format == 1
+        file.run_format = form
+        file.source = "clpt-control 9.0"
+    for read in (clpt.load_run, clpt.load_scenario):
+        with pytest.raises(DataError, match=f"{form}, written by clpt-control 9.0.*reads 1 to 1"):
+            read(tmp_path / "run.nc")
 
 
 def test_runs_are_the_same_in_any_order():
