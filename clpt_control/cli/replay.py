@@ -161,7 +161,7 @@ def replay(
     if as_json:
         print_json(summary)
         return
-    show(result, summary)
+    show(summary)
     for path in written:
         typer.echo(f"{path}: written")
 

@@ -9,7 +9,7 @@ from typing import Any
 import typer
 
 from ..progress import interrupt
-from .replay_ahead import Ahead, aimed, when
+from .replay_ahead import Ahead
 from .replay_report import RESULTS, write
 
 LONGEST = 86400.0  # s between looks
@@ -68,6 +68,7 @@ def watch(
 
 def said_of(replay: Any, skipped: list, files: int, out: Path, ahead: Ahead) -> str:
     """Write a replay's results; return a line on the new files and the last dive."""
+    from ..replay.sentences import aimed, when
     from ..replay.wording import place
 
     used = len(replay.steps)

@@ -145,7 +145,9 @@ def _put(result: Any, made: Path, path: Path) -> None:
         made.write_text(result, encoding="utf-8")
         return
     if hasattr(result, "savefig"):
-        result.savefig(made, format=path.suffix[1:])
+        from ..figures import save_figure
+
+        save_figure(result, made, path.suffix[1:].lower())
         return
     fill = {
         name: {"_FillValue": float("nan") if _has_nan(values) else None}

@@ -6,15 +6,14 @@ does not have.
 """
 
 import json
-import re
 from collections.abc import Sequence
 from typing import Any
 from xml.etree import ElementTree
 
+from ..html.text import plain
 from .rings import AIMED, NEXT, Place, line_pieces, place_in, ring_of, ring_pieces
 from .wording import compass, velocity
 
-NO_TEXT = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 DIGITS = 6  # decimals of a degree: 0.1 m
 KML = "http://www.opengis.net/kml/2.2"
 STYLES = {  # colours as KML has them: alpha, blue, green, red
@@ -24,15 +23,6 @@ STYLES = {  # colours as KML has them: alpha, blue, green, red
     "next": "ffa779cc",
     "aim": "ff009fe6",
 }
-
-
-def plain(text: object) -> str:
-    r"""Return a text without characters that no XML, HTML or UTF-8 file may hold.
-
-    >>> plain("a\x00b\udc80") == "a\ufffdb\ufffd"
-    True
-    """
-    return NO_TEXT.sub("\ufffd", str(text))
 
 
 def said_of_next(ahead: dict[str, Any]) -> str:

@@ -91,6 +91,7 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
     factor = last is not None and replay.model.learn_speed
     given = {} if replay.flow_model is None else {"flow_model": _of_flow_model(replay)}
     return {
+        "vehicle": (last.dive.vehicle if last else "") or "glider",
         "dives": len(steps) + len(skipped),
         "used": len(steps),
         "clpe_rms": clpe_rms(replay, 1),

@@ -5,79 +5,49 @@ allows that style and script alone.  It is whole without the script, which zooms
 dive under the pointer and counts the hours.  Every text is escaped: files may say what they like.
 """
 
-from base64 import b64encode
 from collections.abc import Sequence
-from hashlib import sha256
-from html import escape
-from importlib import resources
-from typing import Any, NamedTuple
+from typing import Any
 
-from .exchange import plain
+from ..html.document import document
+from ..html.text import paragraphs, safe
+from .columns import columns
 from .page_lines import replay_lines
 from .page_map import replay_map
+from .sentences import aimed, next_surfacing, remarks
 from .wording import compass, in_degrees, velocity
 
 ALARM = ' class="alarm"'
 PHONE, PAPER = 2, 6  # greatest rank of a column that a telephone shows, and a printed page
 
 
-class Told(NamedTuple):
-    """What the command says of a replay, for its page.
+def replay_page(found: dict[str, Any], again: float | None = None) -> str:
+    """Return the page of what `clpt replay --json` prints, with one dive at least.
 
-    `headlines` are sentences on the next surfacing and where to aim; `titles` of columns, with
-    their ranks, and `cells`, a row for each dive; `remarks` on what was noted and skipped.
+    A page that is written anew at each dive is loaded again each so many seconds.
     """
-
-    vehicle: str
-    headlines: Sequence[str]
-    titles: Sequence[tuple[str, int]]
-    cells: Sequence[Sequence[str]]
-    remarks: Sequence[str]
-
-
-def replay_page(found: dict[str, Any], told: Told) -> str:
-    """Return the page of what `clpt replay --json` prints, with one dive at least."""
-    style, script = (_asset(f"replay.{kind}") for kind in ("css", "js"))
-    policy = f"default-src 'none'; style-src {_hash(style)}; script-src {_hash(script)}"
-    title = f"{told.vehicle}, dive {found['each_dive'][-1]['dive']}"
-    text = "\n".join(
+    vehicle = found["vehicle"]
+    head = "" if again is None else f'<meta http-equiv="refresh" content="{again:.0f}">\n'
+    lines = [next_surfacing(found["next_dive"]), *map(aimed, found["aim"])]
+    body = "\n".join(
         [
-            "<!DOCTYPE html>",
-            '<html lang="en"><head><meta charset="utf-8">',
-            f'<meta http-equiv="Content-Security-Policy" content="{policy}">',
-            '<meta name="viewport" content="width=device-width, initial-scale=1">',
-            f"<title>{_safe(title)}</title>",
-            f"<style>{style}</style></head><body>",
-            f"<h1>{_safe(told.vehicle)}: where it comes up next</h1>",
+            f"<h1>{safe(vehicle)}: where it comes up next</h1>",
             f'<div class="cards">{"".join(_cards(found))}</div>',
-            *(f"<p>{_safe(line)}</p>" for line in told.headlines),
+            paragraphs(lines),
             f'<div class="body"><div><div class="map">{replay_map(found)}',
             f'<div class="buttons"></div></div>{_keys(found)}',
             '<p id="said" class="soft"></p></div>',
             f"<div>{replay_lines(found)}</div></div>",
-            *_table(found, told),
-            *_remarks(told.remarks),
-            f"<script>{script}</script></body></html>",
+            *_table(found),
+            *_remarks(remarks(found)),
         ]
     )
-    return text + "\n"
-
-
-def _safe(text: object) -> str:
-    return escape(plain(text))
-
-
-def _asset(name: str) -> str:
-    return (resources.files("clpt_control") / "data" / name).read_text(encoding="utf-8")
-
-
-def _hash(text: str) -> str:
-    return f"'sha256-{b64encode(sha256(text.encode()).digest()).decode()}'"
+    title = f"{vehicle}, dive {found['each_dive'][-1]['dive']}"
+    return document(title, body, "replay.css", "replay.js", head)
 
 
 def _card(title: str, value: str, below: str, style: str = "") -> str:
     return (
-        f'<section class="card {style}"><h2>{_safe(title)}</h2><b>{_safe(value)}</b>'
+        f'<section class="card {style}"><h2>{safe(title)}</h2><b>{safe(value)}</b>'
         f"<small>{below}</small></section>"
     )
 
@@ -87,17 +57,17 @@ def _cards(found: dict[str, Any]) -> list[str]:
     ahead, last = found["next_dive"], found["each_dive"][-1]
     time = f"{ahead['time'][:10]} {ahead['time'][11:16]} UTC"
     if ahead["now_is"] == "clock":
-        since = f'<span data-time="{_safe(ahead["time"])}">{ahead["hours_from_now"]:+.1f} h</span>'
-        since += f"; written {_safe(ahead['now'][11:16])} UTC"
+        since = f'<span data-time="{safe(ahead["time"])}">{ahead["hours_from_now"]:+.1f} h</span>'
+        since += f"; written {safe(ahead['now'][11:16])} UTC"
     else:
-        since = f"{ahead['hours_from_now']:.1f} h after the {_safe(ahead['now_is'])}"
+        since = f"{ahead['hours_from_now']:.1f} h after the {safe(ahead['now_is'])}"
     half = f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
     cards = [
         _card("Next surfacing", time, since, "first"),
         _card(
             "Where",
             ahead["place"],
-            f"{_safe(in_degrees(ahead['latitude'], ahead['longitude']))}; 90 % within {half}",
+            f"{safe(in_degrees(ahead['latitude'], ahead['longitude']))}; 90 % within {half}",
             "first",
         ),
         *(_aim(leg) for leg in (found.get("aim") or [])[:1]),
@@ -124,7 +94,7 @@ def _aim(leg: dict[str, Any]) -> str:
     value = "stay" if heading is None else f"heading {compass(heading)}"
     if magnetic is not None:
         value += f" (mag {compass(magnetic)})"
-    below = f"to {_safe(leg['place'])}; {leg['made_good']:.0f} m made good, {_safe(leg['state'])}"
+    below = f"to {safe(leg['place'])}; {leg['made_good']:.0f} m made good, {safe(leg['state'])}"
     return _card("Aim", value, below, "first")
 
 
@@ -139,26 +109,27 @@ def _keys(found: dict[str, Any]) -> str:
     )
     return (
         '<p class="keys">'
-        + " ".join(f'<span class="key {style}">{_safe(name)}</span>' for style, name in keys)
+        + " ".join(f'<span class="key {style}">{safe(name)}</span>' for style, name in keys)
         + "</p>"
     )
 
 
-def _table(found: dict[str, Any], told: Told) -> list[str]:
+def _table(found: dict[str, Any]) -> list[str]:
     """Return the table, the last dive first, columns of rank 0 before others."""
-    order = sorted(range(len(told.titles)), key=lambda k: told.titles[k][1] > 0)
-    styles = [_shown_on(rank) for _, rank in told.titles]
-    names = [f"<th{styles[k]}>{_safe(told.titles[k][0])}</th>" for k in order]
+    shown = sorted(columns(found["each_dive"][0]), key=lambda column: column.rank > 0)
+    styles = [_shown_on(column.rank) for column in shown]
+    names = [f"<th{style}>{safe(c.title)}</th>" for c, style in zip(shown, styles, strict=True)]
     lines = [
         "<h2>Dives, the last one first: miss (CLPE, m) one dive ahead, currents in m/s</h2>",
         f'<div class="table"><table><thead><tr>{"".join(names)}</tr></thead><tbody>',
     ]
-    for row, cells in list(zip(found["each_dive"], told.cells, strict=True))[::-1]:
+    for row in found["each_dive"][::-1]:
         made = []
-        for k in order:
-            loud = cells[k] == "OUT" or cells[k].startswith("SPEED")
-            made.append(f"<td{ALARM if loud else styles[k]}>{_safe(cells[k])}</td>")
-        lines.append(f'<tr data-dive="{_safe(row["dive"])}">{"".join(made)}</tr>')
+        for column, style in zip(shown, styles, strict=True):
+            cell = column.cell(row)
+            loud = cell == "OUT" or cell.startswith("SPEED")
+            made.append(f"<td{ALARM if loud else style}>{safe(cell)}</td>")
+        lines.append(f'<tr data-dive="{safe(row["dive"])}">{"".join(made)}</tr>')
     return [*lines, "</tbody></table></div>"]
 
 
@@ -167,8 +138,8 @@ def _shown_on(rank: int) -> str:
     return "" if rank <= PHONE else f' class="wide{" most" if rank > PAPER else ""}"'
 
 
-def _remarks(remarks: Sequence[str]) -> list[str]:
-    if not remarks:
+def _remarks(said: Sequence[str]) -> list[str]:
+    if not said:
         return []
-    lines = [f"<li>{_safe(remark)}</li>" for remark in remarks]
+    lines = [f"<li>{safe(remark)}</li>" for remark in said]
     return ["<h2>Learned, noted and skipped</h2>", "<ul>", *lines, "</ul>"]

@@ -2,10 +2,10 @@
 
 from collections.abc import Sequence
 from datetime import UTC, datetime, timedelta
-from html import escape
 from math import ceil, floor, log10
 from typing import Any, NamedTuple
 
+from ..html.text import safe
 from ..units import seconds_since_1970
 
 WIDTH, HEIGHT, LEFT, BOTTOM, TOP = 640.0, 190.0, 52.0, 24.0, 8.0
@@ -101,18 +101,16 @@ def line_chart(title: str, times: Sequence[float], series: list[Series], base: f
             f'<circle class="dot {one.style}" cx="{p[0]:.1f}" cy="{p[1]:.1f}" r="2.4"/>'
             for p in points
         ]
-    keys = " ".join(
-        f'<span class="key {one.style}">{escape(one.name)}</span>' for one in series[:9]
-    )
+    keys = " ".join(f'<span class="key {one.style}">{safe(one.name)}</span>' for one in series[:9])
     return (
-        f'<figure><figcaption>{escape(title)} <span class="keys">{keys}</span></figcaption>'
+        f'<figure><figcaption>{safe(title)} <span class="keys">{keys}</span></figcaption>'
         f'<svg class="lines" viewBox="0 0 {WIDTH:g} {HEIGHT:g}" role="img" '
-        f'aria-label="{escape(title)}">' + "".join(drawn) + "</svg></figure>"
+        f'aria-label="{safe(title)}">' + "".join(drawn) + "</svg></figure>"
     )
 
 
 def _text(x: float, y: float, anchor: str, text: str) -> str:
-    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}">{escape(text)}</text>'
+    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}">{safe(text)}</text>'
 
 
 def ticks(low: float, high: float) -> list[float]:

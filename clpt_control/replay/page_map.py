@@ -6,11 +6,11 @@ next one at twice the scale.
 """
 
 from collections.abc import Sequence
-from html import escape
 from typing import Any
 
+from ..html.text import safe
 from .chart import Chart, length_of, mark
-from .exchange import plain, said_of_dive, said_of_next
+from .exchange import said_of_dive, said_of_next
 from .rings import AIMED, NEXT, Place, place_in, ring_of
 
 WIDTH = 1000.0
@@ -76,7 +76,7 @@ def replay_map(found: dict[str, Any]) -> str:
         begin, end = (place_in(leg, which) for which in AIMED)
         drawn += [drawing.line([begin, target], "aim"), drawing.line([begin, end], "made")]
         drawn.append(drawing.line(ring_of(leg, AIMED), "ring aimed", closed=True))
-        title = f"<title>waypoint {k + 1}: {escape(plain(leg['place']))}</title>"
+        title = f"<title>waypoint {k + 1}: {safe(leg['place'])}</title>"
         target_mark = f'<path class="target" d="{TARGET}"/>'
         drawn.append(drawing.group(target, "m", title + target_mark))
     drawn += [
@@ -85,7 +85,7 @@ def replay_map(found: dict[str, Any]) -> str:
         drawing.group(
             goal,
             "m",
-            f"<title>next surfacing: {escape(plain(said_of_next(ahead)))}</title>"
+            f"<title>next surfacing: {safe(said_of_next(ahead))}</title>"
             f'<path class="star" d="{STAR}"/>',
         ),
         _scale(drawing),
@@ -116,8 +116,8 @@ def _in_reach(places: Sequence[Place], targets: Sequence[Place]) -> list[Place]:
 
 def _dive(drawing: Drawing, row: dict[str, Any], before: dict | None, recent: bool) -> str:
     start, end, reckoned, forecast = _places(row)
-    number = escape(plain(row["dive"]))
-    parts = [f"<title>dive {number}: {escape(plain(said_of_dive(row)))}</title>"]
+    number = safe(row["dive"])
+    parts = [f"<title>dive {number}: {safe(said_of_dive(row))}</title>"]
     if before is not None:
         style = "ring" if recent else "ring old"
         parts.append(drawing.line(ring_of(row), style, closed=True))
@@ -151,7 +151,7 @@ def _numbered(drawing: Drawing, rows: list[dict[str, Any]]) -> list[str]:
             if clear or level == LEVELS:
                 placed.append(k)
                 free.remove(k)
-                number = escape(plain(rows[k]["dive"]))
+                number = safe(rows[k]["dive"])
                 text = f'<text class="n{level}" x="7" y="-5">{number}</text>'
                 drawn.append(drawing.group(_places(rows[k])[1], "m number", text))
     return ['<g id="numbers">', *drawn, "</g>"]
@@ -174,7 +174,7 @@ def _grid(drawing: Drawing) -> list[str]:
 
 
 def _label(x: float, y: float, dx: float, dy: float, text: str) -> str:
-    inner = f'<text class="degrees" x="{dx}" y="{dy}">{escape(text)}</text>'
+    inner = f'<text class="degrees" x="{dx}" y="{dy}">{safe(text)}</text>'
     return f'<g class="m" transform="translate({_numbers(x, y)})">{inner}</g>'
 
 

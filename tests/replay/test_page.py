@@ -12,7 +12,7 @@ from synthetic_vehicle import fixes_of
 import clpt_control as clpt
 from clpt_control.gliders.dives import Skipped
 from clpt_control.replay.chart import Chart, mark
-from clpt_control.replay.page import Told, replay_page
+from clpt_control.replay.page import replay_page
 from clpt_control.replay.page_lines import dates, ticks
 
 EVIL = "</title></script><script>alert(1)</script><img src=x onerror='alert(2)'>\x00\udc80\"&amp;"
@@ -21,10 +21,13 @@ EVIL = "</title></script><script>alert(1)</script><img src=x onerror='alert(2)'>
 def page_of(count, lat=40.0, lon=8.0, evil=""):
     replay = clpt.replay.replay_dives(fixes_of(count, lat, lon))
     found = clpt.replay.summary(replay, [Skipped(None, evil)])
-    found["next_dive"] = clpt.replay.next_dive(replay).as_dict()
-    cells = [[str(row["dive"]), evil] for row in found["each_dive"]]
-    told = Told(f"SG {evil}", [evil], [("dive", 0), (evil, 4)], cells, [evil])
-    return replay_page(found, told)
+    found |= {"next_dive": clpt.replay.next_dive(replay).as_dict(), "aim": []}
+    if evil:
+        found["vehicle"] = f"SG {evil}"
+        found["each_dive"][0]["dive"] = evil
+        found["next_dive"]["place"] = evil
+        found["notes"] = [{"dive": 1, "note": evil}]
+    return replay_page(found)
 
 
 def test_nothing_of_a_file_is_markup():

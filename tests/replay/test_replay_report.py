@@ -86,7 +86,8 @@ def test_following_goes_on_where_it_cannot_aim(command, tmp_path):
 
 
 def test_wider_is_more(sg542):
-    from clpt_control.cli.replay_table import columns, fitting
+    from clpt_control.cli.replay_table import fitting
+    from clpt_control.replay.columns import columns
 
     table = columns(sg542["each_dive"][0])
     cells = [[column.cell(row) for column in table] for row in sg542["each_dive"]]

@@ -1,0 +1,141 @@
+"""What is said of a replay in sentences, of what `clpt replay --json` prints."""
+
+from typing import Any
+
+from .aim import AGAINST, REACHED
+from .anomaly import Anomaly
+from .wording import compass, from_now, place, velocity
+
+
+def next_surfacing(ahead: dict[str, Any]) -> str:
+    """Return the sentence on `NextDive.as_dict`."""
+    uncovered = ahead["flow_model_covers"] is False
+    return (
+        f"next surfacing {when(ahead)}, "
+        f"after {ahead['duration'] / 3600:.2f} h and {ahead['dr_east']:+.0f} m "
+        f"east, {ahead['dr_north']:+.0f} m north through the water: "
+        f"{place(ahead['latitude'], ahead['longitude'])}, 90 % within "
+        f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
+        + (f"; the flow model does not cover it: {ahead['why_uncovered']}" if uncovered else "")
+    )
+
+
+def when(ahead: dict[str, Any]) -> str:
+    """Return when the next surfacing is, of `NextDive.as_dict`.
+
+    >>> when({"time": "2016-02-03T14:19:59Z", "hours_from_now": 4.5, "now_is": "clock"})
+    '2016-02-03 14:19 UTC, in 4.5 h'
+    """
+    said = f"{ahead['time'][:10]} {ahead['time'][11:16]} UTC, {from_now(ahead['hours_from_now'])}"
+    return said if ahead["now_is"] == "clock" else f"{said} from the {ahead['now_is']}"
+
+
+def aimed(leg: dict[str, Any]) -> str:
+    """Return the sentence on `Aim.as_dict`."""
+    if leg["bearing"] is None:
+        bears = "here"
+    else:
+        bears = f"{leg['distance'] / 1000:.1f} km to {compass(leg['bearing'])}"
+    said = f"aim at {place(leg['latitude'], leg['longitude'])}, {bears}: "
+    against = leg["state"] == AGAINST
+    if against:
+        current = velocity(leg["current_east"], leg["current_north"])
+        said += (
+            f"cannot be made against the current, {current}, at {leg['speed_expected']:.2f} m/s; "
+            "best "
+        )
+    if leg["heading"] is None:
+        said += "stay"
+    else:
+        said += f"heading {compass(leg['heading'])}"
+        if leg["heading_magnetic"] is not None:
+            said += f" (magnetic {compass(leg['heading_magnetic'])})"
+        if leg["crab"] is not None:
+            said += f", crab {leg['crab']:+.0f}"
+    full = f"{leg['through_water_full']:.0f} m"
+    if leg["state"] == REACHED:
+        said += f", {leg['through_water']:.0f} of {full} through the water; there at {_end(leg)}"
+    else:
+        made = leg["made_good"]
+        said += f", {made:.0f} m made good of {full}" if made >= 0 else f", {-made:.0f} m are lost"
+        said += f", then {leg['left'] / 1000:.1f} km"
+        said += "" if against else f"; there in {leg['dives']:.1f} dives, {leg['hours']:.0f} h"
+    return (
+        f"{said}; expected miss {leg['expected_miss']:.0f} m, 90 % within "
+        f"{leg['ellipse_90_long']:.0f} x {leg['ellipse_90_short']:.0f} m"
+    )
+
+
+def _end(leg: dict[str, Any]) -> str:
+    return f"{leg['end'][:10]} {leg['end'][11:16]} UTC"
+
+
+def remarks(summary: dict[str, Any]) -> list[str]:
+    """Return lines on what was learned, noted and skipped, of what `--json` prints."""
+    lines: list[str] = []
+    if "flow_model" in summary and summary["each_dive"]:
+        lines += coverage(summary["flow_model"], summary["used"])
+    lines += [f"speed anomaly: {Anomaly(**found)}" for found in summary["anomalies"]]
+    if summary["dac_identity_median"] is not None:
+        lines.append(
+            "miss / duration differs from the file's depth-averaged current by "
+            f"{1000 * summary['dac_identity_median']:.2g} mm/s (median)"
+        )
+    if summary["each_dive"]:
+        lines.append(f"surfaced in the 90 % ellipse: {100 * summary['inside_90']:.0f} %")
+        if summary["parts"]:
+            chances = ", ".join(f"{name} {p:.2f}" for name, p in summary["parts"].items())
+            lines.append(f"probability that a part is present: {chances}")
+        lines.append(f"learned: {summary['said']['sentence']}")
+    if summary["held"]:
+        lines.append(f"not yet known from these dives: {shortened(summary['held'])}")
+    lines += by_reason(summary["notes"], "note")
+    for entry in summary["skipped"]:
+        name = "a file" if entry["dive"] is None else f"dive {entry['dive']}"
+        lines.append(f"skipped {name}: {entry['why']}")
+    return lines
+
+
+def shortened(names: list[str]) -> str:
+    """Return names of parameters on a line, gaussians by their number.
+
+    >>> shortened(["speed", "gaussian[0,0]_east", "gaussian[0,0]_north"])
+    'speed, 2 of gaussians'
+    """
+    plain = [name for name in names if not name.startswith("gaussian[")]
+    places = len(names) - len(plain)
+    return ", ".join([*plain, *([f"{places} of gaussians"] if places else [])])
+
+
+def coverage(given: dict[str, Any], used: int) -> list[str]:
+    """Return lines that say which dives a flow model covers, and why not the others.
+
+    >>> none = {"dive": 7, "why": "outside the forecast's area"}
+    >>> given = {"source": "f.nc", "about": "gridded", "covered": 3, "uncovered": [none]}
+    >>> for line in coverage(given, 4):
+    ...     print(line)
+    flow model f.nc (gridded) covers 3 of 4 dives
+    no flow model for dive 7: outside the forecast's area
+    """
+    lines = [
+        f"flow model {given['source']} ({given['about']}) covers {given['covered']} of {used} dives"
+    ]
+    return [*lines, *by_reason(given["uncovered"], "why", "no flow model for ")]
+
+
+def by_reason(entries: list[dict[str, Any]], key: str, before: str = "") -> list[str]:
+    """Return a line for each reason, with the dives that share it.
+
+    >>> by_reason([{"dive": 3, "note": "odd"}, {"dive": 5, "note": "odd"}], "note")
+    ['dives 3, 5: odd']
+    """
+    reasons: dict[str, list[str]] = {}
+    for entry in entries:
+        reasons.setdefault(entry[key], []).append(str(entry["dive"]))
+    lines = []
+    for why, dives in reasons.items():
+        named = f"dive{'s'[: len(dives) > 1]} {', '.join(dives)}"
+        if len(dives) > 6:
+            named = f"{len(dives)} dives from {dives[0]} to {dives[-1]}"
+        lines.append(f"{before}{named}: {why}")
+    return lines
