@@ -18,7 +18,7 @@ COLOURS = (BLUE, RED, GREEN, ORANGE, PURPLE, "#56B4E9")
 STYLES = ("-", "--", "-.", (0, (1, 1)), (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
 
 FORMATS = ("png", "pdf", "svg")
-SAME = {"svg.hashsalt": "clpt-control", "svg.fonttype": "none", "pdf.fonttype": 42}
+SAME: dict[Any, Any] = {"svg.hashsalt": "clpt-control", "svg.fonttype": "none", "pdf.fonttype": 42}
 DATES: dict[str, dict[str, Any]] = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}
 
 
