@@ -2,6 +2,7 @@ from .fit import fit_scenario
 from .fit_file import save_fit
 from .grid_file import read_currents
 from .rayleigh import check_separable
+from .sample import sample_currents
 from .tidal.analysis import fit_tides, predict
 from .tidal.basis import tidal_basis
 from .tidal.record import read_record
@@ -13,6 +14,7 @@ __all__ = [
     "predict",
     "read_currents",
     "read_record",
+    "sample_currents",
     "save_fit",
     "tidal_basis",
 ]

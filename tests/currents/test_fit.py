@@ -12,6 +12,7 @@ from pyproj import Proj
 import clpt_control as clpt
 from clpt_control.currents.fit import fit_scenario
 from clpt_control.currents.fit_file import save_fit
+from clpt_control.currents.sample import sample_currents
 from clpt_control.diagrams.scenario_basis import scenario_basis
 from clpt_control.errors import ClptError, DataError, ScenarioError
 from clpt_control.replay.flow_model_file import read_flow_model
@@ -320,6 +321,17 @@ def test_nantucket_fit(nantucket):
     assert json.loads(json.dumps(report)) == report
     with pytest.raises(ClptError, match="left the field"):
         clpt.simulate(scenario.with_values({"reference.radius": 60.0}))
+
+
+def test_the_current_that_comes_with_clpt(clpt, nantucket, tmp_path):
+    assert sample_currents().read_bytes() == MARACOOS.read_bytes()
+    out = tmp_path / "s.toml"
+    assert clpt("fit", "--sample", "--box", *BOX, "--out", out).status == 0
+    assert out.read_text() == Path(nantucket[1]._folder / "s.toml").read_text()
+    for words in ((), (MARACOOS, "--sample")):
+        status, _, err = clpt("fit", *words, "--out", out)
+        assert (status, err.count("\n")) == (2, 1)
+        assert "or --sample for the one that comes with clpt" in err
 
 
 def test_nantucket_field_is_close_to_what_was_measured(nantucket):
