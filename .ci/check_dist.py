@@ -13,7 +13,7 @@ from pathlib import Path
 from rattler_build import Stage0Recipe
 
 MADE = {"PKG-INFO", "setup.cfg"}
-ONLY_HERE = (".ci/", ".github/", ".gitignore")
+ONLY_HERE = (".ci/", ".github/", ".gitignore", ".readthedocs.yaml")
 
 
 def differ(kind, found, wanted):

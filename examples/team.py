@@ -2,11 +2,12 @@
 
     python examples/team.py [FIGURE]
 
-Runs team.toml beside this file, and each of its vehicles alone; FIGURE (default: team.png) shows
+Runs the team of `clpt init --example team`, and each of its vehicles alone; FIGURE (default: team.png) shows
 where they swim and what they learn.
 """
 
 import sys
+from importlib import resources
 from pathlib import Path
 
 import numpy as np
@@ -26,7 +27,7 @@ def largest_error(run):
 
 def main(path="team.png"):
     """Run, compare, draw."""
-    team = clpt.load_team(Path(__file__).parent / "team.toml")
+    team = clpt.load_team(resources.files("clpt_control.data") / "team.toml")
     end, units = team.run.duration, team.first.units
     run = clpt.simulate(team)
     alone = {name: clpt.simulate(scenario) for name, scenario in team.members.items()}

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import clpt_control as clpt
 
-FILE = Path(__file__).parent.parent / "examples" / "team.toml"
+FILE = Path(__file__).parent.parent / "clpt_control" / "data" / "team.toml"
 EXACT = {"run.rtol": 1e-11, "run.atol": 1e-13}
 PAPER = clpt.paper_scenario().with_values({"run.duration": 12, "run.output_step": 0.5, **EXACT})
 

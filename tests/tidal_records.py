@@ -8,7 +8,7 @@ import numpy as np
 from clpt_control.currents.nodal import nodal_corrections
 from clpt_control.scenario.tides import SPEEDS
 
-MARACOOS = Path(__file__).parent / "data/field/maracoos_hfr_2019-01-01.nc"
+MARACOOS = Path(__file__).parents[1] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
 LATITUDE = 41.2
 # name: east amplitude (m/s) and phase (degrees), north amplitude and phase
 KNOWN = {

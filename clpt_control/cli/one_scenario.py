@@ -1,5 +1,6 @@
 """`clpt init`, `clpt paper`, `clpt run`, `clpt diagram`: one scenario."""
 
+from importlib import resources
 from pathlib import Path
 from typing import Annotated
 
@@ -8,19 +9,35 @@ import typer
 from ..errors import ClptError
 from .printing import Json, ScenarioFile, print_json, print_table
 
+RUN = "run it with `clpt run {} --out run.nc`"
+FIT = "fit it with `clpt fit {} --out mine.toml`"
+EXAMPLES = {  # of `clpt init`: the name that it is given, the file in the package, what to do then
+    "paper": ("paper.toml", "paper.toml", RUN),
+    "team": ("team.toml", "team.toml", RUN),
+    "currents": ("currents.nc", "maracoos_hfr_2019-01-01.nc", FIT),
+}
 
 def init(
-    file: Annotated[Path, typer.Argument(help="Where to write it.")] = Path("paper.toml"),
+    file: Annotated[
+        Path | None, typer.Argument(help="Where to write it; without it, as the example is called.")
+    ] = None,
+    example: Annotated[
+        str, typer.Option(help=f"What to write: {', '.join(EXAMPLES)}.")
+    ] = "paper",
 ) -> None:
-    """Write the paper's scenario, commented, to start from."""
-    from ..files import check_name, write_text
-    from ..scenario.file import paper_text
+    """Write an example to start from: the paper's scenario, a team's, or a measured current."""
+    from ..files import beside, check_name
 
+    if example not in EXAMPLES:
+        raise ClptError(f"--example {example}: must be one of {', '.join(EXAMPLES)}")
+    name, source, then = EXAMPLES[example]
+    file = file or Path(name)
     check_name(file)
     if file.exists():
         raise ClptError(f"{file}: exists already; name another file, or move this one away")
-    write_text(file, paper_text())
-    typer.echo(f"{file}: written; run it with `clpt run {file} --out run.nc`")
+    with beside(file) as made:
+        made.write_bytes((resources.files("clpt_control.data") / source).read_bytes())
+    typer.echo(f"{file}: written; {then.format(file)}")
 
 
 def paper(

@@ -21,7 +21,7 @@ from clpt_control.simulation.loops import paper_blocks
 from clpt_control.simulation.starts import state_columns
 
 LAWS = ("composite-least-squares", "composite-memory", "least-squares", "normalised-gradient")
-MARACOOS = Path(__file__).parents[1] / "data/field/maracoos_hfr_2019-01-01.nc"
+MARACOOS = Path(__file__).parents[2] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
 MEMORY = composite_memory.CompositeMemoryParameters(
     N=1,
     gain=0.8,

@@ -89,6 +89,15 @@ def test_init_writes_a_scenario_and_never_over_one(clpt, tmp_path, monkeypatch):
     assert Path("paper.toml").read_text() == text
 
 
+def test_init_writes_a_measured_current(clpt, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert clpt("init", "--example", "currents").status == 0
+    assert clpt("fit", "currents.nc", "--out", "mine.toml").status == 0
+    outcome = clpt("init", "--example", "current")
+    assert outcome.status == 2
+    assert "--example current: must be one of paper, team, currents" in outcome.err
+
+
 def test_diagram_prints_mermaid_and_writes_svg(clpt, tmp_path):
     clpt("init", tmp_path / "p.toml")
     outcome = clpt("diagram", tmp_path / "p.toml")

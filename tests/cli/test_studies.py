@@ -70,7 +70,7 @@ def test_readings_find_the_one_that_reproduces_the_paper(tmp_path):
 
 
 def test_measured_current_example(tmp_path):
-    currents = ROOT / "tests/data/field/maracoos_hfr_2019-01-01.nc"
+    currents = ROOT / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
     done = run("examples/measured_current.py", currents, tmp_path)
     ratio = float(done.stdout.split("ratio ")[1].split()[0])
     assert ratio <= 0.1

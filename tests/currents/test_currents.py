@@ -20,7 +20,7 @@ from clpt_control.errors import DataError
 from clpt_control.files import write_netcdf
 from clpt_control.scenario.tables import Units
 
-MARACOOS = Path(__file__).parents[1] / "data/field/maracoos_hfr_2019-01-01.nc"
+MARACOOS = Path(__file__).parents[2] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
 BOX = (40.9, 41.55, -69.9, -69.0)
 LAT, LON, TIME = np.linspace(41.0, 41.5, 6), np.linspace(-69.9, -69.1, 8), np.arange(10.0)
 

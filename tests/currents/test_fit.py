@@ -18,7 +18,7 @@ from clpt_control.errors import ClptError, DataError, ScenarioError
 from clpt_control.replay.flow_model_file import read_flow_model
 from clpt_control.simulation.flows import explained_variance
 
-MARACOOS = Path(__file__).parents[1] / "data/field/maracoos_hfr_2019-01-01.nc"
+MARACOOS = Path(__file__).parents[2] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
 BOX = (40.9, 41.55, -69.9, -69.0)
 SPEED = 28.9841042  # M2, degrees per hour
 LAT, LON, TIME = np.linspace(40.9, 41.55, 13), np.linspace(-69.9, -69.0, 14), np.arange(25.0)

@@ -185,10 +185,11 @@ def test_without_utide_one_sentence_and_fits_of_grids_go_on(clpt, tmp_path, monk
     assert nodal_report(["M2"], "2019-01-01", 41.0) is None
 
 
-def test_the_documented_lines_run(monkeypatch):
+def test_the_documented_lines_run(monkeypatch, tmp_path):
     page = Path(__file__).parents[2] / "docs/measured_current.md"
     lines = page.read_text().split("```python\n")[1].split("```")[0]
-    monkeypatch.chdir(MARACOOS.parent)
+    shutil.copyfile(MARACOOS, tmp_path / "currents.nc")
+    monkeypatch.chdir(tmp_path)
     space = {}
     exec(compile(lines, page.name, "exec"), space)
     flow = space["basis"].theta @ [1, 1, 0]  # at the epoch: mean and cosines

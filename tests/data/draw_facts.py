@@ -17,6 +17,7 @@ import netCDF4
 import numpy as np
 
 HERE = Path(__file__).parent
+PACKAGE = HERE.parents[1] / "clpt_control" / "data"
 STEPS = [f"{axis}_displacement{model}" for axis in ("east", "north") for model in ("", "_gsm")]
 SAYS = """
 units calendar positive standard_name scale_factor valid_min valid_max comment missing_value
@@ -206,7 +207,9 @@ def main(shared):
             {"time": (0, 5), "latitude": (24.0, 31.0), "longitude": (-84.0, -76.0)},
         ),
     ):
-        corner(shared / name, HERE / name, names, **spans)
+        shipped = name.startswith("field/")  # with the package
+        target = PACKAGE / Path(name).name if shipped else HERE / name
+        corner(shared / name, target, names, **spans)
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ from clpt_control.replay.outcome import clpe_rms, summary
 from clpt_control.replay.replay import replay_dives
 from clpt_control.scenario.tides import period
 
-FIELD = Path(__file__).parents[1] / "data/field/maracoos_hfr_2019-01-01.nc"
+FIELD = Path(__file__).parents[2] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
 
 
 def ratio(dives, estimator="kalman", model=None):

@@ -32,7 +32,7 @@ from clpt_control.replay.forecast import depth_mean, gaps_of
 from clpt_control.replay.outcome import summary
 from clpt_control.replay.replay import replay_dives
 
-MARACOOS = Path(__file__).parents[1] / "data/field/maracoos_hfr_2019-01-01.nc"
+MARACOOS = Path(__file__).parents[2] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
 DEPTH = np.array([0.0, 10.0, 50.0, 100.0, 200.0, 400.0, 1000.0, 2000.0])
 
 

@@ -219,7 +219,7 @@ def test_a_picture_shows_both_tracks(paper, tmp_path):
 def test_a_track_in_a_measured_current(facts, tmp_path):
     from clpt_control.currents import fit_scenario, save_fit
 
-    field = facts / "field/maracoos_hfr_2019-01-01.nc"
+    field = facts.parents[1] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
     fit = fit_scenario(field, (40.9, 41.55, -69.9, -69.0), rows=1, columns=2, width_km=30.0)
     scenario = save_fit(fit, tmp_path / "shoals.toml").with_values({"run.output_step": 0.5})
     whole = field_area(scenario)

@@ -1,0 +1,44 @@
+"""`{commands}`: every command of `clpt` with its arguments and options, from typer's own help."""
+
+from sphinx.util.docutils import SphinxDirective
+
+
+class Commands(SphinxDirective):
+    """A section for each command."""
+
+    def run(self) -> list:
+        """Read the command line and parse what it says as Markdown."""
+        from typer.main import get_command
+
+        from clpt_control.cli import application
+
+        program = get_command(application())
+        text = "\n".join(
+            section(command, command.make_context(f"clpt {name}", [], resilient_parsing=True))
+            for name, command in program.commands.items()
+        )
+        return self.parse_text_to_nodes(text, allow_section_headings=True)
+
+
+def section(command, context) -> str:
+    """Markdown of a command: its usage, what it does, its arguments and options."""
+    usage = " ".join(command.collect_usage_pieces(context))
+    records = [one.get_help_record(context) for one in command.get_params(context)]
+    rows = "\n".join(f"`{words}`\n: {plain(said) or '-'}\n" for words, said in filter(None, records))
+    about = plain(command.help or "", "\n\n")
+    return f"## {context.info_name}\n\n```text\n{context.info_name} {usage}\n```\n\n{about}\n\n{rows}\n"
+
+
+def plain(text: str, between: str = " ") -> str:
+    """Help as Markdown that shows every letter as it is."""
+    parts = [" ".join(part.split()) for part in text.replace("\b", "").split("\n\n")]
+    shown = between.join(filter(None, parts))
+    for letter in "\\*_`<>[]$~":
+        shown = shown.replace(letter, f"\\{letter}")
+    return shown
+
+
+def setup(app):
+    """Add the directive."""
+    app.add_directive("commands", Commands)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

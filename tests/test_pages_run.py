@@ -1,0 +1,132 @@
+"""Every code block of README, CONTRIBUTING and docs runs as it stands, page by page.
+
+A page begins in an empty folder, and its blocks run in their order: `python` in one space, `sh`
+in a shell that finds `clpt` first.  A block whose first line is `# NAME.py` or `# NAME.toml` is
+that file.  `text` right after `python` is what it prints; a `console` shows commands after `$`
+and what they print, `...` standing for lines left out.  What cannot run says why, visibly, in
+its first line: `# not run by the tests: REASON`.  Notebooks are run by `make docs`.
+"""
+
+import contextlib
+import io
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+from processes import GUARD
+
+ROOT = Path(__file__).parent.parent
+SLOW = {"laws.md", "theory.md"}  # `clpt tune` and `clpt design` look for minutes
+FENCE = re.compile(r"^(`{3,})([^\n`]*)\n(.*?)^\1[ ]*$", re.M | re.S)
+FILE = re.compile(r"# ([\w.-]+\.(?:py|toml|csv))\n")
+LEFT_OUT = re.compile(r"# not run by the tests: \S.*\n")
+NUMBER = re.compile(r"-?\d+\.\d+(?=[\],])")
+LANGUAGES = {"python", "sh", "console", "toml", "text", "csv", "mermaid"}
+
+
+class Block(NamedTuple):
+    language: str
+    text: str
+    line: int
+    after: str  # what stands between it and the block before
+
+
+def pages():
+    """README, CONTRIBUTING and every page of docs that is no notebook."""
+    found = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(ROOT.glob("docs/**/*.md"))]
+    for path in found:
+        if any(blocks(path)):
+            slow = pytest.mark.slow if path.name in SLOW else ()
+            yield pytest.param(path, id=str(path.relative_to(ROOT)), marks=slow)
+
+
+def blocks(path):
+    text, end = path.read_text("utf-8"), 0
+    if text.startswith("---") and "kernelspec" in text.split("---")[1]:
+        return
+    for found in FENCE.finditer(text):
+        _, language, inside = found.groups()
+        if not language.startswith("{"):
+            line = text[: found.start()].count("\n") + 2
+            yield Block(language, inside, line, text[end : found.start()])
+        end = found.end()
+
+
+@pytest.mark.parametrize("path", pages())
+def test_every_block_runs(path, tmp_path, monkeypatch):
+    if not shutil.which("sh"):
+        pytest.skip("no shell: sh is not on PATH")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("MPLBACKEND", "agg")
+    monkeypatch.setenv("PATH", os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]]))
+    space, printed = {"__name__": "__main__"}, ""
+    for block in blocks(path):
+        where = f"{path.name}:{block.line}"
+        assert block.language in LANGUAGES, f"{where}: '{block.language}' is no known language"
+        if block.language == "text" and printed and not block.after.strip():
+            assert_same(printed, block.text, where)
+        printed = "" if LEFT_OUT.match(block.text) else run(block, space, where)
+
+
+def run(block, space, where):
+    """Run a block; return what Python printed."""
+    if (name := FILE.match(block.text)) and block.language in ("python", "toml", "csv"):
+        Path(name[1]).write_text(block.text, "utf-8")
+    elif block.language == "python":
+        printed = io.StringIO()
+        code = compile("\n" * (block.line - 1) + block.text, where, "exec")
+        with contextlib.redirect_stdout(printed):
+            exec(code, space)
+        return printed.getvalue()
+    elif block.language == "toml":
+        tomllib.loads(block.text)
+    elif block.language == "sh":
+        status, out = shell(block.text)
+        assert status == 0, f"{where}: status {status}: {out}"
+    elif block.language == "console":
+        check_console(block.text, where)
+    return ""
+
+
+def shell(commands):
+    """Run commands, the first that fails ends them; return the status and all that is said."""
+    done = subprocess.run(
+        ["sh", "-e", "-c", commands],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        timeout=GUARD,
+    )
+    return done.returncode, done.stdout
+
+
+def check_console(text, where):
+    """Run what stands after `$`; what is shown below must be what is said, but for `...`."""
+    for part in re.split(r"^\$ ", text, flags=re.M)[1:]:
+        command, shown = re.match(r"((?:.*\\\n)*.*\n?)(.*)", part, re.S).groups()
+        _, out = shell(command)
+        said = " ".join(out.split())
+        for piece in re.split(r"^\s*\.\.\.\s*$", shown, flags=re.M):
+            wanted = " ".join(piece.split())
+            assert wanted in said, f"{where}: {command}said\n{out}\nnot\n{piece}"
+            said = said.split(wanted, 1)[1] if wanted else said
+
+
+def assert_same(printed, shown, where):
+    """Compare line by line, without LLVM's own numbering, rounded numbers nearly."""
+    (text, numbers), (page, said) = parts(printed), parts(shown)
+    assert text == page, where
+    assert numbers == pytest.approx(said, abs=2e-6), where
+
+
+def parts(text):
+    """Lines without LLVM's own numbering and rounded numbers; the numbers apart."""
+    lines = [re.sub(r'%"\.\d+"', "%", line).rstrip() for line in text.strip().splitlines()]
+    whole = "\n".join(lines)
+    return NUMBER.sub("#", whole), [float(n) for n in NUMBER.findall(whole)]
