@@ -50,6 +50,14 @@ numpydoc_show_class_members = False
 toc_object_entries_show_parents = "hide"
 python_display_short_literal_types = True
 
+
+def setup(app):
+    """Show tables of commas as they are."""
+    from pygments.lexers.special import TextLexer
+
+    app.add_lexer("csv", TextLexer)
+
+
 html_theme = "pydata_sphinx_theme"
 html_title = "clpt-control"
 html_math_renderer = "mathml"

@@ -2,12 +2,11 @@
 
     python examples/team.py [FIGURE]
 
-Runs the team of `clpt init --example team`, and each of its vehicles alone; FIGURE (default: team.png) shows
-where they swim and what they learn.
+Runs the team of `clpt init --example team`, and each of its vehicles alone; FIGURE (default:
+team.png) shows where they swim and what they learn.
 """
 
 import sys
-from importlib import resources
 from pathlib import Path
 
 import numpy as np
@@ -27,7 +26,7 @@ def largest_error(run):
 
 def main(path="team.png"):
     """Run, compare, draw."""
-    team = clpt.load_team(resources.files("clpt_control.data") / "team.toml")
+    team = clpt.load_team(Path(clpt.__file__).parent / "data" / "team.toml")
     end, units = team.run.duration, team.first.units
     run = clpt.simulate(team)
     alone = {name: clpt.simulate(scenario) for name, scenario in team.members.items()}

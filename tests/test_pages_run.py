@@ -58,13 +58,15 @@ def blocks(path):
         end = found.end()
 
 
-@pytest.mark.parametrize("path", pages())
+@pytest.mark.parametrize("path", list(pages()))
 def test_every_block_runs(path, tmp_path, monkeypatch):
     if not shutil.which("sh"):
         pytest.skip("no shell: sh is not on PATH")
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("MPLBACKEND", "agg")
-    monkeypatch.setenv("PATH", os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]]))
+    monkeypatch.setenv(
+        "PATH", os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+    )
     space, printed = {"__name__": "__main__"}, ""
     for block in blocks(path):
         where = f"{path.name}:{block.line}"
@@ -111,11 +113,17 @@ def check_console(text, where):
     for part in re.split(r"^\$ ", text, flags=re.M)[1:]:
         command, shown = re.match(r"((?:.*\\\n)*.*\n?)(.*)", part, re.S).groups()
         _, out = shell(command)
-        said = " ".join(out.split())
+        said = words(out)
         for piece in re.split(r"^\s*\.\.\.\s*$", shown, flags=re.M):
-            wanted = " ".join(piece.split())
+            wanted = words(piece)
             assert wanted in said, f"{where}: {command}said\n{out}\nnot\n{piece}"
             said = said.split(wanted, 1)[1] if wanted else said
+
+
+def words(text):
+    """Words with one blank between them; of a table's frame only the bars."""
+    lines = [line for line in text.splitlines() if not line.startswith(("┏", "┡", "└"))]
+    return " ".join(" ".join(lines).replace("┃", "|").replace("│", "|").split())
 
 
 def assert_same(printed, shown, where):

@@ -17,13 +17,12 @@ EXAMPLES = {  # of `clpt init`: the name that it is given, the file in the packa
     "currents": ("currents.nc", "maracoos_hfr_2019-01-01.nc", FIT),
 }
 
+
 def init(
     file: Annotated[
         Path | None, typer.Argument(help="Where to write it; without it, as the example is called.")
     ] = None,
-    example: Annotated[
-        str, typer.Option(help=f"What to write: {', '.join(EXAMPLES)}.")
-    ] = "paper",
+    example: Annotated[str, typer.Option(help=f"What to write: {', '.join(EXAMPLES)}.")] = "paper",
 ) -> None:
     """Write an example to start from: the paper's scenario, a team's, or a measured current."""
     from ..files import beside, check_name

@@ -31,7 +31,7 @@ def team_plot(run: "xarray.Dataset", team: Team) -> "Figure":
     Returns
     -------
     Figure
-        Tracks, waypoints and the flow at the start; |e| of each vehicle; the largest error of a
+        Tracks, waypoints and the flow at the start; ``|e|`` of each vehicle; the largest error of a
         flow parameter of each, or without theta the estimates, and the largest disagreement.
 
     Raises

@@ -22,11 +22,13 @@ class Commands(SphinxDirective):
 
 def section(command, context) -> str:
     """Markdown of a command: its usage, what it does, its arguments and options."""
-    usage = " ".join(command.collect_usage_pieces(context))
-    records = [one.get_help_record(context) for one in command.get_params(context)]
-    rows = "\n".join(f"`{words}`\n: {plain(said) or '-'}\n" for words, said in filter(None, records))
-    about = plain(command.help or "", "\n\n")
-    return f"## {context.info_name}\n\n```text\n{context.info_name} {usage}\n```\n\n{about}\n\n{rows}\n"
+    usage = f"{context.info_name} {' '.join(command.collect_usage_pieces(context))}"
+    parts = [f"## {context.info_name}", f"```text\n{usage}\n```", plain(command.help or "", "\n\n")]
+    for parameter in command.get_params(context):
+        if record := parameter.get_help_record(context):
+            words, said = record
+            parts.append(f"`{words}`\n: {plain(said) or '-'}")
+    return "\n\n".join(parts)
 
 
 def plain(text: str, between: str = " ") -> str:

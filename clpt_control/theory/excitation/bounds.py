@@ -14,21 +14,21 @@ from ...errors import ScenarioError
 
 
 def ultimate_bound(window: float, largest_disturbance: float, drop: float) -> float:
-    """Bound |e| in the long run under a disturbance.
+    """Bound ``|e|`` in the long run under a disturbance.
 
     Parameters
     ----------
     window : float
         Length T of the windows, time.
     largest_disturbance : float
-        Dmax = sup |Delta|, Euclidean norm, length per time.
+        Dmax = sup ``|Delta|``, Euclidean norm, length per time.
     drop : float
         rho, or the exact drop, of every window, in [0, 1].
 
     Returns
     -------
     float
-        The bound on limsup |e|, length; inf where the drop is zero.
+        The bound on limsup ``|e|``, length; inf where the drop is zero.
 
     Raises
     ------
