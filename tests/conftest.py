@@ -61,3 +61,14 @@ def shared():
     if not folder.is_dir():
         pytest.skip("needs the whole measured files, which are too large for the repository")
     return folder
+
+
+def pytest_sessionstart(session):
+    """Compile the solver first where it is not kept, so that no test depends on the cache."""
+    from clpt_control.native.solver_cache import ready
+
+    if not ready() and not getattr(session.config.option, "collectonly", False):
+        import clpt_control as clpt
+
+        scenario = clpt.paper_scenario().with_values({"run.duration": 5})
+        clpt.simulate(scenario, engine="native")

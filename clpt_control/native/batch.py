@@ -86,13 +86,14 @@ class Batch:
         atol: float,
         watch: Callable[["Batch"], None] = lambda batch: None,
         most: int = MEMBER_STEPS,
+        tries: int | None = None,
     ) -> None:
         """Run to the end with steps chosen by tolerance, a run for at most so many tries.
 
-        `watch` is called between the solver's calls.
+        `watch` is called between the solver's calls, each of so many `tries`, or of about `PAUSE`.
         """
         tolerances = np.array([max(rtol, 2.3e-14), atol])
-        active, budget = 1, 64
+        active, budget = 1, tries or 64
         while active:
             check()
             begin = time.perf_counter()
@@ -107,8 +108,9 @@ class Batch:
                     self.callee.guarded,
                     self.callee.jumping,
                 )
-            spent = time.perf_counter() - begin
-            budget = int(np.clip(budget * PAUSE / max(spent, 1e-6), budget / 2 + 1, 4 * budget))
+            if tries is None:
+                share = PAUSE / max(time.perf_counter() - begin, 1e-6)
+                budget = int(np.clip(budget * share, budget / 2 + 1, 4 * budget))
             watch(self)
 
     def fixed(self, step: float) -> None:

@@ -49,7 +49,8 @@ class Solution:
     """States x (n, nstates) at the times t (n,) that were reached.
 
     `status` is ``"finished"``, or ``"stopped"`` where a guard ended the run; `message` is a
-    sentence on it, `statistics` the numbers of steps, evaluations and restarts.
+    sentence on it, `statistics` the numbers of steps, evaluations and restarts, `engine` what ran:
+    ``"native"`` or ``"python"``.
     """
 
     t: np.ndarray
@@ -57,6 +58,7 @@ class Solution:
     status: str = "finished"
     message: str = Status.FINISHED.sentence
     statistics: dict[str, int] = field(default_factory=dict)
+    engine: str = "python"
 
 
 def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
@@ -69,8 +71,9 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
     names = ("steps", "evaluations", "restarts")
     statistics = dict(zip(names, map(int, batch.counts[0]), strict=False))
     times, states = batch.times, batch.out[0]
+    engine = "python" if batch.callee.solver is solver else "native"
     if status is Status.FINISHED:
-        return Solution(times, states, statistics=statistics)
+        return Solution(times, states, statistics=statistics, engine=engine)
     if status is Status.LEFT:
         t, x, policy, sentence = _crossing(sweep, batch, inputs)
         if policy == "raise":
@@ -78,7 +81,7 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
                 f'{sentence}; flow.outside = "clip" or "stop" goes on or ends there'
             )
         times, states = _until(batch, t, x, done)
-        return Solution(times, states, "stopped", f"stopped: {sentence}", statistics)
+        return Solution(times, states, "stopped", f"stopped: {sentence}", statistics, engine)
     reason = _trouble(sweep, batch, inputs) or status.sentence
     raise SimulationError(
         f"the integration stopped at t = {batch.now:.9g}: {reason}; "

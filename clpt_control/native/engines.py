@@ -1,16 +1,17 @@
 """Choose the engine: machine code, or Python for what cannot be compiled."""
 
 import os
-import warnings
 from collections.abc import Mapping
 from typing import Any
 
 import control
 
 from ..diagrams.wiring import Wiring, wiring_of
-from ..errors import SimulationError, Uncompiled
+from ..errors import SimulationError
+from .first_run import FirstRun, compiled
 from .inputs import Inputs
 from .python_diagram import PythonDiagram
+from .solver_cache import ready
 
 ENGINES = ("native", "python")
 VARIABLE = "CLPT_CONTROL_ENGINE"  # environment variable that names another default
@@ -26,9 +27,11 @@ def chosen(
     """Return a diagram ready to run, compiled where that can be.
 
     What cannot be compiled runs in Python, with a warning that calls it by `name`; so does a
-    diagram whose inputs are a function, unless machine code is asked for: an error.
+    diagram whose inputs are a function, unless machine code is asked for: an error.  Where
+    neither engine is asked for and the solver is not compiled yet, a run begins in Python.
     """
-    asked = engine or os.environ.get(VARIABLE) or "native"
+    wanted = engine or os.environ.get(VARIABLE)
+    asked = wanted or "native"
     if asked not in ENGINES:
         whose = "engine" if engine else f"the environment variable {VARIABLE}"
         raise SimulationError(f"{whose} = '{asked}': must be one of {', '.join(ENGINES)}")
@@ -38,11 +41,8 @@ def chosen(
         raise SimulationError(
             "inputs: machine code takes no function; give samples at timepts, or leave engine out"
         )
-    if asked == "native" and not by_function and wiring.nodes[-1].states.stop:
-        from .native_diagram import NativeDiagram
-
-        try:
-            return NativeDiagram(wiring, params)
-        except Uncompiled as error:
-            warnings.warn(f"{name} runs in Python, not as machine code: {error}", stacklevel=4)
-    return PythonDiagram(wiring, params)
+    if asked == "python" or by_function or not wiring.nodes[-1].states.stop:
+        return PythonDiagram(wiring, params)
+    if wanted is None and not ready():
+        return FirstRun(wiring, params, name)
+    return compiled(wiring, params, name)

@@ -12,8 +12,8 @@ from .batch import Callee
 from .code import code_of, kernels
 from .inputs import Inputs
 from .layout import lay_out
-from .machine import fuses
 from .printing import LANES
+from .processor import fuses
 from .python_diagram import PythonDiagram
 from .schedule import Schedule, make_schedule, with_inputs
 from .solver_cache import compiled_solver

@@ -29,6 +29,7 @@ class PythonDiagram:
     """
 
     most = 10_000_000  # tries of a run
+    tries: int | None = None  # of one call of the solver; by time without
 
     def __init__(
         self, diagram: control.NonlinearIOSystem | Wiring, params: Mapping[str, Any] | None = None
@@ -141,9 +142,13 @@ class PythonDiagram:
             if progress is not None:
                 progress(batch.now)
             keeps_pace(batch)
+            self.looked(batch)
 
-        batch.adaptive(*tolerances, watch, self.most)
+        batch.adaptive(*tolerances, watch, self.most, self.tries)
         return ended(self.sweep, batch, inputs)
+
+    def looked(self, batch: Batch) -> None:
+        """Look at a run under way."""
 
     def run_many(
         self,

@@ -10,7 +10,6 @@ import hashlib
 import os
 import pickletools
 import shutil
-import stat
 import sys
 from contextlib import suppress
 from functools import cache
@@ -20,53 +19,36 @@ from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any
 
-from numba.core.compiler_lock import global_compiler_lock
-
 from ..errors import DataError
 from ..files import beside
-from .machine import call_address, processor
+from ..files.user_cache import cache_folder, trusted
+from ..progress import note
+from .processor import processor
 
-FOLDER = "CLPT_CONTROL_CACHE"  # environment variable that names another folder
 KEPT = 4  # compiled solvers of other versions that stay
 OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy"}
 ENTRIES = ("advance", "advance_fixed", "signals_at", "between")  # what is called from Python
+USUAL = ("advance", "signals_at")  # what every run calls
 # the rest is put in where it is called
 APART = (*ENTRIES[:3], "watch", "take", "sample", "leap", "keep")
 
 
-def cache_folder() -> Path | None:
-    """Return the folder of compiled code, made if need be.
-
-    None where it cannot be written to, or where another user could have put code there.
-    """
-    import platformdirs
-
-    try:
-        wanted = os.environ.get(FOLDER) or platformdirs.user_cache_dir("clpt-control")
-        folder = Path(wanted)
-        folder.mkdir(parents=True, exist_ok=True, mode=0o700)
-        return folder if trusted(folder) and os.access(folder, os.W_OK) else None
-    except (OSError, RuntimeError):  # RuntimeError: a user without a home
-        return None
-
-
-def trusted(folder: Path) -> bool:
-    """Whether a folder is the user's own and closed to others."""
-    if not hasattr(os, "getuid"):
-        return True  # Windows: the user's profile is closed to others
-    found = folder.stat()
-    others = found.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
-    return found.st_uid in (os.getuid(), 0) and not others
-
-
-@cache
-@global_compiler_lock
-@cache
 def compiled_solver() -> ModuleType:
     """Return the solver's module with its functions compiled."""
+    from numba.core.compiler_lock import global_compiler_lock
+
+    with global_compiler_lock:
+        return _compiled()
+
+
+@cache
+def _compiled() -> ModuleType:
     from . import solver as text
 
     folder = cache_folder()
+    if not ready():
+        lasts = "there is no folder to keep it in" if folder is None else "later runs start at once"
+        note(f"compiling once for every kind of diagram, some ten seconds; {lasts}")
     place = None if folder is None else _place(folder, Path(text.__file__))
     spec = util.spec_from_file_location("clpt_control_solver", place or text.__file__)
     assert spec is not None
@@ -76,6 +58,17 @@ def compiled_solver() -> ModuleType:
     spec.loader.exec_module(module)
     _compile(module, place is not None)
     return module
+
+
+def ready() -> bool:
+    """Whether the solver need not be compiled: it is in memory, or in the cache."""
+    if _compiled.cache_info().currsize:
+        return True
+    folder = cache_folder()
+    if folder is None:
+        return False
+    files = folder / f"solver-{_key()}" / "__pycache__"
+    return all(any(files.glob(f"solver.{name}-*.nbc")) for name in USUAL)
 
 
 def _place(folder: Path, text: Path) -> Path | None:
@@ -121,20 +114,23 @@ def _forget(folder: Path, own: Path) -> None:
 def _key() -> str:
     """Return a name for the files that are compiled, the versions and the processor."""
     import llvmlite.binding as llvm
-    from numba import config
 
     files = (
-        Path(__file__).with_name(f"{name}.py") for name in ("solver", "machine", "solver_cache")
+        Path(__file__).with_name(f"{name}.py")
+        for name in ("solver", "address_call", "solver_cache")
     )
     made_of = [file.read_text("utf-8") for file in files]
     made_of += [version(name) for name in ("numba", "llvmlite", "numpy")]
-    made_of += [sys.version, *processor(), str(vars(config)["OPT"]), llvm.get_default_triple()]
+    made_of += [os.environ.get("NUMBA_OPT", ""), llvm.get_default_triple()]
+    made_of += [sys.version, *processor()]
     return hashlib.sha256("\n".join(made_of).encode()).hexdigest()[:24]
 
 
 def _compile(module: ModuleType, kept: bool) -> None:
     from numba import njit
     from numba.extending import overload
+
+    from .address_call import call_address
 
     @overload(module.call, inline="always")
     def _(function, t, X, first, P, T, W, D, to):

@@ -1,6 +1,6 @@
 """How far work that lasts over two seconds has come, on standard error.
 
-A bar on a terminal, a plain line now and then elsewhere.
+A bar on a terminal, a plain line now and then elsewhere; a note on what happens once.
 """
 
 import sys
@@ -59,6 +59,11 @@ def progress_bar(what: str, total: float, counted: str = "") -> Iterator[Callabl
     finally:
         if bar is not None:
             bar.stop()
+
+
+def note(sentence: str) -> None:
+    """Say in a line on standard error why what follows takes longer than usual."""
+    print(f"clpt: {sentence}", file=sys.stderr, flush=True)
 
 
 def clock(seconds: float) -> str:

@@ -142,6 +142,7 @@ def run_dataset(
         "software": _software(),
         "status": solution.status,
         "message": solution.message,
+        "engine": solution.engine,
         **{f"solver_{name}": value for name, value in solution.statistics.items()},
     }
     run = xarray.Dataset(data, coordinates, attributes)

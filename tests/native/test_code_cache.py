@@ -9,8 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from clpt_control.files.user_cache import FOLDER, cache_folder, trusted
 from clpt_control.native import solver, solver_cache
-from clpt_control.native.solver_cache import KEPT, cache_folder, trusted
+from clpt_control.native.solver_cache import KEPT
 
 TEXT = Path(solver.__file__)
 
@@ -18,7 +19,7 @@ TEXT = Path(solver.__file__)
 @pytest.fixture
 def folder(monkeypatch, tmp_path):
     place = tmp_path / "cache"
-    monkeypatch.setenv(solver_cache.FOLDER, str(place))
+    monkeypatch.setenv(FOLDER, str(place))
     return place
 
 
@@ -53,13 +54,13 @@ def test_without_a_home_or_with_a_read_only_one_there_is_no_folder(folder, monke
     monkeypatch.setattr(os, "access", lambda path, mode: False)
     assert cache_folder() is None
     monkeypatch.undo()
-    monkeypatch.setenv(solver_cache.FOLDER, os.devnull + "/none/at/all")
+    monkeypatch.setenv(FOLDER, os.devnull + "/none/at/all")
     assert cache_folder() is None
 
 
 @pytest.mark.skipif(sys.platform in ("win32", "darwin"), reason="the folder is found elsewhere")
 def test_the_users_own_folder_comes_from_home(monkeypatch, tmp_path):
-    for name in (solver_cache.FOLDER, "XDG_CACHE_HOME"):
+    for name in (FOLDER, "XDG_CACHE_HOME"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("HOME", str(tmp_path))
     assert cache_folder() == tmp_path / ".cache" / "clpt-control"
@@ -111,7 +112,7 @@ def test_nothing_can_be_kept_and_the_work_goes_on(monkeypatch):
     kept = []
     monkeypatch.setattr(solver_cache, "_compile", lambda module, keep: kept.append(keep))
     monkeypatch.setitem(sys.modules, "clpt_control_solver", None)
-    module = inspect.unwrap(solver_cache.compiled_solver)()
+    module = inspect.unwrap(solver_cache._compiled)()
     assert kept == [False]
     assert Path(module.__file__) == TEXT
 
@@ -126,7 +127,7 @@ def test_the_key_changes_with_what_is_compiled(monkeypatch):
 RUN = """
 import clpt_control as clpt
 scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-print(clpt.simulate(scenario).attrs["status"])
+print(clpt.simulate(scenario, engine="native").attrs["status"])
 """
 
 

@@ -1,0 +1,32 @@
+"""The user's folder of what was made before: compiled code, verdicts."""
+
+import os
+import stat
+from pathlib import Path
+
+FOLDER = "CLPT_CONTROL_CACHE"  # environment variable that names another folder
+
+
+def cache_folder() -> Path | None:
+    """Return the folder, made if need be.
+
+    None where it cannot be written to, or where another user could have put something there.
+    """
+    import platformdirs
+
+    try:
+        wanted = os.environ.get(FOLDER) or platformdirs.user_cache_dir("clpt-control")
+        folder = Path(wanted)
+        folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+        return folder if trusted(folder) and os.access(folder, os.W_OK) else None
+    except (OSError, RuntimeError):  # RuntimeError: a user without a home
+        return None
+
+
+def trusted(place: Path) -> bool:
+    """Whether a folder or a file is the user's own and others may not write to it."""
+    if not hasattr(os, "getuid"):
+        return True  # Windows: the user's profile is closed to others
+    found = place.stat()
+    others = found.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+    return found.st_uid in (os.getuid(), 0) and not others
