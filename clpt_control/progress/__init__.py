@@ -62,7 +62,7 @@ def progress_bar(what: str, total: float, counted: str = "") -> Iterator[Callabl
 
 
 def note(sentence: str) -> None:
-    """Say in a line on standard error why what follows takes longer than usual."""
+    """Print a line on standard error: why what follows takes longer than usual."""
     print(f"clpt: {sentence}", file=sys.stderr, flush=True)
 
 
