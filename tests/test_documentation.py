@@ -12,6 +12,7 @@ import pytest
 import clpt_control
 
 EQUATION = ["t", "x", "u", "p"]
+REFERENCE = Path(__file__).parent.parent / "docs" / "reference"
 
 
 def modules():
@@ -133,17 +134,31 @@ def test_documented(value):
     assert ">>>" in text, "no example"
 
 
-def test_the_readme_runs(tmp_path, monkeypatch):
-    text = (Path(__file__).parent.parent / "README.md").read_text()
-    code = text.split("```python\n")[1].split("```")[0]
-    code = code.replace(
-        "scenario = clpt.paper_scenario() ",
-        "scenario = clpt.paper_scenario().with_values({'run.duration': 30}) ",
-    )
-    monkeypatch.chdir(tmp_path)
-    space = {}
-    exec(compile(code, "README.md", "exec"), space)
-    assert space["run"].sizes["time"] == 31
+def test_every_public_name_stands_in_the_reference():
+    """Once, on the page of its room: in a block ```{names} ROOM of docs/reference."""
+    block = re.compile(r"^```\{names\} (\S+)\n(.*?)^```", re.M | re.S)
+    shown = [
+        f"{room}.{name}"
+        for page in REFERENCE.glob("*.md")
+        for room, names in block.findall(page.read_text("utf-8"))
+        for name in names.split()
+    ]
+    top, *below = rooms()
+    public = {f"{room.__name__}.{name}" for room in below for name in room.__all__}
+    known = {name.rsplit(".", 1)[1] for name in public} | {room.__name__[13:] for room in below}
+    public |= {f"{top.__name__}.{name}" for name in top.__all__ if name not in known}
+    assert sorted(shown) == sorted(public)
+
+
+def test_the_reference_begins_with_what_clpt_reaches():
+    page = (REFERENCE / "index.md").read_text("utf-8")
+    values = {name: getattr(clpt_control, name) for name in clpt_control.__all__}
+    wanted = [n for n, v in values.items() if is_code(v) and not is_error(v)]
+    assert [name for name in wanted if f"`clpt.{name}`" not in page] == []
+
+
+def is_error(value):
+    return inspect.isclass(value) and issubclass(value, clpt_control.ClptError)
 
 
 def test_equations_are_found_by_their_numbers():

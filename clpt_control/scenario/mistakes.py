@@ -68,7 +68,7 @@ def sentence(problem: Any, table: type[Table]) -> str:
     if kind == "value_error" and len(where) <= 1:
         return message
     if kind in ("too_long", "too_short", "tuple_type", "missing_argument"):
-        message = message.replace("Tuple should", "must").replace("after validation", "")
+        message = message.replace("Tuple should", "must").replace(" after validation", "")
     if kind in ("model_type", "model_attributes_type"):
         message = "must be a table of keys"
     shown = repr(problem["input"])
