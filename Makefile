@@ -7,7 +7,7 @@ BENCH := build/benchmarks/venv
 LOWEST := build/lowest
 DIST := build/dist
 SITE := .venv/.docs
-ENGINE := native jumps random_jumps elementary engine_page loops solver closed_form_flows written_is_run random_diagrams \
+ENGINE := native jumps random_jumps elementary loops solver closed_form_flows written_is_run random_diagrams \
 	trace words simulation conformance members ensemble
 
 .PHONY: paper test test-slow test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel docs
