@@ -1,13 +1,19 @@
-"""The house style of figures.
+"""The house style of figures, and whose axes a plot draws on.
 
 Colours are those of Okabe and Ito, told apart by the colour-blind; line styles tell them
-apart in black and white.
+apart in black and white.  A function `*_plot` draws on the axes that it is given, or on those
+of a new figure of pyplot's, which a notebook or a window shows; `figure_of` draws the same
+for a file or a page, unknown to pyplot.
 """
 
+from collections.abc import Callable
+from contextvars import ContextVar
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
 import numpy as np
+
+from .errors import ClptError
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -21,17 +27,102 @@ FORMATS = ("png", "pdf", "svg")
 SAME: dict[Any, Any] = {"svg.hashsalt": "clpt-control", "svg.fonttype": "none", "pdf.fonttype": 42}
 DATES: dict[str, dict[str, Any]] = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}
 
+_for_a_file: ContextVar[bool] = ContextVar("for_a_file", default=False)
+_unseen: list[Any] = []  # the last figure of pyplot's where no backend shows it
+
 
 def new_figure(width: float = 6.4, height: float = 4.2, **subplots: Any) -> "tuple[Figure, Any]":
     """Return a figure (inches) and its axes, as ``pyplot.subplots``, in the house style."""
-    from matplotlib.figure import Figure
+    figure = _bare(width, height)
+    return figure, styled(figure.subplots(**subplots))
 
-    figure = Figure(figsize=(width, height), dpi=150, layout="constrained")
-    axes = figure.subplots(**subplots)
-    for ax in np.atleast_1d(axes).ravel():
+
+def styled(axes: Any) -> Any:
+    """Return axes in the house style."""
+    for ax in np.ravel(axes):
         ax.spines[["top", "right"]].set_visible(False)
         ax.grid(True, linewidth=0.4, alpha=0.5)
-    return figure, axes
+    return axes
+
+
+def axes_for(ax: Any, width: float, height: float, mosaic: Any = None, **subplots: Any) -> Any:
+    """Return the axes that a plot draws on: those given, or of a new figure (inches).
+
+    They have the shape of ``pyplot.subplots(**subplots)``, or are those of a `mosaic` in a row.
+    Given ones may come in any shape, and are refused where they are too few or too many.
+    """
+    if ax is None:
+        figure = _bare(width, height) if _for_a_file.get() else _shown(width, height)
+        if mosaic is not None:
+            return styled(np.array(list(figure.subplot_mosaic(mosaic).values())))
+        return styled(figure.subplots(**subplots))
+    shape = tuple(n for n in (subplots.get("nrows", 1), subplots.get("ncols", 1)) if n > 1)
+    if mosaic is not None:
+        shape = (len({name for row in mosaic for name in row}),)
+    return _given(ax, shape)
+
+
+def _given(ax: Any, shape: tuple[int, ...]) -> Any:
+    """Return the axes that were given in a shape, or say what is wrong with them."""
+    from matplotlib.axes import Axes
+
+    given, count = np.ravel(np.asarray(ax, dtype=object)), int(np.prod(shape))
+    for one in given:
+        if not isinstance(one, Axes):
+            raise ClptError(f"ax = {one!r:.60}: must be matplotlib Axes, as pyplot.subplots makes")
+    if len(given) != count:
+        size = ", ".join(map(str, shape)) or "1"
+        raise ClptError(
+            f"ax: has {len(given)} Axes; this plot draws on {count}, as pyplot.subplots({size}) "
+            "makes"
+        )
+    return given.reshape(shape) if shape else given[0]
+
+
+def _bare(width: float, height: float) -> "Figure":
+    from matplotlib.figure import Figure
+
+    return Figure(figsize=(width, height), dpi=150, layout="constrained")
+
+
+def _shown(width: float, height: float) -> "Figure":
+    """Return a new figure of pyplot's, or one alone where pyplot's backend cannot start.
+
+    Where no backend shows figures, pyplot holds the last one that was drawn and no more.
+    """
+    import matplotlib
+    from matplotlib.backends import BackendFilter, backend_registry
+
+    try:
+        from matplotlib import pyplot
+
+        while _unseen:
+            pyplot.close(_unseen.pop())
+        with matplotlib.rc_context({"figure.max_open_warning": 0}):
+            figure = pyplot.figure(figsize=(width, height), layout="constrained")
+    except ImportError:  # a window where there is no screen
+        return _bare(width, height)
+    unseen = backend_registry.list_builtin(BackendFilter.NON_INTERACTIVE)
+    if matplotlib.get_backend().lower() in unseen:
+        _unseen.append(figure)
+    return figure
+
+
+def figure_of(plot: Callable[..., Any], *given: Any, **keywords: Any) -> "Figure":
+    """Return the figure that a plot draws, unknown to pyplot: for a file or a page."""
+    token = _for_a_file.set(True)
+    try:
+        drawn = plot(*given, **keywords)
+    finally:
+        _for_a_file.reset(token)
+    figure: Figure = np.ravel(np.asarray(drawn, dtype=object))[0].figure
+    return figure
+
+
+def legend_below(ax: Any, columns: int) -> None:
+    """Put a legend below axes that have a label there."""
+    place = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.12)}
+    ax.legend(ncols=columns, fontsize=8, frameon=False, **place)
 
 
 def save_figure(figure: "Figure", target: Path | IO[bytes], kind: str, **options: Any) -> None:

@@ -76,9 +76,10 @@ def design(
         )
     results: dict[Path, Any] = {out: scenario_to_text(found.scenario, out.parent)}
     if figure is not None:
+        from ..figures import figure_of
         from ..theory.designing.plot import design_plot
 
-        results[figure] = design_plot(found)
+        results[figure] = figure_of(design_plot, found)
     write_together(results)
     if as_json:
         print_json(found.report)

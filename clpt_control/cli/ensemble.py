@@ -59,8 +59,9 @@ def ensemble(
     summary = ensemble_summary(data)
     if figure is not None:
         from ..ensemble.spread import ensemble_plot
+        from ..figures import figure_of
 
-        write_figure(ensemble_plot(data), figure)
+        write_figure(figure_of(ensemble_plot, data), figure)
     if as_json:
         print_json(summary)
         return

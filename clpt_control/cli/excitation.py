@@ -21,6 +21,7 @@ def excitation(
     as_json: Json = False,
 ) -> None:
     """Measure what can be learned on a track, and how fast; of a team, alone and together."""
+    from ..figures import figure_of
     from ..files import write_figure
     from ..scenario.file import TEAM
     from ..scenario.team import Team
@@ -39,12 +40,10 @@ def excitation(
     check_figure(figure)
     report = excitation_report(source, window, start)
     if figure is not None:
-        from ..theory.excitation.gramian import gramian
         from ..theory.excitation.plot import excitation_plot
-        from ..theory.excitation.sliding import sliding_excitation
 
-        at = gramian(source, report["window"], report["start"])
-        write_figure(excitation_plot(sliding_excitation(source, report["window"]), at), figure)
+        drawn = figure_of(excitation_plot, source, report["window"], report["start"])
+        write_figure(drawn, figure)
     if as_json:
         print_json(report)
         return

@@ -55,7 +55,7 @@ def paper(
     with progress_bar("section IV", scenario.run.duration) as report:
         run, fine, summary = run_and_report(scenario, report)
     save_run(run, folder / "run.nc")
-    save_figures(fine, scenario, folder)
+    save_figures(fine, folder)
     summary["claims"] = claims(summary)
     if as_json:
         print_json(summary)
@@ -96,7 +96,7 @@ def run(
     if folder is not None:
         from ..simulation.plots import save_figures
 
-        save_figures(fine, experiment, folder)
+        save_figures(fine, folder)
     if as_json:
         print_json(summary)
         return

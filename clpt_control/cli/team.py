@@ -23,10 +23,11 @@ def run_and_print(team: "Team", name: str, out: Path, folder: Path | None, as_js
         run, summary = run_team(team, report)
     save_run(run, out)
     if folder is not None:
+        from ..figures import figure_of
         from ..files import write_figure
         from ..simulation.team_plots import team_plot
 
-        write_figure(team_plot(run, team), folder / "team.png")
+        write_figure(figure_of(team_plot, run), folder / "team.png")
     if as_json:
         print_json(summary)
         return

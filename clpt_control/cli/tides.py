@@ -46,10 +46,11 @@ def tides(
     written = []
     if out is not None:
         from ..currents.tidal.plots import tides_plot
+        from ..figures import figure_of
 
         written = [make_folder(out) / "tides.nc", out / "tides.png"]
         write_netcdf(tides_dataset(fit, measured), written[0])
-        write_figure(tides_plot(fit, measured), written[1])
+        write_figure(figure_of(tides_plot, fit, measured), written[1])
     if as_json:
         print_json(report)
         return

@@ -5,6 +5,7 @@ from .rayleigh import check_separable
 from .sample import sample_currents
 from .tidal.analysis import fit_tides, predict
 from .tidal.basis import tidal_basis
+from .tidal.plots import tides_plot
 from .tidal.record import read_record
 
 __all__ = [
@@ -17,4 +18,5 @@ __all__ = [
     "sample_currents",
     "save_fit",
     "tidal_basis",
+    "tides_plot",
 ]

@@ -4,12 +4,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..figures import BLUE, GREY, RED, new_figure
+from ..errors import DataError
+from ..figures import BLUE, GREY, RED, axes_for
 from .summaries import STATUS
 
 if TYPE_CHECKING:
     import xarray
-    from matplotlib.figure import Figure
 
 PERCENTS = (5, 25, 50, 75, 95)
 READ_BYTES = 8_000_000  # at once, so that memory does not grow with the members
@@ -108,27 +108,40 @@ def _status(number: int) -> str:
     return STATUS[number] if number < len(STATUS) else f"status_{number}"
 
 
-def ensemble_plot(data: "xarray.Dataset") -> "Figure":
+def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> Any:
     """Draw percentiles of CLPE and of the parameter error.
 
     Parameters
     ----------
     data : xarray.Dataset
         As `run_ensemble` gives it.
+    ax : array of 2 Axes, optional
+        Where to draw; by default a new figure of pyplot's.
 
     Returns
     -------
-    Figure
+    ndarray of Axes, shape (2,)
         CLPE rms against cycles, errors against time, both logarithmic: the
         median, half of the members, and nine in ten of them.
+
+    Raises
+    ------
+    DataError
+        If the dataset is no ensemble.
+    ClptError
+        If `ax` are not two Axes.
 
     Examples
     --------
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-    >>> figure = ensemble_plot(clpt.ensemble.run_ensemble(scenario, "learning.gain=0.2:2.0", 3))
+    >>> data = clpt.ensemble.run_ensemble(scenario, "learning.gain=0.2:2.0", 3)
+    >>> clpe, error = ensemble_plot(data)
     """
-    figure, (top, bottom) = new_figure(6.4, 6.0, nrows=2)
+    if "clpe_rms" not in getattr(data, "data_vars", ()):
+        raise DataError("the dataset is no ensemble: it has no clpe_rms; run_ensemble gives one")
+    axes = axes_for(ax, 6.4, 6.0, nrows=2)
+    top, bottom = axes
     units = data["clpe_rms"].attrs["units"]
     cycles = np.arange(1, data.sizes["cycle"] + 1)
     if len(cycles):
@@ -139,12 +152,13 @@ def ensemble_plot(data: "xarray.Dataset") -> "Figure":
         _logarithmic(top)
         top.legend(frameon=False, fontsize=8)
     else:
-        text = "the runs are shorter than a cycle"
-        top.text(0.5, 0.5, text, ha="center", color=GREY, transform=top.transAxes)
-        top.set_axis_off()
+        _nothing(top, "the runs are shorter than a cycle")
     count = f"{data.sizes['member']:,}".replace(",", " ")
     top.set_title(f"CLPE of {count} members", loc="left", fontsize=10)
     name = "flow_parameter_error" if "flow_parameter_error" in data else "gain_error"
+    if name not in data:
+        _nothing(bottom, "neither flow parameters nor gains have a known truth")
+        return axes
     bands, time = percentiles(data, name), data["mark"].values
     _bands(bottom, time, bands, RED)
     what = "flow parameter" if name == "flow_parameter_error" else "gain"
@@ -159,7 +173,12 @@ def ensemble_plot(data: "xarray.Dataset") -> "Figure":
     if np.nanmin(bands, initial=1.0) > 0:
         _logarithmic(bottom)
     bottom.legend(frameon=False, fontsize=8)
-    return figure
+    return axes
+
+
+def _nothing(ax: Any, why: str) -> None:
+    ax.text(0.5, 0.5, why, ha="center", color=GREY, transform=ax.transAxes)
+    ax.set_axis_off()
 
 
 def _logarithmic(ax: Any) -> None:

@@ -117,9 +117,7 @@ def run_segments(
 
 def run_scenario(run: "xarray.Dataset") -> Scenario:
     """Return the scenario that a run carries."""
-    from pathlib import Path
-
-    from ..scenario.file import CHANGED, scenario_from_text
+    from ..scenario.file import CHANGED, folder_of, scenario_from_text
 
     attributes: Any = getattr(run, "attrs", None)
     if attributes is None:
@@ -132,4 +130,4 @@ def run_scenario(run: "xarray.Dataset") -> Scenario:
     text = attributes.get("scenario")
     if text is None or "position" not in run:
         raise DataError("the run carries no scenario; clpt.simulate gives runs that do")
-    return scenario_from_text(text, "scenario", Path(run.encoding.get("folder", ".")))
+    return scenario_from_text(text, "scenario", folder_of(run))

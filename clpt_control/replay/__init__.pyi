@@ -2,8 +2,9 @@ from .aim import aims
 from .dataset import replay_dataset
 from .flow_model_file import read_flow_model
 from .flow_models import carried
+from .map_plot import map_plot
 from .outcome import clpe_rms, summary
-from .plots import save_replay_figures
+from .plots import current_plot, dive_clpe_plot, save_replay_figures
 from .replay import Replay, replay_dives
 from .surfacing import next_dive
 
@@ -12,6 +13,9 @@ __all__ = [
     "aims",
     "carried",
     "clpe_rms",
+    "current_plot",
+    "dive_clpe_plot",
+    "map_plot",
     "next_dive",
     "read_flow_model",
     "replay_dataset",

@@ -8,16 +8,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..figures import BLUE, GREEN, ORANGE, PURPLE, RED, new_figure
+from ..figures import BLUE, GREEN, ORANGE, PURPLE, RED, axes_for, legend_below
 from .chart import Chart, length_of, mark
-from .replay import Replay
+from .replay import Replay, require_dives
 from .rings import AIMED, NEXT, Place, place_in, ring_of
 from .rows import rows
 from .surfacing import NextDive
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 FEW = 20  # dives, whose marks are large
 LAST = 12  # dives whose ellipses are drawn
@@ -26,12 +25,44 @@ ROOM = (0.34, 0.14)  # inches of a number
 
 
 def map_plot(
-    replay: Replay, ahead: NextDive | None = None, legs: Sequence[dict[str, Any]] = ()
-) -> "Figure":
-    """Draw fixes, dead-reckoned ends, forecasts, the next surfacing and where to aim.
+    replay: Replay,
+    ahead: NextDive | None = None,
+    legs: Sequence[dict[str, Any]] = (),
+    *,
+    ax: "Axes | None" = None,
+) -> "Axes":
+    """Draw a replay's fixes, forecasts and where it aims.
 
-    `legs` are as `Aim.as_dict` has them.
+    Parameters
+    ----------
+    replay : Replay
+        With one dive at least.
+    ahead : NextDive, optional
+        The next surfacing, a star.
+    legs : sequence of dict, optional
+        Where to aim, as `Aim.as_dict` has them; the first is drawn.
+    ax : Axes, optional
+        Where to draw; by default a new figure of pyplot's.
+
+    Returns
+    -------
+    Axes
+        A Mercator chart, marked by degrees and minutes.
+
+    Raises
+    ------
+    DataError
+        If the replay has no dive.
+    ClptError
+        If `ax` is not one Axes.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> ax = clpt.replay.map_plot(replay, clpt.replay.next_dive(replay))
     """
+    require_dives(replay)
     found = rows(replay)
     start, end, reckoned, forecast = (
         [place_in(row, which) for row in found]
@@ -45,7 +76,7 @@ def map_plot(
     chart = Chart([*start, *end, *reckoned, *far])
     wide, high = chart.east - chart.west, chart.north - chart.south
     inch = SIZE / max(wide, high)
-    figure, ax = new_figure(max(wide * inch, 4.2) + 0.9, high * inch + 1.7)
+    ax = axes_for(ax, max(wide * inch, 4.2) + 0.9, high * inch + 1.7)
 
     def at(places: Sequence[Place]) -> np.ndarray:
         return np.array([chart.xy(*place) for place in places]).T
@@ -81,8 +112,8 @@ def map_plot(
     last_row = found[-1]
     when = f"{last_row['end'][:10]} {last_row['end'][11:16]} UTC"
     ax.set_title(f"{who}: dive {last_row['dive']} surfaced {when}", loc="left", fontsize=10)
-    figure.legend(loc="outside lower center", ncols=3, fontsize=8, frameon=False)
-    return figure
+    legend_below(ax, 3)
+    return ax
 
 
 def _pieces(first: np.ndarray, last: np.ndarray) -> np.ndarray:

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..figures import BLUE, GREEN, GREY, ORANGE, RED, new_figure
+from ..figures import BLUE, GREEN, GREY, ORANGE, RED, axes_for, figure_of, legend_below
 from ..files import write_together
 from .map_plot import map_plot
 from .outcome import clpe_rms
-from .replay import Replay
+from .replay import Replay, require_dives
 from .surfacing import NextDive
 
 if TYPE_CHECKING:
@@ -26,9 +26,36 @@ LINES = {
 MANY = 40  # dives; beyond, marks are small
 
 
-def dive_clpe_plot(replay: Replay) -> "Figure":
-    """Draw the CLPE of each dive for each flow model, and mark speed anomalies."""
-    figure, ax = new_figure(6.8, 4.0)
+def dive_clpe_plot(replay: Replay, *, ax: "Axes | None" = None) -> "Axes":
+    """Draw the CLPE of each dive for each flow model.
+
+    Parameters
+    ----------
+    replay : Replay
+        With one dive at least.
+    ax : Axes, optional
+        Where to draw; by default a new figure of pyplot's.
+
+    Returns
+    -------
+    Axes
+        CLPE in km against dives; speed anomalies are marked.
+
+    Raises
+    ------
+    DataError
+        If the replay has no dive.
+    ClptError
+        If `ax` is not one Axes.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> ax = clpt.replay.dive_clpe_plot(replay)
+    """
+    require_dives(replay)
+    ax = axes_for(ax, 6.8, 4.0)
     numbers = [step.dive.number for step in replay.steps]
     for model, rms in clpe_rms(replay, 1).items():
         colour, mark, style = LINES[model]
@@ -41,14 +68,42 @@ def dive_clpe_plot(replay: Replay) -> "Figure":
     ax.set(xlabel="dive", ylabel="miss (CLPE) at the surfacing (km)", ylim=(0, None))
     _whole_dives(ax, numbers)
     ax.set_title("Prediction error, one dive ahead; rms after the first", loc="left", fontsize=10)
-    figure.legend(loc="outside lower center", fontsize=8, frameon=False, ncols=3)
-    return figure
+    legend_below(ax, 3)
+    return ax
 
 
-def current_plot(replay: Replay) -> "Figure":
-    """Draw the learned current, two standard errors and the file's own; the speed factor."""
+def current_plot(replay: Replay, *, ax: Any = None) -> Any:
+    """Draw the learned current of each dive, and the speed factor.
+
+    Parameters
+    ----------
+    replay : Replay
+        With one dive at least.
+    ax : array of 3 Axes, optional
+        Where to draw, two where no speed factor is learned; by default a new figure of pyplot's.
+
+    Returns
+    -------
+    ndarray of Axes, shape (3,) or (2,)
+        Current to the east and to the north, m/s, with two standard errors and the files' own;
+        the factor on speed through the water.
+
+    Raises
+    ------
+    DataError
+        If the replay has no dive.
+    ClptError
+        If `ax` are fewer or more Axes.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> east, north, speed = clpt.replay.current_plot(replay)
+    """
+    require_dives(replay)
     steps, learned = replay.steps, replay.model.learn_speed
-    figure, axes = new_figure(6.8, 6.4 if learned else 4.6, nrows=2 + learned, sharex=True)
+    axes = axes_for(ax, 6.8, 6.4 if learned else 4.6, nrows=2 + learned, sharex=True)
     numbers = [step.dive.number for step in steps]
     for i, axis in enumerate(("east", "north")):
         ax = axes[i]
@@ -74,7 +129,7 @@ def current_plot(replay: Replay) -> "Figure":
         axes[2].set_ylabel("factor on speed")
     axes[-1].set_xlabel("dive")
     _whole_dives(axes[-1], numbers)
-    return figure
+    return axes
 
 
 def replay_figures(
@@ -82,9 +137,9 @@ def replay_figures(
 ) -> "dict[str, Figure]":
     """Draw all figures, by the names of their files; `legs` are as `Aim.as_dict` has them."""
     return {
-        "map.png": map_plot(replay, ahead, legs),
-        "clpe.png": dive_clpe_plot(replay),
-        "current.png": current_plot(replay),
+        "map.png": figure_of(map_plot, replay, ahead, legs),
+        "clpe.png": figure_of(dive_clpe_plot, replay),
+        "current.png": figure_of(current_plot, replay),
     }
 
 

@@ -159,6 +159,16 @@ class Replay:
         )
 
 
+def require_dives(given: object) -> None:
+    """Raise a DataError where what is given is no replay, or has no dive."""
+    if not isinstance(given, Replay):
+        raise DataError(
+            f"{given!r:.60}: must be a Replay; clpt.replay.replay_dives(dives) gives one"
+        )
+    if not given.steps:
+        raise DataError("the replay has no dive yet; feed one, as Replay.step does")
+
+
 def _check(dive: Dive, last: Dive | None) -> None:
     """Refuse a dive that is not finite or ends before the last one."""
     numbers = [dive.miss_east, dive.miss_north, dive.lat_gps2, dive.lon_gps2]

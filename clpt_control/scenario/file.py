@@ -97,6 +97,25 @@ def tables_of(text: str, name: str) -> dict[str, Any]:
         raise ScenarioError(f"{name}: a number has too many digits; write it as 1e300") from None
 
 
+def folder_of(run: Any) -> Path:
+    """Return the folder to which a field in a run's attributes is relative."""
+    known = run.encoding
+    return Path(known.get("folder") or Path(str(known.get("source", ""))).parent)
+
+
+def scenario_of_run(run: Any) -> Scenario:
+    """Return the scenario that a run, or an ensemble, carries in its attributes."""
+    if not hasattr(run, "attrs"):
+        raise DataError(
+            f"{run!r:.60}: must be a run, as clpt.simulate gives it; clpt.load_run reads one"
+        )
+    if TEAM in run.attrs:
+        raise DataError("the run is a team's; clpt.simulation.team_plot draws a team")
+    if (text := run.attrs.get("scenario")) is None:
+        raise DataError("the run carries no scenario in its attributes; clpt.simulate writes one")
+    return scenario_from_text(str(text), "the run", folder_of(run))
+
+
 def scenario_to_text(scenario: Scenario, folder: Path | None = None) -> str:
     """Return a scenario as TOML text to lie in `folder`, to which a relative field is turned."""
     return toml(placed_tables(scenario, folder))

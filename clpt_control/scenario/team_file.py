@@ -16,7 +16,16 @@ from typing import Any
 
 from ..errors import DataError, ScenarioError
 from .experiment import Scenario, checked_scenario
-from .file import TEAM, placed_tables, read_text, run_text, scenario_from_text, tables_of, toml
+from .file import (
+    TEAM,
+    folder_of,
+    placed_tables,
+    read_text,
+    run_text,
+    scenario_from_text,
+    tables_of,
+    toml,
+)
 from .team import OWN, STARTS, Team, own_tables
 
 
@@ -127,4 +136,4 @@ def team_of_run(run: Any) -> Team:
             f"{run!r:.60}: must be a Team or a team's run; clpt.load_team and clpt.load_run read "
             "them"
         )
-    return team_from_text(str(text), "the run", Path(run.encoding.get("folder", ".")))
+    return team_from_text(str(text), "the run", folder_of(run))

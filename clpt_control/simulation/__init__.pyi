@@ -1,7 +1,7 @@
 from .flows import explained_variance, flow_velocity
 from .integrate import sample_times, simulate
 from .loops import closed_loop, error_loop, paper_blocks
-from .plots import clpe_plot, learning_plot, track_plot
+from .plots import clpe_plot, learning_plot, run_plot, track_plot
 from .report import claims, run_and_report
 from .run_file import load_run, save_run
 from .starts import initial_state
@@ -20,6 +20,7 @@ __all__ = [
     "load_run",
     "paper_blocks",
     "run_and_report",
+    "run_plot",
     "sample_times",
     "save_run",
     "simulate",

@@ -1,47 +1,75 @@
-"""Pictures of a run: of data, a `matplotlib.figure.Figure`; nothing here integrates."""
+"""Pictures of a run, which carries its scenario: each returns the Axes that it drew on.
+
+Nothing here integrates.
+"""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..errors import ClptError
-from ..figures import BLUE, COLOURS, GREY, RED, STYLES, new_figure
+from ..errors import ClptError, DataError
+from ..figures import BLUE, COLOURS, GREY, RED, STYLES, axes_for, figure_of
 from ..files import write_figure
 from ..scenario.experiment import Scenario
+from ..scenario.file import scenario_of_run
 
 TITLE: dict[str, Any] = {"loc": "left", "fontsize": 10}
 MANY = 100  # samples an interval, for its mean square
 
 if TYPE_CHECKING:
     import xarray
-    from matplotlib.figure import Figure
+    from matplotlib.axes import Axes
+
+OVERVIEW = [
+    ["track", "clpe"],
+    ["track", "size"],
+    ["horizontal", "vertical"],
+    ["gains 1", "gains 2"],
+]
 
 
-def track_plot(run: "xarray.Dataset", scenario: Scenario) -> "Figure":
+def _scenario(run: "xarray.Dataset", *names: str) -> Scenario:
+    """Return the scenario of a run that has some variables along its time."""
+    scenario = scenario_of_run(run)
+    missing = [name for name in names if "time" not in getattr(run.get(name), "dims", ())]
+    if missing:
+        raise DataError(f"the dataset is no run: it has no {missing[0]} along time")
+    return scenario
+
+
+def track_plot(run: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axes":
     """Draw waypoints, track and the flow at the start (figure 1).
 
     Parameters
     ----------
     run : xarray.Dataset
-        As `simulate` gives it.
-    scenario : Scenario
-        Its scenario.
+        As `simulate` gives it, or `load_run`.
+    ax : Axes, optional
+        Where to draw; by default a new figure of pyplot's.
 
     Returns
     -------
-    Figure
-        Axes in the scenario's unit of length.
+    Axes
+        In the scenario's unit of length; the figure is ``ax.figure``.
+
+    Raises
+    ------
+    DataError
+        If the dataset is no run of one vehicle.
+    ClptError
+        If `ax` is not one Axes.
 
     Examples
     --------
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-    >>> figure = track_plot(clpt.simulate(scenario), scenario)
+    >>> ax = track_plot(clpt.simulate(scenario))
     """
     from .flows import flow_velocity
 
-    figure, ax = new_figure(5.6, 5.2)
+    scenario = _scenario(run, "position")
+    ax = axes_for(ax, 5.6, 5.2)
     points, path, unit = scenario.waypoints, run.position.values, scenario.units.length
     low = np.minimum(points.min(0), path.min(0))
     high = np.maximum(points.max(0), path.max(0))
@@ -64,31 +92,40 @@ def track_plot(run: "xarray.Dataset", scenario: Scenario) -> "Figure":
     ax.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half, middle[1] + half))
     ax.set_title("Waypoints, track, and flow at t = 0", **TITLE)
     ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=4, fontsize=8, frameon=False)
-    return figure
+    return ax
 
 
-def clpe_plot(run: "xarray.Dataset", scenario: Scenario) -> "Figure":
+def clpe_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     """Draw CLPE against waypoint intervals (figure 2).
 
     Parameters
     ----------
     run : xarray.Dataset
-        As `simulate` gives it.
-    scenario : Scenario
-        Its scenario.
+        As `simulate` gives it, or `load_run`.
+    ax : array of 2 Axes, optional
+        Where to draw; by default a new figure of pyplot's.
 
     Returns
     -------
-    Figure
+    ndarray of Axes, shape (2,)
         Components over the first cycles; size over the whole run, logarithmic.
+
+    Raises
+    ------
+    DataError
+        If the dataset is no run of one vehicle.
+    ClptError
+        If `ax` are not two Axes.
 
     Examples
     --------
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-    >>> figure = clpe_plot(clpt.simulate(scenario), scenario)
+    >>> top, bottom = clpe_plot(clpt.simulate(scenario))
     """
-    figure, (top, bottom) = new_figure(6.4, 5.4, nrows=2)
+    scenario = _scenario(run, "clpe")
+    axes = axes_for(ax, 6.4, 5.4, nrows=2)
+    top, bottom = axes
     dwell, unit = scenario.reference.dwell, scenario.units.length
     count = len(scenario.waypoints)
     interval, e = run.time.values / dwell, run.clpe.values
@@ -120,40 +157,45 @@ def clpe_plot(run: "xarray.Dataset", scenario: Scenario) -> "Figure":
     if size.max() > 0:
         bottom.set_ylim(bottom=max(1e-12, np.nanmin(np.where(size > 0, size, np.nan)) / 2))
     bottom.legend(frameon=False, fontsize=8)
-    return figure
+    return axes
 
 
-def learning_plot(run: "xarray.Dataset", scenario: Scenario, axis: int) -> "Figure":
+def learning_plot(run: "xarray.Dataset", axis: int = 1, *, ax: Any = None) -> Any:
     """Draw flow parameters and gains of one axis (figures 3, 4).
 
     Parameters
     ----------
     run : xarray.Dataset
-        As `simulate` gives it.
-    scenario : Scenario
-        Its scenario.
-    axis : int
+        As `simulate` gives it, or `load_run`.
+    axis : int, optional
         1, horizontal, or 2, vertical.
+    ax : array of 2 Axes, optional
+        Where to draw; by default a new figure of pyplot's.
 
     Returns
     -------
-    Figure
-        Estimates as lines, true values as thin horizontal lines.
+    ndarray of Axes, shape (2,)
+        Estimates as lines, true values as thin horizontal lines: flow parameters, gains.
 
     Raises
     ------
     ClptError
-        If there is no such axis.
+        If there is no such axis, or `ax` are not two Axes.
+    DataError
+        If the dataset is no run of one vehicle.
 
     Examples
     --------
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-    >>> figure = learning_plot(clpt.simulate(scenario), scenario, 1)
+    >>> parameters, gains = learning_plot(clpt.simulate(scenario), 2)
     """
     if axis not in (1, 2):
-        raise ClptError(f"axis = {axis}: must be 1, horizontal, or 2, vertical")
-    figure, (top, bottom) = new_figure(6.4, 5.4, nrows=2, sharex=True)
+        raise ClptError(f"axis = {axis!r:.60}: must be 1, horizontal, or 2, vertical")
+    names = "flow_parameters_estimate", "feedback_gain", "feedforward_gain"
+    scenario = _scenario(run, *names)
+    axes = axes_for(ax, 6.4, 5.4, nrows=2, sharex=True)
+    top, bottom = axes
     time, i, units = run.time.values, axis - 1, scenario.units
     estimate = run.flow_parameters_estimate.values[:, i]
     N = estimate.shape[1]
@@ -185,13 +227,50 @@ def learning_plot(run: "xarray.Dataset", scenario: Scenario, axis: int) -> "Figu
     if N <= 6:
         top.legend(frameon=False, fontsize=9, ncols=3)
     bottom.legend(frameon=False, fontsize=9, ncols=2)
-    return figure
+    return axes
 
 
-def save_figures(run: "xarray.Dataset", scenario: Scenario, folder: Path) -> list[Path]:
+def run_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
+    """Draw track, CLPE and learning of both axes in one figure.
+
+    Parameters
+    ----------
+    run : xarray.Dataset
+        As `simulate` gives it, or `load_run`.
+    ax : array of 7 Axes, optional
+        Where to draw; by default a new figure of pyplot's.
+
+    Returns
+    -------
+    ndarray of Axes, shape (7,)
+        Track, the two of `clpe_plot`, flow parameters of both axes, gains of both.
+
+    Raises
+    ------
+    DataError
+        If the dataset is no run of one vehicle.
+    ClptError
+        If `ax` are not seven Axes.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
+    >>> axes = run_plot(clpt.simulate(scenario))
+    """
+    _scenario(run, "position", "clpe", "flow_parameters_estimate")
+    axes = axes_for(ax, 11.0, 10.0, mosaic=OVERVIEW)
+    track_plot(run, ax=axes[0])
+    clpe_plot(run, ax=axes[1:3])
+    for axis in (1, 2):
+        learning_plot(run, axis, ax=axes[[2 + axis, 4 + axis]])
+    return axes
+
+
+def save_figures(run: "xarray.Dataset", folder: Path) -> list[Path]:
     """Write figure1.png to figure4.png: track, CLPE, horizontal and vertical learning."""
-    learning = (learning_plot(run, scenario, axis) for axis in (1, 2))
-    figures = (track_plot(run, scenario), clpe_plot(run, scenario), *learning)
+    plots = ((track_plot,), (clpe_plot,), (learning_plot, 1), (learning_plot, 2))
+    figures = [figure_of(plot, run, *axis) for plot, *axis in plots]
     paths = [Path(folder) / f"figure{number}.png" for number in (1, 2, 3, 4)]
     for figure, path in zip(figures, paths, strict=True):
         write_figure(figure, path)

@@ -37,10 +37,10 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     >>> clpt.load_scenario(file) == scenario
     True
     """
-    from ..scenario.file import FORM, LATEST, TEAM, scenario_from_text, scenario_to_text
+    from ..scenario.file import FORM, LATEST, TEAM, folder_of, scenario_from_text, scenario_to_text
     from ..scenario.team_file import team_from_text, team_to_text
 
-    path, folder = Path(path), Path(run.encoding.get("folder", "."))
+    path, folder = Path(path), folder_of(run)
     if (text := run.attrs.get("scenario")) is not None:
         scenario = scenario_from_text(text, "scenario", folder)
         run = run.assign_attrs(scenario=scenario_to_text(scenario, path.parent))

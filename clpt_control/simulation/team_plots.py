@@ -4,53 +4,54 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..errors import ClptError
-from ..figures import COLOURS, GREY, STYLES, new_figure
+from ..errors import DataError
+from ..figures import COLOURS, GREY, STYLES, axes_for
 from ..scenario.team import Team
+from ..scenario.team_file import team_of_run
 from .plots import TITLE
-from .teams import require_team
 
 if TYPE_CHECKING:
     import xarray
-    from matplotlib.figure import Figure
 
 MARKS = "os^vD*"
 LEAST = 1e-16  # shown of what falls to zero
 
 
-def team_plot(run: "xarray.Dataset", team: Team) -> "Figure":
+def team_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     """Draw a team's tracks, CLPE and errors.
 
     Parameters
     ----------
     run : xarray.Dataset
-        As `simulate` gives it for the team.
-    team : Team
-        Its team.
+        As `simulate` gives it for a team, or `load_run`.
+    ax : array of 3 Axes, optional
+        Where to draw; by default a new figure of pyplot's.
 
     Returns
     -------
-    Figure
+    ndarray of Axes, shape (3,)
         Tracks, waypoints and the flow at the start; ``|e|`` of each vehicle; the largest error of a
         flow parameter of each, or without theta the estimates, and the largest disagreement.
 
     Raises
     ------
+    DataError
+        If the dataset is no run of a team.
     ClptError
-        If the run is not of this team.
+        If `ax` are not three Axes.
 
     Examples
     --------
     >>> import clpt_control as clpt
     >>> one = clpt.paper_scenario().with_values({"run.duration": 20})
     >>> team = clpt.Team(members={"a": one, "b": one}, coupling=0.5)
-    >>> figure = team_plot(clpt.simulate(team), team)
+    >>> tracks, clpe, errors = team_plot(clpt.simulate(team))
     """
-    require_team(team)
+    team = team_of_run(run)
     if "vehicle" not in run.dims or list(run.vehicle.values) != list(team.members):
-        raise ClptError(f"run: is none of the vehicles {', '.join(team.members)}; simulate(team)")
-    scale = {"height_ratios": [1.3, 1, 1.2]}
-    figure, (chart, top, bottom) = new_figure(6.4, 8.4, nrows=3, gridspec_kw=scale)
+        raise DataError(f"the dataset has not the vehicles of its team, {', '.join(team.members)}")
+    axes = axes_for(ax, 6.4, 8.4, nrows=3, height_ratios=[1.3, 1, 1.2])
+    chart, top, bottom = axes
     lines = {
         name: {"color": COLOURS[k % 6], "linestyle": STYLES[k % 6], "linewidth": 1.1}
         for k, name in enumerate(team.members)
@@ -75,7 +76,7 @@ def team_plot(run: "xarray.Dataset", team: Team) -> "Figure":
     for ax in (top, bottom):
         ax.set_xlim(time[0], time[-1])
         ax.legend(frameon=False, fontsize=8, ncols=4)
-    return figure
+    return axes
 
 
 def _positive(values: np.ndarray) -> np.ndarray:

@@ -1,9 +1,11 @@
 from .counterexamples.paper_system import disturbance_counterexample
 from .counterexamples.printed_bounds import printed_bound
 from .designing.design import design_track
+from .designing.plot import design_plot
 from .excitation.bounds import ultimate_bound
 from .excitation.certificates import certificate
 from .excitation.gramian import gramian, started_true
+from .excitation.plot import excitation_plot
 from .excitation.pooled import team_gramian
 from .excitation.transition import error_matrices
 from .proving.misprints import misprints
@@ -15,9 +17,11 @@ __all__ = [
     "Verdict",
     "audit",
     "certificate",
+    "design_plot",
     "design_track",
     "disturbance_counterexample",
     "error_matrices",
+    "excitation_plot",
     "gramian",
     "misprints",
     "printed_bound",

@@ -91,6 +91,6 @@ def test_what_is_no_axis_and_no_run_of_the_paper_is_refused():
     found = report.run_and_report(scenario)
     for axis in (0, 3, "x"):
         with pytest.raises(clpt.ClptError, match="must be 1, horizontal, or 2, vertical"):
-            clpt.simulation.learning_plot(found.run, scenario, axis)
+            clpt.simulation.learning_plot(found.run, axis)
     with pytest.raises(clpt.DataError, match="from t = 0 to 2000"):
         clpt.simulation.claims(found.summary)

@@ -10,6 +10,7 @@ from pictures import inked
 import clpt_control as clpt_package
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import ScenarioError
+from clpt_control.figures import figure_of
 from clpt_control.files import write_figure
 from clpt_control.theory import design_track
 from clpt_control.theory.designing.area import area_of_degrees, field_area
@@ -212,7 +213,7 @@ def test_the_learning_time_is_the_last_crossing():
 
 def test_a_picture_shows_both_tracks(paper, tmp_path):
     found = design_track(paper, window=60.0, generations=1)
-    write_figure(design_plot(found), tmp_path / "both.png")
+    write_figure(figure_of(design_plot, found), tmp_path / "both.png")
     assert inked(tmp_path / "both.png") > 0.01
 
 
@@ -233,7 +234,7 @@ def test_a_track_in_a_measured_current(facts, tmp_path):
     places = found.tracks[1].run.position.values
     assert places[:, 0].min() >= inner[0]
     assert places[:, 1].max() <= inner[3]
-    write_figure(design_plot(found), tmp_path / "both.png")
+    write_figure(figure_of(design_plot, found), tmp_path / "both.png")
     with pytest.raises(ScenarioError, match="reaches out of the scenario's field"):
         design_track(scenario, area=(-1e3, 1e3, -1.0, 1.0))
     far = scenario.with_values({"reference.radius": 60.0})

@@ -6,17 +6,14 @@ counter-clockwise, a dashed one clockwise; the dot is where the current is when
 V + u = 0.
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...figures import BLUE, GREY, RED, new_figure
+from ...figures import BLUE, GREY, RED, axes_for
 from .analysis import predict
 from .constants import Constituent, TidalFit
 from .record import CurrentRecord
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 MOST = 6  # ellipses that are drawn, the greatest
 SMALL = 1 / 8  # of the greatest: below it an ellipse is drawn larger
@@ -27,12 +24,40 @@ SPAN = np.timedelta64(15 * 24, "h")  # of the record that is drawn, about its mi
 DAY = np.timedelta64(1, "D")
 
 
-def tides_plot(fit: TidalFit, record: CurrentRecord) -> "Figure":
-    """Draw tidal ellipses, and the record (its middle 15 days) against the fit, m/s."""
+def tides_plot(fit: TidalFit, record: CurrentRecord, *, ax: Any = None) -> Any:
+    """Draw tidal ellipses, and a record against its fit, m/s.
+
+    Parameters
+    ----------
+    fit : TidalFit
+        As `fit_tides` gives it.
+    record : CurrentRecord
+        As `read_record` gives it, the record of the fit; its middle 15 days are drawn.
+    ax : array of 3 Axes, optional
+        Where to draw; by default a new figure of pyplot's.
+
+    Returns
+    -------
+    ndarray of Axes, shape (3,)
+        Ellipses, the current to the east, to the north.
+
+    Raises
+    ------
+    ClptError
+        If `ax` are not three Axes.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from clpt_control.currents import fit_tides, read_record
+    >>> record = read_record("currents.csv", latitude=41.0)  # doctest: +SKIP
+    >>> fit = fit_tides(record.time, record.u, record.v, 41.0)  # doctest: +SKIP
+    >>> ellipses, east, north = tides_plot(fit, record)  # doctest: +SKIP
+    """
     ellipses = _chosen(fit)
     inch = _inch(ellipses)
     row = 2 * max(each.high for each in ellipses) / inch + 5 * LINE
-    figure, axes = new_figure(7.2, 4.9 + row, nrows=3, height_ratios=(row, 2, 2))
+    axes = axes_for(ax, 7.2, 4.9 + row, nrows=3, height_ratios=(row, 2, 2))
     _draw(axes[0], ellipses, inch)
     begin = max(fit.start, fit.middle - SPAN // 2)
     end = min(fit.end, fit.middle + SPAN // 2)
@@ -41,14 +66,15 @@ def tides_plot(fit: TidalFit, record: CurrentRecord) -> "Figure":
     model = predict(fit, fine)
     origin = fit.start.astype("datetime64[D]")
     days = [(t - origin) / DAY for t in (record.time[kept], fine)]
-    for ax, name, measured, tide in zip(
+    for one, name, measured, tide in zip(
         axes[1:], ("east", "north"), (record.u[kept], record.v[kept]), model, strict=True
     ):
-        ax.plot(days[0], measured, ".", color=GREY, ms=3.5, label="measured")
-        ax.plot(days[1], tide, color=BLUE, lw=1.1, label="mean and tides")
-        ax.set_ylabel(f"current {name} (m/s)")
-    axes[1].sharex(axes[2])
-    axes[1].tick_params(labelbottom=False)
+        one.plot(days[0], measured, ".", color=GREY, ms=3.5, label="measured")
+        one.plot(days[1], tide, color=BLUE, lw=1.1, label="mean and tides")
+        one.set_ylabel(f"current {name} (m/s)")
+    if ax is None:
+        axes[1].sharex(axes[2])
+        axes[1].tick_params(labelbottom=False)
     axes[1].legend(fontsize=8, frameon=False, ncols=2, loc="lower right", bbox_to_anchor=(1, 1))
     axes[1].set_title(
         f"Explained: {fit.explained_variance:.1%}; residual rms {fit.residual_rms:.3g} m/s",
@@ -56,7 +82,7 @@ def tides_plot(fit: TidalFit, record: CurrentRecord) -> "Figure":
         fontsize=10,
     )
     axes[2].set_xlabel(f"days since {origin} UTC")
-    return figure
+    return axes
 
 
 class _Ellipse(NamedTuple):
@@ -118,11 +144,10 @@ def _draw(ax, ellipses: list[_Ellipse], inch: float) -> None:
     ax.set(xlim=(-spare, x + bar + spare), ylim=(-low - 4 * LINE * inch, low + LINE * inch))
     ax.axis("off")
     larger = any(each.larger > 1 for each in ellipses)
-    ax.figure.suptitle(
+    ax.set_title(
         "Tidal ellipses, east to the right, semi-major axis in m/s "
         "(dashed: clockwise; dot: V + u = 0)"
         + (f"\n× {LARGER}: drawn {LARGER} times as large as the others" if larger else ""),
-        x=0.01,
-        ha="left",
+        loc="left",
         fontsize=10,
     )

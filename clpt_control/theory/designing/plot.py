@@ -1,34 +1,63 @@
 """Two tracks side by side, and what is learned on each."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...figures import BLUE, GREY, ORANGE, RED, new_figure
+from ...errors import DataError
+from ...figures import BLUE, GREY, ORANGE, RED, axes_for
 from .design import Design
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 SAME = 0.02  # of the picture: waypoints nearer than that share a label
 LOWEST = 1e-16  # errors below are drawn there
 
 
-def design_plot(design: Design) -> "Figure":
-    """Draw the old and the new track over the window, and the error of learning on both."""
+def design_plot(design: Design, *, ax: Any = None) -> Any:
+    """Draw the old and the new track, and what is learned on both.
+
+    Parameters
+    ----------
+    design : Design
+        As `design_track` gives it.
+    ax : array of 3 Axes, optional
+        Where to draw, two where no theta is known; by default a new figure of pyplot's.
+
+    Returns
+    -------
+    ndarray of Axes, shape (3,) or (2,)
+        Both tracks over the window; the largest error of a flow parameter on both.
+
+    Raises
+    ------
+    DataError
+        If what is given is no design.
+    ClptError
+        If `ax` are fewer or more Axes.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 200})
+    >>> found = clpt.theory.design_track(scenario, count=3, window=60, generations=2)
+    >>> old, new, error = clpt.theory.design_plot(found)
+    """
+    if not isinstance(design, Design):
+        raise DataError(f"{design!r:.60}: must be a Design; clpt.theory.design_track gives one")
     error = design.tracks[0].error
     panels = 2 if error is None else 3
-    figure, axes = new_figure(3.6 * panels + 1, 4.6, ncols=panels)
+    axes = axes_for(ax, 3.6 * panels + 1, 4.6, ncols=panels)
     low, high = _frame(design)
-    for k, ax in enumerate(axes[:2]):
-        _track(ax, design, k, float(max(high - low)))
-        ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
-    handles, labels = axes[1].get_legend_handles_labels()
-    figure.legend(handles, labels, fontsize=8, frameon=False, ncols=5, loc="outside upper center")
+    for k, one in enumerate(axes[:2]):
+        _track(one, design, k, float(max(high - low)))
+        one.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
+    place = {"loc": "upper left", "bbox_to_anchor": (0, -0.16)}
+    axes[0].legend(fontsize=8, frameon=False, ncols=3, **place)
     if error is not None:
         _error(axes[2], design)
-    return figure
+    return axes
 
 
 def _frame(design: Design) -> tuple[np.ndarray, np.ndarray]:

@@ -8,7 +8,6 @@ started at zero, where the learner oscillates, within 16 % and 2e-5.  For any ru
 shows what changes when every second sample is left out.
 """
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Union
 
 import numpy as np
@@ -25,7 +24,7 @@ Source = Union[Scenario, "xarray.Dataset"]
 
 def scenario_of(source: Source) -> Scenario:
     """Return a scenario, or that which a run carries in its attributes."""
-    from ...scenario.file import TEAM, scenario_from_text
+    from ...scenario.file import TEAM, scenario_of_run
 
     if isinstance(source, Scenario):
         return source
@@ -36,10 +35,7 @@ def scenario_of(source: Source) -> Scenario:
         )
     if TEAM in source.attrs:
         raise DataError("the run is a team's; clpt.theory.team_gramian measures a team")
-    text = source.attrs.get("scenario")
-    if text is None:
-        raise DataError("the run carries no scenario in its attributes; `clpt run` writes one")
-    return scenario_from_text(str(text), "the run", Path(source.encoding.get("folder", ".")))
+    return scenario_of_run(source)
 
 
 def span_of(source: Source) -> tuple[float, float]:

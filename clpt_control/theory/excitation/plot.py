@@ -5,45 +5,81 @@ below, the least excited direction of one window by parameter name, and how much
 of each parameter lies in the identifiable subspace.
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...figures import BLUE, GREY, RED, new_figure
-from .gramian import Excitation
-from .sliding import SlidingExcitation
+from ...figures import BLUE, GREY, RED, axes_for
+from .between_samples import Source
+from .gramian import Excitation, gramian
+from .sliding import SlidingExcitation, sliding_excitation
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 MOST_BARS = 12  # of many parameters, those with the largest components
 LOWEST = 1e-30  # eigenvalues below this share of the largest are drawn there
 
 
-def excitation_plot(sliding: SlidingExcitation, at: Excitation | None = None) -> "Figure":
-    """Draw eigenvalues along time and the least excited direction."""
-    at = sliding.weakest if at is None else at
-    figure, axes = new_figure(7.6, 6.0, nrows=2, ncols=2, sharey="row")
+def excitation_plot(
+    source: Source, window: float | None = None, start: float | None = None, *, ax: Any = None
+) -> Any:
+    """Draw what can be learned along time, and what least.
+
+    Parameters
+    ----------
+    source : Scenario or xarray.Dataset
+        A scenario is run from its own initial values; a run is read.
+    window, start : float, optional
+        Of the directions below, units.time; by default the second cycle.
+    ax : array of 4 Axes, optional
+        Where to draw; by default a new figure of pyplot's.
+
+    Returns
+    -------
+    ndarray of Axes, shape (2, 2)
+        A column for each axis: eigenvalues of the Gramian of Definition 3.1 in a window that
+        slides over the run, and the least excited direction of one window.
+
+    Raises
+    ------
+    ScenarioError
+        If the window is not positive or does not fit into the run.
+    DataError
+        If the dataset is no run.
+    ClptError
+        If `ax` are not four Axes.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 60})
+    >>> axes = clpt.theory.excitation_plot(scenario, window=20.0)
+    """
+    at = gramian(source, window, start)
+    return _drawn(sliding_excitation(source, at.window), at, ax)
+
+
+def _drawn(sliding: SlidingExcitation, at: Excitation, ax: Any) -> Any:
+    axes = axes_for(ax, 7.6, 6.0, nrows=2, ncols=2, sharey="row")
     for column, axis in enumerate(at.names):
         _eigenvalues(axes[0, column], sliding, at, axis)
         _direction(axes[1, column], at, axis)
     axes[0, 0].set_ylabel(r"eigenvalue of $\int w w^T dt$")
     axes[1, 0].set_ylabel("component")
     handles, labels = axes[0, 0].get_legend_handles_labels()
-    figure.legend(
-        handles[::-1], labels[::-1], fontsize=8, frameon=False, ncols=4, loc="outside upper center"
-    )
+    place = {"loc": "lower left", "bbox_to_anchor": (0, 1.1)}
+    axes[0, 0].legend(handles[::-1], labels[::-1], fontsize=8, frameon=False, ncols=4, **place)
     axes[1, 1].legend(fontsize=8, frameon=False, loc="lower left")
-    for ax in axes[1]:
-        ax.set_ylim(-1.6, 1.15)
-        ax.set_axisbelow(True)
-        ax.set_yticks([-1, -0.5, 0, 0.5, 1])
+    for one in axes[1]:
+        one.set_ylim(-1.6, 1.15)
+        one.set_axisbelow(True)
+        one.set_yticks([-1, -0.5, 0, 0.5, 1])
     missing = at.not_learnable
     if missing:
         text = "; ".join(missing[:4]) + (f"; and {len(missing) - 4} more" if missing[4:] else "")
-        figure.supxlabel(text, fontsize=8, color=RED)
-    return figure
+        axes[1, 0].set_xlabel(text, fontsize=8, color=RED, loc="left")
+    return axes
 
 
 def _eigenvalues(ax: "Axes", sliding: SlidingExcitation, at: Excitation, axis: str) -> None:
