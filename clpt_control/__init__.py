@@ -8,5 +8,8 @@ imported when first used, so that importing the package is light.
 
 import lazy_loader
 
+from .notebook.registration import register
+
 __version__ = "0.1.0"
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+register()  # Dataset.clpt

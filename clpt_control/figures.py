@@ -119,9 +119,12 @@ def figure_of(plot: Callable[..., Any], *given: Any, **keywords: Any) -> "Figure
     return figure
 
 
-def legend_below(ax: Any, columns: int) -> None:
-    """Put a legend below axes that have a label there."""
-    place = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.12)}
+def legend_below(ax: Any, columns: int, points: float = 34.0) -> None:
+    """Put a legend so many points below axes, under their label."""
+    from matplotlib.transforms import ScaledTranslation
+
+    down = ax.transAxes + ScaledTranslation(0, -points / 72, ax.figure.dpi_scale_trans)
+    place = {"loc": "upper center", "bbox_to_anchor": (0.5, 0), "bbox_transform": down}
     ax.legend(ncols=columns, fontsize=8, frameon=False, **place)
 
 

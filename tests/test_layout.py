@@ -10,6 +10,7 @@ import clpt_control
 PACKAGE = Path(clpt_control.__file__).parent
 ROWS = [
     ("cli",),
+    ("notebook",),
     ("replay", "ensemble", "theory"),
     ("gliders", "simulation"),
     ("currents", "native", "estimation"),

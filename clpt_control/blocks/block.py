@@ -32,6 +32,7 @@ from .declaration import (
 from .ieee import in_ieee
 from .record import Record
 from .rules import check_equations
+from .shown import block_html, block_line
 from .trace import trace
 from .tracers import TooLong
 
@@ -151,6 +152,17 @@ class Block(control.NonlinearIOSystem):
             name=name,
             dt=0,
         )
+
+    # --- how it is shown ----------------------------------------------------------------
+
+    def __repr__(self) -> str:
+        return block_line(self)
+
+    def _repr_html_(self) -> str:
+        return block_html(self)
+
+    def _repr_markdown_(self) -> None:
+        """Leave python-control's, which would be the same again."""
 
     # --- the record -------------------------------------------------------------------
 

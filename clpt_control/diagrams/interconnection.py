@@ -31,6 +31,19 @@ class Diagram(control.InterconnectedSystem):
     14
     """
 
+    def __repr__(self) -> str:
+        from .drawing.shown import diagram_line
+
+        return diagram_line(self)
+
+    def _repr_html_(self) -> str:
+        from .drawing.shown import diagram_html
+
+        return diagram_html(self)
+
+    def _repr_markdown_(self) -> None:
+        """Leave python-control's, which would be the same again."""
+
     def _update_params(self, params: Mapping[str, Any] | None) -> None:
         inside_another = bool(self.params) and set(self.params) <= set(params or {})
         if params and not inside_another:

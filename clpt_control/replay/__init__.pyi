@@ -1,10 +1,10 @@
 from .aim import aims
 from .dataset import replay_dataset
+from .drawn_map import map_plot
 from .flow_model_file import read_flow_model
 from .flow_models import carried
-from .map_plot import map_plot
 from .outcome import clpe_rms, summary
-from .plots import current_plot, dive_clpe_plot, save_replay_figures
+from .plots import current_plot, dive_clpe_plot, replay_plot, save_replay_figures
 from .replay import Replay, replay_dives
 from .surfacing import next_dive
 
@@ -20,6 +20,7 @@ __all__ = [
     "read_flow_model",
     "replay_dataset",
     "replay_dives",
+    "replay_plot",
     "save_replay_figures",
     "summary",
 ]

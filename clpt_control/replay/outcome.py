@@ -7,7 +7,7 @@ dead reckoning, and it stands in `clpe_rms_all` only.  A given flow model is
 judged on the dives that it covers.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -50,9 +50,16 @@ def clpe_rms(replay: Replay, after: int = 3, covered: bool = False) -> dict[str,
         for step in replay.steps[after:]
         if not covered or step.clpe[FLOW_MODEL] is not None
     ]
+    return rms_of(rest, replay.models)
+
+
+def rms_of(
+    each: Sequence[Mapping[str, float | None]], models: Sequence[str]
+) -> dict[str, float | None]:
+    """Return the rms of the known misses of each model, m; None where there is none."""
     found: dict[str, float | None] = {}
-    for name in replay.models:
-        known = np.array([size for size in (clpe[name] for clpe in rest) if size is not None])
+    for name in models:
+        known = np.array([size for size in (clpe[name] for clpe in each) if size is not None])
         found[name] = float(np.sqrt(np.mean(known**2))) if len(known) else None
     return found
 

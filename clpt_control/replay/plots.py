@@ -8,9 +8,10 @@ import numpy as np
 
 from ..figures import BLUE, GREEN, GREY, ORANGE, RED, axes_for, figure_of, legend_below
 from ..files import write_together
-from .map_plot import map_plot
-from .outcome import clpe_rms
-from .replay import Replay, require_dives
+from .drawn_map import map_plot
+from .outcome import rms_of
+from .plotted import Source, plotted
+from .replay import Replay
 from .surfacing import NextDive
 
 if TYPE_CHECKING:
@@ -26,13 +27,13 @@ LINES = {
 MANY = 40  # dives; beyond, marks are small
 
 
-def dive_clpe_plot(replay: Replay, *, ax: "Axes | None" = None) -> "Axes":
+def dive_clpe_plot(replay: Source, *, ax: "Axes | None" = None) -> "Axes":
     """Draw the CLPE of each dive for each flow model.
 
     Parameters
     ----------
-    replay : Replay
-        With one dive at least.
+    replay : Replay or xarray.Dataset
+        With one dive at least; the dataset as `replay_dataset` gives it.
     ax : Axes, optional
         Where to draw; by default a new figure of pyplot's.
 
@@ -44,7 +45,7 @@ def dive_clpe_plot(replay: Replay, *, ax: "Axes | None" = None) -> "Axes":
     Raises
     ------
     DataError
-        If the replay has no dive.
+        If it is no replay, or has no dive.
     ClptError
         If `ax` is not one Axes.
 
@@ -54,17 +55,18 @@ def dive_clpe_plot(replay: Replay, *, ax: "Axes | None" = None) -> "Axes":
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> ax = clpt.replay.dive_clpe_plot(replay)
     """
-    require_dives(replay)
+    seen = plotted(replay)
     ax = axes_for(ax, 6.8, 4.0)
-    numbers = [step.dive.number for step in replay.steps]
-    for model, rms in clpe_rms(replay, 1).items():
+    numbers = [row["dive"] for row in seen.rows]
+    clpe = [row["clpe"] for row in seen.rows]
+    for model, rms in rms_of(clpe[1:], seen.models).items():
         colour, mark, style = LINES[model]
-        size = [np.nan if e is None else e / 1000 for e in (s.clpe[model] for s in replay.steps)]
+        size = [np.nan if e is None else e / 1000 for e in (one[model] for one in clpe)]
         label = model.replace("_", " ") + ("" if rms is None else f", rms {rms / 1000:.2f} km")
         ax.plot(numbers, size, mark, ls=style, color=colour, label=label, **_fine(numbers))
-    flagged = [step for step in replay.steps if step.anomaly]
-    for k, step in enumerate(flagged):
-        ax.axvline(step.dive.number, color=RED, lw=1, label=None if k else "speed anomaly")
+    flagged = [row["dive"] for row in seen.rows if row["anomaly"]]
+    for k, number in enumerate(flagged):
+        ax.axvline(number, color=RED, lw=1, label=None if k else "speed anomaly")
     ax.set(xlabel="dive", ylabel="miss (CLPE) at the surfacing (km)", ylim=(0, None))
     _whole_dives(ax, numbers)
     ax.set_title("Prediction error, one dive ahead; rms after the first", loc="left", fontsize=10)
@@ -72,13 +74,13 @@ def dive_clpe_plot(replay: Replay, *, ax: "Axes | None" = None) -> "Axes":
     return ax
 
 
-def current_plot(replay: Replay, *, ax: Any = None) -> Any:
+def current_plot(replay: Source, *, ax: Any = None) -> Any:
     """Draw the learned current of each dive, and the speed factor.
 
     Parameters
     ----------
-    replay : Replay
-        With one dive at least.
+    replay : Replay or xarray.Dataset
+        With one dive at least; the dataset as `replay_dataset` gives it.
     ax : array of 3 Axes, optional
         Where to draw, two where no speed factor is learned; by default a new figure of pyplot's.
 
@@ -91,7 +93,7 @@ def current_plot(replay: Replay, *, ax: Any = None) -> Any:
     Raises
     ------
     DataError
-        If the replay has no dive.
+        If it is no replay, or has no dive.
     ClptError
         If `ax` are fewer or more Axes.
 
@@ -101,34 +103,63 @@ def current_plot(replay: Replay, *, ax: Any = None) -> Any:
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> east, north, speed = clpt.replay.current_plot(replay)
     """
-    require_dives(replay)
-    steps, learned = replay.steps, replay.model.learn_speed
+    seen = plotted(replay)
+    found, learned = seen.rows, seen.learns_speed
     axes = axes_for(ax, 6.8, 6.4 if learned else 4.6, nrows=2 + learned, sharex=True)
-    numbers = [step.dive.number for step in steps]
-    for i, axis in enumerate(("east", "north")):
-        ax = axes[i]
-        value = np.array([step.current[i] for step in steps])
-        error = 2 * np.array([step.current_error[i] for step in steps])
-        ax.fill_between(numbers, value - error, value + error, color=BLUE, alpha=0.15, lw=0)
-        ax.plot(
-            numbers, value, "-o", color=BLUE, label="learned, 2 standard errors", **_fine(numbers)
-        )
-        own = [getattr(step.dive, f"dac_{axis}") for step in steps]
-        if any(v is not None for v in own):
-            shown = [np.nan if v is None else v for v in own]
-            ax.plot(numbers, shown, "--^", color=ORANGE, label="the file's own", **_fine(numbers))
-        ax.axhline(0, color="black", lw=0.5)
-        ax.set_ylabel(f"current {axis} (m/s)")
+    numbers = [row["dive"] for row in found]
+    for one, axis in zip(axes, ("east", "north"), strict=False):
+        value, error = (_column(found, key) for key in (f"current_{axis}", f"current_{axis}_error"))
+        _band(one, numbers, value, error, BLUE, "learned, 2 standard errors")
+        own = _column(found, f"file_current_{axis}")
+        if np.isfinite(own).any():
+            one.plot(numbers, own, "--^", color=ORANGE, label="the file's own", **_fine(numbers))
+        one.axhline(0, color="black", lw=0.5)
+        one.set_ylabel(f"current {axis} (m/s)")
     axes[0].legend(fontsize=8, frameon=False, ncols=2, loc="lower left", bbox_to_anchor=(0, 1))
     if learned:
-        value = np.array([step.speed for step in steps])
-        error = 2 * np.array([step.speed_error for step in steps])
-        axes[2].fill_between(numbers, value - error, value + error, color=GREEN, alpha=0.15, lw=0)
-        axes[2].plot(numbers, value, "-o", color=GREEN, **_fine(numbers))
+        value, error = (_column(found, key) for key in ("speed_factor", "speed_factor_error"))
+        _band(axes[2], numbers, value, error, GREEN)
         axes[2].axhline(1, color="black", lw=0.5)
         axes[2].set_ylabel("factor on speed")
     axes[-1].set_xlabel("dive")
     _whole_dives(axes[-1], numbers)
+    return axes
+
+
+def replay_plot(replay: Source, *, ax: Any = None) -> Any:
+    """Draw a replay's map, CLPE and learned current in one figure.
+
+    Parameters
+    ----------
+    replay : Replay or xarray.Dataset
+        With one dive at least; the dataset as `replay_dataset` gives it.
+    ax : array of 5 Axes, optional
+        Where to draw, four where no speed factor is learned; by default a new figure of pyplot's.
+
+    Returns
+    -------
+    ndarray of Axes, shape (5,) or (4,)
+        `map_plot`, `dive_clpe_plot` and those of `current_plot`.
+
+    Raises
+    ------
+    DataError
+        If it is no replay, or has no dive.
+    ClptError
+        If `ax` are fewer or more Axes.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> axes = clpt.replay.replay_plot(replay)
+    """
+    speed = [["map", "speed"]] if plotted(replay).learns_speed else []
+    mosaic = [["map", "clpe"], ["map", "clpe"], ["map", "east"], ["map", "north"], *speed]
+    axes = axes_for(ax, 12.0, 9.5, mosaic=mosaic)
+    map_plot(replay, ax=axes[0])
+    dive_clpe_plot(replay, ax=axes[1])
+    current_plot(replay, ax=axes[2:])
     return axes
 
 
@@ -181,7 +212,25 @@ def save_replay_figures(replay: Replay, folder: Path, ahead: NextDive | None = N
     return list(figures)
 
 
-def _fine(numbers: list[int]) -> dict[str, float]:
+def _column(rows: list[dict[str, Any]], key: str) -> np.ndarray:
+    """Return a number of each dive, NaN where it is not known."""
+    return np.array([row[key] for row in rows], dtype=float)
+
+
+def _band(
+    ax: "Axes",
+    numbers: list[int],
+    value: np.ndarray,
+    error: np.ndarray,
+    colour: str,
+    label: str | None = None,
+) -> None:
+    """Draw numbers with two standard errors."""
+    ax.fill_between(numbers, value - 2 * error, value + 2 * error, color=colour, alpha=0.15, lw=0)
+    ax.plot(numbers, value, "-o", color=colour, label=label, **_fine(numbers))
+
+
+def _fine(numbers: list[int]) -> dict[str, Any]:
     """Return sizes of marks and lines, small for many dives."""
     return {"ms": 4, "lw": 1.2} if len(numbers) <= MANY else {"ms": 1.8, "lw": 0.7}
 

@@ -34,10 +34,11 @@ from ..progress.interrupt import check
 from .anomaly import SpeedWatch
 from .doubtful_fixes import weighed
 from .flow_models import FlowModel, carried
+from .shown import replay_html, replay_line
 from .step import CHI_SQUARED, FLOW_MODEL, MODELS, Step, learned
 
 
-@dataclass
+@dataclass(repr=False)
 class Replay:
     """The state of a replay, fed dive by dive.
 
@@ -72,6 +73,12 @@ class Replay:
         bank = self._learner if isinstance(self._learner, KalmanBank) else None
         self._watch = SpeedWatch(self.model, bank) if self.model.learn_speed else None
         self._before = self._learner, self._watch  # the last dive
+
+    def __repr__(self) -> str:
+        return replay_line(self)
+
+    def _repr_html_(self) -> str:
+        return replay_html(self)
 
     @property
     def models(self) -> tuple[str, ...]:
@@ -157,16 +164,6 @@ class Replay:
                 **learned(self._learner, dive),
             )
         )
-
-
-def require_dives(given: object) -> None:
-    """Raise a DataError where what is given is no replay, or has no dive."""
-    if not isinstance(given, Replay):
-        raise DataError(
-            f"{given!r:.60}: must be a Replay; clpt.replay.replay_dives(dives) gives one"
-        )
-    if not given.steps:
-        raise DataError("the replay has no dive yet; feed one, as Replay.step does")
 
 
 def _check(dive: Dive, last: Dive | None) -> None:

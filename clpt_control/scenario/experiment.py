@@ -19,6 +19,7 @@ from ..errors import ScenarioError
 from .learning import Learning
 from .localization import Localization
 from .mistakes import Table
+from .shown import scenario_html, scenario_line
 from .tables import Basis, Circle, Flow, Model, Run, TwoRows, Units, Vehicle, Waypoints
 from .tides import period
 
@@ -128,6 +129,15 @@ class Scenario(Table):
 
     def __hash__(self) -> int:
         return hash(tuple(self.__dict__.values()))
+
+    def __repr__(self) -> str:
+        return scenario_line(self)
+
+    def __str__(self) -> str:
+        return repr(self)
+
+    def _repr_html_(self) -> str:
+        return scenario_html(self)
 
     @property
     def periods(self) -> np.ndarray:

@@ -13,6 +13,7 @@ from pydantic import Field, Strict, model_validator
 
 from .experiment import Scenario, scenario_tables
 from .mistakes import Table
+from .shown import team_html, team_line
 from .tables import Run
 
 LAW = "learned-flow"
@@ -120,6 +121,15 @@ class Team(Table):
                 "or run it alone"
             )
         return self
+
+    def __repr__(self) -> str:
+        return team_line(self)
+
+    def __str__(self) -> str:
+        return repr(self)
+
+    def _repr_html_(self) -> str:
+        return team_html(self)
 
     def _reached(self, start: str) -> set[str]:
         """Return the vehicles that a path joins to one."""

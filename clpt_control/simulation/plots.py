@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import ClptError, DataError
-from ..figures import BLUE, COLOURS, GREY, RED, STYLES, axes_for, figure_of
+from ..figures import BLUE, COLOURS, GREY, RED, STYLES, axes_for, figure_of, legend_below
 from ..files import write_figure
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_of_run
@@ -91,7 +91,7 @@ def track_plot(run: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axes":
     ax.set(xlabel=f"$x_1$ ({unit})", ylabel=f"$x_2$ ({unit})", aspect="equal")
     ax.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half, middle[1] + half))
     ax.set_title("Waypoints, track, and flow at t = 0", **TITLE)
-    ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=4, fontsize=8, frameon=False)
+    legend_below(ax, 4)
     return ax
 
 
@@ -223,7 +223,8 @@ def learning_plot(run: "xarray.Dataset", axis: int = 1, *, ax: Any = None) -> An
         bottom.axhline(true[i], color=COLOURS[k], linewidth=0.7, alpha=0.7)
     bottom.set_title("Gains, true values thin", **TITLE)
     bottom.set(xlabel=f"time ({units.time})", ylabel=f"gain (1/{units.time})")
-    bottom.set_xlim(time[0], time[-1])
+    for one in axes:
+        one.set_xlim(time[0], time[-1])
     if N <= 6:
         top.legend(frameon=False, fontsize=9, ncols=3)
     bottom.legend(frameon=False, fontsize=9, ncols=2)

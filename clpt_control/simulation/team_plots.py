@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import DataError
-from ..figures import COLOURS, GREY, STYLES, axes_for
+from ..figures import COLOURS, GREY, STYLES, axes_for, legend_below
 from ..scenario.team import Team
 from ..scenario.team_file import team_of_run
 from .plots import TITLE
@@ -107,4 +107,4 @@ def _tracks(ax: Any, run: "xarray.Dataset", team: Team, lines: dict[str, dict[st
         ax.plot(*scenario.waypoints.T, color=colour, label=name, markersize=size, **mark)
     ax.set(xlabel=f"$x_1$ ({unit.length})", ylabel=f"$x_2$ ({unit.length})", aspect="equal")
     ax.set_title(f"Waypoints, tracks, and flow at t = 0, at most {longest}", fontsize=10)
-    ax.legend(frameon=False, fontsize=8, ncols=4, loc="upper left", bbox_to_anchor=(0, -0.25))
+    legend_below(ax, 4)

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from ...errors import BlockError
+from ...html.fragment import facts, fragment, unfolding
 from ..block import Block
 from .diagrams import _copies, _interconnects, _jumps, _linearizes, _parameters, _pickles
 from .equations import (
@@ -64,6 +65,15 @@ class ConformanceReport(NamedTuple):
     def ok(self) -> bool:
         """Return whether nothing failed."""
         return not self.failures
+
+    def __repr__(self) -> str:
+        return f"<ConformanceReport {self}>"
+
+    def _repr_html_(self) -> str:
+        said = "conforms" if self.ok else f"{len(self.failures)} failures"
+        rows = [("failure", failure) for failure in self.failures]
+        checked = unfolding(f"{len(self.checks)} checks", "\n".join(self.checks))
+        return fragment("Conformance", f"{self.block}: {said}", facts(rows), checked)
 
     def __str__(self) -> str:
         if self.ok:

@@ -1,6 +1,6 @@
-"""Pictures of a diagram: `draw` writes a file, `mermaid` gives text."""
+"""Pictures of a diagram: `draw` draws for a notebook or into a file, `mermaid` gives text."""
 
 from .arrows import mermaid
-from .figure import draw
+from .drawn import draw
 
 __all__ = ["draw", "mermaid"]

@@ -1,26 +1,21 @@
-"""A diagram as a block diagram on paper: SVG, PNG or PDF.
+"""A diagram as a block diagram on paper, a figure of matplotlib.
 
 Thick frame and integral sign: a block with states.  Grey: a source of time or
 tables (`Block.opaque`).  Dashed: feedback.  The number under a name is the
 equation of the paper that the block's function names.
 """
 
-import os
 from pathlib import Path
 from typing import Any
 
 import control
 
 from ...blocks import Block
-from ...errors import DiagramError
-from ...files import beside, check_name
 from ..wiring import Node
-from .arrows import mermaid
 from .layout import NAME, NOTE, PORT, layout, lines_of, note, width
 from .routing import Routed, strokes
 
 MARGIN, KEY = 6.0, 18.0
-SUFFIXES = (".svg", ".png", ".pdf", ".mmd", ".md")
 STYLE: dict[Any, Any] = {
     "font.family": "sans-serif",
     "font.sans-serif": ["DejaVu Sans", "Bitstream Vera Sans", "Verdana", "Arial", "Helvetica"],
@@ -33,49 +28,8 @@ STYLE: dict[Any, Any] = {
 }
 
 
-def draw(diagram: control.NonlinearIOSystem, path: str | os.PathLike[str]) -> None:
-    """Draw a diagram into a file.
-
-    Parameters
-    ----------
-    diagram : control.NonlinearIOSystem
-        An interconnected system; blocks of nested ones are drawn one by one.
-    path : str or path
-        Ends in ``.svg``, ``.png`` or ``.pdf``; ``.mmd`` gets Mermaid text,
-        ``.md`` the same in a fence. The same diagram gives the same bytes.
-
-    Raises
-    ------
-    DiagramError
-        If the ending is another.
-    DataError
-        If the folder is missing or cannot be written to.
-
-    Examples
-    --------
-    >>> import tempfile
-    >>> import clpt_control as clpt
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     draw(clpt.closed_loop(clpt.paper_scenario()), folder + "/loop.svg")
-    """
-    path = Path(path)
-    check_name(path)
-    suffix = path.suffix.lower()
-    if suffix not in SUFFIXES:
-        raise DiagramError(
-            f"{path}: a diagram is drawn as {', '.join(SUFFIXES)}, not '{path.suffix}'"
-        )
-    figure = None if suffix in (".mmd", ".md") else _figure(diagram)
-    with beside(path) as part:
-        if figure is None:
-            text = mermaid(diagram)
-            text = f"```mermaid\n{text}```\n" if suffix == ".md" else text
-            part.write_text(text, encoding="utf-8")
-        else:
-            _save(figure, part, suffix)
-
-
-def _save(figure: Any, path: Path, suffix: str) -> None:
+def save(figure: Any, path: Path, suffix: str) -> None:
+    """Write a drawn diagram as .svg, .png or .pdf; the same diagram gives the same bytes."""
     from matplotlib import style
 
     dates = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}, ".png": {}}
@@ -83,7 +37,8 @@ def _save(figure: Any, path: Path, suffix: str) -> None:
         figure.savefig(path, format=suffix[1:], dpi=200, metadata=dates[suffix])
 
 
-def _figure(diagram: control.NonlinearIOSystem) -> Any:
+def block_figure(diagram: control.NonlinearIOSystem) -> Any:
+    """Return a diagram as a figure."""
     from matplotlib import style
     from matplotlib.figure import Figure
 
@@ -118,7 +73,7 @@ def _key(nets: list[Any], nodes: dict[str, Node]) -> str:
         parts.append("grey: source of time or tables")
     if any(net.back for net in nets):
         parts.append("dashed: feedback")
-    return "      ".join(parts)
+    return ("\u00a0" * 6).join(parts)  # spaces that HTML keeps
 
 
 def _draw_arrows(axes: Any, routed: Routed, nets: list[Any]) -> None:

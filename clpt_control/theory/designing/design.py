@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from ...errors import ScenarioError
+from ...html.fragment import facts, fragment
 from ...scenario.experiment import Scenario, require_scenario
 from ..excitation.gramian import gramian
 from ..excitation.regressor import checked_window
@@ -33,6 +34,23 @@ class Design:
     scenario: Scenario  # with the new waypoints
     report: dict[str, Any]  # ready for JSON
     tracks: tuple[Learned, Learned]  # runs with the scenario's own law, before and after
+
+    def __repr__(self) -> str:
+        before, after = (self.report[k]["smallest_eigenvalue"] for k in ("before", "after"))
+        return f"<Design of {len(self.scenario.waypoints)} waypoints: {before:.3g} to {after:.3g}>"
+
+    def _repr_html_(self) -> str:
+        before, after = self.report["before"], self.report["after"]
+        rows = [
+            (said, f"{before[key]:.4g}", f"{after[key]:.4g}")
+            for said, key in (
+                ("smallest eigenvalue", "smallest_eigenvalue"),
+                (f"closed polygon ({self.report['units']['length']})", "closed_length"),
+                ("largest speed through the water", "largest_speed"),
+            )
+        ]
+        name = f"of {len(self.scenario.waypoints)} waypoints"
+        return fragment("Design", name, facts(rows, ("", "before", "after")))
 
 
 def design_track(

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...errors import DataError
-from ...figures import BLUE, GREY, ORANGE, RED, axes_for
+from ...figures import BLUE, GREY, ORANGE, RED, axes_for, legend_below
 from .design import Design
 
 if TYPE_CHECKING:
@@ -53,8 +53,7 @@ def design_plot(design: Design, *, ax: Any = None) -> Any:
     for k, one in enumerate(axes[:2]):
         _track(one, design, k, float(max(high - low)))
         one.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
-    place = {"loc": "upper left", "bbox_to_anchor": (0, -0.16)}
-    axes[0].legend(fontsize=8, frameon=False, ncols=3, **place)
+    legend_below(axes[0], 2)
     if error is not None:
         _error(axes[2], design)
     return axes

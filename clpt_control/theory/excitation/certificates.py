@@ -20,6 +20,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...errors import ScenarioError
+from ...html.fragment import facts, fragment
 from .between_samples import Source
 from .regressor import Regressor, joint_regressor
 from .transition import propagate, regressors
@@ -39,6 +40,22 @@ class Certificate:
     contractions: dict[str, float]  # axis -> exact V(t+T)/V(t) at worst
     drops: dict[str, float]  # axis -> 1 less that, with all its digits
     rhos: dict[str, float]  # axis -> the guaranteed drop
+
+    def __repr__(self) -> str:
+        return (
+            f"<Certificate: V falls to {self.contraction:.6g} of itself at worst, {self._when()}>"
+        )
+
+    def _repr_html_(self) -> str:
+        columns = ("", "V(t+T)/V(t) at worst", "drop of V, exact", "guaranteed, rho")
+        rows = [
+            (a, f"{c:.6g}", f"{self.drops[a]:.4g}", f"{self.rhos[a]:.4g}")
+            for a, c in self.contractions.items()
+        ]
+        return fragment("Certificate", self._when(), facts(rows, columns))
+
+    def _when(self) -> str:
+        return f"t = {self.start:g} to {self.start + self.window:g}"
 
     @property
     def contraction(self) -> float:

@@ -19,6 +19,8 @@ from functools import cached_property
 import numpy as np
 
 from ...errors import ScenarioError
+from ...html.fragment import facts, fragment
+from ...html.text import paragraphs
 from ...scenario.experiment import Scenario, require_scenario
 from .between_samples import Source
 from .regressor import Regressor, joint_regressor
@@ -38,6 +40,20 @@ class Excitation:
     names: dict[str, list[str]]  # axis -> names of its N + 2 parameters
     factors: dict[str, np.ndarray]  # axis -> R, shape (N + 2, N + 2)
     tolerance: float = NOT_LEARNABLE  # eigenvalues up to this share of the largest: not excited
+
+    def __repr__(self) -> str:
+        learned = ", ".join(
+            f"{axis} {n} of {len(self.names[axis])}" for axis, n in self.dimension.items()
+        )
+        return f"<Excitation {self._when()}: can be learned {learned}>"
+
+    def _repr_html_(self) -> str:
+        pieces = [facts(excitation_rows({"": self}), EXCITATION_COLUMNS)]
+        pieces += [paragraphs(self.not_learnable), paragraphs([f"Measured: {self.trajectory}."])]
+        return fragment("Excitation", self._when(), *pieces)
+
+    def _when(self) -> str:
+        return f"from {self.start:g} to {self.start + self.window:g} {self.time_unit}"
 
     @property
     def gramians(self) -> dict[str, np.ndarray]:
@@ -104,6 +120,28 @@ class Excitation:
 
     def _idle(self) -> dict[str, np.ndarray]:
         return {a: values <= self.tolerance * values[-1] for a, values in self.eigenvalues.items()}
+
+
+EXCITATION_COLUMNS = (
+    "",
+    "smallest eigenvalue",
+    "largest",
+    "can be learned",
+    "least excited direction",
+)
+
+
+def excitation_rows(every: dict[str, Excitation]) -> list[tuple[str, ...]]:
+    """Return a row for each axis of each excitation, by name."""
+    found: list[tuple[str, ...]] = []
+    for name, one in every.items():
+        for axis, values in one.eigenvalues.items():
+            least = sorted(one.least_excited[axis].items(), key=lambda part: -abs(part[1]))[:4]
+            direction = ", ".join(f"{part} {share:+.2f}" for part, share in least)
+            learned = f"{one.dimension[axis]} of {len(values)}"
+            sizes = f"{values[0]:.4g}", f"{values[-1]:.4g}"
+            found.append((f"{name} {axis}".strip(), *sizes, learned, direction))
+    return found
 
 
 def parameter_names(N: int) -> dict[str, list[str]]:

@@ -17,10 +17,19 @@ from typing import TYPE_CHECKING, Any, Union
 import numpy as np
 
 from ...errors import DataError
+from ...html.fragment import facts, fragment, shortened
 from ...scenario.file import TEAM, scenario_to_text
 from ...scenario.team import Team
 from ...scenario.team_file import team_of_run
-from .gramian import NOT_LEARNABLE, Excitation, joined, parameter_names, piece_factors
+from .gramian import (
+    EXCITATION_COLUMNS,
+    NOT_LEARNABLE,
+    Excitation,
+    excitation_rows,
+    joined,
+    parameter_names,
+    piece_factors,
+)
 from .regressor import (
     Regressor,
     at_nodes,
@@ -43,6 +52,14 @@ class TeamExcitation:
     gains_adapt: bool  # whether K and Gamma are among what is learned
     vehicles: dict[str, Excitation]
     team: Excitation
+
+    def __repr__(self) -> str:
+        least = ", ".join(f"{name} {value:.3g}" for name, value in self.smallest().items())
+        return f"<TeamExcitation, smallest eigenvalues: {shortened(least, 100)}>"
+
+    def _repr_html_(self) -> str:
+        rows = excitation_rows({**self.vehicles, "team": self.team})
+        return fragment("Excitation", "of a team", facts(rows, EXCITATION_COLUMNS))
 
     def smallest(self) -> dict[str, float]:
         """Return the smallest eigenvalue over both axes of each vehicle, and of ``"team"``."""

@@ -13,6 +13,7 @@ from typing import Any
 import sympy
 
 from ...diagrams.interconnection import Diagram
+from ...html.fragment import facts, fragment
 from .law_case import Case
 from .lyapunov import short
 from .proof import Step, checked
@@ -69,6 +70,25 @@ class Verdict:
     rate: float | None = None
     reached: str = ""
     level: sympy.Expr | None = None
+
+    def __repr__(self) -> str:
+        return f"<Verdict {self.status}{self._detail()}>"
+
+    def _repr_html_(self) -> str:
+        rows = [
+            (step.claim, "holds" if step.holds else "does not hold", step.how, step.detail)
+            for step in self.steps
+        ]
+        known = {"reached": self.reached, "V there": self.level, "left over": self.residual}
+        more = [(name, short(value)) for name, value in known.items() if value not in (None, "", 0)]
+        head = ("claim", "", "how", "detail")
+        name = f"{self.status}{self._detail()}"
+        return fragment("Verdict", name, facts(rows, head), facts(more))
+
+    def _detail(self) -> str:
+        if self.rate is not None:
+            return f": V' = {self.rate:.3g} at `point`"
+        return ", for every number of basis functions" if self.for_every_N else ""
 
 
 def judge(case: Case, fitted: bool) -> Verdict:

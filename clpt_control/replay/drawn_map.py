@@ -10,9 +10,8 @@ import numpy as np
 
 from ..figures import BLUE, GREEN, ORANGE, PURPLE, RED, axes_for, legend_below
 from .chart import Chart, length_of, mark
-from .replay import Replay, require_dives
+from .plotted import Source, plotted
 from .rings import AIMED, NEXT, Place, place_in, ring_of
-from .rows import rows
 from .surfacing import NextDive
 
 if TYPE_CHECKING:
@@ -25,7 +24,7 @@ ROOM = (0.34, 0.14)  # inches of a number
 
 
 def map_plot(
-    replay: Replay,
+    replay: Source,
     ahead: NextDive | None = None,
     legs: Sequence[dict[str, Any]] = (),
     *,
@@ -35,8 +34,8 @@ def map_plot(
 
     Parameters
     ----------
-    replay : Replay
-        With one dive at least.
+    replay : Replay or xarray.Dataset
+        With one dive at least; the dataset as `replay_dataset` gives it.
     ahead : NextDive, optional
         The next surfacing, a star.
     legs : sequence of dict, optional
@@ -52,7 +51,7 @@ def map_plot(
     Raises
     ------
     DataError
-        If the replay has no dive.
+        If it is no replay, or has no dive.
     ClptError
         If `ax` is not one Axes.
 
@@ -62,8 +61,7 @@ def map_plot(
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> ax = clpt.replay.map_plot(replay, clpt.replay.next_dive(replay))
     """
-    require_dives(replay)
-    found = rows(replay)
+    vehicle, _, _, found = plotted(replay)
     start, end, reckoned, forecast = (
         [place_in(row, which) for row in found]
         for which in ("start_", "end_", "reckoned_", "forecast_")
@@ -108,10 +106,9 @@ def map_plot(
     _number(ax, at(end), [str(row["dive"]) for row in found], inch)
     _degrees(ax, chart)
     _scale_bar(ax, chart)
-    who = replay.steps[-1].dive.vehicle or "glider"
     last_row = found[-1]
     when = f"{last_row['end'][:10]} {last_row['end'][11:16]} UTC"
-    ax.set_title(f"{who}: dive {last_row['dive']} surfaced {when}", loc="left", fontsize=10)
+    ax.set_title(f"{vehicle}: dive {last_row['dive']} surfaced {when}", loc="left", fontsize=10)
     legend_below(ax, 3)
     return ax
 

@@ -1,0 +1,98 @@
+"""A diagram drawn: into a file, or for a notebook in the colour of its text."""
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+import control
+
+from ...errors import DiagramError
+from ...files import beside, check_name
+from ...html.fragment import fragment
+from ...html.svg import inline_svg
+from .arrows import mermaid
+from .figure import STYLE, block_figure, save
+
+SUFFIXES = (".svg", ".png", ".pdf", ".mmd", ".md")
+
+
+@dataclass(frozen=True, repr=False)
+class Drawing:
+    """A diagram drawn, which a notebook shows; `svg` is an element of a page."""
+
+    name: str
+    svg: str
+
+    def __repr__(self) -> str:
+        return f"<Drawing of {self.name}; clpt.draw(diagram, 'loop.svg') writes a file>"
+
+    def _repr_html_(self) -> str:
+        return fragment("", "", self.svg)
+
+
+def draw(
+    diagram: control.NonlinearIOSystem, path: str | os.PathLike[str] | None = None
+) -> Drawing | None:
+    """Draw a diagram, for a notebook or into a file.
+
+    Parameters
+    ----------
+    diagram : control.NonlinearIOSystem
+        An interconnected system; blocks of nested ones are drawn one by one.
+    path : str or path, optional
+        Ends in ``.svg``, ``.png`` or ``.pdf``; ``.mmd`` gets Mermaid text,
+        ``.md`` the same in a fence. The same diagram gives the same bytes.
+
+    Returns
+    -------
+    Drawing or None
+        Without a path what a notebook shows.
+
+    Raises
+    ------
+    DiagramError
+        If the ending is another, or what is given is no diagram.
+    DataError
+        If the folder is missing or cannot be written to.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> loop = clpt.closed_loop(clpt.paper_scenario())
+    >>> clpt.draw(loop).svg[:4]
+    '<svg'
+    """
+    if not isinstance(diagram, control.NonlinearIOSystem):
+        raise DiagramError(
+            f"{diagram!r:.60}: must be a diagram; clpt.closed_loop(scenario) or "
+            "clpt.connect(blocks) makes one"
+        )
+    if path is None:
+        return drawing(diagram)
+    path = Path(path)
+    check_name(path)
+    suffix = path.suffix.lower()
+    if suffix not in SUFFIXES:
+        raise DiagramError(
+            f"{path}: a diagram is drawn as {', '.join(SUFFIXES)}, not '{path.suffix}'"
+        )
+    figure = None if suffix in (".mmd", ".md") else block_figure(diagram)
+    with beside(path) as part:
+        if figure is None:
+            text = mermaid(diagram)
+            text = f"```mermaid\n{text}```\n" if suffix == ".md" else text
+            part.write_text(text, encoding="utf-8")
+        else:
+            save(figure, part, suffix)
+    return None
+
+
+def drawing(diagram: control.NonlinearIOSystem) -> Drawing:
+    """Return a diagram drawn for a page, as wide as on paper."""
+    from matplotlib import style
+
+    figure = block_figure(diagram)
+    with style.context(["default", STYLE]):
+        svg = inline_svg(figure, "diagram", f"block diagram of {diagram.name}")
+    wide = f'<svg width="{72 * figure.get_figwidth():.0f}pt" '
+    return Drawing(diagram.name, svg.replace("<svg ", wide, 1))

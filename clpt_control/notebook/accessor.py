@@ -1,0 +1,151 @@
+"""`dataset.clpt`: what clpt does with a run, a team's run, an ensemble or a replay of its own.
+
+Each of them says by its attributes what it is.  Nothing is imported before it is used.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+from ..errors import DataError
+from ..html.fragment import facts, fragment
+
+if TYPE_CHECKING:
+    import xarray
+
+    from ..scenario import Scenario, Team
+
+KINDS = {"run": "scenario", "team": "team", "ensemble": "ensemble", "replay": "estimator"}
+
+
+def kind_of(data: "xarray.Dataset") -> str:
+    """Return what a dataset of clpt is: "run", "team", "ensemble" or "replay"."""
+    for kind in ("team", "ensemble", "run"):
+        if KINDS[kind] in data.attrs:
+            return kind
+    if KINDS["replay"] in data.attrs and "dive" in data.dims:
+        return "replay"
+    raise DataError(
+        "the dataset is none of clpt's: its attributes hold neither scenario, team, ensemble nor "
+        "replay; clpt.load_run reads a run"
+    )
+
+
+class ClptAccessor:
+    """What clpt does with a dataset of its own, as ``run.clpt``."""
+
+    def __init__(self, data: "xarray.Dataset"):
+        self._data = data
+
+    @property
+    def kind(self) -> str:
+        """What the dataset is: ``"run"``, ``"team"``, ``"ensemble"`` or ``"replay"``."""
+        return kind_of(self._data)
+
+    @property
+    def scenario(self) -> "Scenario | Team":
+        """The scenario that a run or an ensemble carries; the team of a team's run."""
+        if self.kind == "team":
+            from ..scenario.team_file import team_of_run
+
+            return team_of_run(self._data)
+        from ..scenario.file import scenario_of_run
+
+        return scenario_of_run(self._data)
+
+    @property
+    def plot(self) -> "Plots":
+        """Pictures: called, the one that shows most; ``plot.track()`` and others, a part."""
+        return Plots(self._data)
+
+    def __repr__(self) -> str:
+        return f"<clpt of a dataset: {_said(self._data)}>"
+
+    def _repr_html_(self) -> str:
+        rows = [("can", "plot(), " + ", ".join(f"plot.{name}()" for name in _parts(self._data)))]
+        return fragment("clpt", _said(self._data), facts(rows))
+
+
+def _said(data: "xarray.Dataset") -> str:
+    try:
+        return f"{kind_of(data)} {data.attrs.get('title', '')}".strip()
+    except DataError:
+        return "none of clpt's"
+
+
+PARTS = {
+    "run": ("track", "clpe", "learning", "excitation"),
+    "team": (),
+    "ensemble": (),
+    "replay": ("map", "clpe", "current"),
+}
+
+
+def _parts(data: "xarray.Dataset") -> tuple[str, ...]:
+    return PARTS.get(kind_of(data), ())
+
+
+class Plots:
+    """Pictures of a dataset, each on given axes or on a new figure; the Axes are returned."""
+
+    def __init__(self, data: "xarray.Dataset"):
+        self._data = data
+
+    def __call__(self, *, ax: Any = None) -> Any:
+        """Draw a run's track, CLPE and learning; a team; an ensemble's percentiles; a replay."""
+        kind = kind_of(self._data)
+        if kind == "team":
+            from ..simulation import team_plot
+
+            return team_plot(self._data, ax=ax)
+        if kind == "ensemble":
+            from ..ensemble import ensemble_plot
+
+            return ensemble_plot(self._data, ax=ax)
+        if kind == "replay":
+            from ..replay import replay_plot
+
+            return replay_plot(self._data, ax=ax)
+        from ..simulation import run_plot
+
+        return run_plot(self._data, ax=ax)
+
+    def track(self, *, ax: Any = None) -> Any:
+        """Draw a run's waypoints, track and flow."""
+        from ..simulation import track_plot
+
+        return track_plot(self._data, ax=ax)
+
+    def clpe(self, *, ax: Any = None) -> Any:
+        """Draw the CLPE of a run, or of a replay's dives."""
+        if kind_of(self._data) == "replay":
+            from ..replay import dive_clpe_plot
+
+            return dive_clpe_plot(self._data, ax=ax)
+        from ..simulation import clpe_plot
+
+        return clpe_plot(self._data, ax=ax)
+
+    def learning(self, axis: int = 1, *, ax: Any = None) -> Any:
+        """Draw a run's flow parameters and gains of one axis."""
+        from ..simulation import learning_plot
+
+        return learning_plot(self._data, axis, ax=ax)
+
+    def excitation(
+        self, window: float | None = None, start: float | None = None, *, ax: Any = None
+    ) -> Any:
+        """Draw what can be learned along a run."""
+        from ..theory import excitation_plot
+
+        return excitation_plot(self._data, window, start, ax=ax)
+
+    def map(self, *, ax: Any = None) -> Any:
+        """Draw a replay's fixes, dead reckoning and forecasts."""
+        from ..replay import map_plot
+
+        return map_plot(self._data, ax=ax)
+
+    def current(self, *, ax: Any = None) -> Any:
+        """Draw a replay's learned current."""
+        from ..replay import current_plot
+
+        return current_plot(self._data, ax=ax)

@@ -1,0 +1,114 @@
+"""A scenario and a team in a line, and as a notebook shows them."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from ..html.fragment import facts, fragment, shortened, unfolding
+from .tables import Circle
+
+if TYPE_CHECKING:
+    from pydantic import BaseModel
+
+MOST_VEHICLES = 20
+
+
+def scenario_line(scenario: Any) -> str:
+    """Return what a scenario is, in a line."""
+    return (
+        f"<Scenario {shortened(scenario.title, 60)!r}: {scenario.learning.law}, "
+        f"{scenario.basis.N} flow functions, {len(scenario.waypoints)} waypoints, "
+        f"{scenario.run.duration:g} {scenario.units.time}>"
+    )
+
+
+def scenario_html(scenario: Any) -> str:
+    """Return a scenario as a table, with its keys to unfold."""
+    keys = "\n".join(f"{key} = {value!r}" for key, value in _keys(scenario))
+    return fragment(
+        "Scenario", scenario.title, facts(_facts(scenario)), unfolding("every key given", keys)
+    )
+
+
+def team_line(team: Any) -> str:
+    """Return what a team is, in a line."""
+    names = shortened(", ".join(team.members), 60)
+    return f"<Team of {len(team.members)}: {names}; coupling {team.coupling:g}>"
+
+
+def team_html(team: Any) -> str:
+    """Return a team as a table of its vehicles, and what they share."""
+    length, time = team.first.units.length, team.first.units.time
+    rows = [
+        (
+            name,
+            _pair(one.vehicle.position),
+            _waypoints(one),
+            ", ".join(team.neighbours(name)) or "nobody",
+        )
+        for name, one in list(team.members.items())[:MOST_VEHICLES]
+    ]
+    if more := len(team.members) - MOST_VEHICLES:
+        rows += [("...", f"{more} more", "", "")] if more > 0 else []
+    shared = [
+        ("coupling kappa", f"{team.coupling:g} 1/{time}"),
+        ("connectivity lambda_2", f"{team.connectivity:.3g}"),
+        ("flow", _flow(team.first)),
+        ("run", _run(team.first)),
+    ]
+    head = ("vehicle", f"starts at ({length})", "waypoints", "hears")
+    return fragment("Team", team.first.title, facts(rows, head), facts(shared))
+
+
+def _facts(scenario: Any) -> Iterator[tuple[str, str]]:
+    units, car, learning = scenario.units, scenario.vehicle, scenario.learning
+    rate = f"1/{units.time}"
+    yield "flow", _flow(scenario)
+    if (push := scenario.flow.disturbance) is not None:
+        size = _pair(push.amplitude)
+        yield "disturbance", f"{push.kind}, {size} {units.length}/{units.time}"
+    limit = "" if car.max_speed is None else f", at most {car.max_speed:g} {units.length}"
+    limit += "" if car.max_speed is None else f"/{units.time} through the water"
+    gains = f"K_D = {_pair(car.feedback)}, Gamma_D = {_pair(car.feedforward)} {rate}"
+    yield "vehicle", f"{gains}, from {_pair(car.position)} {units.length}{limit}"
+    yield "waypoints", f"{_waypoints(scenario)}; a cycle lasts {scenario.cycle:g} {units.time}"
+    used = learning.used_gains
+    one = f", gain {used.parameters:g}" if used.one else ", a gain each"
+    yield "law", f"{learning.law}{'' if learning.row.at_fixes else one}"
+    if (seen := scenario.localization) is not None:
+        fixes = f"fixes each {seen.interval:g} {units.time}, " if seen.interval else ""
+        yield "position", f"{fixes}noise {seen.noise:g} {units.length}"
+    yield "run", _run(scenario)
+
+
+def _flow(scenario: Any) -> str:
+    functions = f"{scenario.basis.N} {scenario.basis.kernel} functions"
+    if scenario.flow.field is not None:
+        return f"the field {scenario.flow.field}, learned with {functions}"
+    return f"theta of {functions}"
+
+
+def _waypoints(scenario: Any) -> str:
+    units, reference = scenario.units, scenario.reference
+    circle = isinstance(reference, Circle)
+    where = f" on a circle of {reference.radius:g} {units.length}" if circle else ""
+    return f"{len(scenario.waypoints)}{where}, {reference.dwell:g} {units.time} at each"
+
+
+def _run(scenario: Any) -> str:
+    run, time = scenario.run, scenario.units.time
+    return f"{run.duration:g} {time}, recorded each {run.output_step:g} {time}"
+
+
+def _pair(pair: Any) -> str:
+    return f"({pair[0]:g}, {pair[1]:g})"
+
+
+def _keys(table: "BaseModel", before: str = "") -> Iterator[tuple[str, Any]]:
+    """Yield the keys that were given, dotted as `with_values` takes them."""
+    for key, value in table:
+        if key not in table.model_fields_set or value is None:
+            continue
+        if hasattr(value, "model_fields_set"):
+            yield from _keys(value, f"{before}{key}.")
+        else:
+            yield f"{before}{key}", value

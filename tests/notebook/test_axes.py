@@ -1,0 +1,153 @@
+"""Every plot draws on given axes, returns them, and leaves pyplot as it was."""
+
+import warnings
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+
+import clpt_control as clpt
+from clpt_control.figures import figure_of
+
+SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40.0})
+
+
+@pytest.fixture(scope="module")
+def made():
+    """One of each thing that is drawn."""
+    dives, _ = clpt.gliders.usable(clpt.gliders.sample_dives())
+    hours = np.arange(0, 24 * 20)
+    time = np.datetime64("2019-01-01") + hours * np.timedelta64(3600000, "ms")
+    u, v = np.cos(hours / 1.9775), 0.5 * np.sin(hours / 1.9775)
+    fit = clpt.currents.fit_tides(time, u, v, 41.0, ["M2"])
+    from clpt_control.currents.tidal.record import CurrentRecord
+
+    return {
+        "run": clpt.simulate(SCENARIO),
+        "team": clpt.simulate(clpt.Team(members={"a": SCENARIO, "b": SCENARIO}, coupling=0.5)),
+        "ensemble": clpt.ensemble.run_ensemble(SCENARIO, "learning.gain=0.2:2.0", 3),
+        "replay": clpt.replay.replay_dives(dives[:5]),
+        "design": clpt.theory.design_track(
+            SCENARIO.with_values({"run.duration": 80}), count=3, window=30, generations=1
+        ),
+        "tides": (fit, CurrentRecord(time, u, v, 41.0, None, "made")),
+    }
+
+
+PLOTS = {  # name -> what it draws, how many axes
+    "simulation.track_plot": ("run", 1),
+    "simulation.clpe_plot": ("run", 2),
+    "simulation.learning_plot": ("run", 2),
+    "simulation.run_plot": ("run", 7),
+    "simulation.team_plot": ("team", 3),
+    "ensemble.ensemble_plot": ("ensemble", 2),
+    "theory.excitation_plot": ("run", 4),
+    "theory.design_plot": ("design", 3),
+    "replay.map_plot": ("replay", 1),
+    "replay.dive_clpe_plot": ("replay", 1),
+    "replay.current_plot": ("replay", 3),
+    "replay.replay_plot": ("replay", 5),
+    "currents.tides_plot": ("tides", 3),
+}
+
+
+def public_plots():
+    for room in (value for name, value in vars(clpt).items() if name in clpt.__all__):
+        yield from (f"{room.__name__[13:]}.{n}" for n in getattr(room, "__all__", ()) if "plot" in n)
+
+
+def test_all_plots_are_asked():
+    for room in ("simulation", "ensemble", "theory", "replay", "currents"):
+        assert getattr(clpt, room)
+    assert set(public_plots()) == set(PLOTS)
+
+
+def asked(name, made):
+    room, function = name.split(".")
+    kind, count = PLOTS[name]
+    given = made[kind] if isinstance(made[kind], tuple) else (made[kind],)
+    return getattr(getattr(clpt, room), function), given, count
+
+
+@pytest.mark.parametrize("name", PLOTS)
+def test_on_given_axes(name, made):
+    """Something is drawn on each, nothing elsewhere, and they come back."""
+    plot, given, count = asked(name, made)
+    plt.close("all")
+    figure, axes = plt.subplots(1, count + 1, squeeze=False)
+    axes = axes.ravel()
+    drawn = plot(*given, ax=axes[0] if count == 1 else list(axes[:count]))
+    assert list(np.ravel(np.asarray(drawn, object))) == list(axes[:count])
+    assert isinstance(drawn, Axes) == (count == 1)
+    assert all(one.has_data() or one.texts for one in axes[:count])
+    assert not axes[count].has_data()
+    figure.draw_without_rendering()
+    assert plt.get_fignums() == [figure.number]
+    plt.close("all")
+
+
+@pytest.mark.parametrize("name", PLOTS)
+def test_wrong_axes_are_one_sentence(name, made):
+    plot, given, count = asked(name, made)
+    figure, axes = plt.subplots(1, count + 1)
+    before = plt.get_fignums()
+    with pytest.raises(clpt.ClptError, match=rf"has {count + 1} Axes; this plot draws on {count}"):
+        plot(*given, ax=axes)
+    with pytest.raises(clpt.ClptError, match="must be matplotlib Axes"):
+        plot(*given, ax=figure)
+    assert plt.get_fignums() == before
+    plt.close("all")
+
+
+def test_many_plots_leave_one_figure_and_no_warning(made):
+    """Where no backend shows figures pyplot holds the last one, for plt.savefig."""
+    plt.close("all")
+    own = plt.figure()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for _ in range(25):
+            ax = clpt.simulation.track_plot(made["run"])
+    assert plt.gcf() is ax.figure
+    assert plt.get_fignums() == [own.number, ax.figure.number]
+    plt.close("all")
+
+
+def test_a_figure_for_a_file_is_unknown_to_pyplot(made):
+    plt.close("all")
+    figure = figure_of(clpt.simulation.track_plot, made["run"])
+    assert figure.axes
+    assert plt.get_fignums() == []
+
+
+def test_no_screen_is_no_hindrance(made, monkeypatch):
+    """A window cannot be opened: the figure is made all the same, and can be saved."""
+
+    def closed(**_):
+        raise ImportError("headless")
+
+    monkeypatch.setattr(plt, "figure", closed)
+    assert clpt.simulation.track_plot(made["run"]).has_data()
+
+
+def test_a_part_of_a_run_and_a_run_read_back_are_drawn(made, tmp_path):
+    run = made["run"]
+    clpt.save_run(run, tmp_path / "run.nc")
+    for one in (run.isel(time=slice(0, 20)), clpt.load_run(tmp_path / "run.nc")):
+        assert clpt.simulation.track_plot(one).has_data()
+    plt.close("all")
+
+
+def test_what_is_no_run_is_one_sentence(made):
+    for given, said in (
+        (made["replay"], "must be a run"),
+        (made["team"], "team's; clpt.simulation.team_plot"),
+        (made["run"].drop_attrs(), "carries no scenario"),
+        (made["run"].drop_vars("position"), "has no position along time"),
+        (made["run"].isel(time=-1), "has no position along time"),
+    ):
+        with pytest.raises(clpt.ClptError, match=said):
+            clpt.simulation.track_plot(given)
+    for plot in (clpt.ensemble.ensemble_plot, clpt.simulation.team_plot, clpt.replay.map_plot):
+        with pytest.raises(clpt.ClptError):
+            plot(made["run"])
