@@ -80,11 +80,8 @@ def _restyle(element: ElementTree.Element) -> None:
         if key and key not in DROPPED:
             element.set(key, THEMED.get(value.lower(), value))
     for key in ("d", "x", "y", "transform", "points", "stroke-dasharray"):
-        if (value := element.get(key)) is not None:
-            short = NUMBER.sub(
-                lambda found: f"{float(found[0]):.2f}".rstrip("0").rstrip("."), value
-            )
-            element.set(key, " ".join(short.split()))
+        if (numbers := element.get(key)) is not None:
+            element.set(key, " ".join(NUMBER.sub(_short, numbers).split()))
 
 
 def _short(number: re.Match[str]) -> str:
