@@ -19,7 +19,6 @@ release = version = clpt_control.__version__
 extensions = [
     "myst_nb",
     "sphinx.ext.autodoc",
-    "sphinx.ext.autosummary",
     "numpydoc",
     "sphinx_copybutton",
     "sphinx_design",
@@ -46,6 +45,7 @@ nb_merge_streams = True
 autodoc_typehints = "none"
 autodoc_member_order = "bysource"
 add_module_names = False
+default_role = "literal"  # `name` of a docstring
 numpydoc_show_class_members = False
 toc_object_entries_show_parents = "hide"
 python_display_short_literal_types = True

@@ -13,20 +13,23 @@ class Names(SphinxDirective):
     has_content = True
 
     def run(self) -> list:
-        """Write what autosummary and autodoc are asked, and parse it."""
-        room = self.arguments[0]
-        table = [".. autosummary::", "   :nosignatures:", "", *(f"   {n}" for n in self.content)]
-        lines = [f".. currentmodule:: {room}", "", *table, ""]
-        for name in self.content:
-            lines += entry(name, getattr(import_module(room), name))
-        text = "\n".join(["```{eval-rst}", *lines, "```"])
-        return self.parse_text_to_nodes(text)
+        """Write the table and what autodoc is asked, and parse both."""
+        values = {name: getattr(import_module(self.arguments[0]), name) for name in self.content}
+        lines = [f".. currentmodule:: {self.arguments[0]}", "", ".. list-table::", ""]
+        for name, value in values.items():
+            kind = "mod" if inspect.ismodule(value) else "obj"
+            target = value.__name__ if kind == "mod" else name
+            summary = inspect.getdoc(value).splitlines()[0]
+            lines += [f"   * - :py:{kind}:`{name} <{target}>`", f"     - {summary}"]
+        for name, value in values.items():
+            lines += ["", *entry(name, value)]
+        return self.parse_text_to_nodes("\n".join(["```{eval-rst}", *lines, "```"]))
 
 
 def entry(name: str, value: object) -> list[str]:
     """The directive for a name, with the methods of a class; those of a module are words."""
     if inspect.ismodule(value):
-        return [f".. automodule:: {value.__name__}", ""]
+        return [f".. automodule:: {value.__name__}", "   :members:", ""]
     if inspect.isclass(value):
         return [f".. autoclass:: {name}", "   :members:", ""]
     return [f".. autofunction:: {name}", ""]
