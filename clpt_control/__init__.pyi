@@ -6,6 +6,7 @@ from . import (
     estimation,
     gliders,
     native,
+    pages,
     replay,
     scenario,
     simulation,
@@ -23,6 +24,7 @@ from .errors import (
     SimulationError,
     Uncompiled,
 )
+from .pages import report
 from .scenario import Scenario, Team, load_scenario, load_team, paper_scenario, save_scenario
 from .simulation import (
     closed_loop,
@@ -63,9 +65,11 @@ __all__ = [
     "load_scenario",
     "load_team",
     "native",
+    "pages",
     "paper_blocks",
     "paper_scenario",
     "replay",
+    "report",
     "run_ensemble",
     "save_run",
     "save_scenario",

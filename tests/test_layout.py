@@ -11,6 +11,7 @@ PACKAGE = Path(clpt_control.__file__).parent
 ROWS = [
     ("cli",),
     ("notebook",),
+    ("pages",),
     ("replay", "ensemble", "theory"),
     ("gliders", "simulation"),
     ("currents", "native", "estimation"),

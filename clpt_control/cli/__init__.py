@@ -65,6 +65,7 @@ def application() -> "typer.Typer":
     from .prove import prove
     from .replay import replay
     from .replay_ahead import WithPlaces
+    from .report import report
     from .tides import tides
     from .tune import tune
 
@@ -77,7 +78,7 @@ def application() -> "typer.Typer":
         pretty_exceptions_enable=False,
     )
     one, theory = (init, paper, run, diagram), (laws, prove, excitation, design)
-    many = (ensemble, *theory, tune, estimate, fit, tides, replay)
+    many = (ensemble, *theory, tune, estimate, fit, tides, replay, report)
     for command in (*one, *many):
         app.command(cls=WithPlaces if command is replay else None)(command)
     return app

@@ -26,7 +26,7 @@ def write(result: Any, skipped: list, folder: Path, ahead: Ahead) -> list[Path]:
     new, the others are.
     """
     from ..files import write_together
-    from ..replay.dataset import replay_dataset
+    from ..replay.dataset import carrying, replay_dataset
     from ..replay.exchange import next_geojson, track_kml
     from ..replay.page import replay_page
     from ..replay.plots import replay_figures
@@ -34,7 +34,7 @@ def write(result: Any, skipped: list, folder: Path, ahead: Ahead) -> list[Path]:
     goal = ahead.next_dive(result)
     found = summary_with_next(result, skipped, ahead)
     results: dict[str, Any] = {
-        "replay.nc": replay_dataset(result, found["vehicle"], ahead=goal),
+        "replay.nc": carrying(replay_dataset(result, found["vehicle"], ahead=goal), found),
         "replay.html": replay_page(found),
         "next.geojson": next_geojson(found),
         "track.kml": track_kml(found, found["vehicle"]),

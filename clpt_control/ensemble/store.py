@@ -12,7 +12,7 @@ import warnings
 import zlib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -195,8 +195,8 @@ def remove_empty(store: Store) -> None:
         shutil.rmtree(store.path, ignore_errors=True)
 
 
-def open_store(path: Path) -> Store:
-    """Open a store to go on with or to read."""
+def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
+    """Open a store to go on with, or with "r" to read."""
     import zarr
 
     if not path.exists():
@@ -208,7 +208,7 @@ def open_store(path: Path) -> Store:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of what is no array: `check_store` names it
-            store = Store(zarr.open_group(path, mode="r+"), path)
+            store = Store(zarr.open_group(path, mode=mode), path)
         whole = DONE in store.group and "status" in store.kept
     except Exception:  # a damaged file can raise anything
         whole = False

@@ -35,6 +35,8 @@ THEME = {  # colour -> the page's
     COLOURS[-1]: "var(--sky)",
 }
 THEMED = {colour.lower(): name for colour, name in THEME.items()}
+ENLARGED = 1.45  # px per point, where there is room
+HUGE = 1500.0  # px; a wider one is moved sideways on every screen
 DROPPED = {"font-family", "stroke-miterlimit", "white-space"}
 ROOT = {"stroke-linejoin": "round", "stroke-linecap": "butt", "fill": "currentColor"}
 
@@ -53,13 +55,16 @@ def inline_svg(figure: "Figure", name: str, said: str) -> str:
         element.tag = element.tag.rpartition("}")[2]
         _restyle(element)
         _rename(element, name, wanted)
-    box = root.get("viewBox", "0 0 1 1")
+    box = root.attrib["viewBox"]
+    width, height = (f"{ENLARGED * float(size):.0f}" for size in box.split()[2:])
     root.attrib.clear()
-    root.attrib.update({"viewBox": box, "role": "img", "aria-label": "", **ROOT})
+    if float(width) > HUGE:
+        root.set("class", "huge")
+    root.attrib.update({"viewBox": box, "width": width, "height": height, **ROOT})
     root[:] = list(_shown(root))
     text = ElementTree.tostring(root, "unicode", short_empty_elements=True)
     text = re.sub(r">\s+<", "><", text)
-    return text.replace('aria-label=""', f'aria-label="{safe(said)}"', 1)
+    return text.replace("<svg", f'<svg role="img" aria-label="{safe(said)}"', 1)
 
 
 def _references(root: ElementTree.Element) -> set[str]:

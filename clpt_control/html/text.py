@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from html import escape
 
 NO_TEXT = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+WORDS = ' class="words"'
 
 
 def plain(text: object) -> str:
@@ -33,16 +34,28 @@ def paragraphs(sentences: Sequence[str], style: str = "") -> str:
 
 def table(caption: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """Return a table whose first column names the rows; a wide one is moved sideways."""
-    heads = "".join(f'<th scope="col">{safe(name)}</th>' for name in columns)
+    styles = ["" if all(map(_is_number, cells)) else WORDS for cells in zip(*rows, strict=True)]
+    styles = styles or [""] * len(columns)
+    heads = "".join(
+        f'<th scope="col"{style}>{safe(name)}</th>'
+        for name, style in zip(columns, styles, strict=True)
+    )
+    heads = f"<thead><tr>{heads}</tr></thead>" if any(columns) else ""
     lines = []
     for first, *rest in rows:
-        cells = "".join(f"<td>{safe(cell)}</td>" for cell in rest)
+        cells = "".join(
+            f"<td{style}>{safe(cell)}</td>" for cell, style in zip(rest, styles[1:], strict=True)
+        )
         lines.append(f'<tr><th scope="row">{safe(first)}</th>{cells}</tr>')
     return (
         f'<div class="table" role="region" aria-label="{safe(caption)}" tabindex="0"><table>'
-        f"<caption>{safe(caption)}</caption><thead><tr>{heads}</tr></thead>"
+        f"<caption>{safe(caption)}</caption>{heads}"
         f"<tbody>{''.join(lines)}</tbody></table></div>"
     )
+
+
+def _is_number(cell: str) -> bool:
+    return re.fullmatch(r"[-+.\d]+(e[-+]\d+)?|-|not known|\d+ of \d+", cell) is not None
 
 
 def folded(title: str, inner: str) -> str:

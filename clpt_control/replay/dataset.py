@@ -5,12 +5,14 @@ CF conventions 1.11, appendix H.4: `dive` is the element dimension, `time`,
 `trajectory` bears `cf_role`.  Forecast places have their own coordinates.
 """
 
+import json
 from collections.abc import Sequence
 from importlib.metadata import version
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..errors import DataError
 from ..geodesy import place_from
 from .over_ground import drifts, over_ground
 from .replay import Replay
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
     import xarray
 
 EPOCH = "seconds since 1970-01-01 00:00:00 UTC"
+SUMMARY = "summary"  # variable: what `clpt replay --json` prints
 ALONG = {"coordinates": "time latitude longitude"}
 
 
@@ -286,3 +289,20 @@ def _next(data: "xarray.Dataset", ahead: NextDive) -> None:
     ):
         name = key.removeprefix("next_").replace("_90", " of 90 %").replace("_", " ")
         data[key] = ((), value, {"long_name": f"{name} {said}", **attributes})
+
+
+def carrying(data: "xarray.Dataset", found: dict[str, Any]) -> "xarray.Dataset":
+    """Return a replay's dataset that carries what `clpt replay --json` prints."""
+    named = {"long_name": "all that was found, as JSON: what clpt replay --json prints"}
+    return data.assign({SUMMARY: ((), json.dumps(found, allow_nan=False), named)})
+
+
+def carried(data: "xarray.Dataset", name: str) -> Any:
+    """Return what `carrying` put into a dataset."""
+    try:
+        return json.loads(str(data[SUMMARY].values))
+    except (KeyError, ValueError):
+        raise DataError(
+            f"{name}: is a replay's NetCDF without its summary; run `clpt replay --out` again, or "
+            "give what `clpt replay --json` prints"
+        ) from None

@@ -20,7 +20,7 @@ ALARM = ' class="alarm"'
 PHONE, PAPER = 2, 6  # greatest rank of a column that a telephone shows, and a printed page
 
 
-def replay_page(found: dict[str, Any], again: float | None = None) -> str:
+def replay_page(found: dict[str, Any], again: float | None = None, title: str | None = None) -> str:
     """Return the page of what `clpt replay --json` prints, with one dive at least.
 
     A page that is written anew at each dive is loaded again each so many seconds.
@@ -30,7 +30,7 @@ def replay_page(found: dict[str, Any], again: float | None = None) -> str:
     lines = [next_surfacing(found["next_dive"]), *map(aimed, found["aim"])]
     body = "\n".join(
         [
-            f"<h1>{safe(vehicle)}: where it comes up next</h1>",
+            f"<h1>{safe(title or f'{vehicle}: where it comes up next')}</h1>",
             f'<div class="cards">{"".join(_cards(found))}</div>',
             paragraphs(lines),
             f'<div class="body"><div><div class="map">{replay_map(found)}',
@@ -41,8 +41,8 @@ def replay_page(found: dict[str, Any], again: float | None = None) -> str:
             *_remarks(remarks(found)),
         ]
     )
-    title = f"{vehicle}, dive {found['each_dive'][-1]['dive']}"
-    return document(title, body, "replay.css", "replay.js", head)
+    name = title or f"{vehicle}, dive {found['each_dive'][-1]['dive']}"
+    return document(name, body, "replay.css", "replay.js", head)
 
 
 def _card(title: str, value: str, below: str, style: str = "") -> str:

@@ -8,6 +8,7 @@ The claims judge the paper's sentences about figures 2 to 4, each with its
 criterion, what was measured, and a verdict.
 """
 
+import json
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -22,6 +23,7 @@ from .speeds import note_speeds
 if TYPE_CHECKING:
     import xarray
 
+SUMMARY = "summary"  # attribute of a run: its summary as JSON
 TIMES = (10, 20, 100, 200, 500, 1000, 2000)
 
 
@@ -48,8 +50,9 @@ def run_and_report(
     Returns
     -------
     RunReport
-        The run; the same run evenly sampled for pictures (2000 samples a
-        cycle, fewer in a run of more than 100 cycles); and the summary:
+        The run, which carries the summary as JSON; the same run evenly
+        sampled for pictures (2000 samples a cycle, fewer in a run of more
+        than 100 cycles); and the summary:
         ``clpe_rms_per_cycle`` (over 2000 samples a cycle),
         ``max_flow_parameter_error`` and ``max_gain_error`` keyed by time,
         ``status`` and ``message``; with ``vehicle.max_speed`` also ``speed``, the share of time
@@ -89,6 +92,7 @@ def run_and_report(
         from .flows import explained_variance
 
         summary["explained_variance"] = explained_variance(scenario, run)
+    run.attrs[SUMMARY] = json.dumps(summary)
     return RunReport(run, even, summary)
 
 

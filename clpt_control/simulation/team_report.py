@@ -38,10 +38,12 @@ def run_team(
     last = float(reached[-1])
     times = {f"{t:g}": float(t) for t in (*marks[marks < last], last)}
     at = {key: dense.sel(time=t, method="nearest") for key, t in times.items()}
-    return run, _summary(team, run, at)
+    return run, team_summary(team, run, at)
 
 
-def _summary(team: Team, run: "xarray.Dataset", at: "dict[str, xarray.Dataset]") -> dict[str, Any]:
+def team_summary(
+    team: Team, run: "xarray.Dataset", at: "dict[str, xarray.Dataset]"
+) -> dict[str, Any]:
     """Return the figures of a run; `at` are samples of it by time."""
     units = team.first.units
     summary: dict[str, Any] = {

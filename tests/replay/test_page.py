@@ -5,7 +5,7 @@ from base64 import b64encode
 from hashlib import sha256
 
 import pytest
-from pages import Reader
+from html_reader import Reader
 from pyproj import Geod
 from synthetic_vehicle import fixes_of
 

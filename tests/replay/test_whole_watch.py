@@ -8,7 +8,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
-from pages import Reader
+from html_reader import Reader
 from processes import CLPT, GUARD, await_line, started
 from synthetic_vehicle import fixes_of, one_file_each
 

@@ -1,0 +1,34 @@
+"""`clpt report`: a page to send."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from .printing import Json, print_json
+
+
+def report(
+    run: Annotated[
+        Path,
+        typer.Argument(help="run.nc, a team's too; an ensemble's folder; replay.nc or its JSON."),
+    ],
+    out: Annotated[Path, typer.Option("-o", "--out", help="The page, .html.")] = Path(
+        "report.html"
+    ),
+    title: Annotated[str | None, typer.Option(help="In place of the scenario's.")] = None,
+    figures: Annotated[
+        Path | None, typer.Option(help="Folder for the figures too, as SVG and PDF.")
+    ] = None,
+    as_json: Json = False,
+) -> None:
+    """Write a page to send: one HTML file that needs nothing else."""
+    from ..pages import report as written
+
+    made = written(run, out, title, figures)
+    if as_json:
+        print_json(made)
+        return
+    for sentence in made["sentences"]:
+        typer.echo(sentence)
+    typer.echo(f"{out}: written, {made['bytes'] / 1000:.0f} kB")

@@ -1,0 +1,3 @@
+from .making import report
+
+__all__ = ["report"]

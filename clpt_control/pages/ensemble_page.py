@@ -1,0 +1,203 @@
+"""The page of an ensemble: what varied, how many are done, how they ended, percentiles."""
+
+import json
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..ensemble.spread import ensemble_plot, ensemble_summary
+from ..ensemble.varied_keys import Vary, read_vary
+from ..html.text import folded, listing, paragraphs, table
+from .page import Beside, Card, Drawn, Page, Section, narrow
+from .run_words import number
+from .versions import again_section
+
+if TYPE_CHECKING:
+    import xarray
+
+DESIGNS = {"lhs": "Latin hypercube", "grid": "grid", "random": "random draws"}
+MOST_KEYS = 4  # in a sentence
+MOST_FAILED = 20  # members named
+MOST_ROUNDS = 12
+
+
+def ensemble_page(data: "xarray.Dataset", title: str | None = None) -> Page:
+    """Return the page of an ensemble, whole or begun."""
+    made = json.loads(data.attrs["ensemble"])
+    summary = ensemble_summary(data)
+    members, status = summary["members"], data["status"].values
+    done, finished = int(np.sum(status != 0)), int(np.sum(status == 1))
+    warnings = []
+    if done < members:
+        warnings.append(
+            f"The ensemble is not complete: {done} of {members} members are done; figures are of "
+            "these. `clpt ensemble` with the same words goes on."
+        )
+    if finished < done:
+        warnings.append(
+            f"{done - finished} of {done} runs did not come to their end; what they reached counts."
+        )
+    sections = [_spread(data, summary, done), _varied(data, made), *_failed(data, made, status)]
+    text = str(made["scenario"])
+    sections += [
+        Section("scenario", "Scenario", [folded("The scenario that varied, TOML", listing(text))]),
+        _again(data, made),
+    ]
+    return Page(
+        "Ensemble",
+        title or str(data.attrs.get("title") or "An ensemble without a title"),
+        [_asked(made), *_found(data, summary, done)],
+        warnings,
+        _cards(data, summary, done, finished),
+        sections,
+    )
+
+
+def _asked(made: dict[str, Any]) -> str:
+    ways = [_varies(read_vary(one)) for one in made["vary"]]
+    shown = "; ".join(ways) if len(ways) <= MOST_KEYS else f"{len(ways)} keys of the scenario vary"
+    return (
+        f"Asked: how much does the outcome change over {made['members']} runs, in which {shown} "
+        f"({DESIGNS.get(made['design'], made['design'])}, seed {made['seed']})?"
+    )
+
+
+def _varies(vary: Vary) -> str:
+    """Return how a key varies, in words."""
+    if vary.kind == "uniform":
+        return f"{vary.key} varies from {vary.numbers[0]:g} to {vary.numbers[1]:g}"
+    if vary.kind == "normal":
+        return f"{vary.key} varies normally with a deviation of {vary.numbers[0]:g}"
+    return f"{vary.key} has one of {len(vary.numbers)} values"
+
+
+def _found(data: "xarray.Dataset", summary: dict[str, Any], done: int) -> list[str]:
+    if not done:
+        return ["Found: nothing yet, no member is done."]
+    unit = data["clpe_rms"].attrs["units"]
+    said = []
+    rounds = [one for one in summary["clpe_rms_per_cycle"] if one is not None]
+    if rounds:
+        last = rounds[-1]
+        said.append(
+            f"Found: in round {len(rounds)} of the waypoints, the last, the CLPE, root mean "
+            f"square, is {number(last[2])} {unit} in the median run, and nine in ten runs lie "
+            f"between {number(last[0])} and {number(last[-1])} {unit}."
+        )
+    elif summary["clpe_rms"] is not None:
+        whole = summary["clpe_rms"]
+        said.append(
+            f"Found: the CLPE over the run, root mean square, is {number(whole[2])} {unit} in the "
+            f"median run, and nine in ten lie between {number(whole[0])} and "
+            f"{number(whole[-1])} {unit}."
+        )
+    error = summary.get("flow_parameter_error_at_end")
+    if error is not None:
+        per = _unit(data["flow_parameter_error"])
+        said.append(
+            f"At the end the largest error of a flow parameter is {number(error[2])} {per} in the "
+            f"median run, and at most {number(error[-1])} {per} in 95 of 100."
+        )
+    return said
+
+
+def _unit(values: "xarray.DataArray") -> str:
+    """Return CF units as they are said: m s-1 as m/s."""
+    length, _, per = values.attrs.get("units", "").rpartition(" ")
+    return f"{length or '1'}/{per.removesuffix('-1')}" if per.endswith("-1") else per
+
+
+def _cards(data: "xarray.Dataset", summary: dict[str, Any], done: int, finished: int) -> list[Card]:
+    cards = [
+        Card("Members done", f"{done} of {summary['members']}", f"{finished} came to their end")
+    ]
+    for key, variable, what in (
+        ("clpe_rms", "clpe_rms_whole", "CLPE rms, whole run, median"),
+        ("flow_parameter_error_at_end", "flow_parameter_error", "Flow parameter error, median"),
+        ("gain_error_at_end", "gain_error", "Gain error, median"),
+    ):
+        if (column := summary.get(key)) is not None:
+            unit = _unit(data[variable])
+            below = f"5 to 95 %: {number(column[0])} to {number(column[-1])}"
+            cards.append(Card(what, f"{number(column[2])} {unit}", below))
+    return cards
+
+
+def _spread(data: "xarray.Dataset", summary: dict[str, Any], done: int) -> Section:
+    """Return percentiles, drawn and as a table."""
+    heading = "How the runs differ"
+    if not done:
+        return Section("spread", heading, [paragraphs(["No member is done: nothing to draw."])])
+    columns = ["percentile", *(f"{p} %" for p in summary["percents"])]
+    rows, rounds = [], summary["clpe_rms_per_cycle"]
+    for k, column in enumerate(rounds):
+        if k < MOST_ROUNDS - 1 or k == len(rounds) - 1:
+            rows.append([f"CLPE rms, round {k + 1}", *_cells(column)])
+    rows.append(["CLPE rms, whole run", *_cells(summary["clpe_rms"])])
+    for key, what in (("flow_parameter_error", "flow parameter"), ("gain_error", "gain")):
+        if f"{key}_at_end" in summary:
+            name = f"largest {what} error at the end ({_unit(data[key])})"
+            rows.append([name, *_cells(summary[f"{key}_at_end"])])
+    unit = data["clpe_rms"].attrs["units"]
+    caption = (
+        "Above, the CLPE in each round of the waypoints; below, the largest error of what was "
+        "learned: the median run, half of all runs, and nine in ten."
+    )
+    drawn = Drawn("ensemble", narrow(ensemble_plot(data), 5.4), caption)
+    listed = table(f"Percentiles over the members; CLPE in {unit}", columns, rows)
+    return Section("spread", heading, [drawn, Beside(listed)])
+
+
+def _cells(column: list[float] | None) -> list[str]:
+    return ["-"] * 5 if column is None else [number(value) for value in column]
+
+
+def _varied(data: "xarray.Dataset", made: dict[str, Any]) -> Section:
+    rows = []
+    for key, text in zip(made["keys"], made["vary"], strict=True):
+        values = data[key].values.reshape(made["members"], -1)
+        count = values.shape[1]
+        low, middle, high = np.percentile(values, (0, 50, 100))
+        of = f"{count} numbers" if count > 1 else "one number"
+        rows.append([key, text.removeprefix(key), of, number(low), number(middle), number(high)])
+    columns = ["key", "asked for", "each member has", "least", "median", "most"]
+    return Section("varied", "What varied", [table("Values of all members", columns, rows)])
+
+
+def _failed(data: "xarray.Dataset", made: dict[str, Any], status: np.ndarray) -> list[Section]:
+    """Return the members that did not come to their end."""
+    failed = np.flatnonzero(status > 1)
+    if not len(failed):
+        return []
+    names = data["status"].attrs.get("flag_meanings", "").split()
+    keys = [key for key in made["keys"] if data[key].ndim == 1]
+    rows = []
+    for k in failed[:MOST_FAILED]:
+        name = names[status[k]] if status[k] < len(names) else str(status[k])
+        values = [number(float(data[key][k])) for key in keys]
+        end = number(float(data["end"][k]))
+        rows.append([str(k), name.replace("_", " "), end, *values])
+    columns = ["member", "ended by", f"at t ({data['end'].attrs['units']})", *keys]
+    more = len(failed) - MOST_FAILED
+    said = [f"{len(failed)} runs did not come to their end"]
+    said[0] += f"; the first {MOST_FAILED} are listed." if more > 0 else "."
+    listed = table("Runs that did not come to their end", columns, rows)
+    return [Section("failed", "Runs that failed", [paragraphs(said), listed])]
+
+
+def _again(data: "xarray.Dataset", made: dict[str, Any]) -> Section:
+    words = [f"--vary '{one}'" for one in made["vary"]]
+    command = " ".join(
+        [
+            f"clpt ensemble scenario.toml --members {made['members']}",
+            *words,
+            f"--design {made['design']} --seed {made['seed']} --samples {made['samples']}",
+            "--out ensemble.zarr",
+        ]
+    )
+    said = "Save the scenario above as <code>scenario.toml</code>, and type:"
+    commands = [command, "clpt report ensemble.zarr -o report.html"]
+    if made.get("law"):
+        said = "The runs had a law given in Python, which no file holds:"
+        commands = [f"# {made['law']}"]
+    return again_section(said, commands, str(data.attrs.get("software", "")), {})

@@ -1,0 +1,74 @@
+"""What a track can teach: eigenvalues of the Gramian of Definition 3.1, and what they mean."""
+
+from typing import TYPE_CHECKING, Any
+
+from ..errors import ClptError
+from ..html.text import paragraphs, table
+from ..scenario.experiment import Scenario
+from .page import Drawn, Section
+
+if TYPE_CHECKING:
+    import xarray
+
+HEADING = "What the track can teach"
+MOST = 3  # parameters named of the least excited direction
+
+
+def excitation_section(run: "xarray.Dataset", scenario: Scenario) -> Section:
+    """Return the excitation over one round of a recorded run, or why it cannot be measured."""
+    from ..theory.excitation.gramian import gramian
+    from ..theory.excitation.plot import excitation_plot
+    from ..theory.excitation.report import excitation_report
+    from ..theory.excitation.sliding import sliding_excitation
+
+    try:
+        found = excitation_report(run)
+        at = gramian(run, found["window"], found["start"])
+        sliding = sliding_excitation(run, found["window"])
+    except ClptError as error:
+        return Section("excitation", HEADING, [paragraphs([f"Not measured: {error}."])])
+    caption = (
+        "Above, eigenvalues of the Gramian in a window that slides over the run: the smallest says "
+        "how fast the slowest combination is learned. Below, that combination in one window."
+    )
+    drawn = Drawn("excitation", excitation_plot(sliding, at), caption, wide=True)
+    return Section("excitation", HEADING, [paragraphs(_sentences(found)), _table(found), drawn])
+
+
+def _sentences(found: dict[str, Any]) -> list[str]:
+    end, unit = found["start"] + found["window"], found["time_unit"]
+    said = [
+        f"Measured from t = {found['start']:g} to {end:g} {unit}, {found['trajectory']}; "
+        f"eigenvalues are certain to {100 * found['accuracy']:.2g} %."
+    ]
+    if found["not_learnable"]:
+        said += [f"{sentence}." for sentence in found["not_learnable"]]
+    else:
+        said.append("Every flow parameter and gain can be told apart on this track.")
+    if found["contraction"] is None:
+        said.append(f"No rate is certified: {found['not_certified']}.")
+    else:
+        time = found["time_to_tenth"]
+        said.append(
+            "By the theory errors need not fall in such windows."
+            if time is None
+            else f"Errors fall to a tenth within {time:.4g} {unit} of such windows, at worst."
+        )
+    return said
+
+
+def _table(found: dict[str, Any]) -> str:
+    rows = []
+    for axis, values in found["eigenvalues"].items():
+        parts = sorted(found["least_excited"][axis].items(), key=lambda part: -abs(part[1]))[:MOST]
+        rows.append(
+            [
+                axis,
+                f"{values[0]:.3g}",
+                f"{values[-1]:.3g}",
+                f"{found['dimension'][axis]} of {len(values)}",
+                ", ".join(f"{name} {share:+.2f}" for name, share in parts),
+            ]
+        )
+    columns = ["axis", "smallest eigenvalue", "largest", "can be learned", "least excited"]
+    return table("Eigenvalues over one round of the waypoints", columns, rows)

@@ -1,0 +1,82 @@
+"""What was asked of a run, and what was found, in sentences with numbers and units."""
+
+from typing import Any
+
+from ..scenario.experiment import Scenario
+from .run_numbers import at_end
+
+
+def number(value: float) -> str:
+    """Return a number as a sentence has it.
+
+    >>> number(0.000123456), number(1234.5), number(0.0)
+    ('0.000123', '1230', '0')
+    """
+    shown = f"{value:.3g}"
+    return f"{float(shown):.0f}" if "e+" in shown and abs(value) < 1e6 else shown
+
+
+def asked(scenario: Scenario, law: str) -> str:
+    """Return what was asked of a scenario's run."""
+    run, unit = scenario.run, scenario.units
+    count = len(scenario.waypoints)
+    rounds = run.duration / scenario.cycle
+    return (
+        f"Asked: a vehicle visits {count} waypoint{'s'[: count != 1]} in turn, "
+        f"{scenario.reference.dwell:g} {unit.time} at each, for {run.duration:g} {unit.time} "
+        f"({rounds:.3g} round{'s'[: rounds != 1]}) in {_water(scenario)}; it predicts where it "
+        f"will be, and from the error of that prediction (CLPE) the law {law} "
+        + ("adapts its gains." if scenario.learning.row.given_estimate else "learns the flow.")
+    )
+
+
+def _water(scenario: Scenario) -> str:
+    count = scenario.basis.N
+    if scenario.flow.field is not None:
+        water = "a measured current that it does not know"
+    elif scenario.learning.row.given_estimate:
+        water = "a flow of which it has an estimate"
+    else:
+        water = f"a flow that it does not know, of {count} function{'s'[: count != 1]}"
+    return water + (" and a disturbance" if scenario.flow.disturbance is not None else "")
+
+
+def found_of_clpe(numbers: dict[str, Any], length: str) -> str:
+    """Return what became of the prediction error."""
+    rms = numbers["clpe_rms_per_cycle"]
+    if len(rms) > 1 and rms[0] > 0:
+        share = f"{number(100 * rms[-1] / rms[0])} % of it"
+        return (
+            f"Found: the CLPE, root mean square, was {number(rms[0])} {length} in the first round "
+            f"of the waypoints and {number(rms[-1])} {length} in the last of {len(rms)}, {share}."
+        )
+    return (
+        f"Found: the CLPE, root mean square, was {number(numbers['clpe_rms'])} {length} over the "
+        f"run and {number(numbers['clpe_rms_last_quarter'])} {length} over its last quarter."
+    )
+
+
+def found_of_flow(numbers: dict[str, Any], scenario: Scenario) -> str:
+    """Return what was learned of the flow by the end."""
+    unit = scenario.units
+    said = f"At the end, t = {numbers['end']:g} {unit.time}, "
+    parts = []
+    if errors := numbers.get("max_flow_parameter_error"):
+        largest = max(abs(value) for row in scenario.flow.parameters or () for value in row)
+        part = f" ({number(100 * at_end(errors) / largest)} % of the largest)" if largest else ""
+        parts.append(
+            f"the largest error of a flow parameter is {number(at_end(errors))} "
+            f"{unit.length}/{unit.time}{part}"
+        )
+    shares = numbers.get("explained_variance") or {}
+    for place, where in (("track", "along the track"), ("box", "over all of the current's box")):
+        share = shares.get(place)
+        if isinstance(share, float):
+            worse = ", worse than no flow" if share < 0 else ""
+            parts.append(
+                f"the learned flow holds {100 * share:.0f} % of the current's variance {where}"
+                + worse
+            )
+    if errors := numbers.get("max_gain_error"):
+        parts.append(f"the largest error of a gain is {number(at_end(errors))} 1/{unit.time}")
+    return said + (", and ".join(parts) if len(parts) < 3 else ", ".join(parts)) + "."

@@ -1,0 +1,283 @@
+"""A page to send: whole, safe, of anything that clpt writes, and one sentence for all else."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+from html_reader import Reader
+from synthetic_vehicle import fixes_of
+from typer.testing import CliRunner
+
+import clpt_control as clpt
+from clpt_control.cli import application
+from clpt_control.ensemble.store import Store, open_store
+from clpt_control.errors import ClptError, DataError
+from clpt_control.pages.making import page_of
+from clpt_control.pages.page import page_html
+from clpt_control.simulation.report import run_and_report
+
+EVIL = "</title></style><script>alert(1)</script><img src=x onerror='alert(2)'>\"&amp;"
+SECTIONS = ["loop", "track", "clpe", "learning", "excitation", "scenario", "again"]
+SHORT = clpt.paper_scenario().with_values({"run.duration": 40, "title": "Two waypoints"})
+
+
+def many(N):
+    """The paper's vehicle in a flow of N functions."""
+    spread = np.random.default_rng(0).uniform(-5, 5, (N, 2)).tolist()
+    return SHORT.with_values(
+        {
+            "basis.centers": spread,
+            "basis.widths": [5.0] * N,
+            "basis.periods": [float("inf")] * N,
+            "basis.phases": None,
+            "flow.parameters": np.full((2, N), 0.1),
+            "model.parameters": None,
+            "learning.parameters": None,
+            "run.duration": 60,
+        }
+    )
+
+
+@pytest.fixture(scope="module")
+def run():
+    return clpt.simulate(SHORT)
+
+
+@pytest.fixture(scope="module")
+def page(run):
+    return page_html(page_of(run))
+
+
+@pytest.fixture
+def command():
+    return lambda *words: CliRunner().invoke(application(), ["report", *map(str, words)])
+
+
+def checked(text):
+    """A page's elements: nothing fetched, no script, identifiers once, headings in order."""
+    read = Reader(text)
+    for tag, names in read.tags:
+        assert not {"src", "srcset", "action", "data", "style"} & set(names), tag
+        assert not [name for name in names if name.startswith("on")]
+        assert names.get("href", "#").startswith("#"), tag
+    assert not {"script", "img", "link", "iframe", "object", "base"} & {t for t, _ in read.tags}
+    assert "http" not in text.replace("http-equiv", "")
+    assert "@import" not in text
+    own = [names["id"] for _, names in read.tags if "id" in names]
+    assert len(own) == len(set(own))
+    for _, names in read.tags:
+        for value in filter(None, names.values()):
+            for name in re.findall(r"url\(#(.*?)\)", value):
+                assert name in own
+        if names.get("href"):
+            assert names["href"][1:] in own
+        if "aria-labelledby" in names:
+            assert names["aria-labelledby"] in own
+    levels = [int(tag[1]) for tag, _ in read.tags if re.fullmatch(r"h\d", tag)]
+    assert levels[0] == 1
+    assert set(levels[1:]) == {2}
+    assert dict(read.tags)["html"] == {"lang": "en"}
+    for tag, names in read.tags:
+        if tag == "svg":
+            assert names["role"] == "img"
+            assert names["aria-label"]
+    return read
+
+
+def test_a_run_has_its_page(page):
+    read = checked(page)
+    ids = [names["id"] for tag, names in read.tags if tag == "h2"]
+    assert ids == SECTIONS
+    assert [tag for tag, _ in read.tags].count("svg") == 8
+    text = " ".join(read.texts)
+    assert "2 waypoints" not in text
+    assert "10 waypoints in turn, 20 s at each, for 40 s (0.2 rounds)" in text
+    assert "gain = 0.8" in text
+    assert len(page) < 1_000_000
+
+
+def test_texts_of_a_figure_stay_texts(page):
+    texts = Reader(page).texts
+    assert "adaptation" in texts
+    assert "gain (1/s)" in texts
+
+
+def test_nothing_of_a_run_is_markup(run):
+    scenario = run.attrs["scenario"].replace("Two waypoints", EVIL.replace('"', '\\"'))
+    bad = run.assign_attrs(title=EVIL, message=EVIL, status=EVIL, software=EVIL, scenario=scenario)
+    read = checked(page_html(page_of(bad)))
+    assert sum(EVIL in text for text in read.texts) >= 4
+
+
+@pytest.mark.parametrize("name", ["clpe", "alpha", "feedback_gain", "flow_parameters_estimate"])
+def test_a_number_that_is_none_is_refused(run, name):
+    bad = run.copy(deep=True)
+    bad[name][-1] = np.nan
+    if name == "alpha":  # not shown
+        page_of(bad)
+        return
+    with pytest.raises(DataError, match=f"run's {name} holds what is no finite number"):
+        page_of(bad)
+
+
+def test_what_is_no_run_is_refused(run, tmp_path):
+    for bad, said in (
+        (run.drop_vars("position"), "has no position over time, axis"),
+        (run.rename(axis="side"), "has no position over time, axis"),
+        (run.isel(time=slice(0)), "has no sample"),
+        (run.drop_attrs(), "carries no scenario"),
+        (3, "must be a run, an ensemble or a replay"),
+    ):
+        with pytest.raises(ClptError, match=said):
+            clpt.report(bad, tmp_path / "r.html")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_one_sample_is_said(run):
+    text = page_html(page_of(run.isel(time=[-1])))
+    checked(text)
+    assert "one sample: nothing can be drawn over time" in text
+    assert "Not measured" in text
+
+
+def test_two_samples_are_drawn(run):
+    checked(page_html(page_of(run.isel(time=[0, -1]))))
+
+
+def test_fifty_functions_fit():
+    text = page_html(page_of(clpt.simulate(many(50))))
+    checked(text)
+    assert "All 104 values" in text
+    assert len(text) < 2_000_000
+
+
+def test_many_samples_stay_small(run):
+    times = np.linspace(0, 40, 60_001)
+    long = run.interp(time=times).assign(flow_parameters=run.flow_parameters)
+    text = page_html(page_of(long))
+    assert "Drawn from 1 in 11 of 60001 samples" in text
+    assert len(text) < 2_000_000
+
+
+def test_a_run_that_ended_early_says_so(run):
+    text = page_html(page_of(run.assign_attrs(status="stopped", message="it left the field")))
+    assert "The run ended early: it left the field." in text
+
+
+def test_what_cannot_be_repeated_is_not_said_to_be(run):
+    text = page_html(page_of(run.assign_attrs(own_law="mine")))
+    assert "cannot be made again from its file alone" in text
+    assert "clpt run scenario.toml" not in text
+    changed = page_html(page_of(run.assign_attrs(parameters_changed='{"a.b": 1}')))
+    assert "parameters that its scenario does not hold" in changed
+
+
+def test_figures_of_clpt_run_are_those_of_the_page():
+    found = run_and_report(SHORT)
+    text = page_html(page_of(found.run))
+    assert f"{found.summary['clpe_rms']:.3g} m over the run" in text
+    assert "of the file" not in text
+    assert "samples of the file" in page_html(page_of(found.run.isel(time=slice(10))))
+
+
+def test_a_team_has_its_page(tmp_path):
+    team = clpt.Team(members={"a": SHORT, "b": SHORT}, coupling=0.5)
+    clpt.save_run(clpt.simulate(team), tmp_path / "team.nc")
+    made = clpt.report(tmp_path / "team.nc", tmp_path / "t.html", title="Two")
+    assert made["kind"] == "Run of a team"
+    checked((tmp_path / "t.html").read_text("utf-8"))
+
+
+def test_an_ensemble_has_its_page(tmp_path):
+    clpt.run_ensemble(SHORT, "learning.gain=0.2:2.0", 6, out=tmp_path / "e.zarr", chunk=2)
+    text = page_html(page_of(open_store(tmp_path / "e.zarr", mode="r").dataset()))
+    checked(text)
+    assert "6 of 6" in text
+    assert "learning.gain varies from 0.2 to 2" in text
+
+
+@pytest.mark.parametrize("done", [0, 1])
+def test_an_ensemble_under_way_says_how_far_it_is(tmp_path, monkeypatch, done):
+    write, count = Store.write, []
+
+    def stops(self, index, arrays):
+        if len(count) == done:
+            raise KeyboardInterrupt
+        count.append(index)
+        write(self, index, arrays)
+
+    monkeypatch.setattr(Store, "write", stops)
+    vary = "learning.gain=0.2:2.0"
+    with pytest.raises(KeyboardInterrupt):
+        clpt.run_ensemble(SHORT, vary, 6, out=tmp_path / "e.zarr", chunk=2, threads=1)
+    made = clpt.report(tmp_path / "e.zarr", tmp_path / "e.html")
+    text = (tmp_path / "e.html").read_text("utf-8")
+    checked(text)
+    assert f"not complete: {2 * done} of 6 members are done" in text
+    assert len(made["sentences"]) == (3 if done else 2)
+
+
+def test_a_replay_has_the_page_of_the_watch(tmp_path):
+    replay = clpt.replay.replay_dives(fixes_of(4))
+    made = clpt.report(replay, tmp_path / "r.html")
+    assert made["sentences"][0].startswith("next surfacing ")
+    assert "where it comes up next" in (tmp_path / "r.html").read_text("utf-8")
+
+
+def test_the_command_looks_at_what_a_file_is(command, tmp_path):
+    ran = CliRunner().invoke(
+        application(), ["replay", "--sample", "--out", str(tmp_path / "replay"), "--json"]
+    )
+    (tmp_path / "found.json").write_text(ran.stdout)
+    page = (tmp_path / "replay" / "replay.html").read_bytes()
+    for source in (tmp_path / "replay" / "replay.nc", tmp_path / "found.json"):
+        assert command(source, "-o", tmp_path / "again.html").exit_code == 0
+        assert (tmp_path / "again.html").read_bytes() == page
+
+
+def test_the_command_writes_page_and_figures(run, command, tmp_path):
+    clpt.save_run(run, tmp_path / "run.nc")
+    words = (tmp_path / "run.nc", "-o", tmp_path / "r.html", "--figures", tmp_path / "f", "--json")
+    found = json.loads(command(*words).stdout)
+    assert found["bytes"] == (tmp_path / "r.html").stat().st_size
+    names = {path.name for path in (tmp_path / "f").iterdir()}
+    assert {"loop.svg", "loop.pdf", "track.svg", "clpe.pdf"} <= names
+    first = {path: path.read_bytes() for path in (tmp_path / "f").iterdir()}
+    command(*words)
+    assert first == {path: path.read_bytes() for path in (tmp_path / "f").iterdir()}
+
+
+def test_what_cannot_be_read_is_one_sentence(run, command, tmp_path):
+    clpt.save_run(run, tmp_path / "run.nc")
+    whole = (tmp_path / "run.nc").read_bytes()
+    for name, content in {
+        "cut.nc": whole[: len(whole) // 2],
+        "empty.nc": b"",
+        "bytes.nc": bytes(range(256)) * 9,
+        "mine.toml": b"[run]\n",
+        "list.json": b"[1]",
+        "other.json": b'{"clpe_rms": 1}',
+        "nan.json": b'{"each_dive": [NaN]}',
+        "none.json": b'{"each_dive": [], "next_dive": null}',
+        "bad.json": b'{"each_dive": [{"dive": 1}], "next_dive": {}, "aim": []}',
+        "deep.json": b'{"a":' * 100_000,
+    }.items():
+        (tmp_path / name).write_bytes(content)
+        error = command(tmp_path / name, "-o", tmp_path / "r.html").exception
+        assert isinstance(error, ClptError), (name, error)
+        assert "\n" not in str(error)
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "folder" / "run.nc").write_bytes(whole)
+    for source, said in (
+        (tmp_path / "folder", "give .*run.nc"),
+        (tmp_path / "nowhere.nc", "no such file"),
+        (tmp_path / "mine.toml", "is a scenario"),
+        (tmp_path / "none.json", "without a dive"),
+    ):
+        with pytest.raises(ClptError, match=said):
+            raise command(source, "-o", tmp_path / "r.html").exception
+    assert not (tmp_path / "r.html").exists()
+    for target in ("r.txt", "no/r.html", "folder"):
+        with pytest.raises(ClptError):
+            raise command(tmp_path / "run.nc", "-o", tmp_path / target).exception
