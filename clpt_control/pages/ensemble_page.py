@@ -7,6 +7,7 @@ import numpy as np
 
 from ..ensemble.spread import ensemble_plot, ensemble_summary
 from ..ensemble.varied_keys import Vary, read_vary
+from ..figures import figure_of
 from ..html.text import folded, listing, paragraphs, table
 from .page import Beside, Card, Drawn, Page, Section, narrow
 from .run_words import number
@@ -143,7 +144,7 @@ def _spread(data: "xarray.Dataset", summary: dict[str, Any], done: int) -> Secti
         "Above, the CLPE in each round of the waypoints; below, the largest error of what was "
         "learned: the median run, half of all runs, and nine in ten."
     )
-    drawn = Drawn("ensemble", narrow(ensemble_plot(data), 5.4), caption)
+    drawn = Drawn("ensemble", narrow(figure_of(ensemble_plot, data), 5.4), caption)
     listed = table(f"Percentiles over the members; CLPE in {unit}", columns, rows)
     return Section("spread", heading, [drawn, Beside(listed)])
 

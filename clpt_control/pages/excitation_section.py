@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 from ..errors import ClptError
+from ..figures import figure_of
 from ..html.text import paragraphs, table
 from ..scenario.experiment import Scenario
 from .page import Drawn, Section
@@ -16,22 +17,19 @@ MOST = 3  # parameters named of the least excited direction
 
 def excitation_section(run: "xarray.Dataset", scenario: Scenario) -> Section:
     """Return the excitation over one round of a recorded run, or why it cannot be measured."""
-    from ..theory.excitation.gramian import gramian
     from ..theory.excitation.plot import excitation_plot
     from ..theory.excitation.report import excitation_report
-    from ..theory.excitation.sliding import sliding_excitation
 
     try:
         found = excitation_report(run)
-        at = gramian(run, found["window"], found["start"])
-        sliding = sliding_excitation(run, found["window"])
+        figure = figure_of(excitation_plot, run, found["window"], found["start"])
     except ClptError as error:
         return Section("excitation", HEADING, [paragraphs([f"Not measured: {error}."])])
     caption = (
         "Above, eigenvalues of the Gramian in a window that slides over the run: the smallest says "
         "how fast the slowest combination is learned. Below, that combination in one window."
     )
-    drawn = Drawn("excitation", excitation_plot(sliding, at), caption, wide=True)
+    drawn = Drawn("excitation", figure, caption, wide=True)
     return Section("excitation", HEADING, [paragraphs(_sentences(found)), _table(found), drawn])
 
 

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..figures import figure_of
 from ..html.text import folded, listing, paragraphs, safe, table
 from ..scenario.experiment import Scenario
 from ..scenario.file import CHANGED, OWN_LAW, paper_scenario
@@ -110,7 +111,7 @@ def _claims(numbers: dict[str, Any]) -> list[Section]:
 
 
 def _loop(scenario: Scenario, own: str | None) -> Section:
-    from ..diagrams.drawing.figure import diagram_figure
+    from ..diagrams.drawing.figure import block_figure
     from ..simulation.loops import closed_loop
 
     caption = (
@@ -119,7 +120,7 @@ def _loop(scenario: Scenario, own: str | None) -> Section:
     )
     said = f"The law that ran, {own}, was given in Python and takes the place of adaptation."
     parts: list[str | Drawn] = [paragraphs([said])] if own else []
-    drawn = Drawn("loop", diagram_figure(closed_loop(scenario)), caption, wide=True)
+    drawn = Drawn("loop", block_figure(closed_loop(scenario)), caption, wide=True)
     return Section("loop", "The loop", [*parts, drawn])
 
 
@@ -132,7 +133,7 @@ def _figures(run: "xarray.Dataset", scenario: Scenario, numbers: dict[str, Any])
     track = [
         Drawn(
             "track",
-            narrow(track_plot(few, scenario), 4.9),
+            narrow(figure_of(track_plot, few), 4.9),
             "Waypoints in their order, the track, and the true flow at the start." + thin,
         ),
         Drawn(
@@ -145,7 +146,7 @@ def _figures(run: "xarray.Dataset", scenario: Scenario, numbers: dict[str, Any])
     unit = scenario.units
     clpe = Drawn(
         "clpe",
-        narrow(clpe_plot(few, scenario), 4.9),
+        narrow(figure_of(clpe_plot, few), 4.9),
         f"The prediction error by waypoint intervals of {scenario.reference.dwell:g} {unit.time}; "
         "below, its size and its root mean square in each interval, logarithmic." + thin,
     )
@@ -159,7 +160,7 @@ def _figures(run: "xarray.Dataset", scenario: Scenario, numbers: dict[str, Any])
     learned = [
         Drawn(
             f"learning-{axis}",
-            narrow(learning_plot(few, scenario, axis), 4.9),
+            narrow(figure_of(learning_plot, few, axis), 4.9),
             f"What was learned of the flow along x{axis}, and the gains of that axis." + thin,
         )
         for axis in (1, 2)

@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 from ..errors import ClptError
+from ..figures import figure_of
 from ..html.text import folded, listing, paragraphs, table
 from ..scenario.file import TEAM
 from ..scenario.team import Team
@@ -137,20 +138,20 @@ def _team(run: "xarray.Dataset", team: Team, numbers: dict[str, Any]) -> Section
             "Tracks and waypoints over the flow at the start; the size of each prediction error; "
             "the largest error of what each vehicle learned." + thin
         )
-        parts.insert(0, Drawn("team", narrow(team_plot(few, team), 7.6), caption))
+        parts.insert(0, Drawn("team", narrow(figure_of(team_plot, few), 7.6), caption))
     else:
         parts.append(paragraphs(["The run has one sample: nothing can be drawn over time."]))
     return Section("team", "Tracks, errors, what was learned", parts)
 
 
 def _loop(team: Team) -> list[Section]:
-    from ..diagrams.drawing.figure import diagram_figure
+    from ..diagrams.drawing.figure import block_figure
     from ..simulation.teams import team_loop
 
     if len(team.members) > MOST_DRAWN:
         return []
     caption = "The team's loop: the blocks of each vehicle, and the pull of its neighbours."
-    drawn = Drawn("loop", diagram_figure(team_loop(team)), caption, wide=True)
+    drawn = Drawn("loop", block_figure(team_loop(team)), caption, wide=True)
     return [Section("loop", "The loop", [drawn])]
 
 

@@ -5,6 +5,7 @@ below, the least excited direction of one window by parameter name, and how much
 of each parameter lies in the identifiable subspace.
 """
 
+from textwrap import fill, shorten
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 MOST_BARS = 12  # of many parameters, those with the largest components
+LETTERS = 110  # of a line below the axes
 LOWEST = 1e-30  # eigenvalues below this share of the largest are drawn there
 
 
@@ -78,6 +80,7 @@ def _drawn(sliding: SlidingExcitation, at: Excitation, ax: Any) -> Any:
     missing = at.not_learnable
     if missing:
         text = "; ".join(missing[:4]) + (f"; and {len(missing) - 4} more" if missing[4:] else "")
+        text = fill(shorten(text, 3 * LETTERS, placeholder=" ..."), LETTERS)
         axes[1, 0].set_xlabel(text, fontsize=8, color=RED, loc="left")
     return axes
 
