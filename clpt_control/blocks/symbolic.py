@@ -89,6 +89,11 @@ OPERATIONS: dict[str, Callable[..., Any]] = {
 }
 
 
+# what loses its digits, or its range, written out: log1p(a) as log(1 + a)
+KEPT = {name: sympy.Function(f"{name}_", real=True) for name in ("hypot", "log1p", "expm1")}
+CIRCULAR = ("sin", "cos", "tan")  # NaN beyond MOST_ANGLE, as in every reading
+
+
 class SymbolicFunction:
     """A record as SymPy's expressions, to be called with numbers.
 
@@ -126,7 +131,7 @@ class SymbolicFunction:
             elif name == "opaque":
                 value = read[1]
             else:
-                value = OPERATIONS[name](*read)
+                value = KEPT.get(name, OPERATIONS[name])(*read)
             if not shared or not isinstance(value, sympy.Expr):
                 return value
             symbol = sympy.Symbol(f"step{next(names)}", real=True)
@@ -143,7 +148,11 @@ class SymbolicFunction:
     def _function(self) -> Callable:
         from sympy.printing.numpy import SciPyPrinter
 
-        settings = {"fully_qualified_modules": True, "allow_unknown_functions": True}
+        settings = {
+            "fully_qualified_modules": True,
+            "allow_unknown_functions": True,
+            "user_functions": {name: f"{name}_" for name in CIRCULAR},
+        }
         printer = SciPyPrinter(settings)
         lines = [f"    {symbol} = {printer.doprint(value)}" for symbol, value in self.steps]
         outputs = ", ".join(printer.doprint(value) for value in self.outputs)
@@ -151,6 +160,7 @@ class SymbolicFunction:
         text = "\n".join([f"def values({arguments}):", *lines, f"    return [{outputs}]"])
         space: dict[str, Any] = {"numpy": np, "picked": arrays.picked}
         space |= {own: arrays.OPERATIONS[name] for name, own in UNEXPANDED.items()}
+        space |= {f"{name}_": arrays.OPERATIONS[name] for name in (*KEPT, *CIRCULAR)}
         if "scipy" in text:
             import scipy.special
 

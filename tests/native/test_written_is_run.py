@@ -385,6 +385,31 @@ def test_a_zero_keeps_its_sign(u):
     alike(static(by_a_small_number, 1, 2), u=[u], outputs=[math.copysign(math.pi, u), np.sign(u)])
 
 
+def of_small_numbers(t, x, u, p, y):
+    y[0] = 1e12 * math.log1p(1e-12 * u[0])
+    y[1] = 1e12 * math.expm1(1e-12 * u[0])
+    y[2] = math.hypot(1e200 * u[0], 1e200 * u[0]) / 1e200
+    y[3] = math.hypot(1e-200 * u[0], 1e-200 * u[0]) * 1e200
+
+
+def test_functions_keep_the_digits_and_the_range_that_they_are_made_for():
+    root = 2.0 * math.sqrt(2.0)
+    alike(static(of_small_numbers, 1, 4), u=[2.0], outputs=[2.0 - 2e-12, 2.0 + 2e-12, root, root])
+
+
+def of_endless_angles(t, x, u, p, y):
+    y[0] = math.sin(u[0])
+    y[1] = math.cos(2.0 * u[0])
+    y[2] = math.tan(u[0] * u[0])
+
+
+def test_an_angle_that_means_nothing_is_nan():
+    alike(static(of_endless_angles, 1, 3), u=[1e16], outputs=[math.nan] * 3)
+    u = 2.0**20
+    outputs = [math.sin(u), math.cos(2 * u), math.tan(u * u)]
+    alike(static(of_endless_angles, 1, 3), u=[u], outputs=outputs)
+
+
 def negative(t, x, u, p, y):
     y[0] = -u[0]
 
