@@ -24,6 +24,7 @@ from .declaration import (
     Equations,
     Guard,
     NoParameters,
+    check_guard,
     check_names,
     checked_parameters,
     labels,
@@ -122,7 +123,10 @@ class Block(control.NonlinearIOSystem):
         self.update_function = update
         self.jump_function = jump
         self.output_function: Equations = states_as_outputs if output is None else output
-        for role, function in (("update", update), ("output", output), ("jump", jump)):
+        check_guard(name, guard)
+        distance = None if guard is None else guard.distance
+        roles = ("update", update), ("output", output), ("jump", jump), ("guard", distance)
+        for role, function in roles:
             if function is not None:
                 check_equations(function, f"{name}.{role}")
         self.input_ports = dict(inputs or {})

@@ -27,6 +27,8 @@ class Guard(NamedTuple):
         ``"raise"`` fails the run, ``"stop"`` ends it there and keeps it.
     sentence : callable
         ``sentence(t, u, p)``: position, time and bounds, for the message.
+    advice : str
+        What to try where it fails a run; nothing by default.
 
     Examples
     --------
@@ -40,6 +42,26 @@ class Guard(NamedTuple):
     distance: Equations
     policy: str
     sentence: Callable[[float, np.ndarray, Any], str]
+    advice: str = ""
+
+    def said(self, t: float, u: np.ndarray, p: Any) -> str:
+        """Return the sentence, with the advice where a run fails."""
+        advised = self.policy == "raise" and self.advice
+        return self.sentence(t, u, p) + (f"; {self.advice}" if advised else "")
+
+
+def check_guard(name: str, guard: Any) -> None:
+    """Refuse what is no guard, and a policy that no run knows."""
+    if guard is None:
+        return
+    if not isinstance(guard, Guard):
+        raise BlockError(
+            f"{name}: guard = {guard!r:.60}: must be a Guard(distance, policy, sentence)"
+        )
+    if guard.policy not in ("raise", "stop"):
+        raise BlockError(f'{name}: a guard\'s policy {guard.policy!r} must be "raise" or "stop"')
+    if not callable(guard.sentence):
+        raise BlockError(f"{name}: a guard's sentence must be a function sentence(t, u, p)")
 
 
 def states_as_outputs(t, x, u, p, y):

@@ -19,6 +19,8 @@ from .block import Block
 from .declaration import Guard
 from .words import clip, floor, lookup, minimum, where
 
+ADVICE = 'flow.outside = "clip" or "stop" goes on or ends there'  # what a scenario may say
+
 
 class FieldParameters(NamedTuple):
     """Spline coefficients of a gridded current."""
@@ -113,6 +115,7 @@ def gridded_flow(
         spline_coefficients(grid.v),
     )
     length, time = (units.length, units.time) if units is not None else ("", "")
+    guard = Guard(inside, outside, LeftTheField(length, time), ADVICE)
     return Block(
         "true_flow",
         output=gridded_disturbed if disturbed else gridded,
@@ -120,7 +123,7 @@ def gridded_flow(
         outputs={"flow_x": 2},
         parameters=parameters,
         opaque=True,
-        guard=None if outside == "clip" else Guard(inside, outside, LeftTheField(length, time)),
+        guard=None if outside == "clip" else guard,
     )
 
 

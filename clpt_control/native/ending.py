@@ -37,7 +37,7 @@ class Status(IntEnum):
         solver.NOT_FINITE,
         "a number is not finite; check parameters and the initial state",
     )
-    LEFT = solver.LEFT, "a guard was left; flow.outside says what happens there"
+    LEFT = solver.LEFT, "a guard was left"
     TOO_MANY = (
         solver.TOO_MANY,
         "too many steps: the equations are stiff; lower the gains, or loosen rtol and atol",
@@ -77,16 +77,13 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
     if status is Status.LEFT:
         t, x, policy, sentence = _crossing(sweep, batch, inputs)
         if policy == "raise":
-            raise SimulationError(
-                f'{sentence}; flow.outside = "clip" or "stop" goes on or ends there'
-            )
+            raise SimulationError(sentence)
         times, states = _until(batch, t, x, done)
         return Solution(times, states, "stopped", f"stopped: {sentence}", statistics, engine)
-    reason = _trouble(sweep, batch, inputs) or status.sentence
-    raise SimulationError(
-        f"the integration stopped at t = {batch.now:.9g}: {reason}; "
-        "check the parameters of that block, or loosen rtol and atol"
-    )
+    reason = status.sentence
+    if found := _trouble(sweep, batch, inputs):
+        reason = f"{found}; check the parameters of that block, or loosen rtol and atol"
+    raise SimulationError(f"the integration stopped at t = {batch.now:.9g}: {reason}")
 
 
 def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:

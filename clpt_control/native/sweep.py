@@ -164,7 +164,7 @@ class Sweep:
                 inputs, p = self._inputs[node.inputs], self._parameters[k]
                 found = node.system.values("guard", 1, t, x[node.states], inputs, p)
                 if not found[0] >= least[0]:
-                    least = (float(found[0]), guard.policy, guard.sentence(t, inputs, p))
+                    least = (float(found[0]), guard.policy, guard.said(t, inputs, p))
         return least
 
     @property

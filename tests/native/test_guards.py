@@ -1,0 +1,86 @@
+"""Guards of one's own: what a run says where it leaves one, in every engine."""
+
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.blocks import Block
+from clpt_control.blocks.declaration import Guard
+from clpt_control.errors import BlockError, SimulationError
+from clpt_control.native.native_diagram import NativeDiagram
+from clpt_control.native.python_diagram import PythonDiagram
+
+ENGINES = {
+    "python": PythonDiagram,
+    "unrolled": lambda diagram: NativeDiagram(diagram, form="unrolled"),
+    "looped": lambda diagram: NativeDiagram(diagram, form="looped"),
+}
+
+
+def falls(t, x, u, p, dx):
+    dx[0] = -1.0
+
+
+def height(t, x, u, p, y):
+    y[0] = x[0]
+
+
+def landed(t, u, p):
+    return f"it landed at time {t:g}"
+
+
+def falling(**guard):
+    own = {"distance": height, "policy": "raise", "sentence": landed, **guard}
+    return Block("stone", update=falls, states={"h": 1}, guard=Guard(**own))
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("step", [None, 0.25], ids=["DOP853", "RK4"])
+@pytest.mark.parametrize(
+    ("advice", "said"),
+    [
+        ("", "it landed at time 2"),
+        ("drop it from higher", "it landed at time 2; drop it from higher"),
+    ],
+)
+def test_a_run_that_fails_says_what_its_own_guard_says(engine, step, advice, said):
+    with pytest.raises(SimulationError) as caught:
+        ENGINES[engine](falling(advice=advice)).run([2.0], [0.0, 5.0], step=step)
+    assert str(caught.value) == said
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_run_that_stops_keeps_what_was_reached(engine):
+    found = ENGINES[engine](falling(policy="stop", advice="never said")).run([2.0], [0.0, 1.0, 5.0])
+    assert (found.status, found.message) == ("stopped", "stopped: it landed at time 2")
+    np.testing.assert_allclose(found.t, [0.0, 1.0, 2.0])
+
+
+def test_a_run_beyond_the_edge_ends_at_once():
+    with pytest.raises(SimulationError, match="landed at time 0"):
+        clpt.simulate(falling(), [0.0, 1.0], initial_state=[-1.0])
+
+
+def remembers(t, x, u, p, y):
+    y[0] = float(print("side effect")) + x[0]
+
+
+@pytest.mark.parametrize(
+    ("guard", "said"),
+    [
+        ({"policy": "halt"}, 'policy \'halt\' must be "raise" or "stop"'),
+        ({"sentence": "left"}, r"sentence must be a function sentence\(t, u, p\)"),
+        ({"distance": remembers}, r"stone\.guard, line \d+: `print` is not allowed here"),
+        ({"distance": lambda t, x, u, p, y: None}, r"stone\.guard"),
+        ({"distance": 3}, r"stone\.guard: 3 is not a plain function"),
+    ],
+)
+def test_a_guard_that_no_run_could_ask_is_refused(guard, said):
+    with pytest.raises(BlockError, match=said) as caught:
+        falling(**guard)
+    assert "\n" not in str(caught.value)
+
+
+def test_what_is_no_guard_is_refused():
+    with pytest.raises(BlockError, match=r"stone: guard = <function height.*: must be a Guard\("):
+        Block("stone", update=falls, states={"h": 1}, guard=height)
