@@ -95,6 +95,17 @@ class Scenario(Table):
         return self
 
     @model_validator(mode="after")
+    def _a_fix_within_the_run(self) -> "Scenario":
+        seen = self.localization
+        if seen is not None and seen.interval + seen.latency > self.run.duration:
+            late = f" and latency = {seen.latency}" if seen.latency else ""
+            raise ValueError(
+                f"localization.interval = {seen.interval}{late}: no fix arrives within "
+                f"run.duration, {self.run.duration}; must be at most that"
+            )
+        return self
+
+    @model_validator(mode="after")
     def _countable_jumps(self) -> "Scenario":
         disturbance = self.flow.disturbance
         spans = {"reference.dwell": self.reference.dwell}

@@ -108,6 +108,21 @@ SCENARIOS = {  # name -> (changes, words that the line must hold)
         {"localization": {"noise": 0.1, "noise_period": 1.0, "seed": 2**63}},
         ["localization.seed", "less than"],
     ),
+    "fixes longer apart than the run": (
+        {"learning": {"law": "fix-regression"}, "localization": {"interval": 5000.0}},
+        ["localization.interval = 5000.0: no fix arrives within run.duration, 2000", "at most"],
+    ),
+    "fixes that arrive after the run": (
+        {
+            "learning": {"law": "fix-regression"},
+            "localization": {"interval": 1900.0, "latency": 200.0},
+        },
+        ["localization.interval = 1900.0 and latency = 200.0: no fix arrives within"],
+    ),
+    "no waypoint": (
+        {"reference": {"kind": "waypoints", "dwell": 1.0, "points": []}},
+        ["reference.points = []: must have at least 1 item, not 0"],
+    ),
     "square without period": (
         {"flow.disturbance": {"kind": "square", "amplitude": [1.0, 0.0]}},
         ["flow.disturbance.period", "required"],
@@ -225,6 +240,24 @@ def test_names_that_no_file_can_have(clpt, tmp_path, name):
         outcome = clpt(*arguments)
         assert_refused(outcome, tmp_path, ["p.toml"], ["no such file" * (name == "\udcff")])
         assert len(outcome.err) < 1500
+
+
+@pytest.mark.parametrize(
+    ("changes", "window", "words"),
+    [
+        ({}, "1e-300", ["window 1e-300 from", "must be positive", "at least 2e-06 long"]),
+        (
+            {"basis.periods": [1e-300, 1.0, 1.0]},
+            "60",
+            ["window 60: takes 1e+302 pieces", "at most"],
+        ),
+        ({"vehicle.feedback": [1e300, 1.0]}, "60", ["window 60: takes", "/vehicle.feedback"]),
+    ],
+)
+def test_windows_that_cannot_be_summed(clpt, tmp_path, changes, window, words):
+    write(tmp_path / "s.toml", changes)
+    outcome = clpt("excitation", tmp_path / "s.toml", "--window", window)
+    assert_refused(outcome, tmp_path, ["s.toml"], words)
 
 
 def test_a_scenario_with_many_waypoints_is_read_and_written(tmp_path):

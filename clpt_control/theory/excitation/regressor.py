@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     import xarray
 
 NODES = 16  # Gauss-Legendre nodes of a piece: exact to degree 31
+MOST_PIECES = 1e6  # of a window
+SHORTEST = 1e-9  # window, of a run: times that rounding tells apart
 TRANSIENT = 10.0  # longest piece in time constants 1/KD
 
 
@@ -69,6 +71,12 @@ def quadrature(
     dwell = scenario.reference.dwell
     tides = scenario.periods[np.isfinite(scenario.periods)] / 2
     longest = min([dwell, TRANSIENT / max(scenario.vehicle.feedback), *tides])
+    if (end - start) / longest > MOST_PIECES:
+        raise ScenarioError(
+            f"window {end - start:g}: takes {(end - start) / longest:.0e} pieces of {longest:.1g} "
+            f"{scenario.units.time}, the shortest of reference.dwell, half a tide and "
+            f"{TRANSIENT:g}/vehicle.feedback; at most {MOST_PIECES:.0e} are allowed"
+        )
     inner = np.concatenate([multiples(dwell, start, end), [] if edges is None else edges])
     seen = {} if scenario.localization is None else scenario.localization.spans
     inner = np.concatenate([inner, *(multiples(span, start, end) for span in seen.values())])
@@ -98,10 +106,11 @@ def checked_window(
     if start is None:
         start = max(first, min(first + scenario.cycle, last - window))
     start = float(start)
-    if not (0 < window < np.inf and start >= first and start + window <= last * (1 + 1e-12)):
+    least = SHORTEST * (last - first)
+    if not (least < window < np.inf and start >= first and start + window <= last * (1 + 1e-12)):
         raise ScenarioError(
             f"window {window:g} from {start:g}: must be positive and lie within the run, "
-            f"{first:g} to {last:g} {scenario.units.time}"
+            f"{first:g} to {last:g} {scenario.units.time}; at least {least:.0e} long"
         )
     return window, start
 
