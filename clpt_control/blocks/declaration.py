@@ -5,7 +5,7 @@ such as the number of basis functions: every reading keeps them as they are.  Al
 else is a float or an array of floats: symbols to SymPy, and it may differ per run.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -90,6 +90,27 @@ def check_names(name: str, *ports: Mapping[str, int] | None) -> None:
 def labels(ports: Mapping[str, int] | None) -> list[str]:
     """Return the signal labels of ports: ``{"e": 2}`` is ``e[0], e[1]``."""
     return [f"{port}[{k}]" for port, size in (ports or {}).items() for k in range(size)]
+
+
+def ports_of(labels: Iterable[str]) -> dict[str, list[int]]:
+    """Return the ports that labels form, each with the places of its signals.
+
+    ``e[0], e[1]`` are the port e; a name alone is a port of one signal; numbers that do not
+    count from 0 form none, and stay a name.
+    """
+    ports: dict[str, list[int]] = {}
+    for place, label in enumerate(labels):
+        port, _, number = label.partition("[")
+        counted = number == f"{len(ports.get(port, ()))}]"
+        ports.setdefault(port if counted else label, []).append(place)
+    return ports
+
+
+def whole_labels(given: Iterable[str]) -> list[str]:
+    """Return the labels as those of ports: ``e, v[0], v[1]`` are ``e[0], v[0], v[1]``."""
+    ports = ports_of(given)
+    named = zip(labels({port: len(at) for port, at in ports.items()}), sum(ports.values(), []))
+    return [label for label, _ in sorted(named, key=lambda one: one[1])]
 
 
 class NoParameters(NamedTuple):

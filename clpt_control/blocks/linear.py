@@ -7,8 +7,11 @@ from typing import NamedTuple
 
 import control
 import numpy as np
+from scipy.linalg import block_diag
 
+from ..errors import DiagramError
 from .block import Block
+from .declaration import ports_of
 
 
 class LinearParameters(NamedTuple):
@@ -54,10 +57,11 @@ def output_of_states(t, x, u, p, y):
         y[i] = total
 
 
-def linear(system: control.StateSpace) -> Block:
+def linear(system: control.StateSpace | control.TransferFunction) -> Block:
     """Make a block of a linear system of continuous time, with its name and labels."""
-    n, inputs, outputs = system.nstates, system.ninputs, system.noutputs
-    direct = bool(np.any(system.D))
+    A, B, C, D = matrices(system)
+    n, (outputs, inputs) = len(A), D.shape
+    direct = bool(np.any(D))
     block = Block(
         system.name,
         update=rate if n else None,
@@ -65,10 +69,44 @@ def linear(system: control.StateSpace) -> Block:
         inputs={"u": inputs},
         outputs={"y": outputs},
         states={"x": n} if n else None,
-        parameters=LinearParameters(n, inputs, outputs, system.A, system.B, system.C, system.D),
+        parameters=LinearParameters(n, inputs, outputs, A, B, C, D),
         feedthrough=direct or not n,
     )
     block.set_inputs(system.input_labels)
     block.set_outputs(system.output_labels)
-    block.set_states(system.state_labels)
+    block.input_ports, block.output_ports = (
+        {port: len(places) for port, places in ports_of(labels).items()}
+        for labels in (system.input_labels, system.output_labels)
+    )
+    if isinstance(system, control.StateSpace):
+        block.set_states(system.state_labels)
     return block
+
+
+def matrices(system: control.StateSpace | control.TransferFunction) -> tuple[np.ndarray, ...]:
+    """Return A, B, C, D; of a matrix of transfer functions each entry has states of its own."""
+    if isinstance(system, control.StateSpace):
+        return system.A, system.B, system.C, system.D
+    places = [(i, j) for i in range(system.noutputs) for j in range(system.ninputs)]
+    try:
+        parts = [control.tf2ss(system.num[i][j], system.den[i][j]) for i, j in places]
+    except ValueError:
+        raise DiagramError(
+            f"{system.name}: a numerator of higher degree than its denominator differentiates, "
+            "which no block can; add a fast pole, such as tf([1, 0], [0.01, 1])"
+        ) from None
+    rows, columns = np.eye(system.noutputs), np.eye(system.ninputs)
+    at = list(zip(places, parts, strict=True))
+    return (
+        block_diag(*(part.A for part in parts)),
+        np.vstack([part.B * columns[j] for (_, j), part in at]),
+        np.hstack([rows[:, [i]] * part.C for (i, _), part in at]),
+        sum(part.D * np.outer(rows[i], columns[j]) for (i, j), part in at),
+    )
+
+
+def on_each_axis(block: Block, count: int) -> Block:
+    """Return a linear block of one signal for so many signals, each with states of its own."""
+    p, each = block.parameters, np.eye(count)
+    A, B, C, D = (np.kron(each, matrix) for matrix in (p.A, p.B, p.C, p.D))
+    return linear(control.ss(A, B, C, D, name=block.name))

@@ -1,8 +1,10 @@
-"""Blocks of several vehicles in one diagram: `west/vehicle` makes `west/x[2]`.
+"""A block under other names: of several vehicles in one diagram, or between two others.
 
 A block is made once, for one vehicle; in a namespace its name and the names of its ports
-carry the vehicle's name, and its equations are the same.
+carry the vehicle's name, `west/vehicle` makes `west/x[2]`, and its equations are the same.
 """
+
+from collections.abc import Mapping
 
 from .block import Block
 from .declaration import states_as_outputs
@@ -23,19 +25,32 @@ def split(name: str) -> tuple[str, str]:
 
 def within(block: Block, space: str) -> Block:
     """Return a block with its name and all its ports in a namespace."""
+    ports = {*block.input_ports, *block.output_ports, *block.state_ports}
+    moved = {port: named(space, port) for port in ports}
+    return renamed(block, named(space, block.name), moved, moved, moved)
 
-    def moved(ports: dict[str, int]) -> dict[str, int]:
-        return {named(space, port): size for port, size in ports.items()}
+
+def renamed(
+    block: Block,
+    name: str,
+    inputs: Mapping[str, str],
+    outputs: Mapping[str, str],
+    states: Mapping[str, str] | None = None,
+) -> Block:
+    """Return a block under another name, some of its ports under others: {old: new}."""
+
+    def moved(ports: dict[str, int], names: Mapping[str, str]) -> dict[str, int]:
+        return {names.get(port, port): size for port, size in ports.items()}
 
     output = block.output_function
     by_states = output is states_as_outputs
     return Block(
-        named(space, block.name),
+        name,
         update=block.update_function,
         output=None if by_states else output,
-        inputs=moved(block.input_ports),
-        outputs=None if by_states else moved(block.output_ports),
-        states=moved(block.state_ports),
+        inputs=moved(block.input_ports, inputs),
+        outputs=None if by_states else moved(block.output_ports, outputs),
+        states=moved(block.state_ports, outputs if by_states else states or {}),
         parameters=block.parameters,
         feedthrough=block.feedthrough,
         opaque=block.opaque,

@@ -11,9 +11,10 @@ from typing import Any, NamedTuple
 import control
 
 from ..blocks import Block
-from ..blocks.declaration import labels
+from ..blocks.declaration import labels, whole_labels
 from ..errors import BlockError, DiagramError
 from ..scenario.keys import call_time_name_of
+from .parts import as_part, input_ports, output_ports
 from .wiring import Wiring, ordered_wiring, wiring_of
 
 MOST_BYTES = 10**9  # of python-control's matrices
@@ -24,12 +25,19 @@ class Diagram(control.InterconnectedSystem):
 
     Made by `connect`; everything else is python-control's own.
 
+    Attributes
+    ----------
+    made_of : object or None
+        What `closed_loop` made it of: its scenario, and what was replaced and inserted.
+
     Examples
     --------
     >>> import clpt_control as clpt
     >>> clpt.closed_loop(clpt.paper_scenario()).nstates
     14
     """
+
+    made_of: Any = None
 
     def __repr__(self) -> str:
         from .drawing.shown import diagram_line
@@ -45,83 +53,101 @@ class Diagram(control.InterconnectedSystem):
         """Leave python-control's, which would be the same again."""
 
     def _update_params(self, params: Mapping[str, Any] | None) -> None:
-        inside_another = bool(self.params) and set(self.params) <= set(params or {})
-        if params and not inside_another:
-            changed_parameters(wiring_of(self), params)
-        super()._update_params(params)
+        given, own = dict(params or {}), f"{self.name}."
+        inside_another = any(hasattr(value, "_fields") for value in given.values())
+        inside_another |= bool(self.params) and set(self.params) <= set(given)
+        if given and not inside_another:
+            changed_parameters(wiring_of(self), given)
+        given |= {key.removeprefix(own): given[key] for key in given if key.startswith(own)}
+        super()._update_params(given)
 
 
 def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list[Any]:
-    """Return each system's parameters, changed by ``{"block.field": value}``."""
+    """Return each system's parameters, changed by ``{"block.field": value}``.
+
+    Of nested diagrams ``"a.adaptation.gain"`` reaches one, ``"adaptation.gain"`` all.
+    """
     params = {} if params is None else params
     if not isinstance(params, Mapping):
         raise BlockError(f"params = {params!r}: must be a dict, such as {{'adaptation.gain': 2.0}}")
     known: set[str] = set()
+    names: set[str] = set()
     found: list[Any] = []
     for node in wiring.nodes:
-        system = node.system
-        if isinstance(system, Block):
-            own = {f"{system.name}.{field}": field for field in system.parameters._fields}
-            changes = {own[key]: value for key, value in params.items() if key in own}
-            found.append(system.with_values(changes))
-            known |= set(own)
-        else:
-            found.append({key: params.get(key, value) for key, value in system.params.items()})
-            known |= set(system.params)
+        system, path = node.system, node.name.split(".")
+        a_block = isinstance(system, Block)
+        fields = system.parameters._fields if a_block else tuple(system.params)
+        owner = path if a_block else path[:-1]  # python-control's parameters have no owner
+        spaces = [".".join([*owner[k:], ""]) for k in range(len(owner), -1, -1)]
+        spaces = spaces[1:] if a_block else spaces
+        keys = {space + field: field for space in spaces for field in fields}
+        changes = {keys[key]: params[key] for key in keys if key in params}  # the longest counts
+        found.append(system.with_values(changes) if a_block else {**system.params, **changes})
+        known |= set(keys)
+        names |= {f"{node.name}.{field}" for field in fields} if a_block else set(fields)
     for key in params:
         if key not in known:
             if other := call_time_name_of(key, known):
                 raise BlockError(other)
-            names = ", ".join(sorted(known)) or "none"
-            raise BlockError(f"unknown parameter '{key}': this diagram knows {names}")
+            raise BlockError(
+                f"unknown parameter '{key}': this diagram knows {', '.join(sorted(names)) or 'none'}"
+            )
     return found
 
 
 class Matched(NamedTuple):
-    """Ports of blocks that fit together by their names."""
+    """Ports of parts that fit together by their names."""
 
-    makers: dict[str, tuple[str, int]]  # port -> the block that makes it and its size
-    users: dict[str, list[str]]  # port -> the blocks that take it
+    makers: dict[str, tuple[int, list[int]]]  # port -> which block makes it, with which outputs
+    users: dict[str, list[tuple[int, list[int]]]]  # port -> who takes it, with which inputs
     outside: dict[str, int]  # port that comes from outside -> its size
 
 
-def match_ports(blocks: Sequence[Block], external: Iterable[str] = ()) -> Matched:
-    """Check that blocks fit together; a port that is doubled, missing or mis-sized is named."""
+def match_ports(
+    blocks: Sequence[control.NonlinearIOSystem], external: Iterable[str] = ()
+) -> Matched:
+    """Check that parts fit together; a port that is doubled, missing or mis-sized is named."""
     external = list(external)
     if not blocks:
         raise DiagramError("a diagram of no blocks: give at least one")
-    for block in blocks:
-        if not hasattr(block, "output_ports"):
-            raise DiagramError(f"{block!r:.60} is no block: give a list of clpt.Block")
     names = [block.name for block in blocks]
     for name_ in names:
         if names.count(name_) > 1:
             raise DiagramError(f"two blocks are called '{name_}': rename one")
-    makers: dict[str, tuple[str, int]] = {}
-    for block in blocks:
-        for port, size in block.output_ports.items():
+    makers: dict[str, tuple[int, list[int]]] = {}
+    for k, block in enumerate(blocks):
+        for port, places in output_ports(block).items():
             if port in makers:
                 raise DiagramError(
-                    f"'{port}' is made by both {makers[port][0]} and {block.name}: "
+                    f"'{port}' is made by both {names[makers[port][0]]} and {block.name}: "
                     "python-control would add them; rename one port"
                 )
-            makers[port] = (block.name, size)
-    users: dict[str, list[str]] = {}
+            makers[port] = (k, places)
+    users: dict[str, list[tuple[int, list[int]]]] = {}
     sizes: dict[str, int] = {}
-    for block in blocks:
-        for port, size in block.input_ports.items():
+    for k, block in enumerate(blocks):
+        for port, places in input_ports(block).items():
             if port not in makers and port not in external:
+                whole = ""
+                if port.partition("[")[0] in makers:
+                    whole = "; a part takes whole ports, label its inputs from [0] on"
                 raise DiagramError(
                     f"'{port}', an input of {block.name}, is made by no block; blocks make "
-                    f"{', '.join(sorted(makers))}"
+                    f"{', '.join(sorted(makers))}{whole}"
                 )
-            wanted = makers[port][1] if port in makers else sizes.setdefault(port, size)
+            size = len(places)
+            wanted = len(makers[port][1]) if port in makers else sizes.setdefault(port, size)
             if wanted != size:
-                raise DiagramError(f"'{port}' has {wanted} signals, but {block.name} takes {size}")
-            users.setdefault(port, []).append(block.name)
+                every = ", ".join(f"'{label}'" for label in labels({port: wanted}))
+                raise DiagramError(
+                    f"'{port}' has {wanted} signals, but {block.name} takes {size}; label its "
+                    f"inputs {every}" + ("" if size > 1 else ", or give control.append of several")
+                )
+            users.setdefault(port, []).append((k, places))
     for port in external:
         if port in makers:
-            raise DiagramError(f"'{port}' cannot come from outside: {makers[port][0]} makes it")
+            owner = names[makers[port][0]]
+            raise DiagramError(f"'{port}' cannot come from outside: {owner} makes it")
         if port not in users:
             raise DiagramError(
                 f"'{port}' cannot come from outside: no block takes it; blocks take "
@@ -131,15 +157,19 @@ def match_ports(blocks: Sequence[Block], external: Iterable[str] = ()) -> Matche
 
 
 def connect(
-    blocks: Sequence[Block], external: Iterable[str] = (), name: str = "diagram"
+    blocks: Sequence[control.InputOutputSystem],
+    external: str | Iterable[str] = (),
+    name: str = "diagram",
 ) -> Diagram:
     """Wire blocks by the names of their ports, and check the fit.
 
     Parameters
     ----------
-    blocks : sequence of Block
-        Each output port feeds every input port of the same name.
-    external : iterable of str, optional
+    blocks : sequence of Block or control.InputOutputSystem
+        Blocks; diagrams; python-control's ``ss``, ``tf``, ``summing_junction`` and ``nlsys``.
+        Each output port feeds every input port of the same name; the labels ``v_c[0], v_c[1]``
+        of a system are its port ``v_c``, another label is a port of one signal.
+    external : str or iterable of str, optional
         Ports that come from outside: they become the diagram's inputs.
     name : str, optional
         Name of the diagram.
@@ -147,25 +177,32 @@ def connect(
     Returns
     -------
     Diagram
-        With every output port of every block as outputs.
+        With every output port of every block as outputs. A linear system is a block with the
+        parameters A, B, C, D, as ``"lag.A"``; a diagram with an ``nlsys`` runs in Python only.
 
     Raises
     ------
     DiagramError
         If two blocks make the same port, a port is fed by nothing, sizes
-        differ, an external port is made or not used, or the diagram is larger
-        than python-control can hold.
+        differ, an external port is made or not used, a system has no name or discrete time, or
+        the diagram is larger than python-control can hold.
 
     Examples
     --------
+    >>> import control
     >>> from clpt_control.blocks import clpe, vehicle
     >>> diagram = connect([vehicle.vehicle(), clpe.clpe()], external=["flow_x", "v_x", "z"])
     >>> diagram.output_labels
     ['x[0]', 'x[1]', 'e[0]', 'e[1]']
+    >>> error = control.summing_junction(["r", "-y"], "e", name="error")
+    >>> plant = control.tf(1, [1, 0], inputs="e", outputs="y", name="plant")
+    >>> float(control.linearize(connect([error, plant], external="r"), [0], [0]).A[0, 0].round(3))
+    -1.0
     """
-    matched = match_ports(blocks, external)
-    made = [(port, *maker) for port, maker in matched.makers.items()]
-    fed, makes = (sum(block.ninputs for block in blocks), sum(block.noutputs for block in blocks))
+    external = [external] if isinstance(external, str) else external
+    parts = [as_part(block) for block in blocks]
+    matched = match_ports(parts, external)
+    fed, makes = (sum(part.ninputs for part in parts), sum(part.noutputs for part in parts))
     size = 8 * (2 * fed + makes) * makes  # bytes of its full matrices of connections and outputs
     if size > MOST_BYTES:
         raise DiagramError(
@@ -174,22 +211,22 @@ def connect(
             "simulate the scenario itself"
         )
     diagram = control.interconnect(
-        list(blocks),
+        parts,
         connections=[
-            [f"{user}.{port}[{k}]", f"{maker}.{port}[{k}]"]
-            for port, maker, size in made
-            for user in matched.users.get(port, ())
-            for k in range(size)
+            [(user, taken), (maker, made)]
+            for port, (maker, places) in matched.makers.items()
+            for user, takes in matched.users.get(port, ())
+            for taken, made in zip(takes, places, strict=True)
         ]
         or False,
         inplist=[
-            [f"{user}.{port}[{k}]" for user in matched.users[port]]
+            [(user, takes[k]) for user, takes in matched.users[port]]
             for port, size in matched.outside.items()
             for k in range(size)
         ],
-        outlist=[f"{maker}.{port}[{k}]" for port, maker, size in made for k in range(size)],
+        outlist=[(k, place) for k, places in matched.makers.values() for place in places],
         inputs=labels(matched.outside),
-        outputs=labels({port: size for port, _, size in made}),
+        outputs=labels({port: len(places) for port, (_, places) in matched.makers.items()}),
         name=name,
         check_unused=False,
     )
@@ -197,14 +234,18 @@ def connect(
     return diagram
 
 
-def wiring_of_blocks(blocks: Sequence[Block], external: Iterable[str] = ()) -> Wiring:
-    """Return `wiring_of(connect(blocks, external))` without python-control's matrices."""
+def wiring_of_blocks(
+    blocks: Sequence[control.NonlinearIOSystem], external: Iterable[str] = ()
+) -> Wiring:
+    """Return `wiring_of(connect(blocks, external))`, of blocks without python-control's matrices."""
     from scipy.sparse import eye_array
 
+    if not all(isinstance(block, Block) for block in blocks):
+        return wiring_of(connect(blocks, external))
     matched = match_ports(blocks, external)
-    made = [label for block in blocks for label in labels(block.output_ports)]
+    made = [label for block in blocks for label in whole_labels(block.output_labels)]
     given = labels(matched.outside)
-    taken = [label for block in blocks for label in labels(block.input_ports)]
+    taken = [label for block in blocks for label in whole_labels(block.input_labels)]
     from_outputs, from_inputs = (
         {to: [(place[label], 1.0)] for to, label in enumerate(taken) if label in place}
         for place in ({label: k for k, label in enumerate(own)} for own in (made, given))

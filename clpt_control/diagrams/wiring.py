@@ -17,6 +17,7 @@ import numpy as np
 from ..blocks import Block
 from ..blocks.linear import linear
 from ..errors import DiagramError
+from .parts import check_continuous
 
 Rows = dict[int, list[tuple[int, float]]]  # block input -> (signal, gain) of all that feed it
 
@@ -66,7 +67,12 @@ class _Flat(NamedTuple):
 def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
     from scipy.sparse import block_diag, csr_array, eye_array
 
-    _check_continuous(system, name)
+    if not isinstance(system, control.NonlinearIOSystem):
+        raise DiagramError(
+            f"{name} is a {type(system).__name__}: must be blocks, wired, or a system with states, "
+            "such as control.ss(...)"
+        )
+    check_continuous(system, name)
     if not isinstance(system, control.InterconnectedSystem):
         m, n = system.ninputs or 0, system.noutputs or 0
         C, D = csr_array((m, n)), eye_array(m, format="csr")
@@ -77,7 +83,7 @@ def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
     from_inputs = csr_array(system.output_map[:, split:])
     if not any(isinstance(part, control.InterconnectedSystem) for part in system.syslist):
         for part in system.syslist:
-            _check_continuous(part, part.name)
+            check_continuous(part, part.name)
         leaves = [(part.name, part) for part in system.syslist]
         E, F = from_outputs + from_inputs @ connections, from_inputs @ inputs
         return _Flat(leaves, connections, inputs, E, F)
@@ -105,19 +111,6 @@ def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
         from_outputs @ (E + F @ U_from_Y) + from_inputs @ U_from_Y,
         (from_outputs @ F + from_inputs) @ U_from_u,
     )
-
-
-def _check_continuous(system: control.NonlinearIOSystem, name: str) -> None:
-    if not isinstance(system, control.NonlinearIOSystem):
-        raise DiagramError(
-            f"{name} is a {type(system).__name__}: must be blocks, wired, or a system with states, "
-            "such as control.ss(...)"
-        )
-    if system.dt not in (None, 0):
-        raise DiagramError(
-            f"{name} is a system of discrete time (dt = {system.dt}): only continuous time can be "
-            "run here; make it with dt = 0, or run it with control.input_output_response"
-        )
 
 
 def _entries(matrix: Any) -> Rows:

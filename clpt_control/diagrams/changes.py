@@ -1,0 +1,112 @@
+"""Parts of a diagram replaced and inserted, by name.
+
+A part that replaces another makes the ports that others take of it.  A part that is inserted
+takes a signal, and what it makes goes to those who took the signal; the signal keeps its name.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import control
+
+from ..blocks import Block
+from ..blocks.linear import LinearParameters, on_each_axis
+from ..errors import DiagramError
+from .parts import as_part, input_ports, output_ports, sizes, with_ports
+
+Part = control.NonlinearIOSystem
+
+
+def replaced(parts: Sequence[Part], replace: Mapping[str, Any] | None) -> list[Part]:
+    """Return parts of which some are replaced: {name of a part: another}."""
+    found = list(parts)
+    for name, system in pairs("replace", replace, "{'vehicle': block}"):
+        names = [part.name for part in found]
+        if name not in names:
+            raise DiagramError(f"replace = {name!r}: must be among {', '.join(names)}")
+        said, old = f"replace = {name!r}", found[names.index(name)]
+        part = _in_place(as_part(system), old, widths(found), said)
+        made = output_ports(part)
+        for port, places in output_ports(old).items():
+            users = [other.name for other in found if port in input_ports(other)]
+            if users and len(made.get(port, ())) != len(places):
+                raise DiagramError(
+                    f"{said}: {part.name} must make {port}[{len(places)}], which goes to "
+                    f"{', '.join(users)}; it makes {sizes(made)}; give its outputs these names"
+                )
+        found[names.index(name)] = part
+    return found
+
+
+def inserted(parts: Sequence[Part], insert: Mapping[Any, Any] | None) -> list[Part]:
+    """Return parts with others between them: {signal, or (signal, who takes it): part}."""
+    found = list(parts)
+    for where, system in pairs("insert", insert, "{('v_x', 'vehicle'): lag}"):
+        signal, *users = [*where, ""][: len(where) or 1] if isinstance(where, tuple) else [where]
+        said, made = f"insert = {where!r}", widths(found)
+        if signal not in made:
+            raise DiagramError(f"{said}: must begin with one of {', '.join(sorted(made))}")
+        takers = [one.name for one in found if signal in input_ports(one)]
+        wrong = [user for user in users if user not in takers]
+        if wrong or not takers:
+            raise DiagramError(
+                f"{said}: '{signal}' goes to {', '.join(takers) or 'nobody'}"
+                + (f", not to {wrong[0]!r}" if wrong else "; give a signal that is taken")
+            )
+        part = as_part(system)
+        own = [*output_ports(part)]
+        name = own[0] if len(own) == 1 and own[0] not in {"y", *made} else f"{signal}_{part.name}"
+        part = _between(part, (signal, made[signal]), (name, made[signal]), said)
+        chosen = users or takers
+        found = [with_ports(one, {signal: name}, {}) if one.name in chosen else one for one in found]
+        found.append(part)
+    return found
+
+
+def widths(parts: Sequence[Part]) -> dict[str, int]:
+    """Return what parts make, and of how many signals each is."""
+    return {port: len(places) for part in parts for port, places in output_ports(part).items()}
+
+
+def pairs(argument: str, given: Any, example: str) -> list[tuple[Any, Any]]:
+    """Return what a mapping holds; refuse what is none."""
+    if given is not None and not isinstance(given, Mapping):
+        raise DiagramError(f"{argument} = {given!r:.60}: must be a dict, such as {example}")
+    return [*(given or {}).items()]
+
+
+def _in_place(part: Part, old: Part, made: Mapping[str, int], said: str) -> Part:
+    """Return a part under the ports of another, where each has one in and one out."""
+    ports = [[*of(one)] for one in (old, part) for of in (input_ports, output_ports)]
+    if any(len(own) != 1 for own in ports):
+        return part
+    (taken,), (wanted,), (takes,), _ = ports
+    if takes in made:  # it is wired by name
+        taken = takes
+    count = made.get(taken, len(input_ports(old).get(taken, ())))
+    return _between(part, (taken, count), (wanted, made[wanted]), said)
+
+
+def _between(part: Part, taken: tuple[str, int], made: tuple[str, int], said: str) -> Part:
+    """Return a part that takes one port and makes another, each with its number of signals."""
+    takes, makes = input_ports(part), output_ports(part)
+    to = taken[0] if len(takes) != 1 else next(iter(takes))
+    out = next(iter(makes)) if len(makes) == 1 else next(
+        (port for port in (made[0], taken[0]) if port in makes), made[0]
+    )
+    for which, port, ports in (("takes", to, takes), ("makes", out, makes)):
+        if port not in ports:
+            raise DiagramError(
+                f"{said}: {part.name} {which} {sizes(ports)}; call the one that is meant '{port}', "
+                "or give a part with one input port and one output port"
+            )
+    own = len(takes[to]), len(makes[out])
+    linear = isinstance(part, Block) and isinstance(part.parameters, LinearParameters)
+    if linear and part.ninputs == part.noutputs == 1 and taken[1] == made[1] != 1:
+        part, to, out = on_each_axis(part, taken[1]), "u", "y"
+    elif own != (taken[1], made[1]):
+        raise DiagramError(
+            f"{said}: {part.name} takes {own[0]} and makes {own[1]} signals, must take "
+            f"{taken[0]}[{taken[1]}] and make {made[1]}; control.append joins parts of one signal"
+        )
+    return with_ports(part, {to: taken[0]}, {out: made[0]})

@@ -1,0 +1,86 @@
+"""What can be a part of a diagram: a block, and python-control's systems beside it.
+
+A `control.ss`, `tf` or summing junction becomes a block of A, B, C, D; diagrams and systems by
+functions stay as they are.  The labels of a system form its ports: `v_c[0], v_c[1]` is v_c.
+"""
+
+from collections.abc import Mapping
+from typing import Any
+
+import control
+
+from ..blocks import Block
+from ..blocks.declaration import labels, ports_of
+from ..blocks.linear import linear
+from ..blocks.namespaces import renamed
+from ..errors import DiagramError
+
+
+def as_part(system: Any) -> control.NonlinearIOSystem:
+    """Return what can be wired; refuse in a sentence what cannot."""
+    if isinstance(system, Block):
+        return system
+    by_equations = isinstance(system, control.NonlinearIOSystem | control.TransferFunction)
+    if not by_equations:
+        raise DiagramError(
+            f"{system!r:.60} is no block: give a clpt.Block, a diagram, or control.ss, tf or nlsys"
+        )
+    if system.name is None or system._generic_name_check():
+        raise DiagramError(
+            f"a {type(system).__name__} without a name: parts and their parameters are called by "
+            "name; give it one, such as control.ss(A, B, C, D, name='lag')"
+        )
+    check_continuous(system, system.name)
+    if None in (system.ninputs, system.noutputs):
+        raise DiagramError(
+            f"{system.name}: how many inputs and outputs it has is not said; give inputs= and "
+            "outputs= to control.nlsys"
+        )
+    linear_alone = isinstance(system, control.StateSpace | control.TransferFunction)
+    if linear_alone and not isinstance(system, control.InterconnectedSystem):
+        return linear(system)
+    return system
+
+
+def check_continuous(system: control.InputOutputSystem, name: str) -> None:
+    """Refuse a system of discrete time."""
+    if system.dt not in (None, 0):
+        raise DiagramError(
+            f"{name} is a system of discrete time (dt = {system.dt}): only continuous time can be "
+            "run here; write its step as the `jump` of a clpt.Block with breakpoints, or run it "
+            "with control.input_output_response"
+        )
+
+
+def input_ports(part: control.NonlinearIOSystem) -> dict[str, list[int]]:
+    """Return the ports that a part takes, each with the places of its signals."""
+    return ports_of(part.input_labels)
+
+
+def output_ports(part: control.NonlinearIOSystem) -> dict[str, list[int]]:
+    """Return the ports that a part makes, each with the places of its signals."""
+    return ports_of(part.output_labels)
+
+
+def sizes(ports: Mapping[str, list[int]]) -> str:
+    """Return ports in words, as `alpha[6], K[2]`."""
+    return ", ".join(f"{port}[{len(at)}]" for port, at in ports.items()) or "nothing"
+
+
+def with_ports(
+    part: control.NonlinearIOSystem, inputs: Mapping[str, str], outputs: Mapping[str, str]
+) -> control.NonlinearIOSystem:
+    """Return a part that takes and makes signals of other names: {old: new}."""
+    if isinstance(part, Block):
+        return renamed(part, part.name, inputs, outputs)
+    found = part.copy(name=part.name)
+    for old, ports, put in (
+        (inputs, input_ports(part), found.set_inputs),
+        (outputs, output_ports(part), found.set_outputs),
+    ):
+        names: dict[int, str] = {}
+        for port, places in ports.items():
+            own = labels({old.get(port, port): len(places)})
+            names |= dict(zip(places, own, strict=True))
+        put([names[place] for place in range(len(names))])
+    return found
