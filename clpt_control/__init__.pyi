@@ -34,6 +34,7 @@ from .simulation import (
     paper_blocks,
     save_run,
     simulate,
+    state_at,
     team_loop,
 )
 
@@ -76,6 +77,7 @@ __all__ = [
     "scenario",
     "simulate",
     "simulation",
+    "state_at",
     "team_loop",
     "theory",
 ]

@@ -5,7 +5,7 @@ takes a signal, and what it makes goes to those who took the signal; the signal 
 """
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import control
 
@@ -15,12 +15,51 @@ from ..errors import DiagramError
 from .parts import as_part, input_ports, output_ports, sizes, with_ports
 
 Part = control.NonlinearIOSystem
+LAW = "adaptation"  # the part that is the adaptive law
 
 
-def replaced(parts: Sequence[Part], replace: Mapping[str, Any] | None) -> list[Part]:
+class Changes(NamedTuple):
+    """Parts of the user's own: {name: part} and {signal, or (signal, who takes it): part}."""
+
+    replace: dict[str, Any]
+    insert: dict[Any, Any]
+
+    @property
+    def law(self) -> Part | None:
+        """The part in place of the law, if there is one."""
+        return as_part(self.replace[LAW]) if LAW in self.replace else None
+
+    @property
+    def names(self) -> list[str]:
+        """The names of the user's parts."""
+        return [as_part(part).name for part in (*self.replace.values(), *self.insert.values())]
+
+    @property
+    def in_words(self) -> str:
+        """What is replaced, other than the law, and inserted."""
+        places = [where for where in self.replace if where != LAW]
+        places += [where if isinstance(where, str) else " to ".join(where) for where in self.insert]
+        names = [name for name in self.names if self.law is None or name != self.law.name]
+        return ", ".join(f"{place}: {name}" for place, name in zip(places, names, strict=True))
+
+
+UNCHANGED = Changes({}, {})
+
+
+def changes_of(law: Any = None, replace: Any = None, insert: Any = None) -> Changes:
+    """Return what is to be changed; `law` is another word for the part called adaptation."""
+    found = dict(pairs("replace", replace, "{'vehicle': block}"))
+    if law is not None and LAW in found:
+        raise DiagramError(f"law and replace = {LAW!r}: are one and the same; give one of them")
+    if law is not None:
+        found[LAW] = law
+    return Changes(found, dict(pairs("insert", insert, "{('v_x', 'vehicle'): lag}")))
+
+
+def replaced(parts: Sequence[Part], replace: Mapping[str, Any]) -> list[Part]:
     """Return parts of which some are replaced: {name of a part: another}."""
     found = list(parts)
-    for name, system in pairs("replace", replace, "{'vehicle': block}"):
+    for name, system in replace.items():
         names = [part.name for part in found]
         if name not in names:
             raise DiagramError(f"replace = {name!r}: must be among {', '.join(names)}")
@@ -38,10 +77,10 @@ def replaced(parts: Sequence[Part], replace: Mapping[str, Any] | None) -> list[P
     return found
 
 
-def inserted(parts: Sequence[Part], insert: Mapping[Any, Any] | None) -> list[Part]:
+def inserted(parts: Sequence[Part], insert: Mapping[Any, Any]) -> list[Part]:
     """Return parts with others between them: {signal, or (signal, who takes it): part}."""
     found = list(parts)
-    for where, system in pairs("insert", insert, "{('v_x', 'vehicle'): lag}"):
+    for where, system in insert.items():
         signal, *users = [*where, ""][: len(where) or 1] if isinstance(where, tuple) else [where]
         said, made = f"insert = {where!r}", widths(found)
         if signal not in made:

@@ -117,7 +117,7 @@ def run_segments(
 
 def run_scenario(run: "xarray.Dataset") -> Scenario:
     """Return the scenario that a run carries."""
-    from ..scenario.file import CHANGED, folder_of, scenario_from_text
+    from ..scenario.file import CHANGED, OWN_PARTS, folder_of, scenario_from_text
 
     attributes: Any = getattr(run, "attrs", None)
     if attributes is None:
@@ -126,6 +126,11 @@ def run_scenario(run: "xarray.Dataset") -> Scenario:
         raise DataError(
             f"the run was made with parameters that its scenario does not hold, "
             f"{attributes[CHANGED]}, so its vehicle is not known; estimate from a run without them"
+        )
+    if OWN_PARTS in attributes:
+        raise DataError(
+            f"the run was made with parts given in Python, {attributes[OWN_PARTS]}, so its vehicle "
+            "is not known; estimate from a run without them"
         )
     text = attributes.get("scenario")
     if text is None or "position" not in run:

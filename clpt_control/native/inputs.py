@@ -1,6 +1,6 @@
 """Inputs of a diagram as python-control gives them."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -49,22 +49,46 @@ def checked_times(name: str, timepts: Any) -> np.ndarray:
 
 
 def checked_state(name: str, state: Any, shape: tuple[int, ...]) -> np.ndarray:
-    """Return states as an array of a shape; a single number stands for all."""
-    values = numbers(name, state)
+    """Return states as an array of a shape; a single number stands for all.
+
+    One state may be a list, ``[x0, 0]``, of numbers and arrays that follow each other; zeros
+    follow a last zero.
+    """
+    listed = isinstance(state, list | tuple) and len(shape) == 1
+    parts = [numbers(name, part).ravel() for part in state] if listed else []
+    values = np.concatenate([np.zeros(0), *parts]) if listed else numbers(name, state)
     if values.ndim == 0:
         values = np.full(shape, float(values))
+    if listed and 0 < len(values) < shape[0] and values[-1] == 0:
+        values = np.pad(values, (0, shape[0] - len(values)))
     if values.shape != shape:
         raise SimulationError(
-            f"{name}: must have {shape[-1]} numbers, one per state; it has shape {values.shape}"
+            f"{name}: must have {shape[-1]} numbers, one per state; it has shape {values.shape}; "
+            "a list that ends with 0, [x0, 0], is filled with zeros"
         )
     return values.copy()
+
+
+def _stacked(inputs: Sequence[Any], times: np.ndarray) -> np.ndarray:
+    """Return a list of inputs as rows: samples at the times, numbers that are held."""
+    rows = []
+    for one in inputs:
+        values = numbers("inputs", one)
+        if values.ndim > 2 or (values.ndim == 2 and values.shape[1] != len(times)):
+            raise SimulationError(
+                f"inputs: a part of shape {values.shape} must have {len(times)} columns, one for "
+                "each of timepts"
+            )
+        sampled = values.ndim == 2 or values.shape == times.shape
+        rows.append(values if sampled else np.outer(values, np.ones(len(times))))
+    return np.vstack(rows)
 
 
 def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
     """Read `count` inputs in python-control's forms.
 
     Values of shape (count, nt) at `times` are joined by straight lines; a number, or one for
-    each input, is held; a function is called with the time.
+    each input, is held; a list may hold both, ``[u1, 0]``; a function is called with the time.
     """
     if callable(inputs):
 
@@ -78,6 +102,8 @@ def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
 
         given(times[0])
         return Inputs(given, None)
+    if isinstance(inputs, list | tuple) and any(hasattr(one, "__len__") for one in inputs):
+        inputs = _stacked(inputs, times)
     values = np.zeros(count) if inputs is None else numbers("inputs", inputs)
     if not np.all(np.isfinite(values)):
         raise SimulationError("inputs: must be finite; fill the gaps before the run")

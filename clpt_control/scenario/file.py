@@ -24,6 +24,7 @@ from .experiment import Scenario, checked_scenario, scenario_tables
 CHANGED = "parameters_changed"  # attribute of a run: parameters that no key holds
 TEAM = "team"  # attribute of a team's run, in place of its scenario: the team as TOML text
 OWN_LAW = "own_law"  # attribute of a run: the name of a law given in Python
+OWN_PARTS = "own_parts"  # attribute of a run: what else of its diagram was given in Python
 FORM = "run_format"  # attribute of a run's file: the form in which it is written; none is 1
 LATEST = 1  # form that is written; all up to it are read
 
@@ -203,12 +204,13 @@ def run_text(path: str | Path) -> tuple[str, bool]:
                 f"{data.attrs[CHANGED]}, so it cannot be repeated; give the scenario itself, and "
                 "the parameters to simulate(params=...)"
             )
-        if OWN_LAW in data.attrs:
-            raise DataError(
-                f"{path}: was run with a law given in Python, {data.attrs[OWN_LAW]}, which no file "
-                "holds, so it cannot be repeated; give the scenario itself, and the law to "
-                "simulate(law=...)"
-            )
+        for name, what in ((OWN_LAW, "a law"), (OWN_PARTS, "parts")):
+            if name in data.attrs:
+                raise DataError(
+                    f"{path}: was run with {what} given in Python, {data.attrs[name]}, which no "
+                    "file holds, so it cannot be repeated; give the scenario itself, and the rest "
+                    "to simulate(replace=..., insert=...)"
+                )
         return str(data.attrs.get(TEAM, data.attrs.get("scenario"))), TEAM in data.attrs
 
 

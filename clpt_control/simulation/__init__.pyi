@@ -4,7 +4,7 @@ from .loops import closed_loop, error_loop, paper_blocks
 from .plots import clpe_plot, learning_plot, run_plot, track_plot
 from .report import claims, run_and_report
 from .run_file import load_run, save_run
-from .starts import initial_state
+from .starts import initial_state, state_at
 from .team_plots import team_plot
 from .teams import team_loop
 
@@ -24,6 +24,7 @@ __all__ = [
     "sample_times",
     "save_run",
     "simulate",
+    "state_at",
     "team_loop",
     "team_plot",
     "track_plot",

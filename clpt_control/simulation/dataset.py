@@ -5,7 +5,7 @@ the solver's statistics in the attributes, so that a run repeats from its file.
 """
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Container, Mapping, Sequence
 from functools import cache
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -13,13 +13,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ..blocks.arrays import on_arrays
-from ..blocks.block import Block
+from ..blocks.declaration import ports_of
 from ..blocks.laws.law import Truth
 from ..blocks.localization import TRUE
+from ..diagrams.changes import LAW, UNCHANGED, Changes
 from ..diagrams.wiring import Wiring
 from ..native.ending import Solution
 from ..scenario.experiment import Scenario
-from ..scenario.file import CHANGED, OWN_LAW, scenario_to_text
+from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS, scenario_to_text
 
 if TYPE_CHECKING:
     import xarray
@@ -52,9 +53,8 @@ class Columns(NamedTuple):
     ran: Mapping[str, Any]  # block -> its parameters
 
 
-def all_columns(wiring: Wiring, given: Sequence[Any]) -> Columns:
-    """Return where all signals of a diagram stand; `given` are its blocks' parameters."""
-    labels = [label for node in wiring.nodes for label in node.system.output_labels]
+def columns_of(labels: Sequence[str], wiring: Wiring, given: Sequence[Any]) -> Columns:
+    """Return where signals of these labels stand; `given` are the parameters of the blocks."""
     return Columns(
         {label: k for k, label in enumerate(labels)},
         {node.name: p for node, p in zip(wiring.nodes, given, strict=True)},
@@ -67,12 +67,14 @@ def run_dataset(
     signals: np.ndarray,
     solution: Solution,
     left: Mapping[str, Any],
-    law: Block | None = None,
+    changes: Changes = UNCHANGED,
+    more: Collection[str] = (),
 ) -> "xarray.Dataset":
     """Return a scenario's solution as a Dataset.
 
     `signals` are all block outputs, shape (ntimes, nsignals), right limits at jumps; `left`
-    call-time parameters that no key holds; `law` a law of the user's own, which has no V here.
+    call-time parameters that no key holds; `changes` the parts of the user's own; `more` are
+    signals to show under their own names.
     """
     import xarray
 
@@ -82,8 +84,11 @@ def run_dataset(
     measured = f"{TRUE}[0]" in column
     wanted = {**VARIABLES, **(MEASURED if measured else {})}
     wanted |= LIMITED if "v_c[0]" in column else {}
+    row, replaced = scenario.learning.row, set(changes.replace)
     for name, (port, long_name, lengths, rates) in wanted.items():
         size = 2 * N if port == "alpha" else 2
+        if f"{port}[0]" not in column:
+            continue
         values = signals[:, [column[f"{port}[{k}]"] for k in range(size)]]
         unit = " ".join([units.length] * lengths + [f"{units.time}-1"] * rates)
         dims: tuple[str, ...] = ("time", "axis")
@@ -92,16 +97,16 @@ def run_dataset(
         data[name] = (dims, values, {"long_name": long_name, "units": unit})
     alpha = data["alpha"][1]
     estimate = 0.0 - alpha  # without -0
-    if scenario.learning.row.given_estimate:
-        estimate = np.broadcast_to(ran["injection"].theta_hat, alpha.shape).copy()
+    if row.given_estimate:
+        known = getattr(ran.get("injection"), "theta_hat", scenario.learning.theta_estimate)
+        estimate = np.broadcast_to(known, alpha.shape).copy()
     elif "theta_hat[0]" in column:
         made = [column[f"theta_hat[{k}]"] for k in range(2 * N)]
         estimate = signals[:, made].reshape(n, 2, N)
     speed = {"units": f"{units.length} {units.time}-1"}
     learned = {"long_name": "estimate of the flow parameters theta", **speed}
     data["flow_parameters_estimate"] = (("time", "axis", "basis"), estimate, learned)
-    row = scenario.learning.row
-    if row.readout and law is None:
+    if row.readout and LAW not in replaced:
         values = signals[:, [column[f"{row.readout}[{k}]"] for k in range(2 * N)]]
         right = f"theta_hat until {row.shrinking} is small enough"
         named = {"long_name": f"readout of the flow parameters theta; {right}", **speed}
@@ -112,13 +117,21 @@ def run_dataset(
         )
         left_of = {"long_name": "share of the first error of theta_hat that is left", "units": "1"}
         data["error_left"] = (("time",), signals[:, column[f"{row.shrinking}[0]"]], left_of)
-    if scenario.flow.parameters is not None:
-        true = ran["true_flow"].theta
-        known = {"long_name": "true flow parameters theta", **speed}
-        data["flow_parameters"] = (("axis", "basis"), true, known)
-    if scenario.flow.parameters is not None and law is None:
+    ours = set(ran) - replaced if scenario.flow.parameters is not None else set()
+    if "true_flow" in ours:
+        said = {"long_name": "true flow parameters theta", **speed}
+        data["flow_parameters"] = (("axis", "basis"), ran["true_flow"].theta, said)
+    if {"true_flow", "vehicle_controller", LAW} <= ours:
         candidate = {"long_name": "Lyapunov candidate V", "units": f"{units.length}2"}
         data["lyapunov"] = (("time",), _lyapunov(scenario, ran, signals, column), candidate)
+    shown = {port for port, *_ in wanted.values()}
+    dims_of = {2: "axis", **({} if N == 2 else {N: "basis"})}
+    data |= named_signals(
+        {port: at for port, at in ports_of(column).items() if port in more and port not in shown},
+        signals,
+        dims_of,
+        data,
+    )
     origin = {}
     if scenario.field_path is not None:
         from ..currents.field_file import time_origin
@@ -138,16 +151,59 @@ def run_dataset(
         "Lagrangian particle tracking, OCEANS 2016 MTS/IEEE Monterey",
         "scenario": scenario_to_text(scenario),
         **origin,
-        **_changed(left, law),
+        **_changed(left, changes),
+        **how_it_ran(solution),
+    }
+    run = xarray.Dataset(data, coordinates, attributes)
+    run.encoding["folder"] = str(scenario._folder)
+    return run
+
+
+def diagram_dataset(
+    name: str, labels: Sequence[str], signals: np.ndarray, solution: Solution
+) -> "xarray.Dataset":
+    """Return the run of any diagram: a variable for each port, named as it is."""
+    import xarray
+
+    data = named_signals(ports_of(labels), signals, {}, ("time", "state", "states"))
+    attributes = {"title": f"Response of {name}", **how_it_ran(solution)}
+    return xarray.Dataset(data, {"time": solution.t}, attributes)
+
+
+def named_signals(
+    ports: Mapping[str, Sequence[int]],
+    signals: np.ndarray,
+    dims: Mapping[int, str],
+    taken: Container[str],
+) -> dict[str, Any]:
+    """Return variables of ports; `dims` names dimensions by size, a name that is taken gets a _."""
+    data: dict[str, Any] = {}
+    for port, places in ports.items():
+        size = len(places)
+        more = () if size == 1 else (dims.get(size, f"index_{size}"),)
+        values = signals[:, places[0]] if size == 1 else signals[:, places]
+        data[f"{port}_" if port in taken else port] = (("time", *more), values)
+    return data
+
+
+def with_states(
+    run: "xarray.Dataset", labels: Sequence[str], solution: Solution
+) -> "xarray.Dataset":
+    """Return a run with the states of its diagram, as `state_at` reads them."""
+    said = {"long_name": "states of the diagram, each in its own unit"}
+    named = {"state": ("state", list(labels), {"long_name": "state of the diagram"})}
+    return run.assign_coords(named).assign(states=(("time", "state"), solution.x, said))
+
+
+def how_it_ran(solution: Solution) -> dict[str, Any]:
+    """Return attributes: versions, status and the solver's statistics."""
+    return {
         "software": _software(),
         "status": solution.status,
         "message": solution.message,
         "engine": solution.engine,
         **{f"solver_{name}": value for name, value in solution.statistics.items()},
     }
-    run = xarray.Dataset(data, coordinates, attributes)
-    run.encoding["folder"] = str(scenario._folder)
-    return run
 
 
 @cache
@@ -156,11 +212,15 @@ def _software() -> str:
     return ", ".join(f"{name} {version(name)}" for name in packages)
 
 
-def _changed(left: Mapping[str, Any], law: Block | None) -> dict[str, str]:
+def _changed(left: Mapping[str, Any], changes: Changes) -> dict[str, str]:
     """Return what the scenario does not hold: a run with that cannot be repeated."""
     plain = {name: np.asarray(value).tolist() for name, value in left.items()}
-    own = {} if law is None else {OWN_LAW: law.name}
-    return {CHANGED: json.dumps(plain), **own} if plain else own
+    found = {
+        CHANGED: json.dumps(plain) if plain else "",
+        OWN_LAW: changes.law.name if changes.law else "",
+        OWN_PARTS: changes.in_words,
+    }
+    return {name: text for name, text in found.items() if text}
 
 
 def _lyapunov(

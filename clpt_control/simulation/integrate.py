@@ -1,23 +1,25 @@
 """Run a scenario or any diagram, exactly to every breakpoint.
 
-A scenario gives an `xarray.Dataset` with CF attributes, from which the run can
-be repeated; a diagram gives python-control's own `TimeResponseData`.
+A run is an `xarray.Dataset`; that of a scenario has CF attributes, from which it repeats.
 """
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any
 
 import control
 import numpy as np
 
-from ..blocks import Block
-from ..diagrams.interconnection import Diagram
+from ..blocks.declaration import ports_of, whole_labels
+from ..blocks.linear import linear
+from ..diagrams.changes import UNCHANGED, Part, changes_of
 from ..diagrams.wiring import wiring_of
 from ..errors import SimulationError
 from ..native.engines import chosen
 from ..native.inputs import checked_state, checked_times, read_inputs
 from ..scenario.experiment import Scenario
+from ..scenario.file import OWN_PARTS
 from ..scenario.team import Team
+from .dataset import columns_of, diagram_dataset, run_dataset, with_states
 from .scenario_run import Progress, ScenarioRun
 from .speeds import note_speeds, speeds_of
 from .teams import TeamRun
@@ -28,89 +30,38 @@ if TYPE_CHECKING:
 Times = Sequence[float] | np.ndarray
 
 
-@overload
 def simulate(
-    system: Diagram,
-    timepts: Times,
-    inputs: Any = None,
-    initial_state: Times | float | None = None,
-    params: Mapping[str, Any] | None = None,
-    *,
-    rtol: float | None = None,
-    atol: float | None = None,
-    progress: Progress | None = None,
-    engine: str | None = None,
-) -> control.TimeResponseData: ...
-@overload
-def simulate(
-    system: Scenario,
-    timepts: Times | None = None,
-    inputs: None = None,
-    initial_state: Times | None = None,
-    params: Mapping[str, Any] | None = None,
-    *,
-    rtol: float | None = None,
-    atol: float | None = None,
-    progress: Progress | None = None,
-    engine: str | None = None,
-    law: Block | None = None,
-) -> "xarray.Dataset": ...
-@overload
-def simulate(
-    system: Team,
-    timepts: Times | None = None,
-    inputs: None = None,
-    initial_state: None = None,
-    params: None = None,
-    *,
-    rtol: float | None = None,
-    atol: float | None = None,
-    progress: Progress | None = None,
-    engine: str | None = None,
-) -> "xarray.Dataset": ...
-@overload
-def simulate(
-    system: control.NonlinearIOSystem,
-    timepts: Times,
-    inputs: Any = None,
-    initial_state: Times | float | None = None,
-    params: Mapping[str, Any] | None = None,
-    *,
-    rtol: float | None = None,
-    atol: float | None = None,
-    progress: Progress | None = None,
-    engine: str | None = None,
-) -> control.TimeResponseData: ...
-def simulate(
-    system: Any,
+    system: Scenario | Team | control.InputOutputSystem,
     timepts: Times | None = None,
     inputs: Any = None,
-    initial_state: Times | float | None = None,
+    initial_state: Any = None,
     params: Mapping[str, Any] | None = None,
     *,
     rtol: float | None = None,
     atol: float | None = None,
     progress: Progress | None = None,
     engine: str | None = None,
-    law: Block | None = None,
-) -> Any:
+    law: Part | None = None,
+    replace: Mapping[str, Any] | None = None,
+    insert: Mapping[Any, Any] | None = None,
+) -> "xarray.Dataset":
     """Run a scenario, a team, or any diagram of blocks.
 
     Parameters
     ----------
-    system : Scenario, Team or control.NonlinearIOSystem
-        A scenario gives a Dataset, a team one with a dimension ``vehicle``, a diagram a
-        TimeResponseData.
+    system : Scenario, Team or control.InputOutputSystem
+        A team gives a dimension ``vehicle``.
     timepts : array_like, optional
         Times of the samples, increasing; a scenario and a team have their own
         (multiples of ``run.output_step``, and the end).
     inputs : array_like or callable, optional
         For a diagram: shape (ninputs, ntimes), joined by straight lines
-        between `timepts`; a number or one number per input is held; a
-        callable gives the inputs at any time.
+        between `timepts`; a number or one number per input is held; a list
+        of both, ``[u1, 0]``; a callable gives the inputs at any time.
     initial_state : array_like, optional
-        State at ``timepts[0]``; zero for a diagram, the scenario's own else. A team takes neither
-        this nor `params`.
+        State at ``timepts[0]``; zero for a diagram, the scenario's own else. A list holds numbers
+        and arrays that follow each other; one that ends with 0, ``[x0, 0]``, is filled with zeros.
+        A team takes neither this nor `params`.
     params : mapping, optional
         Call-time parameters, ``{"adaptation.gain": 2.0}``.
     rtol, atol : float, optional
@@ -120,14 +71,17 @@ def simulate(
     engine : str, optional
         ``"native"``, machine code, which gives way to ``"python"`` for what
         cannot be compiled and, unless asked for, for inputs by a function.
-    law : Block, optional
-        For a scenario: a law of your own in place of the scenario's.
+    law, replace, insert : optional
+        For a scenario: parts of your own in its diagram, as in `closed_loop`.
 
     Returns
     -------
-    xarray.Dataset or control.TimeResponseData
-        Samples at the times asked for; values at a jump are right limits. Where the flow is
-        faster than a vehicle with ``vehicle.max_speed``, the attribute ``message`` says so.
+    xarray.Dataset
+        Samples at the times asked for; values at a jump are right limits. A diagram that
+        `closed_loop` made has the variables of its scenario's run, and its other signals under
+        the names of their ports; any other diagram has the names of its ports alone. ``states``
+        holds the diagram's state, for `state_at`. Where the flow is faster than a vehicle with
+        ``vehicle.max_speed``, the attribute ``message`` of a scenario's run says so.
 
     Raises
     ------
@@ -148,6 +102,11 @@ def simulate(
     if not isinstance(system, Scenario | Team):
         if law is not None:
             raise SimulationError("law: is for a scenario; a diagram has its law among its blocks")
+        if replace is not None or insert is not None:
+            raise SimulationError(
+                "replace and insert: are for a scenario; give them to closed_loop, which wires the "
+                "diagram"
+            )
         return _simulate_diagram(
             system, timepts, inputs, initial_state, params, rtol, atol, progress, engine
         )
@@ -155,14 +114,16 @@ def simulate(
         raise SimulationError("a scenario has no inputs; simulate closed_loop(..., external=)")
     run: ScenarioRun | TeamRun
     if isinstance(system, Team):
-        for name, given in (("initial_state", initial_state), ("params", params), ("law", law)):
+        own = {"initial_state": initial_state, "params": params, "law": law}
+        for name, given in {**own, "replace": replace, "insert": insert}.items():
             if given is not None:
                 raise SimulationError(
                     f"{name}: a team has its own; change its scenarios, or simulate team_loop(team)"
                 )
         run = TeamRun(system, rtol, atol, engine)
     else:
-        run = ScenarioRun(system, params, initial_state, rtol, atol, engine, law)
+        changes = changes_of(law, replace, insert)
+        run = ScenarioRun(system, params, initial_state, rtol, atol, engine, changes)
     wanted = run.scenario.run
     if timepts is None:
         times = sample_times(wanted.duration, wanted.output_step)
@@ -203,7 +164,9 @@ def sample_times(duration: float, step: float) -> np.ndarray:
 
 def _simulate_diagram(
     diagram, timepts, inputs, x0, params, rtol, atol, progress, engine
-) -> control.TimeResponseData:
+) -> "xarray.Dataset":
+    if isinstance(diagram, control.TransferFunction):
+        diagram = linear(diagram)
     if not isinstance(diagram, control.InputOutputSystem):
         raise SimulationError(
             f"{diagram!r:.60}: must be a Scenario or a diagram; clpt.load_scenario('mine.toml') "
@@ -217,19 +180,17 @@ def _simulate_diagram(
     runner = chosen(wiring, params, given, engine, diagram.name)
     state = checked_state("initial_state", 0.0 if x0 is None else x0, (runner.nstates,))
     solution = runner.run(state, times, rtol=rtol, atol=atol, inputs=given, progress=progress)
-    u = given.along(solution.t)
-    outputs = wiring.output_map @ np.vstack([runner.signals(solution, given).T, u])
-    return control.TimeResponseData(
-        solution.t,
-        outputs,
-        solution.x.T,
-        u,
-        output_labels=diagram.output_labels,
-        state_labels=diagram.state_labels,
-        input_labels=diagram.input_labels,
-        title=f"Response of {diagram.name}",
-        sysname=diagram.name,
-        issiso=False,
-        success=True,
-        message=solution.message,
-    )
+    signals = np.vstack([runner.signals(solution, given).T, given.along(solution.t)])
+    outside = np.arange(len(signals) - wiring.ninputs, len(signals))
+    values = np.hstack([(wiring.output_map @ signals).T, signals[outside].T])
+    made, given_labels = map(whole_labels, (diagram.output_labels, diagram.input_labels))
+    labels = made + [one.replace("[", "_input[") if one in made else one for one in given_labels]
+    scenario, changes = getattr(diagram, "made_of", None) or (None, UNCHANGED)
+    if scenario is None:
+        run = diagram_dataset(diagram.name, labels, values, solution)
+    else:
+        columns, every = columns_of(labels, wiring, runner.sweep.given), ports_of(labels)
+        run = run_dataset(scenario, columns, values, solution, params or {}, changes, every)
+        own = [changes.in_words, f"{diagram.name}: run as a diagram"]
+        run.attrs[OWN_PARTS] = ", ".join(filter(None, own))
+    return with_states(run, diagram.state_labels, solution)

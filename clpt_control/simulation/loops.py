@@ -7,7 +7,7 @@ r"""The paper's block diagram: `control.interconnect` and nothing else.
 error and parameter systems of Eqs. (27)-(28).
 """
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -28,13 +28,21 @@ from ..blocks import (
 from ..blocks.laws.law import functions_of
 from ..blocks.laws.table import LAWS
 from ..blocks.localization import TRUE
+from ..diagrams.changes import Changes, Part, changes_of, inserted, replaced
 from ..diagrams.interconnection import Diagram, connect
+from ..diagrams.parts import input_ports, output_ports
 from ..diagrams.scenario_basis import scenario_basis
 from ..errors import DiagramError
 from ..scenario.experiment import Scenario, require_scenario
 
 
-def paper_blocks(scenario: Scenario, law: Block | None = None) -> list[Block]:
+def paper_blocks(
+    scenario: Scenario,
+    law: Part | None = None,
+    *,
+    replace: Mapping[str, Any] | None = None,
+    insert: Mapping[Any, Any] | None = None,
+) -> list[Part]:
     """Make the blocks of the paper's closed loop.
 
     Parameters
@@ -42,20 +50,24 @@ def paper_blocks(scenario: Scenario, law: Block | None = None) -> list[Block]:
     scenario : Scenario
         The experiment.
     law : Block, optional
-        A law of your own in place of the scenario's, with outputs alpha[2N], K[2], Gamma[2].
+        A law of your own in place of the scenario's, with outputs alpha[2N], K[2], Gamma[2];
+        the same as ``replace={"adaptation": law}``.
+    replace, insert : mapping, optional
+        Parts of your own in place of others and between them, as in `closed_loop`.
 
     Returns
     -------
     list of Block
         In the order of the table in the documentation; `measurement`, `fixes`, `disturbance`,
-        `speed_limit` and `hedging` are among them where the scenario has them.
+        `speed_limit` and `hedging` are among them where the scenario has them, what is inserted
+        comes last.
 
     Raises
     ------
     DataError
         If the scenario's field cannot be read.
     DiagramError
-        If the law does not make alpha[2N], K[2] and Gamma[2].
+        If a part does not fit.
 
     Examples
     --------
@@ -63,8 +75,19 @@ def paper_blocks(scenario: Scenario, law: Block | None = None) -> list[Block]:
     >>> len(paper_blocks(clpt.paper_scenario()))
     12
     """
+    return changed_blocks(scenario, changes_of(law, replace, insert))
+
+
+def changed_blocks(
+    scenario: Scenario, changes: Changes, external: Collection[str] = ()
+) -> list[Part]:
+    """Return the blocks of a scenario, changed, and with `delta` taken where it is external."""
     require_scenario(scenario)
-    N, alpha_M = scenario.basis.N, np.array(scenario.model_parameters)
+    N, alpha_M, law = scenario.basis.N, np.array(scenario.model_parameters), changes.law
+    if law is not None and functions_of(law) != N:
+        raise DiagramError(
+            f"{law.name}: makes alpha of N = {functions_of(law)} functions; the scenario has {N}"
+        )
     car = scenario.vehicle
     desired = vehicle.ControllerParameters(
         N, alpha_M, np.array(car.feedback), np.array(car.feedforward)
@@ -73,7 +96,7 @@ def paper_blocks(scenario: Scenario, law: Block | None = None) -> list[Block]:
     if learning.row.given_estimate:
         theta_hat = np.array(learning.theta_estimate)
         inject: Any = learner.KnownFlowInjectionParameters(N, theta_hat, alpha_M)
-    elif learning.row.makes_estimate and (law is None or "theta_hat" in law.output_ports):
+    elif learning.row.makes_estimate and (law is None or "theta_hat" in output_ports(law)):
         inject = learner.EstimatedFlowInjectionParameters(N, alpha_M)
     else:
         inject = learner.LearnedFlowInjectionParameters(N, alpha_M)
@@ -102,30 +125,22 @@ def paper_blocks(scenario: Scenario, law: Block | None = None) -> list[Block]:
     ]
     if at_fixes:  # the law predicts by itself
         modeled, predicting = [], []
-    return [
+    blocks = [
         reference.reference(scenario.waypoints, scenario.reference.dwell),
         scenario_basis(scenario, "x"),
         scenario_basis(scenario, "z"),
         *localized,
         *disturbances,
-        _true_flow(scenario, delta is not None, true),
+        _true_flow(scenario, delta is not None or "delta" in external, true),
         *modeled,
         vehicle.vehicle_controller(desired, car.max_speed is not None, "z" if at_fixes else "x"),
         *limits,
         vehicle.vehicle(true),
         *predicting,
         clpe.clpe(),
-        learning.row.block(scenario.known_to_law) if law is None else _own(law, N),
+        learning.row.block(scenario.known_to_law),
     ]
-
-
-def _own(law: Block, N: int) -> Block:
-    """Return a law of the user's, if it is one for N functions."""
-    if functions_of(law) != N:
-        raise DiagramError(
-            f"{law.name}: makes alpha of N = {functions_of(law)} functions; the scenario has {N}"
-        )
-    return law
+    return inserted(replaced(blocks, changes.replace), changes.insert)
 
 
 def _localized(scenario: Scenario) -> list[Block]:
@@ -152,7 +167,12 @@ def _true_flow(scenario: Scenario, disturbed: bool, position: str) -> Block:
 
 
 def closed_loop(
-    scenario: Scenario, external: Iterable[str] = (), law: Block | None = None
+    scenario: Scenario,
+    external: str | Iterable[str] = (),
+    law: Part | None = None,
+    *,
+    replace: Mapping[str, Any] | None = None,
+    insert: Mapping[Any, Any] | None = None,
 ) -> Diagram:
     """Wire the paper's closed loop.
 
@@ -160,52 +180,72 @@ def closed_loop(
     ----------
     scenario : Scenario
         The experiment.
-    external : iterable of str, optional
+    external : str or iterable of str, optional
         Ports taken from outside in place of the blocks that make them, such
-        as ``("zc",)`` for step responses, or ``("x",)`` for the learner alone,
-        fed by a measured track. Blocks that then feed nothing are left out.
+        as ``"zc"`` for step responses, ``"delta"`` for a disturbance of the flow, or ``"x"`` for
+        the learner alone, fed by a measured track. Blocks that then feed nothing are left out.
     law : Block, optional
-        A law of your own in place of the scenario's, with outputs alpha[2N], K[2], Gamma[2].
+        A law of your own in place of the scenario's, with outputs alpha[2N], K[2], Gamma[2];
+        the same as ``replace={"adaptation": law}``.
+    replace : mapping, optional
+        ``{"vehicle": mine}``: a part of your own in place of the one of that name; a part is
+        whatever `connect` takes. It makes the ports that others take of the old one.
+    insert : mapping, optional
+        ``{("v_x", "vehicle"): lag}``: a part between a signal and a block that takes it; more
+        names are more blocks, ``{"v_x": lag}`` all of them. A part of one input and one output
+        stands on each signal of a wide port if it is linear. What it makes is called ``v_x_lag``,
+        unless its one output has a name of its own.
 
     Returns
     -------
     Diagram
         A `control.InterconnectedSystem`; states x, z, and those of the law, first
-        alpha, K, Gamma.
+        alpha, K, Gamma, and those of inserted parts.
 
     Raises
     ------
     DiagramError
-        If an external port is unknown, or the law does not fit.
+        If an external port is unknown, or a part does not fit.
 
     Examples
     --------
+    >>> import control
     >>> import clpt_control as clpt
-    >>> loop = closed_loop(clpt.paper_scenario(), external=("zc",))
+    >>> loop = closed_loop(clpt.paper_scenario(), external="zc")
     >>> loop.input_labels
     ['zc[0]', 'zc[1]']
+    >>> lag = control.tf(1, [0.5, 1], name="lag")
+    >>> lagging = closed_loop(clpt.paper_scenario(), insert={("v_x", "vehicle"): lag})
+    >>> lagging.state_labels[-2:]
+    ['lag_x[0]', 'lag_x[1]']
     """
+    changes = changes_of(law, replace, insert)
+    diagram = connect(*kept_parts(scenario, changes, external), name="closed_loop")
+    diagram.made_of = scenario, changes
+    return diagram
+
+
+def kept_parts(
+    scenario: Scenario, changes: Changes, external: str | Iterable[str]
+) -> tuple[list[Part], list[str]]:
+    """Return the parts that are left where some ports come from outside, and these ports."""
     external = [external] if isinstance(external, str) else list(external)
-    return connect(kept_blocks(paper_blocks(scenario, law), external), external, name="closed_loop")
-
-
-def kept_blocks(blocks: list[Block], external: list[str]) -> list[Block]:
-    """Return the blocks that are left where some ports come from outside."""
-    ports = {port for block in blocks for port in block.output_ports}
+    blocks = changed_blocks(scenario, changes, external)
+    ports = {port for block in blocks for of in (input_ports, output_ports) for port in of(block)}
     for port in external:
         if port not in ports:
             raise DiagramError(
                 f"external = '{port}': must be among the ports {', '.join(sorted(ports))}"
             )
     outside = {*external, *({TRUE} if "x" in external else ())}
-    kept = [block for block in blocks if not set(block.output_ports) & outside]
+    kept = [block for block in blocks if not set(output_ports(block)) & outside]
     while True:
-        used = {port for block in kept for port in block.input_ports}
-        idle = [b for b in kept if b.name != "clpe" and not set(b.output_ports) & used]
-        if not idle or len(kept) == len(blocks):
+        used = {port for block in kept for port in input_ports(block)}
+        idle = [b for b in kept if b.name != "clpe" and not set(output_ports(b)) & used]
+        if not idle or not external:
             break
         kept = [block for block in kept if block not in idle]
-    return kept
+    return kept, external
 
 
 def error_loop(scenario: Scenario) -> Diagram:

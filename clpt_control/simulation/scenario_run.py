@@ -5,18 +5,20 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..blocks import Block
+from ..blocks.declaration import labels
 from ..blocks.localization import TRUE
+from ..diagrams.changes import UNCHANGED, Changes
 from ..diagrams.interconnection import wiring_of_blocks
+from ..diagrams.parts import output_ports
 from ..errors import BlockError, ScenarioError, SimulationError
 from ..native.ending import Solution
 from ..native.engines import chosen
 from ..native.inputs import checked_state
 from ..scenario.experiment import Scenario
 from ..scenario.keys import STARTS, keys_alone, keys_of
-from .dataset import all_columns, run_dataset
-from .loops import paper_blocks
-from .starts import starting_values, state_columns, state_of
+from .dataset import columns_of, run_dataset, with_states
+from .loops import changed_blocks
+from .starts import starting_values, state_columns, state_labels, state_of
 
 if TYPE_CHECKING:
     import xarray
@@ -28,15 +30,23 @@ class ScenarioRun:
     """A scenario's closed loop, ready to run: integrate, ask its signals, make a Dataset."""
 
     def __init__(
-        self, scenario, params=None, initial_state=None, rtol=None, atol=None, engine=None, law=None
+        self,
+        scenario,
+        params=None,
+        initial_state=None,
+        rtol=None,
+        atol=None,
+        engine=None,
+        changes=UNCHANGED,
     ):
-        scenario, self.left = _into_keys(scenario, params, initial_state, law)
-        self.law: Block | None = law
+        scenario, self.left = _into_keys(scenario, params, initial_state, changes)
+        self.changes: Changes = changes
         tolerances = {"run.rtol": rtol, "run.atol": atol}
         given = {key: value for key, value in tolerances.items() if value is not None}
         self.scenario: Scenario = scenario.with_values(given) if given else scenario
-        blocks = paper_blocks(self.scenario, law)
-        self.wiring, self.start = wiring_of_blocks(blocks), state_of(self.scenario, blocks, law)
+        self.parts = changed_blocks(self.scenario, changes)
+        self.wiring = wiring_of_blocks(self.parts)
+        self.start = state_of(self.scenario, self.parts, changes.law)
         self.runner = chosen(self.wiring, self.left, None, engine, "the closed loop")
 
     @property
@@ -53,13 +63,20 @@ class ScenarioRun:
         return self.runner.run(state, times, rtol=run.rtol, atol=run.atol, progress=progress)
 
     def signals(self, solution: Solution) -> np.ndarray:
-        """Return all block outputs, shape (ntimes, nsignals), right limits at jumps."""
-        return self.runner.signals(solution)
+        """Return all signals, shape (ntimes, nsignals), right limits at jumps."""
+        made = self.runner.signals(solution)
+        nested = len(self.wiring.nodes) > len(self.parts)
+        return (self.wiring.output_map @ made.T).T if nested else made
+
+    @property
+    def labels(self) -> list[str]:
+        """The labels of `signals`."""
+        ports = {port: len(at) for part in self.parts for port, at in output_ports(part).items()}
+        return labels(ports)
 
     def columns(self, port: str) -> list[int]:
         """Return the columns of a port in `signals`."""
-        labels = [label for node in self.wiring.nodes for label in node.system.output_labels]
-        return [k for k, label in enumerate(labels) if label.partition("[")[0] == port]
+        return [k for k, label in enumerate(self.labels) if label.partition("[")[0] == port]
 
     def true_position(self, signals: np.ndarray) -> np.ndarray:
         """Return x of `signals`, shape (ntimes, 2), also where the vehicle reads it with noise."""
@@ -67,14 +84,13 @@ class ScenarioRun:
 
     def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
         """Return a solution and its signals with names, units and attributes."""
-        return run_dataset(
-            self.scenario,
-            all_columns(self.wiring, self.runner.sweep.given),
-            signals,
-            solution,
-            self.left,
-            self.law,
+        columns = columns_of(self.labels, self.wiring, self.runner.sweep.given)
+        own = [part for part in self.parts if part.name in self.changes.names]
+        more = {port for part in own for port in output_ports(part)}
+        run = run_dataset(
+            self.scenario, columns, signals, solution, self.left, self.changes, more
         )
+        return with_states(run, state_labels(self.parts), solution)
 
 
 def _checked(scenario: Scenario, name: str, value: Any) -> Scenario:
@@ -95,7 +111,7 @@ def _checked(scenario: Scenario, name: str, value: Any) -> Scenario:
 
 
 def _into_keys(
-    scenario: Scenario, params: Mapping[str, Any] | None, x0: Any, law: Block | None
+    scenario: Scenario, params: Mapping[str, Any] | None, x0: Any, changes: Changes
 ) -> tuple[Scenario, dict[str, Any]]:
     """Put call-time values into the scenario where keys hold them; return it and what is left."""
     if params is not None and not isinstance(params, Mapping):
@@ -103,10 +119,9 @@ def _into_keys(
     left = dict(params or {})
     if x0 is None and not left:
         return scenario, left
-    blocks = paper_blocks(scenario, law)
-    known = {f"{block.name}.{field}" for block in blocks for field in block.parameters._fields}
-    if law is not None:  # no key holds what is in it
-        known = {name for name in known if name.partition(".")[0] != law.name}
+    parts = changed_blocks(scenario, changes)
+    paper = [part for part in parts if part.name not in changes.names]  # no key holds the others
+    known = {f"{block.name}.{field}" for block in paper for field in block.parameters._fields}
     alone = keys_alone(scenario, known)
     for name in [name for name in left if name in known]:
         changed = _checked(scenario, name, left[name])
@@ -114,19 +129,19 @@ def _into_keys(
             scenario = changed
             del left[name]
     if x0 is not None:
-        columns = state_columns(blocks)
+        columns = state_columns(parts)
         held = {STARTS[key]: (key, v.shape) for key, v in starting_values(scenario).items()}
-        state = checked_state("initial_state", x0, (max(c.stop for c in columns.values()),))
+        state = checked_state("initial_state", x0, (sum(part.nstates or 0 for part in parts),))
         given = columns.keys() & held.keys()
         scenario = scenario.with_values(
             {held[port][0]: state[columns[port]].reshape(held[port][1]) for port in given}
         )
-        usual = state_of(scenario, paper_blocks(scenario, law), law)
-        for port in columns.keys() - held.keys():
-            if not np.array_equal(state[columns[port]], usual[columns[port]]):
-                raise SimulationError(
-                    f"initial_state: no key of a scenario holds {port}, which starts at "
-                    f"{usual[columns[port]].tolist()}; simulate closed_loop(scenario) to start it "
-                    "elsewhere"
-                )
+        usual = state_of(scenario, changed_blocks(scenario, changes), changes.law)
+        wrong = np.flatnonzero(state != usual)
+        if len(wrong):
+            raise SimulationError(
+                f"initial_state: no key of a scenario holds {state_labels(parts)[wrong[0]]}, which "
+                f"starts at {usual[wrong[0]]:g}; simulate closed_loop(scenario) to start it "
+                "elsewhere"
+            )
     return scenario, left

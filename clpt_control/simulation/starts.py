@@ -1,13 +1,23 @@
-"""Where a scenario's states are at t = 0: what its keys say, and the law's own."""
+"""Where states are: at t = 0 by what a scenario's keys say, and at a time of a run."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any
 
+import control
 import numpy as np
 
 from ..blocks import Block
+from ..blocks.linear import LinearParameters
+from ..diagrams.changes import Part, changes_of
+from ..diagrams.parts import output_ports
+from ..errors import DataError
+from ..native.inputs import numbers
 from ..scenario.experiment import Scenario
 from ..scenario.keys import STARTS
-from .loops import kept_blocks, paper_blocks
+from .loops import kept_parts
+
+if TYPE_CHECKING:
+    import xarray
 
 
 def starting_values(scenario: Scenario) -> dict[str, np.ndarray]:
@@ -25,18 +35,46 @@ def starting_values(scenario: Scenario) -> dict[str, np.ndarray]:
     return {key: np.asarray(value, dtype=float) for key, value in values.items()}
 
 
-def state_columns(blocks: Iterable[Block]) -> dict[str, slice]:
-    """Return where each state lies in the state of a diagram of blocks."""
-    sizes = [item for block in blocks for item in block.state_ports.items()]
-    ends = np.cumsum([size for _, size in sizes], dtype=int).tolist()
-    return {port: slice(end - size, end) for (port, size), end in zip(sizes, ends, strict=True)}
+def leaves(parts: Iterable[Part], space: str = "") -> Iterator[tuple[str, Part]]:
+    """Yield the parts of a diagram with their names, those of nested diagrams too."""
+    for part in parts:
+        if isinstance(part, control.InterconnectedSystem):
+            yield from leaves(part.syslist, f"{space}{part.name}_")
+        else:
+            yield space + part.name, part
 
 
-def state_of(scenario: Scenario, blocks: Iterable[Block], law: Block | None = None) -> np.ndarray:
-    """Return the state of blocks at t = 0; the states of a law of the user's own start at 0."""
-    columns = state_columns(blocks)
+def state_labels(parts: Iterable[Part]) -> list[str]:
+    """Return the names of all states, as python-control calls them."""
+    return [f"{name}_{label}" for name, part in leaves(parts) for label in part.state_labels]
+
+
+def state_columns(parts: Iterable[Part]) -> dict[str, slice]:
+    """Return where each state lies in the state of a diagram; one that is a signal goes first."""
+    found: dict[str, slice] = {}
+    hidden: dict[str, slice] = {}
+    end = 0
+    for _, part in leaves(parts):
+        ports = part.state_ports if isinstance(part, Block) else {part.name: part.nstates or 0}
+        for port, size in ports.items():
+            column = slice(end, end := end + size)
+            (found if _is_signal(part, port, size) else hidden).setdefault(port, column)
+    return {**hidden, **found}
+
+
+def _is_signal(part: Part, port: str, size: int) -> bool:
+    """Return whether a state is a signal of the same name."""
+    p = getattr(part, "parameters", None)
+    its_own = not isinstance(p, LinearParameters) or np.array_equal(p.C, np.eye(size))
+    return its_own and len(output_ports(part).get(port, ())) == size
+
+
+def state_of(scenario: Scenario, parts: Iterable[Part], law: Part | None = None) -> np.ndarray:
+    """Return the state of parts at t = 0; what no key of the scenario says starts at 0."""
+    parts = list(parts)
+    columns = state_columns(parts)
     own = scenario.learning.row.starts(scenario.known_to_law) if law is None else {}
-    state = np.zeros(max((column.stop for column in columns.values()), default=0))
+    state = np.zeros(sum(part.nstates or 0 for part in parts))
     for key, value in starting_values(scenario).items():
         if STARTS[key] in columns:
             state[columns[STARTS[key]]] = value.ravel()
@@ -47,7 +85,12 @@ def state_of(scenario: Scenario, blocks: Iterable[Block], law: Block | None = No
 
 
 def initial_state(
-    scenario: Scenario, external: Iterable[str] = (), law: Block | None = None
+    scenario: Scenario,
+    external: str | Iterable[str] = (),
+    law: Part | None = None,
+    *,
+    replace: Mapping[str, Any] | None = None,
+    insert: Mapping[Any, Any] | None = None,
 ) -> np.ndarray:
     """Return the state at t = 0 of a scenario's `closed_loop`.
 
@@ -55,16 +98,16 @@ def initial_state(
     ----------
     scenario : Scenario
         The experiment.
-    external : iterable of str, optional
+    external : str or iterable of str, optional
         As given to `closed_loop`.
-    law : Block, optional
-        As given to `closed_loop`; what it has beside alpha, K and Gamma starts at 0.
+    law, replace, insert : optional
+        As given to `closed_loop`; states of yours start at 0, but for x, z, alpha, K and Gamma.
 
     Returns
     -------
     ndarray
-        x(0), z(0), alpha(0) row by row where it is a state, K(0), Gamma(0), and the
-        law's own states.
+        x(0), z(0), alpha(0) row by row where it is a state, K(0), Gamma(0), the
+        law's own states, and those of inserted parts.
 
     Examples
     --------
@@ -72,5 +115,44 @@ def initial_state(
     >>> initial_state(clpt.paper_scenario()).shape
     (14,)
     """
-    external = [external] if isinstance(external, str) else list(external)
-    return state_of(scenario, kept_blocks(paper_blocks(scenario, law), external), law)
+    changes = changes_of(law, replace, insert)
+    return state_of(scenario, kept_parts(scenario, changes, external)[0], changes.law)
+
+
+def state_at(run: "xarray.Dataset", t: float) -> np.ndarray:
+    """Return the state of a run's diagram at one of its times.
+
+    Parameters
+    ----------
+    run : xarray.Dataset
+        Of a scenario, a team or a diagram, as `simulate` gives it.
+    t : float
+        One of the run's times; at a jump the state is the one after it.
+
+    Returns
+    -------
+    ndarray, shape (nstates,)
+        To hand to ``control.linearize(loop, state, inputs, t=t)`` or on to `simulate`.
+
+    Raises
+    ------
+    DataError
+        If the run has no sample at that time, or carries no states.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
+    >>> clpt.state_at(clpt.simulate(scenario), 20).shape
+    (14,)
+    """
+    if "states" not in getattr(run, "variables", ()):
+        raise DataError(f"{run!r:.60}: carries no states; a run that clpt.simulate gives does")
+    times, wanted = run.time.values, float(numbers("t", t))
+    k = int(np.abs(times - wanted).argmin()) if len(times) and np.isfinite(wanted) else -1
+    if k < 0 or abs(times[k] - wanted) > 1e-12 * max(1.0, abs(wanted)):
+        near = f"; the nearest of its times is {times[k]:.9g}" if k >= 0 else ""
+        raise DataError(
+            f"t = {t}: the run has no sample there{near}; simulate it with timepts that hold t"
+        )
+    return np.array(run.states.values[k], dtype=float)

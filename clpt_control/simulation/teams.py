@@ -22,10 +22,10 @@ from ..scenario.experiment import Scenario
 from ..scenario.file import TEAM
 from ..scenario.team import LAW, Team
 from ..scenario.team_file import team_to_text
-from .dataset import Columns, run_dataset
+from .dataset import Columns, run_dataset, with_states
 from .loops import paper_blocks
 from .speeds import faster_flow, speeds_of
-from .starts import state_of
+from .starts import state_labels, state_of
 
 if TYPE_CHECKING:
     import xarray
@@ -154,7 +154,7 @@ class TeamRun:
             if sentence := faster_flow(found, team.first.units):
                 whole.attrs["message"] += f"; {name}: {sentence}"
         whole.encoding["folder"] = str(team.first._folder)
-        return whole
+        return with_states(whole, state_labels(team_blocks(team)), solution)
 
 
 def vehicle_columns(wiring: Wiring, given: Any, name: str) -> Columns:

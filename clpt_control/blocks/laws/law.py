@@ -10,10 +10,12 @@ gamma is one number for all.  A gain of 0 holds what it adapts.
 from collections.abc import Callable, Mapping
 from typing import Any, Literal, NamedTuple
 
+import control
 import numpy as np
 
 from ...errors import DiagramError
 from ..block import Block
+from ..declaration import ports_of
 
 
 class Gains(NamedTuple):
@@ -135,17 +137,20 @@ def adapt_feedforward(gamma, e, zc):
     return gamma * zc * e
 
 
-def functions_of(law: Block) -> int:
-    """Return the N of a law; refuse a block that does not make alpha[2N], K[2] and Gamma[2]."""
-    if not isinstance(law, Block):
+def functions_of(law: control.NonlinearIOSystem) -> int:
+    """Return the N of a law; refuse a part that does not make alpha[2N], K[2] and Gamma[2]."""
+    if not isinstance(law, control.NonlinearIOSystem):
         raise DiagramError(f"{law!r} is a {type(law).__name__}: give a Block")
-    sizes = law.output_ports
-    N = sizes.get("alpha", 0) // 2
-    if N < 1 or sizes.get("alpha") != 2 * N or sizes.get("K") != 2 or sizes.get("Gamma") != 2:
+    taken, made = (
+        {port: len(places) for port, places in ports_of(labels).items()}
+        for labels in (law.input_labels, law.output_labels)
+    )
+    N = made.get("alpha", 0) // 2
+    if N < 1 or made.get("alpha") != 2 * N or made.get("K") != 2 or made.get("Gamma") != 2:
         raise DiagramError(
             f"{law.name}: a law makes alpha[2N], K[2] and Gamma[2]; it makes "
-            + (", ".join(f"{port}[{size}]" for port, size in sizes.items()) or "nothing")
+            + (", ".join(f"{port}[{size}]" for port, size in made.items()) or "nothing")
         )
-    if law.input_ports.get("phi_x", N) != N:
-        raise DiagramError(f"{law.name}: phi_x has {law.input_ports['phi_x']} signals, N is {N}")
+    if taken.get("phi_x", N) != N:
+        raise DiagramError(f"{law.name}: phi_x has {taken['phi_x']} signals, N is {N}")
     return N

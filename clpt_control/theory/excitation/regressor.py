@@ -17,7 +17,7 @@ from ...blocks.reference import multiples, reference
 from ...diagrams.scenario_basis import scenario_basis
 from ...errors import ScenarioError
 from ...scenario.experiment import Scenario
-from ...scenario.file import OWN_LAW
+from ...scenario.file import OWN_LAW, OWN_PARTS
 from ...scenario.team import Team
 from ...simulation.integrate import simulate
 from .between_samples import Source, positions_between, scenario_of, span_of
@@ -44,7 +44,7 @@ class Regressor:
     phi: np.ndarray  # (pieces, NODES, N), basis functions at the vehicle
     z: np.ndarray  # (pieces, NODES, 2), predicted position, units.length
     zc: np.ndarray  # (pieces, NODES, 2), desired position, units.length
-    own_law: str = ""  # the name of a law given in Python, of a recorded run
+    own_law: str = ""  # the law and parts given in Python, of a recorded run
 
     @property
     def w(self) -> np.ndarray:
@@ -141,7 +141,7 @@ def joint_regressor(
     step = np.median(np.diff(source.time.values))
     trajectory = f"recorded run, sampled each {step:g} {scenario.units.time}"
     phi = basis_along(scenario, times, x)
-    own_law = source.attrs.get(OWN_LAW, "")
+    own_law = ", ".join(source.attrs[name] for name in (OWN_LAW, OWN_PARTS) if name in source.attrs)
     return Regressor(scenario, trajectory, cuts, times, weights, phi, z, zc, own_law)
 
 
