@@ -26,9 +26,7 @@ WRONG_BY = 0.1  # 1/s: how far the second learner's feedforward gain is off
 
 def operating_point(scenario: clpt.Scenario) -> np.ndarray:
     """Return the state of a run at the frozen time."""
-    diagram = clpt.closed_loop(scenario)
-    response = clpt.simulate(diagram, [0.0, TIME], initial_state=clpt.initial_state(scenario))
-    return response.states[:, -1]
+    return clpt.state_at(clpt.simulate(scenario, [0.0, TIME]), TIME)
 
 
 def linear_model(scenario: clpt.Scenario, state: np.ndarray) -> control.StateSpace:

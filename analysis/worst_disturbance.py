@@ -62,10 +62,8 @@ def regressor_matrices(scenario: clpt.Scenario, end: float, step: float) -> np.n
     loop = clpt.closed_loop(calm)
     times = np.concatenate([[0.0], step * (np.arange(round(end / step)) + 0.5)])
     run = clpt.simulate(loop, times, initial_state=clpt.initial_state(calm))
-    ports = [label.split("[")[0] for label in loop.output_labels]
-    phi, z, zc = (
-        run.outputs[[port == name for port in ports], 1:].T for name in ("phi_x", "z", "zc")
-    )
+    names = ("phi_x", "predicted_position", "reference")
+    phi, z, zc = (run[name].values[1:] for name in names)
     KD = np.array(calm.vehicle.feedback)
     return clpt.theory.error_matrices(phi, z, zc, KD, calm.learning.used_gains.parameters)
 

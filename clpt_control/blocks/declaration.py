@@ -109,8 +109,8 @@ def ports_of(labels: Iterable[str]) -> dict[str, list[int]]:
 def whole_labels(given: Iterable[str]) -> list[str]:
     """Return the labels as those of ports: ``e, v[0], v[1]`` are ``e[0], v[0], v[1]``."""
     ports = ports_of(given)
-    named = zip(labels({port: len(at) for port, at in ports.items()}), sum(ports.values(), []))
-    return [label for label, _ in sorted(named, key=lambda one: one[1])]
+    found = {at: f"{port}[{k}]" for port, places in ports.items() for k, at in enumerate(places)}
+    return [found[place] for place in range(len(found))]
 
 
 class NoParameters(NamedTuple):

@@ -5,7 +5,7 @@ takes a signal, and what it makes goes to those who took the signal; the signal 
 """
 
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 import control
 
@@ -14,7 +14,7 @@ from ..blocks.linear import LinearParameters, on_each_axis
 from ..errors import DiagramError
 from .parts import as_part, input_ports, output_ports, sizes, with_ports
 
-Part = control.NonlinearIOSystem
+Part: TypeAlias = control.NonlinearIOSystem
 LAW = "adaptation"  # the part that is the adaptive law
 
 
@@ -96,8 +96,9 @@ def inserted(parts: Sequence[Part], insert: Mapping[Any, Any]) -> list[Part]:
         own = [*output_ports(part)]
         name = own[0] if len(own) == 1 and own[0] not in {"y", *made} else f"{signal}_{part.name}"
         part = _between(part, (signal, made[signal]), (name, made[signal]), said)
-        chosen = users or takers
-        found = [with_ports(one, {signal: name}, {}) if one.name in chosen else one for one in found]
+        for k, one in enumerate(found):
+            if one.name in (users or takers):
+                found[k] = with_ports(one, {signal: name}, {})
         found.append(part)
     return found
 
@@ -130,8 +131,10 @@ def _between(part: Part, taken: tuple[str, int], made: tuple[str, int], said: st
     """Return a part that takes one port and makes another, each with its number of signals."""
     takes, makes = input_ports(part), output_ports(part)
     to = taken[0] if len(takes) != 1 else next(iter(takes))
-    out = next(iter(makes)) if len(makes) == 1 else next(
-        (port for port in (made[0], taken[0]) if port in makes), made[0]
+    out = (
+        next(iter(makes))
+        if len(makes) == 1
+        else next((port for port in (made[0], taken[0]) if port in makes), made[0])
     )
     for which, port, ports in (("takes", to, takes), ("makes", out, makes)):
         if port not in ports:

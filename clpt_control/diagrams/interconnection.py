@@ -89,9 +89,8 @@ def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list
         if key not in known:
             if other := call_time_name_of(key, known):
                 raise BlockError(other)
-            raise BlockError(
-                f"unknown parameter '{key}': this diagram knows {', '.join(sorted(names)) or 'none'}"
-            )
+            known_here = ", ".join(sorted(names)) or "none"
+            raise BlockError(f"unknown parameter '{key}': this diagram knows {known_here}")
     return found
 
 
@@ -237,7 +236,7 @@ def connect(
 def wiring_of_blocks(
     blocks: Sequence[control.NonlinearIOSystem], external: Iterable[str] = ()
 ) -> Wiring:
-    """Return `wiring_of(connect(blocks, external))`, of blocks without python-control's matrices."""
+    """Return `wiring_of(connect(blocks, external))`; of blocks alone, without its matrices."""
     from scipy.sparse import eye_array
 
     if not all(isinstance(block, Block) for block in blocks):

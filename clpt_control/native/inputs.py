@@ -48,23 +48,26 @@ def checked_times(name: str, timepts: Any) -> np.ndarray:
     return times
 
 
-def checked_state(name: str, state: Any, shape: tuple[int, ...]) -> np.ndarray:
-    """Return states as an array of a shape; a single number stands for all.
+def stacked_state(name: str, state: Any, count: int) -> np.ndarray:
+    """Return `count` states as python-control takes them.
 
-    One state may be a list, ``[x0, 0]``, of numbers and arrays that follow each other; zeros
-    follow a last zero.
+    A list, ``[x0, 0]``, holds numbers and arrays that follow each other; zeros follow a last zero.
     """
-    listed = isinstance(state, list | tuple) and len(shape) == 1
-    parts = [numbers(name, part).ravel() for part in state] if listed else []
-    values = np.concatenate([np.zeros(0), *parts]) if listed else numbers(name, state)
+    if isinstance(state, list | tuple) and len(state):
+        state = np.concatenate([numbers(name, part).ravel() for part in state])
+        if 0 < len(state) < count and state[-1] == 0:
+            state = np.pad(state, (0, count - len(state)))
+    return checked_state(name, state, (count,))
+
+
+def checked_state(name: str, state: Any, shape: tuple[int, ...]) -> np.ndarray:
+    """Return states as an array of a shape; a single number stands for all."""
+    values = numbers(name, state)
     if values.ndim == 0:
         values = np.full(shape, float(values))
-    if listed and 0 < len(values) < shape[0] and values[-1] == 0:
-        values = np.pad(values, (0, shape[0] - len(values)))
     if values.shape != shape:
         raise SimulationError(
-            f"{name}: must have {shape[-1]} numbers, one per state; it has shape {values.shape}; "
-            "a list that ends with 0, [x0, 0], is filled with zeros"
+            f"{name}: must have {shape[-1]} numbers, one per state; it has shape {values.shape}"
         )
     return values.copy()
 

@@ -98,7 +98,8 @@ def run_dataset(
     alpha = data["alpha"][1]
     estimate = 0.0 - alpha  # without -0
     if row.given_estimate:
-        known = getattr(ran.get("injection"), "theta_hat", scenario.learning.theta_estimate)
+        known: Any = scenario.learning.theta_estimate
+        known = getattr(ran.get("injection"), "theta_hat", known)
         estimate = np.broadcast_to(known, alpha.shape).copy()
     elif "theta_hat[0]" in column:
         made = [column[f"theta_hat[{k}]"] for k in range(2 * N)]

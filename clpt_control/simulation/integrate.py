@@ -15,7 +15,7 @@ from ..diagrams.changes import UNCHANGED, Part, changes_of
 from ..diagrams.wiring import wiring_of
 from ..errors import SimulationError
 from ..native.engines import chosen
-from ..native.inputs import checked_state, checked_times, read_inputs
+from ..native.inputs import checked_times, read_inputs, stacked_state
 from ..scenario.experiment import Scenario
 from ..scenario.file import OWN_PARTS
 from ..scenario.team import Team
@@ -178,7 +178,7 @@ def _simulate_diagram(
     wiring = wiring_of(diagram)
     given = read_inputs(inputs, times, wiring.ninputs)
     runner = chosen(wiring, params, given, engine, diagram.name)
-    state = checked_state("initial_state", 0.0 if x0 is None else x0, (runner.nstates,))
+    state = stacked_state("initial_state", 0.0 if x0 is None else x0, runner.nstates)
     solution = runner.run(state, times, rtol=rtol, atol=atol, inputs=given, progress=progress)
     signals = np.vstack([runner.signals(solution, given).T, given.along(solution.t)])
     outside = np.arange(len(signals) - wiring.ninputs, len(signals))

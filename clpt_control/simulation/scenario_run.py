@@ -13,7 +13,7 @@ from ..diagrams.parts import output_ports
 from ..errors import BlockError, ScenarioError, SimulationError
 from ..native.ending import Solution
 from ..native.engines import chosen
-from ..native.inputs import checked_state
+from ..native.inputs import stacked_state
 from ..scenario.experiment import Scenario
 from ..scenario.keys import STARTS, keys_alone, keys_of
 from .dataset import columns_of, run_dataset, with_states
@@ -87,9 +87,7 @@ class ScenarioRun:
         columns = columns_of(self.labels, self.wiring, self.runner.sweep.given)
         own = [part for part in self.parts if part.name in self.changes.names]
         more = {port for part in own for port in output_ports(part)}
-        run = run_dataset(
-            self.scenario, columns, signals, solution, self.left, self.changes, more
-        )
+        run = run_dataset(self.scenario, columns, signals, solution, self.left, self.changes, more)
         return with_states(run, state_labels(self.parts), solution)
 
 
@@ -131,7 +129,7 @@ def _into_keys(
     if x0 is not None:
         columns = state_columns(parts)
         held = {STARTS[key]: (key, v.shape) for key, v in starting_values(scenario).items()}
-        state = checked_state("initial_state", x0, (sum(part.nstates or 0 for part in parts),))
+        state = stacked_state("initial_state", x0, sum(part.nstates or 0 for part in parts))
         given = columns.keys() & held.keys()
         scenario = scenario.with_values(
             {held[port][0]: state[columns[port]].reshape(held[port][1]) for port in given}

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from responses import response
 
 import clpt_control as clpt
 from analysis.worst_disturbance import (
@@ -46,7 +47,7 @@ def test_the_worst_disturbance_is_attained_by_the_closed_loop():
     def delta(t):
         return np.array([size * np.sign(influence[min(int(t / step + 0.5), len(A))]), 0.0])
 
-    run = clpt.simulate(
+    run = response(
         loop,
         [0.0, end],
         inputs=delta,

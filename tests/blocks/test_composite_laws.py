@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from responses import response
 from scipy.integrate import cumulative_simpson, quad, simpson
 
 import clpt_control as clpt
@@ -70,7 +71,7 @@ def drifting(law, theta, t, **start):
     state = np.zeros(law.nstates)
     for port, value in start.items():
         state[columns[port]] = value
-    run = clpt.simulate(loop, t, u, state, rtol=1e-11, atol=1e-13).states
+    run = response(loop, t, u, state, rtol=1e-11, atol=1e-13).states
     return {port: run[column] for port, column in columns.items()}
 
 
@@ -112,7 +113,7 @@ def along(law, duration, step, **more):
     scenario = changed(law, run__duration=duration, run__output_step=step, **more)
     scenario = scenario.with_values({"run.rtol": 1e-11, "run.atol": 1e-13})
     loop, run = clpt.closed_loop(scenario), clpt.simulate(scenario)
-    found = clpt.simulate(
+    found = response(
         loop, run.time.values, None, clpt.initial_state(scenario), rtol=1e-11, atol=1e-13
     )
     columns = state_columns(paper_blocks(scenario))

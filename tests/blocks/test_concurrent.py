@@ -8,6 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from responses import response
 from scipy.integrate import simpson
 
 import clpt_control as clpt
@@ -36,7 +37,7 @@ def alone(N, t, phi, theta, start, gamma=2.0, T=0.5):
     steps = np.diff(t) * (flow[:, 1:] + flow[:, :-1]) / 2  # inputs are straight lines
     u[6 + N : 8 + N, 1:] = np.cumsum(steps, axis=1)
     loop = clpt.connect([law], external=list({**INPUTS, "phi_x": N}))
-    return clpt.simulate(loop, t, u, start, rtol=1e-11, atol=1e-13).states
+    return response(loop, t, u, start, rtol=1e-11, atol=1e-13).states
 
 
 def test_one_function_is_the_closed_form():
@@ -76,7 +77,7 @@ def along(duration, step, **more):
     """A run with K and Gamma held true, its outputs by port, shape (time, ...)."""
     scenario = of_paper(duration, **HELD, **more)
     loop, times = clpt.closed_loop(scenario), np.arange(0, duration + step / 2, step)
-    found = clpt.simulate(loop, times, None, clpt.initial_state(scenario), rtol=1e-11, atol=1e-13)
+    found = response(loop, times, None, clpt.initial_state(scenario), rtol=1e-11, atol=1e-13)
     ports = np.array([label.split("[")[0] for label in loop.output_labels])
     return times, {port: found.outputs[ports == port].T for port in set(ports)}
 

@@ -6,6 +6,7 @@ with p = w r, s = w t/r, d = theta_hat - theta.  Without a walk, for any phi: d 
 
 import numpy as np
 import pytest
+from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks.laws import kalman_flow
@@ -25,9 +26,7 @@ def filtered(duration, step=1.0, **own):
 def states(scenario, times):
     """d = theta_hat - theta and P along a run."""
     loop = clpt.closed_loop(scenario)
-    found = clpt.simulate(
-        loop, times, None, clpt.initial_state(scenario), rtol=1e-11, atol=1e-14
-    ).states
+    found = response(loop, times, None, clpt.initial_state(scenario), rtol=1e-11, atol=1e-14).states
     d = found[8:14].T.reshape(-1, 2, 3) - THETA  # after x, z, K, Gamma
     return d, found[14:23].T.reshape(-1, 3, 3)
 
@@ -44,7 +43,7 @@ def test_one_function_is_the_closed_form(walk):
     u[7:9] = theta[:, None] * t  # a vehicle that drifts
     start = [0, 0, 0, 0, 0.1, 0.2, P0, 1.0, *-theta]  # K, Gamma, theta_hat, P, phi_f, q = -theta
     loop = clpt.connect([law], external=list(inputs))
-    found = clpt.simulate(loop, t, u, start, rtol=1e-11, atol=1e-13).states
+    found = response(loop, t, u, start, rtol=1e-11, atol=1e-13).states
     p, s = walk * r, walk * t / r
     np.testing.assert_allclose(
         found[6], p * (P0 + p * np.tanh(s)) / (p + P0 * np.tanh(s)), rtol=1e-9

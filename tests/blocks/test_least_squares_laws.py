@@ -8,6 +8,7 @@ and phi_f is constant, 1/P = 1/P(0) + phi_f^2 t/r^2;
 
 import numpy as np
 import pytest
+from responses import response
 from scipy.integrate import quad, simpson
 
 import clpt_control as clpt
@@ -42,7 +43,7 @@ def drifting(p, t, **start):
     for port, value in {"P": p.largest, "rho": 1.0, **start}.items():
         state[columns[port]] = value
     loop = clpt.connect([law], external=list(inputs))
-    run = clpt.simulate(loop, t, u, state, rtol=1e-11, atol=1e-13).states
+    run = response(loop, t, u, state, rtol=1e-11, atol=1e-13).states
     return {port: run[column] for port, column in columns.items()}
 
 
@@ -111,7 +112,7 @@ def along(law, seed):
     scenario = clpt.paper_scenario().with_values(more)
     loop, times = clpt.closed_loop(scenario), np.linspace(0, 60, 3001)
     state = clpt.initial_state(scenario)
-    found = clpt.simulate(loop, times, None, state, rtol=1e-10, atol=1e-12).states
+    found = response(loop, times, None, state, rtol=1e-10, atol=1e-12).states
     columns = state_columns(paper_blocks(scenario))
     s = {port: found[column] for port, column in columns.items()}
     return scenario, times, s

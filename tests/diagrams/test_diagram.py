@@ -3,6 +3,7 @@
 import control
 import numpy as np
 import pytest
+from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks import Block, basis, flow, lyapunov, reference, vehicle
@@ -365,9 +366,7 @@ def test_lyapunov_falls_by_what_is_dissipated():
     loop = monitored(scenario)
     x0 = np.append(initial_state(scenario), 0.0)
     x0[2:4] = [0.5, -0.7]
-    run = clpt.simulate(
-        loop, np.arange(0.0, 100.01, 0.25), initial_state=x0, rtol=1e-11, atol=1e-13
-    )
+    run = response(loop, np.arange(0.0, 100.01, 0.25), initial_state=x0, rtol=1e-11, atol=1e-13)
     V = run.outputs[loop.output_labels.index("V[0]")]
     D = run.outputs[loop.output_labels.index("D[0]")]
     assert V[0] > V[-1] > 0
@@ -380,7 +379,7 @@ def test_known_flow_lyapunov_is_conserved_where_the_estimate_is_exact():
     exact = KNOWN.with_values({"learning.theta_estimate": np.array(PAPER.flow.parameters)})
     loop = monitored(exact)
     x0 = np.append(initial_state(exact), 0.0)
-    run = clpt.simulate(loop, np.arange(0.0, 60.01, 0.5), initial_state=x0, rtol=1e-11, atol=1e-13)
+    run = response(loop, np.arange(0.0, 60.01, 0.5), initial_state=x0, rtol=1e-11, atol=1e-13)
     V = run.outputs[loop.output_labels.index("V[0]")]
     D = run.outputs[loop.output_labels.index("D[0]")]
     np.testing.assert_allclose(V + D, V[0], atol=1e-6)
@@ -408,7 +407,7 @@ def test_error_system_reproduces_the_error():
     x0 = initial_state(PAPER)
     theta, alpha = np.ravel(PAPER.flow.parameters), x0[4:10]
     eta = np.concatenate([theta + alpha, x0[10:12] - 1.0, 1.0 - x0[12:14]])
-    run = clpt.simulate(
+    run = response(
         both,
         np.arange(0.0, 60.1, 0.5),
         initial_state=np.concatenate([x0, x0[0:2] - x0[2:4], eta]),
@@ -452,7 +451,7 @@ def test_every_wire_joins_equal_labels():
 
 def test_blocks_of_a_reference_alone_run():
     loop = connect([reference.reference([[1.0, 0.0], [0.0, 1.0]], dwell=2.0)])
-    run = clpt.simulate(loop, [0.0, 1.0, 2.0, 3.0])
+    run = response(loop, [0.0, 1.0, 2.0, 3.0])
     assert run.outputs[0].tolist() == [1.0, 1.0, 0.0, 0.0]
 
 

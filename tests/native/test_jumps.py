@@ -8,6 +8,7 @@ from typing import NamedTuple
 import control
 import numpy as np
 import pytest
+from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks import Block, Guard
@@ -166,7 +167,7 @@ def test_a_jump_reads_an_input_of_the_diagram(engine):
     reader = Block("reader", update=still, states={"s": 1}, inputs={"r": 1}, parameters=Clock(),
                    breakpoints=ticks, jump=read)  # fmt: skip
     times, u = np.array([0.0, 0.8, 1.2, 2.0, 2.5]), np.array([0.0, 0.0, 4.0, 5.0, 5.0])
-    run = clpt.simulate(clpt.connect([reader], external=["r"]), times, u, engine=engine)
+    run = response(clpt.connect([reader], external=["r"]), times, u, engine=engine)
     np.testing.assert_allclose(run.states[0], [0, 0, 2, 7, 7], atol=1e-12)
 
 
@@ -288,7 +289,7 @@ def test_a_block_that_jumps_conforms_is_copied_and_pickled():
     block = saw(jump=read, inputs={"r": 1})
     clpt.blocks.conformance(block)
     for twin in (pickle.loads(pickle.dumps(block)), copy.deepcopy(block), block.copy(name="twin")):
-        found = clpt.simulate(twin, [0.0, 1.5], 3.0, [0.0])
+        found = response(twin, [0.0, 1.5], 3.0, [0.0])
         np.testing.assert_allclose(found.states[0], [0.0, 4.5], atol=1e-12)
     assert str(block.jump_record).endswith("v6 = add(v1, v2)\nout[0] = v6")
 

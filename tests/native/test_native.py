@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks import Block, reference, vehicle
@@ -135,12 +136,12 @@ def test_sampled_inputs_are_straight_between_samples():
     zc = np.array([[0.0, 3.0, 3.0, -1.0, 2.0], [1.0, 0.0, 2.0, 2.0, 2.0]])
     state = initial_state(scenario)
     native, python = (
-        clpt.simulate(loop, times, zc, initial_state=state, engine=e) for e in ("native", "python")
+        response(loop, times, zc, initial_state=state, engine=e) for e in ("native", "python")
     )
     np.testing.assert_allclose(native.outputs, python.outputs, rtol=1e-8, atol=1e-9)
     np.testing.assert_array_equal(native.inputs, zc)
-    held = clpt.simulate(loop, times, [1.0, 2.0], initial_state=state)
-    by_hand = clpt.simulate(loop, times, np.tile([[1.0], [2.0]], 5), initial_state=state)
+    held = response(loop, times, [1.0, 2.0], initial_state=state)
+    by_hand = response(loop, times, np.tile([[1.0], [2.0]], 5), initial_state=state)
     np.testing.assert_allclose(held.outputs, by_hand.outputs, rtol=1e-7, atol=1e-7)
 
 
@@ -148,7 +149,7 @@ def test_call_time_parameters_reach_the_machine_code():
     loop, state = clpt.closed_loop(clpt.paper_scenario()), initial_state(clpt.paper_scenario())
     changes = {"adaptation.gain": 2.0, "basis_x.widths": [4.0, 5.0, 6.0], "reference.interval": 3.0}
     native, python = (
-        clpt.simulate(loop, [0.0, 15.0], initial_state=state, params=changes, engine=e)
+        response(loop, [0.0, 15.0], initial_state=state, params=changes, engine=e)
         for e in ("native", "python")
     )
     np.testing.assert_allclose(native.states, python.states, rtol=1e-9, atol=1e-10)
@@ -169,8 +170,8 @@ def test_two_vehicles_in_one_diagram():
         outputs=["near", "far"],
     )
     state = np.tile(initial_state(clpt.paper_scenario()), 2)
-    together = clpt.simulate(both, [0.0, 30.0], initial_state=state)
-    apart = [clpt.simulate(loop, [0.0, 30.0], initial_state=state[:14]) for loop in (first, second)]
+    together = response(both, [0.0, 30.0], initial_state=state)
+    apart = [response(loop, [0.0, 30.0], initial_state=state[:14]) for loop in (first, second)]
     alone = [run.outputs[run.output_labels.index("e[0]"), -1] for run in apart]
     np.testing.assert_allclose(together.outputs[:, -1], alone, rtol=0, atol=1e-8)
 
@@ -246,7 +247,7 @@ def test_a_field_is_left_where_and_as_it_says():
         fixed = made(field("stop")).run([0.0, 0.0], [0.0, 1.0, 2.0, 10.0], step=0.05)
         np.testing.assert_allclose(fixed.t, [0, 1, 2, 2 / 0.7], rtol=1e-9)
         np.testing.assert_allclose(fixed.x[:, 0], 0.7 * fixed.t, rtol=1e-9)
-    clipped = clpt.simulate(field("clip"), [0.0, 10.0])
+    clipped = response(field("clip"), [0.0, 10.0])
     assert clipped.states[0, -1] == pytest.approx(7.0, abs=1e-9)
 
 
@@ -279,7 +280,7 @@ def test_what_cannot_be_compiled_runs_in_python_with_one_warning():
         [lag], outlist=["lag.y[0]"], inputs=0, connections=False, check_unused=False
     )
     with pytest.warns(UserWarning, match="lag is no block") as caught:
-        found = clpt.simulate(loop, [0.0, 1.0], initial_state=[1.0])
+        found = response(loop, [0.0, 1.0], initial_state=[1.0])
     assert len(caught) == 1
     assert found.states[0, -1] == pytest.approx(math.exp(-1), abs=1e-9)
 
@@ -409,7 +410,7 @@ def test_inputs_are_read_as_simulate_reads_them():
         external=["flow_x"],
     )
     times, flow = [0.0, 1.0, 3.0], [[0.0, 1.0, 1.0], [2.0, 2.0, 0.0]]
-    wanted = clpt.simulate(diagram, times, flow, initial_state=[1.0, -1.0]).states.T
+    wanted = response(diagram, times, flow, initial_state=[1.0, -1.0]).states.T
     for made in (NativeDiagram, PythonDiagram):
         runner = made(diagram)
         found = runner.run([1.0, -1.0], times, inputs=flow)
@@ -417,13 +418,13 @@ def test_inputs_are_read_as_simulate_reads_them():
         signals = runner.signals(found, flow)
         np.testing.assert_allclose(signals[:, :2], found.x, rtol=1e-12, atol=1e-12)
         with pytest.raises(SimulationError, match="inputs: shape"):
-            runner.signals(found, [[1.0], [2.0]])
+            runner.signals(found, np.ones((2, 2)))
 
 
 def test_machine_code_that_is_asked_for_takes_no_function_as_inputs():
     loop = clpt.closed_loop(clpt.paper_scenario(), external=("zc",))
     with pytest.raises(SimulationError, match="inputs: machine code takes no function"):
         clpt.simulate(loop, [0.0, 1.0], lambda t: [t, 0.0], engine="native")
-    left = clpt.simulate(loop, [0.0, 1.0], lambda t: [t, 0.0])
-    given = clpt.simulate(loop, [0.0, 1.0], [[0.0, 1.0], [0.0, 0.0]], engine="native")
+    left = response(loop, [0.0, 1.0], lambda t: [t, 0.0])
+    given = response(loop, [0.0, 1.0], [[0.0, 1.0], [0.0, 0.0]], engine="native")
     np.testing.assert_allclose(left.states, given.states, rtol=1e-9, atol=1e-9)

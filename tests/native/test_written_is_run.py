@@ -10,6 +10,7 @@ from typing import NamedTuple
 import control
 import numpy as np
 import pytest
+from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks import Block
@@ -288,7 +289,7 @@ def test_discrete_time_is_refused_by_name(place):
 
 def test_continuous_systems_of_python_control_are_run():
     system = around(control.ss([[-2.0]], [[1.0]], [[1.0]], 0, name="lag"))
-    found = clpt.simulate(system, [0.0, 1.0], 1.0)
+    found = response(system, [0.0, 1.0], 1.0)
     assert found.outputs[0, -1] == pytest.approx((1 - math.exp(-2)) / 2, abs=1e-9)
 
 

@@ -8,6 +8,7 @@ import control
 import numpy as np
 import pytest
 from calm_water import CALM, PAPER, exact_positions
+from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks import Block
@@ -74,7 +75,7 @@ def test_circle_of_a_linear_oscillator():
         outputs=["a", "b"],
     )
     times = np.linspace(0, 20 * math.pi, 41)  # every quarter turn
-    run = clpt.simulate(loop, times, initial_state=[1, 0], rtol=1e-11, atol=1e-13)
+    run = response(loop, times, initial_state=[1, 0], rtol=1e-11, atol=1e-13)
     np.testing.assert_allclose(run.outputs[0, ::4], 1.0, atol=1e-8)
     np.testing.assert_allclose(run.outputs[0, 2::4], -1.0, atol=1e-8)
     np.testing.assert_allclose(run.outputs[1, ::2], 0.0, atol=1e-8)
@@ -92,7 +93,7 @@ def test_constant_input():
         np.full((1, 13), 5.0),
         np.full(13, 5.0),
     ):
-        run = clpt.simulate(decaying(), times, inputs, rtol=1e-11, atol=1e-13)
+        run = response(decaying(), times, inputs, rtol=1e-11, atol=1e-13)
         np.testing.assert_allclose(run.outputs.ravel(), exact, atol=1e-9)
         np.testing.assert_allclose(run.inputs.ravel(), 5.0)
 
@@ -100,7 +101,7 @@ def test_constant_input():
 def test_array_is_joined_by_straight_lines_and_its_kinks_are_hit():
     # u = t on [0, 1], then 2 - t on [1, 2]: x' = -x + u from 0
     times = np.array([0.0, 1.0, 2.0])
-    run = clpt.simulate(decaying(1.0), times, [[0.0, 1.0, 0.0]], rtol=1e-12, atol=1e-14)
+    run = response(decaying(1.0), times, [[0.0, 1.0, 0.0]], rtol=1e-12, atol=1e-14)
     one = math.exp(-1)  # x(1) = 1 - 1 + e^-1
     # on [1, 2] with s = t - 1: x' = -x + 1 - s, x = (x1 - 2) e^-s + 2 - s
     two = (one - 2) * math.exp(-1) + 1
@@ -110,7 +111,7 @@ def test_array_is_joined_by_straight_lines_and_its_kinks_are_hit():
 def test_callable_input():
     # x' = -x + cos t from 1/2: x = (cos t + sin t)/2
     times = np.linspace(0, 10, 21)
-    run = clpt.simulate(
+    run = response(
         decaying(1.0), times, lambda t: [math.cos(t)], initial_state=[0.5], rtol=1e-11, atol=1e-13
     )
     np.testing.assert_allclose(run.outputs.ravel(), (np.cos(times) + np.sin(times)) / 2, atol=1e-9)
@@ -118,7 +119,7 @@ def test_callable_input():
 
 
 def test_no_input_is_zero():
-    run = clpt.simulate(decaying(), [0.0, 1.0], initial_state=[1.0], rtol=1e-11, atol=1e-13)
+    run = response(decaying(), [0.0, 1.0], initial_state=[1.0], rtol=1e-11, atol=1e-13)
     assert run.outputs.ravel()[-1] == pytest.approx(math.exp(-2), abs=1e-10)
 
 

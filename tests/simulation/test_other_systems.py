@@ -8,6 +8,7 @@ import netCDF4
 import numpy as np
 import pytest
 from calm_water import CALM, PAPER
+from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks import Block
@@ -37,7 +38,7 @@ def test_plain_systems_in_a_loop_with_blocks():
         check_unused=False,
     )
     times = np.linspace(0, 10, 21)
-    run = clpt.simulate(loop, times, initial_state=[0.0, 1.0], rtol=1e-11, atol=1e-13)
+    run = response(loop, times, initial_state=[0.0, 1.0], rtol=1e-11, atol=1e-13)
     np.testing.assert_allclose(run.outputs.ravel(), np.cos(times), atol=1e-9)
 
 
@@ -68,7 +69,7 @@ def test_parameters_of_a_plain_system():
         check_unused=False,
     )
     for k in (1.0, 3.0):
-        run = clpt.simulate(
+        run = response(
             loop, [0.0, 2.0], initial_state=[1.0, 0.0], params={"k": k}, rtol=1e-11, atol=1e-13
         )
         assert np.ravel(run.outputs)[-1] == pytest.approx((1 - math.exp(-2 * k)) / k, abs=1e-9)
@@ -76,7 +77,7 @@ def test_parameters_of_a_plain_system():
 
 @pytest.mark.filterwarnings("ignore:.*runs in Python, not as machine code")
 def test_a_plain_system_alone():
-    run = clpt.simulate(control.ss(-2, 1, 1, 0), [0.0, 1.0], 4.0, rtol=1e-11, atol=1e-13)
+    run = response(control.ss(-2, 1, 1, 0), [0.0, 1.0], 4.0, rtol=1e-11, atol=1e-13)
     assert np.ravel(run.outputs)[-1] == pytest.approx(2 - 2 * math.exp(-2), abs=1e-9)
 
 
@@ -135,9 +136,9 @@ def test_runs_are_the_same_in_any_order():
 
 def test_a_run_in_two_parts_is_the_run():
     loop, x0 = clpt.closed_loop(CALM), initial_state(CALM)
-    whole = clpt.simulate(loop, [0.0, 1.0, 3.0], initial_state=x0, rtol=1e-11, atol=1e-13)
-    part = clpt.simulate(loop, [0.0, 1.0], initial_state=x0, rtol=1e-11, atol=1e-13)
-    rest = clpt.simulate(loop, [1.0, 3.0], initial_state=part.states[:, -1], rtol=1e-11, atol=1e-13)
+    whole = response(loop, [0.0, 1.0, 3.0], initial_state=x0, rtol=1e-11, atol=1e-13)
+    part = response(loop, [0.0, 1.0], initial_state=x0, rtol=1e-11, atol=1e-13)
+    rest = response(loop, [1.0, 3.0], initial_state=part.states[:, -1], rtol=1e-11, atol=1e-13)
     np.testing.assert_allclose(rest.states[:, -1], whole.states[:, -1], atol=1e-9)
 
 

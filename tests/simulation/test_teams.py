@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from responses import response
 from scipy.linalg import expm
 from strait import DIFFERENT, FILE, PAPER, ROW, team, vehicle
 
@@ -153,12 +154,12 @@ def test_a_team_is_a_diagram_of_python_control():
     assert loop.nstates == 3 * 14
     assert "b/alpha[0]" in loop.output_labels
     start = np.concatenate([clpt.initial_state(one) for one in DIFFERENT.values()])
-    response = clpt.simulate(loop, [0.0, 1.0], initial_state=start)
+    ran = response(loop, [0.0, 1.0], initial_state=start)
     run = clpt.simulate(of, [0.0, 1.0])
-    x = [response.output_labels.index(f"c/x[{k}]") for k in range(2)]
-    np.testing.assert_allclose(response.outputs[x, -1], run.position[2, -1], rtol=0, atol=1e-7)
-    steered = clpt.simulate(loop, [0.0, 1.0], 0, start, params={"b/consensus.coupling": 0.0})
-    assert abs(steered.states[:, -1] - response.states[:, -1]).max() > 1e-4
+    x = [ran.output_labels.index(f"c/x[{k}]") for k in range(2)]
+    np.testing.assert_allclose(ran.outputs[x, -1], run.position[2, -1], rtol=0, atol=1e-7)
+    steered = response(loop, [0.0, 1.0], 0, start, params={"b/consensus.coupling": 0.0})
+    assert abs(steered.states[:, -1] - ran.states[:, -1]).max() > 1e-4
 
 
 def test_one_vehicle_may_have_a_limit_of_speed():

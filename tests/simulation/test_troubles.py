@@ -7,6 +7,7 @@ import control
 import numpy as np
 import pytest
 from calm_water import PAPER
+from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks import Block, field, vehicle
@@ -94,7 +95,7 @@ def test_leaving_raises_with_position_time_and_bounds():
 
 
 def test_leaving_stops_where_it_leaves():
-    run = clpt.simulate(drift("stop"), np.linspace(0, 5, 11), initial_state=[0.0, 0.5])
+    run = response(drift("stop"), np.linspace(0, 5, 11), initial_state=[0.0, 0.5])
     assert run.time.tolist()[:-1] == pytest.approx([0, 0.5, 1, 1.5, 2][: len(run.time) - 1])
     assert run.time[-1] == pytest.approx(2.0, abs=1e-9)
     np.testing.assert_allclose(run.states[:, -1], [2.0, 0.5], atol=1e-8)
@@ -103,13 +104,13 @@ def test_leaving_stops_where_it_leaves():
 
 
 def test_leaving_between_samples_is_kept():
-    run = clpt.simulate(drift("stop"), [0.0, 1.0, 3.0], initial_state=[0.75, 0.5])
+    run = response(drift("stop"), [0.0, 1.0, 3.0], initial_state=[0.75, 0.5])
     np.testing.assert_allclose(run.time, [0.0, 1.0, 1.25], atol=1e-9)
     np.testing.assert_allclose(run.states[0], [0.75, 1.75, 2.0], atol=1e-8)
 
 
 def test_clip_goes_on_with_the_flow_at_the_edge():
-    run = clpt.simulate(drift("clip", v=-0.5), [0.0, 4.0, 20.0], initial_state=[0.0, 0.0])
+    run = response(drift("clip", v=-0.5), [0.0, 4.0, 20.0], initial_state=[0.0, 0.0])
     np.testing.assert_allclose(run.states[:, 1], [4.0, -2.0], atol=1e-8)
     np.testing.assert_allclose(run.states[:, 2], [20.0, -10.0], atol=1e-8)
 
@@ -122,14 +123,14 @@ def test_leaving_in_time():
 
 
 def test_ending_at_the_edge_is_inside():
-    run = clpt.simulate(drift("raise"), [0.0, 2.0], initial_state=[0.0, 1.0])
+    run = response(drift("raise"), [0.0, 2.0], initial_state=[0.0, 1.0])
     np.testing.assert_allclose(run.states[:, -1], [2.0, 1.0], atol=1e-9)
 
 
 def test_starting_outside():
     with pytest.raises(SimulationError, match=r"\(3, 0\) km, time 0 h"):
         clpt.simulate(drift("raise"), [0.0, 1.0], initial_state=[3.0, 0.0])
-    run = clpt.simulate(drift("stop"), [0.0, 1.0], initial_state=[3.0, 0.0])
+    run = response(drift("stop"), [0.0, 1.0], initial_state=[3.0, 0.0])
     assert run.time.tolist() == [0.0]
 
 
@@ -139,7 +140,7 @@ def test_out_and_back_within_a_step_is_found(farthest):
     def velocity(t):
         return [-1.0 + farthest * math.pi / 10 * math.cos(math.pi * t / 10), 0.0]
 
-    run = clpt.simulate(drift("stop"), [0.0, 9.9], velocity, initial_state=[0.0, 0.0])
+    run = response(drift("stop"), [0.0, 9.9], velocity, initial_state=[0.0, 0.0])
     leaves = 10 / math.pi * math.asin(2 / farthest)
     assert run.time[-1] == pytest.approx(leaves, abs=1e-6)
     assert run.states[0, -1] == pytest.approx(2.0, abs=1e-8)

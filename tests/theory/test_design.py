@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from pictures import inked
+from responses import response
 
 import clpt_control as clpt_package
 from clpt_control.blocks.laws.table import LAWS
@@ -83,7 +84,7 @@ def speeds(scenario, times):
     """Speed through the water along a run, by the diagram itself."""
     calm = scenario.with_values({"flow.disturbance": None})
     loop = clpt_package.closed_loop(calm)
-    ran = clpt_package.simulate(loop, times, initial_state=clpt_package.initial_state(calm))
+    ran = response(loop, times, initial_state=clpt_package.initial_state(calm))
     v = [ran.outputs[loop.output_labels.index(f"v_x[{i}]")] for i in range(2)]
     return np.hypot(*v)
 

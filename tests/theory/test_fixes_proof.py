@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
@@ -68,11 +69,9 @@ def information_at_end(values):
     """P^-1 by the response of the diagram, which has it as a port."""
     scenario = AT.with_values(values)
     loop, state = clpt.closed_loop(scenario), clpt.initial_state(scenario)
-    response = clpt.simulate(loop, [0.0, 200.0], initial_state=state)
+    ran = response(loop, [0.0, 200.0], initial_state=state)
     names = [f"information[{k}]" for k in range(4)]
-    return np.array([response.outputs[response.output_labels.index(n), -1] for n in names]).reshape(
-        2, 2
-    )
+    return np.array([ran.outputs[ran.output_labels.index(n), -1] for n in names]).reshape(2, 2)
 
 
 def test_what_is_not_known_of_runs_with_fixes_or_noise_is_refused():

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks import learner, speed_limit
@@ -30,7 +31,7 @@ def rates_of_V(scenario):
     V = scenario.learning.row.V(blocks[-1].parameters, truth)
     loop = connect([*blocks, V], name="with_V")
     times = np.arange(0.0, scenario.run.duration, scenario.run.output_step)
-    states = clpt.simulate(loop, times, initial_state=clpt.initial_state(scenario)).states.T
+    states = response(loop, times, initial_state=clpt.initial_state(scenario)).states.T
     running = RunningRate(loop)
     running.set({})
     rates = [running.rate(t, x, np.zeros(0), 2)[0] for t, x in zip(times, states, strict=True)]

@@ -12,6 +12,7 @@ import textwrap
 
 import numpy as np
 import pytest
+from responses import response
 from scipy.integrate import solve_ivp
 
 import clpt_control as clpt
@@ -132,7 +133,7 @@ def disturbed_run(name, gain=0.8):
     state = clpt.initial_state(scenario)
     state[:2] += 2.0
     state[4:] *= 0.5
-    run = clpt.simulate(loop, np.linspace(0, 60, 601), initial_state=state)
+    run = response(loop, np.linspace(0, 60, 601), initial_state=state)
     return scenario, run.outputs[loop.output_labels.index("V[0]")]
 
 

@@ -1,0 +1,32 @@
+"""A diagram's run as python-control has responses: arrays of shape (signals, times)."""
+
+from types import SimpleNamespace
+
+import numpy as np
+
+import clpt_control as clpt
+from clpt_control.simulation.dataset import VARIABLES
+
+NAMES = {port: name for name, (port, *_) in VARIABLES.items()}
+
+
+def response(system, *args, **kwargs):
+    """Run a diagram; return its time, outputs, states and inputs in the order of its labels."""
+    run = clpt.simulate(system, *args, **kwargs)
+
+    def signals(labels):
+        found = []
+        for label in labels:
+            port, _, number = label.partition("[")
+            values = run[NAMES[port] if NAMES.get(port) in run else port].values
+            found.append(values.reshape(len(values), -1)[:, int(number.rstrip("]") or 0)])
+        return np.array(found)
+
+    return SimpleNamespace(
+        time=run.time.values,
+        outputs=signals(system.output_labels),
+        states=run.states.values.T,
+        inputs=signals(system.input_labels),
+        output_labels=system.output_labels,
+        message=run.attrs["message"],
+    )
