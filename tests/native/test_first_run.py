@@ -62,7 +62,7 @@ def test_a_step_response_runs_in_python_and_is_right():
     assert solution.engine == "python"
     np.testing.assert_allclose(solution.x[:, 0], 1.0 - np.exp(-0.5 * TIMES), atol=1e-8)
     response = clpt.simulate(clpt.connect([lag()], external=["u"]), TIMES, 1.0)
-    np.testing.assert_array_equal(response.states[0], solution.x[:, 0])
+    np.testing.assert_array_equal(response.states[:, 0], solution.x[:, 0])
 
 
 @pytest.mark.usefixtures("nothing_compiled")
@@ -135,7 +135,7 @@ def test_what_cannot_be_compiled_goes_on_in_python(monkeypatch):
     monkeypatch.setattr(first_run, "WORTH", 1e3)
     with pytest.warns(UserWarning, match="other runs in Python, not as machine code"):
         response = clpt.simulate(other, TIMES, initial_state=[1.0])
-    np.testing.assert_allclose(response.states[0], np.exp(-0.5 * TIMES), atol=1e-8)
+    np.testing.assert_allclose(response.states[:, 0], np.exp(-0.5 * TIMES), atol=1e-8)
 
 
 def test_the_line_is_said_once_where_nothing_is_kept(monkeypatch, capsys):
