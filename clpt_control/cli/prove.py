@@ -13,24 +13,31 @@ def prove(
     theorem: Annotated[
         str | None, typer.Option(help="3.1 to 3.4; default: all, limits and every law.")
     ] = None,
+    again: Annotated[bool, typer.Option("--again", help="Judge what was judged before.")] = False,
     as_json: Json = False,
 ) -> None:
     """Check the paper's theorems, and every law, on the equations that run."""
     from ..progress import progress_bar
-    from ..theory.proving.judged_laws import judged_laws
-    from ..theory.proving.limited_speed import judged_limits
-    from ..theory.proving.misprints import misprints
-    from ..theory.proving.team import judged_team
-    from ..theory.proving.theorems import THEOREMS, audit
+    from ..theory.proving.judgement import parts
+    from ..theory.proving.kept_verdicts import Kept
+    from ..theory.proving.two_processes import judge
 
-    with progress_bar("proving", len(THEOREMS) if theorem is None else 1) as report:
-        proofs = audit(theorem, report)
-        listed = misprints()
-        laws = judged_laws() if theorem is None else {}
-        limits = judged_limits() if theorem is None else {}
-        team = judged_team() if theorem is None else None
+    wanted = parts(theorem)
+    kept = Kept()
+    new = [part for part in wanted if again or part not in kept.verdicts]
+    if new:
+        with progress_bar("proving", len(new)) as report:
+            kept.keep(judge(new, kept.digest, report))
+    rooms: dict[str, dict[str, Any]] = {}
+    for part in wanted:
+        rooms.setdefault(part.room, {})[part.name] = kept.verdicts[part]
+    proofs, listed = rooms["theorems"], rooms["misprints"][""]
+    laws, limits = rooms.get("laws", {}), rooms.get("limited_speed", {})
+    team = rooms.get("team", {}).get("")
+    judged_at = max(kept.times[part] for part in wanted)
     if as_json:
-        print_json(_as_json(proofs, limits, listed, laws, team))
+        said = _as_json(proofs, limits, listed, laws, team)
+        print_json({**said, "judged": {"time": judged_at, "before": not new}})
     else:
         named = {f"Theorem {number}": proof for number, proof in proofs.items()}
         named |= {f"Limited speed, {name}": proof for name, proof in limits.items()}
@@ -63,19 +70,26 @@ def prove(
         print_table(
             "Misprints",
             ["equation", "printed", "should be", "confirmed"],
-            [[m.equation, m.printed, m.corrected, "yes" if m.confirmed else "NO"] for m in listed],
+            [
+                [m["equation"], m["printed"], m["corrected"], "yes" if m["confirmed"] else "NO"]
+                for m in listed
+            ],
         )
+        if not new:
+            typer.echo(f"judged on {judged_at} of the same equations; --again judges anew")
     judged = {**proofs, **{f"limited speed, {name}": proof for name, proof in limits.items()}}
     wrong = [f"{n} at step '{s.claim}'" for n, p in judged.items() for s in p.failed]
     wrong += [f"law {law}: {found.claim}" for law, found in laws.items() if not found.holds]
     wrong += [f"team: {team.claim}"] if team is not None and not team.holds else []
-    wrong += [f"the misprint of {m.equation} is not confirmed" for m in listed if not m.confirmed]
+    wrong += [
+        f"the misprint of {m['equation']} is not confirmed" for m in listed if not m["confirmed"]
+    ]
     if wrong:
         more = f" (and {len(wrong) - 1} more)" if len(wrong) > 1 else ""
         raise SimulationError(f"the proof fails: {wrong[0]}{more}")
 
 
-def _as_json(proofs: dict, limits: dict, listed: tuple, laws: dict, team: Any) -> dict[str, Any]:
+def _as_json(proofs: dict, limits: dict, listed: list, laws: dict, team: Any) -> dict[str, Any]:
     """Return the statuses, steps and statements, laws, team and misprints."""
 
     def plain(judged: dict) -> dict[str, Any]:
@@ -86,13 +100,12 @@ def _as_json(proofs: dict, limits: dict, listed: tuple, laws: dict, team: Any) -
             found[name] = {"status": proof.status, "for_every_N": proof.for_every_N, **said}
         return found
 
-    keys = ("equation", "printed", "corrected", "check", "confirmed")
     return {
         "theorems": plain(proofs),
         "limited_speed": plain(limits),
         "laws": {law: _judged(found) for law, found in laws.items()},
         "team": None if team is None else _judged(team),
-        "misprints": [{key: getattr(m, key) for key in keys} for m in listed],
+        "misprints": listed,
     }
 
 
