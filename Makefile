@@ -39,7 +39,7 @@ lint: $(READY)  ## ruff and mypy
 docs: $(SITE)  ## the site in build/docs: warnings are errors, notebooks run, links are followed
 	OPENBLAS_NUM_THREADS=1 $(BIN)/sphinx-build --fail-on-warning --keep-going --nitpicky --quiet \
 		-d build/doctrees docs build/docs
-	$(BIN)/linkchecker --config docs/linkchecker.ini build/docs/index.html
+	$(BIN)/python .ci/follow_links.py
 
 dist: $(DIST)/.ready  ## sdist and wheel into dist/, checked
 	rm -rf dist
