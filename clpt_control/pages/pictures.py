@@ -28,9 +28,11 @@ def flows_figure(run: "xarray.Dataset", scenario: Scenario) -> "Figure":
     true = flow_velocity(scenario, grid, time)
     most = np.nanmax(np.hypot(*np.concatenate([true, learned]).T)) or 1.0
     size = {"angles": "xy", "scale_units": "xy", "scale": most * PLACES / (2 * half)}
-    ax.plot(*path.T, color=GREY, linewidth=0.4, alpha=0.6)
-    ax.quiver(*grid.T, *true.T, color=BLUE, alpha=0.45, width=0.009, label="true", **size)
-    ax.quiver(*grid.T, *learned.T, color=RED, width=0.003, label="learned", **size)
+    ax.plot(*path.T, color=GREY, linewidth=0.4, alpha=0.6, label="track")
+    if true.any():
+        ax.quiver(*grid.T, *true.T, color=BLUE, alpha=0.45, width=0.009, label="true", **size)
+    if learned.any():
+        ax.quiver(*grid.T, *learned.T, color=RED, width=0.003, label="learned", **size)
     unit = scenario.units
     ax.set(xlabel=f"$x_1$ ({unit.length})", ylabel=f"$x_2$ ({unit.length})", aspect="equal")
     ax.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half, middle[1] + half))
@@ -39,7 +41,7 @@ def flows_figure(run: "xarray.Dataset", scenario: Scenario) -> "Figure":
         loc="left",
         fontsize=10,
     )
-    ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=2, fontsize=8, frameon=False)
+    ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=3, fontsize=8, frameon=False)
     return figure
 
 

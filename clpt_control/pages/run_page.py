@@ -45,23 +45,33 @@ def run_page(run: "xarray.Dataset", scenario: Scenario, title: str | None = None
             found_of_clpe(numbers, unit.length),
             found_of_flow(numbers, scenario),
         ],
-        _warnings(run, numbers, changed),
+        _warnings(run, scenario, numbers, changed),
         _cards(numbers, scenario),
         sections,
     )
 
 
-def _warnings(run: "xarray.Dataset", numbers: dict[str, Any], changed: str | None) -> list[str]:
+def _warnings(
+    run: "xarray.Dataset", scenario: Scenario, numbers: dict[str, Any], changed: str | None
+) -> list[str]:
     """Return what a reader must know before the figures."""
     said = []
     if run.attrs.get("status", "finished") != "finished":
         said.append(f"The run ended early: {run.attrs.get('message', 'no reason is recorded')}.")
     elif "flow was faster" in str(run.attrs.get("message")):
         said.append(f"{run.attrs['message']}.")
+    first, last = float(run.time[0]), float(run.time[-1])
+    if not said and (first > 0 or last < scenario.run.duration * (1 - 1e-9)):
+        unit = scenario.units.time
+        said.append(f"What is shown covers t = {first:g} to {last:g} {unit} of the run.")
     if changed:
         said.append(
             "The run had parameters that its scenario does not hold, so that waypoints and the "
             f"true flow may be others than drawn: {changed}."
+        )
+    if "measured_position" in run:
+        said.append(
+            "The CLPE is that of the measured position, which the vehicle reads with noise."
         )
     if numbers["of_samples"]:
         said.append(f"Mean squares here are over the {run.sizes['time']} samples of the file.")

@@ -6,6 +6,9 @@ from ..scenario.experiment import Scenario
 from .run_numbers import at_end
 
 
+LEAST_SHARE = 0.01  # percent, that is said
+
+
 def number(value: float) -> str:
     """Return a number as a sentence has it.
 
@@ -26,7 +29,7 @@ def asked(scenario: Scenario, law: str) -> str:
         f"{scenario.reference.dwell:g} {unit.time} at each, for {run.duration:g} {unit.time} "
         f"({rounds:.3g} round{'s'[: rounds != 1]}) in {_water(scenario)}; it predicts where it "
         f"will be, and from the error of that prediction (CLPE) the law {law} "
-        + ("adapts its gains." if scenario.learning.row.given_estimate else "learns the flow.")
+        + ("is to adapt its gains." if scenario.learning.row.given_estimate else "is to learn it.")
     )
 
 
@@ -45,10 +48,11 @@ def found_of_clpe(numbers: dict[str, Any], length: str) -> str:
     """Return what became of the prediction error."""
     rms = numbers["clpe_rms_per_cycle"]
     if len(rms) > 1 and rms[0] > 0:
-        share = f"{number(100 * rms[-1] / rms[0])} % of it"
+        percent = 100 * rms[-1] / rms[0]
+        share = f", {number(percent)} % of it" if percent >= LEAST_SHARE else ""
         return (
             f"Found: the CLPE, root mean square, was {number(rms[0])} {length} in the first round "
-            f"of the waypoints and {number(rms[-1])} {length} in the last of {len(rms)}, {share}."
+            f"of the waypoints and {number(rms[-1])} {length} in the last of {len(rms)}{share}."
         )
     return (
         f"Found: the CLPE, root mean square, was {number(numbers['clpe_rms'])} {length} over the "
@@ -63,7 +67,8 @@ def found_of_flow(numbers: dict[str, Any], scenario: Scenario) -> str:
     parts = []
     if errors := numbers.get("max_flow_parameter_error"):
         largest = max(abs(value) for row in scenario.flow.parameters or () for value in row)
-        part = f" ({number(100 * at_end(errors) / largest)} % of the largest)" if largest else ""
+        share = 100 * at_end(errors) / largest if largest else 0.0
+        part = f" ({number(share)} % of the largest)" if share >= LEAST_SHARE else ""
         parts.append(
             f"the largest error of a flow parameter is {number(at_end(errors))} "
             f"{unit.length}/{unit.time}{part}"

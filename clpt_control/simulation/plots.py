@@ -73,12 +73,14 @@ def track_plot(run: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axes":
     points, path, unit = scenario.waypoints, run.position.values, scenario.units.length
     low = np.minimum(points.min(0), path.min(0))
     high = np.maximum(points.max(0), path.max(0))
-    middle, half = (low + high) / 2, 0.62 * max(high - low)
+    middle, half = (low + high) / 2, 0.62 * (max(high - low) or 1.0)
     grid = np.stack(np.meshgrid(*(np.linspace(m - half, m + half, 13) for m in middle)), -1)
     flow = flow_velocity(scenario, grid.reshape(-1, 2), 0.0)
-    arrows = ax.quiver(*grid.reshape(-1, 2).T, *flow.T, color=GREY, alpha=0.6, width=0.0035)
     size = float(f"{np.hypot(*flow.T).max():.1g}")
-    ax.quiverkey(arrows, 0.88, 1.02, size, f"{size:g} {unit}/{scenario.units.time}", labelpos="E")
+    if size > 0:  # where all is at rest there are no arrows
+        arrows = ax.quiver(*grid.reshape(-1, 2).T, *flow.T, color=GREY, alpha=0.6, width=0.0035)
+        key = f"{size:g} {unit}/{scenario.units.time}"
+        ax.quiverkey(arrows, 0.88, 1.02, size, key, labelpos="E")
     first = run.time.values <= scenario.cycle
     ax.plot(*path[first].T, color=BLUE, linewidth=1.4, label="track, first cycle")
     if (~first).any():

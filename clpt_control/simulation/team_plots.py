@@ -97,7 +97,8 @@ def _tracks(ax: Any, run: "xarray.Dataset", team: Team, lines: dict[str, dict[st
     edges = zip(low - rim, high + rim, count, strict=True)
     grid = np.stack(np.meshgrid(*(np.linspace(*edge) for edge in edges)), -1).reshape(-1, 2)
     flow = flow_velocity(first, grid, 0.0)
-    ax.quiver(*grid.T, *flow.T, color=GREY, alpha=0.6, width=0.003)
+    if flow.any():
+        ax.quiver(*grid.T, *flow.T, color=GREY, alpha=0.6, width=0.003)
     longest = f"{np.hypot(*flow.T).max():.2g} {unit.length}/{unit.time}"
     for k, (name, scenario) in enumerate(team.members.items()):
         path = run.position.sel(vehicle=name).values

@@ -152,6 +152,14 @@ def test_two_samples_are_drawn(run):
     checked(page_html(page_of(run.isel(time=[0, -1]))))
 
 
+def test_a_vehicle_at_rest_in_still_water_has_its_page():
+    calm = {"flow.parameters": np.zeros((2, 3)), "run.duration": 40}
+    still = {"kind": "waypoints", "points": [[0, 0]], "dwell": 20}
+    run = clpt.simulate(clpt.paper_scenario().with_values({**calm, "reference": still}))
+    assert float(np.abs(run.position).max()) == 0
+    checked(page_html(page_of(run)))
+
+
 def test_fifty_functions_fit():
     text = page_html(page_of(clpt.simulate(many(50))))
     checked(text)
