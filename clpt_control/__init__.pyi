@@ -27,6 +27,7 @@ from .errors import (
 from .pages import report
 from .scenario import Scenario, Team, load_scenario, load_team, paper_scenario, save_scenario
 from .simulation import (
+    animate,
     closed_loop,
     error_loop,
     initial_state,
@@ -51,6 +52,7 @@ __all__ = [
     "SimulationError",
     "Team",
     "Uncompiled",
+    "animate",
     "blocks",
     "closed_loop",
     "connect",

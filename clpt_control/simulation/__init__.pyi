@@ -1,3 +1,4 @@
+from .film import animate
 from .flows import explained_variance, flow_velocity
 from .integrate import sample_times, simulate
 from .loops import closed_loop, error_loop, paper_blocks
@@ -9,6 +10,7 @@ from .team_plots import team_plot
 from .teams import team_loop
 
 __all__ = [
+    "animate",
     "claims",
     "closed_loop",
     "clpe_plot",

@@ -29,7 +29,7 @@ OVERVIEW = [
 ]
 
 
-def _scenario(run: "xarray.Dataset", *names: str) -> Scenario:
+def scenario_with(run: "xarray.Dataset", *names: str) -> Scenario:
     """Return the scenario of a run that has some variables along its time."""
     scenario = scenario_of_run(run)
     missing = [name for name in names if "time" not in getattr(run.get(name), "dims", ())]
@@ -68,7 +68,7 @@ def track_plot(run: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axes":
     """
     from .flows import flow_velocity
 
-    scenario = _scenario(run, "position")
+    scenario = scenario_with(run, "position")
     ax = axes_for(ax, 5.6, 5.2)
     points, path, unit = scenario.waypoints, run.position.values, scenario.units.length
     low = np.minimum(points.min(0), path.min(0))
@@ -125,7 +125,7 @@ def clpe_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
     >>> top, bottom = clpe_plot(clpt.simulate(scenario))
     """
-    scenario = _scenario(run, "clpe")
+    scenario = scenario_with(run, "clpe")
     axes = axes_for(ax, 6.4, 5.4, nrows=2)
     top, bottom = axes
     dwell, unit = scenario.reference.dwell, scenario.units.length
@@ -195,7 +195,7 @@ def learning_plot(run: "xarray.Dataset", axis: int = 1, *, ax: Any = None) -> An
     if axis not in (1, 2):
         raise ClptError(f"axis = {axis!r:.60}: must be 1, horizontal, or 2, vertical")
     names = "flow_parameters_estimate", "feedback_gain", "feedforward_gain"
-    scenario = _scenario(run, *names)
+    scenario = scenario_with(run, *names)
     axes = axes_for(ax, 6.4, 5.4, nrows=2, sharex=True)
     top, bottom = axes
     time, i, units = run.time.values, axis - 1, scenario.units
@@ -261,7 +261,7 @@ def run_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
     >>> axes = run_plot(clpt.simulate(scenario))
     """
-    _scenario(run, "position", "clpe", "flow_parameters_estimate")
+    scenario_with(run, "position", "clpe", "flow_parameters_estimate")
     axes = axes_for(ax, 11.0, 10.0, mosaic=OVERVIEW)
     track_plot(run, ax=axes[0])
     clpe_plot(run, ax=axes[1:3])
