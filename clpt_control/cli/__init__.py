@@ -55,6 +55,7 @@ def application() -> "typer.Typer":
     """Return the command line with all its commands."""
     import typer
 
+    from .animate import animate
     from .design import design
     from .ensemble import ensemble
     from .estimate import estimate
@@ -77,7 +78,7 @@ def application() -> "typer.Typer":
         rich_markup_mode=None,
         pretty_exceptions_enable=False,
     )
-    one, theory = (init, paper, run, diagram), (laws, prove, excitation, design)
+    one, theory = (init, paper, run, diagram, animate), (laws, prove, excitation, design)
     many = (ensemble, *theory, tune, estimate, fit, tides, replay, report)
     for command in (*one, *many):
         app.command(cls=WithPlaces if command is replay else None)(command)

@@ -56,12 +56,29 @@ class ClptAccessor:
         """Pictures: called, the one that shows most; ``plot.track()`` and others, a part."""
         return Plots(self._data)
 
+    def animate(self, path: Any = None, **options: Any) -> Any:
+        """Make a film of a run, as `clpt_control.animate`."""
+        from ..simulation import animate
+
+        return animate(self._data, path, **options)
+
+    def report(self, file: Any, **options: Any) -> dict[str, Any]:
+        """Write a page to send, as `clpt_control.report`."""
+        from ..pages import report
+
+        if self.kind != "replay":
+            return report(self._data, file, **options)
+        from ..pages.kinds import checked_replay
+        from ..replay.dataset import carried
+
+        found: Any = checked_replay(carried(self._data, "the replay"), "the replay")
+        return report(found, file, **options)
+
     def __repr__(self) -> str:
         return f"<clpt of a dataset: {_said(self._data)}>"
 
     def _repr_html_(self) -> str:
-        rows = [("can", "plot(), " + ", ".join(f"plot.{name}()" for name in _parts(self._data)))]
-        return fragment("clpt", _said(self._data), facts(rows))
+        return fragment("clpt", _said(self._data), facts([("can", ", ".join(_can(self._data)))]))
 
 
 def _said(data: "xarray.Dataset") -> str:
@@ -79,8 +96,13 @@ PARTS = {
 }
 
 
-def _parts(data: "xarray.Dataset") -> tuple[str, ...]:
-    return PARTS.get(kind_of(data), ())
+def _can(data: "xarray.Dataset") -> list[str]:
+    try:
+        kind = kind_of(data)
+    except DataError:
+        return ["nothing"]
+    others = ["animate()", "report(FILE)"] if kind == "run" else ["report(FILE)"]
+    return ["plot()", *(f"plot.{name}()" for name in PARTS[kind]), *others]
 
 
 class Plots:

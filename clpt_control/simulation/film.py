@@ -1,6 +1,5 @@
 """A run as a moving picture: GIF by Pillow, MP4 by ffmpeg."""
 
-import os
 from base64 import b64encode
 from collections.abc import Iterator
 from io import BytesIO
@@ -44,7 +43,7 @@ class Movie:
 
 def animate(
     run: "xarray.Dataset",
-    path: str | os.PathLike[str] | None = None,
+    path: str | Path | None = None,
     *,
     start: float | None = None,
     end: float | None = None,
@@ -107,9 +106,7 @@ def animate(
     return None
 
 
-def check_options(
-    path: str | os.PathLike[str] | None, seconds: float, fps: float, width: int
-) -> None:
+def check_options(path: str | Path | None, seconds: float, fps: float, width: int) -> None:
     """Refuse what cannot be filmed, before work begins."""
     if path is not None:
         if (suffix := Path(path).suffix.lower()) not in ENDINGS:
@@ -188,7 +185,8 @@ def _palette() -> list[int]:
 def _write_mp4(file: Path, figure: "Figure", frames: Iterator[int], pause: float) -> None:
     from matplotlib.animation import FFMpegWriter
 
-    writer = FFMpegWriter(fps=1 / pause, codec="libx264", extra_args=["-f", "mp4"])
+    fps: Any = 1 / pause  # need not be whole
+    writer = FFMpegWriter(fps=fps, codec="libx264", extra_args=["-f", "mp4"])
     with writer.saving(figure, str(file), figure.dpi):
         for _ in frames:
             writer.grab_frame()

@@ -23,7 +23,7 @@ FAINT = "#AAAAAA"
 INKS = (BLUE, GREEN, RED, ORANGE, FAINT)  # and black
 LENGTH, LONGEST = 1.8, 2.4  # steps of the grid: the longest true arrow, any learned one
 LEAST = 1e-6  # of the largest |e|: below it nothing is told apart
-INCH = 100  # pixels
+WIDE = 5.6  # inches
 
 
 class Film(NamedTuple):
@@ -86,11 +86,12 @@ def draw_frames(film: Film, width: int) -> "tuple[Figure, Iterator[int]]":
     step = max(high - low) / (ARROWS - 1)
     low, high = low - 0.75 * step, high + 0.75 * step
     shape = (high - low)[1] / (high - low)[0]
-    inches = width / INCH
-    height = 2 * round((np.clip(shape, 0.4, 1.6) * (inches - 0.9) + 2.6) * INCH / 2) / INCH
+    dpi = width / WIDE
+    high_inches = np.clip(shape, 0.4, 1.6) * (WIDE - 0.9) + 2.6
+    height = 2 * round(high_inches * dpi / 2) / dpi  # an even number of pixels, for MP4
     rows = (height - 1.9, 1.1)
-    figure, (chart, below) = new_figure(inches, height, nrows=2, height_ratios=rows)
-    figure.set_dpi(INCH)
+    figure, (chart, below) = new_figure(WIDE, height, nrows=2, height_ratios=rows)
+    figure.set_dpi(dpi)
     moving = _chart(chart, film, step)
     moving |= _trace(below, film)
     chart.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")

@@ -67,7 +67,7 @@ class ConformanceReport(NamedTuple):
         return not self.failures
 
     def __repr__(self) -> str:
-        return f"<ConformanceReport {self}>"
+        return f"<ConformanceReport {str(self).splitlines()[0]}>"
 
     def _repr_html_(self) -> str:
         said = "conforms" if self.ok else f"{len(self.failures)} failures"

@@ -1,0 +1,113 @@
+"""`dataset.clpt`: there whichever import came first, and one sentence for what is not ours."""
+
+import subprocess
+import sys
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+import xarray
+
+import clpt_control as clpt
+
+SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40.0})
+ORDERS = (
+    "import clpt_control, xarray",
+    "import xarray, clpt_control",
+    "import clpt_control.scenario, xarray.core",
+)
+
+
+@pytest.fixture(autouse=True)
+def _closed():
+    yield
+    plt.close("all")
+
+
+@pytest.mark.parametrize("order", ORDERS)
+def test_it_is_there_whichever_was_imported_first(order):
+    code = f"{order}; import xarray, sys; assert 'numba' not in sys.modules; xarray.Dataset().clpt"
+    subprocess.run([sys.executable, "-W", "error", "-c", code], check=True)
+
+
+def test_a_run_and_its_file_as_xarray_opens_it(tmp_path):
+    run = clpt.simulate(SCENARIO)
+    clpt.save_run(run, tmp_path / "run.nc")
+    with xarray.open_dataset(tmp_path / "run.nc") as opened:
+        for one in (run, opened, run.isel(time=slice(3, 20))):
+            assert one.clpt.kind == "run"
+            assert one.clpt.scenario == SCENARIO
+            assert len(one.clpt.plot()) == 7
+            for part in ("track", "clpe", "learning", "excitation"):
+                assert np.size(getattr(one.clpt.plot, part)())
+            assert "animate()" in one.clpt._repr_html_()
+        made = opened.clpt.report(tmp_path / "page.html")
+    assert made["kind"] == "Run of a scenario"
+
+
+def test_a_field_is_found_from_the_file_alone(tmp_path):
+    """The scenario's field is relative to its file, also for xarray's own opening."""
+    grid, ones = np.linspace(-10, 10, 5), np.ones((2, 5, 5))
+    velocity = (("time", "y", "x"), 0.1 * ones, {"units": "m s-1"})
+    axes = {name: (name, grid, {"units": "m"}) for name in ("x", "y")}
+    field = xarray.Dataset(
+        {"u": velocity, "v": velocity}, {"time": ("time", [0.0, 50.0], {"units": "s"}), **axes}
+    )
+    field.to_netcdf(tmp_path / "field.nc")
+    clpt.save_scenario(SCENARIO.with_values({"flow": {"field": str(tmp_path / "field.nc")}}),
+                       tmp_path / "s.toml")  # fmt: skip
+    run = clpt.simulate(clpt.load_scenario(tmp_path / "s.toml"))
+    clpt.save_run(run, tmp_path / "run.nc")
+    with xarray.open_dataset(tmp_path / "run.nc") as opened:
+        assert opened.clpt.plot.track().has_data()
+
+
+def test_teams_ensembles_and_replays(tmp_path):
+    dives, _ = clpt.gliders.usable(clpt.gliders.sample_dives())
+    replay = clpt.replay.replay_dives(dives[:5])
+    data = clpt.replay.replay_dataset(replay, "SG542")
+    team = clpt.Team(members={"a": SCENARIO, "b": SCENARIO}, coupling=0.5)
+    made = {
+        "team": (clpt.simulate(team), 3),
+        "ensemble": (clpt.ensemble.run_ensemble(SCENARIO, "learning.gain=0.2:2.0", 2), 2),
+        "replay": (data, 5),
+    }
+    for kind, (one, count) in made.items():
+        assert one.clpt.kind == kind
+        assert len(one.clpt.plot()) == count
+        assert f"clpt of a dataset: {kind}" in repr(one.clpt)
+    assert made["team"][0].clpt.scenario == team
+    assert made["ensemble"][0].clpt.scenario == SCENARIO
+    data.to_netcdf(tmp_path / "replay.nc")
+    with xarray.open_dataset(tmp_path / "replay.nc") as opened:  # times decoded
+        for of_data, of_replay in zip(
+            opened.clpt.plot.current(), clpt.replay.current_plot(replay), strict=True
+        ):
+            for a, b in zip(of_data.lines, of_replay.lines, strict=True):
+                np.testing.assert_array_equal(a.get_xydata(), b.get_xydata())
+        shown, own = opened.clpt.plot.map(), clpt.replay.map_plot(replay)
+        assert shown.get_title(loc="left") == own.get_title(loc="left")
+        for a, b in zip(shown.lines, own.lines, strict=True):
+            np.testing.assert_allclose(a.get_xydata(), b.get_xydata(), atol=1e-3)
+        heights = [line.get_ydata() for line in opened.clpt.plot.clpe().lines]
+        np.testing.assert_array_equal(
+            heights, [line.get_ydata() for line in clpt.replay.dive_clpe_plot(replay).lines]
+        )
+
+
+def test_what_is_not_ours_is_one_sentence():
+    foreign = xarray.Dataset({"a": 1})
+    assert repr(foreign.clpt) == "<clpt of a dataset: none of clpt's>"
+    assert "nothing" in foreign.clpt._repr_html_()
+    for ask in (
+        lambda: foreign.clpt.plot(),
+        lambda: foreign.clpt.scenario,
+        lambda: foreign.clpt.plot.track(),
+        lambda: foreign.clpt.plot.map(),
+        lambda: foreign.clpt.animate(),
+        lambda: foreign.clpt.report("page.html"),
+        lambda: clpt.simulate(SCENARIO).clpt.plot.map(),
+    ):
+        with pytest.raises(clpt.ClptError) as caught:
+            ask()
+        assert "\n" not in str(caught.value)

@@ -1,0 +1,110 @@
+"""Films: frames even in time, as many as asked, readable by Pillow; refusals before work."""
+
+import numpy as np
+import pytest
+from matplotlib.colors import to_rgb
+from PIL import Image
+
+import clpt_control as clpt
+from clpt_control.figures import BLUE, GREEN
+from clpt_control.simulation.film_frames import film_of
+
+SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40.0})
+
+
+@pytest.fixture(scope="module")
+def run():
+    return clpt.simulate(SCENARIO)
+
+
+def test_a_film_has_its_frames(run, tmp_path):
+    file = tmp_path / "run.gif"
+    clpt.animate(run, file, seconds=1.0, fps=10, width=301, start=2.0, end=30)
+    with Image.open(file) as film:
+        assert film.n_frames == 10
+        assert film.width == 300
+        for k in range(10):
+            film.seek(k)
+            assert film.info["duration"] == 100
+            pixels = np.asarray(film.convert("RGB")).reshape(-1, 3)
+            for colour in (BLUE, GREEN):  # vehicle and prediction are there
+                near = np.abs(pixels / 255 - to_rgb(colour)).max(axis=1) < 0.03
+                assert near.sum() > 10
+    assert [one.name for one in tmp_path.iterdir()] == ["run.gif"]
+
+
+def test_hundredths_of_a_second_are_whole_and_the_film_lasts_as_long(run):
+    made = clpt.animate(run, seconds=0.9, fps=12, width=200)
+    assert made.frames == 11  # of 0.08 s
+    assert made.seconds == pytest.approx(0.88)
+
+
+def test_what_is_shown_is_the_runs_own(run):
+    times = np.array([0.0, 7.0, 20.0, 40.0])
+    film = film_of(run, times)
+    at = run.sel(time=times)
+    np.testing.assert_allclose(film.x, at.position)
+    np.testing.assert_allclose(film.z, at.predicted_position)
+    np.testing.assert_array_equal(film.zc, at.reference)  # right limits
+    for k, t in enumerate(times):
+        for shown, known in (
+            (film.true, ()),
+            (film.learned, (at.flow_parameters_estimate.values[k],)),
+        ):
+            flow = clpt.simulation.flow_velocity(SCENARIO, film.grid, t, *known)
+            np.testing.assert_allclose(shown[k], flow, atol=1e-12)
+
+
+def test_arrows_stand_within_a_field(tmp_path):
+    import xarray
+
+    grid, ones = np.linspace(-3.5, 3.5, 5), np.ones((2, 5, 5))
+    velocity = (("time", "y", "x"), 0.1 * ones, {"units": "m s-1"})
+    axes = {name: (name, grid, {"units": "m"}) for name in ("x", "y")}
+    time = ("time", [0.0, 50.0], {"units": "s"})
+    xarray.Dataset({"u": velocity, "v": velocity}, {"time": time, **axes}).to_netcdf(
+        tmp_path / "field.nc"
+    )
+    flow = {"field": str(tmp_path / "field.nc"), "outside": "clip"}
+    run = clpt.simulate(SCENARIO.with_values({"flow": flow}))
+    film = film_of(run, np.array([0.0, 10.0]))
+    assert np.abs(film.grid).max() <= 3.5
+    np.testing.assert_allclose(film.true, 0.1)
+
+
+def test_refusals(run, tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", "")  # no ffmpeg
+    team = clpt.Team(members={"a": SCENARIO, "b": SCENARIO}, coupling=0.5)
+    for given, options, said in (
+        (run, {"path": tmp_path / "run.avi"}, r"must end in .gif or .mp4"),
+        (run, {"path": tmp_path / "run.mp4"}, "needs ffmpeg, which is not installed"),
+        (run, {"path": tmp_path / "no" / "run.gif"}, "does not exist"),
+        (run, {"seconds": float("nan")}, "seconds = nan: must be a number from"),
+        (run, {"fps": "many"}, "fps = 'many': must be a number from"),
+        (run, {"width": 10}, "width = 10: must be a number from 200"),
+        (run, {"seconds": 600, "fps": 50}, "at most 3000 are made"),
+        (run, {"start": 30, "end": 20}, "must lie one after the other within the run"),
+        (run, {"end": 50}, "within the run, 0 to 40 s"),
+        (run.drop_vars("reference"), {}, "it has no reference along time"),
+        (clpt.simulate(team), {}, "the run is a team's"),
+        (SCENARIO, {}, "must be a run"),
+    ):
+        with pytest.raises(clpt.ClptError, match=said) as caught:
+            clpt.animate(given, **options)
+        assert "\n" not in str(caught.value)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_command(clpt, run, tmp_path):
+    import clpt_control
+
+    clpt_control.save_run(run, tmp_path / "run.nc")
+    out = tmp_path / "film.gif"
+    done = clpt("animate", tmp_path / "run.nc", "-o", out, "--seconds", 0.3, "--width", 200)
+    assert done.status == 0, done.err
+    assert done.out == f"{out}: written\n"
+    with Image.open(out) as film:
+        assert film.n_frames == 4
+    wrong = clpt("animate", tmp_path / "run.nc", "-o", tmp_path / "film.doc")
+    assert wrong.status == 2
+    assert "must end in .gif or .mp4" in wrong.err

@@ -1,0 +1,149 @@
+"""What a notebook shows: small, whole HTML that injects nothing and fetches nothing."""
+
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+
+import pytest
+
+import clpt_control as clpt
+from clpt_control.blocks.laws.learned_flow import LearnedFlowParameters, learned_flow_law
+
+EVIL = '<b onload="x">&'
+VOID = {"img", "meta", "br", "path", "circle"}
+
+
+class Read(HTMLParser):
+    """The elements of a fragment; each that is opened is closed."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.seen, self.addresses = [], [], []
+        self.feed(text)
+        assert self.open == []
+
+    def handle_starttag(self, tag, attrs):
+        self.seen.append(tag)
+        self.addresses += [v for k, v in attrs if k in ("src", "href") or "http" in (v or "")]
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attrs):
+        self.seen.append(tag)
+
+    def handle_endtag(self, tag):
+        if tag not in VOID:
+            assert self.open.pop() == tag
+
+
+def evil_block(name="b<i>"):
+    def output(t, x, u, p, y):
+        """y = u."""
+        y[0] = u[0]
+
+    return clpt.Block(name, output=output, inputs={"a<i>": 1}, outputs={"c&d": 1})
+
+
+@pytest.fixture(scope="module")
+def made():
+    scenario = clpt.paper_scenario().with_values({"run.duration": 60, "title": EVIL})
+    dives, _ = clpt.gliders.usable(clpt.gliders.sample_dives())
+    replay = clpt.replay.replay_dives([replace(dives[0], vehicle=EVIL)])
+    block = evil_block()
+    team = clpt.Team(members={"a": scenario, "b": scenario}, coupling=0.5)
+    loop = clpt.closed_loop(scenario)
+    return {
+        "Scenario": scenario,
+        "Team": team,
+        "Block": block,
+        "Diagram": clpt.connect([block], external=["a<i>"], name="d<i>"),
+        "Drawing": clpt.draw(loop),
+        "Replay": replay,
+        "ConformanceReport": clpt.blocks.check_block(block),
+        "Verdict": clpt.theory.prove(
+            learned_flow_law(LearnedFlowParameters(N=1, gain=-0.5)), points=200
+        ),
+        "Excitation": clpt.theory.gramian(scenario, 20.0),
+        "TeamExcitation": clpt.theory.team_gramian(team, 20.0),
+        "Certificate": clpt.theory.certificate(scenario, 20.0),
+        "Movie": clpt.animate(clpt.simulate(scenario), seconds=0.2, width=200),
+    }
+
+
+NAMES = (
+    "Scenario Team Block Diagram Drawing Replay ConformanceReport Verdict Excitation "
+    "TeamExcitation Certificate Movie"
+)
+
+
+@pytest.mark.parametrize("name", NAMES.split())
+def test_a_thing_shows_itself(made, name):
+    """One short line as text; as HTML whole, small and harmless."""
+    thing = made[name]
+    line = repr(thing)
+    assert line.startswith(f"<{name}")
+    assert line.endswith(">")
+    assert len(line) < 200
+    assert "\n" not in line
+    html = thing._repr_html_()
+    read = Read(html)
+    assert not {"b", "i", "script", "iframe", "link"} & set(read.seen)
+    assert all(one.startswith("data:image/gif;base64,") for one in read.addresses)
+    assert "url(" not in html.replace("url(#", "")
+    if name != "Movie":
+        assert len(html) < 40_000
+    own = r"(fill|stroke|color)[:=]\W?(black|white|000|fff)"
+    assert not re.search(own, html)  # takes the page's colour
+
+
+def test_names_are_shown_as_they_are(made):
+    assert "&lt;b onload=&quot;x&quot;&gt;&amp;" in made["Scenario"]._repr_html_()
+    assert "&lt;b onload=&quot;x&quot;&gt;&amp;" in made["Replay"]._repr_html_()
+    assert "b&lt;i&gt;" in made["Block"]._repr_html_()
+    assert "d&lt;i&gt;" in made["Diagram"]._repr_html_()
+
+
+def test_a_scenario_shows_the_keys_it_was_given(made):
+    html = made["Scenario"]._repr_html_()
+    assert "learning.gain = 0.8" in html
+    assert "run.duration = 60" in html
+    assert str(made["Scenario"]) == repr(made["Scenario"])
+
+
+def test_python_controls_markdown_is_not_the_same_again(made):
+    """It would put the drawing into a notebook twice."""
+    for name in ("Block", "Diagram"):
+        assert made[name]._repr_markdown_() is None
+
+
+def test_a_large_diagram_is_said_in_words():
+    def named(k):
+        def output(t, x, u, p, y):
+            """y = u."""
+            y[0] = u[0]
+
+        return clpt.Block(f"b{k}", output=output, inputs={f"s{k}": 1}, outputs={f"s{k + 1}": 1})
+
+    diagram = clpt.connect([named(k) for k in range(70)], external=["s0"], name="chain")
+    html = diagram._repr_html_()
+    assert "more than 60 blocks" in html
+    assert "<svg" not in html
+    assert "70 blocks" in repr(diagram)
+
+
+def test_a_nested_diagram_is_drawn_block_by_block():
+    import control
+
+    loop = clpt.closed_loop(clpt.paper_scenario())
+    outer = control.interconnect(
+        [loop], outlist=["closed_loop.e[0]"], outputs=["e"], check_unused=False
+    )
+    svg = clpt.draw(outer).svg
+    assert "adaptation" in svg
+    assert svg.startswith("<svg ")
+
+
+def test_what_is_no_diagram_is_one_sentence():
+    for given in ("loop", None, clpt.paper_scenario()):
+        with pytest.raises(clpt.DiagramError, match=r"must be a diagram; clpt\.closed_loop"):
+            clpt.draw(given)
