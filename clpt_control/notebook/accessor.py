@@ -1,4 +1,4 @@
-"""`dataset.clpt`: what clpt does with a run, a team's run, an ensemble or a replay of its own.
+"""`dataset.clpt`: what clpt does with a run, an ensemble or a replay of its own.
 
 Each of them says by its attributes what it is.  Nothing is imported before it is used.
 """
@@ -13,19 +13,23 @@ if TYPE_CHECKING:
 
     from ..scenario import Scenario, Team
 
-KINDS = {"run": "scenario", "team": "team", "ensemble": "ensemble", "replay": "estimator"}
+KINDS = {  # what it is -> an attribute that says so
+    "team": "team",
+    "ensemble": "ensemble",
+    "run": "scenario",
+    "replay": "estimator",
+    "diagram": "solver_steps",
+}
 
 
 def kind_of(data: "xarray.Dataset") -> str:
-    """Return what a dataset of clpt is: "run", "team", "ensemble" or "replay"."""
-    for kind in ("team", "ensemble", "run"):
-        if KINDS[kind] in data.attrs:
+    """Return what a dataset of clpt is, one of `KINDS`."""
+    for kind, attribute in KINDS.items():
+        if attribute in data.attrs:
             return kind
-    if KINDS["replay"] in data.attrs and "dive" in data.dims:
-        return "replay"
     raise DataError(
-        "the dataset is none of clpt's: its attributes hold neither scenario, team, ensemble nor "
-        "replay; clpt.load_run reads a run"
+        "the dataset is none of clpt's: its attributes say neither run, ensemble nor replay; "
+        "clpt.load_run reads a run"
     )
 
 
@@ -37,7 +41,7 @@ class ClptAccessor:
 
     @property
     def kind(self) -> str:
-        """What the dataset is: ``"run"``, ``"team"``, ``"ensemble"`` or ``"replay"``."""
+        """What the dataset is: "run", "team", "diagram", "ensemble" or "replay"."""
         return kind_of(self._data)
 
     @property
@@ -55,6 +59,12 @@ class ClptAccessor:
     def plot(self) -> "Plots":
         """Pictures: called, the one that shows most; ``plot.track()`` and others, a part."""
         return Plots(self._data)
+
+    def state_at(self, t: float) -> Any:
+        """Return the state of a run at a time, as `clpt_control.state_at`."""
+        from ..simulation import state_at
+
+        return state_at(self._data, t)
 
     def animate(self, path: Any = None, **options: Any) -> Any:
         """Make a film of a run, as `clpt_control.animate`."""
@@ -91,6 +101,7 @@ def _said(data: "xarray.Dataset") -> str:
 PARTS = {
     "run": ("track", "clpe", "learning", "excitation"),
     "team": (),
+    "diagram": (),
     "ensemble": (),
     "replay": ("map", "clpe", "current"),
 }
@@ -101,8 +112,10 @@ def _can(data: "xarray.Dataset") -> list[str]:
         kind = kind_of(data)
     except DataError:
         return ["nothing"]
-    others = ["animate()", "report(FILE)"] if kind == "run" else ["report(FILE)"]
-    return ["plot()", *(f"plot.{name}()" for name in PARTS[kind]), *others]
+    film = ["animate()"] if kind == "run" else []
+    state = ["state_at(t)"] if "states" in data.variables else []
+    page = ["report(FILE)"] if kind != "diagram" else []
+    return ["plot()", *(f"plot.{name}()" for name in PARTS[kind]), *film, *state, *page]
 
 
 class Plots:
@@ -112,8 +125,12 @@ class Plots:
         self._data = data
 
     def __call__(self, *, ax: Any = None) -> Any:
-        """Draw a run's track, CLPE and learning; a team; an ensemble's percentiles; a replay."""
+        """Draw a run's track, CLPE and learning; a team; a diagram's ports; percentiles; dives."""
         kind = kind_of(self._data)
+        if kind == "diagram":
+            from ..simulation import response_plot
+
+            return response_plot(self._data, ax=ax)
         if kind == "team":
             from ..simulation import team_plot
 

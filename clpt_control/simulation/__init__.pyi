@@ -4,6 +4,7 @@ from .integrate import sample_times, simulate
 from .loops import closed_loop, error_loop, paper_blocks
 from .plots import clpe_plot, learning_plot, run_plot, track_plot
 from .report import claims, run_and_report
+from .responses import response_plot
 from .run_file import load_run, save_run
 from .starts import initial_state, state_at
 from .team_plots import team_plot
@@ -21,6 +22,7 @@ __all__ = [
     "learning_plot",
     "load_run",
     "paper_blocks",
+    "response_plot",
     "run_and_report",
     "run_plot",
     "sample_times",

@@ -186,7 +186,7 @@ def _write_mp4(file: Path, figure: "Figure", frames: Iterator[int], pause: float
     from matplotlib.animation import FFMpegWriter
 
     fps: Any = 1 / pause  # need not be whole
-    writer = FFMpegWriter(fps=fps, codec="libx264", extra_args=["-f", "mp4"])
+    writer = FFMpegWriter(fps=fps, codec="h264", extra_args=["-f", "mp4"])
     with writer.saving(figure, str(file), figure.dpi):
         for _ in frames:
             writer.grab_frame()

@@ -2,6 +2,7 @@
 
 import warnings
 
+import control
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
@@ -25,6 +26,7 @@ def made():
 
     return {
         "run": clpt.simulate(SCENARIO),
+        "diagram": clpt.simulate(control.ss(-1, 1, [[1], [2]], 0, name="lag"), [0, 1, 2], 1.0),
         "team": clpt.simulate(clpt.Team(members={"a": SCENARIO, "b": SCENARIO}, coupling=0.5)),
         "ensemble": clpt.ensemble.run_ensemble(SCENARIO, "learning.gain=0.2:2.0", 3),
         "replay": clpt.replay.replay_dives(dives[:5]),
@@ -41,6 +43,7 @@ PLOTS = {  # name -> what it draws, how many axes
     "simulation.learning_plot": ("run", 2),
     "simulation.run_plot": ("run", 7),
     "simulation.team_plot": ("team", 3),
+    "simulation.response_plot": ("diagram", 2),
     "ensemble.ensemble_plot": ("ensemble", 2),
     "theory.excitation_plot": ("run", 4),
     "theory.design_plot": ("design", 3),
