@@ -5,7 +5,6 @@ from typing import Any
 from ..scenario.experiment import Scenario
 from .run_numbers import at_end
 
-
 LEAST_SHARE = 0.01  # percent, that is said
 
 
@@ -67,8 +66,8 @@ def found_of_flow(numbers: dict[str, Any], scenario: Scenario) -> str:
     parts = []
     if errors := numbers.get("max_flow_parameter_error"):
         largest = max(abs(value) for row in scenario.flow.parameters or () for value in row)
-        share = 100 * at_end(errors) / largest if largest else 0.0
-        part = f" ({number(share)} % of the largest)" if share >= LEAST_SHARE else ""
+        percent = 100 * at_end(errors) / largest if largest else 0.0
+        part = f" ({number(percent)} % of the largest)" if percent >= LEAST_SHARE else ""
         parts.append(
             f"the largest error of a flow parameter is {number(at_end(errors))} "
             f"{unit.length}/{unit.time}{part}"

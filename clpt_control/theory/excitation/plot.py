@@ -71,7 +71,7 @@ def _drawn(sliding: SlidingExcitation, at: Excitation, ax: Any) -> Any:
     axes[1, 0].set_ylabel("component")
     handles, labels = axes[0, 0].get_legend_handles_labels()
     place = {"loc": "lower left", "bbox_to_anchor": (0, 1.1)}
-    axes[0, 0].legend(handles[::-1], labels[::-1], fontsize=8, frameon=False, ncols=4, **place)
+    axes[0, 0].legend(handles[::-1], labels[::-1], fontsize=8, frameon=False, ncols=2, **place)
     axes[1, 1].legend(fontsize=8, frameon=False, loc="lower left")
     for one in axes[1]:
         one.set_ylim(-1.6, 1.15)
