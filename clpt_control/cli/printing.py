@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from ..errors import ClptError
+from ..errors import ClptError, SimulationError
 
 ScenarioFile = Annotated[Path, typer.Argument(help="A scenario's TOML file, or a run's NetCDF.")]
 Window = Annotated[
@@ -45,7 +45,13 @@ def check_scenario(path: Path | None) -> None:
 
 def print_json(value: dict[str, Any]) -> None:
     """Print one JSON object on standard output."""
-    typer.echo(json.dumps(value, indent=1, allow_nan=False))
+    try:
+        text = json.dumps(value, indent=1, allow_nan=False)
+    except ValueError:
+        raise SimulationError(
+            "--json: a figure is not finite, which JSON cannot hold; leave --json out to see which"
+        ) from None
+    typer.echo(text)
 
 
 def terminal_width() -> int:

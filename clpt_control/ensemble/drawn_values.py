@@ -12,6 +12,7 @@ else varies.
 """
 
 from collections.abc import Sequence
+from decimal import Decimal
 from typing import Any
 
 import numpy as np
@@ -38,8 +39,8 @@ def draw_members(
     count = int(members) * sum(1 if one.kind == "levels" else base[one.key].size for one in varies)
     if count > MOST_NUMBERS:
         raise ScenarioError(
-            f"members = {members}: would draw {count:.3g} numbers; at most {MOST_NUMBERS:.0e} are "
-            "allowed"
+            f"members = {members}: would draw {Decimal(count).normalize():.3g} numbers; at most "
+            f"{MOST_NUMBERS:.0e} are allowed"
         )
     if design == "grid":
         shares = iter(_grid_shares(varies, base, int(members)))

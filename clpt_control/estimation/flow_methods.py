@@ -35,11 +35,14 @@ def fitted(h, y, theta, sd, r) -> tuple[np.ndarray, np.ndarray]:
             "or a smaller prior"
         )
     weighed = h * sd / r[:, None]  # in units of the prior
-    U, s, Vt = np.linalg.svd(weighed, full_matrices=False)
+    if not np.all(np.isfinite(weighed)):
+        raise DataError("the prior is too large for the noise; give a smaller prior or more noise")
+    U, s, Vt = np.linalg.svd(weighed, full_matrices=len(h) < len(sd))
     left = (y - h @ theta.T) / r[:, None]
-    moved = Vt.T @ ((s / (1 + s**2))[:, None] * (U.T @ left))
-    P = np.eye(len(sd)) - (Vt.T * (s**2 / (1 + s**2))) @ Vt
-    return theta + (sd[:, None] * moved).T, sd[:, None] * P * sd
+    moved = Vt[: len(s)].T @ ((s / (1 + s**2))[:, None] * (U.T @ left))
+    share = np.ones(len(sd))  # of the prior that is left along each row of Vt
+    share[: len(s)] = 1 / (1 + s**2)
+    return theta + (sd[:, None] * moved).T, sd[:, None] * ((Vt.T * share) @ Vt) * sd
 
 
 def least_squares(segments, basis, theta, sd, r, w):

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     import xarray
 
 LEAST = 5  # samples between two changes of the waypoint
+MOST_FIXES = 100_000  # of a run
 COARSE = 0.05  # of the way through the water between fixes, in the mean; more is refused
 
 
@@ -37,7 +38,7 @@ class Way:
         dwell, last = scenario.reference.dwell, self.time[-1]
         jumps = dwell * np.arange(np.floor(self.time[0] / dwell) + 1, np.ceil(last / dwell))
         self.edges = np.array([self.time[0], *jumps[jumps < last * (1 - 1e-12)], last])
-        at = np.searchsorted(self.time, self.edges - 1e-9 * dwell)
+        at = np.searchsorted(self.time, self.edges - 1e-9 * dwell).clip(0, len(self.time) - 1)
         if np.any(np.abs(self.time[at] - self.edges) > 1e-6 * dwell):
             raise ScenarioError(
                 f"run.output_step: the waypoint changes each {dwell:g} {scenario.units.time}, "
@@ -102,6 +103,11 @@ def run_segments(
             f"every = {fix:g}: must be positive and at most the run's length, {length:g} "
             f"{scenario.units.time}"
         )
+    if length / fix > MOST_FIXES:
+        raise ScenarioError(
+            f"every = {fix:g}: more than {MOST_FIXES:,} fixes in the run; must be at least "
+            f"{length / MOST_FIXES:g} {scenario.units.time}"
+        )
     fixes = way.time[0] + fix * np.arange(int(np.floor(length / fix * (1 + 1e-12))) + 1)
     fine = fixes[:-1, None] + fix * np.linspace(0.0, 1.0, 2 * SAMPLES - 1)
     x, d = way.at(np.minimum(fine, way.time[-1]))
@@ -135,4 +141,7 @@ def run_scenario(run: "xarray.Dataset") -> Scenario:
     text = attributes.get("scenario")
     if text is None or "position" not in run:
         raise DataError("the run carries no scenario; clpt.simulate gives runs that do")
+    for name in ("time", "position", "reference"):
+        if name not in run or not np.all(np.isfinite(run[name].values)):
+            raise DataError(f"the run has no whole {name}; clpt.simulate gives runs that do")
     return scenario_from_text(text, "scenario", folder_of(run))

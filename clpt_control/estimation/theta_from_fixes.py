@@ -163,16 +163,18 @@ def flow_estimate(
         raise DataError("a fix or the way through the water is not finite; leave it out")
     if not np.all(segments.duration > 0):
         raise DataError("a segment does not end after it begins; clpt.gliders.usable leaves it out")
-    return _found(METHODS[method](segments, basis, theta, sd, r, w), segments, basis, r, origin)
+    with np.errstate(all="ignore"):  # what is not finite is refused
+        return _found(METHODS[method](segments, basis, theta, sd, r, w), segments, basis, r, origin)
 
 
 def _found(
     outcome: Any, segments: Segments, basis: Block, r: np.ndarray, origin: Any
 ) -> FlowEstimate:
     theta, P, steps, h = outcome
-    if not np.all(np.isfinite(theta)):
+    scaled = h / r[:, None]
+    if not all(np.all(np.isfinite(part)) for part in (theta, P, scaled)):
         raise DataError("the estimate is not finite; give a smaller prior or more noise")
-    s = np.linalg.svd(h / r[:, None], compute_uv=False)
+    s = np.linalg.svd(scaled, compute_uv=False)
     condition = float(s[0] / s[-1]) if len(s) == len(P) and s[-1] > 0 else np.inf
     left = segments.miss - h @ theta.T
     return FlowEstimate(theta, P, left, condition, steps, basis, origin)

@@ -92,6 +92,8 @@ def load_run(path: str | Path) -> "xarray.Dataset":
                 f"{path}: is no whole run: {name} holds what is no finite number; `clpt "
                 "run` writes one"
             )
+    if run.time.ndim != 1 or not np.all(np.diff(run.time.values) > 0):
+        raise DataError(f"{path}: is no whole run: its times do not increase")
     run.attrs.pop(FORM, None)  # of the file, not of the run
     run.encoding["folder"] = str(Path(path).parent)
     return run

@@ -196,3 +196,13 @@ def test_brackets_in_tables_are_as_they_are(capsys):
     text = capsys.readouterr().out
     for said in ("x[b].csv [/]", "[red]a", "[bold]1[/bold]", "[/x]", ":smile:"):
         assert said in text
+
+
+def test_figures_that_json_cannot_hold_are_said(capsys):
+    from clpt_control.cli.printing import print_json
+
+    with pytest.raises(
+        clpt_control.errors.SimulationError, match="a figure is not finite, which JSON cannot hold"
+    ):
+        print_json({"figure": float("inf")})
+    assert capsys.readouterr().out == ""

@@ -58,3 +58,63 @@ def test_mistakes_are_one_sentence(clpt, run, tmp_path):
         assert said in outcome.err
         assert outcome.err.count("\n") == 1
         assert not (tmp_path / "out.toml").exists()
+
+
+@pytest.mark.parametrize("method", ["least-squares", "kalman", "tomography"])
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--every", "1e-300"), "every = 1e-300: more than 100,000 fixes in the run"),
+        (("--noise", "1e-320"), "give a smaller prior or more noise"),
+    ],
+    ids=str,
+)
+def test_numbers_that_no_estimate_can_have_are_one_sentence(clpt, run, method, words, said):
+    outcome = clpt("estimate", run, "--method", method, "--json", *words)
+    assert outcome.status == 2, outcome
+    assert said in outcome.err
+    assert outcome.err.count("\n") == 1
+
+
+@pytest.mark.parametrize("words", [("--prior", "1e150"), ("--noise", "1e-150")], ids=str)
+def test_a_prior_that_says_nothing_leaves_what_the_fixes_say(clpt, run, words):
+    found = json.loads(clpt("estimate", run, "--json", *words).out)
+    np.testing.assert_allclose(found["theta"], THETA, rtol=0.05)
+    assert all(0 <= sd < 1 for sd in found["standard_deviation"])
+
+
+def reversed_in_time(run):
+    return run.isel(time=slice(None, None, -1))
+
+
+def without_waypoints(run):
+    return run.drop_vars("reference")
+
+
+def with_a_gap_in_the_waypoints(run):
+    return run.assign(reference=run.reference.where(run.time > 3))
+
+
+def twice_at_one_time(run):
+    return run.isel(time=[0, 0, 1, 2])
+
+
+@pytest.mark.parametrize(
+    ("damage", "said"),
+    [
+        (reversed_in_time, "its times do not increase"),
+        (twice_at_one_time, "its times do not increase"),
+        (without_waypoints, "the run has no whole reference"),
+        (with_a_gap_in_the_waypoints, "the run has no whole reference"),
+    ],
+    ids=lambda value: getattr(value, "__name__", ""),
+)
+def test_a_damaged_run_is_one_sentence(clpt, run, tmp_path, damage, said):
+    import xarray
+
+    with xarray.open_dataset(run) as data:
+        damage(data.load()).to_netcdf(tmp_path / "bad.nc")
+    outcome = clpt("estimate", tmp_path / "bad.nc", "--json")
+    assert outcome.status == 2, outcome
+    assert said in outcome.err
+    assert outcome.err.count("\n") == 1

@@ -44,6 +44,7 @@ MISTAKES = [
     ({"vary": VARY[0], "members": 0}, "members = 0: must be a whole number, at least 1"),
     ({"vary": VARY[0], "members": 2.5}, "members = 2.5: must be a whole number"),
     ({"vary": VARY[0], "members": 10**20}, "would draw 1e+20 numbers; at most 2e+08"),
+    ({"vary": VARY[0], "members": 10**400}, "would draw 1e+400 numbers"),
     ({"vary": VARY[0], "members": 10**20, "design": "grid"}, "would draw 1e+20 numbers"),
     ({"vary": VARY[0], "members": 2, "samples": 10**20}, "more than 1e+08 in a run"),
     ({"vary": "learning.gain=٢:٣", "members": 2}, "'٢' must be a finite number"),

@@ -18,6 +18,7 @@ from clpt_control.theory.designing.area import area_of_degrees, field_area
 from clpt_control.theory.designing.learned import time_below
 from clpt_control.theory.designing.limits import around, closed_length, shortened
 from clpt_control.theory.designing.plot import design_plot
+from clpt_control.theory.designing.tracks import Tracks
 from clpt_control.theory.excitation.gramian import gramian, started_true
 
 K, DWELL = 0.5, 20.0  # of the case whose best track is known
@@ -176,6 +177,18 @@ def test_impossible_limits_are_refused_in_a_sentence(paper, limits, said):
     with pytest.raises(ScenarioError, match=said) as caught:
         design_track(paper, **limits)
     assert "\n" not in str(caught.value)
+
+
+def test_a_track_of_more_waypoints_than_lanes_hold_apart_is_watched(paper):
+    circle = [[3 * np.cos(a), 3 * np.sin(a)] for a in np.linspace(0, 2 * np.pi, 601)[:-1]]
+    scenario = paper.with_values(
+        {"reference": {"kind": "waypoints", "dwell": 0.5, "points": circle}, "run.duration": 30}
+    )
+    tracks = Tracks(scenario, (10.0, 10.0), 30.0, 3, 1e-8)
+    least, _ = tracks(scenario.waypoints[None])
+    assert np.all(least > 0)
+    with pytest.raises(ScenarioError, match="has 600 waypoints, too many for tracks to differ in"):
+        tracks(1.1 * scenario.waypoints[None])
 
 
 @settings(max_examples=60, deadline=None, derandomize=True)

@@ -16,6 +16,7 @@ import numpy as np
 from ...blocks import Block, evaluate
 from ...blocks.laws.table import LAWS
 from ...diagrams.interconnection import wiring_of_blocks
+from ...errors import ScenarioError
 from ...native.batch import Batch
 from ...native.native_diagram import NativeDiagram
 from ...native.printing import LANES
@@ -105,8 +106,13 @@ class Tracks:
         P = np.tile(self.native.parameters(), (len(points), 1))
         names = [block.name for block in self.blocks]
         for i, field in enumerate(("x1", "x2")):
-            place = self.native.layout.slots[names.index("reference"), field].offset
-            P[:, place : place + points.shape[1]] = points[:, :, i]
+            array, place = self.native.layout.slots[names.index("reference"), field]
+            if array == "P":
+                P[:, place : place + points.shape[1]] = points[:, :, i]
+            elif not np.array_equal(points[:, :, i], [self.scenario.waypoints[:, i]] * len(P)):
+                raise ScenarioError(
+                    f"reference: has {points.shape[1]} waypoints, too many for tracks to differ in"
+                )
         return P
 
     def _least(self, x: np.ndarray, points: np.ndarray) -> np.ndarray:
