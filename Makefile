@@ -21,7 +21,7 @@ test: $(READY)  ## every test but the slow ones
 test-slow: $(READY)  ## the minutes-long tests
 	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 -m slow --no-header
 
-test-browser: $(READY)  ## the page of a replay in headless Chromium, where one is installed
+test-browser: $(READY)  ## pages to send, the page of a replay and the site in headless Chromium, where one is installed
 	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -m browser -rs tests/browser
 
 test-generic: $(READY)  ## the engine's tests as on a processor without vector extensions

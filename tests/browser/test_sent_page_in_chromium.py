@@ -1,0 +1,123 @@
+"""A page to send in headless Chromium: whole, quiet, read in light, dark, small and on paper.
+
+Run by `make test-browser`; skipped, with the reason, where no Chromium is installed.
+"""
+
+import json
+import re
+import subprocess
+
+import pytest
+from processes import CLPT, GUARD
+from test_page_in_chromium import CHROMIUM, FRAME, QUIET, shown
+
+DARK = "--blink-settings=preferredColorScheme=0"
+LEAST = 4.5  # contrast of text, WCAG 2.2, 1.4.3
+PROBE = """
+<script>
+const channels = (colour) => colour.match(/[\\d.]+/g).map(Number);
+function light(colour) {
+  const [r, g, b] = channels(colour).map((v) => (v /= 255) <= 0.04045 ? v / 12.92
+    : ((v + 0.055) / 1.055) ** 2.4);
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+}
+function behind(element) {
+  for (; element; element = element.parentElement) {
+    const colour = getComputedStyle(element).backgroundColor;
+    if (channels(colour)[3] !== 0) return colour;
+  }
+}
+function contrast(element) {
+  const style = getComputedStyle(element), drawn = element.closest("svg");
+  const both = [light(drawn ? style.fill : style.color), light(behind(element))];
+  return (Math.max(...both) + 0.05) / (Math.min(...both) + 0.05);
+}
+addEventListener("load", () => {
+  const texts = [...document.body.querySelectorAll("*")].filter((one) => one.tagName !== "SCRIPT"
+    && [...one.childNodes].some((node) => node.nodeType === 3 && node.data.trim()));
+  parent.postMessage(JSON.stringify({
+    inner: innerWidth, wide: document.documentElement.scrollWidth,
+    fetched: performance.getEntriesByType("resource").map((one) => one.name),
+    sections: [...document.querySelectorAll("section h2")].map((one) => one.id),
+    texts: texts.length, dark: matchMedia("(prefers-color-scheme: dark)").matches,
+    faint: texts.filter((one) => contrast(one) < LEAST).map((one) => one.outerHTML.slice(0, 90)),
+    flat: [...document.querySelectorAll("figure svg")].filter(
+      (one) => one.getBoundingClientRect().height < 100).length,
+  }), "*");
+});
+</script>
+"""
+SECTIONS = {
+    "run": ["loop", "track", "clpe", "learning", "excitation", "scenario", "again"],
+    "team": ["team", "loop", "excitation", "scenario", "again"],
+    "ensemble": ["spread", "varied", "scenario", "again"],
+}
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.skipif(not CHROMIUM, reason="no Chromium is installed: chromium is not on PATH"),
+]
+
+
+@pytest.fixture(scope="module")
+def pages(tmp_path_factory):
+    """Pages of a run, a team's run and an ensemble."""
+    folder = tmp_path_factory.mktemp("pages")
+
+    def clpt(*words):
+        subprocess.run([*CLPT, *map(str, words)], check=True, capture_output=True, cwd=folder)
+
+    clpt("init", "run.toml")
+    text = (folder / "run.toml").read_text("utf-8")
+    text = re.sub(r"^duration = .*$", "duration = 400", text, flags=re.M)
+    (folder / "run.toml").write_text(text, "utf-8")
+    member = "[team]\ncoupling = 0.5\n[team.members]\na = {}\nb = {}\n"
+    (folder / "team.toml").write_text(f"{text}\n{member}", "utf-8")
+    for name in ("run", "team"):
+        clpt("run", f"{name}.toml", "--out", f"{name}.nc")
+        clpt("report", f"{name}.nc", "-o", f"{name}.html")
+    vary = ("--members", "8", "--vary", "learning.gain=0.2:2.0")
+    clpt("ensemble", "run.toml", *vary, "--out", "ensemble.zarr")
+    clpt("report", "ensemble.zarr", "-o", "ensemble.html")
+    return folder
+
+
+@pytest.mark.parametrize("name", SECTIONS)
+def test_the_page_is_quiet(pages, tmp_path, name):
+    tree, console = shown(pages / f"{name}.html", tmp_path / "profile")
+    assert console == []
+    assert "</footer>" in tree
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("width", [390, 1280])
+@pytest.mark.parametrize("name", SECTIONS)
+def test_the_page_is_read_on_its_screen(pages, tmp_path, name, width, theme):
+    text = (pages / f"{name}.html").read_text("utf-8")
+    text = re.sub(r"<meta http-equiv[^>]*>", "", text)
+    probed = tmp_path / "probed.html"
+    probed.write_text(text + PROBE.replace("LEAST", str(LEAST)), "utf-8")
+    frame = tmp_path / "frame.html"
+    frame.write_text(FRAME.format(page=probed.as_uri(), width=width), "utf-8")
+    words = [f"--window-size={max(width, 500)},900", "--virtual-time-budget=5000"]
+    words += [DARK] if theme == "dark" else []
+    tree, _ = shown(frame, tmp_path / "profile", *words)
+    found = json.loads(re.search(r"<body>(.*?)</body>", tree, re.S)[1])
+    assert found["inner"] == width
+    assert found["wide"] <= width
+    assert found["fetched"] == []
+    assert found["dark"] == (theme == "dark")
+    assert found["sections"] == SECTIONS[name]
+    assert found["texts"] > 60
+    assert found["faint"] == []
+    assert found["flat"] == 0
+
+
+def test_the_page_prints(pages, tmp_path):
+    """As pages of paper, with the scenario unfolded."""
+    made = tmp_path / "run.pdf"
+    profile = f"--user-data-dir={tmp_path / 'profile'}"
+    words = [profile, f"--print-to-pdf={made}", (pages / "run.html").as_uri()]
+    subprocess.run([CHROMIUM, *QUIET, *words], capture_output=True, timeout=GUARD, check=True)
+    content = made.read_bytes()
+    assert content.startswith(b"%PDF-")
+    assert 2 <= len(re.findall(rb"/Type\s*/Page\b", content)) <= 8
