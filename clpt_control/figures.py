@@ -98,8 +98,12 @@ def _shown(width: float, height: float) -> "Figure":
 
         while _unseen:
             pyplot.close(_unseen.pop())
-        with matplotlib.rc_context({"figure.max_open_warning": 0}):
+        most = matplotlib.rcParams["figure.max_open_warning"]
+        matplotlib.rcParams["figure.max_open_warning"] = 0
+        try:  # no rc_context, as a notebook's backend sets parameters when it begins
             figure = pyplot.figure(figsize=(width, height), layout="constrained")
+        finally:
+            matplotlib.rcParams["figure.max_open_warning"] = most
     except ImportError:  # a window where there is no screen
         return _bare(width, height)
     unseen = backend_registry.list_builtin(BackendFilter.NON_INTERACTIVE)

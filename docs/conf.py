@@ -26,6 +26,7 @@ extensions = [
     "mathml",
     "public_names",
     "repository_links",
+    "thumbnails",
 ]
 exclude_patterns = ["_extensions"]
 
@@ -37,6 +38,7 @@ suppress_warnings = ["myst.header"]  # a page may begin its sections at the seco
 # Notebooks: pages with `{code-cell}`; run when they changed, and an error fails the build.
 nb_execution_mode = "cache"
 nb_execution_cache_path = str(HERE.parent / "build" / "notebooks")
+nb_execution_in_temp = True  # an empty folder for each
 nb_execution_raise_on_error = True
 nb_execution_timeout = 300
 nb_merge_streams = True

@@ -9,13 +9,8 @@ from .printing import Json, print_json, print_table, shown
 
 
 def fit(
+    currents: Annotated[Path, typer.Argument(help="NetCDF file of a gridded current.")],
     out: Annotated[Path, typer.Option(help="Scenario file to write; the field lies beside it.")],
-    currents: Annotated[
-        Path | None, typer.Argument(help="NetCDF file of a gridded current.")
-    ] = None,
-    sample: Annotated[
-        bool, typer.Option("--sample", help="Fit the current that comes with clpt.")
-    ] = False,
     box: Annotated[
         tuple[float, float, float, float] | None, typer.Option(help="LAT0 LAT1 LON0 LON1, degrees.")
     ] = None,
@@ -36,15 +31,9 @@ def fit(
     """Fit flow basis functions to a measured current."""
     from ..currents.fit import fit_scenario
     from ..currents.fit_file import save_fit
-    from ..currents.sample import sample_currents
-    from ..errors import ScenarioError
 
-    if (currents is not None) == sample:
-        raise ScenarioError(
-            "give the file of a gridded current, or --sample for the one that comes with clpt"
-        )
     fitted = fit_scenario(
-        currents or sample_currents(),
+        currents,
         box,
         rows=rows,
         columns=columns,

@@ -1,7 +1,7 @@
 """Formulas as MathML, which browsers draw by themselves: no script, no font, no network."""
 
 from docutils import nodes
-from docutils.utils.math import MathError, latex2mathml, pick_math_environment
+from docutils.utils.math import MathError, latex2mathml
 
 
 def setup(app):
@@ -25,9 +25,8 @@ def block(translator, node):
 def mathml(node, as_block):
     """MathML of a node's LaTeX; what cannot be read fails the build with its place."""
     source = node.astext().strip()
-    if as_block:
-        environment = pick_math_environment(source)
-        source = f"\\begin{{{environment}}}{source}\\end{{{environment}}}"
+    if as_block and r"\\" in source and r"\begin" not in source:
+        source = rf"\begin{{aligned}}{source}\end{{aligned}}"
     try:
         return latex2mathml.tex2mathml(source, as_block=as_block)
     except MathError as problem:

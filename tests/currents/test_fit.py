@@ -2,7 +2,6 @@
 
 import json
 import re
-from pathlib import Path
 
 import netCDF4
 import numpy as np
@@ -18,7 +17,7 @@ from clpt_control.errors import ClptError, DataError, ScenarioError
 from clpt_control.replay.flow_model_file import read_flow_model
 from clpt_control.simulation.flows import explained_variance
 
-MARACOOS = Path(__file__).parents[2] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
+MARACOOS = sample_currents()
 BOX = (40.9, 41.55, -69.9, -69.0)
 SPEED = 28.9841042  # M2, degrees per hour
 LAT, LON, TIME = np.linspace(40.9, 41.55, 13), np.linspace(-69.9, -69.0, 14), np.arange(25.0)
@@ -321,17 +320,6 @@ def test_nantucket_fit(nantucket):
     assert json.loads(json.dumps(report)) == report
     with pytest.raises(ClptError, match="left the field"):
         clpt.simulate(scenario.with_values({"reference.radius": 60.0}))
-
-
-def test_the_current_that_comes_with_clpt(clpt, nantucket, tmp_path):
-    assert sample_currents().read_bytes() == MARACOOS.read_bytes()
-    out = tmp_path / "s.toml"
-    assert clpt("fit", "--sample", "--box", *BOX, "--out", out).status == 0
-    assert out.read_text() == Path(nantucket[1]._folder / "s.toml").read_text()
-    for words in ((), (MARACOOS, "--sample")):
-        status, _, err = clpt("fit", *words, "--out", out)
-        assert (status, err.count("\n")) == (2, 1)
-        assert "or --sample for the one that comes with clpt" in err
 
 
 def test_nantucket_field_is_close_to_what_was_measured(nantucket):

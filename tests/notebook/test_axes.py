@@ -131,6 +131,18 @@ def test_no_screen_is_no_hindrance(made, monkeypatch):
     assert clpt.simulation.track_plot(made["run"]).has_data()
 
 
+def test_what_a_backend_sets_when_it_begins_stays(made, monkeypatch):
+    """A notebook's backend begins with the first figure, and shows no other if this is undone."""
+    began, figure = "interactive", plt.figure
+    monkeypatch.setitem(plt.rcParams, began, False)
+    monkeypatch.setattr(
+        plt, "figure", lambda **k: plt.rcParams.update({began: True}) or figure(**k)
+    )
+    clpt.simulation.track_plot(made["run"])
+    assert plt.rcParams[began]
+    plt.close("all")
+
+
 def test_a_part_of_a_run_and_a_run_read_back_are_drawn(made, tmp_path):
     run = made["run"]
     clpt.save_run(run, tmp_path / "run.nc")
