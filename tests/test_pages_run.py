@@ -16,6 +16,7 @@ import subprocess
 import sys
 import tomllib
 from pathlib import Path
+from types import ModuleType
 from typing import NamedTuple
 
 import pytest
@@ -67,13 +68,14 @@ def test_every_block_runs(path, tmp_path, monkeypatch):
     monkeypatch.setenv(
         "PATH", os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
     )
-    space, printed = {"__name__": "__main__"}, ""
+    page, printed = ModuleType("page"), ""
+    monkeypatch.setitem(sys.modules, "page", page)  # its functions are found there, as in a script
     for block in blocks(path):
         where = f"{path.name}:{block.line}"
         assert block.language in LANGUAGES, f"{where}: '{block.language}' is no known language"
         if block.language == "text" and printed and not block.after.strip():
             assert_same(printed, block.text, where)
-        printed = "" if LEFT_OUT.match(block.text) else run(block, space, where)
+        printed = "" if LEFT_OUT.match(block.text) else run(block, vars(page), where)
 
 
 def run(block, space, where):
