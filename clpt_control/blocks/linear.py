@@ -1,6 +1,8 @@
 """A linear system as a block, so that `control.ss` and `tf` are parts like any other.
 
 x' = A x + B u,    y = C x + D u
+
+Where D = 0 an input does not reach the outputs at once, and the block has no D to change.
 """
 
 from typing import NamedTuple
@@ -14,8 +16,8 @@ from .block import Block
 from .declaration import ports_of
 
 
-class LinearParameters(NamedTuple):
-    """Matrices of a linear system."""
+class Linear(NamedTuple):
+    """Matrices of a linear system with feedthrough."""
 
     n: int  # number of states
     inputs: int
@@ -23,6 +25,25 @@ class LinearParameters(NamedTuple):
     A: np.ndarray  # shape (n, n)
     B: np.ndarray  # shape (n, inputs)
     C: np.ndarray  # shape (outputs, n)
+    D: np.ndarray  # shape (outputs, inputs)
+
+
+class StrictlyProper(NamedTuple):
+    """Matrices of a linear system whose D is 0."""
+
+    n: int  # number of states
+    inputs: int
+    outputs: int
+    A: np.ndarray  # shape (n, n)
+    B: np.ndarray  # shape (n, inputs)
+    C: np.ndarray  # shape (outputs, n)
+
+
+class Gain(NamedTuple):
+    """The matrix of a system without states."""
+
+    inputs: int
+    outputs: int
     D: np.ndarray  # shape (outputs, inputs)
 
 
@@ -57,20 +78,34 @@ def output_of_states(t, x, u, p, y):
         y[i] = total
 
 
+def output_of_inputs(t, x, u, p, y):
+    """y = D u, section "linear systems", no states: u[inputs], y[outputs]."""
+    for i in range(p.outputs):
+        total = 0.0
+        for k in range(p.inputs):
+            total += p.D[i, k] * u[k]
+        y[i] = total
+
+
 def linear(system: control.StateSpace | control.TransferFunction) -> Block:
     """Make a block of a linear system of continuous time, with its name and labels."""
-    A, B, C, D = matrices(system)
+    A, B, C, D = _matrices(system)
     n, (outputs, inputs) = len(A), D.shape
-    direct = bool(np.any(D))
+    parameters: Linear | StrictlyProper | Gain = Gain(inputs, outputs, D)
+    function = output_of_inputs
+    if n:
+        function, parameters = output, Linear(n, inputs, outputs, A, B, C, D)
+    if n and not np.any(D):
+        function, parameters = output_of_states, StrictlyProper(n, inputs, outputs, A, B, C)
     block = Block(
         system.name,
         update=rate if n else None,
-        output=output if direct or not n else output_of_states,
+        output=function,
         inputs={"u": inputs},
         outputs={"y": outputs},
         states={"x": n} if n else None,
-        parameters=LinearParameters(n, inputs, outputs, A, B, C, D),
-        feedthrough=direct or not n,
+        parameters=parameters,
+        feedthrough=function is not output_of_states,
     )
     block.set_inputs(system.input_labels)
     block.set_outputs(system.output_labels)
@@ -83,7 +118,12 @@ def linear(system: control.StateSpace | control.TransferFunction) -> Block:
     return block
 
 
-def matrices(system: control.StateSpace | control.TransferFunction) -> tuple[np.ndarray, ...]:
+def is_linear(part: control.NonlinearIOSystem) -> bool:
+    """Return whether a part is a block that `linear` made."""
+    return isinstance(getattr(part, "parameters", None), Linear | StrictlyProper | Gain)
+
+
+def _matrices(system: control.StateSpace | control.TransferFunction) -> tuple[np.ndarray, ...]:
     """Return A, B, C, D; of a matrix of transfer functions each entry has states of its own."""
     if isinstance(system, control.StateSpace):
         return system.A, system.B, system.C, system.D
@@ -107,6 +147,8 @@ def matrices(system: control.StateSpace | control.TransferFunction) -> tuple[np.
 
 def on_each_axis(block: Block, count: int) -> Block:
     """Return a linear block of one signal for so many signals, each with states of its own."""
-    p, each = block.parameters, np.eye(count)
-    A, B, C, D = (np.kron(each, matrix) for matrix in (p.A, p.B, p.C, p.D))
+    p = block.parameters
+    own = [getattr(p, "A", np.zeros((0, 0))), getattr(p, "B", np.zeros((0, 1)))]
+    own += [getattr(p, "C", np.zeros((1, 0))), getattr(p, "D", np.zeros((1, 1)))]
+    A, B, C, D = (np.kron(np.eye(count), matrix) for matrix in own)
     return linear(control.ss(A, B, C, D, name=block.name))

@@ -9,8 +9,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 import control
 
-from ..blocks import Block
-from ..blocks.linear import LinearParameters, on_each_axis
+from ..blocks.linear import is_linear, on_each_axis
 from ..errors import DiagramError
 from .parts import as_part, input_ports, output_ports, sizes, with_ports
 
@@ -111,7 +110,9 @@ def widths(parts: Sequence[Part]) -> dict[str, int]:
 def pairs(argument: str, given: Any, example: str) -> list[tuple[Any, Any]]:
     """Return what a mapping holds; refuse what is none."""
     if given is not None and not isinstance(given, Mapping):
-        raise DiagramError(f"{argument} = {given!r:.60}: must be a dict, such as {example}")
+        raise DiagramError(
+            f"{argument}: is a {type(given).__name__}; must be a dict, such as {example}"
+        )
     return [*(given or {}).items()]
 
 
@@ -143,8 +144,7 @@ def _between(part: Part, taken: tuple[str, int], made: tuple[str, int], said: st
                 "or give a part with one input port and one output port"
             )
     own = len(takes[to]), len(makes[out])
-    linear = isinstance(part, Block) and isinstance(part.parameters, LinearParameters)
-    if linear and part.ninputs == part.noutputs == 1 and taken[1] == made[1] != 1:
+    if is_linear(part) and part.ninputs == part.noutputs == 1 and taken[1] == made[1] != 1:
         part, to, out = on_each_axis(part, taken[1]), "u", "y"
     elif own != (taken[1], made[1]):
         raise DiagramError(

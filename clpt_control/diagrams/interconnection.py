@@ -117,9 +117,11 @@ def match_ports(
     for k, block in enumerate(blocks):
         for port, places in output_ports(block).items():
             if port in makers:
+                nested = isinstance(block, control.InterconnectedSystem)
                 raise DiagramError(
                     f"'{port}' is made by both {names[makers[port][0]]} and {block.name}: "
                     "python-control would add them; rename one port"
+                    + (", or wire the diagrams by control.interconnect" if nested else "")
                 )
             makers[port] = (k, places)
     users: dict[str, list[tuple[int, list[int]]]] = {}

@@ -22,8 +22,9 @@ def as_part(system: Any) -> control.NonlinearIOSystem:
         return system
     by_equations = isinstance(system, control.NonlinearIOSystem | control.TransferFunction)
     if not by_equations:
+        what = f"a {type(system).__name__}" if hasattr(system, "name") else f"{system!r:.60}"
         raise DiagramError(
-            f"{system!r:.60} is no block: give a clpt.Block, a diagram, or control.ss, tf or nlsys"
+            f"{what} is no block: give a clpt.Block, a diagram, or control.ss, tf or nlsys"
         )
     if system.name is None or system._generic_name_check():
         raise DiagramError(

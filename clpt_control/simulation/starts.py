@@ -7,7 +7,7 @@ import control
 import numpy as np
 
 from ..blocks import Block
-from ..blocks.linear import LinearParameters
+from ..blocks.linear import is_linear
 from ..diagrams.changes import Part, changes_of
 from ..diagrams.parts import output_ports
 from ..errors import DataError
@@ -64,8 +64,7 @@ def state_columns(parts: Iterable[Part]) -> dict[str, slice]:
 
 def _is_signal(part: Part, port: str, size: int) -> bool:
     """Return whether a state is a signal of the same name."""
-    p = getattr(part, "parameters", None)
-    its_own = not isinstance(p, LinearParameters) or np.array_equal(p.C, np.eye(size))
+    its_own = not is_linear(part) or np.array_equal(part.parameters.C, np.eye(size))
     return its_own and len(output_ports(part).get(port, ())) == size
 
 
@@ -148,9 +147,12 @@ def state_at(run: "xarray.Dataset", t: float) -> np.ndarray:
     """
     if "states" not in getattr(run, "variables", ()):
         raise DataError(f"{run!r:.60}: carries no states; a run that clpt.simulate gives does")
-    times, wanted = run.time.values, float(numbers("t", t))
-    k = int(np.abs(times - wanted).argmin()) if len(times) and np.isfinite(wanted) else -1
-    if k < 0 or abs(times[k] - wanted) > 1e-12 * max(1.0, abs(wanted)):
+    times, wanted = run.time.values, numbers("t", t)
+    if wanted.ndim:
+        raise DataError(f"t: must be one number; it has shape {wanted.shape}")
+    at = float(wanted)
+    k = int(np.abs(times - at).argmin()) if len(times) and np.isfinite(at) else -1
+    if k < 0 or abs(times[k] - at) > 1e-12 * max(1.0, abs(at)):
         near = f"; the nearest of its times is {times[k]:.9g}" if k >= 0 else ""
         raise DataError(
             f"t = {t}: the run has no sample there{near}; simulate it with timepts that hold t"

@@ -140,7 +140,8 @@ def adapt_feedforward(gamma, e, zc):
 def functions_of(law: control.NonlinearIOSystem) -> int:
     """Return the N of a law; refuse a part that does not make alpha[2N], K[2] and Gamma[2]."""
     if not isinstance(law, control.NonlinearIOSystem):
-        raise DiagramError(f"{law!r} is a {type(law).__name__}: give a Block")
+        what = f"a {type(law).__name__}" if hasattr(law, "name") else f"{law!r:.60}"
+        raise DiagramError(f"{what} is no law: give a Block")
     taken, made = (
         {port: len(places) for port, places in ports_of(labels).items()}
         for labels in (law.input_labels, law.output_labels)

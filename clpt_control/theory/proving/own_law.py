@@ -5,6 +5,7 @@ V is Eq. (24), each error weighed by the gain with which the law adapts it (`law
 V' along the closed loop says is judged in `verdict`.
 """
 
+import control
 import numpy as np
 import sympy
 
@@ -60,6 +61,11 @@ def prove(law_block: Block, V: Block | None = None, points: int = 10_000, seed: 
         raise DiagramError(f"{V!r} is a {type(V).__name__}: give a Block")
     if V is not None and V.output_ports != {"V": 1}:
         raise DiagramError(f"{V.name}: a candidate makes V[1] and nothing else")
+    if isinstance(law_block, control.InputOutputSystem) and not isinstance(law_block, Block):
+        raise DiagramError(
+            f"{law_block.name}: is a {type(law_block).__name__}; a law is judged in the paper's "
+            "own diagram, give it as a Block; other parts, replaced or inserted, are not judged"
+        )
     N = functions_of(law_block)
     diagram = theorem_loop(N, "learned-flow", law_block=law_block, candidate=V)
     try:

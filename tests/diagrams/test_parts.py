@@ -1,0 +1,200 @@
+"""Systems of python-control as parts of a diagram: ports by labels, closed forms, refusals."""
+
+import control
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.linalg import expm
+
+import clpt_control as clpt
+from clpt_control.blocks.declaration import ports_of, whole_labels
+from clpt_control.errors import BlockError, DiagramError
+
+TIMES = np.linspace(0.0, 3.0, 7)
+ENGINES = ("native", "python")
+LAG = control.tf(1, [0.5, 1], name="lag")
+
+
+def system(numbers, n, m, r, direct, name, inputs, outputs):
+    """A random linear system, its ports called `inputs` and `outputs`."""
+    A = numbers.normal(size=(n, n)) - 2 * np.eye(n)
+    B, C = numbers.normal(size=(n, m)), numbers.normal(size=(r, n))
+    D = direct * numbers.normal(size=(r, m))
+    named = {
+        "inputs": [f"{inputs}[{k}]" for k in range(m)],
+        "outputs": [f"{outputs}[{k}]" for k in range(r)],
+    }
+    return control.ss(A, B, C, D, name=name, **named)
+
+
+def test_labels_form_ports():
+    assert ports_of(["v_c[0]", "a", "v_c[1]", "b[1]"]) == {"v_c": [0, 2], "a": [1], "b[1]": [3]}
+    assert whole_labels(["v[0]", "a", "v[1]"]) == ["v[0]", "a[0]", "v[1]"]
+
+
+@settings(max_examples=25, deadline=None)
+@given(seed=st.integers(0, 10**6), n=st.integers(0, 3), m=st.integers(1, 3), r=st.integers(1, 3))
+def test_two_random_systems_in_a_loop_are_their_matrix_exponential(seed, n, m, r):
+    """Forward with feedthrough, back without: states go as expm of the whole matrix."""
+    numbers = np.random.default_rng(seed)
+    one = system(numbers, n, m, r, 1.0, "one", "u", "y")
+    two = system(numbers, 2, r, m, 0.0, "two", "y", "u")
+    loop = clpt.connect([one, two])
+    whole = np.block([[one.A, one.B @ two.C], [two.B @ one.C, two.A + two.B @ one.D @ two.C]])
+    start = numbers.normal(size=n + 2)
+    exact = np.array([expm(whole * t) @ start for t in TIMES])
+    scale = 1e-8 * (1 + np.abs(exact).max())
+    for engine in ENGINES:
+        run = clpt.simulate(loop, TIMES, 0, start, engine=engine, rtol=1e-11, atol=1e-13)
+        np.testing.assert_allclose(run.states, exact, rtol=0, atol=scale)
+        signals = run.u.values.reshape(len(TIMES), m)
+        np.testing.assert_allclose(signals, exact[:, n:] @ two.C.T, rtol=0, atol=10 * scale)
+    np.testing.assert_allclose(loop.dynamics(0, start, []), whole @ start, rtol=1e-12, atol=1e-12)
+
+
+def servo():
+    error = control.summing_junction(["r", "-y"], "e", name="error")
+    law = control.tf([1, 2], [1, 0], inputs="e", outputs="u", name="law")
+    plant = control.tf([1], [1, 1, 1], inputs="u", outputs="y", name="plant")
+    return clpt.connect([error, law, plant], external="r", name="servo"), law, plant
+
+
+def test_a_servo_of_transfer_functions_is_python_controls():
+    loop, law, plant = servo()
+    whole = control.feedback(control.tf(plant) * control.tf(law))
+    theirs = control.forced_response(control.ss(whole), TIMES, np.ones_like(TIMES))
+    for engine in ENGINES:
+        run = clpt.simulate(loop, TIMES, 1, engine=engine, rtol=1e-11, atol=1e-13)
+        np.testing.assert_allclose(run.y, theirs.outputs, atol=1e-9)
+        assert run.attrs["engine"] == engine
+        assert set(run.data_vars) == {"e", "u", "y", "r", "states"}
+    poles = np.sort_complex(control.linearize(loop, [0, 0, 0], [0]).poles())
+    np.testing.assert_allclose(poles, np.sort_complex(whole.poles()), atol=1e-5)
+
+
+def test_matrices_are_parameters_in_every_reading():
+    loop, *_ = servo()
+    changes = {"law.C": [[3.0]], "law.D": [[0.5]], "plant.A": [[-2.0, -1.0], [1.0, 0.0]]}
+    runs = [clpt.simulate(loop, TIMES, 1, params=changes, engine=engine) for engine in ENGINES]
+    np.testing.assert_allclose(runs[0].y, runs[1].y, rtol=0, atol=1e-9)
+    x = np.array([0.3, -0.4, 0.7])
+    u = 3.0 * x[0] + 0.5 * (1.0 - x[2])
+    rate = loop.dynamics(0, x, [1.0], params=changes)
+    np.testing.assert_allclose(rate, [1.0 - x[2], -2.0 * x[1] - x[2] + u, x[1]], rtol=1e-13)
+    with pytest.raises(BlockError, match="unknown parameter 'plant.D'"):  # it has none to change
+        clpt.simulate(loop, TIMES, 1, params={"plant.D": [[1.0]]})
+
+
+def test_a_matrix_of_transfer_functions():
+    part = control.tf([[[1], [2]], [[0], [1, 3]]], [[[1, 1], [1, 2]], [[1], [1, 4]]], name="M")
+    run = clpt.simulate(clpt.connect([part], external="u"), TIMES, [1, -1], rtol=1e-11, atol=1e-13)
+    slow, fast, late = (1 - np.exp(-k * TIMES) for k in (1, 2, 4))
+    np.testing.assert_allclose(run.y[:, 0], slow - fast, atol=1e-9)
+    np.testing.assert_allclose(run.y[:, 1], -1 + 0.25 * late, atol=1e-9)
+
+
+def test_a_system_by_functions_runs_in_python_and_says_so():
+    part = control.nlsys(
+        lambda t, x, u, params: -params["k"] * x + u,
+        inputs="u",
+        outputs="y",
+        states=1,
+        name="leak",
+        params={"k": 2.0},
+    )
+    loop = clpt.connect([part, control.ss([], [], [], -1.0, inputs="y", outputs="u", name="back")])
+    with pytest.warns(UserWarning, match="diagram runs in Python, not as machine code: leak"):
+        run = clpt.simulate(loop, TIMES, 0, [1.0], params={"k": 1.0})
+    np.testing.assert_allclose(run.y, np.exp(-2 * TIMES), atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("part", "said"),
+    [
+        (control.tf(1, [1, 1]), r"a TransferFunction without a name: .* name='lag'"),
+        (control.ss(-1, 1, 1, 0, 0.1, name="held"), r"held is a system of discrete time .*`jump`"),
+        (
+            control.tf([1, 0, 1], [1, 1], name="pd"),
+            r"pd: a numerator of higher degree .* fast pole",
+        ),
+        (control.frd([1, 2], [1, 2], name="f"), "a FrequencyResponseData is no block: give"),
+        (2.0, r"2\.0 is no block: give"),
+        (control.nlsys(lambda t, x, u, params: -x, states=1, name="q"), "q: how many inputs"),
+        (control.ss(-1, 1, 1, 0, inputs="zc[1]", outputs="q", name="p"), "takes whole ports"),
+        (control.ss(-1, 1, 1, 0, inputs="zc", outputs="q", name="p"), r"'zc' has 2 .*control\.app"),
+    ],
+)
+def test_what_cannot_be_a_part_is_refused_in_a_sentence(part, said):
+    with pytest.raises(DiagramError, match=said) as caught:
+        clpt.connect([*clpt.paper_blocks(clpt.paper_scenario()), part])
+    assert "\n" not in str(caught.value)
+
+
+def test_one_vehicle_of_two_diagrams_is_reached_by_its_name():
+    own = clpt.closed_loop(clpt.paper_scenario())
+    a, b = own.copy(name="a"), own.copy(name="b")
+    both = control.interconnect(
+        [a, b], outlist=["a.e[0]", "b.e[0]"], outputs=2, name="both", check_unused=False
+    )
+    x, start = (
+        np.random.default_rng(1).normal(size=28),
+        [*clpt.initial_state(clpt.paper_scenario())],
+    )
+    one, two = (own.dynamics(1.0, x[k], [])[4:] for k in (slice(14), slice(14, 28)))
+    for changes, factors in (
+        ({"a.adaptation.gain": 1.6}, (2, 1)),
+        ({"b.adaptation.gain": 1.6}, (1, 2)),
+        ({"adaptation.gain": 1.6}, (2, 2)),
+        ({"adaptation.gain": 1.6, "a.adaptation.gain": 2.4}, (3, 2)),
+    ):
+        rate = both.dynamics(1.0, x, [], params=changes)
+        np.testing.assert_allclose(rate[4:14], factors[0] * one, rtol=1e-13)
+        np.testing.assert_allclose(rate[18:], factors[1] * two, rtol=1e-13)
+        runs = [
+            clpt.simulate(both, [0, 3], 0, start * 2, params=changes, engine=e) for e in ENGINES
+        ]
+        np.testing.assert_allclose(runs[0].states, runs[1].states, rtol=0, atol=1e-8)
+        np.testing.assert_array_equal(
+            np.array_equal(runs[0].states[1, 4:14], runs[0].states[1, 18:]),
+            factors[0] == factors[1],
+        )
+    with pytest.raises(BlockError, match=r"unknown parameter 'c\.adaptation\.gain'.*a\.adaptation"):
+        clpt.simulate(both, [0, 3], 0, start * 2, params={"c.adaptation.gain": 2.0})
+    with pytest.raises(DiagramError, match="made by both a and b.*control.interconnect"):
+        clpt.connect([a, b])
+
+
+# --- states and inputs as python-control takes them --------------------------------------------
+
+
+def test_states_and_inputs_are_stacked_as_python_control_stacks_them():
+    parts = [
+        system(np.random.default_rng(3), 2, 2, 1, 1.0, "one", "u", "y"),
+        system(np.random.default_rng(4), 2, 1, 1, 0.0, "two", "y", "w"),
+    ]
+    loop, ramp = clpt.connect(parts, external="u"), TIMES - 1.0
+    for inputs, start in (
+        ([ramp, 0], [[0.5, -1.0], 0]),
+        ([2.0, ramp], [0.5, [1.0, 0.0], 0]),
+        ([[1.0, 2.0]], [np.array([0.5, 1.0]), 0, 0.25]),
+        (np.vstack([ramp, ramp]), 1.0),
+        (0, [0]),
+    ):
+        theirs = control.input_output_response(
+            loop,
+            TIMES,
+            inputs,
+            start,
+            solve_ivp_method="DOP853",
+            solve_ivp_kwargs={"rtol": 1e-10, "atol": 1e-12},
+        )
+        run = clpt.simulate(loop, TIMES, inputs, start, rtol=1e-11, atol=1e-13)
+        np.testing.assert_allclose(run.states.T, theirs.states, atol=1e-7)
+        np.testing.assert_allclose(run.u.T, theirs.inputs, atol=1e-12)
+    for start in ([0.5], [[1, 2], [3, 4], 0]):
+        with pytest.raises(clpt.SimulationError, match="initial_state: must have 4 numbers"):
+            clpt.simulate(loop, TIMES, 0, start)
+    for inputs in ([ramp], [ramp[1:], 0], [[ramp, ramp], ramp], ["fast", 0], [ramp, "fast"]):
+        with pytest.raises(clpt.SimulationError, match="inputs"):
+            clpt.simulate(loop, TIMES, inputs)

@@ -1,0 +1,233 @@
+"""Parts of the paper's diagram replaced and inserted; the state at a time of a run."""
+
+import control
+import numpy as np
+import pytest
+from calm_water import CALM, DWELL, KD, POINTS, GammaD
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.linalg import expm
+
+import clpt_control as clpt
+from clpt_control.blocks import localization, vehicle
+from clpt_control.errors import ClptError, DataError, DiagramError, SimulationError
+
+PAPER = clpt.paper_scenario().with_values({"run.duration": 30})
+TIGHT = {"rtol": 1e-11, "atol": 1e-13}
+LAG = control.tf(1, [0.5, 1], name="lag")
+ENGINES = ("native", "python")
+
+
+def lagging(times, lag, x0=(4.0, -2.0)):
+    """x' = w, lag w' = GammaD zc - KD x - w, zc held: a matrix exponential in each interval."""
+    whole = [np.array([[0, 1, 0], [-k / lag, -1 / lag, g / lag], [0, 0, 0]])
+             for k, g in zip(KD, GammaD, strict=True)]  # fmt: skip
+    out = []
+    for t in times:
+        states = [np.array([x, 0.0, 0.0]) for x in x0]
+        start, k = 0.0, 0
+        while start < t:
+            end = min(t, DWELL * (k + 1))
+            for i in range(2):
+                states[i][2] = POINTS[k % 3][i]
+                states[i] = expm(whole[i] * (end - start)) @ states[i]
+            start, k = end, k + 1
+        out.append([state[0] for state in states])
+    return np.array(out)
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_lag_of_one_line_is_its_closed_form(engine):
+    times = np.linspace(0, 5, 11)
+    run = clpt.simulate(CALM, times, insert={("v_x", "vehicle"): LAG}, engine=engine, **TIGHT)
+    np.testing.assert_allclose(run.position, lagging(times, 0.5), atol=1e-8)
+    loop = clpt.closed_loop(CALM, insert={("v_x", "vehicle"): LAG})
+    start = [clpt.initial_state(CALM), 0]
+    for lag in (0.5, 0.2):
+        matrices = {"lag.A": -np.eye(2) / lag, "lag.C": np.eye(2) / lag}
+        run = clpt.simulate(loop, times, 0, start, params=matrices, engine=engine, **TIGHT)
+        np.testing.assert_allclose(run.position, lagging(times, lag), atol=1e-8)
+
+
+@settings(max_examples=6, deadline=None)
+@given(
+    seed=st.integers(0, 10**6),
+    n=st.integers(0, 2),
+    where=st.sampled_from([("v_x", "vehicle"), "x", "e", ("zc", "learning_controller"), "alpha"]),
+)
+def test_a_random_system_anywhere_is_the_same_in_every_engine(seed, n, where):
+    numbers, size = np.random.default_rng(seed), 6 if where == "alpha" else 2
+    A = numbers.normal(size=(n, n)) - 2 * np.eye(n)
+    B, C = numbers.normal(size=(n, size)), numbers.normal(size=(size, n))
+    part = control.ss(A, B, C, np.eye(size) if where in ("alpha", "x") else 0, name="mine")
+    if not n:
+        part = control.ss([], [], [], numbers.normal(size=(size, size)), name="mine")
+    runs = [
+        clpt.simulate(PAPER, [0, 2, 4], insert={where: part}, engine=engine) for engine in ENGINES
+    ]
+    for name in runs[0].data_vars:
+        np.testing.assert_allclose(runs[0][name], runs[1][name], rtol=1e-6, atol=1e-6)
+    loop = clpt.closed_loop(PAPER, insert={where: part})
+    states = runs[1].states.values
+    step = 1e-4
+    moved = clpt.simulate(loop, [2, 2 + step], 0, states[1], **TIGHT).states.values[1]
+    rate = loop.dynamics(2.0 + step / 2, (moved + states[1]) / 2, [])  # python-control's own pass
+    np.testing.assert_allclose((moved - states[1]) / step, rate, rtol=1e-4, atol=1e-4)
+
+
+def test_what_passes_everything_on_changes_nothing():
+    through = control.tf(1, 1, name="through")
+    plain = clpt.simulate(PAPER)
+    for where in (
+        "v_x",
+        ("x", "clpe"),
+        ("x", "clpe", "basis_x"),
+        "phi_x",
+        ("K", "learning_controller"),
+    ):
+        run = clpt.simulate(PAPER, insert={where: through})
+        for name in plain.data_vars:
+            np.testing.assert_allclose(run[name], plain[name], rtol=0, atol=1e-7)
+
+
+def test_parts_of_one_wide_port_in_a_row_and_names_of_ones_own():
+    wide = {"inputs": ["v[0]", "v[1]"], "outputs": ["v_f[0]", "v_f[1]"], "name": "motor"}
+    motor = control.ss(-np.eye(2), np.eye(2), np.eye(2), 0, **wide)
+    loop = clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): motor, "v_f": LAG})
+    assert loop.state_labels[-4:] == ["motor_x[0]", "motor_x[1]", "lag_x[0]", "lag_x[1]"]
+    assert loop.syslist[6].input_labels[2:] == ["v_f_lag[0]", "v_f_lag[1]"]
+    run = clpt.simulate(loop, [0, 1], 0, [clpt.initial_state(PAPER), 0])
+    assert {"v_x", "v_f", "v_f_lag"} <= set(run.data_vars)
+
+
+def test_a_measurement_of_the_package_is_inserted():
+    noise = localization.MeasurementParameters(0.1, 1.0, 4.0)
+    run = clpt.simulate(PAPER, insert={("x", "clpe"): localization.measurement(noise)})
+    away = run.x_measurement.values - run.position.values
+    assert 0.05 < away.std() < 0.2
+
+
+def test_a_replaced_vehicle_starts_where_the_scenario_says():
+    sizes = {"inputs": [f"{port}[{k}]" for port in ("flow_x", "v_x") for k in range(2)]}
+    B = np.hstack([np.eye(2)] * 2)
+    boat = control.ss(
+        0 * np.eye(2), B, np.eye(2), 0, **sizes, outputs=["x[0]", "x[1]"], name="boat"
+    )
+    scenario = PAPER.with_values({"vehicle.position": [1.0, -2.0]})
+    run, plain = clpt.simulate(scenario, replace={"vehicle": boat}), clpt.simulate(scenario)
+    np.testing.assert_allclose(run.position, plain.position, rtol=0, atol=1e-7)
+    assert "lyapunov" in run
+    nested = clpt.connect([vehicle.vehicle()], external=["flow_x", "v_x"], name="hull")
+    run = clpt.simulate(scenario, replace={"vehicle": nested})
+    np.testing.assert_allclose(run.position, plain.position, rtol=0, atol=1e-7)
+    assert run.state.values[0] == "hull_vehicle_x[0]"
+
+
+def test_a_port_of_one_in_and_one_out_takes_the_names_it_replaces():
+    limited = PAPER.with_values({"vehicle.max_speed": 1.5})
+    saturation = control.nlsys(
+        None, lambda t, x, u, params: np.clip(u, -1, 1), inputs=2, outputs=2, name="saturation"
+    )
+    with pytest.warns(UserWarning, match="the closed loop runs in Python, .* saturation"):
+        run = clpt.simulate(limited, replace={"speed_limit": saturation})
+    assert abs(run.velocity).max() == 1.0
+    np.testing.assert_allclose(run.velocity, run.commanded_velocity.clip(-1, 1))
+
+
+def test_law_is_replace_adaptation():
+    law = clpt.paper_blocks(PAPER.with_values({"learning.gain": 2.0}))[-1]
+    one, other = clpt.simulate(PAPER, law=law), clpt.simulate(PAPER, replace={"adaptation": law})
+    assert one.identical(other)
+    with pytest.raises(DiagramError, match="one and the same"):
+        clpt.closed_loop(PAPER, law=law, replace={"adaptation": law})
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"replace": {"vehicel": LAG}}, "replace = 'vehicel': must be among reference, basis_x"),
+        ({"replace": {"vehicle": LAG}}, r"lag must make x\[2\], which goes to basis_x, true_flow"),
+        ({"replace": [LAG]}, "replace: is a list; must be a dict, such as"),
+        ({"insert": {"v_c": LAG}}, "insert = 'v_c': must begin with one of Gamma, K, alpha"),
+        ({"insert": {("v_x", "clpe"): LAG}}, "'v_x' goes to vehicle, not to 'clpe'"),
+        ({"insert": {"v_x": LAG, "zc": LAG}}, "two blocks are called 'lag'"),
+        ({"insert": {"v_x": control.ss(-np.eye(3), np.eye(3), np.eye(3), 0, name="w")}},
+         r"w takes 3 and makes 3 signals, must take v_x\[2\] and make 2; control\.append"),
+        ({"insert": {"v_x": control.summing_junction(["a", "b"], "c", name="sum")}},
+         r"sum takes a\[1\], b\[1\]; call the one that is meant 'v_x'"),
+        ({"insert": {"v_x": control.tf(1, [1, 1])}}, "a TransferFunction without a name"),
+        ({"insert": {("v_x", 3): LAG}}, "not to 3"),
+        ({"insert": {(): LAG}}, "must begin with one of"),
+    ],
+)  # fmt: skip
+def test_what_does_not_fit_is_refused_in_a_sentence(changes, said):
+    for use in (clpt.simulate, clpt.closed_loop, clpt.initial_state, clpt.paper_blocks):
+        with pytest.raises(ClptError, match=said) as caught:
+            use(PAPER, **changes)
+            clpt.closed_loop(PAPER, **changes)
+        assert "\n" not in str(caught.value)
+    with pytest.raises(SimulationError, match="are for a scenario; give them to closed_loop"):
+        clpt.simulate(clpt.closed_loop(PAPER), [0, 1], **changes)
+
+
+def test_runs_with_parts_of_ones_own_are_not_repeated(tmp_path):
+    steered = clpt.closed_loop(PAPER, external="zc")
+    state = clpt.initial_state(PAPER)
+    for run, said in (
+        (clpt.simulate(PAPER, insert={("v_x", "vehicle"): LAG}), "v_x to vehicle: lag"),
+        (clpt.simulate(steered, [0, 1], [3, 0], state), "closed_loop: run as a diagram"),
+    ):
+        clpt.save_run(run, tmp_path / "run.nc")
+        loaded = clpt.load_run(tmp_path / "run.nc")
+        np.testing.assert_array_equal(clpt.state_at(loaded, 1), clpt.state_at(run, 1))
+        with pytest.raises(DataError, match=f"parts given in Python, {said}, .* cannot be"):
+            clpt.load_scenario(tmp_path / "run.nc")
+
+
+def test_delta_comes_from_outside():
+    """x' = F + v + delta: in calm water a held delta moves the rest by delta/KD."""
+    loop, delta = clpt.closed_loop(CALM, external="delta"), np.array([0.3, -0.2])
+    run = clpt.simulate(loop, [0, 0.6], delta, clpt.initial_state(CALM), **TIGHT)
+    rest = (GammaD * POINTS[0] + delta) / KD
+    exact = rest + (np.array([4.0, -2.0]) - rest) * np.exp(-0.6 * KD)
+    np.testing.assert_allclose(run.position[-1], exact, atol=1e-9)
+    np.testing.assert_array_equal(run.delta[-1], delta)
+    assert run.position.attrs == clpt.simulate(CALM, [0, 0.6]).position.attrs
+
+
+# --- the state at a time ----------------------------------------------------------------------
+
+
+def test_a_run_goes_on_from_its_state():
+    run = clpt.simulate(PAPER, **TIGHT)
+    rest = clpt.simulate(clpt.closed_loop(PAPER), [20, 30], 0, clpt.state_at(run, 20), **TIGHT)
+    np.testing.assert_allclose(clpt.state_at(rest, 30), clpt.state_at(run, 30), atol=1e-8)
+    np.testing.assert_array_equal(clpt.state_at(run, 0), clpt.initial_state(PAPER))
+
+
+def test_the_state_is_in_the_order_of_the_diagram():
+    run, loop = clpt.simulate(PAPER), clpt.closed_loop(PAPER)
+    assert run.state.values.tolist() == loop.state_labels
+    np.testing.assert_array_equal(clpt.state_at(run, 7)[:2], run.position.sel(time=7))
+    team = clpt.Team(members={"west": PAPER, "east": PAPER}, coupling=0.5)
+    both = clpt.simulate(team, [0, 1])
+    assert both.state.values.tolist() == clpt.team_loop(team).state_labels
+    assert clpt.state_at(both, 1).shape == (28,)
+
+
+@pytest.mark.parametrize(
+    ("t", "said"),
+    [
+        (7.5, "nearest of its times is 7; simulate it with timepts"),
+        (31, "nearest of its times is 30"),
+        (np.nan, "no sample there"),
+        ([1, 2], "one number"),
+        ("noon", "an array of numbers"),
+    ],
+)
+def test_a_time_without_a_sample_is_refused(t, said):
+    run = clpt.simulate(PAPER)
+    with pytest.raises(ClptError, match=said):
+        clpt.state_at(run, t)
+    with pytest.raises(DataError, match="carries no states"):
+        clpt.state_at(run.drop_vars("states"), 7)
