@@ -49,7 +49,7 @@ def test_a_lag_of_one_line_is_its_closed_form(engine):
         np.testing.assert_allclose(run.position, lagging(times, lag), atol=1e-8)
 
 
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=6, deadline=None, derandomize=True)
 @given(
     seed=st.integers(0, 10**6),
     n=st.integers(0, 2),
@@ -59,19 +59,20 @@ def test_a_random_system_anywhere_is_the_same_in_every_engine(seed, n, where):
     numbers, size = np.random.default_rng(seed), 6 if where == "alpha" else 2
     A = numbers.normal(size=(n, n)) - 2 * np.eye(n)
     B, C = numbers.normal(size=(n, size)), numbers.normal(size=(size, n))
-    part = control.ss(A, B, C, np.eye(size) if where in ("alpha", "x") else 0, name="mine")
-    if not n:
-        part = control.ss([], [], [], numbers.normal(size=(size, size)), name="mine")
+    D = np.eye(size) + 0.2 * numbers.normal(size=(size, size))
+    part = (
+        control.ss(A, B, 0.2 * C, D, name="mine") if n else control.ss([], [], [], D, name="mine")
+    )
     runs = [
-        clpt.simulate(PAPER, [0, 2, 4], insert={where: part}, engine=engine) for engine in ENGINES
+        clpt.simulate(PAPER, [0, 0.5, 1], insert={where: part}, engine=engine) for engine in ENGINES
     ]
     for name in runs[0].data_vars:
         np.testing.assert_allclose(runs[0][name], runs[1][name], rtol=1e-6, atol=1e-6)
     loop = clpt.closed_loop(PAPER, insert={where: part})
     states = runs[1].states.values
     step = 1e-4
-    moved = clpt.simulate(loop, [2, 2 + step], 0, states[1], **TIGHT).states.values[1]
-    rate = loop.dynamics(2.0 + step / 2, (moved + states[1]) / 2, [])  # python-control's own pass
+    moved = clpt.simulate(loop, [0.5, 0.5 + step], 0, states[1], **TIGHT).states.values[1]
+    rate = loop.dynamics(0.5 + step / 2, (moved + states[1]) / 2, [])  # python-control's own pass
     np.testing.assert_allclose((moved - states[1]) / step, rate, rtol=1e-4, atol=1e-4)
 
 
@@ -161,10 +162,9 @@ def test_law_is_replace_adaptation():
     ],
 )  # fmt: skip
 def test_what_does_not_fit_is_refused_in_a_sentence(changes, said):
-    for use in (clpt.simulate, clpt.closed_loop, clpt.initial_state, clpt.paper_blocks):
+    for use in (clpt.simulate, clpt.closed_loop):
         with pytest.raises(ClptError, match=said) as caught:
             use(PAPER, **changes)
-            clpt.closed_loop(PAPER, **changes)
         assert "\n" not in str(caught.value)
     with pytest.raises(SimulationError, match="are for a scenario; give them to closed_loop"):
         clpt.simulate(clpt.closed_loop(PAPER), [0, 1], **changes)

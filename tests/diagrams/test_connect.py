@@ -33,7 +33,7 @@ def test_labels_form_ports():
     assert whole_labels(["v[0]", "a", "v[1]"]) == ["v[0]", "a[0]", "v[1]"]
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25, deadline=None, derandomize=True)
 @given(seed=st.integers(0, 10**6), n=st.integers(0, 3), m=st.integers(1, 3), r=st.integers(1, 3))
 def test_two_random_systems_in_a_loop_are_their_matrix_exponential(seed, n, m, r):
     """Forward with feedthrough, back without: states go as expm of the whole matrix."""
@@ -82,7 +82,7 @@ def test_matrices_are_parameters_in_every_reading():
     u = 3.0 * x[0] + 0.5 * (1.0 - x[2])
     rate = loop.dynamics(0, x, [1.0], params=changes)
     np.testing.assert_allclose(rate, [1.0 - x[2], -2.0 * x[1] - x[2] + u, x[1]], rtol=1e-13)
-    with pytest.raises(BlockError, match="unknown parameter 'plant.D'"):  # it has none to change
+    with pytest.raises(BlockError, match=r"unknown parameter 'plant\.D'"):  # it has none to change
         clpt.simulate(loop, TIMES, 1, params={"plant.D": [[1.0]]})
 
 
@@ -137,10 +137,8 @@ def test_one_vehicle_of_two_diagrams_is_reached_by_its_name():
     both = control.interconnect(
         [a, b], outlist=["a.e[0]", "b.e[0]"], outputs=2, name="both", check_unused=False
     )
-    x, start = (
-        np.random.default_rng(1).normal(size=28),
-        [*clpt.initial_state(clpt.paper_scenario())],
-    )
+    x = np.random.default_rng(1).normal(size=28)
+    start = [*clpt.initial_state(clpt.paper_scenario())]
     one, two = (own.dynamics(1.0, x[k], [])[4:] for k in (slice(14), slice(14, 28)))
     for changes, factors in (
         ({"a.adaptation.gain": 1.6}, (2, 1)),
@@ -155,13 +153,11 @@ def test_one_vehicle_of_two_diagrams_is_reached_by_its_name():
             clpt.simulate(both, [0, 3], 0, start * 2, params=changes, engine=e) for e in ENGINES
         ]
         np.testing.assert_allclose(runs[0].states, runs[1].states, rtol=0, atol=1e-8)
-        np.testing.assert_array_equal(
-            np.array_equal(runs[0].states[1, 4:14], runs[0].states[1, 18:]),
-            factors[0] == factors[1],
-        )
-    with pytest.raises(BlockError, match=r"unknown parameter 'c\.adaptation\.gain'.*a\.adaptation"):
+        end = clpt.state_at(runs[0], 3)
+        assert np.array_equal(end[4:14], end[18:]) == (factors[0] == factors[1])
+    with pytest.raises(BlockError, match=r"unknown parameter 'c\.adaptation\.gain'"):
         clpt.simulate(both, [0, 3], 0, start * 2, params={"c.adaptation.gain": 2.0})
-    with pytest.raises(DiagramError, match="made by both a and b.*control.interconnect"):
+    with pytest.raises(DiagramError, match=r"made by both a and b.*control\.interconnect"):
         clpt.connect([a, b])
 
 
