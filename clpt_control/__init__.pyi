@@ -16,6 +16,7 @@ from .blocks import Block
 from .diagrams import connect, draw
 from .ensemble import run_ensemble
 from .errors import (
+    ArgumentError,
     BlockError,
     ClptError,
     DataError,
@@ -42,6 +43,7 @@ from .simulation import (
 __version__: str
 
 __all__ = [
+    "ArgumentError",
     "Block",
     "BlockError",
     "ClptError",

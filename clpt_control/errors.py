@@ -10,6 +10,10 @@ class ClptError(Exception):
     """Base of every error this package raises on purpose."""
 
 
+class ArgumentError(ClptError, TypeError, ValueError):
+    """A function is given an argument of another kind than it takes."""
+
+
 class BlockError(ClptError, ValueError):
     """A block is declared or called in a way that cannot work."""
 

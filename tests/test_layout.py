@@ -17,7 +17,7 @@ ROWS = [
     ("currents", "native", "estimation"),
     ("scenario", "diagrams"),
     ("blocks",),
-    ("errors", "files", "progress", "geodesy", "figures", "html", "units"),
+    ("arguments", "errors", "files", "progress", "geodesy", "figures", "html", "units"),
 ]
 ROW = {room: k for k, row in enumerate(ROWS) for room in row}
 DOORS = ("__init__", "__main__")  # of the package itself

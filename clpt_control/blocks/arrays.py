@@ -4,7 +4,10 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from ..arguments import numbers, public
+from ..errors import ArgumentError
 from .block import Block
 from .ieee import MOST_ANGLE
 from .record import Record
@@ -39,7 +42,8 @@ def on_arrays(record: Record, t: Any, x: Any, u: Any, p: Any) -> np.ndarray:
     return np.array([np.broadcast_to(value, t.shape) for value in found], dtype=float)
 
 
-def evaluate(block: Block, times: Any, inputs: Any) -> np.ndarray:
+@public
+def evaluate(block: Block, times: ArrayLike, inputs: ArrayLike) -> np.ndarray:
     """Compute a static block's outputs at many times and inputs.
 
     Parameters
@@ -64,9 +68,15 @@ def evaluate(block: Block, times: Any, inputs: Any) -> np.ndarray:
     array([[1.   ],
            [0.368]])
     """
-    inputs = np.atleast_2d(np.asarray(inputs, dtype=float))
-    times = np.broadcast_to(np.asarray(times, dtype=float), len(inputs))
-    return on_arrays(block.output_record, times, (), inputs.T, block.parameters).T
+    given = np.atleast_2d(numbers("inputs", inputs, block.ninputs))
+    at = numbers("times", times)
+    if given.ndim > 2 or at.shape not in ((), (1,), given.shape[:1]):
+        raise ArgumentError(
+            f"evaluate: times has shape {at.shape}, inputs {given.shape}; must be a time, or n of "
+            f"them, and (n, {block.ninputs})"
+        )
+    at = np.broadcast_to(at, len(given))
+    return on_arrays(block.output_record, at, (), given.T, block.parameters).T
 
 
 def picked(numbers: np.ndarray, index: Any) -> Any:

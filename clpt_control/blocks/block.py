@@ -19,6 +19,7 @@ from typing import Any
 import control
 import numpy as np
 
+from ..arguments import public, shown
 from ..errors import BlockError
 from .declaration import (
     Equations,
@@ -38,6 +39,7 @@ from .trace import trace
 from .tracers import TooLong
 
 
+@public
 class Block(control.NonlinearIOSystem):
     """Equations with ports, which python-control can run.
 
@@ -247,6 +249,7 @@ class Block(control.NonlinearIOSystem):
     def params(self, value: dict[str, Any]) -> None:
         """Ignore python-control's own empty default."""
 
+    @public
     def with_params(self, params: Mapping[str, Any] | None) -> Any:
         """Return the parameters, changed by {"block.field": value}."""
         params = params or {}
@@ -263,9 +266,13 @@ class Block(control.NonlinearIOSystem):
                 raise BlockError(f"unknown parameter '{key}': block {self.name} knows {known}")
         return self.with_values(changes)
 
+    @public
     def with_values(self, changes: Mapping[str, Any]) -> Any:
         """Return the parameters with some fields changed."""
         for field, value in changes.items():
+            if field not in self.parameters._fields:
+                known = ", ".join(self.parameters._fields) or "none"
+                raise BlockError(f"{self.name}: unknown parameter {field!r}; it has {known}")
             fixed = getattr(self.parameters, field)
             if isinstance(fixed, int) and not np.array_equal(value, fixed):
                 raise BlockError(
@@ -281,6 +288,7 @@ class Block(control.NonlinearIOSystem):
 
     # --- jumps in time ----------------------------------------------------------------
 
+    @public
     def breakpoints(self, t0: float, t1: float, p: Any = None) -> np.ndarray:
         """Return the sorted times in (t0, t1] at which the block jumps."""
         if self.breakpoints_function is None:
@@ -292,7 +300,7 @@ class Block(control.NonlinearIOSystem):
             times = np.full(1, np.nan)
         if times.ndim != 1 or not np.all(times[1:] >= times[:-1]) or np.any(np.isnan(times)):
             raise BlockError(
-                f"{self.name}: breakpoints gives {given!r:.60}; must be increasing times"
+                f"{self.name}: breakpoints gives {shown(given)}; must be increasing times"
             )
         return times
 

@@ -10,11 +10,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..arguments import public
 from ..errors import BlockError
 
 Equations = Callable[[float, np.ndarray, np.ndarray, Any, np.ndarray], None]
 
 
+@public
 class Guard(NamedTuple):
     """Where a block may be used, and what happens outside.
 
@@ -44,6 +46,7 @@ class Guard(NamedTuple):
     sentence: Callable[[float, np.ndarray, Any], str]
     advice: str = ""
 
+    @public
     def said(self, t: float, u: np.ndarray, p: Any) -> str:
         """Return the sentence, with the advice where a run fails."""
         advised = self.policy == "raise" and self.advice
@@ -72,9 +75,6 @@ def states_as_outputs(t, x, u, p, y):
 
 def check_names(name: str, *ports: Mapping[str, int] | None) -> None:
     """Refuse names and sizes that python-control cannot wire."""
-    for own in ports:
-        if own is not None and not isinstance(own, Mapping):
-            raise BlockError(f"{name}: ports {own!r} must be a dict of sizes, such as {{'e': 2}}")
     words = [(name, ".\n"), *((port, ".[]\n") for own in ports for port in own or ())]
     for word, not_in in words:  # python-control itself calls a system sys[0]
         if not isinstance(word, str) or not word or word[0] in "-+" or set(word) & set(not_in):

@@ -14,6 +14,7 @@ import textwrap
 from collections.abc import Callable
 from types import FunctionType
 
+from ..arguments import public, shown
 from ..errors import BlockError
 from .functions import effects, helpers_of, names_read
 from .words import MATH
@@ -72,6 +73,7 @@ _CALLS = {
 _passed: set = set()  # functions, with their code, that have been checked
 
 
+@public
 def opaque(function: Callable) -> Callable:
     """Mark a helper that SymPy reads as an undefined function.
 
@@ -114,8 +116,8 @@ def _check(function: Callable, role: str, seen: set[Callable]) -> None:
     seen.add(function)
     if not isinstance(function, FunctionType):
         raise BlockError(
-            f"{role}: {function!r} is not a plain function; write `def f(t, x, u, p, out): ...` "
-            "at the top of a module"
+            f"{role}: {shown(function)} is not a plain function; write `def f(t, x, u, p, out): "
+            "...` at the top of a module"
         )
     if function.__code__.co_freevars:
         names = ", ".join(function.__code__.co_freevars)

@@ -14,7 +14,7 @@ import os
 import sys
 import warnings
 from contextlib import suppress
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..errors import ClptError, SimulationError
 from ..progress import interrupt
@@ -22,6 +22,7 @@ from ..progress import interrupt
 if TYPE_CHECKING:
     import typer
 
+COMPLETES = "_CLPT_COMPLETE"  # set by a shell that asks how a word may go on
 LONGEST = 1200  # letters of a sentence; longer ones lose their middle
 
 
@@ -47,7 +48,8 @@ def main() -> None:
 
 def _run() -> int:
     logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it warns without a home folder
-    status = application()(standalone_mode=False)
+    words = sys.argv[1:] or ["--help"]  # who types `clpt` alone wants its page
+    status = application()(words, standalone_mode=False, prog_name="clpt")
     return status if isinstance(status, int) else 0
 
 
@@ -61,6 +63,7 @@ def application() -> "typer.Typer":
     from .estimate import estimate
     from .excitation import excitation
     from .fit import fit
+    from .help_pages import Command, Page, clpt
     from .laws import laws
     from .one_scenario import diagram, init, paper, run
     from .prove import prove
@@ -72,16 +75,23 @@ def application() -> "typer.Typer":
 
     app = typer.Typer(
         name="clpt",
-        help="Adaptive learning for controlled Lagrangian particle tracking.",
-        no_args_is_help=True,
-        add_completion=False,
+        cls=Page,
+        context_settings={"help_option_names": ["-h", "--help"]},
         rich_markup_mode=None,
         pretty_exceptions_enable=False,
     )
-    one, theory = (init, paper, run, diagram, animate), (laws, prove, excitation, design)
-    many = (ensemble, *theory, tune, estimate, fit, tides, replay, report)
-    for command in (*one, *many):
-        app.command(cls=WithPlaces if command is replay else None)(command)
+    app.callback()(clpt)
+    groups = {  # in the order of a user's day
+        "One experiment": (paper, init, run, diagram),
+        "Many runs": (ensemble, tune),
+        "Theory": (laws, prove, excitation, design),
+        "Measurements": (fit, tides, estimate, replay),
+        "To show": (report, animate),
+    }
+    for title, commands in groups.items():
+        for command in commands:
+            kind = WithPlaces if command is replay else Command
+            app.command(cls=kind, rich_help_panel=title)(command)
     return app
 
 
@@ -93,6 +103,8 @@ def _answer(error: BaseException) -> int:
         return _complain(str(error), 1)
     if isinstance(error, ClptError):
         return _complain(str(error), 2)
+    if isinstance(error, SystemExit) and COMPLETES in os.environ:  # fish reads the status
+        return error.code if isinstance(error.code, int) else 0
     if isinstance(error, BrokenPipeError | SystemExit):  # the reader went away
         _let_go()
         return 0
@@ -106,11 +118,21 @@ def _answer(error: BaseException) -> int:
     if isinstance(error, typer.Abort):
         return 130
     if isinstance(error, typer.TyperException):
-        return _complain(error.format_message(), 2)
+        return _complain(_usage(error), 2)
     if os.environ.get("CLPT_TRACEBACK"):
         raise error
     kind = type(error).__name__
     return _complain(f"fault in clpt: {kind}: {error}; CLPT_TRACEBACK=1 shows where", 1)
+
+
+def _usage(error: Any) -> str:
+    """Return what is wrong with the words of a command, and what to try."""
+    said = error.format_message().rstrip(".")
+    for near in (". Did you mean ", " (Possible options: "):
+        if near in said:
+            return said.replace(near, "; did you mean ").rstrip(")?") + "?"
+    command = getattr(getattr(error, "ctx", None), "command_path", "clpt")
+    return f"{said}; `{command} --help` shows what it takes"
 
 
 def _interrupted(error: BaseException | None) -> bool:

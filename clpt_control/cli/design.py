@@ -22,34 +22,55 @@ Four = tuple[float, float, float, float]
 
 def design(
     scenario: ScenarioFile,
-    out: Annotated[Path, typer.Option(help="Scenario file to write, with the new waypoints.")],
+    out: Annotated[
+        Path, typer.Option(metavar="FILE", help="Scenario file to write, with the new waypoints.")
+    ],
     length: Annotated[
-        float | None, typer.Option(help="Longest closed polygon; default: the scenario's own.")
+        float | None,
+        typer.Option(metavar="LENGTH", help="Longest closed polygon; default: the scenario's own."),
     ] = None,
     max_speed: Annotated[
-        float | None, typer.Option(help="Largest speed through the water; default: any.")
+        float | None,
+        typer.Option(metavar="SPEED", help="Largest speed through the water; default: any."),
     ] = None,
     area: Annotated[
-        Four | None, typer.Option(help="X1FROM X1TO X2FROM X2TO; default: where it drives now.")
+        Four | None,
+        typer.Option(
+            metavar="X1FROM X1TO X2FROM X2TO",
+            help="Where it may drive; default: where it drives now.",
+        ),
     ] = None,
     box: Annotated[
-        Four | None, typer.Option(help="In its place LAT0 LAT1 LON0 LON1, degrees, in a field.")
+        Four | None,
+        typer.Option(
+            metavar="LAT0 LAT1 LON0 LON1",
+            help="The area in degrees, in a measured current.",
+        ),
     ] = None,
-    count: Annotated[int | None, typer.Option(help="Waypoints; default: as many as now.")] = None,
-    dwell: Annotated[float | None, typer.Option(help="Time at each; default: as now.")] = None,
+    count: Annotated[
+        int | None, typer.Option(metavar="COUNT", help="Waypoints; default: as many as now.")
+    ] = None,
+    dwell: Annotated[
+        float | None, typer.Option(metavar="TIME", help="Time at each; default: as now.")
+    ] = None,
     window: Window = None,
     start: Start = None,
     level: Annotated[
-        float | None, typer.Option(help="Error that ends the learning time; default: a tenth.")
+        float | None,
+        typer.Option(metavar="ERROR", help="Error that ends the learning time; default: a tenth."),
     ] = None,
-    seed: Annotated[int, typer.Option(help="Of the search.")] = 0,
-    generations: Annotated[int, typer.Option(help="Of the search.")] = 60,
+    seed: Annotated[int, typer.Option(metavar="NUMBER", help="Of the search.")] = 0,
+    generations: Annotated[int, typer.Option(metavar="COUNT", help="Of the search.")] = 60,
     figure: Annotated[
-        Path | None, typer.Option(help=".png, .pdf or .svg: old and new track.")
+        Path | None, typer.Option(metavar="FILE", help=".png, .pdf or .svg: old and new track.")
     ] = None,
     as_json: Json = False,
 ) -> None:
-    """Find waypoints from which most can be learned."""
+    """Find waypoints from which most can be learned.
+
+    Example:
+        clpt design mine.toml --out better.toml --max-speed 1.5
+    """
     from ..files import write_together
     from ..progress import progress_bar
     from ..scenario.file import load_scenario, scenario_to_text

@@ -5,34 +5,61 @@ from typing import Annotated
 
 import typer
 
+from .help_pages import one_of
 from .printing import Json, ScenarioFile, check_figure, print_json, print_table, shown
 
 
 def ensemble(
     scenario: ScenarioFile,
-    members: Annotated[int, typer.Option(help="How many runs.")],
+    members: Annotated[int, typer.Option(metavar="COUNT", help="How many runs.")],
     vary: Annotated[
         list[str],
-        typer.Option(help="KEY=LOW:HIGH, KEY~normal:DEVIATION or KEY=[VALUE, ...]; repeat it."),
+        typer.Option(
+            metavar="KEY=LOW:HIGH",
+            help="Or KEY~normal:DEVIATION, or KEY=[VALUE, ...]; repeat it.",
+        ),
     ],
-    out: Annotated[Path, typer.Option(help="Zarr folder; if it holds a part, go on from there.")],
-    design: Annotated[str, typer.Option(help="lhs (Latin hypercube), grid or random.")] = "lhs",
-    seed: Annotated[int, typer.Option(help="Of the design.")] = 0,
-    threads: Annotated[int | None, typer.Option(help="Default: all processors.")] = None,
+    out: Annotated[
+        Path,
+        typer.Option(metavar="FOLDER", help="Zarr folder; if it holds a part, go on from there."),
+    ],
+    design: Annotated[
+        str,
+        typer.Option(
+            metavar="NAME",
+            autocompletion=one_of("lhs", "grid", "random"),
+            help="lhs (Latin hypercube), grid or random.",
+        ),
+    ] = "lhs",
+    seed: Annotated[int, typer.Option(metavar="NUMBER", help="Of the draws.")] = 0,
+    threads: Annotated[
+        int | None, typer.Option(metavar="COUNT", help="Default: all processors.")
+    ] = None,
     trajectories: Annotated[
         bool, typer.Option("--trajectories", help="Keep the states too.")
     ] = False,
     figure: Annotated[
-        Path | None, typer.Option(help=".png, .pdf or .svg: percentiles of CLPE and errors.")
+        Path | None,
+        typer.Option(metavar="FILE", help=".png, .pdf or .svg: percentiles of CLPE and errors."),
     ] = None,
     dask: Annotated[
-        str | None, typer.Option(help="Run on a cluster: tcp://HOST:PORT, or local.")
+        str | None,
+        typer.Option(metavar="ADDRESS", help="Run on a cluster: tcp://HOST:PORT, or local."),
     ] = None,
-    chunk: Annotated[int | None, typer.Option(help="Members written at once.")] = None,
-    samples: Annotated[int | None, typer.Option(help="Samples a cycle for CLPE rms.")] = None,
+    chunk: Annotated[
+        int | None, typer.Option(metavar="COUNT", help="Members written at once.")
+    ] = None,
+    samples: Annotated[
+        int | None, typer.Option(metavar="COUNT", help="Samples a cycle for CLPE rms.")
+    ] = None,
     as_json: Json = False,
 ) -> None:
-    """Run a scenario many times with values that vary."""
+    r"""Run a scenario many times with values that vary.
+
+    Example:
+        clpt ensemble mine.toml --members 1000 --vary learning.gain=0.2:2.0 \
+            --vary vehicle.position~normal:0.5 --out e.zarr --figure e.png
+    """
     from ..ensemble.run import run_ensemble
     from ..ensemble.spread import ensemble_summary
     from ..files import write_figure

@@ -5,31 +5,50 @@ from typing import Annotated
 
 import typer
 
+from .help_pages import one_of
 from .printing import Json, print_json, print_table, shown
 
 
 def estimate(
-    run: Annotated[Path, typer.Argument(help="A run's NetCDF, as clpt run writes it.")],
+    run: Annotated[
+        Path, typer.Argument(metavar="RUN", help="A run's NetCDF, as clpt run writes it.")
+    ],
     method: Annotated[
-        str, typer.Option(help="least-squares, kalman or tomography.")
+        str,
+        typer.Option(
+            metavar="NAME",
+            autocompletion=one_of("least-squares", "kalman", "tomography"),
+            help="least-squares, kalman or tomography.",
+        ),
     ] = "least-squares",
     every: Annotated[
-        float | None, typer.Option(help="Time between fixes; a tenth of reference.dwell.")
+        float | None,
+        typer.Option(metavar="TIME", help="Time between fixes; a tenth of reference.dwell."),
     ] = None,
     prior: Annotated[
-        float | None, typer.Option(help="Standard deviation of each theta before any fix.")
+        float | None,
+        typer.Option(metavar="SPEED", help="Standard deviation of each theta before any fix."),
     ] = None,
     noise: Annotated[
-        float | None, typer.Option(help="Standard deviation of a miss between fixes.")
+        float | None,
+        typer.Option(metavar="LENGTH", help="Standard deviation of a miss between fixes."),
     ] = None,
-    until: Annotated[float | None, typer.Option(help="Use the run up to this time.")] = None,
+    until: Annotated[
+        float | None, typer.Option(metavar="TIME", help="Use the run up to this time.")
+    ] = None,
     out: Annotated[
         Path | None,
-        typer.Option(help="Scenario file to write: the run's, with the estimate given."),
+        typer.Option(
+            metavar="FILE", help="Scenario file to write: the run's, with the estimate given."
+        ),
     ] = None,
     as_json: Json = False,
 ) -> None:
-    """Estimate the flow from fix to fix, for the known-flow law."""
+    """Estimate the flow from fix to fix, for the known-flow law.
+
+    Example:
+        clpt estimate run.nc --method kalman --out known.toml
+    """
     import numpy as np
 
     from ..errors import DataError, ScenarioError

@@ -16,11 +16,18 @@ def excitation(
     window: Window = None,
     start: Start = None,
     figure: Annotated[
-        Path | None, typer.Option(help=".png, .pdf or .svg: eigenvalues and directions.")
+        Path | None,
+        typer.Option(metavar="FILE", help=".png, .pdf or .svg: eigenvalues and directions."),
     ] = None,
     as_json: Json = False,
 ) -> None:
-    """Measure what can be learned on a track, and how fast; of a team, alone and together."""
+    """Measure what can be learned on a track, and how fast.
+
+    Of a team: by each vehicle alone, and by all together.
+
+    Example:
+        clpt excitation mine.toml --figure excitation.png
+    """
     from ..figures import figure_of
     from ..files import write_figure
     from ..scenario.file import TEAM

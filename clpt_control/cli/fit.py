@@ -5,30 +5,53 @@ from typing import Annotated
 
 import typer
 
+from .help_pages import TIDES, one_of
 from .printing import Json, print_json, print_table, shown
 
 
 def fit(
-    currents: Annotated[Path, typer.Argument(help="NetCDF file of a gridded current.")],
-    out: Annotated[Path, typer.Option(help="Scenario file to write; the field lies beside it.")],
+    currents: Annotated[
+        Path, typer.Argument(metavar="FILE", help="NetCDF file of a gridded current.")
+    ],
+    out: Annotated[
+        Path,
+        typer.Option(metavar="SCENARIO", help="Scenario file to write; the field lies beside it."),
+    ],
     box: Annotated[
-        tuple[float, float, float, float] | None, typer.Option(help="LAT0 LAT1 LON0 LON1, degrees.")
+        tuple[float, float, float, float] | None,
+        typer.Option(metavar="LAT0 LAT1 LON0 LON1", help="Degrees; default: the whole grid."),
     ] = None,
-    rows: Annotated[int, typer.Option(help="Places of functions, south to north.")] = 3,
-    columns: Annotated[int, typer.Option(help="Places of functions, west to east.")] = 3,
-    width_km: Annotated[float, typer.Option(help="Width of the Gaussians, km.")] = 15.0,
+    rows: Annotated[
+        int, typer.Option(metavar="COUNT", help="Places of functions, south to north.")
+    ] = 3,
+    columns: Annotated[
+        int, typer.Option(metavar="COUNT", help="Places of functions, west to east.")
+    ] = 3,
+    width_km: Annotated[
+        float, typer.Option(metavar="KM", help="Width of the Gaussians, km.")
+    ] = 15.0,
     constituents: Annotated[
-        str, typer.Option(help="steady and named tides, such as steady,M2.")
+        str,
+        typer.Option(
+            metavar="NAMES",
+            autocompletion=one_of("steady", *TIDES),
+            help="steady and named tides, such as steady,M2.",
+        ),
     ] = "steady,M2",
     start_from_fit: Annotated[
         bool, typer.Option("--start-from-fit", help="Let the learner start with the fit.")
     ] = False,
     units: Annotated[
-        str | None, typer.Option(help="Of u and v, such as m/s, where the file has none.")
+        str | None,
+        typer.Option(metavar="UNIT", help="Of u and v, such as m/s, where the file has none."),
     ] = None,
     as_json: Json = False,
 ) -> None:
-    """Fit flow basis functions to a measured current."""
+    """Make a scenario in a measured current, and fit its flow.
+
+    Example:
+        clpt fit currents.nc --box 40.9 41.55 -69.9 -69.0 --out mine.toml
+    """
     from ..currents.fit import fit_scenario
     from ..currents.fit_file import save_fit
 

@@ -6,7 +6,11 @@ from .printing import Json, print_json, print_table
 
 
 def laws(as_json: Json = False) -> None:
-    """List the adaptive laws: what each promises, what it needs, its settings."""
+    """List the adaptive laws: promises, needs and settings.
+
+    Example:
+        clpt laws
+    """
     from ..blocks.laws.table import LAWS
 
     if as_json:

@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from ..errors import ClptError
+from .help_pages import one_of
 from .printing import Json, ScenarioFile, print_json, print_table
 
 RUN = "run it with `clpt run {} --out run.nc`"
@@ -20,11 +21,25 @@ EXAMPLES = {  # of `clpt init`: the name that it is given, the file in the packa
 
 def init(
     file: Annotated[
-        Path | None, typer.Argument(help="Where to write it; without it, as the example is called.")
+        Path | None,
+        typer.Argument(metavar="FILE", help="Where to write it; default: the name of the example."),
     ] = None,
-    example: Annotated[str, typer.Option(help=f"What to write: {', '.join(EXAMPLES)}.")] = "paper",
+    example: Annotated[
+        str,
+        typer.Option(
+            metavar="NAME",
+            autocompletion=one_of(*EXAMPLES),
+            help=f"What to write: {', '.join(EXAMPLES)}.",
+        ),
+    ] = "paper",
 ) -> None:
-    """Write an example to start from: the paper's scenario, a team's, or a measured current."""
+    """Write an example to start from: a scenario, by default.
+
+    The paper's scenario, commented; a team's; or a measured current for `clpt fit`.
+
+    Example:
+        clpt init mine.toml
+    """
     from ..files import beside, check_name
 
     if example not in EXAMPLES:
@@ -40,10 +55,16 @@ def init(
 
 
 def paper(
-    out: Annotated[Path, typer.Option(help="Folder for figures and run.nc.")] = Path("paper"),
+    out: Annotated[
+        Path, typer.Option(metavar="FOLDER", help="Folder for figures and run.nc.")
+    ] = Path("paper"),
     as_json: Json = False,
 ) -> None:
-    """Run section IV of the paper and judge its claims."""
+    """Run section IV of the paper and judge its claims.
+
+    Example:
+        clpt paper --out paper
+    """
     from ..files import make_folder
     from ..progress import progress_bar
     from ..scenario.file import paper_scenario
@@ -70,11 +91,17 @@ def paper(
 
 def run(
     scenario: ScenarioFile,
-    out: Annotated[Path, typer.Option(help="NetCDF file for the run.")],
-    figures: Annotated[Path | None, typer.Option(help="Folder for the figures.")] = None,
+    out: Annotated[Path, typer.Option(metavar="FILE", help="NetCDF file for the run.")],
+    figures: Annotated[
+        Path | None, typer.Option(metavar="FOLDER", help="Folder for the figures.")
+    ] = None,
     as_json: Json = False,
 ) -> None:
-    """Run a scenario, or a team: a scenario with a table [team]."""
+    """Run a scenario, or a team: a scenario with a table [team].
+
+    Example:
+        clpt run mine.toml --out run.nc --figures figures
+    """
     from ..files import check_writable, make_folder
     from ..progress import progress_bar
     from ..scenario.team import Team
@@ -133,13 +160,20 @@ def diagram(
     scenario: ScenarioFile,
     out: Annotated[
         Path | None,
-        typer.Option("-o", "--out", help=".svg, .png, .pdf or .mmd; default: Mermaid text."),
+        typer.Option(
+            "-o", "--out", metavar="FILE", help=".svg, .png, .pdf or .mmd; default: Mermaid text."
+        ),
     ] = None,
     external: Annotated[
-        list[str] | None, typer.Option(help="A port to take from outside, such as zc.")
+        list[str] | None,
+        typer.Option(metavar="PORT", help="A port to take from outside, such as zc."),
     ] = None,
 ) -> None:
-    """Draw a scenario's block diagram."""
+    """Draw a scenario's block diagram.
+
+    Example:
+        clpt diagram mine.toml -o loop.svg
+    """
     from ..diagrams.drawing import draw, mermaid
     from ..scenario.file import load_scenario
     from ..simulation.loops import closed_loop

@@ -9,12 +9,16 @@ import typer
 
 from ..errors import ClptError, SimulationError
 
-ScenarioFile = Annotated[Path, typer.Argument(help="A scenario's TOML file, or a run's NetCDF.")]
+ScenarioFile = Annotated[
+    Path, typer.Argument(metavar="SCENARIO", help="A scenario's TOML file, or a run's NetCDF.")
+]
 Window = Annotated[
-    float | None, typer.Option(help="Length of the window; default: one cycle of waypoints.")
+    float | None,
+    typer.Option(metavar="TIME", help="Length of the window; default: one cycle of waypoints."),
 ]
 Start = Annotated[
-    float | None, typer.Option(help="Start of the window; default: the second cycle.")
+    float | None,
+    typer.Option(metavar="TIME", help="Start of the window; default: the second cycle."),
 ]
 PIPED = 140  # letters of a line that goes to no terminal
 LONG = 40  # characters; longer cells are broken into lines

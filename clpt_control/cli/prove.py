@@ -6,17 +6,29 @@ from typing import Annotated, Any
 import typer
 
 from ..errors import SimulationError
+from .help_pages import one_of
 from .printing import Json, print_json, print_table
 
 
 def prove(
     theorem: Annotated[
-        str | None, typer.Option(help="3.1 to 3.4; default: all, limits and every law.")
+        str | None,
+        typer.Option(
+            metavar="NUMBER",
+            autocompletion=one_of("3.1", "3.2", "3.3", "3.4"),
+            help="3.1 to 3.4; default: all, limits and every law.",
+        ),
     ] = None,
     again: Annotated[bool, typer.Option("--again", help="Judge what was judged before.")] = False,
     as_json: Json = False,
 ) -> None:
-    """Check the paper's theorems, and every law, on the equations that run."""
+    """Check the paper's theorems, and every law, by symbols.
+
+    The equations are those that run, read from the same blocks.
+
+    Example:
+        clpt prove --theorem 3.2
+    """
     from ..progress import progress_bar
     from ..theory.proving.judgement import parts
     from ..theory.proving.kept_verdicts import Kept

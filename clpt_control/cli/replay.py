@@ -6,6 +6,7 @@ from typing import Annotated, Any
 
 import typer
 
+from .help_pages import one_of
 from .printing import Json, print_json
 from .replay_ahead import Ahead, waypoint
 from .replay_report import show, summary_with_next, write
@@ -21,29 +22,45 @@ def folder_named(text: str) -> Path:
 
 def replay(
     files: Annotated[
-        list[Path] | None, typer.Argument(help="Files of one vehicle, or folders of them.")
+        list[Path] | None,
+        typer.Argument(metavar="FILES", help="Files of one vehicle, or folders of them."),
     ] = None,
     sample: Annotated[
         bool, typer.Option("--sample", help="Replay the dives that come with clpt.")
     ] = False,
-    estimator: Annotated[str, typer.Option(help="kalman or gradient.")] = "kalman",
+    estimator: Annotated[
+        str,
+        typer.Option(
+            metavar="NAME", autocompletion=one_of("kalman", "gradient"), help="kalman or gradient."
+        ),
+    ] = "kalman",
     flow: Annotated[
         str | None,
         typer.Option(
-            help="steady, then any of tides, inertial, gaussians, model, such as steady,M2,K1."
+            metavar="PARTS",
+            autocompletion=one_of("steady", "tides", "M2", "inertial", "gaussians", "model"),
+            help="steady, then any of tides, inertial, gaussians, model, such as steady,M2,K1.",
         ),
     ] = None,
-    width_km: Annotated[float | None, typer.Option(help="Width of the gaussians, km.")] = None,
+    width_km: Annotated[
+        float | None, typer.Option(metavar="KM", help="Width of the gaussians.")
+    ] = None,
     learn_speed: Annotated[
         bool, typer.Option(help="Learn a factor on speed and a compass error.")
     ] = True,
     flow_model: Annotated[
         Path | None,
-        typer.Option(help="Forecast (NetCDF) or fit (TOML) to compare with and learn from."),
+        typer.Option(
+            metavar="FILE", help="Forecast (NetCDF) or fit (TOML) to compare with and learn from."
+        ),
     ] = None,
     plan: Annotated[
         tuple[float, float, float] | None,
-        typer.Option("--next", help="Plan of the next dive: hours, m east, m north."),
+        typer.Option(
+            "--next",
+            metavar="HOURS EAST NORTH",
+            help="Plan of the next dive: hours, m east, m north through the water.",
+        ),
     ] = None,
     aim: Annotated[
         list[str] | None,
@@ -55,37 +72,56 @@ def replay(
     ] = None,
     speed: Annotated[
         float | None,
-        typer.Option(help="Speed through water for --aim, m/s; else that of the last dives."),
+        typer.Option(
+            metavar="M/S", help="Speed through water for --aim; else that of the last dives."
+        ),
     ] = None,
     hours: Annotated[
-        float | None, typer.Option(help="Length of a dive for --aim; else that of the last dives.")
+        float | None,
+        typer.Option(
+            metavar="HOURS", help="Length of a dive for --aim; else that of the last dives."
+        ),
     ] = None,
     least_duration: Annotated[
-        float | None, typer.Option(help="Dives must last longer than this, s.")
+        float | None, typer.Option(metavar="SECONDS", help="Dives must last longer than this.")
     ] = None,
     variation: Annotated[
         float | None,
-        typer.Option(help="Variation of magnetic headings, degrees east; else the file's or IGRF."),
+        typer.Option(
+            metavar="DEGREES",
+            help="Variation of magnetic headings, degrees east; else the file's or IGRF.",
+        ),
     ] = None,
     out: Annotated[
         Path | None,
-        typer.Option(parser=folder_named, metavar="PATH", help="Folder for NetCDF and figures."),
+        typer.Option(parser=folder_named, metavar="FOLDER", help="Folder for NetCDF and figures."),
     ] = None,
     follow: Annotated[
         Path | None,
         typer.Option(
             parser=folder_named,
-            metavar="PATH",
+            metavar="FOLDER",
             help="Folder to watch for new files; --out is FOLDER/replay by default.",
         ),
     ] = None,
-    every: Annotated[float, typer.Option(help="Time between looks at that folder, s.")] = 10.0,
+    every: Annotated[
+        float, typer.Option(metavar="SECONDS", help="Time between looks at that folder.")
+    ] = 10.0,
     patience: Annotated[
-        float, typer.Option(help="End after this time without a new file, s.")
+        float,
+        typer.Option(
+            metavar="SECONDS",
+            help="End after this time without a new file; default: never.",
+            show_default=False,
+        ),
     ] = inf,
     as_json: Json = False,
 ) -> None:
-    """Replay a glider's dives, each forecast before its end."""
+    """Replay a glider's dives, each forecast before its end.
+
+    Example:
+        clpt replay p542*.nc --aim 41.05 -69.40 --out replay
+    """
     from ..errors import DataError, ScenarioError
     from ..estimation.estimators import ESTIMATORS
     from ..files import make_folder

@@ -7,13 +7,14 @@ from math import hypot
 from typing import Any
 
 import typer
-from typer.core import TyperCommand
+
+from .help_pages import Command
 
 PAIR = re.compile(r"\s*[-+.\d]+\s+[-+.\d]+\s*")  # both numbers quoted as one word
 CLOSE = 1000.0  # m; who is so close to a waypoint goes on to the next one
 
 
-class WithPlaces(TyperCommand):
+class WithPlaces(Command):
     """A command whose option `--aim LAT LON` may be given more than once."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:

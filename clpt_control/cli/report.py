@@ -11,18 +11,27 @@ from .printing import Json, print_json
 def report(
     run: Annotated[
         Path,
-        typer.Argument(help="run.nc, a team's too; an ensemble's folder; replay.nc or its JSON."),
+        typer.Argument(
+            metavar="RUN", help="run.nc, a team's too; an ensemble's folder; replay.nc or its JSON."
+        ),
     ],
-    out: Annotated[Path, typer.Option("-o", "--out", help="The page, .html.")] = Path(
-        "report.html"
-    ),
-    title: Annotated[str | None, typer.Option(help="In place of the scenario's.")] = None,
+    out: Annotated[
+        Path, typer.Option("-o", "--out", metavar="FILE", help="The page, .html.")
+    ] = Path("report.html"),
+    title: Annotated[
+        str | None, typer.Option(metavar="TEXT", help="In place of the scenario's.")
+    ] = None,
     figures: Annotated[
-        Path | None, typer.Option(help="Folder for the figures too, as SVG and PDF.")
+        Path | None,
+        typer.Option(metavar="FOLDER", help="Folder for the figures too, as SVG and PDF."),
     ] = None,
     as_json: Json = False,
 ) -> None:
-    """Write a page to send: one HTML file that needs nothing else."""
+    """Write a page to send: one HTML file that needs nothing else.
+
+    Example:
+        clpt report run.nc -o report.html
+    """
     from ..pages import report as written
 
     made = written(run, out, title, figures)

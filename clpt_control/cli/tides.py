@@ -5,28 +5,44 @@ from typing import Annotated, Any
 
 import typer
 
+from .help_pages import TIDES, one_of
 from .printing import Json, print_json, print_table
 
 
 def tides(
-    record: Annotated[Path, typer.Argument(help="NetCDF, or CSV with time, u and v.")],
+    record: Annotated[
+        Path, typer.Argument(metavar="FILE", help="NetCDF, or CSV with time, u and v.")
+    ],
     constituents: Annotated[
-        str, typer.Option(help="Named tides, such as M2,S2,K1; auto: all that can be told apart.")
+        str,
+        typer.Option(
+            metavar="NAMES",
+            autocompletion=one_of("auto", *TIDES),
+            help="Named tides, such as M2,S2,K1; auto: all that can be told apart.",
+        ),
     ],
     latitude: Annotated[
-        float | None, typer.Option(help="Degrees north; default: the file's own.")
+        float | None,
+        typer.Option(metavar="DEGREES", help="Degrees north; default: the file's own."),
     ] = None,
     at: Annotated[
         tuple[float, float] | None,
-        typer.Option(help="LAT LON, degrees: the nearest cell of a grid."),
+        typer.Option(metavar="LAT LON", help="Degrees: the nearest cell of a grid."),
     ] = None,
     units: Annotated[
-        str | None, typer.Option(help="Of u and v, such as m/s, where the file has none.")
+        str | None,
+        typer.Option(metavar="UNIT", help="Of u and v, such as m/s, where the file has none."),
     ] = None,
-    out: Annotated[Path | None, typer.Option(help="Folder for tides.nc and tides.png.")] = None,
+    out: Annotated[
+        Path | None, typer.Option(metavar="FOLDER", help="Folder for tides.nc and tides.png.")
+    ] = None,
     as_json: Json = False,
 ) -> None:
-    """Fit tidal constituents to a current record."""
+    """Fit tidal constituents to a current record.
+
+    Example:
+        clpt tides record.nc --constituents M2,S2,K1 --out tides
+    """
     from ..currents.tidal.analysis import fit_tides
     from ..currents.tidal.constants import tides_dataset, tides_report
     from ..currents.tidal.record import read_record

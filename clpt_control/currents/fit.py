@@ -19,6 +19,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arguments import public
 from ..blocks import evaluate
 from ..diagrams.scenario_basis import scenario_basis
 from ..errors import DataError
@@ -48,6 +49,7 @@ class Fit:
     report: dict[str, Any]  # what was read, filled and fitted; fit for JSON
 
 
+@public
 def fit_scenario(
     path: str | Path,
     box: tuple[float, float, float, float] | None = None,

@@ -9,6 +9,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ..arguments import public
 from ..errors import DataError
 from ..files import check_writable, write_together
 from ..scenario.experiment import Scenario
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from .fit import Fit
 
 
+@public
 def save_fit(fit: "Fit", out: str | Path) -> Scenario:
     """Write a fit as a scenario with its field beside it.
 

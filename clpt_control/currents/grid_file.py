@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..arguments import public
 from ..errors import DataError
 from ..files import open_netcdf
 from ..units import length_in_metres
@@ -56,6 +57,7 @@ class Currents:
         return np.isfinite(self.u)
 
 
+@public
 def read_currents(
     path: str | Path,
     box: tuple[float, float, float, float] | None = None,

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..arguments import shown
 from ..errors import DataError, ScenarioError
 
 OTHER_NAMES = {"M1": "NO1"}  # Schureman's name and UTide's, where they differ
@@ -98,14 +99,14 @@ def checked_times(time: Any) -> np.ndarray:
         times = np.atleast_1d(np.asarray(time, dtype="datetime64[ms]"))
     except (ValueError, TypeError, OverflowError):
         raise DataError(
-            f"time = {str(time)[:60]}: must be UTC times such as 2019-01-01T06:00"
+            f"time = {shown(time)}: must be UTC times such as 2019-01-01T06:00"
         ) from None
     low, high = (np.datetime64(f"{year}-01-01") for year in YEARS)
     wrong = ~((times >= low) & (times < high))
     if times.size == 0 or wrong.any():
-        shown = times[wrong][0] if times.size else "none"
+        first = times[wrong][0] if times.size else "none"
         raise DataError(
-            f"time = {shown}: must be at least one, from the year {YEARS[0]} to {YEARS[1]}; "
+            f"time = {first}: must be at least one, from the year {YEARS[0]} to {YEARS[1]}; "
             "check the unit and the epoch of the times"
         )
     return times

@@ -14,6 +14,7 @@ import math
 from collections.abc import Mapping, Sequence
 from itertools import combinations
 
+from ..arguments import check_holds, public
 from ..errors import DataError
 from ..scenario import tides
 
@@ -42,6 +43,7 @@ def inseparable(
     return sorted(pairs, key=lambda pair: -pair[2])
 
 
+@public
 def check_separable(
     names: Sequence[str], hours: float, where: str, speeds: Mapping[str, float] | None = None
 ) -> None:
@@ -74,6 +76,8 @@ def check_separable(
     clpt_control.errors.DataError: currents.nc: in 24 h, M2 and S2 cannot be told apart: 354.4 h
     are needed; leave one of them out or take a longer record
     """
+    if speeds is not None:
+        check_holds("check_separable: speeds", speeds, names, "give degrees per hour of each name")
     pairs = inseparable(names, hours, speeds)
     if not pairs:
         return

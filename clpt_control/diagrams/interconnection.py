@@ -10,8 +10,9 @@ from typing import Any, NamedTuple
 
 import control
 
+from ..arguments import public
 from ..blocks import Block
-from ..blocks.declaration import labels, whole_labels
+from ..blocks.declaration import check_names, labels, whole_labels
 from ..errors import BlockError, DiagramError
 from ..scenario.keys import call_time_name_of
 from .parts import as_part, input_ports, output_ports
@@ -157,6 +158,7 @@ def match_ports(
     return Matched(makers, users, {port: sizes[port] for port in external})
 
 
+@public
 def connect(
     blocks: Sequence[control.InputOutputSystem],
     external: str | Iterable[str] = (),
@@ -202,6 +204,7 @@ def connect(
     """
     external = [external] if isinstance(external, str) else external
     parts = [as_part(block) for block in blocks]
+    check_names(name)
     matched = match_ports(parts, external)
     fed, makes = (sum(part.ninputs for part in parts), sum(part.noutputs for part in parts))
     size = 8 * (2 * fed + makes) * makes  # bytes of its full matrices of connections and outputs

@@ -13,10 +13,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..arguments import Seed, public
 from ..blocks import Block
 from ..errors import ScenarioError
 from ..progress.interrupt import SLICE, check
-from ..scenario.experiment import Scenario, require_scenario
+from ..scenario.experiment import Scenario
 from .plan import Plan, make_plan
 from .store import remove_empty
 from .varied_keys import Vary
@@ -26,12 +27,13 @@ if TYPE_CHECKING:
     import xarray
 
 
+@public
 def run_ensemble(
     scenario: Scenario,
     vary: "str | Vary | Iterable[str | Vary]",
     members: int,
     design: str = "lhs",
-    seed: int = 0,
+    seed: Seed = 0,
     out: str | Path | None = None,
     *,
     threads: int | None = None,
@@ -107,7 +109,6 @@ def run_ensemble(
     >>> data["gain_error"].dims, data["status"].values
     (('member', 'mark'), array([1, 1, 1], dtype=int8))
     """
-    require_scenario(scenario)
     if threads is not None and (not isinstance(threads, int) or threads < 1):
         raise ScenarioError(f"threads = {threads}: must be a whole number, at least 1")
     if dask is not None and out is None:

@@ -4,7 +4,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..errors import DataError
+from ..arguments import check_holds, public
+from ..errors import ArgumentError
 from ..figures import BLUE, GREY, RED, axes_for
 from .summaries import STATUS
 
@@ -12,9 +13,11 @@ if TYPE_CHECKING:
     import xarray
 
 PERCENTS = (5, 25, 50, 75, 95)
+ENSEMBLE = "clpt.run_ensemble(scenario, vary, members) makes an ensemble"
 READ_BYTES = 8_000_000  # at once, so that memory does not grow with the members
 
 
+@public
 def percentiles(data: "xarray.Dataset", name: str) -> np.ndarray:
     """Return percentiles over the members, column by column.
 
@@ -38,6 +41,11 @@ def percentiles(data: "xarray.Dataset", name: str) -> np.ndarray:
     >>> percentiles(data, "e")[:, 0]
     array([0.2, 1. , 2. , 3. , 3.8])
     """
+    check_holds("percentiles: data", data, [name], f"it has {', '.join(map(str, data.data_vars))}")
+    if data[name].dims[:1] != ("member",) or data[name].ndim != 2:
+        raise ArgumentError(
+            f"percentiles: name = '{name}': must have the dimensions member and another"
+        )
     members, columns = data[name].shape
     wide = max(1, READ_BYTES // (8 * members))
     found = np.full((len(PERCENTS), columns), np.nan)
@@ -50,6 +58,7 @@ def percentiles(data: "xarray.Dataset", name: str) -> np.ndarray:
     return found
 
 
+@public
 def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
     """Return an ensemble's figures, ready for JSON.
 
@@ -74,6 +83,7 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
     >>> ensemble_summary(data)["ended"]
     {'finished': 3}
     """
+    check_holds("ensemble_summary: data", data, ["status", "clpe_rms"], ENSEMBLE)
     status = data["status"].values
     failed = np.flatnonzero(status != 1)
     summary: dict[str, Any] = {
@@ -108,6 +118,7 @@ def _status(number: int) -> str:
     return STATUS[number] if number < len(STATUS) else f"status_{number}"
 
 
+@public
 def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> Any:
     """Draw percentiles of CLPE and of the parameter error.
 
@@ -138,8 +149,7 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> Any:
     >>> data = clpt.ensemble.run_ensemble(scenario, "learning.gain=0.2:2.0", 3)
     >>> clpe, error = ensemble_plot(data)
     """
-    if "clpe_rms" not in getattr(data, "data_vars", ()):
-        raise DataError("the dataset is no ensemble: it has no clpe_rms; run_ensemble gives one")
+    check_holds("ensemble_plot: data", data, ["clpe_rms"], ENSEMBLE)
     axes = axes_for(ax, 6.4, 6.0, nrows=2)
     top, bottom = axes
     units = data["clpe_rms"].attrs["units"]

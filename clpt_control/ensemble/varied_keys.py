@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..arguments import public
 from ..errors import ScenarioError
 from ..scenario.experiment import Scenario
 from ..scenario.keys import key_of
@@ -25,6 +26,7 @@ from ..scenario.mistakes import Table
 FORMS = "KEY=LOW:HIGH, KEY~normal:DEVIATION or KEY=[VALUE, ...]"
 
 
+@public
 class Vary(NamedTuple):
     """One key of a scenario and how it varies.
 

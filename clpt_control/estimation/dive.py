@@ -18,12 +18,14 @@ from typing import Any
 
 import numpy as np
 
+from ..arguments import OrNaN, public
 from ..geodesy import displacement
 
-Fix = tuple[float, float, float]  # s since 1970 UTC, degrees north, degrees east
+Fix = tuple[OrNaN, OrNaN, OrNaN]  # s since 1970 UTC, degrees north, degrees east
 Track = tuple[np.ndarray, np.ndarray, np.ndarray]  # s since the fix, m east, m north
 
 
+@public
 @dataclass(frozen=True)
 class Dive:
     """One dive; what is not known is NaN, or None if optional.
@@ -72,28 +74,28 @@ class Dive:
     """
 
     number: int
-    t_gps2: float
-    lat_gps2: float
-    lon_gps2: float
-    t_gpse: float
-    lat_gpse: float
-    lon_gpse: float
-    gps_east: float
-    gps_north: float
-    dr_east: float
-    dr_north: float
-    t_gps1: float | None = None
-    lat_gps1: float | None = None
-    lon_gps1: float | None = None
-    dac_east: float | None = None
-    dac_north: float | None = None
-    dac_qc: float | None = None
-    magvar: float | None = None
-    depth_max: float | None = None
-    turned: float | None = None
-    doubt: float = 0.0
-    model_east: float | None = None
-    model_north: float | None = None
+    t_gps2: OrNaN
+    lat_gps2: OrNaN
+    lon_gps2: OrNaN
+    t_gpse: OrNaN
+    lat_gpse: OrNaN
+    lon_gpse: OrNaN
+    gps_east: OrNaN
+    gps_north: OrNaN
+    dr_east: OrNaN
+    dr_north: OrNaN
+    t_gps1: OrNaN | None = None
+    lat_gps1: OrNaN | None = None
+    lon_gps1: OrNaN | None = None
+    dac_east: OrNaN | None = None
+    dac_north: OrNaN | None = None
+    dac_qc: OrNaN | None = None
+    magvar: OrNaN | None = None
+    depth_max: OrNaN | None = None
+    turned: OrNaN | None = None
+    doubt: OrNaN = 0.0
+    model_east: OrNaN | None = None
+    model_north: OrNaN | None = None
     vehicle: str | None = field(default=None, compare=False)
     track: Track | None = field(default=None, compare=False, repr=False)
     notes: tuple[str, ...] = field(default=(), compare=False)
@@ -114,8 +116,9 @@ class Dive:
         return self.gps_north - self.dr_north
 
 
+@public
 def make_dive(
-    number: int, start: Fix, end: Fix, through_water: tuple[float, float], **optional: Any
+    number: int, start: Fix, end: Fix, through_water: tuple[OrNaN, OrNaN], **optional: Any
 ) -> Dive:
     """Make a dive of its fixes and its displacement through water.
 

@@ -10,6 +10,7 @@ from typing import Protocol
 
 import numpy as np
 
+from ..arguments import public
 from ..errors import ScenarioError
 from .dive import Dive
 from .fix_model import FixModel
@@ -44,6 +45,7 @@ ESTIMATORS: dict[str, Callable[[FixModel], Estimator]] = {
 }
 
 
+@public
 def make_estimator(name: str, model: FixModel) -> Estimator:
     """Make an estimator by its name.
 

@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arguments import public
 from ..errors import ScenarioError
 from ..scenario.tides import SPEEDS, period
 from .dive import Dive
@@ -39,6 +40,7 @@ WIDTH = 20e3  # m, of a gaussian
 OTHERS = ("inertial", "gaussians", "model")  # parts that are no tide
 
 
+@public
 @dataclass(frozen=True)
 class FixModel:
     """Parameters of the motion between fixes.

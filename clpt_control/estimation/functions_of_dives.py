@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ..arguments import public
 from ..blocks import Block
 from ..blocks.basis import BasisParameters, flow_basis
 from ..errors import DataError, ScenarioError
@@ -22,6 +23,7 @@ from .priors import QUARTER_DAY, Priors
 WIDE = 1e12  # m, of a gaussian that is 1 everywhere on Earth
 
 
+@public
 def dive_basis(
     dives: Sequence[Dive],
     width: float | None = WIDTH,

@@ -6,6 +6,8 @@
 
 from typing import Any, NamedTuple
 
+from ..arguments import public
+
 DAY = 86400.0  # s
 QUARTER_DAY = 21600.0  # s, the time that walks and trends are given for
 
@@ -19,6 +21,7 @@ class Kind(NamedTuple):
     scatter: Any = 0.005  # s, m/s, what no parameter explains and no dive remembers
 
 
+@public
 class Priors(NamedTuple):
     """Standard deviations and times before any dive, m, s and rad.
 

@@ -8,7 +8,7 @@ error of a cubic spline falls with the fourth power of the step.
 """
 
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.interpolate import CubicSpline
@@ -125,9 +125,7 @@ def run_scenario(run: "xarray.Dataset") -> Scenario:
     """Return the scenario that a run carries."""
     from ..scenario.file import CHANGED, OWN_PARTS, folder_of, scenario_from_text
 
-    attributes: Any = getattr(run, "attrs", None)
-    if attributes is None:
-        raise DataError(f"{run!r:.60}: is no run; clpt.simulate gives one, clpt.load_run reads one")
+    attributes = run.attrs
     if CHANGED in attributes:
         raise DataError(
             f"the run was made with parameters that its scenario does not hold, "

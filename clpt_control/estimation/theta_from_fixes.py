@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..arguments import public
 from ..blocks import Block
 from ..blocks.laws.scales import reach, usual_prior
 from ..errors import DataError, ScenarioError
@@ -64,6 +65,7 @@ class FlowEstimate:
         """Of each theta, shape (N,): the same for both axes."""
         return np.sqrt(np.diag(self.covariance))
 
+    @public
     def miss(self, dive: Dive) -> np.ndarray:
         """Forecast a dive's miss, (2,), m; its end is not read."""
         if self.origin is None:
@@ -73,6 +75,7 @@ class FlowEstimate:
         return track[-1] - segments.start[0] - segments.water[0, -1]
 
 
+@public
 def flow_estimate(
     data: "xarray.Dataset | Sequence[Dive]",
     method: str = "least-squares",
@@ -135,8 +138,8 @@ def flow_estimate(
         raise ScenarioError(f"method {method!r}: must be one of {', '.join(METHODS)}")
     origin, doubt, own_prior, usual_start = None, 0.0, Priors().current, None
     if isinstance(data, Sequence):
-        if not data or not all(isinstance(dive, Dive) for dive in data):
-            raise DataError(f"{data!r:.40}: is no run and no list of dives; give one dive at least")
+        if not data:
+            raise DataError("no dives are given; give one at least")
         if basis is None or every is not None:
             raise ScenarioError("dives need a basis, such as that of dive_basis, and no every")
         origin = (data[0].lat_gps2, data[0].lon_gps2)
@@ -199,6 +202,7 @@ def _numbers(name: str, given: Any, shape: tuple[int], zero: bool = False) -> np
     return values
 
 
+@public
 def known_flow_scenario(scenario: Scenario, theta: np.ndarray) -> Scenario:
     """Feed the known-flow law of a scenario with an estimate.
 

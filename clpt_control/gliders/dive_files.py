@@ -13,6 +13,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from stat import S_ISDIR
 
+from ..arguments import public
 from ..errors import DataError
 from ..files import open_netcdf
 from ..files.reading import read_bytes, text_of
@@ -93,6 +94,7 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
     )
 
 
+@public
 def read_dives(paths: str | Path | Iterable[str | Path]) -> tuple[list[Dive], list[Skipped]]:
     """Read all dives of files and folders.
 

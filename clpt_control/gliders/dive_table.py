@@ -19,6 +19,7 @@ from math import isfinite, nan
 from pathlib import Path
 from typing import Any
 
+from ..arguments import public
 from ..currents.text_table import other_marks, table_of
 from ..errors import DataError
 from ..files import write_text
@@ -174,6 +175,7 @@ def _of_current(
     )
 
 
+@public
 def write_dive_table(dives: Iterable[Dive], path: str | Path, comment: str = "") -> None:
     """Write dives as a CSV table that reads back bit for bit.
 

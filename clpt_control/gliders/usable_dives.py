@@ -24,6 +24,7 @@ from math import hypot, isfinite
 
 import numpy as np
 
+from ..arguments import public
 from ..currents.nodal import YEARS
 from ..geodesy import displacement, is_place
 from .dives import NUMBERS, Dive, Skipped
@@ -41,6 +42,7 @@ NEAR, ASTRAY = 5e3, 50e3  # m: what is noted, and refused, however short the tim
 ANOTHER = "another vehicle? replay each on its own"
 
 
+@public
 def usable(
     dives: Iterable[Dive], least_duration: float = LEAST_DURATION
 ) -> tuple[list[Dive], list[Skipped]]:

@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
+from ..arguments import public
 from ..blocks import Block
 from ..blocks.symbolic import in_sympy
 from ..errors import DiagramError
@@ -42,6 +43,7 @@ class Reading(NamedTuple):
         return self.ask(t, x, u)
 
 
+@public
 def readings(
     diagram: control.NonlinearIOSystem, params: Mapping[str, Any] | None = None
 ) -> dict[str, Reading]:

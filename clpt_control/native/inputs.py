@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arguments import numbers
 from ..errors import SimulationError
 
 
@@ -28,14 +29,6 @@ class Inputs:
     def along(self, times: np.ndarray) -> np.ndarray:
         """Return the inputs at times, shape (ninputs, nt)."""
         return np.array([self.at(t) for t in times]).reshape(len(times), -1).T
-
-
-def numbers(name: str, values: Any) -> np.ndarray:
-    """Return an array of numbers; an error names what is none."""
-    try:
-        return np.asarray(values, dtype=float)
-    except (TypeError, ValueError):
-        raise SimulationError(f"{name} = {values!r:.60}: must be an array of numbers") from None
 
 
 def checked_times(name: str, timepts: Any) -> np.ndarray:

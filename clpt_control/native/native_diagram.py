@@ -6,6 +6,7 @@ from typing import Any
 import control
 import numpy as np
 
+from ..arguments import public
 from ..diagrams.wiring import Wiring
 from ..errors import SimulationError
 from .batch import Callee
@@ -21,6 +22,7 @@ from .solver_cache import compiled_solver
 FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump")  # in the solver's order
 
 
+@public
 class NativeDiagram(PythonDiagram):
     """A diagram compiled to machine code.
 
@@ -106,6 +108,7 @@ class NativeDiagram(PythonDiagram):
         return LANES if count > 1 and self.code.unrolled and fuses() else 1
 
 
+@public
 def compile(
     diagram: control.NonlinearIOSystem, params: Mapping[str, Any] | None = None
 ) -> NativeDiagram:

@@ -3,6 +3,7 @@
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
 
+from ..arguments import public
 from ..errors import DataError
 from ..files import check_writable, make_folder, write_together
 
@@ -16,6 +17,7 @@ ENDINGS = (".html", ".htm")
 VECTOR = ("svg", "pdf")
 
 
+@public
 def report(
     run: Union["xarray.Dataset", "Replay", str, Path],
     file: str | Path,

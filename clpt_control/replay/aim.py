@@ -27,6 +27,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arguments import public
 from ..errors import ScenarioError
 from ..geodesy import displacement, is_place
 from ..gliders.dives import Dive, Fix
@@ -185,6 +186,7 @@ def last_speed(dives: Sequence[Dive]) -> float:
     return V
 
 
+@public
 def aims(
     replay: Replay,
     targets: Sequence[Place],

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..arguments import public
 from ..errors import DataError
 from ..geodesy import place_from
 from .over_ground import drifts, over_ground
@@ -28,6 +29,7 @@ SUMMARY = "summary"  # variable: what `clpt replay --json` prints
 ALONG = {"coordinates": "time latitude longitude"}
 
 
+@public
 def replay_dataset(
     replay: Replay, name: str = "glider", ahead: NextDive | None = None
 ) -> "xarray.Dataset":

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..arguments import public
 from ..figures import BLUE, GREEN, ORANGE, PURPLE, RED, axes_for, legend_below
 from .chart import Chart, length_of, mark
 from .plotted import Source, plotted
@@ -23,6 +24,7 @@ SIZE = 6.5  # inches of the longer side
 ROOM = (0.34, 0.14)  # inches of a number
 
 
+@public
 def map_plot(
     replay: Source,
     ahead: NextDive | None = None,

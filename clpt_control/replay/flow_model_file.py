@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from ..arguments import public
 from ..errors import DataError
 from .fitted_flow import read_fitted
 from .flow_models import FlowModel
@@ -10,6 +11,7 @@ from .forecast import read_forecast
 NETCDF = (".nc", ".nc4", ".cdf", ".netcdf")
 
 
+@public
 def read_flow_model(path: str | Path) -> FlowModel:
     """Read a flow model: a gridded forecast, or a fitted basis.
 

@@ -25,6 +25,7 @@ from math import isfinite
 
 import numpy as np
 
+from ..arguments import public
 from ..errors import ClptError
 from ..estimation.fix_regressor import reckoned
 from ..gliders.dives import Dive
@@ -80,6 +81,7 @@ def carried_by(dive: Dive, flow: Flow) -> tuple[float, float]:
     return float(found.y[0, -1]), float(found.y[1, -1])
 
 
+@public
 def carried(dive: Dive, flow_model: FlowModel) -> Dive:
     """Return a dive with its displacement by a flow model.
 

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arguments import public
 from ..estimation.fix_model import miss
 from ..gliders.dives import Skipped
 from .flow_models import NOTE, why_uncovered
@@ -21,6 +22,7 @@ from .rows import rows
 from .step import FLOW_MODEL
 
 
+@public
 def clpe_rms(replay: Replay, after: int = 3, covered: bool = False) -> dict[str, float | None]:
     """Return the CLPE rms of each flow model, m.
 
@@ -64,6 +66,7 @@ def rms_of(
     return found
 
 
+@public
 def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
     """Summarize a replay, as `clpt replay --json` prints it.
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..arguments import public
 from ..figures import BLUE, GREEN, GREY, ORANGE, RED, axes_for, figure_of, legend_below
 from ..files import write_together
 from .drawn_map import map_plot
@@ -27,6 +28,7 @@ LINES = {
 MANY = 40  # dives; beyond, marks are small
 
 
+@public
 def dive_clpe_plot(replay: Source, *, ax: "Axes | None" = None) -> "Axes":
     """Draw the CLPE of each dive for each flow model.
 
@@ -74,6 +76,7 @@ def dive_clpe_plot(replay: Source, *, ax: "Axes | None" = None) -> "Axes":
     return ax
 
 
+@public
 def current_plot(replay: Source, *, ax: Any = None) -> Any:
     """Draw the learned current of each dive, and the speed factor.
 
@@ -126,6 +129,7 @@ def current_plot(replay: Source, *, ax: Any = None) -> Any:
     return axes
 
 
+@public
 def replay_plot(replay: Source, *, ax: Any = None) -> Any:
     """Draw a replay's map, CLPE and learned current in one figure.
 
@@ -174,6 +178,7 @@ def replay_figures(
     }
 
 
+@public
 def save_replay_figures(replay: Replay, folder: Path, ahead: NextDive | None = None) -> list[Path]:
     """Draw map.png, clpe.png and current.png into a folder.
 

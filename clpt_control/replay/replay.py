@@ -24,6 +24,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ..arguments import public
 from ..currents.rayleigh import check_separable
 from ..errors import DataError
 from ..estimation.estimators import make_estimator
@@ -38,6 +39,7 @@ from .shown import replay_html, replay_line
 from .step import CHI_SQUARED, FLOW_MODEL, MODELS, Step, learned
 
 
+@public
 @dataclass(repr=False)
 class Replay:
     """The state of a replay, fed dive by dive.
@@ -85,6 +87,7 @@ class Replay:
         """Names of the flow models that `Step.clpe` is asked for."""
         return MODELS if self.flow_model is None else (*MODELS, FLOW_MODEL)
 
+    @public
     def forecast(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
         """Forecast a dive's miss from the dives so far.
 
@@ -103,6 +106,7 @@ class Replay:
         names, (mean, _, _) = self._learner.model.names, self._learner.estimate()
         return dict(zip(names, mean.tolist(), strict=True))
 
+    @public
     def step(self, dive: Dive) -> Step:
         """Forecast a dive, see its end, and learn from it.
 
@@ -210,6 +214,7 @@ def feed(
     return replay
 
 
+@public
 def replay_dives(
     dives: Iterable[Dive],
     estimator: str = "kalman",
@@ -250,11 +255,6 @@ def replay_dives(
     (14, True)
     """
     dives = list(dives)
-    for dive in dives:
-        if not isinstance(dive, Dive):
-            raise DataError(
-                f"dives hold {dive!r:.60}: must be Dives; clpt.gliders.read_dives(FILES) reads them"
-            )
     replay = Replay(estimator, model or FixModel(), flow_model)
     check_tides(replay.model.flow, dives)
     return feed(replay, dives)

@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arguments import public
 from ..errors import ScenarioError
 from ..geodesy import place_from
 from ..gliders.dives import Dive, Fix
@@ -105,6 +106,7 @@ def check_plan(duration: float, through_water: tuple[float, float]) -> None:
         )
 
 
+@public
 def next_dive(
     replay: Replay, duration: float | None = None, through_water: tuple[float, float] | None = None
 ) -> NextDive:

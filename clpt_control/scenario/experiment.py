@@ -13,6 +13,7 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
+from ..arguments import public
 from ..blocks.laws.law import Known
 from ..blocks.laws.table import LAWS
 from ..errors import ScenarioError
@@ -223,6 +224,7 @@ class Scenario(Table):
         """Where the gridded field lies; None where theta is the truth."""
         return None if self.flow.field is None else self._folder / self.flow.field
 
+    @public
     def with_values(self, values: Mapping[str, Any]) -> "Scenario":
         """Return a scenario with some values changed and checked again.
 
@@ -247,8 +249,6 @@ class Scenario(Table):
         >>> clpt.paper_scenario().with_values({"learning.gain": 2.0}).learning.gain
         2.0
         """
-        if not isinstance(values, Mapping):
-            raise ScenarioError(f"values = {values!r}: must be a dict, such as {EXAMPLE}")
         tables = scenario_tables(self)
         for key, value in values.items():
             *path, last = str(key).split(".")
@@ -269,14 +269,6 @@ class Scenario(Table):
 def checked_scenario(tables: dict[str, Any], name: str, folder: Path = Path()) -> Scenario:
     """Make a scenario of nested dicts; `name` begins each error, `folder` holds its files."""
     return Scenario.model_validate(tables, context={"name": name, "folder": folder})
-
-
-def require_scenario(given: object) -> None:
-    """Raise a ScenarioError that names what was given in place of a Scenario."""
-    if not isinstance(given, Scenario):
-        raise ScenarioError(
-            f"{given!r:.60}: must be a Scenario; clpt.load_scenario('mine.toml') reads one"
-        )
 
 
 def scenario_tables(scenario: Scenario) -> dict[str, Any]:

@@ -16,6 +16,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
+from ..arguments import public
 from ..errors import DataError, ScenarioError
 from ..files import open_netcdf, write_text
 from ..files.reading import read_bytes
@@ -29,6 +30,7 @@ FORM = "run_format"  # attribute of a run's file: the form in which it is writte
 LATEST = 1  # form that is written; all up to it are read
 
 
+@public
 def load_scenario(path: str | Path) -> Scenario:
     """Read a scenario from a TOML file or from a run's NetCDF file.
 
@@ -158,6 +160,7 @@ def _with_long_rows(tables: dict[str, Any]) -> dict[str, Any]:
     return item(tables)
 
 
+@public
 def save_scenario(scenario: Scenario, path: str | Path) -> None:
     """Write a scenario to a TOML file.
 

@@ -71,7 +71,7 @@ def sentence(problem: Any, table: type[Table]) -> str:
         message = message.replace("Tuple should", "must").replace(" after validation", "")
     if kind in ("model_type", "model_attributes_type"):
         message = "must be a table of keys"
-    shown = repr(problem["input"])
+    shown = " ".join(repr(problem["input"]).split())
     shown = shown if len(shown) <= 60 else shown[:57] + "..."
     return f"{key} = {shown}: {message}" if key else f"{shown}: {message}"
 

@@ -11,6 +11,7 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import Field, Strict, model_validator
 
+from ..arguments import public, shown
 from .experiment import Scenario, scenario_tables
 from .mistakes import Table
 from .shown import team_html, team_line
@@ -52,7 +53,7 @@ class Team(Table):
         for k, edge in enumerate(edges if isinstance(edges, list | tuple) else [edges]):
             pair = isinstance(edge, list | tuple) and len(edge) == 2
             if not pair or not all(isinstance(name, str) for name in edge):
-                raise ValueError(f"edges[{k}] = {edge!r:.60}: must be the names of two vehicles")
+                raise ValueError(f"edges[{k}] = {shown(edge)}: must be the names of two vehicles")
         return values
 
     @model_validator(mode="after")
@@ -139,6 +140,7 @@ class Team(Table):
             found.update(new)
         return found
 
+    @public
     def neighbours(self, name: str) -> list[str]:
         """Return the neighbours of a vehicle, in the order of the edges."""
         return [b if a == name else a for a, b in self.edges if name in (a, b)]

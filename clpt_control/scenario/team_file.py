@@ -14,6 +14,7 @@ A vehicle's [reference] with a kind takes the place of the common one; else key 
 from pathlib import Path
 from typing import Any
 
+from ..arguments import public, shown
 from ..errors import DataError, ScenarioError
 from .experiment import Scenario, checked_scenario
 from .file import (
@@ -29,6 +30,7 @@ from .file import (
 from .team import OWN, STARTS, Team, own_tables
 
 
+@public
 def load_team(path: str | Path) -> Team:
     """Read a team from a TOML file or from its run's NetCDF file.
 
@@ -124,7 +126,7 @@ def _merged(common: dict[str, Any], own: dict[str, Any], name: str) -> dict[str,
 def _table(value: Any, where: str) -> dict[str, Any]:
     """Return a table; refuse what is none."""
     if not isinstance(value, dict):
-        raise ScenarioError(f"{where} = {value!r:.60}: must be a table of keys")
+        raise ScenarioError(f"{where} = {shown(value)}: must be a table of keys")
     return value
 
 
@@ -133,7 +135,7 @@ def team_of_run(run: Any) -> Team:
     text = getattr(run, "attrs", {}).get(TEAM)
     if text is None:
         raise DataError(
-            f"{run!r:.60}: must be a Team or a team's run; clpt.load_team and clpt.load_run read "
+            f"{shown(run)}: must be a Team or a team's run; clpt.load_team and clpt.load_run read "
             "them"
         )
     return team_from_text(str(text), "the run", folder_of(run))

@@ -7,6 +7,7 @@ Survey Special Publication 98 (1958), table 2.
 
 import math
 
+from ..arguments import public
 from ..errors import ScenarioError
 from ..units import SECONDS
 
@@ -42,6 +43,7 @@ SPEEDS = {
 }
 
 
+@public
 def period(constituent: str, unit: str = "h") -> float:
     """Return the period of a named tidal constituent.
 
@@ -68,6 +70,8 @@ def period(constituent: str, unit: str = "h") -> float:
     12.42
     """
     each = speed(constituent)
+    if unit not in SECONDS:
+        raise ScenarioError(f"unit = '{unit}': must be one of {', '.join(SECONDS)}")
     return 360.0 / each * 3600.0 / SECONDS[unit] if each else math.inf
 
 

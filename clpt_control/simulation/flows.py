@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..arguments import numbers, public
 from ..blocks import evaluate
 from ..blocks.field import gridded_flow
 from ..currents.field_file import read_field
@@ -37,10 +38,11 @@ if TYPE_CHECKING:
     import xarray
 
 
+@public
 def flow_velocity(
     scenario: Scenario,
     points: ArrayLike,
-    times: np.ndarray | float,
+    times: ArrayLike,
     parameters: np.ndarray | None = None,
 ) -> np.ndarray:
     """Return the flow at places and times, true or learned.
@@ -69,16 +71,18 @@ def flow_velocity(
     >>> flow_velocity(clpt.paper_scenario(), [[0.0, 0.0]], 0.0).round(3)
     array([[1.492, 1.392]])
     """
-    points = np.atleast_2d(np.asarray(points, dtype=float))
+    points = np.atleast_2d(numbers("points", points, 2))
     if parameters is None and scenario.flow.parameters is None:
         calm = scenario.with_values({"flow.disturbance": None})
         block = next(b for b in paper_blocks(calm) if b.name == "true_flow")
         return evaluate(block, times, points)
-    theta = np.array(scenario.flow.parameters) if parameters is None else np.asarray(parameters)
+    given = scenario.flow.parameters if parameters is None else parameters
+    theta = numbers("parameters", given, 2, scenario.basis.N)
     phi = evaluate(scenario_basis(scenario), times, points)
     return np.einsum("...ik,...k->...i", theta, phi)
 
 
+@public
 def explained_variance(
     scenario: Scenario, run: "xarray.Dataset", window: tuple[float, float] | None = None
 ) -> dict[str, Any]:

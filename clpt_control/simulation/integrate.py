@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import control
 import numpy as np
 
+from ..arguments import public
 from ..blocks.declaration import ports_of, whole_labels
 from ..blocks.linear import linear
 from ..diagrams.changes import UNCHANGED, Part, changes_of
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
 Times = Sequence[float] | np.ndarray
 
 
+@public
 def simulate(
     system: Scenario | Team | control.InputOutputSystem,
     timepts: Times | None = None,
@@ -139,6 +141,7 @@ def simulate(
     return found
 
 
+@public
 def sample_times(duration: float, step: float) -> np.ndarray:
     """Return the multiples of `step` up to `duration`, and the end.
 
@@ -167,11 +170,6 @@ def _simulate_diagram(
 ) -> "xarray.Dataset":
     if isinstance(diagram, control.TransferFunction):
         diagram = linear(diagram)
-    if not isinstance(diagram, control.InputOutputSystem):
-        raise SimulationError(
-            f"{diagram!r:.60}: must be a Scenario or a diagram; clpt.load_scenario('mine.toml') "
-            "reads a scenario, clpt.connect(blocks) wires a diagram"
-        )
     if timepts is None:
         raise SimulationError("timepts: is required to simulate a diagram")
     times = checked_times("timepts", timepts)

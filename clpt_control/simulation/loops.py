@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arguments import public
 from ..blocks import (
     Block,
     clpe,
@@ -33,9 +34,10 @@ from ..diagrams.interconnection import Diagram, connect
 from ..diagrams.parts import input_ports, output_ports
 from ..diagrams.scenario_basis import scenario_basis
 from ..errors import DiagramError
-from ..scenario.experiment import Scenario, require_scenario
+from ..scenario.experiment import Scenario
 
 
+@public
 def paper_blocks(
     scenario: Scenario,
     law: Part | None = None,
@@ -82,7 +84,6 @@ def changed_blocks(
     scenario: Scenario, changes: Changes, external: Collection[str] = ()
 ) -> list[Part]:
     """Return the blocks of a scenario, changed, and with `delta` taken where it is external."""
-    require_scenario(scenario)
     N, alpha_M, law = scenario.basis.N, np.array(scenario.model_parameters), changes.law
     if law is not None and functions_of(law) != N:
         raise DiagramError(
@@ -166,6 +167,7 @@ def _true_flow(scenario: Scenario, disturbed: bool, position: str) -> Block:
     return field.gridded_flow(gridded, scenario.flow.outside, disturbed, scenario.units, position)
 
 
+@public
 def closed_loop(
     scenario: Scenario,
     external: str | Iterable[str] = (),
@@ -248,6 +250,7 @@ def kept_parts(
     return kept, external
 
 
+@public
 def error_loop(scenario: Scenario) -> Diagram:
     """Wire the error and parameter systems, Eqs. (27)-(28).
 
@@ -267,7 +270,6 @@ def error_loop(scenario: Scenario) -> Diagram:
     >>> error_loop(clpt.paper_scenario()).nstates
     12
     """
-    require_scenario(scenario)
     N, KD = scenario.basis.N, np.array(scenario.vehicle.feedback)
     gains = scenario.learning.used_gains
     if scenario.learning.row is not LAWS["learned-flow"] or not gains.one:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..arguments import public
 from ..errors import ClptError, DataError
 from ..figures import BLUE, COLOURS, GREY, RED, STYLES, axes_for, figure_of, legend_below
 from ..files import write_figure
@@ -38,6 +39,7 @@ def scenario_with(run: "xarray.Dataset", *names: str) -> Scenario:
     return scenario
 
 
+@public
 def track_plot(run: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axes":
     """Draw waypoints, track and the flow at the start (figure 1).
 
@@ -97,6 +99,7 @@ def track_plot(run: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axes":
     return ax
 
 
+@public
 def clpe_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     """Draw CLPE against waypoint intervals (figure 2).
 
@@ -162,6 +165,7 @@ def clpe_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     return axes
 
 
+@public
 def learning_plot(run: "xarray.Dataset", axis: int = 1, *, ax: Any = None) -> Any:
     """Draw flow parameters and gains of one axis (figures 3, 4).
 
@@ -233,6 +237,7 @@ def learning_plot(run: "xarray.Dataset", axis: int = 1, *, ax: Any = None) -> An
     return axes
 
 
+@public
 def run_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     """Draw track, CLPE and learning of both axes in one figure.
 

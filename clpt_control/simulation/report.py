@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from ..arguments import check_holds, public
 from ..errors import DataError
 from ..scenario.experiment import Scenario
 from .integrate import sample_times
@@ -35,6 +36,7 @@ class RunReport(NamedTuple):
     summary: dict[str, Any]
 
 
+@public
 def run_and_report(
     scenario: Scenario, progress: Callable[[float], None] | None = None
 ) -> RunReport:
@@ -143,6 +145,7 @@ def gain_error(scenario: Scenario, sample: "xarray.Dataset") -> float:
     return max(float(np.abs(sample[name] - true).max()) for name, true in gains.items())
 
 
+@public
 def claims(summary: dict[str, Any]) -> list[dict[str, str]]:
     """Judge the three claims of section IV on a run of its scenario.
 
@@ -169,6 +172,12 @@ def claims(summary: dict[str, Any]) -> list[dict[str, str]]:
     >>> [claim["verdict"] for claim in claims(summary)]
     ['holds', 'holds by t = 2000, not in one cycle', 'holds']
     """
+    check_holds(
+        "claims: summary",
+        summary,
+        ["clpe_rms_per_cycle"],
+        "clpt.simulation.run_and_report(scenario) gives a summary",
+    )
     rms = summary["clpe_rms_per_cycle"]
     if len(rms) < 2 or "2000" not in summary.get("max_flow_parameter_error", {}):
         raise DataError(

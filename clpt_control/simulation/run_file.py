@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..arguments import public
 from ..errors import DataError
 from ..files import open_netcdf, write_netcdf
 
@@ -12,6 +13,7 @@ if TYPE_CHECKING:
     import xarray
 
 
+@public
 def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     """Write a run to NetCDF; its scenario goes along.
 
@@ -50,6 +52,7 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     write_netcdf(run.assign_attrs({FORM: LATEST}), path)
 
 
+@public
 def load_run(path: str | Path) -> "xarray.Dataset":
     """Read a run that `save_run` or `clpt run` wrote.
 

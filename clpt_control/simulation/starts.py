@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 import control
 import numpy as np
 
+from ..arguments import public
 from ..blocks import Block
 from ..blocks.linear import is_linear
 from ..diagrams.changes import Part, changes_of
@@ -83,6 +84,7 @@ def state_of(scenario: Scenario, parts: Iterable[Part], law: Part | None = None)
     return state
 
 
+@public
 def initial_state(
     scenario: Scenario,
     external: str | Iterable[str] = (),
@@ -118,6 +120,7 @@ def initial_state(
     return state_of(scenario, kept_parts(scenario, changes, external)[0], changes.law)
 
 
+@public
 def state_at(run: "xarray.Dataset", t: float) -> np.ndarray:
     """Return the state of a run's diagram at one of its times.
 

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..arguments import public
 from ..errors import DataError
 from ..figures import COLOURS, GREY, STYLES, axes_for, legend_below
 from ..scenario.team import Team
@@ -17,6 +18,7 @@ MARKS = "os^vD*"
 LEAST = 1e-16  # shown of what falls to zero
 
 
+@public
 def team_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     """Draw a team's tracks, CLPE and errors.
 

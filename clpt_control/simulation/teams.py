@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..arguments import public
 from ..blocks import Block
 from ..blocks.laws.table import LAWS
 from ..blocks.localization import TRUE
@@ -15,7 +16,6 @@ from ..blocks.namespaces import split, within
 from ..blocks.team import consensus_block, pulled_law
 from ..diagrams.interconnection import Diagram, connect, wiring_of_blocks
 from ..diagrams.wiring import Wiring
-from ..errors import ScenarioError
 from ..native.ending import Solution
 from ..native.engines import chosen
 from ..scenario.experiment import Scenario
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     import xarray
 
 
+@public
 def team_loop(team: Team) -> Diagram:
     """Wire the closed loop of a team.
 
@@ -59,14 +60,7 @@ def team_loop(team: Team) -> Diagram:
     >>> clpt.team_loop(team).nstates
     28
     """
-    require_team(team)
     return connect(team_blocks(team), name="team")
-
-
-def require_team(given: object) -> None:
-    """Raise a ScenarioError that names what was given in place of a Team."""
-    if not isinstance(given, Team):
-        raise ScenarioError(f"{given!r:.60}: must be a Team; clpt.load_team('team.toml') reads one")
 
 
 def vehicle_blocks(team: Team, name: str) -> list[Block]:

@@ -13,7 +13,7 @@ from clpt_control.blocks.functions import helpers_of
 from clpt_control.blocks.rules import check_equations
 from clpt_control.blocks.symbolic import expressions
 from clpt_control.blocks.words import clip, floor, lookup, maximum, minimum, sign, where
-from clpt_control.errors import BlockError
+from clpt_control.errors import ArgumentError, BlockError
 from clpt_control.native import readings
 
 TABLE = [1.0, 2.0]
@@ -423,5 +423,5 @@ def test_declarations_that_cannot_work():
 
 
 def test_ports_have_sizes():
-    with pytest.raises(BlockError, match=r"a: ports \['e'\] must be a dict of sizes"):
+    with pytest.raises(ArgumentError, match=r"inputs = \['e'\]: must be a dict .* \{'e': 2\}$"):
         Block("a", output=lambda t, x, u, p, y: None, inputs=["e"], outputs={"y": 1})

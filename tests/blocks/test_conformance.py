@@ -9,7 +9,7 @@ from package_blocks import BLOCKS
 
 from clpt_control.blocks import Block, ConformanceReport, check_block, clpe, conformance
 from clpt_control.blocks.words import where
-from clpt_control.errors import BlockError
+from clpt_control.errors import ArgumentError, BlockError
 from clpt_control.native import elementary, printing
 
 
@@ -28,7 +28,7 @@ def test_report_counts_its_checks():
 
 
 def test_only_a_block_can_be_asked():
-    with pytest.raises(BlockError, match="must be a Block, not int"):
+    with pytest.raises(ArgumentError, match="block = 3: must be a Block"):
         check_block(3)
 
 

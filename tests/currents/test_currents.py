@@ -244,7 +244,7 @@ def test_years_that_are_far_away(tmp_path):
         ({}, (41.0, 41.05, -69.9, -69), "lat holds 1 cells of the box, 41 to 41.05; at least 2"),
         ({}, (41.5, 41.0, -69.9, -69), "south before north"),
         ({}, (41.0, 41.5, -69.0, -69.9), "west before east"),
-        ({}, (41.0, np.nan, -69.9, -69), "4 finite numbers"),
+        ({}, (41.0, np.inf, -69.9, -69), "4 finite numbers"),
     ],
 )
 def test_each_mistake_is_one_sentence(tmp_path, options, box, sentence):

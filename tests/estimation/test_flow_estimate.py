@@ -273,7 +273,7 @@ def test_what_is_not_allowed_is_said(lap, change, said):
 def test_runs_that_tell_too_little_are_refused(lap):
     with pytest.raises(clpt.DataError, match="carries no scenario"):
         estimate(lap.drop_attrs())
-    with pytest.raises(clpt.DataError, match="5: is no run"):
+    with pytest.raises(clpt.ArgumentError, match=r"5: must be an xarray\.Dataset"):
         estimate(5)
     faster = clpt.simulate(
         PAPER.with_values({"run.duration": 20}), params={"vehicle_controller.alpha_M": THETA}
@@ -295,8 +295,10 @@ def test_runs_that_tell_too_little_are_refused(lap):
 
 def test_dives_that_tell_too_little_are_refused():
     basis = steady()
-    for nothing in ([], "dives", [1, 2]):
-        with pytest.raises(clpt.DataError, match="is no run and no list of dives"):
+    with pytest.raises(clpt.DataError, match="no dives are given"):
+        estimate([], basis=basis)
+    for nothing in ("dives", [1, 2]):
+        with pytest.raises(clpt.ArgumentError, match=r"an xarray\.Dataset or a list of Dive"):
             estimate(nothing, basis=basis)
     with pytest.raises(clpt.DataError, match="does not end after it begins"):
         estimate([dive(1, (0, 0), hours=0.0)], basis=basis)

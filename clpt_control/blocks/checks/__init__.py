@@ -8,6 +8,7 @@ arguments and gives one plain sentence for each failure.
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
+from ...arguments import Seed, public
 from ...errors import BlockError
 from ...html.fragment import facts, fragment, unfolding
 from ..block import Block
@@ -81,7 +82,8 @@ class ConformanceReport(NamedTuple):
         return "\n".join([f"{self.block}: {len(self.failures)} failures", *self.failures])
 
 
-def conformance(block: Block, seed: int = 0, samples: int = 20) -> None:
+@public
+def conformance(block: Block, seed: Seed = 0, samples: int = 20) -> None:
     """Raise an error unless a block conforms.
 
     Parameters
@@ -109,7 +111,8 @@ def conformance(block: Block, seed: int = 0, samples: int = 20) -> None:
         raise BlockError(str(report))
 
 
-def check_block(block: Block, seed: int = 0, samples: int = 20) -> ConformanceReport:
+@public
+def check_block(block: Block, seed: Seed = 0, samples: int = 20) -> ConformanceReport:
     """Check a block and return a report.
 
     Parameters
@@ -133,8 +136,6 @@ def check_block(block: Block, seed: int = 0, samples: int = 20) -> ConformanceRe
     >>> print(clpt.blocks.check_block(vehicle()))
     vehicle: conforms (10 checks)
     """
-    if not isinstance(block, Block):
-        raise BlockError(f"{block!r}: must be a Block, not {type(block).__name__}")
     drawn = random_samples(block, seed, max(samples, 4))
     checked: list[str] = []
     failures: list[str] = []

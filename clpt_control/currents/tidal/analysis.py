@@ -17,7 +17,9 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from ...arguments import public
 from ...errors import DataError, ScenarioError
 from ..nodal import checked_latitude, checked_times, load_utide, utide_names
 from ..rayleigh import check_separable
@@ -28,8 +30,9 @@ LEAST_CHANGE = 1e-9  # m/s in a record; less is no measured tide, and its square
 CI = 1.96  # UTide's half widths, in standard errors
 
 
+@public
 def fit_tides(
-    time: np.ndarray,
+    time: ArrayLike,
     u: np.ndarray,
     v: np.ndarray,
     latitude: float,
@@ -115,7 +118,8 @@ def fit_tides(
     )
 
 
-def predict(fit: TidalFit, time: np.ndarray) -> np.ndarray:
+@public
+def predict(fit: TidalFit, time: ArrayLike) -> np.ndarray:
     """Return the current of a fit at any times.
 
     Parameters
@@ -143,7 +147,10 @@ def predict(fit: TidalFit, time: np.ndarray) -> np.ndarray:
     >>> bool(abs(predict(fit, time)[0] - wave).max() < 1e-3)
     True
     """
-    flow = _predicted(fit.coefficients, checked_times(time))
+    times = checked_times(time)
+    if times.ndim != 1:
+        raise DataError(f"time: has {times.ndim} dimensions; must be a list of times")
+    flow = _predicted(fit.coefficients, times)
     return np.array([flow.real, flow.imag])
 
 

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ...arguments import public
 from ...errors import DataError
 from ...scenario.tides import SPEEDS
 from ...units import speed_in_metres_per_second
@@ -27,6 +28,7 @@ class TidalBasis(NamedTuple):
     theta: np.ndarray  # east and north, in the unit that was asked for, shape (2, N)
 
 
+@public
 def tidal_basis(fit: TidalFit, epoch: Any, unit: str = "m s-1") -> TidalBasis:
     """Return a fit as theta of a scenario that starts at an epoch.
 

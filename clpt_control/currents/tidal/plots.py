@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ...arguments import public
 from ...figures import BLUE, GREY, RED, axes_for
 from .analysis import predict
 from .constants import Constituent, TidalFit
@@ -24,6 +25,7 @@ SPAN = np.timedelta64(15 * 24, "h")  # of the record that is drawn, about its mi
 DAY = np.timedelta64(1, "D")
 
 
+@public
 def tides_plot(fit: TidalFit, record: CurrentRecord, *, ax: Any = None) -> Any:
     """Draw tidal ellipses, and a record against its fit, m/s.
 

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...arguments import public
 from ...errors import DataError
 from ...files import open_netcdf
 from ..cf import (
@@ -46,6 +47,7 @@ class CurrentRecord:
     source: str  # name of the file
 
 
+@public
 def read_record(
     path: str | Path,
     latitude: float | None = None,

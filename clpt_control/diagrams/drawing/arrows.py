@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import control
 
+from ...arguments import public
 from ..wiring import Node, Wiring, wiring_of
 
 
@@ -57,6 +58,7 @@ def _into(node: Node, made: list[tuple[str, str]], given: list[tuple[str, str]])
     return result
 
 
+@public
 def mermaid(diagram: control.NonlinearIOSystem) -> str:
     """Write a diagram as a Mermaid flowchart.
 

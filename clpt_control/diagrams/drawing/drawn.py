@@ -6,6 +6,7 @@ from pathlib import Path
 
 import control
 
+from ...arguments import public
 from ...errors import DiagramError
 from ...files import beside, check_name
 from ...html.fragment import fragment
@@ -30,6 +31,7 @@ class Drawing:
         return fragment("", "", self.svg)
 
 
+@public
 def draw(
     diagram: control.NonlinearIOSystem, path: str | os.PathLike[str] | None = None
 ) -> Drawing | None:

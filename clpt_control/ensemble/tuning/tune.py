@@ -10,9 +10,10 @@ from typing import Any
 
 import numpy as np
 
+from ...arguments import Seed, public
 from ...blocks.laws.table import LAWS
 from ...errors import ClptError, ScenarioError
-from ...scenario.experiment import Scenario, require_scenario
+from ...scenario.experiment import Scenario
 from .candidates import Candidate, about, as_they_come, laws_to_try
 from .reason import because, listed, seen
 from .scores import Score, score_of
@@ -31,6 +32,7 @@ class Tuned:
     report: dict[str, Any]  # ready for JSON
 
 
+@public
 def tune_law(
     scenario: Scenario,
     *,
@@ -38,7 +40,7 @@ def tune_law(
     prior: float | None = None,
     unmodelled: float | None = None,
     laws: Iterable[str] = (),
-    seed: int = 0,
+    seed: Seed = 0,
     progress: Callable[[float], None] | None = None,
 ) -> Tuned:
     """Choose law, gains and filter for a flow that is not known.
@@ -84,7 +86,6 @@ def tune_law(
     >>> tuned.report["chosen"]["law"] in ("learned-flow", "sigma")
     True
     """
-    require_scenario(scenario)
     if scenario.learning.row.at_fixes:
         raise ScenarioError(
             f'learning.law = "{scenario.learning.law}": is the only law that learns at fixes; '

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...arguments import public
 from ...blocks import evaluate
 from ...diagrams.scenario_basis import scenario_basis
 from ...scenario.experiment import Scenario
@@ -33,6 +34,7 @@ def with_square_wave(scenario: Scenario, amplitude: float, frequency: float) -> 
     return started_true(scenario).with_values({"flow.disturbance": wave})
 
 
+@public
 def disturbance_counterexample(
     amplitude: float = 0.05,
     frequency: float = RESONANT,

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...arguments import check_holds, public
 from ...errors import ScenarioError
 from ...scenario.experiment import Scenario
 from ...simulation.flows import flow_velocity
@@ -85,6 +86,7 @@ def residual(scenario: Scenario, run: "xarray.Dataset") -> np.ndarray:
     return run.true_flow.values - modelled
 
 
+@public
 def printed_bound(scenario: Scenario, run: "xarray.Dataset", start: float) -> PrintedBound:
     """Set a run beside the bound printed for its law.
 
@@ -129,6 +131,7 @@ def printed_bound(scenario: Scenario, run: "xarray.Dataset", start: float) -> Pr
             f'learning.law = "{law}": has no printed bound; must be {" or ".join(printed)}'
         )
     equation, claim = printed[law]
+    check_holds("printed_bound: run", run, ["time", "clpe"], "clpt.simulate(scenario) makes a run")
     return PrintedBound(
         equation,
         claim,

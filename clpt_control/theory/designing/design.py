@@ -12,9 +12,10 @@ from typing import Any
 
 import numpy as np
 
+from ...arguments import Seed, public
 from ...errors import ScenarioError
 from ...html.fragment import facts, fragment
-from ...scenario.experiment import Scenario, require_scenario
+from ...scenario.experiment import Scenario
 from ..excitation.gramian import gramian
 from ..excitation.regressor import checked_window
 from .area import area_of_degrees, field_area
@@ -53,6 +54,7 @@ class Design:
         return fragment("Design", name, facts(rows, ("", "before", "after")))
 
 
+@public
 def design_track(
     scenario: Scenario,
     *,
@@ -65,7 +67,7 @@ def design_track(
     window: float | None = None,
     start: float | None = None,
     level: float | None = None,
-    seed: int = 0,
+    seed: Seed = 0,
     generations: int = 60,
     progress: Callable[[float], None] | None = None,
 ) -> Design:
@@ -121,7 +123,6 @@ def design_track(
     >>> found.report["ratio"] >= 1, len(found.scenario.waypoints)
     (True, 3)
     """
-    require_scenario(scenario)
     check_numbers(scenario, length, max_speed, count, dwell, level)
     for name, value, least in (("seed", seed, 0), ("generations", generations, 1)):
         if not isinstance(value, int) or not least <= value <= MOST_GENERATIONS:

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...arguments import public
 from ...errors import DataError
 from ...figures import BLUE, GREY, ORANGE, RED, axes_for, legend_below
 from .design import Design
@@ -15,6 +16,7 @@ SAME = 0.02  # of the picture: waypoints nearer than that share a label
 LOWEST = 1e-16  # errors below are drawn there
 
 
+@public
 def design_plot(design: Design, *, ax: Any = None) -> Any:
     """Draw the old and the new track, and what is learned on both.
 

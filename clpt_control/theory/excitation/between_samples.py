@@ -28,11 +28,6 @@ def scenario_of(source: Source) -> Scenario:
 
     if isinstance(source, Scenario):
         return source
-    if not hasattr(source, "attrs"):
-        raise DataError(
-            f"{source!r:.60}: must be a Scenario or a run; clpt.load_scenario and clpt.load_run "
-            "read them; clpt.theory.team_gramian measures a team"
-        )
     if TEAM in source.attrs:
         raise DataError("the run is a team's; clpt.theory.team_gramian measures a team")
     return scenario_of_run(source)

@@ -10,9 +10,11 @@ grows by T Dmax at most.  It asks that w does not depend on Delta.
 
 import numpy as np
 
+from ...arguments import public
 from ...errors import ScenarioError
 
 
+@public
 def ultimate_bound(window: float, largest_disturbance: float, drop: float) -> float:
     """Bound ``|e|`` in the long run under a disturbance.
 

@@ -19,6 +19,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...arguments import public
 from ...errors import ScenarioError
 from ...html.fragment import facts, fragment
 from .between_samples import Source
@@ -112,6 +113,7 @@ def window_drops(
     }
 
 
+@public
 def certificate(
     source: Source | Regressor, window: float | None = None, start: float | None = None
 ) -> Certificate:

@@ -18,10 +18,11 @@ from functools import cached_property
 
 import numpy as np
 
+from ...arguments import public
 from ...errors import ScenarioError
 from ...html.fragment import facts, fragment
 from ...html.text import paragraphs
-from ...scenario.experiment import Scenario, require_scenario
+from ...scenario.experiment import Scenario
 from .between_samples import Source
 from .regressor import Regressor, joint_regressor
 
@@ -167,6 +168,7 @@ def _triangle(rows: np.ndarray) -> np.ndarray:
     return np.asarray(np.linalg.qr(rows, mode="r"))
 
 
+@public
 def started_true(scenario: Scenario) -> Scenario:
     """Return the scenario with the learner started true.
 
@@ -191,7 +193,6 @@ def started_true(scenario: Scenario) -> Scenario:
     >>> clpt.theory.started_true(clpt.paper_scenario()).learning.parameters[0]
     (-1.0, -0.4, -0.8)
     """
-    require_scenario(scenario)
     if scenario.flow.parameters is None:
         raise ScenarioError("flow.field: a gridded field has no true parameters to start from")
     return scenario.with_values(
@@ -204,6 +205,7 @@ def started_true(scenario: Scenario) -> Scenario:
     )
 
 
+@public
 def gramian(
     source: Source | Regressor,
     window: float | None = None,

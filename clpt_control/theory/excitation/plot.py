@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...arguments import public
 from ...figures import BLUE, GREY, RED, axes_for
 from .between_samples import Source
 from .gramian import Excitation, gramian
@@ -23,6 +24,7 @@ LETTERS = 110  # of a line below the axes
 LOWEST = 1e-30  # eigenvalues below this share of the largest are drawn there
 
 
+@public
 def excitation_plot(
     source: Source, window: float | None = None, start: float | None = None, *, ax: Any = None
 ) -> Any:

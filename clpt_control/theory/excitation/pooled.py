@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 
+from ...arguments import public
 from ...errors import DataError
 from ...html.fragment import facts, fragment, shortened
 from ...scenario.file import TEAM, scenario_to_text
@@ -70,6 +71,7 @@ class TeamExcitation:
         }
 
 
+@public
 def team_gramian(
     source: TeamSource,
     window: float | None = None,

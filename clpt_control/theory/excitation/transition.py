@@ -20,14 +20,17 @@ from functools import cache
 
 import numpy as np
 
+from ...arguments import numbers, public
 from ...blocks.error_system import (
     ErrorSystemParameters,
     ParameterSystemParameters,
     error_system,
     parameter_system,
 )
+from ...errors import ArgumentError
 
 
+@public
 def error_matrices(
     phi: np.ndarray, z: np.ndarray, zc: np.ndarray, KD: np.ndarray, gain: float
 ) -> np.ndarray:
@@ -59,7 +62,14 @@ def error_matrices(
            [-4. ,  0. ,  0. ,  0. ],
            [-6. ,  0. ,  0. ,  0. ]])
     """
+    phi, KD = numbers("phi", phi, None), numbers("KD", KD, 2)
+    z, zc = numbers("z", z, 2), numbers("zc", zc, 2)
     N, shape = phi.shape[-1], phi.shape[:-1]
+    for name, given in (("z", z), ("zc", zc)):
+        if given.shape[:-1] != shape:
+            raise ArgumentError(
+                f"{name}: has shape {given.shape}; must be {(*shape, 2)}, as phi is"
+            )
     rates = _error_rates(phi, z, zc, KD, gain)
     A = np.empty((2, *shape, N + 3, N + 3))
     for axis, own in enumerate(axis_states(N)):

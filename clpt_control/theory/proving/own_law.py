@@ -9,6 +9,7 @@ import control
 import numpy as np
 import sympy
 
+from ...arguments import Seed, public
 from ...blocks import Block
 from ...blocks.laws.law import functions_of
 from ...diagrams.interconnection import Diagram
@@ -20,7 +21,10 @@ from .theorem_loop import theorem_candidate, theorem_loop
 from .verdict import Verdict, judge
 
 
-def prove(law_block: Block, V: Block | None = None, points: int = 10_000, seed: int = 0) -> Verdict:
+@public
+def prove(
+    law_block: Block, V: Block | None = None, points: int = 10_000, seed: Seed = 0
+) -> Verdict:
     """Judge an adaptive law by V' along the closed loop.
 
     Parameters

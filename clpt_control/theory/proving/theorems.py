@@ -10,6 +10,7 @@ from collections.abc import Callable
 import numpy as np
 import sympy
 
+from ...arguments import public
 from ...errors import ClptError
 from ...progress.interrupt import check
 from ..counterexamples.paper_system import (
@@ -215,6 +216,7 @@ THEOREMS: dict[str, Callable[[], Proof]] = {
 }
 
 
+@public
 def audit(
     theorem: str | None = None, progress: Callable[[float], None] | None = None
 ) -> dict[str, Proof]:

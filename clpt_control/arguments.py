@@ -1,0 +1,287 @@
+"""What public functions take: arguments are held against the annotations, when a call is made.
+
+`@public` on a function or class reads its annotations.  An argument of another kind is an
+`ArgumentError` of one sentence: the function, the argument, what was given, what is allowed,
+what to try.  Beside that a few values are made plain: an array of no dimension is its number,
+what can be read only once is a list, an array or a tuple where one is asked for is one.
+"""
+
+import os
+import reprlib
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from functools import update_wrapper
+from inspect import CO_VARKEYWORDS
+from itertools import zip_longest
+from numbers import Integral, Real
+from types import FunctionType, NoneType, UnionType
+from typing import Annotated, Any, ForwardRef, TypeVar, Union, get_args, get_origin
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .errors import ArgumentError
+
+Public = TypeVar("Public", bound=Callable)
+Kinds = tuple[Any, ...]  # an argument may be of any of them
+OrNaN = Annotated[float, "NaN where it is not known"]
+Seed = Annotated[int, "0 or more"]
+LISTS = (Sequence, Iterable, list)
+PLAIN = (str, bytes, bool, int, float, complex, list, tuple, set, dict)
+EMPTY = np.dtype("V")
+SHORT = reprlib.Repr()
+SHORT.maxstring = SHORT.maxother = 60
+PATH = "a path (str or Path)"
+NOUNS = {
+    "float": "a number",
+    "int": "a whole number",
+    "str": "a text",
+    "bool": "True or False",
+    "NoneType": "None",
+    "ndarray": "an array of numbers",
+    "Any": "anything",
+    "NonlinearIOSystem": "a diagram",
+    "InputOutputSystem": "a diagram or block",
+    "Callable": "a function",
+    "Path": PATH,
+    "PathLike": PATH,
+}
+EXAMPLES = {  # of arguments whose kind alone does not show how they are written
+    "inputs": "{'e': 2}",
+    "outputs": "{'y': 1}",
+    "states": "{'theta': 2}",
+    "params": "{'adaptation.gain': 2.0}",
+    "values": "{'learning.gain': 2.0}",
+    "vary": "'learning.gain=0.2:2.0'",
+    "external": "['zc']",
+    "box": "(40.9, 41.55, -69.9, -69.0)",
+}
+MAKERS = {  # what people make first, and by what; FILE is the path that they gave, or such a one
+    "Scenario": ("clpt.load_scenario(FILE) reads a scenario's file", "mine.toml"),
+    "Team": ("clpt.load_team(FILE) reads a team's file", "team.toml"),
+    "NonlinearIOSystem": ("clpt.closed_loop or clpt.connect makes a diagram", ""),
+    "InputOutputSystem": ("clpt.connect(blocks) makes a diagram, clpt.Block a block", ""),
+    "Dataset": ("clpt.simulate(scenario) makes a run, clpt.load_run(FILE) reads one", "run.nc"),
+    "Block": ("clpt.Block('gain', output=..., inputs={'u': 1}, outputs={'y': 1}) makes one", ""),
+    "Dive": ("clpt.gliders.read_dives(FILE)[0] is a list of dives", "dives.csv"),
+    "Replay": ("clpt.replay.replay_dives(dives) makes one", ""),
+    "FlowModel": ("clpt.replay.read_flow_model(FILE) reads one", "forecast.nc"),
+    "NextDive": ("clpt.replay.next_dive(replay) makes one", ""),
+    "Fit": ("clpt.currents.fit_scenario(FILE) makes one", "currents.nc"),
+    "TidalFit": ("clpt.currents.fit_tides makes one of a record", ""),
+    "FixModel": ("clpt.estimation.FixModel() makes one", ""),
+}
+
+
+def public(made: Public) -> Public:
+    """Return a function or class that refuses arguments which its annotations do not allow."""
+    if not isinstance(made, type):
+        call = _checked(made, made.__qualname__)
+        # with the globals of its own module, in which doctest looks for it
+        own = FunctionType(call.__code__, made.__globals__, closure=call.__closure__)
+        wrapped: Any = update_wrapper(own, made)
+        return wrapped
+    maker = "__init__" if "__init__" in vars(made) else "__new__"  # of a NamedTuple
+    call = _checked(getattr(made, maker), made.__name__)
+    setattr(made, maker, call if maker == "__init__" else staticmethod(call))
+    return made
+
+
+def _checked(function: Any, name: str) -> Any:
+    code = function.__code__
+    places = code.co_varnames[: code.co_argcount]
+    known = set(code.co_varnames[: code.co_argcount + code.co_kwonlyargcount])
+    any_name = bool(code.co_flags & CO_VARKEYWORDS)
+    allowed: dict[str, Kinds] = {}
+
+    def taken(argument: str, value: Any) -> Any:
+        if not allowed:  # at the first call, when all names are known
+            for one, kind in function.__annotations__.items():
+                allowed[one] = kinds_of(kind, function.__globals__)
+        kinds = allowed.get(argument, (Any,))
+        value = plain(value, kinds)
+        if not fits(value, kinds):
+            such = f", such as {EXAMPLES[argument]}" if argument in EXAMPLES else ""
+            raise ArgumentError(
+                f"{name}: {argument} = {shown(value)}: must be {words(kinds)}{such}"
+                f"{cure(value, kinds)}"
+            )
+        return value
+
+    def call(*given: Any, **named: Any) -> Any:
+        if len(given) > len(places) or not (any_name or known.issuperset(named)):
+            return function(*given, **named)  # Python itself says what is too much
+        return function(
+            *map(taken, places, given),
+            **{argument: taken(argument, value) for argument, value in named.items()},
+        )
+
+    return update_wrapper(call, function)
+
+
+def kinds_of(kind: Any, names: Mapping[str, Any]) -> Kinds:
+    """Return the kinds of an annotation; what only type checkers import stays its name."""
+    if isinstance(kind, ForwardRef):
+        kind = kind.__forward_arg__
+    if isinstance(kind, str):
+        try:
+            kind = eval(kind, dict(names))
+        except (NameError, AttributeError):
+            parts = kind.split(" | ")
+            return sum((kinds_of(part, names) for part in parts), ()) if parts[1:] else (kind,)
+    if kind == ArrayLike:  # the function says what its array holds
+        return (Any,)
+    if get_origin(kind) in (Union, UnionType):
+        return tuple(inner for one in get_args(kind) for inner in kinds_of(one, names))
+    return (NoneType if kind is None else kind,)
+
+
+def plain(value: Any, kinds: Kinds) -> Any:
+    """Return a value, made plain where one of the kinds asks for it."""
+    if getattr(value, "ndim", None) == 0 and getattr(value, "dtype", EMPTY).kind in "iufb":
+        return value.item() if {float, int, bool} & set(kinds) else value
+    origins = {get_origin(kind) for kind in kinds}
+    if isinstance(value, Iterator) and Iterable in origins:
+        return list(value)
+    if isinstance(value, list) and tuple in origins:
+        return tuple(value)
+    listed = isinstance(value, list | tuple) or hasattr(value, "__array__")
+    if listed and np.ndarray in kinds and not isinstance(value, np.ndarray):
+        with suppress(TypeError, ValueError):  # rows of several lengths
+            return np.asarray(value)
+    return value
+
+
+def fits(value: Any, kinds: Kinds) -> bool:
+    """Return whether a value is of one of some kinds; NaN is none but Any and `OrNaN`."""
+    if isinstance(value, Real) and value != value:
+        return Any in kinds or OrNaN in kinds
+    return any(_is(value, kind) for kind in kinds)
+
+
+def _is(value: Any, kind: Any) -> bool:
+    own, inner = _parts(kind)
+    if own is Any:
+        return True
+    if kind == Seed:
+        return isinstance(value, Integral) and not isinstance(value, bool) and int(value) >= 0
+    if own in (float, int):
+        return isinstance(value, Real if own is float else Integral) and not isinstance(value, bool)
+    if own is np.ndarray:
+        return isinstance(value, np.ndarray) and value.ndim > 0 and value.dtype.kind in "iuf"
+    if isinstance(own, str):  # such as "xarray.Dataset", of a module that may not be imported
+        *module, name = own.split(".")
+        same = [one.__module__.split(".") for one in type(value).__mro__ if one.__name__ == name]
+        return any(one[: len(module)] == module for one in same)
+    if own in LISTS or (own is tuple and inner[-1] is Ellipsis):
+        return _is_list(value, own, inner)
+    if own is tuple:
+        listed = isinstance(value, tuple | list) or getattr(value, "ndim", 0) == 1
+        return listed and len(value) == len(inner) and all(map(_inner, value, inner))
+    if own in (Mapping, dict) and inner and isinstance(value, own):
+        return all(
+            _inner(one, k) for pair in value.items() for one, k in zip(pair, inner, strict=True)
+        )
+    return isinstance(value, own)
+
+
+def _parts(kind: Any) -> tuple[Any, tuple[Any, ...]]:
+    """Return Sequence and (str,) for Sequence[str]."""
+    if get_origin(kind) is Annotated:
+        kind = get_args(kind)[0]
+    return get_origin(kind) or kind, get_args(kind)
+
+
+def _inner(value: Any, kind: Any) -> bool:
+    return fits(value, kinds_of(kind, {}))
+
+
+def _is_list(value: Any, own: Any, inner: Kinds) -> bool:
+    """Return whether a value is a list, or what is as good, of what the kind names."""
+    if isinstance(value, str | bytes | os.PathLike | Mapping) or getattr(value, "ndim", 1) == 0:
+        return False
+    if not all(hasattr(value, name) for name in ("__iter__", "__len__")):
+        return False
+    if own is not Iterable and not hasattr(value, "__getitem__"):
+        return False
+    if inner[:1] == (float,):  # thousands of times are asked at once
+        try:
+            numbers = np.asarray(value)
+        except (TypeError, ValueError):
+            return False
+        return numbers.ndim == 1 and (numbers.dtype.kind in "iuf" or not len(numbers))
+    return all(_inner(one, inner[0]) for one in value)
+
+
+def words(kinds: Kinds) -> str:
+    """Return what is allowed: "a number or None"."""
+    nouns = dict.fromkeys(map(_noun, kinds))
+    if PATH in nouns:
+        nouns.pop(NOUNS["str"], None)
+    *many, last = nouns
+    return f"{', '.join(many)} or {last}" if many else last
+
+
+def _noun(kind: Any) -> str:
+    if kind == Seed:
+        return "a whole number, 0 or more"
+    own, inner = _parts(kind)
+    if own in LISTS or (own is tuple and inner[-1] is Ellipsis):
+        return f"a list of {_bare(inner[0])}"
+    if own is tuple:
+        return f"{len(inner)} values, each {words(kinds_of(inner[0], {}))}"
+    if own in (Mapping, dict):
+        return "a dict" + (f" of {_bare(inner[0])} to {_bare(inner[1])}" if inner else "")
+    name = own if isinstance(own, str) else getattr(own, "__name__", str(own))
+    return NOUNS.get(name) or f"{'an' if name[0] in 'AEIOUaeioux' else 'a'} {name}"
+
+
+def _bare(kind: Any) -> str:
+    return words(kinds_of(kind, {})).removeprefix("a ").removeprefix("an ")
+
+
+def shown(value: Any) -> str:
+    """Return what was given, in a few words."""
+    if isinstance(value, os.PathLike):
+        value = os.fspath(value)
+    if value is None or isinstance(value, PLAIN):
+        return " ".join(SHORT.repr(value).split())
+    kind = type(value).__name__.removeprefix("nd")
+    named = f"{'an' if kind[0] in 'AEIOUaeiou' else 'a'} {kind}"
+    shape = getattr(value, "shape", None)
+    return f"{named} of shape {shape}" if isinstance(shape, tuple) else named
+
+
+def cure(value: Any, kinds: Kinds) -> str:
+    """Return what to try, or nothing."""
+    path = os.fspath(value) if isinstance(value, os.PathLike) else value
+    for kind in kinds:
+        inner = get_args(kind)[:1] if get_origin(kind) in LISTS else ()
+        if str in inner and isinstance(path, str):
+            return f"; give a list: [{path!r}]"
+        for one in (*inner, kind):
+            name = (one if isinstance(one, str) else getattr(one, "__name__", "")).split(".")[-1]
+            if name in MAKERS:
+                how, file = MAKERS[name]
+                return "; " + how.replace("FILE", repr(path if isinstance(path, str) else file))
+    return ""
+
+
+def numbers(argument: str, value: Any, *last: int | None) -> np.ndarray:
+    """Return an array of numbers; its last dimensions have the sizes given, None is any."""
+    with suppress(TypeError, ValueError):
+        found = np.asarray([] if value is None else value, dtype=float)
+        sizes = found.shape[max(found.ndim - len(last), 0) :]
+        if all(one in (None, size) for one, size in zip_longest(last, sizes, fillvalue=-1)):
+            return found
+    shape = f" of shape (..., {', '.join('n' if one is None else str(one) for one in last)})"
+    raise ArgumentError(
+        f"{argument} = {shown(value)}: must be an array of numbers{shape if last else ''}"
+    )
+
+
+def check_holds(argument: str, given: Any, names: Iterable[str], cure: str) -> None:
+    """Refuse a Dataset or dict that lacks one of some names."""
+    for name in names:
+        if name not in given:
+            raise ArgumentError(f"{argument} = {shown(given)}: has no '{name}'; {cure}")

@@ -1,0 +1,188 @@
+"""The command line's manners: its page, help in shell words, near names, completion."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from processes import CLPT
+
+import clpt_control
+from clpt_control.cli import application
+from clpt_control.cli.help_pages import names_of_laws
+
+COMMANDS = [one.callback.__name__ for one in application().registered_commands]
+TYPES = re.compile(
+    r"<|\b(TEXT|FLOAT|INTEGER|PATH|None|inf)\b|\b(float|str|int|list|bool)\b|\.\.\.$"
+)
+WIDTH = 80
+
+
+@pytest.mark.parametrize("words", [(), ("--help",), ("-h",)])
+def test_the_page_lists_every_command_in_one_line(clpt, words):
+    outcome = clpt(*words)
+    assert (outcome.status, outcome.err) == (0, "")
+    lines = outcome.out.splitlines()
+    for name in COMMANDS:
+        (line,) = [line for line in lines if re.match(rf"  {name}  ", line)]
+        assert line.endswith("."), line  # not cut, not broken
+    assert [line for line in lines if line.startswith("  clpt init mine.toml")]
+
+
+@pytest.mark.parametrize("name", [None, *COMMANDS])
+def test_help_is_of_shell_words_and_80_columns(clpt, name, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "200")
+    text = clpt(*([name] if name else []), "--help").out
+    assert max(map(len, text.splitlines())) <= WIDTH
+    assert not text.count("\x1b")
+    entries = [line for line in text.splitlines() if re.match(r"  (-|[A-Z])", line)]
+    assert entries
+    for line in entries:
+        assert not TYPES.search(re.split(r"\s{2,}", line.strip())[0]), line
+    assert "[default: inf]" not in text
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_help_ends_in_an_example_of_the_command(clpt, name):
+    text = clpt(name, "--help").out
+    example = text.split("\nExample:\n")[1].replace("\\\n", " ").split()
+    assert example[:2] == ["clpt", name]
+    options = re.findall(r"^  (-\S+?)[ ,]", text, re.M) + re.findall(r" (--[\w-]+)", text)
+    assert {word for word in example if re.match("--?[a-z]", word)} - set(options) == set()
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_value_has_a_shell_word(name):
+    import typer
+
+    command = typer.main.get_command(application()).commands[name]
+    for param in command.params:
+        if not getattr(param, "is_flag", False):
+            assert param.metavar, param.name
+            assert param.metavar == param.metavar.upper()
+
+
+def test_the_version_is_that_of_the_package(clpt):
+    outcome = clpt("--version")
+    first, *others = outcome.out.splitlines()
+    assert (outcome.status, first) == (0, f"clpt-control {clpt_control.__version__}")
+    python = ".".join(map(str, sys.version_info[:3]))
+    assert {"Python", "control", "numba"} <= {line.split()[0] for line in others}
+    assert others[0].split()[1].startswith(python)
+
+
+@pytest.mark.parametrize(
+    ("words", "near"),
+    [
+        (["rnu"], "run"),
+        (["ensmble"], "ensemble"),
+        (["run", "x.toml", "--figure", "f"], "--figures"),
+        (["replay", "--samples"], "--sample"),
+        (["--versoin"], "--version"),
+    ],
+)
+def test_what_is_misspelt_finds_the_near_name(clpt, words, near):
+    outcome = clpt(*words)
+    assert (outcome.status, outcome.out) == (2, "")
+    assert outcome.err.count("\n") == 1
+    assert re.search(rf"; did you mean .*{near}\b.*\?\n$", outcome.err)
+
+
+@pytest.mark.parametrize("words", [["run"], ["run", "x.toml", "--out"], ["nothing-like-it"]])
+def test_what_lacks_names_the_help(clpt, words):
+    outcome = clpt(*words)
+    assert (outcome.status, outcome.out) == (2, "")
+    assert re.search(r"`clpt[ \w]* --help` shows", outcome.err)
+
+
+def test_the_module_is_the_command(clpt):
+    ran = subprocess.run([*CLPT, "run", "--help"], capture_output=True, text=True, check=True)
+    assert ran.stdout == clpt("run", "--help").out
+
+
+# --- completion ----------------------------------------------------------------------------------
+
+
+def completed(tmp_path, *words):
+    """What bash's own completion function offers for the last word."""
+    command = tmp_path / "clpt"
+    command.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m clpt_control "$@"\n')
+    command.chmod(0o755)
+    script = (
+        'eval "$(_CLPT_COMPLETE=source_bash clpt)"\n'
+        'COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1))\n'
+        '_clpt_completion clpt; printf "%s\\n" "${COMPREPLY[@]}"\n'
+    )
+    env = {**os.environ, "PATH": f"{tmp_path}{os.pathsep}{os.environ['PATH']}"}
+    env["PYTHONPATH"] = str(Path(clpt_control.__file__).parents[1])
+    ran = subprocess.run(
+        ["bash", "--norc", "-c", script, "bash", "clpt", *words],
+        capture_output=True,
+        text=True,
+        check=True,
+        env=env,
+    )
+    assert ran.stderr == ""
+    return ran.stdout.split()
+
+
+@pytest.mark.skipif(not shutil.which("bash"), reason="no bash")
+@pytest.mark.parametrize(
+    ("words", "offered"),
+    [
+        (["r"], ["run", "replay"]),
+        (["run", "--fi"], ["--figures"]),
+        (["replay", "--estimator", ""], ["kalman", "gradient"]),
+        (["fit", "a.nc", "--constituents", "steady,K"], ["steady,K2", "steady,K1"]),
+        (["tune", "a.toml", "--law", "sig"], ["sigma"]),
+        (["run", "mine"], []),  # files, by bash itself
+    ],
+)
+def test_bash_completes(tmp_path, words, offered):
+    assert completed(tmp_path, *words) == offered
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_each_shell_has_its_script(clpt, monkeypatch, shell):
+    monkeypatch.setenv("_CLPT_COMPLETE", f"source_{shell}")
+    outcome = clpt()
+    assert (outcome.status, outcome.err) == (0, "")
+    assert f"complete_{shell}" in outcome.out
+
+
+@pytest.mark.parametrize(("words", "status"), [("clpt r", 0), ("clpt run mine", 1)])
+def test_fish_is_told_whether_there_are_words_or_files(clpt, monkeypatch, words, status):
+    monkeypatch.setenv("_CLPT_COMPLETE", "complete_fish")
+    monkeypatch.setenv("_TYPER_COMPLETE_FISH_ACTION", "is-args")
+    monkeypatch.setenv("_TYPER_COMPLETE_ARGS", words)
+    assert clpt().status == status
+
+
+def test_zsh_is_given_words(clpt, monkeypatch):
+    monkeypatch.setenv("_CLPT_COMPLETE", "complete_zsh")
+    monkeypatch.setenv("_TYPER_COMPLETE_ARGS", "clpt replay --estimator k")
+    assert '"kalman"' in clpt().out
+
+
+def test_completion_imports_nothing_heavy():
+    code = (
+        "import os, sys; sys.argv = ['clpt']\n"
+        "os.environ.update(_CLPT_COMPLETE='complete_bash', COMP_CWORD='4')\n"
+        "os.environ['COMP_WORDS'] = 'clpt tune x --law s'\n"
+        "from clpt_control.cli import main\n"
+        "try: main()\n"
+        "except SystemExit: pass\n"
+        "heavy = {'control', 'numpy', 'numba', 'sympy', 'matplotlib', 'xarray', 'scipy'}\n"
+        "print(sorted(heavy & set(sys.modules)), file=sys.stderr)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert (done.stdout.split(), done.stderr.strip()) == (["sigma", "switching-sigma"], "[]")
+
+
+def test_the_names_of_laws_are_those_of_the_table():
+    from clpt_control.blocks.laws.table import LAWS
+
+    assert names_of_laws() == sorted(LAWS)
