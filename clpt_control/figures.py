@@ -13,7 +13,8 @@ from typing import IO, TYPE_CHECKING, Any
 
 import numpy as np
 
-from .errors import ClptError
+from .arguments import shown
+from .errors import ArgumentError, ClptError
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -66,10 +67,16 @@ def _given(ax: Any, shape: tuple[int, ...]) -> Any:
     """Return the axes that were given in a shape, or say what is wrong with them."""
     from matplotlib.axes import Axes
 
-    given, count = np.ravel(np.asarray(ax, dtype=object)), int(np.prod(shape))
+    given = np.empty(1, dtype=object)
+    given[0] = ax
+    if isinstance(ax, list | tuple | np.ndarray):
+        given = np.ravel(np.asarray(ax, dtype=object))
+    count = int(np.prod(shape))
     for one in given:
         if not isinstance(one, Axes):
-            raise ClptError(f"ax = {one!r:.60}: must be matplotlib Axes, as pyplot.subplots makes")
+            raise ArgumentError(
+                f"ax = {shown(one)}: must be matplotlib Axes, as pyplot.subplots makes"
+            )
     if len(given) != count:
         size = ", ".join(map(str, shape)) or "1"
         raise ClptError(

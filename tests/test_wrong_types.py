@@ -1,0 +1,307 @@
+"""Every public name refuses wrong arguments in one sentence; what it takes, it takes."""
+
+import inspect
+import math
+import pickle
+import tomllib
+from collections.abc import Iterable
+from pathlib import Path
+
+import control
+import numpy as np
+import pytest
+import xarray
+from law_blocks import papers_law
+from synthetic_forecast import Made
+from test_documentation import methods, rooms
+
+import clpt_control as clpt
+from clpt_control.arguments import Seed, fits, kinds_of, plain, public
+from clpt_control.blocks.clpe import clpe
+from clpt_control.simulation.report import run_and_report
+
+SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40})
+LAP = clpt.paper_scenario().with_values({"run.duration": 2000, "run.output_step": 20})
+TEAM = clpt.Team(coupling=0.5, edges=(("a", "b"),), members={"a": SCENARIO, "b": SCENARIO})
+DIVES = clpt.gliders.sample_dives()[:8]
+HOURS = np.datetime64("2020-01-01") + np.arange(720) * np.timedelta64(3600, "s")
+TIDE = 0.1 * np.cos(np.arange(720) * 2 * np.pi / 12.42)
+
+
+def line(t, x, u, p, y):
+    y[0] = u[0]
+
+
+def generated():
+    yield 3
+
+
+class Thing:
+    """An object of nobody."""
+
+
+def wrong_values():
+    """Return values each of which is wrong nearly everywhere."""
+    return {
+        "None": None,
+        "3": 3,
+        "-1": -1,
+        "nan": math.nan,
+        "True": True,
+        "text": "mine.toml",
+        "nothing": "",
+        "bytes": b"mine",
+        "path": Path("no such folder") / "mine.toml",
+        "empty": [],
+        "numbers": [1, 2],
+        "texts": ["a", "b"],
+        "nested": [[1.0], [1.0, 2.0]],
+        "tuple": (1.0, 2.0, 3.0),
+        "dict": {},
+        "dict of numbers": {"a": 1},
+        "dict by numbers": {1: "a"},
+        "set": {"a"},
+        "array": np.zeros((2, 3)),
+        "array of one": np.array(2.0),
+        "array of text": np.array(["a"]),
+        "response": control.step_response(control.tf([1], [1, 1])),
+        "dataset": xarray.Dataset({"a": ("b", [1.0])}),
+        "dataarray": xarray.DataArray([1.0], dims="time"),
+        "generator": generated(),
+        "object": Thing(),
+        "class": Thing,
+        "function": line,
+        "scenario": SCENARIO,
+        "block": clpe(),
+        "system": control.tf([1], [1, 1]),
+        "dive": DIVES[0],
+    }
+
+
+CALLED = ("progress", "inputs")  # what a function of the user's own raises is its own error
+LONG = ("audit", "design_track", "disturbance_counterexample", "prove", "run_ensemble", "tune_law")
+OF_THE_ENGINE = (  # called at each step, and checked by no one
+    *("Block.values", "Block.equations", "Block.parameters_at", "Block.interval_at"),
+    *("FixModel.regressor", "FixModel.noise", "FixModel.turning", "FixModel.faded"),
+    *("FixModel.reached", "FixModel.kept"),
+    *("NativeDiagram.schedule", "NativeDiagram.callee", "NativeDiagram.lanes"),
+)
+RESULTS = ("Verdict", "ConformanceReport", "FlowEstimate", "Diagram")  # which nobody makes by hand
+
+
+def public_callables():
+    seen = set()
+    for room in rooms():
+        for name in room.__all__:
+            value = getattr(room, name)
+            if inspect.ismodule(value) or id(value) in seen:
+                continue
+            seen.add(id(value))
+            if inspect.isclass(value):
+                for _, method in methods(value):
+                    if inspect.isfunction(method) and method.__qualname__ not in OF_THE_ENGINE:
+                        yield pytest.param(method, id=method.__qualname__)
+                if issubclass(value, Exception) or name in RESULTS:
+                    continue
+            if inspect.signature(value).parameters:
+                yield pytest.param(value, id=f"{room.__name__}.{name}")
+
+
+@pytest.fixture(scope="module")
+def right(tmp_path_factory):
+    """Arguments that are allowed: by their name, and by function where the name is not enough."""
+    folder = tmp_path_factory.mktemp("right")
+    loop = clpt.closed_loop(SCENARIO, external=["zc"])
+    replay = clpt.replay.replay_dives(DIVES)
+    run = clpt.simulate(SCENARIO)
+    clpt.save_run(run, folder / "run.nc")
+    clpt.save_scenario(SCENARIO, folder / "s.toml")
+    dive = list(inspect.signature(clpt.gliders.Dive).parameters)[:11]
+    named = {
+        **{"scenario": SCENARIO, "run": run, "team": TEAM, "diagram": loop, "block": clpe()},
+        **{"replay": replay, "dives": DIVES, "dive": DIVES[0], "fit": None, "source": SCENARIO},
+        **{"window": 20.0, "start": 0.0, "path": folder / "s.toml", "folder": folder},
+        **{"flow_model": Made(lambda *_: (0.0, 0.0)), "law_block": papers_law(), "samples": 4},
+        **{"constituents": ["M2"], "names": ["M2"], "where": "here", "hours": 720.0},
+    }
+    tides = {"time": HOURS, "u": TIDE, "v": TIDE, "latitude": 40.0, "constituents": ["M2"]}
+    found = clpt.currents.fit_tides(**tides)
+    ensemble = clpt.run_ensemble(SCENARIO, "learning.gain=0.5:1", 2)
+    own = {
+        "simulate": {"system": loop, "timepts": [0.0, 1.0], "inputs": [3.0, 0.0]},
+        "connect": {"blocks": [clpe()], "external": ["x", "z"]},
+        "evaluate": {"times": [0.0, 1.0], "inputs": np.zeros((2, 4))},
+        "opaque": {"function": line},
+        "fit_tides": tides,
+        "predict": {"fit": found, "time": HOURS[:3]},
+        "tidal_basis": {"fit": found, "epoch": HOURS[0]},
+        "percentiles": {"data": ensemble, "name": "clpe_rms"},
+        "flow_estimate": {"data": run, "every": 5.0},
+        "known_flow_scenario": {"theta": np.zeros((2, 3))},
+        "make_estimator": {"name": "kalman", "model": clpt.estimation.FixModel()},
+        "make_dive": {"number": 1, "start": (0.0, 40.0, -70.0), "end": (9e3, 40.01, -70.0)}
+        | {"through_water": (1000.0, 0.0)},
+        "aims": {"targets": [(40.0, -70.0)]},
+        "period": {"constituent": "M2"},
+        "claims": {"summary": run_and_report(LAP)[2]},
+        "flow_velocity": {"points": np.zeros((2, 2)), "times": 0.0},
+        "learning_plot": {"axis": 1},
+        "sample_times": {"duration": 1.0, "step": 0.5},
+        "team_plot": {"run": clpt.simulate(TEAM, [0.0, 1.0])},
+        "team_gramian": {"source": TEAM, "window": 1.0},
+        "error_matrices": {"phi": np.zeros((2, 3)), "z": np.zeros((2, 2)), "KD": np.ones(2)}
+        | {"zc": np.zeros((2, 2)), "gain": 1.0},
+        "ultimate_bound": {"window": 1.0, "largest_disturbance": 1.0, "drop": 0.5},
+        "load_run": {"path": folder / "run.nc"},
+        "save_run": {"path": folder / "other.nc"},
+        "save_scenario": {"path": folder / "other.toml"},
+        "draw": {"path": folder / "loop.svg"},
+        "Block": {"name": "b", "output": line, "inputs": {"u": 1}, "outputs": {"y": 1}},
+        "Block.breakpoints": {"self": clpe(), "t0": 0.0, "t1": 1.0},
+        "Block.with_params": {"self": clpe()},
+        "Block.with_values": {"self": clpe()},
+        "Guard": {"distance": line, "policy": "stop", "sentence": line},
+        "Vary": {"key": "learning.gain", "kind": "uniform", "numbers": (1.0, 2.0)},
+        "FlowEstimate.miss": {"self": clpt.estimation.flow_estimate(run, every=5.0)},
+        "Replay": {"model": clpt.estimation.FixModel()},
+        "Replay.forecast": {"self": replay},
+        "Replay.step": {"self": clpt.replay.replay_dives(DIVES[:3]), "dive": DIVES[5]},
+        "Scenario": tomllib.loads((folder / "s.toml").read_text()),
+        "Scenario.with_values": {"self": SCENARIO},
+        "Team": {"coupling": 0.5, "edges": [("a", "b")], "members": {"a": SCENARIO, "b": SCENARIO}},
+        "Team.neighbours": {"self": TEAM},
+        "Dive": dict(zip(dive, [1, 0.0, 40.0, -70.0, 9e3, 40.0, -70.0, *[0.0] * 4], strict=True)),
+    }
+    return named, own
+
+
+@pytest.mark.parametrize("function", list(public_callables()))
+def test_wrong_arguments_are_one_sentence(function, right, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)  # "mine.toml" is a good name of a file to write
+    named, own = right
+    parameters = inspect.signature(function).parameters
+    given = {
+        name: named.get(name)
+        for name, one in parameters.items()
+        if name in named or (one.default is one.empty and one.kind is not one.VAR_KEYWORD)
+    } | own.get(function.__qualname__, {})
+    for argument in parameters:
+        for label, value in wrong_values().items():
+            if argument in ("self", "optional") or (callable(value) and argument in CALLED):
+                continue
+            if function.__name__ in LONG and allowed(function, argument, label):
+                continue
+            try:
+                function(**{**given, argument: value})
+            except Exception as error:
+                if not isinstance(error, clpt.ClptError) or "\n" in str(error):
+                    raise AssertionError(f"{argument} = {label}: {error!r}") from error
+
+
+def allowed(function, argument, label):
+    kinds = kinds_of(function.__annotations__[argument], function.__globals__)
+    return fits(plain(wrong_values()[label], kinds), kinds)
+
+
+# --- what is said --------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (
+            lambda: clpt.simulate("mine.toml"),
+            "simulate: system = 'mine.toml': must be a Scenario, a Team or a diagram; "
+            "clpt.load_scenario('mine.toml') reads a scenario's file",
+        ),
+        (
+            lambda: clpt.save_run(control.step_response(control.tf([1], [1, 1])), "run.nc"),
+            "save_run: run = a TimeResponseData: must be an xarray.Dataset; "
+            "clpt.simulate(scenario) makes a run, clpt.load_run('run.nc') reads one",
+        ),
+        (
+            lambda: clpt.Block("b", output=line, inputs=["u"], outputs={"y": 1}),
+            "Block: inputs = ['u']: must be a dict of text to whole number or None, such as "
+            "{'e': 2}",
+        ),
+        (
+            lambda: clpt.gliders.read_dives(3),
+            "read_dives: paths = 3: must be a path (str or Path) or a list of path (str or Path)",
+        ),
+        (
+            lambda: clpt.simulate(SCENARIO, rtol=math.nan),
+            "simulate: rtol = nan: must be a number or None",
+        ),
+        (
+            lambda: clpt.ensemble.tune_law(SCENARIO, laws="sigma"),
+            "tune_law: laws = 'sigma': must be a list of text; give a list: ['sigma']",
+        ),
+        (
+            lambda: clpt.theory.gramian(Path("run.nc")),
+            "gramian: source = 'run.nc': must be a Scenario, an xarray.Dataset or a Regressor; "
+            "clpt.load_scenario('run.nc') reads a scenario's file",
+        ),
+    ],
+)
+def test_the_sentence_says_what_to_try(call, said):
+    with pytest.raises(clpt.ArgumentError) as caught:
+        call()
+    assert str(caught.value) == said
+    assert isinstance(caught.value, TypeError)
+
+
+# --- the mechanism -------------------------------------------------------------------------------
+
+
+@public
+def example(
+    number: float,
+    whole: int = 1,
+    *,
+    names: Iterable[str] = (),
+    values: np.ndarray | None = None,
+    pair: tuple[float, float] = (0.0, 0.0),
+    run: "xarray.Dataset | None" = None,
+    seed: Seed = 0,
+) -> tuple:
+    return number, whole, names, values, pair, run, seed
+
+
+@pytest.mark.parametrize("number", [1, 1.5, np.float32(2), np.int8(3), np.array(4.0), math.inf])
+def test_numbers_of_all_kinds_are_numbers(number):
+    assert example(number)[0] == number
+    assert np.ndim(example(xarray.DataArray(2.5))[0]) == 0
+
+
+def test_what_can_be_made_plain_is():
+    found = example(1, names=(name for name in "ab"), values=[[1, 2], [3, 4]], pair=[1, 2])
+    assert found[2] == ["a", "b"]
+    assert found[3].shape == (2, 2)
+    assert found[4] == (1, 2)
+
+
+def test_python_itself_says_what_lacks_or_is_too_much():
+    for given, named, said in (
+        ((), {}, "missing 1 required positional argument"),
+        ((1, 2, 3), {}, "takes from 1 to 2 positional arguments but 3"),
+        ((1,), {"nothing": 3}, "unexpected keyword argument 'nothing'"),
+    ):
+        with pytest.raises(TypeError, match=said) as caught:
+            example(*given, **named)
+        assert not isinstance(caught.value, clpt.ClptError)
+
+
+def test_a_public_function_stays_itself():
+    assert str(inspect.signature(clpt.simulation.sample_times)).startswith("(duration: float")
+    assert pickle.loads(pickle.dumps(clpt.simulate)) is clpt.simulate
+    assert inspect.getsource(clpt.simulate).count("def simulate") == 1
+    assert clpt.simulate.__globals__ is clpt.simulate.__wrapped__.__globals__  # doctest asks
+
+
+def test_what_a_function_raises_itself_is_left_alone():
+    @public
+    def broken(number: float) -> None:
+        raise KeyError("its own")
+
+    with pytest.raises(KeyError, match="its own"):
+        broken(1.0)
