@@ -41,7 +41,7 @@ NOUNS = {
     "ndarray": "an array of numbers",
     "Any": "anything",
     "NonlinearIOSystem": "a diagram",
-    "InputOutputSystem": "a diagram or block",
+    "InputOutputSystem": "a diagram",
     "Callable": "a function",
     "Path": PATH,
     "PathLike": PATH,

@@ -19,7 +19,7 @@ def report(
         Path, typer.Option("-o", "--out", metavar="FILE", help="The page, .html.")
     ] = Path("report.html"),
     title: Annotated[
-        str | None, typer.Option(metavar="TEXT", help="In place of the scenario's.")
+        str | None, typer.Option(metavar="TITLE", help="In place of the scenario's.")
     ] = None,
     figures: Annotated[
         Path | None,

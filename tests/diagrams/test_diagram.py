@@ -456,5 +456,7 @@ def test_blocks_of_a_reference_alone_run():
 
 
 def test_what_is_no_block_is_named():
-    with pytest.raises(ArgumentError, match=r"\['vehicle'\]: must be a list of Block"):
+    with pytest.raises(
+        ArgumentError, match=r"\['vehicle'\]: must be a list of diagram; .*clpt\.Block a block"
+    ):
         connect(["vehicle"])
