@@ -49,7 +49,7 @@ def main() -> None:
 def _run() -> int:
     logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it warns without a home folder
     words = sys.argv[1:] or ["--help"]  # who types `clpt` alone wants its page
-    status = application()(words, standalone_mode=False, prog_name="clpt")
+    status = application()(args=words, standalone_mode=False, prog_name="clpt")
     return status if isinstance(status, int) else 0
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..arguments import public
 from ..errors import ClptError, DataError
 from ..files import beside, check_writable
 from ..html.fragment import fragment
@@ -41,6 +42,7 @@ class Movie:
         return fragment("", "", f'<img alt="film of a run" src="data:image/gif;base64,{data}">')
 
 
+@public
 def animate(
     run: "xarray.Dataset",
     path: str | Path | None = None,

@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING, Any
 
+from ..arguments import public
 from ..errors import DataError
 from ..figures import COLOURS, STYLES, axes_for
 
@@ -12,6 +13,7 @@ MOST = 16  # ports of a picture
 STATES = "states"
 
 
+@public
 def response_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     """Draw each port of a diagram's run over time.
 

@@ -204,7 +204,7 @@ def test_refusals():
     replay = replay_dives(still())
     for targets, more, says in (
         ([(4304.27, 8.0)], {}, "decimal degrees"),
-        ([(math.nan, 8.0)], {}, "must be a latitude"),
+        ([(math.inf, 8.0)], {}, "must be a latitude"),
         ([(40.0, 8.0)], {"speed": 0.0}, "above 0"),
         ([(40.0, 8.0)], {"speed": 25.0}, "at most 5 m/s"),
         ([(40.0, 8.0)], {"duration": math.inf}, "--hours"),

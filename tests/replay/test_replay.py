@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from synthetic_vehicle import vehicle
 
-from clpt_control.errors import DataError, ScenarioError
+from clpt_control.errors import ArgumentError, DataError, ScenarioError
 from clpt_control.estimation.estimators import ESTIMATORS, make_estimator
 from clpt_control.estimation.fix_model import FixModel
 from clpt_control.gliders.dive_table import sample_dives
@@ -144,7 +144,7 @@ def test_the_next_surfacing_is_that_of_the_next_dive():
     assert (found.latitude, found.longitude) == place_from(up.lat_gpse, up.lon_gpse, *way)
     same = next_dive(before)
     assert (same.plan.duration, same.plan.dr_east) == pytest.approx((last.duration, last.dr_east))
-    for plan in ((0.0, (0.0, 0.0)), (3600.0, (math.nan, 0.0))):
+    for plan in ((0.0, (0.0, 0.0)), (3600.0, (math.inf, 0.0))):
         with pytest.raises(ScenarioError, match="must be finite"):
             next_dive(before, *plan)
 
@@ -156,5 +156,5 @@ def test_what_was_repaired_is_said():
 
 
 def test_a_path_is_no_dive():
-    with pytest.raises(DataError, match=r"'p5420304.nc'.*must be Dives.*read_dives"):
+    with pytest.raises(ArgumentError, match=r"'p5420304.nc'.*must be a list of Dive.*read_dives"):
         replay_dives(["p5420304.nc"])

@@ -195,8 +195,8 @@ def test_a_gridded_field_needs_no_theta(tmp_path, paper):
         (500.0, 0.0),
         (200.0, 300.0),
         (10.0, -1.0),
-        (float("nan"), 0.0),
-        (10.0, float("nan")),
+        (float("inf"), 0.0),
+        (10.0, float("inf")),
     ],
 )
 def test_a_window_outside_the_run_is_refused(paper, window, start):

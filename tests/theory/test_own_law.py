@@ -86,7 +86,7 @@ def test_a_V_that_does_not_fit_refutes_no_law():
 @pytest.mark.parametrize(("own", "V"), [(3, None), (None, 3), (None, None)])
 def test_what_is_no_block_or_makes_no_V_is_refused(own, V):
     mine = law(own_laws.shipped, Gain(N, 0.5))
-    with pytest.raises(DiagramError, match=r"give a Block|makes V\[1\] and nothing else"):
+    with pytest.raises(ClptError, match=r"must be a Block|makes V\[1\] and nothing else"):
         prove(own or mine, V or mine)
 
 
