@@ -185,7 +185,8 @@ def closed_loop(
     external : str or iterable of str, optional
         Ports taken from outside in place of the blocks that make them, such
         as ``"zc"`` for step responses, ``"delta"`` for a disturbance of the flow, or ``"x"`` for
-        the learner alone, fed by a measured track. Blocks that then feed nothing are left out.
+        the learner alone, fed by a measured track. Blocks that then feed nothing are left out,
+        but for those that fed a part of your own: there the loop is cut open.
     law : Block, optional
         A law of your own in place of the scenario's, with outputs alpha[2N], K[2], Gamma[2];
         the same as ``replace={"adaptation": law}``.
@@ -241,8 +242,9 @@ def kept_parts(
             )
     outside = {*external, *({TRUE} if "x" in external else ())}
     kept = [block for block in blocks if not set(output_ports(block)) & outside]
+    cut = [block for block in blocks if block not in kept and block.name in changes.names]
     while True:
-        used = {port for block in kept for port in input_ports(block)}
+        used = {port for block in (*kept, *cut) for port in input_ports(block)}
         idle = [b for b in kept if b.name != "clpe" and not set(output_ports(b)) & used]
         if not idle or not external:
             break

@@ -195,6 +195,18 @@ def test_delta_comes_from_outside():
     assert run.position.attrs == clpt.simulate(CALM, [0, 0.6]).position.attrs
 
 
+def test_a_loop_cut_open_is_the_controller_and_the_vehicle():
+    """In calm water from v to v_x = GammaD zc - KD x with x' = v: -KD/s."""
+    cut = {("v_x", "vehicle"): control.tf(1, 1, name="cut")}
+    opened = clpt.closed_loop(CALM, external="v_x_cut", insert=cut)
+    assert len(clpt.initial_state(CALM, external="v_x_cut", insert=cut)) == opened.nstates == 14
+    state = np.append([2.0, -3.0], np.ones(12))
+    linear = control.linearize(opened, state, [0.3, 0.4], t=0.2, copy_names=True)
+    for i in range(2):
+        L = linear[f"v_x[{i}]", f"v_x_cut[{i}]"]
+        np.testing.assert_allclose(L(0.7j), -KD[i] / 0.7j, rtol=1e-6)
+
+
 # --- the state at a time ----------------------------------------------------------------------
 
 
