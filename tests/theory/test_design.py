@@ -191,6 +191,13 @@ def test_a_track_of_more_waypoints_than_lanes_hold_apart_is_watched(paper):
         tracks(1.1 * scenario.waypoints[None])
 
 
+def test_of_very_many_waypoints_a_number_is_asked_for(paper):
+    points = [[0.01 * k, 0.0] for k in range(201)]
+    scenario = paper.with_values({"reference": {"kind": "waypoints", "dwell": 1, "points": points}})
+    with pytest.raises(ScenarioError, match="has 201 waypoints; give count, 2 to 200"):
+        design_track(scenario)
+
+
 @settings(max_examples=60, deadline=None, derandomize=True)
 @given(
     arrays(float, (5, 2), elements=st.floats(-1e3, 1e3, allow_subnormal=False)),

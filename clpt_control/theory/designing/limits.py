@@ -103,6 +103,8 @@ def check_numbers(
     whole = isinstance(count, int) and not isinstance(count, bool)
     if count is not None and not (whole and 2 <= count <= MOST_WAYPOINTS):
         raise ScenarioError(f"count = {count}: must be a whole number, 2 to {MOST_WAYPOINTS}")
+    if count is None and (own := len(scenario.waypoints)) > MOST_WAYPOINTS:
+        raise ScenarioError(f"reference: has {own} waypoints; give count, 2 to {MOST_WAYPOINTS}")
 
 
 def check_area(scenario: Scenario, area: Box, field: Box | None) -> None:
