@@ -137,8 +137,10 @@ def run_scenario(run: "xarray.Dataset") -> Scenario:
             "is not known; estimate from a run without them"
         )
     text = attributes.get("scenario")
-    if text is None or "position" not in run:
+    if not isinstance(text, str) or "position" not in run:
         raise DataError("the run carries no scenario; clpt.simulate gives runs that do")
+    if run.sizes.get("time", 0) < 2:
+        raise DataError("the run has fewer than two samples; run it with a smaller output_step")
     for name in ("time", "position", "reference"):
         if name not in run or not np.all(np.isfinite(run[name].values)):
             raise DataError(f"the run has no whole {name}; clpt.simulate gives runs that do")

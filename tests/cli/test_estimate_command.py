@@ -99,9 +99,19 @@ def twice_at_one_time(run):
     return run.isel(time=[0, 0, 1, 2])
 
 
+def of_one_sample(run):
+    return run.isel(time=[0])
+
+
+def of_another_scenario(run):
+    return run.assign_attrs(scenario=3.0)
+
+
 @pytest.mark.parametrize(
     ("damage", "said"),
     [
+        (of_one_sample, "the run has fewer than two samples"),
+        (of_another_scenario, "the run carries no scenario"),
         (reversed_in_time, "its times do not increase"),
         (twice_at_one_time, "its times do not increase"),
         (without_waypoints, "the run has no whole reference"),
