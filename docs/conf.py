@@ -71,7 +71,8 @@ html_css_files = ["site.css"]
 html_theme_options = {
     "logo": {"text": "clpt-control"},
     "navbar_end": ["theme-switcher"],
-    "header_links_before_dropdown": 6,
+    "header_links_before_dropdown": 7,
+    "search_bar_text": "Search",
     "secondary_sidebar_items": ["page-toc"],
     "article_header_start": ["breadcrumbs"],
     "footer_start": ["copyright"],

@@ -18,7 +18,7 @@ def inline(translator, node):
 
 def block(translator, node):
     """Put a formula on a line of its own."""
-    translator.body.append(f'<div class="math">{mathml(node, as_block=True)}</div>')
+    translator.body.append(f'<div class="formula">{mathml(node, as_block=True)}</div>')
     raise nodes.SkipNode
 
 
