@@ -6,7 +6,7 @@ of a new figure of pyplot's, which a notebook or a window shows; `figure_of` dra
 for a file or a page, unknown to pyplot.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextvars import ContextVar
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
@@ -137,6 +137,14 @@ def legend_below(ax: Any, columns: int, points: float = 34.0) -> None:
     down = ax.transAxes + ScaledTranslation(0, -points / 72, ax.figure.dpi_scale_trans)
     place = {"loc": "upper center", "bbox_to_anchor": (0.5, 0), "bbox_transform": down}
     ax.legend(ncols=columns, fontsize=8, frameon=False, **place)
+
+
+def checked_formats(formats: Sequence[str]) -> tuple[str, ...]:
+    """Return formats of figures, each once; refuse those that are none of `FORMATS`."""
+    for kind in [formats] if isinstance(formats, str) else formats:
+        if kind not in FORMATS:
+            raise ClptError(f"format {kind!r:.40}: must be one of {', '.join(FORMATS)}")
+    return tuple(dict.fromkeys([formats] if isinstance(formats, str) else formats))
 
 
 def save_figure(figure: "Figure", target: Path | IO[bytes], kind: str, **options: Any) -> None:

@@ -8,7 +8,7 @@ import typer
 
 from ..errors import ClptError
 from .help_pages import one_of
-from .printing import Json, ScenarioFile, print_json, print_table
+from .printing import Formats, Json, ScenarioFile, print_json, print_table
 
 RUN = "run it with `clpt run {} --out run.nc`"
 FIT = "fit it with `clpt fit {} --out mine.toml`"
@@ -58,6 +58,7 @@ def paper(
     out: Annotated[
         Path, typer.Option(metavar="FOLDER", help="Folder for figures and run.nc.")
     ] = Path("paper"),
+    formats: Formats = None,
     as_json: Json = False,
 ) -> None:
     """Run section IV of the paper and judge its claims.
@@ -65,6 +66,7 @@ def paper(
     Example:
         clpt paper --out paper
     """
+    from ..figures import checked_formats
     from ..files import make_folder
     from ..progress import progress_bar
     from ..scenario.file import paper_scenario
@@ -72,11 +74,12 @@ def paper(
     from ..simulation.report import claims, run_and_report
     from ..simulation.run_file import save_run
 
+    kinds = checked_formats(formats or ["png"])
     scenario, folder = paper_scenario(), make_folder(out)
     with progress_bar("section IV", scenario.run.duration) as report:
         run, fine, summary = run_and_report(scenario, report)
     save_run(run, folder / "run.nc")
-    save_figures(fine, folder)
+    drawn = save_figures(fine, folder, kinds)
     summary["claims"] = claims(summary)
     if as_json:
         print_json(summary)
@@ -86,7 +89,7 @@ def paper(
         ["claim", "criterion", "measured", "verdict"],
         [list(claim.values()) for claim in summary["claims"]],
     )
-    typer.echo(f"{folder}: figure1.png to figure4.png, run.nc")
+    typer.echo(f"{folder}: {drawn[0].name} to {drawn[-1].name}, run.nc")
 
 
 def run(
@@ -95,6 +98,7 @@ def run(
     figures: Annotated[
         Path | None, typer.Option(metavar="FOLDER", help="Folder for the figures.")
     ] = None,
+    formats: Formats = None,
     as_json: Json = False,
 ) -> None:
     """Run a scenario, or a team: a scenario with a table [team].
@@ -102,6 +106,7 @@ def run(
     Example:
         clpt run mine.toml --out run.nc --figures figures
     """
+    from ..figures import checked_formats
     from ..files import check_writable, make_folder
     from ..progress import progress_bar
     from ..scenario.team import Team
@@ -109,13 +114,14 @@ def run(
     from ..simulation.report import run_and_report
     from ..simulation.run_file import save_run
 
+    kinds = checked_formats(formats or ["png"])
     experiment = load_either(scenario)
     check_writable(out)
     folder = None if figures is None else make_folder(figures)
     if isinstance(experiment, Team):
         from .team import run_and_print
 
-        run_and_print(experiment, scenario.name, out, folder, as_json)
+        run_and_print(experiment, scenario.name, out, folder, kinds, as_json)
         return
     with progress_bar(f"running {scenario.name}", experiment.run.duration) as report:
         result, fine, summary = run_and_report(experiment, report)
@@ -123,7 +129,7 @@ def run(
     if folder is not None:
         from ..simulation.plots import save_figures
 
-        save_figures(fine, folder)
+        save_figures(fine, folder, kinds)
     if as_json:
         print_json(summary)
         return

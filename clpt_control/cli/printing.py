@@ -24,6 +24,11 @@ PIPED = 140  # letters of a line that goes to no terminal
 LONG = 40  # characters; longer cells are broken into lines
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
 
+Formats = Annotated[
+    list[str] | None,
+    typer.Option("--format", metavar="FORMAT", help="Of the figures: png, svg, pdf; repeat it."),
+]
+
 
 def check_figure(path: Path | None) -> None:
     """Refuse a figure that cannot be written, before work begins."""

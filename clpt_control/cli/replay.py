@@ -7,7 +7,7 @@ from typing import Annotated, Any
 import typer
 
 from .help_pages import one_of
-from .printing import Json, print_json
+from .printing import Formats, Json, print_json
 from .replay_ahead import Ahead, waypoint
 from .replay_report import show, summary_with_next, write
 from .replay_watch import check_pace, watch
@@ -115,6 +115,7 @@ def replay(
             show_default=False,
         ),
     ] = inf,
+    formats: Formats = None,
     as_json: Json = False,
 ) -> None:
     """Replay a glider's dives, each forecast before its end.
@@ -124,6 +125,7 @@ def replay(
     """
     from ..errors import DataError, ScenarioError
     from ..estimation.estimators import ESTIMATORS
+    from ..figures import checked_formats
     from ..files import make_folder
     from ..gliders.dive_files import read_dives
     from ..gliders.dive_table import sample_dives
@@ -137,6 +139,7 @@ def replay(
         raise ScenarioError(
             "give files of dives, --sample for those that come with clpt, or --follow FOLDER"
         )
+    kinds = checked_formats(formats or ["png"])
     check_pace(every, patience)
     if estimator not in ESTIMATORS:
         raise ScenarioError(f"--estimator {estimator}: must be one of {', '.join(ESTIMATORS)}")
@@ -188,11 +191,11 @@ def replay(
     written: list[Path] = []
     if follow is not None:
         place = follow / "replay" if out is None else out
-        result, skipped = watch(take, follow, place, ahead, every, patience)
+        result, skipped = watch(take, follow, place, ahead, kinds, every, patience)
     else:
         result, skipped = take(*((sample_dives(), []) if sample else read_dives(files or [])))
         if out is not None:
-            written = write(result, skipped, make_folder(out), ahead)
+            written = write(result, skipped, make_folder(out), ahead, kinds)
     summary = summary_with_next(result, skipped, ahead)
     if as_json:
         print_json(summary)

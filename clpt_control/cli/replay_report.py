@@ -1,5 +1,6 @@
 """What `clpt replay` writes and prints: NetCDF and figures, a row per dive, the whole."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -8,22 +9,21 @@ import typer
 from .replay_ahead import Ahead
 from .replay_table import show_tables
 
-RESULTS = (
-    "replay.nc",
-    "replay.html",
-    "next.geojson",
-    "track.kml",
-    "map.png",
-    "clpe.png",
-    "current.png",
-)
+RESULTS = ("replay.nc", "replay.html", "next.geojson", "track.kml", "map.*", "clpe.*", "current.*")
 
 
-def write(result: Any, skipped: list, folder: Path, ahead: Ahead) -> list[Path]:
+def write(
+    result: Any,
+    skipped: list,
+    folder: Path,
+    ahead: Ahead,
+    kinds: Sequence[str],
+    again: bool = False,
+) -> list[Path]:
     """Write a replay's NetCDF, page, places and figures into a folder, all or none.
 
     The files are returned.  ``replay.nc`` is the first and is put in place last: where it is
-    new, the others are.
+    new, the others are.  The page loads itself `again` where it will be written anew.
     """
     from ..files import write_together
     from ..replay.dataset import carrying, replay_dataset
@@ -35,13 +35,15 @@ def write(result: Any, skipped: list, folder: Path, ahead: Ahead) -> list[Path]:
     found = summary_with_next(result, skipped, ahead)
     results: dict[str, Any] = {
         "replay.nc": carrying(replay_dataset(result, found["vehicle"], ahead=goal), found),
-        "replay.html": replay_page(found),
+        "replay.html": replay_page(found, again),
         "next.geojson": next_geojson(found),
         "track.kml": track_kml(found, found["vehicle"]),
-        **replay_figures(result, goal, found["aim"]),
     }
-    write_together({folder / name: results[name] for name in RESULTS})
-    return [folder / name for name in RESULTS]
+    for name, figure in replay_figures(result, goal, found["aim"]).items():
+        results |= {f"{name}.{kind}": figure for kind in kinds}
+    placed = {folder / name: one for name, one in results.items()}
+    write_together(placed)
+    return list(placed)
 
 
 def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> dict[str, Any]:

@@ -1,7 +1,7 @@
 """`clpt replay --follow`: a folder, watched for new files of dives."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -29,7 +29,13 @@ def check_pace(every: float, patience: float) -> None:
 
 
 def watch(
-    take: Take, folder: Path, out: Path, ahead: Ahead, every: float, patience: float
+    take: Take,
+    folder: Path,
+    out: Path,
+    ahead: Ahead,
+    kinds: Sequence[str],
+    every: float,
+    patience: float,
 ) -> tuple[Any, list]:
     """Replay all dives of a folder whenever a file arrives; return the last replay.
 
@@ -50,7 +56,7 @@ def watch(
                 if arrived or follower.here != before or found is None:
                     found = None
                     learned = take(*follower.dives())
-                    line = said_of(*learned, len(arrived), out, ahead)
+                    line = said_of(*learned, len(arrived), out, ahead, kinds)
                     found = learned  # from where the line is seen, an interrupt has its results
                     typer.echo(line, err=True)
                     if arrived:
@@ -66,7 +72,9 @@ def watch(
             return found
 
 
-def said_of(replay: Any, skipped: list, files: int, out: Path, ahead: Ahead) -> str:
+def said_of(
+    replay: Any, skipped: list, files: int, out: Path, ahead: Ahead, kinds: Sequence[str]
+) -> str:
     """Write a replay's results; return a line on the new files and the last dive."""
     from ..replay.sentences import aimed, when
     from ..replay.wording import place
@@ -75,7 +83,7 @@ def said_of(replay: Any, skipped: list, files: int, out: Path, ahead: Ahead) -> 
     line = f"{files} new file{'s'[: files != 1]}, {used} dive{'s'[: used != 1]} used"
     if not used:
         return line
-    write(replay, skipped, out, ahead)
+    write(replay, skipped, out, ahead, kinds, again=True)
     step, goal = replay.steps[-1], ahead.next_dive(replay).as_dict()
     legs = ahead.aims(replay)
     return (

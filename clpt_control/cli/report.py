@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from .printing import Json, print_json
+from .printing import Formats, Json, print_json
 
 
 def report(
@@ -25,6 +25,7 @@ def report(
         Path | None,
         typer.Option(metavar="FOLDER", help="Folder for the figures too, as SVG and PDF."),
     ] = None,
+    formats: Formats = None,
     as_json: Json = False,
 ) -> None:
     """Write a page to send: one HTML file that needs nothing else.
@@ -34,7 +35,7 @@ def report(
     """
     from ..pages import report as written
 
-    made = written(run, out, title, figures)
+    made = written(run, out, title, figures, formats or ("svg", "pdf"))
     if as_json:
         print_json(made)
         return

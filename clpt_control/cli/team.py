@@ -1,5 +1,6 @@
 """What `clpt run` and `clpt excitation` do with a team's file."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +14,9 @@ if TYPE_CHECKING:
 MOST_ROWS = 8  # vehicles in the table; --json has all
 
 
-def run_and_print(team: "Team", name: str, out: Path, folder: Path | None, as_json: bool) -> None:
+def run_and_print(
+    team: "Team", name: str, out: Path, folder: Path | None, kinds: Sequence[str], as_json: bool
+) -> None:
     """Run a team, write its file and figure, and print what it achieved."""
     from ..progress import progress_bar
     from ..simulation.run_file import save_run
@@ -24,10 +27,11 @@ def run_and_print(team: "Team", name: str, out: Path, folder: Path | None, as_js
     save_run(run, out)
     if folder is not None:
         from ..figures import figure_of
-        from ..files import write_figure
+        from ..files import write_together
         from ..simulation.team_plots import team_plot
 
-        write_figure(figure_of(team_plot, run), folder / "team.png")
+        figure = figure_of(team_plot, run)
+        write_together({folder / f"team.{kind}": figure for kind in kinds})
     if as_json:
         print_json(summary)
         return

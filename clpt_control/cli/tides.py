@@ -6,7 +6,7 @@ from typing import Annotated, Any
 import typer
 
 from .help_pages import TIDES, one_of
-from .printing import Json, print_json, print_table
+from .printing import Formats, Json, print_json, print_table
 
 
 def tides(
@@ -34,8 +34,9 @@ def tides(
         typer.Option(metavar="UNIT", help="Of u and v, such as m/s, where the file has none."),
     ] = None,
     out: Annotated[
-        Path | None, typer.Option(metavar="FOLDER", help="Folder for tides.nc and tides.png.")
+        Path | None, typer.Option(metavar="FOLDER", help="Folder for tides.nc and its figure.")
     ] = None,
+    formats: Formats = None,
     as_json: Json = False,
 ) -> None:
     """Fit tidal constituents to a current record.
@@ -46,8 +47,10 @@ def tides(
     from ..currents.tidal.analysis import fit_tides
     from ..currents.tidal.constants import tides_dataset, tides_report
     from ..currents.tidal.record import read_record
-    from ..files import make_folder, write_figure, write_netcdf
+    from ..figures import checked_formats, figure_of
+    from ..files import make_folder, write_together
 
+    kinds = checked_formats(formats or ["png"])
     measured = read_record(record, latitude, at, units)
     names = [name.strip() for name in constituents.split(",")]
     fit = fit_tides(
@@ -59,14 +62,15 @@ def tides(
         where=str(record),
     )
     report = {"source": measured.source, **tides_report(fit)}
-    written = []
+    written: list[Path] = []
     if out is not None:
         from ..currents.tidal.plots import tides_plot
-        from ..figures import figure_of
 
-        written = [make_folder(out) / "tides.nc", out / "tides.png"]
-        write_netcdf(tides_dataset(fit, measured), written[0])
-        write_figure(figure_of(tides_plot, fit, measured), written[1])
+        results: dict[Path, Any] = {make_folder(out) / "tides.nc": tides_dataset(fit, measured)}
+        figure = figure_of(tides_plot, fit, measured)
+        results |= {out / f"tides.{kind}": figure for kind in kinds}
+        write_together(results)
+        written = list(results)
     if as_json:
         print_json(report)
         return

@@ -156,5 +156,8 @@ function hours() {
 }
 hours();
 setInterval(hours, 60000);
+const again = document.querySelector("[data-again]");
+// A zoomed map is being read, and stays.
+if (again) setInterval(() => { if (view.w === W) location.reload(); }, 1000 * again.dataset.again);
 addEventListener("resize", draw);
 draw();

@@ -1,10 +1,12 @@
 """A page to send of anything that clpt writes: the file is asked what it is."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
 
 from ..arguments import public
 from ..errors import DataError
+from ..figures import checked_formats
 from ..files import check_writable, make_folder, write_together
 
 if TYPE_CHECKING:
@@ -14,7 +16,6 @@ if TYPE_CHECKING:
     from .page import Page
 
 ENDINGS = (".html", ".htm")
-VECTOR = ("svg", "pdf")
 
 
 @public
@@ -23,6 +24,7 @@ def report(
     file: str | Path,
     title: str | None = None,
     figures: str | Path | None = None,
+    formats: Sequence[str] = ("svg", "pdf"),
 ) -> dict[str, Any]:
     """Write a page to send: one HTML file that needs nothing else.
 
@@ -37,7 +39,9 @@ def report(
     title : str, optional
         In place of the scenario's.
     figures : str or Path, optional
-        Folder to write the figures to as well, as SVG and PDF.
+        Folder to write the figures to as well.
+    formats : sequence of str, optional
+        Of these figures: ``"svg"``, ``"pdf"``, ``"png"``.
 
     Returns
     -------
@@ -62,12 +66,12 @@ def report(
     """
     from .kinds import read
 
-    path = check_page(file)
+    path, kinds = check_page(file), checked_formats(formats)
     found: Any = read(Path(run)) if isinstance(run, str | Path) else run
     if hasattr(found, "steps") or isinstance(found, dict):
         return _replay(found, path, title, figures)
     folder = None if figures is None else make_folder(figures)
-    return _written(page_of(found, title), path, folder)
+    return _written(page_of(found, title), path, folder, kinds)
 
 
 def check_page(file: str | Path) -> Path:
@@ -104,7 +108,7 @@ def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
     return run_page(data, scenario_from_text(text, "the run's scenario", folder), title)
 
 
-def _written(page: "Page", path: Path, folder: Path | None) -> dict[str, Any]:
+def _written(page: "Page", path: Path, folder: Path | None, kinds: Sequence[str]) -> dict[str, Any]:
     """Write a page and its figures, all or none."""
     from .page import page_html
 
@@ -112,7 +116,7 @@ def _written(page: "Page", path: Path, folder: Path | None) -> dict[str, Any]:
     results: dict[Path, Any] = {path: text}
     if folder is not None:
         for one in page.figures():
-            results |= {folder / f"{one.name}.{kind}": one.figure for kind in VECTOR}
+            results |= {folder / f"{one.name}.{kind}": one.figure for kind in kinds}
     write_together(results)
     return {
         "file": str(path),

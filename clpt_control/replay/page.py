@@ -17,21 +17,25 @@ from .sentences import aimed, next_surfacing, remarks
 from .wording import compass, in_degrees, velocity
 
 ALARM = ' class="alarm"'
+AGAIN = 60  # s, until a page of a folder that is followed is loaded again
 PHONE, PAPER = 2, 6  # greatest rank of a column that a telephone shows, and a printed page
 
 
-def replay_page(found: dict[str, Any], again: float | None = None, title: str | None = None) -> str:
+def replay_page(found: dict[str, Any], again: bool = False, title: str | None = None) -> str:
     """Return the page of what `clpt replay --json` prints, with one dive at least.
 
-    A page that is written anew at each dive is loaded again each so many seconds.
+    A page that is written `again` at each dive is loaded again each minute.
     """
     vehicle = found["vehicle"]
-    head = "" if again is None else f'<meta http-equiv="refresh" content="{again:.0f}">\n'
+    head, mark = "", ""
+    if again:
+        head = f'<noscript><meta http-equiv="refresh" content="{AGAIN}"></noscript>\n'
+        mark = f' data-again="{AGAIN}"'
     lines = [next_surfacing(found["next_dive"]), *map(aimed, found["aim"])]
     body = "\n".join(
         [
             f"<h1>{safe(title or f'{vehicle}: where it comes up next')}</h1>",
-            f'<div class="cards">{"".join(_cards(found))}</div>',
+            f'<div class="cards"{mark}>{"".join(_cards(found))}</div>',
             paragraphs(lines),
             f'<div class="body"><div><div class="map">{replay_map(found)}',
             f'<div class="buttons"></div></div>{_keys(found)}',

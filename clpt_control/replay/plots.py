@@ -170,11 +170,11 @@ def replay_plot(replay: Source, *, ax: Any = None) -> Any:
 def replay_figures(
     replay: Replay, ahead: NextDive | None = None, legs: Sequence[dict[str, Any]] = ()
 ) -> "dict[str, Figure]":
-    """Draw all figures, by the names of their files; `legs` are as `Aim.as_dict` has them."""
+    """Draw all figures, by name; `legs` are as `Aim.as_dict` has them."""
     return {
-        "map.png": figure_of(map_plot, replay, ahead, legs),
-        "clpe.png": figure_of(dive_clpe_plot, replay),
-        "current.png": figure_of(current_plot, replay),
+        "map": figure_of(map_plot, replay, ahead, legs),
+        "clpe": figure_of(dive_clpe_plot, replay),
+        "current": figure_of(current_plot, replay),
     }
 
 
@@ -212,7 +212,7 @@ def save_replay_figures(replay: Replay, folder: Path, ahead: NextDive | None = N
     >>> [path.name for path in files]
     ['map.png', 'clpe.png', 'current.png']
     """
-    figures = {Path(folder) / name: f for name, f in replay_figures(replay, ahead).items()}
+    figures = {Path(folder) / f"{name}.png": f for name, f in replay_figures(replay, ahead).items()}
     write_together(figures)
     return list(figures)
 

@@ -3,6 +3,7 @@
 Nothing here integrates.
 """
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -11,7 +12,7 @@ import numpy as np
 from ..arguments import public
 from ..errors import ClptError, DataError
 from ..figures import BLUE, COLOURS, GREY, RED, STYLES, axes_for, figure_of, legend_below
-from ..files import write_figure
+from ..files import write_together
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_of_run
 
@@ -275,11 +276,14 @@ def run_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     return axes
 
 
-def save_figures(run: "xarray.Dataset", folder: Path) -> list[Path]:
+def save_figures(
+    run: "xarray.Dataset", folder: Path, kinds: Sequence[str] = ("png",)
+) -> list[Path]:
     """Write figure1.png to figure4.png: track, CLPE, horizontal and vertical learning."""
-    plots = ((track_plot,), (clpe_plot,), (learning_plot, 1), (learning_plot, 2))
-    figures = [figure_of(plot, run, *axis) for plot, *axis in plots]
-    paths = [Path(folder) / f"figure{number}.png" for number in (1, 2, 3, 4)]
-    for figure, path in zip(figures, paths, strict=True):
-        write_figure(figure, path)
-    return paths
+    plots: Any = ((track_plot,), (clpe_plot,), (learning_plot, 1), (learning_plot, 2))
+    results: dict[Path, Any] = {}
+    for number, (plot, *axis) in enumerate(plots, 1):
+        figure = figure_of(plot, run, *axis)
+        results |= {Path(folder) / f"figure{number}.{kind}": figure for kind in kinds}
+    write_together(results)
+    return list(results)

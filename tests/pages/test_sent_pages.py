@@ -263,6 +263,23 @@ def test_the_command_writes_page_and_figures(command, tmp_path):
     assert first == {path.name: path.read_bytes() for path in (tmp_path / "f").iterdir()}
 
 
+def test_figures_have_the_formats_that_are_asked_for(run, tmp_path):
+    words = ("--out", tmp_path / "p", "--format", "svg", "--format", "pdf", "--format", "svg")
+    with pytest.raises(ClptError, match="format 'gif': must be one of png, pdf, svg"):
+        clpt.report(run, tmp_path / "r.html", figures=tmp_path, formats=["gif"])
+    ran = CliRunner().invoke(application(), ["replay", "--sample", *map(str, words)])
+    assert ran.exit_code == 0
+    drawn = {path.name for path in (tmp_path / "p").iterdir() if "." in path.name}
+    assert {f"{n}.{k}" for n in ("map", "clpe", "current") for k in ("svg", "pdf")} <= drawn
+    assert not [name for name in drawn if name.endswith(".png")]
+    clpt.save_scenario(SHORT, tmp_path / "s.toml")
+    words = ("run", tmp_path / "s.toml", "--out", tmp_path / "r.nc", "--figures", tmp_path / "f")
+    ran = CliRunner().invoke(application(), [*map(str, words), "--format", "svg"])
+    assert ran.exit_code == 0
+    names = sorted(path.name for path in (tmp_path / "f").iterdir())
+    assert names == [f"figure{k}.svg" for k in (1, 2, 3, 4)]
+
+
 def test_what_cannot_be_read_is_one_sentence(run, command, tmp_path):
     clpt.save_run(run, tmp_path / "run.nc")
     whole = (tmp_path / "run.nc").read_bytes()

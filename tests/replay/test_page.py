@@ -55,6 +55,17 @@ def test_nothing_is_fetched():
     assert policy == f"default-src 'none'; style-src {hashes[0]}; script-src {hashes[1]}"
 
 
+def test_a_page_that_is_written_again_is_loaded_again():
+    replay = clpt.replay.replay_dives(fixes_of(3))
+    found = {**clpt.replay.summary(replay), "aim": []}
+    found["next_dive"] = clpt.replay.next_dive(replay).as_dict()
+    for again in (False, True):
+        tags = Reader(replay_page(found, again)).tags
+        told = [names for _, names in tags if names.get("http-equiv") == "refresh"]
+        assert told == [{"http-equiv": "refresh", "content": "60"}] * again
+        assert [names["data-again"] for _, names in tags if "data-again" in names] == ["60"] * again
+
+
 def test_sixty_dives_are_small():
     text = page_of(60)
     assert len(text.encode()) < 2_000_000
