@@ -7,6 +7,7 @@ interrupt leaves the old file or none.
 import os
 import re
 import shutil
+import sys
 import tempfile
 import warnings
 from collections.abc import Iterator, Mapping
@@ -154,12 +155,29 @@ def _put(result: Any, made: Path, path: Path) -> None:
         for name, values in result.variables.items()
     }
     try:
-        result.to_netcdf(made, engine="netcdf4", encoding=fill)
+        with _no_cluster():
+            result.to_netcdf(made, engine="netcdf4", encoding=fill)
     except (RuntimeError, PermissionError, UnicodeError) as error:  # of a full disk, too
         full = shutil.disk_usage(made.parent).free < 2**20
         reason = getattr(error, "strerror", None) or str(error)
         reason = "no space left" if full else f"{reason}; is there a limit on the size of files?"
         raise DataError(f"{path}: cannot be written: {reason}") from None
+
+
+@contextmanager
+def _no_cluster() -> Iterator[None]:
+    """Keep xarray from importing dask's cluster to see whether one writes too.
+
+    Where nobody has imported it, none does.
+    """
+    if "distributed" in sys.modules:
+        yield
+        return
+    sys.modules["distributed"] = None  # type: ignore[assignment]
+    try:
+        yield
+    finally:
+        del sys.modules["distributed"]
 
 
 def _has_nan(values: "xarray.Variable") -> bool:

@@ -25,7 +25,7 @@ from ..blocks.symbolic import in_sympy
 from ..errors import DiagramError
 from .code import code_of
 from .native_diagram import NativeDiagram
-from .printing import LANES
+from .program import LANES
 from .python_diagram import PythonDiagram
 from .sweep import Sweep
 

@@ -6,7 +6,6 @@ in between calls: at the time reached, and whether the end can be reached at all
 
 import time
 from collections.abc import Callable
-from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -23,14 +22,14 @@ MEMBER_STEPS = 5_000_000  # tries of a run among many
 class Callee(NamedTuple):
     """What the solver calls, and how much room its arrays need."""
 
-    solver: ModuleType  # as it stands, or compiled
+    solver: Any  # the module as it stands, or compiled
     functions: Any  # in the solver's order: functions, or their addresses
     lanes: int  # runs that are taken at once
     nstates: int
     room: int  # length of W
     tables: np.ndarray  # T
-    guarded: bool  # whether guards are watched
-    jumping: bool  # whether states jump
+    guarded: int  # 1 if guards are watched
+    jumping: int  # 1 if states jump
     code: tuple = ()  # what must live for as long as addresses are used
 
 
@@ -52,12 +51,13 @@ class Batch:
         schedules: list[Schedule],
         group: np.ndarray | None = None,
     ):
-        self.callee, self.times = callee, times
+        self.callee, self.times = callee, np.ascontiguousarray(times)
         m, n = starts.shape
         lanes, size = callee.lanes, parameters.shape[1]
         self.shape = (lanes, n, size)
         group = np.zeros(m, dtype=np.int64) if group is None else group
-        self.runs = (np.ascontiguousarray(starts), np.ascontiguousarray(parameters), group)
+        own = (starts, parameters, group)
+        self.runs = tuple(map(np.ascontiguousarray, own))
         self.schedule = _together(schedules)
         self.out = np.full((m, len(times), n), np.nan)
         self.status, self.reached = (np.zeros(m, dtype=np.int64) for _ in range(2))

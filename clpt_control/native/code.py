@@ -7,8 +7,6 @@ twice is found; larger ones keep their loops.
 from functools import lru_cache
 from typing import NamedTuple
 
-from numba.core.compiler_lock import global_compiler_lock
-
 from ..blocks import Block
 from ..blocks.tracers import TooLong
 from ..diagrams.wiring import Wiring
@@ -19,6 +17,7 @@ from .layout import Layout, Sources
 from .looped import looped_program
 from .loops import LEAST
 from .machine import Machine
+from .object_code import one_at_a_time
 from .program import Item, Loop, Program
 from .unrolled import unrolled_program
 
@@ -51,7 +50,7 @@ class Code:
             self._make(name, lanes)
         return self._machines[name, lanes].addresses[name]
 
-    @global_compiler_lock
+    @one_at_a_time
     def _make(self, name: str, lanes: int) -> None:
         if (name, lanes) not in self._machines:  # another thread may have been first
             apart = name in ("margin", "jump")  # only some diagrams need them
@@ -104,7 +103,7 @@ class _Hidden:
 
 
 @lru_cache(maxsize=64)
-@global_compiler_lock  # threads that ask at once are given the same code
+@one_at_a_time  # threads that ask at once are given the same code
 @lru_cache(maxsize=64)
 def _code(structure: Structure, form: str | None, least: int, hidden: _Hidden) -> Code:
     sources = hidden.sources
@@ -131,7 +130,7 @@ def count(items: tuple[Item, ...]) -> int:
 
 
 @lru_cache(maxsize=16)
-@global_compiler_lock
+@one_at_a_time
 @lru_cache(maxsize=16)
 def kernels(n: int, lanes: int) -> Machine:
     """Return the formulas of the method for n states as machine code."""

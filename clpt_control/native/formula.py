@@ -91,7 +91,7 @@ def on_rows(formula: Formula, n: int) -> Callable:
     def apply(
         numbers: Any, Z: np.ndarray, at: int, P: Any, T: Any, W: Any, D: Any, to: int
     ) -> None:
-        rows_of_Z = Z.reshape(-1, n)
+        numbers, rows_of_Z = numbers.reshape(-1), Z.reshape(-1, n)
         summed: Sequence[Any] = ()
         with np.errstate(all="ignore"):
             if formula.each is not None:

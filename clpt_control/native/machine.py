@@ -1,14 +1,16 @@
-"""Machine code in memory, made by LLVM for this processor."""
+"""Machine code of programs, made by LLVM for this processor or found in the user's cache."""
 
 from functools import cache
+from importlib.metadata import version
+from pathlib import Path
 from typing import Any
 
 import llvmlite.binding as llvm
-from numba.core.compiler_lock import global_compiler_lock
 
-from .printing import print_module
-from .processor import processor
+from .object_code import keep, kept, loaded, name_of, one_at_a_time, target_machine
 from .program import Item
+
+PRINTED_BY = ("printing", "elementary", "vectors", "exponentials", "circular", "optimise")
 
 
 class Machine:
@@ -17,33 +19,38 @@ class Machine:
     `addresses` says where the code of each lies, for as long as this object lives.
     """
 
-    @global_compiler_lock  # LLVM is not made for threads
+    @one_at_a_time
     def __init__(
         self, functions: dict[str, tuple[Item, ...]], constants: tuple[float, ...], lanes: int
     ):
-        module = print_module(functions, constants, lanes)
-        machine = _target_machine()
-        module.triple, module.data_layout = machine.triple, str(machine.target_data)
-        parsed = llvm.parse_assembly(str(module))
-        options = llvm.create_pipeline_tuning_options(speed_level=3)
-        # vectors are printed as such
-        options.loop_vectorization = options.slp_vectorization = False
-        options.loop_unrolling = options.loop_interleaving = False
-        passes = llvm.create_pass_builder(machine, options)
-        passes.getModulePassManager().run(parsed, passes)
-        self._engine: Any = llvm.create_mcjit_compiler(parsed, machine)
-        self._engine.finalize_object()
+        name = name_of(repr((functions, constants, lanes)), *_printed_by())
+        code = kept(name)
+        if code is None:
+            from .printing import print_module
+
+            code = _optimised(str(print_module(functions, constants, lanes)))
+            keep(name, code)
+        self._engine: Any = loaded(code)
         self.addresses = {name: self._engine.get_function_address(name) for name in functions}
 
 
 @cache
-def _prepare() -> None:
-    llvm.initialize_native_target()
-    llvm.initialize_native_asmprinter()
+def _printed_by() -> list[str]:
+    """Return what LLVM's text of a program depends on beside the program."""
+    files = (*PRINTED_BY, "program", "machine")
+    texts = [Path(__file__).with_name(f"{name}.py").read_text("utf-8") for name in files]
+    return [*texts, version("numpy")]
 
 
-def _target_machine() -> Any:
-    _prepare()
-    name, features = processor()
-    target = llvm.Target.from_default_triple()
-    return target.create_target_machine(cpu=name, features=features, opt=3, jit=True)
+def _optimised(text: str) -> bytes:
+    """Return the object code of LLVM's text."""
+    machine = target_machine()
+    parsed = llvm.parse_assembly(text)
+    parsed.triple, parsed.data_layout = machine.triple, str(machine.target_data)
+    options = llvm.create_pipeline_tuning_options(speed_level=3)
+    # vectors are printed as such
+    options.loop_vectorization = options.slp_vectorization = False
+    options.loop_unrolling = options.loop_interleaving = False
+    passes = llvm.create_pass_builder(machine, options)
+    passes.getModulePassManager().run(parsed, passes)
+    return bytes(machine.emit_object(parsed))

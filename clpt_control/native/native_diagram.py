@@ -13,8 +13,8 @@ from .batch import Callee
 from .code import code_of, kernels
 from .inputs import Inputs
 from .layout import lay_out
-from .printing import LANES
 from .processor import fuses
+from .program import LANES
 from .python_diagram import PythonDiagram
 from .schedule import Schedule, make_schedule, with_inputs
 from .solver_cache import compiled_solver
@@ -86,7 +86,7 @@ class NativeDiagram(PythonDiagram):
 
     def callee(self, lanes: int = 1, inputs: Inputs | None = None) -> Callee:
         """Return what the solver calls."""
-        guarded, jumping, n = self.sweep.guarded, bool(self.layout.jumps), self.nstates
+        guarded, jumping, n = int(self.sweep.guarded), int(bool(self.layout.jumps)), self.nstates
         unused = {"margin": not guarded, "jump": not jumping}
         own = [0 if unused.get(name) else self.code.address(name, lanes) for name in FUNCTIONS]
         formulas = kernels(n, lanes) if n else None

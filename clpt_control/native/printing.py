@@ -18,7 +18,6 @@ from .program import Item, Load, Loop, Step, Steps, Store
 from .vectors import DOUBLE, INT32, WORD, Kind, Mask, Number, round_to_zero, select
 
 ARRAYS = ("t", "X", "P", "T", "W", "D")
-LANES = 8
 APART = LONG | {"mod", "floordiv"}  # printed once a module, and called
 
 

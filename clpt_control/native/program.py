@@ -11,6 +11,7 @@ room), D (what is computed).  Places within a loop are affine in its turns:
 from typing import Any, NamedTuple
 
 CONDITIONS = ("lt", "le", "gt", "ge", "and", "or", "not")  # whose values are yes or no
+LANES = 8  # runs side by side
 Ref = int | float  # a value by its number, or a constant
 Steps = tuple[tuple[int, int], ...]  # (level of a loop, step)
 

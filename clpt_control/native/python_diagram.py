@@ -75,7 +75,7 @@ class PythonDiagram:
 
         formulas = [on_rows(f, n) for f in method.formulas(n).values()] if n else []
         functions = [derivative, prepare, margin, signals, jump, *formulas]
-        guarded, jumping = sweep.guarded, bool(self._jumps)
+        guarded, jumping = int(sweep.guarded), int(bool(self._jumps))
         return Callee(solver, functions, 1, n, self.nsignals, np.zeros(0), guarded, jumping)
 
     # --- runs -----------------------------------------------------------------------------
@@ -224,12 +224,13 @@ class PythonDiagram:
         states = np.append(x.ravel(), 0.0)
         callee.solver.signals_at(
             callee.functions,
-            times,
+            np.ascontiguousarray(times),
             states,
             self.nstates,
             number,
             pieces.places,
             pieces.values,
+            np.zeros(1),
             P,
             np.append(callee.tables, 0.0),
             W,

@@ -25,8 +25,6 @@ Number i of row r of Z in lane k lies at (r n + i) lanes + k.
 
 import math
 
-import numpy as np
-
 RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT, TOO_MANY = range(6)  # how a run ended
 # rows of Z: the state, rates of stages 0 to 15, argument of a stage, terms between samples
 STATE, RATE, ARGUMENT, TERMS, ROWS = 0, 1, 17, 18, 25
@@ -72,7 +70,6 @@ def advance(
     (_, status, reached, counts), (numbers, whole, queue) = results, lane
     Z, P, T, W, D = arrays
     span, now, at = n * lanes, numbers[TIME], numbers[AT]
-    flat = numbers.reshape(-1)
     active = start(shape, runs, schedule, times, results, lane, Z, P)
     while active > 0 and budget > 0:
         budget -= 1
@@ -82,16 +79,16 @@ def advance(
             call(code[DERIVATIVE], now, Z, 0, P, T, W, Z, (RATE + 1) * span)
             if guarded:
                 call(code[MARGIN], now, Z, 0, P, T, W, D, 0)
-            call(code[SIZES], flat, Z, 0, P, tolerances, W, D, 0)
-            call(code[TRIAL], flat, Z, 0, P, T, W, D, 0)
+            call(code[SIZES], numbers, Z, 0, P, tolerances, W, D, 0)
+            call(code[TRIAL], numbers, Z, 0, P, T, W, D, 0)
             call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + 2) * span)
-            call(code[FIRST], flat, Z, 0, P, tolerances, W, D, 0)
+            call(code[FIRST], numbers, Z, 0, P, tolerances, W, D, 0)
             begin(lanes, results, lane, D, guarded)
-        call(code[ATTEMPT], flat, Z, 0, P, T, W, D, 0)
+        call(code[ATTEMPT], numbers, Z, 0, P, T, W, D, 0)
         for s in range(1, STAGES + 1):
-            call(code[STAGE + s], flat, Z, 0, P, T, W, D, 0)
+            call(code[STAGE + s], numbers, Z, 0, P, T, W, D, 0)
             call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + s) * span)
-        call(code[JUDGE], flat, Z, 0, P, tolerances, W, D, 0)
+        call(code[JUDGE], numbers, Z, 0, P, tolerances, W, D, 0)
         wanted = False
         for k in range(lanes):
             m, done = whole[MEMBER, k], whole[DONE, k]
@@ -107,14 +104,14 @@ def advance(
                         wanted = True
         if wanted or guarded:
             for s in range(STAGES + 1, STAGES + 4):
-                call(code[STAGE + s], flat, Z, 0, P, T, W, D, 0)
+                call(code[STAGE + s], numbers, Z, 0, P, T, W, D, 0)
                 call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + s) * span)
-            call(code[STAGE + STAGES], flat, Z, 0, P, T, W, D, 0)
-            call(code[DENSE], flat, Z, 0, P, T, W, D, 0)
+            call(code[STAGE + STAGES], numbers, Z, 0, P, T, W, D, 0)
+            call(code[DENSE], numbers, Z, 0, P, T, W, D, 0)
             if guarded:
                 watch(code, shape, results, lane, arrays)
             sample(shape, times, results, lane, Z)
-        call(code[ACCEPT], flat, Z, 0, P, T, W, D, 0)
+        call(code[ACCEPT], numbers, Z, 0, P, T, W, D, 0)
         if jumping:
             leap(code, shape, runs, schedule, times, results, lane, arrays, guarded)
         for k in range(lanes):
@@ -382,7 +379,7 @@ def march(code, shape, first, h, steps, results, lane, arrays, guarded):
     lanes, n, _ = shape
     (_, status, _, counts), (numbers, whole, _) = results, lane
     Z, P, T, W, D = arrays
-    span, now, at, flat = n * lanes, numbers[TIME], numbers[AT], numbers.reshape(-1)
+    span, now, at = n * lanes, numbers[TIME], numbers[AT]
     numbers[TAKEN, :] = h
     active = 0
     for number in range(steps):
@@ -391,9 +388,9 @@ def march(code, shape, first, h, steps, results, lane, arrays, guarded):
             Z[TERMS * span + i] = Z[i]
         call(code[DERIVATIVE], now, Z, 0, P, T, W, Z, RATE * span)
         for s in range(1, 4):
-            call(code[FIXED + s], flat, Z, 0, P, T, W, D, 0)
+            call(code[FIXED + s], numbers, Z, 0, P, T, W, D, 0)
             call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + s) * span)
-        call(code[FIXED + 4], flat, Z, 0, P, T, W, D, 0)
+        call(code[FIXED + 4], numbers, Z, 0, P, T, W, D, 0)
         if guarded:
             call(code[MARGIN], at, Z, 0, P, T, W, D, 0)
         active = 0
@@ -431,9 +428,9 @@ def keep(shape, done, results, whole, Z):
             reached[m] = done + 1
 
 
-def signals_at(code, times, states, n, pieces, places, values, P, T, W, out):
-    """Write all signals at times; `states` holds n numbers for each."""
-    t, piece = np.zeros(1), -1
+def signals_at(code, times, states, n, pieces, places, values, t, P, T, W, out):
+    """Write all signals at times; `states` holds n numbers for each, `t` is room for one time."""
+    piece = -1
     for k in range(len(times)):
         t[0] = times[k]
         if pieces[k] != piece:

@@ -1,17 +1,16 @@
 """The solver as machine code, compiled once by Numba and kept in the user's cache.
 
-The text that is compiled is `solver.py` itself, copied into a folder named by a hash
-of what is compiled, the versions and the processor, so that what lies there
-is never stale; Numba keeps the machine code beside it.  Diagrams are not kept: LLVM
-prints them in a few hundredths of a second.
+Numba makes LLVM's text of `solver.py` itself; what it makes is kept as object code, named by a
+hash of the text, the versions and the processor.  Where it is kept, Numba is not even imported.
+
+A function is called as Numba lays down: where its result and an error go, then the numbers of its
+arguments one by one; of an array these are two references that it does not own, count, size of
+an item, address, shape and strides.
 """
 
-import hashlib
-import os
-import pickletools
-import shutil
 import sys
-from contextlib import suppress
+from collections.abc import Iterator
+from ctypes import CFUNCTYPE, byref, c_double, c_int32, c_int64, c_void_p
 from functools import cache
 from importlib import util
 from importlib.metadata import version
@@ -19,118 +18,154 @@ from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any
 
-from ..errors import DataError
-from ..files import beside
-from ..files.user_cache import cache_folder, trusted
-from ..progress import note
-from .processor import processor
+import numpy as np
 
-KEPT = 4  # compiled solvers of other versions that stay
-OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy"}
-ENTRIES = ("advance", "advance_fixed", "signals_at", "between")  # what is called from Python
+from ..errors import Uncompiled
+from ..files.user_cache import cache_folder
+from ..progress import note
+from . import solver
+from .object_code import keep, kept, loaded, name_of, one_at_a_time, target_machine
+
+OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy", "_nrt": False}
+ENTRIES = ("advance", "advance_fixed", "signals_at")  # what is called from Python
 USUAL = ("advance", "signals_at")  # what every run calls
 # the rest is put in where it is called
-APART = (*ENTRIES[:3], "watch", "take", "sample", "leap", "keep")
+APART = (*ENTRIES, "watch", "take", "sample", "leap", "keep")
+ENTRY = "entry"  # the name of each in its own object code
 
 
-def compiled_solver() -> ModuleType:
-    """Return the solver's module with its functions compiled."""
-    from numba.core.compiler_lock import global_compiler_lock
+class Entry:
+    """A function of the solver as machine code, to be called with numbers and arrays."""
 
-    with global_compiler_lock:
-        return _compiled()
+    def __init__(self, name: str):
+        self.name = name
+        self._engine: Any = None
+        self._function: Any = None
+
+    def __call__(self, *arguments: Any) -> int:
+        """Call it; arrays are contiguous, of float64 or int64."""
+        if self._function is None:
+            self._load(arguments)
+        result, error = c_int64(), c_void_p()
+        status = self._function(byref(result), byref(error), *numbers(arguments))
+        if status:
+            raise RuntimeError(f"{self.name}: machine code ended with {status}")
+        return result.value
+
+    @property
+    def ready(self) -> bool:
+        """Whether it need not be compiled."""
+        return self._function is not None or kept(_named(self.name)) is not None
+
+    @one_at_a_time
+    def _load(self, arguments: tuple) -> None:
+        if self._function is not None:  # another thread may have been first
+            return
+        name = _named(self.name)
+        code = kept(name)
+        if code is None:
+            _say()
+            code = _compiled(self.name, arguments)
+            keep(name, code)
+        self._engine = loaded(code)
+        types = [c_double if type(one) is float else c_int64 for one in numbers(arguments)]
+        address = self._engine.get_function_address(ENTRY)
+        self._function = CFUNCTYPE(c_int32, c_void_p, c_void_p, *types)(address)
+
+
+def numbers(value: Any) -> Iterator[Any]:
+    """Yield the numbers that stand for an argument, or for several."""
+    if isinstance(value, tuple):
+        for one in value:
+            yield from numbers(one)
+    elif isinstance(value, np.ndarray):
+        if not value.flags.c_contiguous or value.dtype not in (np.float64, np.int64):
+            raise TypeError(f"the solver takes no array of {value.dtype}, {value.strides}")
+        yield from (0, 0, value.size, value.itemsize, value.ctypes.data)
+        yield from value.shape
+        yield from value.strides
+    else:
+        yield value
+
+
+class CompiledSolver:
+    """The functions of `solver` that are called from Python, as machine code."""
+
+    def __init__(self) -> None:
+        self.advance, self.advance_fixed, self.signals_at = map(Entry, ENTRIES)
 
 
 @cache
-def _compiled() -> ModuleType:
-    from . import solver as text
+def compiled_solver() -> CompiledSolver:
+    """Return the solver as machine code, each function compiled or loaded when first called."""
+    return CompiledSolver()
 
-    folder = cache_folder()
-    if not ready():
-        lasts = "there is no folder to keep it in" if folder is None else "later runs start at once"
-        note(f"compiling once for every kind of diagram, some ten seconds; {lasts}")
-    place = None if folder is None else _place(folder, Path(text.__file__))
-    spec = util.spec_from_file_location("clpt_control_solver", place or text.__file__)
+
+def ready() -> bool:
+    """Whether the solver need not be compiled: it is in memory, or in the cache."""
+    return all(getattr(compiled_solver(), name).ready for name in USUAL)
+
+
+@cache
+def _say() -> None:
+    lasts = "later runs start at once"
+    if cache_folder() is None:
+        lasts = "there is no folder to keep it in"
+    note(f"compiling once for every kind of diagram, some ten seconds; {lasts}")
+
+
+def _named(name: str) -> str:
+    """Return the name of a function's code in the cache."""
+    return name_of(name, *_texts(), *map(version, ("numba", "numpy")), sys.version)
+
+
+@cache
+def _texts() -> list[str]:
+    files = ("solver", "address_call", "solver_cache")
+    return [Path(__file__).with_name(f"{name}.py").read_text("utf-8") for name in files]
+
+
+def _compiled(name: str, arguments: tuple) -> bytes:
+    """Return the object code of a function of the solver, as it is called with such arguments."""
+    import llvmlite.binding as llvm
+    from numba import typeof
+    from numba.core.compiler_lock import global_compiler_lock
+
+    with global_compiler_lock:
+        function = getattr(_numba_solver(), name)
+        types = tuple(map(typeof, arguments))
+        function.compile(types)
+        own = function.overloads[types].fndesc.mangled_name
+        parsed = llvm.parse_assembly(function.inspect_llvm(types))
+    for one in (*parsed.functions, *parsed.global_variables):
+        if not one.is_declaration:
+            one.linkage = "internal"
+    entry = parsed.get_function(own)
+    entry.linkage, entry.name = "external", ENTRY
+    machine = target_machine()
+    options = llvm.create_pipeline_tuning_options(speed_level=1)  # to drop what is not called
+    passes = llvm.create_pass_builder(machine, options)
+    passes.getModulePassManager().run(parsed, passes)
+    asked = [one.name for one in parsed.functions if one.is_declaration]
+    if unknown := [one for one in asked if not one.startswith(("llvm.", "mem"))]:
+        raise Uncompiled(f"this version of Numba calls {unknown[0]} in the solver")
+    return bytes(machine.emit_object(parsed))
+
+
+@cache
+def _numba_solver() -> ModuleType:
+    """Return the solver's module with its functions for Numba to compile."""
+    from numba import njit
+    from numba.extending import overload
+
+    from .address_call import call_address
+
+    spec = util.spec_from_file_location("clpt_control_solver", solver.__file__)
     assert spec is not None
     assert spec.loader is not None
     module = util.module_from_spec(spec)
     sys.modules[spec.name] = module
     spec.loader.exec_module(module)
-    _compile(module, place is not None)
-    return module
-
-
-def ready() -> bool:
-    """Whether the solver need not be compiled: it is in memory, or in the cache."""
-    if _compiled.cache_info().currsize:
-        return True
-    folder = cache_folder()
-    if folder is None:
-        return False
-    files = folder / f"solver-{_key()}" / "__pycache__"
-    return all(any(files.glob(f"solver.{name}-*.nbc")) for name in USUAL)
-
-
-def _place(folder: Path, text: Path) -> Path | None:
-    """Return the solver's text in the folder of this code and machine."""
-    own = folder / f"solver-{_key()}"
-    path = own / "solver.py"
-    try:
-        if path.exists() and trusted(own) and not _whole(own):
-            shutil.rmtree(own)
-        if not path.exists():
-            with suppress(DataError), beside(own, folder=True) as made:
-                shutil.copyfile(text, made / "solver.py")  # another process may be first
-            _forget(folder, own)
-        os.utime(own)
-        return path if trusted(own) and path.read_bytes() == text.read_bytes() else None
-    except OSError:
-        return None
-
-
-def _whole(own: Path) -> bool:
-    """Whether Numba's files can be read to their ends; after a full disk they cannot."""
-    for file in own.glob("__pycache__/*.nb[ci]"):
-        try:
-            with file.open("rb") as data:
-                for _ in range(2 if file.suffix == ".nbi" else 1):  # .nbi: a version, an index
-                    for _ in pickletools.genops(data):  # read, not run
-                        pass
-        except FileNotFoundError:  # another process is at it
-            continue
-        except ValueError:
-            return False
-    return True
-
-
-def _forget(folder: Path, own: Path) -> None:
-    """Remove all but the newest of what other versions left."""
-    others = [one for one in folder.glob("solver-*") if one != own and one.is_dir()]
-    others.sort(key=lambda one: one.stat().st_mtime, reverse=True)
-    for one in others[KEPT:]:
-        shutil.rmtree(one, ignore_errors=True)
-
-
-def _key() -> str:
-    """Return a name for the files that are compiled, the versions and the processor."""
-    import llvmlite.binding as llvm
-
-    files = (
-        Path(__file__).with_name(f"{name}.py")
-        for name in ("solver", "address_call", "solver_cache")
-    )
-    made_of = [file.read_text("utf-8") for file in files]
-    made_of += [version(name) for name in ("numba", "llvmlite", "numpy")]
-    made_of += [os.environ.get("NUMBA_OPT", ""), llvm.get_default_triple()]
-    made_of += [sys.version, *processor()]
-    return hashlib.sha256("\n".join(made_of).encode()).hexdigest()[:24]
-
-
-def _compile(module: ModuleType, kept: bool) -> None:
-    from numba import njit
-    from numba.extending import overload
-
-    from .address_call import call_address
 
     @overload(module.call, inline="always")
     def _(function, t, X, first, P, T, W, D, to):
@@ -142,6 +177,5 @@ def _compile(module: ModuleType, kept: bool) -> None:
     for name, function in list(vars(module).items()):
         if isinstance(function, FunctionType) and function is not module.call:
             compiled = njit(function, forceinline=name not in APART, **OPTIONS)
-            if kept and name in ENTRIES:
-                compiled.enable_caching()
             setattr(module, name, compiled)
+    return module

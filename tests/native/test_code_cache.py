@@ -1,19 +1,17 @@
 """The cache of compiled code: whose it is, how much it holds, and what goes on without it."""
 
-import inspect
 import os
-import pickle
 import subprocess
 import sys
-from pathlib import Path
 
+import numpy as np
 import pytest
 
 from clpt_control.files.user_cache import FOLDER, cache_folder, trusted
-from clpt_control.native import solver, solver_cache
-from clpt_control.native.solver_cache import KEPT
-
-TEXT = Path(solver.__file__)
+from clpt_control.native import object_code, solver_cache
+from clpt_control.native.machine import Machine
+from clpt_control.native.object_code import keep, kept, name_of
+from clpt_control.native.program import Step, Store
 
 
 @pytest.fixture
@@ -68,66 +66,67 @@ def test_the_users_own_folder_comes_from_home(monkeypatch, tmp_path):
     assert cache_folder() is None
 
 
-def test_the_text_lies_beside_its_code_and_is_checked(folder):
-    place = solver_cache._place(cache_folder(), TEXT)
-    assert place.read_bytes() == TEXT.read_bytes()
-    assert place.parent.stat().st_mode & 0o022 == 0
-    assert solver_cache._place(folder, TEXT) == place
+def test_code_comes_back_whole_or_not_at_all(folder):
+    keep("some", b"0123456789")
+    assert kept("some") == b"0123456789"
+    assert kept("other") is None
+    path = folder / "code" / "some.o"
+    whole = path.read_bytes()
+    for damaged in (whole[:-4], b"", whole[:20], b"9" + whole[1:]):  # as after a full disk
+        path.write_bytes(damaged)
+        assert kept("some") is None
+    path.write_bytes(whole)
     if hasattr(os, "getuid"):
-        place.parent.chmod(0o777)
-        assert solver_cache._place(folder, TEXT) is None
-        place.parent.chmod(0o700)
-    place.write_text("print('not ours')\n")
-    assert solver_cache._place(folder, TEXT) is None
+        for place in (path, path.parent):
+            mode = place.stat().st_mode & 0o777
+            place.chmod(0o777)
+            assert kept("some") is None
+            place.chmod(mode)
+    assert kept("some") == b"0123456789"
 
 
-def test_files_cut_short_are_made_again(folder):
-    place = solver_cache._place(cache_folder(), TEXT)
-    kept = place.parent / "__pycache__"
-    kept.mkdir()
-    index, code = kept / "solver.advance-1.nbi", kept / "solver.advance-1.1.nbc"
-    index.write_bytes(pickle.dumps("0.60") + pickle.dumps(("stamp", {})))
-    code.write_bytes(pickle.dumps(("code", b"0123456789")))
-    assert solver_cache._place(folder, TEXT) == place
-    assert code.exists()
-    for file, whole in ((index, index.read_bytes()), (code, code.read_bytes())):
-        file.write_bytes(whole[:-4])
-        assert solver_cache._place(folder, TEXT) == place
-        assert not kept.exists()
-        kept.mkdir()
-
-
-def test_few_of_other_versions_stay(folder):
-    cache_folder()
-    for k in range(KEPT + 3):
-        (folder / f"solver-{k}").mkdir()
-        os.utime(folder / f"solver-{k}", (1000 + k, 1000 + k))
-    place = solver_cache._place(folder, TEXT)
-    left = {one.name for one in folder.iterdir()}
-    assert left == {place.parent.name, *(f"solver-{k}" for k in range(3, KEPT + 3))}
+def test_few_files_stay(folder, monkeypatch):
+    monkeypatch.setattr(object_code, "KEPT", 3)
+    for k in range(5):
+        keep(f"code-{k}", b"")
+        os.utime(folder / "code" / f"code-{k}.o", (1000 + k, 1000 + k))
+        assert kept("code-0") == b""  # used, so it stays
+    assert {one.stem for one in (folder / "code").iterdir()} == {"code-0", "code-3", "code-4"}
 
 
 def test_nothing_can_be_kept_and_the_work_goes_on(monkeypatch):
-    monkeypatch.setattr(solver_cache, "cache_folder", lambda: None)
-    kept = []
-    monkeypatch.setattr(solver_cache, "_compile", lambda module, keep: kept.append(keep))
-    monkeypatch.setitem(sys.modules, "clpt_control_solver", None)
-    module = inspect.unwrap(solver_cache._compiled)()
-    assert kept == [False]
-    assert Path(module.__file__) == TEXT
+    monkeypatch.setattr(object_code, "cache_folder", lambda: None)
+    keep("some", b"0123456789")
+    assert kept("some") is None
+    functions = {"nothing": (Step(0, "add", (1.0, 2.0)), Store("D", 0, (), 0))}
+    assert Machine(functions, (), 1).addresses["nothing"]
 
 
-def test_the_key_changes_with_what_is_compiled(monkeypatch):
-    first = solver_cache._key()
-    assert solver_cache._key() == first
-    monkeypatch.setattr(solver_cache, "processor", lambda: ("another", "+fma"))
-    assert solver_cache._key() != first
+def test_the_name_changes_with_what_is_compiled(monkeypatch):
+    names = {name_of("text"), name_of("another"), solver_cache._named("advance")}
+    monkeypatch.setattr(object_code, "processor", lambda: ("another", "+fma"))
+    names |= {name_of("text"), solver_cache._named("advance")}
+    monkeypatch.setattr(solver_cache, "version", lambda name: "9")
+    names.add(solver_cache._named("advance"))
+    monkeypatch.setattr(solver_cache, "_texts", lambda: ["another"])
+    names |= {solver_cache._named("advance"), solver_cache._named("signals_at")}
+    assert len(names) == 8
+
+
+def test_numbers_of_arrays_are_those_that_the_solver_takes():
+    table = np.zeros((3, 2))
+    found = list(solver_cache.numbers((1, 2.5, (table,))))
+    assert found == [1, 2.5, 0, 0, 6, 8, table.ctypes.data, 3, 2, 16, 8]
+    for wrong in (table[:, :1], table.astype(np.float32)):
+        with pytest.raises(TypeError, match="the solver takes no array"):
+            list(solver_cache.numbers(wrong))
 
 
 RUN = """
 import clpt_control as clpt
 scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-print(clpt.simulate(scenario, engine="native").attrs["status"])
+import sys
+print(clpt.simulate(scenario, engine="native").attrs["status"], "numba" in sys.modules)
 """
 
 
@@ -139,13 +138,12 @@ def test_two_processes_fill_it_at_once(folder):
         try:
             for work in (one, other):
                 out, error = work.communicate(timeout=300)
-                assert (work.returncode, out) == (0, "finished\n"), error
+                assert (work.returncode, out) == (0, "finished True\n"), error
         finally:
             one.kill()
             other.kill()
-    (own,) = folder.iterdir()
-    kept = {path: path.stat().st_mtime_ns for path in own.rglob("*.nbc")}
-    assert kept
+    files = set((folder / "code").iterdir())
+    assert len(files) >= 4  # two functions of the solver, the formulas, the diagram
     again = subprocess.run([sys.executable, "-c", RUN], capture_output=True, text=True)
-    assert (again.returncode, again.stdout) == (0, "finished\n"), again.stderr
-    assert {path: path.stat().st_mtime_ns for path in own.rglob("*.nbc")} == kept
+    assert (again.returncode, again.stdout, again.stderr) == (0, "finished False\n", "")
+    assert set((folder / "code").iterdir()) == files

@@ -1,6 +1,5 @@
 """Runs before the solver is compiled: in Python where they are short, and what is said."""
 
-import inspect
 import os
 import subprocess
 import sys
@@ -139,14 +138,20 @@ def test_what_cannot_be_compiled_goes_on_in_python(monkeypatch):
 
 
 def test_the_line_is_said_once_where_nothing_is_kept(monkeypatch, capsys):
-    monkeypatch.setattr(solver_cache, "cache_folder", lambda: None)
-    monkeypatch.setattr(solver_cache, "_compile", lambda module, keep: None)
-    monkeypatch.setitem(sys.modules, "clpt_control_solver", None)
-    monkeypatch.setattr(solver_cache, "ready", lambda: False)
-    inspect.unwrap(solver_cache._compiled)()
+    monkeypatch.setattr(solver_cache, "kept", lambda name: None)
+    monkeypatch.setattr(solver_cache, "keep", lambda name, code: None)
+    monkeypatch.setattr(solver_cache, "loaded", lambda code: None)
+    monkeypatch.setattr(solver_cache, "_compiled", lambda name, arguments: b"")
+    solver_cache._say.cache_clear()
+    for name in ("advance", "signals_at"):
+        entry = solver_cache.Entry(name)
+        assert not entry.ready
+        with pytest.raises(AttributeError):  # there is nothing to be loaded
+            entry(1)
     said = capsys.readouterr()
     assert said.out == ""
     assert said.err.startswith("clpt: compiling once for every kind of diagram")
+    assert said.err.count("\n") == 1
 
 
 FRESH = """
@@ -164,4 +169,4 @@ def test_a_new_user_waits_for_no_compiler(tmp_path):
         [sys.executable, "-c", FRESH], capture_output=True, text=True, env=environment
     )
     assert (done.stdout, done.stderr) == ("python False\n", "")
-    assert list((tmp_path / "cache").iterdir()) == []
+    assert not list(tmp_path.rglob("*.o"))

@@ -19,7 +19,7 @@ from ...diagrams.interconnection import wiring_of_blocks
 from ...errors import ScenarioError
 from ...native.batch import Batch
 from ...native.native_diagram import NativeDiagram
-from ...native.printing import LANES
+from ...native.program import LANES
 from ...scenario.experiment import Scenario
 from ...simulation.loops import paper_blocks
 from ...simulation.starts import state_of
