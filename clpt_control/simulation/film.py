@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 ENDINGS = (".gif", ".mp4")
 MOST = 3000  # frames
+HELD = 5e8  # pixels that a GIF's frames have together, at most
 NARROW, WIDE = 200, 2000  # pixels
 SHADES = 5  # of each colour towards white, in a GIF
 
@@ -110,8 +111,9 @@ def animate(
 
 def check_options(path: str | Path | None, seconds: float, fps: float, width: int) -> None:
     """Refuse what cannot be filmed, before work begins."""
+    suffix = ".gif" if path is None else Path(path).suffix.lower()
     if path is not None:
-        if (suffix := Path(path).suffix.lower()) not in ENDINGS:
+        if suffix not in ENDINGS:
             raise ClptError(f"{path}: a film's name must end in {' or '.join(ENDINGS)}")
         check_writable(path)
         if suffix == ".mp4":
@@ -128,6 +130,11 @@ def check_options(path: str | Path | None, seconds: float, fps: float, width: in
             raise ClptError(f"{name} = {value!r:.60}: must be a number from {low:g} to {high:g}")
     if seconds * fps > MOST:
         raise ClptError(f"seconds x fps = {seconds * fps:.0f} frames; at most {MOST} are made")
+    if suffix == ".gif" and (size := seconds * fps * width**2) > HELD:
+        raise ClptError(
+            f"a GIF of {seconds * fps:.0f} frames of {width} pixels would take {size / 1e9:.1f} "
+            "GB of memory: make it shorter or narrower, or an .mp4"
+        )
 
 
 def _times(

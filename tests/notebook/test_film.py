@@ -83,6 +83,7 @@ def test_refusals(run, tmp_path, monkeypatch):
         (run, {"fps": "many"}, "fps = 'many': must be a number from"),
         (run, {"width": 10}, "width = 10: must be a number from 200"),
         (run, {"seconds": 600, "fps": 50}, "at most 3000 are made"),
+        (run, {"seconds": 100, "fps": 20, "width": 1000}, "would take 2.0 GB of memory"),
         (run, {"start": 30, "end": 20}, "must lie one after the other within the run"),
         (run, {"end": 50}, "within the run, 0 to 40 s"),
         (run.drop_vars("reference"), {}, "it has no reference along time"),

@@ -147,9 +147,9 @@ def _draw(ax, ellipses: list[_Ellipse], inch: float) -> None:
     ax.axis("off")
     larger = any(each.larger > 1 for each in ellipses)
     ax.set_title(
-        "Tidal ellipses, east to the right, semi-major axis in m/s "
-        "(dashed: clockwise; dot: V + u = 0)"
-        + (f"\n× {LARGER}: drawn {LARGER} times as large as the others" if larger else ""),
+        "Tidal ellipses, east to the right, semi-major axis in m/s\n"
+        "dashed: clockwise; dot: V + u = 0"
+        + (f"; × {LARGER}: drawn {LARGER} times as large as the others" if larger else ""),
         loc="left",
         fontsize=10,
     )

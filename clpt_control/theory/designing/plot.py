@@ -50,12 +50,12 @@ def design_plot(design: Design, *, ax: Any = None) -> Any:
         raise DataError(f"{design!r:.60}: must be a Design; clpt.theory.design_track gives one")
     error = design.tracks[0].error
     panels = 2 if error is None else 3
-    axes = axes_for(ax, 3.6 * panels + 1, 4.6, ncols=panels)
+    axes = axes_for(ax, 3.6 * panels + 1, 4.9, ncols=panels)
     low, high = _frame(design)
     for k, one in enumerate(axes[:2]):
         _track(one, design, k, float(max(high - low)))
         one.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
-    legend_below(axes[0], 2)
+    legend_below(axes[1], 3)
     if error is not None:
         _error(axes[2], design)
     return axes
