@@ -79,8 +79,8 @@ def test_refusals(run, tmp_path, monkeypatch):
         (run, {"path": tmp_path / "run.avi"}, r"must end in .gif or .mp4"),
         (run, {"path": tmp_path / "run.mp4"}, "needs ffmpeg, which is not installed"),
         (run, {"path": tmp_path / "no" / "run.gif"}, "does not exist"),
-        (run, {"seconds": float("nan")}, "seconds = nan: must be a number from"),
-        (run, {"fps": "many"}, "fps = 'many': must be a number from"),
+        (run, {"seconds": float("nan")}, "seconds = nan: must be a number"),
+        (run, {"fps": "many"}, "fps = 'many': must be a number"),
         (run, {"width": 10}, "width = 10: must be a number from 200"),
         (run, {"seconds": 600, "fps": 50}, "at most 3000 are made"),
         (run, {"seconds": 100, "fps": 20, "width": 1000}, "would take 2.0 GB of memory"),
@@ -88,7 +88,7 @@ def test_refusals(run, tmp_path, monkeypatch):
         (run, {"end": 50}, "within the run, 0 to 40 s"),
         (run.drop_vars("reference"), {}, "it has no reference along time"),
         (clpt.simulate(team), {}, "the run is a team's"),
-        (SCENARIO, {}, "must be a run"),
+        (SCENARIO, {}, "must be an xarray.Dataset"),
     ):
         with pytest.raises(clpt.ClptError, match=said) as caught:
             clpt.animate(given, **options)

@@ -145,5 +145,5 @@ def test_a_nested_diagram_is_drawn_block_by_block():
 
 def test_what_is_no_diagram_is_one_sentence():
     for given in ("loop", None, clpt.paper_scenario()):
-        with pytest.raises(clpt.DiagramError, match=r"must be a diagram; clpt\.closed_loop"):
+        with pytest.raises(clpt.ClptError, match=r"must be a diagram; clpt\.closed_loop"):
             clpt.draw(given)

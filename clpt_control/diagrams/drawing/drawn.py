@@ -53,7 +53,7 @@ def draw(
     Raises
     ------
     DiagramError
-        If the ending is another, or what is given is no diagram.
+        If the ending is another.
     DataError
         If the folder is missing or cannot be written to.
 
@@ -64,11 +64,6 @@ def draw(
     >>> clpt.draw(loop).svg[:4]
     '<svg'
     """
-    if not isinstance(diagram, control.NonlinearIOSystem):
-        raise DiagramError(
-            f"{diagram!r:.60}: must be a diagram; clpt.closed_loop(scenario) or "
-            "clpt.connect(blocks) makes one"
-        )
     if path is None:
         return drawing(diagram)
     path = Path(path)

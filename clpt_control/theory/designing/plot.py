@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...arguments import public
-from ...errors import DataError
 from ...figures import BLUE, GREY, ORANGE, RED, axes_for, legend_below
 from .design import Design
 
@@ -34,8 +33,6 @@ def design_plot(design: Design, *, ax: Any = None) -> Any:
 
     Raises
     ------
-    DataError
-        If what is given is no design.
     ClptError
         If `ax` are fewer or more Axes.
 
@@ -46,8 +43,6 @@ def design_plot(design: Design, *, ax: Any = None) -> Any:
     >>> found = clpt.theory.design_track(scenario, count=3, window=60, generations=2)
     >>> old, new, error = clpt.theory.design_plot(found)
     """
-    if not isinstance(design, Design):
-        raise DataError(f"{design!r:.60}: must be a Design; clpt.theory.design_track gives one")
     error = design.tracks[0].error
     panels = 2 if error is None else 3
     axes = axes_for(ax, 3.6 * panels + 1, 4.9, ncols=panels)
