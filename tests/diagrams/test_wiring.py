@@ -5,6 +5,7 @@ import pytest
 
 import clpt_control as clpt
 from clpt_control.blocks import Block
+from clpt_control.diagrams import wiring
 from clpt_control.diagrams.interconnection import connect, wiring_of_blocks
 from clpt_control.diagrams.wiring import wiring_of
 
@@ -58,3 +59,21 @@ def test_ports_in_another_order_than_their_makers():
     ]
     for external in (["v", "w"], ["w", "v"]):
         same(wiring_of_blocks(blocks, external), wiring_of(connect(blocks, external)))
+
+
+def test_a_run_reads_its_wiring_once(monkeypatch):
+    made = []
+
+    class Counted(wiring.Wiring):
+        def __init__(self, *parts):
+            made.append(1)
+            super().__init__(*parts)
+
+    monkeypatch.setattr(wiring, "Wiring", Counted)
+    scenario = PAPER.with_values({"run.duration": 2})
+    clpt.simulate(scenario)
+    assert len(made) == 1
+    loop, start = clpt.closed_loop(scenario), clpt.initial_state(scenario)
+    made.clear()
+    clpt.simulate(loop, [0.0, 2.0], initial_state=start)
+    assert len(made) == 1
