@@ -6,12 +6,15 @@ next one at twice the scale.
 """
 
 from collections.abc import Sequence
+from math import atan2, degrees, hypot
 from typing import Any
 
+from ..geodesy import displacement
 from ..html.text import safe
 from .chart import Chart, length_of, mark
 from .exchange import said_of_dive, said_of_next
 from .rings import AIMED, NEXT, Place, place_in, ring_of
+from .wording import compass
 
 WIDTH = 1000.0
 LINES = 5  # of the grid, about
@@ -19,10 +22,13 @@ ROOM = (34.0, 15.0)  # of a number, px
 PHONE = 0.36  # px per unit where a telephone shows the map
 LEVELS = 7
 CORNER = 60.0  # units above the lower edge, where meridians have their names
+LARGER = 1.6  # times, that a waypoint may make the chart
+EDGE = 26.0  # units, of an arrow from the edge
 LAST = 12  # dives whose ellipses are always drawn
 STAR = "M0-10 2.4-3.2 9.5-3.1 3.8 1.2 5.9 8.1 0 4 -5.9 8.1 -3.8 1.2 -9.5-3.1 -2.4-3.2Z"
 CROSS = "M-4-4 4 4M-4 4 4-4"
 PLUS = "M-5.5 0H5.5M0-5.5V5.5"
+ARROW = "M0-11 7 6 0 2-7 6Z"
 TARGET = "M0-9A9 9 0 1 1-.01-9ZM-13 0H13M0-13V13"
 
 
@@ -79,6 +85,7 @@ def replay_map(found: dict[str, Any]) -> str:
         title = f"<title>waypoint {k + 1}: {safe(leg['place'])}</title>"
         target_mark = f'<path class="target" d="{TARGET}"/>'
         drawn.append(drawing.group(target, "m", title + target_mark))
+        drawn.append(_beyond(drawing, k + 1, begin, target))
     drawn += [
         drawing.line([last, goal], "way"),
         drawing.line(ring_of(ahead, NEXT), "ring next", closed=True),
@@ -103,15 +110,36 @@ def _places(row: dict[str, Any]) -> list[Place]:
 
 
 def _in_reach(places: Sequence[Place], targets: Sequence[Place]) -> list[Place]:
-    """Return the waypoints that do not make the chart much larger; others are off it."""
-    chart = Chart(places)
-    reach = 3 * max(chart.east - chart.west, chart.north - chart.south)
-    near = []
-    for target in targets:
-        x, y = chart.xy(*target)
-        if max(abs(x - chart.west), abs(y - chart.south)) < reach:
-            near.append(target)
-    return near
+    """Return the waypoints that do not make the chart much larger; to others an arrow points."""
+
+    def size(of: Sequence[Place]) -> float:
+        chart = Chart(of)
+        return max(chart.east - chart.west, chart.north - chart.south)
+
+    most = LARGER * size(places)
+    return [target for target in targets if size([*places, target]) <= most]
+
+
+def _beyond(drawing: Drawing, number: int, begin: Place, target: Place) -> str:
+    """Return the arrow at the chart's edge towards a waypoint off it, with how far and where to."""
+    (x0, y0), (x1, y1) = drawing.at(begin), drawing.at(target)
+    right, low = WIDTH - EDGE, drawing.height - EDGE
+    inside = EDGE < x0 < right and EDGE < y0 < low
+    if not inside or (EDGE <= x1 <= right and EDGE <= y1 <= low):
+        return ""
+    shares = [((right if x1 > x0 else EDGE) - x0) / (x1 - x0)] if x1 != x0 else []
+    shares += [((low if y1 > y0 else EDGE) - y0) / (y1 - y0)] if y1 != y0 else []
+    x, y = (a + min(shares) * (b - a) for a, b in ((x0, x1), (y0, y1)))
+    east, north = displacement(*begin, *target)
+    said = f"waypoint {number}, {hypot(east, north) / 1000:.0f} km to "
+    said += compass(degrees(atan2(east, north)))
+    turn, left = degrees(atan2(x1 - x0, y0 - y1)), x < WIDTH / 2
+    return (
+        f'<g class="m" transform="translate({_numbers(x, y)})"><g class="beyond">'
+        f'<path class="star" d="{ARROW}" transform="rotate({turn:.0f})"/>'
+        f'<text x="{14 if left else -14}" y="{18 if y < EDGE + 1 else -8}" '
+        f'text-anchor="{"start" if left else "end"}">{safe(said)}</text></g></g>'
+    )
 
 
 def _dive(drawing: Drawing, row: dict[str, Any], before: dict | None, recent: bool) -> str:

@@ -87,6 +87,28 @@ def test_a_chart_is_true_to_scale_and_angle(lat, lon):
     assert back == pytest.approx((lat + 0.1, lon + 0.1), abs=1e-9)
 
 
+def test_a_far_waypoint_leaves_the_chart_as_it_is():
+    replay = clpt.replay.replay_dives(fixes_of(6))
+    found = {**clpt.replay.summary(replay), "aim": []}
+    found["next_dive"] = clpt.replay.next_dive(replay).as_dict()
+    last = replay.steps[-1].dive
+    sizes = {}
+    for bearing, away in ((0.0, 5e5), (90.0, 5e5), (225.0, 5e5), (300.0, 100.0)):
+        place = Geod(ellps="WGS84").fwd(last.lon_gpse, last.lat_gpse, bearing, away)
+        aims = clpt.replay.aims(replay, [(place[1], place[0])])
+        found["aim"] = [leg.as_dict() for leg in aims]
+        page = Reader(replay_page(found))
+        box = next(names["viewbox"] for tag, names in page.tags if tag == "svg")
+        sizes[bearing] = box, next(names["data-metres"] for tag, names in page.tags if tag == "svg")
+        arrows = [text for text in page.texts if re.fullmatch(r"waypoint 1, \d+ km to \d{3}", text)]
+        assert len(arrows) == (away > 1e5)
+        if arrows:
+            said = arrows[0].split()
+            assert float(said[2]) == pytest.approx(500, abs=1)
+            assert float(said[-1]) == pytest.approx(bearing, abs=1)
+    assert len({size for bearing, size in sizes.items() if bearing != 300.0}) == 1
+
+
 def test_grid_names_its_lines():
     _, _, step, lons = Chart([(-43.1, 179.9), (-42.9, -179.8)]).grid(5)
     assert step == 5
