@@ -54,6 +54,8 @@ EXAMPLES = {  # of arguments whose kind alone does not show how they are written
     "values": "{'learning.gain': 2.0}",
     "vary": "'learning.gain=0.2:2.0'",
     "external": "['zc']",
+    "replace": "{'vehicle': block}",
+    "insert": "{('v_x', 'vehicle'): lag}",
     "box": "(40.9, 41.55, -69.9, -69.0)",
 }
 MAKERS = {  # what people make first, and by what; FILE is the path that they gave, or such a one

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 import control
 
+from ..blocks import Block
 from ..blocks.linear import is_linear, on_each_axis
 from ..errors import DiagramError
 from .parts import as_part, input_ports, output_ports, sizes, with_ports
@@ -40,6 +41,17 @@ class Changes(NamedTuple):
         places += [where if isinstance(where, str) else " to ".join(where) for where in self.insert]
         names = [name for name in self.names if self.law is None or name != self.law.name]
         return ", ".join(f"{place}: {name}" for place, name in zip(places, names, strict=True))
+
+    def of_blocks(self, what: str) -> "Changes":
+        """Return the parts as blocks, for what runs as machine code alone."""
+        found = Changes(*({at: as_part(part) for at, part in parts.items()} for parts in self))
+        for part in (*found.replace.values(), *found.insert.values()):
+            if not isinstance(part, Block):
+                raise DiagramError(
+                    f"{part.name}: is a {type(part).__name__}; {what} takes blocks, control.ss and "
+                    "control.tf"
+                )
+        return found
 
 
 UNCHANGED = Changes({}, {})

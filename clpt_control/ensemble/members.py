@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ..blocks import Block
+from ..diagrams.changes import UNCHANGED, Changes
 from ..diagrams.interconnection import wiring_of_blocks
 from ..errors import ScenarioError
 from ..native.batch import Batch
@@ -22,7 +22,7 @@ from ..native.schedule import Schedule, make_schedule
 from ..native.sweep import Sweep
 from ..scenario.experiment import Scenario, scenario_tables
 from ..scenario.keys import CALL_TIME_NAMES, JUMPS, STARTS, names_held
-from ..simulation.loops import paper_blocks
+from ..simulation.loops import changed_blocks
 from ..simulation.starts import state_columns, state_of
 
 
@@ -40,7 +40,7 @@ class Ensemble:
     """One scenario, compiled, from which members are made.
 
     `keys` is what varies: dotted key -> shape of its value, ``()`` for a number.  With `lanes`
-    eight members run at once where that is quicker.  `law` takes the place of the scenario's.
+    eight members run at once where that is quicker.  `changes` are blocks of the user's own.
     """
 
     def __init__(
@@ -48,29 +48,30 @@ class Ensemble:
         scenario: Scenario,
         keys: Mapping[str, tuple[int, ...]],
         lanes: bool = True,
-        law: Block | None = None,
+        changes: Changes = UNCHANGED,
     ):
-        self.scenario, self.keys, self.law = scenario, dict(keys), law
+        self.scenario, self.keys, self.changes = scenario, dict(keys), changes
         for key, shape in self.keys.items():
             _check(scenario, key, tuple(shape))
-        self.blocks = paper_blocks(scenario, law)
+        self.blocks = changed_blocks(scenario, changes)
         self.columns = state_columns(self.blocks)
         self.native = NativeDiagram(wiring_of_blocks(self.blocks))
         self.lanes = self.native.lanes(LANES) if lanes else 1
         copied = {key: self._places(key) for key in self.keys}
         self.copied = {key: places for key, places in copied.items() if places is not None}
         self.computed = [key for key, places in copied.items() if places is None]
-        self.base = self.native.parameters(), state_of(scenario, self.blocks, law)
+        self.base = self.native.parameters(), state_of(scenario, self.blocks, changes.law)
 
     def _places(self, key: str) -> tuple[list[int], list[int]] | None:
         """Return where in P and in the initial state a value begins; None if it is computed."""
-        made = self.scenario.learning.row.made_of if self.law is None else ()
+        made = self.scenario.learning.row.made_of if self.changes.law is None else ()
+        own = self.changes.names
         if key in (*JUMPS, *made) or key not in {**CALL_TIME_NAMES, **STARTS}:
             return None
         places = {
             f"{self.blocks[k].name}.{field}": place
             for (k, field), place in self.native.layout.slots.items()
-            if self.blocks[k] is not self.law
+            if self.blocks[k].name not in own
         }
         in_P = []
         for name in names_held(self.scenario, key, places):
@@ -93,10 +94,10 @@ class Ensemble:
             for m in range(count):
                 own = {key: values[key][m] for key in self.computed}
                 made = self.scenario.with_values(own)
-                blocks = paper_blocks(made, self.law)
+                blocks = changed_blocks(made, self.changes)
                 parameters = [block.parameters for block in blocks]
                 packed = self.native.layout.packed(parameters)
-                P[m, : len(packed)], x0[m] = packed, state_of(made, blocks, self.law)
+                P[m, : len(packed)], x0[m] = packed, state_of(made, blocks, self.changes.law)
                 one = self._schedule(parameters, duration)
                 name = (one.edges.tobytes(), one.values.tobytes())
                 if name not in known:

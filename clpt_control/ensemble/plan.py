@@ -11,10 +11,13 @@ import numpy as np
 
 from ..blocks import Block
 from ..blocks.laws.law import functions_of
+from ..diagrams.changes import LAW, UNCHANGED, Changes
 from ..errors import DataError, DiagramError, ScenarioError
 from ..files import check_name, check_writable
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_to_text
+from ..simulation.loops import changed_blocks
+from ..simulation.starts import state_columns
 from .drawn_values import draw_members
 from .store import CODE, Store, check_store, create_store, open_store
 from .summaries import dims_of, kept_variables, marks_of, samples_per_cycle
@@ -44,11 +47,11 @@ def make_plan(
     chunk: int | None = None,
     samples: int | None = None,
     times: Sequence[float] | None = None,
-    law: Block | None = None,
+    changes: Changes = UNCHANGED,
     cluster: bool = False,
 ) -> Plan:
     """Check the arguments of `run_ensemble`; make the store, or open one that holds a part."""
-    _checked_law(law, scenario)
+    changes = _checked(changes, scenario)
     varies = read_varies(scenario, vary)
     marks, per_cycle = marks_of(scenario, times), samples_per_cycle(scenario, samples)
     path = None if out is None else Path(out).absolute()
@@ -66,7 +69,7 @@ def make_plan(
         per_cycle,
         marks,
         bool(trajectories),
-        b"" if law is None else pickled(law, cluster),
+        b"" if changes == UNCHANGED else pickled(changes, cluster),
     )
     worker = Worker(recipe)
     kept = kept_variables(worker.scenario, worker.times, int(members), bool(trajectories))
@@ -86,7 +89,7 @@ def make_plan(
         "trajectories": bool(trajectories),
         "samples": per_cycle,
         "times": list(marks),
-        "law": _named(law),
+        "law": _named(changes),
     }
     fixed = _fixed(worker, values, int(members), kept)
     if path is not None and path.exists() and not (path.is_dir() and not any(path.iterdir())):
@@ -103,31 +106,37 @@ def make_plan(
     return Plan(worker, create_store(path, arguments, kept, fixed, attrs))
 
 
-def _named(law: Block | None) -> str | None:
-    """Return a name for a law of the user's own, its numbers and its equations."""
-    if law is None:
-        return None
-    fields = law.parameters._asdict().items()
+def _named(changes: Changes) -> str | None:
+    """Return a name for blocks of the user's own, their numbers and their equations."""
+    places = [name if name != LAW else "" for name in changes.replace]
+    places += [str(where) for where in changes.insert]
+    blocks = (*changes.replace.values(), *changes.insert.values())
+    return "; ".join(map(_of_block, places, blocks)) or None
+
+
+def _of_block(place: str, block: Block) -> str:
+    fields = block.parameters._asdict().items()
     numbers = json.dumps({field: np.asarray(value).tolist() for field, value in fields})
-    records = law.update_record, law.output_record, *filter(None, [law.jump_record])
+    records = block.update_record, block.output_record, *filter(None, [block.jump_record])
     equations = hashlib.sha256(repr(records).encode()).hexdigest()
-    return f"{law.name} {equations[:8]} {numbers}"
+    return f"{place} {block.name} {equations[:8]} {numbers}".lstrip()
 
 
-def _checked_law(law: Block | None, scenario: Scenario) -> None:
-    """Refuse a law whose states do not hold what summaries are made of."""
-    if law is None:
-        return
-    functions_of(law)
-    row = scenario.learning.row
-    states = ["theta_hat"] if row.makes_estimate else [] if row.given_estimate else ["alpha"]
-    states += ["K", "Gamma"]
-    for port in states:
-        if port not in law.state_ports:
-            raise DiagramError(
-                f"{law.name}: {port} is no state of it; members are summarised from the states "
-                f"{', '.join(states)}"
-            )
+def _checked(changes: Changes, scenario: Scenario) -> Changes:
+    """Return blocks; refuse those whose states do not hold what summaries are made of."""
+    changes, row = changes.of_blocks("an ensemble"), scenario.learning.row
+    if changes.law is not None:
+        functions_of(changes.law)
+    columns = state_columns(changed_blocks(scenario, changes)) if changes != UNCHANGED else {}
+    learned = ["theta_hat"] if row.makes_estimate else [] if row.given_estimate else ["alpha"]
+    for name, states in ((LAW, [*learned, "K", "Gamma"]), ("vehicle", ["x"])):
+        for port in states if name in changes.replace else ():
+            if port not in columns:
+                raise DiagramError(
+                    f"{changes.replace[name].name}: {port} is no state of it; members are summarised from the "
+                    f"states {', '.join(states)}"
+                )
+    return changes
 
 
 def _fixed(

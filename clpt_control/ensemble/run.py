@@ -6,15 +6,16 @@ not: every member is integrated and summarised by itself.
 """
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..arguments import Seed, public
 from ..blocks import Block
+from ..diagrams.changes import Part, changes_of
 from ..errors import ScenarioError
 from ..progress.interrupt import SLICE, check
 from ..scenario.experiment import Scenario
@@ -43,7 +44,9 @@ def run_ensemble(
     times: Sequence[float] | None = None,
     progress: Callable[[int], None] | None = None,
     dask: str | None = None,
-    law: Block | None = None,
+    law: Block | Part | None = None,
+    replace: Mapping[str, Any] | None = None,
+    insert: Mapping[Any, Any] | None = None,
 ) -> "xarray.Dataset":
     """Run many members of one scenario.
 
@@ -81,8 +84,8 @@ def run_ensemble(
         Called with the number of members done.
     dask : str, optional
         Address of a Dask scheduler, or ``"local"``; needs `out`.
-    law : Block, optional
-        A law of your own in place of the scenario's; workers get it pickled.
+    law, replace, insert : optional
+        Blocks and linear systems of your own, as in `closed_loop`; workers get them pickled.
 
     Returns
     -------
@@ -97,7 +100,7 @@ def run_ensemble(
     DataError
         If `out` cannot be written or holds another ensemble.
     DiagramError
-        If the law does not fit or cannot be pickled.
+        If a part does not fit or cannot be pickled.
     SimulationError
         If a cluster gives up on a chunk.
 
@@ -128,7 +131,7 @@ def run_ensemble(
         chunk=chunk,
         samples=samples,
         times=times,
-        law=law,
+        changes=changes_of(law, replace, insert),
         cluster=dask is not None,
     )
     report = progress or (lambda done: None)

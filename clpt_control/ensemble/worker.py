@@ -1,6 +1,6 @@
 """Members run and summarised, in the same way by a thread and by a far machine.
 
-A recipe is plain text and numbers, and a law of the user's own, pickled; it is all that
+A recipe is plain text and numbers, and parts of the user's own, pickled; it is all that
 travels.  A worker makes the compiled ensemble of it once and then summarises any members
 it is given.
 """
@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..blocks import Block
+from ..diagrams.changes import UNCHANGED, Changes
 from ..errors import DiagramError
 from ..scenario.file import scenario_from_text
 from .members import Ensemble
@@ -36,21 +36,21 @@ class Recipe(NamedTuple):
     samples: int  # a cycle, for mean squares
     marks: tuple[float, ...]  # when errors are kept
     trajectories: bool  # whether states are kept too
-    law: bytes = b""  # a pickled Block in place of the scenario's law
+    changes: bytes = b""  # parts of the user's own, pickled
 
 
-def pickled(law: Block, cluster: bool) -> bytes:
-    """Return a law of the user's own as workers take it; a cluster's get its equations too."""
+def pickled(changes: Changes, cluster: bool) -> bytes:
+    """Return parts of the user's own as workers take them; a cluster's get their equations too."""
     try:
         if cluster:  # equations of a script or a notebook go along
             from distributed.protocol.pickle import dumps
 
-            return bytes(dumps(law))
-        return pickle.dumps(law)
+            return bytes(dumps(changes))
+        return pickle.dumps(changes)
     except (pickle.PicklingError, AttributeError, TypeError):
         raise DiagramError(
-            f"{law.name}: cannot be sent to workers; define its equations and parameters at the "
-            "top of a module"
+            f"{', '.join(changes.names)}: cannot be sent to workers; define equations and "
+            "parameters at the top of a module"
         ) from None
 
 
@@ -68,8 +68,8 @@ class Worker:
     @cached_property
     def ensemble(self) -> Ensemble:
         """The compiled diagram."""
-        law = pickle.loads(self.recipe.law) if self.recipe.law else None
-        return Ensemble(self.scenario, dict(self.recipe.keys), law=law)
+        changes = pickle.loads(self.recipe.changes) if self.recipe.changes else UNCHANGED
+        return Ensemble(self.scenario, dict(self.recipe.keys), changes=changes)
 
     @cached_property
     def code(self) -> str:

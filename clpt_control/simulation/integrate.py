@@ -10,6 +10,7 @@ import control
 import numpy as np
 
 from ..arguments import public
+from ..blocks import Block
 from ..blocks.declaration import ports_of, whole_labels
 from ..blocks.linear import linear
 from ..diagrams.changes import UNCHANGED, Part, changes_of
@@ -43,7 +44,7 @@ def simulate(
     atol: float | None = None,
     progress: Progress | None = None,
     engine: str | None = None,
-    law: Part | None = None,
+    law: Block | Part | None = None,
     replace: Mapping[str, Any] | None = None,
     insert: Mapping[Any, Any] | None = None,
 ) -> "xarray.Dataset":

@@ -40,7 +40,7 @@ from ..scenario.experiment import Scenario
 @public
 def paper_blocks(
     scenario: Scenario,
-    law: Part | None = None,
+    law: Block | Part | None = None,
     *,
     replace: Mapping[str, Any] | None = None,
     insert: Mapping[Any, Any] | None = None,
@@ -171,7 +171,7 @@ def _true_flow(scenario: Scenario, disturbed: bool, position: str) -> Block:
 def closed_loop(
     scenario: Scenario,
     external: str | Iterable[str] = (),
-    law: Part | None = None,
+    law: Block | Part | None = None,
     *,
     replace: Mapping[str, Any] | None = None,
     insert: Mapping[Any, Any] | None = None,

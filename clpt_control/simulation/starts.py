@@ -51,15 +51,22 @@ def state_labels(parts: Iterable[Part]) -> list[str]:
 
 
 def state_columns(parts: Iterable[Part]) -> dict[str, slice]:
-    """Return where each state lies in the state of a diagram; one that is a signal goes first."""
+    """Return where each state lies in the state of a diagram; one that is a signal goes first.
+
+    What a scenario starts, such as x, is the state that is the signal x.
+    """
     found: dict[str, slice] = {}
     hidden: dict[str, slice] = {}
     end = 0
-    for _, part in leaves(parts):
+    for name, part in leaves(parts):
         ports = part.state_ports if isinstance(part, Block) else {part.name: part.nstates or 0}
         for port, size in ports.items():
             column = slice(end, end := end + size)
-            (found if _is_signal(part, port, size) else hidden).setdefault(port, column)
+            if _is_signal(part, port, size):
+                found.setdefault(port, column)
+            else:
+                own = f"{name}.{port}" if port in STARTS.values() else port
+                hidden.setdefault(own, column)
     return {**hidden, **found}
 
 
@@ -88,7 +95,7 @@ def state_of(scenario: Scenario, parts: Iterable[Part], law: Part | None = None)
 def initial_state(
     scenario: Scenario,
     external: str | Iterable[str] = (),
-    law: Part | None = None,
+    law: Block | Part | None = None,
     *,
     replace: Mapping[str, Any] | None = None,
     insert: Mapping[Any, Any] | None = None,

@@ -2,6 +2,7 @@
 
 import importlib.util
 
+import control
 import law_blocks
 import numpy as np
 import pytest
@@ -124,6 +125,37 @@ def test_what_members_cannot_be_summarised_from_is_refused(quick):
         run_ensemble(quick, "flow.parameters~normal:0.1", 3, law=fixed)
 
 
+def test_an_ensemble_with_a_lag_is_runs_with_a_lag(quick, tmp_path):
+    lag = {("v_x", "vehicle"): control.tf(1, [0.5, 1], name="lag")}
+    key, values = "learning.gain", [0.4, 1.2]
+    for scenario in (quick, quick.with_values({"vehicle.max_speed": 3.0})):
+        data = run_ensemble(scenario, f"{key}={values}", 2, design="grid", insert=lag, samples=20)
+        for m, value in enumerate(values):
+            run = clpt.simulate(scenario.with_values({key: value}), insert=lag)
+            error = abs(run.flow_parameters_estimate[-1] - run.flow_parameters).max()
+            assert float(data.flow_parameter_error[m, -1]) == pytest.approx(float(error), abs=1e-6)
+    out = tmp_path / "e.zarr"
+    stored = run_ensemble(quick, f"{key}=0.2:2.0", 3, insert=lag, samples=20, out=out)
+    again = run_ensemble(quick, f"{key}=0.2:2.0", 3, insert=lag, samples=20, out=out)
+    np.testing.assert_array_equal(stored.clpe_rms, again.clpe_rms)
+    slower = {("v_x", "vehicle"): control.tf(1, [0.6, 1], name="lag")}
+    for other in (None, slower, {"v_x": lag[("v_x", "vehicle")]}):
+        with pytest.raises(DataError, match="holds an ensemble of"):
+            run_ensemble(quick, f"{key}=0.2:2.0", 3, insert=other, samples=20, out=out)
+
+
+def test_an_ensemble_refuses_what_is_not_compiled(quick):
+    saturation = control.nlsys(
+        None, lambda t, x, u, params: np.clip(u, -1, 1), inputs=2, outputs=2, name="saturation"
+    )
+    with pytest.raises(DiagramError, match="saturation: is a NonlinearIOSystem; an ensemble takes"):
+        run_ensemble(quick, "learning.gain=0.2:2.0", 3, insert={"v_x": saturation})
+    ports = {"inputs": ["v_x[0]", "v_x[1]"], "outputs": ["x[0]", "x[1]"]}
+    boat = control.ss(-np.eye(2), np.eye(2), 2 * np.eye(2), 0, **ports, name="boat")
+    with pytest.raises(DiagramError, match="boat: x is no state of it"):
+        run_ensemble(quick, "learning.gain=0.2:2.0", 3, replace={"vehicle": boat})
+
+
 def test_a_law_that_cannot_be_sent_is_refused(quick):
     def local(t, x, u, p, dx):
         """All held, section III."""
@@ -132,7 +164,7 @@ def test_a_law_that_cannot_be_sent_is_refused(quick):
 
     own = law_blocks.papers_law()
     law = Block("local", update=local, inputs=own.input_ports, states=own.state_ports)
-    with pytest.raises(DiagramError, match="cannot be sent to workers; define"):
+    with pytest.raises(DiagramError, match="local: cannot be sent to workers; define"):
         run_ensemble(quick, "flow.parameters~normal:0.1", 3, law=law)
 
 

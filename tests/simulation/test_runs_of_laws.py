@@ -135,14 +135,14 @@ def test_an_initial_state_that_no_key_holds_is_refused():
 @pytest.mark.parametrize(
     ("law", "said"),
     [
-        ("sigma", "'sigma' is no block: give a clpt.Block"),
+        ("sigma", "law = 'sigma': must be a Block"),
         (law_blocks.papers_law(N=2), r"alpha of N = 2 functions; the scenario has 3"),
         (clpt.paper_blocks(PAPER)[0], r"a law makes alpha\[2N\], K\[2\] and Gamma\[2\]"),
     ],
 )
 def test_what_is_no_law_for_the_scenario_is_refused(law, said):
     for use in (clpt.simulate, clpt.initial_state, clpt.closed_loop):
-        with pytest.raises(DiagramError, match=said):
+        with pytest.raises(clpt.ClptError, match=said):
             use(PAPER, law=law)
 
 
