@@ -160,7 +160,7 @@ def match_ports(
 
 @public
 def connect(
-    blocks: Sequence[control.InputOutputSystem],
+    blocks: Sequence[Any],
     external: str | Iterable[str] = (),
     name: str = "diagram",
 ) -> Diagram:

@@ -132,9 +132,10 @@ def _checked(changes: Changes, scenario: Scenario) -> Changes:
     for name, states in ((LAW, [*learned, "K", "Gamma"]), ("vehicle", ["x"])):
         for port in states if name in changes.replace else ():
             if port not in columns:
+                own = changes.replace[name].name
                 raise DiagramError(
-                    f"{changes.replace[name].name}: {port} is no state of it; members are summarised from the "
-                    f"states {', '.join(states)}"
+                    f"{own}: {port} is no state of it; members are summarised from the states "
+                    f"{', '.join(states)}"
                 )
     return changes
 

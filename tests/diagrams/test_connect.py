@@ -126,7 +126,7 @@ def test_a_system_by_functions_runs_in_python_and_says_so():
     ],
 )
 def test_what_cannot_be_a_part_is_refused_in_a_sentence(part, said):
-    with pytest.raises(DiagramError, match=said) as caught:
+    with pytest.raises(clpt.ClptError, match=said) as caught:
         clpt.connect([*clpt.paper_blocks(clpt.paper_scenario()), part])
     assert "\n" not in str(caught.value)
 
@@ -192,5 +192,5 @@ def test_states_and_inputs_are_stacked_as_python_control_stacks_them():
         with pytest.raises(clpt.SimulationError, match="initial_state: must have 4 numbers"):
             clpt.simulate(loop, TIMES, 0, start)
     for inputs in ([ramp], [ramp[1:], 0], [[ramp, ramp], ramp], ["fast", 0], [ramp, "fast"]):
-        with pytest.raises(clpt.SimulationError, match="inputs"):
+        with pytest.raises(clpt.ClptError, match="inputs"):
             clpt.simulate(loop, TIMES, inputs)

@@ -148,7 +148,6 @@ def test_law_is_replace_adaptation():
     [
         ({"replace": {"vehicel": LAG}}, "replace = 'vehicel': must be among reference, basis_x"),
         ({"replace": {"vehicle": LAG}}, r"lag must make x\[2\], which goes to basis_x, true_flow"),
-        ({"replace": [LAG]}, r"replace = .*must be a dict .*such as \{'vehicle': block\}"),
         ({"insert": {"v_c": LAG}}, "insert = 'v_c': must begin with one of Gamma, K, alpha"),
         ({"insert": {("v_x", "clpe"): LAG}}, "'v_x' goes to vehicle, not to 'clpe'"),
         ({"insert": {"v_x": LAG, "zc": LAG}}, "two blocks are called 'lag'"),
