@@ -147,7 +147,9 @@ def run_ensemble(
             remove_empty(plan.store)
             raise
     plan.store.finish()
-    return plan.store.dataset()
+    data = plan.store.dataset()
+    data.encoding.setdefault("folder", str(scenario._folder.absolute()))  # of its field
+    return data
 
 
 def available_threads() -> int:

@@ -123,6 +123,8 @@ class Store:
         data = data.drop_vars(DONE)
         for array in data.variables.values():
             array.attrs.pop("kept", None)
+        if self.path is not None:
+            data.encoding["folder"] = str(self.path.absolute().parent)
         return data if self.path is not None else data.load()
 
 

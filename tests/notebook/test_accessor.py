@@ -55,12 +55,17 @@ def test_a_field_is_found_from_the_file_alone(tmp_path):
         {"u": velocity, "v": velocity}, {"time": ("time", [0.0, 50.0], {"units": "s"}), **axes}
     )
     field.to_netcdf(tmp_path / "field.nc")
-    clpt.save_scenario(SCENARIO.with_values({"flow": {"field": str(tmp_path / "field.nc")}}),
-                       tmp_path / "s.toml")  # fmt: skip
+    scenario = SCENARIO.with_values({"flow": {"field": str(tmp_path / "field.nc")}})
+    clpt.save_scenario(scenario, tmp_path / "s.toml")
     run = clpt.simulate(clpt.load_scenario(tmp_path / "s.toml"))
     clpt.save_run(run, tmp_path / "run.nc")
     with xarray.open_dataset(tmp_path / "run.nc") as opened:
         assert opened.clpt.plot.track().has_data()
+    loaded, vary = clpt.load_scenario(tmp_path / "s.toml"), "learning.gain=0.2:2.0"
+    for out in (None, tmp_path / "e.zarr"):
+        data = clpt.ensemble.run_ensemble(loaded, vary, 2, out=out)
+        assert data.clpt.scenario.field_path.is_file()
+    assert xarray.open_zarr(out, consolidated=False).clpt.scenario.field_path.is_file()
 
 
 def test_teams_ensembles_and_replays(tmp_path):
