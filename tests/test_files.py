@@ -1,5 +1,8 @@
 """Files and folders are written beside their place: whole, or not at all."""
 
+import subprocess
+import sys
+
 import pytest
 import xarray
 
@@ -78,3 +81,19 @@ def test_what_a_killed_process_left_is_known_by_its_name(tmp_path):
         (tmp_path / name).write_text("")
     remove_left(tmp_path, "replay.nc", "*.png")
     assert {path.name for path in tmp_path.iterdir()} == others
+
+
+SAVED = """
+import sys
+import numpy, xarray
+from clpt_control.files import write_netcdf
+write_netcdf(xarray.Dataset({"a": ("n", numpy.zeros(3))}), sys.argv[1])
+assert sys.modules.get("distributed", 0) == 0
+print(xarray.open_dataset(sys.argv[1]).a.values.tolist())
+"""
+
+
+def test_saving_imports_no_cluster(tmp_path):
+    command = [sys.executable, "-c", SAVED, str(tmp_path / "a.nc")]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert (done.stdout, done.returncode) == ("[0.0, 0.0, 0.0]\n", 0), done.stderr

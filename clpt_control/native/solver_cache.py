@@ -148,7 +148,10 @@ def _compiled(name: str, arguments: tuple) -> bytes:
     passes.getModulePassManager().run(parsed, passes)
     asked = [one.name for one in parsed.functions if one.is_declaration]
     if unknown := [one for one in asked if not one.startswith(("llvm.", "mem"))]:
-        raise Uncompiled(f"this version of Numba calls {unknown[0]} in the solver")
+        raise Uncompiled(
+            f"this version of Numba calls {unknown[0]} in the solver, and no other process could: "
+            "install another one, or ask for engine = 'python'"
+        )
     return bytes(machine.emit_object(parsed))
 
 

@@ -73,7 +73,9 @@ def simulate(
         Called with the time reached.
     engine : str, optional
         ``"native"``, machine code, which gives way to ``"python"`` for what
-        cannot be compiled and, unless asked for, for inputs by a function.
+        cannot be compiled and, unless asked for, for inputs by a function. Unless one is
+        asked for, runs begin in Python until the solver is compiled, once for a machine; the
+        attribute ``engine`` says what ran, to the same tolerances.
     law, replace, insert : optional
         For a scenario: parts of your own in its diagram, as in `closed_loop`.
 

@@ -1,5 +1,6 @@
 """The other process of `two_processes`: a part a line in, its verdict a line out."""
 
+import gc
 import json
 import os
 import signal
@@ -8,6 +9,7 @@ import threading
 from queue import SimpleQueue
 
 signal.signal(signal.SIGINT, signal.SIG_IGN)  # the one that asks is told
+gc.set_threshold(200_000, 50, 50)  # as in `clpt`: expressions are many objects
 
 
 def main() -> None:
