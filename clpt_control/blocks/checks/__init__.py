@@ -5,7 +5,7 @@ and integrated like the paper's own.  Each check is a generator that takes rando
 arguments and gives one plain sentence for each failure.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
 from ...arguments import Seed, public
@@ -15,19 +15,18 @@ from ..block import Block
 from .diagrams import _copies, _interconnects, _jumps, _linearizes, _parameters, _pickles
 from .equations import (
     Sample,
-    _docstrings,
     _in_range,
     _readings,
     _repeats,
     _zero,
     random_samples,
 )
+from .scaling import keeps_units
 
 Check = Callable[[Block, list[Sample]], Iterator[str]]
 CHECKS: tuple[Check, ...] = (
     _repeats,
     _zero,
-    _docstrings,
     _readings,
     _copies,
     _pickles,
@@ -83,7 +82,9 @@ class ConformanceReport(NamedTuple):
 
 
 @public
-def conformance(block: Block, seed: Seed = 0, samples: int = 20) -> None:
+def conformance(
+    block: Block, seed: Seed = 0, samples: int = 20, units: Mapping[str, str] | None = None
+) -> None:
     """Raise an error unless a block conforms.
 
     Parameters
@@ -94,6 +95,10 @@ def conformance(block: Block, seed: Seed = 0, samples: int = 20) -> None:
         Seed of the random arguments.
     samples : int, optional
         Number of random arguments.
+    units : mapping of str to str, optional
+        Unit of each port and each parameter that is no whole number, such as
+        ``{"e": "m", "gain": "1/s"}``, and of the time ``t``, ``"s"`` by default. The equations
+        are then tried in other units, in which they must hold alike.
 
     Raises
     ------
@@ -106,13 +111,15 @@ def conformance(block: Block, seed: Seed = 0, samples: int = 20) -> None:
     >>> from clpt_control.blocks.vehicle import vehicle
     >>> clpt.blocks.conformance(vehicle())
     """
-    report = check_block(block, seed, samples)
+    report = check_block(block, seed, samples, units)
     if not report.ok:
         raise BlockError(str(report))
 
 
 @public
-def check_block(block: Block, seed: Seed = 0, samples: int = 20) -> ConformanceReport:
+def check_block(
+    block: Block, seed: Seed = 0, samples: int = 20, units: Mapping[str, str] | None = None
+) -> ConformanceReport:
     """Check a block and return a report.
 
     Parameters
@@ -123,6 +130,10 @@ def check_block(block: Block, seed: Seed = 0, samples: int = 20) -> ConformanceR
         Seed of the random arguments.
     samples : int, optional
         Number of random arguments.
+    units : mapping of str to str, optional
+        Unit of each port and each parameter that is no whole number, such as
+        ``{"e": "m", "gain": "1/s"}``, and of the time ``t``, ``"s"`` by default. The equations
+        are then tried in other units, in which they must hold alike.
 
     Returns
     -------
@@ -134,12 +145,12 @@ def check_block(block: Block, seed: Seed = 0, samples: int = 20) -> ConformanceR
     >>> import clpt_control as clpt
     >>> from clpt_control.blocks.vehicle import vehicle
     >>> print(clpt.blocks.check_block(vehicle()))
-    vehicle: conforms (10 checks)
+    vehicle: conforms (9 checks)
     """
     drawn = random_samples(block, seed, max(samples, 4))
     checked: list[str] = []
     failures: list[str] = []
-    for check in CHECKS:
+    for check in (*CHECKS, *([] if units is None else [keeps_units(units)])):
         checked.append((check.__doc__ or "").splitlines()[0])
         try:
             failures.extend(check(block, drawn))

@@ -1,6 +1,5 @@
 """Checks of a block's equations, and the random arguments of all checks."""
 
-import re
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
@@ -10,7 +9,6 @@ from ...errors import ClptError
 from ..block import Block
 from ..declaration import Equations
 from ..ieee import in_ieee
-from ..namespaces import split
 
 
 class Sample(NamedTuple):
@@ -98,26 +96,6 @@ def _zero(block: Block, drawn: list[Sample]) -> Iterator[str]:
                 f"{role} is not finite at zero states and inputs, with which python-control "
                 "starts; keep arguments in range with where, clip or maximum"
             )
-
-
-def _docstrings(block: Block, drawn: list[Sample]) -> Iterator[str]:
-    """Docstrings name the equation and every port."""
-    texts = []
-    for role, function, _ in equations(block):
-        text = function.__doc__ or ""
-        texts.append(text)
-        if not text.strip() or not text.splitlines()[0].strip():
-            yield f"{role}: has no docstring that begins with a summary, such as the equation"
-    text = "\n".join(texts)
-    if not re.search(r"\bEqs?\.|\b[Ss]ection\b|\b[A-Z]\w+ (19|20)\d\d\b", text):
-        yield (
-            f'{block.name}: no docstring names its equation: "Eq. (7)" or "section IV", or the '
-            'source of what is not in the paper: "Slotine and Li 1989"'
-        )
-    for port in {**block.input_ports, **block.state_ports, **block.output_ports}:
-        own = split(port)[1]  # a namespace is of one vehicle, the equations are of any
-        if not re.search(rf"(?<!\w){re.escape(own)}(?!\w)", text):
-            yield f"{block.name}: port '{port}' is in no docstring of its equations"
 
 
 def _readings(block: Block, drawn: list[Sample]) -> Iterator[str]:
