@@ -78,7 +78,8 @@ class ConformanceReport(NamedTuple):
     def __str__(self) -> str:
         if self.ok:
             return f"{self.block}: conforms ({len(self.checks)} checks)"
-        return "\n".join([f"{self.block}: {len(self.failures)} failures", *self.failures])
+        count = len(self.failures)
+        return "\n".join([f"{self.block}: {count} failure{'s'[: count > 1]}", *self.failures])
 
 
 @public
