@@ -154,15 +154,16 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> Any:
     top, bottom = axes
     units = data["clpe_rms"].attrs["units"]
     cycles = np.arange(1, data.sizes["cycle"] + 1)
-    if len(cycles):
-        _cycle_bands(top, cycles, percentiles(data, "clpe_rms"))
+    rms = percentiles(data, "clpe_rms")
+    if np.isfinite(rms).any():
+        _cycle_bands(top, cycles, rms)
         top.set_xticks(cycles if len(cycles) <= 20 else cycles[:: len(cycles) // 10])
         top.set(xlabel="cycle of the waypoints", ylabel=f"CLPE rms ({units})")
         top.set_xlim(0, len(cycles) + 1)
         _logarithmic(top)
         top.legend(frameon=False, fontsize=8)
     else:
-        _nothing(top, "the runs are shorter than a cycle")
+        _nothing(top, "no run has come to the end of a cycle")
     count = f"{data.sizes['member']:,}".replace(",", " ")
     top.set_title(f"CLPE of {count} members", loc="left", fontsize=10)
     name = "flow_parameter_error" if "flow_parameter_error" in data else "gain_error"

@@ -99,7 +99,7 @@ def _found(data: "xarray.Dataset", summary: dict[str, Any], done: int) -> list[s
             f"At the end the largest error of a flow parameter is {number(error[2])} {per} in the "
             f"median run, and at most {number(error[-1])} {per} in 95 of 100."
         )
-    return said
+    return said or ["Found: no run came to the end of a round, nor to its own."]
 
 
 def _unit(values: "xarray.DataArray") -> str:

@@ -101,7 +101,8 @@ def _cards(numbers: dict[str, Any], scenario: Scenario) -> list[Card]:
     for place, share in (numbers.get("explained_variance") or {}).items():
         if isinstance(share, float):
             where = "along the track" if place == "track" else "over the whole box"
-            cards.append(Card("Current's variance learned", f"{100 * share:.0f} %", where))
+            where += "; worse than no flow" if share < 0 else ""
+            cards.append(Card("Current's variance explained", f"{100 * share:.0f} %", where))
     return cards
 
 

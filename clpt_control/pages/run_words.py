@@ -78,9 +78,9 @@ def found_of_flow(numbers: dict[str, Any], scenario: Scenario) -> str:
         if isinstance(share, float):
             worse = ", worse than no flow" if share < 0 else ""
             parts.append(
-                f"the learned flow holds {100 * share:.0f} % of the current's variance {where}"
+                f"the learned flow explains {100 * share:.0f} % of the current's variance {where}"
                 + worse
             )
     if errors := numbers.get("max_gain_error"):
         parts.append(f"the largest error of a gain is {number(at_end(errors))} 1/{unit.time}")
-    return said + (", and ".join(parts) if len(parts) < 3 else ", ".join(parts)) + "."
+    return said + "; ".join(parts) + "."

@@ -212,6 +212,16 @@ def test_an_ensemble_has_its_page(tmp_path):
     assert "learning.gain varies from 0.2 to 2" in text
 
 
+def test_an_ensemble_that_failed_has_its_page(tmp_path):
+    long = SHORT.with_values({"run.duration": 250})
+    failed = clpt.run_ensemble(long, "learning.gain=[1e9,2e9]", 2, out=tmp_path / "e.zarr")
+    text = page_html(page_of(failed))
+    checked(text)
+    assert "no run came to the end of a round" in text
+    assert "2 of 2 runs did not come to their end" in text
+    assert "too many steps" in text
+
+
 @pytest.mark.parametrize("done", [0, 1])
 def test_an_ensemble_under_way_says_how_far_it_is(tmp_path, monkeypatch, done):
     write, count = Store.write, []

@@ -150,7 +150,7 @@ def _direction(ax: "Axes", at: Excitation, axis: str) -> None:
     )
     ax.axhline(0, color="black", linewidth=0.7)
     ax.set_xticks(places, [_symbol(names[k]) for k in shown], fontsize=9)
-    some = "" if len(shown) == len(names) else f", {len(shown)} of {len(names)} parameters"
+    some = "" if len(shown) == len(names) else f"\n{len(shown)} of {len(names)} parameters"
     ax.set_title(
         rf"{axis}: $\kappa_1$ = {at.eigenvalues[axis][0]:.3g}, "
         f"{at.start:.4g} to {at.start + at.window:.4g} {at.time_unit}{some}",
