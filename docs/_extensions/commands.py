@@ -1,5 +1,9 @@
 """`{commands}`: every command of `clpt` with its arguments and options, from typer's own help."""
 
+import inspect
+from pathlib import Path
+from textwrap import dedent
+
 from sphinx.util.docutils import SphinxDirective
 
 
@@ -10,24 +14,29 @@ class Commands(SphinxDirective):
         """Read the command line and parse what it says as Markdown."""
         from typer.main import get_command
 
-        from clpt_control.cli import application
+        from clpt_control import cli
 
-        program = get_command(application())
-        text = "\n".join(
+        for file in Path(cli.__file__).parent.glob("*.py"):
+            self.env.note_dependency(str(file))
+        text = "\n\n".join(
             section(command, command.make_context(f"clpt {name}", [], resilient_parsing=True))
-            for name, command in program.commands.items()
+            for name, command in get_command(cli.application()).commands.items()
         )
         return self.parse_text_to_nodes(text, allow_section_headings=True)
 
 
 def section(command, context) -> str:
-    """Markdown of a command: its usage, what it does, its arguments and options."""
+    """Markdown of a command: its usage, what it does, arguments and options, an example."""
     usage = f"{context.info_name} {' '.join(command.collect_usage_pieces(context))}"
-    parts = [f"## {context.info_name}", f"```text\n{usage}\n```", plain(command.help or "", "\n\n")]
+    about, _, example = inspect.cleandoc(command.help or "").partition("\nExample:\n")
+    parts = [f"## {context.info_name}", f"```text\n{usage}\n```", plain(about, "\n\n")]
     for parameter in command.get_params(context):
         if record := parameter.get_help_record(context):
             words, said = record
+            words = parameter.metavar if parameter.param_type_name == "argument" else words
             parts.append(f"`{words}`\n: {plain(said) or '-'}")
+    if example:
+        parts.append(f"```text\n{dedent(example).strip()}\n```")
     return "\n\n".join(parts)
 
 
