@@ -31,7 +31,8 @@ def section(command, context) -> str:
     about, _, example = inspect.cleandoc(command.help or "").partition("\nExample:\n")
     parts = [f"## {context.info_name}", f"```text\n{usage}\n```", plain(about, "\n\n")]
     for parameter in command.get_params(context):
-        if record := parameter.get_help_record(context):
+        record = parameter.get_help_record(context)
+        if record and parameter.name != "help":
             words, said = record
             words = parameter.metavar if parameter.param_type_name == "argument" else words
             parts.append(f"`{words}`\n: {plain(said) or '-'}")
