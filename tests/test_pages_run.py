@@ -60,7 +60,7 @@ def blocks(path):
 
 
 @pytest.mark.parametrize("path", list(pages()))
-def test_every_block_runs(path, tmp_path, monkeypatch):
+def test_every_block_runs(path, tmp_path, monkeypatch, request):
     if not shutil.which("sh"):
         pytest.skip("no shell: sh is not on PATH")
     monkeypatch.chdir(tmp_path)
@@ -68,6 +68,7 @@ def test_every_block_runs(path, tmp_path, monkeypatch):
     monkeypatch.setenv(
         "PATH", os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
     )
+    request.addfinalizer(close_figures)
     page, printed = ModuleType("page"), ""
     monkeypatch.setitem(sys.modules, "page", page)  # its functions are found there, as in a script
     for block in blocks(path):
@@ -76,6 +77,12 @@ def test_every_block_runs(path, tmp_path, monkeypatch):
         if block.language == "text" and printed and not block.after.strip():
             assert_same(printed, block.text, where)
         printed = "" if LEFT_OUT.match(block.text) else run(block, vars(page), where)
+
+
+def close_figures():
+    import matplotlib.pyplot as plt
+
+    plt.close("all")
 
 
 def run(block, space, where):
