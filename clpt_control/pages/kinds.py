@@ -1,6 +1,7 @@
 """What a file or folder is: a run, a team's run, an ensemble or a replay."""
 
 import json
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -28,10 +29,10 @@ NEEDED = {  # variable of a run -> its dimensions, after those of a team
 
 def read(path: Path) -> Any:
     """Return what lies there: a run or an ensemble as a Dataset, a replay as its JSON."""
-    if path.is_dir():
+    if os.path.isdir(path):  # noqa: PTH112 - never raises
         return _folder(path)
-    if not path.exists():
-        raise DataError(f"{path}: no such file; {KNOWN}")
+    if not os.path.exists(path):  # noqa: PTH110 - never raises
+        raise DataError(f"{str(path)[:200]}: no such file; {KNOWN}")
     if path.is_file():
         with path.open("rb") as file:
             start = file.read(4)

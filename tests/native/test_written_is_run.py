@@ -16,7 +16,7 @@ import clpt_control as clpt
 from clpt_control.blocks import Block
 from clpt_control.blocks.words import lookup, maximum, minimum, where
 from clpt_control.diagrams.interconnection import connect
-from clpt_control.errors import BlockError, DiagramError
+from clpt_control.errors import BlockError, ClptError, DiagramError
 from clpt_control.native import readings
 
 
@@ -464,13 +464,13 @@ def test_parameters_that_are_no_numbers_are_refused(value):
 
 @pytest.mark.parametrize(("name", "size"), [("a.b", 1), ("", 1), ("-a", 1), ("a", -1), ("a", "2")])
 def test_names_and_sizes_that_cannot_be_wired_are_refused(name, size):
-    with pytest.raises(BlockError, match="must"):
+    with pytest.raises(ClptError, match="must"):
         Block("mine", output=negative, inputs={"u": 1}, outputs={name: size})
 
 
 @pytest.mark.parametrize("system", [control.tf([1], [1, 1]), 5, None])
 def test_what_is_no_system_of_states_is_refused(system):
-    with pytest.raises(DiagramError, match=r"control\.ss"):
+    with pytest.raises(ClptError, match="must be a diagram"):
         readings(system)
 
 
