@@ -14,9 +14,10 @@ MOST_VEHICLES = 20
 
 def scenario_line(scenario: Any) -> str:
     """Return what a scenario is, in a line."""
+    points = len(scenario.waypoints)
     return (
         f"<Scenario {shortened(scenario.title, 60)!r}: {scenario.learning.law}, "
-        f"{scenario.basis.N} flow functions, {len(scenario.waypoints)} waypoints, "
+        f"{scenario.basis.N} flow functions, {points} waypoint{'s' * (points > 1)}, "
         f"{scenario.run.duration:g} {scenario.units.time}>"
     )
 

@@ -131,6 +131,21 @@ def test_a_large_diagram_is_said_in_words():
     assert "70 blocks" in repr(diagram)
 
 
+def test_what_cannot_be_wired_says_why():
+    def same(t, x, u, p, y):
+        """y = u."""
+        y[0] = u[0]
+
+    blocks = [
+        clpt.Block("a", output=same, inputs={"s": 1}, outputs={"r": 1}),
+        clpt.Block("b", output=same, inputs={"r": 1}, outputs={"s": 1}),
+    ]
+    circle = clpt.connect(blocks, name="circle")
+    assert "<svg" not in circle._repr_html_()
+    assert "<p>" in circle._repr_html_()
+    assert repr(circle).startswith("<Diagram circle: 2 blocks")
+
+
 def test_a_nested_diagram_is_drawn_block_by_block():
     import control
 

@@ -5,6 +5,7 @@ import re
 import control
 
 from ...blocks.shown import ports_line
+from ...errors import ClptError
 from ...html.fragment import fragment, shortened
 from ...html.text import paragraphs
 from ..wiring import wiring_of
@@ -22,10 +23,13 @@ def diagram_line(diagram: control.InterconnectedSystem) -> str:
 def diagram_html(diagram: control.InterconnectedSystem) -> str:
     """Return a diagram drawn, or in words where it is large."""
     name = f"{diagram.name}: {_size(diagram)}"
-    if len(wiring_of(diagram).nodes) > MOST:
-        said = [f"It has more than {MOST} blocks; clpt.draw(diagram, 'loop.svg') draws it."]
-        return fragment("Diagram", name, paragraphs(said))
-    return fragment("Diagram", name, drawing(diagram).svg)
+    try:
+        large = len(wiring_of(diagram).nodes) > MOST
+        drawn = "" if large else drawing(diagram).svg
+    except ClptError as error:  # of what cannot be wired
+        return fragment("Diagram", name, paragraphs([str(error)]))
+    said = [f"It has more than {MOST} blocks; clpt.draw(diagram, 'loop.svg') draws it."]
+    return fragment("Diagram", name, paragraphs(said) if large else drawn)
 
 
 def _size(diagram: control.InterconnectedSystem) -> str:
