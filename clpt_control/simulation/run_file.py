@@ -27,7 +27,7 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     Raises
     ------
     DataError
-        If the file cannot be written.
+        If the file cannot be written, or the run is that of a diagram without CLPE.
 
     Examples
     --------
@@ -42,6 +42,11 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     from ..scenario.file import FORM, LATEST, TEAM, folder_of, scenario_from_text, scenario_to_text
     from ..scenario.team_file import team_from_text, team_to_text
 
+    if "clpe" not in run.variables:
+        raise DataError(
+            f"{path}: {run.attrs.get('title', 'the dataset')} has no variable clpe, without which "
+            "load_run reads nothing; write it by run.to_netcdf, read it by xarray.load_dataset"
+        )
     path, folder = Path(path), folder_of(run)
     if (text := run.attrs.get("scenario")) is not None:
         scenario = scenario_from_text(text, "scenario", folder)

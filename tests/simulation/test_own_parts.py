@@ -183,6 +183,21 @@ def test_runs_with_parts_of_ones_own_are_not_repeated(tmp_path):
             clpt.load_scenario(tmp_path / "run.nc")
 
 
+def test_the_run_of_another_diagram_is_no_file_of_a_run(tmp_path):
+    run = clpt.simulate(clpt.connect([LAG], external="u"), [0, 1], 1)
+    with pytest.raises(DataError, match=r"Response of diagram has no variable clpe.*to_netcdf"):
+        clpt.save_run(run, tmp_path / "run.nc")
+    assert not (tmp_path / "run.nc").exists()
+
+
+def test_no_certificate_for_parts_that_it_is_not_of():
+    run = clpt.simulate(PAPER, np.linspace(0, 30, 601), insert={("v_x", "vehicle"): LAG})
+    with pytest.raises(ClptError, match="the run has parts given in Python, v_x to vehicle: lag"):
+        clpt.theory.certificate(run, 20.0, 0.0)
+    with pytest.raises(ClptError, match=r"parts given in Python, v_x .* its vehicle is not known"):
+        clpt.estimation.flow_estimate(run)
+
+
 def test_delta_comes_from_outside():
     """x' = F + v + delta: in calm water a held delta moves the rest by delta/KD."""
     loop, delta = clpt.closed_loop(CALM, external="delta"), np.array([0.3, -0.2])

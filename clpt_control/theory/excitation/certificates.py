@@ -156,8 +156,8 @@ def certificate(
     law = scenario.learning.law
     if along.own_law or law not in ("learned-flow", "known-flow") or not gains.one:
         raise ScenarioError(
-            "no certificate: it is of the paper's two laws with one gain for all, the run has the "
-            f"law {along.own_law or law}" + ("" if gains.one else " with a gain each")
+            "no certificate: it is of the paper's two laws with one gain for all, the run has "
+            f"{along.own_law or f'the law {law}'}" + ("" if gains.one else " with a gain each")
         )
     if scenario.localization is not None and scenario.localization.noise > 0:
         raise ScenarioError(

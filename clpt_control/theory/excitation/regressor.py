@@ -141,7 +141,8 @@ def joint_regressor(
     step = np.median(np.diff(source.time.values))
     trajectory = f"recorded run, sampled each {step:g} {scenario.units.time}"
     phi = basis_along(scenario, times, x)
-    own_law = ", ".join(source.attrs[name] for name in (OWN_LAW, OWN_PARTS) if name in source.attrs)
+    given = ((OWN_LAW, "the law"), (OWN_PARTS, "parts given in Python,"))
+    own_law = " and ".join(f"{w} {source.attrs[a]}" for a, w in given if a in source.attrs)
     return Regressor(scenario, trajectory, cuts, times, weights, phi, z, zc, own_law)
 
 
