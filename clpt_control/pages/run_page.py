@@ -5,9 +5,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..figures import figure_of
-from ..html.text import folded, listing, paragraphs, safe, table
+from ..html.text import folded, listing, paragraphs, table
 from ..scenario.experiment import Scenario
-from ..scenario.file import CHANGED, OWN_LAW, paper_scenario
+from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS, paper_scenario
 from ..simulation.plots import clpe_plot, learning_plot, track_plot
 from ..simulation.report import claims
 from .excitation_section import excitation_section
@@ -20,39 +20,47 @@ from .versions import again_section, solver_facts
 if TYPE_CHECKING:
     import xarray
 
+KINDS = ("Run of a scenario", "Run of a diagram")
+GIVEN = {OWN_LAW: "law", CHANGED: "parameters", OWN_PARTS: "parts"}
 MOST_ROWS = 12  # of a table that is not folded
 
 
 def run_page(run: "xarray.Dataset", scenario: Scenario, title: str | None = None) -> Page:
     """Return the page of a run that carries this scenario."""
     numbers = numbers_of(run, scenario)
-    own, changed = run.attrs.get(OWN_LAW), run.attrs.get(CHANGED)
+    own, changed, parts = (run.attrs.get(name) for name in (OWN_LAW, CHANGED, OWN_PARTS))
     law = f"{own}, given in Python," if own else scenario.learning.law
-    unit, paper = scenario.units, scenario == paper_scenario() and not (own or changed)
+    unit, paper = scenario.units, scenario == paper_scenario() and not (own or changed or parts)
     sections = [*_claims(numbers)] if paper else []
-    sections += [_loop(scenario, own), *_figures(run, scenario, numbers)]
-    if changed:
-        said = "Not measured: the run had parameters that its scenario does not hold."
+    sections += [] if parts else [_loop(scenario, own)]
+    sections += _figures(run, scenario, numbers)
+    if changed or parts:
+        said = "Not measured: the run had what its scenario does not hold."
         sections.append(Section("excitation", "What the track can teach", [paragraphs([said])]))
     else:
         sections.append(excitation_section(run, scenario))
-    sections += [_scenario(run), _again(run, own, changed, paper)]
+    sections += [_scenario(run), _again(run, paper)]
     return Page(
-        "Section IV of the paper" if paper else "Run of a scenario",
+        "Section IV of the paper" if paper else KINDS[parts is not None],
         title or scenario.title or "A run without a title",
         [
-            asked(scenario, law),
+            ("In the scenario's words, of which parts were changed. " if parts else "")
+            + asked(scenario, law),
             found_of_clpe(numbers, unit.length),
             found_of_flow(numbers, scenario),
         ],
-        _warnings(run, scenario, numbers, changed),
+        _warnings(run, scenario, numbers, changed, parts),
         _cards(numbers, scenario),
         sections,
     )
 
 
 def _warnings(
-    run: "xarray.Dataset", scenario: Scenario, numbers: dict[str, Any], changed: str | None
+    run: "xarray.Dataset",
+    scenario: Scenario,
+    numbers: dict[str, Any],
+    changed: str | None,
+    parts: str | None,
 ) -> list[str]:
     """Return what a reader must know before the figures."""
     said = []
@@ -68,6 +76,11 @@ def _warnings(
         said.append(
             "The run had parameters that its scenario does not hold, so that waypoints and the "
             f"true flow may be others than drawn: {changed}."
+        )
+    if parts:
+        said.append(
+            f"The run is of a diagram with parts given in Python, {parts}: waypoints, true flow "
+            "and law may be others than the scenario says."
         )
     if "measured_position" in run:
         said.append(
@@ -231,7 +244,7 @@ def _scenario(run: "xarray.Dataset") -> Section:
     return Section("scenario", "Scenario", [f"<p>{said}</p>", folded("The scenario, TOML", text)])
 
 
-def _again(run: "xarray.Dataset", own: str | None, changed: str | None, paper: bool) -> Section:
+def _again(run: "xarray.Dataset", paper: bool) -> Section:
     said = "Save the scenario above as <code>scenario.toml</code>, and type:"
     commands = [
         "clpt run scenario.toml --out run.nc --figures figures",
@@ -240,12 +253,10 @@ def _again(run: "xarray.Dataset", own: str | None, changed: str | None, paper: b
     if paper:
         said = "The scenario comes with clpt-control; type:"
         commands = ["clpt paper --out paper", "clpt report paper/run.nc -o report.html"]
-    if own or changed:
-        what = f"the law {own}, which was given in Python" if own else "parameters given in Python"
-        said, commands = (
-            f"The run cannot be made again from its file alone: it had {safe(what)}.",
-            [],
-        )
+    given = [what for name, what in GIVEN.items() if name in run.attrs]
+    if given:
+        said = f"The run cannot be made again from its file alone: its {' and '.join(given)}"
+        said, commands = f"{said} were given in Python.", []
     return again_section(
         said, commands, str(run.attrs.get("software", "")), solver_facts(run.attrs)
     )

@@ -33,6 +33,7 @@ def solver_facts(attributes: Mapping[Any, Any]) -> dict[str, str]:
         if str(name).startswith("solver_")
     ]
     return {
+        "engine": str(attributes.get("engine", "not recorded")),
         "ended": str(attributes.get("message", "not recorded")),
         "solver": ", ".join(counts) or "not recorded",
     }

@@ -5,6 +5,7 @@ the solver's statistics in the attributes, so that a run repeats from its file.
 """
 
 import json
+import platform
 from collections.abc import Collection, Container, Mapping, Sequence
 from functools import cache
 from importlib.metadata import version
@@ -209,8 +210,9 @@ def how_it_ran(solution: Solution) -> dict[str, Any]:
 
 @cache
 def _software() -> str:
-    packages = ("clpt-control", "control", "numpy", "scipy")
-    return ", ".join(f"{name} {version(name)}" for name in packages)
+    packages = ("clpt-control", "control", "numpy", "scipy", "numba")
+    here = f"Python {platform.python_version()}"
+    return ", ".join([here, *(f"{name} {version(name)}" for name in packages)])
 
 
 def _changed(left: Mapping[str, Any], changes: Changes) -> dict[str, str]:

@@ -185,6 +185,12 @@ def test_what_cannot_be_repeated_is_not_said_to_be(run):
     assert "cannot be made again from its file alone" in text
     assert "clpt run scenario.toml" not in text
     changed = words(run.assign_attrs(parameters_changed='{"a.b": 1}'))
+    steered = clpt.closed_loop(SHORT, external=("zc",))
+    times, start = np.linspace(0, 40, 41), clpt.initial_state(SHORT)
+    steps = words(clpt.simulate(steered, times, inputs=[3, 0], initial_state=start))
+    assert "may be others than the scenario says" in steps
+    assert "cannot be made again" in steps
+    assert "Eigenvalues" not in steps
     assert "parameters that its scenario does not hold" in changed
 
 
