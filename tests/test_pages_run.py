@@ -59,6 +59,13 @@ def blocks(path):
         end = found.end()
 
 
+def test_a_console_that_says_something_else_is_found():
+    check_console("$ echo one \\\n  two; echo three; echo four\none two\n...\nfour\n", "here")
+    for wrong in ("one three", "one two\nfour", "one two\n...\nfive", "four\n...\nthree"):
+        with pytest.raises(AssertionError, match="here: echo"):
+            check_console(f"$ echo one two; echo three; echo four\n{wrong}\n", "here")
+
+
 @pytest.mark.parametrize("path", list(pages()))
 def test_every_block_runs(path, tmp_path, monkeypatch, request):
     if not shutil.which("sh"):
@@ -120,7 +127,7 @@ def shell(commands):
 def check_console(text, where):
     """Run what stands after `$`; what is shown below must be what is said, but for `...`."""
     for part in re.split(r"^\$ ", text, flags=re.M)[1:]:
-        command, shown = re.match(r"((?:.*\\\n)*.*\n?)(.*)", part, re.S).groups()
+        command, shown = re.match(r"((?:[^\n]*\\\n)*[^\n]*\n?)(.*)", part, re.S).groups()
         _, out = shell(command)
         said = words(out)
         for piece in re.split(r"^\s*\.\.\.\s*$", shown, flags=re.M):
