@@ -22,7 +22,13 @@ Start = Annotated[
 ]
 PIPED = 140  # letters of a line that goes to no terminal
 LONG = 40  # characters; longer cells are broken into lines
-Json = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
+Json = Annotated[
+    bool,
+    typer.Option(
+        "--json",
+        help="Print one JSON object and nothing else; a mistake is told on standard error.",
+    ),
+]
 
 Formats = Annotated[
     list[str] | None,

@@ -54,6 +54,12 @@ def replay(
             metavar="FILE", help="Forecast (NetCDF) or fit (TOML) to compare with and learn from."
         ),
     ] = None,
+    units: Annotated[
+        str | None,
+        typer.Option(
+            metavar="UNIT", help="Of u and v of a forecast, such as m/s, where it has none."
+        ),
+    ] = None,
     plan: Annotated[
         tuple[float, float, float] | None,
         typer.Option(
@@ -151,7 +157,9 @@ def replay(
             f"--variation {variation:g} degrees: must be -180 to 180, east positive"
         )
     model = chosen_model(flow, width_km, learn_speed, flow_model is not None)
-    forecast = None if flow_model is None else read_flow_model(flow_model)
+    if units is not None and flow_model is None:
+        raise ScenarioError(f"--units {units}: is for --flow-model FILE; give one, or leave it out")
+    forecast = None if flow_model is None else read_flow_model(flow_model, units)
     ahead = Ahead(
         () if plan is None else (3600 * plan[0], plan[1:]),
         [waypoint(text) for text in aim or ()],

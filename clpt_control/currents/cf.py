@@ -213,7 +213,7 @@ def velocity_values(
     if own is None and units is None:
         raise DataError(
             f"{path}: {name} has no units; must be such as 'm/s' or 'cm s-1': give --units to clpt "
-            "fit or tides, or write the attribute"
+            "fit, tides or replay, or write the attribute"
         )
     size = speed_in_metres_per_second(str(units if own is None else own), f"{path}: {name}")
     if own and units and speed_in_metres_per_second(units, "--units") != size:

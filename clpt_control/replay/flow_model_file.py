@@ -12,7 +12,7 @@ NETCDF = (".nc", ".nc4", ".cdf", ".netcdf")
 
 
 @public
-def read_flow_model(path: str | Path) -> FlowModel:
+def read_flow_model(path: str | Path, units: str | None = None) -> FlowModel:
     """Read a flow model: a gridded forecast, or a fitted basis.
 
     Parameters
@@ -20,6 +20,8 @@ def read_flow_model(path: str | Path) -> FlowModel:
     path : str or Path
         NetCDF of a current on time, latitude, longitude and perhaps depth; or
         the TOML file that `clpt fit` wrote, its field beside it.
+    units : str, optional
+        Of u and v of a NetCDF file, such as ``"m/s"``, where it has none.
 
     Returns
     -------
@@ -50,4 +52,6 @@ def read_flow_model(path: str | Path) -> FlowModel:
             f"{path}: no such file; a flow model is a NetCDF file (.nc) of a current, or the .toml "
             "file that `clpt fit` writes"
         )
-    return read_fitted(path) if kind == ".toml" else read_forecast(path)
+    if kind == ".toml" and units is not None:
+        raise DataError(f"{path}: a fit has its units in the file; leave out units ({units})")
+    return read_fitted(path) if kind == ".toml" else read_forecast(path, units)

@@ -172,9 +172,9 @@ class Forecast(FlowModel):
         )
 
 
-def read_forecast(path: str | Path) -> Forecast:
+def read_forecast(path: str | Path, units: str | None = None) -> Forecast:
     """Read a NetCDF of a current on time, latitude, longitude and perhaps depth."""
-    column = read_currents(path, column=True)
+    column = read_currents(path, column=True, units=units)
     about = f"gridded, averaged over a dive's depth, {len(column.depth)} levels"
     if len(column.depth) == 1:
         where = "surface" if column.depth[0] < 1 else f"{column.depth[0]:g} m deep"

@@ -200,3 +200,25 @@ def test_measured_surface_current():
     assert {entry["why"] for entry in found["flow_model"]["uncovered"]} == {
         "outside the forecast's area"
     }
+
+
+def test_units_of_a_forecast_that_has_none_are_given(tmp_path, clpt):
+    import netCDF4
+
+    path = write(tmp_path / "bare.nc", *turning(HOURS, (len(LAT), len(LON))))
+    with netCDF4.Dataset(path, "a") as file:
+        for name in "uv":
+            file[name].delncattr("units")
+            file[name][:] = 100.0 * file[name][:]
+    with pytest.raises(DataError, match=r"has no units.*--units"):
+        read_flow_model(path)
+    dive = dive_at()
+    found = model_way(dive, read_flow_model(path, units="cm/s"))
+    assert found == pytest.approx(turned(dive), rel=0.01)
+    fit = tmp_path / "fit.toml"
+    fit.write_text("")
+    with pytest.raises(DataError, match="a fit has its units in the file"):
+        read_flow_model(fit, units="m/s")
+    outcome = clpt("replay", "--sample", "--units", "m/s")
+    assert (outcome.status, outcome.out) == (2, "")
+    assert "--units m/s: is for --flow-model FILE" in outcome.err

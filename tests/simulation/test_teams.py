@@ -194,7 +194,7 @@ def test_what_a_team_cannot_take(arguments, said):
 
 def test_others_take_no_team():
     for function in (clpt.closed_loop, clpt.initial_state, clpt.paper_blocks):
-        with pytest.raises(clpt.ScenarioError, match="must be a Scenario"):
+        with pytest.raises(clpt.ArgumentError, match="= a Team: must be a Scenario"):
             function(team(a=PAPER, b=PAPER))
-    with pytest.raises(clpt.ScenarioError, match="must be a Team"):
+    with pytest.raises(clpt.ArgumentError, match="must be a Team"):
         clpt.team_loop(PAPER)

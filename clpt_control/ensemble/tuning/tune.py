@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ...arguments import Seed, public
+from ...arguments import public
 from ...blocks.laws.table import LAWS
 from ...errors import ClptError, ScenarioError
 from ...scenario.experiment import Scenario
@@ -40,7 +40,7 @@ def tune_law(
     prior: float | None = None,
     unmodelled: float | None = None,
     laws: Iterable[str] = (),
-    seed: Seed = 0,
+    seed: int = 0,
     progress: Callable[[float], None] | None = None,
 ) -> Tuned:
     """Choose law, gains and filter for a flow that is not known.
