@@ -44,25 +44,19 @@ def run_page(run: "xarray.Dataset", scenario: Scenario, title: str | None = None
         "Section IV of the paper" if paper else KINDS[parts is not None],
         title or scenario.title or "A run without a title",
         [
-            ("In the scenario's words, of which parts were changed. " if parts else "")
-            + asked(scenario, law),
+            asked(scenario, law, "Asked, as far as the scenario says" if parts else "Asked"),
             found_of_clpe(numbers, unit.length),
             found_of_flow(numbers, scenario),
         ],
-        _warnings(run, scenario, numbers, changed, parts),
+        _warnings(run, scenario, numbers),
         _cards(numbers, scenario),
         sections,
     )
 
 
-def _warnings(
-    run: "xarray.Dataset",
-    scenario: Scenario,
-    numbers: dict[str, Any],
-    changed: str | None,
-    parts: str | None,
-) -> list[str]:
+def _warnings(run: "xarray.Dataset", scenario: Scenario, numbers: dict[str, Any]) -> list[str]:
     """Return what a reader must know before the figures."""
+    changed, parts = run.attrs.get(CHANGED), run.attrs.get(OWN_PARTS)
     said = []
     if run.attrs.get("status", "finished") != "finished":
         said.append(f"The run ended early: {run.attrs.get('message', 'no reason is recorded')}.")

@@ -18,13 +18,13 @@ def number(value: float) -> str:
     return f"{float(shown):.0f}" if "e+" in shown and abs(value) < 1e6 else shown
 
 
-def asked(scenario: Scenario, law: str) -> str:
+def asked(scenario: Scenario, law: str, begin: str = "Asked") -> str:
     """Return what was asked of a scenario's run."""
     run, unit = scenario.run, scenario.units
     count = len(scenario.waypoints)
     rounds = run.duration / scenario.cycle
     return (
-        f"Asked: a vehicle visits {count} waypoint{'s'[: count != 1]} in turn, "
+        f"{begin}: a vehicle visits {count} waypoint{'s'[: count != 1]} in turn, "
         f"{scenario.reference.dwell:g} {unit.time} at each, for {run.duration:g} {unit.time} "
         f"({rounds:.3g} round{'s'[: rounds != 1]}) in {_water(scenario)}; it predicts where it "
         f"will be, and from the error of that prediction (CLPE) the law {law} "
