@@ -9,6 +9,7 @@ import numpy as np
 from ..arguments import public
 from ..blocks import Block
 from ..blocks.linear import is_linear
+from ..blocks.localization import TRUE
 from ..diagrams.changes import Part, changes_of
 from ..diagrams.parts import output_ports
 from ..errors import DataError
@@ -71,9 +72,11 @@ def state_columns(parts: Iterable[Part]) -> dict[str, slice]:
 
 
 def _is_signal(part: Part, port: str, size: int) -> bool:
-    """Return whether a state is a signal of the same name."""
+    """Return whether a state is a signal of the same name; of x it may be the true position."""
     its_own = not is_linear(part) or np.array_equal(part.parameters.C, np.eye(size))
-    return its_own and len(output_ports(part).get(port, ())) == size
+    outputs = output_ports(part)
+    signals = outputs.get(port) or (outputs.get(TRUE, ()) if port == "x" else ())
+    return its_own and len(signals) == size
 
 
 def state_of(scenario: Scenario, parts: Iterable[Part], law: Part | None = None) -> np.ndarray:

@@ -75,6 +75,11 @@ def test_the_truth_is_without_noise():
     np.testing.assert_allclose(run.lyapunov, V, rtol=1e-12)
 
 
+def test_the_vehicle_begins_where_the_scenario_says():
+    there = NOISY.with_values({"vehicle.position": [1.0, 2.0], "run.duration": 1})
+    assert clpt.simulate(there).position[0].values.tolist() == [1.0, 2.0]
+
+
 def test_no_noise_is_no_localization():
     quiet = clpt.simulate(NOISY.with_values({"localization.noise": 0.0}))
     plain = clpt.simulate(NOISY.with_values({"localization": None}))
