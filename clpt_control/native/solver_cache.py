@@ -108,10 +108,10 @@ def ready() -> bool:
 
 @cache
 def _say() -> None:
-    lasts = "later runs start at once"
     if cache_folder() is None:
-        lasts = "there is no folder to keep it in"
-    note(f"compiling once for every kind of diagram, some ten seconds; {lasts}")
+        note("compiling, some ten seconds, each time: there is no folder to keep it in")
+    else:
+        note("compiling once for every kind of diagram, some ten seconds; later runs start at once")
 
 
 def _named(name: str) -> str:
