@@ -55,7 +55,7 @@ FOLLOW = ("replay", "--follow", "in", "--out", "out", "--patience", "0", "--json
         ("typer", RUN),
         ("numpy", RUN),
         ("pydantic", RUN),
-        ("numba", RUN),
+        ("llvmlite", RUN),
         ("llvmlite.binding", RUN),
         ("netCDF4", RUN),
         ("clpt_control.native.solver", RUN),
