@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..figures import figure_of
-from ..html.text import folded, listing, paragraphs, table
+from ..html.text import folded, listing, paragraphs, safe, table
 from ..scenario.experiment import Scenario
 from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS, paper_scenario
 from ..simulation.plots import clpe_plot, learning_plot, track_plot
@@ -39,7 +39,7 @@ def run_page(run: "xarray.Dataset", scenario: Scenario, title: str | None = None
         sections.append(Section("excitation", "What the track can teach", [paragraphs([said])]))
     else:
         sections.append(excitation_section(run, scenario))
-    sections += [_scenario(run), _again(run, paper)]
+    sections += [_scenario(run), _again(run, scenario, paper)]
     return Page(
         "Section IV of the paper" if paper else KINDS[parts is not None],
         title or scenario.title or "A run without a title",
@@ -201,7 +201,11 @@ def _learned(run: "xarray.Dataset", scenario: Scenario, drawn: list[Drawn]) -> S
     """Return figures and table of what was learned."""
     unit, last = scenario.units, run.isel(time=-1)
     row = scenario.learning.row
-    promise = "" if run.attrs.get(OWN_LAW) else f"{row.name}: {row.promise}"
+    promise = (
+        ""
+        if run.attrs.get(OWN_LAW)
+        else f"What {row.name} promises, where its theorem holds: {row.promise}."
+    )
     estimate = last.flow_parameters_estimate.values
     true = np.full_like(estimate, np.nan)
     if "flow_parameters" in run:
@@ -238,8 +242,11 @@ def _scenario(run: "xarray.Dataset") -> Section:
     return Section("scenario", "Scenario", [f"<p>{said}</p>", folded("The scenario, TOML", text)])
 
 
-def _again(run: "xarray.Dataset", paper: bool) -> Section:
+def _again(run: "xarray.Dataset", scenario: Scenario, paper: bool) -> Section:
     said = "Save the scenario above as <code>scenario.toml</code>, and type:"
+    if scenario.flow.field is not None:
+        field = f"<code>{safe(scenario.flow.field)}</code>"
+        said = f"With the file of the current, {field}, where the scenario says. {said}"
     commands = [
         "clpt run scenario.toml --out run.nc --figures figures",
         "clpt report run.nc -o report.html",
