@@ -28,6 +28,7 @@ OrNaN = Annotated[float, "NaN where it is not known"]
 Seed = Annotated[int, "0 or more"]
 LISTS = (Sequence, Iterable, list)
 PLAIN = (str, bytes, bool, int, float, complex, list, tuple, set, dict)
+SIMPLE = {float, int, str, bool, NoneType}
 EMPTY = np.dtype("V")
 SHORT = reprlib.Repr()
 SHORT.maxstring = SHORT.maxother = 60
@@ -101,6 +102,8 @@ def _checked(function: Any, name: str) -> Any:
             for one, kind in function.__annotations__.items():
                 allowed[one] = kinds_of(kind, function.__globals__)
         kinds = allowed.get(argument, (Any,))
+        if Any in kinds or (type(value) in SIMPLE and type(value) in kinds and value == value):
+            return value  # at once: a dive has 25 numbers
         value = plain(value, kinds)
         if not fits(value, kinds):
             such = f", such as {EXAMPLES[argument]}" if argument in EXAMPLES else ""
@@ -133,6 +136,8 @@ def kinds_of(kind: Any, names: Mapping[str, Any]) -> Kinds:
             return sum((kinds_of(part, names) for part in parts), ()) if parts[1:] else (kind,)
     if kind == ArrayLike:  # the function says what its array holds
         return (Any,)
+    if kind == OrNaN:
+        return (float, OrNaN)
     if get_origin(kind) in (Union, UnionType):
         return tuple(inner for one in get_args(kind) for inner in kinds_of(one, names))
     return (NoneType if kind is None else kind,)

@@ -83,6 +83,7 @@ LONG = ("audit", "design_track", "disturbance_counterexample", "prove", "run_ens
 LISTS = ("conformance",)  # a sentence for each failure
 OF_THE_ENGINE = (  # called at each step, and checked by no one
     *("Block.values", "Block.equations", "Block.parameters_at", "Block.interval_at"),
+    "Block.with_params",
     *("FixModel.regressor", "FixModel.noise", "FixModel.turning", "FixModel.faded"),
     *("FixModel.reached", "FixModel.kept"),
     *("NativeDiagram.schedule", "NativeDiagram.callee", "NativeDiagram.lanes"),
@@ -159,7 +160,6 @@ def right(tmp_path_factory):
         "draw": {"path": folder / "loop.svg"},
         "Block": {"name": "b", "output": line, "inputs": {"u": 1}, "outputs": {"y": 1}},
         "Block.breakpoints": {"self": clpe(), "t0": 0.0, "t1": 1.0},
-        "Block.with_params": {"self": clpe()},
         "Block.with_values": {"self": clpe()},
         "Guard": {"distance": line, "policy": "stop", "sentence": line},
         "Vary": {"key": "learning.gain", "kind": "uniform", "numbers": (1.0, 2.0)},

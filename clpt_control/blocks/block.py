@@ -249,7 +249,6 @@ class Block(control.NonlinearIOSystem):
     def params(self, value: dict[str, Any]) -> None:
         """Ignore python-control's own empty default."""
 
-    @public
     def with_params(self, params: Mapping[str, Any] | None) -> Any:
         """Return the parameters, changed by {"block.field": value}."""
         params = params or {}
