@@ -7,6 +7,7 @@ what can be read only once is a list, an array or a tuple where one is asked for
 """
 
 import os
+import re
 import reprlib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
@@ -51,6 +52,7 @@ EXAMPLES = {  # of arguments whose kind alone does not show how they are written
     "inputs": "{'e': 2}",
     "outputs": "{'y': 1}",
     "states": "{'theta': 2}",
+    "blocks": "[block, control.tf(1, [0.1, 1], name='lag')]",
     "params": "{'adaptation.gain': 2.0}",
     "values": "{'learning.gain': 2.0}",
     "vary": "'learning.gain=0.2:2.0'",
@@ -234,7 +236,7 @@ def _noun(kind: Any) -> str:
         return "a whole number, 0 or more"
     own, inner = _parts(kind)
     if own in LISTS or (own is tuple and inner[-1] is Ellipsis):
-        return f"a list of {_bare(inner[0])}"
+        return "a list" if inner[0] is Any else f"a list of {_many(inner[0])}"
     if own is tuple:
         return f"{len(inner)} values, each {words(kinds_of(inner[0], {}))}"
     if own in (Mapping, dict):
@@ -245,6 +247,14 @@ def _noun(kind: Any) -> str:
 
 def _bare(kind: Any) -> str:
     return words(kinds_of(kind, {})).removeprefix("a ").removeprefix("an ")
+
+
+def _many(kind: Any) -> str:
+    """Return "texts" of one text."""
+    one, *rest = re.split(r"(?= \(| of |, each)", _bare(kind), maxsplit=1)
+    if not one[0].isdigit():
+        one = re.sub(r"(?=, | or |$)", "s", one)
+    return one + "".join(rest)
 
 
 def shown(value: Any) -> str:

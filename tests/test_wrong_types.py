@@ -228,7 +228,7 @@ def allowed(function, argument, label):
         ),
         (
             lambda: clpt.gliders.read_dives(3),
-            "read_dives: paths = 3: must be a path (str or Path) or a list of path (str or Path)",
+            "read_dives: paths = 3: must be a path (str or Path) or a list of paths (str or Path)",
         ),
         (
             lambda: clpt.simulate(SCENARIO, rtol=math.nan),
@@ -236,7 +236,7 @@ def allowed(function, argument, label):
         ),
         (
             lambda: clpt.ensemble.tune_law(SCENARIO, laws="sigma"),
-            "tune_law: laws = 'sigma': must be a list of text; give a list: ['sigma']",
+            "tune_law: laws = 'sigma': must be a list of texts; give a list: ['sigma']",
         ),
         (
             lambda: clpt.theory.gramian(Path("run.nc")),

@@ -1,6 +1,6 @@
-"""Parts judged by two processes: this one, and a helper that is asked part by part.
+"""Parts judged by two processes: this one, and another that is asked part by part.
 
-The helper is another Python that reads a part a line and answers with its verdict.  It first
+The other is a Python that reads a part a line and answers with its verdict.  It first
 says the digest of what it judges by; where that is not ours, as for equations that were changed in
 memory, it is let go.  It ends where this process does, or is interrupted.
 """
@@ -17,7 +17,7 @@ from contextlib import contextmanager, suppress
 from ...progress import interrupt
 from .judgement import Part, Verdicts, restored
 
-COMMAND = [sys.executable, "-m", "clpt_control.theory.proving.helper"]
+COMMAND = [sys.executable, "-m", "clpt_control.theory.proving.second_process"]
 
 
 def judge(
@@ -25,7 +25,7 @@ def judge(
 ) -> Verdicts:
     """Judge parts, the long ones first; `report` is called with the number done."""
     left, found = deque(parts), Verdicts()
-    with _helper(left, found, digest) as (thread, taken):
+    with _second_process(left, found, digest) as (thread, taken):
         while True:
             interrupt.check()
             with suppress(IndexError):
@@ -37,14 +37,16 @@ def judge(
                 break
             interrupt.wait(0.05)
             report(len(found))
-    for part in taken - found.keys():  # what the helper left
+    for part in taken - found.keys():  # what the other left
         found[part] = part.judged()
     return {part: found[part] for part in parts}
 
 
 @contextmanager
-def _helper(left: deque, found: Verdicts, digest: str) -> Iterator[tuple[threading.Thread, set]]:
-    """Start a helper that takes parts from what is left, in a thread; yield it and what it took."""
+def _second_process(
+    left: deque, found: Verdicts, digest: str
+) -> Iterator[tuple[threading.Thread, set]]:
+    """Start a process that takes parts from what is left, in a thread; yield it and its parts."""
     taken: set[Part] = set()
     if (os.cpu_count() or 1) < 2 or len(left) < 3 or not digest:
         yield threading.Thread(), taken
