@@ -451,6 +451,7 @@ RIGHT = {  # name -> (law, whether for every N too)
     "a leak of 0": (lambda: law(leak, Two(N, 0.5, 0.0)), False),
     "as many gains as functions": (lambda: law(by_shape, Each(N, np.array([0.5, 0.5]))), False),
     "wrong from N = 5 on": (lambda: law(wrong_fifth, Gain(N, 0.5)), False),
+    "a small gain": (lambda: law(shipped, Gain(N, 1e-8)), True),
 }
 BOUNDED = {
     "leak": lambda: law(leak, Two(N, 0.5, 0.1)),
@@ -478,6 +479,8 @@ NOT_PROVED = {  # wrong, or right but not known to be
     "a leak of any sign": lambda: law(leak_of_any_sign, Two(N, 0.5, 0.1)),
     "half a projection": lambda: law(half_a_projection, Two(N, 0.5, 2.0)),
     "(e + 1e16) - 1e16": lambda: law(rounded_away, Two(N, 0.5, 1e16)),
+    "(e + 1e16) - 1e16, a small gain": lambda: law(rounded_away, Two(N, 1e-9, 1e16)),
+    "(e + 1e16) - 1e16, a tiny gain": lambda: law(rounded_away, Two(N, 1e-15, 1e16)),
 }
 NOT_REFUTED = {  # right, or right with another V
     "projection": lambda: law(projection, Two(N, 0.5, 2.0)),

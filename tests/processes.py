@@ -12,7 +12,9 @@ CODE = (
     "from clpt_control.cli import main; main()"
 )
 CLPT = [sys.executable, "-c", CODE]
-PROGRESS = re.compile(r".*: \d+ %.*|.* of \d+ members.*")  # lines that only a slow machine shows
+PROGRESS = re.compile(
+    r".*: \d+ %.*|.* of \d+ members.*|clpt: compiling once .*"
+)  # lines that only a slow machine shows
 
 
 @contextmanager

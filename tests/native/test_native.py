@@ -16,7 +16,7 @@ from clpt_control.blocks import Block, reference, vehicle
 from clpt_control.blocks.words import clip, floor, lookup, maximum, minimum, sign, where
 from clpt_control.currents.field_file import GriddedField
 from clpt_control.diagrams.interconnection import connect
-from clpt_control.errors import DiagramError, SimulationError
+from clpt_control.errors import ClptError, DiagramError, SimulationError
 from clpt_control.native import readings
 from clpt_control.native.inputs import read_inputs
 from clpt_control.native.native_diagram import NativeDiagram
@@ -378,7 +378,7 @@ def test_many_starts_in_lanes_equal_each_alone():
 def test_every_engine_refuses_what_it_would_have_to_ignore(made, changes, sentence):
     runner = made(clpt.closed_loop(clpt.paper_scenario(), external=("zc",)))
     given = {"x0": np.zeros(14), "times": [0.0, 1.0], **changes}
-    with pytest.raises(SimulationError, match=re.escape(sentence)):
+    with pytest.raises(ClptError, match=re.escape(sentence)):
         runner.run(given.pop("x0"), given.pop("times"), **given)
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control.errors import ScenarioError
+from clpt_control.errors import ClptError
 from clpt_control.theory.excitation import certificates
 from clpt_control.theory.excitation.bounds import time_to_error, ultimate_bound
 from clpt_control.theory.excitation.certificates import certificate, window_drops
@@ -241,7 +241,7 @@ def test_times_and_bounds_at_their_limits():
     assert time_to_error(10.0, 0.5, 0.1, 1.0) == 0.0
     assert time_to_error(10.0, 1.0, 1.0, 0.1) == 10.0
     for drop in (-0.1, 1.1, np.nan):
-        with pytest.raises(ScenarioError, match="drop"):
+        with pytest.raises(ClptError, match="drop"):
             ultimate_bound(10.0, 0.1, drop)
-        with pytest.raises(ScenarioError, match="drop"):
+        with pytest.raises(ClptError, match="drop"):
             time_to_error(10.0, drop, 1.0, 0.1)

@@ -10,7 +10,7 @@ from responses import response
 
 import clpt_control as clpt_package
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.errors import ScenarioError
+from clpt_control.errors import ClptError, ScenarioError
 from clpt_control.figures import figure_of
 from clpt_control.files import write_figure
 from clpt_control.theory import design_track
@@ -174,7 +174,7 @@ def test_the_papers_track_can_be_2_3_times_better(paper):
     ids=str,
 )
 def test_impossible_limits_are_refused_in_a_sentence(paper, limits, said):
-    with pytest.raises(ScenarioError, match=said) as caught:
+    with pytest.raises(ClptError, match=said) as caught:
         design_track(paper, **limits)
     assert "\n" not in str(caught.value)
 

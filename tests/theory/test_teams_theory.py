@@ -95,8 +95,8 @@ def test_the_pooled_gramian_is_the_sum_with_gains_of_their_own():
 @pytest.mark.parametrize(
     ("source", "arguments", "said"),
     [
-        (3, (), "must be a Team or a team's run"),
-        (clpt.paper_scenario(), (), "must be a Team or a team's run"),
+        (3, (), "must be a Team or an xarray.Dataset"),
+        (clpt.paper_scenario(), (), "must be a Team or an xarray.Dataset"),
         (team(a=vehicle(), b=vehicle()), (50.0,), "window 50 from 0: must be positive and lie"),
         (team(a=vehicle(), b=vehicle()), (-1.0, 0.0), "window -1 from 0: must be positive"),
     ],
@@ -109,6 +109,7 @@ def test_what_has_no_pooled_gramian(source, arguments, said):
 
 def test_the_measure_of_one_vehicle_takes_no_team():
     of = team(a=vehicle(), b=vehicle())
-    for source in (of, clpt.simulate(of, [0.0, 1.0, 2.0])):
-        with pytest.raises(clpt.DataError, match="team_gramian measures a team"):
-            clpt.theory.gramian(source)
+    with pytest.raises(clpt.ArgumentError, match="a Team: must be a Scenario"):
+        clpt.theory.gramian(of)
+    with pytest.raises(clpt.DataError, match="team_gramian measures a team"):
+        clpt.theory.gramian(clpt.simulate(of, [0.0, 1.0, 2.0]))

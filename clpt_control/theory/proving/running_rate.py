@@ -31,6 +31,7 @@ from .symbolic_loop import TIME, SymbolicLoop, blocks_of
 PER_DRAW = 100  # points for each draw of the parameters
 CLOSE = 1e-9
 HUGE = 1e100  # beyond, numbers say nothing
+UNEVEN = 1e13  # a ratio of V's weights beyond which the greater hides the lesser
 
 
 class RunningRate:
@@ -57,6 +58,37 @@ class RunningRate:
     def value(self, t: float, x: np.ndarray, u: np.ndarray) -> float:
         """Return V."""
         return float(self._sweep.evaluate(t, x, u)[self._place])
+
+    def near_least(self, x: np.ndarray, u: np.ndarray, random: np.random.Generator) -> np.ndarray:
+        """Return points (n, states) at which each error adds alike to V, which is a polynomial.
+
+        Elsewhere an error of small weight is lost in one of great weight.
+        """
+        n, zero, none = x.shape[1], np.zeros(x.shape[1]), u[0] * 0.0
+        one = np.eye(n)
+
+        def value(at: np.ndarray) -> float:
+            return self.value(0.0, at, none)
+
+        V0, ahead, behind = value(zero), [value(e) for e in one], [value(-e) for e in one]
+        slope = 0.5 * np.subtract(ahead, behind)
+        bent = np.add(ahead, behind) - 2 * V0
+        weights = bent[bent > 0]
+        if not len(weights) or not np.all(np.isfinite(bent)):
+            return x
+        if weights.max() > UNEVEN * weights.min():
+            raise DiagramError(
+                f"V has weights from {weights.min():.1e} to {weights.max():.1e}, and what is wrong "
+                "in the lesser cannot be seen; give gains that differ less"
+            )
+        sizes = np.where(bent > 0, 1.0 / np.sqrt(np.where(bent > 0, bent, 1.0)), 0.0)
+        H = np.array([[value(a + b) for b in one] for a in one])
+        H += V0 - np.array(ahead)[:, None] - np.array(ahead)[None, :]
+        H[np.diag_indices(n)] = bent
+        scaled = sizes[:, None] * H * sizes
+        least = sizes * np.linalg.lstsq(scaled, -sizes * slope, rcond=1e-9)[0]
+        wide = 10.0 ** random.uniform(-1, 1, (len(x), 1))
+        return least + wide * sizes * random.standard_normal(x.shape)
 
     def rate(self, t: float, x: np.ndarray, u: np.ndarray, degree: float) -> tuple[float, float]:
         """Return V', and V over the time between which it is taken."""
@@ -126,7 +158,8 @@ def compared(
 ) -> Comparison:
     """Compare V' of the running blocks with `wanted` at random points, to 1e-9.
 
-    The first 100 points have the blocks' own parameters, then every 100 others; blocks in `kept`
+    The first 100 points have the blocks' own parameters, half of them near the least V, then every
+    100 others; blocks in `kept`
     keep theirs, and a name in `tied` follows from expressions of the other parameters.
     """
     running = RunningRate(diagram)
@@ -147,6 +180,9 @@ def compared(
             running.set(params)
             size = min(PER_DRAW, count - done)
             x, u = draw.points(size, diagram.nstates), draw.points(size, diagram.ninputs)
+            if not done and degree <= 4:
+                half = size // 2
+                x[half:] = running.near_least(x[half:], u, draw.random)
             equate_x_and_z(loop, x, draw.random)
             times = draw.random.uniform(0.0, 100.0, size)
             known = symbol_values(loop, draw, values, times, x, u)
