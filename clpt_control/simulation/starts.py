@@ -75,7 +75,7 @@ def _is_signal(part: Part, port: str, size: int) -> bool:
     """Return whether a state is a signal of the same name; of x it may be the true position."""
     its_own = not is_linear(part) or np.array_equal(part.parameters.C, np.eye(size))
     outputs = output_ports(part)
-    signals = outputs.get(port) or (outputs.get(TRUE, ()) if port == "x" else ())
+    signals = outputs.get(port) or (outputs.get(TRUE) if port == "x" else None) or []
     return its_own and len(signals) == size
 
 
