@@ -22,7 +22,7 @@ from ..files import beside
 from ..files.user_cache import cache_folder, trusted
 from .processor import processor
 
-KEPT = 200  # files; the least recently used go
+KEPT = 200  # files of a family, "solver-" or none; the least recently used go
 HASH = hashlib.sha256().digest_size
 LOCK = RLock()
 P = ParamSpec("P")
@@ -62,14 +62,16 @@ def kept(name: str) -> bytes | None:
 
 
 def keep(name: str, code: bytes) -> None:
-    """Put code into the cache, where there is one."""
+    """Put code into the cache, where there is one; diagrams do not push out the solver."""
     folder = _folder()
     if folder is None:
         return
     with suppress(DataError, OSError):
         with beside(folder / f"{name}.o") as made:
             made.write_bytes(hashlib.sha256(code).digest() + code)
-        files = sorted(folder.glob("*.o"), key=lambda one: one.stat().st_mtime, reverse=True)
+        family = name.rpartition("-")[0]
+        files = [one for one in folder.glob("*.o") if one.stem.rpartition("-")[0] == family]
+        files.sort(key=lambda one: one.stat().st_mtime, reverse=True)
         for one in files[KEPT:]:
             one.unlink(missing_ok=True)
 

@@ -116,7 +116,8 @@ def _say() -> None:
 
 def _named(name: str) -> str:
     """Return the name of a function's code in the cache."""
-    return name_of(name, *_texts(), *map(version, ("numba", "numpy")), sys.version)
+    made_of = (*_texts(), *map(version, ("numba", "numpy")), sys.version)
+    return f"solver-{name_of(name, *made_of)}"
 
 
 @cache

@@ -90,8 +90,10 @@ def test_few_files_stay(folder, monkeypatch):
     for k in range(5):
         keep(f"code-{k}", b"")
         os.utime(folder / "code" / f"code-{k}.o", (1000 + k, 1000 + k))
+        keep(f"{k}", b"")
         assert kept("code-0") == b""  # used, so it stays
-    assert {one.stem for one in (folder / "code").iterdir()} == {"code-0", "code-3", "code-4"}
+    stay = {one.stem for one in (folder / "code").iterdir()}
+    assert stay == {"code-0", "code-3", "code-4", "2", "3", "4"}  # of each family
 
 
 def test_nothing_can_be_kept_and_the_work_goes_on(monkeypatch):
