@@ -1,11 +1,13 @@
 """What a block declares: its ports, typed parameters and guard.
 
-Parameters are a NamedTuple of numbers and arrays.  Whole numbers (int) are structure,
-such as the number of basis functions: every reading keeps them as they are.  All
-else is a float or an array of floats: symbols to SymPy, and it may differ per run.
+Parameters are numbers and arrays by name.  Whole numbers (int) are structure, such as
+the number of turns of a loop: every reading keeps them as they are.  All else is a
+float or an array of floats: symbols to SymPy, and it may differ per run.
 """
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import fields, is_dataclass
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,7 +15,7 @@ import numpy as np
 from ..arguments import public
 from ..errors import BlockError
 
-Equations = Callable[[float, np.ndarray, np.ndarray, Any, np.ndarray], None]
+Equations = Callable[[float, Any, Any, Any], Any]
 
 
 @public
@@ -23,7 +25,7 @@ class Guard(NamedTuple):
     Attributes
     ----------
     distance : callable
-        ``distance(t, x, u, p, y)`` fills y[0], an equation like a block's own:
+        ``distance(t, x, u, p)``, an equation like a block's own: a number,
         positive inside, negative outside.
     policy : str
         ``"raise"`` fails the run, ``"stop"`` ends it there and keeps it.
@@ -34,8 +36,8 @@ class Guard(NamedTuple):
 
     Examples
     --------
-    >>> def above_ground(t, x, u, p, y):
-    ...     y[0] = u[0]
+    >>> def above_ground(t, x, u, p):
+    ...     return u[0]
     >>> guard = Guard(above_ground, "stop", lambda t, u, p: f"it landed at time {t:g}")
     >>> guard.sentence(3.0, [-0.1], None)
     'it landed at time 3'
@@ -59,24 +61,22 @@ def check_guard(name: str, guard: Guard | None) -> None:
         raise BlockError(f'{name}: a guard\'s policy {guard.policy!r} must be "raise" or "stop"')
 
 
-def states_as_outputs(t, x, u, p, y):
-    """y = x: the outputs are the states."""
-    for i in range(len(y)):
-        y[i] = x[i]
-
-
-def check_names(name: str, *ports: Mapping[str, int] | None) -> None:
+def check_names(name: str, *ports: Mapping[str, Any]) -> None:
     """Refuse names and sizes that python-control cannot wire."""
-    words = [(name, ".\n"), *((port, ".[]\n") for own in ports for port in own or ())]
+    words = [(name, ".\n"), *((port, ".[]\n") for own in ports for port in own)]
     for word, not_in in words:  # python-control itself calls a system sys[0]
         if not isinstance(word, str) or not word or word[0] in "-+" or set(word) & set(not_in):
             raise BlockError(
                 f"the name {word!r} of a block or port must not be empty, begin with a sign or "
                 "hold . [ ] or a line end; use letters, digits and _"
             )
-    for port, size in (item for own in ports for item in (own or {}).items()):
-        if not isinstance(size, int | np.integer) or size < 0:
-            raise BlockError(f"{name}.{port}: size {size!r} must be a whole number, 0 or more")
+    for port, shape in (item for own in ports for item in own.items()):
+        for size in shape:
+            whole = isinstance(size, int | np.integer) and size >= 0
+            if not whole and not (isinstance(size, str) and size):
+                raise BlockError(
+                    f"{name}.{port}: size {size!r} must be a whole number, 0 or more, or a name"
+                )
 
 
 def labels(ports: Mapping[str, int] | None) -> list[str]:
@@ -105,18 +105,74 @@ def whole_labels(given: Iterable[str]) -> list[str]:
     return [found[place] for place in range(len(found))]
 
 
-class NoParameters(NamedTuple):
-    """The parameters of a block without parameters."""
+class Parameters(tuple):
+    """A block's parameters: ``p.gain``, ``p["gain"]``, ``p.get("gain", 1.0)``."""
+
+    _fields: tuple[str, ...] = ()
+
+    def __getitem__(self, name: Any) -> Any:
+        return getattr(self, name) if isinstance(name, str) else super().__getitem__(name)
+
+    def get(self, name: str, default: Any = None) -> Any:
+        """Return a parameter, or the default where there is none."""
+        return getattr(self, name) if name in self._fields else default
+
+    def keys(self) -> tuple[str, ...]:
+        """Return the names."""
+        return self._fields
+
+    def _replace(self, **changes: Any) -> "Parameters":
+        return parameters_of({**self._asdict(), **changes})
+
+    def _asdict(self) -> dict[str, Any]:
+        return dict(zip(self._fields, self, strict=True))
+
+    def __reduce__(self) -> Any:
+        return parameters_of, (self._asdict(),)
+
+    def __repr__(self) -> str:
+        return f"Parameters({', '.join(f'{k}={v!r}' for k, v in self._asdict().items())})"
 
 
-def checked_parameters(name: str, parameters: Any, like: Any = None) -> Any:
+@lru_cache(maxsize=1024)
+def _class_of(fields: tuple[str, ...]) -> type[Parameters]:
+    """Return the class of parameters with these names."""
+    own = {name: property(itemgetter_of(k)) for k, name in enumerate(fields)}
+    return type("Parameters", (Parameters,), {**own, "_fields": fields})
+
+
+def itemgetter_of(k: int) -> Callable[[tuple], Any]:
+    """Return what reads the k-th parameter."""
+    return lambda p: tuple.__getitem__(p, k)
+
+
+def parameters_of(values: Mapping[str, Any]) -> Parameters:
+    """Return parameters of these names and values."""
+    return _class_of(tuple(values))(values.values())
+
+
+def named_values(name: str, parameters: Any) -> dict[str, Any]:
+    """Return parameters, a dict, a NamedTuple or a dataclass, by name."""
+    if parameters is None:
+        return {}
+    if isinstance(parameters, Mapping):
+        return dict(parameters)
+    if hasattr(parameters, "_asdict"):
+        return parameters._asdict()
+    if is_dataclass(parameters) and not isinstance(parameters, type):
+        return {field.name: getattr(parameters, field.name) for field in fields(parameters)}
+    raise BlockError(
+        f"{name}: parameters must be a dict, a NamedTuple or a dataclass, not "
+        f"{type(parameters).__name__}"
+    )
+
+
+def checked_parameters(name: str, parameters: Any, like: Any = None) -> Parameters:
     """Return parameters as whole numbers, floats and own float arrays, of the shapes of `like`."""
-    if not (isinstance(parameters, tuple) and hasattr(parameters, "_fields")):
-        raise BlockError(
-            f"{name}: parameters must be a NamedTuple, not {type(parameters).__name__}"
-        )
     values: dict[str, Any] = {}
-    for field, value in zip(parameters._fields, parameters, strict=True):
+    for field, value in named_values(name, parameters).items():
+        if not isinstance(field, str) or not field.isidentifier() or hasattr(Parameters, field):
+            raise BlockError(f"{name}: the parameter name {field!r} must be a Python name")
         old = getattr(like, field) if like is not None else value
         try:
             shape = np.shape(old)
@@ -136,4 +192,4 @@ def checked_parameters(name: str, parameters: Any, like: Any = None) -> Any:
             raise BlockError(f"{name}.{field} = {value!r}: must be {kind}")
         if not isinstance(values[field], int) and np.any(np.isnan(values[field])):
             raise BlockError(f"{name}.{field} = {value!r}: NaN is not allowed")
-    return type(parameters)(**values)
+    return parameters_of(values)

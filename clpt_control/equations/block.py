@@ -3,12 +3,11 @@
     dx/dt = update(t, x, u, p),    y = output(t, x, u, p)
 
 and, right after the block's own breakpoints, x = jump(t, x, u, p) where it has a jump.
-The functions fill their last argument, zero at first, and have no side effects.  They
-are recorded when the block is made (`trace`), and refused there if they cannot be.  The
-block adds what a diagram needs to know: the ports with
-their labels, the typed parameters `p`, whether inputs reach the outputs at once
-(`feedthrough`), when the block jumps (`breakpoints`), and whether it is a source
-of time or tables that SymPy reads as an undefined function (`opaque`).
+The functions return their values, a mapping by port or numbers in the order of the ports, and
+have no side effects.  Each is read (`reading`) into a record of arrays, from which every other
+reading is made.  The block adds what a diagram needs to know: ports with their shapes and
+labels, parameters, when the block jumps (`breakpoints`), and whether it is a source of time or
+tables that SymPy reads as an undefined function (`opaque`).
 """
 
 from collections.abc import Callable, Mapping
@@ -21,22 +20,14 @@ import numpy as np
 
 from ..arguments import public, shown
 from ..errors import BlockError
-from .declaration import (
-    Equations,
-    Guard,
-    NoParameters,
-    check_guard,
-    check_names,
-    checked_parameters,
-    labels,
-    states_as_outputs,
-)
-from .ieee import in_ieee
-from .record import Record
-from .rules import check_equations
+from .arrays import Unread
+from .declaration import Equations, Guard, check_guard, check_names, checked_parameters, labels
+from .ports import Declared, bound, flattened, places, shapes_of, sizes_of, vector
+from .reading import read, record_of_states
+from .record import Record as ArrayRecord
+from .record import Shape
+from .scalars import Scalars, scalars_of
 from .shown import block_html, block_line
-from .trace import trace
-from .tracers import TooLong
 
 
 @public
@@ -48,24 +39,25 @@ class Block(control.NonlinearIOSystem):
     name : str
         Name of the block in a diagram; parameters are ``"name.field"``.
     update : callable, optional
-        ``update(t, x, u, p, dx)`` fills the time derivative of the states.
+        ``update(t, x, u, p)`` returns the time derivative of the states.
     output : callable, optional
-        ``output(t, x, u, p, y)`` fills the outputs; without it y = x.
-    inputs, outputs, states : mapping of str to int, optional
-        Port name -> number of signals; `outputs` without `output` are the
-        states, under their names.
-    parameters : NamedTuple, optional
+        ``output(t, x, u, p)`` returns the outputs; without it y = x.
+    inputs, outputs, states : mapping, optional
+        Port name -> shape: a number of signals, the name of a size, or a tuple of
+        them; `outputs` without `output` are the states, under their names.
+    parameters : dict, NamedTuple or dataclass, optional
         Numbers and arrays; a field ``interval`` is kept by the integrator.
-    feedthrough : bool, optional
-        Whether outputs depend on inputs at once; by default they do unless
-        the outputs are the states.
+    shapes : mapping, optional
+        Parameter -> shape, where a size has a name: ``{"theta": (2, "N")}``.
+    sizes : mapping, optional
+        Size by name, ``{"N": 3}``, where no parameter tells it.
     opaque : bool, optional
         True for a source of time or tables: an undefined function to SymPy.
     breakpoints : callable, optional
         ``breakpoints(p, t0, t1)``: sorted times in (t0, t1] at which the block
         jumps. Interval k ends at breakpoint k + 1, counted from time 0.
     jump : callable, optional
-        ``jump(t, x, u, p, new)`` fills all states right after a breakpoint, from
+        ``jump(t, x, u, p)`` returns all states right after a breakpoint, from
         the states x right before it and the inputs u that follow from states right
         before it; ``p.interval`` is the interval that begins. `clpt.simulate` runs
         it, python-control does not.
@@ -76,13 +68,15 @@ class Block(control.NonlinearIOSystem):
     ----------
     update_function, output_function, jump_function : callable or None
         The equations (the name ``output`` belongs to python-control).
-    parameters : NamedTuple
+    parameters : Parameters
         The block's own parameters.
+    feedthrough : bool
+        Whether inputs reach the outputs at once, as the record says.
 
     Raises
     ------
     BlockError
-        If the equations cannot be recorded, or ports and parameters do not fit.
+        If ports, parameters and what the equations return do not fit.
 
     Examples
     --------
@@ -100,54 +94,47 @@ class Block(control.NonlinearIOSystem):
         *,
         update: Equations | None = None,
         output: Equations | None = None,
-        inputs: Mapping[str, int] | None = None,
-        outputs: Mapping[str, int] | None = None,
-        states: Mapping[str, int] | None = None,
+        inputs: Declared | None = None,
+        outputs: Declared | None = None,
+        states: Declared | None = None,
         parameters: Any = None,
-        feedthrough: bool | None = None,
+        shapes: Declared | None = None,
+        sizes: Mapping[str, int] | None = None,
         opaque: bool = False,
         breakpoints: Callable[[Any, float, float], np.ndarray] | None = None,
         jump: Equations | None = None,
         guard: Guard | None = None,
     ):
-        check_names(name, inputs, outputs, states)
+        declared = {
+            "inputs": shapes_of(inputs),
+            "outputs": shapes_of(states if output is None else outputs),
+            "states": shapes_of(states),
+        }
+        check_names(name, *declared.values())
         if output is None and not states:
             raise BlockError(f"{name}: a block without states needs `output`")
         if (update is None) != (not states):
             raise BlockError(f"{name}: `update` and `states` belong together; give both or none")
-        if output is None and outputs is not None and dict(outputs) != dict(states or {}):
+        if output is None and outputs is not None and shapes_of(outputs) != declared["states"]:
             raise BlockError(f"{name}: without `output` the outputs are the states; leave them out")
         if jump is not None and (breakpoints is None or not states):
             raise BlockError(
                 f"{name}: a jump sets states at the block's own breakpoints; give `breakpoints` "
                 "and `states` with it, or leave `jump` out"
             )
-        self.update_function = update
-        self.jump_function = jump
-        self.output_function: Equations = states_as_outputs if output is None else output
         check_guard(name, guard)
-        distance = None if guard is None else guard.distance
-        roles = ("update", update), ("output", output), ("jump", jump), ("guard", distance)
-        for role, function in roles:
-            if function is not None:
-                check_equations(function, f"{name}.{role}")
-        self.input_ports = dict(inputs or {})
-        self.output_ports = dict(states or {}) if output is None else dict(outputs or {})
-        self.state_ports = dict(states or {})
-        self.feedthrough = (output is not None) if feedthrough is None else feedthrough
-        self.opaque = opaque
-        self.breakpoints_function = breakpoints
-        self.guard = guard
+        for role, function in (("update", update), ("output", output), ("jump", jump)):
+            if function is not None and not callable(function):
+                raise BlockError(f"{name}.{role}: {shown(function)} must be a function")
+        self.update_function, self.output_function, self.jump_function = update, output, jump
+        self.opaque, self.breakpoints_function, self.guard = opaque, breakpoints, guard
         self.name = name
-        self.parameters = NoParameters() if parameters is None else parameters
+        self.declared, self.parameter_shapes = declared, shapes_of(shapes)
+        self._sizes = dict(sizes or {})
+        self.parameters = parameters
         if breakpoints is not None and "interval" not in self.parameters._fields:
             raise BlockError(
                 f"{name}: a block with breakpoints needs a parameter `interval = -1.0`"
-            )
-        record = self._equations["output"][1]
-        if not self.feedthrough and record is not None and record.reads_inputs():
-            raise BlockError(
-                f"{name}: outputs change with inputs at once: declare feedthrough=True"
             )
         super().__init__(
             self._updfcn,
@@ -158,6 +145,14 @@ class Block(control.NonlinearIOSystem):
             name=name,
             dt=0,
         )
+        self._tried()
+
+    def _tried(self) -> None:
+        """Run the equations once at zero, so that a mistake is told where the block is made."""
+        for role, (_, where) in self._roles.items():
+            x, u = np.zeros(self.nstates), np.zeros(self.ninputs)
+            size = sum(sizes_of(where).values())
+            self.values(role, size, 0.0, x, u, self.parameters_at(0.0))
 
     # --- how it is shown ----------------------------------------------------------------
 
@@ -170,60 +165,131 @@ class Block(control.NonlinearIOSystem):
     def _repr_markdown_(self) -> None:
         """Leave python-control's, which would be the same again."""
 
-    # --- the record -------------------------------------------------------------------
+    # --- ports --------------------------------------------------------------------------
 
-    @cached_property
-    def _equations(self) -> dict[str, tuple[Callable, Record | None]]:
-        """Return for each role the equations as Python runs them, and their record."""
-        states, inputs = (sum(ports.values()) for ports in (self.state_ports, self.input_ports))
-        given: dict[str, tuple[Any, int]] = {
-            "update": (self.update_function, states),
-            "output": (self.output_function, sum(self.output_ports.values())),
-            "guard": (None if self.guard is None else self.guard.distance, 1),
-            "jump": (self.jump_function, states),
-        }
-        found: dict[str, tuple[Callable, Record | None]] = {}
-        for role, (function, size) in given.items():
-            if function is not None:
-                record = None
-                with suppress(TooLong):  # Python runs it all the same
-                    sizes = (states, inputs, size)
-                    record = trace(function, f"{self.name}.{role}", sizes, self.parameters)
-                found[role] = in_ieee(function), record
-        return found
-
-    def _record(self, role: str) -> Record | None:
-        if role not in self._equations:
-            return None
-        record = self._equations[role][1]
-        if record is None:
-            raise TooLong(f"{self.name}.{role}: takes more operations than a record may have")
-        return record
+    def _bind(self) -> None:
+        """Bind the sizes that have names, and lay the ports out."""
+        sizes = dict(self._sizes)
+        for field, shape in self.parameter_shapes.items():
+            if field not in self._parameters._fields:
+                raise BlockError(f"{self.name}: `shapes` names {field!r}, which is no parameter")
+            own = np.shape(getattr(self._parameters, field))
+            if len(own) != len(shape):
+                raise BlockError(f"{self.name}.{field}: has shape {own}; must be {shape}")
+            for n, size in zip(shape, own, strict=True):
+                if sizes.setdefault(n, size) != size if isinstance(n, str) else n != size:
+                    raise BlockError(f"{self.name}.{field}: has shape {own}; must be {shape}")
+        self.sizes = sizes
+        self.input_shapes, self.output_shapes, self.state_shapes = (
+            bound(self.name, self.declared[kind], sizes) for kind in ("inputs", "outputs", "states")
+        )
+        self.input_ports, self.output_ports, self.state_ports = map(
+            sizes_of, (self.input_shapes, self.output_shapes, self.state_shapes)
+        )
+        self._x, self._u = places(self.state_shapes), places(self.input_shapes)
 
     @property
-    def update_record(self) -> Record | None:
-        """Return the record of `update`, or None without states."""
+    def states_are_outputs(self) -> bool:
+        """Whether the outputs are the states."""
+        return self.output_function is None
+
+    @cached_property
+    def feedthrough(self) -> bool:
+        """Whether inputs reach the outputs at once, as the record says."""
+        if self.output_function is None or not self.input_ports:
+            return False
+        try:
+            return bool(self.array_record("output").leaves("u"))
+        except Unread:
+            return True
+
+    # --- the record -------------------------------------------------------------------
+
+    @property
+    def _roles(self) -> dict[str, tuple[Callable, dict[str, Shape]]]:
+        """Return each role's function and the shapes of what it returns."""
+        given: dict[str, tuple[Any, dict[str, Shape]]] = {
+            "update": (self.update_function, self.state_shapes),
+            "output": (self.output_function, self.output_shapes),
+            "guard": (None if self.guard is None else self.guard.distance, {"distance": ()}),
+            "jump": (self.jump_function, self.state_shapes),
+        }
+        return {role: (f, shapes) for role, (f, shapes) in given.items() if f is not None}
+
+    def array_record(self, role: str) -> ArrayRecord:
+        """Return the record of "update", "output", "guard" or "jump"; sizes with names are open.
+
+        Raises `Unread` where the function cannot be read.
+        """
+        if role not in self._records:
+            self._records[role] = self._read(role)
+        found = self._records[role]
+        if isinstance(found, Unread):
+            raise found
+        return found
+
+    def _read(self, role: str) -> ArrayRecord | Unread:
+        states, inputs, outputs = (self.declared[k] for k in ("states", "inputs", "outputs"))
+        if role == "output" and self.output_function is None:
+            return record_of_states(outputs)
+        if role not in self._roles:
+            raise KeyError(role)
+        function, bound_out = self._roles[role]
+        values = self._parameters._asdict()
+        shapes = {f: np.shape(v) for f, v in values.items() if not isinstance(v, int)}
+        name = f"{self.name}.{role}"
+        if self.sizes:
+            out = {"update": states, "output": outputs, "jump": states}.get(role, bound_out)
+            open_shapes = {**shapes, **self.parameter_shapes}
+            with suppress(Unread, BlockError):
+                return read(function, name, states, inputs, values, open_shapes, out)[0]
+        try:
+            own = self.state_shapes, self.input_shapes
+            return read(function, name, *own, values, shapes, bound_out)[0]
+        except Unread as error:
+            return Unread(f"{name}: {error}")
+
+    @cached_property
+    def _scalars(self) -> dict[str, Scalars]:
+        return {}
+
+    def _record(self, role: str) -> Scalars | None:
+        if role not in self._scalars:
+            if role not in self._roles and role != "output":
+                return None
+            own = self.sizes, self.state_shapes, self.input_shapes
+            self._scalars[role] = scalars_of(self.array_record(role), *own)
+        return self._scalars[role]
+
+    @property
+    def update_record(self) -> Scalars | None:
+        """Return the scalars of `update`, or None without states."""
         return self._record("update")
 
     @property
-    def output_record(self) -> Record:
-        """Return the record of `output`."""
+    def output_record(self) -> Scalars:
+        """Return the scalars of `output`."""
         record = self._record("output")
         assert record is not None
         return record
 
     @property
-    def guard_record(self) -> Record | None:
-        """Return the record of the guard's distance, or None."""
+    def guard_record(self) -> Scalars | None:
+        """Return the scalars of the guard's distance, or None."""
         return self._record("guard")
 
     @property
-    def jump_record(self) -> Record | None:
-        """Return the record of `jump`, or None."""
+    def jump_record(self) -> Scalars | None:
+        """Return the scalars of `jump`, or None."""
         return self._record("jump")
 
     def __getstate__(self) -> dict[str, Any]:
-        return {name: value for name, value in self.__dict__.items() if name != "_equations"}
+        own = ("_read_records", "_scalars", "feedthrough")
+        return {name: value for name, value in self.__dict__.items() if name not in own}
+
+    @property
+    def _records(self) -> dict[str, ArrayRecord | Unread]:
+        return self.__dict__.setdefault("_read_records", {})
 
     # --- parameters -------------------------------------------------------------------
 
@@ -235,7 +301,9 @@ class Block(control.NonlinearIOSystem):
     @parameters.setter
     def parameters(self, value: Any) -> None:
         self._parameters = checked_parameters(self.name, value)
-        self.__dict__.pop("_equations", None)
+        for kept in ("_read_records", "_scalars", "feedthrough"):
+            self.__dict__.pop(kept, None)
+        self._bind()
         self._current = self._parameters
         self._jumps, self._jumps_until = np.zeros(0), 0.0
         self._seen: tuple[float, float] | None = None  # time and interval of the first rate
@@ -324,17 +392,13 @@ class Block(control.NonlinearIOSystem):
 
     # --- the reading that python-control runs -------------------------------------------
 
-    def equations(self, role: str) -> Callable:
-        """Return "update", "output", "guard" or "jump" as Python runs it."""
-        return self._equations[role][0]
-
     @np.errstate(all="ignore")
     def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
-        """Return what the equations of a role fill in Python."""
-        out = np.zeros(size)
-        x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
-        self.equations(role)(np.float64(t), x, u, p, out)
-        return out
+        """Return what the equations of a role return, as one vector."""
+        function, where = self._roles[role]
+        x, u = vector(x, self._x), vector(u, self._u)
+        given = function(np.float64(t), x, u, p)
+        return flattened(f"{self.name}.{role}", given, places(where), size)
 
     def _rhs(self, t, x, u):
         if self.update_function is None:
@@ -355,6 +419,8 @@ class Block(control.NonlinearIOSystem):
             )
 
     def _out(self, t, x, u):
+        if self.output_function is None:
+            return np.array(x, dtype=float)
         return self.values("output", self.noutputs, t, x, u, self.parameters_at(t))
 
     def _updfcn(self, t, x, u, params):

@@ -1,0 +1,511 @@
+"""Arrays without values: what a function is called with, to be read.
+
+An `Array` is a value of a record that grows (`Tape`).  NumPy's own protocols write down what a
+function does with it: ``np.exp(a)``, ``a @ b``, ``np.outer(a, b)``.  What is written into it
+(``y[0] = ...``) is kept element by element, and views share what is written, as NumPy's do.
+"""
+
+from collections.abc import Iterator, Sequence
+from math import prod
+from typing import Any
+
+import numpy as np
+from numpy.lib.mixins import NDArrayOperatorsMixin
+
+from .record import Operation, Ref, Shape, key_of
+
+MOST_OPERATIONS = 200_000  # a longer record is given up
+CONDITIONS = frozenset({"lt", "le", "gt", "ge", "eq", "ne", "and", "or", "not"})
+UFUNCS: dict[Any, str] = {
+    np.add: "add",
+    np.subtract: "sub",
+    np.multiply: "mul",
+    np.true_divide: "div",
+    np.floor_divide: "floordiv",
+    np.remainder: "mod",
+    np.power: "pow",
+    np.float_power: "pow",
+    np.negative: "neg",
+    np.absolute: "fabs",
+    np.less: "lt",
+    np.less_equal: "le",
+    np.greater: "gt",
+    np.greater_equal: "ge",
+    np.equal: "eq",
+    np.not_equal: "ne",
+    np.logical_and: "and",
+    np.logical_or: "or",
+    np.logical_not: "not",
+    np.bitwise_and: "and",
+    np.bitwise_or: "or",
+    np.invert: "not",
+    np.arctan2: "atan2",
+    np.arcsin: "asin",
+    np.arccos: "acos",
+    np.arctan: "atan",
+    np.arcsinh: "asinh",
+    np.arccosh: "acosh",
+    np.arctanh: "atanh",
+    **{
+        getattr(np, name): name
+        for name in (
+            *("exp", "expm1", "log", "log1p", "log2", "log10", "sqrt", "sin", "cos", "tan"),
+            *("sinh", "cosh", "tanh", "fabs", "hypot", "minimum", "maximum", "sign"),
+            *("floor", "ceil", "trunc"),
+        )
+    },
+}
+
+
+class Unread(Exception):
+    """Why a function cannot be read: what it does, and what to write instead."""
+
+
+class Tape:
+    """A record as it grows; equal operations are one."""
+
+    def __init__(self) -> None:
+        self.operations: list[Operation] = []
+        self._known: dict[Any, int] = {}
+
+    def add(self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None) -> "Array":
+        """Return the value of an operation, written down where it is new."""
+        if kind in CONDITIONS and kind in ("eq", "ne") and arguments[0] == arguments[1]:
+            at = "NaN"  # x == x asks for NaN
+        key = (kind, tuple(map(key_of, arguments)), shape, at)
+        place = self._known.get(key)
+        if place is None:
+            place = self._known[key] = len(self.operations)
+            self.operations.append(Operation(kind, tuple(arguments), shape, at))
+            if place > MOST_OPERATIONS:
+                raise Unread(f"takes more than {MOST_OPERATIONS} operations")
+        return Array(self, place, shape)
+
+    def question(self, ref: Ref) -> bool:
+        """Answer whether a condition holds, where Python asks."""
+        raise Unread("a choice that depends on a signal")
+
+    def number(self, ref: Ref) -> float:
+        """Return the value of a number that Python asks for."""
+        raise Unread("a number that depends on a signal")
+
+
+def broadcast(*shapes: Shape) -> Shape:
+    """Return the shape to which shapes are broadcast."""
+    found = []
+    for d in range(-max(map(len, shapes)), 0):
+        long = {shape[d] for shape in shapes if -d <= len(shape)} - {1}
+        if len(long) > 1:
+            raise ValueError(f"operands could not be broadcast together with shapes {shapes}")
+        found.append(long.pop() if long else 1)
+    return tuple(found)
+
+
+class Array(NDArrayOperatorsMixin):
+    """A value of a tape, of a known shape, used as NumPy's arrays are."""
+
+    __slots__ = ("index", "node", "parent", "shape", "store", "tape")
+    __array_priority__ = 1000
+
+    def __init__(self, tape: Tape, node: int, shape: Shape, parent: Any = None, index: Any = None):
+        self.tape, self.node, self.shape = tape, node, shape
+        self.parent: Array | None = parent
+        self.index = index
+        self.store: np.ndarray | None = None  # its elements, once one was written
+
+    # --- the value ----------------------------------------------------------------------
+
+    @property
+    def ref(self) -> Ref:
+        """Its place on the tape, as it stands now."""
+        store = self._written()
+        if store is None:
+            return self.node
+        return operand(packed(self.tape, store))
+
+    def _written(self) -> np.ndarray | None:
+        if self.store is None and self.parent is not None:
+            above = self.parent._written()
+            if above is not None:
+                self.store = np.asarray(above[self.index], dtype=object)
+        return self.store
+
+    @property
+    def ndim(self) -> int:
+        """Number of axes."""
+        return len(self.shape)
+
+    @property
+    def size(self) -> int:
+        """Number of elements."""
+        return prod(self.counted())
+
+    @property
+    def dtype(self) -> np.dtype:
+        """What NumPy's array would hold."""
+        return np.dtype(bool if self.is_condition else float)
+
+    @property
+    def is_condition(self) -> bool:
+        """Whether it holds truth values."""
+        return self.store is None and is_condition(self.tape, self.node)
+
+    def counted(self) -> tuple[int, ...]:
+        """Return the shape, which Python counts with: no open size."""
+        for n in self.shape:
+            if not isinstance(n, int):
+                raise Unread(f"counting with the open size {n}")
+        return self.shape
+
+    # --- elements -----------------------------------------------------------------------
+
+    def __len__(self) -> int:
+        if not self.shape:
+            raise TypeError("len() of unsized object")
+        return self.counted()[0]
+
+    def __iter__(self) -> Iterator[Any]:
+        return (self[k] for k in range(len(self)))
+
+    def __getitem__(self, index: Any) -> Any:
+        index = index if isinstance(index, tuple) else (index,)
+        if any(isinstance(i, Array) for i in index):
+            return self._picked(index)
+        if any(isinstance(i, list | np.ndarray) for i in index):
+            return packed(self.tape, self.elements()[index])
+        mapped, shape = _map(index, self.shape)
+        return _view(self, mapped, shape, index)
+
+    def _picked(self, index: tuple) -> Any:
+        """Return elements at places that are signals."""
+        from .numpy_functions import pick
+
+        return pick(self, index)
+
+    def __setitem__(self, index: Any, value: Any) -> None:
+        root = self
+        while root.parent is not None:
+            root = root.parent
+        if root.store is None:
+            if self.tape.operations[root.node].kind == "leaf":
+                raise Unread("changing states, inputs or parameters")
+            root.store = root.elements()
+        store = self._written()
+        assert store is not None
+        if isinstance(index, Array):
+            held, index = lifted(self.tape, self), index
+            store[...] = elements(where(index, lifted(self.tape, value), held))
+            return
+        value = lifted(self.tape, value)
+        store[index] = elements(value) if isinstance(value, Array) and value.shape else value
+
+    def elements(self) -> np.ndarray:
+        """Return its elements in an array of objects."""
+        if (store := self._written()) is not None:
+            return store.copy()
+        found = np.empty(self.counted(), dtype=object)
+        for place in np.ndindex(found.shape):
+            found[place] = self[place] if place else self
+        return found
+
+    # --- NumPy's protocols ----------------------------------------------------------------
+
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **more: Any) -> Any:
+        from .numpy_functions import called
+
+        return called(self.tape, ufunc, method, inputs, more)
+
+    def __array_function__(self, function: Any, types: Any, inputs: Any, more: Any) -> Any:
+        from .numpy_functions import applied
+
+        return applied(self.tape, function, inputs, more)
+
+    def __getattr__(self, name: str) -> Any:
+        from .numpy_functions import METHODS
+
+        if name not in METHODS:
+            raise AttributeError(f"an array of the record has no {name!r}")
+        return lambda *arguments, **more: METHODS[name](self, *arguments, **more)
+
+    @property
+    def T(self) -> "Array":
+        """The array with its axes the other way round."""
+        turned = tuple((self.ndim - 1 - d, 0, 1) for d in range(self.ndim))
+        return _view(self, turned, self.shape[::-1], None)
+
+    # --- Python asks for a value ----------------------------------------------------------
+
+    def __bool__(self) -> bool:
+        if self.shape and self.size != 1:
+            raise ValueError("the truth value of an array with more than one element is ambiguous")
+        one = self if not self.shape else self[(0,) * self.ndim]
+        if not isinstance(one, Array):
+            return bool(one)
+        return self.tape.question(one.ref if one.is_condition else elementwise("ne", one, 0.0).ref)
+
+    def __float__(self) -> float:
+        return self.tape.number(self.ref)
+
+    def __int__(self) -> int:
+        return int(self.tape.number(self.ref))
+
+    def __index__(self) -> int:
+        value = self.tape.number(self.ref)
+        if value != int(value):
+            raise TypeError("only integers can be used as an index")
+        return int(value)
+
+    def __hash__(self) -> int:
+        return id(self)
+
+    def __round__(self, digits: Any = None) -> Any:
+        from .numpy_functions import rounded
+
+        return rounded(self, digits)
+
+    def __repr__(self) -> str:
+        return f"<v{self.node} {self.shape}>"
+
+
+def is_condition(tape: Tape, ref: Ref) -> bool:
+    """Return whether a value is a truth value."""
+    if type(ref) is not int:
+        return False
+    kind, arguments, *_ = tape.operations[ref]
+    if kind in ("view", "stack", "join"):
+        return all(is_condition(tape, a) for a in arguments)
+    return kind in CONDITIONS
+
+
+def operand(value: Any) -> Ref:
+    """Return a value's place, or a constant."""
+    return value.ref if isinstance(value, Array) else float(value)
+
+
+def lifted(tape: Tape, value: Any) -> Any:
+    """Return a number as it is, and anything that NumPy makes an array of as an array."""
+    if isinstance(value, Array):
+        return value
+    if isinstance(value, bool | int | float | np.bool_ | np.integer | np.floating):
+        return float(value)
+    try:
+        if isinstance(value, np.ndarray) and value.dtype != object:
+            return constant(tape, value)
+        parts = [lifted(tape, one) for one in value]
+    except TypeError:
+        raise Unread(f"calculating with a {type(value).__name__}") from None
+    if not any(isinstance(one, Array) for one in parts):
+        return constant(tape, np.asarray(value, dtype=float))
+    return stacked(tape, parts)
+
+
+def constant(tape: Tape, value: np.ndarray) -> Any:
+    """Return an array of numbers; a single one is a float."""
+    value = np.ascontiguousarray(value)
+    if value.dtype.kind not in "fiub":
+        raise Unread(f"calculating with an array of {value.dtype}")
+    value = value.astype(float)
+    return tape.add("constant", (), value.shape, value.tobytes()) if value.shape else float(value)
+
+
+def packed(tape: Tape, elements: np.ndarray) -> Any:
+    """Return an array of objects as one value."""
+    if not isinstance(elements, np.ndarray):
+        return lifted(tape, elements)
+    if not elements.shape:
+        return lifted(tape, elements[()])
+    if not elements.size:
+        return constant(tape, np.zeros(elements.shape))
+    return stacked(tape, [packed(tape, one) for one in elements])
+
+
+def stacked(tape: Tape, parts: Sequence[Any]) -> Any:
+    """Return arrays of one shape along a new first axis."""
+    shapes = {getattr(part, "shape", ()) for part in parts}
+    if len(shapes) > 1:
+        raise ValueError(f"all input arrays must have the same shape, not {sorted(map(str, shapes))}")
+    refs = [operand(part) for part in parts]
+    if all(type(ref) is float for ref in refs):
+        return constant(tape, np.array(refs))
+    seen = tape_view(tape, refs)
+    return tape.add("stack", refs, (len(refs), *shapes.pop())) if seen is None else seen
+
+
+def tape_view(tape: Tape, refs: Sequence[Ref]) -> "Array | None":
+    """Return the array whose elements follow each other in this stack, or None."""
+    own = [tape.operations[ref] if type(ref) is int else None for ref in refs]
+    if any(o is None or o.kind != "view" for o in own):
+        return None
+    maps = [o.at for o in own if o is not None]
+    source = {o.arguments[0] for o in own if o is not None}
+    if len(source) != 1:
+        return None
+    turning = [d for d in range(len(maps[0])) if len({m[d] for m in maps}) > 1]
+    if len(turning) != 1 or len(refs) < 2:
+        return None
+    (d,) = turning
+    places = [m[d] for m in maps]
+    if not all(isinstance(p, int) for p in places):
+        return None
+    step = places[1] - places[0]
+    if step < 1 or any(b - a != step for a, b in zip(places, places[1:], strict=False)):
+        return None
+    first = own[0]
+    assert first is not None
+    shape = (len(refs), *first.shape)
+    mapped = tuple(
+        (0, places[0], step) if k == d else p if isinstance(p, int) else (p[0] + 1, *p[1:])
+        for k, p in enumerate(maps[0])
+    )
+    return tape_viewed(tape, first.arguments[0], mapped, shape)
+
+
+def _map(index: tuple, shape: Shape) -> tuple[tuple, Shape]:
+    """Return what a basic index makes of each axis, and the shape of the view."""
+    named = sum(i is not None and i is not Ellipsis for i in index)
+    if Ellipsis not in index:
+        index = (*index, Ellipsis)
+    at = index.index(Ellipsis)
+    filled = (*index[:at], *[slice(None)] * (len(shape) - named), *index[at + 1 :])
+    mapped: list[Any] = []
+    found: list[Any] = []
+    for i in filled:
+        if i is None:
+            found.append(1)
+            continue
+        if len(mapped) == len(shape):
+            raise IndexError("too many indices for array")
+        n = shape[len(mapped)]
+        if isinstance(i, slice):
+            if i == slice(None):
+                start, step, count = 0, 1, n
+            else:
+                if not isinstance(n, int):
+                    raise Unread(f"a part of the open size {n}")
+                places = range(*i.indices(n))
+                start, step, count = places.start, places.step, len(places)
+            mapped.append((len(found), start, step))
+            found.append(count)
+        else:
+            k = i.__index__()
+            if isinstance(n, int) and not -n <= k < n:
+                raise IndexError(f"index {k} is out of bounds for axis with size {n}")
+            if not isinstance(n, int):
+                raise Unread(f"element {k} of the open size {n}")
+            mapped.append(k % n)
+    return tuple(mapped), tuple(found)
+
+
+def _view(array: Array, mapped: tuple, shape: Shape, index: Any) -> Any:
+    if (store := array._written()) is not None:
+        part = store[index] if index is not None else store.T
+        if not isinstance(part, np.ndarray):
+            return part
+        found = Array(array.tape, -1, shape, array, index)
+        found.store = part
+        return found
+    made = tape_viewed(array.tape, array.node, mapped, shape)
+    if isinstance(made, Array) and shape and index is not None:
+        return Array(array.tape, made.node, shape, array, index)
+    return made
+
+
+def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
+    """Return a view; a view of a view, of a stack or of numbers is made at once."""
+    kind, arguments, old, at = tape.operations[node]
+    if mapped == tuple((d, 0, 1) for d in range(len(old))) and shape == old:
+        return Array(tape, node, old)
+    if kind == "constant":
+        from .numbers import viewed
+
+        return constant(tape, viewed(np.frombuffer(at).reshape(old), mapped, shape))
+    if kind == "view":
+        inner = list(at)
+        for d, m in enumerate(inner):
+            if not isinstance(m, int):
+                outer = mapped[m[0]]
+                if isinstance(outer, int):
+                    inner[d] = m[1] + m[2] * outer
+                else:
+                    inner[d] = (outer[0], m[1] + m[2] * outer[1], m[2] * outer[2])
+        return tape_viewed(tape, arguments[0], tuple(inner), shape)
+    if kind == "fill":
+        number = arguments[0]
+        return tape.add("fill", (number,), shape) if shape else _value(tape, number)
+    if kind == "join":
+        found = _of_join(tape, arguments, mapped, shape)
+        if found is not None:
+            return found
+    if kind == "stack" and isinstance(mapped[0], int):
+        item = arguments[mapped[0]]
+        if type(item) is float:
+            return item
+        return tape_viewed(tape, item, mapped[1:], shape)
+    return tape.add("view", (node,), shape, mapped)
+
+
+def _value(tape: Tape, ref: Ref) -> Any:
+    return ref if type(ref) is float else Array(tape, ref, tape.operations[ref].shape)
+
+
+def _of_join(tape: Tape, parts: Sequence[Ref], mapped: tuple, shape: Shape) -> Any:
+    """Return a view of joined arrays that lies within one of them; None where it does not."""
+    first, *rest = mapped
+    count = 1 if isinstance(first, int) else shape[first[0]]
+    start, step = (first, 1) if isinstance(first, int) else first[1:]
+    last, at = start + step * (count - 1), 0
+    for part in parts:
+        n = tape.operations[part].shape[0]
+        if count and at <= min(start, last) and max(start, last) < at + n:
+            moved = start - at if isinstance(first, int) else (first[0], start - at, step)
+            return tape_viewed(tape, part, (moved, *rest), shape)
+        at += n
+    return None
+
+
+def elementwise(name: str, *arguments: Any) -> Any:
+    """Return an elementwise operation of arrays and numbers."""
+    tape = next(a.tape for a in arguments if isinstance(a, Array))
+    if name in ("and", "or", "not"):
+        arguments = tuple(as_condition(a) for a in arguments)
+    elif name == "where":
+        arguments = (as_condition(arguments[0]), *map(as_number, arguments[1:]))
+    else:
+        arguments = tuple(as_number(a) for a in arguments)
+    shape = broadcast(*(getattr(a, "shape", ()) for a in arguments))
+    return tape.add(name, [operand(a) for a in arguments], shape)
+
+
+def as_number(value: Any) -> Any:
+    """Return truth values as 1 and 0, and all else as it is."""
+    if isinstance(value, Array) and value.is_condition:
+        return value.tape.add("where", (value.ref, 1.0, 0.0), value.shape)
+    return value
+
+
+def as_condition(value: Any) -> Any:
+    """Return numbers as whether they are not zero."""
+    if isinstance(value, Array) and not value.is_condition:
+        return elementwise("ne", value, 0.0)
+    return value
+
+
+def where(condition: Any, a: Any, b: Any) -> Any:
+    """Return a where a condition holds, else b."""
+    if not isinstance(condition, Array):
+        return np.where(condition, a, b) if np.ndim(condition) else (a if condition else b)
+    return elementwise("where", condition, a, b)
+
+
+def elements(value: Any) -> Any:
+    """Return the elements of an array, or a number as it is."""
+    return value.elements() if isinstance(value, Array) and value.shape else value
+
+
+def total(array: Array, axis: int) -> Any:
+    """Return the sum over one axis."""
+    array = as_number(array)
+    axis %= array.ndim
+    shape = array.shape[:axis] + array.shape[axis + 1 :]
+    return array.tape.add("sum", (array.ref,), shape, axis)
+
