@@ -1,9 +1,7 @@
-from . import words
-from .arrays import evaluate
-from .block import Block
+from ..equations.at_many import evaluate
+from ..equations.block import Block
+from ..equations.declaration import Guard
 from .checks import ConformanceReport, check_block, conformance
-from .declaration import Guard
-from .rules import opaque
 
 __all__ = [
     "Block",
@@ -12,6 +10,4 @@ __all__ = [
     "check_block",
     "conformance",
     "evaluate",
-    "opaque",
-    "words",
 ]

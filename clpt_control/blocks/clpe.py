@@ -8,7 +8,7 @@ follow in Eq. (10), are what the wired diagram gives; they are not written again
 Ports: x[2], z[2] (length) -> e[2] (length).
 """
 
-from .block import Block
+from ..equations.block import Block
 
 
 def prediction_error(t, x, u, p, y):

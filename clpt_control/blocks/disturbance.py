@@ -20,7 +20,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .block import Block
+from ..equations.block import Block
 from .reference import multiples
 from .words import floor
 

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .block import Block
+from ..equations.block import Block
 
 
 class ErrorSystemParameters(NamedTuple):

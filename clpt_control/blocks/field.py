@@ -15,8 +15,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .block import Block
-from .declaration import Guard
+from ..equations.block import Block
+from ..equations.declaration import Guard
 from .words import clip, floor, lookup, minimum, where
 
 ADVICE = 'flow.outside = "clip" or "stop" goes on or ends there'  # what a scenario may say

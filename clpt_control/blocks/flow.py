@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .block import Block
+from ..equations.block import Block
 
 
 class TrueFlowParameters(NamedTuple):

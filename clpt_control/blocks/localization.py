@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .block import Block
+from ..equations.block import Block
 from .disturbance import hash_fraction, normal
 from .reference import multiples
 from .words import where

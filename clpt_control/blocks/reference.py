@@ -15,8 +15,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..equations.block import Block
 from ..errors import BlockError
-from .block import Block
 from .words import lookup
 
 MOST_JUMPS = 2 * 10**7  # times of jumps that are listed

@@ -13,7 +13,7 @@ Ports, length per time: v_c[2] -> v_x[2], v = v_x; v_c[2], v_x[2] -> unflown[2],
 import math
 from typing import NamedTuple
 
-from .block import Block
+from ..equations.block import Block
 from .words import maximum
 
 

@@ -26,9 +26,9 @@ Proceedings of the IEEE 95(1), Consensus and cooperation in networked multi-agen
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from .block import Block
+from ..equations.block import Block
+from ..equations.namespaces import named
 from .laws.learned_flow import learned_flow
-from .namespaces import named
 
 
 class ConsensusParameters(NamedTuple):

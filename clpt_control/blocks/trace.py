@@ -14,18 +14,18 @@ from typing import Any
 
 import numpy as np
 
+from ..equations.scalars import Scalars
 from ..errors import BlockError
 from .functions import fingerprint, substituted, with_helpers
-from .record import Record
 from .tracers import Condition, Number, Refused, Table, Tape, TooLong, operand, tracer_array
 from .words import MATH, WORDS
 
 LARGEST_ARRAY = 4096  # numbers; a longer parameter array can be read, not calculated with
 KEPT = 1024  # records
-_records: OrderedDict[Any, Record] = OrderedDict()
+_records: OrderedDict[Any, Scalars] = OrderedDict()
 
 
-def trace(function: FunctionType, role: str, sizes: tuple[int, int, int], p: Any) -> Record:
+def trace(function: FunctionType, role: str, sizes: tuple[int, int, int], p: Any) -> Scalars:
     """Run equations ``f(t, x, u, p, out)`` on tracers and return the record.
 
     `sizes` are those of x, u and out.  Of p, whole numbers stay, of the rest the shapes count.
@@ -41,7 +41,7 @@ def trace(function: FunctionType, role: str, sizes: tuple[int, int, int], p: Any
     return _records[key]
 
 
-def _run(function: FunctionType, role: str, sizes: tuple[int, int, int], p: Any) -> Record:
+def _run(function: FunctionType, role: str, sizes: tuple[int, int, int], p: Any) -> Scalars:
     tape = Tape()
 
     def leaves(name: tuple, size: int) -> list[int]:
@@ -88,7 +88,7 @@ def _run(function: FunctionType, role: str, sizes: tuple[int, int, int], p: Any)
         raise TooLong(f"{role}: {error}") from None
     except Exception as error:  # whatever Python identity of these equations
         raise BlockError(f"{_place(error, function, role)}: {_sentence(error)}") from None
-    return Record(tuple(tape.operations), refs, tuple(tape.marks))  # type: ignore[arg-type]
+    return Scalars(tuple(tape.operations), refs, tuple(tape.marks))  # type: ignore[arg-type]
 
 
 def _sentence(error: Exception) -> str:
@@ -137,7 +137,7 @@ def _where(condition: Any, a: Any, b: Any) -> Any:
 
 
 def _lookup(table: Any, index: Any) -> Any:
-    """Record a choice among evenly spaced numbers of one parameter, or among any others."""
+    """Scalars a choice among evenly spaced numbers of one parameter, or among any others."""
     if not isinstance(index, Number):
         return table[int(index)]
     shape = getattr(table, "shape", None)

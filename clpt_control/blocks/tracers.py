@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from ..equations.scalars import Ref
 from ..errors import BlockError
-from .record import Ref
 
 MOST_OPERATIONS = 300_000  # a longer record is given up: Python runs the diagram
 

@@ -20,8 +20,8 @@ from typing import Any
 import numpy as np
 
 from ..arguments import public
-from ..blocks import evaluate
 from ..diagrams.scenario_basis import scenario_basis
+from ..equations.at_many import evaluate
 from ..errors import DataError
 from ..estimation.least_squares import least_squares
 from ..scenario import tides

@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 import control
 
 from ..arguments import public
-from ..blocks import Block
-from ..blocks.declaration import check_names, labels, whole_labels
+from ..equations.block import Block
+from ..equations.declaration import check_names, labels, whole_labels
 from ..errors import BlockError, DiagramError
 from ..scenario.keys import call_time_name_of
 from .parts import as_part, input_ports, output_ports

@@ -9,10 +9,10 @@ from typing import Any
 
 import control
 
-from ..blocks import Block
-from ..blocks.declaration import labels, ports_of
-from ..blocks.linear import linear
-from ..blocks.namespaces import renamed
+from ..equations.block import Block
+from ..equations.declaration import labels, ports_of
+from ..equations.linear import linear
+from ..equations.namespaces import renamed
 from ..errors import DiagramError
 
 

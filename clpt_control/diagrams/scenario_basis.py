@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ..blocks import Block
 from ..blocks.basis import BasisParameters, flow_basis
+from ..equations.block import Block
 from ..scenario.experiment import Scenario
 
 

@@ -14,8 +14,8 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from ..blocks import Block
-from ..blocks.linear import linear
+from ..equations.block import Block
+from ..equations.linear import linear
 from ..errors import DiagramError
 from .parts import check_continuous
 

@@ -9,9 +9,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..blocks import Block
 from ..blocks.laws.law import functions_of
 from ..diagrams.changes import LAW, UNCHANGED, Changes
+from ..equations.block import Block
 from ..errors import DataError, DiagramError, ScenarioError
 from ..files import check_name, check_writable
 from ..scenario.experiment import Scenario

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import Seed, public
-from ..blocks import Block
 from ..diagrams.changes import Part, changes_of
+from ..equations.block import Block
 from ..errors import ScenarioError
 from ..progress.interrupt import SLICE, check
 from ..scenario.experiment import Scenario

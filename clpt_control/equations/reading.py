@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import BlockError
-from .arrays import Array, Tape, Unread, lifted, operand, as_number, lifted, operand, packed, where
+from .arrays import Array, Tape, Unread, as_number, lifted, operand, packed, where
 from .numpy_functions import objects
 from .record import Record, Ref, Shape, compact, reached
 

@@ -11,8 +11,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..arguments import public
-from ..blocks import Block
 from ..blocks.basis import BasisParameters, flow_basis
+from ..equations.block import Block
 from ..errors import DataError, ScenarioError
 from ..scenario.tides import period
 from .dive import Dive

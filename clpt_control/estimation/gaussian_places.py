@@ -19,8 +19,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.integrate import trapezoid
 
-from ..blocks import evaluate
 from ..blocks.basis import BasisParameters, flow_basis
+from ..equations.at_many import evaluate
 from ..errors import ScenarioError
 from ..geodesy import displacement
 from .dive import Dive

@@ -13,8 +13,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from ..blocks import Block, evaluate, speed_limit, vehicle
+from ..blocks import speed_limit, vehicle
 from ..diagrams.scenario_basis import scenario_basis
+from ..equations.at_many import evaluate
+from ..equations.block import Block
 from ..errors import DataError, ScenarioError
 from ..scenario.experiment import Scenario
 from .segments import SAMPLES, Segments

@@ -14,7 +14,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy.integrate import simpson
 
-from ..blocks import Block, evaluate
+from ..equations.at_many import evaluate
+from ..equations.block import Block
 from ..geodesy import displacement
 from .dive import Dive
 from .fix_regressor import reckoned

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import public
-from ..blocks import Block
 from ..blocks.laws.scales import reach, usual_prior
+from ..equations.block import Block
 from ..errors import DataError, ScenarioError
 from ..scenario.experiment import Scenario
 from .dive import Dive

@@ -20,8 +20,8 @@ import control
 import numpy as np
 
 from ..arguments import public
-from ..blocks import Block
-from ..blocks.symbolic import in_sympy
+from ..equations.block import Block
+from ..equations.symbolic import in_sympy
 from ..errors import DiagramError
 from .code import code_of
 from .native_diagram import NativeDiagram

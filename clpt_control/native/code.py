@@ -7,9 +7,9 @@ twice is found; larger ones keep their loops.
 from functools import lru_cache
 from typing import NamedTuple
 
-from ..blocks import Block
 from ..blocks.tracers import TooLong
 from ..diagrams.wiring import Wiring
+from ..equations.block import Block
 from ..errors import DiagramError, Uncompiled
 from . import method
 from .formula import kernel

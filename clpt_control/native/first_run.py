@@ -19,9 +19,9 @@ from typing import Any
 
 import numpy as np
 
-from ..blocks import Block
 from ..blocks.tracers import TooLong
 from ..diagrams.wiring import Wiring
+from ..equations.block import Block
 from ..errors import Uncompiled
 from . import solver
 from .batch import Batch

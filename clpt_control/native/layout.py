@@ -15,9 +15,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..blocks import Block
-from ..blocks.declaration import states_as_outputs
 from ..diagrams.wiring import Node, Wiring
+from ..equations.block import Block
+from ..equations.declaration import states_as_outputs
 
 LARGE = 512  # numbers: a larger array is a table that runs share
 SIGNED = {"div", "atan2", "pow", "floordiv", "mod"}  # that tell -0.0 from 0.0

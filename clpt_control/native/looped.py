@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from itertools import product
 from typing import Any
 
-from ..blocks.record import Record
+from ..equations.scalars import Scalars
 from .layout import Sources, Term
 from .loops import LEAST, roll
 from .optimise import prepared
@@ -112,7 +112,7 @@ class _Writer:
         body.append(Store("D", states.start, turn, ref))
         return [*items, Loop(0, n, tuple(body), ())] if n else []
 
-    def block(self, k: int, record: Record, array: str, first: int) -> list[Item]:
+    def block(self, k: int, record: Scalars, array: str, first: int) -> list[Item]:
         """Return a block's items; its last argument lies in an array from a place."""
         found = roll(record, self.least)
         block = _Block(self, k, found, (array, first))

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from math import copysign, inf
 from typing import Any
 
-from ..blocks.record import LEAVES, Record
+from ..equations.scalars import LEAVES, Scalars
 from ..errors import BlockError
 from .program import Loop, Step, Store
 from .rolled import Constant, Place, Rolled, Table, expanded, numbered
@@ -17,7 +17,7 @@ from .turns import Different, Merge, Shared
 LEAST = 5  # turns; fewer stay apart
 
 
-def roll(record: Record, least: float = LEAST) -> Rolled:
+def roll(record: Scalars, least: float = LEAST) -> Rolled:
     """Return a record with the loops that can be kept; fewer turns than `least` stay apart."""
     record = record.without_opaque()
     found = Roller(record, least).run()
@@ -32,7 +32,7 @@ def roll(record: Record, least: float = LEAST) -> Rolled:
 class Roller:
     """A pass over a record."""
 
-    def __init__(self, record: Record, least: float):
+    def __init__(self, record: Scalars, least: float):
         self.record, self.least = record, least
         last_use = [0] * len(record.operations)
         for k, (name, *arguments) in enumerate(record.operations):

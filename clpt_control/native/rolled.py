@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from math import copysign
 from typing import Any, NamedTuple
 
-from ..blocks.record import Record
+from ..equations.scalars import Scalars
 from .program import Step, Steps, Store
 
 
@@ -44,7 +44,7 @@ class Rolled(NamedTuple):
     room: int
 
 
-def numbered(record: Record, known: dict) -> list[int]:
+def numbered(record: Scalars, known: dict) -> list[int]:
     """Return the expressions that a record leaves, numbered; `known` grows."""
 
     def number(*key: Any) -> int:

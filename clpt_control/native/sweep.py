@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from ..blocks import Block
 from ..diagrams.wiring import Node, Wiring
+from ..equations.block import Block
 
 TROUBLE = (OverflowError, ValueError, ZeroDivisionError, FloatingPointError)
 

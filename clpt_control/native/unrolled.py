@@ -8,8 +8,8 @@ from collections.abc import Callable, Iterable
 from math import copysign
 from typing import Any
 
-from ..blocks.record import Record
 from ..diagrams.wiring import Node
+from ..equations.scalars import Scalars
 from .layout import Sources
 from .optimise import simplified
 from .program import CONDITIONS, Item, Load, Program, Ref, Step, Store
@@ -54,7 +54,7 @@ def _key(argument: Any) -> tuple:
 
 
 def run_block(
-    ops: Operations, record: Record, sources: Sources, k: int, inputs: list[Ref]
+    ops: Operations, record: Scalars, sources: Sources, k: int, inputs: list[Ref]
 ) -> list[Ref]:
     """Run a block's record on the operations of a diagram."""
     node = sources.wiring.nodes[k]

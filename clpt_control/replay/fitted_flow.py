@@ -15,9 +15,9 @@ from pathlib import Path
 
 import numpy as np
 
-from ..blocks import Block
 from ..currents.plane import LocalPlane
 from ..diagrams.scenario_basis import scenario_basis
+from ..equations.block import Block
 from ..errors import DataError
 from ..files import open_netcdf
 from ..gliders.dives import Dive

@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ..blocks.arrays import on_arrays
-from ..blocks.declaration import ports_of
 from ..blocks.laws.law import Truth
 from ..blocks.localization import TRUE
 from ..diagrams.changes import LAW, UNCHANGED, Changes
 from ..diagrams.wiring import Wiring
+from ..equations.at_many import on_arrays
+from ..equations.declaration import ports_of
 from ..native.ending import Solution
 from ..scenario.experiment import Scenario
 from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS, scenario_to_text

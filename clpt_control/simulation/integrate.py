@@ -10,11 +10,11 @@ import control
 import numpy as np
 
 from ..arguments import public
-from ..blocks import Block
-from ..blocks.declaration import ports_of, whole_labels
-from ..blocks.linear import linear
 from ..diagrams.changes import UNCHANGED, Part, changes_of
 from ..diagrams.wiring import wiring_of
+from ..equations.block import Block
+from ..equations.declaration import ports_of, whole_labels
+from ..equations.linear import linear
 from ..errors import SimulationError
 from ..native.engines import chosen
 from ..native.inputs import checked_times, read_inputs, stacked_state

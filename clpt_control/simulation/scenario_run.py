@@ -5,11 +5,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..blocks.declaration import labels
 from ..blocks.localization import TRUE
 from ..diagrams.changes import UNCHANGED, Changes
 from ..diagrams.interconnection import wiring_of_blocks
 from ..diagrams.parts import output_ports
+from ..equations.declaration import labels
 from ..errors import BlockError, ScenarioError, SimulationError
 from ..native.ending import Solution
 from ..native.engines import chosen

@@ -7,11 +7,11 @@ import control
 import numpy as np
 
 from ..arguments import public
-from ..blocks import Block
-from ..blocks.linear import is_linear
 from ..blocks.localization import TRUE
 from ..diagrams.changes import Part, changes_of
 from ..diagrams.parts import output_ports
+from ..equations.block import Block
+from ..equations.linear import is_linear
 from ..errors import DataError
 from ..native.inputs import numbers
 from ..scenario.experiment import Scenario

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import public
-from ..blocks import Block
 from ..blocks.laws.table import LAWS
 from ..blocks.localization import TRUE
-from ..blocks.namespaces import split, within
 from ..blocks.team import consensus_block, pulled_law
 from ..diagrams.interconnection import Diagram, connect, wiring_of_blocks
 from ..diagrams.wiring import Wiring
+from ..equations.block import Block
+from ..equations.namespaces import split, within
 from ..native.ending import Solution
 from ..native.engines import chosen
 from ..scenario.experiment import Scenario

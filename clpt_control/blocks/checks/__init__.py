@@ -9,9 +9,9 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
 from ...arguments import Seed, public
+from ...equations.block import Block
 from ...errors import BlockError
 from ...html.fragment import facts, fragment, unfolding
-from ..block import Block
 from .diagrams import _copies, _interconnects, _jumps, _linearizes, _parameters, _pickles
 from .equations import (
     Sample,

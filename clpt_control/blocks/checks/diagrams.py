@@ -7,9 +7,9 @@ from typing import Any
 import control
 import numpy as np
 
+from ...equations.block import Block
+from ...equations.symbolic import expressions
 from ...errors import BlockError
-from ..block import Block
-from ..symbolic import expressions
 from .equations import Sample, differ, equations, own_copy, python_values
 
 LINEAR = 1e-4

@@ -5,9 +5,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ...equations.block import Block
+from ...equations.declaration import Equations
 from ...errors import ClptError
-from ..block import Block
-from ..declaration import Equations
 from ..ieee import in_ieee
 
 

@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..block import Block
+from ...equations.block import Block
 from ..lyapunov import known_flow, weighed
 from .covariance import (
     SETTINGS,

@@ -21,7 +21,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..block import Block
+from ...equations.block import Block
 from .commanded_gains import gains_losses, remember, symmetric
 from .filtered_flow import (
     MADE_OF,

@@ -33,7 +33,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..block import Block
+from ...equations.block import Block
 from ..reference import multiples
 from ..words import maximum
 from .commanded_gains import symmetric

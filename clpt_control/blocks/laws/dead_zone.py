@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..block import Block
+from ...equations.block import Block
 from ..lyapunov import LyapunovParameters, learned_flow, weighed
 from ..words import clip
 from .law import Known, Law, Setting, Truth

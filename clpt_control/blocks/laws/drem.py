@@ -33,8 +33,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ...equations.block import Block
 from ...errors import ScenarioError
-from ..block import Block
 from ..lyapunov import lyapunov_candidate, weighed
 from ..words import maximum, where
 from .composite_memory import memory_kept, memory_rates, missed

@@ -20,7 +20,7 @@ from typing import Any
 
 import numpy as np
 
-from ..block import Block
+from ...equations.block import Block
 from .commanded_gains import STATES, gain_rates, gains_kept
 from .law import Known, Truth
 

@@ -30,8 +30,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ...equations.block import Block
 from ...errors import ScenarioError
-from ..block import Block
 from ..reference import multiples
 from ..words import where
 from .law import Known, Law, Setting, Truth

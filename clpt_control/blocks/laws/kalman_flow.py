@@ -24,7 +24,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..block import Block
+from ...equations.block import Block
 from .commanded_gains import symmetric
 from .filtered_flow import filter_kept, filter_rates, filter_starts, filtered_flow
 from .known_flow import V

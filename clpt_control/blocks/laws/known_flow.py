@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..block import Block
+from ...equations.block import Block
 from ..lyapunov import lyapunov_candidate, weighed
 from .law import Known, Law, Truth, adapt_feedback, adapt_feedforward
 

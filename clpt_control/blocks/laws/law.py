@@ -13,9 +13,9 @@ from typing import Any, Literal, NamedTuple
 import control
 import numpy as np
 
+from ...equations.block import Block
+from ...equations.declaration import ports_of
 from ...errors import DiagramError
-from ..block import Block
-from ..declaration import ports_of
 
 
 class Gains(NamedTuple):

@@ -30,7 +30,7 @@ Gamma[2] (per time), the states.
 import math
 from typing import NamedTuple
 
-from ..block import Block
+from ...equations.block import Block
 from ..words import clip
 from .law import Known, Law, Setting
 from .learned_flow import V, learned_flow

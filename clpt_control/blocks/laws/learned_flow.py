@@ -13,7 +13,7 @@ Gamma[2] (per time), the states.
 
 from typing import Any, NamedTuple
 
-from ..block import Block
+from ...equations.block import Block
 from ..lyapunov import lyapunov_candidate, weighed
 from .law import Known, Law, Truth, adapt_feedback, adapt_feedforward
 

@@ -19,7 +19,7 @@ Gamma[2] (per time), the states.
 
 from typing import NamedTuple
 
-from ..block import Block
+from ...equations.block import Block
 from ..words import clip, maximum
 from .law import Known, Law, Setting
 from .leakage import LIMITS, V, law_block, limits

@@ -10,7 +10,7 @@ from typing import Any
 
 import control
 
-from ...blocks import Block
+from ...equations.block import Block
 from ..wiring import Node
 from .layout import NAME, NOTE, PORT, layout, lines_of, note, width
 from .routing import Routed, strokes

@@ -4,7 +4,7 @@ import re
 
 import control
 
-from ...blocks.shown import ports_line
+from ...equations.shown import ports_line
 from ...errors import ClptError
 from ...html.fragment import fragment, shortened
 from ...html.text import paragraphs

@@ -17,8 +17,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...arguments import public
-from ...blocks import evaluate
 from ...diagrams.scenario_basis import scenario_basis
+from ...equations.at_many import evaluate
 from ...scenario.experiment import Scenario
 from ...scenario.file import paper_scenario
 from ...simulation.integrate import sample_times, simulate

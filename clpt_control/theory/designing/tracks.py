@@ -13,9 +13,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...blocks import Block, evaluate
 from ...blocks.laws.table import LAWS
 from ...diagrams.interconnection import wiring_of_blocks
+from ...equations.at_many import evaluate
+from ...equations.block import Block
 from ...errors import ScenarioError
 from ...native.batch import Batch
 from ...native.native_diagram import NativeDiagram

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ...blocks import evaluate
 from ...blocks.reference import multiples, reference
 from ...diagrams.scenario_basis import scenario_basis
+from ...equations.at_many import evaluate
 from ...errors import ScenarioError
 from ...scenario.experiment import Scenario
 from ...scenario.file import OWN_LAW, OWN_PARTS

@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 import sympy
 
-from ...blocks import Block
-from ...blocks.symbolic import OPERATIONS, exact
 from ...blocks.tracers import Tape
+from ...equations.block import Block
+from ...equations.symbolic import OPERATIONS, exact
 from ...errors import BlockError
 from ...native.loops import roll
 from ...native.program import Loop, Step, Store

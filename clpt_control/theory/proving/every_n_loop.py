@@ -11,11 +11,11 @@ import control
 import numpy as np
 import sympy
 
-from ...blocks import Block
-from ...blocks.declaration import states_as_outputs
-from ...blocks.namespaces import split
-from ...blocks.symbolic import exact
 from ...diagrams.wiring import Node, Wire, wiring_of
+from ...equations.block import Block
+from ...equations.declaration import states_as_outputs
+from ...equations.namespaces import split
+from ...equations.symbolic import exact
 from ...errors import BlockError
 from .every_n_function import read_function
 from .every_n_signals import Key, Size, Summed, keys, port_size

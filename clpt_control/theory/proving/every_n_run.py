@@ -17,9 +17,9 @@ from types import CodeType, FrameType
 from typing import Any
 
 from ...blocks.functions import substituted
-from ...blocks.record import Record
 from ...blocks.trace import SUBSTITUTES, stand_in_for_opaque
 from ...blocks.tracers import Condition, Number, Refused, Tape, operand
+from ...equations.scalars import Scalars
 
 BIG = 10**9
 TURNS = 3
@@ -182,7 +182,7 @@ class ParameterArray:
         return self.tape.add("p", self.field, code)
 
 
-def run(function: Any, tape: Tape, given: tuple, written: dict) -> Record:
+def run(function: Any, tape: Tape, given: tuple, written: dict) -> Scalars:
     """Run a block's function on (t, x, u, p, out) for every N and return the record.
 
     What it leaves in `out` is put into `written`, whose order the record's outputs have.
@@ -193,7 +193,7 @@ def run(function: Any, tape: Tape, given: tuple, written: dict) -> Record:
     if substituted(function, substitutes, stand_in_for_opaque)(*given) is not None:
         raise Refused("returning a value", "fill the last argument: out[0] = ...")
     refs = tuple(number.ref for number in written.values())
-    return Record(tuple(tape.operations), refs, tuple(tape.marks))
+    return Scalars(tuple(tape.operations), refs, tuple(tape.marks))
 
 
 class _Loops:

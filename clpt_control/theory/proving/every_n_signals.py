@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import sympy
 
-from ...blocks.namespaces import split
+from ...equations.namespaces import split
 from ...errors import BlockError
 
 

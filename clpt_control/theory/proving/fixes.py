@@ -15,11 +15,11 @@ from typing import Any
 import numpy as np
 import sympy
 
-from ...blocks import Block
 from ...blocks.laws.law import Law
-from ...blocks.record import Record
-from ...blocks.symbolic import expressions
 from ...diagrams.interconnection import connect
+from ...equations.block import Block
+from ...equations.scalars import Scalars
+from ...equations.symbolic import expressions
 from ...simulation.loops import paper_blocks
 from .proof import Step, checked
 from .symbolic_loop import symbolic_loop
@@ -39,7 +39,7 @@ r, latency = sympy.symbols("r latency", positive=True)
 States = dict[str, np.ndarray]
 
 
-def read(record: Record, x: Any, u: Any, p: dict[str, Any]) -> np.ndarray:
+def read(record: Scalars, x: Any, u: Any, p: dict[str, Any]) -> np.ndarray:
     """Return what a record computes of expressions, every choice decided."""
 
     def leaf(name: str, *where: Any) -> Any:

@@ -13,8 +13,8 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ...blocks import Block
 from ...blocks.laws.law import Law, Truth
+from ...equations.block import Block
 from .lyapunov import Claim, claimed, short
 from .proof import Step, checked
 from .quadratic_forms import nonpositive, positive_maximum

@@ -15,8 +15,8 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from ...blocks import Block
 from ...blocks.laws.table import LAWS
+from ...equations.block import Block
 from ...errors import ClptError, DataError
 from ...files import write_text
 from ...files.user_cache import cache_folder, trusted

@@ -10,8 +10,8 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ...blocks import Block
 from ...diagrams.interconnection import Diagram
+from ...equations.block import Block
 from ...errors import DiagramError
 from .dead_zones import DeadZones
 from .law_gains import own_values, refuse_no_value

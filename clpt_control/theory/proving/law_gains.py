@@ -11,8 +11,8 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ...blocks import Block
 from ...diagrams.interconnection import connect
+from ...equations.block import Block
 from ...errors import DiagramError
 from .paper_symbols import port_symbols
 from .quadratic_forms import tidied

@@ -11,7 +11,7 @@ import numpy as np
 import sympy
 
 from ...blocks import basis
-from ...blocks.symbolic import expressions
+from ...equations.symbolic import expressions
 from ...simulation.loops import error_loop
 from .symbolic_loop import symbolic_loop
 from .theorem_loop import theorem_loop, theorem_scenario

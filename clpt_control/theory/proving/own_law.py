@@ -10,9 +10,9 @@ import numpy as np
 import sympy
 
 from ...arguments import Seed, public
-from ...blocks import Block
 from ...blocks.laws.law import functions_of
 from ...diagrams.interconnection import Diagram
+from ...equations.block import Block
 from ...errors import ClptError, DiagramError
 from .law_case import Case, flat
 from .law_gains import law_alone, law_gains, own_values

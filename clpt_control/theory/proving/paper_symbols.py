@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 import sympy
 
-from ...blocks import Block
-from ...blocks.namespaces import named, split
+from ...equations.block import Block
+from ...equations.namespaces import named, split
 from ...scenario.keys import CALL_TIME_NAMES
 
 # fields that stand for one thing, and its name in the paper

@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import sympy
 
-from ...blocks import Block
-from ...blocks.namespaces import BETWEEN, named, split
+from ...equations.block import Block
+from ...equations.namespaces import BETWEEN, named, split
 from .paper_symbols import SCALARS, parameter_names
 from .symbolic_loop import TIME, SymbolicLoop
 

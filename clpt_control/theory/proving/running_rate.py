@@ -16,11 +16,11 @@ import control
 import numpy as np
 import sympy
 
-from ...blocks import Block
-from ...blocks.arrays import OPERATIONS
-from ...blocks.symbolic import UNEXPANDED
 from ...diagrams.interconnection import changed_parameters
 from ...diagrams.wiring import Wiring, wiring_of
+from ...equations.at_many import OPERATIONS
+from ...equations.block import Block
+from ...equations.symbolic import UNEXPANDED
 from ...errors import DiagramError
 from ...native.sweep import Sweep
 from ...progress.interrupt import check

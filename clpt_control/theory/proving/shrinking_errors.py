@@ -14,7 +14,7 @@ import numpy as np
 import sympy
 
 from ...blocks.laws.law import Law
-from ...blocks.symbolic import UNEXPANDED
+from ...equations.symbolic import UNEXPANDED
 from .boundedness import young_step
 from .kept_loop import Kept, cases_of, kept_step, said_of, same_running
 from .lyapunov import decay, short

@@ -15,10 +15,10 @@ import control
 import numpy as np
 import sympy
 
-from ...blocks import Block
-from ...blocks.record import Record
-from ...blocks.symbolic import exact, expressions
 from ...diagrams.wiring import Wiring, wiring_of
+from ...equations.block import Block
+from ...equations.scalars import Scalars
+from ...equations.symbolic import exact, expressions
 from ...errors import DiagramError
 from .paper_symbols import parameter_names, parameter_symbols, port_symbols, state_names
 from .undefined import extent, undefined
@@ -88,7 +88,7 @@ def symbolic_loop(
             u[wire.to : wire.to + wire.size] += gained
         return u
 
-    def outcome(record: Record, role: str, block: Block, u: np.ndarray) -> np.ndarray:
+    def outcome(record: Scalars, role: str, block: Block, u: np.ndarray) -> np.ndarray:
         x = _flat({port: loop.states[states[block.name, port]] for port in block.state_ports})
         p = loop.parameters[block.name]
 

@@ -14,9 +14,9 @@ import numpy as np
 import sympy
 
 from ...blocks.lyapunov import lyapunov_candidate, one_gain
-from ...blocks.namespaces import named, split, within
 from ...blocks.team import total_candidate
 from ...diagrams.interconnection import Diagram, connect
+from ...equations.namespaces import named, split, within
 from ...scenario.team import LAW, Team
 from ...simulation.teams import team_blocks
 from .every_n_loop import EveryNLoop, every_n_loop

@@ -9,11 +9,11 @@ from typing import Literal
 
 import numpy as np
 
-from ...blocks import Block
 from ...blocks.laws.law import Law, Truth
 from ...blocks.laws.table import LAWS
 from ...blocks.lyapunov import lyapunov_candidate, one_gain
 from ...diagrams.interconnection import Diagram, connect
+from ...equations.block import Block
 from ...scenario.experiment import Scenario
 from ...scenario.file import paper_scenario
 from ...simulation.loops import paper_blocks
