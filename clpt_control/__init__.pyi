@@ -3,6 +3,7 @@ from . import (
     currents,
     diagrams,
     ensemble,
+    equations,
     estimation,
     gliders,
     native,
@@ -12,9 +13,9 @@ from . import (
     simulation,
     theory,
 )
-from .blocks import Block
 from .diagrams import connect, draw
 from .ensemble import run_ensemble
+from .equations import Block
 from .errors import (
     ArgumentError,
     BlockError,
@@ -62,6 +63,7 @@ __all__ = [
     "diagrams",
     "draw",
     "ensemble",
+    "equations",
     "error_loop",
     "estimation",
     "gliders",

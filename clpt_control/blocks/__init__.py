@@ -1,8 +1,6 @@
-"""The paper's diagram, a page for each block, and what makes blocks of equations.
+"""The paper's diagram, a page for each block, and its laws.
 
-`block` makes a block.  Equations may use `words`; `rules` refuses all else; `trace`
-runs them on `tracers` and keeps their `record`; `ieee`, `arrays` and `symbolic` are
-readings; `checks` compares all readings.  Every other file is a page of the paper.
+`checks` compares all readings of any block.
 """
 
 import lazy_loader

@@ -9,11 +9,11 @@ from numpy.typing import ArrayLike
 from ..arguments import numbers, public
 from ..errors import ArgumentError
 from .block import Block
-from .ieee import MOST_ANGLE
-from .record import Record
+from .numbers import MOST_ANGLE
+from .scalars import Scalars
 
 
-def on_arrays(record: Record, t: Any, x: Any, u: Any, p: Any) -> np.ndarray:
+def on_arrays(record: Scalars, t: Any, x: Any, u: Any, p: Any) -> np.ndarray:
     """Run a record on arrays: n times, for each state and input a number or n; shape (size, n)."""
     t = np.asarray(t, dtype=float)
     flat: dict[str, np.ndarray] = {}
@@ -124,7 +124,7 @@ OPERATIONS: dict[str, Callable[..., Any]] = {
     "maximum": lambda a, b: np.where((a > b) | (a != a), a, b),
     "clip": lambda a, low, high: np.where(a < low, low, np.where(a > high, high, a)),
     "sign": _sign,
-    "floor": lambda a: np.floor(a) + 0.0,  # Python's are whole numbers, which have no -0
+    "floor": lambda a: np.floor(a) + 0.0,  # a whole number has no -0
     "trunc": lambda a: np.trunc(a) + 0.0,
     "ceil": lambda a: np.ceil(a) + 0.0,
     "pick": lambda index, *numbers: picked(np.array(np.broadcast_arrays(*numbers)), index),

@@ -130,6 +130,7 @@ class Block(control.NonlinearIOSystem):
         self.opaque, self.breakpoints_function, self.guard = opaque, breakpoints, guard
         self.name = name
         self.declared, self.parameter_shapes = declared, shapes_of(shapes)
+        self._inner: dict[str, dict[str, str]] = {}  # a port's name -> what its equations call it
         self._sizes = dict(sizes or {})
         self.parameters = parameters
         if breakpoints is not None and "interval" not in self.parameters._fields:
@@ -186,7 +187,24 @@ class Block(control.NonlinearIOSystem):
         self.input_ports, self.output_ports, self.state_ports = map(
             sizes_of, (self.input_shapes, self.output_shapes, self.state_shapes)
         )
-        self._x, self._u = places(self.state_shapes), places(self.input_shapes)
+        self._x = places(self._called("states", self.state_shapes))
+        self._u = places(self._called("inputs", self.input_shapes))
+
+    def _called(self, kind: str, shapes: Mapping[str, Any]) -> dict[str, Any]:
+        """Return ports by the names that the equations use."""
+        names = self._inner.get(kind, {})
+        return {names.get(port, port): shape for port, shape in shapes.items()}
+
+    def name_ports(self, names: Mapping[str, Mapping[str, str]]) -> None:
+        """Give ports other names, ``{"inputs": {old: new}}``; the equations keep theirs."""
+        for kind, moved in names.items():
+            own, ports = self._inner.get(kind, {}), self.declared[kind]
+            self._inner[kind] = {moved.get(p, p): own.get(p, p) for p in ports}
+            self.declared[kind] = {moved.get(p, p): shape for p, shape in ports.items()}
+        self.parameters = self.parameters
+        self.set_inputs(labels(self.input_ports))
+        self.set_outputs(labels(self.output_ports))
+        self.set_states(labels(self.state_ports) or 0)
 
     @property
     def states_are_outputs(self) -> bool:
@@ -208,11 +226,12 @@ class Block(control.NonlinearIOSystem):
     @property
     def _roles(self) -> dict[str, tuple[Callable, dict[str, Shape]]]:
         """Return each role's function and the shapes of what it returns."""
+        states = self._called("states", self.state_shapes)
         given: dict[str, tuple[Any, dict[str, Shape]]] = {
-            "update": (self.update_function, self.state_shapes),
-            "output": (self.output_function, self.output_shapes),
+            "update": (self.update_function, states),
+            "output": (self.output_function, self._called("outputs", self.output_shapes)),
             "guard": (None if self.guard is None else self.guard.distance, {"distance": ()}),
-            "jump": (self.jump_function, self.state_shapes),
+            "jump": (self.jump_function, states),
         }
         return {role: (f, shapes) for role, (f, shapes) in given.items() if f is not None}
 
@@ -229,25 +248,43 @@ class Block(control.NonlinearIOSystem):
         return found
 
     def _read(self, role: str) -> ArrayRecord | Unread:
-        states, inputs, outputs = (self.declared[k] for k in ("states", "inputs", "outputs"))
+        kinds = ("states", "inputs", "outputs")
+        states, inputs, outputs = (self._called(k, self.declared[k]) for k in kinds)
         if role == "output" and self.output_function is None:
-            return record_of_states(outputs)
+            return record_of_states(self.declared["outputs"])
         if role not in self._roles:
             raise KeyError(role)
         function, bound_out = self._roles[role]
         values = self._parameters._asdict()
         shapes = {f: np.shape(v) for f, v in values.items() if not isinstance(v, int)}
         name = f"{self.name}.{role}"
+        own = (
+            self._called("states", self.state_shapes),
+            self._called("inputs", self.input_shapes),
+        )
         if self.sizes:
             out = {"update": states, "output": outputs, "jump": states}.get(role, bound_out)
             open_shapes = {**shapes, **self.parameter_shapes}
             with suppress(Unread, BlockError):
-                return read(function, name, states, inputs, values, open_shapes, out)[0]
+                return self._outside(
+                    read(function, name, states, inputs, values, open_shapes, out)[0]
+                )
         try:
-            own = self.state_shapes, self.input_shapes
-            return read(function, name, *own, values, shapes, bound_out)[0]
+            return self._outside(read(function, name, *own, values, shapes, bound_out)[0])
         except Unread as error:
             return Unread(f"{name}: {error}")
+
+    def _outside(self, record: ArrayRecord) -> ArrayRecord:
+        """Return a record whose leaves have the names of the ports."""
+        if not self._inner:
+            return record
+        names = {
+            (group, inner): (group, outer)
+            for group, kind in (("x", "states"), ("u", "inputs"))
+            for outer, inner in self._inner.get(kind, {}).items()
+        }
+        moved = (o._replace(at=names.get(o.at, o.at)) for o in record.operations)
+        return ArrayRecord(tuple(moved), record.outputs, record.shapes)
 
     @cached_property
     def _scalars(self) -> dict[str, Scalars]:

@@ -5,8 +5,6 @@ x' = A x + B u,    y = C x + D u
 Where D = 0 an input does not reach the outputs at once, and the block has no D to change.
 """
 
-from typing import NamedTuple
-
 import control
 import numpy as np
 from scipy.linalg import block_diag
@@ -16,96 +14,49 @@ from .block import Block
 from .declaration import ports_of
 
 
-class Linear(NamedTuple):
-    """Matrices of a linear system with feedthrough."""
-
-    n: int  # number of states
-    inputs: int
-    outputs: int
-    A: np.ndarray  # shape (n, n)
-    B: np.ndarray  # shape (n, inputs)
-    C: np.ndarray  # shape (outputs, n)
-    D: np.ndarray  # shape (outputs, inputs)
+def rate(t, x, u, p):
+    """x' = A x + B u, section "linear systems" of any textbook."""
+    return p.A @ x.x + p.B @ u.u
 
 
-class StrictlyProper(NamedTuple):
-    """Matrices of a linear system whose D is 0."""
-
-    n: int  # number of states
-    inputs: int
-    outputs: int
-    A: np.ndarray  # shape (n, n)
-    B: np.ndarray  # shape (n, inputs)
-    C: np.ndarray  # shape (outputs, n)
+def output(t, x, u, p):
+    """y = C x + D u, section "linear systems"."""
+    return p.C @ x.x + p.D @ u.u
 
 
-class Gain(NamedTuple):
-    """The matrix of a system without states."""
-
-    inputs: int
-    outputs: int
-    D: np.ndarray  # shape (outputs, inputs)
+def output_of_states(t, x, u, p):
+    """y = C x, section "linear systems", D = 0."""
+    return p.C @ x.x
 
 
-def rate(t, x, u, p, dx):
-    """x' = A x + B u, section "linear systems" of any textbook: u[inputs], x[n]."""
-    for i in range(p.n):
-        total = 0.0
-        for k in range(p.n):
-            total += p.A[i, k] * x[k]
-        for k in range(p.inputs):
-            total += p.B[i, k] * u[k]
-        dx[i] = total
+def output_of_inputs(t, x, u, p):
+    """y = D u, section "linear systems", no states."""
+    return p.D @ u.u
 
 
-def output(t, x, u, p, y):
-    """y = C x + D u, section "linear systems": u[inputs], x[n], y[outputs]."""
-    for i in range(p.outputs):
-        total = 0.0
-        for k in range(p.n):
-            total += p.C[i, k] * x[k]
-        for k in range(p.inputs):
-            total += p.D[i, k] * u[k]
-        y[i] = total
-
-
-def output_of_states(t, x, u, p, y):
-    """y = C x, section "linear systems", D = 0: x[n], y[outputs]."""
-    for i in range(p.outputs):
-        total = 0.0
-        for k in range(p.n):
-            total += p.C[i, k] * x[k]
-        y[i] = total
-
-
-def output_of_inputs(t, x, u, p, y):
-    """y = D u, section "linear systems", no states: u[inputs], y[outputs]."""
-    for i in range(p.outputs):
-        total = 0.0
-        for k in range(p.inputs):
-            total += p.D[i, k] * u[k]
-        y[i] = total
+SHAPES = {"A": ("n", "n"), "B": ("n", "m"), "C": ("q", "n"), "D": ("q", "m")}
 
 
 def linear(system: control.StateSpace | control.TransferFunction) -> Block:
     """Make a block of a linear system of continuous time, with its name and labels."""
-    A, B, C, D = _matrices(system)
-    n, (outputs, inputs) = len(A), D.shape
-    parameters: Linear | StrictlyProper | Gain = Gain(inputs, outputs, D)
-    function = output_of_inputs
-    if n:
-        function, parameters = output, Linear(n, inputs, outputs, A, B, C, D)
-    if n and not np.any(D):
-        function, parameters = output_of_states, StrictlyProper(n, inputs, outputs, A, B, C)
+    parameters = dict(zip("ABCD", _matrices(system), strict=True))
+    n, (outputs, inputs) = len(parameters["A"]), parameters["D"].shape
+    function = output if n else output_of_inputs
+    if n and not np.any(parameters["D"]):
+        function = output_of_states
+        del parameters["D"]
+    for name in "ABC" if not n else "":
+        del parameters[name]
     block = Block(
         system.name,
         update=rate if n else None,
         output=function,
-        inputs={"u": inputs},
-        outputs={"y": outputs},
-        states={"x": n} if n else None,
+        inputs={"u": "m"},
+        outputs={"y": "q"},
+        states={"x": "n"} if n else None,
         parameters=parameters,
-        feedthrough=function is not output_of_states,
+        shapes={name: SHAPES[name] for name in parameters},
+        sizes={"m": inputs, "q": outputs},
     )
     block.set_inputs(system.input_labels)
     block.set_outputs(system.output_labels)
@@ -120,7 +71,7 @@ def linear(system: control.StateSpace | control.TransferFunction) -> Block:
 
 def is_linear(part: control.NonlinearIOSystem) -> bool:
     """Return whether a part is a block that `linear` made."""
-    return isinstance(getattr(part, "parameters", None), Linear | StrictlyProper | Gain)
+    return getattr(part, "output_function", None) in (output, output_of_states, output_of_inputs)
 
 
 def _matrices(system: control.StateSpace | control.TransferFunction) -> tuple[np.ndarray, ...]:

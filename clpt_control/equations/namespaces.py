@@ -7,7 +7,6 @@ carry the vehicle's name, `west/vehicle` makes `west/x[2]`, and its equations ar
 from collections.abc import Mapping
 
 from .block import Block
-from .declaration import states_as_outputs
 
 BETWEEN = "/"
 
@@ -39,22 +38,8 @@ def renamed(
 ) -> Block:
     """Return a block under another name, some of its ports under others: {old: new}."""
 
-    def moved(ports: dict[str, int], names: Mapping[str, str]) -> dict[str, int]:
-        return {names.get(port, port): size for port, size in ports.items()}
-
-    output = block.output_function
-    by_states = output is states_as_outputs
-    return Block(
-        name,
-        update=block.update_function,
-        output=None if by_states else output,
-        inputs=moved(block.input_ports, inputs),
-        outputs=None if by_states else moved(block.output_ports, outputs),
-        states=moved(block.state_ports, outputs if by_states else states or {}),
-        parameters=block.parameters,
-        feedthrough=block.feedthrough,
-        opaque=block.opaque,
-        breakpoints=block.breakpoints_function,
-        jump=block.jump_function,
-        guard=block.guard,
-    )
+    made = block.copy(name=name)
+    by_states = block.states_are_outputs
+    kinds = {"inputs": inputs, "outputs": outputs, "states": outputs if by_states else states or {}}
+    made.name_ports(kinds)
+    return made

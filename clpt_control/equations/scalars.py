@@ -146,7 +146,14 @@ class _Lowered:
             return self.summed(arguments[0], at, index)
         if kind == "pick":
             return self.picked(*arguments, index)
-        return self.calculated(kind, *(self.at(a, index) for a in arguments), at=at)
+        if kind == "opaque":
+            given = [self.at(a, k) for a in arguments[1:] for k in self.indices(a)]
+            number = int(np.ravel_multi_index(index, shape)) if shape else 0
+            return self.add("opaque", (*at, number), self.at(arguments[0], index), *given)
+        return self.calculated(kind, *(self.at(a, index) for a in arguments))
+
+    def indices(self, ref: Ref) -> Any:
+        return np.ndindex(self.shapes[ref]) if type(ref) is int else [()]
 
     def summed(self, array: Any, axis: int, index: tuple[int, ...]) -> Ref:
         total: Ref | None = None
@@ -168,9 +175,7 @@ class _Lowered:
             return self.add("pick", whole, *numbers)
         return self.add("table", whole, (field, int(places[0]), stride, len(places)))
 
-    def calculated(self, kind: str, *a: Ref, at: Any = None) -> Ref:
-        if kind == "opaque":
-            return self.add("opaque", at, *a)
+    def calculated(self, kind: str, *a: Ref) -> Ref:
         if kind in ("eq", "ne"):
             same = self.add("and", self.add("le", *a), self.add("ge", *a))
             return same if kind == "eq" else self.add("not", same)

@@ -14,8 +14,8 @@ import numpy as np
 import sympy
 
 from ..errors import BlockError
-from . import arrays
-from .record import Record
+from . import at_many
+from .scalars import Scalars
 
 
 @lru_cache(maxsize=10_000)
@@ -25,7 +25,7 @@ def exact(number: float) -> sympy.Expr:
 
 
 def expressions(
-    record: Record,
+    record: Scalars,
     leaf: Callable[..., Any],
     constant: Callable[[float], Any] = exact,
     watch: Callable[[str, tuple], Any] = lambda name, arguments: None,
@@ -100,7 +100,7 @@ class SymbolicFunction:
     What is used twice is a symbol of its own, so that expressions stay short.
     """
 
-    def __init__(self, record: Record):
+    def __init__(self, record: Scalars):
         self.record = record
         self.leaves: dict[tuple, sympy.Symbol] = {}
         self.steps: list[tuple[sympy.Symbol, sympy.Expr]] = []
@@ -158,9 +158,9 @@ class SymbolicFunction:
         outputs = ", ".join(printer.doprint(value) for value in self.outputs)
         arguments = ", ".join(map(str, self.leaves.values()))
         text = "\n".join([f"def values({arguments}):", *lines, f"    return [{outputs}]"])
-        space: dict[str, Any] = {"numpy": np, "picked": arrays.picked}
-        space |= {own: arrays.OPERATIONS[name] for name, own in UNEXPANDED.items()}
-        space |= {f"{name}_": arrays.OPERATIONS[name] for name in (*KEPT, *CIRCULAR)}
+        space: dict[str, Any] = {"numpy": np, "picked": at_many.picked}
+        space |= {own: at_many.OPERATIONS[name] for name, own in UNEXPANDED.items()}
+        space |= {f"{name}_": at_many.OPERATIONS[name] for name in (*KEPT, *CIRCULAR)}
         if "scipy" in text:
             import scipy.special
 
@@ -191,6 +191,6 @@ class SymbolicFunction:
 
 
 @cache
-def in_sympy(record: Record) -> SymbolicFunction:
+def in_sympy(record: Scalars) -> SymbolicFunction:
     """Return the SymPy reading of a record, made once."""
     return SymbolicFunction(record)
