@@ -21,7 +21,15 @@ import numpy as np
 from ..arguments import public, shown
 from ..errors import BlockError
 from .arrays import Unread
-from .declaration import Equations, Guard, check_guard, check_names, checked_parameters, labels
+from .declaration import (
+    Equations,
+    Guard,
+    check_guard,
+    check_names,
+    checked_parameters,
+    labels,
+    ports_of,
+)
 from .ports import Declared, bound, flattened, places, shapes_of, sizes_of, vector
 from .reading import read, record_of_states
 from .record import Record as ArrayRecord
@@ -184,11 +192,31 @@ class Block(control.NonlinearIOSystem):
         self.input_shapes, self.output_shapes, self.state_shapes = (
             bound(self.name, self.declared[kind], sizes) for kind in ("inputs", "outputs", "states")
         )
-        self.input_ports, self.output_ports, self.state_ports = map(
-            sizes_of, (self.input_shapes, self.output_shapes, self.state_shapes)
-        )
         self._x = places(self._called("states", self.state_shapes))
         self._u = places(self._called("inputs", self.input_shapes))
+
+    def _ports(self, kind: str) -> dict[str, int]:
+        """Return ports as the labels form them, each with its number of signals."""
+        shapes = getattr(self, f"{kind}_shapes")
+        if f"{kind}_index" not in self.__dict__:  # python-control has not labelled them yet
+            return sizes_of(shapes)
+        found = ports_of(getattr(self, f"{kind}_labels"))
+        return {port: len(places) for port, places in found.items()}
+
+    @property
+    def input_ports(self) -> dict[str, int]:
+        """Return the input ports and their numbers of signals."""
+        return self._ports("input")
+
+    @property
+    def output_ports(self) -> dict[str, int]:
+        """Return the output ports and their numbers of signals."""
+        return self._ports("output")
+
+    @property
+    def state_ports(self) -> dict[str, int]:
+        """Return the state ports and their numbers of signals."""
+        return sizes_of(self.state_shapes)
 
     def _called(self, kind: str, shapes: Mapping[str, Any]) -> dict[str, Any]:
         """Return ports by the names that the equations use."""
@@ -202,8 +230,10 @@ class Block(control.NonlinearIOSystem):
             self._inner[kind] = {moved.get(p, p): own.get(p, p) for p in ports}
             self.declared[kind] = {moved.get(p, p): shape for p, shape in ports.items()}
         self.parameters = self.parameters
-        self.set_inputs(labels(self.input_ports))
-        self.set_outputs(labels(self.output_ports))
+        for kind, rename in (("input", self.set_inputs), ("output", self.set_outputs)):
+            moved = names.get(f"{kind}s", {})
+            parts = [label.partition("[") for label in getattr(self, f"{kind}_labels")]
+            rename(["".join((moved.get(port, port), *rest)) for port, *rest in parts])
         self.set_states(labels(self.state_ports) or 0)
 
     @property

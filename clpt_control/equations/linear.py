@@ -11,7 +11,6 @@ from scipy.linalg import block_diag
 
 from ..errors import DiagramError
 from .block import Block
-from .declaration import ports_of
 
 
 def rate(t, x, u, p):
@@ -60,10 +59,6 @@ def linear(system: control.StateSpace | control.TransferFunction) -> Block:
     )
     block.set_inputs(system.input_labels)
     block.set_outputs(system.output_labels)
-    block.input_ports, block.output_ports = (
-        {port: len(places) for port, places in ports_of(labels).items()}
-        for labels in (system.input_labels, system.output_labels)
-    )
     if isinstance(system, control.StateSpace):
         block.set_states(system.state_labels)
     return block
