@@ -48,7 +48,7 @@ class Fitted(FlowModel):
         """Return theta phi for one dive; `Uncovered` if it begins outside the fit's area."""
         here, units = LocalPlane(dive.lat_gps2, dive.lon_gps2), self.scenario.units
         long, second = METRES[units.length], SECONDS[units.time]
-        basis, phi, no_state = self.basis, np.empty(self.scenario.basis.N), np.zeros(0)
+        basis, N, no_state = self.basis, self.scenario.basis.N, np.zeros(0)
 
         def flow(t: float, east: float, north: float) -> tuple[float, float]:
             lat, lon = here.to_earth(east / 1000, north / 1000)
@@ -57,7 +57,7 @@ class Fitted(FlowModel):
                 raise Uncovered("outside the fit's area")
             x1, x2 = (1000.0 * float(x) / long for x in self.plane.to_plane(lat, lon))
             when = (dive.t_gps2 + t - self.start) / second
-            basis.output_function(when, no_state, np.array([x1, x2]), basis.parameters, phi)
+            phi = basis.values("output", N, when, no_state, [x1, x2], basis.parameters)
             u1, u2 = self.theta @ phi * (long / second)
             c, s = self.plane.turn(lat, lon, 1.0, 0.0)  # where east points in the fit's plane
             u1, u2 = here.turn(lat, lon, c * u1 + s * u2, c * u2 - s * u1)

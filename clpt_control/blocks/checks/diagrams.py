@@ -10,7 +10,7 @@ import numpy as np
 from ...equations.block import Block
 from ...equations.symbolic import expressions
 from ...errors import BlockError
-from .equations import Sample, differ, equations, own_copy, python_values
+from .equations import Sample, differ, own_copy, python_values, roles
 
 LINEAR = 1e-4
 SMOOTH = frozenset(
@@ -25,10 +25,9 @@ def _copies(block: Block, drawn: list[Sample]) -> Iterator[str]:
     if twin.name != f"{block.name}_copy" or list(twin.params) != [twin.name]:
         yield f"{block.name}: a copy with a new name keeps the old one in its parameters"
     for sample in drawn[:3]:
-        for (_, ours, size), (_, theirs, _) in zip(equations(block), equations(twin), strict=True):
-            if not np.array_equal(
-                python_values(ours, sample, size), python_values(theirs, sample, size)
-            ):
+        for role in roles(block):
+            ours, theirs = (python_values(one, role, sample) for one in (block, twin))
+            if not np.array_equal(ours, theirs):
                 yield f"{block.name}: a copy gives other values"
     for value in twin.parameters:
         if isinstance(value, np.ndarray):
@@ -67,16 +66,17 @@ def _linearizes(block: Block, drawn: list[Sample]) -> Iterator[str]:
 
     drawn = drawn[:3]
     found = [block.linearize(s.x, s.u, t=s.t) for s in drawn]
-    for role, _, size in equations(block):
-        if role.endswith(".jump"):
+    for role in roles(block):
+        if role == "jump":
             continue
-        update = role.endswith(".update")
+        update, name = role == "update", f"{block.name}.{role}"
+        size = block.nstates if update else block.noutputs
         pair = [(m.A, m.B) if update else (m.C, m.D) for m in found]
         matrices = [
             np.hstack([np.reshape(a, (size, -1)), np.reshape(b, (size, -1))]) for a, b in pair
         ]
         if any(not np.all(np.isfinite(matrix)) for matrix in matrices):
-            yield f"{role}: linearize gives values that are not finite"
+            yield f"{name}: linearize gives values that are not finite"
         if block.opaque:
             continue
         record = block.update_record if update else block.output_record
@@ -99,7 +99,7 @@ def _linearizes(block: Block, drawn: list[Sample]) -> Iterator[str]:
             numbers = [_number(sample, *where) for where in symbols]
             exact = np.array(numeric(*numbers), dtype=float)
             if differ(exact, matrix, LINEAR):
-                yield f"{role}: linearize gives {matrix}, SymPy's Jacobian is {exact}"
+                yield f"{name}: linearize gives {matrix}, SymPy's Jacobian is {exact}"
                 break
 
 
@@ -116,11 +116,11 @@ def _interconnects(block: Block, drawn: list[Sample]) -> Iterator[str]:
     diagram = _alone(block)
     for sample in drawn[:5]:
         arguments = (sample.t, sample.x, sample.u)
-        ours = python_values(block.output_function, sample, block.noutputs)
+        ours = python_values(block, "output", sample)
         if differ(ours, diagram.output(*arguments)):
             yield f"{block.name}: other outputs inside control.interconnect than alone"
         if block.update_function is not None:
-            rates = python_values(block.update_function, sample, block.nstates)
+            rates = python_values(block, "update", sample)
             if differ(rates, diagram.dynamics(*arguments)):
                 yield f"{block.name}: other derivatives inside control.interconnect than alone"
 
@@ -161,7 +161,7 @@ def _parameters(block: Block, drawn: list[Sample]) -> Iterator[str]:
             continue
         finally:
             block._update_params(None)
-        ours = python_values(block.output_function, sample._replace(p=p), block.noutputs)
+        ours = python_values(block, "output", sample._replace(p=p))
         if any(differ(ours, given) for given in calls):
             yield f"{block.name}: params {{'{block.name}.{field}': ...}} gives other outputs"
     for unknown in (f"{block.name}.no_such_field", "no_such_block.gain", "no_such_name"):

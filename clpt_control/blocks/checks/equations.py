@@ -6,9 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...equations.block import Block
-from ...equations.declaration import Equations
 from ...errors import ClptError
-from ..ieee import in_ieee
 
 
 class Sample(NamedTuple):
@@ -33,28 +31,23 @@ def random_samples(block: Block, seed: int, count: int) -> list[Sample]:
     return samples
 
 
-def equations(block: Block) -> Iterator[tuple[str, Equations, int]]:
-    """Return role, function and size of the last argument of a block's equations."""
-    if block.update_function is not None:
-        yield f"{block.name}.update", block.update_function, block.nstates
-    yield f"{block.name}.output", block.output_function, block.noutputs
-    if block.jump_function is not None:
-        yield f"{block.name}.jump", block.jump_function, block.nstates
+def roles(block: Block) -> list[str]:
+    """Return the roles of a block's equations."""
+    own = {"update": block.update_function, "jump": block.jump_function}
+    return ["output", *(role for role, function in own.items() if function is not None)]
 
 
-def python_values(function: Equations, sample: Sample, size: int) -> np.ndarray:
+def python_values(block: Block, role: str, sample: Sample) -> np.ndarray:
     """Return what Python computes for one sample, whose arguments are copied."""
-    out = np.zeros(size)
-    with np.errstate(all="ignore"):
-        in_ieee(function)(
-            np.float64(sample.t), sample.x.copy(), sample.u.copy(), own_copy(sample.p), out
-        )
-    return out
+    if role == "output" and block.states_are_outputs:
+        return sample.x.copy()
+    given = sample.t, sample.x.copy(), sample.u.copy(), own_copy(sample.p)
+    return block.values(role, block.noutputs if role == "output" else block.nstates, *given)
 
 
 def own_copy(p: Any) -> Any:
     """Return the same parameters with arrays of their own."""
-    return type(p)(*(value.copy() if isinstance(value, np.ndarray) else value for value in p))
+    return p._replace(**{f: v.copy() for f, v in p._asdict().items() if isinstance(v, np.ndarray)})
 
 
 def differ(a: np.ndarray, b: np.ndarray, tolerance: float = 1e-12) -> bool:
@@ -68,33 +61,39 @@ def differ(a: np.ndarray, b: np.ndarray, tolerance: float = 1e-12) -> bool:
 
 
 def _in_range(block: Block, sample: Sample) -> bool:
-    return all(np.all(np.isfinite(python_values(f, sample, n))) for _, f, n in equations(block))
+    return all(np.all(np.isfinite(python_values(block, r, sample))) for r in roles(block))
 
 
 def _repeats(block: Block, drawn: list[Sample]) -> Iterator[str]:
     """Equations give the same when called again, and are finite for most random inputs."""
-    for role, function, size in equations(block):
+    for role in roles(block):
         finite = 0
         for sample in drawn:
-            first, again = (python_values(function, sample, size) for _ in range(2))
+            first, again = (python_values(block, role, sample) for _ in range(2))
             finite += bool(np.all(np.isfinite(first)))
             if not np.array_equal(first, again, equal_nan=True):
-                yield f"{role} gives another value when called again: it must keep no memory"
+                yield (
+                    f"{block.name}.{role} gives another value when called again: it must keep no "
+                    "memory"
+                )
         if finite < len(drawn) // 4:
-            yield f"{role} is finite for {finite} of {len(drawn)} random inputs only"
+            yield (
+                f"{block.name}.{role} is finite for {finite} of {len(drawn)} random inputs only"
+            )
 
 
 def _zero(block: Block, drawn: list[Sample]) -> Iterator[str]:
     """Equations are finite where states and inputs are zero."""
     x, u = np.zeros(block.nstates or 0), np.zeros(block.ninputs or 0)
     zero = Sample(0.0, x, u, block.parameters_at(0.0, block.parameters))
-    for role, function, size in equations(block):
-        if role.endswith(".jump"):  # which python-control does not call
+    for role in roles(block):
+        if role == "jump":  # which python-control does not call
             continue
-        if not np.all(np.isfinite(python_values(function, zero, size))):
+        if not np.all(np.isfinite(python_values(block, role, zero))):
             yield (
-                f"{role} is not finite at zero states and inputs, with which python-control "
-                "starts; keep arguments in range with where, clip or maximum"
+                f"{block.name}.{role} is not finite at zero states and inputs, with which "
+                "python-control starts; keep arguments in range with np.where, np.clip or "
+                "np.maximum"
             )
 
 
@@ -105,17 +104,17 @@ def _readings(block: Block, drawn: list[Sample]) -> Iterator[str]:
     for name, reading in readings(block).items():
         for sample in drawn:
             point = sample.t, sample.x, sample.u
-            ours = python_values(block.output_function, sample, block.noutputs)
+            ours = python_values(block, "output", sample)
             rates = np.zeros(0)
             if block.update_function is not None:
-                rates = python_values(block.update_function, sample, block.nstates)
+                rates = python_values(block, "update", sample)
             try:
                 theirs = reading(*point)
             except ClptError as error:
                 yield f"{block.name}: the reading '{name}' refuses: {error}"
                 break
             if block.jump_function is not None and name != "control":
-                after = python_values(block.jump_function, sample, block.nstates)
+                after = python_values(block, "jump", sample)
                 if differ(after, read := reading.jump(*point)):
                     yield (
                         f"{block.name}: Python jumps to {after}, the reading '{name}' to {read} "

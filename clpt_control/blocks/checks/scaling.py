@@ -17,7 +17,7 @@ import numpy as np
 
 from ...equations.block import Block
 from ...errors import BlockError
-from .equations import Sample, equations, python_values
+from .equations import Sample, python_values, roles
 
 FACTOR = 1.7  # by which a unit is made smaller
 TOLERANCE = 1e-9  # of the largest value; rounding is far below
@@ -70,9 +70,9 @@ def _failures(block: Block, drawn: list[Sample], units: Mapping[str, str]) -> It
     each = {name: powers(unit) for name, unit in units.items()}
     for symbol in sorted({symbol for one in each.values() for symbol in one}):
         by = {name: FACTOR ** one.get(symbol, 0) for name, one in each.items()}
-        for role, function, size in equations(block):
-            made = block.output_ports if role.endswith(".output") else block.state_ports
-            rate = by["t"] if role.endswith(".update") else 1.0
+        for role in roles(block):
+            made = block.output_ports if role == "output" else block.state_ports
+            rate = by["t"] if role == "update" else 1.0
             names = [port for port, count in made.items() for _ in range(count)]
             for sample in drawn:
                 other = Sample(
@@ -81,13 +81,13 @@ def _failures(block: Block, drawn: list[Sample], units: Mapping[str, str]) -> It
                     sample.u * _along(block.input_ports, by),
                     sample.p._replace(**{n: getattr(sample.p, n) * by[n] for n in scaled}),
                 )
-                wanted = python_values(function, sample, size) * _along(made, by) / rate
-                got = python_values(function, other, size)
+                wanted = python_values(block, role, sample) * _along(made, by) / rate
+                got = python_values(block, role, other)
                 off = np.abs(got - wanted) > TOLERANCE * np.max(np.abs(wanted), initial=0.0)
                 if off.any():
                     port = names[int(np.argmax(off))]
                     yield (
-                        f"{role}: {port} is not of the unit '{units[port]}' that is declared: in a "
+                        f"{block.name}.{role}: {port} is not of the unit '{units[port]}' that is declared: in a "
                         f"smaller {symbol} it becomes {got[off][0]:.6g}, not {wanted[off][0]:.6g}; "
                         "a number in the equations has a unit, or one is declared wrongly"
                     )
