@@ -13,6 +13,7 @@ tables that SymPy reads as an undefined function (`opaque`).
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from functools import cached_property
+from traceback import walk_tb
 from typing import Any
 
 import control
@@ -31,11 +32,17 @@ from .declaration import (
     ports_of,
 )
 from .ports import Declared, bound, flattened, places, shapes_of, sizes_of, vector
-from .reading import read, record_of_states
+from .reading import RAISED, read, record_of_states
 from .record import Record as ArrayRecord
 from .record import Shape
 from .scalars import Scalars, scalars_of
 from .shown import block_html, block_line
+
+
+def line_of(error: Exception) -> str:
+    """Return the line at which a user's function raised, for a message."""
+    lines = [line for _, line in walk_tb(error.__traceback__)]
+    return f", line {lines[-1]}" if lines else ""
 
 
 @public
@@ -138,6 +145,7 @@ class Block(control.NonlinearIOSystem):
         self.opaque, self.breakpoints_function, self.guard = opaque, breakpoints, guard
         self.name = name
         self.declared, self.parameter_shapes = declared, shapes_of(shapes)
+        self.raised: dict[str, str] = {}  # what a role last raised, where it gave NaN
         self._inner: dict[str, dict[str, str]] = {}  # a port's name -> what its equations call it
         self._sizes = dict(sizes or {})
         self.parameters = parameters
@@ -157,11 +165,25 @@ class Block(control.NonlinearIOSystem):
         self._tried()
 
     def _tried(self) -> None:
-        """Run the equations once at zero, so that a mistake is told where the block is made."""
-        for role, (_, where) in self._roles.items():
-            x, u = np.zeros(self.nstates), np.zeros(self.ninputs)
-            size = sum(sizes_of(where).values())
-            self.values(role, size, 0.0, x, u, self.parameters_at(0.0))
+        """Run the equations at a few points, so that a mistake is told where the block is made."""
+        p = self.parameters_at(0.0)
+        for role, (_, where) in self._plan.items():
+            size = sum(part.stop - part.start for part, _ in where.values())
+            for point in (0.0, 0.3, 1.7, -0.6):  # a logarithm may be asked of some
+                x, u = np.full(self.nstates, point), np.full(self.ninputs, point)
+                try:
+                    with np.errstate(all="ignore"):
+                        self._asked(role, size, abs(point), x, u, p)
+                    break
+                except BlockError:
+                    raise
+                except Exception as error:
+                    failed = error
+            else:
+                raise BlockError(
+                    f"{self.name}.{role}{line_of(failed)}: cannot be run: "
+                    f"{type(failed).__name__}: {failed}"
+                ) from None
 
     # --- how it is shown ----------------------------------------------------------------
 
@@ -192,6 +214,7 @@ class Block(control.NonlinearIOSystem):
         self.input_shapes, self.output_shapes, self.state_shapes = (
             bound(self.name, self.declared[kind], sizes) for kind in ("inputs", "outputs", "states")
         )
+        self._plan = {role: (f, places(where)) for role, (f, where) in self._roles.items()}
         self._x = places(self._called("states", self.state_shapes))
         self._u = places(self._called("inputs", self.input_shapes))
 
@@ -461,11 +484,17 @@ class Block(control.NonlinearIOSystem):
 
     @np.errstate(all="ignore")
     def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
-        """Return what the equations of a role return, as one vector."""
-        function, where = self._roles[role]
-        x, u = vector(x, self._x), vector(u, self._u)
-        given = function(np.float64(t), x, u, p)
-        return flattened(f"{self.name}.{role}", given, places(where), size)
+        """Return what the equations of a role return, as one vector; NaN where they raise."""
+        try:
+            return self._asked(role, size, t, x, u, p)
+        except RAISED as error:  # as math.log(0.0) does
+            self.raised[role] = f"{type(error).__name__}: {error}"
+            return np.full(size, np.nan)
+
+    def _asked(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+        function, where = self._plan[role]
+        given = function(np.float64(t), vector(x, self._x), vector(u, self._u), p)
+        return flattened(f"{self.name}.{role}", given, where, size)
 
     def _rhs(self, t, x, u):
         if self.update_function is None:
