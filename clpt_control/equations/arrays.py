@@ -6,7 +6,9 @@ function does with it: ``np.exp(a)``, ``a @ b``, ``np.outer(a, b)``.  What is wr
 """
 
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from math import prod
+from threading import local
 from typing import Any
 
 import numpy as np
@@ -61,11 +63,30 @@ class Unread(Exception):
     """Why a function cannot be read: what it does, and what to write instead."""
 
 
+_ACTIVE = local()
+
+
+def active() -> "Tape | None":
+    """Return the tape on which this thread reads a function now, if it does."""
+    return getattr(_ACTIVE, "tape", None)
+
+
+@contextmanager
+def reading_on(tape: "Tape") -> Iterator[None]:
+    """Make a tape the one on which this thread reads."""
+    before, _ACTIVE.tape = active(), tape
+    try:
+        yield
+    finally:
+        _ACTIVE.tape = before
+
+
 class Tape:
     """A record as it grows; equal operations are one."""
 
     def __init__(self) -> None:
         self.operations: list[Operation] = []
+        self.free: list[bool] = []  # of each: whether it depends on time, states or inputs
         self._known: dict[Any, int] = {}
 
     def add(self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None) -> "Array":
@@ -77,6 +98,8 @@ class Tape:
         if place is None:
             place = self._known[key] = len(self.operations)
             self.operations.append(Operation(kind, tuple(arguments), shape, at))
+            leaf = kind == "leaf" and at[0] != "p"
+            self.free.append(leaf or any(self.free[a] for a in arguments if type(a) is int))
             if place > MOST_OPERATIONS:
                 raise Unread(f"takes more than {MOST_OPERATIONS} operations")
         return Array(self, place, shape)
@@ -85,9 +108,13 @@ class Tape:
         """Answer whether a condition holds, where Python asks."""
         raise Unread("a choice that depends on a signal")
 
-    def number(self, ref: Ref) -> float:
-        """Return the value of a number that Python asks for."""
+    def numbers(self, ref: Ref) -> np.ndarray:
+        """Return the value that Python asks for."""
         raise Unread("a number that depends on a signal")
+
+    def whole(self, number: "Array") -> int:
+        """Return the whole number that Python counts with."""
+        raise Unread("a whole number that depends on a signal")
 
 
 def broadcast(*shapes: Shape) -> Shape:
@@ -104,11 +131,12 @@ def broadcast(*shapes: Shape) -> Shape:
 class Array(NDArrayOperatorsMixin):
     """A value of a tape, of a known shape, used as NumPy's arrays are."""
 
-    __slots__ = ("index", "node", "parent", "shape", "store", "tape")
+    __slots__ = ("fixed", "index", "node", "parent", "shape", "store", "tape")
     __array_priority__ = 1000
 
     def __init__(self, tape: Tape, node: int, shape: Shape, parent: Any = None, index: Any = None):
         self.tape, self.node, self.shape = tape, node, shape
+        self.fixed = False  # whether nothing may be written into it
         self.parent: Array | None = parent
         self.index = index
         self.store: np.ndarray | None = None  # its elements, once one was written
@@ -171,8 +199,10 @@ class Array(NDArrayOperatorsMixin):
         index = index if isinstance(index, tuple) else (index,)
         if any(isinstance(i, Array) for i in index):
             return self._picked(index)
-        if any(isinstance(i, list | np.ndarray) for i in index):
+        if any(isinstance(i, list | tuple | np.ndarray) and np.ndim(i) for i in index):
             return packed(self.tape, self.elements()[index])
+        if any(isinstance(i, np.ndarray) for i in index):
+            index = tuple(i[()] if isinstance(i, np.ndarray) else i for i in index)
         mapped, shape = _map(index, self.shape)
         return _view(self, mapped, shape, index)
 
@@ -186,23 +216,26 @@ class Array(NDArrayOperatorsMixin):
         root = self
         while root.parent is not None:
             root = root.parent
+        if root.fixed:
+            raise Unread("writes into its states, inputs or parameters; write into a copy")
         if root.store is None:
-            if self.tape.operations[root.node].kind == "leaf":
-                raise Unread("changing states, inputs or parameters")
-            root.store = root.elements()
+            root.store = np.asarray(root.elements(), dtype=object)
         store = self._written()
         assert store is not None
-        if isinstance(index, Array):
-            held, index = lifted(self.tape, self), index
-            store[...] = elements(where(index, lifted(self.tape, value), held))
-            return
         value = lifted(self.tape, value)
-        store[index] = elements(value) if isinstance(value, Array) and value.shape else value
+        if isinstance(index, Array) and index.is_condition:
+            store[...] = elements(where(index, value, lifted(self.tape, self)))
+            return
+        one = isinstance(value, Array) and not value.shape
+        store[_known(index)] = _element(value) if one else elements(value)
 
     def elements(self) -> np.ndarray:
         """Return its elements in an array of objects."""
         if (store := self._written()) is not None:
             return store.copy()
+        known = numbers_of(self)
+        if known is not None:
+            return known.astype(object)
         found = np.empty(self.counted(), dtype=object)
         for place in np.ndindex(found.shape):
             found[place] = self[place] if place else self
@@ -220,12 +253,25 @@ class Array(NDArrayOperatorsMixin):
 
         return applied(self.tape, function, inputs, more)
 
+    def __array__(self, *arguments: Any, **more: Any) -> np.ndarray:
+        return self.tape.numbers(self.ref).astype(float)
+
     def __getattr__(self, name: str) -> Any:
         from .numpy_functions import METHODS
 
         if name not in METHODS:
             raise AttributeError(f"an array of the record has no {name!r}")
         return lambda *arguments, **more: METHODS[name](self, *arguments, **more)
+
+    def __eq__(self, other: Any) -> Any:
+        return False if other is None or isinstance(other, str) else np.equal(self, other)
+
+    def __ne__(self, other: Any) -> Any:
+        return True if other is None or isinstance(other, str) else np.not_equal(self, other)
+
+    real = property(lambda self: self)
+    imag = property(lambda self: np.zeros(self.counted())[()])
+    flat = property(lambda self: iter(self.elements().ravel()))
 
     @property
     def T(self) -> "Array":
@@ -244,16 +290,18 @@ class Array(NDArrayOperatorsMixin):
         return self.tape.question(one.ref if one.is_condition else elementwise("ne", one, 0.0).ref)
 
     def __float__(self) -> float:
-        return self.tape.number(self.ref)
+        return float(self.tape.numbers(self.ref).item())
+
+    __complex__ = __float__  # type: ignore[assignment]
 
     def __int__(self) -> int:
-        return int(self.tape.number(self.ref))
+        return int(self.tape.numbers(self.ref).item())
 
     def __index__(self) -> int:
-        value = self.tape.number(self.ref)
-        if value != int(value):
-            raise TypeError("only integers can be used as an index")
-        return int(value)
+        return self.tape.whole(self)
+
+    def __format__(self, spec: str) -> str:
+        return repr(self)
 
     def __hash__(self) -> int:
         return id(self)
@@ -265,6 +313,31 @@ class Array(NDArrayOperatorsMixin):
 
     def __repr__(self) -> str:
         return f"<v{self.node} {self.shape}>"
+
+
+def numbers_of(array: Array) -> np.ndarray | None:
+    """Return an array that depends on nothing as numbers, else None."""
+    if array.store is None and array.parent is None:
+        own = array.tape.operations[array.node]
+        return np.frombuffer(own.at).reshape(own.shape) if own.kind == "constant" else None
+    store = array._written()
+    if store is None:
+        return None
+    plain = all(type(one) is not Array for one in store.flat)
+    return store.astype(float) if plain else None
+
+
+def _known(index: Any) -> Any:
+    """Return an index whose signals are asked which whole numbers they are."""
+    if isinstance(index, tuple):
+        return tuple(map(_known, index))
+    return index.__index__() if isinstance(index, Array) else index
+
+
+def _element(value: Array) -> np.ndarray:
+    held = np.empty((), dtype=object)
+    held[()] = value
+    return held
 
 
 def is_condition(tape: Tape, ref: Ref) -> bool:
@@ -493,7 +566,10 @@ def as_condition(value: Any) -> Any:
 def where(condition: Any, a: Any, b: Any) -> Any:
     """Return a where a condition holds, else b."""
     if not isinstance(condition, Array):
-        return np.where(condition, a, b) if np.ndim(condition) else (a if condition else b)
+        if not np.ndim(condition):
+            return a if condition else b
+        tape = next(v.tape for v in (a, b) if isinstance(v, Array))
+        condition = constant(tape, np.asarray(condition, dtype=float))
     return elementwise("where", condition, a, b)
 
 

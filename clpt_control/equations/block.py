@@ -39,9 +39,11 @@ from .scalars import Scalars, scalars_of
 from .shown import block_html, block_line
 
 
-def line_of(error: Exception) -> str:
-    """Return the line at which a user's function raised, for a message."""
-    lines = [line for _, line in walk_tb(error.__traceback__)]
+def line_of(error: Exception, function: Callable) -> str:
+    """Return the line of a user's function at which it raised, for a message."""
+    own = getattr(getattr(function, "__code__", None), "co_filename", "")
+    frames = walk_tb(error.__traceback__)
+    lines = [line for frame, line in frames if frame.f_code.co_filename == own]
     return f", line {lines[-1]}" if lines else ""
 
 
@@ -167,7 +169,7 @@ class Block(control.NonlinearIOSystem):
     def _tried(self) -> None:
         """Run the equations at a few points, so that a mistake is told where the block is made."""
         p = self.parameters_at(0.0)
-        for role, (_, where) in self._plan.items():
+        for role, (function, where) in self._plan.items():
             size = sum(part.stop - part.start for part, _ in where.values())
             for point in (0.0, 0.3, 1.7, -0.6):  # a logarithm may be asked of some
                 x, u = np.full(self.nstates, point), np.full(self.ninputs, point)
@@ -181,7 +183,7 @@ class Block(control.NonlinearIOSystem):
                     failed = error
             else:
                 raise BlockError(
-                    f"{self.name}.{role}{line_of(failed)}: cannot be run: "
+                    f"{self.name}.{role}{line_of(failed, function)}: cannot be run: "
                     f"{type(failed).__name__}: {failed}"
                 ) from None
 

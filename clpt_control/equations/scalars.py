@@ -163,17 +163,18 @@ class _Lowered:
         return 0.0 if total is None else total
 
     def picked(self, table: Any, index: Ref, place: tuple[int, ...]) -> Ref:
-        whole = self.at(index, place)
-        numbers = [self.at(table, (k,)) for k in range(self.shapes[table][0])]
-        known = [self.operations[r] if type(r) is int else () for r in numbers]
-        field = known[0][1] if known and known[0][:1] == ("p",) else None
-        if field is None or any(o[:2] != ("p", field) for o in known):
-            return self.add("pick", whole, *numbers)
-        places = np.array([o[2] for o in known])
-        stride = int(places[1] - places[0]) if len(places) > 1 else 1
-        if np.any(np.diff(places) != stride):
-            return self.add("pick", whole, *numbers)
-        return self.add("table", whole, (field, int(places[0]), stride, len(places)))
+        whole, count = self.at(index, place), self.shapes[table][0]
+        source, mapped = table, ((0, 0, 1),)
+        if self.lines[table].kind == "view":
+            source, mapped = self.lines[table].arguments[0], self.lines[table].at
+        if self.lines[source].kind != "leaf" or self.lines[source].at[0] != "p":
+            return self.add("pick", whole, *(self.at(table, (k,)) for k in range(count)))
+        shape = self.shapes[source]
+        strides = [prod(shape[d + 1 :]) for d in range(len(shape))]
+        pairs = [(m, 0) if isinstance(m, int) else m[1:] for m in mapped]
+        first = sum(start * n for (start, _), n in zip(pairs, strides, strict=True))
+        stride = sum(step * n for (_, step), n in zip(pairs, strides, strict=True))
+        return self.add("table", whole, (self.lines[source].at[1], first, stride, count))
 
     def calculated(self, kind: str, *a: Ref) -> Ref:
         if kind in ("eq", "ne"):
