@@ -1,0 +1,239 @@
+"""One record of a diagram: the records of its blocks, joined at their ports as arrays.
+
+Each block's record is written down again on one tape, on what feeds it.  What feeds a port is a sum
+of gains times whole ports; where the wires take ports apart it is put together element by element.
+A size that has a name, and the same value in all blocks, stays open unless `closed`.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from math import prod
+from typing import Any
+
+import control
+import numpy as np
+
+from ..equations.arrays import Tape, Unread, operand, packed
+from ..equations.block import Block
+from ..equations.declaration import ports_of
+from ..equations.numpy_functions import objects
+from ..equations.record import Record, Shape
+from .wiring import Node, Wiring
+
+Values = dict[tuple[str, str], Any]  # (block, port) -> Array or number
+Leaf = Callable[[str, Node, str, Shape], Any]  # group (x, p), block, port or field, shape
+
+
+@dataclass
+class Joined:
+    """The values of a diagram on one tape, by block and port."""
+
+    tape: Tape
+    inputs: dict[str, Any] = field(default_factory=dict)  # of the diagram, by port
+    fed: Values = field(default_factory=dict)  # what feeds the blocks
+    signals: Values = field(default_factory=dict)  # what they put out
+    rates: Values = field(default_factory=dict)
+    jumps: Values = field(default_factory=dict)  # what states jump to
+    owners: dict[int, str] = field(default_factory=dict)  # operation -> "block.role"
+
+
+def open_sizes(wiring: Wiring) -> dict[str, int]:
+    """Return the sizes that have one name and one value in all blocks."""
+    found: dict[str, set[int]] = {}
+    for node in wiring.nodes:
+        for name, value in getattr(node.system, "sizes", {}).items():
+            found.setdefault(name, set()).add(value)
+    return {name: values.pop() for name, values in found.items() if len(values) == 1}
+
+
+def external_ports(diagram: control.NonlinearIOSystem) -> dict[str, int]:
+    """Return the diagram's input ports and their numbers of signals."""
+    return {port: len(own) for port, own in ports_of(diagram.input_labels).items()}
+
+
+class Joining:
+    """A diagram's blocks, put on one tape."""
+
+    def __init__(self, wiring: Wiring, tape: Tape, leaf: Leaf, closed: bool = False):
+        self.wiring, self.tape, self.leaf = wiring, tape, leaf
+        self.open = {} if closed else open_sizes(wiring)
+        self.found = Joined(tape)
+        self.places = [  # of each signal of the bus: block, port, place in it
+            (node, port, k)
+            for node in wiring.nodes
+            for port, size in node.system.output_ports.items()
+            for k in range(size)
+        ]
+        self.outside: list[tuple[str, int]] = []
+
+    def shape(self, block: Block, shape: Shape) -> Shape:
+        """Return a shape in which only the diagram's open sizes have names."""
+        return tuple(block.sizes[n] if n not in self.open else n for n in shape) if any(
+            isinstance(n, str) for n in shape
+        ) and block.sizes else shape
+
+    def joined(
+        self,
+        external: dict[str, int],
+        given: Callable[[str, Shape], Any],
+        stand_in: Callable[[Node, dict[str, Any]], dict[str, Any] | None],
+    ) -> Joined:
+        """Put the blocks on the tape in their order.
+
+        `given` makes an input of the diagram, `stand_in` what an undefined block puts out,
+        or None for a block that is read.
+        """
+        self.outside = [(port, k) for port, size in external.items() for k in range(size)]
+        found = self.found
+        for port, size in external.items():
+            found.inputs[port] = given(port, self.outside_shape(port, size))
+        for k in self.wiring.order:
+            node = self.wiring.nodes[k]
+            u = self.fed(node) if node.system.feedthrough or node.system.opaque else {}
+            made = stand_in(node, u)
+            if made is None:
+                made = self.run(node, "output", u)
+            found.signals.update({(node.name, port): value for port, value in made.items()})
+        for node in self.wiring.nodes:
+            u = self.fed(node)
+            found.fed.update({(node.name, port): value for port, value in u.items()})
+            for role, into in (("update", found.rates), ("jump", found.jumps)):
+                if getattr(node.system, f"{role}_function") is not None:
+                    made = self.run(node, role, u)
+                    into.update({(node.name, port): value for port, value in made.items()})
+        return found
+
+    def outside_shape(self, port: str, size: int) -> Shape:
+        """Return the shape of an input of the diagram: that of the ports which it feeds whole."""
+        first = self.outside.index((port, 0))
+        for node in self.wiring.nodes:
+            for wire in node.wires:
+                if wire.external and wire.source <= first < wire.source + wire.size:
+                    at, start = first - wire.source + wire.to, 0
+                    for own, n in node.system.input_ports.items():
+                        if start == at and n == size:
+                            return self.shape(node.system, node.system.declared["inputs"][own])
+                        start += n
+        return (size,)
+
+    # --- what feeds a block -----------------------------------------------------------------
+
+    def fed(self, node: Node) -> dict[str, Any]:
+        """Return what feeds each input port of a block."""
+        block, found, at = node.system, {}, 0
+        for port, size in block.input_ports.items():
+            shape = self.shape(block, block.declared["inputs"][port])
+            found[port] = self.port(node, port, slice(at, at := at + size), shape)
+        return found
+
+    def port(self, node: Node, port: str, places: slice, shape: Shape) -> Any:
+        """Return the sum of what feeds a port."""
+        parts: list[tuple[Any, list[tuple[int, int]], float]] = []
+        for wire in node.wires:
+            pairs: dict[tuple[str, str], list[tuple[int, int]]] = {}
+            for j in range(max(wire.to, places.start), min(wire.to + wire.size, places.stop)):
+                source = wire.source + j - wire.to
+                if wire.external:
+                    name, k = self.outside[source]
+                    key = ("", name)
+                else:
+                    other, name, k = self.places[source]
+                    key = (other.name, name)
+                pairs.setdefault(key, []).append((j - places.start, k))
+            for (owner, name), pair in pairs.items():
+                value = self.found.inputs[name] if not owner else self.found.signals[owner, name]
+                parts.append((value, pair, wire.gain))
+        size = places.stop - places.start
+        total: Any = None
+        whole = [(k, k) for k in range(size)]
+        if all(pair == whole and self.fits(value, shape) for value, pair, _ in parts):
+            for value, _, gain in parts:
+                gained = value if gain == 1.0 else value * gain
+                total = gained if total is None else total + gained
+            return self.filled(0.0, shape) if total is None else total
+        return self.gathered(node, port, parts, shape)
+
+    def fits(self, value: Any, shape: Shape) -> bool:
+        """Return whether a value has a shape."""
+        return getattr(value, "shape", ()) == shape
+
+    def gathered(self, node: Node, port: str, parts: list, shape: Shape) -> Any:
+        """Return a port that is fed signal by signal."""
+        if any(isinstance(n, str) for v, *_ in parts for n in (*shape, *getattr(v, "shape", ()))):
+            raise Unread(f"{node.name}.{port} is not fed function by function, whole ports alike")
+        flat = np.full(prod(shape), 0.0, dtype=object)
+        fresh = np.ones(len(flat), dtype=bool)
+        for value, pairs, gain in parts:
+            own = objects(value).ravel()
+            for to, k in pairs:
+                gained = own[k] if gain == 1.0 else own[k] * gain
+                flat[to] = gained if fresh[to] else flat[to] + gained
+                fresh[to] = False
+        return packed(self.tape, flat.reshape(shape))
+
+    # --- a block's record --------------------------------------------------------------------
+
+    def run(self, node: Node, role: str, u: dict[str, Any]) -> dict[str, Any]:
+        """Return what a block's function returns on this tape, by port."""
+        block = node.system
+        kind = "outputs" if role == "output" else "states"
+        record, first = block.array_record(role), len(self.tape.operations)
+        self.check_open(node, role, record)
+
+        def leaf(group: str, name: str, shape: Shape) -> Any:
+            if group == "t":
+                return self.tape.add("leaf", (), (), ("t", "t"))
+            return u[name] if group == "u" else self.leaf(group, node, name, shape)
+
+        values = self.replayed(block, record, leaf)
+        made = {}
+        for port, value in zip(block.declared[kind], values, strict=True):
+            made[port] = self.filled(value, self.shape(block, block.declared[kind][port]))
+        for k in range(first, len(self.tape.operations)):
+            self.found.owners[k] = f"{node.name}.{role}"
+        return made
+
+    def replayed(self, block: Block, record: Record, leaf: Callable[..., Any]) -> list[Any]:
+        """Write a record down again; return its outputs."""
+        values: list[Any] = []
+        for kind, arguments, shape, at in record.operations:
+            own = self.shape(block, shape)
+            if kind == "leaf":
+                values.append(leaf(*at, own))
+            else:
+                refs = [operand(values[a]) if type(a) is int else a for a in arguments]
+                values.append(self.tape.add(kind, refs, own, at))
+        return [values[ref] if type(ref) is int else ref for ref in record.outputs]
+
+    def filled(self, value: Any, shape: Shape) -> Any:
+        """Return a value of fewer axes in all of its shape."""
+        if getattr(value, "shape", ()) == shape:
+            return value
+        if getattr(value, "shape", ()) == ():
+            return self.tape.add("fill", (operand(value),), shape)
+        return self.tape.add("add", (operand(value), operand(self.filled(0.0, shape))), shape)
+
+    def check_open(self, node: Node, role: str, record: Record) -> None:
+        """Refuse a record for one size where the block's sizes shall stay open."""
+        block = node.system
+        declared = {"x": block.declared["states"], "u": block.declared["inputs"]}
+        for kind, _, shape, at in record.operations:
+            if kind != "leaf" or at[0] not in declared:
+                continue
+            if self.shape(block, declared[at[0]][at[1]]) != self.shape(block, shape):
+                raise Unread(f"{node.name}.{role} is not read for every {' and '.join(self.open)}")
+
+
+def joined(
+    diagram: control.NonlinearIOSystem,
+    wiring: Wiring,
+    leaf: Leaf,
+    given: Callable[[str, Shape], Any],
+    stand_in: Callable[[Node, dict[str, Any]], dict[str, Any] | None] = lambda node, u: None,
+    tape: Tape | None = None,
+    closed: bool = False,
+) -> Joined:
+    """Return a diagram's record; `leaf`, `given` and `stand_in` make what it begins with."""
+    joining = Joining(wiring, tape or Tape(), leaf, closed)
+    return joining.joined(external_ports(diagram), given, stand_in)
+

@@ -1,0 +1,152 @@
+"""The derivative reading of a record: forward along a direction, on the record itself.
+
+    (f(a))' = sum over arguments of df/da a'
+
+The tape grows by what the derivative takes, so it is a record as any other: V' along the rates, a
+column of a Jacobian, a sensitivity.  Where a and b tie, minimum(a, b), maximum(a, b) and |a| have
+the slope of one side.  What jumps (`where`, floor, sign, a place in a table) has a slope of its own
+on each side, and none across: a direction that reaches its condition is refused if `smooth`.
+"""
+
+from collections.abc import Callable, Mapping
+from math import pi, sqrt
+from typing import Any
+
+import numpy as np
+
+from .arrays import Array, Tape, Unread, elementwise, operand
+from .record import Ref, Shape, reached
+
+JUMPS = frozenset({"sign", "floor", "ceil", "trunc", "floordiv"})  # constant but for jumps
+CONDITIONS = frozenset({"lt", "le", "gt", "ge", "eq", "ne", "and", "or", "not"})
+Slope = Callable[..., Any]
+
+# of one argument: d f(a)/da, given a and f(a)
+SLOPES: dict[str, Slope] = {
+    "neg": lambda a, f: -1.0,
+    "fabs": lambda a, f: np.where(a < 0.0, -1.0, 1.0),
+    "exp": lambda a, f: f,
+    "expm1": lambda a, f: f + 1.0,
+    "log": lambda a, f: 1.0 / a,
+    "log1p": lambda a, f: 1.0 / (1.0 + a),
+    "log2": lambda a, f: 1.0 / (a * np.log(2.0)),
+    "log10": lambda a, f: 1.0 / (a * np.log(10.0)),
+    "sqrt": lambda a, f: 1.0 / (2.0 * f),
+    "sin": lambda a, f: np.cos(a),
+    "cos": lambda a, f: -np.sin(a),
+    "tan": lambda a, f: 1.0 + f * f,
+    "asin": lambda a, f: 1.0 / np.sqrt(1.0 - a * a),
+    "acos": lambda a, f: -1.0 / np.sqrt(1.0 - a * a),
+    "atan": lambda a, f: 1.0 / (1.0 + a * a),
+    "sinh": lambda a, f: np.cosh(a),
+    "cosh": lambda a, f: np.sinh(a),
+    "tanh": lambda a, f: 1.0 - f * f,
+    "asinh": lambda a, f: 1.0 / np.sqrt(1.0 + a * a),
+    "acosh": lambda a, f: 1.0 / np.sqrt(a * a - 1.0),
+    "atanh": lambda a, f: 1.0 / (1.0 - a * a),
+    "erf": lambda a, f: 2.0 / sqrt(pi) * np.exp(-a * a),
+    "erfc": lambda a, f: -2.0 / sqrt(pi) * np.exp(-a * a),
+}
+# of two: the derivative, given a, b, f(a, b), a' and b'; None for what does not change
+PAIRS: dict[str, Slope] = {
+    "add": lambda a, b, f, da, db: _sum(da, db),
+    "sub": lambda a, b, f, da, db: _sum(da, None if db is None else -db),
+    "mul": lambda a, b, f, da, db: _sum(_times(da, b), _times(db, a)),
+    "div": lambda a, b, f, da, db: _sum(_over(da, b), _times(db, -1.0 * f / b) if db is not None else None),
+    "pow": lambda a, b, f, da, db: _sum(
+        None if da is None else da * (b * a ** (b - 1.0)),
+        None if db is None else db * (f * np.log(a)),
+    ),
+    "hypot": lambda a, b, f, da, db: _over(_sum(_times(da, a), _times(db, b)), f),
+    "atan2": lambda a, b, f, da, db: _over(
+        _sum(_times(da, b), None if db is None else -(db * a)), a * a + b * b
+    ),
+    "mod": lambda a, b, f, da, db: _sum(da, None if db is None else -(db * np.floor(a / b))),
+    "minimum": lambda a, b, f, da, db: _chosen(a <= b, da, db),
+    "maximum": lambda a, b, f, da, db: _chosen(a >= b, da, db),
+}
+
+
+def _sum(a: Any, b: Any) -> Any:
+    return b if a is None else a if b is None else a + b
+
+
+def _times(a: Any, b: Any) -> Any:
+    return None if a is None else a * b
+
+
+def _over(a: Any, b: Any) -> Any:
+    return None if a is None else a / b
+
+
+def _chosen(condition: Any, a: Any, b: Any) -> Any:
+    return elementwise("where", condition, 0.0 if a is None else a, 0.0 if b is None else b)
+
+
+class Direction:
+    """Derivatives along a direction: leaf -> its derivative, an array or a number."""
+
+    def __init__(self, tape: Tape, along: Mapping[int, Any], smooth: bool = False):
+        self.tape, self.smooth = tape, smooth
+        self.known: dict[int, Any] = dict(along)
+
+    def of(self, value: Any) -> Any:
+        """Return the derivative of a value of the tape, of its shape; 0.0 where it is zero."""
+        ref = operand(value)
+        if type(ref) is float:
+            return 0.0
+        for k in sorted(reached(self.tape.operations, [ref]) - self.known.keys()):
+            self.known[k] = self._along(k)
+        found = self.known[ref]
+        return 0.0 if found is None else self._filled(found, self.tape.operations[ref].shape)
+
+    def value(self, ref: Ref) -> Any:
+        """Return an argument as an array or a number."""
+        return ref if type(ref) is float else Array(self.tape, ref, self.tape.operations[ref].shape)
+
+    def _along(self, k: int) -> Any:
+        kind, arguments, shape, at = self.tape.operations[k]
+        slopes = [self.known.get(a) if type(a) is int else None for a in arguments]
+        if all(slope is None for slope in slopes):
+            return None
+        own = [self.value(a) for a in arguments]
+        if kind in CONDITIONS:
+            return None if not self.smooth else self._refused(kind)
+        if kind in JUMPS:
+            return self._refused(kind) if self.smooth else None
+        if kind in SLOPES:
+            return SLOPES[kind](*own, self.value(k)) * slopes[0]
+        if kind in PAIRS:
+            if kind == "mod" and self.smooth:
+                self._refused(kind)
+            return PAIRS[kind](*own, self.value(k), *slopes)
+        if kind == "where":
+            return _chosen(own[0], *slopes[1:])
+        if kind in ("sum", "view", "fill", "stack", "join"):
+            refs = [self._argument(a, s) for a, s in zip(arguments, slopes, strict=True)]
+            return self.tape.add(kind, refs, shape, at)
+        if kind == "pick" and slopes[1] is None:
+            return self.tape.add(kind, [self._argument(arguments[0], slopes[0]), arguments[1]], shape)
+        if kind == "opaque" and not self.smooth:
+            return slopes[0]
+        return self._refused(kind)
+
+    def _argument(self, ref: Ref, slope: Any) -> Ref:
+        shape = () if type(ref) is float else self.tape.operations[ref].shape
+        return operand(self._filled(0.0 if slope is None else slope, shape))
+
+    def _filled(self, slope: Any, shape: Shape) -> Any:
+        if getattr(slope, "shape", ()) == shape:
+            return slope
+        if getattr(slope, "shape", ()) == ():
+            return self.tape.add("fill", (operand(slope),), shape)
+        zero = self.tape.add("fill", (0.0,), shape)
+        return elementwise("add", zero, slope)
+
+    def _refused(self, kind: str) -> Any:
+        raise Unread(f"the derivative of `{kind}`, which jumps or is not known")
+
+
+def derivative(tape: Tape, value: Any, along: Mapping[int, Any], smooth: bool = False) -> Any:
+    """Return the derivative of a value along a direction; what is not named does not change."""
+    return Direction(tape, along, smooth).of(value)
