@@ -3,45 +3,43 @@
 u = e[2], phi_x[N], z[2], zc[2]; states alpha[2N], K[2], Gamma[2], section III.
 """
 
-from typing import NamedTuple
+import numpy as np
 
-from clpt_control.blocks import Block
-from clpt_control.blocks.laws.learned_flow import LearnedFlowParameters, learned_flow
-
-
-class Remembering(NamedTuple):
-    N: int
-    gain: float
-    start: float  # of what it remembers
+from clpt_control.equations import Block
 
 
-def remembering(t, x, u, p, dx):
+def remembering(t, x, u, p):
     """alpha' = -gamma e phi^T, K and Gamma held, and a count m' = p.start, section III."""
-    n = p.N
-    for i in range(2):
-        for k in range(n):
-            dx[i * n + k] = -p.gain * u[i] * u[2 + k]
-        dx[2 * n + i] = 0.0
-        dx[2 * n + 2 + i] = 0.0
-    dx[2 * n + 4] = p.start
+    return {"alpha": -p.gain * np.outer(u.e, u.phi_x), "K": 0.0, "Gamma": 0.0, "m": p.start}
 
 
 def remembering_law(N=3, gain=0.8, start=0.5):
     return Block(
         "mine",
         update=remembering,
-        inputs={"e": 2, "phi_x": N},
-        states={"alpha": 2 * N, "K": 2, "Gamma": 2, "m": 1},
-        parameters=Remembering(N, gain, start),
+        inputs={"e": 2, "phi_x": "N"},
+        states={"alpha": (2, "N"), "K": 2, "Gamma": 2, "m": 1},
+        parameters={"gain": gain, "start": start},
+        sizes={"N": N},
     )
+
+
+def papers(t, x, u, p):
+    """Eqs. (21)-(23), one gain for all."""
+    return {
+        "alpha": -p.gain * np.outer(u.e, u.phi_x),
+        "K": -p.gain * u.z * u.e,
+        "Gamma": p.gain * u.zc * u.e,
+    }
 
 
 def papers_law(N=3, gain=0.8, name="mine"):
     """The paper's own, as a block that no table knows."""
     return Block(
         name,
-        update=learned_flow,
-        inputs={"e": 2, "phi_x": N, "z": 2, "zc": 2},
-        states={"alpha": 2 * N, "K": 2, "Gamma": 2},
-        parameters=LearnedFlowParameters(N, gain),
+        update=papers,
+        inputs={"e": 2, "phi_x": "N", "z": 2, "zc": 2},
+        states={"alpha": (2, "N"), "K": 2, "Gamma": 2},
+        parameters={"gain": gain},
+        sizes={"N": N},
     )

@@ -15,8 +15,8 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from clpt_control.blocks import Block
 from clpt_control.blocks import words as clpt_words
+from clpt_control.equations import Block
 
 HELPERS = """
 def bend(a, b):

@@ -28,8 +28,8 @@ HOURS = np.datetime64("2020-01-01") + np.arange(720) * np.timedelta64(3600, "s")
 TIDE = 0.1 * np.cos(np.arange(720) * 2 * np.pi / 12.42)
 
 
-def line(t, x, u, p, y):
-    y[0] = u[0]
+def line(t, x, u, p):
+    return u[0]
 
 
 def generated():

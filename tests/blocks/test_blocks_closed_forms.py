@@ -1,6 +1,7 @@
 """Each equation at points where its value is known by hand."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -12,7 +13,6 @@ from clpt_control.blocks import (
     clpe,
     disturbance,
     error_system,
-    evaluate,
     field,
     flow,
     learner,
@@ -22,6 +22,7 @@ from clpt_control.blocks import (
 )
 from clpt_control.blocks.laws import known_flow, learned_flow
 from clpt_control.currents.field_file import GriddedField
+from clpt_control.equations import evaluate
 from clpt_control.errors import ScenarioError
 
 # --- basis functions, Eq. (5) -----------------------------------------------------------------
@@ -439,13 +440,15 @@ def test_square_wave_has_no_mean():
 
 
 def noise_values(seed, count=20000, first=0):
-    """Both axes of `count` intervals, asked of the block interval by interval."""
+    """Both axes of `count` intervals, asked of the block's function all at once."""
     block = disturbance.disturbance("noise", [1.0, 1.0], period=1.0, seed=float(seed))
-    out = np.empty((count, 2))
-    p, nothing = block.parameters, np.zeros(0)
-    for k in range(count):
-        block.output_function(0.0, nothing, nothing, p._replace(interval=float(first + k)), out[k])
-    return out
+    return noise_at(block, interval=first + np.arange(float(count))[:, None])
+
+
+def noise_at(block, **numbers):
+    """What the block's function gives for columns of parameters."""
+    p = SimpleNamespace(**{**block.parameters._asdict(), **numbers})
+    return block.output_function(0.0, [], [], p)
 
 
 @pytest.fixture(scope="module")
@@ -493,11 +496,7 @@ def test_noise_across_seeds_at_one_interval():
     """An ensemble takes one seed per member: the members' values are normal too."""
     block = disturbance.disturbance("noise", [1.0, 1.0], period=1.0)
     for interval in (0.0, 1.0, 7.0):
-        values, out = [], np.zeros(2)
-        for seed in range(5000):
-            p = block.parameters._replace(seed=float(seed), interval=interval)
-            block.output_function(0.0, np.zeros(0), np.zeros(0), p, out)
-            values.append(out[0])
+        values = noise_at(block, seed=np.arange(5000.0)[:, None], interval=interval)[:, 0]
         assert abs(np.mean(values)) < 5 / math.sqrt(5000)
         assert stats.kstest(values, "norm").pvalue > 1e-4
         assert abs(np.corrcoef(values[1:], values[:-1])[0, 1]) < 5 / math.sqrt(5000)

@@ -106,7 +106,6 @@ def test_a_block_of_ones_own_may_make_the_estimate():
         inputs=table.input_ports,
         outputs=table.output_ports,
         states=table.state_ports,
-        feedthrough=False,
         parameters=table.parameters._replace(walk=0.5),
     )
     run = clpt.simulate(scenario, law=mine)

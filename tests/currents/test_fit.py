@@ -324,10 +324,10 @@ def test_nantucket_fit(nantucket):
 
 def test_nantucket_field_is_close_to_what_was_measured(nantucket):
     """The spline field at the measured cells: half a cell of resampling costs little."""
-    from clpt_control.blocks import evaluate
     from clpt_control.blocks.field import gridded_flow
     from clpt_control.currents.grid_file import read_currents
     from clpt_control.currents.plane import LocalPlane
+    from clpt_control.equations import evaluate
 
     currents = read_currents(MARACOOS, BOX)
     plane = LocalPlane(41.225, -69.45)

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from scipy.linalg import expm
 
 import clpt_control as clpt
-from clpt_control.blocks.declaration import ports_of, whole_labels
+from clpt_control.equations.declaration import ports_of, whole_labels
 from clpt_control.errors import BlockError, DiagramError
 
 TIMES = np.linspace(0.0, 3.0, 7)

@@ -6,10 +6,11 @@ import pytest
 from responses import response
 
 import clpt_control as clpt
-from clpt_control.blocks import Block, basis, flow, lyapunov, reference, vehicle
+from clpt_control.blocks import basis, flow, lyapunov, reference, vehicle
 from clpt_control.blocks import clpe as clpe_block
 from clpt_control.diagrams import wiring
 from clpt_control.diagrams.interconnection import Diagram, connect
+from clpt_control.equations import Block
 from clpt_control.errors import BlockError, DiagramError
 from clpt_control.native.python_diagram import PythonDiagram
 from clpt_control.simulation.loops import paper_blocks
@@ -131,9 +132,9 @@ def test_initial_state_is_in_the_order_of_the_states():
 # --- mistakes, by name ------------------------------------------------------------------------
 
 
-def follows(t, x, u, p, y):
+def follows(t, x, u, p):
     """y = u, Eq. (1): u = a[1], y = b[1]."""
-    y[0] = u[0]
+    return u[0]
 
 
 def follower(name, takes, makes):
@@ -356,9 +357,9 @@ def monitored(scenario):
     return connect([*paper_blocks(scenario), candidate, dissipation])
 
 
-def dissipate(t, x, u, p, dx):
+def dissipate(t, x, u, p):
     """D' = e^T KD e, Theorem 3.2: u = e[2], state D[1]."""
-    dx[0] = p.KD[0] * u[0] ** 2 + p.KD[1] * u[1] ** 2
+    return p.KD[0] * u[0] ** 2 + p.KD[1] * u[1] ** 2
 
 
 def test_lyapunov_falls_by_what_is_dissipated():

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from clpt_control.blocks import evaluate
 from clpt_control.blocks.basis import BasisParameters, flow_basis
+from clpt_control.equations import evaluate
 from clpt_control.errors import DataError
 from clpt_control.estimation.least_squares import explained_share, least_squares
 

@@ -1,62 +1,40 @@
 """Flows that are known in closed form, on every engine and by both methods."""
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 import pytest
 
-from clpt_control.blocks import Block
+from clpt_control.equations import Block
 from clpt_control.native.batch import Batch
 from clpt_control.native.ending import Status
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.program import LANES
 from clpt_control.native.python_diagram import PythonDiagram
 
-N = 6  # copies of a flow, each with its rate; a loop of so many turns is kept
+N = 6  # copies of a flow, each with its rate
 RATES = np.linspace(0.5, 2.0, N)
 TIMES = np.array([0.0, 0.3, 1.0, 1.7, 2.0])
 
 
-class Rates(NamedTuple):
-    n: int
-    a: np.ndarray
+def rotation(t, x, u, p):
+    return {"x": -p.a * x.y, "y": p.a * x.x}
 
 
-class Jumping(NamedTuple):
-    n: int
-    a: np.ndarray
-    interval: float = -1.0
+def saddle(t, x, u, p):
+    return {"x": p.a * x.x, "y": -p.a * x.y}
 
 
-def rotation(t, x, u, p, dx):
-    for i in range(p.n):
-        dx[i] = -p.a[i] * x[p.n + i]
-        dx[p.n + i] = p.a[i] * x[i]
+def growth(t, x, u, p):
+    return {"x": p.a * x.x * (1.0 - x.x), "y": p.a * x.y}
 
 
-def saddle(t, x, u, p, dx):
-    for i in range(p.n):
-        dx[i] = p.a[i] * x[i]
-        dx[p.n + i] = -p.a[i] * x[p.n + i]
+def oscillator(t, x, u, p):
+    return {"x": x.y, "y": -(p.a**2) * x.x + np.cos(t)}
 
 
-def growth(t, x, u, p, dx):
-    for i in range(p.n):
-        dx[i] = p.a[i] * x[i] * (1.0 - x[i])
-        dx[p.n + i] = p.a[i] * x[p.n + i]
-
-
-def oscillator(t, x, u, p, dx):
-    for i in range(p.n):
-        dx[i] = x[p.n + i]
-        dx[p.n + i] = -(p.a[i] ** 2) * x[i] + math.cos(t)
-
-
-def jump(t, x, u, p, dx):
-    for i in range(p.n):
-        dx[i] = p.a[i] * p.interval
-        dx[p.n + i] = p.interval * x[i]
+def jump(t, x, u, p):
+    return {"x": p.a * p.interval, "y": p.interval * x.x}
 
 
 def rotated(t, x, y, a):
@@ -129,12 +107,12 @@ def states(engine, block, x0, step):
 def test_flow(flow, engine, method):
     update, exact = FLOWS[flow]
     jumps = flow == "jump"
-    parameters = Jumping(N, RATES) if jumps else Rates(N, RATES)
     block = Block(
         flow,
         update=update,
-        states={"s": 2 * N},
-        parameters=parameters,
+        states={"x": "N", "y": "N"},
+        parameters={"a": RATES, **({"interval": -1.0} if jumps else {})},
+        shapes={"a": "N"},
         breakpoints=every if jumps else None,
     )
     x, y = np.linspace(0.2, 1.5, N), np.linspace(-1.0, 1.0, N)

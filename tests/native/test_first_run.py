@@ -22,12 +22,12 @@ class Numbers(NamedTuple):
     interval: float = -1.0
 
 
-def relax(t, x, u, p, dx):
-    dx[0] = p.rate * (u[0] - x[0])
+def relax(t, x, u, p):
+    return p.rate * (u[0] - x[0])
 
 
-def halve(t, x, u, p, new):
-    new[0] = 0.5 * x[0]
+def halve(t, x, u, p):
+    return 0.5 * x[0]
 
 
 def every_third(p, t0, t1):

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control.blocks import Block
-from clpt_control.blocks.declaration import Guard
+from clpt_control.equations import Block
+from clpt_control.equations.declaration import Guard
 from clpt_control.errors import ClptError, SimulationError
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
@@ -17,12 +17,12 @@ ENGINES = {
 }
 
 
-def falls(t, x, u, p, dx):
-    dx[0] = -1.0
+def falls(t, x, u, p):
+    return -1.0
 
 
-def height(t, x, u, p, y):
-    y[0] = x[0]
+def height(t, x, u, p):
+    return x[0]
 
 
 def landed(t, u, p):
@@ -61,8 +61,8 @@ def test_a_run_beyond_the_edge_ends_at_once():
         clpt.simulate(falling(), [0.0, 1.0], initial_state=[-1.0])
 
 
-def remembers(t, x, u, p, y):
-    y[0] = float(print("side effect")) + x[0]
+def remembers(t, x, u, p):
+    return float(print("side effect")) + x[0]
 
 
 @pytest.mark.parametrize(

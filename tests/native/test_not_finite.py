@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from clpt_control import simulate
-from clpt_control.blocks import Block
 from clpt_control.diagrams.interconnection import connect
+from clpt_control.equations import Block
 from clpt_control.errors import SimulationError
 from clpt_control.native.batch import Batch
 from clpt_control.native.ending import Status
@@ -17,14 +17,14 @@ from clpt_control.native.program import LANES
 from clpt_control.native.python_diagram import PythonDiagram
 
 
-def root_of(t, x, u, p, y):
+def root_of(t, x, u, p):
     """y = sqrt(1.5 - s), section 2: u = s[1], y = root[1]."""
-    y[0] = math.sqrt(1.5 - u[0])
+    return math.sqrt(1.5 - u[0])
 
 
-def line(t, x, u, p, dx):
+def line(t, x, u, p):
     """s' = 1, section 2: u = root[1], state s[1]."""
-    dx[0] = 1.0 + 0.0 * u[0]
+    return 1.0 + 0.0 * u[0]
 
 
 def diagram():

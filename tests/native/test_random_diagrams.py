@@ -10,8 +10,7 @@ from random_diagrams import random_diagram
 from rounding import rounding_of
 from sympy import Rational, sin
 
-from clpt_control.blocks import Block
-from clpt_control.blocks.words import floor, where
+from clpt_control.equations import Block
 from clpt_control.errors import ClptError
 from clpt_control.native import readings
 from clpt_control.native.batch import Batch
@@ -113,11 +112,11 @@ def jumped(seed):
     return True
 
 
-def long_sum(t, x, u, p, y):
+def long_sum(t, x, u, p):
     s = 0.0
     for _ in range(320):
         s += u[0]
-    y[0] = math.sin(s) * u[1]
+    return math.sin(s) * u[1]
 
 
 def test_a_bound_on_rounding_holds_and_is_near():
@@ -137,9 +136,8 @@ def test_a_bound_on_rounding_sees_a_choice_that_rounding_makes():
         assert bool(np.all(bound < 1e-12)) == sure
 
 
-def chosen(t, x, u, p, y):
-    y[0] = where(3.0 * u[0] < 0.3, 0.0, 100.0)
-    y[1] = floor(u[0] + 0.9)
+def chosen(t, x, u, p):
+    return [np.where(3.0 * u[0] < 0.3, 0.0, 100.0), np.floor(u[0] + 0.9)]
 
 
 def test_random_diagrams_jump_alike():

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy.linalg import expm
 
 import clpt_control as clpt
-from clpt_control.blocks import Block
+from clpt_control.equations import Block
 from clpt_control.native.batch import Batch
 from clpt_control.native.ending import Status
 from clpt_control.native.native_diagram import NativeDiagram

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from clpt_control.blocks import Block
+from clpt_control.equations import Block
 from clpt_control.native import method, solver
 from clpt_control.native.ending import Status
 from clpt_control.native.native_diagram import FUNCTIONS, NativeDiagram
@@ -13,10 +13,9 @@ from clpt_control.native.python_diagram import PythonDiagram
 START, TIMES = np.array([1.0, 0.4]), np.linspace(0.0, 9.0, 91)
 
 
-def hunted(t, x, u, p, dx):
+def hunted(t, x, u, p):
     """Lotka and Volterra's equations."""
-    dx[0] = x[0] * (1.1 - 0.9 * x[1])
-    dx[1] = x[1] * (1.3 * x[0] - 0.7)
+    return [x[0] * (1.1 - 0.9 * x[1]), x[1] * (1.3 * x[0] - 0.7)]
 
 
 def by_scipy(tolerance):

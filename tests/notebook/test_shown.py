@@ -37,9 +37,9 @@ class Read(HTMLParser):
 
 
 def evil_block(name="b<i>"):
-    def output(t, x, u, p, y):
+    def output(t, x, u, p):
         """y = u."""
-        y[0] = u[0]
+        return u[0]
 
     return clpt.Block(name, output=output, inputs={"a<i>": 1}, outputs={"c&d": 1})
 
@@ -118,9 +118,9 @@ def test_python_controls_markdown_is_not_the_same_again(made):
 
 def test_a_large_diagram_is_said_in_words():
     def named(k):
-        def output(t, x, u, p, y):
+        def output(t, x, u, p):
             """y = u."""
-            y[0] = u[0]
+            return u[0]
 
         return clpt.Block(f"b{k}", output=output, inputs={f"s{k}": 1}, outputs={f"s{k + 1}": 1})
 
@@ -132,9 +132,9 @@ def test_a_large_diagram_is_said_in_words():
 
 
 def test_what_cannot_be_wired_says_why():
-    def same(t, x, u, p, y):
+    def same(t, x, u, p):
         """y = u."""
-        y[0] = u[0]
+        return u[0]
 
     blocks = [
         clpt.Block("a", output=same, inputs={"s": 1}, outputs={"r": 1}),

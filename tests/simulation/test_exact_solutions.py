@@ -11,7 +11,7 @@ from calm_water import CALM, PAPER, exact_positions
 from responses import response
 
 import clpt_control as clpt
-from clpt_control.blocks import Block
+from clpt_control.equations import Block
 from clpt_control.errors import ClptError, SimulationError
 
 
@@ -41,15 +41,14 @@ class Rate(NamedTuple):
     k: float
 
 
-def decays(t, x, u, p, dx):
+def decays(t, x, u, p):
     """x' = -k x + u, section 2: u[1], x[1]."""
-    dx[0] = -p.k * x[0] + u[0]
+    return -p.k * x[0] + u[0]
 
 
-def oscillates(t, x, u, p, dx):
+def oscillates(t, x, u, p):
     """x'' = -x, section 2: x[2]."""
-    dx[0] = x[1]
-    dx[1] = -x[0]
+    return [x[1], -x[0]]
 
 
 def decaying(k=2.0):

@@ -10,9 +10,10 @@ from calm_water import PAPER
 from responses import response
 
 import clpt_control as clpt
-from clpt_control.blocks import Block, field, vehicle
+from clpt_control.blocks import field, vehicle
 from clpt_control.currents.field_file import GriddedField
 from clpt_control.diagrams.interconnection import connect
+from clpt_control.equations import Block
 from clpt_control.errors import ScenarioError, SimulationError
 from clpt_control.simulation.starts import initial_state
 
@@ -41,19 +42,19 @@ class Nothing(NamedTuple):
     pass
 
 
-def blows_up(t, x, u, p, dx):
+def blows_up(t, x, u, p):
     """x' = x^2, section 2: x[1]."""
-    dx[0] = x[0] ** 2
+    return x[0] ** 2
 
 
-def leaves_its_range(t, x, u, p, y):
+def leaves_its_range(t, x, u, p):
     """y = sqrt(1 - x), section 2: u = x[1], y = root[1]."""
-    y[0] = math.sqrt(1 - u[0])
+    return math.sqrt(1 - u[0])
 
 
-def grows(t, x, u, p, dx):
+def grows(t, x, u, p):
     """x' = 1, section 2: x[1]; u = root[1]."""
-    dx[0] = 1.0 + 0.0 * u[0]
+    return 1.0 + 0.0 * u[0]
 
 
 def test_blow_up_is_a_sentence():
