@@ -62,6 +62,11 @@ UFUNCS: dict[Any, str] = {
 class Unread(Exception):
     """Why a function cannot be read: what it does, and what to write instead."""
 
+    def __init__(self, sentence: str):
+        super().__init__(sentence)
+        if (tape := active()) is not None:
+            tape.stopped = self  # a function may catch it
+
 
 _ACTIVE = local()
 
@@ -86,6 +91,7 @@ class Tape:
 
     def __init__(self) -> None:
         self.operations: list[Operation] = []
+        self.stopped: Exception | None = None  # what ends the reading
         self.free: list[bool] = []  # of each: whether it depends on time, states or inputs
         self._known: dict[Any, int] = {}
 
@@ -226,8 +232,8 @@ class Array(NDArrayOperatorsMixin):
         if isinstance(index, Array) and index.is_condition:
             store[...] = elements(where(index, value, lifted(self.tape, self)))
             return
-        one = isinstance(value, Array) and not value.shape
-        store[_known(index)] = _element(value) if one else elements(value)
+        index = _known(index)
+        store[index] = elements(value) if isinstance(store[index], np.ndarray) else _single(value)
 
     def elements(self) -> np.ndarray:
         """Return its elements in an array of objects."""
@@ -237,8 +243,10 @@ class Array(NDArrayOperatorsMixin):
         if known is not None:
             return known.astype(object)
         found = np.empty(self.counted(), dtype=object)
+        if not self.shape:
+            return _element(self)
         for place in np.ndindex(found.shape):
-            found[place] = self[place] if place else self
+            found[place] = self[place]
         return found
 
     # --- NumPy's protocols ----------------------------------------------------------------
@@ -253,8 +261,10 @@ class Array(NDArrayOperatorsMixin):
 
         return applied(self.tape, function, inputs, more)
 
-    def __array__(self, *arguments: Any, **more: Any) -> np.ndarray:
-        return self.tape.numbers(self.ref).astype(float)
+    def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
+        if dtype == object:
+            return self.elements() if self.shape else _element(self)
+        return self.tape.numbers(self.ref).astype(dtype or float)
 
     def __getattr__(self, name: str) -> Any:
         from .numpy_functions import METHODS
@@ -317,12 +327,12 @@ class Array(NDArrayOperatorsMixin):
 
 def numbers_of(array: Array) -> np.ndarray | None:
     """Return an array that depends on nothing as numbers, else None."""
-    if array.store is None and array.parent is None:
-        own = array.tape.operations[array.node]
-        return np.frombuffer(own.at).reshape(own.shape) if own.kind == "constant" else None
+    if array.fixed:
+        return None
     store = array._written()
     if store is None:
-        return None
+        own = array.tape.operations[array.node]
+        return np.frombuffer(own.at).reshape(own.shape) if own.kind == "constant" else None
     plain = all(type(one) is not Array for one in store.flat)
     return store.astype(float) if plain else None
 
@@ -334,10 +344,15 @@ def _known(index: Any) -> Any:
     return index.__index__() if isinstance(index, Array) else index
 
 
+def _single(value: Any) -> Any:
+    """Return the element that an array of one holds, as NumPy puts it in a place of one."""
+    return value.elements().item() if isinstance(value, Array) and value.shape else value
+
+
 def _element(value: Array) -> np.ndarray:
-    held = np.empty((), dtype=object)
-    held[()] = value
-    return held
+    held = np.empty(1, dtype=object)
+    held[0] = value
+    return held.reshape(())
 
 
 def is_condition(tape: Tape, ref: Ref) -> bool:
@@ -575,7 +590,7 @@ def where(condition: Any, a: Any, b: Any) -> Any:
 
 def elements(value: Any) -> Any:
     """Return the elements of an array, or a number as it is."""
-    return value.elements() if isinstance(value, Array) and value.shape else value
+    return value.elements() if isinstance(value, Array) else value
 
 
 def total(array: Array, axis: int) -> Any:

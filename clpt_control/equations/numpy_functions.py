@@ -4,265 +4,50 @@ What is not here is tried on arrays of objects, element by element, by NumPy's o
 """
 
 from collections.abc import Callable
-from functools import reduce
 from typing import Any
 
 import numpy as np
 
+from . import elimination, tables
 from .arrays import (
-    UFUNCS,
     Array,
     Tape,
     Unread,
+    as_number,
     constant,
     elementwise,
     lifted,
     operand,
     packed,
     stacked,
+    tape_viewed,
     total,
     where,
 )
+from .ufuncs import (
+    accumulated,
+    as_numbers,
+    called,
+    depends,
+    folded,
+    fresh,
+    matmul,
+    objects,
+    repacked,
+    rounded,
+    summed,
+    unread,
+)
 
 
-def called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
-    """Write down a ufunc."""
-    out = more.pop("out", None)
-    condition = more.pop("where", True)
-    more.pop("casting", None), more.pop("dtype", None), more.pop("subok", None)
-    if method == "reduce":
-        found = _reduced(tape, ufunc, inputs[0], **more)
-    elif method == "outer":
-        a, b = (lifted(tape, one) for one in inputs)
-        found = called(tape, ufunc, "__call__", (_spread(a, np.ndim(b)), b), {})
-    elif method != "__call__" or more:
-        raise Unread(f"np.{ufunc.__name__}.{method} of signals")
-    elif ufunc is np.matmul:
-        found = matmul(*(lifted(tape, one) for one in inputs))
-    elif ufunc in COMPOSED:
-        found = COMPOSED[ufunc](*(lifted(tape, one) for one in inputs))
-    elif ufunc in UFUNCS:
-        found = elementwise(UFUNCS[ufunc], *(lifted(tape, one) for one in inputs))
-    else:
-        raise Unread(f"np.{ufunc.__name__} of a signal")
-    if condition is not True:
-        held = out[0] if out is not None else 0.0
-        found = where(lifted(tape, condition), found, lifted(tape, held))
-    if out is None:
-        return found
-    if not isinstance(out[0], Array):
-        raise Unread("writing signals into an array of numbers")
-    out[0][...] = found
-    return out[0]
-
-
-def _spread(a: Any, more: int) -> Any:
-    return a[(..., *[None] * more)] if isinstance(a, Array) and more else a
-
-
-def _reduced(
-    tape: Tape, ufunc: Any, a: Any, axis: Any = 0, keepdims: Any = False, initial: Any = None
-) -> Any:
-    a = lifted(tape, a)
-    if ufunc is np.add:
-        return summed(a, axis, keepdims)
-    return folded(lambda v, w: called(tape, ufunc, "__call__", (v, w), {}), a, axis, keepdims)
-
-
-def folded(join: Callable[[Any, Any], Any], a: Array, axis: Any, keepdims: Any = False) -> Any:
-    """Join the elements along an axis, or all, one after the other."""
-    if axis is None:
-        return reduce(join, a.elements().ravel())
-    axis %= a.ndim
-    parts = [a[(*[slice(None)] * axis, k)] for k in range(a.counted()[axis])]
-    if not parts:
-        raise ValueError("zero-size array to reduction operation")
-    found = reduce(join, parts)
-    return found[(*[slice(None)] * axis, None)] if keepdims and isinstance(found, Array) else found
-
-
-def summed(a: Any, axis: Any = None, keepdims: Any = False, **more: Any) -> Any:
-    """Return the sum over all axes, one or some."""
-    axes = range(a.ndim) if axis is None else [axis] if isinstance(axis, int) else axis
-    for d in sorted((d % a.ndim for d in axes), reverse=True):
-        a = total(a, d)
-        if keepdims and isinstance(a, Array):
-            a = a[(*[slice(None)] * d, None)]
-    return a
-
-
-def matmul(a: Any, b: Any) -> Any:
-    """Return a @ b."""
-    if not np.ndim(a) or not np.ndim(b):
-        raise ValueError("matmul: an operand is a scalar")
-    if a.ndim == 1 and b.ndim == 1:
-        return total(_times(a, b), 0)
-    if b.ndim == 1:
-        return total(_times(a, b), a.ndim - 1)
-    if a.ndim == 1:
-        return total(_times(a[:, None], b), 0) if b.ndim == 2 else _none("matmul of more axes")
-    if a.ndim > 2 or b.ndim > 2:
-        _none("matmul of more than two axes")
-    return total(_times(a[:, :, None], b[None, :, :]), 1)
-
-
-def _none(what: str) -> Any:
-    raise Unread(f"{what} of signals")
-
-
-def _times(a: Any, b: Any) -> Any:
-    return elementwise("mul", a, b)
-
-
-def dot(a: Any, b: Any) -> Any:
-    """Return np.dot(a, b)."""
-    return matmul(a, b) if np.ndim(a) and np.ndim(b) else elementwise("mul", a, b)
-
-
-def norm(a: Any, ord: Any = None, axis: Any = None, keepdims: Any = False) -> Any:
-    """Return a norm of a vector, or of rows or columns."""
-    if ord == np.inf:
-        return maximum_of(elementwise("fabs", a), axis)
-    if ord == 1 and (a.ndim == 1 or axis is not None):
-        return summed(elementwise("fabs", a), axis, keepdims)
-    if ord not in (None, 2, "fro") or (ord == 2 and axis is None and a.ndim > 1):
-        _none(f"norm of order {ord}")
-    return root(summed(elementwise("mul", a, a), axis, keepdims))
-
-
-def root(a: Any) -> Any:
-    """Return the square root."""
-    return elementwise("sqrt", a) if isinstance(a, Array) else np.sqrt(a)
-
-
-def clip(a: Any, low: Any = None, high: Any = None, out: Any = None, **more: Any) -> Any:
-    """Return a within limits."""
-    low, high = more.get("min", low), more.get("max", high)
-    tape = next(v.tape for v in (a, low, high) if isinstance(v, Array))
-    a, low, high = (None if v is None else lifted(tape, v) for v in (a, low, high))
-    if low is not None:
-        a = np.maximum(a, low)
-    return np.minimum(a, high) if high is not None else a
-
-
-def trace(a: Any, **more: Any) -> Any:
-    """Return the sum of the diagonal."""
-    return total(diagonal(a), 0)
-
-
-def diagonal(a: Array) -> Any:
-    """Return the diagonal of a matrix."""
-    from .arrays import tape_viewed
-
-    n = a.shape[0]
-    if a.shape[0] != a.shape[1] or a._written() is not None:
-        own = a.elements()
-        return packed(a.tape, own.diagonal())
-    return tape_viewed(a.tape, a.ref, ((0, 0, 1), (0, 0, 1)), (n,))
-
-
-def diag(a: Array) -> Any:
-    """Return the diagonal of a matrix, or the matrix of a diagonal."""
-    if a.ndim == 2:
-        return diagonal(a)
-    made = np.zeros((len(a), len(a)), dtype=object)
-    for k in range(len(a)):
-        made[k, k] = a[k]
-    return packed(a.tape, made)
-
-
-def maximum_of(a: Any, axis: Any = None, keepdims: Any = False, **more: Any) -> Any:
-    """Return the largest element."""
-    return folded(lambda v, w: np.maximum(v, w), a, axis, keepdims)
-
-
-def minimum_of(a: Any, axis: Any = None, keepdims: Any = False, **more: Any) -> Any:
-    """Return the smallest element."""
-    return folded(lambda v, w: np.minimum(v, w), a, axis, keepdims)
-
-
-def product_of(a: Any, axis: Any = None, keepdims: Any = False, **more: Any) -> Any:
-    """Return the product of the elements."""
-    return folded(lambda v, w: v * w, a, axis, keepdims)
-
-
-def mean(a: Any, axis: Any = None, **more: Any) -> Any:
-    """Return the mean."""
-    count = a.size if axis is None else a.counted()[axis]
-    return summed(a, axis) / count
-
-
-def join(parts: Any, axis: Any = 0, **more: Any) -> Any:
-    """Return np.concatenate(parts)."""
-    tape = next(p.tape for p in parts if isinstance(p, Array))
-    own = [lifted(tape, p) for p in parts]
-    if axis == 0 and all(isinstance(n, int) for p in own for n in p.shape) and any(
-        p.shape[0] > 64 for p in own
-    ):
-        shape = (sum(p.shape[0] for p in own), *own[0].shape[1:])
-        return tape.add("join", [operand(p) for p in own], shape)
-    return packed(tape, np.concatenate([objects(p) for p in own], axis=axis))
-
-
-def objects(value: Any) -> np.ndarray:
-    """Return an array of objects."""
-    if isinstance(value, Array):
-        found = value.elements()
-        return found if value.shape else np.asarray(found, dtype=object)
-    return np.asarray(value, dtype=object)
-
-
-def pick(array: Array, index: tuple) -> Any:
-    """Return elements at places that are signals."""
-    (k, *rest) = index
-    if rest or array.ndim != 1 or not isinstance(k, Array):
-        return array[tuple(int(i) if isinstance(i, Array) else i for i in index)]
-    if k.is_condition:
-        _none("a choice of elements by a condition")
-    return array[int(k)] if not k.shape else array[[int(i) for i in k]]
-
-
-def reshaped(a: Array, *shape: Any, **more: Any) -> Any:
-    """Return the same elements in another shape."""
-    new = shape[0] if len(shape) == 1 else shape
-    new = (new,) if isinstance(new, int) else tuple(new)
-    if a.ndim == 1 and new == (-1,):
-        return a
-    if not a.shape and all(n in (1, -1) for n in new):
-        return a[(None,) * len(new)] if new else a
-    return packed(a.tape, objects(a).reshape(new))
-
-
-def rounded(a: Array, digits: Any = None, **more: Any) -> Any:
-    """Return numbers rounded to even."""
-    if digits:
-        _none("rounding to digits")
-    low = np.floor(a)
-    rest, odd = a - low, np.remainder(low, 2.0)
-    return where((rest > 0.5) | ((rest == 0.5) & (odd > 0.5)), low + 1.0, low)
-
-
-def itself(a: Any, *arguments: Any, **more: Any) -> Any:
-    """Return the array as it is."""
-    return a
-
-
-def copied(a: Any, *arguments: Any, **more: Any) -> Any:
-    """Return a copy, which no longer shares what is written."""
-    ref = a.ref
-    return Array(a.tape, ref, a.shape) if type(ref) is int else ref
-
-
-def filled(value: float) -> Callable:
-    """Return what makes an array like another, of one number."""
-    return lambda a, *more, **named: constant_like(a, value)
-
-
-def constant_like(a: Array, value: float) -> Any:
-    """Return an array of one number, of a's shape."""
-    if all(isinstance(n, int) for n in a.shape):
-        return constant(a.tape, np.full(a.shape, value))
-    return a.tape.add("add", (a.tape.add("mul", (a.ref, 0.0), a.shape).ref, value), a.shape)
+def applied(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
+    """Write down one of NumPy's functions."""
+    if not depends(tuple(inputs)) and not depends(list(more.values())):
+        known = {name: as_numbers(value) for name, value in more.items()}
+        return fresh(tape, function(*as_numbers(tuple(inputs)), **known))
+    if function not in FUNCTIONS:
+        return exploded(tape, function, inputs, more)
+    return FUNCTIONS[function](*inputs, **more)
 
 
 def exploded(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
@@ -281,143 +66,396 @@ def exploded(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
         raise
     except Exception as error:
         raise Unread(f"np.{function.__name__} of signals ({error})") from None
-    if isinstance(found, tuple | list):
-        return type(found)(packed(tape, np.asarray(one, dtype=object)) for one in found)
-    return packed(tape, np.asarray(found, dtype=object))
+    return repacked(tape, found)
 
 
-def applied(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
-    """Write down one of NumPy's functions."""
-    if function not in FUNCTIONS:
-        return exploded(tape, function, inputs, more)
-    return FUNCTIONS[function](*inputs, **more)
+def tape_of(values: Any) -> Any:
+    """Return the tape of the first array of the record among values, or None."""
+    for value in values:
+        if isinstance(value, Array):
+            return value.tape
+        if isinstance(value, list | tuple) or (
+            isinstance(value, np.ndarray) and value.dtype == object and value.ndim
+        ):
+            found = tape_of(value)
+            if found is not None:
+                return found
+    return None
 
 
-def _of_arrays(function: Callable, count: int) -> Callable:
+def _of_arrays(function: Callable, count: int = 1) -> Callable:
     """Return a function whose first arguments are made arrays of the record."""
 
     def made(*inputs: Any, **more: Any) -> Any:
-        given = [v for v in inputs if v is not None]
-        tape = _tape_of(given)
-        own = [lifted(tape, v) for v in inputs[:count]]
-        return function(*own, *inputs[count:], **more)
+        tape = tape_of((*inputs, *more.values()))
+        return function(*(lifted(tape, v) for v in inputs[:count]), *inputs[count:], **more)
 
     return made
 
 
-def _tape_of(values: Any) -> Any:
-    for value in values:
-        if isinstance(value, Array):
-            return value.tape
-        if isinstance(value, list | tuple | np.ndarray) and (found := _tape_of(value)):
-            return found
-    return None
+# --- products, sums and norms ---------------------------------------------------------------
+
+
+def dot(a: Any, b: Any, out: Any = None) -> Any:
+    """Return np.dot(a, b)."""
+    return matmul(a, b) if np.ndim(a) and np.ndim(b) else elementwise("mul", a, b)
+
+
+def outer(a: Any, b: Any, out: Any = None) -> Any:
+    """Return a b^T."""
+    a, b = (v if np.ndim(v) == 1 else np.reshape(v, -1) for v in (a, b))
+    return elementwise("mul", a[:, None], b[None, :])
+
+
+def norm(a: Any, ord: Any = None, axis: Any = None, keepdims: Any = False) -> Any:
+    """Return a norm of a vector, or of rows or columns."""
+    vector = a.ndim == 1 or isinstance(axis, int)
+    if ord in (np.inf, -np.inf) and vector:
+        return (largest if ord > 0 else smallest)(np.fabs(a), axis)
+    if ord == 1 and vector:
+        return summed(np.fabs(a), axis, keepdims=keepdims)
+    if ord not in (None, 2, "fro") or (ord == 2 and not vector):
+        if not vector or not isinstance(ord, int | float):
+            return unread(f"a norm of order {ord}")
+        return summed(np.fabs(a) ** ord, axis, keepdims=keepdims) ** (1.0 / ord)
+    return np.sqrt(summed(elementwise("mul", a, a), axis, keepdims=keepdims))
+
+
+def product(a: Any, axis: Any = None, dtype: Any = None, out: Any = None, keepdims: Any = False) -> Any:
+    """Return the product of the elements."""
+    return folded(lambda v, w: v * w, a, axis, keepdims)
+
+
+def largest(a: Any, axis: Any = None, out: Any = None, keepdims: Any = False, **more: Any) -> Any:
+    """Return the largest element."""
+    return folded(np.maximum, a, axis, keepdims)
+
+
+def smallest(a: Any, axis: Any = None, out: Any = None, keepdims: Any = False, **more: Any) -> Any:
+    """Return the smallest element."""
+    return folded(np.minimum, a, axis, keepdims)
+
+
+def mean(a: Any, axis: Any = None, dtype: Any = None, out: Any = None, keepdims: Any = False) -> Any:
+    """Return the mean."""
+    count = a.size if axis is None else a.counted()[axis]
+    return summed(a, axis, keepdims=keepdims) / count
+
+
+def variance(a: Any, axis: Any = None, dtype: Any = None, out: Any = None, ddof: int = 0) -> Any:
+    """Return the mean square of what differs from the mean."""
+    count = a.size if axis is None else a.counted()[axis]
+    apart = a - mean(a, axis, keepdims=True) if axis is not None else a - mean(a)
+    return summed(apart * apart, axis) / (count - ddof)
+
+
+def trace(a: Any, *more: Any, **named: Any) -> Any:
+    """Return the sum of the diagonal."""
+    return total(diagonal(a, *more, **named), 0)
+
+
+def diagonal(a: Array, offset: int = 0, **more: Any) -> Any:
+    """Return the diagonal of a matrix."""
+    n = a.shape[0]
+    if a.ndim != 2 or offset or a.shape[0] != a.shape[1] or a._written() is not None:
+        return packed(a.tape, objects(a).diagonal(offset))
+    return tape_viewed(a.tape, a.ref, ((0, 0, 1), (0, 0, 1)), (n,))
+
+
+def diag(a: Array, k: int = 0) -> Any:
+    """Return the diagonal of a matrix, or the matrix of a diagonal."""
+    if a.ndim == 2:
+        return diagonal(a, k)
+    made = np.zeros((len(a) + abs(k),) * 2, dtype=object)
+    for i in range(len(a)):
+        made[i + max(0, -k), i + max(0, k)] = a[i]
+    return packed(a.tape, made)
+
+
+# --- limits and choices -----------------------------------------------------------------------
+
+
+def clip(a: Any, low: Any = None, high: Any = None, out: Any = None, **more: Any) -> Any:
+    """Return a within limits."""
+    low, high = more.get("min", more.get("a_min", low)), more.get("max", more.get("a_max", high))
+    tape = tape_of((a, low, high))
+    a, low, high = (None if v is None else lifted(tape, v) for v in (a, low, high))
+    if low is not None:
+        a = np.maximum(a, low)
+    return np.minimum(a, high) if high is not None else a
+
+
+def chosen(condition: Any, *values: Any) -> Any:
+    """Return np.where(condition, a, b)."""
+    if not values:
+        return unread("np.where without values, which counts,")
+    tape = tape_of((condition, *values))
+    return where(condition if isinstance(condition, Array) else np.asarray(condition), *(lifted(tape, v) for v in values))
+
+
+def selected(conditions: Any, values: Any, default: Any = 0.0) -> Any:
+    """Return np.select: the value of the first condition that holds."""
+    found = default
+    for condition, value in zip(reversed(conditions), reversed(values), strict=True):
+        found = np.where(condition, value, found) if np.ndim(condition) else chosen(condition, value, found)
+    return found
+
+
+def piecewise(x: Any, conditions: Any, functions: Any, *more: Any, **named: Any) -> Any:
+    """Return np.piecewise: what the function of the last condition that holds gives."""
+    given = [f(x, *more, **named) if callable(f) else f for f in functions]
+    found = given.pop() if len(given) > len(conditions) else 0.0
+    for condition, value in zip(conditions, given, strict=True):
+        found = chosen(condition, value, found)
+    return found
+
+
+def close(a: Any, b: Any, rtol: float = 1e-5, atol: float = 1e-8, equal_nan: bool = False) -> Any:
+    """Return whether numbers are about the same, as np.isclose does."""
+    return np.fabs(a - b) <= atol + rtol * np.fabs(b)
+
+
+def any_of(a: Any, axis: Any = None, out: Any = None, keepdims: Any = False, **more: Any) -> Any:
+    """Return whether any holds."""
+    return folded(np.logical_or, a, axis, keepdims)
+
+
+def all_of(a: Any, axis: Any = None, out: Any = None, keepdims: Any = False, **more: Any) -> Any:
+    """Return whether all hold."""
+    return folded(np.logical_and, a, axis, keepdims)
+
+
+def whole_numbers(a: Any, copy: bool = True, nan: float = 0.0, posinf: Any = None, neginf: Any = None) -> Any:
+    """Return np.nan_to_num(a)."""
+    most = np.finfo(float).max
+    a = where(a != a, nan, a)
+    a = where(a == np.inf, most if posinf is None else posinf, a)
+    return where(a == -np.inf, -most if neginf is None else neginf, a)
+
+
+def in_order(values: list[Any]) -> list[Any]:
+    """Return numbers sorted: neighbours change places where they must, until none does."""
+    found = list(values)
+    for end in range(len(found) - 1, 0, -1):
+        for k in range(end):
+            a, b = found[k], found[k + 1]
+            swap = b < a
+            found[k], found[k + 1] = where(swap, b, a), where(swap, a, b)
+    return found
+
+
+def in_rows(a: Any, axis: int = -1, **more: Any) -> Any:
+    """Return np.sort(a) of a vector."""
+    if a.ndim != 1 or a.size > 16:
+        return unread("sorting more than 16 numbers, or rows,")
+    return stacked(a.tape, in_order(list(a.elements())))
+
+
+# --- shapes -----------------------------------------------------------------------------------
 
 
 def stack(parts: Any, axis: int = 0, **more: Any) -> Any:
     """Return np.stack(parts)."""
-    tape = _tape_of(parts)
+    tape = tape_of(parts)
     if axis == 0:
         return stacked(tape, [lifted(tape, p) for p in parts])
     return exploded(tape, np.stack, (parts, axis), {})
 
 
-def outer(a: Any, b: Any) -> Any:
-    """Return a b^T."""
-    a, b = (v if getattr(v, "ndim", 0) == 1 else packed(_tape_of((a, b)), objects(v).ravel()) for v in (a, b))
-    return elementwise("mul", a[:, None], b[None, :])
+def join(parts: Any, axis: Any = 0, **more: Any) -> Any:
+    """Return np.concatenate(parts)."""
+    tape = tape_of(parts)
+    own = [lifted(tape, p) for p in parts]
+    own = [p for p in own if p.shape != (0,)]
+    if axis == 0 and all(isinstance(n, int) for p in own for n in p.shape) and any(
+        p.shape[0] > 64 for p in own
+    ):
+        shape = (sum(p.shape[0] for p in own), *own[0].shape[1:])
+        return tape.add("join", [operand(p) for p in own], shape)
+    return packed(tape, np.concatenate([objects(p) for p in own], axis=axis))
 
 
-def power(a: Any, b: Any) -> Any:
-    """Return a**b; of a small whole power a product, as NumPy makes a square."""
-    return elementwise("mul", a, a) if type(b) is float and b == 2.0 else elementwise("pow", a, b)
+def pick(array: Array, index: tuple) -> Any:
+    """Return elements at places that are signals."""
+    (k, *rest) = index
+    if isinstance(k, Array) and k.is_condition:
+        known = k.tape.numbers(k.ref) != 0.0 if not k.tape.free[k.node] else None
+        return unread("taking elements by a condition") if known is None else array[(known, *rest)]
+    if not rest and array.ndim == 1 and isinstance(array.shape[0], int) and not k.shape:
+        whole = k.tape.operations[k.node].kind in ("trunc", "floor", "ceil", "pick")
+        if whole and k.tape.free[k.node] and array._written() is None:
+            return array.tape.add("pick", (operand(array), k.ref), ())
+    own = [i if not isinstance(i, Array) else i.__index__() if not i.shape else [j.__index__() for j in i] for i in index]
+    return array[tuple(own)]
 
 
-COMPOSED: dict[Any, Callable] = {
-    np.power: power,
-    np.square: lambda a: elementwise("mul", a, a),
-    np.reciprocal: lambda a: elementwise("div", 1.0, a),
-    np.positive: itself,
-    np.fmin: lambda a, b: elementwise("minimum", a, b),
-    np.fmax: lambda a, b: elementwise("maximum", a, b),
-    np.deg2rad: lambda a: elementwise("mul", a, np.pi / 180),
-    np.radians: lambda a: elementwise("mul", a, np.pi / 180),
-    np.rad2deg: lambda a: elementwise("mul", a, 180 / np.pi),
-    np.degrees: lambda a: elementwise("mul", a, 180 / np.pi),
-    np.exp2: lambda a: elementwise("pow", 2.0, a),
-    np.cbrt: lambda a: np.sign(a) * np.fabs(a) ** (1 / 3),
-    np.rint: rounded,
-    np.isnan: lambda a: elementwise("ne", a, a),
-    np.isfinite: lambda a: elementwise("lt", elementwise("fabs", a), np.inf),
-    np.isinf: lambda a: elementwise("eq", elementwise("fabs", a), np.inf),
-    np.heaviside: lambda a, b: where(a == 0, b, where(a > 0, 1.0, 0.0)),
-    np.copysign: lambda a, b: where((b < 0) | (elementwise("div", 1.0, b) < 0), -np.fabs(a), np.fabs(a)),
-    np.logical_xor: lambda a, b: elementwise("ne", a, b),
-}
+def reshaped(a: Array, *shape: Any, **more: Any) -> Any:
+    """Return the same elements in another shape."""
+    new = more.get("shape", shape[0] if len(shape) == 1 else shape)
+    new = (new,) if not isinstance(new, tuple | list) else tuple(new)
+    if a.ndim == 1 and new == (-1,):
+        return a
+    if not a.shape and all(n in (1, -1) for n in new):
+        return a[(None,) * len(new)] if new else a
+    if a.ndim == 1 and a._written() is None and new in ((-1, 1), (1, -1), (*a.shape, 1), (1, *a.shape)):
+        return a[:, None] if new[-1] == 1 and new[0] != 1 else a[None, :]
+    return packed(a.tape, objects(a).reshape(new))
+
+
+def squeezed(a: Array, axis: Any = None) -> Any:
+    """Return a without axes of length 1."""
+    axes = range(a.ndim) if axis is None else [axis] if isinstance(axis, int) else axis
+    dropped = {d % a.ndim for d in axes if a.shape[d] == 1}
+    return a[tuple(0 if d in dropped else slice(None) for d in range(a.ndim))] if dropped else a
+
+
+def transposed(a: Array, *axes: Any) -> Any:
+    """Return a with its axes in another order."""
+    axes = axes[0] if len(axes) == 1 else axes or None
+    return a.T if axes is None else exploded(a.tape, np.transpose, (a, axes), {})
+
+
+def at_least(axes: int) -> Callable:
+    """Return np.atleast_1d or np.atleast_2d."""
+    return lambda *a: a[0][(None,) * max(0, axes - np.ndim(a[0]))] if len(a) == 1 else tuple(map(at_least(axes), a))
+
+
+def copied(a: Any, *arguments: Any, **more: Any) -> Any:
+    """Return a copy, which no longer shares what is written."""
+    if not a.shape:
+        return a
+    ref = a.ref
+    return Array(a.tape, ref, a.shape) if type(ref) is int else ref
+
+
+def converted(a: Any, dtype: Any = float, *more: Any, **named: Any) -> Any:
+    """Return a copy of numbers of another kind."""
+    kind = np.dtype(dtype).kind
+    if kind in "iu":
+        return np.trunc(as_number(a))
+    if kind == "b":
+        return a if a.is_condition else a != 0
+    return unread(f"numbers of {np.dtype(dtype)}") if kind == "c" else copied(as_number(a))
+
+
+def filled(value: float) -> Callable:
+    """Return what makes an array like another, of one number."""
+    return lambda a, *more, **named: constant_like(a, value)
+
+
+def constant_like(a: Array, value: float) -> Any:
+    """Return an array of one number, of a's shape."""
+    if all(isinstance(n, int) for n in a.shape):
+        return constant(a.tape, np.full(a.shape, value))
+    return a.tape.add("fill", (value,), a.shape)
+
+
+def full_like(a: Array, value: Any, **more: Any) -> Any:
+    """Return an array of a's shape with one value."""
+    return constant_like(a, 0.0) + value
+
+
 FUNCTIONS: dict[Any, Callable] = {
-    np.sum: _of_arrays(summed, 1),
+    np.sum: _of_arrays(summed),
     np.dot: _of_arrays(dot, 2),
     np.vdot: _of_arrays(dot, 2),
     np.outer: _of_arrays(outer, 2),
-    np.where: lambda c, *ab: where(c, *(lifted(_tape_of((c, *ab)), v) for v in ab)),
-    np.linalg.norm: _of_arrays(norm, 1),
+    np.where: chosen,
+    np.select: selected,
+    np.piecewise: piecewise,
+    np.isclose: _of_arrays(close, 2),
+    np.allclose: lambda *a, **more: all_of(_of_arrays(close, 2)(*a, **more)),
+    np.nan_to_num: _of_arrays(whole_numbers),
+    np.sort: _of_arrays(in_rows),
+    np.interp: _of_arrays(tables.interpolated),
+    np.searchsorted: lambda a, v, side="left", **more: tables.place_in(
+        np.asarray(a, dtype=float), v, side
+    ),
+    np.digitize: lambda x, bins, right=False: tables.place_in(
+        np.asarray(bins, dtype=float), x, "left" if right else "right"
+    ),
+    np.linalg.norm: _of_arrays(norm),
+    np.linalg.solve: _of_arrays(elimination.solve, 2),
+    np.linalg.inv: _of_arrays(elimination.inverse),
+    np.linalg.det: _of_arrays(elimination.determinant),
     np.clip: clip,
-    np.trace: trace,
-    np.diag: diag,
-    np.diagonal: diagonal,
+    np.trace: _of_arrays(trace),
+    np.diag: _of_arrays(diag),
+    np.diagonal: _of_arrays(diagonal),
     np.stack: stack,
     np.concatenate: join,
-    np.max: _of_arrays(maximum_of, 1),
-    np.min: _of_arrays(minimum_of, 1),
-    np.prod: _of_arrays(product_of, 1),
-    np.mean: _of_arrays(mean, 1),
-    np.any: lambda a, axis=None, **more: folded(lambda v, w: elementwise("or", v, w), a, axis),
-    np.all: lambda a, axis=None, **more: folded(lambda v, w: elementwise("and", v, w), a, axis),
-    np.reshape: _of_arrays(reshaped, 1),
-    np.ravel: lambda a, **more: reshaped(a, -1),
-    np.transpose: lambda a, axes=None: a.T if axes is None else exploded(a.tape, np.transpose, (a, axes), {}),
-    np.round: _of_arrays(rounded, 1),
+    np.max: _of_arrays(largest),
+    np.amax: _of_arrays(largest),
+    np.min: _of_arrays(smallest),
+    np.amin: _of_arrays(smallest),
+    np.prod: _of_arrays(product),
+    np.mean: _of_arrays(mean),
+    np.var: _of_arrays(variance),
+    np.std: lambda *a, **more: np.sqrt(_of_arrays(variance)(*a, **more)),
+    np.cumsum: lambda a, axis=None, **more: accumulated(np.add, a, axis),
+    np.cumprod: lambda a, axis=None, **more: accumulated(np.multiply, a, axis),
+    np.any: _of_arrays(any_of),
+    np.all: _of_arrays(all_of),
+    np.reshape: _of_arrays(reshaped),
+    np.ravel: lambda a, *more, **named: reshaped(a, -1),
+    np.squeeze: _of_arrays(squeezed),
+    np.transpose: _of_arrays(transposed),
+    np.round: _of_arrays(rounded),
+    np.around: _of_arrays(rounded),
+    np.fix: _of_arrays(np.trunc),
     np.copy: copied,
     np.zeros_like: filled(0.0),
+    np.empty_like: filled(0.0),
     np.ones_like: filled(1.0),
+    np.full_like: full_like,
     np.shape: lambda a: a.counted(),
     np.ndim: lambda a: a.ndim,
-    np.size: lambda a: a.size,
-    np.atleast_1d: lambda a: a if a.shape else a[None],
-    np.real: itself,
+    np.size: lambda a, axis=None: a.size if axis is None else a.counted()[axis],
+    np.atleast_1d: at_least(1),
+    np.atleast_2d: at_least(2),
+    np.real: lambda a: a,
     np.iscomplexobj: lambda a: False,
+    np.isrealobj: lambda a: True,
+    np.isreal: lambda a: a == a,
 }
 METHODS: dict[str, Callable] = {
     "sum": summed,
     "dot": lambda a, b: np.dot(a, b),
     "clip": clip,
     "trace": trace,
-    "max": maximum_of,
-    "min": minimum_of,
-    "prod": product_of,
+    "max": largest,
+    "min": smallest,
+    "prod": product,
     "mean": mean,
-    "any": lambda a, **more: np.any(a, **more),
-    "all": lambda a, **more: np.all(a, **more),
+    "var": variance,
+    "std": lambda a, *more, **named: np.sqrt(variance(a, *more, **named)),
+    "any": any_of,
+    "all": all_of,
     "reshape": reshaped,
-    "ravel": lambda a, *more: reshaped(a, -1),
+    "ravel": lambda a, *more, **named: reshaped(a, -1),
     "flatten": lambda a, *more: copied(reshaped(a, -1)),
     "copy": copied,
-    "astype": lambda a, *more, **named: copied(as_float(a)),
+    "__copy__": copied,
+    "__deepcopy__": copied,
+    "astype": converted,
     "item": lambda a, *at: a[at] if at else (objects(a).ravel()[0] if a.shape else a),
     "tolist": lambda a: objects(a).tolist(),
-    "squeeze": lambda a, *more: packed(a.tape, objects(a).squeeze()),
-    "transpose": lambda a, *more: a.T if not more else np.transpose(a, *more),
+    "squeeze": squeezed,
+    "transpose": transposed,
     "round": rounded,
-    "cumsum": lambda a, *more, **named: exploded(a.tape, np.cumsum, (a, *more), named),
+    "cumsum": lambda a, axis=None, **more: accumulated(np.add, a, axis),
     "fill": lambda a, value: a.__setitem__(..., value),
     "diagonal": diagonal,
+    "is_integer": lambda a: np.floor(a) == a,
+    "conj": lambda a: a,
+    "conjugate": lambda a: a,
+    **{  # what NumPy asks of the elements of arrays of objects
+        name: (lambda ufunc: lambda a, *b: ufunc(a, *b))(getattr(np, name))
+        for name in (
+            *("sin", "cos", "tan", "arcsin", "arccos", "arctan", "arctan2", "sinh", "cosh", "tanh"),
+            *("exp", "expm1", "log", "log1p", "log2", "log10", "sqrt", "cbrt", "hypot", "fmod"),
+            *("floor", "ceil", "trunc", "rint", "fabs", "sign", "square", "deg2rad", "rad2deg"),
+        )
+    },
 }
-
-
-def as_float(a: Any) -> Any:
-    """Return truth values as numbers."""
-    from .arrays import as_number
-
-    return as_number(a)
-
 

@@ -3,65 +3,167 @@
     f(t, x, u, p)  ->  what each port is, as operations on t, the ports of x and u, the fields of p
 
 A question (``if u[0] > 0``) is answered both ways: the function runs again with the other
-answer, and what the ways return is joined by `where`.  A way that raises is NaN.
+answer, and what the ways return is joined by `where`.  A way that raises is NaN.  A signal that
+Python counts with is asked which whole number it is, up to the first IndexError.  What is read
+twice must be the same: else a state or chance hides in the function.
 """
 
+import sys
 from collections.abc import Callable, Mapping
 from math import nan, prod
-from typing import Any
+from types import FrameType
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..errors import BlockError
-from .arrays import Array, Tape, Unread, as_number, lifted, operand, packed, where
-from .numpy_functions import objects
+from .arrays import (
+    Array,
+    Tape,
+    Unread,
+    as_number,
+    lifted,
+    operand,
+    packed,
+    reading_on,
+    where,
+)
+from .copies import LIBRARIES, Copies, borrowed
 from .record import Record, Ref, Shape, compact, reached
+from .stand_ins import BUILTINS
+from .ufuncs import objects
 
 MOST_WAYS = 256
+MOST_QUESTIONS = 64  # on one way
+MOST_PLACES = 64  # which whole numbers a signal is asked for
+MOST_MODULES = 20  # into which stand-ins are put
 RAISED = (ArithmeticError, IndexError, ValueError, AssertionError)  # of numbers; such a way is NaN
+
+
+class Read(NamedTuple):
+    """What reading a function gave."""
+
+    record: Record
+    pinned: frozenset[str]  # parameters with whose values it was made
+    raised: tuple[str, ...] = ()  # what ways that are NaN raised
+
+
+class Borrowed(Exception):
+    """A helper that is reached through an object needs stand-ins in its module."""
+
+    def __init__(self, space: dict[str, Any]):
+        super().__init__(space.get("__name__", ""))
+        self.space = space
+
+
+class Outside(Exception):
+    """A way that no run takes: a place that no row has."""
 
 
 class Reading(Tape):
     """A tape with the answers that this way through the function takes."""
 
-    def __init__(self, parameters: Mapping[str, Any]) -> None:
+    def __init__(self, parameters: Mapping[str, Any], spaces: list[dict[str, Any]]) -> None:
         super().__init__()
-        self.parameters = parameters
+        self.parameters, self.spaces = parameters, spaces
         self.pinned: set[str] = set()  # parameters whose value Python asked for
         self.way: list[bool] = []
         self.answers: dict[int, bool] = {}
+        self.rows: dict[int, int] = {}  # length of the row in which a signal is a place
+        self.asked: tuple[int, int] | None = None  # the signal last asked, and the answer
 
     def question(self, ref: Ref) -> bool:
         """Answer a condition: as this way says, or by the parameters if they decide."""
-        if type(ref) is float:
-            return bool(ref)
-        known = self.value_of(ref)
-        if known is not None:
-            return bool(known)
+        if type(ref) is float or not self.free[ref]:
+            return bool(self.known(ref).item())
         if ref not in self.answers:
             k = len(self.answers)
+            if k >= MOST_QUESTIONS:
+                raise Unread(
+                    f"asks more than {MOST_QUESTIONS} questions that depend on signals; write "
+                    "np.where, and no `while` on a signal"
+                )
             self.answers[ref] = self.way[k] if k < len(self.way) else True
         return self.answers[ref]
 
-    def number(self, ref: Ref) -> float:
+    def numbers(self, ref: Ref) -> np.ndarray:
         """Return what Python asks for; only parameters have a value."""
-        known = self.value_of(ref)
-        if known is None:
-            raise Unread("asking for the value of a signal")
-        return float(known)
+        if type(ref) is float or not self.free[ref]:
+            return self.known(ref)
+        frame = _asking()
+        space, where_ = frame.f_globals, f"{frame.f_code.co_name}, line {frame.f_lineno}"
+        library = (space.get("__name__") or "").partition(".")[0]
+        if library in LIBRARIES:
+            raise Unread(
+                f"{library} ({where_}) asks for the value of a signal; write what it computes in "
+                "NumPy"
+            )
+        if space.get("__builtins__") is BUILTINS or any(space is one for one in self.spaces):
+            raise Unread(
+                "needs the value of a signal; write NumPy, and fill arrays where they are made"
+            )
+        self.stopped = Borrowed(space)
+        raise self.stopped
 
-    def value_of(self, ref: Ref) -> Any:
+    def known(self, ref: Ref) -> np.ndarray:
         """Return the value of what depends on parameters alone, which are then pinned."""
         if type(ref) is float:
-            return ref
+            return np.asarray(ref)
         used = reached(self.operations, [ref])
         leaves = [self.operations[k].at for k in used if self.operations[k].kind == "leaf"]
-        if any(group != "p" for group, _ in leaves):
-            return None
         self.pinned |= {name for _, name in leaves}
         record = compact(self.operations, [ref])
         return record.values(lambda group, name: self.parameters[name], {})[0]
 
+    def whole(self, number: Array) -> int:
+        """Return the whole number that Python counts with; a signal is asked which one it is."""
+        ref = number.ref
+        if type(ref) is float or not self.free[ref]:
+            value = self.known(ref).item()
+            if value != int(value):
+                raise TypeError("only integers can be used as an index")
+            return int(value)
+        count = self.rows.get(ref, MOST_PLACES)
+        for k in (*range(count + 1), *range(-1, -count - 1, -1)):
+            if k == MOST_PLACES:
+                raise Unread(
+                    "counts with a signal; let a number of the run choose by np.where or lookup"
+                )
+            self.asked = ref, k
+            if number == float(k):
+                return k
+        self.asked = None
+        raise Outside
+
+    def ended(self, error: Exception) -> None:
+        """Learn from a way that raised where a row ends."""
+        if isinstance(error, IndexError) and self.asked and self.asked[1] >= 0:
+            self.rows.setdefault(*self.asked)
+
+
+def _asking() -> FrameType:
+    """Return the frame in which a number is asked for, past NumPy and the record's own."""
+    frame = sys._getframe(2)
+    while frame.f_back is not None and _own(frame):
+        frame = frame.f_back
+    return frame
+
+
+def _own(frame: FrameType) -> bool:
+    name = frame.f_globals.get("__name__") or ""
+    return name.startswith("numpy") or name.startswith(__package__)
+
+
+def located(error: Exception, function: Any) -> str:
+    """Return function and line in which a reading ended, for a sentence."""
+    found, trace = "", error.__traceback__
+    while trace is not None:
+        frame, trace_line = trace.tb_frame, trace.tb_lineno
+        name = frame.f_globals.get("__name__") or ""
+        if not _own(frame) and name.partition(".")[0] not in LIBRARIES:
+            found = f"{frame.f_code.co_name}, line {trace_line}: "
+        trace = trace.tb_next
+    return found or f"{getattr(function, '__name__', 'it')}: "
 
 class Ports(Array):
     """States or inputs without values: a vector, with its ports as views."""
@@ -76,6 +178,9 @@ class Ports(Array):
         size: Any = sum(map(prod, shapes.values())) if known else f"len({group})"
         self._node: int | None = None
         super().__init__(tape, -1, (size,))
+        self.fixed = True
+        for leaf in self.ports.values():
+            leaf.fixed = True
 
     @property
     def node(self) -> int:  # type: ignore[override]
@@ -136,39 +241,113 @@ def read(
     parameters: Mapping[str, Any],
     shapes: Mapping[str, Shape],
     out: Mapping[str, Shape],
-) -> tuple[Record, set[str]]:
-    """Return the record of a function and the parameters whose values it is made with.
+    given_as: Callable[[dict[str, Any]], Any] = Fields,
+) -> Read:
+    """Return the record of a function, and the parameters whose values it is made with.
 
-    Raises `Unread` where it cannot be read.
+    `shapes` holds those of the parameters that stay open; others are given as they are.  Raises
+    `Unread` where it cannot be read.
     """
-    tape = Reading(parameters)
-    t = tape.add("leaf", (), (), ("t", "t"))
-    fields = {
-        name: tape.add("leaf", (), shapes[name], ("p", name)) if name in shapes else value
-        for name, value in parameters.items()
-    }
-    ways: list[tuple[dict[int, bool], list[Any]]] = []
-    while True:
-        tape.answers = {}
-        x, u = Ports(tape, "x", states), Ports(tape, "u", inputs)
+    spaces: list[dict[str, Any]] = []
+    found: list[Read] = []
+    while len(found) < 2:
         try:
-            given = function(t, x, u, Fields(fields))
-            found = _by_port(tape, role, given, out)
-        except RAISED as error:
-            if not tape.answers:
-                raise Unread(f"{type(error).__name__}: {error}") from error
-            found = [_filled(tape, nan, shape) for shape in out.values()]
-        ways.append((tape.answers, found))
-        if len(ways) > MOST_WAYS:
-            raise Unread(f"more than {MOST_WAYS} ways through its questions")
-        way = list(tape.answers.values())
-        while way and not way[-1]:
-            way.pop()
-        if not way:
-            break
-        tape.way = [*way[:-1], False]
-    outputs = [operand(one) for one in _joined(tape, ways, 0)]
-    return compact(tape.operations, outputs, out.values()), tape.pinned
+            ways = _Ways(function, role, parameters, out, spaces)
+            found.append(ways.read(states, inputs, shapes, given_as))
+        except Borrowed as borrower:
+            if len(spaces) >= MOST_MODULES:
+                raise Unread(f"runs helpers of more than {MOST_MODULES} modules") from None
+            spaces.append(borrower.space)
+            found.clear()
+    if found[0].record != found[1].record:
+        raise Unread(
+            f"{_name(function)} does not do the same twice: it keeps a state outside, or draws by "
+            "chance; make it a state of the block"
+        )
+    return found[0]
+
+
+class _Ways:
+    """All ways through a function, one after the other."""
+
+    def __init__(
+        self,
+        function: Callable,
+        role: str,
+        parameters: Mapping[str, Any],
+        out: Mapping[str, Shape],
+        spaces: list[dict[str, Any]],
+    ):
+        self.function, self.role, self.out, self.spaces = function, role, out, spaces
+        self.tape, self.copies = Reading(parameters, spaces), Copies()
+        self.ways: list[tuple[dict[int, bool], list[Any]]] = []
+        self.raised: dict[str, None] = {}
+
+    def read(
+        self,
+        states: Mapping[str, Shape],
+        inputs: Mapping[str, Shape],
+        shapes: Mapping[str, Shape],
+        given_as: Callable[[dict[str, Any]], Any],
+    ) -> Read:
+        """Run the function on each of its ways, and join what they return."""
+        tape, copied = self.tape, self.copies.of(self.function)
+        t = tape.add("leaf", (), (), ("t", "t"))
+        fields = {
+            name: self._leaf(name, shapes[name]) if name in shapes else self.copies.of(value)
+            for name, value in tape.parameters.items()
+        }
+        while True:
+            tape.answers, tape.asked = {}, None
+            x, u = Ports(tape, "x", states), Ports(tape, "u", inputs)
+            found = self._way(lambda: copied(t, x, u, given_as(dict(fields))))  # noqa: B023
+            self.ways.append((tape.answers, found))
+            if len(self.ways) > MOST_WAYS:
+                raise Unread(f"{_name(self.function)} has more than {MOST_WAYS} ways through it")
+            way = list(tape.answers.values())
+            while way and not way[-1]:
+                way.pop()
+            if not way:
+                break
+            tape.way = [*way[:-1], False]
+        self.copies.check()
+        outputs = [operand(one) for one in _joined(tape, self.ways, 0)]
+        record = compact(tape.operations, outputs, self.out.values())
+        return Read(record, frozenset(tape.pinned), tuple(self.raised))
+
+    def _leaf(self, name: str, shape: Shape) -> Array:
+        leaf = self.tape.add("leaf", (), shape, ("p", name))
+        leaf.fixed = True
+        return leaf
+
+    def _way(self, run: Callable[[], Any]) -> list[Any]:
+        """Return what one way gives, for each port; NaN where it raises."""
+        tape, found = self.tape, None
+        try:
+            with borrowed(self.spaces), reading_on(tape):
+                found = _by_port(tape, self.role, run(), self.out)
+        except (Borrowed, BlockError):
+            raise
+        except (*RAISED, Outside) as error:
+            tape.ended(error)
+            sentence = f"{located(error, self.function)}{type(error).__name__}: {error}"
+            self.raised[sentence] = None
+            if not tape.answers and tape.stopped is None:
+                raise Unread(sentence) from None
+            found = [_filled(tape, nan, shape) for shape in self.out.values()]
+        except Unread as error:
+            raise Unread(f"{located(error, self.function)}{error}") from None
+        except Exception as error:
+            if tape.stopped is None:
+                said = f"{type(error).__name__}: {error}"
+                raise Unread(f"{located(error, self.function)}{said}") from None
+        if tape.stopped is not None:  # and the function went on
+            raise tape.stopped
+        return found or []
+
+
+def _name(function: Any) -> str:
+    return getattr(function, "__name__", type(function).__name__)
 
 
 def record_of_states(shapes: Mapping[str, Shape]) -> Record:

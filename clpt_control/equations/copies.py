@@ -1,0 +1,145 @@
+"""Copies of functions, whose modules and built-in names are stand-ins.
+
+A function runs as it is written; only what its names stand for is replaced, in a copy of it and
+of the functions that it calls by name.  A helper that is reached through an object runs with its
+own names; where it asks for the number of a signal, `Borrowed` puts stand-ins into its module for
+the length of a reading, under a lock, and then puts the module's own names back.
+"""
+
+import functools
+import threading
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from types import CellType, CodeType, FunctionType, MethodType
+from typing import Any
+
+from .arrays import Unread
+from .stand_ins import BUILTINS, SHADOWS, stand_in
+from .tables import table_of
+
+LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
+_LOCK = threading.RLock()
+_NONE = object()
+
+
+class Copies:
+    """The copies of one reading, which tell whether a function changed a name of its module."""
+
+    def __init__(self) -> None:
+        self._known: dict[int, Any] = {}
+        self._kept: list[Any] = []  # alive, so that places stay theirs
+        self._spaces: dict[int, tuple[dict, dict]] = {}  # names of a module: copied, as they began
+        self._cells: list[tuple[CellType, Any, str]] = []
+
+    def of(self, value: Any) -> Any:
+        """Return what stands for a value: a copy of a function, a stand-in, or itself."""
+        if isinstance(value, int | float | str):
+            return value
+        if id(value) not in self._known:
+            self._kept.append(value)
+            self._known[id(value)] = value  # of a value that holds itself
+            self._known[id(value)] = self._made(value)
+        return self._known[id(value)]
+
+    def _made(self, value: Any) -> Any:
+        if isinstance(value, FunctionType):
+            return self._function(value)
+        if isinstance(value, MethodType):
+            return MethodType(self.of(value.__func__), value.__self__)
+        if isinstance(value, functools.partial):
+            own = {name: self.of(one) for name, one in value.keywords.items()}
+            return functools.partial(self.of(value.func), *map(self.of, value.args), **own)
+        if isinstance(value, functools._lru_cache_wrapper) or hasattr(value, "py_func"):
+            return self.of(getattr(value, "py_func", None) or value.__wrapped__)
+        if type(value) in (list, tuple) and len(value) < 100:
+            own_items = [self.of(one) for one in value]
+            changed = any(a is not b for a, b in zip(own_items, value, strict=True))
+            return type(value)(own_items) if changed else value
+        if type(value) is dict and len(value) < 100:
+            items = {key: self.of(one) for key, one in value.items()}
+            return items if any(items[key] is not value[key] for key in value) else value
+        table = table_of(value)
+        if table is not None:
+            return table
+        return stand_in(value)
+
+    def _function(self, function: FunctionType) -> Any:
+        if (function.__module__ or "").partition(".")[0] in LIBRARIES:
+            return stand_in(function)
+        space = self._space(function.__globals__)
+        cells = tuple(CellType() for _ in function.__closure__ or ())
+        made = FunctionType(function.__code__, space, function.__name__, None, cells or None)
+        made.__module__, made.__qualname__ = function.__module__, function.__qualname__
+        self._known[id(function)] = made
+        made.__defaults__ = function.__defaults__ and tuple(map(self.of, function.__defaults__))
+        if function.__kwdefaults__:
+            made.__kwdefaults__ = {k: self.of(v) for k, v in function.__kwdefaults__.items()}
+        names = function.__code__.co_freevars
+        for cell, old, name in zip(cells, function.__closure__ or (), names, strict=True):
+            try:
+                cell.cell_contents = self.of(old.cell_contents)
+                self._cells.append((cell, cell.cell_contents, name))
+            except ValueError:  # not bound yet
+                continue
+        first = self._spaces[id(function.__globals__)][1]
+        for name in _names(function.__code__):
+            if name in function.__globals__ and first[name] is space[name]:
+                space[name] = first[name] = self.of(function.__globals__[name])
+        return made
+
+    def _space(self, own: dict[str, Any]) -> dict[str, Any]:
+        if id(own) not in self._spaces:
+            copied = {**own, "__builtins__": BUILTINS}
+            self._spaces[id(own)] = copied, dict(copied)
+        return self._spaces[id(own)][0]
+
+    def check(self) -> None:
+        """Refuse a function that changed a name outside it: what it keeps is a state."""
+        for space, first in self._spaces.values():
+            for name, value in space.items():
+                if value is not first.get(name, _NONE):
+                    raise Unread(f"changes the global {name!r}; make it a state, or a parameter")
+        for cell, first, name in self._cells:
+            if cell.cell_contents is not first:
+                raise Unread(f"changes {name!r} of the function around it; make it a state")
+
+
+def _names(code: CodeType) -> Iterator[str]:
+    """Yield the names that code asks for, with those of functions made in it."""
+    yield from code.co_names
+    for one in code.co_consts:
+        if isinstance(one, CodeType):
+            yield from _names(one)
+
+
+@contextmanager
+def borrowed(spaces: list[dict[str, Any]]) -> Iterator[None]:
+    """Put stand-ins into modules for as long as a function is read."""
+    if not spaces:
+        yield
+        return
+    with _LOCK:
+        undo: list[tuple[dict, str, Any]] = []
+        try:
+            for space in spaces:
+                for name, made in {**SHADOWS, **_stood(space)}.items():
+                    undo.append((space, name, space.get(name, _NONE)))
+                    space[name] = made
+            yield
+        finally:
+            for space, name, value in reversed(undo):
+                if value is _NONE:
+                    del space[name]
+                else:
+                    space[name] = value
+
+
+def _stood(space: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the names of a module that have stand-ins; a name of its own is never shadowed."""
+    found = {name: value for name, value in space.items() if name in SHADOWS}
+    for name, value in list(space.items()):
+        if not name.startswith("__"):
+            made = table_of(value) or stand_in(value)
+            if made is not value:
+                found[name] = made
+    return found

@@ -1,0 +1,250 @@
+"""What NumPy's ufuncs do with arrays of the record."""
+
+from collections.abc import Callable
+from functools import reduce
+from typing import Any
+
+import numpy as np
+
+from .arrays import (
+    UFUNCS,
+    Array,
+    Tape,
+    Unread,
+    constant,
+    elementwise,
+    lifted,
+    numbers_of,
+    packed,
+    total,
+    where,
+)
+
+
+def called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
+    """Write down a ufunc."""
+    out = more.pop("out", None)
+    condition = more.pop("where", True)
+    for unused in ("casting", "dtype", "subok", "order"):
+        more.pop(unused, None)
+    found = _called(tape, ufunc, method, inputs, more)
+    if condition is not True:
+        held = out[0] if out is not None else 0.0
+        found = where(lifted(tape, condition), found, lifted(tape, held))
+    if out is None or (isinstance(out[0], Array) and not out[0].shape):  # a number is replaced
+        return found
+    if not isinstance(out[0], Array):
+        raise Unread("writes signals into an array made elsewhere; make it where it is filled")
+    out[0][...] = found
+    return out[0]
+
+
+def _called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
+    if not depends(inputs):
+        return fresh(tape, getattr(ufunc, method)(*as_numbers(tuple(inputs)), **more))
+    if method == "reduce":
+        return _reduced(tape, ufunc, *inputs, **more)
+    if method == "accumulate":
+        return accumulated(lambda v, w: ufunc(v, w), lifted(tape, inputs[0]), *inputs[1:], **more)
+    if method == "outer":
+        a, b = (lifted(tape, one) for one in inputs)
+        return ufunc(_spread(a, np.ndim(b)), b)
+    own = [lifted(tape, one) for one in inputs]
+    if method != "__call__" or more:
+        return unread(f"np.{ufunc.__name__}.{method}")
+    if ufunc in UFUNCS:
+        return elementwise(UFUNCS[ufunc], *own)
+    name = ufunc.__name__
+    return COMPOSED[name](*own) if name in COMPOSED else unread(f"np.{name}")
+
+
+def depends(value: Any) -> bool:
+    """Return whether a signal or a parameter is among arguments."""
+    if isinstance(value, Array):
+        return numbers_of(value) is None
+    if isinstance(value, list | tuple):
+        return any(map(depends, value))
+    return isinstance(value, np.ndarray) and value.dtype == object
+
+
+def as_numbers(value: Any) -> Any:
+    """Return arguments that depend on nothing as numbers."""
+    if isinstance(value, Array):
+        return numbers_of(value)
+    return type(value)(map(as_numbers, value)) if type(value) in (list, tuple) else value
+
+
+def fresh(tape: Tape, found: Any) -> Any:
+    """Return a new array of doubles as one that signals may be written into."""
+    if type(found) is np.ndarray and found.dtype == float and found.ndim and found.size < 20_000:
+        return constant(tape, found)
+    return found
+
+
+def unread(what: str) -> Any:
+    """Say that something cannot be read."""
+    raise Unread(f"{what} of signals")
+
+
+def _spread(a: Any, more: int) -> Any:
+    return a[(..., *[None] * more)] if np.ndim(a) and more else a
+
+
+def _reduced(
+    tape: Tape,
+    ufunc: Any,
+    a: Any,
+    axis: Any = 0,
+    dtype: Any = None,
+    out: Any = None,
+    keepdims: Any = False,
+    initial: Any = None,
+) -> Any:
+    a = lifted(tape, a)
+    if ufunc is np.add:
+        return summed(a, axis, keepdims=keepdims)
+    return folded(ufunc, a, axis, keepdims)
+
+
+def folded(join: Callable[[Any, Any], Any], a: Array, axis: Any, keepdims: Any = False) -> Any:
+    """Join the elements along an axis, or all, one after the other."""
+    if axis is None:
+        return reduce(join, a.elements().ravel())
+    parts = _along(a, axis)
+    if not parts:
+        raise ValueError("zero-size array to reduction operation")
+    found = reduce(join, parts)
+    kept = (*[slice(None)] * (axis % a.ndim), None)
+    return found[kept] if keepdims and isinstance(found, Array) else found
+
+
+def _along(a: Array, axis: int) -> list[Any]:
+    axis %= a.ndim
+    return [a[(*[slice(None)] * axis, k)] for k in range(a.counted()[axis])]
+
+
+def accumulated(join: Callable, a: Array, axis: Any = None, dtype: Any = None) -> Any:
+    """Return what joining the elements along an axis gives on the way, as np.cumsum does."""
+    if axis is None and a.ndim > 1:
+        a = a.reshape(-1)
+    parts = _along(a, axis or 0)
+    for k in range(1, len(parts)):
+        parts[k] = join(parts[k - 1], parts[k])
+    return np.stack(parts, axis or 0)
+
+
+def summed(
+    a: Any, axis: Any = None, dtype: Any = None, out: Any = None, keepdims: Any = False, **more: Any
+) -> Any:
+    """Return the sum over all axes, one or some."""
+    if not a.shape:
+        return a
+    axes = range(a.ndim) if axis is None else [axis] if isinstance(axis, int) else axis
+    for d in sorted((d % a.ndim for d in axes), reverse=True):
+        a = total(a, d)
+        if keepdims and isinstance(a, Array):
+            a = a[(*[slice(None)] * d, None)]
+    return a
+
+
+def matmul(a: Any, b: Any) -> Any:
+    """Return a @ b."""
+    if not np.ndim(a) or not np.ndim(b):
+        raise ValueError("matmul: an operand is a scalar")
+    if a.ndim > 2 or b.ndim > 2:
+        return unread("matmul of more than two axes")
+    if a.shape[-1] != b.shape[0]:
+        raise ValueError(f"matmul: shapes {a.shape} and {b.shape} do not fit")
+    if b.ndim == 1:
+        return total(elementwise("mul", a, b), a.ndim - 1)
+    if a.ndim == 1:
+        return total(elementwise("mul", a[:, None], b), 0)
+    return total(elementwise("mul", a[:, :, None], b[None, :, :]), 1)
+
+
+def rounded(a: Array, decimals: Any = None, out: Any = None) -> Any:
+    """Return numbers rounded to even."""
+    if decimals:
+        scale = 10.0 ** abs(int(decimals))
+        return rounded(a * scale) / scale if decimals > 0 else rounded(a / scale) * scale
+    low = np.floor(a)
+    rest, odd = a - low, np.remainder(low, 2.0)
+    return where((rest > 0.5) | ((rest == 0.5) & (odd > 0.5)), low + 1.0, low)
+
+
+def negative(a: Any) -> Any:
+    """Return whether a sign is a minus, of -0 too."""
+    return (a < 0) | (elementwise("div", 1.0, a) < 0)
+
+
+def copied_sign(a: Any, b: Any) -> Any:
+    """Return |a| with the sign of b."""
+    size = np.fabs(a)
+    return where(negative(b), -size, size) if isinstance(b, Array) else np.copysign(1.0, b) * size
+
+
+def fmod(a: Any, b: Any) -> Any:
+    """Return the rest of a / b, which has a's sign."""
+    rest = elementwise("mod", np.fabs(a), np.fabs(b))
+    return where(np.asarray(a < 0)[()] if not isinstance(a, Array) else a < 0, -rest, rest)
+
+
+def power(a: Any, b: Any) -> Any:
+    """Return a**b; of a small whole power a product, as NumPy makes a square."""
+    return elementwise("mul", a, a) if type(b) is float and b == 2.0 else elementwise("pow", a, b)
+
+
+def spread_out(a: Any, b: Any) -> Any:
+    """Return log(exp a + exp b)."""
+    return np.maximum(a, b) + np.log1p(np.exp(-np.fabs(a - b)))
+
+
+COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special too
+    "matmul": matmul,
+    "vecdot": lambda a, b: total(a * b, a.ndim - 1),
+    "matvec": matmul,
+    "power": power,
+    "float_power": power,
+    "square": lambda a: elementwise("mul", a, a),
+    "reciprocal": lambda a: elementwise("div", 1.0, a),
+    "positive": lambda a: a,
+    "conjugate": lambda a: a,
+    "fmin": lambda a, b: elementwise("minimum", a, b),
+    "fmax": lambda a, b: elementwise("maximum", a, b),
+    "deg2rad": lambda a: elementwise("mul", a, np.pi / 180),
+    "radians": lambda a: elementwise("mul", a, np.pi / 180),
+    "rad2deg": lambda a: elementwise("mul", a, 180 / np.pi),
+    "degrees": lambda a: elementwise("mul", a, 180 / np.pi),
+    "exp2": lambda a: elementwise("pow", 2.0, a),
+    "cbrt": lambda a: np.sign(a) * np.fabs(a) ** (1 / 3),
+    "rint": rounded,
+    "isnan": lambda a: elementwise("ne", a, a),
+    "isfinite": lambda a: elementwise("lt", elementwise("fabs", a), np.inf),
+    "isinf": lambda a: elementwise("eq", elementwise("fabs", a), np.inf),
+    "heaviside": lambda a, b: where(a == 0, b, where(a > 0, 1.0, where(a < 0, 0.0, a))),
+    "copysign": copied_sign,
+    "signbit": negative,
+    "logical_xor": lambda a, b: elementwise("ne", elementwise("ne", a, 0.0), elementwise("ne", b, 0.0)),
+    "fmod": fmod,
+    "divmod": lambda a, b: (np.floor_divide(a, b), np.remainder(a, b)),
+    "modf": lambda a: (a - np.trunc(a), np.trunc(a)),
+    "logaddexp": spread_out,
+    "erf": lambda a: elementwise("erf", a),
+    "erfc": lambda a: elementwise("erfc", a),
+    "expit": lambda a: 1.0 / (1.0 + np.exp(-a)),
+    "log_expit": lambda a: -np.log1p(np.exp(-a)),
+}
+
+
+def objects(value: Any) -> np.ndarray:
+    """Return an array of objects."""
+    return value.elements() if isinstance(value, Array) else np.asarray(value, dtype=object)
+
+
+def repacked(tape: Tape, found: Any) -> Any:
+    """Return what NumPy made of arrays of objects."""
+    if isinstance(found, tuple | list):
+        return type(found)(repacked(tape, one) for one in found)
+    if isinstance(found, np.ndarray) and found.dtype == object:
+        return packed(tape, found)
+    return fresh(tape, found)
