@@ -17,7 +17,7 @@ from clpt_control.blocks import (
     team,
     vehicle,
 )
-from clpt_control.blocks.laws.law import Gains, Truth
+from clpt_control.blocks.laws.known import Gains, Truth
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.currents.field_file import GriddedField
 from clpt_control.theory.proving.theorem_loop import theorem_scenario
@@ -31,8 +31,7 @@ GAINS = {
 
 
 def basis_parameters(rng, N):
-    return basis.BasisParameters(
-        N,
+    return (
         rng.uniform(-3, 3, (N, 2)),
         rng.uniform(1, 4, N),
         rng.uniform(0, 2, N),
@@ -51,7 +50,7 @@ def package_blocks():
     yield "vehicle", vehicle.vehicle()
     yield "learning_model", learner.learning_model()
     yield "learning_model-hedged", learner.learning_model(hedged=True)
-    yield "speed_limit", speed_limit.speed_limit(speed_limit.SpeedLimitParameters(1.5))
+    yield "speed_limit", speed_limit.speed_limit(1.5)
     yield "hedging", speed_limit.hedging()
     for count in (1, 2, 7):
         points = rng.uniform(-3, 3, (count, 2))
@@ -62,9 +61,8 @@ def package_blocks():
             f"disturbance-{kind}",
             disturbance.disturbance(kind, [0.3, -0.7], period=1.3, seed=5.0),
         )
-    seen = localization.MeasurementParameters(0.3, 1.3, 5.0)
-    yield "measurement", localization.measurement(seen)
-    yield "fixes", localization.fixes(localization.FixParameters(0.3, 5.0, 0.4, 5.0))
+    yield "measurement", localization.measurement(0.3, 1.3, 5.0)
+    yield "fixes", localization.fixes(0.3, 5.0, 0.4, 5.0)
     yield "vehicle-measured", vehicle.vehicle(localization.TRUE)
     for outside in ("raise", "clip", "stop"):
         yield f"field-{outside}", field.gridded_flow(grid(rng), outside)
@@ -77,37 +75,18 @@ def package_blocks():
             for name, position in (("basis_x", "x"), ("basis_z", "z")):
                 yield (
                     f"{name}-{kernel}-{N}",
-                    basis.flow_basis(name, position, kernel, basis_parameters(rng, N)),
+                    basis.flow_basis(name, position, kernel, *basis_parameters(rng, N)),
                 )
         for disturbed in (False, True):
-            yield (
-                f"true_flow-{disturbed}-{N}",
-                flow.true_flow(flow.TrueFlowParameters(N, theta), disturbed),
-            )
-        yield f"modeled_flow-{N}", flow.modeled_flow(flow.ModeledFlowParameters(N, a))
-        yield (
-            f"vehicle_controller-{N}",
-            vehicle.vehicle_controller(vehicle.ControllerParameters(N, a, KD, GammaD)),
-        )
-        yield (
-            f"vehicle_controller-z-{N}",
-            vehicle.vehicle_controller(
-                vehicle.ControllerParameters(N, a, KD, GammaD), position="z"
-            ),
-        )
-        yield (
-            f"vehicle_controller-limited-{N}",
-            vehicle.vehicle_controller(vehicle.ControllerParameters(N, a, KD, GammaD), True),
-        )
+            yield f"true_flow-{disturbed}-{N}", flow.true_flow(theta, disturbed)
+        yield f"modeled_flow-{N}", flow.modeled_flow(a)
+        yield f"vehicle_controller-{N}", vehicle.vehicle_controller(a, KD, GammaD)
+        at_z = vehicle.vehicle_controller(a, KD, GammaD, position="z")
+        yield f"vehicle_controller-z-{N}", at_z
+        yield f"vehicle_controller-limited-{N}", vehicle.vehicle_controller(a, KD, GammaD, True)
         yield f"learning_controller-{N}", learner.learning_controller(N)
-        yield (
-            f"injection-known-{N}",
-            learner.injection(learner.KnownFlowInjectionParameters(N, a, b)),
-        )
-        yield (
-            f"injection-learned-{N}",
-            learner.injection(learner.LearnedFlowInjectionParameters(N, a)),
-        )
+        yield f"injection-known-{N}", learner.known_flow_injection(a, b)
+        yield f"injection-learned-{N}", learner.learned_flow_injection(a)
         for name, law in LAWS.items():
             scenario = theorem_scenario(N, name)
             for way, gains in GAINS.items():
@@ -118,14 +97,8 @@ def package_blocks():
                     yield f"law-{name}-late-{way}-{N}", law.block(late.known_to_law)
                 if way == "one":
                     yield f"V-{name}-{N}", law.V(block.parameters, Truth(theta, KD, GammaD))
-        yield (
-            f"error_system-{N}",
-            error_system.error_system(error_system.ErrorSystemParameters(N, KD)),
-        )
-        yield (
-            f"parameter_system-{N}",
-            error_system.parameter_system(error_system.ParameterSystemParameters(N, 0.7)),
-        )
+        yield f"error_system-{N}", error_system.error_system(N, KD)
+        yield f"parameter_system-{N}", error_system.parameter_system(N, 0.7)
         for neighbours in ([], ["b"], ["b", "c"]):
             block = team.consensus_block("a", neighbours, N, 0.4)
             yield f"consensus-{len(neighbours)}-{N}", block

@@ -11,10 +11,9 @@ Ports: x[2], z[2] (length) -> e[2] (length).
 from ..equations.block import Block
 
 
-def prediction_error(t, x, u, p, y):
-    """e = x - z, Eq. (10): u = x[2], z[2] (length), y = e[2] (length)."""
-    for i in range(2):
-        y[i] = u[i] - u[2 + i]
+def prediction_error(t, x, u, p):
+    """e = x - z, Eq. (10)."""
+    return u.x - u.z
 
 
 def clpe() -> Block:

@@ -14,31 +14,21 @@ at any time, in any order.
 Ports: none -> delta[2] (length per time).
 """
 
-import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 
 from ..equations.block import Block
 from .reference import multiples
-from .words import floor
 
 MODULUS = 67108859.0  # the largest prime below 2^26: products stay exact in a double
-
-
-class DisturbanceParameters(NamedTuple):
-    """Size and timing of a disturbance."""
-
-    amplitude: np.ndarray  # shape (2,), length per time; of noise the standard deviation
-    period: float  # or how long noise is held, time
-    seed: float = 0.0  # of the noise, a whole number
-    interval: float = -1.0  # its number, kept by the integrator; -1: found from t
+AXES = np.arange(2.0)
 
 
 def remainder(a):
     """Return a mod MODULUS, exact for 0 <= a < 2^53."""
-    return a - MODULUS * floor(a / MODULUS)
+    return a - MODULUS * np.floor(a / MODULUS)
 
 
 def hash_fraction(seed, k, axis, stream):
@@ -56,41 +46,37 @@ def hash_fraction(seed, k, axis, stream):
 
 
 def normal(seed, k, axis):
-    """Return a standard normal number of the hash, as Box and Muller."""
-    radius = math.sqrt(-2 * math.log(hash_fraction(seed, k, axis, 0)))
-    return radius * math.cos(2 * math.pi * hash_fraction(seed, k, axis, 1))
+    """Return standard normal numbers of the hash, as Box and Muller."""
+    radius = np.sqrt(-2 * np.log(hash_fraction(seed, k, axis, 0)))
+    return radius * np.cos(2 * np.pi * hash_fraction(seed, k, axis, 1))
 
 
-def constant(t, x, u, p, y):
-    """Delta = a, Eq. (32): no inputs, y = delta[2] (length per time)."""
-    for i in range(2):
-        y[i] = p.amplitude[i]
+def constant(t, x, u, p):
+    """Delta = a, Eq. (32)."""
+    return p.amplitude
 
 
-def sine(t, x, u, p, y):
-    """Delta = a sin(2 pi t / T), Eq. (32): no inputs, y = delta[2] (length per time)."""
-    for i in range(2):
-        y[i] = p.amplitude[i] * math.sin(2 * math.pi * t / p.period)
+def sine(t, x, u, p):
+    """Delta = a sin(2 pi t / T), Eq. (32)."""
+    return p.amplitude * np.sin(2 * np.pi * t / p.period)
 
 
-def square(t, x, u, p, y):
-    """Delta = a, then -a, each half a period, Eq. (32): y = delta[2] (length per time)."""
-    for i in range(2):
-        y[i] = p.amplitude[i] * (1 - 2 * (p.interval % 2))
+def square(t, x, u, p):
+    """Delta = a, then -a, each half a period, Eq. (32)."""
+    return p.amplitude * (1 - 2 * (p.interval % 2))
 
 
-def noise(t, x, u, p, y):
-    """Delta = a n(interval), Eq. (32): y = delta[2] (length per time)."""
-    for i in range(2):
-        y[i] = p.amplitude[i] * normal(p.seed, p.interval, i)
+def noise(t, x, u, p):
+    """Delta = a n(interval), Eq. (32)."""
+    return p.amplitude * normal(p.seed, p.interval, AXES)
 
 
-def half_periods(p: DisturbanceParameters, t0: float, t1: float) -> np.ndarray:
+def half_periods(p: Any, t0: float, t1: float) -> np.ndarray:
     """Return the times in (t0, t1] where the square wave turns."""
     return multiples(0.5 * p.period, t0, t1)
 
 
-def periods(p: DisturbanceParameters, t0: float, t1: float) -> np.ndarray:
+def periods(p: Any, t0: float, t1: float) -> np.ndarray:
     """Return the times in (t0, t1] where the noise changes."""
     return multiples(p.period, t0, t1)
 
@@ -106,14 +92,21 @@ KINDS = {
 def disturbance(
     kind: str, amplitude: Sequence[float], period: float = 1.0, seed: float = 0.0
 ) -> Block:
-    """Make the disturbance, Delta of Eq. (32): amplitude of each axis, period in time."""
+    """Make the disturbance, Delta of Eq. (32): amplitude of each axis, period in time.
+
+    Of noise the amplitude is the standard deviation, and the seed is a whole number.
+    """
     output, breakpoints = KINDS[kind]
     return Block(
         "disturbance",
         output=output,
         outputs={"delta": 2},
-        parameters=DisturbanceParameters(np.asarray(amplitude, dtype=float), period, seed),
-        feedthrough=False,
+        parameters={
+            "amplitude": amplitude,
+            "period": float(period),
+            "seed": float(seed),
+            "interval": -1.0,
+        },
         opaque=True,
         breakpoints=breakpoints,
     )

@@ -12,74 +12,43 @@ Ports: phi_x[N], z[2], zc[2] (length), eta[2N+4] -> e[2] (length), a state;
 e[2], phi_x[N], z[2], zc[2] -> eta[2N+4], a state.
 """
 
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 
 from ..equations.block import Block
 
 
-class ErrorSystemParameters(NamedTuple):
-    """Parameters of the error system."""
-
-    N: int  # number of basis functions
-    KD: np.ndarray  # shape (2,), feedback gains of the vehicle, per time
-
-
-class ParameterSystemParameters(NamedTuple):
-    """Parameters of the parameter system."""
-
-    N: int  # number of basis functions
-    gain: float  # gamma > 0
+def error(t, x, u, p):
+    """e' = -KD e + W^T eta, Eq. (27)."""
+    N = len(u.phi_x)
+    flow, feedback, feedforward = u.eta[: 2 * N].reshape(2, N), u.eta[-4:-2], u.eta[-2:]
+    return -p.KD * x.e + flow @ u.phi_x + u.z * feedback + u.zc * feedforward
 
 
-def error(t, x, u, p, dx):
-    """e' = -KD e + W^T eta, Eq. (27).
-
-    u = phi_x[N], z[2], zc[2] (length), eta[2N+4]; state e[2] (length).
-    """
-    n = p.N
-    phi, z, zc, eta = u[0:n], u[n : n + 2], u[n + 2 : n + 4], u[n + 4 : 3 * n + 8]
-    for i in range(2):
-        flow = 0.0
-        for k in range(n):
-            flow += phi[k] * eta[i * n + k]
-        dx[i] = -p.KD[i] * x[i] + flow + z[i] * eta[2 * n + i] + zc[i] * eta[2 * n + 2 + i]
+def parameter(t, x, u, p):
+    """eta' = -gamma W e, the lower rows of Eq. (28)."""
+    We = (np.outer(u.e, u.phi_x).ravel(), u.z * u.e, u.zc * u.e)
+    return -p.gain * np.concatenate(We)
 
 
-def parameter(t, x, u, p, dx):
-    """eta' = -gamma W e, the lower rows of Eq. (28).
-
-    u = e[2] (length), phi_x[N], z[2], zc[2] (length); state eta[2N+4].
-    """
-    n = p.N
-    e, phi, z, zc = u[0:2], u[2 : 2 + n], u[2 + n : 4 + n], u[4 + n : 6 + n]
-    for i in range(2):
-        for k in range(n):
-            dx[i * n + k] = -p.gain * phi[k] * e[i]
-        dx[2 * n + i] = -p.gain * z[i] * e[i]
-        dx[2 * n + 2 + i] = -p.gain * zc[i] * e[i]
-
-
-def error_system(parameters: ErrorSystemParameters) -> Block:
-    """Make the error system, Eq. (27)."""
-    N = parameters.N
+def error_system(N: int, KD: Any) -> Block:
+    """Make the error system, Eq. (27); the gains KD are per time."""
     return Block(
         "error_system",
         update=error,
         inputs={"phi_x": N, "z": 2, "zc": 2, "eta": 2 * N + 4},
         states={"e": 2},
-        parameters=parameters,
+        parameters={"KD": KD},
     )
 
 
-def parameter_system(parameters: ParameterSystemParameters) -> Block:
-    """Make the parameter system, the lower rows of Eq. (28)."""
-    N = parameters.N
+def parameter_system(N: int, gain: float) -> Block:
+    """Make the parameter system, the lower rows of Eq. (28), with the gain gamma."""
     return Block(
         "parameter_system",
         update=parameter,
         inputs={"e": 2, "phi_x": N, "z": 2, "zc": 2},
         states={"eta": 2 * N + 4},
-        parameters=parameters,
+        parameters={"gain": gain},
     )

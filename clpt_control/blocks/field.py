@@ -11,83 +11,47 @@ Ports: x[2] (length), delta[2] where disturbed -> flow_x[2] (length per time).
 """
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
 from ..equations.block import Block
 from ..equations.declaration import Guard
-from .words import clip, floor, lookup, minimum, where
+from ..equations.lookup import lookup
 
 ADVICE = 'flow.outside = "clip" or "stop" goes on or ends there'  # what a scenario may say
+FOUR = np.arange(4.0)  # the coefficients of a spline at a place
 
 
-class FieldParameters(NamedTuple):
-    """Spline coefficients of a gridded current."""
-
-    shape: np.ndarray  # numbers of grid points nt, n2, n1: in time, x2 and x1
-    start: np.ndarray  # first grid point in time, x2 and x1
-    step: np.ndarray  # spacing in time, x2 and x1
-    u: np.ndarray  # coefficients of the flow along x1, length per time, flat with time slowest:
-    v: np.ndarray  # along x2; (nt + 2) * (n2 + 2) * (n1 + 2), one more on each side
-
-
-def coordinate(value, p, axis):
-    """Return a position in grid steps along an axis, held at the edges."""
-    return clip((value - p.start[axis]) / p.step[axis], 0.0, p.shape[axis] - 1)
-
-
-def cell(position, p, axis):
-    """Return the index of the grid cell that holds a position in grid steps."""
-    return minimum(floor(position), p.shape[axis] - 2)
+def place(t, u, p):
+    """Return where it is: grid steps in time, along x2 and along x1."""
+    return (np.stack([t, u[1], u[0]]) - p.start) / p.step
 
 
 def spline(d):
     """Return the cubic B-spline at distance d in [0, 2] grid steps."""
-    return where(d < 1, (4 - 6 * d**2 + 3 * d**3) / 6, (2 - d) ** 3 / 6)
+    return np.where(d < 1, (4 - 6 * d**2 + 3 * d**3) / 6, (2 - d) ** 3 / 6)
 
 
-def weight(position, first, k):
-    """Return the weight of the k-th of four coefficients, k = 0 ... 3."""
-    d = position - (first + k - 1)
-    return spline(where(d > 0, d, -d))
+def gridded(t, x, u, p):
+    """F_R from the grid, in place of Eq. (3)."""
+    here = np.clip(place(t, u, p), 0.0, p.shape - 1)
+    cell = np.minimum(np.floor(here), p.shape - 2)
+    m, j, i = cell[:, None] + FOUR
+    wm, wj, wi = spline(np.abs(here[:, None] - (cell[:, None] + FOUR - 1)))
+    row = (m[:, None, None] * (p.shape[1] + 2) + j[:, None]) * (p.shape[2] + 2) + i
+    weight = wm[:, None, None] * wj[:, None] * wi
+    return [np.sum(weight * lookup(p.u, row)), np.sum(weight * lookup(p.v, row))]
 
 
-def gridded(t, x, u, p, y):
-    """F_R from the grid, in place of Eq. (3): u = x[2] (length), y = flow_x[2] (length/time)."""
-    at, a2, a1 = coordinate(t, p, 0), coordinate(u[1], p, 1), coordinate(u[0], p, 2)
-    m, j, i = cell(at, p, 0), cell(a2, p, 1), cell(a1, p, 2)
-    flow_1, flow_2 = 0, 0
-    for km in range(4):
-        wt = weight(at, m, km)
-        for kj in range(4):
-            w = wt * weight(a2, j, kj)
-            row = ((m + km) * (p.shape[1] + 2) + j + kj) * (p.shape[2] + 2) + i
-            for ki in range(4):
-                c = w * weight(a1, i, ki)
-                flow_1 += c * lookup(p.u, row + ki)
-                flow_2 += c * lookup(p.v, row + ki)
-    y[0], y[1] = flow_1, flow_2
+def gridded_disturbed(t, x, u, p):
+    """F_R from the grid plus Delta, Eq. (32)."""
+    return np.stack(gridded(t, x, u, p)) + u.delta
 
 
-def gridded_disturbed(t, x, u, p, y):
-    """F_R from the grid plus Delta, Eq. (32): u = x[2], delta[2], y = flow_x[2]."""
-    gridded(t, x, u, p, y)
-    for i in range(2):
-        y[i] += u[2 + i]
-
-
-def steps_inside(value, p, axis):
-    """Return the grid steps from a coordinate to the nearer edge of its axis."""
-    here = (value - p.start[axis]) / p.step[axis]
-    return minimum(here, p.shape[axis] - 1 - here)
-
-
-def inside(t, x, u, p, y):
-    """Grid steps to the edge of the field, negative outside, Eq. (3): u = x[2] (length)."""
-    y[0] = minimum(
-        steps_inside(t, p, 0), minimum(steps_inside(u[1], p, 1), steps_inside(u[0], p, 2))
-    )
+def inside(t, x, u, p):
+    """Grid steps to the edge of the field, negative outside, Eq. (3)."""
+    here = place(t, u, p)
+    return np.min(np.minimum(here, p.shape - 1 - here))
 
 
 def spline_coefficients(values: np.ndarray) -> np.ndarray:
@@ -107,13 +71,6 @@ def gridded_flow(
     `units` are named in the message; `position` is the port of the true position.
     """
     axes = (grid.time, grid.x2, grid.x1)
-    parameters = FieldParameters(
-        np.array([len(axis) for axis in axes], dtype=float),
-        np.array([axis[0] for axis in axes]),
-        np.array([(axis[-1] - axis[0]) / (len(axis) - 1) for axis in axes]),
-        spline_coefficients(grid.u),
-        spline_coefficients(grid.v),
-    )
     length, time = (units.length, units.time) if units is not None else ("", "")
     guard = Guard(inside, outside, LeftTheField(length, time), ADVICE)
     return Block(
@@ -121,7 +78,15 @@ def gridded_flow(
         output=gridded_disturbed if disturbed else gridded,
         inputs={position: 2} | ({"delta": 2} if disturbed else {}),
         outputs={"flow_x": 2},
-        parameters=parameters,
+        parameters={
+            "shape": [float(len(axis)) for axis in axes],  # grid points in time, x2 and x1
+            "start": [axis[0] for axis in axes],  # the first of them
+            "step": [(axis[-1] - axis[0]) / (len(axis) - 1) for axis in axes],
+            # coefficients of the flow along x1 and x2, length per time, flat with time slowest,
+            # (nt + 2) (n2 + 2) (n1 + 2) of them, one more on each side
+            "u": spline_coefficients(grid.u),
+            "v": spline_coefficients(grid.v),
+        },
         opaque=True,
         guard=None if outside == "clip" else guard,
     )

@@ -11,25 +11,15 @@ Ports: none -> zc[2] (length).
 """
 
 import math
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 
 from ..equations.block import Block
+from ..equations.lookup import lookup
 from ..errors import BlockError
-from .words import lookup
 
 MOST_JUMPS = 2 * 10**7  # times of jumps that are listed
-
-
-class WaypointParameters(NamedTuple):
-    """Waypoints and how long each is held."""
-
-    n: int  # number of waypoints
-    x1: np.ndarray  # shape (n,), length
-    x2: np.ndarray  # shape (n,), length
-    dwell: float  # time tau at each waypoint
-    interval: float = -1.0  # its number j, kept by the integrator; -1: found from t
 
 
 def multiples(period: float, t0: float, t1: float) -> np.ndarray:
@@ -46,15 +36,15 @@ def multiples(period: float, t0: float, t1: float) -> np.ndarray:
     return times[(times > t0) & (times <= t1)]
 
 
-def dwell_ends(p: WaypointParameters, t0: float, t1: float) -> np.ndarray:
+def dwell_ends(p: Any, t0: float, t1: float) -> np.ndarray:
     """Return the times in (t0, t1] at which the next waypoint is taken."""
     return multiples(p.dwell, t0, t1)
 
 
-def waypoint(t, x, u, p, y):
-    """zc = waypoint (interval mod n), section IV: no inputs, y = zc[2] (length)."""
-    y[0] = lookup(p.x1, p.interval % p.n)
-    y[1] = lookup(p.x2, p.interval % p.n)
+def waypoint(t, x, u, p):
+    """zc = waypoint (interval mod n), section IV."""
+    j = p.interval % len(p.x1)
+    return [lookup(p.x1, j), lookup(p.x2, j)]
 
 
 def circle(radius: float, count: int) -> np.ndarray:
@@ -63,15 +53,14 @@ def circle(radius: float, count: int) -> np.ndarray:
     return radius * np.column_stack([np.cos(angle), np.sin(angle)])
 
 
-def reference(points: np.ndarray, dwell: float) -> Block:
+def reference(points: Any, dwell: float) -> Block:
     """Make the reference: waypoints of shape (n, 2) in turn, each for the time `dwell`."""
-    points = np.asarray(points, dtype=float)
+    x1, x2 = np.asarray(points, dtype=float).T
     return Block(
         "reference",
         output=waypoint,
         outputs={"zc": 2},
-        parameters=WaypointParameters(len(points), points[:, 0], points[:, 1], dwell),
-        feedthrough=False,
+        parameters={"x1": x1, "x2": x2, "dwell": float(dwell), "interval": -1.0},
         opaque=True,
         breakpoints=dwell_ends,
     )

@@ -10,40 +10,29 @@ Source: Johnson and Calise 2003, Journal of Guidance, Control, and Dynamics 26(6
 Ports, length per time: v_c[2] -> v_x[2], v = v_x; v_c[2], v_x[2] -> unflown[2], d.
 """
 
-import math
-from typing import NamedTuple
+import numpy as np
 
 from ..equations.block import Block
-from .words import maximum
 
 
-class SpeedLimitParameters(NamedTuple):
-    """How fast the vehicle is."""
-
-    max_speed: float  # v_max > 0, through the water, length per time
-
-
-def limited(t, x, u, p, y):
-    """v = v_c v_max / max(|v_c|, v_max), for Eq. (1): u = v_c[2], y = v_x[2] (length per time)."""
-    share = p.max_speed / maximum(math.sqrt(u[0] * u[0] + u[1] * u[1]), p.max_speed)
-    for i in range(2):
-        y[i] = share * u[i]
+def limited(t, x, u, p):
+    """v = v_c v_max / max(|v_c|, v_max), for Eq. (1)."""
+    return p.max_speed / np.maximum(np.sqrt(u.v_c @ u.v_c), p.max_speed) * u.v_c
 
 
-def difference(t, x, u, p, y):
-    """d = v_c - v, for Eq. (2): u = v_c[2], v_x[2], y = unflown[2] (length per time)."""
-    for i in range(2):
-        y[i] = u[i] - u[2 + i]
+def difference(t, x, u, p):
+    """d = v_c - v, for Eq. (2)."""
+    return u.v_c - u.v_x
 
 
-def speed_limit(parameters: SpeedLimitParameters) -> Block:
-    """Make the limit of the vehicle's speed."""
+def speed_limit(max_speed: float) -> Block:
+    """Make the limit of the vehicle's speed, length per time."""
     return Block(
         "speed_limit",
         output=limited,
         inputs={"v_c": 2},
         outputs={"v_x": 2},
-        parameters=parameters,
+        parameters={"max_speed": float(max_speed)},
     )
 
 

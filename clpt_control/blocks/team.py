@@ -24,60 +24,29 @@ Proceedings of the IEEE 95(1), Consensus and cooperation in networked multi-agen
 """
 
 from collections.abc import Sequence
-from typing import NamedTuple
+
+import numpy as np
 
 from ..equations.block import Block
-from ..equations.namespaces import named
+from ..equations.namespaces import named, renamed
 from .laws.learned_flow import learned_flow
 
 
-class ConsensusParameters(NamedTuple):
-    """How strongly a vehicle is pulled, and by how many."""
-
-    N: int  # number of basis functions
-    neighbours: int  # how many
-    coupling: float  # kappa, per time
+def pulled(t, x, u, p):
+    """Eqs. (21)-(23) with the pull of the neighbours added to alpha'."""
+    rates = learned_flow(t, x, u, p)
+    return {**rates, "alpha": rates["alpha"] + u.pull}
 
 
-class TotalParameters(NamedTuple):
-    """The vehicles whose V are added."""
-
-    vehicles: int  # how many
-
-
-def pulled(t, x, u, p, dx):
-    """Eqs. (21)-(23) with the pull of the neighbours added to alpha'.
-
-    u = e[2], phi_x[N], z[2], zc[2], pull[2N]; states alpha[2N], K[2], Gamma[2].
-    """
-    n = p.N
-    learned_flow(t, x, u, p, dx)
-    pull = u[6 + n : 6 + 3 * n]
-    for i in range(2):
-        for k in range(n):
-            dx[i * n + k] += pull[i * n + k]
+def consensus(t, x, u, p):
+    """pull = -kappa sum_j (alpha - alpha_j), section III in a team."""
+    apart = sum(u.alpha - getattr(u, f"alpha_{j}") for j in range(p.neighbours))
+    return {"pull": -p.coupling * apart}
 
 
-def consensus(t, x, u, p, y):
-    """pull = -kappa sum_j (alpha - alpha_j), section III in a team.
-
-    u = alpha[2N], then alpha_j[2N] of each neighbour (length per time); y = pull[2N].
-    """
-    n = p.N
-    for i in range(2):
-        for k in range(n):
-            apart = 0.0
-            for j in range(p.neighbours):
-                apart += u[i * n + k] - u[2 * n * (j + 1) + i * n + k]
-            y[i * n + k] = -p.coupling * apart
-
-
-def total(t, x, u, p, y):
-    """V of the team, the sum of Eq. (24) over its vehicles: u = V of each; y = V[1]."""
-    V = 0.0
-    for i in range(p.vehicles):
-        V += u[i]
-    y[0] = V
+def total(t, x, u, p):
+    """V of the team, the sum of Eq. (24) over its vehicles."""
+    return [np.sum(u)]
 
 
 def pulled_law(law: Block) -> Block:
@@ -85,21 +54,26 @@ def pulled_law(law: Block) -> Block:
     return Block(
         law.name,
         update=pulled,
-        inputs={**law.input_ports, "pull": 2 * law.parameters.N},
-        states=law.state_ports,
+        inputs={**law.declared["inputs"], "pull": (2, "N")},
+        states=law.declared["states"],
         parameters=law.parameters,
+        sizes=law.sizes,
     )
 
 
 def consensus_block(vehicle: str, neighbours: Sequence[str], N: int, coupling: float) -> Block:
-    """Make the pull on one vehicle, in its namespace."""
-    return Block(
-        named(vehicle, "consensus"),
+    """Make the pull on one vehicle, in its namespace; the coupling kappa is per time."""
+    own = {"alpha": vehicle, **{f"alpha_{j}": one for j, one in enumerate(neighbours)}}
+    block = Block(
+        "consensus",
         output=consensus,
-        inputs={named(one, "alpha"): 2 * N for one in (vehicle, *neighbours)},
-        outputs={named(vehicle, "pull"): 2 * N},
-        parameters=ConsensusParameters(N, len(neighbours), coupling),
+        inputs=dict.fromkeys(own, (2, "N")),
+        outputs={"pull": (2, "N")},
+        parameters={"neighbours": len(neighbours), "coupling": float(coupling)},
+        sizes={"N": N},
     )
+    inputs = {port: named(one, "alpha") for port, one in own.items()}
+    return renamed(block, named(vehicle, "consensus"), inputs, {"pull": named(vehicle, "pull")})
 
 
 def total_candidate(vehicles: Sequence[str]) -> Block:
@@ -109,5 +83,4 @@ def total_candidate(vehicles: Sequence[str]) -> Block:
         output=total,
         inputs={named(one, "V"): 1 for one in vehicles},
         outputs={"V": 1},
-        parameters=TotalParameters(len(vehicles)),
     )

@@ -62,9 +62,9 @@ def evaluate(block: Block, times: ArrayLike, inputs: ArrayLike) -> np.ndarray:
 
     Examples
     --------
-    >>> from clpt_control.blocks.basis import BasisParameters, flow_basis
-    >>> p = BasisParameters(1, np.zeros((1, 2)), np.ones(1), np.zeros(1), np.zeros(1))
-    >>> evaluate(flow_basis("basis_x", "x", "gaussian", p), [0, 5], [[0, 0], [1, 1]]).round(3)
+    >>> from clpt_control.blocks.basis import flow_basis
+    >>> p = np.zeros((1, 2)), np.ones(1), np.zeros(1), np.zeros(1)
+    >>> evaluate(flow_basis("basis_x", "x", "gaussian", *p), [0, 5], [[0, 0], [1, 1]]).round(3)
     array([[1.   ],
            [0.368]])
     """

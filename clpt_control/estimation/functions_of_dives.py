@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..arguments import public
-from ..blocks.basis import BasisParameters, flow_basis
+from ..blocks.basis import flow_basis
 from ..equations.block import Block
 from ..errors import DataError, ScenarioError
 from ..scenario.tides import period
@@ -81,11 +81,8 @@ def dive_basis(
             rows.append((center, width, 0.0, 0.0, priors.gaussian))
     if not rows:
         raise ScenarioError("no function: give a constituent or a width")
-    centers, widths, frequencies, phases, prior = (
-        np.array(column) for column in zip(*rows, strict=True)
-    )
-    parameters = BasisParameters(len(rows), centers, widths, frequencies, phases)
-    return flow_basis("basis_x", "x", "gaussian", parameters), prior
+    *functions, prior = (np.array(column) for column in zip(*rows, strict=True))
+    return flow_basis("basis_x", "x", "gaussian", *functions), prior
 
 
 def dive_noise(dives: Sequence[Dive]) -> np.ndarray:

@@ -19,7 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.integrate import trapezoid
 
-from ..blocks.basis import BasisParameters, flow_basis
+from ..blocks.basis import flow_basis
 from ..equations.at_many import evaluate
 from ..errors import ScenarioError
 from ..geodesy import displacement
@@ -101,11 +101,7 @@ def places_columns(places: Places, dive: Dive, ended: bool = False) -> np.ndarra
     N = len(places.cells)
     steady = np.zeros(N)
     centers = SPACING * places.width * np.array(places.cells, float).reshape(N, 2)
-    basis = flow_basis(
-        "places",
-        "x",
-        "gaussian",
-        BasisParameters(N, centers, np.full(N, places.width), steady, steady),
-    )
+    widths = np.full(N, places.width)
+    basis = flow_basis("places", "x", "gaussian", centers, widths, steady, steady)
     time, x = _along(places, dive, ended)
     return np.kron(trapezoid(evaluate(basis, time, x), time, axis=0), np.eye(2))

@@ -65,18 +65,13 @@ class Way:
     def _velocity(self, t: np.ndarray, x: np.ndarray, zc: np.ndarray) -> np.ndarray:
         """Return the velocity through the water at samples with one waypoint, (n, 2)."""
         car = self.scenario.vehicle
-        law = vehicle.ControllerParameters(
-            self.scenario.basis.N,
-            np.array(self.scenario.model_parameters),
-            np.array(car.feedback),
-            np.array(car.feedforward),
-        )
+        alpha_M = self.scenario.model_parameters
+        controller = vehicle.vehicle_controller(alpha_M, car.feedback, car.feedforward)
         phi = evaluate(self.basis, t, x)
-        v = evaluate(vehicle.vehicle_controller(law), t, np.hstack([x, 0 * x + zc, phi]))
+        v = evaluate(controller, t, np.hstack([x, 0 * x + zc, phi]))
         if car.max_speed is None:
             return v
-        limit = speed_limit.SpeedLimitParameters(car.max_speed)
-        return evaluate(speed_limit.speed_limit(limit), t, v)
+        return evaluate(speed_limit.speed_limit(car.max_speed), t, v)
 
     def at(self, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return position and displacement since the run's start, (..., 2) each."""

@@ -14,7 +14,7 @@ import numpy as np
 from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
 from ..arguments import public
-from ..blocks.laws.law import Known
+from ..blocks.laws.known import Known
 from ..blocks.laws.table import LAWS
 from ..errors import ScenarioError
 from .learning import Learning

@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 from pydantic import AfterValidator, Strict, create_model, model_validator
 from pydantic_core import PydanticCustomError
 
-from ..blocks.laws.law import Gains, Law
+from ..blocks.laws.known import Gains
+from ..blocks.laws.law import Law
 from ..blocks.laws.table import LAWS
 from .mistakes import Table
 from .tables import NotNegative, Number, Pair, Positive, TwoRows

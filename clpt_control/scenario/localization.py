@@ -8,7 +8,7 @@ from typing import Annotated
 
 from pydantic import Field, model_validator
 
-from ..blocks.laws.law import Fixes
+from ..blocks.laws.known import Fixes
 from .mistakes import Table
 from .tables import NotNegative, Number, Positive, Seed
 

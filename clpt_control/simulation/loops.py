@@ -14,7 +14,6 @@ import numpy as np
 
 from ..arguments import public
 from ..blocks import (
-    Block,
     clpe,
     disturbance,
     error_system,
@@ -33,6 +32,7 @@ from ..diagrams.changes import Changes, Part, changes_of, inserted, replaced
 from ..diagrams.interconnection import Diagram, connect
 from ..diagrams.parts import input_ports, output_ports
 from ..diagrams.scenario_basis import scenario_basis
+from ..equations.block import Block
 from ..errors import DiagramError
 from ..scenario.experiment import Scenario
 
@@ -90,20 +90,16 @@ def changed_blocks(
             f"{law.name}: makes alpha of N = {functions_of(law)} functions; the scenario has {N}"
         )
     car = scenario.vehicle
-    desired = vehicle.ControllerParameters(
-        N, alpha_M, np.array(car.feedback), np.array(car.feedforward)
-    )
     learning = scenario.learning
     if learning.row.given_estimate:
-        theta_hat = np.array(learning.theta_estimate)
-        inject: Any = learner.KnownFlowInjectionParameters(N, theta_hat, alpha_M)
+        injection = learner.known_flow_injection(learning.theta_estimate, alpha_M)
     elif learning.row.makes_estimate and (law is None or "theta_hat" in output_ports(law)):
-        inject = learner.EstimatedFlowInjectionParameters(N, alpha_M)
+        injection = learner.estimated_flow_injection(alpha_M)
     else:
-        inject = learner.LearnedFlowInjectionParameters(N, alpha_M)
+        injection = learner.learned_flow_injection(alpha_M)
     limits = []
     if car.max_speed is not None:
-        limits.append(speed_limit.speed_limit(speed_limit.SpeedLimitParameters(car.max_speed)))
+        limits.append(speed_limit.speed_limit(car.max_speed))
     if scenario.hedged:
         limits.append(speed_limit.hedging())
     delta, disturbances = scenario.flow.disturbance, []
@@ -111,6 +107,7 @@ def changed_blocks(
         own = (delta.kind, delta.amplitude, delta.period or 1.0, float(delta.seed or 0))
         disturbances.append(disturbance.disturbance(*own))
     at_fixes = learning.row.at_fixes
+    desired = alpha_M, car.feedback, car.feedforward
     if at_fixes and law is not None:
         raise DiagramError(
             f"{law.name}: a law of your own reads the position at all times; set "
@@ -118,11 +115,11 @@ def changed_blocks(
         )
     localized = _localized(scenario)
     true = TRUE if any(block.name == "measurement" for block in localized) else "x"
-    modeled = [flow.modeled_flow(flow.ModeledFlowParameters(N, alpha_M))]
+    modeled = [flow.modeled_flow(alpha_M)]
     predicting = [
         learner.learning_controller(N),
         learner.learning_model(hedged=scenario.hedged),
-        learner.injection(inject),
+        injection,
     ]
     if at_fixes:  # the law predicts by itself
         modeled, predicting = [], []
@@ -134,7 +131,7 @@ def changed_blocks(
         *disturbances,
         _true_flow(scenario, delta is not None or "delta" in external, true),
         *modeled,
-        vehicle.vehicle_controller(desired, car.max_speed is not None, "z" if at_fixes else "x"),
+        vehicle.vehicle_controller(*desired, car.max_speed is not None, "z" if at_fixes else "x"),
         *limits,
         vehicle.vehicle(true),
         *predicting,
@@ -151,16 +148,15 @@ def _localized(scenario: Scenario) -> list[Block]:
         return []
     seed = float(seen.seed or 0)
     if seen.interval > 0:
-        own = localization.FixParameters(seen.noise, seen.interval, seen.dropouts, seed)
-        return [localization.fixes(own)]
-    held = localization.MeasurementParameters(seen.noise, seen.noise_period or 1.0, seed)
-    return [localization.measurement(held), scenario_basis(scenario, TRUE)]
+        return [localization.fixes(seen.noise, seen.interval, seen.dropouts, seed)]
+    held = localization.measurement(seen.noise, seen.noise_period or 1.0, seed)
+    return [held, scenario_basis(scenario, TRUE)]
 
 
 def _true_flow(scenario: Scenario, disturbed: bool, position: str) -> Block:
     if scenario.field_path is None:
-        theta = np.array(scenario.flow.parameters)
-        return flow.true_flow(flow.TrueFlowParameters(scenario.basis.N, theta), disturbed, position)
+        assert scenario.flow.parameters is not None
+        return flow.true_flow(scenario.flow.parameters, disturbed, position)
     from ..currents.field_file import read_field
 
     gridded = read_field(scenario.field_path, scenario.units)
@@ -281,10 +277,8 @@ def error_loop(scenario: Scenario) -> Diagram:
         )
     return connect(
         [
-            error_system.error_system(error_system.ErrorSystemParameters(N, KD)),
-            error_system.parameter_system(
-                error_system.ParameterSystemParameters(N, gains.parameters)
-            ),
+            error_system.error_system(N, KD),
+            error_system.parameter_system(N, gains.parameters),
         ],
         external=("phi_x", "z", "zc"),
         name="error_loop",

@@ -20,54 +20,45 @@ from typing import Any
 
 import numpy as np
 
-from .law import Truth, adapt_feedback, adapt_feedforward
+from .known import Truth
+from .law import State, adapt_gains
 
-STATES = {"Q_1": 4, "Q_2": 4, "b_v": 4}
-
-
-def remember(dx, x, at, w, size, forgetting, n):
-    """Fill Q' = -m Q + w w^T/size; Q stands from `at` on, row by row."""
-    for j in range(n):
-        for k in range(n):
-            dx[at + j * n + k] = w[j] * w[k] / size - forgetting * x[at + j * n + k]
+STATES = {"Q_1": State((2, 2)), "Q_2": State((2, 2)), "b_v": State((2, 2))}  # empty at first
 
 
-def gain_rates(dx, x, p, at, e, phi, z, zc, position, v):
-    """Fill K', Gamma', and Q_1', Q_2' and b_v', which stand from `at` on; v is that of Eq. (7)."""
-    n, m = 2 * p.N, 0.1 * p.rate
-    for i in range(2):
-        Q, b, w, y = at + 4 * i, at + 8 + 2 * i, (-position[i], zc[i]), v[i]
-        for k in range(p.N):
-            y += p.alpha_M[i, k] * phi[k]
-        size = 1 + (p.gain_K * w[0] ** 2 + p.gain_Gamma * w[1] ** 2) / p.rate**2
-        remember(dx, x, Q, w, size, m, 2)
-        for j in range(2):
-            dx[b + j] = w[j] * y / size - m * x[b + j]
-        K, Gamma = x[n + i], x[n + 2 + i]
-        missed = x[b] - x[Q] * K - x[Q + 1] * Gamma
-        dx[n + i] = adapt_feedback(p.gain_K, e[i], z[i]) + p.gain_K * missed
-        missed = x[b + 1] - x[Q + 2] * K - x[Q + 3] * Gamma
-        dx[n + 2 + i] = adapt_feedforward(p.gain_Gamma, e[i], zc[i]) + p.gain_Gamma * missed
+def remembered(Q, w, size, forgetting):
+    """Return Q' = -m Q + w w^T/size."""
+    return np.outer(w, w) / size - forgetting * Q
 
 
-def symmetric(Q: Any, n: int) -> Any:
-    """Return a matrix made of its upper triangle, shape (n, n)."""
-    Q = np.triu(np.reshape(Q, (n, n)))
-    return Q + np.triu(Q, 1).T
+def gain_rates(x, u, p):
+    """Return K', Gamma', Q_1', Q_2' and b_v'; v is that of Eq. (7)."""
+    m, y = 0.1 * p.rate, getattr(u, "v_c", u.v_x) + p.alpha_M @ u.phi_x
+    w, kappa = np.stack([-u.x, u.zc]).T, np.stack([x.K, x.Gamma]).T  # a row for each axis
+    size = 1 + (p.gain_K * w[:, 0] ** 2 + p.gain_Gamma * w[:, 1] ** 2) / p.rate**2
+    missed = x.b_v - np.stack([x.Q_1 @ kappa[0], x.Q_2 @ kappa[1]])
+    by_error = adapt_gains(p, u.e, u.z, u.zc)
+    return {
+        "K": by_error["K"] + p.gain_K * missed[:, 0],
+        "Gamma": by_error["Gamma"] + p.gain_Gamma * missed[:, 1],
+        "Q_1": remembered(x.Q_1, w[0], size[0], m),
+        "Q_2": remembered(x.Q_2, w[1], size[1], m),
+        "b_v": w * y[:, None] / size[:, None] - m * x.b_v,
+    }
+
+
+def symmetric(Q: Any) -> Any:
+    """Return the symmetric part of a matrix."""
+    return (Q + Q.T) / 2
 
 
 def gains_kept(s: Any, truth: Truth) -> dict[str, Any]:
     """Return what the states are at all times: Q_i = Q_i^T, b_i = Q_i kappa_D."""
-    Q = [symmetric(s[f"Q_{i + 1}"], 2) for i in range(2)]
-    b = [Q[i] @ np.array([truth.KD[i], truth.GammaD[i]]) for i in range(2)]
-    return {"Q_1": Q[0], "Q_2": Q[1], "b_v": np.concatenate(b)}
+    Q, kappa = [symmetric(s["Q_1"]), symmetric(s["Q_2"])], np.stack([truth.KD, truth.GammaD]).T
+    return {"Q_1": Q[0], "Q_2": Q[1], "b_v": np.stack([Q[0] @ kappa[0], Q[1] @ kappa[1]])}
 
 
 def gains_losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
     """Return what V' loses: (kappa - kappa_D)^T Q_i (kappa - kappa_D), where they adapt."""
-    found = []
-    for i in range(2):
-        off = [s["K"][i] - truth.KD[i], s["Gamma"][i] - truth.GammaD[i]]
-        Q = np.reshape(s[f"Q_{i + 1}"], (2, 2))
-        found.append((np.array(off) @ Q @ np.array(off),))
-    return found
+    off = np.stack([s["K"] - truth.KD, s["Gamma"] - truth.GammaD]).T
+    return [(off[0] @ s["Q_1"] @ off[0],), (off[1] @ s["Q_2"] @ off[1],)]

@@ -26,145 +26,65 @@ States beside these: P[N*N] (length per time, squared), m[N] (time); of the fix 
 sent[2] (length), waiting[1], z_sent[2] (length), m_sent[N] (time).
 """
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from ...equations.block import Block
 from ...errors import ScenarioError
 from ..reference import multiples
-from ..words import where
-from .law import Known, Law, Setting, Truth
+from .known import Known
+from .law import Law, Setting, State
 from .scales import PRIOR, prior, reach
 
 
-class FixRegressionParameters(NamedTuple):
-    """Parameters of the regression, and when fixes are."""
-
-    N: int  # number of basis functions
-    noise: float  # r > 0, of y, length
-    KD: np.ndarray  # shape (2,), what K is, per time
-    GammaD: np.ndarray  # shape (2,), what Gamma is, per time
-    between: float  # from one fix to the next, time
-    latency: float  # from a fix to its arrival, time
-    interval: float = -1.0  # how many were sent and arrived, kept by the integrator
+def predict(t, x, u, p):
+    """z' = theta_hat phi(z) + v, m' = phi(z), Eq. (1) with theta_hat; all else keeps its value."""
+    moving = {"z": u.v_x - x.alpha @ u.phi_z, "m": u.phi_z}
+    return {**dict.fromkeys(STATES, 0.0), **moving}
 
 
-class FixCandidateParameters(NamedTuple):
-    """What V measures."""
-
-    N: int  # number of basis functions
-    noise: float  # r, length
-    theta: np.ndarray  # shape (2, N), length per time
-
-
-def places(n):
-    """Return where P, information, z, m, sent, waiting, z_sent and m_sent begin."""
-    P = 2 * n
-    z = P + 2 * n * n
-    return P, P + n * n, z, z + 2, z + 2 + n, z + 4 + n, z + 5 + n, z + 7 + n
-
-
-def predict(t, x, u, p, dx):
-    """z' = theta_hat phi(z) + v, m' = phi(z), Eq. (1) with theta_hat; all else keeps its value.
-
-    u = fix[2], taken[1], phi_z[N], v_x[2]; states as in `learn`.
-    """
-    n = p.N
-    _, _, z, m, sent, _, _, _ = places(n)
-    phi, v = u[3 : 3 + n], u[3 + n : 5 + n]
-    for k in range(z):
-        dx[k] = 0.0
-    for i in range(2):
-        dx[z + i] = v[i]
-        for k in range(n):
-            dx[z + i] -= x[i * n + k] * phi[k]
-    for k in range(n):
-        dx[m + k] = phi[k]
-    for k in range(sent, sent + 5 + n):
-        dx[k] = 0.0
-
-
-def learn(t, x, u, p, new):
+def learn(t, x, u, p):
     """Least squares on x of Eq. (1) at a fix, Ljung 1999: theta_hat, P, P^-1, z and m as above.
 
     With latency an odd interval begins with a fix that is sent, an even one with its arrival;
-    without, every interval begins with both.  u = fix[2], taken[1], phi_z[N], v_x[2]; states
-    alpha[2N], P[N*N], information[N*N], z[2], m[N], sent[2], waiting[1], z_sent[2], m_sent[N].
+    without, every interval begins with both.
     """
-    n = p.N
-    P, information, z, m, sent, waiting, z_sent, m_sent = places(n)
     late = p.latency > 0
-    arrives = where(late, 1 - p.interval % 2, 1.0)
-    sends = (1 - arrives) * u[2]
-    got = arrives * where(late, x[waiting], u[2])
-    d = p.noise**2
-    for j in range(n):  # P m, for now in the place of the new m
-        seen = 0.0
-        for k in range(n):
-            seen += x[P + j * n + k] * where(late, x[m_sent + k], x[m + k])
-        new[m + j] = seen
-        d += seen * where(late, x[m_sent + j], x[m + j])
-    for i in range(2):
-        y = got * where(late, x[sent + i] - x[z_sent + i], u[i] - x[z + i])
-        moved = y
-        for k in range(n):
-            step = y * new[m + k] / d
-            new[i * n + k] = x[i * n + k] - step
-            moved += step * where(late, x[m + k], 0.0)
-        new[z + i] = x[z + i] + moved
-    for j in range(n):  # A m, for now in the place of the new m_sent; A = P - P m (P m)^T / d
-        left = 0.0
-        for k in range(n):
-            A = x[P + j * n + k] - new[m + j] * new[m + k] / d
-            left += A * where(late, x[m_sent + k], x[m + k])
-        new[m_sent + j] = left
-    for j in range(n):
-        for k in range(n):
-            at = j * n + k
-            Pm = new[m + j] * new[m + k] / d
-            half = new[m_sent + j] * new[m + k] + new[m_sent + k] * new[m + j]
-            joseph = (x[P + at] - Pm) - half / (2 * d) + p.noise**2 * Pm / d
-            mm = where(late, x[m_sent + j] * x[m_sent + k], x[m + j] * x[m + k])
-            new[P + at] = (1 - got) * x[P + at] + got * joseph
-            new[information + at] = x[information + at] + got * mm / p.noise**2
-    new[waiting] = where(late, sends, 0.0)
-    for i in range(2):
-        new[sent + i] = u[i]
-        new[z_sent + i] = x[z + i]
-    for k in range(n):
-        new[m_sent + k] = x[m + k]
-        new[m + k] = x[m + k] * (1 - where(late, sends, got))
+    arrives = np.where(late, 1 - p.interval % 2, 1.0)
+    sends = (1 - arrives) * u.taken
+    got = arrives * np.where(late, x.waiting, u.taken)
+    m, n = np.where(late, x.m_sent, x.m), np.where(late, x.m, 0.0)
+    y = got * np.where(late, x.sent - x.z_sent, u.fix - x.z)
+    Pm = x.P @ m
+    d = p.noise**2 + m @ Pm
+    gain = np.outer(y, Pm) / d
+    A = x.P - np.outer(Pm, Pm) / d
+    half = np.outer(A @ m, Pm)
+    joseph = A - (half + half.T) / (2 * d) + p.noise**2 * np.outer(Pm, Pm) / d**2
+    return {
+        "alpha": x.alpha - gain,
+        "P": (1 - got) * x.P + got * joseph,
+        "information": x.information + got * np.outer(m, m) / p.noise**2,
+        "z": x.z + y + gain @ n,
+        "m": x.m * (1 - np.where(late, sends, got)),
+        **{"sent": u.fix, "waiting": np.where(late, sends, 0.0)},
+        **{"z_sent": x.z, "m_sent": x.m},
+    }
 
 
-def estimate(t, x, u, p, y):
-    """The states alpha and z, K = K_D and Gamma = Gamma_D of Eq. (7), and P^-1.
-
-    y = alpha[2N], K[2], Gamma[2], z[2], information[N*N].
-    """
-    n = p.N
-    _, information, z, _, _, _, _, _ = places(n)
-    for k in range(2 * n):
-        y[k] = x[k]
-    for i in range(2):
-        y[2 * n + i] = p.KD[i]
-        y[2 * n + 2 + i] = p.GammaD[i]
-        y[2 * n + 4 + i] = x[z + i]
-    for k in range(n * n):
-        y[2 * n + 6 + k] = x[information + k]
+def estimate(t, x, u, p):
+    """The states alpha and z, K = K_D and Gamma = Gamma_D of Eq. (7), and P^-1."""
+    gains = {"K": p.KD, "Gamma": p.GammaD}
+    return {"alpha": x.alpha, **gains, "z": x.z, "information": x.information}
 
 
-def candidate(t, x, u, p, y):
-    """V = r^2 tr(eta P^-1 eta^T)/2, as in Eq. (24): u = alpha[2N], information[N*N], y = V[1]."""
-    n = p.N
-    for i in range(2):
-        for j in range(n):
-            for k in range(n):
-                first, second = p.theta[i, j] + u[i * n + j], p.theta[i, k] + u[i * n + k]
-                y[0] += first * u[2 * n + j * n + k] * second * p.noise**2 / 2
+def candidate(t, x, u, p):
+    """V = r^2 tr(eta P^-1 eta^T)/2, as in Eq. (24)."""
+    eta = p.theta + u.alpha
+    return {"V": p.noise**2 / 2 * np.sum((eta @ u.information) * eta)}
 
 
-def events(p: FixRegressionParameters, t0: float, t1: float) -> np.ndarray:
+def events(p: Any, t0: float, t1: float) -> np.ndarray:
     """Return the times in (t0, t1] at which a fix is sent or arrives."""
     sent = multiples(p.between, t0, t1)
     if not p.latency > 0:
@@ -173,77 +93,55 @@ def events(p: FixRegressionParameters, t0: float, t1: float) -> np.ndarray:
     return np.sort(np.concatenate([sent, arrived[(arrived > t0) & (arrived <= t1)]]))
 
 
-def fix_regression_law(parameters: FixRegressionParameters) -> Block:
-    """Make the law."""
-    N = parameters.N
-    learned = {"alpha": 2 * N, "P": N * N, "information": N * N, "z": 2, "m": N}
-    return Block(
-        "adaptation",
-        update=predict,
-        output=estimate,
-        jump=learn,
-        breakpoints=events,
-        inputs={"fix": 2, "taken": 1, "phi_z": N, "v_x": 2},
-        outputs={"alpha": 2 * N, "K": 2, "Gamma": 2, "z": 2, "information": N * N},
-        states={**learned, "sent": 2, "waiting": 1, "z_sent": 2, "m_sent": N},
-        feedthrough=False,
-        parameters=parameters,
-    )
-
-
-def block(known: Known) -> Block:
-    """Make the law of what is known; its scales are k = mean KD and R, the reach of the track."""
+def refuses(known: Known) -> None:
+    """Refuse to learn at fixes where there are none."""
     if known.fixes is None:
         raise ScenarioError(
             'learning.law = "fix-regression": learns at fixes; give localization.interval, the '
             "time from one fix to the next"
         )
-    r = known.settings["noise"]
-    if r is None:
-        r = float(np.hypot(0.1 * reach(known), np.sqrt(2) * known.fixes.noise))
-    fixes = (known.fixes.between, known.fixes.latency)
-    return fix_regression_law(FixRegressionParameters(known.N, r, known.KD, known.GammaD, *fixes))
 
 
-def starts(known: Known) -> dict[str, Any]:
-    """Return P(0) and its inverse."""
-    one, variance = np.eye(known.N), prior(known) ** 2
-    return {"P": one * variance, "information": one / variance}
+def usual_noise(known: Any) -> float:
+    """Return ((0.1 R)^2 + 2 noise^2)^0.5, length."""
+    return float(np.hypot(0.1 * reach(known), np.sqrt(2) * known.fixes.noise))
 
 
-def V(p: Any, truth: Truth) -> Block:
-    """Make V."""
-    return Block(
-        "lyapunov",
-        output=candidate,
-        inputs={"alpha": 2 * p.N, "information": p.N * p.N},
-        outputs={"V": 1},
-        parameters=FixCandidateParameters(p.N, p.noise, truth.theta),
-    )
-
-
+STATES = {
+    "alpha": State((2, "N")),
+    "P": State(("N", "N"), lambda known, p: np.eye(known.N) * prior(known) ** 2),
+    "information": State(("N", "N"), lambda known, p: np.eye(known.N) / prior(known) ** 2),
+    **{"z": State(2), "m": State("N"), "sent": State(2), "waiting": State(1)},
+    **{"z_sent": State(2), "m_sent": State("N")},
+}
 LAW = Law(
     "fix-regression",
     promise="V does not rise at exact fixes, as far as phi at the prediction is phi at the vehicle",
     needs="fixes, localization.interval; steers on the prediction in between",
-    block=block,
-    V=V,
-    settings={
-        "prior": PRIOR,
+    rates=predict,
+    parameters={
         "noise": Setting(
-            None, "positive", "r of the regression, length; ((0.1 R)^2 + 2 noise^2)^0.5"
+            None,
+            "positive",
+            "r of the regression, length; ((0.1 R)^2 + 2 noise^2)^0.5",
+            usual_noise,
         ),
+        "KD": lambda known: known.KD,
+        "GammaD": lambda known: known.GammaD,
+        "between": lambda known: known.fixes.between,
+        "latency": lambda known: known.fixes.latency,
+        "interval": lambda known: -1.0,  # how many were sent and arrived, kept by the integrator
     },
-    alpha_by_gain=False,
-    starts=starts,
-    made_of=(
-        "vehicle.feedback",
-        "vehicle.feedforward",
-        "vehicle.position",
-        "localization.interval",
-        "localization.latency",
-        "localization.noise",
-    ),
-    at_fixes=True,
+    keys={"prior": PRIOR},
+    takes={"fix": 2, "taken": 1, "phi_z": "N", "v_x": 2},
+    states=STATES,
+    output=estimate,
+    makes={"alpha": (2, "N"), "K": 2, "Gamma": 2, "z": 2, "information": ("N", "N")},
+    jump=learn,
+    breakpoints=events,
+    candidate=candidate,
+    measures=("alpha", "information"),
+    shares=("noise",),
+    refuses=refuses,
     says="0; at an exact fix V falls by r^2 |eta m|^2/(2 (r^2 + m^T P m))",
 )

@@ -5,83 +5,53 @@
 
 z and zc are diagonal matrices in the paper, so each axis i has its own e_i, z_i, zc_i; there
 gamma is one number for all.  A gain of 0 holds what it adapts.
+
+A row declares parameters, states, what the law takes, its rates and V; the block, its
+parameters, V's block, starts and what they are made of follow from it.
 """
 
 from collections.abc import Callable, Mapping
+from operator import attrgetter
 from typing import Any, Literal, NamedTuple
 
 import control
 import numpy as np
 
 from ...equations.block import Block
-from ...equations.declaration import ports_of
+from ...equations.declaration import Parameters, parameters_of, ports_of
 from ...errors import DiagramError
-
-
-class Gains(NamedTuple):
-    """The gains with which a law adapts; 0 holds K or Gamma."""
-
-    parameters: float  # gamma of alpha, per time squared
-    feedback: float  # gamma of K, per length squared per time squared
-    feedforward: float  # gamma of Gamma, per length squared per time squared
-    one: bool  # whether one number is given for all, as in the paper
+from ..lyapunov import SHAPES, learned_flow, weighed
+from .known import Known, Noting, Truth
 
 
 class Setting(NamedTuple):
     """A key of a law's own table of the scenario."""
 
-    default: Any  # a number; None where the law makes it of what is known
+    default: Any  # a number; None where it is made of what is known
     allowed: Literal["number", "positive", "not negative", "row", "two rows"]
     meaning: str  # what it is, with its unit
+    usual: Callable[[Known], Any] | None = None  # what it is where it is left out
+
+    def of(self, known: Known, key: str) -> Any:
+        """Return what the scenario gives for a key, or what is usual."""
+        given = known.settings[key]
+        return self.usual(known) if given is None and self.usual else given
 
 
-class Fixes(NamedTuple):
-    """When the vehicle learns where it is."""
+class State(NamedTuple):
+    """A state of a law."""
 
-    between: float  # from one fix to the next, time
-    latency: float  # from a fix to its arrival, time; below `between`
-    noise: float  # standard deviation of each axis, length
-
-
-class Known(NamedTuple):
-    """What a law may know of the experiment: never theta."""
-
-    N: int  # number of basis functions
-    gains: Gains
-    alpha_M: np.ndarray  # shape (2, N), the modelled flow, length per time
-    KD: np.ndarray  # shape (2,), feedback gains of the vehicle, per time
-    waypoints: np.ndarray  # shape (n, 2), length
-    dwell: float  # time at each waypoint
-    position: np.ndarray  # shape (2,), x(0), length
-    alpha: np.ndarray  # shape (2, N), alpha(0), length per time
-    theta_estimate: np.ndarray  # shape (2, N), given, or alpha_M, length per time
-    settings: Mapping[str, Any]  # every key of the law's own table, its value or default
-    GammaD: np.ndarray  # shape (2,), feedforward gains of the vehicle, per time
-    fixes: Fixes | None = None  # None: the position is read at all times
-    limited: bool = False  # whether the vehicle's speed is limited: v_c of Eq. (7) is not v_x
-
-    @property
-    def cycle(self) -> float:
-        """Time to visit every waypoint once."""
-        return len(self.waypoints) * self.dwell
-
-    @property
-    def reach(self) -> float:
-        """The largest distance of a waypoint from the origin; 1 where all are at it."""
-        return float(np.hypot(*self.waypoints.T).max()) or 1.0
-
-    def setting(self, key: str, scale: float) -> float:
-        """Return what the scenario gives for a key, or this scale of its own."""
-        given = self.settings[key]
-        return scale if given is None else given
+    shape: Any  # of numbers and "N"
+    start: Any = 0.0  # a number, or a function of what is known and the parameters
 
 
-class Truth(NamedTuple):
-    """What V measures the distance to."""
-
-    theta: np.ndarray  # shape (2, N), length per time
-    KD: np.ndarray  # shape (2,), feedback gains of the vehicle, per time
-    GammaD: np.ndarray  # shape (2,), feedforward gains, per time
+PAPER = {"e": 2, "phi_x": "N", "z": 2, "zc": 2}  # what Eqs. (21)-(23) take
+MOVING = {**PAPER, "x": 2, "v_x": 2}  # and laws that see where the vehicle was carried
+LEARNED = {"alpha": State((2, "N")), "K": State(2), "Gamma": State(2)}  # what they make
+HELD = {"gain_K": "gains.feedback", "gain_Gamma": "gains.feedforward"}  # 0 holds K or Gamma:
+# per length squared per time squared, and gamma > 0 of alpha per time squared
+GAINS = {"gain": "gains.parameters", **HELD}
+MORE_SHAPES = {"alpha_M": (2, "N"), "alpha_0": (2, "N"), "information": "N"}  # of parameters
 
 
 class Law(NamedTuple):
@@ -90,13 +60,23 @@ class Law(NamedTuple):
     name: str  # learning.law; its own table is learning.NAME, with _ for -
     promise: str  # one line
     needs: str  # one line
-    block: Callable[[Known], Block]  # named "adaptation"; makes alpha[2N], K[2], Gamma[2]
-    V: Callable[[Any, Truth], Block]  # of the block's parameters; inputs e and the law's outputs
-    settings: Mapping[str, Setting] = {}
+    rates: Callable[..., Any]  # the rates of its states
+    # a key of its own table; a name of what is known, as it is; or what makes it of what is known
+    parameters: Mapping[str, Any] = GAINS
+    one_gain: bool = False  # whether one gain for all is one parameter, as in the paper
+    keys: Mapping[str, Setting] = {}  # of its own table, that are no parameters
+    takes: Mapping[str, Any] = PAPER  # v_c where the speed is limited
+    states: Mapping[str, State] = LEARNED
+    output: Callable[..., Any] | None = None  # and what it `makes`, where that is not its states
+    makes: Mapping[str, Any] | None = None
+    jump: Callable[..., Any] | None = None  # at its breakpoints
+    breakpoints: Callable[..., np.ndarray] | None = None
+    candidate: Callable[..., Any] = learned_flow  # V
+    measures: tuple[str, ...] = ("e", "alpha", "K", "Gamma")  # of e and what it makes
+    weighs: Callable[[Any], float] = lambda p: p.get("gain", 1.0)  # the gain of alpha in V
+    shares: tuple[str, ...] = ()  # its parameters that are V's too
+    refuses: Callable[[Known], None] = lambda known: None
     gain: float | None = None  # where learning.gain is left out; None: it is required
-    starts: Callable[[Known], dict[str, Any]] = lambda known: {}  # its own states at t = 0
-    # keys of which its parameters and starts are made, beside its own
-    made_of: tuple[str, ...] = ()
     # for the proof, of (states, parameters, truth): relations of its states
     keeps: Callable[..., dict[str, Any]] | None = None
     # what V' loses beyond e^T KD e where they hold: products of factors that are not negative
@@ -111,30 +91,127 @@ class Law(NamedTuple):
     shrinking: str = ""  # a state w: every parameter's error is w times its first, and w' <= 0
     readout: str = ""  # an output that is theta once w has shrunk
     says: str = ""  # V' in words
-    alpha_by_gain: bool = True  # whether learning.gain adapts alpha too, not only K and Gamma
-    at_fixes: bool = False  # whether it makes z too, and learns at fixes; K and Gamma are true
-    given_estimate: bool = False  # theta_hat is given, alpha = alpha_M, Eq. (13)
-    makes_estimate: bool = False  # theta_hat[2N] is a state of it, alpha = alpha_M, Eq. (13)
-
-    @property
-    def keeps_alpha(self) -> bool:
-        """Whether alpha stays alpha_M, and the injection is Eq. (13)."""
-        return self.given_estimate or self.makes_estimate
 
     @property
     def table(self) -> str:
         """The name of its own table within [learning]."""
         return self.name.replace("-", "_")
 
+    @property
+    def settings(self) -> dict[str, Setting]:
+        """The keys of its own table."""
+        own = {**self.keys, **self.parameters}
+        return {key: one for key, one in own.items() if isinstance(one, Setting)}
 
-def adapt_feedback(gamma, e, z):
-    """Return K_i' = -gamma z_i e_i, Eq. (14) and Eq. (22)."""
-    return -gamma * z * e
+    @property
+    def alpha_by_gain(self) -> bool:
+        """Whether learning.gain adapts alpha too, not only K and Gamma."""
+        return "gain" in self.parameters
+
+    @property
+    def at_fixes(self) -> bool:
+        """Whether it makes z too, and learns at fixes; K and Gamma are true."""
+        return "fix" in self.takes
+
+    @property
+    def keeps_alpha(self) -> bool:
+        """Whether alpha stays alpha_M, and the injection is Eq. (13)."""
+        return "alpha" not in self.states
+
+    @property
+    def makes_estimate(self) -> bool:
+        """Whether theta_hat of Eq. (13) is a state of it."""
+        return "theta_hat" in self.states
+
+    @property
+    def given_estimate(self) -> bool:
+        """Whether theta_hat of Eq. (13) is given."""
+        return self.keeps_alpha and not self.makes_estimate
+
+    def parameters_of(self, known: Known) -> Parameters:
+        """Return its parameters, of what is known."""
+        self.refuses(known)
+        found: dict[str, Any] = {}
+        for name, made in self.parameters.items():
+            if isinstance(made, Setting):
+                found[name] = made.of(known, name)
+            else:
+                found[name] = attrgetter(made)(known) if isinstance(made, str) else made(known)
+        if self.one_gain and known.gains.one:
+            rest = {name: value for name, value in found.items() if name not in GAINS}
+            found = {"gain": known.gains.feedback, **rest}
+        return parameters_of(found)
+
+    def block(self, known: Known) -> Block:
+        """Make the law: a block "adaptation" with alpha[2N], K[2] and Gamma[2]."""
+        return self.of(known.N, known.limited, **self.parameters_of(known)._asdict())
+
+    def of(self, N: int, limited: bool = False, **parameters: Any) -> Block:
+        """Make the law of its parameters."""
+        return Block(
+            "adaptation",
+            update=self.rates,
+            output=self.output,
+            inputs={port: n for port, n in self.takes.items() if port != "v_c" or limited},
+            outputs=self.makes,
+            states={name: state.shape for name, state in self.states.items()},
+            parameters=parameters,
+            shapes=among(parameters, MORE_SHAPES),
+            sizes={"N": N},
+            jump=self.jump,
+            breakpoints=self.breakpoints,
+        )
+
+    def starts(self, known: Known) -> dict[str, Any]:
+        """Return where its own states are at t = 0; the others are zero."""
+        p = self.parameters_of(known)
+        own = {name: state.start for name, state in self.states.items()}
+        return {name: start(known, p) for name, start in own.items() if callable(start)}
+
+    def made_of(self, known: Known) -> set[str]:
+        """Return keys of which parameters and starts are made, beside its own and as they are."""
+        noting, p = Noting(known, set()), self.parameters_of(known)
+        for name, made in {**self.keys, **self.parameters}.items():
+            if isinstance(made, Setting):
+                made.of(noting, name)  # type: ignore[arg-type]
+            elif callable(made):
+                made(noting)
+        for state in self.states.values():
+            if callable(state.start):
+                state.start(noting, p)
+        return noting.keys
+
+    def V(self, p: Any, truth: Truth) -> Block:
+        """Make V of its parameters."""
+        weights = self.weighs(p), *gains_of(p)
+        own = weighed([1.0 if gain is None else gain for gain in weights], *truth)._asdict()
+        own |= {name: getattr(p, name) for name in self.shares}
+        ports = {name: state.shape for name, state in {**LEARNED, **self.states}.items()}
+        return Block(
+            "lyapunov",
+            output=self.candidate,
+            inputs={port: {"e": 2, **ports}[port] for port in self.measures},
+            outputs={"V": 1},
+            parameters=own,
+            shapes=among(own, {**SHAPES, **MORE_SHAPES}),
+        )
 
 
-def adapt_feedforward(gamma, e, zc):
-    """Return Gamma_i' = gamma zc_i e_i, Eq. (15) and Eq. (23)."""
-    return gamma * zc * e
+def among(parameters: Any, shapes: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the shapes of those parameters that have any."""
+    return {name: shapes[name] for name in parameters if name in shapes}
+
+
+def gains_of(p: Any) -> tuple[Any, Any]:
+    """Return gamma of K and of Gamma."""
+    one = p.get("gain")
+    return p.get("gain_K", one), p.get("gain_Gamma", one)
+
+
+def adapt_gains(p, e, z, zc):
+    """Return K' and Gamma', Eqs. (14)-(15) and (22)-(23)."""
+    gain_K, gain_Gamma = gains_of(p)
+    return {"K": -gain_K * z * e, "Gamma": gain_Gamma * zc * e}
 
 
 def functions_of(law: control.NonlinearIOSystem) -> int:

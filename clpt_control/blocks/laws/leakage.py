@@ -28,116 +28,40 @@ Gamma[2] (per time), the states.
 """
 
 import math
-from typing import NamedTuple
 
-from ...equations.block import Block
-from ..words import clip
-from .law import Known, Law, Setting
-from .learned_flow import V, learned_flow
+import numpy as np
 
-
-class LeakParameters(NamedTuple):
-    """Parameters of sigma and of e-modification."""
-
-    N: int  # number of basis functions
-    gain: float  # gamma > 0 of alpha, as in Eqs. (21)-(23)
-    gain_K: float  # of K, 0 to hold it
-    gain_Gamma: float  # of Gamma, 0 to hold it
-    leak: float  # of sigma: gain times leak is per time; of e-modification: that times length
+from .law import GAINS, Known, Law, Setting
+from .learned_flow import learned_flow
 
 
-class SwitchingParameters(NamedTuple):
-    """Parameters of switching sigma; limits above the true norms let e go to zero."""
-
-    N: int  # number of basis functions
-    gain: float  # gamma > 0 of alpha, as in Eqs. (21)-(23)
-    gain_K: float  # of K, 0 to hold it
-    gain_Gamma: float  # of Gamma, 0 to hold it
-    leak: float  # gain times leak is per time
-    largest_flow: float  # M, of alpha over both axes, length per time
-    largest_feedback: float  # M of K, per time
-    largest_feedforward: float  # M of Gamma, per time
+def leaking(t, x, u, p, s_1, s_2, s_3):
+    """Return Eqs. (21)-(23), each less gamma s times what is learned."""
+    rates = learned_flow(t, x, u, p)
+    return {
+        "alpha": rates["alpha"] - p.gain * s_1 * x.alpha,
+        "K": rates["K"] - p.gain_K * s_2 * x.K,
+        "Gamma": rates["Gamma"] - p.gain_Gamma * s_3 * x.Gamma,
+    }
 
 
-def forget(x, p, flow, feedback, feedforward, dx):
-    """Take gamma times a leak times what is learned from its rates."""
-    n = 2 * p.N
-    for j in range(n):
-        dx[j] -= p.gain * flow * x[j]
-    for i in range(2):
-        dx[n + i] -= p.gain_K * feedback * x[n + i]
-        dx[n + 2 + i] -= p.gain_Gamma * feedforward * x[n + 2 + i]
+def sigma(t, x, u, p):
+    """Eqs. (21)-(23), each less gamma leak times what is learned."""
+    return leaking(t, x, u, p, p.leak, p.leak, p.leak)
 
 
-def switched(x, first, last, largest):
-    """Return clip(norm/M - 1, 0, 1) of the states from first to last."""
-    squares = 0.0
-    for j in range(first, last):
-        squares += x[j] ** 2
-    return clip(math.sqrt(squares) / largest - 1.0, 0.0, 1.0)
+def switching_sigma(t, x, u, p):
+    """Eqs. (21)-(23), with a leak from zero at a norm M to `leak` at 2 M."""
+    limits = (p.largest_flow, p.largest_feedback, p.largest_feedforward)
+    norms = map(np.linalg.norm, (x.alpha, x.K, x.Gamma))
+    leaks = (p.leak * np.clip(a / M - 1, 0, 1) for a, M in zip(norms, limits, strict=True))
+    return leaking(t, x, u, p, *leaks)
 
 
-def sigma_update(t, x, u, p, dx):
-    """Eqs. (21)-(23), each less gamma leak times what is learned.
-
-    u = e[2], phi_x[N], z[2], zc[2]; states alpha[2N], K[2], Gamma[2].
-    """
-    learned_flow(t, x, u, p, dx)
-    forget(x, p, p.leak, p.leak, p.leak, dx)
-
-
-def switching_update(t, x, u, p, dx):
-    """Eqs. (21)-(23), with a leak from zero at a norm M to `leak` at 2 M.
-
-    u = e[2], phi_x[N], z[2], zc[2]; states alpha[2N], K[2], Gamma[2].
-    """
-    n = 2 * p.N
-    flow = p.leak * switched(x, 0, n, p.largest_flow)
-    feedback = p.leak * switched(x, n, n + 2, p.largest_feedback)
-    feedforward = p.leak * switched(x, n + 2, n + 4, p.largest_feedforward)
-    learned_flow(t, x, u, p, dx)
-    forget(x, p, flow, feedback, feedforward, dx)
-
-
-def e_update(t, x, u, p, dx):
-    """Eqs. (21)-(23), each less gamma leak |e| times what is learned.
-
-    u = e[2], phi_x[N], z[2], zc[2]; states alpha[2N], K[2], Gamma[2].
-    """
-    leak = p.leak * math.hypot(u[0], u[1])
-    learned_flow(t, x, u, p, dx)
-    forget(x, p, leak, leak, leak, dx)
-
-
-def law_block(update, parameters) -> Block:
-    """Make a law with the ports of the paper's."""
-    N = parameters.N
-    return Block(
-        "adaptation",
-        update=update,
-        inputs={"e": 2, "phi_x": N, "z": 2, "zc": 2},
-        states={"alpha": 2 * N, "K": 2, "Gamma": 2},
-        parameters=parameters,
-    )
-
-
-def sigma(known: Known) -> Block:
-    """Make the law `sigma`."""
-    leak = known.setting("leak", forgetting(known))
-    return law_block(sigma_update, LeakParameters(known.N, *known.gains[:3], leak))
-
-
-def switching_sigma(known: Known) -> Block:
-    """Make the law `switching-sigma`."""
-    leak = known.setting("leak", forgetting(known))
-    p = SwitchingParameters(known.N, *known.gains[:3], leak, *limits(known))
-    return law_block(switching_update, p)
-
-
-def e_modification(known: Known) -> Block:
-    """Make the law `e-modification`."""
-    leak = known.setting("leak", forgetting(known) / known.reach)
-    return law_block(e_update, LeakParameters(known.N, *known.gains[:3], leak))
+def e_modification(t, x, u, p):
+    """Eqs. (21)-(23), each less gamma leak |e| times what is learned."""
+    leak = p.leak * np.linalg.norm(u.e)
+    return leaking(t, x, u, p, leak, leak, leak)
 
 
 def forgetting(known: Known) -> float:
@@ -145,17 +69,14 @@ def forgetting(known: Known) -> float:
     return 1.0 / (known.gains.parameters * known.cycle)
 
 
-def limits(known: Known) -> tuple[float, float, float]:
-    """Return M of alpha, K and Gamma: each flow parameter up to the speed to the farthest waypoint.
+def largest_flow(known: Known) -> float:
+    """Return M of alpha: each parameter the speed that KD asks for at the farthest waypoint."""
+    return math.sqrt(2 * known.N) * float(known.KD.max()) * known.reach
 
-    That speed is KD times its distance; the gains are up to twice KD.
-    """
-    speed, KD = float(known.KD.max()) * known.reach, math.hypot(*known.KD)
-    return (
-        known.setting("largest_flow", math.sqrt(2 * known.N) * speed),
-        known.setting("largest_feedback", 2.0 * KD),
-        known.setting("largest_feedforward", 2.0 * KD),
-    )
+
+def twice_KD(known: Known) -> float:
+    """Return M of K and of Gamma: gains up to twice KD."""
+    return 2.0 * math.hypot(*known.KD)
 
 
 LIMITS = {
@@ -164,50 +85,49 @@ LIMITS = {
         "positive",
         "largest norm of the flow parameters, length per time; sqrt(2 N) times "
         "the speed that KD asks for at the farthest waypoint",
+        largest_flow,
     ),
-    "largest_feedback": Setting(None, "positive", "largest norm of K, per time; twice that of KD"),
+    "largest_feedback": Setting(
+        None, "positive", "largest norm of K, per time; twice that of KD", twice_KD
+    ),
     "largest_feedforward": Setting(
-        None, "positive", "largest norm of Gamma, per time; twice that of KD"
+        None, "positive", "largest norm of Gamma, per time; twice that of KD", twice_KD
     ),
 }
-GAIN = ("learning.gain", "learning.gains.parameters")
 LEAK = Setting(
     None,
     "positive",
     "its gain times leak is what is forgotten per time, of alpha all within a cycle",
+    forgetting,
 )
 SIGMA = Law(
     "sigma",
     promise="CLPE and all that is learned stay bounded under any bounded disturbance",
     needs="nothing but a gain; what is learned is pulled to zero",
-    block=sigma,
-    V=V,
-    settings={"leak": LEAK},
-    made_of=GAIN,
+    rates=sigma,
+    parameters={**GAINS, "leak": LEAK},
 )
 SWITCHING_SIGMA = Law(
     "switching-sigma",
     promise="as sigma, and CLPE goes to zero without disturbance where the limits hold",
     needs="limits of the flow parameters and gains",
-    block=switching_sigma,
-    V=V,
-    settings={"leak": LEAK, **LIMITS},
-    made_of=(*GAIN, "vehicle.feedback"),
+    rates=switching_sigma,
+    parameters={**GAINS, "leak": LEAK, **LIMITS},
 )
 E_MODIFICATION = Law(
     "e-modification",
     promise="V never rises above a level under a bounded disturbance; less is forgotten where "
     "CLPE is small",
     needs="nothing but a gain",
-    block=e_modification,
-    V=V,
-    settings={
+    rates=e_modification,
+    parameters={
+        **GAINS,
         "leak": Setting(
             None,
             "positive",
             "its gain times leak times CLPE is what is forgotten per time, of alpha all within "
             "a cycle at a CLPE as large as the farthest waypoint's distance",
-        )
+            lambda known: forgetting(known) / known.reach,
+        ),
     },
-    made_of=GAIN,
 )

@@ -3,24 +3,23 @@
 k is the mean of KD, per time; R how far the track reaches, length.
 """
 
+from typing import Any
+
 import numpy as np
 
 from ...errors import ScenarioError
-from .law import Known, Setting
-
-PRIOR = Setting(
-    None,
-    "positive",
-    "standard deviation of each theta, length/time; 0.3 k R, mean KD times track's reach",
-)
-NOISE = Setting(None, "positive", "r of the regression, length/time^0.5; 0.1 R k^0.5")
-FILTER = Setting(None, "positive", "pole l of the filter, 1/time; 2 k")
-MEMORY = Setting(None, "not negative", "m of the memory, 1/time; 0.02 k")
+from .known import Known
+from .law import Setting
 
 
 def mean_feedback(known: Known) -> float:
     """Return k, the mean feedback gain of the vehicle, per time: the scale of time."""
     return float(np.mean(known.KD))
+
+
+def times_k(factor: float, power: int = 1) -> Any:
+    """Return what makes a multiple of a power of k."""
+    return lambda known: factor * mean_feedback(known) ** power
 
 
 def reach(known: Known) -> float:
@@ -40,12 +39,22 @@ def usual_prior(known: Known) -> float:
     return 0.3 * mean_feedback(known) * reach(known)
 
 
+def usual_noise(known: Known) -> float:
+    """Return 0.1 R k^0.5, length per square root of time."""
+    return 0.1 * reach(known) * float(np.sqrt(mean_feedback(known)))
+
+
+PRIOR = Setting(
+    None,
+    "positive",
+    "standard deviation of each theta, length/time; 0.3 k R, mean KD times track's reach",
+    usual_prior,
+)
+NOISE = Setting(None, "positive", "r of the regression, length/time^0.5; 0.1 R k^0.5", usual_noise)
+FILTER = Setting(None, "positive", "pole l of the filter, 1/time; 2 k", times_k(2))
+MEMORY = Setting(None, "not negative", "m of the memory, 1/time; 0.02 k", times_k(0.02))
+
+
 def prior(known: Known) -> float:
-    """Return the standard deviation of each parameter as given, or the usual one."""
-    return known.settings["prior"] or usual_prior(known)
-
-
-def noise(known: Known) -> float:
-    """Return r of the regression, length per square root of time."""
-    given = known.settings["noise"]
-    return given or 0.1 * reach(known) * float(np.sqrt(mean_feedback(known)))
+    """Return the standard deviation of each parameter, as given or the usual one."""
+    return PRIOR.of(known, "prior")

@@ -21,12 +21,7 @@ from functools import cache
 import numpy as np
 
 from ...arguments import numbers, public
-from ...blocks.error_system import (
-    ErrorSystemParameters,
-    ParameterSystemParameters,
-    error_system,
-    parameter_system,
-)
+from ...blocks.error_system import error_system, parameter_system
 from ...errors import ArgumentError
 
 
@@ -94,10 +89,7 @@ def _error_rates(
 ) -> Callable[[np.ndarray], np.ndarray]:
     """Return the blocks' function (e, eta) -> (e, eta)', both (2N + 6, ...)."""
     N, shape = phi.shape[-1], phi.shape[:-1]
-    blocks = (
-        error_system(ErrorSystemParameters(N, np.asarray(KD, dtype=float))),
-        parameter_system(ParameterSystemParameters(N, float(gain))),
-    )
+    blocks = error_system(N, KD), parameter_system(N, float(gain))
     given = {name: np.moveaxis(v, -1, 0) for name, v in (("phi_x", phi), ("z", z), ("zc", zc))}
 
     def rates(X: np.ndarray) -> np.ndarray:

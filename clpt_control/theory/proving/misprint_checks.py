@@ -30,9 +30,9 @@ class PaperLoop:
         self.phi, self.phi_z, self.zc = (loop.inputs[u] for u in ("phi_x", "phi_z", "zc"))
         self.delta = loop.inputs.get("delta", sympy.Integer(0))
         self.e, self.psi, self.V = loop.signals["e"], loop.signals["psi"], loop.signals["V"][0]
-        self.alpha = np.reshape(loop.signals["alpha"], (2, 2))
+        self.alpha = loop.signals["alpha"]
         self.free: dict[str, np.ndarray] = {  # rates of what adapts, before a law is chosen
-            port: np.array([sympy.Symbol(f"{s}'", real=True) for s in loop.states[port]])
+            port: np.vectorize(lambda s: sympy.Symbol(f"{s}'", real=True))(loop.states[port])
             for port in ("alpha", "K", "Gamma")
             if port in loop.states
         }
@@ -42,7 +42,9 @@ class PaperLoop:
         return sum(
             sympy.diff(self.V, s) * rate
             for port, states in self.loop.states.items()
-            for s, rate in zip(states, self.free.get(port, self.loop.rates[port]), strict=True)
+            for s, rate in zip(
+                states.flat, self.free.get(port, self.loop.rates[port]).flat, strict=True
+            )
         )
 
     def gain_terms(self, before_K: sympy.Expr) -> sympy.Expr:
@@ -74,8 +76,7 @@ def _without_injection(law: str, disturbed: bool = False) -> PaperLoop:
 def _error_dynamics() -> tuple[sympy.Matrix, sympy.Matrix, sympy.Matrix, sympy.Symbol]:
     """Return A of Eq. (28), in the order e, eta, the joint regressor W (8, 2), KD and gamma."""
     loop = symbolic_loop(error_loop(theorem_scenario(2, "learned-flow")))
-    X = sympy.Matrix([*loop.states["e"], *loop.states["eta"]])
-    rates = sympy.Matrix([*loop.rates["e"], *loop.rates["eta"]])
+    X, rates = sympy.Matrix([*loop.motion]), sympy.Matrix([*loop.motion.values()])
     A = rates.jacobian(X)
     if sympy.expand(rates - A * X) != sympy.zeros(*X.shape):
         raise ValueError("Eq. (28) is not linear in (e, eta)")
@@ -104,7 +105,7 @@ def equation_18(printed: bool) -> bool:
 def _learned(o: PaperLoop, before_K: Any, before_alpha: Any, rest: np.ndarray) -> bool:
     """Compare V' with e^T (-KD e + Delta - psi + rest) + the law's brackets."""
     form = o.gain_terms(before_K) + o.e @ (-o.KD * o.e + o.delta - o.psi + rest)
-    bracket = before_alpha * o.free["alpha"].reshape(2, 2) + np.outer(o.e, o.phi)
+    bracket = before_alpha * o.free["alpha"] + np.outer(o.e, o.phi)
     return _zero(o.free_rate() - form - np.sum((o.theta + o.alpha) * bracket))
 
 
@@ -178,8 +179,8 @@ def hats(printed: bool) -> bool:
 def gaussian(printed: bool) -> bool:
     """Check whether log phi of Eq. (5) is quadratic in distance."""
     d, width = sympy.symbols("d sigma", positive=True)
-    one = basis.BasisParameters(1, np.zeros((1, 2)), np.ones(1), np.zeros(1), np.zeros(1))
-    block = basis.flow_basis("basis_x", "x", "exponential" if printed else "gaussian", one)
+    kernel, one = "exponential" if printed else "gaussian", (np.zeros((1, 2)), np.ones(1))
+    block = basis.flow_basis("basis_x", "x", kernel, *one, np.zeros(1), np.zeros(1))
     known = {("u", 0): d, ("p", "widths", 0): width}  # the centre, frequency and phase are zero
     phi = expressions(block.output_record, lambda *where: known.get(where, sympy.Integer(0)))[0]
     bend = sympy.simplify(sympy.diff(sympy.expand_log(sympy.log(phi), force=True), d, 2))
@@ -198,6 +199,6 @@ def bounded_z(printed: bool) -> bool:
     o = PaperLoop("learned-flow")
     if not printed:
         return _zero(o.z - (o.x - o.e))
-    adapting = {s for port in ("alpha", "K", "Gamma") for s in o.loop.states[port]}
+    adapting = {s for port in ("alpha", "K", "Gamma") for s in o.loop.states[port].flat}
     slopes = [sympy.diff(o.loop.rates["z"][i], o.z[i]) for i in range(2)]
     return not any(slope.free_symbols & adapting for slope in slopes)
