@@ -16,7 +16,10 @@ def laws(as_json: Json = False) -> None:
     if as_json:
         listed = {}
         for law in LAWS.values():
-            settings = {key: one._asdict() for key, one in law.settings.items()}
+            settings = {
+                key: {"default": one.default, "allowed": one.allowed, "meaning": one.meaning}
+                for key, one in law.settings.items()
+            }
             listed[law.name] = {
                 "promise": law.promise,
                 "needs": law.needs,

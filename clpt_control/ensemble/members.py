@@ -21,7 +21,7 @@ from ..native.program import LANES
 from ..native.schedule import Schedule, make_schedule
 from ..native.sweep import Sweep
 from ..scenario.experiment import Scenario, scenario_tables
-from ..scenario.keys import CALL_TIME_NAMES, JUMPS, STARTS, names_held
+from ..scenario.keys import CALL_TIME_NAMES, JUMPS, STARTS, made_of, names_held
 from ..simulation.loops import changed_blocks
 from ..simulation.starts import state_columns, state_of
 
@@ -64,7 +64,7 @@ class Ensemble:
 
     def _places(self, key: str) -> tuple[list[int], list[int]] | None:
         """Return where in P and in the initial state a value begins; None if it is computed."""
-        made = self.scenario.learning.row.made_of if self.changes.law is None else ()
+        made = made_of(self.scenario) if self.changes.law is None else ()
         own = self.changes.names
         if key in (*JUMPS, *made) or key not in {**CALL_TIME_NAMES, **STARTS}:
             return None
@@ -74,7 +74,7 @@ class Ensemble:
             if self.blocks[k].name not in own
         }
         in_P = []
-        for name in names_held(self.scenario, key, places):
+        for name in names_held(self.scenario, [key], places)[key]:
             if places[name].array != "P":
                 raise ScenarioError(f"{key}: has too many numbers to vary")
             if places[name].offset not in in_P:

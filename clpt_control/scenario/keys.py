@@ -4,7 +4,7 @@ A key such as ``learning.gain`` is its name in a scenario, ``adaptation.gain`` a
 time, in ``simulate(params=...)``.
 """
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from typing import Any
 
 # scenario key -> parameters of blocks that hold its value as it is
@@ -60,11 +60,18 @@ STARTS = {
 }
 
 
-def names_held(scenario: Any, key: str, known: Collection[str]) -> tuple[str, ...]:
-    """Return which parameters of a scenario's blocks, of those known, hold a key's value."""
-    if key in scenario.learning.row.made_of:  # held elsewhere too, in another form
-        return ()
-    return tuple(name for name in _names(scenario, key) if name in known)
+def made_of(scenario: Any) -> set[str]:
+    """Return the keys that the law holds in another form."""
+    return scenario.learning.row.made_of(scenario.known_to_law)
+
+
+def names_held(scenario: Any, keys: Iterable[str], known: Collection[str]) -> dict[str, list[str]]:
+    """Return which parameters of a scenario's blocks, of those known, hold each key's value."""
+    made = made_of(scenario)  # held elsewhere too
+    return {
+        key: [name for name in _names(scenario, key) if name in known and key not in made]
+        for key in keys
+    }
 
 
 def _names(scenario: Any, key: str) -> tuple[str, ...]:
@@ -86,7 +93,7 @@ def keys_of(scenario: Any, name: str) -> list[str]:
 
 def keys_alone(scenario: Any, known: Collection[str]) -> dict[str, str]:
     """Return call-time name -> key, where one parameter of those known holds the key's value."""
-    held = {key: names_held(scenario, key, known) for key in CALL_TIME_NAMES}
+    held = names_held(scenario, CALL_TIME_NAMES, known)
     return {names[0]: key for key, names in held.items() if len(names) == 1}
 
 
