@@ -3,13 +3,13 @@
     e'   = -KD e + W^T eta                        Eq. (27)
     eta' = -gamma W e                             Eq. (28), lower rows
 
-with, axis by axis, eta = [theta + alpha (row by row), K - KD, GammaD - Gamma]
-and the regressor W whose column i holds phi(x) in row block i, z_i and zc_i.
+with, axis by axis, eta = [theta + alpha (row by row), K - KD, GammaD - Gamma], the last two in the
+ports eta_3 and eta_4, and the regressor W whose column i holds phi(x) in row block i, z_i and zc_i.
 The print of Eq. (27) has x where Eqs. (28) and (31) need z, and the lower rows
 of A in Eq. (28) lack their transposes; the corrected forms stand here.
 
-Ports: phi_x[N], z[2], zc[2] (length), eta[2N+4] -> e[2] (length), a state;
-e[2], phi_x[N], z[2], zc[2] -> eta[2N+4], a state.
+Ports: phi_x[N], z[2], zc[2] (length), eta[2N], eta_3[2], eta_4[2] -> e[2] (length), a state;
+e[2], phi_x[N], z[2], zc[2] -> eta[2N], eta_3[2], eta_4[2], states.
 """
 
 from typing import Any
@@ -19,17 +19,21 @@ import numpy as np
 from ..equations.block import Block
 
 
+ETA = {"eta": (2, "N"), "eta_3": 2, "eta_4": 2}
+
+
 def error(t, x, u, p):
     """e' = -KD e + W^T eta, Eq. (27)."""
-    N = len(u.phi_x)
-    flow, feedback, feedforward = u.eta[: 2 * N].reshape(2, N), u.eta[-4:-2], u.eta[-2:]
-    return -p.KD * x.e + flow @ u.phi_x + u.z * feedback + u.zc * feedforward
+    return -p.KD * x.e + u.eta @ u.phi_x + u.z * u.eta_3 + u.zc * u.eta_4
 
 
 def parameter(t, x, u, p):
     """eta' = -gamma W e, the lower rows of Eq. (28)."""
-    We = (np.outer(u.e, u.phi_x).ravel(), u.z * u.e, u.zc * u.e)
-    return -p.gain * np.concatenate(We)
+    return {
+        "eta": -p.gain * np.outer(u.e, u.phi_x),
+        "eta_3": -p.gain * u.z * u.e,
+        "eta_4": -p.gain * u.zc * u.e,
+    }
 
 
 def error_system(N: int, KD: Any) -> Block:
@@ -37,9 +41,10 @@ def error_system(N: int, KD: Any) -> Block:
     return Block(
         "error_system",
         update=error,
-        inputs={"phi_x": N, "z": 2, "zc": 2, "eta": 2 * N + 4},
+        inputs={"phi_x": "N", "z": 2, "zc": 2, **ETA},
         states={"e": 2},
         parameters={"KD": KD},
+        sizes={"N": N},
     )
 
 
@@ -48,7 +53,8 @@ def parameter_system(N: int, gain: float) -> Block:
     return Block(
         "parameter_system",
         update=parameter,
-        inputs={"e": 2, "phi_x": N, "z": 2, "zc": 2},
-        states={"eta": 2 * N + 4},
+        inputs={"e": 2, "phi_x": "N", "z": 2, "zc": 2},
+        states=ETA,
         parameters={"gain": gain},
+        sizes={"N": N},
     )

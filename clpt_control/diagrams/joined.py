@@ -21,7 +21,11 @@ from ..equations.record import Record, Shape
 from .wiring import Node, Wiring
 
 Values = dict[tuple[str, str], Any]  # (block, port) -> Array or number
-Leaf = Callable[[str, Node, str, Shape], Any]  # group (x, p), block, port or field, shape
+# what makes the values with which a record begins
+Leaf = Callable[[str, Node, str, Shape], Any]  # of group x or p, a block, its port or field, shape
+Given = Callable[[str, Shape, Shape], Any]  # an input of the diagram: port, shape, as declared
+# outputs of a block that is not read, of what feeds it and their shapes; None where it is read
+StandIn = Callable[[Node, dict[str, Any], dict[str, Shape]], dict[str, Any] | None]
 
 
 @dataclass
@@ -34,6 +38,7 @@ class Joined:
     signals: Values = field(default_factory=dict)  # what they put out
     rates: Values = field(default_factory=dict)
     jumps: Values = field(default_factory=dict)  # what states jump to
+    fields: dict[str, dict[str, Shape]] = field(default_factory=dict)  # of parameters, by block
     owners: dict[int, str] = field(default_factory=dict)  # operation -> "block.role"
 
 
@@ -68,33 +73,30 @@ class Joining:
 
     def shape(self, block: Block, shape: Shape) -> Shape:
         """Return a shape in which only the diagram's open sizes have names."""
-        return tuple(block.sizes[n] if n not in self.open else n for n in shape) if any(
-            isinstance(n, str) for n in shape
-        ) and block.sizes else shape
+        return tuple(n if isinstance(n, int) or n in self.open else block.sizes[n] for n in shape)
 
     def joined(
         self,
         external: dict[str, int],
-        given: Callable[[str, Shape], Any],
-        stand_in: Callable[[Node, dict[str, Any]], dict[str, Any] | None],
+        given: Given,
+        stand_in: StandIn,
     ) -> Joined:
-        """Put the blocks on the tape in their order.
-
-        `given` makes an input of the diagram, `stand_in` what an undefined block puts out,
-        or None for a block that is read.
-        """
+        """Put the blocks on the tape in their order."""
         self.outside = [(port, k) for port, size in external.items() for k in range(size)]
         found = self.found
         for port, size in external.items():
-            found.inputs[port] = given(port, self.outside_shape(port, size))
+            found.inputs[port] = given(port, *self.outside_shape(port, size))
         for k in self.wiring.order:
             node = self.wiring.nodes[k]
             u = self.fed(node) if node.system.feedthrough or node.system.opaque else {}
-            made = stand_in(node, u)
+            declared = node.system.declared["outputs"]
+            shapes = {port: self.shape(node.system, shape) for port, shape in declared.items()}
+            made = stand_in(node, u, shapes)
             if made is None:
                 made = self.run(node, "output", u)
             found.signals.update({(node.name, port): value for port, value in made.items()})
         for node in self.wiring.nodes:
+            found.fields[node.name] = self.fields(node.system)
             u = self.fed(node)
             found.fed.update({(node.name, port): value for port, value in u.items()})
             for role, into in (("update", found.rates), ("jump", found.jumps)):
@@ -103,8 +105,16 @@ class Joining:
                     into.update({(node.name, port): value for port, value in made.items()})
         return found
 
-    def outside_shape(self, port: str, size: int) -> Shape:
-        """Return the shape of an input of the diagram: that of the ports which it feeds whole."""
+    def fields(self, block: Block) -> dict[str, Shape]:
+        """Return the shapes of a block's parameters."""
+        shapes = block.parameter_shapes
+        return {
+            own: self.shape(block, shapes.get(own, np.shape(value)))
+            for own, value in block.parameters._asdict().items()
+        }
+
+    def outside_shape(self, port: str, size: int) -> tuple[Shape, Shape]:
+        """Return the shape of an input of the diagram, and how the port that it feeds declares it."""
         first = self.outside.index((port, 0))
         for node in self.wiring.nodes:
             for wire in node.wires:
@@ -112,9 +122,10 @@ class Joining:
                     at, start = first - wire.source + wire.to, 0
                     for own, n in node.system.input_ports.items():
                         if start == at and n == size:
-                            return self.shape(node.system, node.system.declared["inputs"][own])
+                            declared = node.system.declared["inputs"][own]
+                            return self.shape(node.system, declared), declared
                         start += n
-        return (size,)
+        return (size,), (size,)
 
     # --- what feeds a block -----------------------------------------------------------------
 
@@ -228,8 +239,8 @@ def joined(
     diagram: control.NonlinearIOSystem,
     wiring: Wiring,
     leaf: Leaf,
-    given: Callable[[str, Shape], Any],
-    stand_in: Callable[[Node, dict[str, Any]], dict[str, Any] | None] = lambda node, u: None,
+    given: Given,
+    stand_in: StandIn = lambda node, u, shapes: None,
     tape: Tape | None = None,
     closed: bool = False,
 ) -> Joined:

@@ -190,7 +190,7 @@ class Elements:
         if kind == "minimum":  # np.clip(u, low, high) is minimum(maximum(u, low), high)
             for inner, high in (own, own[::-1]):
                 if getattr(inner, "func", None) == OPERATIONS["maximum"]:
-                    low, u = sorted(inner.args, key=lambda a: bool(a.free_symbols))
+                    u, low = inner.args if inner.args[0].free_symbols else inner.args[::-1]
                     return OPERATIONS["clip"](u, low, high)
         return OPERATIONS[kind](*own)
 

@@ -22,6 +22,7 @@ import numpy as np
 
 from ...arguments import numbers, public
 from ...blocks.error_system import error_system, parameter_system
+from ...equations.at_many import on_arrays
 from ...errors import ArgumentError
 
 
@@ -93,14 +94,17 @@ def _error_rates(
     given = {name: np.moveaxis(v, -1, 0) for name, v in (("phi_x", phi), ("z", z), ("zc", zc))}
 
     def rates(X: np.ndarray) -> np.ndarray:
-        ports, found, row = {**given, "e": X[:2], "eta": X[2:]}, np.empty((2 * N + 6, *shape)), 0
+        parts = np.split(X, np.cumsum([2, 2 * N, 2]))
+        ports = {**given, **dict(zip(("e", "eta", "eta_3", "eta_4"), parts, strict=True))}
+        found = []
         for block in blocks:
-            u = np.concatenate([ports[port] for port in block.input_ports])
-            x = np.concatenate([ports[port] for port in block.state_ports])
-            assert block.update_function is not None
-            block.update_function(0.0, x, u, block.parameters, found[row : row + len(x)])
-            row += len(x)
-        return found
+            x, u = (
+                np.concatenate([ports[port] for port in own])
+                for own in (block.state_ports, block.input_ports)
+            )
+            assert block.update_record is not None
+            found.append(on_arrays(block.update_record, np.zeros(shape), x, u, block.parameters))
+        return np.concatenate(found)
 
     return rates
 

@@ -12,67 +12,60 @@ The last line is what Barbalat's lemma says: wherever g = eps, it stays above
 eps - B s for the time eps/B, which takes eps^2/(2 B) out of int g dt <= V(0).
 """
 
+from typing import Any
+
+import numpy as np
 import sympy
 
-from .every_n_loop import EveryNLoop, element_symbol, every_n_loop
-from .every_n_signals import Summed
-from .lyapunov import every_n_terms
+from ...diagrams.interconnection import Diagram
+from .array_loop import ArrayLoop
+from .lyapunov import WIRED, decay, known_positive, rate_of_V, zero_step
 from .proof import Step, checked
 from .theorem_loop import theorem_loop
+
+Errors = dict[str, Any]
+
+
+def learned() -> Diagram:
+    """Return the learned-flow law's loop."""
+    return theorem_loop(WIRED, "learned-flow")
+
+
+def errors(loop: ArrayLoop) -> Errors:
+    """Return e and eta: theta + alpha, K - KD and GammaD - Gamma."""
+    p, s, car = loop.parameters, loop.states, loop.parameters["vehicle_controller"]
+    found = {"e": s["x"] - s["z"], "eta_3": s["K"] - car.KD, "eta_4": car.GammaD - s["Gamma"]}
+    return {**found, "eta": p["true_flow"].theta + s["alpha"]} if "alpha" in s else found
 
 
 def definite_step(law: str) -> Step:
     """Check that V is positive definite in e and the errors, every N."""
     equation = "(17)" if law == "known-flow" else "(24)"
 
-    def check() -> bool:
-        loop = every_n_loop(theorem_loop(3, law))
-        V = loop.signals["V", None, 0]
-        terms = every_n_terms(loop)
-        truth: dict[sympy.Expr, sympy.Expr] = {}
-        singles = []
-        for i in range(2):
-            KD, GammaD = terms.KD(i), loop.parameter("GammaD", i)
-            own = [element_symbol(port, None, i) for port in ("x", "K", "Gamma")]
-            truth |= dict(zip(own, (element_symbol("z", None, i), KD, GammaD), strict=True))
-            singles += own
-        rows = [element_symbol("alpha", i) for i in range(2)] if law == "learned-flow" else []
-        truth |= {row: -terms.theta(i, None) for i, row in enumerate(rows)}
-        learned = _form(V.term, rows, truth) if rows else V.term == 0
-        return learned and _form(V.base, singles, truth)
+    def rest(loop: ArrayLoop) -> list[Any]:
+        p, own = loop.parameters["lyapunov"], errors(loop)
+        gains = {"e": 1.0, "eta": p.gain, "eta_3": p.gain_K, "eta_4": p.gain_Gamma}
+        for name in own:
+            known_positive(loop, "a gain", gains[name])
+        squares = (np.sum(error**2 / gains[name]) for name, error in own.items())
+        return [loop.signals["V"][0] - sum(squares) / 2]
 
-    return checked(
+    return zero_step(
         f"V of Eq. {equation} is positive definite in e and the parameter errors, and radially "
-        "unbounded: a constant positive diagonal Hessian, zero at the truth",
-        "exact",
-        check,
-    )
-
-
-def _form(V: sympy.Expr, states: list, truth: dict) -> bool:
-    """Return whether V is a sum of squares of the errors, each with a positive weight."""
-    H = sympy.hessian(V, states)
-    at_truth = [V, *(sympy.diff(V, s) for s in states)]
-    return (
-        H.is_diagonal()
-        and all(
-            H[i, i].is_positive and not H[i, i].free_symbols & set(truth)
-            for i in range(len(states))
-        )
-        and all(sympy.expand(v.subs(truth, simultaneous=True)) == 0 for v in at_truth)
+        "unbounded: half the sum of their squares, each with a positive weight",
+        lambda: theorem_loop(WIRED, law),
+        rest,
     )
 
 
 def dissipation_step() -> Step:
     """Check that -e^T KD e is not positive where KD > 0."""
 
-    def check() -> bool:
-        loop = every_n_loop(theorem_loop(3, "learned-flow"))
-        rate = loop.derivative(loop.signals["V", None, 0])
-        H = sympy.hessian(rate.base, [element_symbol("x", None, i) for i in range(2)])
-        return not rate.term and H.is_diagonal() and all(H[i, i].is_negative for i in range(2))
+    def rest(loop: ArrayLoop) -> list[Any]:
+        known_positive(loop, "KD", loop.parameters["vehicle_controller"].KD)
+        return [rate_of_V(loop) - decay(loop)]
 
-    return checked("V' <= 0: -e^T KD e is negative definite in e for KD > 0", "exact", check)
+    return zero_step("V' <= 0: -e^T KD e is negative definite in e for KD > 0", learned, rest)
 
 
 def young_step() -> Step:
@@ -88,60 +81,37 @@ def young_step() -> Step:
     )
 
 
-def error_rate(loop: EveryNLoop) -> tuple[Summed, Summed]:
-    """Return e' = -KD e + W^T eta as the paper has it, for each axis."""
-    terms, rates = every_n_terms(loop), []
-    for i in range(2):
-        K, Gamma = element_symbol("K", None, i), element_symbol("Gamma", None, i)
-        joint = loop.signals["z", None, i].base * (K - terms.KD(i))
-        joint += loop.signals["zc", None, i].base * (loop.parameter("GammaD", i) - Gamma)
-        learned = terms.phi(None) * (terms.theta(i, None) + element_symbol("alpha", i))
-        rates.append(Summed(joint - terms.KD(i) * terms.e(i), learned))
-    return rates[0], rates[1]
+def error_rates(own: Errors, KD: Any, gamma: Any, phi: Any, z: Any, zc: Any) -> Errors:
+    """Return e' = -KD e + W^T eta, Eq. (27) with z eta_3, and eta' = -gamma W e, Eq. (28)."""
+    e = own["e"]
+    return {
+        "e": -KD * e + own["eta"] @ phi + z * own["eta_3"] + zc * own["eta_4"],
+        "eta": -gamma * np.outer(e, phi),
+        "eta_3": -gamma * z * e,
+        "eta_4": -gamma * zc * e,
+    }
+
+
+def wanted_rates(loop: ArrayLoop) -> Errors:
+    """Return the rates of the closed loop's errors as the paper has them."""
+    p, inputs = loop.parameters, loop.inputs
+    given = inputs["phi_x"], loop.states["z"], inputs["zc"]
+    return error_rates(errors(loop), p["vehicle_controller"].KD, p["adaptation"].gain, *given)
 
 
 def convergence_steps() -> list[Step]:
     """Check the chain of Theorem 3.2 after V' = -e^T KD e."""
 
-    def loop() -> EveryNLoop:
-        return every_n_loop(theorem_loop(3, "learned-flow"))
+    def vehicle_stable(loop: ArrayLoop) -> list[Any]:
+        car, theta = loop.parameters["vehicle_controller"], loop.parameters["true_flow"].theta
+        known_positive(loop, "KD", car.KD)
+        driven = (theta - car.alpha_M) @ loop.inputs["phi_x"] + car.GammaD * loop.inputs["zc"]
+        return [loop.rates["x"] - (driven - car.KD * loop.states["x"])]
 
-    def vehicle_stable() -> bool:
-        own = loop()
-        for i in range(2):
-            KD, rate = every_n_terms(own).KD(i), own.rates["x", None, i]
-            rest = sympy.expand(rate.base + KD * element_symbol("x", None, i))
-            given = {s for s in own.given if str(s) in ("phi_x[k]", f"zc_{i + 1}")}
-            fixed = {s for s in (rest + rate.term).free_symbols if _is_state(own, s)}
-            moving = (rest + rate.term).free_symbols & own.given
-            if fixed or not moving <= given or not KD.is_positive:
-                return False
-            if sympy.diff(rate.term, own.signals["phi_x", 0, None], 2) != 0:
-                return False
-        return True
-
-    def prediction() -> bool:
-        own = loop()
-        x, z = ([element_symbol(port, None, i) for i in range(2)] for port in "xz")
-        return all(own.signals["e", None, i] == Summed(x[i] - z[i]) for i in range(2))
-
-    def rate() -> bool:
-        own = loop()
-        for i, wanted in enumerate(error_rate(own)):
-            found = own.derivative(own.signals["e", None, i])
-            if sympy.expand(found.base - wanted.base) or sympy.expand(found.term - wanted.term):
-                return False
-        return True
-
-    def second() -> bool:
-        own = loop()
-        terms = every_n_terms(own)
-        twice = own.derivative(own.derivative(own.signals["V", None, 0]))
-        wanted = Summed(sympy.Integer(0))
-        for i in range(2):
-            slope = Summed(-2 * terms.KD(i) * terms.e(i))
-            wanted = wanted.plus(slope.times(own.derivative(own.signals["e", None, i])))
-        return twice == wanted.expanded()
+    def second(loop: ArrayLoop) -> list[Any]:
+        KD, e = loop.parameters["vehicle_controller"].KD, loop.signals["e"]
+        slope = -2 * np.sum(KD * e * loop.derivative(e))
+        return [loop.derivative(rate_of_V(loop)) - slope]
 
     def squeezed() -> bool:
         eps, B, s = sympy.symbols("epsilon B s", positive=True)
@@ -149,14 +119,22 @@ def convergence_steps() -> list[Step]:
         return sympy.simplify(taken - eps**2 / (2 * B)) == 0 and bool(taken.is_positive)
 
     return [
-        checked(
-            "Eq. (9): x' + KD x holds only phi and zc, so x is bounded", "exact", vehicle_stable
+        zero_step(
+            "Eq. (9): x' + KD x holds only phi and zc, so x is bounded", learned, vehicle_stable
         ),
-        checked("z = x - e, so z is bounded where x and e are", "exact", prediction),
-        checked("e' = -KD e + W^T eta, products of bounded signals", "exact", rate),
-        checked(
+        zero_step(
+            "z = x - e, so z is bounded where x and e are",
+            learned,
+            lambda loop: [loop.signals["e"] - errors(loop)["e"]],
+        ),
+        zero_step(
+            "e' = -KD e + W^T eta, products of bounded signals",
+            learned,
+            lambda loop: [loop.derivative(loop.signals["e"]) - wanted_rates(loop)["e"]],
+        ),
+        zero_step(
             "V'' = -2 e^T KD e' holds no derivative of phi or zc, so it is bounded by some B",
-            "exact",
+            learned,
             second,
         ),
         checked(
@@ -166,17 +144,3 @@ def convergence_steps() -> list[Step]:
             squeezed,
         ),
     ]
-
-
-def _is_state(loop: EveryNLoop, symbol: sympy.Symbol) -> bool:
-    own = [
-        element_symbol(port, row, None)
-        for port, size in loop.states.items()
-        for row in range(size.rows)
-    ]
-    own += [
-        element_symbol(port, None, j)
-        for port, size in loop.states.items()
-        for j in range(size.more)
-    ]
-    return symbol in own

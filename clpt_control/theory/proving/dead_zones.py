@@ -38,7 +38,7 @@ class DeadZones:
         zone = self.words[0].args[2]
         if not zone.is_positive or any(w.args[1:] != (-zone, zone) for w in self.words):
             return None
-        held = {s for port in ("x", "z") for s in self.loop.states[port]}
+        held = {s for port in ("x", "z") for s in self.loop.states[port].flat}
         rest = self.of_parameters()
         return None if rest.atoms(AppliedUndef) or rest.free_symbols & held else zone
 
@@ -56,12 +56,11 @@ class DeadZones:
         """Return V' of a loop with these states, clip(e_i) as e_i - D_i."""
         V, total = self.of_parameters(), sympy.Integer(0)
         inner = {w: e - D for w, e, D in zip(self.words, self.e, self.D, strict=True)}
-        for port, symbols in loop.states.items():
-            for s, value in zip(symbols, loop.rates[port], strict=True):
-                slope = sympy.diff(V, s)
-                for e, D in zip(self.e, self.D, strict=True):
-                    slope += D * sympy.diff(e, s)
-                total += slope * sympy.sympify(value).subs(self.at)
+        for s, value in loop.motion.items():
+            slope = sympy.diff(V, s)
+            for e, D in zip(self.e, self.D, strict=True):
+                slope += D * sympy.diff(e, s)
+            total += slope * value.subs(self.at)
         return tidied(sympy.expand(total).xreplace(inner))
 
     def beyond(self, loop: SymbolicLoop, KD: list[sympy.Expr]) -> sympy.Expr:
@@ -73,8 +72,8 @@ class DeadZones:
         """Return whether the running blocks have these rates and this V, at random points."""
         running = RunningRate(diagram)
         draw = Draw(running.blocks, seed)
-        parts = [self.V, *(r for port in self.loop.states for r in self.loop.rates[port])]
-        known = [numeric(sympy.sympify(part).subs(self.at)) for part in parts]
+        parts = [self.V, *self.loop.motion.values()]
+        known = [numeric(part.subs(self.at)) for part in parts]
         done, worst = 0, 0.0
         try:
             while done < count:

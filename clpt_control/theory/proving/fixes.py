@@ -10,6 +10,7 @@ is shown alike, with what was integrated in between.  Not shown: phi(x) = phi(z)
 better the nearer the prediction is.
 """
 
+from operator import ge, gt, le, lt
 from typing import Any
 
 import numpy as np
@@ -57,7 +58,13 @@ def _decided(expression: sympy.Expr) -> sympy.Expr:
     """Return an expression where comparisons and remainders of what is known are carried out."""
     known: dict[str, Any] = {
         "mod": lambda a, b: a % b,
-        "gt": lambda a, b: sympy.Integer(bool(a > b)),
+        **{
+            name: lambda a, b, ask=ask: sympy.Integer(bool(ask(a, b)))
+            for name, ask in {"gt": gt, "ge": ge, "lt": lt, "le": le}.items()
+        },
+        "and_": lambda a, b: a * b,
+        "or_": lambda a, b: a + b - a * b,
+        "not_": lambda a: 1 - a,
         "where": lambda condition, a, b: a if condition == 1 else b,
     }
     return expression.replace(
@@ -160,8 +167,8 @@ def _between(law: Law, N: int) -> tuple[bool, str]:
     external = [port for name, ports in OUTSIDE.items() for port in ports]
     loop = symbolic_loop(connect([*inner, block, V], external, name="between"), jumps=True)
     own = {port.rpartition(":")[2]: symbols for port, symbols in loop.states.items()}
-    theta = np.reshape(loop.parameters["true_flow"].theta, (2, N))
-    apart = own["x"] - own["z"] - (theta + own["alpha"].reshape(2, N)) @ own["m"]
+    eta = loop.parameters["true_flow"].theta + own["alpha"]
+    apart = own["x"] - own["z"] - eta @ own["m"]
     same = dict(zip(loop.inputs["phi_x"], loop.inputs["phi_z"], strict=True))
     rates = {
         "x - z - eta m": [loop.derivative(e).subs(same) for e in apart],
@@ -169,7 +176,7 @@ def _between(law: Law, N: int) -> tuple[bool, str]:
         **{
             f"{port} read": loop.signals[port] - own[port] for port in ("alpha", "z", "information")
         },
-        **{port: [loop.derivative(s) for s in own[port]] for port in own if port not in MOVING},
+        **{port: [loop.motion[s] for s in own[port].flat] for port in own if port not in MOVING},
     }
     wrong = [name for name, rate in rates.items() if not is_zero(rate)]
     return not wrong, f"{', '.join(wrong)} changes, N = {N}" if wrong else ""

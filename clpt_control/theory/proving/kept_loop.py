@@ -5,7 +5,6 @@ matrices, its `cones`, are not negative, what V' `losses` are and what is a `pus
 what is asked of them for one N; `kept_relations` and `shrinking_errors` put the answers together.
 """
 
-import math
 from collections.abc import Callable, Iterable, Set
 from typing import Any
 
@@ -15,11 +14,12 @@ from sympy.core.function import AppliedUndef
 
 from ...blocks.laws.law import Law, Truth
 from ...equations.block import Block
-from .lyapunov import Claim, claimed, short
-from .proof import Step, checked
+from .array_loop import TIME
+from .lyapunov import Claim
+from .proof import Step, checked, short
 from .quadratic_forms import nonpositive, positive_maximum
 from .running_rate import running_step
-from .symbolic_loop import TIME, SymbolicLoop, symbolic_loop
+from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import Hedging, law_and_V, theorem_loop
 from .undefined import extent
 from .vanishing import vanishes
@@ -46,19 +46,19 @@ class Kept:
         self.relations: dict[Any, sympy.Expr] = {
             symbol: sympy.expand(value)
             for port, values in relations.items()
-            for symbol, value in zip(self.states[port], np.ravel(values), strict=True)
+            for symbol, value in zip(self.states[port].flat, np.ravel(values), strict=True)
             if symbol != value
         }
         every = {**self.loop.inputs, **self.states}
         self.parameters, self.losses = p, law.losses(every, p, truth)
-        n = made.parameters.N
+        n = self.loop.N or N
         c = sympy.symbols(f"c_1:{2 * n + 1}", real=True)
         self.weighed = np.array(c, dtype=object).reshape(2, n)  # d P^-1, d = theta_hat - theta
         every["d P^-1"] = self.weighed
         self.gains = sympy.sympify(law.gains(every, p, truth))
         self.push = sympy.sympify(law.push(every, p, truth) if law.push else 0)
-        self.cones = {port: _square(self.states[port]) for port in law.cones}
-        self.slopes = {port: _square(self.rates[port]) for port in law.cones}
+        self.cones = {port: self.states[port] for port in law.cones}
+        self.slopes = {port: self.rates[port] for port in law.cones}
         tied = _tied(self.loop, made, V)
         self.V = self.loop.signals["V"][0].subs(tied)
         self.rate = self.loop.derivative(self.V)
@@ -67,7 +67,7 @@ class Kept:
         self.held = law.over(self.states, p, truth) if law.over else None
         self.over = {} if self.held is None else _alone(self.held)
         fresh = [value.free_symbols for value in self.over.values()]
-        self.apart = {s for symbols in (*own.values(), known, *fresh) for s in symbols}
+        self.apart = {s for symbols in (self.loop.motion, known, *fresh) for s in symbols}
 
     def here(self, expression: Any) -> sympy.Expr:
         """Return an expression where the relations hold, multiplied out."""
@@ -89,7 +89,7 @@ class Kept:
 
     def left_over(self, claim: Claim, more: Any = 0) -> str:
         """Return what V' has beyond a claim and more, or where it has no value, or nothing."""
-        rest = self.put(self.rate - claimed(self.loop, claim) - more)
+        rest = self.put(self.rate - claim(self.loop) - more)
         if not vanishes(rest):
             return f"left over: {short(sympy.expand(rest))}"
         return self.loop.undefined[0] if self.loop.undefined else ""
@@ -139,9 +139,8 @@ class Kept:
         if np.any(M != M.T):
             return f"left over: {short(M[0, 1] - M[1, 0])}"
         theta = self.loop.parameters["true_flow"].theta
-        at = dict(zip(self.states["theta_hat"], (theta + c @ M).ravel(), strict=True))
-        slope = self.rates["theta_hat"].reshape(c.shape)
-        rate = 2 * np.sum(slope * c) - np.sum((c @ self.slopes[port]) * c)
+        at = dict(zip(self.states["theta_hat"].flat, (theta + c @ M).flat, strict=True))
+        rate = 2 * np.sum(self.rates["theta_hat"] * c) - np.sum((c @ self.slopes[port]) * c)
         rest = self.put(sympy.sympify(rate - self.gains).subs(at, simultaneous=True))
         if self.gains.is_nonpositive and vanishes(rest):
             return ""
@@ -201,11 +200,6 @@ class Kept:
         return all(self.not_negative(factor) for product in self.losses for factor in product)
 
 
-def _square(symbols: np.ndarray) -> np.ndarray:
-    n = math.isqrt(len(symbols))
-    return symbols.reshape(n, n)
-
-
 def _alone(values: np.ndarray) -> dict[Any, Any]:
     """Return symbols -> expressions that make each value, linear in its symbol, one of its own."""
     flat, found = list(np.ravel(values)), {}
@@ -220,7 +214,7 @@ def _alone(values: np.ndarray) -> dict[Any, Any]:
 def _tied(loop: SymbolicLoop, law: Block, V: Block) -> dict[Any, Any]:
     """Return V's symbols -> the law's, for fields of one name and value."""
     tied: dict[Any, Any] = {}
-    for field in set(V.parameters._fields) & set(law.parameters._fields) - {"N"}:
+    for field in set(V.parameters._fields) & set(law.parameters._fields):
         mine, own = (np.asarray(getattr(b.parameters, field)) for b in (V, law))
         if np.array_equal(mine, np.broadcast_to(own, mine.shape)):
             symbols = np.asarray(getattr(loop.parameters[V.name], field), dtype=object)

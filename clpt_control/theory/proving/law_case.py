@@ -13,15 +13,17 @@ from sympy.core.function import AppliedUndef
 from ...diagrams.interconnection import Diagram
 from ...equations.block import Block
 from ...errors import DiagramError
+from ...equations.every_n import Index, base_and_term, renamed
+from .array_loop import TIME, array_loop
 from .dead_zones import DeadZones
 from .law_gains import own_values, refuse_no_value
 from .leaks import Bound, Leaking, delta_bounds, leaks_of, pull_bound
-from .lyapunov import claimed, decay, every_n_residual, short
-from .proof import Step, checked
+from .lyapunov import decay, rate_of_V, vanish
+from .proof import Step, checked, short
 from .quadratic_forms import nonpositive, pulled, tidied
 from .random_points import Draw
 from .running_rate import compared, numeric
-from .symbolic_loop import TIME, SymbolicLoop, symbolic_loop
+from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import theorem_loop
 
 TRIED = 100  # points at which a sign is looked at before it is proved
@@ -63,12 +65,12 @@ class Case:
             for s in flat(loop.parameters[b.name])
         }
         self.values = {s: v for s, v in own_values(loop, self.blocks).items() if s not in hidden}
-        self.moving = {TIME, *(s for port in loop.states.values() for s in port)}
+        self.moving = {TIME, *loop.motion}
         self.kept: tuple[str, ...] = ()
         self.Vs = loop.signals["V"][0].subs(self.weights)
         self.zones = DeadZones(loop, self.Vs, self.values)
         self.rate = tidied(loop.derivative(loop.signals["V"][0]).subs(self.weights))
-        self.rest = tidied(self.rate - claimed(loop, decay))
+        self.rest = tidied(self.rate - decay(loop))
 
     def truth(self) -> dict[Any, sympy.Expr]:
         """Return where each error is zero."""
@@ -81,7 +83,7 @@ class Case:
         )
         for port, where in known:
             if port in states:
-                true |= dict(zip(states[port], where, strict=True))
+                true |= dict(zip(states[port].flat, where, strict=True))
         return true
 
     @cached_property
@@ -114,12 +116,8 @@ class Case:
             return pull_bound(pull, KD, delta_bounds(disturbed))
         rate, rest, V = (one.subs(at) for one in (self.rate, self.rest, self.Vs))
         leaks = leaks_of(rest, truth, self.moving)
-        pairs = [
-            (s, sympy.sympify(value).subs(at))
-            for port, symbols in self.loop.states.items()
-            for s, value in zip(symbols, self.loop.rates[port], strict=True)
-        ]
-        leaking = Leaking(rate, leaks, V, truth, self.moving, dict(pairs), KD, disturbed)
+        rates = {s: own.subs(at) for s, own in self.loop.motion.items()}
+        leaking = Leaking(rate, leaks, V, truth, self.moving, rates, KD, disturbed)
         return leaking.bound() if leaks else None
 
     def takes_delta(self) -> bool:
@@ -184,7 +182,7 @@ class Case:
         def same() -> tuple[bool, str]:
             square = sum(e**2 for e in self.loop.signals["e"])  # multiplied out it loses digits
             rest = self.rest.xreplace({sympy.expand(square): square})
-            wanted = claimed(self.loop, decay) + rest
+            wanted = decay(self.loop) + rest
             return compared(
                 self.diagram, self.loop, wanted, self.points, self.seed, self.tied, self.kept
             ).outcome
@@ -195,33 +193,29 @@ class Case:
         """Return the step that the same holds for every N."""
 
         def holds() -> tuple[bool, str]:
-            loop, rest = every_n_residual(self.diagram, decay)
-            at = self.values if self.kept else {}
-            weights = {**self.weights, **self.every_n_weights()}
-            base, term = (tidied(part.subs(weights).subs(at)) for part in rest)
-            if loop.undefined:
-                return False, loop.undefined[0]
+            loop = array_loop(self.diagram, known=self.of_every_N)
+            rest = rate_of_V(loop) - decay(loop)
+            if self.rest == 0 or loop.undefined:
+                return vanish(loop, [rest])
+            base, term = map(tidied, base_and_term(loop.elements.of(rest)))
             if self.falls(base) and self.falls(term):
                 return True, ""
             return False, f"left over: {short(base)}; summand {short(term)}"
 
         return checked("the same for every N", "exact", holds)
 
-    def every_n_weights(self) -> dict[sympy.Expr, sympy.Expr]:
-        """Return V's gains of the element k, where they are alike for every function."""
-        found: dict[sympy.Expr, sympy.Expr] = {}
-        if not self.weights:
-            return found
-        own = np.reshape(self.loop.parameters[self.V.name].gain, (2, -1))
-        for row in own if own.shape[1] == self.loop.N else ():
-            if row[0] not in self.weights:
-                continue
-            theirs = [self.weights[symbol] for symbol in row]
-            one = len(set(theirs)) == 1
-            gain = theirs[0] if one else _renamed(theirs[0], "[1]", "[k]")
-            if one or all(_renamed(gain, "[k]", f"[{k + 1}]") == g for k, g in enumerate(theirs)):
-                found[_renamed(row[0], "[1]", "[k]")] = gain
-        return found
+    def of_every_N(self, symbol: sympy.Expr, index: Index) -> sympy.Expr:
+        """Return a parameter's element for every N: V's gains are the law's, as for this N."""
+        generic = [one for one in index if isinstance(one, str)]
+        found = self.weights.get(symbol, symbol)
+        if found == symbol and len(generic) == 1:
+            names = [{generic[0]: str(k + 1)} for k in range(self.loop.N or 0)]
+            theirs = [self.weights.get(renamed(symbol, name), symbol) for name in names]
+            each = [_of_function(gain, generic[0]) for gain in theirs[:1]]
+            for gain in (*each, *theirs[:1]):  # a gain each, or one for all
+                if all(renamed(gain, name) == own for name, own in zip(names, theirs, strict=True)):
+                    found = gain
+        return found.subs(self.values) if self.kept else found
 
 
 def flat(parameters: Any) -> list[Any]:
@@ -229,11 +223,11 @@ def flat(parameters: Any) -> list[Any]:
     return [symbol for field in parameters for symbol in np.ravel(np.asarray(field, dtype=object))]
 
 
-def _renamed(expression: sympy.Expr, last: str, new: str) -> sympy.Expr:
-    """Return an expression with another last index in the names of its symbols."""
+def _of_function(expression: sympy.Expr, index: str) -> sympy.Expr:
+    """Return what an expression of the first function is for another one."""
     names = {
-        s: sympy.Symbol(s.name.removesuffix(last) + new, **s.assumptions0)
+        s: sympy.Symbol(f"{s.name.removesuffix('[1]')}[{index}]", **s.assumptions0)
         for s in expression.free_symbols
-        if s.name.endswith(last)
+        if s.name.endswith("[1]")
     }
     return expression.subs(names)

@@ -14,10 +14,10 @@ from sympy.core.function import AppliedUndef
 from ...diagrams.interconnection import connect
 from ...equations.block import Block
 from ...errors import DiagramError
-from .paper_symbols import port_symbols
+from .array_loop import TIME
 from .quadratic_forms import tidied
 from .random_points import Draw, symbol_values
-from .symbolic_loop import TIME, SymbolicLoop, symbolic_loop
+from .symbolic_loop import SymbolicLoop, symbolic_loop
 
 
 def law_alone(law: Block) -> SymbolicLoop:
@@ -47,7 +47,7 @@ def law_gains(law: Block, N: int) -> tuple[list[sympy.Expr], bool]:
     values = own_values(loop, [law])
     refuse_no_value(loop, law.name)
     nothing = np.zeros(2 * N, dtype=object)
-    e, apart = port_symbols("e", 2, None, (TIME,)), {}
+    e, apart = np.array([sympy.Function(f"e_{i}", real=True)(TIME) for i in (1, 2)]), {}
     if {"x", "z"} <= set(loop.inputs):  # e may be written x - z
         apart = dict(zip(loop.inputs["x"], e + loop.inputs["z"], strict=True))
     gains: list[sympy.Expr] = []
@@ -55,12 +55,12 @@ def law_gains(law: Block, N: int) -> tuple[list[sympy.Expr], bool]:
     fitted = True
     for port, signal, size in (("alpha", "phi_x", N), ("K", "z", 1), ("Gamma", "zc", 1)):
         with_ = loop.inputs.get(signal, nothing)
-        states = loop.states.get(port, nothing[: 2 * size])
+        states = np.ravel(loop.states.get(port, nothing[: 2 * size]))
         for j, state in enumerate(states):
             i, k = (divmod(j, N)) if port == "alpha" else (j, j)
             product, rate = e[i] * with_[k], sympy.Integer(0)
             if state != 0:
-                rate = tidied(loop.rates[port][j].subs(apart))
+                rate = tidied(loop.motion[state].subs(apart))
             factor = _factor(rate, product, set(values)) if product != 0 else product
             number = sympy.sympify(factor).subs(values)
             positive, negative = number.is_positive, number.is_negative
@@ -68,7 +68,7 @@ def law_gains(law: Block, N: int) -> tuple[list[sympy.Expr], bool]:
             gains.append(factor if positive else -factor if negative else sympy.Integer(1))
             rests[state] = sympy.expand(rate - factor * product) / gains[-1]
     rests.pop(sympy.Integer(0), None)
-    given = [s for port, symbols in loop.inputs.items() if port != "e" for s in symbols]
+    given = [s for port, symbols in loop.inputs.items() if port != "e" for s in symbols.flat]
     held = {s: sympy.Dummy(real=True) for s in given}
     rests = {s: rest.xreplace(held) for s, rest in rests.items()}
     return gains, fitted and _judged_by_squares(rests, {*values, *held.values()})
@@ -81,7 +81,7 @@ def refuse_no_value(loop: SymbolicLoop, name: str) -> None:
         one.has(*none)
         for ports in (loop.rates, loop.signals)
         for port in ports.values()
-        for one in port
+        for one in port.flat
     ):
         raise DiagramError(
             f"{name}: with the parameters as they are its equations have no value"

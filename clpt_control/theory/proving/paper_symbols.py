@@ -1,7 +1,7 @@
 """The paper's symbols for a diagram's states, ports and parameters.
 
-A port `x[2]` becomes x_1, x_2; a port of 2N signals, such as `alpha`, becomes
-alpha_1[1] ... alpha_2[N], axis then basis function, both from 1.  A state that is no
+A port `x[2]` becomes x_1, x_2; one of shape (2, N), such as `alpha`, becomes alpha_1[1] ...
+alpha_2[N], axis then basis function, both from 1, or alpha_1[k] for every N.  A state that is no
 port of the diagram carries its block's name, and so does every parameter; fields that
 are one number in the paper (`ONE`) are one symbol where they hold the same values.
 A parameter has the sign of its value, and one that is zero is zero.
@@ -14,7 +14,9 @@ import numpy as np
 import sympy
 
 from ...equations.block import Block
+from ...equations.every_n import Index
 from ...equations.namespaces import named, split
+from ...equations.record import Shape
 from ...scenario.keys import CALL_TIME_NAMES
 
 # fields that stand for one thing, and its name in the paper
@@ -40,23 +42,19 @@ SCALARS = ("gamma",)  # one number in the paper, whatever shape a block keeps it
 _NAMES = {field: name for name, fields in ONE.items() for field in fields}
 
 
-def port_names(port: str, size: int, N: int | None = None) -> list[str]:
-    """Return the names of one port's signals, flattened row by row."""
-    own = split(port)[1]
-    if N is not None and own.startswith("phi") and size == N:
-        return [f"{port}[{k + 1}]" for k in range(size)]
-    if N is not None and own in ("alpha", "eta", "pull") and size >= 2 * N:
-        names = [f"{port}_{k // N + 1}[{k % N + 1}]" for k in range(2 * N)]
-        return names + [f"{port}_{k + 1}" for k in range(2 * N, size)]
-    return [f"{port}_{k + 1}" for k in range(size)]
+def element_name(port: str, declared: Shape, index: Index) -> str:
+    """Return the name of one signal: x_1, alpha_1[2], phi_x[k], P[k][j].
+
+    A first axis of known length is the paper's axis; `declared` has names where a size has one.
+    """
+    first = bool(declared) and isinstance(declared[0], int)
+    shown = [f"_{index[0] + 1}" if first else ""] if index else []  # type: ignore[operator]
+    return "".join([port, *shown, *map(bracketed, index[first:])])
 
 
-def port_symbols(port: str, size: int, N: int | None = None, function_of: tuple = ()) -> np.ndarray:
-    """Return the symbols of one port, flattened row by row, or functions of arguments."""
-    names = port_names(port, size, N)
-    if function_of:
-        return np.array([sympy.Function(name, real=True)(*function_of) for name in names], object)
-    return np.array([sympy.Symbol(name, real=True) for name in names], dtype=object)
+def bracketed(place: int | str) -> str:
+    """Return a place as it is shown, from 1."""
+    return f"[{place}]" if isinstance(place, str) else f"[{place + 1}]"
 
 
 def state_names(blocks: Iterable[Block]) -> dict[tuple[str, str], str]:
@@ -80,7 +78,7 @@ def parameter_names(blocks: Sequence[Block]) -> dict[tuple[str, str], str]:
     """Return (block, field) -> the paper's name where all fields of it agree, else block.field."""
     held: dict[str, list[Any]] = {}
     for block in blocks:
-        for field, value in zip(block.parameters._fields, block.parameters, strict=True):
+        for field, value in block.parameters._asdict().items():
             name = paper_name(block.name, field)
             if name is not None:
                 held.setdefault(name, []).append(value)
@@ -94,18 +92,13 @@ def parameter_names(blocks: Sequence[Block]) -> dict[tuple[str, str], str]:
     return found
 
 
-def parameter_symbols(blocks: Sequence[Block]) -> dict[str, Any]:
-    """Return block -> NamedTuple of symbols; whole numbers stay numbers, zeros are zero."""
-    names = parameter_names(blocks)
-    return {
-        block.name: type(block.parameters)(
-            *(
-                value if isinstance(value, int) else symbols_of(names[block.name, field], value)
-                for field, value in zip(block.parameters._fields, block.parameters, strict=True)
-            )
-        )
-        for block in blocks
-    }
+def parameter_symbol(name: str, value: Any, index: Index) -> sympy.Expr:
+    """Return the symbol of a parameter's element; it has the sign that all values have."""
+    if name in SCALARS or not index:
+        return signed(name, value)
+    axis = split(name)[1] in ONE and np.shape(value)[0] == 2
+    shown = [f"_{index[0] + 1}"] if axis else []  # type: ignore[operator]
+    return signed("".join([name, *shown, *map(bracketed, index[axis:])]), value)
 
 
 def signed(name: str, value: Any) -> sympy.Expr:
@@ -120,20 +113,6 @@ def signed(name: str, value: Any) -> sympy.Expr:
     if value.size and np.all(value < 0):
         return sympy.Symbol(name, negative=True)
     return sympy.Symbol(name, real=True)
-
-
-def symbols_of(name: str, value: Any) -> Any:
-    """Return the symbols of a parameter, in its shape."""
-    shape = np.shape(value)
-    if not shape:
-        return signed(name, value)
-    array = np.empty(shape, dtype=object)
-    for index in np.ndindex(shape):
-        axis = split(name)[1] in ONE and shape[0] == 2
-        place = f"_{index[0] + 1}" if axis else f"[{index[0] + 1}]"
-        place += "".join(f"[{k + 1}]" for k in index[1:])
-        array[index] = signed(name if name in SCALARS else name + place, value)
-    return array
 
 
 def _same(name: str, values: list) -> bool:

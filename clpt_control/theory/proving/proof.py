@@ -104,6 +104,12 @@ def judged(theorem: str, proof: Callable[[], Proof]) -> Proof:
         return Proof(theorem, "", (), (step,), False, "nothing")
 
 
+def short(expression: Any, most: int = 160) -> str:
+    """Return an expression as text of a line."""
+    text = str(expression)
+    return text if len(text) <= most else text[:most] + " ..."
+
+
 def cited(claim: str, source: str) -> Step:
     """Return a step that is taken from a source, not checked here."""
     return Step(claim, True, "cited", source)

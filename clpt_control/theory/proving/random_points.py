@@ -12,7 +12,8 @@ import sympy
 from ...equations.block import Block
 from ...equations.namespaces import BETWEEN, named, split
 from .paper_symbols import SCALARS, parameter_names
-from .symbolic_loop import TIME, SymbolicLoop
+from .array_loop import TIME
+from .symbolic_loop import SymbolicLoop
 
 LARGEST = 1e6  # of the kinks that are tried
 
@@ -50,7 +51,7 @@ class Draw:
         """Return values by name, of the size 10^-1.5 to 10^largest."""
         values: dict[str, np.ndarray] = {}
         for block in self.blocks:
-            for field, value in zip(block.parameters._fields, block.parameters, strict=True):
+            for field, value in block.parameters._asdict().items():
                 name = self.names[block.name, field]
                 if isinstance(value, int) or name in values or field == "interval":
                     continue
@@ -74,7 +75,7 @@ class Draw:
         """Return values by name as call-time parameters."""
         found = {}
         for block in self.blocks:
-            for field, own in zip(block.parameters._fields, block.parameters, strict=True):
+            for field, own in block.parameters._asdict().items():
                 name = self.names[block.name, field]
                 if name not in values or isinstance(own, int):
                     continue
@@ -101,7 +102,7 @@ def symbol_values(
     found: dict[Any, Any] = {}
     for block in draw.blocks:
         own = loop.parameters[block.name]
-        for field, symbols in zip(own._fields, own, strict=True):
+        for field, symbols in own._asdict().items():
             name = draw.names[block.name, field]
             if name in values and not isinstance(symbols, int):
                 numbers = np.broadcast_to(values[name], np.shape(symbols) or np.shape(values[name]))
@@ -111,14 +112,14 @@ def symbol_values(
         t, x, u = point
         found[TIME] = t
         for ports, numbers in ((loop.states, x), (loop.inputs, u)):
-            flat = [s for symbols in ports.values() for s in symbols]
+            flat = [s for symbols in ports.values() for s in symbols.flat]
             found.update(dict(zip(flat, numbers.T, strict=True)))
     return found
 
 
 def equate_x_and_z(loop: SymbolicLoop, x: np.ndarray, random: np.random.Generator) -> None:
     """Set x = z at some points: e = 0."""
-    flat = {str(s): k for k, s in enumerate(s for own in loop.states.values() for s in own)}
+    flat = {str(s): k for k, s in enumerate(loop.motion)}
     for name, a in flat.items():
         b = flat.get(named(split(name)[0], f"z_{name[-1]}").lstrip(BETWEEN))
         if split(name)[1] not in ("x_1", "x_2") or b is None:

@@ -78,8 +78,8 @@ def _persists(
 def _around_the_truth(loop: SymbolicLoop, draw: Draw, values: dict) -> tuple:
     """Return states, what of them is error, and inputs."""
     random = draw.random
-    ports = [port for port, symbols in loop.states.items() for _ in symbols]
-    n, inputs = len(ports), sum(map(len, loop.inputs.values()))
+    ports = [port for port, symbols in loop.states.items() for _ in symbols.flat]
+    n, inputs = len(ports), sum(np.size(own) for own in loop.inputs.values())
     u = random.standard_normal((PER_DRAW, inputs)) * 10.0 ** random.uniform(-1, 0.5, (PER_DRAW, 1))
     x = random.standard_normal((PER_DRAW, n)) * 10.0 ** random.uniform(-1, 0.5, (PER_DRAW, 1))
     far = random.standard_normal((PER_DRAW, n)) * 10.0 ** random.uniform(-1, 1, (PER_DRAW, n))

@@ -24,9 +24,10 @@ from ...equations.symbolic import UNEXPANDED
 from ...errors import DiagramError
 from ...native.sweep import Sweep
 from ...progress.interrupt import check
+from .array_loop import TIME, blocks_of
 from .proof import Step, checked
 from .random_points import Draw, Point, equate_x_and_z, symbol_values
-from .symbolic_loop import TIME, SymbolicLoop, blocks_of
+from .symbolic_loop import SymbolicLoop
 
 PER_DRAW = 100  # points for each draw of the parameters
 CLOSE = 1e-9
@@ -124,7 +125,7 @@ def _ancestors(wiring: Wiring, blocks: list[Block]) -> set[int]:
     found, stack = set(own), list(own)
     while stack:
         k = stack.pop()
-        for wire in wiring.nodes[k].wires if blocks[k].output_record.reads_inputs() else ():
+        for wire in wiring.nodes[k].wires if blocks[k].feedthrough else ():
             for j in range(wire.source, wire.source + wire.size):
                 if not wire.external and made[j] not in found:
                     found.add(made[j])
@@ -235,7 +236,5 @@ def numeric(expression: sympy.Expr) -> tuple[Any, list[Any]]:
 
 def degree_of(loop: SymbolicLoop) -> float:
     """Return the degree of V in the states; inf for no polynomial."""
-    V, states = loop.signals["V"][0], [s for port in loop.states.values() for s in port]
-    if not V.is_polynomial(*states):
-        return np.inf
-    return sympy.Poly(V, *states).total_degree()
+    V = loop.signals["V"][0]
+    return sympy.Poly(V, *loop.motion).total_degree() if V.is_polynomial(*loop.motion) else np.inf

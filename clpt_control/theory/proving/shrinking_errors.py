@@ -17,8 +17,8 @@ from ...blocks.laws.law import Law
 from ...equations.symbolic import UNEXPANDED
 from .boundedness import young_step
 from .kept_loop import Kept, cases_of, kept_step, said_of, same_running
-from .lyapunov import decay, short
-from .proof import Step, checked
+from .lyapunov import decay
+from .proof import Step, checked, short
 from .vanishing import vanishes
 
 MAXIMUM = sympy.Function(UNEXPANDED["maximum"], real=True)
@@ -78,21 +78,20 @@ def rate_of_shrinking(case: Kept, law: Law) -> sympy.Expr:
 def driven(case: Kept, law: Law) -> sympy.Expr:
     """Return e^T eta phi - f |eta|^2/gamma, gamma those of V."""
     p, loop = case.loop.parameters, case.loop
-    eta = p["true_flow"].theta + case.states["alpha"].reshape(2, -1)
+    eta = p["true_flow"].theta + case.states["alpha"]
     w, rate = case.states[law.shrinking][0], case.rates[law.shrinking][0]
-    pushed = sum(loop.signals["e"] * (eta @ loop.inputs["phi_x"]))
+    pushed = loop.signals["e"] @ (eta @ loop.inputs["phi_x"])
     return pushed + rate / w * np.sum(eta**2 / p["lyapunov"].gain)
 
 
 def _is_all_of_alpha(case: Kept, law: Law) -> bool:
     """Return whether each alpha is kept at w times what does not move, less theta."""
     (w,) = case.states[law.shrinking]
-    moving = {s for port in case.loop.states.values() for s in port}
-    theta = case.loop.parameters["true_flow"].theta.ravel()
-    for alpha, own in zip(case.states["alpha"], theta, strict=True):
+    theta = case.loop.parameters["true_flow"].theta
+    for alpha, own in zip(case.states["alpha"].flat, theta.flat, strict=True):
         eta = sympy.expand(case.relations.get(alpha, alpha) + own)
         first = sympy.cancel(eta / w)
-        if first == 0 or first.free_symbols & moving or not first.has(own):
+        if first == 0 or first.free_symbols & case.loop.motion.keys() or not first.has(own):
             return False
     return True
 
@@ -100,8 +99,8 @@ def _is_all_of_alpha(case: Kept, law: Law) -> bool:
 def _reads(case: Kept, law: Law) -> bool:
     """Return whether a readout where(1 - w >= m, a, -alpha) is theta in its first branch."""
     (w,) = case.states[law.shrinking]
-    theta = case.loop.parameters["true_flow"].theta.ravel()
-    triples = zip(case.loop.signals[law.readout], case.states["alpha"], theta, strict=True)
+    read, theta = case.loop.signals[law.readout], case.loop.parameters["true_flow"].theta
+    triples = zip(read.flat, case.states["alpha"].flat, theta.flat, strict=True)
     return all(_is_readout(case, *triple, w) for triple in triples)
 
 

@@ -15,8 +15,7 @@ import sympy
 from ...diagrams.interconnection import Diagram
 from ...html.fragment import facts, fragment
 from .law_case import Case
-from .lyapunov import short
-from .proof import Step, checked
+from .proof import Step, checked, short
 from .quadratic_forms import positive_definite, tidied
 from .random_points import Point
 from .refutation import refuting_point

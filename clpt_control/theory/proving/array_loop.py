@@ -1,0 +1,224 @@
+"""The closed loop as arrays: what the theorems are written on.
+
+The blocks' records, joined at the diagram's own wires.  A claim about it is made of its signals,
+states, parameters and rates as NumPy's arrays are: ``-np.sum(KD * e**2)``; `elements` reads what
+comes of it, for every N where sizes are open, or for the diagram's own.
+Sources of time and tables stay undefined functions of time and their inputs, and so does any
+block named in `opaque`: what is proved then holds for all of them.
+"""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from typing import Any
+
+import control
+import numpy as np
+import sympy
+
+from ...diagrams.joined import joined
+from ...diagrams.wiring import Node, Wiring, wiring_of
+from ...equations.arrays import Tape, operand
+from ...equations.block import Block
+from ...equations.declaration import Parameters, parameters_of
+from ...equations.derivative import Direction
+from ...equations.every_n import Elements, Index
+from ...equations.record import Shape
+from ...errors import DiagramError
+from .paper_symbols import SCALARS, element_name, parameter_names, parameter_symbol, state_names
+from .undefined import extent, undefined
+
+LONGEST, DEEPEST = 5_000, 30  # parts and levels of an expression
+TIME = sympy.Symbol("t", real=True)
+Known = Callable[[sympy.Expr, Index], Any]
+
+
+@dataclass
+class ArrayLoop:
+    """A diagram's equations as arrays, by port.
+
+    A state that is no port of the diagram stands under ``"block:port"``.
+    """
+
+    tape: Tape = field(default_factory=Tape)
+    states: dict[str, Any] = field(default_factory=dict)
+    signals: dict[str, Any] = field(default_factory=dict)
+    rates: dict[str, Any] = field(default_factory=dict)  # time derivatives of the states
+    jumps: dict[str, dict[str, Any]] = field(default_factory=dict)  # block -> state: what it becomes
+    inputs: dict[str, Any] = field(default_factory=dict)  # of the diagram
+    parameters: dict[str, Parameters] = field(default_factory=dict)  # block -> arrays
+    undefined: list[str] = field(default_factory=list)  # where there may be no value, sentences
+    elements: Elements = field(init=False)
+
+    def derivative(self, value: Any) -> Any:
+        """Return the time derivative along the equations, as an array.
+
+        That of an input is an input of its own.
+        """
+        return self._direction.of(value)
+
+    def direction(self, state: str) -> Any:
+        """Return any direction of a state, as an array of its shape."""
+        return self.tape.add("leaf", (), self.states[state].shape, ("d", state))
+
+    @property
+    def _direction(self) -> Direction:
+        if not hasattr(self, "_along"):
+            along: dict[Any, Any] = {operand(s): self.rates[name] for name, s in self.states.items()}
+            for k, operation in enumerate(self.tape.operations):
+                if operation.kind == "leaf" and operation.at[0] in ("u", "o"):
+                    at = (f"{operation.at[0]}'", operation.at[1])
+                    along[k] = self.tape.add("leaf", (), operation.shape, at)
+                elif operation.kind == "leaf" and operation.at[0] == "t":
+                    along[k] = 1.0
+            self._along = Direction(self.tape, along, smooth=True)
+        return self._along
+
+
+class _Names:
+    """What each leaf of a loop is called, and its elements on symbols."""
+
+    def __init__(self, blocks: list[Block], loop: ArrayLoop, closed: bool, known: Known):
+        self.loop, self.closed, self.known = loop, closed, known
+        self.fields, self.states = parameter_names(blocks), state_names(blocks)
+        self.values: dict[str, Any] = {}  # of parameters
+        self.declared: dict[str, Shape] = {}
+        self.arguments: dict[str, list[Any]] = {}  # of undefined functions
+        for block in blocks:
+            for own, value in block.parameters._asdict().items():
+                self.values.setdefault(self.fields[block.name, own], value)
+
+    def parameter(self, block: Block, own: str, shape: Shape) -> Any:
+        """Return a parameter as an array of the loop."""
+        name, tape = self.fields[block.name, own], self.loop.tape
+        if name not in SCALARS:
+            return tape.add("leaf", (), shape, ("p", name))
+        one = tape.add("leaf", (), (), ("p", name))
+        return tape.add("fill", (one.ref,), shape) if shape else one
+
+    def leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
+        """Return a state or a parameter of a block."""
+        block = node.system
+        if group == "p":
+            return self.parameter(block, name, shape)
+        called = self.states[block.name, name]
+        self.declared[called] = block.declared["states"][name]
+        return self.loop.states.setdefault(
+            called, self.loop.tape.add("leaf", (), shape, ("x", called))
+        )
+
+    def given(self, port: str, shape: Shape, declared: Shape) -> Any:
+        """Return an input of the diagram."""
+        self.declared[port] = declared
+        return self.loop.tape.add("leaf", (), shape, ("u", port))
+
+    def element(self, at: tuple, shape: Shape, index: Index) -> Any:
+        """Return the symbol of an element, or what is known of it."""
+        group, name = at
+        if group == "t":
+            return TIME
+        if group == "p":
+            return self.known(parameter_symbol(name, self.values[name], index), index)
+        shown = ("d " if group == "d" else "") + name + ("'" if group.endswith("'") else "")
+        called = element_name(shown, self.declared[name], index)
+        if group == "x" or not self.closed:
+            return sympy.Symbol(called, real=True)
+        arguments = (
+            e for own in self.arguments.get(name, ()) for e in np.ravel(self.loop.elements.of(own))
+        )
+        return sympy.Function(called, real=True)(TIME, *arguments)
+
+
+def array_loop(
+    diagram: control.NonlinearIOSystem,
+    opaque: Iterable[str] = (),
+    jumps: bool = False,
+    closed: bool = False,
+    known: Known = lambda symbol, index: symbol,
+) -> ArrayLoop:
+    """Read a diagram's equations as arrays; blocks named in `opaque` stay undefined.
+
+    Sizes that have names stay open unless `closed`.  States that jump are refused unless `jumps`:
+    the caller then judges what V does there.  `known` gives what stands for a parameter's element.
+    """
+    wiring, hidden = wiring_of(diagram), set(opaque)
+    blocks = blocks_of(wiring)
+    if not jumps:
+        refuse_jumps(blocks)
+    loop = ArrayLoop()
+    names = _Names(blocks, loop, closed, known)
+
+    def stand_in(node: Node, u: dict[str, Any], shapes: dict[str, Shape]) -> dict[str, Any] | None:
+        if not (node.system.opaque or node.system.name in hidden):
+            return None
+        for port, shape in node.system.declared["outputs"].items():
+            names.declared[port], names.arguments[port] = shape, list(u.values())
+        return {
+            port: loop.tape.add("leaf", (), shape, ("o", port)) for port, shape in shapes.items()
+        }
+
+    found = joined(
+        diagram, wiring, names.leaf, names.given, stand_in, tape=loop.tape, closed=closed
+    )
+    loop.inputs = found.inputs
+    loop.signals = {port: value for (_, port), value in found.signals.items()}
+    for node in wiring.nodes:
+        block, shapes = node.system, found.fields[node.name]
+        loop.parameters[block.name] = parameters_of(
+            {
+                own: value if isinstance(value, int) else names.parameter(block, own, shapes[own])
+                for own, value in block.parameters._asdict().items()
+            }
+        )
+        for (owner, port), value in found.rates.items():
+            if owner == node.name:
+                loop.rates[names.states[block.name, port]] = value
+        own = {names.states[block.name, p]: v for (o, p), v in found.jumps.items() if o == node.name}
+        if own:
+            loop.jumps[block.name] = own
+
+    def watch(place: int, name: str, arguments: tuple) -> None:
+        if place not in found.owners:
+            return
+        sizes = [extent(a) for a in arguments if isinstance(a, sympy.Basic)]
+        if any(parts > LONGEST or levels > DEEPEST for parts, levels in sizes):
+            raise DiagramError(
+                f"{found.owners[place]} has more than {LONGEST} parts or {DEEPEST} levels on "
+                "symbols, too long to prove anything of; make it simpler or its N smaller"
+            )
+        sentence = undefined(name, arguments)
+        if sentence is not None:
+            loop.undefined.append(f"{found.owners[place]} {sentence}")
+
+    loop.elements = Elements(loop.tape, names.element, watch)
+    for ports in (loop.signals, loop.rates, *loop.jumps.values()):
+        for value in ports.values():
+            loop.elements.of(value)
+    return loop
+
+
+def refuse_jumps(blocks: Iterable[Block]) -> None:
+    """Refuse blocks whose states jump, where nobody judges what V does there."""
+    for block in blocks:
+        if block.jump_function is not None:
+            raise DiagramError(
+                f"{block.name}: its states jump, and this proof speaks of no jumps; prove the "
+                "block without its `jump`"
+            )
+
+
+def blocks_of(wiring: Wiring) -> list[Block]:
+    """Return the blocks of a wiring; refuse what has no equations."""
+    blocks = []
+    for node in wiring.nodes:
+        if not isinstance(node.system, Block):
+            raise DiagramError(
+                f"{node.name} is no block, so its equations cannot be read; make it a Block"
+            )
+        blocks.append(node.system)
+    names = [block.name for block in blocks] + [p for block in blocks for p in block.output_ports]
+    twice = sorted({name for name in names if names.count(name) > 1 and name})
+    if len({block.name for block in blocks}) < len(blocks) or any(
+        sum(port in block.output_ports for block in blocks) > 1 for port in twice
+    ):
+        raise DiagramError(f"'{twice[0]}' is the name of two; rename one to tell them apart")
+    return blocks
