@@ -17,7 +17,7 @@ from ..diagrams.interconnection import wiring_of_blocks
 from ..errors import ScenarioError
 from ..native.batch import Batch
 from ..native.native_diagram import NativeDiagram
-from ..native.program import LANES
+from ..native.processor import LANES
 from ..native.schedule import Schedule, make_schedule
 from ..native.sweep import Sweep
 from ..scenario.experiment import Scenario, scenario_tables

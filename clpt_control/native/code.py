@@ -1,35 +1,26 @@
-"""A diagram's machine code: made once a process for all diagrams of one structure.
-
-Small diagrams are unrolled, so that numbers stay in registers and what is computed
-twice is found; larger ones keep their loops.
-"""
+"""A diagram's machine code: made once a process for all diagrams of one structure."""
 
 from functools import lru_cache
 from typing import NamedTuple
 
-from ..blocks.tracers import TooLong
 from ..diagrams.wiring import Wiring
+from ..equations.arrays import Unread
 from ..equations.block import Block
-from ..errors import DiagramError, Uncompiled
+from ..errors import Uncompiled
 from . import method
-from .formula import kernel
-from .layout import Layout, Sources
-from .looped import looped_program
-from .loops import LEAST
+from .diagram_record import SHORT, DiagramRecord
+from .layout import Layout
 from .machine import Machine
 from .object_code import one_at_a_time
-from .program import Item, Loop, Program
-from .unrolled import unrolled_program
+from .plan import Program, program_of
 
-UNROLLED = 3_000  # items of a derivative; a larger one keeps its loops
-FORMS = (None, "unrolled", "looped")
-MOST = 30_000  # items of a derivative; a larger one is left to Python
+ROLES = ("update", "output", "guard", "jump")
 
 
 class Structure(NamedTuple):
     """All that machine code depends on, but for parameters, which it is given."""
 
-    records: tuple  # update, output, guard and jump of each block
+    blocks: tuple  # records of each block, and its shapes and sizes
     wires: tuple  # what feeds each block
     order: tuple  # of evaluation, and which blocks pass their inputs on at once
     pattern: str  # which parameter fields share a slot, and where
@@ -41,7 +32,6 @@ class Code:
 
     def __init__(self, program: Program):
         self.program = program
-        self.unrolled = not any(isinstance(item, Loop) for item in program.derivative)
         self._machines: dict[tuple[str, int], Machine] = {}
 
     def address(self, name: str, lanes: int) -> int:
@@ -52,48 +42,50 @@ class Code:
 
     @one_at_a_time
     def _make(self, name: str, lanes: int) -> None:
-        if (name, lanes) not in self._machines:  # another thread may have been first
-            apart = name in ("margin", "jump")  # only some diagrams need them
-            together = (name,) if apart else ("derivative", "prepare", "signals")
-            functions = {one: getattr(self.program, one) for one in together}
-            made = Machine(functions, self.program.constants, lanes)
-            self._machines.update({(one, lanes): made for one in together})
+        if (name, lanes) in self._machines:  # another thread may have been first
+            return
+        apart = name in ("margin", "jump")  # only some diagrams need them
+        together = (name,) if apart else ("derivative", "prepare", "signals")
+
+        def printed() -> object:
+            from .nests import print_program
+
+            return print_program(self.program, together, lanes)
+
+        made = Machine(together, repr((self.program, together, lanes)), printed)
+        self._machines.update({(one, lanes): made for one in together})
 
 
-def code_of(wiring: Wiring, layout: Layout, form: str | None = None, least: int = LEAST) -> Code:
+def code_of(wiring: Wiring, layout: Layout, short: int = SHORT, named: int = 3) -> Code:
     """Return the code of a diagram, the same for diagrams of one structure.
 
-    `form` is ``"unrolled"``, ``"looped"``, or None: by size; loops of fewer turns than `least`
-    are unrolled.  What cannot be compiled is an `Uncompiled` error.
+    Axes longer than `short` loop, and those with names from `named` on.  What cannot be
+    compiled is an `Uncompiled` error.
     """
-    if form not in FORMS:
-        raise DiagramError(f"form = {form!r}: must be 'unrolled' or 'looped', or left out")
+    blocks = []
     for node in wiring.nodes:
-        if not isinstance(node.system, Block):
+        block = node.system
+        if not isinstance(block, Block):
             raise Uncompiled(f"{node.name} is no block and cannot be compiled")
-    try:
-        records = tuple(
-            (
-                node.system.update_record,
-                node.system.output_record,
-                node.system.guard_record,
-                node.system.jump_record,
-            )
-            for node in wiring.nodes
-        )
-    except TooLong as error:
-        raise Uncompiled(str(error)) from None
+        has = {"update": block.update_function, "output": True, "guard": block.guard}
+        has["jump"] = block.jump_function
+        try:
+            records = tuple(block.array_record(role) for role in ROLES if has[role])
+        except Unread as error:
+            raise Uncompiled(f"{node.name}: {error}") from None
+        shapes = *block.declared.values(), block.sizes
+        blocks.append((*records, *(tuple(own.items()) for own in shapes)))
     wires = tuple((node.states.start, node.outputs.start, node.wires) for node in wiring.nodes)
     order = (wiring.order, tuple(node.system.feedthrough for node in wiring.nodes))
-    structure = Structure(records, wires, order, layout.pattern, wiring.ninputs)
-    return _code(structure, form, least, _Hidden(Sources(wiring, layout)))
+    structure = Structure(tuple(blocks), wires, order, layout.pattern, wiring.ninputs)
+    return _code(structure, short, named, _Hidden(wiring, layout))
 
 
 class _Hidden:
     """What code is made from; always equal, so it is no part of the cache's key."""
 
-    def __init__(self, sources: Sources):
-        self.sources = sources
+    def __init__(self, wiring: Wiring, layout: Layout):
+        self.wiring, self.layout = wiring, layout
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, _Hidden)
@@ -105,28 +97,11 @@ class _Hidden:
 @lru_cache(maxsize=64)
 @one_at_a_time  # threads that ask at once are given the same code
 @lru_cache(maxsize=64)
-def _code(structure: Structure, form: str | None, least: int, hidden: _Hidden) -> Code:
-    sources = hidden.sources
-    operations = sum(len(r.operations) for own in structure.records for r in own if r is not None)
-    program = None
-    if form == "unrolled" or (form is None and operations <= 2 * UNROLLED):
-        program = unrolled_program(sources)
-        if form is None and max(len(program.derivative), len(program.jump)) > UNROLLED:
-            program = None
-    if program is None:
-        program = looped_program(sources, least)
-    size = max(count(program.derivative), count(program.jump))
-    if size > MOST:
-        raise Uncompiled(
-            f"the diagram takes {size} operations apart from loops, more than {MOST}: write what "
-            "repeats as `for i in range(n)` with equal turns"
-        )
-    return Code(program)
-
-
-def count(items: tuple[Item, ...]) -> int:
-    """Return how many items there are, those of loops once."""
-    return sum(1 + (count(item.body) if isinstance(item, Loop) else 0) for item in items)
+def _code(structure: Structure, short: int, named: int, hidden: _Hidden) -> Code:
+    wiring, layout = hidden.wiring, hidden.layout
+    record = DiagramRecord(wiring, layout, short, named)
+    signals = wiring.nodes[-1].outputs.stop
+    return Code(program_of(record, signals, layout.inputs(wiring.ninputs)))
 
 
 @lru_cache(maxsize=16)
@@ -135,4 +110,10 @@ def count(items: tuple[Item, ...]) -> int:
 def kernels(n: int, lanes: int) -> Machine:
     """Return the formulas of the method for n states as machine code."""
     formulas = method.formulas(n)
-    return Machine({name: kernel(f, n) for name, f in formulas.items()}, (), lanes)
+
+    def printed() -> object:
+        from .kernels import print_formulas
+
+        return print_formulas(formulas, n, lanes)
+
+    return Machine(formulas, f"formulas {n} {lanes}", printed)

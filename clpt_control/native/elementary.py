@@ -54,11 +54,6 @@ def maximum(a: Number, b: Number) -> Number:
     return select((a > b) | (a != a), a, b)
 
 
-def clip(value: Number, low: Number, high: Number) -> Number:
-    """Limit a number to an interval."""
-    return select(value < low, low, select(value > high, high, value))
-
-
 def sign(value: Number) -> Number:
     """Return -1, 0 or 1."""
     return select(value > 0.0, 1.0, select(value < 0.0, -1.0, 0.0 * value))
@@ -93,13 +88,14 @@ OPERATIONS: dict[str, Callable[..., Any]] = {
     "le": lambda a, b: a <= b,
     "gt": lambda a, b: a > b,
     "ge": lambda a, b: a >= b,
+    "eq": lambda a, b: a == b,
+    "ne": lambda a, b: a != b,
     "and": lambda a, b: a & b,
     "or": lambda a, b: a | b,
     "not": lambda a: ~a,
     "where": select,
     "minimum": minimum,
     "maximum": maximum,
-    "clip": clip,
     "sign": sign,
     "floor": lambda a: round_down(a) + 0.0,
     "trunc": lambda a: round_to_zero(a) + 0.0,

@@ -1,5 +1,6 @@
-"""Machine code of programs, made by LLVM for this processor or found in the user's cache."""
+"""Machine code of functions of arrays, made by LLVM for this processor or found in the cache."""
 
+from collections.abc import Callable, Iterable
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
@@ -8,36 +9,32 @@ from typing import Any
 import llvmlite.binding as llvm
 
 from .object_code import keep, kept, loaded, name_of, one_at_a_time, target_machine
-from .program import Item
 
-PRINTED_BY = ("printing", "elementary", "vectors", "exponentials", "circular", "optimise")
+PRINTED_BY = ("printing", "nests", "kernels", "elementary", "vectors", "exponentials", "circular")
 
 
 class Machine:
     """Functions of arrays as machine code.
 
-    `addresses` says where the code of each lies, for as long as this object lives.
+    `addresses` says where the code of each lies, for as long as this object lives; `made_of` is
+    all that the printed text depends on.
     """
 
     @one_at_a_time
-    def __init__(
-        self, functions: dict[str, tuple[Item, ...]], constants: tuple[float, ...], lanes: int
-    ):
-        name = name_of(repr((functions, constants, lanes)), *_printed_by())
+    def __init__(self, names: Iterable[str], made_of: str, printed: Callable[[], Any]):
+        name = name_of(made_of, *_printed_by())
         code = kept(name)
         if code is None:
-            from .printing import print_module
-
-            code = _optimised(str(print_module(functions, constants, lanes)))
+            code = _optimised(str(printed()))
             keep(name, code)
         self._engine: Any = loaded(code)
-        self.addresses = {name: self._engine.get_function_address(name) for name in functions}
+        self.addresses = {name: self._engine.get_function_address(name) for name in names}
 
 
 @cache
 def _printed_by() -> list[str]:
     """Return what LLVM's text of a program depends on beside the program."""
-    files = (*PRINTED_BY, "program", "machine")
+    files = (*PRINTED_BY, "method", "machine")
     texts = [Path(__file__).with_name(f"{name}.py").read_text("utf-8") for name in files]
     return [*texts, version("numpy")]
 

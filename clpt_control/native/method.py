@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from ..blocks.tracers import Number
 from .formula import Formula, Row, Rows, joined, maximum, minimum, sqrt, where
 from .solver import (  # rows of Z
     ARGUMENT,
@@ -45,7 +44,7 @@ def _weighted(weights: Any, z: Row) -> Any:
     """a_0 K_0 + a_1 K_1 + ..., zeros left out."""
     used = weights.nonzero()[0]
     first = z(RATE + int(used[0]))
-    if not isinstance(first, Number):
+    if not hasattr(first, "kind"):
         return np.add.reduce(weights[used, None] * z(RATE + used))  # in the order of the rows
     total = float(weights[used[0]]) * first
     for j in used[1:].tolist():
@@ -104,7 +103,7 @@ def _judge(n: int) -> Formula:
             REJECTED: where(good, 0.0, 1.0),
         }
 
-    return Formula(each, after)
+    return Formula(each, after, 2)
 
 
 def _sizes(n: int) -> Formula:
@@ -121,7 +120,7 @@ def _sizes(n: int) -> Formula:
         h = minimum(h, lane(END) - lane(TIME))
         return {TAKEN: h, AT: lane(TIME) + h, SIZE: d1, TROUBLE: sums[2]}
 
-    return Formula(each, after)
+    return Formula(each, after, 3)
 
 
 def _trial() -> Formula:
@@ -150,7 +149,7 @@ def _first(n: int) -> Formula:
         step = minimum(minimum(100.0 * h, step), lane(END) - lane(TIME))
         return {STEP: where(lane(FRESH) > 0.5, step, lane(STEP))}
 
-    return Formula(each, after)
+    return Formula(each, after, 1)
 
 
 def _accept() -> Formula:

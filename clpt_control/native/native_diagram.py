@@ -13,8 +13,7 @@ from .batch import Callee
 from .code import code_of, kernels
 from .inputs import Inputs
 from .layout import lay_out
-from .processor import fuses
-from .program import LANES
+from .processor import LANES, fuses
 from .python_diagram import PythonDiagram
 from .schedule import Schedule, make_schedule, with_inputs
 from .solver_cache import compiled_solver
@@ -32,8 +31,6 @@ class NativeDiagram(PythonDiagram):
         Blocks, wired.
     params : mapping, optional
         Call-time parameters by qualified name.
-    form : str, optional
-        ``"unrolled"`` or ``"looped"``; by size without.
 
     Attributes
     ----------
@@ -62,11 +59,10 @@ class NativeDiagram(PythonDiagram):
         self,
         diagram: control.NonlinearIOSystem | Wiring,
         params: Mapping[str, Any] | None = None,
-        form: str | None = None,
     ):
         super().__init__(diagram, params)
         self.layout = lay_out(self.wiring, self.sweep.given)
-        self.code = code_of(self.wiring, self.layout, form)
+        self.code = code_of(self.wiring, self.layout)
         self.ramp = len(self.layout.P)  # place in P of the diagram's inputs
 
     def parameters(self) -> np.ndarray:
@@ -105,7 +101,7 @@ class NativeDiagram(PythonDiagram):
 
     def lanes(self, count: int) -> int:
         """Return how many runs are taken at once: eight where it pays."""
-        return LANES if count > 1 and self.code.unrolled and fuses() else 1
+        return LANES if count > 1 and fuses() else 1
 
 
 @public

@@ -5,6 +5,8 @@ from functools import cache
 
 import llvmlite.binding as llvm
 
+LANES = 8  # runs side by side, or turns of a loop at once
+
 
 @cache
 def _host() -> tuple[str, str]:

@@ -44,6 +44,19 @@ class Kind:
             value = self.builder.shuffle_vector(first, empty, zeros)
         return Number(self, value)
 
+    def spread(self, value: Any) -> Any:
+        """Return one number or answer in every place."""
+        if value.kind.width == self.width:
+            return value
+        if isinstance(value, Number):
+            return self.number(value.value)
+        kind = self.type(BIT)
+        first = self.builder.insert_element(
+            ir.Constant(kind, ir.Undefined), value.value, ir.Constant(INT32, 0)
+        )
+        zeros = ir.Constant(ir.VectorType(INT32, self.width), [0] * self.width)
+        return Mask(self, self.builder.shuffle_vector(first, first, zeros))
+
     def call(self, name: str, *arguments: "Number") -> "Number":
         """Call an intrinsic of LLVM, such as ``"fma"``."""
         suffix = "f64" if self.width == 1 else f"v{self.width}f64"
@@ -120,6 +133,9 @@ class Number:
 
     def __neg__(self) -> "Number":
         return Number(self.kind, self.kind.builder.fneg(self.value))
+
+    def __abs__(self) -> "Number":
+        return self.kind.call("fabs", self)
 
     def bits(self) -> Any:
         """The bits, as whole numbers of 64 bits."""

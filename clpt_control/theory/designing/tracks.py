@@ -20,7 +20,7 @@ from ...equations.block import Block
 from ...errors import ScenarioError
 from ...native.batch import Batch
 from ...native.native_diagram import NativeDiagram
-from ...native.program import LANES
+from ...native.processor import LANES
 from ...scenario.experiment import Scenario
 from ...simulation.loops import paper_blocks
 from ...simulation.starts import state_of

@@ -1,0 +1,355 @@
+"""Elements of a diagram's arrays: short axes apart, a long axis as one element for all k.
+
+    add(load X[4 + k], load P[9 + k])        one component, of the axis k of length 50
+
+A component is an operation, its arguments and the lengths of its axes; equal ones are one.  An
+argument is a constant, or (component, axes): which axis of the new component each axis of the old
+one is, `BOUND` the one that a sum is over.  While components are made, an axis is a symbol
+(length, number) and an index (symbol, start, step).
+"""
+
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from itertools import product
+from math import copysign, prod
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..errors import Uncompiled
+from .diagram_record import DiagramRecord, Ref
+
+MOST = 60_000  # components; more are left to Python
+BOUND = -1
+CONDITIONS = frozenset({"lt", "le", "gt", "ge", "eq", "ne", "and", "or", "not"})
+Symbol = tuple[int, int]
+Index = Any  # a whole number, or (symbol, start, step)
+Value = Any  # a constant, or (component, symbols)
+
+
+class Component(NamedTuple):
+    """One operation on elements; of a load the arguments are array, first place and strides."""
+
+    name: str
+    arguments: tuple
+    lengths: tuple[int, ...]
+
+
+class Write(NamedTuple):
+    """array[first + strides * axes] = value."""
+
+    array: str
+    first: int
+    strides: tuple[int, ...]
+    lengths: tuple[int, ...]
+    value: Value
+
+
+@contextmanager
+def deep() -> Iterator[None]:
+    """Let functions call themselves as deep as records are."""
+    before = sys.getrecursionlimit()
+    sys.setrecursionlimit(max(before, 1_000_000))
+    try:
+        yield
+    finally:
+        sys.setrecursionlimit(before)
+
+
+class Components:
+    """The elements of a diagram's record that its functions need, each once."""
+
+    def __init__(self, record: DiagramRecord, room: int, prepared: int):
+        self.record, self.entries = record, record.entries
+        self.all: list[Component] = []
+        self.steady: list[bool] = []  # depends on parameters alone
+        self.room, self.prepared = room, prepared  # next free places in W, and in P
+        self.constants: list[float] = []  # K
+        self.kept: dict[int, list[Write]] = {}  # arrays that are written before they are read
+        self._places: dict[Any, int] = {}
+        self._found: dict[tuple, Value] = {}
+        self._arrays: dict[Any, tuple[str, int, int]] = {}  # entry -> array, place, which kept
+
+    # --- components -----------------------------------------------------------------------
+
+    def add(self, name: str, *given: Value, bound: Symbol | None = None) -> Value:
+        """Return the component of an operation."""
+        own = [s for a in given if type(a) is tuple for s in a[1] if s != bound]
+        symbols = tuple(dict.fromkeys(own))
+        place = {s: k for k, s in enumerate(symbols)} | {bound: BOUND}
+        arguments = [
+            (a[0], tuple([place[s] for s in a[1]])) if type(a) is tuple else a for a in given
+        ]
+        if bound is not None:
+            arguments.append(bound[0])
+        steady = all([self.steady[a[0]] for a in given if type(a) is tuple])
+        found = self._place(
+            Component(name, tuple(arguments), tuple([s[0] for s in symbols])), steady
+        )
+        return found, symbols
+
+    def _place(self, component: Component, steady: bool) -> int:
+        signs = tuple([copysign(1.0, a) for a in component.arguments if type(a) is float])
+        key = component, signs
+        if key not in self._places:
+            self._places[key] = len(self.all)
+            self.all.append(component)
+            self.steady.append(steady)
+            if len(self.all) > MOST:
+                raise Uncompiled(
+                    f"the diagram takes more than {MOST} operations apart from loops: write what "
+                    "repeats as operations on arrays"
+                )
+        return self._places[key]
+
+    def load(
+        self, array: str, first: int, places: Sequence[tuple[Index, int]], kept: int = -1
+    ) -> Value:
+        """Return array[first + sum of stride * index]; `kept` says when it has been written."""
+        strides: dict[Symbol, int] = {}
+        for index, stride in places:
+            if type(index) is tuple:
+                symbol, start, step = index
+                first += stride * start
+                strides[symbol] = strides.get(symbol, 0) + stride * step
+            else:
+                first += stride * index
+        lengths = tuple([s[0] for s in strides])
+        own = (array, first, tuple(strides.values()), kept)
+        return self._place(Component("load", own, lengths), array in "PTK"), tuple(strides)
+
+    # --- elements of entries --------------------------------------------------------------
+
+    def at(self, ref: Ref, index: tuple[Index, ...]) -> Value:
+        """Return an element of a value; a shorter one is broadcast."""
+        if type(ref) is float:
+            return ref
+        shape = self.entries[ref].shape
+        index = index[len(index) - len(shape) :]
+        index = tuple([0 if n == 1 else i for i, n in zip(index, shape, strict=True)])
+        if (ref, index) not in self._found:
+            self._found[ref, index] = self._element(ref, index)
+        return self._found[ref, index]
+
+    def _element(self, ref: int, index: tuple[Index, ...]) -> Value:
+        kind, arguments, shape, at, _ = self.entries[ref]
+        if kind == "load":
+            return self.load(*at, list(zip(index, _strides(shape), strict=True)))
+        if kind == "constant":
+            numbers = np.frombuffer(at).reshape(shape)
+            if all([type(i) is int for i in index]):
+                return float(numbers[index])
+            return self._read(ref, index)
+        if kind == "view":
+            moved = [m if isinstance(m, int) else _moved(index[m[0]], m[1], m[2]) for m in at]
+            return self.at(arguments[0], tuple(moved))
+        if kind == "fill":
+            return self.at(arguments[0], ())
+        if kind in ("stack", "join") and type(index[0]) is not int:
+            return self._read(ref, index)
+        if kind == "stack":
+            return self.at(arguments[index[0]], index[1:])
+        if kind == "join":
+            k, part = index[0], 0
+            while k >= (n := self.record.shape_of(arguments[part])[0]):
+                k, part = k - n, part + 1
+            return self.at(arguments[part], (k, *index[1:]))
+        if kind == "part":
+            return self._part(ref, arguments[0], at, shape, index)
+        if kind == "sum":
+            return self._summed(arguments[0], index, *at)
+        if kind == "pick":
+            return self._picked(*arguments, index)
+        return self._calculated(kind, [self.at(a, index) for a in arguments], at)
+
+    def _part(self, ref: int, whole: int, first: int, shape: tuple, index: tuple) -> Value:
+        """Return an element of a value's elements row by row, in another shape."""
+        outer = self.entries[whole].shape
+        inner = len(outer) - len(shape)
+        if all([type(i) is int for i in index]):
+            flat = first + sum([s * i for s, i in zip(_strides(shape), index, strict=True)])
+            return self.at(whole, tuple(map(int, np.unravel_index(flat, outer))) if outer else ())
+        if inner >= 0 and outer[inner:] == shape and first % prod(shape) == 0:
+            lead = np.unravel_index(first // prod(shape), outer[:inner]) if inner else ()
+            return self.at(whole, (*map(int, lead), *index))
+        array, start, kept = self._kept(whole)
+        return self.load(array, start + first, list(zip(index, _strides(shape), strict=True)), kept)
+
+    def _summed(self, ref: Ref, index: tuple, axis: int, count: int, long: bool) -> Value:
+        def one(i: Index) -> Value:
+            return self.at(ref, (*index[:axis], i, *index[axis:]))
+
+        if long:
+            used = [i[0] for i in index if type(i) is tuple]
+            symbol = next(s for k in range(len(used) + 1) if (s := (count, k)) not in used)
+            return self.total(one((symbol, 0, 1)), symbol)
+        total: Value = 0.0
+        for k in range(count):
+            term = one(k)
+            plain = k == 0 and self.never_negative(term)
+            total = term if plain else self.add("add", total, term)
+        return total
+
+    def never_negative(self, value: Value) -> bool:
+        """Whether a value is a square or a size, to which 0.0 adds nothing."""
+        if type(value) is float:
+            return copysign(1.0, value) > 0
+        name, arguments, _ = self.all[value[0]]
+        return name == "fabs" or (name == "mul" and arguments[0] == arguments[1])
+
+    def total(self, value: Value, symbol: Symbol) -> Value:
+        """Return the sum over a symbol; a factor with axes that the others lack leaves it."""
+        if type(value) is float or symbol not in value[1]:
+            return self.add("mul", float(symbol[0]), value)
+        factors = self.factors(value)
+        inner = {s for f in factors if symbol in f[1] for s in f[1]}
+        outer = [f for f in factors if set(f[1]) - inner]
+        if outer:
+            own = [f for f in factors if f not in outer]
+            value = self.product(own)
+        found = self.add("sum", value, bound=symbol)
+        for factor in outer:
+            found = self.add("mul", found, factor)
+        return found
+
+    def factors(self, value: Value) -> list[Value]:
+        """Return what a product is made of; only of values with axes."""
+        name, arguments, _ = self.all[value[0]]
+        own = [self.named(a, value[1]) for a in arguments] if name == "mul" else []
+        if not own or any([type(a) is float for a in own]):
+            return [value]
+        return [f for a in own for f in self.factors(a)]
+
+    def product(self, factors: list[Value]) -> Value:
+        """Return a product, from the left."""
+        found = factors[0]
+        for factor in factors[1:]:
+            found = self.add("mul", found, factor)
+        return found
+
+    def named(self, argument: Any, symbols: tuple, bound: Symbol | None = None) -> Value:
+        """Return a component's argument as a value of its own symbols."""
+        if type(argument) is not tuple:
+            return argument
+        return argument[0], tuple([bound if k == BOUND else symbols[k] for k in argument[1]])
+
+    def _picked(self, table: Ref, place: Ref, index: tuple) -> Value:
+        whole = self.at(place, index)
+        count = self.record.shape_of(table)[0]
+        entry = self.entries[table]
+        if entry.kind == "load":
+            array, first, kept, stride = *entry.at, -1, 1
+        elif entry.kind == "view" and self.entries[entry.arguments[0]].kind == "load":
+            source = self.entries[entry.arguments[0]]
+            array, first, kept, stride = *source.at, -1, 0
+            for m, own in zip(entry.at, _strides(source.shape), strict=True):
+                first += own * (m if isinstance(m, int) else m[1])
+                stride += 0 if isinstance(m, int) else own * m[2]
+        elif count <= self.record.short:
+            return self.add("pick", whole, *[self.at(table, (k,)) for k in range(count)])
+        else:
+            (array, first, kept), stride = self._kept(table), 1
+        at = self._place(
+            Component("table", (array, first, stride, count, kept), ()), array in "PTK"
+        )
+        return self.add("lookup", whole, (at, ()))
+
+    def _calculated(self, kind: str, a: list[Value], at: Any) -> Value:
+        if kind == "pow" and type(a[1]) is float:
+            if a[1] in (2.0, 3.0, 4.0):
+                square = self.add("mul", a[0], a[0])
+                return (
+                    square
+                    if a[1] == 2.0
+                    else self.add("mul", square, a[0] if a[1] == 3.0 else square)
+                )
+            if a[1] == 0.5:
+                return self.add("sqrt", a[0])
+        if kind == "div" and self.is_steady(a[1]) and not self.is_steady(a[0]):
+            known = type(a[1]) is float and a[1] != 0.0
+            return self.add("mul", a[0], 1.0 / a[1] if known else self.add("div", 1.0, a[1]))
+        if kind == "sign":
+            return self.add("add", self.add("sign", *a), 0.0)
+        return self.add(kind, *a)
+
+    def is_steady(self, value: Value) -> bool:
+        """Whether a value depends on parameters alone."""
+        return type(value) is float or self.steady[value[0]]
+
+    # --- arrays that are written first ----------------------------------------------------
+
+    def _read(self, ref: int, index: tuple[Index, ...]) -> Value:
+        """Return an element of a value that is kept in an array."""
+        array, first, kept = self._kept(ref)
+        strides = _strides(self.entries[ref].shape)
+        return self.load(array, first, list(zip(index, strides, strict=True)), kept)
+
+    def _kept(self, ref: int) -> tuple[str, int, int]:
+        """Return array, first place and number of a value that is written before it is read."""
+        entry = self.entries[ref]
+        key = entry.at if entry.kind == "constant" else ref
+        if key in self._arrays:
+            return self._arrays[key]
+        if entry.kind == "constant":
+            self._arrays[key] = "K", len(self.constants), -1
+            self.constants += np.frombuffer(entry.at).tolist()
+            return self._arrays[key]
+        size, number = prod(entry.shape), len(self.kept)
+        long = tuple([n >= self.record.named for n in entry.shape])
+        self.kept[number] = []
+        writes = self.writes(ref, entry.shape, long, "W", self.room)
+        array, first = "W", self.room
+        if all([self.is_steady(w.value) for w in writes]):
+            array, first = "P", self.prepared
+            moved = first - self.room
+            writes = [w._replace(array="P", first=w.first + moved) for w in writes]
+            self.prepared += size
+        else:
+            self.room += size
+        self.kept[number] = writes
+        self._arrays[key] = array, first, number
+        return self._arrays[key]
+
+    def writes(self, ref: Ref, shape: tuple, long: tuple, array: str, first: int) -> list[Write]:
+        """Return what writes a value into an array, row by row; long axes loop."""
+        entry = self.entries[ref] if type(ref) is int else None
+        if entry is not None and entry.kind in ("stack", "join") and entry.shape == shape:
+            found, size = [], prod(shape[1:])
+            for part in entry.arguments:
+                if entry.kind == "stack":
+                    own, axes = shape[1:], long[1:]
+                else:
+                    own, axes = (self.record.shape_of(part)[0], *shape[1:]), long
+                found += self.writes(part, own, axes, array, first)
+                first += size * (own[0] if entry.kind == "join" else 1)
+            return found
+        loops = [k for k, turns in enumerate(long) if turns]
+        symbols = {k: (shape[k], number) for number, k in enumerate(loops)}
+        strides = _strides(shape)
+        own = tuple([strides[k] for k in loops])
+        lengths = tuple([shape[k] for k in loops])
+        found = []
+        for place in product(*[[None] if k in symbols else range(n) for k, n in enumerate(shape)]):
+            index = tuple([(symbols[k], 0, 1) if i is None else i for k, i in enumerate(place)])
+            start = first + sum(
+                [s * i for s, i in zip(strides, place, strict=True) if i is not None]
+            )
+            value = self.at(ref, index)
+            if type(value) is tuple:  # its axes are the turns of the loops, outermost first
+                turn = {symbols[k]: number for number, k in enumerate(loops)}
+                value = value[0], tuple([turn[s] for s in value[1]])
+            found.append(Write(array, start, own, lengths, value))
+        return found
+
+
+def _strides(shape: tuple[int, ...]) -> list[int]:
+    """Return by how much each axis moves on, row by row."""
+    return [prod(shape[k + 1 :]) for k in range(len(shape))]
+
+
+def _moved(index: Index, start: int, step: int) -> Index:
+    """Return start + step * index."""
+    if type(index) is tuple:
+        return index[0], start + step * index[1], step * index[2]
+    return start + step * index

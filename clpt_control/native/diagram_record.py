@@ -1,0 +1,248 @@
+"""One record of a diagram: its blocks' records, joined at their ports as arrays.
+
+    v0 = load X[0:2]            v1 = add(v0, v7)            v2 = sum(v1 over 0)
+
+A port whose signals come whole from one port is that array; gains and sums of wires are arithmetic
+on arrays; what permutes is put together piece by piece.  An axis is long, and loops, where a size
+has a name or the number is beyond `SHORT`.  Every entry knows the block it comes from, so that
+terms of different blocks can be told apart (`joined_sums`); wires belong to none.
+"""
+
+from bisect import bisect
+from collections.abc import Sequence
+from math import prod
+from typing import Any, NamedTuple
+
+from ..diagrams.wiring import Node, Wiring
+from ..equations.block import Block
+from .layout import Layout
+
+SHORT = 16  # a literal axis up to this length is unrolled
+SIGNED = frozenset({"div", "atan2", "pow", "floordiv", "mod"})  # that tell -0.0 from 0.0
+WIRE = -1  # the owner of what wires do
+Ref = int | float
+
+
+class Entry(NamedTuple):
+    """One line of the record; kinds as in `equations.record`, with loads in place of leaves.
+
+    `at` of a load is (array, first place); of a sum (axis, length, whether it loops); of a part
+    the first place among all elements of its argument, row by row.
+    """
+
+    kind: str
+    arguments: tuple[Ref, ...]
+    shape: tuple[int, ...]
+    at: Any
+    owner: int
+
+
+class Port(NamedTuple):
+    """A value that is stored: its first place, lengths of its axes, and which of them loop."""
+
+    first: int
+    shape: tuple[int, ...]
+    long: tuple[bool, ...]
+    ref: Ref
+
+
+class DiagramRecord:
+    """All entries of a diagram, and what its functions store.
+
+    `short` is the longest axis without a name that is unrolled; a name of fewer than `named`
+    is unrolled too.
+    """
+
+    def __init__(self, wiring: Wiring, layout: Layout, short: int = SHORT, named: int = 3):
+        self.wiring, self.layout, self.short, self.named = wiring, layout, short, named
+        self.entries: list[Entry] = []
+        self.rates: list[Port] = []
+        self.signals: list[Port] = []
+        self.margins: list[Ref] = []
+        self._known: dict[Entry, int] = {}
+        self._ports: dict[int, Ref] = {}
+        self._external = self._inputs()
+        self._sizes: dict[int, int] = {}  # of output ports, by their first signal
+        for node in wiring.nodes:
+            at = node.outputs.start
+            for shape in node.system.output_shapes.values():
+                if prod(shape):
+                    self._sizes[at] = prod(shape)
+                at += prod(shape)
+        self._firsts = list(self._sizes)
+        for k in wiring.order:
+            self._output(k)
+        for k, node in enumerate(wiring.nodes):
+            self._states(k, node)
+        self.leaps = [port for k in range(len(wiring.nodes)) for port in self._leap(k)]
+
+    def add(
+        self, kind: str, arguments: Sequence[Ref], shape: tuple, at: Any = None, owner: int = WIRE
+    ) -> int:
+        """Add an entry; return its place."""
+        self.entries.append(Entry(kind, tuple(arguments), shape, at, owner))
+        return len(self.entries) - 1
+
+    def shape_of(self, ref: Ref) -> tuple[int, ...]:
+        """Return the shape of a value."""
+        return self.entries[ref].shape if type(ref) is int else ()
+
+    # --- blocks ---------------------------------------------------------------------------
+
+    def _output(self, k: int) -> None:
+        node = self.wiring.nodes[k]
+        fed = self._fed(node) if node.system.feedthrough else {}
+        values = self._run(k, "output", fed)
+        ports = self._stored(node.system, "outputs", node.outputs.start, values)
+        self.signals += ports
+        self._ports.update({port.first: port.ref for port in ports if prod(port.shape)})
+
+    def _states(self, k: int, node: Node) -> None:
+        block, fed = node.system, self._fed(node)
+        first = node.states.start
+        if block.update_function is not None:
+            self.rates += self._stored(block, "states", first, self._run(k, "update", fed))
+        if block.guard is not None:
+            self.margins += self._run(k, "guard", fed)
+
+    def _leap(self, k: int) -> list[Port]:
+        """Return the states of a block after the jumps that P asks for."""
+        node, place = self.wiring.nodes[k], self.layout.jumps.get(k)
+        shapes = node.system.state_shapes.values()
+        names = node.system.state_shapes
+        old: list[Ref] = [self._leaf(k, "x", n, shape, {}) for n, shape in names.items()]
+        if place is not None:
+            asked = self.add("gt", (self.load("P", place, ()), 0.5), ())
+            new = self._run(k, "jump", self._fed(node))
+            pairs = zip(shapes, new, old, strict=True)
+            old = [self.add("where", (asked, a, b), shape) for shape, a, b in pairs]
+        return self._stored(node.system, "states", node.states.start, old)
+
+    def _stored(self, block: Block, kind: str, first: int, values: list[Ref]) -> list[Port]:
+        ports = []
+        for shape, ref in zip(block.declared[kind].values(), values, strict=True):
+            ports.append(Port(first, *self._axes(block, shape), ref))
+            first += prod(ports[-1].shape)
+        return ports
+
+    def _axes(self, block: Block, shape: tuple) -> tuple[tuple[int, ...], tuple[bool, ...]]:
+        """Return lengths of axes, and which of them loop."""
+        own = tuple(n if isinstance(n, int) else block.sizes[n] for n in shape)
+        long = zip(own, shape, strict=True)
+        return own, tuple(
+            n > self.short or (isinstance(name, str) and n >= self.named) for n, name in long
+        )
+
+    def _run(self, k: int, role: str, fed: dict[str, Ref]) -> list[Ref]:
+        """Write down a block's record on what feeds it; return what each port is."""
+        node = self.wiring.nodes[k]
+        record = node.system.array_record(role)
+        values: list[Ref] = []
+        axes = [self._axes(node.system, o.shape) for o in record.operations]
+        for (kind, arguments, _, at), (shape, _) in zip(record.operations, axes, strict=True):
+            if kind == "leaf":
+                values.append(self._leaf(k, *at, shape, fed))
+                continue
+            own = [values[a] if type(a) is int else a for a in arguments]
+            if kind == "opaque":
+                values.append(own[0])
+                continue
+            if kind == "sum":
+                length, long = axes[arguments[0]] if type(arguments[0]) is int else ((), ())
+                at = at, length[at], long[at]
+            values.append(self.add(kind, own, shape, at, k))
+        return [values[ref] if type(ref) is int else ref for ref in record.outputs]
+
+    def _leaf(self, k: int, group: str, name: str, shape: tuple, fed: dict[str, Ref]) -> Ref:
+        if group == "u":
+            return fed[name]
+        array, first = "t", 0
+        if group == "p":
+            array, first = self.layout.slots[k, name]
+        elif group == "x":
+            block = self.wiring.nodes[k].system
+            before = list(block.state_shapes)
+            sizes = [prod(block.state_shapes[port]) for port in before[: before.index(name)]]
+            array, first = "X", self.wiring.nodes[k].states.start + sum(sizes)
+        return self.load(array, first, shape)
+
+    def load(self, array: str, first: int, shape: tuple) -> int:
+        """Return the numbers of an array from a place, row by row; the same once."""
+        entry = Entry("load", (), shape, (array, first), WIRE)
+        if entry not in self._known:
+            self._known[entry] = self.add(*entry[:4])
+        return self._known[entry]
+
+    # --- wires ----------------------------------------------------------------------------
+
+    def _inputs(self) -> int:
+        """Return the diagram's inputs: straight lines in time, value + slope (t - begin)."""
+        n, ramp = self.wiring.ninputs, len(self.layout.P)
+        begin, t = self.load("P", ramp, ()), self.load("t", 0, ())
+        since = self.add("sub", (t, begin), ())
+        rise = self.add("mul", (since, self.load("P", ramp + 1 + n, (n,))), (n,))
+        return self.add("add", (self.load("P", ramp + 1, (n,)), rise), (n,))
+
+    def _fed(self, node: Node) -> dict[str, Ref]:
+        """Return what feeds each input port of a block."""
+        found, first = {}, 0
+        signed = self._signed(node.system)
+        for port, shape in node.system.input_shapes.items():
+            ref = self._brought(node, first, shape)
+            if signed and type(ref) is int:  # sums in Python begin at 0.0, are never -0.0
+                ref = self.add("add", (ref, 0.0), shape)
+            found[port] = ref
+            first += prod(shape)
+        return found
+
+    def _signed(self, block: Block) -> bool:
+        roles = [*block._roles] if block.output_function else [*block._roles, "output"]
+        return any(o.kind in SIGNED for r in roles for o in block.array_record(r).operations)
+
+    def _brought(self, node: Node, first: int, shape: tuple) -> Ref:
+        """Return what wires bring to a port: arrays where they lie whole, else pieces joined."""
+        size = prod(shape)
+        terms = [t for wire in node.wires for t in self._terms(wire, first, first + size)]
+        cuts = sorted({0, size, *(at for t in terms for at in (t[0], t[0] + t[1]))})
+        pieces: list[Ref] = []
+        for start, stop in zip(cuts, cuts[1:], strict=False):
+            own = shape if stop - start == size else (stop - start,)
+            total: Ref | None = None
+            for to, n, gain, ref, at in terms:
+                if to <= start and stop <= to + n:
+                    value = self.part(ref, at + start - to, own)
+                    value = value if gain == 1.0 else self.add("mul", (value, gain), own)
+                    total = value if total is None else self.add("add", (total, value), own)
+            if len(cuts) > 2 and type(total) is not int:
+                total = self.add("fill", (0.0 if total is None else total,), own)
+            pieces.append(0.0 if total is None else total)
+        if len(pieces) == 1:
+            return pieces[0]
+        return self.part(self.add("join", pieces, (size,)), 0, shape) if pieces else 0.0
+
+    def _terms(self, wire: Any, first: int, last: int) -> list[tuple[int, int, float, Ref, int]]:
+        """Return (place, count, gain, source port, place in it) of a wire within [first, last)."""
+        found = []
+        at, stop = max(wire.to, first), min(wire.to + wire.size, last)
+        while at < stop:
+            source, n = wire.source + at - wire.to, stop - at
+            ref: Ref = self._external
+            if not wire.external:
+                start = self._firsts[bisect(self._firsts, source) - 1]
+                n, source = min(n, start + self._sizes[start] - source), source - start
+                ref = self._ports[start]
+                shape = (self._sizes[start],)
+                ref = ref if type(ref) is int else self.add("fill", (ref,), shape)
+            found.append((at - first, n, wire.gain, ref, source))
+            at += n
+        return found
+
+    def part(self, ref: int, first: int, shape: tuple) -> int:
+        """Return elements of a value from a place on, row by row, in a shape."""
+        entry = self.entries[ref]
+        if entry.shape == shape and first == 0:
+            return ref
+        if entry.kind == "load":
+            array, start = entry.at
+            return self.load(array, start + first, shape)
+        return self.add("part", (ref,), shape, first)

@@ -1,0 +1,282 @@
+"""In which order a diagram's components are computed: what is prepared, and loops by level.
+
+A component's level is the number of sums before it, one inside the other.  Of each level, what
+loops over axes of one length is one loop, across blocks; then come nests of two axes, and so on.
+What depends on parameters alone is computed once a piece of time (`prepare`) and kept at the end
+of P; what a nest reads at every turn, and what is long and read by later levels, is saved in W.
+"""
+
+from collections.abc import Iterable
+from itertools import groupby
+from math import prod
+from typing import Any, NamedTuple
+
+from .components import BOUND, CONDITIONS, Component, Components, Write
+from .diagram_record import DiagramRecord
+
+LONG = frozenset(  # functions that are computed once, not again
+    {"exp", "expm1", "log", "log1p", "log2", "log10", "pow", "sin", "cos", "tan", "hypot", "div"}
+    | {"asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "sqrt"}
+    | {"mod", "floordiv", "erf", "erfc", "lookup"}
+)
+LARGEST = 4096  # numbers of an array that is prepared
+Argument = tuple[int, tuple[int, ...]]  # component, and the loop that each of its axes is
+
+
+class Total(NamedTuple):
+    """The sum of an argument over the innermost loop, saved in W unless it is one number."""
+
+    component: int
+    value: Argument
+    place: int
+
+
+class Saved(NamedTuple):
+    """A component written into W."""
+
+    component: int
+    value: Argument
+    place: int
+
+
+class Nest(NamedTuple):
+    """Loops, the outermost first, of which one takes eight turns at once; none at all: numbers."""
+
+    lengths: tuple[int, ...]
+    vector: int
+    items: tuple[Write | Total | Saved, ...]
+
+
+class Program(NamedTuple):
+    """The functions of a diagram, as nests of loops over components.
+
+    derivative: D = dx/dt; signals: W = all block outputs; margin: D[0] = least distance to a
+    guard's edge; jump: D = states after the jumps that P asks for, empty without any.
+    """
+
+    components: tuple[Component, ...]
+    functions: dict[str, tuple[Nest, ...]]
+    prepared: dict[int, int]  # component -> place in P
+    constants: tuple[float, ...]  # K
+    parameters: int  # length of P
+    room: int  # length of W
+
+
+class Planner:
+    """Makes the program of components."""
+
+    def __init__(self, made: Components):
+        self.made, self.all = made, made.all
+        self.prepared: dict[int, int] = {}
+        self.loads: dict[int, int] = {}  # of kept arrays: component -> which
+        self.rank = [len(c.lengths) for c in made.all]
+
+    def arguments(self, c: int) -> list[Argument]:
+        """Return the components that one is made of."""
+        name, arguments, _ = self.all[c]
+        return [] if name in ("load", "table") else [a for a in arguments if type(a) is tuple]
+
+    def kept(self, c: int) -> int:
+        """Return which kept array a component reads, or -1."""
+        name, arguments, _ = self.all[c]
+        return arguments[-1] if name in ("load", "table") else -1
+
+    def program(self, writes: dict[str, list[Write]]) -> Program:
+        """Return the program whose functions write these."""
+        early: list[Write] = []
+        for own in writes.values():
+            early += self.prepare(own)
+        functions = {name: self.nests(own, False) for name, own in writes.items()}
+        functions["prepare"] = self.nests(early, True)
+        made = self.made
+        own = tuple(self.all), functions, self.prepared, tuple(made.constants)
+        return Program(*own, made.prepared, made.room)
+
+    # --- what is prepared -----------------------------------------------------------------
+
+    def prepare(self, writes: Iterable[Write]) -> list[Write]:
+        """Choose what is prepared of what is written; return what writes it into P."""
+        found: list[Write] = []
+        seen: set[int] = set()
+        stack = [w.value[0] for w in writes if type(w.value) is tuple]
+        while stack:
+            c = stack.pop()
+            if c in seen:
+                continue
+            seen.add(c)
+            if (number := self.kept(c)) >= 0:
+                own = self.made.kept[number]
+                if own and own[0].array == "P":
+                    found += own
+                else:
+                    stack += [w.value[0] for w in own if type(w.value) is tuple]
+            if self.made.steady[c] and self.pays(c):
+                if c not in self.prepared:
+                    lengths = self.all[c].lengths
+                    place = self.prepared[c] = self.made.prepared
+                    self.made.prepared += prod(lengths)
+                    value = c, tuple(range(len(lengths)))
+                    found.append(Write("P", place, rows(lengths), lengths, value))
+            else:
+                stack += [a for a, _ in self.arguments(c)]
+        return found
+
+    def pays(self, c: int) -> bool:
+        """Whether a component of parameters is worth a place in P."""
+        name, arguments, lengths = self.all[c]
+        if name == "load":
+            return len(lengths) == 1 and arguments[2][0] != 1
+        return name not in CONDITIONS and name != "table" and prod(lengths) <= LARGEST
+
+    # --- levels ---------------------------------------------------------------------------
+
+    def nests(self, writes: list[Write], early: bool) -> tuple[Nest, ...]:
+        """Return the loops of a function that writes these."""
+        live, writes = self.live(writes, early)
+        level: dict[int, int] = {}
+
+        def ready(value: Any) -> int:
+            if type(value) is not tuple:
+                return 0
+            c = value[0]
+            return level[c] + (self.all[c].name == "sum" and not self.left(c, early))
+
+        for c in sorted(live):
+            own = [ready(a) for a in ([] if self.left(c, early) else self.arguments(c))]
+            if (number := self.kept(c)) >= 0 and self.own(number, early):
+                own += [1 + ready(w.value) for w in self.made.kept[number]]
+            level[c] = max(own, default=0)
+        items: list[tuple] = [(ready(w.value), w.lengths, w) for w in dict.fromkeys(writes)]
+        for c in self.saved(live, level, early):
+            lengths, place = self.all[c].lengths, self.made.room
+            self.made.room += prod(lengths)
+            if self.all[c].name != "sum":
+                value = c, tuple(range(len(lengths)))
+                items.append((level[c], lengths, Saved(c, value, place)))
+                continue
+            items.append((level[c], *self.total(c, place)))
+        for c in sorted(live):
+            if self.all[c].name == "sum" and not self.rank[c] and not self.left(c, early):
+                items.append((level[c], *self.total(c, -1)))
+
+        def key(item: tuple) -> tuple:
+            return item[0], len(item[1]), item[1], self.vector(item[1], item[2], early)
+
+        items.sort(key=key)
+        return tuple(
+            Nest(lengths, vector, tuple(item[2] for item in own))
+            for (_, _, lengths, vector), own in groupby(items, key)
+        )
+
+    def total(self, c: int, place: int) -> tuple[tuple[int, ...], Total]:
+        """Return the loops of a sum, the summed axis innermost, and what they compute."""
+        _, (value, count), lengths = self.all[c]
+        turns = tuple(len(lengths) if k == BOUND else k for k in value[1])
+        return (*lengths, count), Total(c, (value[0], turns), place)
+
+    def left(self, c: int, early: bool) -> bool:
+        """Whether a function reads a component from P."""
+        return not early and c in self.prepared
+
+    def own(self, number: int, early: bool) -> bool:
+        """Whether a function itself writes a kept array."""
+        writes = self.made.kept[number]
+        return early or not writes or writes[0].array == "W"
+
+    def live(self, writes: list[Write], early: bool) -> tuple[set[int], list[Write]]:
+        """Return the components that are computed or read, and all that is written."""
+        live: set[int] = set()
+        found, done = list(writes), set()
+        stack = [w.value[0] for w in writes if type(w.value) is tuple]
+        while stack:
+            c = stack.pop()
+            if c in live:
+                continue
+            live.add(c)
+            number = self.kept(c)
+            if number >= 0 and number not in done and self.own(number, early):
+                done.add(number)
+                found += self.made.kept[number]
+                stack += [w.value[0] for w in self.made.kept[number] if type(w.value) is tuple]
+            if not self.left(c, early):
+                stack += [a for a, _ in self.arguments(c)]
+        return live, found
+
+    def saved(self, live: set[int], level: dict[int, int], early: bool) -> list[int]:
+        """Return the components with axes that are saved in W, in their order."""
+        found: set[int] = set()
+        heavy: dict[int, bool] = {}
+        for c in sorted(live):
+            name = self.all[c].name
+            own = [] if self.left(c, early) else self.arguments(c)
+            simple = name in ("load", "table") or self.left(c, early)
+            heavy[c] = not simple and (name in LONG or any(heavy[a] for a, _ in own))
+            if name == "sum" and self.rank[c] and not simple:
+                found.add(c)
+            inner = self.rank[c] + (name == "sum")
+            for a, _ in own:
+                plain = self.all[a].name in ("load", *CONDITIONS) or self.left(a, early)
+                if plain or not self.rank[a]:
+                    continue
+                if inner > self.rank[a] or (level[c] > level[a] and heavy[a]):
+                    found.add(a)
+        return sorted(found)
+
+    # --- which loop takes eight turns at once ---------------------------------------------
+
+    def vector(self, lengths: tuple[int, ...], item: Write | Total | Saved, early: bool) -> int:
+        """Return the loop along which most of what is read and written lies in turn."""
+        if len(lengths) < 2:
+            return 0
+        apart = [0] * len(lengths)
+        if isinstance(item, Write):
+            strides = dict(enumerate(item.strides))
+            apart = [strides[k] not in (0, 1) for k in strides]
+        seen, stack = set(), [item.value] if type(item.value) is tuple else []
+        while stack:
+            c, turns = argument = stack.pop()
+            if argument in seen:
+                continue
+            seen.add(argument)
+            name, arguments, own = self.all[c]
+            if name == "load" or self.left(c, early):
+                strides = arguments[2] if name == "load" and not self.left(c, early) else rows(own)
+                along: dict[int, int] = {}
+                for turn, stride in zip(turns, strides, strict=True):
+                    along[turn] = along.get(turn, 0) + stride
+                for turn, stride in along.items():
+                    apart[turn] += stride not in (0, 1)
+            elif name != "sum":
+                stack += [(a, tuple(turns[k] for k in axes)) for a, axes in self.arguments(c)]
+        return min(reversed(range(len(lengths))), key=apart.__getitem__)
+
+
+def rows(lengths: tuple[int, ...]) -> tuple[int, ...]:
+    """Return strides of an array that lies row by row."""
+    return tuple(prod(lengths[k + 1 :]) for k in range(len(lengths)))
+
+
+def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
+    """Return the program of a diagram: W has so much room for signals, P for what is given."""
+    from .components import deep
+
+    made = Components(record, room, prepared)
+    with deep():
+        writes = {
+            "derivative": _written(made, record.rates, "D"),
+            "signals": _written(made, record.signals, "W"),
+            "margin": [_least(made)],
+            "jump": _written(made, record.leaps, "D") if record.layout.jumps else [],
+        }
+    return Planner(made).program(writes)
+
+
+def _written(made: Components, ports: list, array: str) -> list[Write]:
+    return [w for p in ports for w in made.writes(p.ref, p.shape, p.long, array, p.first)]
+
+
+def _least(made: Components) -> Write:
+    least: Any = 1.0
+    for margin in made.record.margins:
+        least = made.add("minimum", least, made.at(margin, ()))
+    return Write("D", 0, (), (), least)
