@@ -134,6 +134,26 @@ def broadcast(*shapes: Shape) -> Shape:
     return tuple(found)
 
 
+class Masked(NDArrayOperatorsMixin):
+    """The elements of an array where a condition holds: ``x[x > 0] *= 2``."""
+
+    def __init__(self, full: Any, mask: "Array"):
+        self.full, self.mask = full, mask
+
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **more: Any) -> Any:
+        more.pop("out", None)
+        for one in inputs:
+            apart = one.mask.ref != self.mask.ref if isinstance(one, Masked) else np.ndim(one)
+            if apart or method != "__call__":
+                raise Unread("joins elements taken by a condition with others; write np.where")
+        own = [one.full if isinstance(one, Masked) else one for one in inputs]
+        return Masked(ufunc(*own, **more), self.mask)
+
+    def sum(self) -> Any:
+        """Return the sum of the elements."""
+        return np.sum(where(self.mask, self.full, 0.0))
+
+
 class Array(NDArrayOperatorsMixin):
     """A value of a tape, of a known shape, used as NumPy's arrays are."""
 
@@ -228,6 +248,8 @@ class Array(NDArrayOperatorsMixin):
             root.store = np.asarray(root.elements(), dtype=object)
         store = self._written()
         assert store is not None
+        if isinstance(value, Masked):
+            value = value.full
         value = lifted(self.tape, value)
         if isinstance(index, Array) and index.is_condition:
             store[...] = elements(where(index, value, lifted(self.tape, self)))
@@ -270,6 +292,9 @@ class Array(NDArrayOperatorsMixin):
         from .numpy_functions import METHODS
 
         if name not in METHODS:
+            known = None if name.startswith("__") else numbers_of(self)
+            if known is not None:
+                return getattr(known, name)
             raise AttributeError(f"an array of the record has no {name!r}")
         return lambda *arguments, **more: METHODS[name](self, *arguments, **more)
 
@@ -327,10 +352,10 @@ class Array(NDArrayOperatorsMixin):
 
 def numbers_of(array: Array) -> np.ndarray | None:
     """Return an array that depends on nothing as numbers, else None."""
-    if array.fixed:
-        return None
     store = array._written()
     if store is None:
+        if type(array) is not Array:  # all states or inputs
+            return None
         own = array.tape.operations[array.node]
         return np.frombuffer(own.at).reshape(own.shape) if own.kind == "constant" else None
     plain = all(type(one) is not Array for one in store.flat)
@@ -373,12 +398,16 @@ def operand(value: Any) -> Ref:
 def lifted(tape: Tape, value: Any) -> Any:
     """Return a number as it is, and anything that NumPy makes an array of as an array."""
     if isinstance(value, Array):
+        if value.tape is not tape:
+            raise Unread("keeps values from one call to the next; make them states")
         return value
     if isinstance(value, bool | int | float | np.bool_ | np.integer | np.floating):
         return float(value)
     try:
         if isinstance(value, np.ndarray) and value.dtype != object:
             return constant(tape, value)
+        if isinstance(value, np.ndarray) and not value.ndim:
+            return lifted(tape, value.item())
         parts = [lifted(tape, one) for one in value]
     except TypeError:
         raise Unread(f"calculating with a {type(value).__name__}") from None
@@ -554,6 +583,7 @@ def _of_join(tape: Tape, parts: Sequence[Ref], mapped: tuple, shape: Shape) -> A
 def elementwise(name: str, *arguments: Any) -> Any:
     """Return an elementwise operation of arrays and numbers."""
     tape = next(a.tape for a in arguments if isinstance(a, Array))
+    arguments = tuple(lifted(tape, a) for a in arguments)
     if name in ("and", "or", "not"):
         arguments = tuple(as_condition(a) for a in arguments)
     elif name == "where":

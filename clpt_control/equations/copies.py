@@ -13,10 +13,14 @@ from contextlib import contextmanager
 from types import CellType, CodeType, FunctionType, MethodType
 from typing import Any
 
-from .arrays import Unread
-from .stand_ins import BUILTINS, SHADOWS, stand_in
+import numpy as np
+
+from .arrays import Tape, Unread, constant
+from .kept import Kept
+from .stand_ins import BUILTINS, SHADOWS, Vectorized, stand_in
 from .tables import table_of
 
+MOST_NUMBERS = 20_000  # of an array that is written down
 LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
 _LOCK = threading.RLock()
 _NONE = object()
@@ -25,7 +29,8 @@ _NONE = object()
 class Copies:
     """The copies of one reading, which tell whether a function changed a name of its module."""
 
-    def __init__(self) -> None:
+    def __init__(self, tape: Tape) -> None:
+        self.tape, self.kept = tape, Kept()
         self._known: dict[int, Any] = {}
         self._kept: list[Any] = []  # alive, so that places stay theirs
         self._spaces: dict[int, tuple[dict, dict]] = {}  # names of a module: copied, as they began
@@ -44,13 +49,19 @@ class Copies:
     def _made(self, value: Any) -> Any:
         if isinstance(value, FunctionType):
             return self._function(value)
+        if type(value) is np.ndarray and value.dtype == float and 0 < value.size < MOST_NUMBERS:
+            return self._numbers(value)
+        self.kept.add(value)
         if isinstance(value, MethodType):
+            self.kept.add(value.__self__)
             return MethodType(self.of(value.__func__), value.__self__)
         if isinstance(value, functools.partial):
             own = {name: self.of(one) for name, one in value.keywords.items()}
             return functools.partial(self.of(value.func), *map(self.of, value.args), **own)
         if isinstance(value, functools._lru_cache_wrapper) or hasattr(value, "py_func"):
             return self.of(getattr(value, "py_func", None) or value.__wrapped__)
+        if isinstance(value, np.vectorize):
+            return Vectorized(self.of(value.pyfunc))
         if type(value) in (list, tuple) and len(value) < 100:
             own_items = [self.of(one) for one in value]
             changed = any(a is not b for a, b in zip(own_items, value, strict=True))
@@ -62,6 +73,14 @@ class Copies:
         if table is not None:
             return table
         return stand_in(value)
+
+    def _numbers(self, value: np.ndarray) -> Any:
+        """Return numbers as an array of the record, for what NumPy's do not do with signals."""
+        if not value.ndim:
+            return value
+        found = constant(self.tape, value)
+        found.fixed = True
+        return found
 
     def _function(self, function: FunctionType) -> Any:
         if (function.__module__ or "").partition(".")[0] in LIBRARIES:

@@ -11,6 +11,7 @@ import numpy as np
 from . import elimination, tables
 from .arrays import (
     Array,
+    Masked,
     Tape,
     Unread,
     as_number,
@@ -215,6 +216,14 @@ def close(a: Any, b: Any, rtol: float = 1e-5, atol: float = 1e-8, equal_nan: boo
     return np.fabs(a - b) <= atol + rtol * np.fabs(b)
 
 
+def polynomial(coefficients: Any, x: Any) -> Any:
+    """Return np.polyval, by Horner's rule."""
+    found = np.zeros_like(x)
+    for one in coefficients:
+        found = found * x + one
+    return found
+
+
 def any_of(a: Any, axis: Any = None, out: Any = None, keepdims: Any = False, **more: Any) -> Any:
     """Return whether any holds."""
     return folded(np.logical_or, a, axis, keepdims)
@@ -279,8 +288,10 @@ def pick(array: Array, index: tuple) -> Any:
     """Return elements at places that are signals."""
     (k, *rest) = index
     if isinstance(k, Array) and k.is_condition:
-        known = k.tape.numbers(k.ref) != 0.0 if not k.tape.free[k.node] else None
-        return unread("taking elements by a condition") if known is None else array[(known, *rest)]
+        if not k.tape.free[k.node]:
+            return array[(k.tape.numbers(k.ref) != 0.0, *rest)]
+        same = not rest and k.shape == array.shape
+        return Masked(array, k) if same else unread("taking elements by a condition")
     if not rest and array.ndim == 1 and isinstance(array.shape[0], int) and not k.shape:
         whole = k.tape.operations[k.node].kind in ("trunc", "floor", "ceil", "pick")
         if whole and k.tape.free[k.node] and array._written() is None:
@@ -366,13 +377,14 @@ FUNCTIONS: dict[Any, Callable] = {
     np.isclose: _of_arrays(close, 2),
     np.allclose: lambda *a, **more: all_of(_of_arrays(close, 2)(*a, **more)),
     np.nan_to_num: _of_arrays(whole_numbers),
+    np.polyval: polynomial,
     np.sort: _of_arrays(in_rows),
     np.interp: _of_arrays(tables.interpolated),
     np.searchsorted: lambda a, v, side="left", **more: tables.place_in(
-        np.asarray(a, dtype=float), v, side
+        np.asarray(tables.known(a), dtype=float), v, side
     ),
     np.digitize: lambda x, bins, right=False: tables.place_in(
-        np.asarray(bins, dtype=float), x, "left" if right else "right"
+        np.asarray(tables.known(bins), dtype=float), x, "left" if right else "right"
     ),
     np.linalg.norm: _of_arrays(norm),
     np.linalg.solve: _of_arrays(elimination.solve, 2),

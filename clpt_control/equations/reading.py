@@ -170,7 +170,7 @@ class Ports(Array):
 
     __slots__ = ("_node", "ports")
 
-    def __init__(self, tape: Tape, group: str, shapes: Mapping[str, Shape]):
+    def __init__(self, tape: Tape, group: str, shapes: Mapping[str, Shape], fixed: bool = True):
         self.ports = {
             port: tape.add("leaf", (), shape, (group, port)) for port, shape in shapes.items()
         }
@@ -178,7 +178,7 @@ class Ports(Array):
         size: Any = sum(map(prod, shapes.values())) if known else f"len({group})"
         self._node: int | None = None
         super().__init__(tape, -1, (size,))
-        self.fixed = True
+        self.fixed = fixed
         for leaf in self.ports.values():
             leaf.fixed = True
 
@@ -250,19 +250,26 @@ def read(
     """
     spaces: list[dict[str, Any]] = []
     found: list[Read] = []
-    while len(found) < 2:
-        try:
-            ways = _Ways(function, role, parameters, out, spaces)
-            found.append(ways.read(states, inputs, shapes, given_as))
-        except Borrowed as borrower:
-            if len(spaces) >= MOST_MODULES:
-                raise Unread(f"runs helpers of more than {MOST_MODULES} modules") from None
-            spaces.append(borrower.space)
-            found.clear()
+    before: _Ways | None = None  # the first reading
+    try:
+        while len(found) < 2:
+            try:
+                ways = _Ways(function, role, parameters, out, spaces, before)
+                found.append(ways.read(states, inputs, shapes, given_as))
+            except Borrowed as borrower:
+                if len(spaces) >= MOST_MODULES:
+                    raise Unread(f"runs helpers of more than {MOST_MODULES} modules") from None
+                spaces.append(borrower.space)
+                found.clear()
+                ways.copies.kept.put_back()
+                continue
+            before = before or ways
+            ways.copies.kept.look()
+    finally:
+        (before or ways).copies.kept.put_back()
     if found[0].record != found[1].record:
         raise Unread(
-            f"{_name(function)} does not do the same twice: it keeps a state outside, or draws by "
-            "chance; make it a state of the block"
+            f"{_name(function)} keeps what its next call reads, or draws by chance; make it a state"
         )
     return found[0]
 
@@ -277,9 +284,11 @@ class _Ways:
         parameters: Mapping[str, Any],
         out: Mapping[str, Shape],
         spaces: list[dict[str, Any]],
+        before: "_Ways | None" = None,
     ):
         self.function, self.role, self.out, self.spaces = function, role, out, spaces
-        self.tape, self.copies = Reading(parameters, spaces), Copies()
+        self.tape = Reading(parameters, spaces)
+        self.copies, self.before = Copies(self.tape), before
         self.ways: list[tuple[dict[int, bool], list[Any]]] = []
         self.raised: dict[str, None] = {}
 
@@ -299,7 +308,10 @@ class _Ways:
         }
         while True:
             tape.answers, tape.asked = {}, None
-            x, u = Ports(tape, "x", states), Ports(tape, "u", inputs)
+            if self.before is not None:
+                self.before.copies.kept.hide(lambda k: tape.add("leaf", (), (), ("t", f"kept {k}")))
+            named = given_as is Fields  # else x and u are the function's own, as python-control's
+            x, u = Ports(tape, "x", states, named), Ports(tape, "u", inputs, named)
             found = self._way(lambda: copied(t, x, u, given_as(dict(fields))))  # noqa: B023
             self.ways.append((tape.answers, found))
             if len(self.ways) > MOST_WAYS:
@@ -328,7 +340,9 @@ class _Ways:
                 found = _by_port(tape, self.role, run(), self.out)
         except (Borrowed, BlockError):
             raise
-        except (*RAISED, Outside) as error:
+        except (*RAISED, RuntimeError, Outside) as error:
+            if isinstance(error, RecursionError):
+                raise Unread(f"{_name(self.function)} calls itself without end") from None
             tape.ended(error)
             sentence = f"{located(error, self.function)}{type(error).__name__}: {error}"
             self.raised[sentence] = None

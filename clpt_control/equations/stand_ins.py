@@ -10,6 +10,7 @@ import builtins
 import functools
 import math
 import numbers
+import sys
 from collections.abc import Callable
 from types import ModuleType
 from typing import Any
@@ -18,7 +19,7 @@ import numpy as np
 
 from .arrays import Array, Unread, active, elementwise, lifted, where
 from .numpy_functions import applied, chosen, converted, in_order, tape_of
-from .ufuncs import called, fresh, unread
+from .ufuncs import called, fresh, objects, unread
 
 MOST_SORTED = 16
 
@@ -98,13 +99,25 @@ class Vectorized:
         tape = tape_of(given)
         if tape is None:
             return self.real(*given, **more)
-        own = np.broadcast_arrays(
-            *(np.asarray(lifted(tape, one).elements() if isinstance(one, Array) else one, dtype=object) for one in given)
-        )
-        found = [self.function(*values, **more) for values in zip(*(one.ravel() for one in own), strict=True)]
-        made = np.empty(len(found), dtype=object)
-        made[:] = found
-        return lifted(tape, made).reshape(own[0].shape)
+        own = np.broadcast_arrays(*(objects(lifted(tape, one)) for one in given))
+        found = np.empty(own[0].size, dtype=object)
+        for k, values in enumerate(zip(*(one.ravel() for one in own), strict=True)):
+            found[k] = self.function(*values, **more)
+        return lifted(tape, found).reshape(own[0].shape)
+
+
+class Joiner:
+    """np.r_ and np.c_: what stands in brackets, one behind the other."""
+
+    def __init__(self, real: Any, join: Callable):
+        self.real, self.join = real, join
+
+    def __getitem__(self, parts: Any) -> Any:
+        given = parts if isinstance(parts, tuple) else (parts,)
+        if tape_of(given) is None:
+            found = self.real[parts]
+            return found if active() is None else fresh(active(), found)
+        return self.join([np.atleast_1d(self.real[p] if isinstance(p, slice) else p) for p in given])
 
 
 # --- math ------------------------------------------------------------------------------------
@@ -141,6 +154,26 @@ def total_of(values: Any, start: Any = 0) -> Any:
     return functools.reduce(lambda v, w: v + w, values, start)
 
 
+DOMAINS: dict[str, Callable] = {  # outside, `math` raises
+    "sqrt": lambda a: a < 0,
+    "log": lambda a, *base: a <= 0,
+    "log2": lambda a: a <= 0,
+    "log10": lambda a: a <= 0,
+    "asin": lambda a: np.fabs(a) > 1,
+    "acos": lambda a: np.fabs(a) > 1,
+}
+
+
+def in_a_try() -> bool:
+    """Return whether a function that is read may catch what is raised now."""
+    frame = sys._getframe(2)
+    while frame is not None and frame.f_globals.get("__name__") != f"{__package__}.reading":
+        if frame.f_globals.get("__builtins__") is BUILTINS and frame.f_code.co_exceptiontable:
+            return True
+        frame = frame.f_back  # type: ignore[assignment]
+    return False
+
+
 MATH: dict[str, Callable] = {
     **{name: getattr(np, NAMED_AS.get(name, name)) for name in OF_NUMPY},
     "erf": lambda a: elementwise("erf", a),
@@ -170,7 +203,10 @@ def of_math(name: str, real: Any) -> Callable:
     def function(*given: Any, **more: Any) -> Any:
         if active() is None or tape_of(given) is None:
             return real(*given, **more)
-        return MATH[name](*map(single, given), **more)
+        own = tuple(map(single, given))
+        if name in DOMAINS and in_a_try() and DOMAINS[name](*own):
+            raise ValueError("math domain error")
+        return MATH[name](*own, **more)
 
     return function
 
@@ -325,6 +361,8 @@ _KNOWN: dict[int, Any] = {
     id(np.float64): FLOAT64,
     id(np.int64): INT64,
     id(np.vectorize): Vectorized,
+    id(np.r_): Joiner(np.r_, np.concatenate),
+    id(np.c_): Joiner(np.c_, np.column_stack),
     **{id(getattr(math, name)): of_math(name, getattr(math, name)) for name in MATH},
     **{id(getattr(builtins, name)): made for name, made in SHADOWS.items()},
 }

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Unread, constant, elementwise, lifted, operand, where
+from .arrays import Array, Unread, constant, elementwise, lifted, numbers_of, operand, where
 
 MOST = 64  # simplices, or points in more than one dimension
 
@@ -27,8 +27,15 @@ def place_in(points: np.ndarray, x: Array, side: str = "right") -> Any:
     return x.tape.add("sum", (ones.ref,), x.shape, x.ndim)
 
 
+def known(value: Any) -> Any:
+    """Return an array that depends on nothing as numbers, another as it is."""
+    numbers = numbers_of(value) if isinstance(value, Array) else None
+    return value if numbers is None else numbers
+
+
 def interpolated(x: Any, xp: Any, fp: Any, left: Any = None, right: Any = None) -> Any:
     """Return np.interp(x, xp, fp)."""
+    xp, fp = known(xp), known(fp)
     if not isinstance(x, Array) or isinstance(xp, Array):
         raise Unread("np.interp of points that are signals")
     xp = np.asarray(xp, dtype=float)

@@ -54,6 +54,8 @@ def _called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any
         return unread(f"np.{ufunc.__name__}.{method}")
     if ufunc in UFUNCS:
         return elementwise(UFUNCS[ufunc], *own)
+    if all(set(kind) <= set("O->") for kind in ufunc.types):  # by np.frompyfunc
+        return repacked(tape, ufunc(*map(objects, own)))
     name = ufunc.__name__
     return COMPOSED[name](*own) if name in COMPOSED else unread(f"np.{name}")
 
