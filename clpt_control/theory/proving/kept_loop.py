@@ -43,12 +43,13 @@ class Kept:
         truth = Truth(self.loop.parameters["true_flow"].theta, car.KD, car.GammaD)
         assert law.keeps is not None
         relations = law.keeps(self.states, p, truth)
-        self.relations: dict[Any, sympy.Expr] = {
-            symbol: sympy.expand(value)
-            for port, values in relations.items()
-            for symbol, value in zip(self.states[port].flat, np.ravel(values), strict=True)
-            if symbol != value
-        }
+        self.relations = _solved(
+            {
+                symbol: value
+                for port, values in relations.items()
+                for symbol, value in zip(self.states[port].flat, np.ravel(values), strict=True)
+            }
+        )
         every = {**self.loop.inputs, **self.states}
         self.parameters, self.losses = p, law.losses(every, p, truth)
         n = self.loop.N or N
@@ -198,6 +199,19 @@ class Kept:
     def loses(self) -> bool:
         """Return whether each product that V' loses has factors that are not negative."""
         return all(self.not_negative(factor) for product in self.losses for factor in product)
+
+
+def _solved(relations: dict[Any, Any]) -> dict[Any, sympy.Expr]:
+    """Return symbols -> what they are, where M = (M + M^T)/2 is M_jk = M_kj."""
+    found: dict[Any, sympy.Expr] = {}
+    for symbol, value in relations.items():
+        value = sympy.expand(sympy.sympify(value).xreplace(found))
+        share = value.coeff(symbol)
+        if share.is_Rational and 0 < share < 1:
+            value = sympy.expand((value - share * symbol) / (1 - share))
+        if value != symbol:
+            found[symbol] = value
+    return found
 
 
 def _alone(values: np.ndarray) -> dict[Any, Any]:
