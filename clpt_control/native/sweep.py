@@ -34,12 +34,6 @@ class Sweep:
         self._plan = [(k, self.nodes[k]) for k in wiring.order if only is None or k in only]
         self._outputs = [self.signals[node.outputs] for _, node in self._plan]
         self._fed = {k: self._views(node) for k, node in self._plan}
-        self._equations = {
-            (role, k): node.system.equations(role)
-            for k, node in enumerate(self.nodes)
-            if isinstance(node.system, Block)
-            for role in _roles(node.system)
-        }
         self.given = list(parameters)
         self._parameters = list(parameters)
         self._jumping = [
@@ -136,12 +130,11 @@ class Sweep:
         return new
 
     def _call(self, role: str, k: int, t: float, x: np.ndarray, u: np.ndarray, out: Any) -> None:
-        p, equations = self._parameters[k], self._equations.get((role, k))
-        if equations is not None:
-            out.fill(0.0)
-            equations(t, x, u, p, out)
+        p, system = self._parameters[k], self.nodes[k].system
+        if isinstance(system, Block):
+            by_states = role == "output" and system.states_are_outputs
+            out[:] = x if by_states else system.values(role, len(out), t, x, u, p)
             return
-        system = self.nodes[k].system
         function = system.updfcn if role == "update" else system.outfcn
         try:
             out[:] = x if function is None else np.reshape(function(t, x, u, p), -1)
@@ -192,11 +185,6 @@ class Sweep:
 
 def _leaps(system: Any) -> bool:
     return isinstance(system, Block) and system.jump_function is not None
-
-
-def _roles(block: Block) -> list[str]:
-    more = ["update"] * bool(block.nstates) + ["jump"] * _leaps(block)
-    return ["output", *more]
 
 
 def first_not_finite(wiring: Wiring, signals: np.ndarray) -> str | None:
