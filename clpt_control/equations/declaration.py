@@ -105,6 +105,9 @@ def whole_labels(given: Iterable[str]) -> list[str]:
     return [found[place] for place in range(len(found))]
 
 
+TAKEN = frozenset({"get", "keys", "_fields", "_replace", "_asdict"})  # by what all parameters do
+
+
 class Parameters(tuple):
     """A block's parameters: ``p.gain``, ``p["gain"]``, ``p.get("gain", 1.0)``."""
 
@@ -171,7 +174,7 @@ def checked_parameters(name: str, parameters: Any, like: Any = None) -> Paramete
     """Return parameters as whole numbers, floats and own float arrays, of the shapes of `like`."""
     values: dict[str, Any] = {}
     for field, value in named_values(name, parameters).items():
-        if not isinstance(field, str) or not field.isidentifier() or hasattr(Parameters, field):
+        if not isinstance(field, str) or not field.isidentifier() or field in TAKEN:
             raise BlockError(f"{name}: the parameter name {field!r} must be a Python name")
         old = getattr(like, field) if like is not None else value
         try:

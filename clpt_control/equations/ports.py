@@ -86,6 +86,8 @@ def flattened(name: str, given: Any, where: dict[str, tuple[slice, Shape]], size
                 value = _shaped(name, port, value, shape)
             out[part] = value.ravel()
         return out
+    if given is None:
+        raise BlockError(f"{name}: returns nothing; must return {list(where)}")
     if isinstance(given, list | tuple):
         parts = [np.ravel(one) for one in given]
         out = np.concatenate([np.zeros(0), *parts]).astype(float)

@@ -70,7 +70,8 @@ def remembers(t, x, u, p):
     [
         ({"policy": "halt"}, 'policy \'halt\' must be "raise" or "stop"'),
         ({"sentence": "left"}, "Guard: sentence = .left.: must be a function"),
-        ({"distance": remembers}, r"stone\.guard, line \d+: `print` is not allowed here"),
+        ({"distance": remembers}, r"stone\.guard, line \d+: cannot be run: TypeError"),
+        ({"distance": lambda t, x, u, p: None}, r"stone\.guard"),
         ({"distance": lambda t, x, u, p, y: None}, r"stone\.guard"),
         ({"distance": 3}, "Guard: distance = 3: must be a function"),
     ],

@@ -1,0 +1,363 @@
+"""Ordinary Python is read as it runs: branches, NumPy, closures, objects, text or none."""
+
+import functools
+import math
+from math import exp
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from recorded import as_it_runs, recorded, static
+
+from clpt_control.equations import Block
+
+TABLE = [1.0, 2.0]
+NAMES = {"a": 1.5}
+RATE = 0.5
+POINTS = ([0.3, -0.7, 2.0], [-1.2, 0.4, -0.1], [1.0, 1.0, 1.0], [2.5, 0.5, 0.2], [0.0, 0.0, 0.0])
+
+
+def says_if(t, x, u, p):
+    y = 0.0
+    if u[0] > 0:
+        y = 1.0 + u[1]
+    elif u[1] > u[2]:
+        y = u[2]
+    return y
+
+
+def says_ternary(t, x, u, p):
+    return u[1] if u[0] > 0 else -u[1]
+
+
+def says_and_or_not(t, x, u, p):
+    return 1.0 if (u[0] > 0 and not u[1] > 0) or u[2] > 1 else u[0]
+
+
+def says_chained(t, x, u, p):
+    return u[1] if 0 < u[0] <= 1 < u[2] else 0.0
+
+
+def says_numpy(t, x, u, p):
+    return np.exp(u[0]) + np.hypot(u[1], u[2]) - np.linalg.norm(u) + u.max() + u.sum()
+
+
+def says_builtins(t, x, u, p):
+    return max(u[0], u[1]) + min(u) + abs(u[2]) + sum(u) + sorted(u)[1] + round(u[0])
+
+
+def says_while(t, x, u, p):
+    k, y = 3, 0.0
+    while k > 0:
+        k -= 1
+        y = math.sin(y) + u[k]
+    return y
+
+
+def says_lambda(t, x, u, p):
+    f = lambda a, b=2.0: a * b  # noqa: E731
+    return f(u[0]) + f(u[1], u[2])
+
+
+def says_inner(t, x, u, p):
+    scale = u[0]
+
+    def inner(a):
+        return scale * a
+
+    return inner(u[1]) + inner(RATE)
+
+
+def says_comprehensions(t, x, u, p):
+    values = [2 * a for a in u]
+    named = dict(enumerate(values))
+    return values[0] + named[2] + sum(a * b for a, b in zip(values, u, strict=True))
+
+
+def says_break(t, x, u, p):
+    y = 0.0
+    for a in u:
+        if a > 1.0:
+            break
+        if a < 0.0:
+            continue
+        y += a
+    return y
+
+
+def says_globals(t, x, u, p):
+    return TABLE[0] * u[0] + NAMES["a"] * u[1] + RATE
+
+
+def says_import(t, x, u, p):
+    from math import atan2 as angle
+
+    import numpy
+
+    return angle(u[0], 2.0) + numpy.cos(u[1])
+
+
+def says_try(t, x, u, p):
+    try:
+        return u[0] * TABLE[1]
+    finally:
+        pass
+
+
+def says_assert(t, x, u, p):
+    assert len(u) == 3
+    return u[0]
+
+
+def says_match(t, x, u, p):
+    match len(u):
+        case 3:
+            return u[2]
+    return 0.0
+
+
+def says_string(t, x, u, p):
+    return u[0] * len(f"{RATE}")
+
+
+def says_math(t, x, u, p):
+    y = math.sqrt(u[0] ** 2 + 1) + math.copysign(2.0, u[1]) + math.fmod(u[2], 0.7) + exp(-1.0)
+    return y + math.degrees(u[0]) + math.dist([u[0], 0.0], [0.0, u[1]]) + math.floor(u[2])
+
+
+def says_filled(t, x, u, p):
+    y = np.zeros(3)
+    y[0] = u[0]
+    y[1:] = u[1:] * 2.0
+    y[-1] += 1.0
+    return y
+
+
+def says_views(t, x, u, p):
+    y = np.array(u)
+    part = y[1:]
+    part[0] = 7.0 * u[2]
+    part *= 2.0
+    return y
+
+
+def says_matrices(t, x, u, p):
+    A = np.eye(3) + np.outer(u, u)
+    A[0] *= 0.5
+    return A @ u + A.T[:, 0] - np.diag(A)
+
+
+def says_solve(t, x, u, p):
+    A = np.array([[2.0, u[0]], [u[1], 3.0 + u[2] ** 2]])
+    return [*np.linalg.solve(A, [1.0, u[0]]), np.linalg.inv(A)[1, 1]]
+
+
+def says_cross(t, x, u, p):
+    return np.cross(u, [1.0, 2.0, 3.0]) + np.cumsum(u) + np.roll(u, 1)
+
+
+def says_stacked(t, x, u, p):
+    return np.hstack([u[:1], np.vstack([u, 2 * u])[1, 1:]])
+
+
+def says_masked(t, x, u, p):
+    y = 2.0 * u
+    y[u > 0.5] = 0.0
+    return np.where(u < 0, y, np.maximum(y, 0.1))
+
+
+def says_mapping(t, x, u, p):
+    return {"y": np.flip(u)}
+
+
+def says_float(t, x, u, p):
+    return float(u[0]) + float(np.sum(u)) + u[1].item()
+
+
+def says_in_place(t, x, u, p):
+    u = np.asarray(u) + 0.0
+    u += 1.0
+    u[0] -= 3.0
+    return u
+
+
+def says_gear(t, x, u, p):
+    return [0.5, 0.25, 0.125][int(np.clip(u[2], 0.0, 2.0))] * u[0]
+
+
+class Motor:
+    """An object with numbers."""
+
+    def __init__(self, k):
+        self.k = k
+
+    def torque(self, i, *, most=2.0):
+        return min(self.k * i, most)
+
+    def __call__(self, t, x, u, p):
+        return self.torque(u[0]) - self.k
+
+    def output(self, t, x, u, p):
+        return self.torque(u[1])
+
+
+def scaled(k, t, x, u, p):
+    return k * u[0]
+
+
+@np.vectorize
+def each(a):
+    return a * a + 1.0
+
+
+@functools.lru_cache
+def kept(k):
+    return 2.0 * k
+
+
+def says_helpers(t, x, u, p):
+    motor = Motor(1.5)
+    return motor.torque(u[0], most=1.0) + kept(3) * u[1] + functools.reduce(max, u)
+
+
+def closure(gain):
+    def output(t, x, u, p):
+        return gain * u[0]
+
+    return output
+
+
+FUNCTIONS = {name: f for name, f in dict(globals()).items() if name.startswith("says_")}
+FUNCTIONS |= {
+    "a closure": closure(2.5),
+    "a partial": functools.partial(scaled, 3.0),
+    "a method": Motor(2.0).output,
+    "an object": Motor(0.5),
+    "a lambda": lambda t, x, u, p: u @ u,
+}
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_ordinary_python_is_read_as_it_runs(name):
+    function = FUNCTIONS[name]
+    given = function(0.0, np.zeros(0), np.array(POINTS[0]), None)
+    block = static(function, 3, np.size(given["y"] if isinstance(given, dict) else given))
+    for u in POINTS:
+        as_it_runs(block, "output", 0.7, [], u, 1e-13)
+
+
+def made(body):
+    """A function made by exec; inspect finds no text of it."""
+    space = {"math": math, "np": np}
+    exec("def f(t, x, u, p):\n" + "\n".join(f"    {line}" for line in body.split("\n")), space)
+    return space["f"]
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "y = u[0]\nif u[0] > 0:\n    y = 1.0\nreturn y",
+        "return max(u[0], u[1])",
+        "return math.exp(-abs(u[0]))",
+        "return [a for a in u][1]",
+        "y = np.zeros(1)\ny[0] = u[0]\nreturn y",
+    ],
+)
+def test_a_function_without_text_is_read_too(body):
+    block = static(made(body))
+    for u in POINTS:
+        as_it_runs(block, "output", 0.0, [], u)
+
+
+# --- what changes after the block was made --------------------------------------------------------
+
+SETTING = SimpleNamespace(gain=1.0)
+LEVEL = 1.0
+
+
+def helper(a, k=1.0):
+    return k * a
+
+
+def changing(t, x, u, p):
+    return SETTING.gain * LEVEL * helper(u[0])
+
+
+def test_a_change_counts_at_the_next_reading(monkeypatch):
+    """Of a global, an object, a default and a helper: a block made again reads them anew."""
+    changes = [
+        ("LEVEL", 2.0),
+        ("SETTING", SimpleNamespace(gain=3.0)),
+        ("helper", lambda a: 5.0 * a),
+    ]
+    seen = [recorded(static(changing), "output", 0.0, [], POINTS[0])[0]]
+    for name, value in changes:
+        monkeypatch.setitem(globals(), name, value)
+        found = as_it_runs(static(changing), "output", 0.0, [], POINTS[0])[0]
+        assert found not in seen
+        seen.append(found)
+    monkeypatch.undo()
+    monkeypatch.setattr(helper, "__defaults__", (7.0,))
+    assert as_it_runs(static(changing), "output", 0.0, [], POINTS[0]) == 7.0 * POINTS[0][0]
+
+
+def test_two_functions_of_one_text_keep_their_own_numbers():
+    blocks = {k: static(closure(k)) for k in (2.0, 3.0, -0.0)}
+    for k, block in blocks.items():
+        assert recorded(block, "output", 0.0, [], [7.0, 0.0, 0.0])[0] == k * 7.0
+
+
+# --- parameters --------------------------------------------------------------------------------
+
+
+def counts(t, x, u, p):
+    y = 0.0
+    for k in range(int(p.count)):
+        y += p["v"][k] * u[k] * p.get("gain", 10.0) * p.get("none", 2.0)
+    return y if p.gain > 1.0 else -y
+
+
+def test_a_parameter_is_fixed_only_where_python_needs_its_value():
+    p = {"count": 2.0, "v": np.array([1.0, 2.0, 3.0]), "gain": 0.5}
+    block = static(counts, parameters=p)
+    as_it_runs(block, "output", 0.0, [], POINTS[0])
+    leaves = block.array_record("output").leaves("p")
+    assert "v" in leaves
+    assert "count" not in leaves
+    for change in ({"count": 3.0}, {"gain": 2.0}):
+        block.parameters = block.parameters._replace(**change)
+        as_it_runs(block, "output", 0.0, [], POINTS[0])
+
+
+def by_size(t, x, u, p):
+    phi = np.exp(-np.sum((p.centers - u.x) ** 2, axis=1))
+    return {"phi": phi, "flow": p.theta @ phi}
+
+
+@pytest.mark.parametrize("N", [1, 2, 3, 7])
+def test_sizes_with_names_hold_for_every_N(N):
+    numbers = np.random.default_rng(N)
+    block = Block(
+        "mine",
+        output=by_size,
+        inputs={"x": 2},
+        outputs={"phi": "N", "flow": 2},
+        parameters={"centers": numbers.normal(size=(N, 2)), "theta": numbers.normal(size=(2, N))},
+        shapes={"centers": ("N", 2), "theta": (2, "N")},
+    )
+    record = block.array_record("output")
+    assert record.shapes == (("N",), (2,))
+    assert record == static_of(3).array_record("output")
+    assert block.sizes == {"N": N}
+    as_it_runs(block, "output", 0.0, [], [0.3, -0.4], 1e-13)
+
+
+def static_of(N):
+    return Block(
+        "mine",
+        output=by_size,
+        inputs={"x": 2},
+        outputs={"phi": "N", "flow": 2},
+        parameters={"centers": np.zeros((N, 2)), "theta": np.zeros((2, N))},
+        shapes={"centers": ("N", 2), "theta": (2, "N")},
+    )

@@ -1,0 +1,196 @@
+"""What cannot be read says which function, line and cause, and runs in Python."""
+
+import inspect
+import random
+import time
+
+import numpy as np
+import pytest
+from recorded import run, static
+from scipy.integrate import quad
+from scipy.optimize import brentq
+
+from clpt_control.equations import Block
+from clpt_control.equations.arrays import Unread
+from clpt_control.errors import BlockError
+
+STATE = [0.0]
+NOISE = np.random.default_rng(1)
+
+
+def counts_by_a_signal(t, x, u, p):
+    y = 0.0
+    for _ in range(int(1e6 * u[0])):  # here
+        y += 1.0
+    return y
+
+
+def waits_for_a_signal(t, x, u, p):
+    y = np.abs(u[0]) + 1.0
+    while y > 0.001:  # here
+        y = y / 2.0
+    return y
+
+
+def draws(t, x, u, p):
+    return u[0] * random.random()
+
+
+def draws_noise(t, x, u, p):
+    return u[0] + NOISE.normal()
+
+
+def asks_the_clock(t, x, u, p):
+    return u[0] * time.perf_counter()
+
+
+def remembers(t, x, u, p):
+    STATE[0] += 1.0
+    return u[0] + STATE[0]
+
+
+def keeps_the_last(t, x, u, p):
+    last, STATE[0] = STATE[0], u[0]
+    return last + u[0]
+
+
+def solves(t, x, u, p):
+    return brentq(lambda a: a**3 + a - u[0], -9.0, 9.0)  # here
+
+
+def integrates(t, x, u, p):
+    return quad(lambda a: a * u[0], 0.0, 1.0)[0]  # here
+
+
+def is_text(t, x, u, p):
+    return float(f"{u[0]:.3f}")  # here
+
+
+def writes_its_inputs(t, x, u, p):
+    u[0] = 1.0  # here
+    return u[0]
+
+
+def takes_eigenvalues(t, x, u, p):
+    return np.linalg.eigvals(np.outer(u, u)).max().real  # here
+
+
+def asks_too_often(t, x, u, p):
+    y = 0.0
+    for k in range(12):
+        y += 1.0 if u[0] * k > u[1] * k**2 - 1 else -1.0
+    return y
+
+
+def helper(a):
+    return float(f"{a:.2f}")  # here
+
+
+def through_a_helper(t, x, u, p):
+    return helper(u[0])
+
+
+LINES = {  # the line is that of the comment
+    counts_by_a_signal: "",
+    waits_for_a_signal: "",
+    solves: "brentq",
+    integrates: "",
+    is_text: "",
+    writes_its_inputs: "write into a copy",
+    takes_eigenvalues: "eigvals",
+}
+TWICE = (draws, draws_noise, asks_the_clock, remembers, keeps_the_last)
+U = [0.3, -0.7, 2.0]
+
+
+def marked_line(function):
+    lines, first = inspect.getsourcelines(function)
+    return first + next(k for k, line in enumerate(lines) if line.rstrip().endswith("# here"))
+
+
+def said(function):
+    with pytest.raises(Unread) as caught:
+        static(function).array_record("output")
+    sentence = str(caught.value)
+    assert sentence.startswith((f"mine.output: {function.__name__}", "mine.output: <lambda>"))
+    assert "\n" not in sentence
+    return sentence
+
+
+@pytest.mark.parametrize("function", LINES, ids=lambda f: f.__name__)
+def test_unread_by_function_line_and_cause(function):
+    sentence = said(function)
+    assert f"line {marked_line(function)}:" in sentence
+    assert LINES[function] in sentence
+
+
+def test_a_helper_is_named_with_its_own_line():
+    with pytest.raises(Unread, match=rf"helper, line {marked_line(helper)}:"):
+        static(through_a_helper).array_record("output")
+
+
+@pytest.mark.parametrize("function", TWICE, ids=lambda f: f.__name__)
+def test_a_state_or_chance_that_hides_is_seen_by_reading_twice(function):
+    assert said(function)
+
+
+def test_too_many_ways_are_not_read():
+    assert "ways" in said(asks_too_often)
+
+
+@pytest.mark.parametrize("function", [solves, is_text, through_a_helper, asks_too_often])
+def test_what_is_not_read_runs_in_python(function):
+    block = static(function)
+    assert block.output(0.0, [], U) == run(block, "output", 0.0, [], U)
+    assert block.feedthrough  # for all that is known
+
+
+def test_the_record_of_another_role_is_there_all_the_same():
+    block = Block(
+        "mine", update=lambda t, x, u, p: -x, output=is_text, inputs={"u": 1}, states={"x": 1},
+        outputs={"y": 1},
+    )  # fmt: skip
+    assert block.array_record("update").shapes == ((1,),)
+    with pytest.raises(Unread):
+        block.array_record("output")
+
+
+# --- mistakes ---------------------------------------------------------------------------------
+
+
+def beyond(t, x, u, p):
+    return u[5]
+
+
+def unknown_port(t, x, u, p):
+    return u.speed
+
+
+def unknown_name(t, x, u, p):
+    return wibble(u[0])  # noqa: F821
+
+
+def five(t, x, u, p):
+    return [1.0] * 5
+
+
+def none(t, x, u, p):
+    return None
+
+
+@pytest.mark.parametrize(
+    ("function", "words"),
+    [
+        (beyond, r"line \d+: cannot be run: IndexError"),
+        (unknown_port, r"line \d+: cannot be run: .*no port 'speed'; there are u"),
+        (unknown_name, r"line \d+: cannot be run: NameError.*wibble"),
+        (five, "returns 5 numbers; must return 1"),
+        (none, r"returns nothing; must return \['y'\]"),
+        (lambda t, x, u: u, "cannot be run: TypeError"),
+        (lambda t, x, u, p: {"z": u}, r"returns \['z'\]; must return \['y'\]"),
+    ],
+)
+def test_a_mistake_is_told_where_the_block_is_made(function, words):
+    with pytest.raises(BlockError, match=rf"^mine\.output.*{words}") as caught:
+        static(function)
+    assert "\n" not in str(caught.value)
