@@ -51,6 +51,9 @@ class Copies:
             return self._function(value)
         if type(value) is np.ndarray and value.dtype == float and 0 < value.size < MOST_NUMBERS:
             return self._numbers(value)
+        table = table_of(value)
+        if table is not None:
+            return table
         self.kept.add(value)
         if isinstance(value, MethodType):
             self.kept.add(value.__self__)
@@ -69,9 +72,6 @@ class Copies:
         if type(value) is dict and len(value) < 100:
             items = {key: self.of(one) for key, one in value.items()}
             return items if any(items[key] is not value[key] for key in value) else value
-        table = table_of(value)
-        if table is not None:
-            return table
         return stand_in(value)
 
     def _numbers(self, value: np.ndarray) -> Any:

@@ -123,6 +123,7 @@ def of_polynomials(f: Any) -> Callable:
 def of_simplices(f: Any) -> Callable:
     """Return scipy.interpolate.LinearNDInterpolator as a function of signals; NaN outside."""
     mesh, tail = f.tri, tuple(f.values_shape)
+    transforms = mesh.transform
     ys = np.asarray(f.values, dtype=float).reshape(len(f.values), *tail)
     count, corners = mesh.simplices.shape
     if count > MOST:
@@ -135,7 +136,7 @@ def of_simplices(f: Any) -> Callable:
         x = lifted(tape, x[0] if len(x) == 1 else list(x)).reshape(-1)
         found: Any = np.full(tail, np.nan) if tail else np.nan
         for k in range(count - 1, -1, -1):
-            inverse = mesh.transform[k]
+            inverse = transforms[k]
             shares = [inverse[d] @ (x - inverse[-1]) for d in range(len(inverse) - 1)]
             shares.append(1.0 - reduce(lambda v, w: v + w, shares))
             inside = reduce(lambda v, w: v & w, [share >= -1e-12 for share in shares])

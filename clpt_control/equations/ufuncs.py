@@ -153,15 +153,15 @@ def matmul(a: Any, b: Any) -> Any:
     """Return a @ b."""
     if not np.ndim(a) or not np.ndim(b):
         raise ValueError("matmul: an operand is a scalar")
-    if a.ndim > 2 or b.ndim > 2:
-        return unread("matmul of more than two axes")
-    if a.shape[-1] != b.shape[0]:
+    inner = b.shape[-2] if b.ndim > 1 else b.shape[0]
+    if a.shape[-1] != inner:
         raise ValueError(f"matmul: shapes {a.shape} and {b.shape} do not fit")
     if b.ndim == 1:
         return total(elementwise("mul", a, b), a.ndim - 1)
     if a.ndim == 1:
-        return total(elementwise("mul", a[:, None], b), 0)
-    return total(elementwise("mul", a[:, :, None], b[None, :, :]), 1)
+        return total(elementwise("mul", a[:, None], b), b.ndim - 2)
+    product = elementwise("mul", a[..., None], b[..., None, :, :])
+    return total(product, product.ndim - 2)
 
 
 def rounded(a: Array, decimals: Any = None, out: Any = None) -> Any:
