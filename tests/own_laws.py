@@ -319,7 +319,7 @@ RIGHT = {  # name -> (law, whether for every N too)
     "a gain each": (lambda: law(a_gain_each, {"gains": [0.5, 2.0]}, **EACH), True),
     "x - z and exp(c)": (lambda: law(x_less_z, two(0.3), {"x": 2}), True),
     "composite": (lambda: law(composite, two(0.5), FLOW), False),
-    "a leak of 0": (lambda: law(leak, two(0.0)), False),
+    "a leak of 0": (lambda: law(leak, two(0.0)), True),
     "as many gains as functions": (lambda: law(by_shape, {"gains": [0.5, 0.5]}, **EACH), False),
     "wrong from N = 5 on": (lambda: law(wrong_fifth, GAIN), False),
     "a small gain": (lambda: law(shipped, {"gain": 1e-8}), True),
@@ -369,7 +369,7 @@ TOO_MUCH = {  # -> what is said
     ),
     "a power of 40": (lambda: law(to_the_fortieth, GAIN), "V' has more than 20000 terms"),
     "choices of choices": (lambda: law(without_end, GAIN), "own.update has more than 5000"),
-    "one z": (lambda: law(of_other_ports, GAIN, {"zc": 3, "z": 1}), "'zc' has 2 signals"),
+    "one z": (lambda: law(of_other_ports, GAIN, {"zc": 3, "z": 1}), "'z' has 2 signals"),
     "no name": (lambda: Block("", update=shipped, states=MORE), "must not be empty"),
     "a port with a dot": (lambda: law(shipped, GAIN, {"a.b": 1}), "'a.b' of a block"),
 }

@@ -179,10 +179,11 @@ class Elements:
             return self._gathered(kind, arguments, index)
         if kind == "sum":
             return self._sum(arguments[0], at, index)
+        if kind == "opaque":  # of all that it is given, one for each place
+            name = "_".join([f"{at[0]}()", *(str(k) for k in (at[1], *index) if k)])
+            given = (one for a in arguments[1:] for one in self._all(a))
+            return sympy.Function(name, real=True)(*given)
         own = tuple(self.at(a, index) for a in arguments)
-        if kind == "opaque":
-            helper, k = at
-            return sympy.Function(f"{helper}()" + f"_{k}" * (k != 0), real=True)(*own[1:])
         self.watch(ref, kind, own)
         if kind in ("eq", "ne"):
             same = OPERATIONS["and"](OPERATIONS["le"](*own), OPERATIONS["ge"](*own))
@@ -193,6 +194,13 @@ class Elements:
                     u, low = inner.args if inner.args[0].free_symbols else inner.args[::-1]
                     return OPERATIONS["clip"](u, low, high)
         return OPERATIONS[kind](*own)
+
+    def _all(self, ref: Ref) -> list[Any]:
+        """Return every element of a value."""
+        shape = () if type(ref) is float else self.tape.operations[ref].shape
+        if not all(isinstance(n, int) for n in shape):
+            raise Unread("an opaque helper of an array of unknown length")
+        return [self.at(ref, place) for place in np.ndindex(*shape)]
 
     def _gathered(self, kind: str, arguments: tuple, index: Index) -> Any:
         if kind == "pick":

@@ -18,7 +18,7 @@ from own_laws import (
     two,
 )
 
-from clpt_control.blocks.laws import learned_flow
+from clpt_control.blocks.laws.table import LAWS
 from clpt_control.blocks.lyapunov import lyapunov_candidate, one_gain
 from clpt_control.equations import Block
 from clpt_control.errors import ClptError, DiagramError
@@ -128,7 +128,7 @@ def test_what_has_no_value_says_so():
 
 
 def test_the_papers_law_is_proved_for_every_N():
-    verdict = prove(learned_flow.learned_flow_law(learned_flow.LearnedFlowParameters(3, 2.5)))
+    verdict = prove(LAWS["learned-flow"].of(3, gain=2.5))
     assert (verdict.status, verdict.for_every_N, verdict.residual) == ("proved", True, 0)
     running = next(s for s in verdict.steps if s.how == "sampled")
     assert running.detail.startswith("10000 points")
