@@ -12,6 +12,7 @@ import sympy
 
 from clpt_control.blocks import basis, disturbance, field, reference
 from clpt_control.currents.field_file import GriddedField
+from clpt_control.equations.declaration import parameters_of
 
 POINTS = np.array([[3.0, 1.0], [-2.0, 5.0], [7.0, -4.0]])
 KERNELS = list(basis.KERNELS)
@@ -19,10 +20,7 @@ KERNELS = list(basis.KERNELS)
 
 def phi(kernel, position, t=0.7, omega=1.3, phase=0.4, width=2.0):
     """One function around (1, -2)."""
-    p = basis.BasisParameters(
-        1, np.array([[1.0, -2.0]]), np.array([width]), np.array([omega]), np.array([phase])
-    )
-    block = basis.flow_basis("basis_x", "x", kernel, p)
+    block = basis.flow_basis("basis_x", "x", kernel, [[1.0, -2.0]], [width], [omega], [phase])
     return float(block.output(t, [], np.array([1.0, -2.0]) + position)[0])
 
 
@@ -148,13 +146,11 @@ def gridded_flows_reproduce_linear_ones():
 
 def guards_know_the_edge():
     shape, start, step = (3, 4, 5), (1.0, -2.0, 3.0), (2.0, 1.0, 3.0)
-    sides = [np.array(a, dtype=float) for a in (shape, start, step)]
-    p = field.FieldParameters(*sides, np.zeros(0), np.zeros(0))
+    sides = {"shape": shape, "start": start, "step": step}
+    p = parameters_of({name: np.array(a, dtype=float) for name, a in sides.items()})
     places = ((2.0, 6.0, 0.0), (2.0, 0.0, 0.0), (6.0, 6.0, 0.0))
-    near = np.zeros((3, 1))
-    for y, (t, x1, x2) in zip(near, places, strict=True):
-        field.inside(t, np.zeros(0), np.array([x1, x2]), p, y)
-    assert np.allclose(near[:, 0], [0.5, -1.0, -0.5], atol=1e-14)
+    near = [field.inside(t, np.zeros(0), np.array([x1, x2]), p) for t, x1, x2 in places]
+    assert np.allclose(near, [0.5, -1.0, -0.5], atol=1e-14)
 
 
 CHECKS = [

@@ -29,10 +29,7 @@ from clpt_control.errors import ScenarioError
 
 
 def one_basis(kernel, center=(0.0, 0.0), width=2.0, frequency=0.0, phase=0.0):
-    p = basis.BasisParameters(
-        1, np.array([center]), np.array([width]), np.array([frequency]), np.array([phase])
-    )
-    return basis.flow_basis("basis_x", "x", kernel, p)
+    return basis.flow_basis("basis_x", "x", kernel, [center], [width], [frequency], [phase])
 
 
 def phi(block, position, t=0.0):
@@ -122,10 +119,8 @@ def test_kernel_limits_and_symmetry(kernel):
 
 
 def test_basis_keeps_the_order_of_its_functions():
-    p = basis.BasisParameters(
-        3, np.array([[0.0, 0], [1, 0], [2, 0]]), np.ones(3), np.zeros(3), np.zeros(3)
-    )
-    block = basis.flow_basis("basis_z", "z", "exponential", p)
+    p = np.array([[0.0, 0], [1, 0], [2, 0]]), np.ones(3), np.zeros(3), np.zeros(3)
+    block = basis.flow_basis("basis_z", "z", "exponential", *p)
     assert block.output_labels == ["phi_z[0]", "phi_z[1]", "phi_z[2]"]
     for k in range(3):
         assert int(np.argmax(block.output(0.0, [], [float(k), 0.0]))) == k
@@ -135,7 +130,7 @@ def test_basis_keeps_the_order_of_its_functions():
 
 
 def test_true_flow_is_linear_in_phi_and_reads_rows():
-    block = flow.true_flow(flow.TrueFlowParameters(3, np.array([[1.0, 10, 100], [2, 20, 200]])))
+    block = flow.true_flow([[1.0, 10, 100], [2, 20, 200]])
     for position in ([0.0, 0.0], [5.0, -7.0]):
         np.testing.assert_array_equal(block.output(0, [], [*position, 1, 1, 1]), [111, 222])
         np.testing.assert_array_equal(block.output(0, [], [*position, 0, 1, 0]), [10, 20])
@@ -143,7 +138,7 @@ def test_true_flow_is_linear_in_phi_and_reads_rows():
 
 
 def test_disturbance_is_added_to_the_flow():
-    p = flow.TrueFlowParameters(2, np.array([[1.0, 2], [3, 4]]))
+    p = np.array([[1.0, 2], [3, 4]])
     calm, windy = flow.true_flow(p), flow.true_flow(p, disturbed=True)
     u = [9.0, 9.0, 0.25, 0.5]
     np.testing.assert_array_equal(calm.output(0, [], u), [1.25, 2.75])
@@ -151,7 +146,7 @@ def test_disturbance_is_added_to_the_flow():
 
 
 def test_modeled_flow_without_parameters_is_calm():
-    block = flow.modeled_flow(flow.ModeledFlowParameters(2, np.zeros((2, 2))))
+    block = flow.modeled_flow(np.zeros((2, 2)))
     np.testing.assert_array_equal(block.output(3.0, [], [7.0, -8.0]), [0.0, 0.0])
 
 
@@ -165,10 +160,7 @@ def test_vehicle_drifts_with_flow_and_velocity():
 
 
 def test_controller_rests_at_its_set_point():
-    p = vehicle.ControllerParameters(
-        1, np.zeros((2, 1)), np.array([2.0, 4.0]), np.array([1.0, 6.0])
-    )
-    block = vehicle.vehicle_controller(p)
+    block = vehicle.vehicle_controller(np.zeros((2, 1)), [2.0, 4.0], [1.0, 6.0])
     # KD x = GammaD zc at x = (GammaD/KD) zc: (1, 3) for zc = (2, 2)
     np.testing.assert_array_equal(block.output(0, [], [1, 3, 2, 2, 0.7]), [0, 0])
     np.testing.assert_array_equal(block.output(0, [], [2, 3, 2, 2, 0.7]), [-2, 0])
@@ -177,9 +169,10 @@ def test_controller_rests_at_its_set_point():
 
 def test_controller_cancels_the_modelled_flow():
     alpha = np.array([[1.0, 2.0], [3.0, -4.0]])
-    p = vehicle.ControllerParameters(2, alpha, np.ones(2), np.ones(2))
-    modelled = flow.modeled_flow(flow.ModeledFlowParameters(2, alpha))
-    both = vehicle.vehicle_controller(p).output(0, [], [0, 0, 0, 0, 0.3, 0.9])
+    modelled = flow.modeled_flow(alpha)
+    both = vehicle.vehicle_controller(alpha, np.ones(2), np.ones(2)).output(
+        0, [], [0, 0, 0, 0, 0.3, 0.9]
+    )
     np.testing.assert_allclose(both + modelled.output(0, [], [0.3, 0.9]), 0, atol=1e-16)
 
 
@@ -206,27 +199,27 @@ def test_learning_controller_terms_one_by_one():
 def test_injection_is_zero_where_the_flow_is_known():
     rng = np.random.default_rng(1)
     alpha_M = rng.normal(size=(2, 3))
-    block = learner.injection(learner.KnownFlowInjectionParameters(3, alpha_M, alpha_M))
+    block = learner.known_flow_injection(alpha_M, alpha_M)
     np.testing.assert_array_equal(block.output(0, [], rng.normal(size=12)), [0, 0])
 
 
 def test_known_flow_injection_reads_phi_x_alone():
     theta_hat, alpha_M = np.array([[3.0], [5.0]]), np.array([[1.0], [1.0]])
-    block = learner.injection(learner.KnownFlowInjectionParameters(1, theta_hat, alpha_M))
+    block = learner.known_flow_injection(theta_hat, alpha_M)
     np.testing.assert_array_equal(block.output(0, [], [0.5, 99, 99, 99]), [1, 2])
 
 
 def test_learned_flow_injection_at_no_error():
     # where phi(x) = phi(z), alpha drops out: Psi = -2 alpha_M phi
     alpha_M = np.array([[1.0, 2.0], [3.0, 4.0]])
-    block = learner.injection(learner.LearnedFlowInjectionParameters(2, alpha_M))
+    block = learner.learned_flow_injection(alpha_M)
     for alpha in ([0, 0, 0, 0], [7, -8, 9, 1]):
         np.testing.assert_allclose(block.output(0, [], [1, 0, 1, 0, *alpha]), [-2, -6])
         np.testing.assert_allclose(block.output(0, [], [0, 1, 0, 1, *alpha]), [-4, -8])
 
 
 def test_learned_flow_injection_tells_x_from_z():
-    block = learner.injection(learner.LearnedFlowInjectionParameters(1, np.zeros((2, 1))))
+    block = learner.learned_flow_injection(np.zeros((2, 1)))
     np.testing.assert_array_equal(block.output(0, [], [1, 0, 4, 5]), [-4, -5])
     np.testing.assert_array_equal(block.output(0, [], [0, 1, 4, 5]), [4, 5])
 
@@ -237,14 +230,14 @@ def test_learned_flow_injection_tells_x_from_z():
 def test_no_error_no_adaptation():
     rng = np.random.default_rng(2)
     u = np.concatenate([[0, 0], rng.normal(size=6)])
-    law = learned_flow.learned_flow_law(learned_flow.LearnedFlowParameters(2, 3.0))
+    law = learned_flow.LAW.of(2, gain=3.0)
     np.testing.assert_array_equal(law.dynamics(0, rng.normal(size=8), u), np.zeros(8))
-    law = known_flow.known_flow_law(known_flow.KnownFlowParameters(2, 3.0, np.zeros((2, 2))))
+    law = known_flow.LAW.of(2, gain=3.0, alpha_M=np.zeros((2, 2)))
     np.testing.assert_array_equal(law.dynamics(0, rng.normal(size=4), u), np.zeros(4))
 
 
 def test_adaptation_keeps_axes_apart_and_signs():
-    law = learned_flow.learned_flow_law(learned_flow.LearnedFlowParameters(2, 2.0))
+    law = learned_flow.LAW.of(2, gain=2.0)
     # e on the first axis alone, phi = (1, 3), z = (5, 7), zc = (11, 13)
     rate = law.dynamics(0, np.zeros(8), [1, 0, 1, 3, 5, 7, 11, 13])
     np.testing.assert_array_equal(rate, [-2, -6, 0, 0, -10, 0, 22, 0])
@@ -255,15 +248,15 @@ def test_adaptation_keeps_axes_apart_and_signs():
 def test_both_laws_move_the_gains_alike():
     u = [0.3, -0.7, 0.9, 1.1, 2.0, -3.0]  # e, phi_x (N = 0 apart), z, zc
     u = [*u[:2], 0.5, *u[2:]]
-    known = known_flow.known_flow_law(known_flow.KnownFlowParameters(1, 0.8, np.ones((2, 1))))
-    learned = learned_flow.learned_flow_law(learned_flow.LearnedFlowParameters(1, 0.8))
+    known = known_flow.LAW.of(1, gain=0.8, alpha_M=np.ones((2, 1)))
+    learned = learned_flow.LAW.of(1, gain=0.8)
     rates = known.dynamics(0, np.zeros(4), u), learned.dynamics(0, np.zeros(6), u)
     np.testing.assert_array_equal(rates[0], rates[1][2:])
 
 
 def test_known_flow_law_holds_alpha():
     alpha_M = np.array([[1.0, 2.0], [3.0, 4.0]])
-    law = known_flow.known_flow_law(known_flow.KnownFlowParameters(2, 0.8, alpha_M))
+    law = known_flow.LAW.of(2, gain=0.8, alpha_M=alpha_M)
     out = law.output(0, [5, 6, 7, 8], np.ones(8))
     np.testing.assert_array_equal(out, [1, 2, 3, 4, 5, 6, 7, 8])
     assert law.state_labels == ["K[0]", "K[1]", "Gamma[0]", "Gamma[1]"]
@@ -272,10 +265,7 @@ def test_known_flow_law_holds_alpha():
 def test_adaptation_is_proportional_to_its_gain():
     u = np.random.default_rng(3).normal(size=7)
     slow, fast = (
-        learned_flow.learned_flow_law(learned_flow.LearnedFlowParameters(1, gain)).dynamics(
-            0, np.zeros(6), u
-        )
-        for gain in (0.5, 2.0)
+        learned_flow.LAW.of(1, gain=gain).dynamics(0, np.zeros(6), u) for gain in (0.5, 2.0)
     )
     np.testing.assert_allclose(fast, 4 * slow, rtol=1e-15)
 
@@ -284,7 +274,7 @@ def test_adaptation_is_proportional_to_its_gain():
 
 
 def test_error_decays_alone():
-    block = error_system.error_system(error_system.ErrorSystemParameters(2, np.array([1.0, 3.0])))
+    block = error_system.error_system(2, [1.0, 3.0])
     np.testing.assert_array_equal(block.dynamics(0, [2, 2], np.zeros(14)), [-2, -6])
 
 
@@ -293,15 +283,15 @@ def test_regressor_and_its_transpose_match():
     rng = np.random.default_rng(4)
     for N in (1, 2, 3, 5):
         signals, e, eta = rng.normal(size=N + 4), rng.normal(size=2), rng.normal(size=2 * N + 4)
-        system = error_system.error_system(error_system.ErrorSystemParameters(N, np.zeros(2)))
-        law = error_system.parameter_system(error_system.ParameterSystemParameters(N, 1.0))
+        system = error_system.error_system(N, np.zeros(2))
+        law = error_system.parameter_system(N, 1.0)
         forward = system.dynamics(0, np.zeros(2), [*signals, *eta])
         backward = law.dynamics(0, eta, [*e, *signals])
         assert e @ forward == pytest.approx(-eta @ backward, rel=1e-12)
 
 
 def test_error_system_has_z_where_the_print_has_x():
-    block = error_system.error_system(error_system.ErrorSystemParameters(1, np.zeros(2)))
+    block = error_system.error_system(1, np.zeros(2))
     eta = np.array([0, 0, 1, 1, 0, 0], dtype=float)  # K - KD alone
     rate = block.dynamics(0, [50, 50], [0, 2, 3, 7, 7, *eta])
     np.testing.assert_array_equal(rate, [2, 3])
@@ -309,15 +299,7 @@ def test_error_system_has_z_where_the_print_has_x():
 
 # --- Lyapunov candidates, Eqs. (17) and (24) --------------------------------------------------
 
-TRUE = lyapunov.LyapunovParameters(
-    2,
-    np.array([[0.5, 0.5], [0.5, 0.5]]),
-    np.array([0.25, 0.25]),
-    np.array([1.0, 1.0]),
-    np.array([[1.0, 2], [3, 4]]),
-    np.array([1.0, 2]),
-    np.array([3.0, 4]),
-)
+TRUE = lyapunov.weighed((0.5, 0.25, 1.0), [[1.0, 2], [3, 4]], [1.0, 2], [3.0, 4])
 AT_TRUTH = [0, 0, -1, -2, -3, -4, 1, 2, 3, 4]  # e, alpha = -theta, K = KD, Gamma = GammaD
 
 

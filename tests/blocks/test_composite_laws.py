@@ -13,7 +13,6 @@ from scipy.integrate import cumulative_simpson, quad, simpson
 
 import clpt_control as clpt
 from clpt_control.blocks.laws import composite_least_squares, composite_memory
-from clpt_control.blocks.laws.filtered_flow import filtered_law
 from clpt_control.currents.fit import fit_scenario
 from clpt_control.currents.fit_file import save_fit
 from clpt_control.errors import ScenarioError
@@ -23,8 +22,8 @@ from clpt_control.simulation.starts import state_columns
 
 LAWS = ("composite-least-squares", "composite-memory", "least-squares", "normalised-gradient")
 MARACOOS = Path(__file__).parents[2] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
-MEMORY = composite_memory.CompositeMemoryParameters(
-    N=1,
+MEMORY = composite_memory.LAW.of(
+    1,
     gain=0.8,
     gain_K=0.0,
     gain_Gamma=0.0,
@@ -37,8 +36,8 @@ MEMORY = composite_memory.CompositeMemoryParameters(
 
 
 def least_squares(forgetting):
-    return composite_least_squares.CompositeLeastSquaresParameters(
-        N=1,
+    return composite_least_squares.LAW.of(
+        1,
         gain_K=0.0,
         gain_Gamma=0.0,
         alpha_M=np.zeros((2, 1)),
@@ -79,9 +78,7 @@ def drifting(law, theta, t, **start):
 def test_least_squares_of_one_function_is_the_closed_form(forgetting):
     """With one function 1/P forgets to 1/P(0): (1/P)' = -lambda_0 (1/P - 1/P(0)) + phi_f^2/r^2."""
     theta, t = np.array([0.6, -0.4]), np.linspace(0, 8, 161)
-    p, update = least_squares(forgetting), composite_least_squares.composite_least_squares
-    own = filtered_law(update, p, {"P": 1, "rho": 1, "impulse": 2})
-    s = drifting(own, theta, t, P=0.8**2, rho=1.0)
+    s = drifting(least_squares(forgetting), theta, t, P=0.8**2, rho=1.0)
 
     def seen(s, end):
         return np.exp(-forgetting * (end - s)) * (1 - np.exp(-1.5 * s)) ** 2
@@ -97,8 +94,7 @@ def test_least_squares_of_one_function_is_the_closed_form(forgetting):
 
 def test_memory_of_one_function_is_its_integral():
     theta, t = np.array([0.6, -0.4]), np.linspace(0, 8, 9)
-    own = filtered_law(composite_memory.composite_memory, MEMORY, {"Q": 1, "b": 2})
-    states = drifting(own, theta, t)
+    states = drifting(MEMORY, theta, t)
 
     def seen(s):
         return (1 - np.exp(-1.5 * s)) ** 2 / (1 + (1 - np.exp(-1.5 * s)) ** 2)

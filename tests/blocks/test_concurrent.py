@@ -12,7 +12,7 @@ from responses import response
 from scipy.integrate import simpson
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.concurrent import ConcurrentParameters, concurrent_law
+from clpt_control.blocks.laws.concurrent import LAW
 
 PAPERS = 0.257  # largest error of the paper's law at t = 200, its gains adapted
 HELD = {
@@ -30,7 +30,8 @@ def of_paper(duration=200.0, **more):
 
 def alone(N, t, phi, theta, start, gamma=2.0, T=0.5):
     """Run the law alone, without CLPE: x is the integral of theta phi, v = 0."""
-    law = concurrent_law(ConcurrentParameters(N, 0.8, 0.0, 0.0, gamma, T))
+    own = {"gain": 0.8, "memory_gain": gamma, "window": T}
+    law = LAW.of(N, gain_K=0.0, gain_Gamma=0.0, **own)
     u = np.zeros((10 + N, len(t)))
     u[2 : 2 + N] = phi
     flow = theta @ phi

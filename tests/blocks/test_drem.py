@@ -13,7 +13,7 @@ from responses import response
 from scipy.integrate import cumulative_simpson
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.drem import DremParameters, drem_law, mixing
+from clpt_control.blocks.laws.drem import LAW, mixing
 from clpt_control.errors import ScenarioError
 
 PAPERS = 0.257  # largest error of the paper's law at t = 200, its gains adapted
@@ -49,8 +49,8 @@ def memories(draw):
 def test_the_adjugate_is_numpys(memory):
     Q, S = memory
     n = len(Q)
-    mixed, A = np.zeros(n * n), Q * S
-    Delta = mixing(mixed, np.zeros(n), Q.ravel(), S, n)
+    A = Q * S
+    mixed, Delta = mixing(Q, S)
     size = max(np.linalg.norm(A), 1.0) ** n
     assert Delta == pytest.approx(np.linalg.det(A), abs=1e-11 * size)
     cofactors = np.empty((n, n))  # singular ones have an adjugate too
@@ -59,13 +59,14 @@ def test_the_adjugate_is_numpys(memory):
             minor = np.delete(np.delete(A, j, 0), k, 1)
             cofactors[k, j] = (-1) ** (j + k) * (np.linalg.det(minor) if n > 1 else 1.0)
     wanted = S[:, None] * cofactors
-    np.testing.assert_allclose(mixed.reshape(n, n), wanted, rtol=0, atol=1e-11 * size)
+    np.testing.assert_allclose(mixed, wanted, rtol=0, atol=1e-11 * size)
 
 
 def test_one_function_is_the_closed_form():
     g, c, pole = 0.7, 0.6, 1.5
     theta, first = np.array([0.6, -0.4]), np.array([[0.2], [0.5]])
-    law = drem_law(DremParameters(1, g, c, 0.3, 0.0, 0.0, 0.0, pole, first))
+    own = {"rate": g, "excitation": c, "margin": 0.3, "filter": pole, "alpha_0": first}
+    law = LAW.of(1, **own, gain_K=0.0, gain_Gamma=0.0, forgetting=0.0)
     inputs = {"e": 2, "phi_x": 1, "z": 2, "zc": 2, "x": 2, "v_x": 2}
     t = np.linspace(0, 8, 1601)
     u = np.zeros((11, len(t)))

@@ -34,9 +34,8 @@ def states(scenario, times):
 @pytest.mark.parametrize("walk", [0.2, 0.5])
 def test_one_function_is_the_closed_form(walk):
     r, pole, P0, theta, t = 0.3, 1.5, 0.64, np.array([0.6, -0.4]), np.linspace(0, 3, 7)
-    law = kalman_flow.kalman_flow_law(
-        kalman_flow.KalmanFlowParameters(1, 0.0, 0.0, np.zeros((2, 1)), r, walk, pole)
-    )
+    own = {"noise": r, "walk": walk, "filter": pole, "alpha_M": np.zeros((2, 1))}
+    law = kalman_flow.LAW.of(1, gain_K=0.0, gain_Gamma=0.0, **own)
     inputs = law.input_ports
     u = np.zeros((sum(inputs.values()), len(t)))
     u[2] = 1.0
@@ -103,9 +102,9 @@ def test_a_block_of_ones_own_may_make_the_estimate():
         "mine",
         update=kalman_flow.kalman_flow,
         output=kalman_flow.kalman_flow_output,
-        inputs=table.input_ports,
-        outputs=table.output_ports,
-        states=table.state_ports,
+        inputs=table.input_shapes,
+        outputs=table.output_shapes,
+        states=table.state_shapes,
         parameters=table.parameters._replace(walk=0.5),
     )
     run = clpt.simulate(scenario, law=mine)

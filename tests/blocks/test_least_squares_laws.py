@@ -13,34 +13,32 @@ from scipy.integrate import quad, simpson
 
 import clpt_control as clpt
 from clpt_control.blocks.laws import least_squares
-from clpt_control.blocks.laws.filtered_flow import filtered_law
 from clpt_control.simulation.loops import paper_blocks
 from clpt_control.simulation.starts import state_columns
 
 LAWS = ("least-squares", "composite-least-squares")
 THETA = np.array([0.6, -0.4])
-PARAMETERS = least_squares.LeastSquaresParameters(
-    N=1,
-    gain_K=0.0,
-    gain_Gamma=0.0,
-    alpha_M=np.zeros((2, 1)),
-    rate=1.0,
-    filter=1.5,
-    noise=0.3,
-    forgetting=0.2,
-    largest=0.8**2,
-    information=np.array([1 / 0.8**2]),
-    first=np.zeros((2, 1)),
-)
+PARAMETERS = {
+    "gain_K": 0.0,
+    "gain_Gamma": 0.0,
+    "alpha_M": np.zeros((2, 1)),
+    "rate": 1.0,
+    "filter": 1.5,
+    "noise": 0.3,
+    "forgetting": 0.2,
+    "largest": 0.8**2,
+    "information": np.array([1 / 0.8**2]),
+    "alpha_0": np.zeros((2, 1)),
+}
 
 
 def drifting(p, t, **start):
     """The law of one function alone: phi = 1, v = 0, a vehicle that drifts from 0 by THETA."""
-    law = filtered_law(least_squares.least_squares, p, {"P": 1, "rho": 1})
+    law = least_squares.LAW.of(1, **p)
     columns, inputs = state_columns([law]), law.input_ports
     u, state = np.zeros((sum(inputs.values()), len(t))), np.zeros(law.nstates)
     u[2], u[7:9] = 1.0, THETA[:, None] * t
-    for port, value in {"P": p.largest, "rho": 1.0, **start}.items():
+    for port, value in {"P": p["largest"], "rho": 1.0, **start}.items():
         state[columns[port]] = value
     loop = clpt.connect([law], external=list(inputs))
     run = response(loop, t, u, state, rtol=1e-11, atol=1e-13).states
@@ -51,7 +49,7 @@ def drifting(p, t, **start):
 def test_a_constant_regressor_has_a_closed_form(forgetting):
     """phi_f(0) = 1 stays 1: 1/P comes to 1/P(0) + 1/(lambda_0 r^2) by e^(-lambda_0 t)."""
     t = np.linspace(0, 30, 31)
-    s = drifting(PARAMETERS._replace(forgetting=forgetting), t, phi_f=1.0, q=-THETA)
+    s = drifting({**PARAMETERS, "forgetting": forgetting}, t, phi_f=1.0, q=-THETA)
     seen = -np.expm1(-forgetting * t) / forgetting if forgetting else t
     P = 1 / (1 / 0.8**2 + seen / 0.3**2)
     np.testing.assert_allclose(s["phi_f"], 1.0, rtol=1e-10)
@@ -85,15 +83,13 @@ def test_a_filtered_regressor_has_a_closed_form():
 
 def test_what_is_never_seen_is_never_forgotten_beyond_the_bound():
     """phi = 0: P stays at its bound whatever is forgotten; below it P grows and stays below."""
-    law = filtered_law(
-        least_squares.least_squares, PARAMETERS._replace(forgetting=2.0), {"P": 1, "rho": 1}
-    )
+    law = least_squares.LAW.of(1, **{**PARAMETERS, "forgetting": 2.0})
     at = state_columns([law])["P"].start
     for share in (1.0, 0.999, 0.5, 0.01):
         state = np.zeros(law.nstates)
-        state[at] = share * PARAMETERS.largest
+        state[at] = share * PARAMETERS["largest"]
         rate = law.dynamics(0.0, state, np.zeros(law.ninputs))[at]
-        assert rate == pytest.approx(2.0 * (1 - share) * share * PARAMETERS.largest, abs=1e-15)
+        assert rate == pytest.approx(2.0 * (1 - share) * share * PARAMETERS["largest"], abs=1e-15)
 
 
 def along(law, seed):

@@ -17,7 +17,7 @@ NOISY = clpt.paper_scenario().with_values({"localization": NOISE, "run.duration"
 
 def noise_of(seed=1.0, sd=1.0):
     """The noise of both axes in COUNT intervals, shape (COUNT, 2)."""
-    block = localization.measurement(localization.MeasurementParameters(sd, 0.5, seed))
+    block = localization.measurement(sd, 0.5, seed)
     return np.array([block.output(0.5 * k + 0.2, [], [0.0, 0.0]) for k in range(COUNT)])
 
 
@@ -38,8 +38,8 @@ def test_noise_is_standard_normal_and_independent():
 
 
 def test_noise_adds_to_the_position_by_its_deviation_and_is_held():
-    block = localization.measurement(localization.MeasurementParameters(0.3, 2.0, 5.0))
-    unit = localization.measurement(localization.MeasurementParameters(1.0, 2.0, 5.0))
+    block = localization.measurement(0.3, 2.0, 5.0)
+    unit = localization.measurement(1.0, 2.0, 5.0)
     x = np.array([7.0, -4.0])
     first = block.output(0.0, [], x) - x
     np.testing.assert_allclose(first, 0.3 * unit.output(0.0, [], [0.0, 0.0]), rtol=1e-13)

@@ -7,12 +7,11 @@ from scipy.integrate import simpson
 
 import clpt_control as clpt
 from clpt_control.blocks.laws import normalised_gradient
-from clpt_control.blocks.laws.filtered_flow import filtered_law
 from clpt_control.simulation.loops import paper_blocks
 from clpt_control.simulation.starts import state_columns
 
-PARAMETERS = normalised_gradient.NormalisedGradientParameters(
-    N=1,
+LAW = normalised_gradient.LAW.of(
+    1,
     gain=0.8,
     gain_K=0.0,
     gain_Gamma=0.0,
@@ -21,7 +20,6 @@ PARAMETERS = normalised_gradient.NormalisedGradientParameters(
     filter=1.5,
     regression_gain=0.7,
 )
-LAW = filtered_law(normalised_gradient.normalised_gradient, PARAMETERS, {})
 
 
 @pytest.mark.parametrize("regressor", [0.1, 1.0, 30.0])

@@ -19,7 +19,7 @@ velocity = st.floats(-1e6, 1e6).filter(lambda v: v == 0 or abs(v) > 1e-100)
 
 
 def flown(v, limit):
-    block = speed_limit.speed_limit(speed_limit.SpeedLimitParameters(limit))
+    block = speed_limit.speed_limit(limit)
     return np.asarray(block.output(0.0, [], v))
 
 

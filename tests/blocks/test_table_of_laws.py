@@ -6,7 +6,8 @@ K' = -gamma_K z e, Gamma' = gamma_Gamma zc e, Eqs. (22)-(23), by gains of their 
 import numpy as np
 import pytest
 
-from clpt_control.blocks.laws.law import Gains, Truth, functions_of
+from clpt_control.blocks.laws.known import Gains, Truth
+from clpt_control.blocks.laws.law import functions_of
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory.proving.theorem_loop import theorem_scenario
 

@@ -154,9 +154,9 @@ def test_mistyped_port():
 
 
 def test_sizes_that_differ():
-    p = basis.BasisParameters(2, np.zeros((2, 2)), np.ones(2), np.zeros(2), np.zeros(2))
-    two = basis.flow_basis("basis_z", "z", "gaussian", p)
-    three = flow.modeled_flow(flow.ModeledFlowParameters(3, np.zeros((2, 3))))
+    p = np.zeros((2, 2)), np.ones(2), np.zeros(2), np.zeros(2)
+    two = basis.flow_basis("basis_z", "z", "gaussian", *p)
+    three = flow.modeled_flow(np.zeros((2, 3)))
     with pytest.raises(DiagramError, match=r"'phi_z' has 2 signals, but modeled_flow takes 3"):
         connect([two, three], external=["z"])
 
@@ -276,9 +276,9 @@ def test_parameters_of_a_sweep_are_those_of_the_call():
 
 def nested():
     """A vehicle with its controller inside, in a loop with a plain python-control system."""
-    KD = vehicle.ControllerParameters(1, np.ones((2, 1)), np.array([1.0, 2.0]), np.ones(2))
+    controller = vehicle.vehicle_controller(np.ones((2, 1)), [1.0, 2.0], np.ones(2))
     inner = connect(
-        [vehicle.vehicle_controller(KD), vehicle.vehicle()],
+        [controller, vehicle.vehicle()],
         external=["zc", "phi_x", "flow_x"],
         name="inner",
     )

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from clpt_control.blocks.basis import BasisParameters, flow_basis
+from clpt_control.blocks.basis import flow_basis
 from clpt_control.equations import evaluate
 from clpt_control.errors import DataError
 from clpt_control.estimation.least_squares import explained_share, least_squares
@@ -19,14 +19,9 @@ def functions(frequencies, centers=((-8.0, 0.0), (8.0, 5.0)), width=10.0):
         for phase in ((0.0,) if f == 0 else (0.0, -np.pi / 2))
         for place in centers
     ]
-    p = BasisParameters(
-        len(rows),
-        np.array([row[0] for row in rows]),
-        np.full(len(rows), width),
-        np.array([row[1] for row in rows]),
-        np.array([row[2] for row in rows]),
-    )
-    return flow_basis("basis_x", "x", "gaussian", p)
+    places, frequencies, phases = zip(*rows, strict=True)
+    p = places, np.full(len(rows), width), frequencies, phases
+    return flow_basis("basis_x", "x", "gaussian", *p)
 
 
 def samples(n=400, hours=24.0):

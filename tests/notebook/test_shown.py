@@ -7,7 +7,7 @@ from html.parser import HTMLParser
 import pytest
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.learned_flow import LearnedFlowParameters, learned_flow_law
+from clpt_control.blocks.laws.learned_flow import LAW
 
 EVIL = '<b onload="x">&'
 VOID = {"img", "meta", "br", "path", "circle"}
@@ -60,9 +60,7 @@ def made():
         "Drawing": clpt.draw(loop),
         "Replay": replay,
         "ConformanceReport": clpt.blocks.check_block(block),
-        "Verdict": clpt.theory.prove(
-            learned_flow_law(LearnedFlowParameters(N=1, gain=-0.5)), points=200
-        ),
+        "Verdict": clpt.theory.prove(LAW.of(1, gain=-0.5), points=200),
         "Excitation": clpt.theory.gramian(scenario, 20.0),
         "TeamExcitation": clpt.theory.team_gramian(team, 20.0),
         "Certificate": clpt.theory.certificate(scenario, 20.0),

@@ -74,7 +74,7 @@ def test_where_fixes_are_missing_the_integral_goes_on():
 
 def test_dropouts_are_as_frequent_as_said_and_independent_of_noise():
     count, rate = 4000, 0.3
-    block = localization.fixes(localization.FixParameters(1.0, 5.0, rate, 7.0))
+    block = localization.fixes(1.0, 5.0, rate, 7.0)
     found = np.array([block.output(5.0 * k, [], [0.0, 0.0]) for k in range(1, count + 1)])
     taken, noise = found[:, 2], found[:, :2]
     assert set(taken) == {0.0, 1.0}
@@ -83,7 +83,7 @@ def test_dropouts_are_as_frequent_as_said_and_independent_of_noise():
     apart = taken - taken.mean()
     assert abs(np.mean(apart[1:] * apart[:-1])) < few
     assert all(abs(np.mean(apart * n)) < few for n in noise.T)
-    always = localization.fixes(localization.FixParameters(1.0, 5.0, 0.0, 7.0))
+    always = localization.fixes(1.0, 5.0, 0.0, 7.0)
     assert all(always.output(5.0 * k, [], [0.0, 0.0])[2] == 1.0 for k in range(count))
 
 
@@ -92,7 +92,7 @@ def test_steps_of_equal_length_average_the_noise_of_fixes():
     exact = UNIFORM.with_values({f"{TABLE}.noise": 1e-9, f"{TABLE}.prior": 1e3})
     noisy = exact.with_values({"localization.noise": 0.05, "localization.interval": 20.0})
     run = clpt.simulate(noisy)
-    block = localization.fixes(localization.FixParameters(0.05, 20.0, 0.0))
+    block = localization.fixes(0.05, 20.0, 0.0)
     for k in (1, 2, 3):
         n = block.output(20.0 * k, [], [0.0, 0.0])[:2]
         learned = estimates(run.sel(time=20.0 * k))

@@ -102,8 +102,8 @@ def test_parts_of_one_wide_port_in_a_row_and_names_of_ones_own():
 
 
 def test_a_measurement_of_the_package_is_inserted():
-    noise = localization.MeasurementParameters(0.1, 1.0, 4.0)
-    run = clpt.simulate(PAPER, insert={("x", "clpe"): localization.measurement(noise)})
+    noisy = localization.measurement(0.1, 1.0, 4.0)
+    run = clpt.simulate(PAPER, insert={("x", "clpe"): noisy})
     away = run.x_measurement.values - run.position.values
     assert 0.05 < away.std() < 0.2
 

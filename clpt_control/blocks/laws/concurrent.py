@@ -94,7 +94,6 @@ LAW = Law(
             "T over which flow and basis are summed, time; 1/k",
             times_k(1, -1),
         ),
-        "interval": lambda known: -1.0,  # number of the window, kept by the integrator
     },
     takes=MOVING,
     states={

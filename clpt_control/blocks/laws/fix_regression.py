@@ -130,7 +130,6 @@ LAW = Law(
         "GammaD": lambda known: known.GammaD,
         "between": lambda known: known.fixes.between,
         "latency": lambda known: known.fixes.latency,
-        "interval": lambda known: -1.0,  # how many were sent and arrived, kept by the integrator
     },
     keys={"prior": PRIOR},
     takes={"fix": 2, "taken": 1, "phi_z": "N", "v_x": 2},

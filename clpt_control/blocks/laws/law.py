@@ -155,7 +155,7 @@ class Law(NamedTuple):
             inputs={port: n for port, n in self.takes.items() if port != "v_c" or limited},
             outputs=self.makes,
             states={name: state.shape for name, state in self.states.items()},
-            parameters=parameters,
+            parameters=parameters | ({"interval": -1.0} if self.breakpoints else {}),
             shapes=among(parameters, MORE_SHAPES),
             sizes={"N": N},
             jump=self.jump,
