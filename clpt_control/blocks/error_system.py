@@ -18,7 +18,6 @@ import numpy as np
 
 from ..equations.block import Block
 
-
 ETA = {"eta": (2, "N"), "eta_3": 2, "eta_4": 2}
 
 
