@@ -1,0 +1,244 @@
+"""Blocks: ports with shapes, parameters of any kind, values returned in any form, names."""
+
+import copy
+import pickle
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import control
+import numpy as np
+import pytest
+from recorded import as_it_runs, recorded, static
+
+from clpt_control.equations import Block, Guard
+from clpt_control.equations.linear import linear, on_each_axis
+from clpt_control.equations.namespaces import renamed, split, within
+from clpt_control.errors import ArgumentError, BlockError
+
+
+class Tuple(NamedTuple):
+    gain: float
+    theta: np.ndarray
+
+
+@dataclass
+class Record:
+    gain: float
+    theta: np.ndarray
+
+
+THETA = np.arange(6.0).reshape(2, 3)
+KINDS = [
+    {"gain": 0.5, "theta": THETA},
+    {"gain": 0.5, "theta": THETA.tolist()},
+    Tuple(0.5, THETA),
+    Record(0.5, THETA),
+]
+
+
+def flow(t, x, u, p):
+    return p.gain * p.theta @ u.phi
+
+
+def made(parameters, **more):
+    return static(
+        flow, {"phi": "N"}, {"flow": 2}, parameters=parameters, shapes={"theta": (2, "N")}, **more
+    )
+
+
+@pytest.mark.parametrize("parameters", KINDS, ids=["dict", "lists", "NamedTuple", "dataclass"])
+def test_parameters_are_a_dict_a_named_tuple_or_a_dataclass(parameters):
+    block = made(parameters)
+    p = block.parameters
+    assert p._fields == p.keys() == ("gain", "theta")
+    assert p.gain == p["gain"] == p.get("gain", 3.0) == 0.5
+    assert p.get("none", 3.0) == 3.0
+    assert block.sizes == {"N": 3}
+    np.testing.assert_array_equal(block.output(0, [], [1, 0, 2]), 0.5 * THETA @ [1, 0, 2])
+    params = {"mine.gain": 2.0}
+    np.testing.assert_array_equal(block.output(0, [], [1, 0, 2], params), 2 * THETA @ [1, 0, 2])
+    assert pickle.loads(pickle.dumps(p)) is not p
+
+
+def test_parameters_may_be_called_as_methods_of_tuples_are():
+    block = static(lambda t, x, u, p: p.count * p.index, parameters={"count": 3.0, "index": 2})
+    assert block.output(0, [], [0, 0, 0]) == 6.0
+    as_it_runs(block, "output", 0.0, [], [0, 0, 0])
+
+
+WAYS = {  # of one value for ports a[2] and b[2, 2]
+    "a mapping": lambda t, x, u, p: {"a": u.v[:2], "b": np.outer(u.v[:2], u.v[1:])},
+    "a mapping in another order": lambda t, x, u, p: {
+        "b": np.outer(u.v[:2], u.v[1:]), "a": u.v[:2]
+    },
+    "an array": lambda t, x, u, p: np.concatenate([u.v[:2], np.outer(u.v[:2], u.v[1:]).ravel()]),
+    "a list of arrays": lambda t, x, u, p: [u.v[:2], np.outer(u.v[:2], u.v[1:])],
+    "a tuple of numbers": lambda t, x, u, p: (
+        u[0], u[1], u[0] * u[1], u[0] * u[2], u[1] * u[1], u[1] * u[2]
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_values_may_be_returned_in_any_form(way):
+    block = static(WAYS[way], {"v": 3}, {"a": 2, "b": (2, 2)})
+    v = np.array([2.0, 3.0, 5.0])
+    found = as_it_runs(block, "output", 0.0, [], v)
+    np.testing.assert_array_equal(found, [2, 3, 6, 10, 9, 15])
+    assert block.output_labels == ["a[0]", "a[1]", "b[0]", "b[1]", "b[2]", "b[3]"]
+    assert block.output_shapes == {"a": (2,), "b": (2, 2)}
+    assert block.output_ports == {"a": 2, "b": 4}
+
+
+def test_a_number_fills_its_port():
+    block = static(lambda t, x, u, p: {"a": u[0], "b": 0.0}, 3, {"a": (2, 2), "b": 3})
+    found = as_it_runs(block, "output", 0.0, [], [7.0, 0, 0])
+    np.testing.assert_array_equal(found, [7, 7, 7, 7, 0, 0, 0])
+
+
+def riccati(t, x, u, p):
+    """P' = u P - P P, K' = P row 1, with all of x asked by its places too."""
+    return {"P": u.rate * x.P - x.P @ x.P, "K": x.P[1] + x[0] * x[-1]}
+
+
+def test_states_are_views_of_one_vector():
+    block = Block(
+        "mine", update=riccati, inputs={"rate": 1}, states={"P": ("n", "n"), "K": "n"},
+        sizes={"n": 2},
+    )  # fmt: skip
+    P, K = np.array([[1.0, 2.0], [3.0, 4.0]]), np.array([5.0, 6.0])
+    x = np.concatenate([P.ravel(), K])
+    wanted = [*(0.5 * P - P @ P).ravel(), *(P[1] + 1.0 * 6.0)]
+    np.testing.assert_allclose(as_it_runs(block, "update", 0.0, x, [0.5]), wanted)
+    np.testing.assert_array_equal(block.output(0, x, [0.5]), x)
+    assert block.states_are_outputs
+    assert block.output_function is None
+    np.testing.assert_array_equal(recorded(block, "output", 0.0, x, [0.5]), x)
+    assert not block.feedthrough
+
+
+@pytest.mark.parametrize(
+    ("declared", "words"),
+    [
+        ({"inputs": {"u": 1}}, "without states needs `output`"),
+        ({"update": flow, "output": flow, "outputs": {"y": 1}}, "`update` and `states` belong"),
+        ({"update": flow, "states": {"x": 1}, "outputs": {"y": 1}}, "outputs are the states"),
+        ({"output": flow, "outputs": {"y": 1}, "parameters": 3}, "a dict, a NamedTuple or a datac"),
+        (
+            {"output": flow, "inputs": {"phi": "N"}, "outputs": {"y": 1}},
+            "the size 'N' is not known",
+        ),
+        ({"output": flow, "outputs": {"y": 1.5}}, "must be a whole number, 0 or more, or a name"),
+        ({"output": flow, "outputs": {"y": -1}}, "must be a whole number, 0 or more, or a name"),
+        ({"output": flow, "outputs": {"a.b": 1}}, "must not be empty, begin with a sign"),
+        ({"output": flow, "outputs": {"y": 1}, "parameters": {"a": "b"}}, r"mine\.a = 'b'"),
+        ({"output": flow, "outputs": {"y": 1}, "parameters": {"a b": 1.0}}, "'a b' must be a Pyth"),
+        (
+            {"output": flow, "outputs": {"y": 1}, "breakpoints": lambda p, a, b: []},
+            "`interval = -1",
+        ),
+        ({"output": flow, "outputs": {"y": 1}, "shapes": {"a": "N"}}, "'a', which is no parameter"),
+    ],
+)
+def test_declarations_that_cannot_work(declared, words):
+    with pytest.raises(BlockError, match=words) as caught:
+        Block("mine", **declared)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_parameter_of_another_shape_is_refused():
+    with pytest.raises(BlockError, match=r"mine\.theta: has shape \(3,\); must be \(2, 'N'\)"):
+        made({"gain": 0.5, "theta": np.ones(3)})
+    with pytest.raises(BlockError, match=r"mine\.theta"):
+        made({"gain": 0.5, "theta": THETA}, sizes={"N": 4})
+
+
+def test_ports_have_sizes():
+    with pytest.raises(ArgumentError, match=r"inputs = \['e'\]: must be a dict .* \{'e': 2\}$"):
+        Block("a", output=flow, inputs=["e"], outputs={"y": 1})
+
+
+# --- other names --------------------------------------------------------------------------------
+
+
+def test_a_block_in_a_namespace_is_the_same_under_other_names():
+    block = made(KINDS[0])
+    west = within(block, "west")
+    assert (west.name, split(west.name)) == ("west/mine", ("west", "mine"))
+    assert west.input_ports == {"west/phi": 3}
+    phi = [1.0, -2.0, 0.5]
+    np.testing.assert_array_equal(west.output(0, [], phi), block.output(0, [], phi))
+    np.testing.assert_array_equal(recorded(west, "output", 0, [], phi), block.output(0, [], phi))
+    assert west.array_record("output").leaves("u") == ["west/phi"]
+    again = renamed(west, "east", {"west/phi": "psi"}, {"west/flow": "out"})
+    assert (again.input_ports, again.output_ports) == ({"psi": 3}, {"out": 2})
+    np.testing.assert_array_equal(recorded(again, "output", 0, [], phi), block.output(0, [], phi))
+    assert block.input_ports == {"phi": 3}
+
+
+@pytest.mark.parametrize(
+    "twin",
+    [
+        lambda block: pickle.loads(pickle.dumps(block)),
+        copy.deepcopy,
+        lambda block: block.copy(name="twin"),
+        lambda block: within(block, "west"),
+    ],
+    ids=["pickled", "deep", "copied", "named"],
+)
+def test_a_copy_is_independent(twin):
+    block = made(KINDS[0])
+    other = twin(block)
+    other.parameters = other.parameters._replace(gain=3.0, theta=np.ones((2, 3)))
+    phi = [1.0, 1.0, 1.0]
+    np.testing.assert_array_equal(other.output(0, [], phi), [9.0, 9.0])
+    np.testing.assert_array_equal(recorded(other, "output", 0, [], phi), [9.0, 9.0])
+    np.testing.assert_array_equal(block.output(0, [], phi), 0.5 * THETA @ phi)
+
+
+def test_guards_and_jumps_have_records_too():
+    guard = Guard(lambda t, x, u, p: x[0] - p.least, "stop", lambda t, u, p: "low")
+    block = Block(
+        "mine",
+        update=lambda t, x, u, p: -x,
+        states={"s": 2},
+        jump=lambda t, x, u, p: {"s": x.s[::-1] * p.interval},
+        breakpoints=lambda p, t0, t1: np.arange(np.floor(t0) + 1, np.floor(t1) + 1),
+        parameters={"least": 0.5, "interval": -1.0},
+        guard=guard,
+    )
+    given = {("x", "s"): np.array([2.0, 3.0]), ("p", "least"): 0.5, ("p", "interval"): 4.0}
+    for role, wanted in (("guard", [1.5]), ("jump", [12.0, 8.0]), ("update", [-2.0, -3.0])):
+        (found,) = block.array_record(role).values(lambda g, n: given[g, n], {})
+        np.testing.assert_array_equal(np.ravel(found), wanted)
+
+
+# --- linear systems -------------------------------------------------------------------------------
+
+SYSTEMS = [
+    control.ss([[-1.0, 2.0], [0.0, -3.0]], [[0.0], [1.0]], [[1.0, 1.0]], [[0.5]], name="a"),
+    control.ss([[-1.0]], [[1.0]], [[2.0]], 0, name="lag"),
+    control.tf([1.0, 2.0], [1.0, 3.0, 2.0], name="t"),
+    control.zpk([-1.0], [-2.0, -3.0], 4.0, name="z"),
+    control.ss([], [], [], [[1.0, 2.0], [3.0, 4.0]], name="gain"),
+]
+
+
+@pytest.mark.parametrize("system", SYSTEMS, ids=lambda s: s.name)
+def test_a_linear_system_is_a_block(system):
+    numbers, block = np.random.default_rng(0), linear(system)
+    plain = system if isinstance(system, control.StateSpace) else control.ss(system)
+    x, u = (numbers.normal(size=n or 0) for n in (block.nstates, block.ninputs))
+    as_it_runs(block, "output", 0.0, x, u)
+    assert block.feedthrough == bool(np.any(plain.D))
+    if block.nstates:
+        as_it_runs(block, "update", 0.0, x, u)
+        near = block.linearize(0 * x, 0 * u)
+        for s in (0.3j, 2.0j):
+            np.testing.assert_allclose(near(s), plain(s), rtol=1e-6)
+
+
+def test_a_linear_system_on_each_axis():
+    both = on_each_axis(linear(control.ss([[-1.0]], [[1.0]], [[2.0]], 0, name="lag")), 2)
+    np.testing.assert_array_equal(both.dynamics(0, [1.0, 2.0], [5.0, 7.0]), [4.0, 5.0])
+    np.testing.assert_array_equal(both.output(0, [1.0, 2.0], [5.0, 7.0]), [2.0, 4.0])

@@ -1,0 +1,137 @@
+"""The record: what is one, what stays two, and the order that the author wrote."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from recorded import as_it_runs, recorded, static
+
+from clpt_control.equations.at_many import on_arrays
+
+LARGE = 1.5 * 2.0**52
+numbers = st.floats(-1e3, 1e3, allow_subnormal=False)
+repeatable = settings(derandomize=True, deadline=None, max_examples=60, database=None)
+
+
+def kinds(block):
+    return [operation.kind for operation in block.array_record("output").operations]
+
+
+def test_equal_operations_are_one():
+    block = static(lambda t, x, u, p: np.sin(u[0]) + np.sin(u[0]) * np.sin(u[0]))
+    assert kinds(block).count("sin") == 1
+
+
+def test_what_nothing_depends_on_is_left_out():
+    def wasteful(t, x, u, p):
+        np.exp(u)
+        return u[0]
+
+    assert "exp" not in kinds(static(wasteful))
+
+
+def test_a_matrix_times_a_vector_is_a_sum_whatever_its_size():
+    for n in (3, 40, 400):
+        block = static(
+            lambda t, x, u, p: p.A @ u, n, n, parameters={"A": np.ones((n, n))}, shapes={}
+        )
+        assert kinds(block).count("sum") == 1
+        assert len(kinds(block)) < 8
+
+
+ORDERS = {  # -> what Python says, worked out by hand
+    "a quantiser": (lambda t, x, u, p: (u[0] + LARGE) - LARGE, [2.7, 0.0, 0.0], 3.0),
+    "less a quantiser": (lambda t, x, u, p: u[0] - ((u[1] + LARGE) - LARGE), [4.125, 2.7, 0],
+                         1.125),
+    "k - k": (lambda t, x, u, p: u[2] + ((u[0] - u[1]) + (LARGE - LARGE)), [3e16, 3e16, 1.1],
+              1.1),
+    "in a sum": (lambda t, x, u, p: np.sum((u + LARGE) - LARGE), [2.7, 0.4, -1.2], 2.0),
+    "a - a of infinity": (lambda t, x, u, p: u[0] - u[0], [math.inf, 0.0, 0.0], math.nan),
+    "0 times infinity": (lambda t, x, u, p: 0.0 * u[0], [math.inf, 0.0, 0.0], math.nan),
+    "NaN by x == x": (lambda t, x, u, p: np.where(u[0] == u[0], 1.0, 2.0), [math.nan, 0, 0], 2.0),
+    "NaN by x != x": (lambda t, x, u, p: 1.0 if u[0] != u[0] else 2.0, [math.nan, 0, 0], 1.0),
+    "an empty product": (lambda t, x, u, p: np.arctan2(-0.0 * np.prod(u[:0]), -1.0), [1.0] * 3,
+                         -math.pi),
+    "a zero's sign": (lambda t, x, u, p: np.arctan2(0.0 * u[0], -1.0), [-2.0, 0, 0], -math.pi),
+    "-0.0 is not 0.0": (lambda t, x, u, p: 1.0 / (-0.0 * abs(u[0])), [1.0, 0, 0], -math.inf),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", ORDERS)
+def test_the_order_of_operations_is_the_authors(case):
+    function, u, wanted = ORDERS[case]
+    block = static(function)
+    with np.errstate(all="ignore"):
+        found = as_it_runs(block, "output", 0.0, [], u)
+    np.testing.assert_array_equal(found, [wanted])
+
+
+@repeatable
+@given(st.lists(numbers, min_size=3, max_size=3))
+def test_readings_of_one_record_agree(u):
+    def function(t, x, u, p):
+        a = np.maximum(u, 0.3) @ u - np.clip(u[0], -1.0, 1.0) + np.sign(u[1]) * np.floor(u[2])
+        return 0.3 * a + np.linalg.norm(u) + (u[0] if u[0] > u[1] else u[2])
+
+    block = static(function)
+    found = as_it_runs(block, "output", 0.7, [], u, 1e-12)
+    scalars = on_arrays(block.output_record, 0.7, (), u, block.parameters)
+    np.testing.assert_allclose(np.ravel(scalars), found, rtol=1e-12, atol=1e-12)
+
+
+def test_a_way_that_raises_is_nan():
+    def function(t, x, u, p):
+        if u[0] > 0:
+            raise ValueError("no positive numbers")
+        return u[0]
+
+    block = static(function)
+    assert recorded(block, "output", 0.0, [], [-1.0, 0, 0]) == [-1.0]
+    assert math.isnan(recorded(block, "output", 0.0, [], [1.0, 0, 0])[0])
+
+
+# --- views and writing in place -------------------------------------------------------------------
+
+
+def shared_view(t, x, u, p):
+    y = np.zeros(4)
+    part, all_of_it = y[1:3], y[:]
+    part[:] = u[:2]
+    part[0] *= 2.0
+    all_of_it[3] = part[1]
+    return y
+
+
+def independent_copy(t, x, u, p):
+    y = 2.0 * u
+    kept = y.copy()
+    y[0] = 0.0
+    return [*kept, y[0]]
+
+
+def row_of_a_matrix(t, x, u, p):
+    A = np.zeros((2, 2))
+    row = A[1]
+    row[0] = u[0]
+    A[:, 1] += u[1]
+    A.T[0, 0] = u[2]
+    return A.ravel()
+
+
+def a_name_that_is_reused(t, x, u, p):
+    y = u[:2] * 1.0
+    z = y
+    y += 1.0
+    y = y * 3.0
+    return [*z, *y]
+
+
+@pytest.mark.parametrize(
+    "function", [shared_view, independent_copy, row_of_a_matrix, a_name_that_is_reused]
+)
+def test_views_share_what_is_written(function):
+    block = static(function, 3, 4)
+    as_it_runs(block, "output", 0.0, [], [0.3, -0.7, 2.0])
+    as_it_runs(block, "output", 0.0, [], [1.5, 2.5, -4.0])
