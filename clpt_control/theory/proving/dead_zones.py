@@ -91,9 +91,8 @@ class DeadZones:
                         for f, symbols in known
                     ]
                 for k, row in enumerate(np.transpose(wanted)):
-                    found = np.array(
-                        [running.value(0.0, x[k], u[k]), *diagram._rhs(0.0, x[k], u[k])]
-                    )
+                    rates = running.rates(0.0, x[k], u[k])
+                    found = np.array([running.value(0.0, x[k], u[k]), *rates])
                     size = max(np.abs(x[k]).max(), np.abs(u[k]).max(), 1.0)
                     scale = np.maximum(np.abs(row), size**2)
                     off = float(np.max(np.abs(found - row) / scale))

@@ -1,7 +1,7 @@
-"""V' of the blocks that run, called through python-control at random points.
+"""V' of the blocks that run, called at random points.
 
-A proof is about expressions; this asks the equations themselves.  Along the rates r that
-python-control gives at (t, x, u),
+A proof is about expressions; this asks the equations themselves.  Along the rates r that they
+give at (t, x, u), at the first points those that python-control gives,
 
     V' = D(h) = (V(x + h r) - V(x - h r))/(2 h)            V of degree two and less
     V' = (4 D(h/2) - D(h))/3                               any other V
@@ -30,6 +30,7 @@ from .random_points import Draw, Point, equate_x_and_z, symbol_values
 from .symbolic_loop import SymbolicLoop
 
 PER_DRAW = 100  # points for each draw of the parameters
+THROUGH_CONTROL = 50  # points at which python-control gives the rates
 CLOSE = 1e-9
 HUGE = 1e100  # beyond, numbers say nothing
 UNEVEN = 1e13  # a ratio of V's weights beyond which the greater hides the lesser
@@ -41,24 +42,37 @@ class RunningRate:
     def __init__(self, diagram: control.NonlinearIOSystem):
         self.diagram, self.wiring = diagram, wiring_of(diagram)
         self.blocks = blocks_of(self.wiring)
-        self._needed = _ancestors(self.wiring, self.blocks)
-        self._jumping = any(block.jump_function is not None for block in self.blocks)
-        self._place = next(
-            node.outputs.start
-            for node, block in zip(self.wiring.nodes, self.blocks, strict=True)
-            if block.output_ports == {"V": 1}
-        )
+        made = [k for k, block in enumerate(self.blocks) if block.output_ports == {"V": 1}]
+        if not made:
+            raise DiagramError("no block makes V[1]; wire a candidate such as blocks.lyapunov")
+        moving = [k for k, block in enumerate(self.blocks) if block.nstates]
+        self._needed = [_ancestors(self.wiring, self.blocks, own) for own in (moving, made)]
+        self._left = THROUGH_CONTROL
+        self._place = self.wiring.nodes[made[0]].outputs.start
 
     def set(self, params: Mapping[str, Any]) -> None:
         """Set the parameters with which the blocks run."""
         self._params = dict(params)
         self.diagram._update_params(self._params)
         found = changed_parameters(self.wiring, params)
-        self._sweep = Sweep(self.wiring, found, only=self._needed)
+        self._motion, self._level = (Sweep(self.wiring, found, only) for only in self._needed)
 
     def value(self, t: float, x: np.ndarray, u: np.ndarray) -> float:
         """Return V."""
-        return float(self._sweep.evaluate(t, x, u)[self._place])
+        return float(self._level.evaluate(t, x, u)[self._place])
+
+    def rates(self, t: float, x: np.ndarray, u: np.ndarray) -> np.ndarray:
+        """Return the rates of all states; NaN where there are none."""
+        self._left -= 1
+        try:
+            if self._left >= 0:
+                self.diagram._update_params(self._params)  # also which interval it is
+                return self.diagram._rhs(t, x, u)
+            for sweep in (self._motion, self._level):
+                sweep.enter(t)
+            return self._motion.derivative(t, x, u)
+        except RuntimeError:  # python-control's word for a NaN on its way
+            return np.full(len(x), np.nan)
 
     def near_least(self, x: np.ndarray, u: np.ndarray, random: np.random.Generator) -> np.ndarray:
         """Return points (n, states) at which each error adds alike to V, which is a polynomial.
@@ -93,12 +107,7 @@ class RunningRate:
 
     def rate(self, t: float, x: np.ndarray, u: np.ndarray, degree: float) -> tuple[float, float]:
         """Return V', and V over the time between which it is taken."""
-        try:
-            if self._jumping:  # every point by itself
-                self.diagram._update_params(self._params)
-            rates = self.diagram._rhs(t, x, u)
-        except RuntimeError:  # python-control's word for a NaN on its way
-            return np.nan, np.nan
+        rates = self.rates(t, x, u)
         fastest = np.max(np.abs(rates))
         if not 0.0 < fastest < np.inf:
             return (0.0, 1.0) if fastest == 0.0 else (np.nan, np.nan)
@@ -112,20 +121,18 @@ class RunningRate:
         return (4 * near - wide) / 3, scale
 
 
-def _ancestors(wiring: Wiring, blocks: list[Block]) -> set[int]:
-    """Return the blocks that V is made of."""
+def _ancestors(wiring: Wiring, blocks: list[Block], own: list[int]) -> set[int]:
+    """Return blocks and all that what they put out, and their rates, are made of."""
     made = {
         j: k
         for k, node in enumerate(wiring.nodes)
         for j in range(node.outputs.start, node.outputs.stop)
     }
-    own = [k for k, block in enumerate(blocks) if block.output_ports == {"V": 1}]
-    if not own:
-        raise DiagramError("no block makes V[1]; wire a candidate such as blocks.lyapunov")
     found, stack = set(own), list(own)
     while stack:
         k = stack.pop()
-        for wire in wiring.nodes[k].wires if blocks[k].feedthrough else ():
+        read = k in own or blocks[k].feedthrough
+        for wire in wiring.nodes[k].wires if read else ():
             for j in range(wire.source, wire.source + wire.size):
                 if not wire.external and made[j] not in found:
                     found.add(made[j])
