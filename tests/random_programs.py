@@ -9,6 +9,7 @@ choices, so hypothesis can shrink them.
 
 import linecache
 import math
+import re
 from itertools import count
 from typing import Any
 
@@ -36,7 +37,7 @@ def mix(v, k):
 
 def turned(v, *, by=GAIN):
     """A vector, changed in a copy of its own."""
-    w = np.array(v)
+    w = np.array(v, dtype=float)
     w[0] += by
     w[1:] *= 0.5
     return w
@@ -368,6 +369,13 @@ class Writer:
 def program(random, name, takes, returns, numbers, jumping=False):
     """Draw the text of one function of ports and parameters of these shapes."""
     return Writer(random, takes, numbers, jumping).text(name, returns)
+
+
+def plain(text: str) -> str:
+    """Write a function of one port each as python-control's own: vectors, and params by key."""
+    text = re.sub(r"\b([xu])\.\1\d", r"\1", text.replace('p["b"]', "p.b"))
+    text = re.sub(r"\bp\.(\w+)", r'params["\1"]', text.replace("x, u, p)", "x, u, params)"))
+    return re.sub(r'return \{"\w+": (.*)\}$', r"return \1", text, flags=re.MULTILINE)
 
 
 def executed(text: str) -> dict[str, Any]:
