@@ -1,12 +1,12 @@
 """sin, cos, tan and their inverses.
 
-    x = n pi/2 + (r + d),  |r| <= pi/4
+    x = n pi + r,  |r| <= pi/2         of sin and cos
+    x = n pi/2 + (r + d),  |r| <= pi/4 of tan
 
-pi/2 is subtracted in three parts (Cody and Waite) with fused multiply-add; the
-first difference is exact, and what the second rounds off is kept in d.  sin
-and cos are within 1.3e-16 of the true value for |x| <= 1e5 and within 5e-15
-for |x| < 2^50, where doubles are a quarter of a radian apart.  Beyond it an
-angle means nothing and gives NaN, in every reading.
+pi is subtracted in three parts (Cody and Waite) with fused multiply-add; the first difference is
+exact, and what the second rounds off is kept in d.  sin and cos are within 2e-16 of the true
+value, relative, for |x| <= 1e5 and within 5e-15 for |x| < 2^50, where doubles are a quarter of a
+radian apart.  Beyond it an angle means nothing and gives NaN, in every reading.
 
 Coefficients as in `exponentials`: interpolants of (sin(r)/r - 1)/r^2,
 (cos(r) - 1 + r^2/2)/r^4 and (atan(r)/r - 1)/r^2 in r^2.
@@ -15,6 +15,7 @@ Coefficients as in `exponentials`: interpolants of (sin(r)/r - 1)/r^2,
 import math
 
 from .vectors import (
+    MAGIC,
     absolute,
     copysign,
     fma,
@@ -24,9 +25,11 @@ from .vectors import (
     round_down,
     select,
     square_root,
+    turned_where_odd,
 )
 
-TWO_OVER_PI = 0.6366197723675814
+TWO_OVER_PI, ONE_OVER_PI = 0.6366197723675814, 0.3183098861837907
+PI, PI_MIDDLE, PI_LOW = 3.141592653589793, 1.2246467991473532e-16, -2.9947698097183397e-33
 HALF_PI, HALF_PI_MIDDLE = 1.5707963267948966, 6.123233995736766e-17
 HALF_PI_LOW = -1.4973849048591698e-33
 RANGE = 1125899906842624.0  # 2^50
@@ -64,20 +67,32 @@ def _both(r, d):
     return sine, cosine
 
 
+def _sine(a, n):
+    """Return sin(a - n pi), for n near a/pi."""
+    r = fma(n, -PI_LOW, fma(n, -PI_MIDDLE, fma(n, -PI, a)))
+    z = r * r
+    q = fma(z, 2.7314368769379893e-15, -7.643969663988074e-13)
+    q = fma(z, q, 1.6058977292642743e-10)
+    q = fma(z, q, -2.505210761669045e-08)
+    q = fma(z, q, 2.7557319219160833e-06)
+    q = fma(z, q, -0.00019841269841254966)
+    q = fma(z, q, 0.008333333333333316)
+    q = fma(z, q, -0.16666666666666666)
+    return fma(r * z, q, r)
+
+
 def sin(a):
-    """Return the sine of an angle in radians."""
-    n, r, d = _reduced(a)
-    sine, cosine = _both(r, d)
-    value = select(odd(n), cosine, sine)
-    return select(a == 0.0, a, select(odd(round_down(0.5 * n)), -value, value))
+    """Return the sine of an angle in radians: (-1)^n sin(a - n pi)."""
+    inside = select(absolute(a) < RANGE, a, math.nan)
+    n = fma(inside, ONE_OVER_PI, MAGIC)
+    return select(a == 0.0, a, turned_where_odd(_sine(inside, n - MAGIC), n, 0))
 
 
 def cos(a):
-    """Return the cosine of an angle in radians."""
-    n, r, d = _reduced(a)
-    sine, cosine = _both(r, d)
-    value = select(odd(n), sine, cosine)
-    return select(odd(round_down(0.5 * (n + 1.0))), -value, value)
+    """Return the cosine of an angle in radians: -(-1)^n sin(a - (n + 1/2) pi)."""
+    inside = select(absolute(a) < RANGE, a, math.nan)
+    n = fma(inside, ONE_OVER_PI, -0.5) + MAGIC
+    return turned_where_odd(_sine(inside, (n - MAGIC) + 0.5), n, 1)
 
 
 def tan(a):

@@ -9,7 +9,7 @@ one is, `BOUND` the one that a sum is over.  While components are made, an axis 
 """
 
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from itertools import product
 from math import copysign, prod
@@ -125,12 +125,16 @@ class Components:
         """Return an element of a value; a shorter one is broadcast."""
         if type(ref) is float:
             return ref
-        shape = self.entries[ref].shape
-        index = index[len(index) - len(shape) :]
-        index = tuple([0 if n == 1 else i for i, n in zip(index, shape, strict=True)])
+        index = self.trimmed(ref, index)
         if (ref, index) not in self._found:
             self._found[ref, index] = self._element(ref, index)
         return self._found[ref, index]
+
+    def trimmed(self, ref: int, index: tuple[Index, ...]) -> tuple[Index, ...]:
+        """Return an index without what a value is broadcast along."""
+        shape = self.entries[ref].shape
+        index = index[len(index) - len(shape) :]
+        return tuple([0 if n == 1 else i for i, n in zip(index, shape, strict=True)])
 
     def _element(self, ref: int, index: tuple[Index, ...]) -> Value:
         kind, arguments, shape, at, _ = self.entries[ref]
@@ -141,20 +145,11 @@ class Components:
             if all([type(i) is int for i in index]):
                 return float(numbers[index])
             return self._read(ref, index)
-        if kind == "view":
-            moved = [m if isinstance(m, int) else _moved(index[m[0]], m[1], m[2]) for m in at]
-            return self.at(arguments[0], tuple(moved))
-        if kind == "fill":
-            return self.at(arguments[0], ())
-        if kind in ("stack", "join") and type(index[0]) is not int:
+        moved = self.moved(ref, index)
+        if moved is not None:
+            return self.at(*moved)
+        if kind in ("stack", "join"):
             return self._read(ref, index)
-        if kind == "stack":
-            return self.at(arguments[index[0]], index[1:])
-        if kind == "join":
-            k, part = index[0], 0
-            while k >= (n := self.record.shape_of(arguments[part])[0]):
-                k, part = k - n, part + 1
-            return self.at(arguments[part], (k, *index[1:]))
         if kind == "part":
             return self._part(ref, arguments[0], at, shape, index)
         if kind == "sum":
@@ -163,13 +158,31 @@ class Components:
             return self._picked(*arguments, index)
         return self._calculated(kind, [self.at(a, index) for a in arguments], at)
 
+    def moved(self, ref: int, index: tuple[Index, ...]) -> tuple[Ref, tuple] | None:
+        """Return which element of another value an element is; None where it is computed."""
+        kind, arguments, shape, at, _ = self.entries[ref]
+        if kind == "view":
+            moved = [m if isinstance(m, int) else _moved(index[m[0]], m[1], m[2]) for m in at]
+            return arguments[0], tuple(moved)
+        if kind == "fill":
+            return arguments[0], ()
+        if kind == "part" and all([type(i) is int for i in index]):
+            outer = self.entries[arguments[0]].shape
+            flat = at + sum([s * i for s, i in zip(_strides(shape), index, strict=True)])
+            return arguments[0], tuple(map(int, np.unravel_index(flat, outer))) if outer else ()
+        if kind not in ("stack", "join") or type(index[0]) is not int:
+            return None
+        if kind == "stack":
+            return arguments[index[0]], index[1:]
+        k, part = index[0], 0
+        while k >= (n := self.record.shape_of(arguments[part])[0]):
+            k, part = k - n, part + 1
+        return arguments[part], (k, *index[1:])
+
     def _part(self, ref: int, whole: int, first: int, shape: tuple, index: tuple) -> Value:
         """Return an element of a value's elements row by row, in another shape."""
         outer = self.entries[whole].shape
         inner = len(outer) - len(shape)
-        if all([type(i) is int for i in index]):
-            flat = first + sum([s * i for s, i in zip(_strides(shape), index, strict=True)])
-            return self.at(whole, tuple(map(int, np.unravel_index(flat, outer))) if outer else ())
         if inner >= 0 and outer[inner:] == shape and first % prod(shape) == 0:
             lead = np.unravel_index(first // prod(shape), outer[:inner]) if inner else ()
             return self.at(whole, (*map(int, lead), *index))
@@ -297,22 +310,31 @@ class Components:
             return self._arrays[key]
         size, number = prod(entry.shape), len(self.kept)
         long = tuple([n >= self.record.named for n in entry.shape])
-        self.kept[number] = []
-        writes = self.writes(ref, entry.shape, long, "W", self.room)
         array, first = "W", self.room
+        self.kept[number] = []
+        self.room += size
+        writes = self.writes(ref, entry.shape, long, array, first)
         if all([self.is_steady(w.value) for w in writes]):
-            array, first = "P", self.prepared
-            moved = first - self.room
-            writes = [w._replace(array="P", first=w.first + moved) for w in writes]
-            self.prepared += size
-        else:
-            self.room += size
+            array, moved = "P", self.prepared - first
+            writes = [w._replace(array=array, first=w.first + moved) for w in writes]
+            first, self.prepared = self.prepared, self.prepared + size
         self.kept[number] = writes
         self._arrays[key] = array, first, number
         return self._arrays[key]
 
-    def writes(self, ref: Ref, shape: tuple, long: tuple, array: str, first: int) -> list[Write]:
-        """Return what writes a value into an array, row by row; long axes loop."""
+    def writes(
+        self,
+        ref: Ref,
+        shape: tuple,
+        long: tuple,
+        array: str,
+        first: int,
+        element: Callable[[Ref, tuple], Value] | None = None,
+    ) -> list[Write]:
+        """Return what writes a value into an array, row by row; long axes loop.
+
+        `element` makes the elements; `at` does by itself.
+        """
         entry = self.entries[ref] if type(ref) is int else None
         if entry is not None and entry.kind in ("stack", "join") and entry.shape == shape:
             found, size = [], prod(shape[1:])
@@ -321,7 +343,7 @@ class Components:
                     own, axes = shape[1:], long[1:]
                 else:
                     own, axes = (self.record.shape_of(part)[0], *shape[1:]), long
-                found += self.writes(part, own, axes, array, first)
+                found += self.writes(part, own, axes, array, first, element)
                 first += size * (own[0] if entry.kind == "join" else 1)
             return found
         loops = [k for k, turns in enumerate(long) if turns]
@@ -335,7 +357,7 @@ class Components:
             start = first + sum(
                 [s * i for s, i in zip(strides, place, strict=True) if i is not None]
             )
-            value = self.at(ref, index)
+            value = (element or self.at)(ref, index)
             if type(value) is tuple:  # its axes are the turns of the loops, outermost first
                 turn = {symbols[k]: number for number, k in enumerate(loops)}
                 value = value[0], tuple([turn[s] for s in value[1]])

@@ -11,6 +11,7 @@ polynomials leave out is below 2e-17.  ln 2 is subtracted in two parts.
 import math
 
 from .vectors import (
+    MAGIC,
     absolute,
     copysign,
     fma,
@@ -21,6 +22,7 @@ from .vectors import (
     select,
     split,
     square_root,
+    times_power_of_two,
 )
 
 LN2, LN2_LOW = 0.6931471805599453, 2.3190468138462996e-17
@@ -52,9 +54,10 @@ def _exp_less_one(r):
 
 def exp(a):
     """Return e^a."""
-    k, r = _reduced(a)
-    half = round_down(0.5 * k)
-    return (1.0 + _exp_less_one(r)) * power_of_two(half) * power_of_two(k - half)
+    a = select(a > 710.0, 710.0, select(a < -746.0, -746.0, a))
+    k, half = fma(a, LOG2_E, MAGIC), fma(a, 0.5 * LOG2_E, MAGIC)
+    r = fma(k - MAGIC, -LN2_LOW, fma(k - MAGIC, -LN2, a))
+    return times_power_of_two(1.0 + _exp_less_one(r), k, half)
 
 
 def expm1(a):

@@ -11,7 +11,7 @@ from itertools import groupby
 from math import prod
 from typing import Any, NamedTuple
 
-from .components import BOUND, CONDITIONS, Component, Components, Write
+from .components import BOUND, CONDITIONS, Component, Components, Write, deep
 from .diagram_record import DiagramRecord
 
 LONG = frozenset(  # functions that are computed once, not again
@@ -258,12 +258,12 @@ def rows(lengths: tuple[int, ...]) -> tuple[int, ...]:
 
 def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
     """Return the program of a diagram: W has so much room for signals, P for what is given."""
-    from .components import deep
+    from .joined_sums import JoinedSums
 
     made = Components(record, room, prepared)
     with deep():
         writes = {
-            "derivative": _written(made, record.rates, "D"),
+            "derivative": _written(made, record.rates, "D", JoinedSums(made).element),
             "signals": _written(made, record.signals, "W"),
             "margin": [_least(made)],
             "jump": _written(made, record.leaps, "D") if record.layout.jumps else [],
@@ -271,8 +271,9 @@ def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
     return Planner(made).program(writes)
 
 
-def _written(made: Components, ports: list, array: str) -> list[Write]:
-    return [w for p in ports for w in made.writes(p.ref, p.shape, p.long, array, p.first)]
+def _written(made: Components, ports: list, array: str, element: Any = None) -> list[Write]:
+    own = [made.writes(p.ref, p.shape, p.long, array, p.first, element) for p in ports]
+    return [w for writes in own for w in writes]
 
 
 def _least(made: Components) -> Write:

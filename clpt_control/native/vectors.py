@@ -218,6 +218,23 @@ def power_of_two(k: Number) -> Number:
     return Number(kind, kind.builder.bitcast(shifted, kind.type()))
 
 
+def times_power_of_two(a: Number, k: Number, half: Number) -> Number:
+    """Return 2^k a, rounded once at the end; k and half of k have `MAGIC` added."""
+    kind, builder = a.kind, a.kind.builder
+    high = builder.shl(builder.sub(k.bits(), half.bits()), kind.constant(52, WORD))
+    near = Number(kind, builder.bitcast(builder.add(a.bits(), high), kind.type()))
+    low = builder.shl(builder.add(half.bits(), kind.constant(1023, WORD)), kind.constant(52, WORD))
+    return near * Number(kind, builder.bitcast(low, kind.type()))
+
+
+def turned_where_odd(a: Number, k: Number, more: int) -> Number:
+    """Return -a where k + more is odd, else a; k has `MAGIC` added."""
+    kind, builder = a.kind, a.kind.builder
+    whole = builder.add(k.bits(), kind.constant(more, WORD)) if more else k.bits()
+    sign = builder.shl(whole, kind.constant(63, WORD))
+    return Number(kind, builder.bitcast(builder.xor(a.bits(), sign), kind.type()))
+
+
 def split(a: Number) -> tuple[Number, Number]:
     """Return (k, m) with a = 2^k m and m near 1, for normal a > 0.
 

@@ -1,0 +1,169 @@
+"""Sums that meet at a wire are one sum, in which terms of different blocks may cancel.
+
+    alpha_M phi(z) of Eq. (4), - alpha phi(z) of Eq. (6), - (alpha_M - alpha) phi(z) of Eq. (20)
+
+Together they are nothing, so phi(z) need not be computed.  What one block's own function adds and
+takes away stays as its author wrote it: terms cancel only if they come from different blocks, and
+a coefficient in which nothing cancels is left as it is.
+"""
+
+from typing import Any
+
+from .components import Components, Value
+from .diagram_record import Ref
+from .plan import LONG
+
+HEAVY = 10  # cost of a function, beside an addition
+MOST = 64  # terms of one sum; more are left as they are
+Signed = tuple[bool, int, Value]  # whether it is added, the block it comes from, and what
+
+
+class JoinedSums:
+    """Joins what the rates of a diagram are sums of."""
+
+    def __init__(self, made: Components):
+        self.made = made
+        self._costs: dict[int, int] = {}
+
+    def element(self, ref: Ref, index: tuple) -> Value:
+        """Return an element of a value, with its sums joined where that leaves less to do."""
+        plain = self.made.at(ref, index)
+        if type(ref) is not int or any(type(i) is tuple for i in index):
+            return plain
+        rest: list[Signed] = []
+        sums: dict[int, list[Signed]] = {}
+        self.terms(True, ref, index, rest, sums)
+        terms: list[Signed] = []
+        for count, own in sums.items():
+            symbol = (count, 0)
+            if len({owner for _, owner, _ in own}) > 1 and len(own) < MOST:
+                body = self.body(own)
+                if body is not None:
+                    terms.append((True, -1, self.made.total(body, symbol)))
+            else:
+                terms += [(s, owner, self.made.total(v, symbol)) for s, owner, v in own]
+        found = self.added(terms + rest)
+        return found if self.work(found) < self.work(plain) else plain
+
+    def terms(
+        self, plus: bool, ref: Ref, index: tuple, rest: list, sums: dict[int, list[Signed]]
+    ) -> None:
+        """Sort what a value is the sum of: sums over a long axis, by its length, and the rest."""
+        if type(ref) is float:
+            if ref:
+                rest.append((plus, -1, ref))
+            return
+        made = self.made
+        own = made.trimmed(ref, index)
+        moved = made.moved(ref, own)
+        if moved is not None:
+            self.terms(plus, *moved, rest, sums)
+            return
+        kind, arguments, _, at, owner = made.entries[ref]
+        if kind in ("add", "sub"):
+            self.terms(plus, arguments[0], own, rest, sums)
+            self.terms(plus == (kind == "add"), arguments[1], own, rest, sums)
+        elif kind == "neg":
+            self.terms(not plus, arguments[0], own, rest, sums)
+        elif kind == "sum" and at[2]:
+            axis, count, _ = at
+            body = made.at(arguments[0], (*own[:axis], ((count, 0), 0, 1), *own[axis:]))
+            sums.setdefault(count, []).append((plus, owner, body))
+        else:
+            rest.append((plus, owner, made.at(ref, own)))
+
+    def body(self, sums: list[Signed]) -> Value | None:
+        """Return what is summed together: coefficients of each costly factor; None is nothing."""
+        groups: dict[Value, list[Signed]] = {}
+        for plus, owner, value in sums:
+            factors: list[Value] = []
+            plus = self.split(plus, value, factors)
+            heavy = max(factors, key=self.cost)
+            factors.remove(heavy)
+            coefficient = self.made.product(factors) if factors else 1.0
+            groups.setdefault(heavy, []).append((plus, owner, coefficient))
+        terms: list[Signed] = []
+        for heavy, own in groups.items():
+            left = self.cancelled(own)
+            if left == [(True, own[0][1], 1.0)]:
+                terms.append((True, -1, heavy))
+            elif left:
+                terms.append((True, -1, self.made.add("mul", self.added(left), heavy)))
+        return self.added(terms) if terms else None
+
+    def split(self, plus: bool, value: Value, factors: list[Value]) -> bool:
+        """Collect the factors of a product, of which costly products stay one; return its sign."""
+        name, arguments, _ = self.made.all[value[0]] if type(value) is tuple else ("", (), ())
+        own = [self.made.named(a, value[1]) for a in arguments] if name in ("mul", "neg") else []
+        if name == "neg" or (own and min(map(self.cost, own)) < HEAVY):
+            for one in own:
+                plus = self.split(plus, one, factors)
+            return plus != (name == "neg")
+        factors.append(value)
+        return plus
+
+    def cancelled(self, coefficients: list[Signed]) -> list[Signed]:
+        """Return what is left of coefficients when terms of different blocks cancel."""
+        parts = [self.parts(*one) for one in coefficients]
+        touched = set()
+        for i, own in enumerate(parts):
+            for j, others in enumerate(parts[:i]):
+                for plus, owner, value in list(own):
+                    opposite = next((o for o in others if o[2] == value and o[0] != plus), None)
+                    if opposite is not None and opposite[1] != owner:
+                        own.remove((plus, owner, value))
+                        others.remove(opposite)
+                        touched |= {i, j}
+        found = []
+        for k, one in enumerate(coefficients):
+            found += parts[k] if k in touched else [one]
+        return found
+
+    def parts(self, plus: bool, owner: int, value: Value) -> list[Signed]:
+        """Return the terms of a coefficient."""
+        name, arguments, _ = self.made.all[value[0]] if type(value) is tuple else ("", (), ())
+        if name not in ("add", "sub", "neg"):
+            return [(plus, owner, value)]
+        own = [self.made.named(a, value[1]) for a in arguments]
+        if name == "neg":
+            return self.parts(not plus, owner, own[0])
+        return self.parts(plus, owner, own[0]) + self.parts(plus == (name == "add"), owner, own[1])
+
+    def added(self, terms: list[Signed]) -> Value:
+        """Return a sum of terms."""
+        total: Any = None
+        for plus, _, value in terms:
+            if total is None:
+                total = value if plus else self.made.add("neg", value)
+            else:
+                total = self.made.add("add" if plus else "sub", total, value)
+        return 0.0 if total is None else total
+
+    def cost(self, value: Value) -> int:
+        """Return what a value costs to compute along an axis."""
+        if type(value) is not tuple or not value[1]:
+            return 0
+        c = value[0]
+        if c not in self._costs:
+            name, arguments, _ = self.made.all[c]
+            own = [] if name in ("load", "sum", "table") else arguments
+            own = [self.made.named(a, value[1]) for a in own]
+            once = 0 if name == "load" else HEAVY if name in LONG else 1
+            self._costs[c] = once + sum(map(self.cost, own))
+        return self._costs[c]
+
+    def work(self, value: Value) -> int:
+        """Return what all that a value is made of costs, each once."""
+        seen: set[int] = set()
+        stack, found = [value[0]] if type(value) is tuple else [], 0
+        while stack:
+            c = stack.pop()
+            if c in seen or self.made.steady[c]:
+                continue
+            seen.add(c)
+            name, arguments, lengths = self.made.all[c]
+            if name not in ("load", "table"):
+                times = HEAVY if name in LONG else 1
+                found += times * (8 if lengths or name == "sum" else 1)
+                stack += [a[0] for a in arguments if type(a) is tuple]
+        return found
