@@ -13,6 +13,8 @@ import control
 from ..arguments import public
 from ..equations.block import Block
 from ..equations.declaration import check_names, labels, whole_labels
+from ..equations.linear import is_linear
+from ..equations.system import System
 from ..errors import BlockError, DiagramError
 from ..scenario.keys import call_time_name_of
 from .parts import as_part, input_ports, output_ports
@@ -76,18 +78,22 @@ def changed_parameters(wiring: Wiring, params: Mapping[str, Any] | None) -> list
     found: list[Any] = []
     for node in wiring.nodes:
         system, path = node.system, node.name.split(".")
-        a_block = isinstance(system, Block)
-        fields = system.parameters._fields if a_block else tuple(system.params)
-        owner = path if a_block else path[:-1]  # python-control's parameters have no owner
-        spaces = [".".join([*owner[k:], ""]) for k in range(len(owner), -1, -1)]
-        spaces = spaces[1:] if a_block else spaces
+        if isinstance(system, System):
+            found.append(system.with_params(params))
+            continue
+        fields = system.parameters._fields
+        spaces = [".".join([*path[k:], ""]) for k in range(len(path) - 1, -1, -1)]
         keys = {space + field: field for space in spaces for field in fields}
         changes = {keys[key]: params[key] for key in keys if key in params}  # the longest counts
-        found.append(system.with_values(changes) if a_block else {**system.params, **changes})
+        found.append(system.with_values(changes))
         known |= set(keys)
-        names |= {f"{node.name}.{field}" for field in fields} if a_block else set(fields)
+        names |= {f"{node.name}.{field}" for field in fields}
+    owners = {name.rpartition(".")[0] for name in known}
+    any_key = all(is_linear(node.system) for node in wiring.nodes) or any(
+        isinstance(node.system, System) for node in wiring.nodes
+    )  # which python-control passes on
     for key in params:
-        if key not in known:
+        if key not in known and not (any_key and key.rpartition(".")[0] not in owners - {""}):
             if other := call_time_name_of(key, known):
                 raise BlockError(other)
             known_here = ", ".join(sorted(names)) or "none"

@@ -7,7 +7,7 @@ when all signals that reach its outputs at once are known.  The engine, the
 proofs and the drawing all take a diagram from here.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -16,6 +16,7 @@ import numpy as np
 
 from ..equations.block import Block
 from ..equations.linear import linear
+from ..equations.system import System
 from ..errors import DiagramError
 from .parts import check_continuous
 
@@ -153,23 +154,62 @@ def reaches_outputs(system: control.NonlinearIOSystem) -> bool:
     return False
 
 
-def wiring_of(diagram: control.NonlinearIOSystem) -> Wiring:
-    """Return the wiring of a diagram, nested ones included; linear systems become blocks.
+def wiring_of(
+    diagram: control.NonlinearIOSystem,
+    params: Mapping[str, Any] | None = None,
+    sizes: tuple[int | None, int | None] = (None, None),
+) -> Wiring:
+    """Return the wiring of a diagram, nested ones included; python-control's systems become blocks.
 
-    Blocks that feed each other at once in a circle and systems of discrete time are refused.
+    They are given `params` as python-control hands them down, and `sizes`, of states and inputs,
+    where they leave them open.  Blocks that feed each other at once in a circle and systems of
+    discrete time are refused.
     """
     from scipy.sparse import hstack
 
     flat = _flatten(diagram, getattr(diagram, "name", repr(diagram)))
     if not flat.leaves:
         raise DiagramError(f"{diagram.name}: has no blocks; give at least one")
+    handed = _handed_down(diagram, params or {})
     systems = [
-        (name, linear(system) if isinstance(system, control.StateSpace) else system)
-        for name, system in flat.leaves
+        (name, _as_block(system, own, sizes))
+        for (name, system), own in zip(flat.leaves, handed, strict=True)
     ]
     output_map = hstack([flat.E, flat.F], format="csr")
     rows = _entries(flat.C), _entries(flat.D)
     return ordered_wiring(systems, *rows, diagram.ninputs or 0, output_map)
+
+
+def read_anew(system: Any) -> None:
+    """Read the functions of a diagram's blocks again: what they name may have changed."""
+    for part in getattr(system, "syslist", [system]):
+        if isinstance(part, control.InterconnectedSystem):
+            read_anew(part)
+        elif isinstance(part, Block):
+            part.read_anew()
+
+
+def _as_block(system: Any, params: Any, sizes: tuple[int | None, int | None]) -> Block:
+    if isinstance(system, Block):
+        return system
+    return linear(system) if isinstance(system, control.StateSpace) else System(system, params, sizes)
+
+
+def _handed_down(
+    system: control.NonlinearIOSystem, given: Mapping[str, Any], path: str = ""
+) -> Iterator[dict[str, Any]]:
+    """Yield the params of each leaf, as python-control's `_update_params` leaves them.
+
+    A key with the path of a nested diagram, ``"plant.mass"``, is for that diagram alone.
+    """
+    own = {k.removeprefix(path): v for k, v in given.items() if path and k.startswith(path)}
+    if not isinstance(system, control.InterconnectedSystem):
+        yield {} if isinstance(system, Block) else {**system.params, **given, **own}
+        return
+    for part in system.syslist:
+        inner = f"{path}{part.name}." if isinstance(part, control.InterconnectedSystem) else path
+        above = {**({} if isinstance(part, Block) else part.params), **system.params, **given, **own}
+        yield from _handed_down(part, above, inner)
 
 
 def ordered_wiring(

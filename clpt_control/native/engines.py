@@ -1,17 +1,20 @@
-"""Choose the engine: machine code, or Python for what cannot be compiled."""
+"""Choose the engine: machine code, or Python for what cannot be compiled.
+
+The model alone decides, never what a cache holds: the same script gives the same numbers.
+"""
 
 import os
+import warnings
 from collections.abc import Mapping
 from typing import Any
 
 import control
 
 from ..diagrams.wiring import Wiring, wiring_of
-from ..errors import SimulationError
-from .first_run import FirstRun, compiled
+from ..errors import SimulationError, Uncompiled
+from .ending import Solution, Status
 from .inputs import Inputs
 from .python_diagram import PythonDiagram
-from .solver_cache import ready
 
 ENGINES = ("native", "python")
 VARIABLE = "CLPT_CONTROL_ENGINE"  # environment variable that names another default
@@ -27,22 +30,61 @@ def chosen(
     """Return a diagram ready to run, compiled where that can be.
 
     What cannot be compiled runs in Python, with a warning that calls it by `name`; so does a
-    diagram whose inputs are a function, unless machine code is asked for: an error.  Where
-    neither engine is asked for and the solver is not compiled yet, a run begins in Python.
+    diagram whose inputs are a function, unless machine code is asked for: an error.
     """
-    wanted = engine or os.environ.get(VARIABLE)
-    asked = wanted or "native"
+    asked = engine or os.environ.get(VARIABLE) or "native"
     if asked not in ENGINES:
         whose = "engine" if engine else f"the environment variable {VARIABLE}"
         raise SimulationError(f"{whose} = '{asked}': must be one of {', '.join(ENGINES)}")
-    wiring = diagram if isinstance(diagram, Wiring) else wiring_of(diagram)
+    wiring = diagram if isinstance(diagram, Wiring) else wiring_of(diagram, params)
     by_function = inputs is not None and inputs.samples is None and bool(wiring.ninputs)
     if engine == "native" and by_function:
         raise SimulationError(
             "inputs: machine code takes no function; give samples at timepts, or leave engine out"
         )
-    if asked == "python" or by_function or not wiring.nodes[-1].states.stop:
+    if asked == "python" or by_function:
         return PythonDiagram(wiring, params)
-    if wanted is None and not ready():
-        return FirstRun(wiring, params, name)
     return compiled(wiring, params, name)
+
+
+def compiled(wiring: Wiring, params: Mapping[str, Any] | None, name: str) -> PythonDiagram:
+    """Return a diagram as machine code; in Python, with a warning, what cannot be compiled."""
+    from .native_diagram import NativeDiagram
+
+    try:
+        return NativeDiagram(wiring, params)
+    except Uncompiled as error:
+        in_python(name, str(error))
+        return PythonDiagram(wiring, params)
+
+
+def run_as_read(
+    runner: PythonDiagram, name: str, start: Any, times: Any, params: Any, **given: Any
+) -> tuple[Solution, PythonDiagram]:
+    """Run a diagram; in Python what was read otherwise than Python runs it.
+
+    Returns the solution and what ran.
+    """
+    from .agreement import difference
+    from .native_diagram import NativeDiagram
+
+    if not isinstance(runner, NativeDiagram):
+        return runner.run(start, times, **given), runner
+    try:
+        solution = runner.run(start, times, **given)
+    except SimulationError as error:
+        if Status.NOT_FINITE.sentence not in str(error):  # Python's blocks find nothing there
+            raise
+        found = "what was read gives a number that is not finite, where Python gives one"
+    else:
+        found = difference(runner, solution, given.get("inputs")) or ""
+        if not found:
+            return solution, runner
+    in_python(name, found)
+    again = PythonDiagram(runner.wiring, params)
+    return again.run(start, times, **given), again
+
+
+def in_python(name: str, why: str) -> None:
+    """Warn that a diagram runs in Python."""
+    warnings.warn(f"{name} runs in Python, not as machine code: {why}", stacklevel=6)

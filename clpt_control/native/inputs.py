@@ -1,13 +1,18 @@
 """Inputs of a diagram as python-control gives them."""
 
+import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from ..arguments import numbers
 from ..errors import SimulationError
+
+
+STRAIGHT = 1e-14  # of the largest value, off a straight line, is rounding
 
 
 @dataclass(frozen=True)
@@ -21,14 +26,26 @@ class Inputs:
     at: Callable[[float], np.ndarray]
     samples: tuple[np.ndarray, np.ndarray] | None
 
-    @property
+    @cached_property
     def kinks(self) -> np.ndarray | None:
-        """Times at which the inputs may bend."""
-        return None if self.samples is None else self.samples[0]
+        """Times at which the inputs bend: samples on one straight line are one piece."""
+        if self.samples is None or len(self.samples[0]) < 3:
+            return None if self.samples is None else self.samples[0]
+        at, u = self.samples
+        slopes = np.diff(u, axis=1) / np.diff(at)
+        size = STRAIGHT * np.max(np.abs(u), axis=1, initial=1e-300, keepdims=True)
+        bend = np.any(np.abs(np.diff(slopes, axis=1)) * np.diff(at)[1:] > size, axis=0)
+        kept = np.flatnonzero(np.concatenate([[True], bend, [True]]))
+        ends = np.repeat(kept[:-1], np.diff(kept))  # the beginning of each sample's piece
+        line = u[:, ends] + slopes[:, ends] * (at[:-1] - at[ends])
+        return at[kept] if np.all(np.abs(line - u[:, :-1]) <= 1e3 * size) else at
 
     def along(self, times: np.ndarray) -> np.ndarray:
         """Return the inputs at times, shape (ninputs, nt)."""
-        return np.array([self.at(t) for t in times]).reshape(len(times), -1).T
+        if self.samples is None:
+            return np.array([self.at(t) for t in times]).reshape(len(times), -1).T
+        at, u = self.samples
+        return np.array([np.interp(times, at, row) for row in u]).reshape(len(u), len(times))
 
 
 def checked_times(name: str, timepts: Any) -> np.ndarray:
@@ -48,9 +65,25 @@ def stacked_state(name: str, state: Any, count: int) -> np.ndarray:
     """
     if isinstance(state, list | tuple) and len(state):
         state = np.concatenate([numbers(name, part).ravel() for part in state])
-        if 0 < len(state) < count and state[-1] == 0:
-            state = np.pad(state, (0, count - len(state)))
+    if 0 < np.size(state) < count and np.ndim(state) == 1:
+        if state[-1] != 0:
+            warnings.warn(f"{name} is too short: filled with zeros", stacklevel=5)
+        state = np.pad(numbers(name, state), (0, count - len(state)))
     return checked_state(name, state, (count,))
+
+
+def open_sizes(
+    diagram: Any, inputs: Any, x0: Any, times: np.ndarray
+) -> tuple[int | None, int | None]:
+    """Return how many states and inputs a run gives, where its system leaves that open."""
+    states = inputs_ = None
+    if diagram.nstates is None:
+        parts = x0 if isinstance(x0, list | tuple) else [0.0 if x0 is None else x0]
+        states = sum(np.size(part) for part in parts)
+    if diagram.ninputs is None:
+        given = np.asarray(inputs, dtype=float) if not callable(inputs) else np.zeros(0)
+        inputs_ = given.shape[0] if given.ndim == 2 else 1
+    return states, inputs_
 
 
 def checked_state(name: str, state: Any, shape: tuple[int, ...]) -> np.ndarray:

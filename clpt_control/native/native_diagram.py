@@ -8,6 +8,7 @@ import numpy as np
 
 from ..arguments import public
 from ..diagrams.wiring import Wiring
+from ..equations.smooth import kinks_of
 from ..errors import SimulationError
 from .batch import Callee
 from .code import code_of, kernels
@@ -70,15 +71,26 @@ class NativeDiagram(PythonDiagram):
         P = self.layout.P
         return np.append(P, np.zeros(self.code.program.parameters - len(P)))
 
-    def schedule(self, t0: float, t1: float, inputs: Inputs | None = None) -> Schedule:
-        """Return the pieces of a run."""
+    def schedule(
+        self, t0: float, t1: float, inputs: Inputs | None = None, stops: Any = ()
+    ) -> Schedule:
+        """Return the pieces of a run, which end where the inputs bend and at stops."""
         own = self.sweep, self.layout.intervals, self.layout.jumps, t0, t1
-        if inputs is None or not self.wiring.ninputs:
-            return make_schedule(*own)
-        if inputs.samples is None:
+        if inputs is not None and inputs.samples is None and self.wiring.ninputs:
             raise SimulationError("inputs: machine code takes no function; give samples")
-        pieces = make_schedule(*own, inputs.kinks)
-        return with_inputs(pieces, t0, inputs.samples, self.ramp)
+        fed = inputs is not None and self.wiring.ninputs
+        kinks = np.union1d(inputs.kinks, stops) if fed else np.asarray(stops, dtype=float)
+        pieces = make_schedule(*own, kinks)
+        return with_inputs(pieces, t0, inputs.samples, self.ramp) if fed else pieces
+
+    def stops(self, times: np.ndarray) -> Any:
+        """Return the times at which a run ends a step: where time decides, or at all samples."""
+        by_signals, found = False, [np.zeros(0)]
+        for node, p in zip(self.wiring.nodes, self.sweep.given, strict=True):
+            signals, own = kinks_of(node.system, p, float(times[0]), float(times[-1]))
+            by_signals |= signals
+            found.append(own)
+        return np.concatenate([*found, times] if by_signals else found)
 
     def callee(self, lanes: int = 1, inputs: Inputs | None = None) -> Callee:
         """Return what the solver calls."""

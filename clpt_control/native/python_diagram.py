@@ -29,12 +29,11 @@ class PythonDiagram:
     """
 
     most = 10_000_000  # tries of a run
-    tries: int | None = None  # of one call of the solver; by time without
 
     def __init__(
         self, diagram: control.NonlinearIOSystem | Wiring, params: Mapping[str, Any] | None = None
     ):
-        self.wiring = diagram if isinstance(diagram, Wiring) else wiring_of(diagram)
+        self.wiring = diagram if isinstance(diagram, Wiring) else wiring_of(diagram, params)
         self.sweep = Sweep(self.wiring, changed_parameters(self.wiring, params))
         self.nstates, self.nsignals = self.sweep.nstates, len(self.sweep.signals)
         self._jumps = {k: place for place, k in enumerate(self.sweep.leaping)}  # places in P
@@ -45,8 +44,10 @@ class PythonDiagram:
         """Return P, which the solver carries; in Python it says which blocks jump."""
         return np.zeros(len(self._jumps))
 
-    def schedule(self, t0: float, t1: float, inputs: Inputs | None = None) -> Schedule:
-        """Return the pieces of a run."""
+    def schedule(
+        self, t0: float, t1: float, inputs: Inputs | None = None, stops: Any = ()
+    ) -> Schedule:
+        """Return the pieces of a run, which end where the inputs bend and at stops."""
         kinks = None if inputs is None else inputs.kinks
         return make_schedule(self.sweep, {}, self._jumps, t0, t1, kinks)
 
@@ -131,7 +132,7 @@ class PythonDiagram:
         inputs = self._inputs(inputs, times)
         if not self.nstates:
             return Solution(times, np.zeros((len(times), 0)))
-        P, pieces = self.parameters()[None], [self.schedule(t0, t1, inputs)]
+        P, pieces = self.parameters()[None], [self.schedule(t0, t1, inputs, self.stops(times))]
         batch = Batch(self.callee(1, inputs), start[None], P, times, pieces)
         if step is not None:
             batch.fixed(step)
@@ -142,13 +143,13 @@ class PythonDiagram:
             if progress is not None:
                 progress(batch.now)
             keeps_pace(batch)
-            self.looked(batch)
 
-        batch.adaptive(*tolerances, watch, self.most, self.tries)
+        batch.adaptive(*tolerances, watch, self.most)
         return ended(self.sweep, batch, inputs)
 
-    def looked(self, batch: Batch) -> None:
-        """Look at a run under way."""
+    def stops(self, times: np.ndarray) -> Any:
+        """Return the times at which a run with these samples ends a step; none in Python."""
+        return ()
 
     def run_many(
         self,

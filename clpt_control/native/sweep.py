@@ -12,17 +12,13 @@ from typing import Any
 import numpy as np
 
 from ..diagrams.wiring import Node, Wiring
-from ..equations.block import Block
-
-TROUBLE = (OverflowError, ValueError, ZeroDivisionError, FloatingPointError)
 
 
 class Sweep:
     """Evaluate a diagram's signals and state derivative.
 
-    `parameters` holds for each block its NamedTuple, for another system its dict of
-    `params`; of the blocks those in `only` are run, with all that feed them.  After a pass
-    `signals` holds all block outputs.
+    `parameters` holds those of each block; of the blocks those in `only` are run, with all that
+    feed them.  After a pass `signals` holds all block outputs.
     """
 
     def __init__(self, wiring: Wiring, parameters: Sequence[Any], only: set[int] | None = None):
@@ -39,11 +35,12 @@ class Sweep:
         self._jumping = [
             k
             for k, node in enumerate(self.nodes)
-            if isinstance(node.system, Block)
-            and node.system.breakpoints_function is not None
+            if node.system.breakpoints_function is not None
             and not self.given[k].interval >= 0.0
         ]
-        self.leaping = [k for k, node in enumerate(self.nodes) if _leaps(node.system)]
+        self.leaping = [
+            k for k, node in enumerate(self.nodes) if node.system.jump_function is not None
+        ]
         self.enter(0.0)
 
     def _views(self, node: Node) -> tuple[np.ndarray, list[tuple[np.ndarray, np.ndarray, float]]]:
@@ -71,7 +68,7 @@ class Sweep:
         jumps = [
             node.system.breakpoints(t0, t1, p)
             for node, p in zip(self.nodes, self.given, strict=True)
-            if isinstance(node.system, Block) and node.system.breakpoints_function is not None
+            if node.system.breakpoints_function is not None
         ]
         times = np.unique(np.concatenate([np.zeros(0), *jumps]))
         apart = np.append(np.diff(times) > _rounding(times[1:]), True)
@@ -130,16 +127,13 @@ class Sweep:
         return new
 
     def _call(self, role: str, k: int, t: float, x: np.ndarray, u: np.ndarray, out: Any) -> None:
-        p, system = self._parameters[k], self.nodes[k].system
-        if isinstance(system, Block):
-            by_states = role == "output" and system.states_are_outputs
-            out[:] = x if by_states else system.values(role, len(out), t, x, u, p)
-            return
-        function = system.updfcn if role == "update" else system.outfcn
-        try:
-            out[:] = x if function is None else np.reshape(function(t, x, u, p), -1)
-        except TROUBLE:
-            out[:] = np.nan
+        system = self.nodes[k].system
+        by_states = role == "output" and system.states_are_outputs
+        out[:] = x if by_states else system.values(role, len(out), t, x, u, self._parameters[k])
+
+    def fed(self, k: int) -> np.ndarray:
+        """Return the inputs of a block at the last pass."""
+        return self._gather(k).copy()
 
     def outputs(self) -> np.ndarray:
         """Return the diagram's outputs of the last pass."""
@@ -181,10 +175,6 @@ class Sweep:
                 if not np.isfinite(value):
                     return f"derivative of {label} of block {node.name}"
         return None
-
-
-def _leaps(system: Any) -> bool:
-    return isinstance(system, Block) and system.jump_function is not None
 
 
 def first_not_finite(wiring: Wiring, signals: np.ndarray) -> str | None:

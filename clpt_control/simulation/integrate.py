@@ -11,13 +11,13 @@ import numpy as np
 
 from ..arguments import public
 from ..diagrams.changes import UNCHANGED, Part, changes_of
-from ..diagrams.wiring import wiring_of
+from ..diagrams.wiring import read_anew, wiring_of
 from ..equations.block import Block
 from ..equations.declaration import ports_of, whole_labels
 from ..equations.linear import linear
 from ..errors import SimulationError
-from ..native.engines import chosen
-from ..native.inputs import checked_times, read_inputs, stacked_state
+from ..native.engines import chosen, run_as_read
+from ..native.inputs import checked_times, open_sizes, read_inputs, stacked_state
 from ..scenario.experiment import Scenario
 from ..scenario.file import OWN_PARTS
 from ..scenario.team import Team
@@ -73,9 +73,8 @@ def simulate(
         Called with the time reached.
     engine : str, optional
         ``"native"``, machine code, which gives way to ``"python"`` for what
-        cannot be compiled and, unless asked for, for inputs by a function. Unless one is
-        asked for, runs begin in Python until the solver is compiled, once for a machine; the
-        attribute ``engine`` says what ran, to the same tolerances.
+        cannot be compiled and, unless asked for, for inputs by a function; the attribute
+        ``engine`` says what ran.
     law, replace, insert : optional
         For a scenario: parts of your own in its diagram, as in `closed_loop`.
 
@@ -176,15 +175,20 @@ def _simulate_diagram(
     if timepts is None:
         raise SimulationError("timepts: is required to simulate a diagram")
     times = checked_times("timepts", timepts)
-    wiring = wiring_of(diagram)
+    read_anew(diagram)
+    wiring = wiring_of(diagram, params, open_sizes(diagram, inputs, x0, times))
     given = read_inputs(inputs, times, wiring.ninputs)
     runner = chosen(wiring, params, given, engine, diagram.name)
     state = stacked_state("initial_state", 0.0 if x0 is None else x0, runner.nstates)
-    solution = runner.run(state, times, rtol=rtol, atol=atol, inputs=given, progress=progress)
+    solution, runner = run_as_read(
+        runner, diagram.name, state, times, params, rtol=rtol, atol=atol, inputs=given,
+        progress=progress,
+    )
     signals = np.vstack([runner.signals(solution, given).T, given.along(solution.t)])
     outside = np.arange(len(signals) - wiring.ninputs, len(signals))
     values = np.hstack([(wiring.output_map @ signals).T, signals[outside].T])
-    made, given_labels = map(whole_labels, (diagram.output_labels, diagram.input_labels))
+    named = wiring.nodes[0].system if None in (diagram.ninputs, diagram.noutputs) else diagram
+    made, given_labels = map(whole_labels, (named.output_labels, named.input_labels))
     labels = made + [one.replace("[", "_input[") if one in made else one for one in given_labels]
     scenario, changes = getattr(diagram, "made_of", None) or (None, UNCHANGED)
     if scenario is None:
@@ -194,4 +198,5 @@ def _simulate_diagram(
         run = run_dataset(scenario, columns, values, solution, params or {}, changes, every)
         own = [changes.in_words, f"{diagram.name}: run as a diagram"]
         run.attrs[OWN_PARTS] = ", ".join(filter(None, own))
-    return with_states(run, diagram.state_labels, solution)
+    named = wiring.nodes[0].system if diagram.nstates is None else diagram
+    return with_states(run, named.state_labels, solution)

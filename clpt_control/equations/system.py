@@ -1,0 +1,214 @@
+"""A python-control system by functions as a block, as it stands.
+
+    dx/dt = updfcn(t, x, u, params),    y = outfcn(t, x, u, params)
+
+Of its `params` numbers and arrays of numbers are parameters of the block, also whole numbers; all
+else stays as it is.  Sizes that the system leaves open follow from the inputs and the start of a
+run, as python-control finds them.
+"""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import control
+import numpy as np
+
+from ..errors import BlockError
+from .arrays import Unread
+from .block import Block
+from .declaration import Parameters, parameters_of
+from .ports import sizes_of
+from .reading import RAISED, read, record_of_states
+from .record import Record
+
+MOST_NUMBERS = 20_000  # of an array that is a parameter
+
+
+class System(Block):
+    """A `control.nlsys`, a flat system, a feedback or an estimator that python-control made."""
+
+    def __init__(
+        self,
+        system: control.NonlinearIOSystem,
+        params: Mapping[str, Any] | None = None,
+        sizes: tuple[int | None, int | None] = (None, None),
+    ):
+        n = _size(system, "states", system.nstates, sizes[0])
+        m = _size(system, "inputs", system.ninputs, sizes[1])
+        self.original, self.name = system, system.name
+        self.given = dict(system.params if params is None else params)
+        self._update, self._output = _functions(system)
+        q = system.noutputs if system.noutputs is not None else self._count(n, m)
+        first = self._output is None and q < n  # of the states, as python-control takes them
+        if first:
+            self._output = lambda t, x, u, params: x[:q]
+        self.update_function = self._update if n else None
+        self.output_function = self._output
+        self.jump_function = self.breakpoints_function = self.guard = None
+        self.opaque, self._inner, self._sizes, self.parameter_shapes = False, {}, {}, {}
+        self.raised: dict[str, str] = {}
+        states = {"x": (n,)} if n else {}
+        self.declared = {
+            "inputs": {"u": (m,)} if m else {},
+            "outputs": states if self._output is None else {"y": (q,)} if q else {},
+            "states": states,
+        }
+        self._names = _names(self.given)
+        self.parameters = parameters_of(
+            {self._names[key]: _leaf(self.given[key]) for key in self._names}
+        )
+        self.nstates, self.ninputs, self.noutputs, self.dt = n, m, q, 0
+        for kind, count, letter in (("input", m, "u"), ("output", q, "y"), ("state", n, "x")):
+            own = getattr(system, f"{kind}_index")
+            own = own if len(own) == count else {f"{letter}[{k}]": k for k in range(count)}
+            setattr(self, f"{kind}_index", dict(own))
+
+    def _count(self, n: int, m: int) -> int:
+        """Return how many outputs there are, which the system does not say."""
+        if self._output is None:
+            return n
+        return np.size(self._output(0.0, np.zeros(n), np.zeros(m), dict(self.given)))
+
+    # --- parameters -------------------------------------------------------------------------
+
+    @property
+    def parameters(self) -> Any:
+        """Return the numbers among the system's params."""
+        return self._parameters
+
+    @parameters.setter
+    def parameters(self, value: Any) -> None:
+        self._parameters = self._current = value
+        for kept in ("_read_records", "_scalars", "feedthrough"):
+            self.__dict__.pop(kept, None)
+        self._bind()
+
+    @property
+    def params(self) -> dict[str, Any]:  # type: ignore[override]
+        """Return the system's params."""
+        return self.given
+
+    @params.setter
+    def params(self, value: Any) -> None:
+        pass
+
+    def with_params(self, params: Mapping[str, Any] | None) -> Any:
+        """Return the parameters with some changed; python-control passes unknown ones on."""
+        known = {
+            self._names[key]: _leaf(value)
+            for key, value in (params or {}).items()
+            if key in self._names and value is not self.given[key]
+        }
+        return self._parameters._replace(**known) if known else self._parameters
+
+    def with_values(self, changes: Mapping[str, Any]) -> Any:
+        """Return the parameters with some fields changed."""
+        return self._parameters._replace(**{k: _leaf(v) for k, v in changes.items()})
+
+    def _asked_with(self, p: Any) -> dict[str, Any]:
+        """Return the params that python-control would hand to the functions."""
+        if p is self._parameters:
+            return self.given
+        return {**self.given, **{key: getattr(p, name) for key, name in self._names.items()}}
+
+    # --- ports ------------------------------------------------------------------------------
+
+    @property
+    def input_ports(self) -> dict[str, int]:
+        """Return the input ports and their numbers of signals."""
+        return sizes_of(self.input_shapes)
+
+    @property
+    def output_ports(self) -> dict[str, int]:
+        """Return the output ports and their numbers of signals."""
+        return sizes_of(self.output_shapes)
+
+    # --- readings ---------------------------------------------------------------------------
+
+    def _read(self, role: str) -> Record | Unread:
+        if role == "output" and self._output is None:
+            return record_of_states(self.declared["outputs"])
+        function, out = self._roles[role]
+        shapes = {key: np.shape(self.given[key]) for key in self._names}
+        ports = self.declared["states"], self.declared["inputs"]
+        try:
+            found = read(function, role, *ports, self.given, shapes, out, dict)
+        except (Unread, BlockError) as error:
+            return Unread(f"{self.name}.{role}: {error}")
+        record = found.record
+        lines = (
+            o._replace(at=("p", self._names[o.at[1]])) if o.at and o.at[0] == "p" else o
+            for o in record.operations
+        )
+        return Record(tuple(lines), record.outputs, record.shapes)
+
+    def _tried(self) -> None:
+        """Leave it to the run, as python-control does."""
+
+    def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+        """Return what a function returns, as one vector; NaN where it raises."""
+        function = self._update if role == "update" else self._output
+        given = self._asked_with(p)
+        try:
+            found = np.asarray(function(t, x.copy(), u.copy(), given), dtype=float).reshape(-1)
+        except RAISED as error:
+            self.raised[role] = f"{type(error).__name__}: {error}"
+            return np.full(size, np.nan)
+        if len(found) != size:
+            raise BlockError(
+                f"{self.name}.{role}: returns {len(found)} numbers; must return {size}"
+            )
+        return found
+
+
+def _functions(system: control.NonlinearIOSystem) -> tuple[Callable, Callable | None]:
+    """Return update and output of a system; of a class with its own, the methods that it runs."""
+    kind, plain = type(system), control.NonlinearIOSystem
+    update, output = system.updfcn, system.outfcn
+    if kind._rhs is not plain._rhs:
+
+        def update(t, x, u, params):
+            return system._rhs(t, x, u)
+
+    if kind._out is not plain._out:
+
+        def output(t, x, u, params):
+            return system._out(t, x, u)
+
+    return update, output
+
+
+def _size(system: Any, what: str, own: int | None, given: int | None) -> int:
+    found = own if own is not None else given
+    if found is None:
+        raise BlockError(
+            f"{system.name}: how many {what} it has is not said; give {what}= to control.nlsys"
+        )
+    return found
+
+
+def _leaf(value: Any) -> Any:
+    return np.asarray(value, dtype=float) if np.ndim(value) else np.float64(value)
+
+
+def _names(given: Mapping[str, Any]) -> dict[str, str]:
+    """Return the keys that hold numbers, each with the name of the block's parameter."""
+    found: dict[str, str] = {}
+    for k, (key, value) in enumerate(given.items()):
+        if _is_number(value):
+            fits = isinstance(key, str) and key.isidentifier() and not hasattr(Parameters, key)
+            found[key] = key if fits else f"p{k}"
+    return found
+
+
+def _is_number(value: Any) -> bool:
+    if isinstance(value, bool | np.bool_ | str):
+        return False
+    if isinstance(value, int | float | np.integer | np.floating):
+        return not np.isnan(value)
+    return (
+        type(value) is np.ndarray
+        and value.dtype.kind in "fiu"
+        and 0 < value.size <= MOST_NUMBERS
+        and not np.any(np.isnan(value))
+    )

@@ -1,0 +1,122 @@
+"""Whether what was read does what the functions do: asked at the run's own samples.
+
+A record is compared with Python where the run begins and at three of its own samples, on its own
+rates and signals; points chosen by chance do not reach every way through a function.
+"""
+
+import ctypes
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ..equations.arrays import Unread
+from ..equations.block import Block
+from .ending import Solution
+from .inputs import Inputs
+from .native_diagram import NativeDiagram
+
+SAMPLES = 4
+CLOSE = 1e-7  # relative: rounding of terms that cancel, not another way through a function
+APART = (0.0, 1e-6, -1e-6)  # where a sample lies on a kink, rounding decides; beside it nothing does
+_CALL = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 6)
+
+
+def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None) -> str | None:
+    """Return what was read otherwise than Python runs it, in words; None where all agrees."""
+    if all(node.system.of_package for node in runner.wiring.nodes):
+        return None
+    n = len(solution.t)
+    at = sorted({0, n // 3, 2 * n // 3, n - 1}) if n else []
+    machine = _Machine(runner, solution, inputs)
+    for k in at:
+        t, x, found = float(solution.t[k]), solution.x[k], None
+        for apart in APART:
+            moved = x + apart * (1.0 + np.abs(x))
+            found = _differs(runner, machine, k, t, moved, inputs)
+            if found is None:
+                break
+        if found is not None:
+            return found
+    return None
+
+
+class _Machine:
+    """Rates and signals by machine code at single points."""
+
+    def __init__(self, runner: NativeDiagram, solution: Solution, inputs: Inputs | None):
+        t0, t1 = float(solution.t[0]), float(solution.t[-1])
+        self.pieces = runner.schedule(t0, t1, inputs)
+        self.number = np.searchsorted(self.pieces.edges, solution.t, side="right")
+        self.P, self.T = np.append(runner.parameters(), 0.0), np.append(runner.layout.T, 0.0)
+        self.W, self.D = np.zeros(max(runner.code.program.room, 1)), np.zeros(runner.nstates + 1)
+        self.signals, self.states = runner.nsignals, runner.nstates
+        self.own = [
+            _CALL(runner.code.address(name, 1)) for name in ("prepare", "signals", "derivative")
+        ]
+
+    def ask(self, k: int, t: float, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return signals and rates at sample k, from states x."""
+        self.P[self.pieces.places] = self.pieces.values[self.number[k]]
+        given = [np.array([t]), np.append(x, 0.0), self.P, self.T, self.W, self.D]
+        prepare, signals, derivative = self.own
+        places = [one.ctypes.data for one in given]
+        prepare(*places)
+        signals(*places)
+        found = self.W[: self.signals].copy()
+        if self.states:
+            derivative(*places)
+        return found, self.D[: self.states].copy()
+
+
+def _differs(
+    runner: NativeDiagram, machine: _Machine, k: int, t: float, x: np.ndarray, inputs: Any
+) -> str | None:
+    sweep, u = runner.sweep, None if inputs is None else inputs.at(t)
+    sweep.enter(t)
+    rates = sweep.derivative(t, x, u)
+    signals, own_rates = machine.ask(k, t, x)
+    if _same(sweep.signals, signals) and _same(rates, own_rates):
+        return None
+    for node, role, sentence in _blocks(runner, t, x):
+        return f"{node}.{role}{sentence}"
+    return f"at t = {t:.6g} its rates are not those of its functions"
+
+
+def _same(a: np.ndarray, b: np.ndarray) -> bool:
+    if not len(a):
+        return True
+    finite = np.abs(a[np.isfinite(a)])
+    size = CLOSE * 1e-3 * (finite.max() if len(finite) else 1.0) + 1e-300
+    return bool(np.allclose(b, a, rtol=CLOSE, atol=size, equal_nan=True))
+
+
+def _blocks(runner: NativeDiagram, t: float, x: np.ndarray) -> Iterator[tuple[str, str, str]]:
+    """Yield the blocks whose records differ from their functions, on the last pass's inputs."""
+    sweep = runner.sweep
+    for k, node in enumerate(runner.wiring.nodes):
+        block, p = node.system, sweep.given[k]
+        for role in ("output", "update"):
+            if getattr(block, f"{role}_function") is None:
+                continue
+            states, u = x[node.states], sweep.fed(k)
+            try:
+                values = _of_record(block, role, t, states, u, p)
+            except Unread:
+                continue
+            asked = block.values(role, len(values), t, states, u, p)
+            if not _same(asked, values):
+                yield node.name, role, " was read otherwise than Python runs it"
+
+
+def _of_record(block: Block, role: str, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+    """Return what a block's record gives."""
+    groups: dict[str, dict[str, Any]] = {"t": {"t": t}, "p": dict(p._asdict())}
+    for group, values, shapes in (("x", x, block.state_shapes), ("u", u, block.input_shapes)):
+        at, groups[group] = 0, {}
+        for port, shape in shapes.items():
+            size = int(np.prod(shape))
+            groups[group][port] = values[at : at + size].reshape(shape)
+            at += size
+    found = block.array_record(role).values(lambda g, name: groups[g][name], block.sizes)
+    return np.concatenate([np.zeros(0), *(one.ravel() for one in found)])
