@@ -57,8 +57,8 @@ def prove(
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> from clpt_control.blocks.laws.learned_flow import LearnedFlowParameters, learned_flow_law
-    >>> clpt.theory.prove(learned_flow_law(LearnedFlowParameters(N=2, gain=0.5)), points=200).status
+    >>> from clpt_control.blocks.laws.table import LAWS
+    >>> clpt.theory.prove(LAWS["learned-flow"].of(2, gain=0.5), points=200).status
     'proved'
     """
     if V is not None and V.output_ports != {"V": 1}:

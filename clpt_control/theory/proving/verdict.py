@@ -53,8 +53,8 @@ class Verdict:
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> from clpt_control.blocks.laws.learned_flow import LearnedFlowParameters, learned_flow_law
-    >>> wrong = learned_flow_law(LearnedFlowParameters(N=1, gain=-0.5))
+    >>> from clpt_control.blocks.laws.table import LAWS
+    >>> wrong = LAWS["learned-flow"].of(1, gain=-0.5)
     >>> verdict = clpt.theory.prove(wrong, points=200)
     >>> verdict.status, verdict.rate > 0
     ('refuted', True)
