@@ -15,10 +15,11 @@ from typing import Any, NamedTuple
 
 from ..diagrams.wiring import Node, Wiring
 from ..equations.block import Block
+from ..equations.record import reached
 from .layout import Layout
 
 SHORT = 16  # a literal axis up to this length is unrolled
-SIGNED = frozenset({"div", "atan2", "pow", "floordiv", "mod"})  # that tell -0.0 from 0.0
+SIGNED = frozenset({"atan2", "pow", "floordiv", "mod"})  # tell -0.0 from 0.0, as divisors do
 WIRE = -1  # the owner of what wires do
 Ref = int | float
 
@@ -196,8 +197,14 @@ class DiagramRecord:
         return found
 
     def _signed(self, block: Block) -> bool:
+        """Return whether a block tells -0.0 from 0.0."""
         roles = [*block._roles] if block.output_function else [*block._roles, "output"]
-        return any(o.kind in SIGNED for r in roles for o in block.array_record(r).operations)
+        for lines in (block.array_record(role).operations for role in roles):
+            for kind, arguments, _, _ in lines:
+                divisor = [a for a in arguments[1:] if kind == "div" and type(a) is int]
+                if kind in SIGNED or any(_moves(lines, a) for a in divisor):
+                    return True
+        return False
 
     def _brought(self, node: Node, first: int, shape: tuple) -> Ref:
         """Return what wires bring to a port: arrays where they lie whole, else pieces joined."""
@@ -246,3 +253,8 @@ class DiagramRecord:
             array, start = entry.at
             return self.load(array, start + first, shape)
         return self.add("part", (ref,), shape, first)
+
+
+def _moves(lines: Sequence[Any], ref: int) -> bool:
+    """Return whether a value depends on more than parameters."""
+    return any(lines[k].kind == "leaf" and lines[k].at[0] != "p" for k in reached(lines, [ref]))

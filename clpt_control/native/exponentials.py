@@ -39,22 +39,23 @@ def _reduced(a):
 
 
 def _exp_less_one(r):
-    """Return exp(r) - 1 for |r| <= ln(2)/2."""
-    q = fma(r, 2.5100472505694996e-08, 2.7620201591031547e-07)
-    q = fma(r, q, 2.7557268276905696e-06)
-    q = fma(r, q, 2.4801521057868204e-05)
-    q = fma(r, q, 0.00019841269863171557)
-    q = fma(r, q, 0.0013888888917367081)
-    q = fma(r, q, 0.008333333333330039)
-    q = fma(r, q, 0.041666666666623824)
-    q = fma(r, q, 0.16666666666666669)
-    q = fma(r, q, 0.5000000000000001)
-    return fma(r * r, q, r)
+    """Return exp(r) - 1 for |r| <= ln(2)/2; even and odd powers side by side."""
+    z = r * r
+    even = fma(z, 2.7620201591031547e-07, 2.4801521057868204e-05)
+    odds = fma(z, 2.5100472505694996e-08, 2.7557268276905696e-06)
+    even = fma(z, even, 0.0013888888917367081)
+    odds = fma(z, odds, 0.00019841269863171557)
+    even = fma(z, even, 0.041666666666623824)
+    odds = fma(z, odds, 0.008333333333330039)
+    even = fma(z, even, 0.5000000000000001)
+    odds = fma(z, odds, 0.16666666666666669)
+    return fma(z, fma(r, odds, even), r)
 
 
 def exp(a):
     """Return e^a."""
-    a = select(a > 710.0, 710.0, select(a < -746.0, -746.0, a))
+    a = select(a < -746.0, -746.0, a)
+    a = select(a > 710.0, 710.0, a)
     k, half = fma(a, LOG2_E, MAGIC), fma(a, 0.5 * LOG2_E, MAGIC)
     r = fma(k - MAGIC, -LN2_LOW, fma(k - MAGIC, -LN2, a))
     return times_power_of_two(1.0 + _exp_less_one(r), k, half)

@@ -6,6 +6,7 @@ from llvmlite import ir
 
 from .plan import Nest, Program, Saved, Total, rows
 from .printing import Function, called, gathered, joined
+from .processor import LANES
 from .vectors import INT32, WORD, Kind, Number, round_to_zero, select
 
 UNROLLED, UNROLLED_RUNS = 4, 8  # turns of a loop that are printed one by one
@@ -91,7 +92,9 @@ class _Printer:
             self.values[key] = self.value(key)
         if depth > self.inner:
             return self.items(sums)
-        zeros = [self.kind.number(0.0) for _ in self.totals if depth == self.inner]
+        masked = depth == self.vector and self.now.lengths[depth] < LANES  # zeros are among them
+        zeros = [None if masked else self.kind.number(0.0) for _ in self.totals]
+        zeros = zeros if depth == self.inner else []
         found = self.loop(depth, zeros)
         for total, value in zip(self.totals, found, strict=False):
             self.finish(total, value)
@@ -118,7 +121,8 @@ class _Printer:
             if isinstance(item, Total):
                 if self.vector == self.inner and self.function.turns < self.kind.width:
                     value = select(self.function.valid(), value, 0.0)
-                found.append(sums[len(found)] + value)
+                held = sums[len(found)]
+                found.append(value if held is None else held + value)
             elif isinstance(item, Saved):
                 self.store(value, "W", item.place, rows(self.all[item.component].lengths))
             else:
@@ -127,7 +131,8 @@ class _Printer:
 
     def finish(self, total: Total, value: Number) -> None:
         """Keep a sum."""
-        value = joined(value) if self.vector == self.inner else value
+        if self.vector == self.inner:
+            value = joined(value, self.now.lengths[self.inner])
         if self.inner:
             self.store(value, "W", total.place, rows(self.all[total.component].lengths))
         else:

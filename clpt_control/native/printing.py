@@ -212,16 +212,16 @@ def gathered(kind: Kind, ones: list[Any]) -> Number:
     return Number(kind, found)
 
 
-def joined(part: Number) -> Number:
-    """Add up the numbers of a vector, halves first."""
+def joined(part: Number, turns: int = LANES) -> Number:
+    """Add up the numbers of a vector, halves first; so many turns that there are at most."""
     builder, value, width = part.kind.builder, part.value, part.kind.width
     while width > 1:
         width //= 2
-        halves = [
+        low, high = (
             builder.shuffle_vector(
                 value, value, ir.Constant(ir.VectorType(INT32, width), list(range(at, at + width)))
             )
             for at in (0, width)
-        ]
-        value = builder.fadd(*halves)
+        )
+        value = builder.fadd(low, high) if turns > width else low
     return Number(Kind(builder, 1), builder.extract_element(value, ir.Constant(INT32, 0)))
