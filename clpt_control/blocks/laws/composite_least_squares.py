@@ -18,23 +18,19 @@ per time), K[2], Gamma[2] (per time), the states of `filtered_flow` and of `cova
 impulse[2N] (s, time per length).
 """
 
-from functools import partial
 from typing import Any
 
 import numpy as np
 
 from ..lyapunov import level
 from .covariance import (
-    KEYS,
     PARAMETERS,
     STATES,
-    covariance_kept,
-    covariance_losses,
     covariance_rates,
     forgetting,
-    refuses,
+    with_covariance,
 )
-from .filtered_flow import TAKES, shared_rates, unexplained
+from .filtered_flow import shared_rates, unexplained
 from .known import Truth
 from .law import Law, Setting, State
 from .scales import times_k
@@ -54,8 +50,10 @@ def composite_least_squares(t, x, u, p):
 
 def candidate(t, x, u, p):
     """V of Eq. (24) with tr(eta P^-1 eta^T)/gamma for |eta|^2."""
-    eta, over = p.theta + u.alpha, u.impulse + u.rho * p.theta * p.information
-    return {"V": level(u.e, u, p) + p.noise**2 / (2 * p.weight) * np.sum(eta * over)}
+    over = errors_over_P({"rho": u.rho, "impulse": u.impulse}, p, p)
+    return {
+        "V": level(u.e, u, p) + p.noise**2 / (2 * p.weight) * np.sum((p.theta + u.alpha) * over)
+    }
 
 
 def errors_over_P(s: Any, p: Any, truth: Truth) -> Any:
@@ -63,20 +61,9 @@ def errors_over_P(s: Any, p: Any, truth: Truth) -> Any:
     return s["impulse"] + s["rho"] * truth.theta * p.information
 
 
-def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
-    """Return what the states are: P = P^T, eta = (s + rho theta P(0)^-1) P, F_f = theta phi_f."""
-    return covariance_kept(s, p, truth, errors_over_P(s, p, truth))
-
-
-def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
-    """Return |eta phi_f|^2/(2 w), lambda tr(eta P^-1 eta^T)/(2 gamma), what K and Gamma lose."""
-    return covariance_losses(s, p, truth, errors_over_P(s, p, truth), p.weight)
-
-
 LAW = Law(
     "composite-least-squares",
     promise="CLPE goes to zero, and alpha to -theta faster the more the track has shown",
-    needs="the commanded velocity",
     rates=composite_least_squares,
     parameters={
         **PARAMETERS,
@@ -85,8 +72,6 @@ LAW = Law(
         ),
         "forgetting": Setting(0.0, "not negative", "lambda_0 of P, 1/time; 0 forgets nothing"),
     },
-    keys=KEYS,
-    takes=TAKES,
     states={
         **STATES,
         "impulse": State((2, "N"), lambda known, p: known.alpha * p.information),
@@ -94,11 +79,6 @@ LAW = Law(
     candidate=candidate,
     measures=("e", "alpha", "K", "Gamma", "rho", "impulse"),
     shares=("weight", "noise", "information"),
-    refuses=partial(refuses, "composite_least_squares"),
-    gain=1.0,
-    keeps=keeps,
-    losses=losses,
-    over=errors_over_P,
-    cones=("P", "Q_1", "Q_2"),
     says="-e^T KD e - |eta phi_f|^2/(2 w) - lambda tr(eta P^-1 eta^T)/(2 gamma)",
+    **with_covariance(errors_over_P, "weight"),
 )

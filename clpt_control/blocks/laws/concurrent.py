@@ -89,10 +89,7 @@ LAW = Law(
         **GAINS,
         "memory_gain": Setting(None, "positive", "gamma_c, 1/time; 5 k (k mean KD)", times_k(5)),
         "window": Setting(
-            None,
-            "positive",
-            "T over which flow and basis are summed, time; 1/k",
-            times_k(1, -1),
+            None, "positive", "T over which flow and basis are summed, time; 1/k", times_k(1, -1)
         ),
     },
     takes=MOVING,

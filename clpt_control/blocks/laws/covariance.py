@@ -14,15 +14,16 @@ Source: Slotine and Li 1991, Applied Nonlinear Control, section 8.7.6 (bounded-g
 States: P[N*N] (length per time, squared), rho[1].
 """
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from ...errors import ScenarioError
 from .commanded_gains import gains_losses, symmetric
-from .filtered_flow import SHARED, shared_kept, unexplained_square
+from .filtered_flow import SHARED, TAKES, shared_kept, unexplained_square
 from .known import Known, Truth
-from .law import HELD, Setting, State
+from .law import HELD, Law, Setting, State
 from .scales import FILTER, NOISE, PRIOR, mean_feedback, prior
 
 
@@ -46,21 +47,23 @@ def priors(known: Known) -> np.ndarray:
     return np.full(known.N, prior(known)) if each is None else np.asarray(each, dtype=float)
 
 
-def refuses(table: str, known: Known) -> None:
+def refuses(law: Law, known: Known) -> None:
     """Refuse priors that do not fit the functions."""
     one, each = known.settings["prior"], known.settings["priors"]
     if each is None:
         return
     if one is not None:
-        raise ScenarioError(f"learning.{table}.priors: give either prior or priors, one of the two")
+        raise ScenarioError(
+            f"learning.{law.table}.priors: give either prior or priors, one of the two"
+        )
     if len(each) != known.N:
         raise ScenarioError(
-            f"learning.{table}.priors: has {len(each)} numbers; must be one for each of the "
+            f"learning.{law.table}.priors: has {len(each)} numbers; must be one for each of the "
             f"{known.N} functions, 0 to hold its parameter"
         )
     if not any(each):
         raise ScenarioError(
-            f"learning.{table}.priors: are all 0, which holds every parameter; give at least one"
+            f"learning.{law.table}.priors: are all 0, which holds all parameters; give at least one"
         )
 
 
@@ -70,20 +73,35 @@ def information(known: Known) -> np.ndarray:
     return np.divide(1.0, prior**2, out=np.zeros(len(prior)), where=prior > 0)
 
 
-def covariance_kept(s: Any, p: Any, truth: Truth, over: Any) -> dict[str, Any]:
-    """Return P = P^T, alpha of eta P^-1 = `over`, F_f = theta phi_f and those of K and Gamma."""
-    P = symmetric(s["P"])
-    return {"P": P, "alpha": over @ P - truth.theta, **shared_kept(s, p, truth)}
+def with_covariance(over: Callable[..., Any], weight: str) -> dict[str, Any]:
+    """Return what rows of laws with this P share, of eta P^-1 and the parameter that is w."""
 
+    def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
+        """Return P = P^T, alpha of eta P^-1, F_f = theta phi_f and those of K and Gamma."""
+        P = symmetric(s["P"])
+        return {"P": P, "alpha": over(s, p, truth) @ P - truth.theta, **shared_kept(s, p, truth)}
 
-def covariance_losses(s: Any, p: Any, truth: Truth, over: Any, weight: float) -> list[tuple]:
-    """Return |eta phi_f|^2/(2 w), r^2 lambda tr(eta P^-1 eta^T)/(2 w), what K and Gamma lose."""
-    forgotten = (p.forgetting, 1 - np.trace(s["P"]) / p.largest, np.sum((over @ s["P"]) * over))
-    return [
-        (unexplained_square(s, p, truth), 1 / (2 * weight)),
-        (*forgotten, p.noise**2 / (2 * weight)),
-        *gains_losses(s, p, truth),
-    ]
+    def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
+        """Return |eta phi_f|^2/(2 w), r^2 lambda tr(eta P^-1 eta^T)/(2 w), those of the gains."""
+        w, eta_over = getattr(p, weight), over(s, p, truth)
+        forgotten = (p.forgetting, 1 - np.trace(s["P"]) / p.largest)
+        return [
+            (unexplained_square(s, p, truth), 1 / (2 * w)),
+            (*forgotten, np.sum((eta_over @ s["P"]) * eta_over), p.noise**2 / (2 * w)),
+            *gains_losses(s, p, truth),
+        ]
+
+    return {
+        "needs": "the commanded velocity",
+        "keys": KEYS,
+        "takes": TAKES,
+        "refuses": refuses,
+        "gain": 1.0,
+        "keeps": keeps,
+        "losses": losses,
+        "over": over,
+        "cones": ("P", "Q_1", "Q_2"),
+    }
 
 
 KEYS = {
@@ -102,5 +120,5 @@ PARAMETERS = {
 STATES = {
     **SHARED,
     "P": State(("N", "N"), lambda known, p: np.diag(priors(known) ** 2)),
-    "rho": State(1, lambda known, p: np.ones(1)),
+    "rho": State(1, 1.0),
 }

@@ -46,7 +46,7 @@ STATES = {
     **LEARNED,
     **MEMORY_STATES,
     **FILTER_STATES,
-    "w": State(1, lambda known, p: np.ones(1)),
+    "w": State(1, 1.0),
 }
 
 
@@ -85,7 +85,7 @@ def output(t, x, u, p):
     return {**{name: getattr(x, name) for name in STATES}, "readout": readout}
 
 
-def refuses(known: Known) -> None:
+def refuses(law: Law, known: Known) -> None:
     """Refuse more functions than a determinant is good for, and settings out of range."""
     own = known.settings
     if known.N > MOST:

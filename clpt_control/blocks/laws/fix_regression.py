@@ -93,7 +93,7 @@ def events(p: Any, t0: float, t1: float) -> np.ndarray:
     return np.sort(np.concatenate([sent, arrived[(arrived > t0) & (arrived <= t1)]]))
 
 
-def refuses(known: Known) -> None:
+def refuses(law: Law, known: Known) -> None:
     """Refuse to learn at fixes where there are none."""
     if known.fixes is None:
         raise ScenarioError(

@@ -42,7 +42,7 @@ class State(NamedTuple):
     """A state of a law."""
 
     shape: Any  # of numbers and "N"
-    start: Any = 0.0  # a number, or a function of what is known and the parameters
+    start: Any = None  # a number, or made of what is known and the parameters; None: 0, or a key's
 
 
 PAPER = {"e": 2, "phi_x": "N", "z": 2, "zc": 2}  # what Eqs. (21)-(23) take
@@ -75,7 +75,7 @@ class Law(NamedTuple):
     measures: tuple[str, ...] = ("e", "alpha", "K", "Gamma")  # of e and what it makes
     weighs: Callable[[Any], float] = lambda p: p.get("gain", 1.0)  # the gain of alpha in V
     shares: tuple[str, ...] = ()  # its parameters that are V's too
-    refuses: Callable[[Known], None] = lambda known: None
+    refuses: Callable[[Any, Known], None] = lambda law, known: None
     gain: float | None = None  # where learning.gain is left out; None: it is required
     # for the proof, of (states, parameters, truth): relations of its states
     keeps: Callable[..., dict[str, Any]] | None = None
@@ -130,7 +130,7 @@ class Law(NamedTuple):
 
     def parameters_of(self, known: Known) -> Parameters:
         """Return its parameters, of what is known."""
-        self.refuses(known)
+        self.refuses(self, known)
         found: dict[str, Any] = {}
         for name, made in self.parameters.items():
             if isinstance(made, Setting):
@@ -165,8 +165,8 @@ class Law(NamedTuple):
     def starts(self, known: Known) -> dict[str, Any]:
         """Return where its own states are at t = 0; the others are zero."""
         p = self.parameters_of(known)
-        own = {name: state.start for name, state in self.states.items()}
-        return {name: start(known, p) for name, start in own.items() if callable(start)}
+        own = {name: state.start for name, state in self.states.items() if state.start is not None}
+        return {name: start(known, p) if callable(start) else start for name, start in own.items()}
 
     def made_of(self, known: Known) -> set[str]:
         """Return keys of which parameters and starts are made, beside its own and as they are."""

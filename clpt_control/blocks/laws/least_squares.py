@@ -19,22 +19,13 @@ Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> a
 per time), K[2], Gamma[2] (per time), the states of `filtered_flow` and of `covariance`.
 """
 
-from functools import partial
 from typing import Any
 
 import numpy as np
 
 from ..lyapunov import level
-from .covariance import (
-    KEYS,
-    PARAMETERS,
-    STATES,
-    covariance_kept,
-    covariance_losses,
-    covariance_rates,
-    refuses,
-)
-from .filtered_flow import TAKES, shared_rates, unexplained
+from .covariance import PARAMETERS, STATES, covariance_rates, with_covariance
+from .filtered_flow import shared_rates, unexplained
 from .known import Truth
 from .law import Law, Setting
 from .scales import times_k
@@ -49,23 +40,13 @@ def least_squares(t, x, u, p):
 
 def candidate(t, x, u, p):
     """V of Eq. (24) with r^2 tr(eta P^-1 eta^T)/k for |eta|^2, eta P^-1 = rho eta(0) P(0)^-1."""
-    eta, over = p.theta + u.alpha, (p.theta + p.alpha_0) * p.information * u.rho
+    eta, over = p.theta + u.alpha, errors_over_P({"rho": u.rho}, p, p)
     return {"V": level(u.e, u, p) + p.noise**2 / (2 * p.rate) * np.sum(eta * over)}
 
 
 def errors_over_P(s: Any, p: Any, truth: Truth) -> Any:
     """Return eta P^-1 = rho eta(0) P(0)^-1, shape (2, N)."""
     return s["rho"] * (truth.theta + p.alpha_0) * p.information
-
-
-def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
-    """Return what the states are: P = P^T, eta = rho eta(0) P(0)^-1 P, F_f = theta phi_f."""
-    return covariance_kept(s, p, truth, errors_over_P(s, p, truth))
-
-
-def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
-    """Return |eta phi_f|^2/(2 k), r^2 lambda tr(eta P^-1 eta^T)/(2 k), what K and Gamma lose."""
-    return covariance_losses(s, p, truth, errors_over_P(s, p, truth), p.rate)
 
 
 def push(s: Any, p: Any, truth: Truth) -> Any:
@@ -77,26 +58,18 @@ LAW = Law(
     "least-squares",
     promise="alpha goes to -theta where the track excites, whatever K, Gamma and CLPE do; CLPE is "
     "as small in the mean as the flow is well learned",
-    needs="the commanded velocity",
     rates=least_squares,
     parameters={
         **PARAMETERS,
         "forgetting": Setting(None, "not negative", "lambda_0 of P, 1/time; 0.02 k", times_k(0.02)),
         "alpha_0": lambda known: known.alpha,
     },
-    keys=KEYS,
-    takes=TAKES,
     states=STATES,
     candidate=candidate,
     measures=("e", "alpha", "K", "Gamma", "rho"),
     shares=("rate", "noise", "information", "alpha_0"),
-    refuses=partial(refuses, "least_squares"),
-    gain=1.0,
-    keeps=keeps,
-    losses=losses,
     push=push,
-    over=errors_over_P,
-    cones=("P", "Q_1", "Q_2"),
     says="-e^T KD e + e^T eta phi - |eta phi_f|^2/(2 k) - r^2 lambda tr(eta P^-1 eta^T)/(2 k)",
     comes_to="tr(eta P^-1 eta^T) never rises; in the mean |e| <= |eta phi| over the least of KD",
+    **with_covariance(errors_over_P, "rate"),
 )
