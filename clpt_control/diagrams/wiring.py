@@ -175,6 +175,10 @@ def wiring_of(
         (name, _as_block(system, own, sizes))
         for (name, system), own in zip(flat.leaves, handed, strict=True)
     ]
+    if None in (diagram.nstates, diagram.ninputs, diagram.noutputs):  # which its block knows
+        ((name, block),) = systems
+        flat = _flatten(block, name)
+        diagram = block
     output_map = hstack([flat.E, flat.F], format="csr")
     rows = _entries(flat.C), _entries(flat.D)
     return ordered_wiring(systems, *rows, diagram.ninputs or 0, output_map)

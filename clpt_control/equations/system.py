@@ -137,7 +137,9 @@ class System(Block):
             return Unread(f"{self.name}.{role}: {error}")
         record = found.record
         lines = (
-            o._replace(at=("p", self._names[o.at[1]])) if o.at and o.at[0] == "p" else o
+            o._replace(at=("p", self._names[o.at[1]]))
+            if o.kind == "leaf" and o.at[0] == "p"
+            else o
             for o in record.operations
         )
         return Record(tuple(lines), record.outputs, record.shapes)

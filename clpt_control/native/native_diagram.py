@@ -19,6 +19,7 @@ from .python_diagram import PythonDiagram
 from .schedule import Schedule, make_schedule, with_inputs
 from .solver_cache import compiled_solver
 
+OVER_KINKS = 0.01  # of the tolerances
 FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump")  # in the solver's order
 
 
@@ -32,6 +33,8 @@ class NativeDiagram(PythonDiagram):
         Blocks, wired.
     params : mapping, optional
         Call-time parameters by qualified name.
+    form : str, optional
+        ``"unrolled"`` or ``"looped"``: all axes; short ones are unrolled without.
 
     Attributes
     ----------
@@ -60,10 +63,11 @@ class NativeDiagram(PythonDiagram):
         self,
         diagram: control.NonlinearIOSystem | Wiring,
         params: Mapping[str, Any] | None = None,
+        form: str | None = None,
     ):
         super().__init__(diagram, params)
         self.layout = lay_out(self.wiring, self.sweep.given)
-        self.code = code_of(self.wiring, self.layout)
+        self.code = code_of(self.wiring, self.layout, form)
         self.ramp = len(self.layout.P)  # place in P of the diagram's inputs
 
     def parameters(self) -> np.ndarray:
@@ -83,14 +87,18 @@ class NativeDiagram(PythonDiagram):
         pieces = make_schedule(*own, kinks)
         return with_inputs(pieces, t0, inputs.samples, self.ramp) if fed else pieces
 
-    def stops(self, times: np.ndarray) -> Any:
-        """Return the times at which a run ends a step: where time decides, or at all samples."""
+    def stops(self, times: np.ndarray) -> tuple[Any, float]:
+        """Return when a run ends a step, and of what share its tolerances are.
+
+        It ends one where time decides, and at all samples where signals do.  The estimate of a
+        step's error may pass over a kink within it, so there the tolerances are tighter.
+        """
         by_signals, found = False, [np.zeros(0)]
         for node, p in zip(self.wiring.nodes, self.sweep.given, strict=True):
             signals, own = kinks_of(node.system, p, float(times[0]), float(times[-1]))
             by_signals |= signals
             found.append(own)
-        return np.concatenate([*found, times] if by_signals else found)
+        return np.concatenate([*found, times] if by_signals else found), OVER_KINKS**by_signals
 
     def callee(self, lanes: int = 1, inputs: Inputs | None = None) -> Callee:
         """Return what the solver calls."""

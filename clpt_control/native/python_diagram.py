@@ -132,7 +132,8 @@ class PythonDiagram:
         inputs = self._inputs(inputs, times)
         if not self.nstates:
             return Solution(times, np.zeros((len(times), 0)))
-        P, pieces = self.parameters()[None], [self.schedule(t0, t1, inputs, self.stops(times))]
+        stops, share = self.stops(times)
+        P, pieces = self.parameters()[None], [self.schedule(t0, t1, inputs, stops)]
         batch = Batch(self.callee(1, inputs), start[None], P, times, pieces)
         if step is not None:
             batch.fixed(step)
@@ -144,12 +145,15 @@ class PythonDiagram:
                 progress(batch.now)
             keeps_pace(batch)
 
-        batch.adaptive(*tolerances, watch, self.most)
+        batch.adaptive(*(share * one for one in tolerances), watch, self.most)
         return ended(self.sweep, batch, inputs)
 
-    def stops(self, times: np.ndarray) -> Any:
-        """Return the times at which a run with these samples ends a step; none in Python."""
-        return ()
+    def stops(self, times: np.ndarray) -> tuple[Any, float]:
+        """Return when a run with these samples ends a step, and of what share its tolerances are.
+
+        In Python it stops at no sample.
+        """
+        return (), 1.0
 
     def run_many(
         self,
