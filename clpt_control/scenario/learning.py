@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING, Annotated, Any
 
-from pydantic import AfterValidator, Strict, create_model, model_validator
+from pydantic import AfterValidator, Field, Strict, create_model, model_validator
 from pydantic_core import PydanticCustomError
 
 from ..blocks.laws.known import Gains
@@ -23,6 +23,8 @@ KINDS: dict[str, Any] = {  # what a law's setting may be
     "number": Annotated[Number, _Squared],
     "positive": Annotated[Positive, _Squared],
     "not negative": Annotated[NotNegative, _Squared],
+    "below 1": Annotated[Positive, _Squared, Field(lt=1)],
+    "at most 1": Annotated[Positive, _Squared, Field(le=1)],
     "row": tuple[Annotated[NotNegative, _Squared], ...],
     "two rows": TwoRows,
 }

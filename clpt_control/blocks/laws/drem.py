@@ -86,19 +86,11 @@ def output(t, x, u, p):
 
 
 def refuses(law: Law, known: Known) -> None:
-    """Refuse more functions than a determinant is good for, and settings out of range."""
-    own = known.settings
+    """Refuse more functions than a determinant is good for."""
     if known.N > MOST:
         raise ScenarioError(
             f'learning.law = "drem": the basis has {known.N} functions, and a determinant of more '
             f'than {MOST} says too little; use "composite-least-squares" or "composite-memory"'
-        )
-    if own["margin"] >= 1:
-        raise ScenarioError(f"learning.drem.margin = {own['margin']}: must be less than 1")
-    if own["excitation"] > 1:
-        raise ScenarioError(
-            f"learning.drem.excitation = {own['excitation']}: must be at most 1, a determinant's "
-            "largest"
         )
 
 
@@ -118,10 +110,8 @@ LAW = Law(
         "rate": Setting(
             None, "positive", "g, 1/time, of each parameter once excited; k", mean_feedback
         ),
-        "excitation": Setting(
-            0.05, "positive", "c, the determinant from which on the rate is g; at most 1"
-        ),
-        "margin": Setting(0.5, "positive", "of 1 - w, from which on the readout is theta; below 1"),
+        "excitation": Setting(0.05, "at most 1", "c, the determinant from which on the rate is g"),
+        "margin": Setting(0.5, "below 1", "of 1 - w, from which on the readout is theta"),
         **HELD,
         "forgetting": MEMORY,
         "filter": FILTER,

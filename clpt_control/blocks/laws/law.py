@@ -28,7 +28,10 @@ class Setting(NamedTuple):
     """A key of a law's own table of the scenario."""
 
     default: Any  # a number; None where it is made of what is known
-    allowed: Literal["number", "positive", "not negative", "row", "two rows"]
+    # "below 1" and "at most 1" are positive too
+    allowed: Literal[
+        "number", "positive", "not negative", "below 1", "at most 1", "row", "two rows"
+    ]
     meaning: str  # what it is, with its unit
     usual: Callable[[Known], Any] | None = None  # what it is where it is left out
 
