@@ -2,8 +2,9 @@
 
     python      the blocks in Python, one pass in the order of the wiring
     control     python-control's own evaluation of the diagram
-    scalar      machine code, all loops unrolled
-    looped      machine code, every loop kept that can be
+    native      machine code, as it runs
+    scalar      machine code, all axes unrolled
+    looped      machine code, all axes in loops
     lanes       machine code, one of eight runs side by side
     symbolic    SymPy's expressions, block by block; opaque blocks stand for themselves
 
@@ -23,9 +24,8 @@ from ..arguments import public
 from ..equations.block import Block
 from ..equations.symbolic import in_sympy
 from ..errors import DiagramError
-from .code import code_of
 from .native_diagram import NativeDiagram
-from .program import LANES
+from .processor import LANES
 from .python_diagram import PythonDiagram
 from .sweep import Sweep
 
@@ -76,6 +76,7 @@ def readings(
     ...     print(name, ask(0.0, [], [3.0, 2.0, 1.0, 1.0])[1])
     python [2. 1.]
     control [2. 1.]
+    native [2. 1.]
     scalar [2. 1.]
     looped [2. 1.]
     lanes [2. 1.]
@@ -93,9 +94,10 @@ def readings(
     return {
         "python": _in_sweep(sweep),
         "control": Reading(by_control, no_jump),
+        "native": _by_machine(diagram, params, None, 1),
         "scalar": _by_machine(diagram, params, "unrolled", 1),
         "looped": _by_machine(diagram, params, "looped", 1),
-        "lanes": _by_machine(diagram, params, "unrolled", LANES),
+        "lanes": _by_machine(diagram, params, None, LANES),
         "symbolic": _in_sweep(_SymbolicSweep(sweep.wiring, sweep.given)),
     }
 
@@ -114,13 +116,12 @@ def _in_sweep(sweep: Sweep) -> Reading:
     return Reading(ask, jump)
 
 
-def _by_machine(diagram: Any, params: Any, form: str, lanes: int) -> Reading:
+def _by_machine(diagram: Any, params: Any, form: str | None, lanes: int) -> Reading:
     """Return a reading of machine code; in lanes the last is asked, the others lie elsewhere."""
 
     @cache
     def compiled() -> tuple[NativeDiagram, tuple[np.ndarray, ...]]:
         native = NativeDiagram(diagram, params, form)
-        native.code = code_of(native.wiring, native.layout, form, 2)
         program, n = native.code.program, native.nstates
         sizes = n, program.parameters, program.room, n
         X, P, W, D = (np.zeros((max(size, 1), lanes)) for size in sizes)

@@ -6,15 +6,17 @@ from typing import NamedTuple
 from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
 from ..equations.block import Block
-from ..errors import Uncompiled
+from ..errors import DiagramError, Uncompiled
 from . import method
-from .diagram_record import SHORT, DiagramRecord
+from .diagram_record import NAMED, SHORT, DiagramRecord
 from .layout import Layout
 from .machine import Machine
 from .object_code import one_at_a_time
 from .plan import Program, program_of
 
 ROLES = ("update", "output", "guard", "jump")
+# how long an axis without and with a name is that loops; the others are there to be compared
+FORMS = {None: (SHORT + 1, NAMED), "unrolled": (10**9, 10**9), "looped": (2, 2)}
 
 
 class Structure(NamedTuple):
@@ -56,12 +58,14 @@ class Code:
         self._machines.update({(one, lanes): made for one in together})
 
 
-def code_of(wiring: Wiring, layout: Layout, short: int = SHORT, named: int = 3) -> Code:
+def code_of(wiring: Wiring, layout: Layout, form: str | None = None) -> Code:
     """Return the code of a diagram, the same for diagrams of one structure.
 
-    Axes longer than `short` loop, and those with names from `named` on.  What cannot be
+    Where `form` is not None, all axes are ``"unrolled"`` or ``"looped"``.  What cannot be
     compiled is an `Uncompiled` error.
     """
+    if form not in FORMS:
+        raise DiagramError(f"form = {form!r}: must be 'unrolled' or 'looped', or left out")
     blocks = []
     for node in wiring.nodes:
         block = node.system
@@ -78,7 +82,7 @@ def code_of(wiring: Wiring, layout: Layout, short: int = SHORT, named: int = 3) 
     wires = tuple((node.states.start, node.outputs.start, node.wires) for node in wiring.nodes)
     order = (wiring.order, tuple(node.system.feedthrough for node in wiring.nodes))
     structure = Structure(tuple(blocks), wires, order, layout.pattern, wiring.ninputs)
-    return _code(structure, short, named, _Hidden(wiring, layout))
+    return _code(structure, form, _Hidden(wiring, layout))
 
 
 class _Hidden:
@@ -97,9 +101,9 @@ class _Hidden:
 @lru_cache(maxsize=64)
 @one_at_a_time  # threads that ask at once are given the same code
 @lru_cache(maxsize=64)
-def _code(structure: Structure, short: int, named: int, hidden: _Hidden) -> Code:
+def _code(structure: Structure, form: str | None, hidden: _Hidden) -> Code:
     wiring, layout = hidden.wiring, hidden.layout
-    record = DiagramRecord(wiring, layout, short, named)
+    record = DiagramRecord(wiring, layout, *FORMS[form])
     signals = wiring.nodes[-1].outputs.stop
     return Code(program_of(record, signals, layout.inputs(wiring.ninputs)))
 

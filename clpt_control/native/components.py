@@ -259,7 +259,7 @@ class Components:
             for m, own in zip(entry.at, _strides(source.shape), strict=True):
                 first += own * (m if isinstance(m, int) else m[1])
                 stride += 0 if isinstance(m, int) else own * m[2]
-        elif count <= self.record.short:
+        elif count < self.record.long:
             return self.add("pick", whole, *[self.at(table, (k,)) for k in range(count)])
         else:
             (array, first, kept), stride = self._kept(table), 1

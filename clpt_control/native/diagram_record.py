@@ -18,7 +18,7 @@ from ..equations.block import Block
 from ..equations.record import reached
 from .layout import Layout
 
-SHORT = 16  # a literal axis up to this length is unrolled
+SHORT, NAMED = 16, 3  # an axis up to SHORT is unrolled, but from NAMED on where it has a name
 SIGNED = frozenset({"atan2", "pow", "floordiv", "mod"})  # tell -0.0 from 0.0, as divisors do
 WIRE = -1  # the owner of what wires do
 Ref = int | float
@@ -50,12 +50,11 @@ class Port(NamedTuple):
 class DiagramRecord:
     """All entries of a diagram, and what its functions store.
 
-    `short` is the longest axis without a name that is unrolled; a name of fewer than `named`
-    is unrolled too.
+    Axes loop from the length `long` on, where they have a name from `named` on.
     """
 
-    def __init__(self, wiring: Wiring, layout: Layout, short: int = SHORT, named: int = 3):
-        self.wiring, self.layout, self.short, self.named = wiring, layout, short, named
+    def __init__(self, wiring: Wiring, layout: Layout, long: int = SHORT + 1, named: int = NAMED):
+        self.wiring, self.layout, self.long, self.named = wiring, layout, long, named
         self.entries: list[Entry] = []
         self.rates: list[Port] = []
         self.signals: list[Port] = []
@@ -131,7 +130,7 @@ class DiagramRecord:
         own = tuple(n if isinstance(n, int) else block.sizes[n] for n in shape)
         long = zip(own, shape, strict=True)
         return own, tuple(
-            n > self.short or (isinstance(name, str) and n >= self.named) for n, name in long
+            n >= self.long or (isinstance(name, str) and n >= self.named) for n, name in long
         )
 
     def _run(self, k: int, role: str, fed: dict[str, Ref]) -> list[Ref]:
