@@ -398,8 +398,7 @@ def test_error_system_reproduces_the_error():
             for k in range(size)
         ],
         outlist=[f"closed_loop.e[{k}]" for k in range(2)]
-        + [f"error_loop.e[{k}]" for k in range(2)]
-        + [f"error_loop.eta[{k}]" for k in range(10)],
+        + [f"error_loop.{label}" for label in errors.output_labels],
         outputs=14,
         inputs=0,
         name="both",
