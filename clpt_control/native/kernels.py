@@ -70,4 +70,4 @@ def _each(function: Function, formula: Formula, n: int) -> list[Number]:
     zeros = [kind.number(0.0) for _ in range(formula.sums)]
     if not wide:
         return function.loop(range(n), 2, turn, zeros)
-    return [joined(value) for value in function.rounds(n, turn, zeros)]
+    return [joined(value) for value in function.rounds(n, 1, turn, zeros)]

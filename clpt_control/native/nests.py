@@ -9,7 +9,7 @@ from .printing import Function, called, gathered, joined
 from .processor import LANES
 from .vectors import INT32, WORD, Kind, Number, round_to_zero, select
 
-UNROLLED, UNROLLED_RUNS = 4, 8  # turns of a loop that are printed one by one
+UNROLLED, UNROLLED_RUNS = 4, 8  # turns of a loop that are printed one by one: of most, of inner ones
 Key = tuple[int, tuple[int, ...], bool]  # component, loops that its axes are, for eight turns
 
 
@@ -109,7 +109,8 @@ class _Printer:
 
         count = self.now.lengths[number]
         if number == self.vector:
-            return self.function.rounds(count, turn, sums)
+            most = UNROLLED_RUNS if number else 1
+            return self.function.rounds(count, most, turn, sums)
         unrolled = UNROLLED if self.function.lanes == 1 else UNROLLED_RUNS
         return self.function.loop(range(count), unrolled, turn, sums)
 

@@ -134,10 +134,12 @@ class Function:
 
     # --- loops ----------------------------------------------------------------------------
 
-    def rounds(self, count: int, turn: Callable[[Any, list], list], sums: list) -> list:
+    def rounds(
+        self, count: int, unrolled: int, turn: Callable[[Any, list], list], sums: list
+    ) -> list:
         """Print a loop of eight turns at once; return what sums are after it."""
         whole = count // LANES * LANES
-        sums = self.loop(range(0, whole, LANES), 1, turn, sums)
+        sums = self.loop(range(0, whole, LANES), unrolled, turn, sums)
         if count > whole:
             self.turns = count - whole
             sums = turn(whole, sums)
