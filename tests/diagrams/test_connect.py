@@ -1,5 +1,7 @@
 """Systems of python-control as parts of a diagram: ports by labels, closed forms, refusals."""
 
+from contextlib import nullcontext
+
 import control
 import numpy as np
 import pytest
@@ -94,9 +96,18 @@ def test_a_matrix_of_transfer_functions():
     np.testing.assert_allclose(run.y[:, 1], -1 + 0.25 * late, atol=1e-9)
 
 
-def test_a_system_by_functions_runs_in_python_and_says_so():
+def leaks(t, x, u, params):
+    return -params["k"] * x + u
+
+
+def leaks_unread(t, x, u, params):
+    return -params["k"] * float(f"{x[0]}") + u
+
+
+@pytest.mark.parametrize("update", [leaks, leaks_unread])
+def test_a_system_by_functions_runs_or_says_why_in_python(update):
     part = control.nlsys(
-        lambda t, x, u, params: -params["k"] * x + u,
+        update,
         inputs="u",
         outputs="y",
         states=1,
@@ -104,8 +115,14 @@ def test_a_system_by_functions_runs_in_python_and_says_so():
         params={"k": 2.0},
     )
     loop = clpt.connect([part, control.ss([], [], [], -1.0, inputs="y", outputs="u", name="back")])
-    with pytest.warns(UserWarning, match="diagram runs in Python, not as machine code: leak"):
+    said = (
+        pytest.warns(UserWarning, match=r"runs in Python, .*leaks_unread, line \d+")
+        if update is leaks_unread
+        else nullcontext()
+    )
+    with said:
         run = clpt.simulate(loop, TIMES, 0, [1.0], params={"k": 1.0})
+    assert run.attrs["engine"] == ("native" if update is leaks else "python")
     np.testing.assert_allclose(run.y, np.exp(-2 * TIMES), atol=1e-6)
 
 
@@ -188,7 +205,7 @@ def test_states_and_inputs_are_stacked_as_python_control_stacks_them():
         run = clpt.simulate(loop, TIMES, inputs, start, rtol=1e-11, atol=1e-13)
         np.testing.assert_allclose(run.states.T, theirs.states, atol=1e-7)
         np.testing.assert_allclose(run.u.T, theirs.inputs, atol=1e-12)
-    for start in ([0.5], [[1, 2], [3, 4], 0]):
+    for start in ([1, 2, 3, 4, 5], [[1, 2], [3, 4], 0]):
         with pytest.raises(clpt.SimulationError, match="initial_state: must have 4 numbers"):
             clpt.simulate(loop, TIMES, 0, start)
     for inputs in ([ramp], [ramp[1:], 0], [[ramp, ramp], ramp], ["fast", 0], [ramp, "fast"]):

@@ -60,13 +60,15 @@ def test_a_flow_that_comes_and_goes():
     assert found["faster_flow"]["share"] == pytest.approx(2 / 3, abs=2e-3)
 
 
-def test_a_calm_run_says_nothing_and_its_share_is_exact():
+def test_a_calm_run_says_nothing_and_its_share_is_right():
     # x = 5 e^-t is commanded back at |v_c| = x: flown at 1 until x = 1, at t = 4
     run = clpt.simulate(
         drifting(**{"vehicle.position": [3.0, 4.0], "run.duration": 16, "run.output_step": 0.125})
     )
     assert run.attrs["message"] == "finished: the end of the span was reached"
-    assert run.attrs["share_at_speed_limit"] == pytest.approx(0.25)
+    assert run.attrs["share_at_speed_limit"] == pytest.approx(
+        0.25, abs=1 / 128
+    )  # the last sample at the limit
     speed = np.hypot(*run.velocity.values.T)
     assert speed.max() <= 1.0 + 1e-12
     np.testing.assert_allclose(np.hypot(*run.commanded_velocity.values[0]), 5.0)
