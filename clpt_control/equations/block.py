@@ -31,7 +31,7 @@ from .declaration import (
     labels,
     ports_of,
 )
-from .ports import Declared, bound, flattened, places, shapes_of, sizes_of, vector
+from .ports import Declared, bound, flattened, kept_vector, places, shapes_of, sizes_of, vector
 from .reading import RAISED, read, record_of_states
 from .record import Record as ArrayRecord
 from .record import Shape
@@ -509,6 +509,10 @@ class Block(control.NonlinearIOSystem):
         except RAISED as error:  # as math.log(0.0) does
             self.raised[role] = f"{type(error).__name__}: {error}"
             return np.full(size, np.nan)
+
+    def vectors(self, x: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return arrays that are filled again and again as states and inputs with ports."""
+        return kept_vector(x, self._x), kept_vector(u, self._u)
 
     def _asked(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
         function, where = self._plan[role]

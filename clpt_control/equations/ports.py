@@ -68,9 +68,18 @@ class Vector(np.ndarray):
 
 
 def vector(values: Any, where: dict[str, tuple[slice, Shape]]) -> Vector:
-    """Return numbers as a vector with ports."""
+    """Return numbers as a vector with ports; one that has them is returned as it is."""
+    if type(values) is Vector and values.__dict__.get("places") is where:
+        return values
     made = np.asarray(values, dtype=float).view(Vector)
     made.places = where
+    return made
+
+
+def kept_vector(values: np.ndarray, where: dict[str, tuple[slice, Shape]]) -> Vector:
+    """Return an array that is filled again and again as a vector, its ports made once."""
+    made = vector(values, where)
+    made.__dict__.update({port: values[part].reshape(shape) for port, (part, shape) in where.items()})
     return made
 
 

@@ -30,6 +30,11 @@ class Sweep:
         self._plan = [(k, self.nodes[k]) for k in wiring.order if only is None or k in only]
         self._outputs = [self.signals[node.outputs] for _, node in self._plan]
         self._fed = {k: self._views(node) for k, node in self._plan}
+        self._states = np.zeros(self.nstates)
+        self._x, self._u = {}, {}
+        for k, node in self._plan:
+            x, u = self._states[node.states], self._inputs[node.inputs]
+            self._x[k], self._u[k] = node.system.vectors(x, u)
         self.given = list(parameters)
         self._parameters = list(parameters)
         self._jumping = [
@@ -58,7 +63,7 @@ class Sweep:
         u.fill(0.0)
         for to, source, gain in views:
             to += source if gain == 1.0 else gain * source
-        return u
+        return self._u[k]
 
     def breakpoints(self, t0: float, t1: float) -> np.ndarray:
         """Return the times in (t0, t1] at which any block jumps, sorted.
@@ -99,8 +104,9 @@ class Sweep:
         self._external[:] = 0.0 if u is None else u
         t = np.float64(t)
         with np.errstate(all="ignore"):
-            for (k, node), out in zip(self._plan, self._outputs, strict=True):
-                self._call("output", k, t, x[node.states], self._gather(k), out)
+            self._states[:] = x
+            for (k, _), out in zip(self._plan, self._outputs, strict=True):
+                self._call("output", k, t, self._x[k], self._gather(k), out)
         return self.signals
 
     def derivative(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
@@ -111,7 +117,7 @@ class Sweep:
         with np.errstate(all="ignore"):
             for k, node in self._plan:
                 if node.system.nstates:
-                    self._call("update", k, t, x[node.states], self._gather(k), dx[node.states])
+                    self._call("update", k, t, self._x[k], self._gather(k), dx[node.states])
         return dx
 
     def leap(
@@ -123,7 +129,7 @@ class Sweep:
         with np.errstate(all="ignore"):
             for k in blocks:
                 states = self.nodes[k].states
-                self._call("jump", k, t, x[states], self._gather(k), new[states])
+                self._call("jump", k, t, self._x[k], self._gather(k), new[states])
         return new
 
     def _call(self, role: str, k: int, t: float, x: np.ndarray, u: np.ndarray, out: Any) -> None:
@@ -133,7 +139,7 @@ class Sweep:
 
     def fed(self, k: int) -> np.ndarray:
         """Return the inputs of a block at the last pass."""
-        return self._gather(k).copy()
+        return np.array(self._gather(k))
 
     def outputs(self) -> np.ndarray:
         """Return the diagram's outputs of the last pass."""
