@@ -24,7 +24,7 @@ class DeadZones:
 
     def __init__(self, loop: SymbolicLoop, V: sympy.Expr, at: dict):
         self.loop, self.at = loop, at
-        self.V = sympy.expand(V.subs(at))
+        self.V = sympy.expand(V.xreplace(at))
         self.e = [sympy.expand(value) for value in loop.signals["e"]]
         self.D = [sympy.Symbol(f"D_{i}", real=True) for i in (1, 2)]
         words = [[w for w in self.V.atoms(AppliedUndef) if w.args[0] == e] for e in self.e]
@@ -60,7 +60,7 @@ class DeadZones:
             slope = sympy.diff(V, s)
             for e, D in zip(self.e, self.D, strict=True):
                 slope += D * sympy.diff(e, s)
-            total += slope * value.subs(self.at)
+            total += slope * value.xreplace(self.at)
         return tidied(sympy.expand(total).xreplace(inner))
 
     def beyond(self, loop: SymbolicLoop, KD: list[sympy.Expr]) -> sympy.Expr:
@@ -73,7 +73,7 @@ class DeadZones:
         running = RunningRate(diagram)
         draw = Draw(running.blocks, seed)
         parts = [self.V, *self.loop.motion.values()]
-        known = [numeric(part.subs(self.at)) for part in parts]
+        known = [numeric(part.xreplace(self.at)) for part in parts]
         done, worst = 0, 0.0
         try:
             while done < count:

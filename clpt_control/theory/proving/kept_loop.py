@@ -61,9 +61,10 @@ class Kept:
         self.cones = {port: self.states[port] for port in law.cones}
         self.slopes = {port: self.rates[port] for port in law.cones}
         tied = _tied(self.loop, made, V)
-        self.V = self.loop.signals["V"][0].subs(tied)
-        self.rate = self.loop.derivative(self.V)
         self.untied = self.loop.derivative(self.loop.signals["V"][0])
+        self.V, self.rate = (
+            one.xreplace(tied) for one in (self.loop.signals["V"][0], self.untied)
+        )
         known = (*np.ravel(truth.theta), *truth.KD, *truth.GammaD)
         self.held = law.over(self.states, p, truth) if law.over else None
         self.over = {} if self.held is None else _alone(self.held)
@@ -142,7 +143,7 @@ class Kept:
         theta = self.loop.parameters["true_flow"].theta
         at = dict(zip(self.states["theta_hat"].flat, (theta + c @ M).flat, strict=True))
         rate = 2 * np.sum(self.rates["theta_hat"] * c) - np.sum((c @ self.slopes[port]) * c)
-        rest = self.put(sympy.sympify(rate - self.gains).subs(at, simultaneous=True))
+        rest = self.put(sympy.sympify(rate - self.gains).xreplace(at))
         if self.gains.is_nonpositive and vanishes(rest):
             return ""
         return f"left over: {short(sympy.expand(rest))}"
@@ -157,7 +158,7 @@ class Kept:
         M[:-1, -1] = M[-1, :-1] = -(M[:-1, :-1] @ c[:-1])
         M[-1, -1] = -np.dot(M[-1, :-1], c[:-1])
         at = dict(zip(self.cones[port].ravel(), M.ravel(), strict=True))
-        form = sympy.sympify(c @ self.slopes[port] @ c).subs(at, simultaneous=True)
+        form = sympy.sympify(c @ self.slopes[port] @ c).xreplace(at)
         return bool(sympy.factor(sympy.expand(form)).is_nonnegative)
 
     def symmetric(self, port: str) -> np.ndarray:
@@ -175,7 +176,7 @@ class Kept:
         if all(term.is_nonnegative for term in sympy.Add.make_args(expression)):
             return True
         found, parts = self.here(expression), []
-        found = sympy.expand(found.subs(self.over, simultaneous=True))
+        found = sympy.expand(found.xreplace(self.over))
         own = {port: self.symmetric(port) for port in self.cones}
         symbols = sorted({s for M in own.values() for s in M.ravel()}, key=str)
         if not found.is_polynomial(*symbols) or sympy.Poly(found, *symbols).total_degree() > 1:
@@ -186,7 +187,7 @@ class Kept:
                 for k in range(j, len(M)):  # M_jk stands for M_kj as well
                     form += c[j] * c[k] * sympy.diff(found, M[j, k])
             parts.append(sympy.expand(form))
-        parts.append(found.subs(dict.fromkeys(symbols, 0)))
+        parts.append(found.xreplace(dict.fromkeys(symbols, sympy.Integer(0))))
         return all(nonpositive(-part, self.apart | more, {}) for part in parts)
 
     def within(self, expression: sympy.Expr) -> bool:

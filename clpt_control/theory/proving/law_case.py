@@ -67,9 +67,9 @@ class Case:
         self.values = {s: v for s, v in own_values(loop, self.blocks).items() if s not in hidden}
         self.moving = {TIME, *loop.motion}
         self.kept: tuple[str, ...] = ()
-        self.Vs = loop.signals["V"][0].subs(self.weights)
+        self.Vs = loop.signals["V"][0].xreplace(self.weights)
         self.zones = DeadZones(loop, self.Vs, self.values)
-        self.rate = tidied(loop.derivative(loop.signals["V"][0]).subs(self.weights))
+        self.rate = tidied(loop.derivative(loop.signals["V"][0]).xreplace(self.weights))
         self.rest = tidied(self.rate - decay(loop))
 
     def truth(self) -> dict[Any, sympy.Expr]:
@@ -114,22 +114,22 @@ class Case:
             pull = pulled(self.rate, self.Vs, truth, at, self.moving)
         if pull is not None:
             return pull_bound(pull, KD, delta_bounds(disturbed))
-        rate, rest, V = (one.subs(at) for one in (self.rate, self.rest, self.Vs))
+        rate, rest, V = (one.xreplace(at) for one in (self.rate, self.rest, self.Vs))
         leaks = leaks_of(rest, truth, self.moving)
-        rates = {s: own.subs(at) for s, own in self.loop.motion.items()}
+        rates = {s: own.xreplace(at) for s, own in self.loop.motion.items()}
         leaking = Leaking(rate, leaks, V, truth, self.moving, rates, KD, disturbed)
         return leaking.bound() if leaks else None
 
     def takes_delta(self) -> bool:
         """Return whether a disturbance adds e^T Delta to V' and nothing else."""
         loop = self.disturbed
-        rate = loop.derivative(loop.signals["V"][0]).subs(self.weights)
+        rate = loop.derivative(loop.signals["V"][0]).xreplace(self.weights)
         delta = zip(loop.signals["e"], loop.inputs["delta"], strict=True)
         return tidied(rate - self.rate - sum(e * d for e, d in delta)) == 0
 
     def keeps_decay(self) -> bool:
         """Return whether V' has -e^T KD e, or more of it."""
-        rest = self.rest.subs(self.values)
+        rest = self.rest.xreplace(self.values)
         x = self.loop.states["x"]
         if any(word.has(*x) for word in rest.atoms(AppliedUndef)):  # how it bends is not known
             return False
@@ -145,7 +145,7 @@ class Case:
     def positive_somewhere(self, rest: sympy.Expr) -> bool:
         """Return whether an expression is positive at a point: then no proof is tried."""
         try:
-            function, symbols = numeric(rest.subs(self.values))
+            function, symbols = numeric(rest.xreplace(self.values))
         except DiagramError:
             return False
         random = np.random.default_rng(self.seed)
@@ -168,7 +168,7 @@ class Case:
             if V.free_symbols & steps or V.atoms(AppliedUndef):
                 return False, "V itself depends on time"
             for after in self.loop.jumps_at_once():
-                rise = tidied(V.subs(after, simultaneous=True) - V).subs(self.values)
+                rise = tidied(V.xreplace(after) - V).xreplace(self.values)
                 if not self.falls(rise):
                     return False, f"V changes by {short(rise)}"
             return True, ""
@@ -215,7 +215,7 @@ class Case:
             for gain in (*each, *theirs[:1]):  # a gain each, or one for all
                 if all(renamed(gain, name) == own for name, own in zip(names, theirs, strict=True)):
                     found = gain
-        return found.subs(self.values) if self.kept else found
+        return found.xreplace(self.values) if self.kept else found
 
 
 def flat(parameters: Any) -> list[Any]:
@@ -230,4 +230,4 @@ def _of_function(expression: sympy.Expr, index: str) -> sympy.Expr:
         for s in expression.free_symbols
         if s.name.endswith("[1]")
     }
-    return expression.subs(names)
+    return expression.xreplace(names)

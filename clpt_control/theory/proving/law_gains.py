@@ -60,9 +60,9 @@ def law_gains(law: Block, N: int) -> tuple[list[sympy.Expr], bool]:
             i, k = (divmod(j, N)) if port == "alpha" else (j, j)
             product, rate = e[i] * with_[k], sympy.Integer(0)
             if state != 0:
-                rate = tidied(loop.motion[state].subs(apart))
+                rate = tidied(loop.motion[state].xreplace(apart))
             factor = _factor(rate, product, set(values)) if product != 0 else product
-            number = sympy.sympify(factor).subs(values)
+            number = sympy.sympify(factor).xreplace(values)
             positive, negative = number.is_positive, number.is_negative
             fitted &= bool(positive or negative or rate == 0)
             gains.append(factor if positive else -factor if negative else sympy.Integer(1))

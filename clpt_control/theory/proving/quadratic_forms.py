@@ -38,7 +38,7 @@ def tidied(expression: sympy.Expr) -> sympy.Expr:
         for f in pair[:2]
         for a in {one.args[0] for one in expression.atoms(f)}
     }
-    expression = sympy.expand(expression.subs(known))
+    expression = sympy.expand(expression.xreplace(known))
     for even, odd, sign in pairs:
         for one in expression.atoms(even):
             square = 1 + sign * odd(one.args[0]) ** 2
@@ -67,11 +67,11 @@ def positive_definite(
     Its Hessian at the parameters' values must be constant and positive definite, V and its
     slopes zero at the truth (state -> where its error is zero).
     """
-    H = sympy.hessian(V, list(states)).subs(values)
+    H = sympy.hessian(V, list(states)).xreplace(values)
     if H.free_symbols or H.atoms(AppliedUndef):
         return False
     at_truth = [V, *(sympy.diff(V, s) for s in states)]
-    zero = all(tidied(v.subs(truth, simultaneous=True)) == 0 for v in at_truth)
+    zero = all(tidied(v.xreplace(truth)) == 0 for v in at_truth)
     return zero and bool(H.is_positive_definite)
 
 
@@ -110,11 +110,11 @@ def _negative(group: sympy.Expr, apart: set, values: dict) -> bool:
     if not own or not group.is_polynomial(*own):
         return False
     H = sympy.hessian(group, own)
-    at_zero = dict.fromkeys(own, 0)
-    rest = [group.subs(at_zero), *(sympy.diff(group, s).subs(at_zero) for s in own)]
+    at_zero = dict.fromkeys(own, sympy.Integer(0))
+    rest = [group.xreplace(at_zero), *(sympy.diff(group, s).xreplace(at_zero) for s in own)]
     if any(sympy.expand(value) != 0 for value in rest):
         return False
-    H = H.subs(values)
+    H = H.xreplace(values)
     return (
         not H.free_symbols and not H.atoms(sympy.Function) and bool((-H).is_positive_semidefinite)
     )
@@ -138,19 +138,19 @@ def pulled(
     shifted = {s: s + truth[s] for s in states}
     if not rate.is_polynomial(*states) or sympy.Poly(rate, *states).total_degree() > 2:
         return None
-    rate, V = (sympy.expand(one.subs(shifted, simultaneous=True)) for one in (rate, V))
+    rate, V = (sympy.expand(one.xreplace(shifted)) for one in (rate, V))
     H, slopes = sympy.hessian(rate, states), {s: sympy.diff(rate, s) for s in states}
     weights = sympy.hessian(V, states)
-    zero = dict.fromkeys(states, 0)
-    if not H.is_diagonal() or not weights.is_diagonal() or rate.subs(zero) != 0:
+    zero = dict.fromkeys(states, sympy.Integer(0))
+    if not H.is_diagonal() or not weights.is_diagonal() or rate.xreplace(zero) != 0:
         return None
     push, rates = sympy.Integer(0), []
     for k, s in enumerate(states):
-        a, b = (-H[k, k] / 2).subs(values), slopes[s].subs(zero).subs(values)
+        a, b = (-H[k, k] / 2).xreplace(values), slopes[s].xreplace(zero).xreplace(values)
         if not a.is_nonnegative or _moves(a, moves) or _moves(b, moves) or (a == 0 and b != 0):
             return None
         push += b**2 / (2 * a) if b != 0 else 0
-        rates.append(a / weights[k, k].subs(values))
+        rates.append(a / weights[k, k].xreplace(values))
     return None if push == 0 else Pull(sympy.Min(*rates), push)
 
 

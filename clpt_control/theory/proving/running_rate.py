@@ -30,7 +30,7 @@ from .random_points import Draw, Point, equate_x_and_z, symbol_values
 from .symbolic_loop import SymbolicLoop
 
 PER_DRAW = 100  # points for each draw of the parameters
-THROUGH_CONTROL = 50  # points at which python-control gives the rates
+THROUGH_CONTROL = 20  # points at which python-control gives the rates
 CLOSE = 1e-9
 HUGE = 1e100  # beyond, numbers say nothing
 UNEVEN = 1e13  # a ratio of V's weights beyond which the greater hides the lesser
@@ -48,6 +48,7 @@ class RunningRate:
         moving = [k for k, block in enumerate(self.blocks) if block.nstates]
         self._needed = [_ancestors(self.wiring, self.blocks, own) for own in (moving, made)]
         self._left = THROUGH_CONTROL
+        self._counted = any("interval" in block.parameters._fields for block in self.blocks)
         self._place = self.wiring.nodes[made[0]].outputs.start
 
     def set(self, params: Mapping[str, Any]) -> None:
@@ -66,9 +67,10 @@ class RunningRate:
         self._left -= 1
         try:
             if self._left >= 0:
-                self.diagram._update_params(self._params)  # also which interval it is
+                if self._counted:
+                    self.diagram._update_params(self._params)  # which interval it is
                 return self.diagram._rhs(t, x, u)
-            for sweep in (self._motion, self._level):
+            for sweep in (self._motion, self._level) if self._counted else ():
                 sweep.enter(t)
             return self._motion.derivative(t, x, u)
         except RuntimeError:  # python-control's word for a NaN on its way

@@ -37,8 +37,9 @@ class SymbolicLoop:
 
         Opaque functions and inputs are differentiated in time as well.
         """
-        slopes = (sympy.diff(expression, s) * rate for s, rate in self.motion.items())
-        return sympy.diff(expression, TIME) + sum(slopes)
+        own = expression.free_symbols
+        slopes = [sympy.diff(expression, s) * rate for s, rate in self.motion.items() if s in own]
+        return sympy.Add(sympy.diff(expression, TIME), *slopes)
 
     @cached_property
     def motion(self) -> dict[Any, sympy.Expr]:
