@@ -14,12 +14,15 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
+from ..equations.arrays import Unread
 from ..equations.block import Block
 from ..equations.linear import linear
 from ..equations.system import System
 from ..errors import DiagramError
 from .parts import check_continuous
 
+TRIED = 3  # points at which what cannot be read is tried
+SMALL = 40_000  # entries of a matrix that is kept whole
 Rows = dict[int, list[tuple[int, float]]]  # block input -> (signal, gain) of all that feed it
 
 
@@ -66,8 +69,6 @@ class _Flat(NamedTuple):
 
 
 def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
-    from scipy.sparse import block_diag, csr_array, eye_array
-
     if not isinstance(system, control.NonlinearIOSystem):
         raise DiagramError(
             f"{name} is a {type(system).__name__}: must be blocks, wired, or a system with states, "
@@ -76,12 +77,12 @@ def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
     check_continuous(system, name)
     if not isinstance(system, control.InterconnectedSystem):
         m, n = system.ninputs or 0, system.noutputs or 0
-        C, D = csr_array((m, n)), eye_array(m, format="csr")
-        return _Flat([(name, system)], C, D, eye_array(n, format="csr"), csr_array((n, m)))
-    connections, inputs = csr_array(system.connect_map), csr_array(system.input_map)
+        return _Flat([(name, system)], _zeros(m, n), _eye(m), _eye(n), _zeros(n, m))
+    connections, inputs, outputs = map(
+        _kept, (system.connect_map, system.input_map, system.output_map)
+    )
     split = connections.shape[1]
-    from_outputs = csr_array(system.output_map[:, :split])
-    from_inputs = csr_array(system.output_map[:, split:])
+    from_outputs, from_inputs = outputs[:, :split], outputs[:, split:]
     if not any(isinstance(part, control.InterconnectedSystem) for part in system.syslist):
         for part in system.syslist:
             check_continuous(part, part.name)
@@ -95,15 +96,15 @@ def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
             inner = inner._replace(leaves=[(f"{part.name}.{n}", s) for n, s in inner.leaves])
         parts.append(inner)
     leaves = [leaf for part in parts for leaf in part.leaves]
-    C, D, E, F = (block_diag([part[k] for part in parts], format="csr") for k in range(1, 5))
+    C, D, E, F = (_diagonal([part[k] for part in parts]) for k in range(1, 5))
     U_from_Y, U_from_u = connections @ E, inputs
     through = connections @ F
     for _ in range(len(parts)):  # signals that pass straight through nested diagrams
-        if not through.nnz:
+        if not _count(through):
             break
         U_from_Y, U_from_u = U_from_Y + through @ U_from_Y, U_from_u + through @ U_from_u
         through = through @ through
-    if through.nnz:
+    if _count(through):
         raise DiagramError(f"{name}: nested diagrams feed each other without a block")
     return _Flat(
         leaves,
@@ -114,11 +115,58 @@ def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
     )
 
 
+# --- matrices: small ones as they are, large ones sparse -----------------------------------------
+
+
+def _kept(matrix: Any) -> Any:
+    from scipy.sparse import csr_array
+
+    small = np.prod(matrix.shape) <= SMALL
+    return np.asarray(matrix, dtype=float) if small else csr_array(matrix)
+
+
+def _zeros(rows: int, columns: int) -> Any:
+    from scipy.sparse import csr_array
+
+    return np.zeros((rows, columns)) if rows * columns <= SMALL else csr_array((rows, columns))
+
+
+def _eye(n: int) -> Any:
+    from scipy.sparse import eye_array
+
+    return np.eye(n) if n * n <= SMALL else eye_array(n, format="csr")
+
+
+def _diagonal(parts: list[Any]) -> Any:
+    from scipy import linalg, sparse
+
+    shape = sum(part.shape[0] for part in parts), sum(part.shape[1] for part in parts)
+    if shape[0] * shape[1] <= SMALL and all(isinstance(part, np.ndarray) for part in parts):
+        return linalg.block_diag(*parts).reshape(shape)
+    return sparse.block_diag(parts, format="csr")
+
+
+def _count(matrix: Any) -> int:
+    return np.count_nonzero(matrix) if isinstance(matrix, np.ndarray) else matrix.nnz
+
+
+def _beside(left: Any, right: Any) -> Any:
+    from scipy.sparse import hstack
+
+    if isinstance(left, np.ndarray) and isinstance(right, np.ndarray):
+        return np.hstack([left, right])
+    return hstack([left, right], format="csr")
+
+
 def _entries(matrix: Any) -> Rows:
     """Return the rows of a connection matrix."""
-    found = matrix.tocoo()
+    if isinstance(matrix, np.ndarray):
+        to, source = np.nonzero(matrix)
+        columns = [to.tolist(), source.tolist(), matrix[to, source].tolist()]
+    else:
+        found = matrix.tocoo()
+        columns = [column.tolist() for column in (*found.coords, found.data)]
     rows: Rows = {}
-    columns = [column.tolist() for column in (*found.coords, found.data)]
     for to, source, gain in zip(*columns, strict=True):
         if gain != 0.0:
             rows.setdefault(to, []).append((source, gain))
@@ -139,19 +187,36 @@ def _wires(rows: Rows, first: int, last: int, external: bool) -> list[Wire]:
     return wires
 
 
-def reaches_outputs(system: control.NonlinearIOSystem) -> bool:
-    """Return whether inputs reach outputs at once; a system that is no Block is tried."""
-    if isinstance(system, Block):
-        return system.feedthrough and system.ninputs > 0
-    if not system.ninputs or not system.noutputs:
-        return False
-    random = np.random.default_rng(0)
-    for _ in range(3):
-        x = random.standard_normal(system.nstates or 0)
-        u = random.standard_normal((2, system.ninputs))
-        if not np.array_equal(system._out(0, x, u[0]), system._out(0, x, u[1])):
-            return True
-    return False
+def reaches_outputs(block: Block) -> bool:
+    """Return whether inputs reach outputs at once; what cannot be read is tried."""
+    return bool(block.ninputs and block.feedthrough and any(_through(block, by_signal=False)))
+
+
+def _through(block: Block, by_signal: bool = True) -> list[set[int]]:
+    """Return for each output the inputs that reach it at once; all in one set if not `by_signal`."""
+    try:
+        if not by_signal:
+            return [{0}] if block.array_record("output").leaves("u") else []
+        return block.output_record.inputs_of_outputs()
+    except Unread:
+        found = _tried(block)
+    return found if by_signal else [set().union(*found)]
+
+
+def _tried(block: Block) -> list[set[int]]:
+    """Return the inputs that change each output at some points."""
+    random, p = np.random.default_rng(0), block.parameters_at(0.0)
+    found: list[set[int]] = [set() for _ in range(block.noutputs)]
+    for _ in range(TRIED):
+        x, u = random.standard_normal(block.nstates), random.standard_normal(block.ninputs)
+        before = block.values("output", block.noutputs, 0.0, x, u, p)
+        for j in range(block.ninputs):
+            moved = u.copy()
+            moved[j] = random.standard_normal()
+            after = block.values("output", block.noutputs, 0.0, x, moved, p)
+            for i in np.flatnonzero((after != before) & ~(np.isnan(after) & np.isnan(before))):
+                found[i].add(j)
+    return found
 
 
 def wiring_of(
@@ -159,14 +224,12 @@ def wiring_of(
     params: Mapping[str, Any] | None = None,
     sizes: tuple[int | None, int | None] = (None, None),
 ) -> Wiring:
-    """Return the wiring of a diagram, nested ones included; python-control's systems become blocks.
+    """Return the wiring of a diagram, nested ones included, of blocks alone.
 
-    They are given `params` as python-control hands them down, and `sizes`, of states and inputs,
-    where they leave them open.  Blocks that feed each other at once in a circle and systems of
+    python-control's systems become blocks, given `params` as python-control hands them down, and
+    `sizes`, of states and inputs, where they leave them open.  Blocks that feed each other at once in a circle and systems of
     discrete time are refused.
     """
-    from scipy.sparse import hstack
-
     flat = _flatten(diagram, getattr(diagram, "name", repr(diagram)))
     if not flat.leaves:
         raise DiagramError(f"{diagram.name}: has no blocks; give at least one")
@@ -179,7 +242,7 @@ def wiring_of(
         ((name, block),) = systems
         flat = _flatten(block, name)
         diagram = block
-    output_map = hstack([flat.E, flat.F], format="csr")
+    output_map = _beside(flat.E, flat.F)
     rows = _entries(flat.C), _entries(flat.D)
     return ordered_wiring(systems, *rows, diagram.ninputs or 0, output_map)
 
@@ -236,6 +299,7 @@ def ordered_wiring(
 
 
 def _order(nodes: list[Node]) -> tuple[int, ...]:
+    """Return the order in which blocks are computed; one stands twice if half of it comes first."""
     owner = [k for k, node in enumerate(nodes) for _ in range(node.system.noutputs or 0)]
     waits = {
         k: {owner[w.source + j] for w in node.wires if not w.external for j in range(w.size)}
@@ -244,15 +308,46 @@ def _order(nodes: list[Node]) -> tuple[int, ...]:
         for k, node in enumerate(nodes)
     }
     order: list[int] = []
+    done: set[int] = set()
     while waits:
-        ready = [k for k in waits if not waits[k] - set(order)]
-        if not ready:
+        ready = next((k for k, feeding in waits.items() if feeding <= done), None)
+        if ready is None:
+            return _by_signals(nodes, order, waits)
+        order.append(ready)
+        done.add(ready)
+        del waits[ready]
+    return tuple(order)
+
+
+def _by_signals(nodes: list[Node], order: list[int], waits: dict[int, set[int]]) -> tuple[int, ...]:
+    """Return the order of what is circular by block: an output's turn comes when its inputs' has."""
+    known = {s for k in order for s in range(nodes[k].outputs.start, nodes[k].outputs.stop)}
+    needed: dict[int, dict[int, set[int]]] = {}  # block -> signal -> the signals that it waits for
+    for k in waits:
+        fed: dict[int, set[int]] = {}
+        for wire in nodes[k].wires:
+            for j in range(0 if wire.external else wire.size):
+                fed.setdefault(wire.to + j, set()).add(wire.source + j)
+        first = nodes[k].outputs.start
+        needed[k] = {
+            first + i: set().union(*(fed.get(j, set()) for j in inputs))
+            for i, inputs in enumerate(_through(nodes[k].system))
+        }
+    while needed:
+        turns = {k: {s for s, own in needed[k].items() if own <= known} for k in needed}
+        ready = next((k for k in needed if len(turns[k]) == len(needed[k])), None)
+        if ready is None:
+            ready = next((k for k in needed if turns[k]), None)
+        if ready is None:
             raise DiagramError(
                 f"algebraic loop: {_circle(waits, nodes)} feed each other at once; "
                 "break the circle with a block that has states"
             )
-        order.append(ready[0])
-        del waits[ready[0]]
+        order.append(ready)
+        known |= turns[ready]
+        needed[ready] = {s: own for s, own in needed[ready].items() if s not in known}
+        if not needed[ready]:
+            del needed[ready], waits[ready]
     return tuple(order)
 
 

@@ -18,6 +18,7 @@ from .record import Operation, Ref, Shape, key_of
 
 MOST_OPERATIONS = 200_000  # a longer record is given up
 CONDITIONS = frozenset({"lt", "le", "gt", "ge", "eq", "ne", "and", "or", "not"})
+MOVED = frozenset({"view", "stack", "join"})  # hold what their arguments hold
 UFUNCS: dict[Any, str] = {
     np.add: "add",
     np.subtract: "sub",
@@ -93,19 +94,26 @@ class Tape:
         self.operations: list[Operation] = []
         self.stopped: Exception | None = None  # what ends the reading
         self.free: list[bool] = []  # of each: whether it depends on time, states or inputs
+        self.truth: list[bool] = []  # of each: whether it holds truth values
         self._known: dict[Any, int] = {}
 
     def add(self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None) -> "Array":
         """Return the value of an operation, written down where it is new."""
-        if kind in CONDITIONS and kind in ("eq", "ne") and arguments[0] == arguments[1]:
+        if kind in ("eq", "ne") and arguments[0] == arguments[1]:
             at = "NaN"  # x == x asks for NaN
         key = (kind, tuple(map(key_of, arguments)), shape, at)
         place = self._known.get(key)
         if place is None:
             place = self._known[key] = len(self.operations)
             self.operations.append(Operation(kind, tuple(arguments), shape, at))
-            leaf = kind == "leaf" and at[0] != "p"
-            self.free.append(leaf or any(self.free[a] for a in arguments if type(a) is int))
+            own = [a for a in arguments if type(a) is int]
+            self.free.append(
+                any([self.free[a] for a in own]) or (kind == "leaf" and at[0] != "p")
+            )
+            self.truth.append(
+                kind in CONDITIONS
+                or (kind in MOVED and len(own) == len(arguments) and all([self.truth[a] for a in own]))
+            )
             if place > MOST_OPERATIONS:
                 raise Unread(f"takes more than {MOST_OPERATIONS} operations")
         return Array(self, place, shape)
@@ -382,12 +390,7 @@ def _element(value: Array) -> np.ndarray:
 
 def is_condition(tape: Tape, ref: Ref) -> bool:
     """Return whether a value is a truth value."""
-    if type(ref) is not int:
-        return False
-    kind, arguments, *_ = tape.operations[ref]
-    if kind in ("view", "stack", "join"):
-        return all(is_condition(tape, a) for a in arguments)
-    return kind in CONDITIONS
+    return type(ref) is int and tape.truth[ref]
 
 
 def operand(value: Any) -> Ref:
@@ -583,15 +586,16 @@ def _of_join(tape: Tape, parts: Sequence[Ref], mapped: tuple, shape: Shape) -> A
 def elementwise(name: str, *arguments: Any) -> Any:
     """Return an elementwise operation of arrays and numbers."""
     tape = next(a.tape for a in arguments if isinstance(a, Array))
-    arguments = tuple(lifted(tape, a) for a in arguments)
-    if name in ("and", "or", "not"):
-        arguments = tuple(as_condition(a) for a in arguments)
-    elif name == "where":
-        arguments = (as_condition(arguments[0]), *map(as_number, arguments[1:]))
-    else:
-        arguments = tuple(as_number(a) for a in arguments)
-    shape = broadcast(*(getattr(a, "shape", ()) for a in arguments))
-    return tape.add(name, [operand(a) for a in arguments], shape)
+    logical, refs, shapes = name in ("and", "or", "not"), [], set()
+    for k, one in enumerate(arguments):
+        one = one if type(one) is float else lifted(tape, one)
+        if isinstance(one, Array):
+            if one.is_condition != (logical or (name == "where" and k == 0)):
+                one = as_number(one) if one.is_condition else as_condition(one)
+            shapes.add(one.shape)
+        refs.append(operand(one))
+    shape = shapes.pop() if len(shapes) == 1 else broadcast(*shapes)
+    return tape.add(name, refs, shape)
 
 
 def as_number(value: Any) -> Any:

@@ -55,6 +55,16 @@ class Scalars:
                 reached.update(a for a in self.operations[k][1:] if type(a) is int)
         return any(self.operations[k][0] == "u" for k in reached)
 
+    def inputs_of_outputs(self) -> list[set[int]]:
+        """Return for each output the inputs that it depends on."""
+        found: list[set[int]] = []
+        for name, *arguments in self.operations:
+            if name in LEAVES:
+                found.append({arguments[0]} if name == "u" else set())
+            else:
+                found.append(set().union(*(found[a] for a in arguments if type(a) is int)))
+        return [found[ref] if type(ref) is int else set() for ref in self.outputs]
+
     def without_opaque(self) -> "Scalars":
         """Return the record with opaque helpers replaced by what they compute."""
         behind: dict[int, Ref] = {}

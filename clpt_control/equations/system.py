@@ -152,7 +152,7 @@ class System(Block):
         function = self._update if role == "update" else self._output
         given = self._asked_with(p)
         try:
-            found = np.asarray(function(t, x.copy(), u.copy(), given), dtype=float).reshape(-1)
+            found = np.asarray(function(t, np.array(x), np.array(u), given), dtype=float).reshape(-1)
         except RAISED as error:
             self.raised[role] = f"{type(error).__name__}: {error}"
             return np.full(size, np.nan)

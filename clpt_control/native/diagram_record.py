@@ -47,6 +47,10 @@ class Port(NamedTuple):
     ref: Ref
 
 
+def _places(node: Node) -> range:
+    return range(node.outputs.start, node.outputs.stop)
+
+
 class DiagramRecord:
     """All entries of a diagram, and what its functions store.
 
@@ -94,7 +98,7 @@ class DiagramRecord:
         fed = self._fed(node) if node.system.feedthrough else {}
         values = self._run(k, "output", fed)
         ports = self._stored(node.system, "outputs", node.outputs.start, values)
-        self.signals += ports
+        self.signals = [port for port in self.signals if port.first not in _places(node)] + ports
         self._ports.update({port.first: port.ref for port in ports if prod(port.shape)})
 
     def _states(self, k: int, node: Node) -> None:
@@ -236,7 +240,7 @@ class DiagramRecord:
             if not wire.external:
                 start = self._firsts[bisect(self._firsts, source) - 1]
                 n, source = min(n, start + self._sizes[start] - source), source - start
-                ref = self._ports[start]
+                ref = self._ports.get(start, 0.0)  # none yet, where only half of a block is run
                 shape = (self._sizes[start],)
                 ref = ref if type(ref) is int else self.add("fill", (ref,), shape)
             found.append((at - first, n, wire.gain, ref, source))

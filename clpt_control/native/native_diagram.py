@@ -57,6 +57,7 @@ class NativeDiagram(PythonDiagram):
     (2, 14)
     """
 
+    engine = "native"
     most = 500_000_000
 
     def __init__(

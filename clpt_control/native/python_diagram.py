@@ -28,6 +28,7 @@ class PythonDiagram:
     `nstates` and `nsignals`.
     """
 
+    engine = "python"
     most = 10_000_000  # tries of a run
 
     def __init__(
@@ -131,7 +132,7 @@ class PythonDiagram:
         t0, t1 = float(times[0]), float(times[-1])
         inputs = self._inputs(inputs, times)
         if not self.nstates:
-            return Solution(times, np.zeros((len(times), 0)))
+            return Solution(times, np.zeros((len(times), 0)), engine=self.engine)
         stops, share = self.stops(times)
         P, pieces = self.parameters()[None], [self.schedule(t0, t1, inputs, stops)]
         batch = Batch(self.callee(1, inputs), start[None], P, times, pieces)

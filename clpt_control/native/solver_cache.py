@@ -73,19 +73,24 @@ class Entry:
         self._function = CFUNCTYPE(c_int32, c_void_p, c_void_p, *types)(address)
 
 
-def numbers(value: Any) -> Iterator[Any]:
-    """Yield the numbers that stand for an argument, or for several."""
-    if isinstance(value, tuple):
+def numbers(value: Any) -> list[Any]:
+    """Return the numbers that stand for an argument, or for several."""
+    found: list[Any] = []
+    _put(value, found)
+    return found
+
+
+def _put(value: Any, found: list[Any]) -> None:
+    if type(value) is tuple:
         for one in value:
-            yield from numbers(one)
-    elif isinstance(value, np.ndarray):
-        if not value.flags.c_contiguous or value.dtype not in (np.float64, np.int64):
+            _put(one, found)
+    elif type(value) is np.ndarray:
+        if not value.flags.c_contiguous or value.dtype.char not in "dl":
             raise TypeError(f"the solver takes no array of {value.dtype}, {value.strides}")
-        yield from (0, 0, value.size, value.itemsize, value.ctypes.data)
-        yield from value.shape
-        yield from value.strides
+        address = value.__array_interface__["data"][0]
+        found += (0, 0, value.size, value.itemsize, address, *value.shape, *value.strides)
     else:
-        yield value
+        found.append(value)
 
 
 class CompiledSolver:

@@ -45,6 +45,8 @@ MEASURED = {  # where the vehicle reads its position with noise
     "measured_position": ("x", "measured position, which the vehicle reads", 1, 0),
     "clpe": ("e", "controlled Lagrangian prediction error, of the measured position", 1, 0),
 }
+STATE = {"long_name": "state of the diagram"}
+STATES = {"long_name": "states of the diagram, each in its own unit"}
 
 
 class Columns(NamedTuple):
@@ -162,14 +164,20 @@ def run_dataset(
 
 
 def diagram_dataset(
-    name: str, labels: Sequence[str], signals: np.ndarray, solution: Solution
+    name: str,
+    labels: Sequence[str],
+    signals: np.ndarray,
+    solution: Solution,
+    states: Sequence[str],
 ) -> "xarray.Dataset":
-    """Return the run of any diagram: a variable for each port, named as it is."""
+    """Return the run of any diagram: a variable for each port, named as it is, and its states."""
     import xarray
 
     data = named_signals(ports_of(labels), signals, {}, ("time", "state", "states"))
+    data["states"] = (("time", "state"), solution.x, STATES)
+    coordinates = {"time": solution.t, "state": ("state", np.array(states, dtype=object), STATE)}
     attributes = {"title": f"Response of {name}", **how_it_ran(solution)}
-    return xarray.Dataset(data, {"time": solution.t}, attributes)
+    return xarray.Dataset(data, coordinates, attributes)
 
 
 def named_signals(
@@ -192,9 +200,8 @@ def with_states(
     run: "xarray.Dataset", labels: Sequence[str], solution: Solution
 ) -> "xarray.Dataset":
     """Return a run with the states of its diagram, as `state_at` reads them."""
-    said = {"long_name": "states of the diagram, each in its own unit"}
-    named = {"state": ("state", list(labels), {"long_name": "state of the diagram"})}
-    return run.assign_coords(named).assign(states=(("time", "state"), solution.x, said))
+    named = {"state": ("state", list(labels), STATE)}
+    return run.assign_coords(named).assign(states=(("time", "state"), solution.x, STATES))
 
 
 def how_it_ran(solution: Solution) -> dict[str, Any]:

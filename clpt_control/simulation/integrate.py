@@ -190,13 +190,12 @@ def _simulate_diagram(
     named = wiring.nodes[0].system if None in (diagram.ninputs, diagram.noutputs) else diagram
     made, given_labels = map(whole_labels, (named.output_labels, named.input_labels))
     labels = made + [one.replace("[", "_input[") if one in made else one for one in given_labels]
+    states = (wiring.nodes[0].system if diagram.nstates is None else diagram).state_labels
     scenario, changes = getattr(diagram, "made_of", None) or (None, UNCHANGED)
     if scenario is None:
-        run = diagram_dataset(diagram.name, labels, values, solution)
-    else:
-        columns, every = columns_of(labels, wiring, runner.sweep.given), ports_of(labels)
-        run = run_dataset(scenario, columns, values, solution, params or {}, changes, every)
-        own = [changes.in_words, f"{diagram.name}: run as a diagram"]
-        run.attrs[OWN_PARTS] = ", ".join(filter(None, own))
-    named = wiring.nodes[0].system if diagram.nstates is None else diagram
-    return with_states(run, named.state_labels, solution)
+        return diagram_dataset(diagram.name, labels, values, solution, states)
+    columns, every = columns_of(labels, wiring, runner.sweep.given), ports_of(labels)
+    run = run_dataset(scenario, columns, values, solution, params or {}, changes, every)
+    own = [changes.in_words, f"{diagram.name}: run as a diagram"]
+    run.attrs[OWN_PARTS] = ", ".join(filter(None, own))
+    return with_states(run, states, solution)
