@@ -34,9 +34,20 @@ from .record import Ref, Shape
 from .symbolic import OPERATIONS, exact
 
 Index = tuple[int | str, ...]  # places; a name is a generic one
-SUM = sympy.Function("Sum", real=True)
 MOST_INDICES = 4  # that one atom is summed over
 FREE = "kjihg"  # names of generic places of an array's open axes
+
+
+class SUM(sympy.Function):
+    """An atom Sum(m, k, N, ...): the sum of m over one or more indices."""
+
+    is_real = True
+
+    def _eval_is_nonnegative(self) -> bool | None:
+        return True if self.args[0].is_nonnegative else None
+
+    def _sympystr(self, printer: Any) -> str:
+        return f"Sum({printer._print(self.args[0])}, {', '.join(_bound(self))})"
 
 
 def renamed(expression: sympy.Expr, names: dict[str, str]) -> sympy.Expr:

@@ -1,0 +1,257 @@
+"""The reading for every N: as each N, and nothing is shown for every N that some N do not have."""
+
+import numpy as np
+import pytest
+import sympy
+
+from clpt_control.diagrams.interconnection import connect
+from clpt_control.equations.arrays import Tape, Unread
+from clpt_control.equations.block import Block
+from clpt_control.equations.derivative import derivative
+from clpt_control.equations.every_n import SUM, Elements, base_and_term
+from clpt_control.theory.proving.array_loop import array_loop
+from clpt_control.theory.proving.lyapunov import rate_of_V, vanish
+from clpt_control.theory.proving.symbolic_loop import symbolic_loop
+from clpt_control.theory.proving.theorem_loop import theorem_loop
+
+
+def reader(**shapes):
+    """Leaves of these shapes on one tape, and their elements."""
+    tape = Tape()
+    leaves = {name: tape.add("leaf", (), shape, ("u", name)) for name, shape in shapes.items()}
+
+    def named(at, shape, index):
+        return sympy.Symbol(at[1] + "".join(f"[{k}]" for k in index), real=True)
+
+    return Elements(tape, named), leaves
+
+
+def of_numbers(expression, values, N):
+    """An expression's number, its sums written out."""
+
+    def numbers(one, places):
+        if one.func == SUM:
+            body, *pairs = one.args
+            names = [str(k) for k in pairs[::2]]
+            each = np.ndindex(*[N] * len(names))
+            return sum(numbers(body, {**places, **dict(zip(names, at, strict=True))}) for at in each)
+        if one.is_Symbol:
+            name, *index = str(one).replace("]", "").split("[")
+            return values[name][tuple(places[k] if k in places else int(k) for k in index)]
+        if one.is_number:
+            return float(one)
+        return float(one.func(*(sympy.Float(numbers(a, places), 30) for a in one.args)))
+
+    return numbers(sympy.sympify(expression), {})
+
+
+FORMS = {
+    "a sum": lambda a, b, P, c: np.sum(c * a + b),
+    "a product of sums": lambda a, b, P, c: np.sum(np.outer(a, b)) * np.sum(a),
+    "a form": lambda a, b, P, c: a @ P @ b - c * (b @ P.T @ b),
+    "the same index twice": lambda a, b, P, c: np.trace(P) + np.sum((P @ a) ** 2),
+    "a sum in a function": lambda a, b, P, c: np.exp(-np.sum(a**2)) * a @ b / (1 + b @ b),
+    "a function in a sum": lambda a, b, P, c: np.sum(np.tanh(a * c) * np.sqrt(b**2 + 1)),
+    "rows and columns": lambda a, b, P, c: np.sum(P * a[:, None] - P.T * b) + np.sum(P @ P.T),
+    "a matrix of sums": lambda a, b, P, c: np.sum(np.exp(P @ a) * b),
+}
+
+
+@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize("N", [1, 2, 5])
+def test_what_is_read_holds_for_each_N(form, N):
+    elements, u = reader(a=("N",), b=("N",), P=("N", "N"), c=())
+    random = np.random.default_rng(N)
+    values = {k: 0.3 * random.standard_normal([N] * len(v.shape)) for k, v in u.items()}
+    found = of_numbers(elements.of(FORMS[form](**u)), values, N)
+    assert found == pytest.approx(float(FORMS[form](**values)), rel=1e-12)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_the_derivative_is_that_of_each_N(form):
+    elements, u = reader(a=("N",), b=("N",), P=("N", "N"), c=(), d=("N",))
+    slope = derivative(elements.tape, FORMS[form](*(u[k] for k in "abPc")), {u["a"].ref: u["d"]})
+    random, h = np.random.default_rng(1), 1e-6
+    values = {k: 0.3 * random.standard_normal([3] * len(v.shape)) for k, v in u.items()}
+    ahead, behind = (
+        FORMS[form](values["a"] + s * values["d"], *(values[k] for k in "bPc")) for s in (h, -h)
+    )
+    found = of_numbers(elements.of(slope), values, 3)
+    assert found == pytest.approx((ahead - behind) / (2 * h), rel=1e-7, abs=1e-9)
+
+
+@pytest.mark.parametrize("law", ["learned-flow", "known-flow"])
+@pytest.mark.parametrize("N", [1, 3])
+def test_every_N_agrees_with_each_N(law, N):
+    every, one = array_loop(theorem_loop(3, law)), symbolic_loop(theorem_loop(N, law))
+    plain = {f: sympy.Symbol(str(f.func), real=True) for port in one.inputs.values() for f in port}
+
+    def written_out(expression):
+        base, term = base_and_term(expression)
+        for k in range(1, N + 1):
+            named = {
+                s: sympy.Symbol(s.name.replace("[k]", f"[{k}]"), **s.assumptions0)
+                for s in term.free_symbols
+            }
+            base += term.xreplace(named)
+        return base
+
+    for port in ("x", "z", "K", "Gamma"):
+        pairs = zip(every.elements.of(every.rates[port]), one.rates[port], strict=True)
+        assert all(sympy.expand(written_out(a) - b.xreplace(plain)) == 0 for a, b in pairs)
+    V = written_out(every.elements.of(every.signals["V"])[0])
+    assert sympy.expand(V - one.signals["V"][0]) == 0
+
+
+def loop_of(function, claim, N=7):
+    """s' = function(e, phi) as a diagram, and s' = claim as what is left of it."""
+    block = Block(
+        "own",
+        update=lambda t, x, u, p: {"s": function(u.e, u.phi_x)},
+        inputs={"e": 2, "phi_x": "N"},
+        states={"s": 1},
+        sizes={"N": N},
+    )
+    loop = array_loop(connect([block], external=["e", "phi_x"], name="own"))
+    return loop, [loop.rates["s"][0] - claim(loop.inputs["e"], loop.inputs["phi_x"])]
+
+
+def holds(function, claim):
+    return vanish(*loop_of(function, claim))[0]
+
+
+def the_last_one(e, phi):
+    """phi_N."""
+    return phi[-1]
+
+
+def the_one_before(e, phi):
+    """sum phi_k phi_(k-1)."""
+    return np.sum(phi[1:] * phi[:-1])
+
+
+def a_count(e, phi):
+    """sum of j phi_k, j counted."""
+    return sum(j * one for j, one in enumerate(phi))
+
+
+def behind_the_loop(e, phi):
+    """sum phi_k + phi_N by the index that the loop leaves."""
+    for k in range(len(phi)):
+        pass
+    return np.sum(phi) + phi[k]
+
+
+def one_of_N(e, phi):
+    """phi_1."""
+    return phi[0]
+
+
+def neighbours(e, phi):
+    """sum phi_k phi_(k+1), around the end."""
+    return np.sum(phi * np.roll(phi, 1))
+
+
+def product(e, phi):
+    """product of phi_k."""
+    return np.prod(phi)
+
+
+def weighed(e, phi):
+    """sum k phi_k."""
+    return np.arange(len(phi)) @ phi
+
+
+def by_number(e, phi):
+    """(sum phi_k)/N."""
+    return np.mean(phi)
+
+
+def by_fives(e, phi):
+    """sum phi_k but for the fifth."""
+    return np.sum(np.where(np.arange(len(phi)) == 4, -phi, phi))
+
+
+NOT_ALIKE = [
+    the_last_one,
+    the_one_before,
+    a_count,
+    behind_the_loop,
+    one_of_N,
+    neighbours,
+    product,
+    weighed,
+    by_number,
+    by_fives,
+]
+
+
+@pytest.mark.parametrize("function", NOT_ALIKE, ids=lambda f: f.__name__)
+def test_what_is_not_alike_for_all_functions_is_refused(function):
+    with pytest.raises(Unread, match=r"own\.update is not read for every N"):
+        loop_of(function, lambda e, phi: np.sum(phi))
+
+
+def test_pairs_are_no_sum_of_squares():
+    outer = lambda e, phi: np.sum(np.outer(phi, phi))  # noqa: E731
+    assert holds(outer, lambda e, phi: np.sum(phi) ** 2)
+    assert not holds(outer, lambda e, phi: np.sum(phi**2))
+
+
+def elementary(e, phi):
+    """The fourth elementary symmetric polynomial, of power sums: zero for N = 1, 2, 3."""
+    p = [np.sum(phi**k) for k in range(1, 5)]
+    first, second, third, fourth = p
+    whole = first**4 - 6 * first**2 * second + 3 * second**2 + 8 * first * third - 6 * fourth
+    return whole / 24
+
+
+def test_what_three_numbers_cannot_tell_from_zero_is_not_shown_to_be_zero():
+    assert not holds(elementary, lambda e, phi: 0.0)
+    for N, wanted in ((1, 0.0), (2, 0.0), (3, 0.0), (4, 24.0)):
+        assert elementary(None, np.arange(1.0, N + 1)) == pytest.approx(wanted, abs=1e-12)
+
+
+def test_a_sum_of_ones_is_N_and_not_one():
+    assert not holds(lambda e, phi: np.sum(0 * phi + e[0]), lambda e, phi: e[0])
+    assert holds(lambda e, phi: np.sum(0 * phi + e[0]), lambda e, phi: e[0] * np.sum(0 * phi + 1))
+
+
+def test_a_nonlinear_use_of_a_sum_is_an_atom():
+    norm = lambda e, phi: phi @ phi / (1 + phi @ phi)  # noqa: E731
+    assert holds(norm, lambda e, phi: 1 - 1 / (1 + np.sum(phi**2)))
+    assert not holds(norm, lambda e, phi: 1 - 1 / (1 + np.sum(phi) ** 2))
+
+
+def test_a_signal_that_is_not_fed_function_by_function_is_refused():
+    rows = {"own": lambda t, x, u, p: {"s": [u.phi_x @ u.phi_x]}}
+    block = Block(
+        "own",
+        update=rows["own"],
+        inputs={"phi_x": "N", "e": 2},
+        states={"s": 1},
+        sizes={"N": 2},
+    )
+    turned = Block(
+        "turned", output=lambda t, x, u, p: {"phi_x": u.e[::-1]}, inputs={"e": 2}, outputs={"phi_x": 2}
+    )
+    diagram = connect([block, turned], external=["e"], name="own")
+    with pytest.raises(Unread, match="own.phi_x is not fed function by function"):
+        array_loop(diagram)
+    assert len(symbolic_loop(diagram).rates["s"]) == 1
+
+
+def test_V_of_the_papers_loop_falls_for_every_N_and_a_changed_sign_is_seen():
+    loop = array_loop(theorem_loop(2, "learned-flow"))
+    e, KD = loop.signals["e"], loop.parameters["vehicle_controller"].KD
+    assert vanish(loop, [rate_of_V(loop) + np.sum(KD * e**2)]) == (True, "")
+    assert not vanish(loop, [rate_of_V(loop) - np.sum(KD * e**2)])[0]
+
+
+def test_jumps_have_no_slope_where_V_shall_fall():
+    elements, u = reader(a=(2,))
+    for jumping in (np.floor(u["a"]), np.sign(u["a"]), np.where(u["a"] > 0, 1.0, u["a"])):
+        with pytest.raises(Unread, match="derivative"):
+            derivative(elements.tape, np.sum(jumping), {u["a"].ref: u["a"]}, smooth=True)
+    kinked = derivative(elements.tape, np.maximum(u["a"], 0.0), {u["a"].ref: u["a"]}, smooth=True)
+    assert str(elements.of(kinked)[0]) == "where(ge(a[0], 0), a[0], 0)"
