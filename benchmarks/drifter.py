@@ -5,30 +5,18 @@
 Outside the grid the value at its edge is held.
 """
 
-from typing import NamedTuple
-
 import numpy as np
 
 import clpt_control as clpt
 from clpt_control import Block
-from clpt_control.blocks.words import clip, floor, lookup, minimum
+from clpt_control.equations import lookup
 
 from .engines import timed
 
 
-class LinearCurrent(NamedTuple):
-    """A current on a regular grid of time, x2 and x1."""
-
-    shape: np.ndarray  # grid points, shape (3,)
-    start: np.ndarray  # first grid point
-    scale: np.ndarray  # 1 / spacing
-    u: np.ndarray  # flow along x1 and x2, flattened, time slowest
-    v: np.ndarray
-
-
-def place(value, p, axis):
-    """Return a position in grid steps along an axis, held at the edges."""
-    return clip((value - p.start[axis]) * p.scale[axis], 0.0, p.shape[axis] - 1)
+def place(t, x, p):
+    """Return a place in grid steps of time, x2 and x1, held at the edges."""
+    return np.clip((np.stack([t, x[1], x[0]]) - p.start) * p.scale, 0.0, p.shape - 1)
 
 
 def mix(a, b, share):
@@ -42,29 +30,28 @@ def plane(f, at, row, s2, s1):
     return mix(low, mix(lookup(f, at + row), lookup(f, at + row + 1), s1), s2)
 
 
-def drift(t, x, u, p, dx):
-    """X' = F_R(x, t), Eq. (3) from a grid; state x[2]."""
-    at, a2, a1 = place(t, p, 0), place(x[1], p, 1), place(x[0], p, 2)
-    m, j = minimum(floor(at), p.shape[0] - 2), minimum(floor(a2), p.shape[1] - 2)
-    i = minimum(floor(a1), p.shape[2] - 2)
+def drift(t, x, u, p):
+    """X' = F_R(x, t), Eq. (3) from a grid."""
+    here = place(t, x, p)
+    cell = np.minimum(np.floor(here), p.shape - 2)
+    st, s2, s1 = here - cell
     row = p.shape[2]
     sheet = p.shape[1] * row
-    corner = m * sheet + j * row + i
-    st, s2, s1 = at - m, a2 - j, a1 - i
-    dx[0] = mix(plane(p.u, corner, row, s2, s1), plane(p.u, corner + sheet, row, s2, s1), st)
-    dx[1] = mix(plane(p.v, corner, row, s2, s1), plane(p.v, corner + sheet, row, s2, s1), st)
+    corner = cell[0] * sheet + cell[1] * row + cell[2]
+    planes = [[plane(f, at, row, s2, s1) for at in (corner, corner + sheet)] for f in (p.u, p.v)]
+    return [mix(*ends, st) for ends in planes]
 
 
 def drifter(time: np.ndarray, axis: np.ndarray, u: np.ndarray, v: np.ndarray) -> Block:
     """Return the block of one particle in a current (time, x2, x1): no inputs -> x[2]."""
     axes = (time, axis, axis)
-    parameters = LinearCurrent(
-        np.array([len(a) for a in axes], dtype=float),
-        np.array([a[0] for a in axes]),
-        np.array([1 / (a[1] - a[0]) for a in axes]),
-        u.ravel(),
-        v.ravel(),
-    )
+    parameters = {
+        "shape": [float(len(a)) for a in axes],
+        "start": [a[0] for a in axes],
+        "scale": [1 / (a[1] - a[0]) for a in axes],  # 1 / spacing
+        "u": u.ravel(),  # flow along x1 and x2, time slowest
+        "v": v.ravel(),
+    }
     return Block("drifter", update=drift, states={"x": 2}, parameters=parameters, opaque=True)
 
 
