@@ -23,13 +23,7 @@ from typing import Any
 import numpy as np
 
 from ..lyapunov import level
-from .covariance import (
-    PARAMETERS,
-    STATES,
-    covariance_rates,
-    forgetting,
-    with_covariance,
-)
+from .covariance import PARAMETERS, STATES, covariance_rates, forgetting, with_covariance
 from .filtered_flow import shared_rates, unexplained
 from .known import Truth
 from .law import Law, Setting, State

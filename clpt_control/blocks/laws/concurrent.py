@@ -45,7 +45,11 @@ def concurrent(t, x, u, p):
     return {
         "alpha": -p.gain * np.outer(u.e, u.phi_x) - p.memory_gain * missed,
         **adapt_gains(p, u.e, u.z, u.zc),
-        **{"S": 0.0, "B": 0.0, "sigma": 0.0, "Phi": u.phi_x, "origin": u.v_x},
+        "S": 0.0,
+        "B": 0.0,
+        "sigma": 0.0,
+        "Phi": u.phi_x,
+        "origin": u.v_x,
     }
 
 
@@ -55,10 +59,14 @@ def take_in(t, x, u, p):
     after = np.maximum(p.window, np.sqrt(before**2 + x.Phi @ x.Phi))
     kept, Phi, Y = (before / after) ** 2, x.Phi / after, (u.x - x.origin) / after
     return {
-        **{"alpha": x.alpha, "K": x.K, "Gamma": x.Gamma},
+        "alpha": x.alpha,
+        "K": x.K,
+        "Gamma": x.Gamma,
         "S": kept * x.S + np.outer(Phi, Phi),
         "B": kept * x.B + np.outer(Y, Phi),
-        **{"sigma": after, "Phi": 0.0, "origin": u.x},
+        "sigma": after,
+        "Phi": 0.0,
+        "origin": u.x,
     }
 
 

@@ -42,12 +42,7 @@ from .law import HELD, LEARNED, MOVING, Law, Setting, State, adapt_gains
 from .scales import FILTER, MEMORY, mean_feedback
 
 MOST = 6  # functions
-STATES = {
-    **LEARNED,
-    **MEMORY_STATES,
-    **FILTER_STATES,
-    "w": State(1, 1.0),
-}
+STATES = {**LEARNED, **MEMORY_STATES, **FILTER_STATES, "w": State(1, 1.0)}
 
 
 def mixing(Q, S):

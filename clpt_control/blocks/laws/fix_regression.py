@@ -67,8 +67,10 @@ def learn(t, x, u, p):
         "information": x.information + got * np.outer(m, m) / p.noise**2,
         "z": x.z + y + gain @ n,
         "m": x.m * (1 - np.where(late, sends, got)),
-        **{"sent": u.fix, "waiting": np.where(late, sends, 0.0)},
-        **{"z_sent": x.z, "m_sent": x.m},
+        "sent": u.fix,
+        "waiting": np.where(late, sends, 0.0),
+        "z_sent": x.z,
+        "m_sent": x.m,
     }
 
 
@@ -111,8 +113,12 @@ STATES = {
     "alpha": State((2, "N")),
     "P": State(("N", "N"), lambda known, p: np.eye(known.N) * prior(known) ** 2),
     "information": State(("N", "N"), lambda known, p: np.eye(known.N) / prior(known) ** 2),
-    **{"z": State(2), "m": State("N"), "sent": State(2), "waiting": State(1)},
-    **{"z_sent": State(2), "m_sent": State("N")},
+    "z": State(2),
+    "m": State("N"),
+    "sent": State(2),
+    "waiting": State(1),
+    "z_sent": State(2),
+    "m_sent": State("N"),
 }
 LAW = Law(
     "fix-regression",
