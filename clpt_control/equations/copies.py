@@ -10,6 +10,7 @@ import functools
 import threading
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from operator import is_
 from types import CellType, CodeType, FunctionType, MethodType
 from typing import Any
 
@@ -115,6 +116,8 @@ class Copies:
     def check(self) -> None:
         """Refuse a function that changed a name outside it: what it keeps is a state."""
         for space, first in self._spaces.values():
+            if len(space) == len(first) and all(map(is_, space.values(), first.values())):
+                continue
             for name, value in space.items():
                 if value is not first.get(name, _NONE):
                     raise Unread(f"changes the global {name!r}; make it a state, or a parameter")

@@ -9,7 +9,7 @@ twice must be the same: else a state or chance hides in the function.
 """
 
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from math import nan, prod
 from types import FrameType
 from typing import Any, NamedTuple
@@ -26,6 +26,7 @@ from .arrays import (
     operand,
     packed,
     reading_on,
+    stacked,
     where,
 )
 from .copies import LIBRARIES, Copies, borrowed
@@ -398,9 +399,9 @@ def _by_port(tape: Tape, role: str, given: Any, out: Mapping[str, Shape]) -> lis
             raise BlockError(f"{role}: returns {list(given)}; must return {list(out)}")
         return [_shaped(tape, role, port, given[port], shape) for port, shape in out.items()]
     if isinstance(given, list | tuple):
-        numbers = [one for part in given for one in objects(part).ravel()]
+        numbers = [one for part in given for one in _elements(part)]
     elif len(out) == 1 and getattr(given, "shape", None) == next(iter(out.values())):
-        return [given]
+        return [as_number(given)]
     else:
         numbers = list(objects(given).ravel())
     size = sum(map(prod, out.values()))
@@ -408,11 +409,22 @@ def _by_port(tape: Tape, role: str, given: Any, out: Mapping[str, Shape]) -> lis
         raise BlockError(f"{role}: returns {len(numbers)} numbers; must return {size}")
     found, at = [], 0
     for shape in out.values():
+        if len(shape) == 1 and shape[0]:
+            row = numbers[at : at + shape[0]]
+            found.append(stacked(tape, [as_number(lifted(tape, one)) for one in row]))
+            at += shape[0]
+            continue
         part = np.empty(prod(shape), dtype=object)
         part[:] = numbers[at : at + prod(shape)]
         found.append(packed(tape, part.reshape(shape)))
         at += prod(shape)
     return found
+
+
+def _elements(part: Any) -> Iterable[Any]:
+    if isinstance(part, float) or (isinstance(part, Array) and not part.shape):
+        return (part,)
+    return objects(part).ravel()
 
 
 def _shaped(tape: Tape, role: str, port: str, given: Any, shape: Shape) -> Any:

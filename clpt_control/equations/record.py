@@ -71,14 +71,14 @@ def key_of(ref: Ref) -> Any:
 
 def reached(operations: Iterable[Operation], roots: Iterable[Ref]) -> set[int]:
     """Return the values that roots depend on."""
-    lines = list(operations)
+    lines = operations if isinstance(operations, list | tuple) else list(operations)
     found: set[int] = set()
     stack = [root for root in roots if type(root) is int]
     while stack:
         value = stack.pop()
         if value not in found:
             found.add(value)
-            stack += [a for a in lines[value].arguments if type(a) is int]
+            stack += [a for a in lines[value].arguments if type(a) is int and a not in found]
     return found
 
 
@@ -88,14 +88,14 @@ def compact(
     """Return the record of these outputs: only what they depend on."""
     used = sorted(reached(operations, outputs))
     place = {old: new for new, old in enumerate(used)}
-
-    def moved(refs: Iterable[Ref]) -> tuple[Ref, ...]:
-        return tuple(place[r] if type(r) is int else r for r in refs)
-
-    lines = (operations[k] for k in used)
+    lines = []
+    for k in used:
+        kind, arguments, shape, at = operations[k]
+        moved = tuple([place[a] if type(a) is int else a for a in arguments])
+        lines.append(Operation(kind, moved, shape, at))
     own = [operations[r].shape if type(r) is int else () for r in outputs]
     return Record(
-        tuple(o._replace(arguments=moved(o.arguments)) for o in lines),
-        moved(outputs),
+        tuple(lines),
+        tuple([place[r] if type(r) is int else r for r in outputs]),
         tuple(own if shapes is None else shapes),
     )

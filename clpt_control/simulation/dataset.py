@@ -7,7 +7,7 @@ the solver's statistics in the attributes, so that a run repeats from its file.
 import json
 import platform
 from collections.abc import Collection, Container, Mapping, Sequence
-from functools import cache
+from functools import cache, lru_cache
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -171,13 +171,32 @@ def diagram_dataset(
     states: Sequence[str],
 ) -> "xarray.Dataset":
     """Return the run of any diagram: a variable for each port, named as it is, and its states."""
-    import xarray
+    from xarray import Coordinates, Dataset, Variable
 
     data = named_signals(ports_of(labels), signals, {}, ("time", "state", "states"))
     data["states"] = (("time", "state"), solution.x, STATES)
-    coordinates = {"time": solution.t, "state": ("state", np.array(states, dtype=object), STATE)}
+    times, own = _index("time", solution.t, None), _state_index(tuple(states))
+    indexes = {"time": times[0], "state": own[0]}
+    coordinates = Coordinates({"time": times[1], "state": own[1]}, indexes=indexes)
     attributes = {"title": f"Response of {name}", **how_it_ran(solution)}
-    return xarray.Dataset(data, coordinates, attributes)
+    return Dataset({k: Variable(*one) for k, one in data.items()}, coordinates, attributes)
+
+
+def _index(name: str, values: Any, attributes: Any) -> tuple[Any, Any]:
+    """Return an index of values and its variable, which xarray else makes in some passes."""
+    from pandas import Index
+    from xarray import Variable
+    from xarray.indexes import PandasIndex
+
+    index = PandasIndex(Index(values), name)
+    variable = Variable((name,), values, attributes)
+    return index, index.create_variables({name: variable})[name]
+
+
+@lru_cache(maxsize=64)
+def _state_index(states: tuple[str, ...]) -> tuple[Any, Any]:
+    """Return the index of a diagram's states."""
+    return _index("state", np.array(states, dtype=object), STATE)
 
 
 def named_signals(
