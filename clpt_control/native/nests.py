@@ -7,9 +7,13 @@ from llvmlite import ir
 from .plan import Nest, Program, Saved, Total, rows
 from .printing import Function, called, gathered, joined
 from .processor import LANES
-from .vectors import INT32, WORD, Kind, Number, round_to_zero, select
+from .vectors import INT32, WORD, Abreast, Kind, Number, round_to_zero, select
 
-UNROLLED, UNROLLED_RUNS = 4, 8  # turns of a loop that are printed one by one: of most, of inner ones
+UNROLLED, UNROLLED_RUNS = (
+    4,
+    8,
+)  # turns of a loop that are printed one by one: of most, of inner ones
+ABREAST = 4  # of those, how many are worked on at once
 Key = tuple[int, tuple[int, ...], bool]  # component, loops that its axes are, for eight turns
 
 
@@ -108,6 +112,10 @@ class _Printer:
             return self.within(number + 1, held)
 
         count = self.now.lengths[number]
+        if self.function.lanes > 1 and number == self.inner and count <= UNROLLED_RUNS:
+            for first in range(0, count, ABREAST):
+                sums = turn(tuple(range(first, min(count, first + ABREAST))), sums)
+            return sums
         if number == self.vector:
             most = UNROLLED_RUNS if number else 1
             return self.function.rounds(count, most, turn, sums)
@@ -115,10 +123,19 @@ class _Printer:
         return self.function.loop(range(count), unrolled, turn, sums)
 
     def items(self, sums: list) -> list:
-        """Print what a turn of all loops does; return the sums."""
+        """Print what turns of all loops do; return the sums."""
+        together = self.places[-1] if self.places else None
+        if type(together) is not tuple:
+            return self.item(sums, None)
+        for k, self.places[-1] in enumerate(together):
+            sums = self.item(sums, k)
+        return sums
+
+    def item(self, sums: list, k: int | None) -> list:
+        """Print what one turn of all loops does, the k-th of those that are worked on at once."""
         found = []
         for item in self.now.items:
-            value = self.argument(item.value, None, self.kind)
+            value = _part(self.argument(item.value, None, self.kind), k, self.kind)
             if isinstance(item, Total):
                 if self.vector == self.inner and self.function.turns < self.kind.width:
                     value = select(self.function.valid(), value, 0.0)
@@ -142,11 +159,26 @@ class _Printer:
     # --- values ---------------------------------------------------------------------------
 
     def value(self, key: Key) -> Any:
-        """Print a value."""
+        """Print a value, of several turns where they are worked on at once."""
         c, turns, wide = key
         kind = self.function.wide if wide else self.function.one
         if wide and self.vector not in turns:
             return kind.spread(self.values[c, turns, False])
+        together = self.places[-1] if self.inner in turns else None
+        if type(together) is not tuple:
+            return self.one(key, kind, None)
+        abreast = Kind(Abreast(self.function.builder), kind.width)
+        if self.read(c) is None and self.all[c].name != "lookup":
+            return self.one(key, abreast, None)
+        made = []
+        for k, self.places[-1] in enumerate(together):
+            made.append(self.one(key, kind, k).value)
+        self.places[-1] = together
+        return Number(abreast, tuple(made))
+
+    def one(self, key: Key, kind: Kind, k: int | None) -> Any:
+        """Print a value of one turn, or eight, or of what is worked on at once."""
+        c, turns, wide = key
         read = self.read(c)
         if read is not None:
             array, first, strides = read
@@ -156,9 +188,10 @@ class _Printer:
             return self.function.load_turns(array, first, moves, self.stride(turns, strides))
         name, arguments, _ = self.all[c]
         if name == "lookup":
-            index = self.argument(arguments[0], turns, kind)
+            index = _part(self.argument(arguments[0], turns, kind), k, kind)
             return self.lookup(index, *self.all[arguments[1][0]].arguments[:4])
-        return called(name, kind, [self.argument(a, turns, kind) for a in arguments])
+        own = [_part(self.argument(a, turns, kind), k, kind) for a in arguments]
+        return called(name, kind, own)
 
     def argument(self, a: Any, turns: tuple[int, ...] | None, kind: Kind) -> Any:
         """Return an argument: a constant, or what has been computed."""
@@ -196,3 +229,9 @@ class _Printer:
                 address = builder.gep(address, [ir.Constant(WORD, k)])
             ones.append(builder.load(address))
         return select(inside, gathered(kind, ones), float("nan"))
+
+
+def _part(value: Any, k: int | None, kind: Kind) -> Any:
+    """Return the k-th of several values, or all of them, as values of a kind."""
+    of = value.value[k] if k is not None and type(value.value) is tuple else value.value
+    return type(value)(kind, of) if value.kind is not kind else value

@@ -14,7 +14,7 @@ from llvmlite import ir
 
 from .elementary import OPERATIONS
 from .processor import LANES
-from .vectors import BIT, DOUBLE, INT32, WORD, Kind, Mask, Number, declared
+from .vectors import BIT, DOUBLE, INT32, WORD, Abreast, Kind, Mask, Number, declared
 
 ARRAYS = ("t", "X", "P", "T", "W", "D")
 APART = frozenset(  # printed once a module, and called
@@ -188,7 +188,7 @@ def _table(module: ir.Module, builder: ir.IRBuilder, values: Sequence[float]) ->
 
 def called(name: str, kind: Kind, arguments: list[Any]) -> Any:
     """Calculate an operation; a long one is printed once a module."""
-    if name not in APART:
+    if name not in APART or (name in INLINE and type(kind.builder) is Abreast):
         return OPERATIONS[name](*arguments)
     module = kind.builder.module
     own = f"{name}.{kind.width}"

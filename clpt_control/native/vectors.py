@@ -17,10 +17,42 @@ DOUBLE, BIT, WORD, INT32 = ir.DoubleType(), ir.IntType(1), ir.IntType(64), ir.In
 MAGIC = 6755399441055744.0  # 1.5 * 2^52: added to a whole number, it stands in the low bits
 
 
+class Abreast:
+    """A builder of LLVM that does with several values in a tuple what it does with one.
+
+    Functions of several numbers then wait for each other no more than need be, and read a
+    constant once.
+    """
+
+    def __init__(self, builder: ir.IRBuilder):
+        self.builder, self.module = builder, builder.module
+
+    def __getattr__(self, name: str) -> Callable[..., Any]:
+        build = getattr(self.builder, name)
+
+        def each(*given: Any) -> Any:
+            count = next((len(a) for a in _flat(given) if type(a) is tuple), 0)
+            if not count:
+                return build(*given)
+            return tuple(build(*(_part(a, k) for a in given)) for k in range(count))
+
+        return each
+
+
+def _flat(given: Any) -> list[Any]:
+    return [a for one in given for a in (one if type(one) is list else [one])]
+
+
+def _part(given: Any, k: int) -> Any:
+    if type(given) is list:
+        return [_part(one, k) for one in given]
+    return given[k] if type(given) is tuple else given
+
+
 class Kind:
     """How many numbers are worked on at once (1, 2, 4 or 8), and where code goes."""
 
-    def __init__(self, builder: ir.IRBuilder, width: int):
+    def __init__(self, builder: Any, width: int):
         self.builder, self.width = builder, width
 
     def type(self, entry: ir.Type = DOUBLE) -> ir.Type:
