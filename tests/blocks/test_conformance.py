@@ -278,7 +278,7 @@ def test_few_finite_samples_are_told():
 
 def mostly_out_of_range(t, x, u, p):
     """y = sqrt(u - 9), Eq. (1): u = u[1], y = y[1]."""
-    return math.sqrt(u[0] - 9.0)
+    return np.sqrt(u[0] - 9.0)
 
 
 def ticking(breakpoints):

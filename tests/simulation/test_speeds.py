@@ -66,9 +66,8 @@ def test_a_calm_run_says_nothing_and_its_share_is_right():
         drifting(**{"vehicle.position": [3.0, 4.0], "run.duration": 16, "run.output_step": 0.125})
     )
     assert run.attrs["message"] == "finished: the end of the span was reached"
-    assert run.attrs["share_at_speed_limit"] == pytest.approx(
-        0.25, abs=1 / 128
-    )  # the last sample at the limit
+    share = run.attrs["share_at_speed_limit"]
+    assert share == pytest.approx(0.25, abs=1 / 128)  # the sample where it ends may count
     speed = np.hypot(*run.velocity.values.T)
     assert speed.max() <= 1.0 + 1e-12
     np.testing.assert_allclose(np.hypot(*run.commanded_velocity.values[0]), 5.0)
