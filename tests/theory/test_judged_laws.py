@@ -3,13 +3,10 @@
 import pytest
 import sympy
 
-from clpt_control.blocks.laws import learned_flow
-from clpt_control.blocks.laws.law import Gains
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory.proving import judged_laws
 from clpt_control.theory.proving.judged_laws import judged
 from clpt_control.theory.proving.own_law import prove
-from clpt_control.theory.proving.theorem_loop import law_and_V
 
 POINTS = 200
 
@@ -34,9 +31,7 @@ def test_the_papers_laws_are_proved_for_every_N():
 
 
 def gains(parameters, feedback, feedforward):
-    return learned_flow.learned_flow_law(
-        learned_flow.LearnedFlowGains(2, parameters, feedback, feedforward)
-    )
+    return LAWS["learned-flow"].of(2, gain=parameters, gain_K=feedback, gain_Gamma=feedforward)
 
 
 def test_a_gain_each_is_proved_for_every_N_and_every_gain():
@@ -53,20 +48,20 @@ def test_gains_held_true_fall_alike_and_others_push():
 
 
 def test_a_wrong_law_would_not_stand_in_the_table():
-    def backwards(known):
-        return learned_flow.block(known._replace(gains=Gains(-0.8, -0.8, -0.8, one=True)))
-
     law = LAWS["learned-flow"]
-    _, V = law_and_V(law, judged_laws.N)
-    found = judged(law._replace(block=backwards, V=lambda p, truth: V))
+
+    def backwards(t, x, u, p):
+        return {port: -rate for port, rate in law.rates(t, x, u, p).items()}
+
+    found = judged(law._replace(rates=backwards))
     assert not found.holds
     assert "V' " in found.claim
 
 
 def test_equations_that_cannot_be_read_leave_a_law_open():
-    def unread(known):
+    def unread(t, x, u, p):
         raise ValueError("no such equation")
 
-    found = judged(LAWS["learned-flow"]._replace(block=unread))
+    found = judged(LAWS["learned-flow"]._replace(rates=unread))
     assert (found.status, found.holds) == ("open", False)
     assert "no such equation" in found.claim

@@ -1,24 +1,17 @@
 """A proof of a law whose states jump says what is known of V across jumps."""
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 import pytest
-from own_laws import N, filled
+from own_laws import GAIN, LEARNED, N, filled, law
 
-from clpt_control.blocks import Block
+from clpt_control.equations import Block
 from clpt_control.errors import DiagramError
-from clpt_control.theory.proving.every_n_loop import every_n_loop
+from clpt_control.theory.proving.array_loop import array_loop
 from clpt_control.theory.proving.own_law import prove
 from clpt_control.theory.proving.symbolic_loop import symbolic_loop
 from clpt_control.theory.proving.theorem_loop import theorem_loop
-
-
-class Jumping(NamedTuple):
-    N: int
-    gain: float
-    interval: float = -1.0
 
 
 def ticks(p, t0, t1):
@@ -26,55 +19,45 @@ def ticks(p, t0, t1):
     return times[(times > t0) & (times <= t1)]
 
 
-def with_memory(t, x, u, p, dx):
+def with_memory(t, x, u, p):
     """The paper's law, and a memory m that only jumps, section III."""
-    for i in range(2):
-        filled(x, u, p, dx, p.gain, u[i], i)
-    dx[2 * p.N + 4] = 0.0
+    return filled(u, p.gain, u.e) | {"m": 0.0}
 
 
-def reverse(t, x, u, p, dx):
+def reverse(t, x, u, p):
     """Every sign flipped, section III."""
-    for i in range(2):
-        filled(x, u, p, dx, -p.gain, u[i], i)
-    dx[2 * p.N + 4] = 0.0
+    return filled(u, -p.gain, u.e) | {"m": 0.0}
 
 
-def remember(t, x, u, p, new):
+def kept(x):
+    return {port: getattr(x, port) for port in (*LEARNED, "m")}
+
+
+def remember(t, x, u, p):
     """m = |e|^2 after a jump, section III."""
-    for i in range(2 * p.N + 4):
-        new[i] = x[i]
-    new[2 * p.N + 4] = u[0] ** 2 + u[1] ** 2
+    return kept(x) | {"m": u.e @ u.e}
 
 
-def halve(t, x, u, p, new):
+def halve(t, x, u, p):
     """alpha halved, section III."""
-    for i in range(2 * p.N + 4):
-        new[i] = x[i]
-    for i in range(2 * p.N):
-        new[i] = 0.5 * x[i]
-    new[2 * p.N + 4] = 0.0
+    return kept(x) | {"alpha": 0.5 * x.alpha, "m": 0.0}
 
 
-def fade(t, x, u, p, new):
+def fade(t, x, u, p):
     """m halved, section III."""
-    for i in range(2 * p.N + 4):
-        new[i] = x[i]
-    new[2 * p.N + 4] = 0.5 * x[2 * p.N + 4]
+    return kept(x) | {"m": 0.5 * x.m}
 
 
-def of_memory(t, x, u, p, y):
+def of_memory(t, x, u, p):
     """V = (|e|^2 + m^2)/2."""
-    y[0] = (u[0] ** 2 + u[1] ** 2 + u[2] ** 2) / 2
+    return {"V": (u.e @ u.e + u.m @ u.m) / 2}
 
 
 def jumping(jump, update=with_memory):
-    return Block(
-        "own",
-        update=update,
-        inputs={"e": 2, "phi_x": N, "z": 2, "zc": 2},
-        states={"alpha": 2 * N, "K": 2, "Gamma": 2, "m": 1},
-        parameters=Jumping(N, 0.5),
+    return law(
+        update,
+        GAIN | {"interval": -1.0},
+        states={**LEARNED, "m": 1},
         breakpoints=ticks,
         jump=jump,
     )
@@ -107,7 +90,7 @@ def test_a_wrong_law_is_refuted_all_the_same():
     assert prove(jumping(remember, reverse), points=200).status == "refuted"
 
 
-@pytest.mark.parametrize("read", [symbolic_loop, every_n_loop])
+@pytest.mark.parametrize("read", [symbolic_loop, array_loop])
 def test_other_proofs_refuse_jumps(read):
     diagram = theorem_loop(N, "learned-flow", law_block=jumping(remember))
     with pytest.raises(DiagramError, match=r"^own: its states jump, and this proof speaks of no"):

@@ -11,19 +11,13 @@ import inspect
 import random
 import textwrap
 from functools import cache
+from types import FunctionType
 
-import numpy as np
 import pytest
+from package_blocks import package_blocks
 from source_checks import CHECKS
 
-import clpt_control as clpt
-from clpt_control.blocks import basis, disturbance, error_system, field, lyapunov
-from clpt_control.blocks.declaration import states_as_outputs
-from clpt_control.blocks.functions import helpers_of
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.currents.field_file import GriddedField
-from clpt_control.simulation.loops import paper_blocks
-from clpt_control.simulation.teams import team_blocks
 from clpt_control.theory.proving import (
     judged_laws,
     kept_loop,
@@ -36,63 +30,44 @@ from clpt_control.theory.proving.misprints import misprints
 from clpt_control.theory.proving.theorems import THEOREMS, audit
 
 FIRST = {"error_system": "3.3"}  # where to look first; every theorem is tried before giving up
-PAGES = sorted(
-    {"laws.law", "laws.filtered_flow", "laws.commanded_gains", "laws.covariance"}
-    | {law.block.__module__.partition("blocks.")[2] for law in LAWS.values()}
-)
 ALL_SIZES = kept_loop.SIZES
 SOURCES = ("basis", "reference", "disturbance", "field")
 
 
-def every_block():
-    """Every kind of block of the package."""
-    paper = clpt.paper_scenario()
-    known = paper.with_values(
-        {
-            "learning.law": "known-flow",
-            "learning.parameters": None,
-            "learning.theta_estimate": [[0.5] * 3] * 2,
-            "flow.disturbance": {"kind": "sine", "amplitude": [0.1, 0.1], "period": 3.0},
-        }
-    )
-    yield from paper_blocks(paper)
-    yield from paper_blocks(known)
-    yield from paper_blocks(paper.with_values({"vehicle.max_speed": 1.5}))
-    for kernel in basis.KERNELS:
-        yield from paper_blocks(paper.with_values({"basis.kernel": kernel}))[1:2]
-    for kind in disturbance.KINDS:
-        yield disturbance.disturbance(kind, [0.1, 0.1])
-    axis = np.arange(4.0)
-    grid = GriddedField(axis, axis, axis, np.ones((4, 4, 4)), np.zeros((4, 4, 4)))
-    for disturbed in (False, True):
-        yield field.gridded_flow(grid, disturbed=disturbed)
-    yield error_system.error_system(error_system.ErrorSystemParameters(3, np.ones(2)))
-    yield error_system.parameter_system(error_system.ParameterSystemParameters(3, 0.8))
-    truth = lyapunov.one_gain(0.8, np.ones((2, 3)), np.ones(2), np.ones(2))
-    for law in lyapunov.LAWS:
-        yield lyapunov.lyapunov_candidate(law, truth)
-    for law in LAWS.values():
-        yield from theorem_loop.law_and_V(law, judged_laws.N)
-    yield from team_blocks(team.team_of(team.GRAPHS["two vehicles"], 2))
-    yield team.total_candidate(["a", "b"])
+def run_by(block):
+    """The functions that a block runs itself."""
+    run = (block.update_function, block.output_function, block.jump_function)
+    return [function for function in run if isinstance(function, FunctionType)]
 
 
-def functions():
-    """Every function that a block runs, helpers included, in a fixed order."""
-    found = {}
+def helpers_of(function):
+    """The functions of `blocks` that a function calls by name."""
+    named = (function.__globals__.get(name) for name in function.__code__.co_names)
+    return [
+        one for one in named if isinstance(one, FunctionType) and ".blocks." in one.__module__
+    ]
 
-    def visit(function):
+
+def reached(blocks):
+    """Every function that blocks run, helpers included, in a fixed order."""
+    found, stack = {}, [function for block in blocks for function in run_by(block)][::-1]
+    while stack:
+        function = stack.pop()
         key = f"{function.__module__.partition('blocks.')[2]}.{function.__name__}"
-        if function is not states_as_outputs and key not in found:
+        if key not in found and ".blocks." in function.__module__:
             found[key] = function
-            for helper in helpers_of(function).values():
-                visit(helper)
-
-    for block in every_block():
-        for function in (block.update_function, block.output_function, block.jump_function):
-            if function is not None:
-                visit(function)
+            stack += helpers_of(function)[::-1]
     return found
+
+
+@cache
+def functions():
+    """Every function that a block of the package runs."""
+    laws = [b for law in LAWS.values() for b in theorem_loop.law_and_V(law, judged_laws.N)]
+    return reached([*(block for _, block in package_blocks()), *laws])
+
+
+PAGES = sorted({key.rpartition(".")[0] for key in functions() if key.startswith("laws.")})
 
 
 def is_sign(node):
@@ -138,20 +113,10 @@ def altered(function, which):
 @cache
 def laws_of(function):
     """Name the laws whose equations or V have this function of a law's page."""
-    found = []
-    for law in LAWS.values() if ".laws." in function.__module__ else ():
-        reached, stack = set(), []
-        for block in theorem_loop.law_and_V(law, judged_laws.N):
-            run = (block.update_function, block.output_function, block.jump_function)
-            stack += [f for f in run if f is not None]
-        while stack:
-            one = stack.pop()
-            if one not in reached:
-                reached.add(one)
-                stack += helpers_of(one).values()
-        if function in reached:
-            found.append(law.name)
-    return tuple(found)
+    if ".laws." not in function.__module__:
+        return ()
+    made = {name: theorem_loop.law_and_V(law, judged_laws.N) for name, law in LAWS.items()}
+    return tuple(name for name, two in made.items() if function in reached(two).values())
 
 
 @cache

@@ -18,8 +18,7 @@ from scipy.integrate import solve_ivp
 import clpt_control as clpt
 from clpt_control.blocks import error_system
 from clpt_control.blocks.laws import dead_zone, leakage, projection
-from clpt_control.blocks.laws.law import Gains, Truth
-from clpt_control.blocks.laws.learned_flow import LearnedFlowParameters, learned_flow_law
+from clpt_control.blocks.laws.known import Gains, Truth
 from clpt_control.blocks.laws.table import LAWS as TABLE
 from clpt_control.simulation.loops import paper_blocks
 from clpt_control.theory.counterexamples.paper_system import with_square_wave
@@ -86,7 +85,7 @@ def test_a_robust_law_is_bounded(name, N):
 
 def burst(law, faint, quiet, cycles=4, theta=0.5):
     """The largest |e| in the second half of the cycles, Delta = 1, k = 1, phi faint, then 1."""
-    plant = error_system.error_system(error_system.ErrorSystemParameters(1, np.ones(2)))
+    plant = error_system.error_system(1, np.ones(2))
     state = np.array([0.0, 0.0, -theta, *np.zeros(5)])
     peak = 0.0
 
@@ -108,7 +107,7 @@ def burst(law, faint, quiet, cycles=4, theta=0.5):
 @pytest.mark.parametrize(("faint", "quiet"), [(0.2, 250.0), (0.1, 1000.0), (0.05, 4000.0)])
 def test_no_burst_after_a_drift(faint, quiet):
     """Largest |e|: the paper's 0.52/faint; with a robust law Delta/k, as without learning."""
-    paper = learned_flow_law(LearnedFlowParameters(1, 1.0))
+    paper = TABLE["learned-flow"].of(1, gain=1.0)
     without = burst(paper, faint, quiet)
     assert without == pytest.approx(burst_counterexample(faint, quiet).peak, rel=1e-3)
     for name in LAWS:
@@ -153,11 +152,11 @@ def test_a_run_stays_in_the_set(name):
 # --- altered laws ---------------------------------------------------------------------
 
 FUNCTIONS = {
-    "sigma": (leakage.sigma_update, leakage.forget),
-    "switching-sigma": (leakage.switching_update, leakage.forget, leakage.switched),
-    "e-modification": (leakage.e_update, leakage.forget),
-    "projection": (projection.update, projection.keep_within),
-    "dead-zone": (dead_zone.update, dead_zone.beyond, dead_zone.candidate),
+    "sigma": (leakage.sigma, leakage.leaking),
+    "switching-sigma": (leakage.switching_sigma, leakage.leaking),
+    "e-modification": (leakage.e_modification, leakage.leaking),
+    "projection": (projection.projection, projection.kept_within),
+    "dead-zone": (dead_zone.dead_zone, dead_zone.beyond, dead_zone.candidate),
 }
 
 
