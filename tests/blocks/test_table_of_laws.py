@@ -9,6 +9,8 @@ import pytest
 from clpt_control.blocks.laws.known import Gains, Truth
 from clpt_control.blocks.laws.law import functions_of
 from clpt_control.blocks.laws.table import LAWS
+from clpt_control.errors import ScenarioError
+from clpt_control.scenario.keys import made_of, names_held
 from clpt_control.theory.proving.theorem_loop import theorem_scenario
 
 N = 2
@@ -98,3 +100,49 @@ def test_starts_are_those_of_own_states(name):
     for port, value in LAWS[name].starts(known).items():
         assert np.size(value) == block.state_ports[port]
         assert port not in ("alpha", "K", "Gamma")
+
+
+COUNTS = ("drem", "kalman-flow")  # a determinant, an identity
+
+
+@pytest.mark.parametrize("name", [name for name in LAWS if name != "known-flow"])
+def test_rates_are_read_for_every_N_unless_they_count(name):
+    record = made(name).array_record("update")
+    of_any_size = any("N" in operation.shape for operation in record.operations)
+    assert of_any_size == (name not in COUNTS)
+
+
+KEYS = {
+    "learning.gain": 1.3,
+    "vehicle.feedback": [1.1, 0.8],
+    "vehicle.feedforward": [1.1, -0.6],
+    "vehicle.position": [5.0, 6.0],
+    "reference.dwell": 17.0,
+    "model.parameters": [[0.1, 0.2], [0.3, 0.4]],
+    "learning.parameters": [[0.5, 0.2], [0.3, 0.4]],
+    "learning.theta_estimate": [[0.5, 0.2], [0.3, 0.4]],
+    "localization.interval": 6.0,
+    "localization.latency": 0.5,
+    "localization.noise": 0.2,
+}
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_what_a_law_is_made_of_is_what_changes_it(name):
+    """A key is in another form in a law where its value changes more than what holds it."""
+    law, scenario = LAWS[name], theorem_scenario(N, name)
+
+    def values(one):
+        known = one.known_to_law
+        return {**law.parameters_of(known)._asdict(), **law.starts(known)}
+
+    for key, value in KEYS.items():
+        try:
+            other = scenario.with_values({key: value})
+        except ScenarioError:
+            continue  # the law has no use for it
+        first, second = values(scenario), values(other)
+        held = [f"adaptation.{field}" for field in first]
+        held = {one.partition(".")[2] for one in names_held(other, [key], held)[key]}
+        moved = {field for field in first if not np.array_equal(first[field], second[field])}
+        assert bool(moved - held) == (key in made_of(other)), (key, moved, held)
