@@ -8,7 +8,7 @@ float or an array of floats: symbols to SymPy, and it may differ per run.
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import fields, is_dataclass
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -112,6 +112,10 @@ class Parameters(tuple):
     """A block's parameters: ``p.gain``, ``p["gain"]``, ``p.get("gain", 1.0)``."""
 
     _fields: tuple[str, ...] = ()
+
+    if TYPE_CHECKING:  # each has its own names
+
+        def __getattr__(self, name: str) -> Any: ...
 
     def __getitem__(self, name: Any) -> Any:
         return getattr(self, name) if isinstance(name, str) else super().__getitem__(name)
