@@ -9,7 +9,7 @@ from clpt_control.equations import Block
 from clpt_control.native.batch import Batch
 from clpt_control.native.ending import Status
 from clpt_control.native.native_diagram import NativeDiagram
-from clpt_control.native.program import LANES
+from clpt_control.native.processor import LANES
 from clpt_control.native.python_diagram import PythonDiagram
 
 N = 6  # copies of a flow, each with its rate

@@ -13,7 +13,7 @@ from clpt_control.errors import SimulationError
 from clpt_control.native.batch import Batch
 from clpt_control.native.ending import Status
 from clpt_control.native.native_diagram import NativeDiagram
-from clpt_control.native.program import LANES
+from clpt_control.native.processor import LANES
 from clpt_control.native.python_diagram import PythonDiagram
 
 

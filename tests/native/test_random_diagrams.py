@@ -15,7 +15,7 @@ from clpt_control.errors import ClptError
 from clpt_control.native import readings
 from clpt_control.native.batch import Batch
 from clpt_control.native.native_diagram import NativeDiagram
-from clpt_control.native.program import LANES
+from clpt_control.native.processor import LANES
 from clpt_control.native.python_diagram import PythonDiagram
 
 IN_A_TEST, TESTS, SLOW_TESTS = 10, 20, 200

@@ -13,7 +13,7 @@ from clpt_control.equations import Block
 from clpt_control.native.batch import Batch
 from clpt_control.native.ending import Status
 from clpt_control.native.native_diagram import NativeDiagram
-from clpt_control.native.program import LANES
+from clpt_control.native.processor import LANES
 from clpt_control.native.python_diagram import PythonDiagram
 
 END, PERIODS = 2.0, (0.4, 0.5, 0.75, 1.0, 5.0)  # some breakpoints coincide, some at the end
@@ -35,24 +35,12 @@ def ticks(p, t0, t1):
     return times[(times > t0) & (times <= t1)]
 
 
-def rate(t, x, u, p, dx):
-    for i in range(len(dx)):
-        s = p.c[i] * p.interval
-        for j in range(len(x)):
-            s += p.A[i, j] * x[j]
-        for j in range(len(u)):
-            s += p.A[i, len(x) + j] * u[j]
-        dx[i] = s
+def rate(t, x, u, p):
+    return p.A @ np.concatenate([x, u]) + p.c * p.interval
 
 
-def jump(t, x, u, p, new):
-    for i in range(len(new)):
-        s = p.d[i] * p.interval
-        for j in range(len(x)):
-            s += p.J[i, j] * x[j]
-        for j in range(len(u)):
-            s += p.J[i, len(x) + j] * u[j]
-        new[i] = s
+def jump(t, x, u, p):
+    return p.J @ np.concatenate([x, u]) + p.d * p.interval
 
 
 def drawn(random, sizes):
