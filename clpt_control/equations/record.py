@@ -31,7 +31,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-Ref = int | float
+Ref = Any  # int: the place of a value; float: a constant
 Shape = tuple[Any, ...]  # of whole numbers and names of sizes
 
 

@@ -26,7 +26,7 @@ from .record import Record, Shape
 
 LEAVES = frozenset({"t", "x", "u", "p"})
 MOST = 300_000  # operations; more are given up
-Ref = int | float
+Ref = Any  # int: the place of a value; float: a constant
 
 
 @dataclass(frozen=True, eq=False)
