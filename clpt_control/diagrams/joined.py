@@ -16,7 +16,7 @@ import numpy as np
 from ..equations.arrays import Tape, Unread, operand, packed
 from ..equations.block import Block
 from ..equations.declaration import ports_of
-from ..equations.numpy_functions import objects
+from ..equations.ufuncs import objects
 from ..equations.record import Record, Shape
 from .wiring import Node, Wiring
 
@@ -39,6 +39,7 @@ class Joined:
     rates: Values = field(default_factory=dict)
     jumps: Values = field(default_factory=dict)  # what states jump to
     fields: dict[str, dict[str, Shape]] = field(default_factory=dict)  # of parameters, by block
+    pinned: set[tuple[str, str]] = field(default_factory=set)  # parameters that are numbers
     owners: dict[int, str] = field(default_factory=dict)  # operation -> "block.role"
 
 
@@ -192,6 +193,8 @@ class Joining:
         kind = "outputs" if role == "output" else "states"
         record, first = block.array_record(role), len(self.tape.operations)
         self.check_open(node, role, record)
+        pinned, _ = block.read_with.get(role, ((), ""))
+        self.found.pinned |= {(node.name, own) for own in pinned}
 
         def leaf(group: str, name: str, shape: Shape) -> Any:
             if group == "t":
@@ -234,7 +237,9 @@ class Joining:
             if kind != "leaf" or at[0] not in declared:
                 continue
             if self.shape(block, declared[at[0]][at[1]]) != self.shape(block, shape):
-                raise Unread(f"{node.name}.{role} is not read for every {' and '.join(self.open)}")
+                _, why = block.read_with.get(role, ((), ""))
+                sizes = " and ".join(self.open)
+                raise Unread(f"{node.name}.{role} is not read for every {sizes}: {why}")
 
 
 def joined(

@@ -193,7 +193,7 @@ def reaches_outputs(block: Block) -> bool:
 
 
 def _through(block: Block, by_signal: bool = True) -> list[set[int]]:
-    """Return for each output the inputs that reach it at once; all in one set if not `by_signal`."""
+    """Return for each output the inputs that reach it at once; else whether any does."""
     try:
         if not by_signal:
             return [{0}] if block.array_record("output").leaves("u") else []
@@ -227,8 +227,8 @@ def wiring_of(
     """Return the wiring of a diagram, nested ones included, of blocks alone.
 
     python-control's systems become blocks, given `params` as python-control hands them down, and
-    `sizes`, of states and inputs, where they leave them open.  Blocks that feed each other at once in a circle and systems of
-    discrete time are refused.
+    `sizes`, of states and inputs, where they leave them open.  What is truly circular and systems
+    of discrete time are refused.
     """
     flat = _flatten(diagram, getattr(diagram, "name", repr(diagram)))
     if not flat.leaves:
@@ -259,7 +259,9 @@ def read_anew(system: Any) -> None:
 def _as_block(system: Any, params: Any, sizes: tuple[int | None, int | None]) -> Block:
     if isinstance(system, Block):
         return system
-    return linear(system) if isinstance(system, control.StateSpace) else System(system, params, sizes)
+    return (
+        linear(system) if isinstance(system, control.StateSpace) else System(system, params, sizes)
+    )
 
 
 def _handed_down(
@@ -275,7 +277,12 @@ def _handed_down(
         return
     for part in system.syslist:
         inner = f"{path}{part.name}." if isinstance(part, control.InterconnectedSystem) else path
-        above = {**({} if isinstance(part, Block) else part.params), **system.params, **given, **own}
+        above = {
+            **({} if isinstance(part, Block) else part.params),
+            **system.params,
+            **given,
+            **own,
+        }
         yield from _handed_down(part, above, inner)
 
 
@@ -320,7 +327,7 @@ def _order(nodes: list[Node]) -> tuple[int, ...]:
 
 
 def _by_signals(nodes: list[Node], order: list[int], waits: dict[int, set[int]]) -> tuple[int, ...]:
-    """Return the order of what is circular by block: an output's turn comes when its inputs' has."""
+    """Return the order of what is circular by block: an output comes after its own inputs."""
     known = {s for k in order for s in range(nodes[k].outputs.start, nodes[k].outputs.stop)}
     needed: dict[int, dict[int, set[int]]] = {}  # block -> signal -> the signals that it waits for
     for k in waits:

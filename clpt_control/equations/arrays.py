@@ -5,6 +5,7 @@ function does with it: ``np.exp(a)``, ``a @ b``, ``np.outer(a, b)``.  What is wr
 (``y[0] = ...``) is kept element by element, and views share what is written, as NumPy's do.
 """
 
+import itertools
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from math import prod
@@ -107,12 +108,14 @@ class Tape:
             place = self._known[key] = len(self.operations)
             self.operations.append(Operation(kind, tuple(arguments), shape, at))
             own = [a for a in arguments if type(a) is int]
-            self.free.append(
-                any([self.free[a] for a in own]) or (kind == "leaf" and at[0] != "p")
-            )
+            self.free.append(any(self.free[a] for a in own) or (kind == "leaf" and at[0] != "p"))
             self.truth.append(
                 kind in CONDITIONS
-                or (kind in MOVED and len(own) == len(arguments) and all([self.truth[a] for a in own]))
+                or (
+                    kind in MOVED
+                    and len(own) == len(arguments)
+                    and all(self.truth[a] for a in own)
+                )
             )
             if place > MOST_OPERATIONS:
                 raise Unread(f"takes more than {MOST_OPERATIONS} operations")
@@ -282,7 +285,7 @@ class Array(NDArrayOperatorsMixin):
     # --- NumPy's protocols ----------------------------------------------------------------
 
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **more: Any) -> Any:
-        from .numpy_functions import called
+        from .ufuncs import called
 
         return called(self.tape, ufunc, method, inputs, more)
 
@@ -292,7 +295,7 @@ class Array(NDArrayOperatorsMixin):
         return applied(self.tape, function, inputs, more)
 
     def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
-        if dtype == object:
+        if dtype is not None and np.dtype(dtype).kind == "O":
             return self.elements() if self.shape else _element(self)
         return self.tape.numbers(self.ref).astype(dtype or float)
 
@@ -350,7 +353,7 @@ class Array(NDArrayOperatorsMixin):
         return id(self)
 
     def __round__(self, digits: Any = None) -> Any:
-        from .numpy_functions import rounded
+        from .ufuncs import rounded
 
         return rounded(self, digits)
 
@@ -443,7 +446,9 @@ def stacked(tape: Tape, parts: Sequence[Any]) -> Any:
     """Return arrays of one shape along a new first axis."""
     shapes = {getattr(part, "shape", ()) for part in parts}
     if len(shapes) > 1:
-        raise ValueError(f"all input arrays must have the same shape, not {sorted(map(str, shapes))}")
+        raise ValueError(
+            f"all input arrays must have the same shape, not {sorted(map(str, shapes))}"
+        )
     refs = [operand(part) for part in parts]
     if all(type(ref) is float for ref in refs):
         return constant(tape, np.array(refs))
@@ -468,7 +473,7 @@ def tape_view(tape: Tape, refs: Sequence[Ref]) -> "Array | None":
     if not all(isinstance(p, int) for p in places):
         return None
     step = places[1] - places[0]
-    if step < 1 or any(b - a != step for a, b in zip(places, places[1:], strict=False)):
+    if step < 1 or any(b - a != step for a, b in itertools.pairwise(places)):
         return None
     first = own[0]
     assert first is not None
@@ -633,4 +638,3 @@ def total(array: Array, axis: int) -> Any:
     axis %= array.ndim
     shape = array.shape[:axis] + array.shape[axis + 1 :]
     return array.tape.add("sum", (array.ref,), shape, axis)
-

@@ -59,12 +59,9 @@ class Kept:
             now = _inside(value)
             if isinstance(now, list):
                 now[:] = before
-            elif isinstance(now, dict) and (
+            elif (isinstance(now, dict) and (
                 now.keys() != before.keys() or any(now[k] is not before[k] for k in before)
-            ):
-                now.clear()
-                now.update(before)
-            elif isinstance(now, set):
+            )) or isinstance(now, set):
                 now.clear()
                 now.update(before)
 

@@ -28,7 +28,6 @@ from .arrays import (
 from .ufuncs import (
     accumulated,
     as_numbers,
-    called,
     depends,
     folded,
     fresh,
@@ -122,7 +121,9 @@ def norm(a: Any, ord: Any = None, axis: Any = None, keepdims: Any = False) -> An
     return np.sqrt(summed(elementwise("mul", a, a), axis, keepdims=keepdims))
 
 
-def product(a: Any, axis: Any = None, dtype: Any = None, out: Any = None, keepdims: Any = False) -> Any:
+def product(
+    a: Any, axis: Any = None, dtype: Any = None, out: Any = None, keepdims: Any = False
+) -> Any:
     """Return the product of the elements."""
     return folded(lambda v, w: v * w, a, axis, keepdims)
 
@@ -137,7 +138,9 @@ def smallest(a: Any, axis: Any = None, out: Any = None, keepdims: Any = False, *
     return folded(np.minimum, a, axis, keepdims)
 
 
-def mean(a: Any, axis: Any = None, dtype: Any = None, out: Any = None, keepdims: Any = False) -> Any:
+def mean(
+    a: Any, axis: Any = None, dtype: Any = None, out: Any = None, keepdims: Any = False
+) -> Any:
     """Return the mean."""
     count = a.size if axis is None else a.counted()[axis]
     return summed(a, axis, keepdims=keepdims) / count
@@ -191,14 +194,21 @@ def chosen(condition: Any, *values: Any) -> Any:
     if not values:
         return unread("np.where without values, which counts,")
     tape = tape_of((condition, *values))
-    return where(condition if isinstance(condition, Array) else np.asarray(condition), *(lifted(tape, v) for v in values))
+    return where(
+        condition if isinstance(condition, Array) else np.asarray(condition),
+        *(lifted(tape, v) for v in values),
+    )
 
 
 def selected(conditions: Any, values: Any, default: Any = 0.0) -> Any:
     """Return np.select: the value of the first condition that holds."""
     found = default
     for condition, value in zip(reversed(conditions), reversed(values), strict=True):
-        found = np.where(condition, value, found) if np.ndim(condition) else chosen(condition, value, found)
+        found = (
+            np.where(condition, value, found)
+            if np.ndim(condition)
+            else chosen(condition, value, found)
+        )
     return found
 
 
@@ -234,7 +244,9 @@ def all_of(a: Any, axis: Any = None, out: Any = None, keepdims: Any = False, **m
     return folded(np.logical_and, a, axis, keepdims)
 
 
-def whole_numbers(a: Any, copy: bool = True, nan: float = 0.0, posinf: Any = None, neginf: Any = None) -> Any:
+def whole_numbers(
+    a: Any, copy: bool = True, nan: float = 0.0, posinf: Any = None, neginf: Any = None
+) -> Any:
     """Return np.nan_to_num(a)."""
     most = np.finfo(float).max
     a = where(a != a, nan, a)
@@ -276,8 +288,10 @@ def join(parts: Any, axis: Any = 0, **more: Any) -> Any:
     tape = tape_of(parts)
     own = [lifted(tape, p) for p in parts]
     own = [p for p in own if p.shape != (0,)]
-    if axis == 0 and all(isinstance(n, int) for p in own for n in p.shape) and any(
-        p.shape[0] > 64 for p in own
+    if (
+        axis == 0
+        and all(isinstance(n, int) for p in own for n in p.shape)
+        and any(p.shape[0] > 64 for p in own)
     ):
         shape = (sum(p.shape[0] for p in own), *own[0].shape[1:])
         return tape.add("join", [operand(p) for p in own], shape)
@@ -296,7 +310,14 @@ def pick(array: Array, index: tuple) -> Any:
         whole = k.tape.operations[k.node].kind in ("trunc", "floor", "ceil", "pick")
         if whole and k.tape.free[k.node] and array._written() is None:
             return array.tape.add("pick", (operand(array), k.ref), ())
-    own = [i if not isinstance(i, Array) else i.__index__() if not i.shape else [j.__index__() for j in i] for i in index]
+    own = [
+        i
+        if not isinstance(i, Array)
+        else i.__index__()
+        if not i.shape
+        else [j.__index__() for j in i]
+        for i in index
+    ]
     return array[tuple(own)]
 
 
@@ -308,7 +329,11 @@ def reshaped(a: Array, *shape: Any, **more: Any) -> Any:
         return a
     if not a.shape and all(n in (1, -1) for n in new):
         return a[(None,) * len(new)] if new else a
-    if a.ndim == 1 and a._written() is None and new in ((-1, 1), (1, -1), (*a.shape, 1), (1, *a.shape)):
+    if (
+        a.ndim == 1
+        and a._written() is None
+        and new in ((-1, 1), (1, -1), (*a.shape, 1), (1, *a.shape))
+    ):
         return a[:, None] if new[-1] == 1 and new[0] != 1 else a[None, :]
     return packed(a.tape, objects(a).reshape(new))
 
@@ -328,7 +353,11 @@ def transposed(a: Array, *axes: Any) -> Any:
 
 def at_least(axes: int) -> Callable:
     """Return np.atleast_1d or np.atleast_2d."""
-    return lambda *a: a[0][(None,) * max(0, axes - np.ndim(a[0]))] if len(a) == 1 else tuple(map(at_least(axes), a))
+    return lambda *a: (
+        a[0][(None,) * max(0, axes - np.ndim(a[0]))]
+        if len(a) == 1
+        else tuple(map(at_least(axes), a))
+    )
 
 
 def copied(a: Any, *arguments: Any, **more: Any) -> Any:
@@ -470,4 +499,3 @@ METHODS: dict[str, Callable] = {
         )
     },
 }
-

@@ -166,6 +166,7 @@ def located(error: Exception, function: Any) -> str:
         trace = trace.tb_next
     return found or f"{getattr(function, '__name__', 'it')}: "
 
+
 class Ports(Array):
     """States or inputs without values: a vector, with its ports as views."""
 
@@ -434,9 +435,14 @@ def _shaped(tape: Tape, role: str, port: str, given: Any, shape: Shape) -> Any:
         return value
     if own == ():
         return _filled(tape, value, shape) if type(value) is float else _spread(value, shape)
-    if all(isinstance(n, int) for n in (*own, *shape)) and prod(own) == prod(shape) and own in (
-        (1,),
-        (prod(shape),),
+    if (
+        all(isinstance(n, int) for n in (*own, *shape))
+        and prod(own) == prod(shape)
+        and own
+        in (
+            (1,),
+            (prod(shape),),
+        )
     ):
         return packed(tape, objects(value).reshape(shape))
     raise BlockError(f"{role}: returns {port} of shape {own}; must be {shape}")

@@ -17,8 +17,8 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Unread, active, elementwise, lifted, where
-from .numpy_functions import applied, chosen, converted, in_order, tape_of
+from .arrays import Array, active, elementwise, lifted, where
+from .numpy_functions import applied, converted, in_order, tape_of
 from .ufuncs import called, fresh, objects, unread
 
 MOST_SORTED = 16
@@ -32,6 +32,7 @@ class NumPyFunction:
         functools.update_wrapper(self, real, updated=())
 
     def __call__(self, *given: Any, **more: Any) -> Any:
+        """Run the real one, or write down what it does."""
         tape = active()
         if "dtype" in more:
             more["dtype"] = real_of(more["dtype"])
@@ -73,11 +74,6 @@ def same_array(tape: Any, value: Any, dtype: Any = None, **more: Any) -> Any:
     return array(tape, value, dtype)
 
 
-def full(tape: Any, shape: Any, value: Any, **more: Any) -> Any:
-    """Return np.full(shape, value)."""
-    return np.zeros(shape) + lifted(tape, value)
-
-
 MAKERS: dict[Any, Callable] = {
     np.array: array,
     np.asarray: same_array,
@@ -96,6 +92,7 @@ class Vectorized:
         self.function, self.real = function, np.vectorize(function, *more, **named)
 
     def __call__(self, *given: Any, **more: Any) -> Any:
+        """Run the function for each element."""
         tape = tape_of(given)
         if tape is None:
             return self.real(*given, **more)
@@ -117,7 +114,9 @@ class Joiner:
         if tape_of(given) is None:
             found = self.real[parts]
             return found if active() is None else fresh(active(), found)
-        return self.join([np.atleast_1d(self.real[p] if isinstance(p, slice) else p) for p in given])
+        return self.join(
+            [np.atleast_1d(self.real[p] if isinstance(p, slice) else p) for p in given]
+        )
 
 
 # --- math ------------------------------------------------------------------------------------
@@ -221,6 +220,7 @@ class StandInType(type):
     make: Callable
 
     def __call__(cls, *given: Any, **more: Any) -> Any:
+        """Convert a signal, or make a number of the real type."""
         if given and isinstance(single(given[0]), Array):
             return cls.make(single(given[0]))
         return cls.real(*given, **more)
@@ -281,7 +281,11 @@ def extreme(real: Callable, better: str) -> Callable:
         best = single(values[0])
         for value in map(single, values[1:]):
             signal = isinstance(value, Array) or isinstance(best, Array)
-            holds = elementwise(better, value, best) if signal else (value < best if better == "lt" else value > best)
+            holds = (
+                elementwise(better, value, best)
+                if signal
+                else (value < best if better == "lt" else value > best)
+            )
             best = chosen_number(holds, value, best)
         return best
 
@@ -301,7 +305,9 @@ def joined(real: Callable, name: str) -> Callable:
         given = list(values)
         if tape_of(given) is None:
             return real(given)
-        return functools.reduce(lambda v, w: elementwise(name, v, w) if tape_of((v, w)) else real((v, w)), given)
+        return functools.reduce(
+            lambda v, w: elementwise(name, v, w) if tape_of((v, w)) else real((v, w)), given
+        )
 
     return function
 
@@ -312,11 +318,6 @@ def ordered(values: Any, **more: Any) -> list[Any]:
     if more or tape_of(given) is None or len(given) > MOST_SORTED:
         return sorted(given, **more)
     return in_order(given)
-
-
-def summed_up(values: Any, /, start: Any = 0) -> Any:
-    """Return sum(values)."""
-    return sum(values, start)
 
 
 def imported(name: str, *given: Any, **more: Any) -> Any:
@@ -366,7 +367,6 @@ _KNOWN: dict[int, Any] = {
     **{id(getattr(math, name)): of_math(name, getattr(math, name)) for name in MATH},
     **{id(getattr(builtins, name)): made for name, made in SHADOWS.items()},
 }
-_KEPT = [math.__dict__, np.__dict__]  # whose names are known by where they lie
 
 
 def real_of(value: Any) -> Any:

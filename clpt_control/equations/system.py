@@ -137,9 +137,7 @@ class System(Block):
             return Unread(f"{self.name}.{role}: {error}")
         record = found.record
         lines = (
-            o._replace(at=("p", self._names[o.at[1]]))
-            if o.kind == "leaf" and o.at[0] == "p"
-            else o
+            o._replace(at=("p", self._names[o.at[1]])) if o.kind == "leaf" and o.at[0] == "p" else o
             for o in record.operations
         )
         return Record(tuple(lines), record.outputs, record.shapes)
@@ -152,7 +150,9 @@ class System(Block):
         function = self._update if role == "update" else self._output
         given = self._asked_with(p)
         try:
-            found = np.asarray(function(t, np.array(x), np.array(u), given), dtype=float).reshape(-1)
+            found = np.asarray(function(t, np.array(x), np.array(u), given), dtype=float).reshape(
+                -1
+            )
         except RAISED as error:
             self.raised[role] = f"{type(error).__name__}: {error}"
             return np.full(size, np.nan)

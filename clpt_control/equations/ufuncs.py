@@ -226,7 +226,9 @@ COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special
     "heaviside": lambda a, b: where(a == 0, b, where(a > 0, 1.0, where(a < 0, 0.0, a))),
     "copysign": copied_sign,
     "signbit": negative,
-    "logical_xor": lambda a, b: elementwise("ne", elementwise("ne", a, 0.0), elementwise("ne", b, 0.0)),
+    "logical_xor": lambda a, b: elementwise(
+        "ne", elementwise("ne", a, 0.0), elementwise("ne", b, 0.0)
+    ),
     "fmod": fmod,
     "divmod": lambda a, b: (np.floor_divide(a, b), np.remainder(a, b)),
     "modf": lambda a: (a - np.trunc(a), np.trunc(a)),

@@ -18,7 +18,11 @@ from .native_diagram import NativeDiagram
 
 SAMPLES = 4
 CLOSE = 1e-7  # relative: rounding of terms that cancel, not another way through a function
-APART = (0.0, 1e-6, -1e-6)  # where a sample lies on a kink, rounding decides; beside it nothing does
+APART = (
+    0.0,
+    1e-6,
+    -1e-6,
+)  # where a sample lies on a kink, rounding decides; beside it nothing does
 _CALL = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 6)
 
 

@@ -11,7 +11,6 @@ import numpy as np
 from ..arguments import numbers
 from ..errors import SimulationError
 
-
 STRAIGHT = 1e-14  # of the largest value, off a straight line, is rounding
 
 

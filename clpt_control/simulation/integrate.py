@@ -181,7 +181,14 @@ def _simulate_diagram(
     runner = chosen(wiring, params, given, engine, diagram.name)
     state = stacked_state("initial_state", 0.0 if x0 is None else x0, runner.nstates)
     solution, runner = run_as_read(
-        runner, diagram.name, state, times, params, rtol=rtol, atol=atol, inputs=given,
+        runner,
+        diagram.name,
+        state,
+        times,
+        params,
+        rtol=rtol,
+        atol=atol,
+        inputs=given,
         progress=progress,
     )
     signals = np.vstack([runner.signals(solution, given).T, given.along(solution.t)])
