@@ -317,17 +317,22 @@ class Block(control.NonlinearIOSystem):
             self._called("states", self.state_shapes),
             self._called("inputs", self.input_shapes),
         )
+        why = ""
         if self.sizes:
             out = {"update": states, "output": outputs, "jump": states}.get(role, bound_out)
             open_shapes = {**shapes, **self.parameter_shapes}
-            with suppress(Unread, BlockError):
-                return self._outside(
-                    read(function, name, states, inputs, values, open_shapes, out)[0]
-                )
+            try:
+                found = read(function, name, states, inputs, values, open_shapes, out)
+                self.read_with[role] = found.pinned, ""
+                return self._outside(found.record)
+            except (Unread, BlockError) as error:
+                why = str(error)
         try:
-            return self._outside(read(function, name, *own, values, shapes, bound_out)[0])
+            found = read(function, name, *own, values, shapes, bound_out)
         except Unread as error:
             return Unread(f"{name}: {error}")
+        self.read_with[role] = found.pinned, why
+        return self._outside(found.record)
 
     @property
     def of_package(self) -> bool:
@@ -399,6 +404,11 @@ class Block(control.NonlinearIOSystem):
     @property
     def _records(self) -> dict[str, ArrayRecord | Unread]:
         return self.__dict__.setdefault("_read_records", {})
+
+    @property
+    def read_with(self) -> dict[str, tuple[frozenset[str], str]]:
+        """By role: parameters with whose values it was read, and why not with open sizes."""
+        return self.__dict__.setdefault("_read_with", {})
 
     # --- parameters -------------------------------------------------------------------
 

@@ -2,12 +2,12 @@
 
 import json
 
+import numpy as np
 import pytest
 
 from analysis.theorems import page
 from clpt_control.blocks import vehicle
-from clpt_control.blocks.laws import learned_flow
-from clpt_control.blocks.words import where
+from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory.proving.misprints import misprints
 from clpt_control.theory.proving.proof import Proof, Step, checked, cited
 from clpt_control.theory.proving.theorems import audit
@@ -96,38 +96,44 @@ def test_prove_one_theorem_and_refuse_another(clpt):
     assert "3.1, 3.2, 3.3, 3.4" in outcome.err
 
 
-def wrong_kinematics(t, x, u, p, dx):
-    """x' = F_R - v, not Eq. (1): u = flow_x[2], v_x[2], state x[2]."""
-    for i in range(2):
-        dx[i] = u[i] - u[2 + i]
+def wrong_kinematics(t, x, u, p):
+    """x' = F_R - v, not Eq. (1)."""
+    return u.flow_x - u.v_x
 
 
 def test_a_wrong_equation_fails_and_is_named(clpt, monkeypatch):
     monkeypatch.setattr(vehicle, "kinematics", wrong_kinematics)
     outcome = clpt("prove", "--theorem", "3.2")
     assert outcome.status == 1
-    assert "the proof fails: 3.2 at step 'V' = -e^T KD e, for N = 1, 2, 3 and every N'" in (
+    assert "the proof fails: 3.2 at step 'V' = -e^T KD e, for every N'" in (
         outcome.err
     )
 
 
-def learned_but_at_the_papers_gain(t, x, u, p, dx):
-    """Eqs. (21)-(23), but for the paper's own gain."""
-    n = p.N
-    e, phi, z, zc = u[0:2], u[2 : 2 + n], u[2 + n : 4 + n], u[4 + n : 6 + n]
-    sign = where(p.gain == 0.8, -1.0, 1.0)
-    for i in range(2):
-        for k in range(n):
-            dx[i * n + k] = -sign * p.gain * e[i] * phi[k]
-        dx[2 * n + i] = -p.gain * z[i] * e[i]
-        dx[2 * n + 2 + i] = p.gain * zc[i] * e[i]
+def of_the_papers_gain(turn):
+    """Eqs. (21)-(23), turned where the gain is the paper's own."""
+    right = LAWS["learned-flow"].rates
+
+    def rates(t, x, u, p):
+        return {port: turn(p) * rate for port, rate in right(t, x, u, p).items()}
+
+    return rates
 
 
-def test_a_law_that_turns_at_the_papers_gain_is_not_proved(monkeypatch):
-    monkeypatch.setattr(learned_flow, "learned_flow", learned_but_at_the_papers_gain)
+@pytest.mark.parametrize(
+    ("turn", "said"),
+    [
+        (lambda p: np.where(p.gain == 0.8, -1.0, 1.0), "left over"),
+        (lambda p: -1.0 if p.gain == 0.8 else 1.0, "asks for the value of its parameter gain"),
+    ],
+    ids=["where", "if"],
+)
+def test_a_law_that_turns_at_the_papers_gain_is_not_proved(monkeypatch, turn, said):
+    law = LAWS["learned-flow"]._replace(rates=of_the_papers_gain(turn))
+    monkeypatch.setitem(LAWS, "learned-flow", law)
     proof = audit("3.2")["3.2"]
     assert proof.status == "failed"
-    assert "`==` between signals or parameters" in proof.failed[0].detail
+    assert said in proof.failed[0].detail
 
 
 def test_a_step_that_cannot_be_checked_fails():

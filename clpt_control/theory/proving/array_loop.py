@@ -159,6 +159,11 @@ def array_loop(
     found = joined(
         diagram, wiring, names.leaf, names.given, stand_in, tape=loop.tape, closed=closed
     )
+    for block, own in sorted(found.pinned):
+        raise DiagramError(
+            f"{block}: asks for the value of its parameter {own}, as an `if` does, so nothing would "
+            f"be proved of other values; write np.where, or give {own} as a whole number"
+        )
     loop.inputs = found.inputs
     loop.signals = {port: value for (_, port), value in found.signals.items()}
     for node in wiring.nodes:
