@@ -1,14 +1,12 @@
 """Laws proved where their states keep relations: each is needed, and holds at t = 0 and later."""
 
-import math
-
 import numpy as np
 import pytest
 from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks.laws import covariance
-from clpt_control.blocks.laws.law import Truth
+from clpt_control.blocks.laws.known import Truth
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory.proving import judged_laws, kept_loop
 
@@ -79,17 +77,17 @@ def test_a_run_starts_and_stays_where_the_relations_hold(law):
     }
     scenario = clpt.paper_scenario().with_values({"learning.law": law.name, **more})
     truth = Truth(*map(np.array, (scenario.flow.parameters, *vehicle_gains(scenario))))
-    p = law.block(scenario.known_to_law).parameters
+    block = law.block(scenario.known_to_law)
+    p, shapes = block.parameters, {**block.state_shapes, **block.output_shapes}
     loop, times = clpt.closed_loop(scenario), np.array([0.0, 5.0, 30.0])
     run = response(loop, times, None, clpt.initial_state(scenario), rtol=1e-11, atol=1e-13)
     ports = [label.split("[")[0] for label in loop.output_labels]
     for k in range(len(times)):
-        s = {port: run.outputs[[one == port for one in ports], k] for port in set(ports)}
+        flat = {port: run.outputs[[one == port for one in ports], k] for port in set(ports)}
+        s = {port: value.reshape(shapes.get(port, -1)) for port, value in flat.items()}
         for port, value in law.keeps(s, p, truth).items():
-            np.testing.assert_allclose(s[port], np.ravel(value), atol=1e-9)
-        for port in law.cones:
-            n = math.isqrt(len(s[port]))
-            assert np.linalg.eigvalsh(s[port].reshape(n, n)).min() > -1e-10
+            np.testing.assert_allclose(s[port], value, atol=1e-9)
+        assert all(np.linalg.eigvalsh(s[port]).min() > -1e-10 for port in law.cones)
         assert all(np.prod(product) > -1e-10 for product in law.losses(s, p, truth))
 
 
@@ -114,7 +112,7 @@ def test_the_bounds_of_the_covariance_are_steps_of_the_proof(law):
 
 @pytest.mark.parametrize("law", WITH_P, ids=lambda law: law.name)
 def test_a_covariance_that_may_pass_its_bound_is_not_proved(law, monkeypatch):
-    def unbounded(x, p, P):
+    def unbounded(x, p):
         return p.forgetting
 
     monkeypatch.setattr(covariance.forgetting, "__code__", unbounded.__code__)
