@@ -57,7 +57,7 @@ def random_block(random, name):
     numbers = np.random.default_rng(random.randrange(2**32))
     a, b = numbers.normal(size=2)
     parameters = {"a": a, "b": b, **{k: numbers.normal(size=s) for k, s in NUMBERS.items()}}
-    return Block(
+    block = Block(
         name,
         update=space.get("update"),
         output=space.get("output"),
@@ -68,6 +68,8 @@ def random_block(random, name):
         breakpoints=jumps if interval else None,
         jump=space.get("jump"),
     )
+    block.late = plain or later
+    return block
 
 
 def random_system(random, name):
@@ -123,14 +125,19 @@ def linear_part(random, name):
     return control.ss(A, B, C, D, name=name)
 
 
+def is_late(part):
+    """Return whether inputs reach a part's outputs through its states only, as it was drawn."""
+    if isinstance(part, control.StateSpace):
+        return not np.any(part.D)
+    return getattr(part, "late", False)
+
+
 def wired(random, parts):
     """Wire parts: most inputs from signals before them or from states, some from outside."""
-    from clpt_control.diagrams.wiring import reaches_outputs
-
     signals: list[tuple[int, str, int]] = []
     for k, part in enumerate(parts):
         signals += [(k, part.name, j) for j in range(part.noutputs)]
-    late = {k for k, part in enumerate(parts) if not reaches_outputs(part)}
+    late = {k for k, part in enumerate(parts) if is_late(part)}
     connections, outside = [], random.randrange(0, 4)
     fed: dict[int, list[str]] = {k: [] for k in range(outside)}
     for k, part in enumerate(parts):

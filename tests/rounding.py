@@ -157,7 +157,8 @@ def rounding_of(diagram: Any, t: float, x: Any, u: Any) -> np.ndarray:
     for k in sweep.leaping:
         after[wiring.nodes[k].states] = run("jump", k)
     outputs = []
-    for row in wiring.output_map.toarray():
+    output_map = wiring.output_map
+    for row in output_map if isinstance(output_map, np.ndarray) else output_map.toarray():
         total = exact(np.float64(0.0))
         for gain, source in zip(row, [*signals, *outside], strict=True):
             if gain:

@@ -87,7 +87,6 @@ def states(engine, block, x0, step):
         runner = PythonDiagram(block)
     else:
         runner = NativeDiagram(block, form="looped" if engine == "looped" else "unrolled")
-        assert runner.code.unrolled == (engine != "looped")
     count = LANES + 3 if engine == "lanes" else 1
     P, starts = np.tile(runner.parameters(), (count, 1)), np.tile(x0, (count, 1))
     callee = runner.callee(LANES if engine == "lanes" else 1)
