@@ -191,7 +191,7 @@ class Components:
 
     def _summed(self, ref: Ref, index: tuple, axis: int, count: int, long: bool) -> Value:
         def one(i: Index) -> Value:
-            return self.at(ref, (*index[:axis], i, *index[axis:]))
+            return self.number(self.at(ref, (*index[:axis], i, *index[axis:])))
 
         if long:
             used = [i[0] for i in index if type(i) is tuple]
@@ -260,7 +260,9 @@ class Components:
                 first += own * (m if isinstance(m, int) else m[1])
                 stride += 0 if isinstance(m, int) else own * m[2]
         elif count < self.record.long:
-            return self.add("pick", whole, *[self.at(table, (k,)) for k in range(count)])
+            return self.add(
+                "pick", whole, *[self.number(self.at(table, (k,))) for k in range(count)]
+            )
         else:
             (array, first, kept), stride = self._kept(table), 1
         at = self._place(
@@ -269,6 +271,8 @@ class Components:
         return self.add("lookup", whole, (at, ()))
 
     def _calculated(self, kind: str, a: list[Value], at: Any) -> Value:
+        logical = len(a) if kind in ("and", "or", "not") else kind == "where"
+        a = [self.answer(v) if k < logical else self.number(v) for k, v in enumerate(a)]
         if kind == "pow" and type(a[1]) is float:
             if a[1] in (2.0, 3.0, 4.0):
                 square = self.add("mul", a[0], a[0])
@@ -285,6 +289,18 @@ class Components:
         if kind == "sign":
             return self.add("add", self.add("sign", *a), 0.0)
         return self.add(kind, *a)
+
+    def number(self, value: Value) -> Value:
+        """Return an answer as 1 or 0, a number as it is."""
+        if type(value) is float or self.all[value[0]].name not in CONDITIONS:
+            return value
+        return self.add("where", value, 1.0, 0.0)
+
+    def answer(self, value: Value) -> Value:
+        """Return a number as whether it is not zero, an answer as it is."""
+        if type(value) is tuple and self.all[value[0]].name in CONDITIONS:
+            return value
+        return self.add("ne", value, 0.0)
 
     def is_steady(self, value: Value) -> bool:
         """Whether a value depends on parameters alone."""
@@ -357,7 +373,7 @@ class Components:
             start = first + sum(
                 [s * i for s, i in zip(strides, place, strict=True) if i is not None]
             )
-            value = (element or self.at)(ref, index)
+            value = self.number((element or self.at)(ref, index))
             if type(value) is tuple:  # its axes are the turns of the loops, outermost first
                 turn = {symbols[k]: number for number, k in enumerate(loops)}
                 value = value[0], tuple([turn[s] for s in value[1]])
