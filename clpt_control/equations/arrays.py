@@ -287,6 +287,8 @@ class Array(NDArrayOperatorsMixin):
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **more: Any) -> Any:
         from .ufuncs import called
 
+        if not self.shape and not more and ufunc in UFUNCS and method == "__call__":
+            return elementwise(UFUNCS[ufunc], *inputs)
         return called(self.tape, ufunc, method, inputs, more)
 
     def __array_function__(self, function: Any, types: Any, inputs: Any, more: Any) -> Any:

@@ -57,7 +57,7 @@ def times_of_change(scalars: Scalars, parameters: Any, t0: float, t1: float) -> 
         middle = 0.5 * (low + high)
         same = _decided(scalars, parameters, middle)[which, np.arange(len(at))] == before
         low, high = np.where(same, middle, low), np.where(same, high, middle)
-    found = np.unique(high)
+    found = np.unique([low, high])  # the last time before a change, and the first after
     return found[(found > t0) & (found < t1)]
 
 

@@ -135,15 +135,17 @@ class Batch:
 
 
 def _together(schedules: list[Schedule]) -> tuple[np.ndarray, ...]:
-    """Return ends of pieces, how many, places and values of schedules of one kind."""
+    """Return ends of pieces, how many, places, values and smoothness of schedules of one kind."""
     longest = max(len(one.edges) for one in schedules)
     edges = np.full((len(schedules), longest), np.inf)
     values = np.zeros((len(schedules), longest + 1, len(schedules[0].places)))
+    smooth = np.zeros((len(schedules), longest + 1), dtype=np.int64)
     for g, one in enumerate(schedules):
         edges[g, : len(one.edges)] = one.edges
         values[g, : len(one.values)] = one.values
+        smooth[g, : len(one.smooth)] = one.smooth
     ends = np.array([len(one.edges) for one in schedules])
-    return edges, ends, schedules[0].places, values
+    return edges, ends, schedules[0].places, values, smooth
 
 
 def pace(most: int, span: float, started: float) -> Callable[[Batch], None]:

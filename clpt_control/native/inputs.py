@@ -1,6 +1,7 @@
 """Inputs of a diagram as python-control gives them."""
 
 import warnings
+from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -64,6 +65,8 @@ def stacked_state(name: str, state: Any, count: int) -> np.ndarray:
     """
     if isinstance(state, list | tuple) and len(state):
         state = np.concatenate([numbers(name, part).ravel() for part in state])
+    elif np.ndim(state):
+        state = numbers(name, state).ravel()
     if 0 < np.size(state) < count and np.ndim(state) == 1:
         if state[-1] != 0:
             warnings.warn(f"{name} is too short: filled with zeros", stacklevel=5)
@@ -149,9 +152,11 @@ def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
             f"inputs: shape {values.shape} must be ({count}, {len(times)}): inputs x timepts"
         )
 
+    begins, last, slopes = times.tolist(), len(times) - 2, np.diff(values, axis=1) / np.diff(times)
+    rows, slopes = np.ascontiguousarray(values.T), np.ascontiguousarray(slopes.T)
+
     def straight(t: float) -> np.ndarray:
-        k = int(np.clip(np.searchsorted(times, t, side="right") - 1, 0, len(times) - 2))
-        share = (t - times[k]) / (times[k + 1] - times[k])
-        return values[:, k] + share * (values[:, k + 1] - values[:, k])
+        k = min(max(bisect_right(begins, t) - 1, 0), last)
+        return rows[k] + (t - begins[k]) * slopes[k]
 
     return Inputs(straight, (times, values))

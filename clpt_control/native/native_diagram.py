@@ -15,7 +15,7 @@ from .code import code_of, kernels
 from .inputs import Inputs
 from .layout import lay_out
 from .processor import LANES, fuses
-from .python_diagram import PythonDiagram
+from .python_diagram import PythonDiagram, Stops
 from .schedule import Schedule, make_schedule, with_inputs
 from .solver_cache import compiled_solver
 
@@ -77,29 +77,30 @@ class NativeDiagram(PythonDiagram):
         return np.append(P, np.zeros(self.code.program.parameters - len(P)))
 
     def schedule(
-        self, t0: float, t1: float, inputs: Inputs | None = None, stops: Any = ()
+        self, t0: float, t1: float, inputs: Inputs | None = None, stops: Stops | None = None
     ) -> Schedule:
         """Return the pieces of a run, which end where the inputs bend and at stops."""
-        own = self.sweep, self.layout.intervals, self.layout.jumps, t0, t1
+        own, stops = (self.sweep, self.layout.intervals, self.layout.jumps), stops or Stops()
         if inputs is not None and inputs.samples is None and self.wiring.ninputs:
             raise SimulationError("inputs: machine code takes no function; give samples")
         fed = inputs is not None and self.wiring.ninputs
-        kinks = np.union1d(inputs.kinks, stops) if fed else np.asarray(stops, dtype=float)
-        pieces = make_schedule(*own, kinks)
+        kinks = np.union1d(inputs.kinks, stops.kinks) if fed else np.asarray(stops.kinks)
+        pieces = make_schedule(*own, t0, t1, kinks, stops.breaks)
         return with_inputs(pieces, t0, inputs.samples, self.ramp) if fed else pieces
 
-    def stops(self, times: np.ndarray) -> tuple[Any, float]:
-        """Return when a run ends a step, and of what share its tolerances are.
+    def stops(self, times: np.ndarray) -> Stops:
+        """Return where a run ends a step: where time decides, and at all samples if signals do.
 
-        It ends one where time decides, and at all samples where signals do.  The estimate of a
-        step's error may pass over a kink within it, so there the tolerances are tighter.
+        The estimate of a step's error may pass over a kink within it, so there the tolerances
+        are tighter.
         """
-        by_signals, found = False, [np.zeros(0)]
+        by_signals, breaks = False, [np.zeros(0)]
         for node, p in zip(self.wiring.nodes, self.sweep.given, strict=True):
             signals, own = kinks_of(node.system, p, float(times[0]), float(times[-1]))
             by_signals |= signals
-            found.append(own)
-        return np.concatenate([*found, times] if by_signals else found), OVER_KINKS**by_signals
+            breaks.append(own)
+        share = OVER_KINKS if by_signals else 1.0
+        return Stops(times if by_signals else (), np.concatenate(breaks), share)
 
     def callee(self, lanes: int = 1, inputs: Inputs | None = None) -> Callee:
         """Return what the solver calls."""

@@ -4,7 +4,7 @@ The solver is the one that machine code runs with.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import control
 import numpy as np
@@ -19,6 +19,14 @@ from .formula import on_rows
 from .inputs import Inputs, checked_state, checked_times, numbers, read_inputs
 from .schedule import Schedule, make_schedule
 from .sweep import Sweep, first_not_finite
+
+
+class Stops(NamedTuple):
+    """Where a run ends a step beside breakpoints and bends of the inputs."""
+
+    kinks: Any = ()  # times at which rates may bend
+    breaks: Any = ()  # times at which they jump
+    share: float = 1.0  # of the tolerances, which a kink within a step asks for
 
 
 class PythonDiagram:
@@ -46,7 +54,7 @@ class PythonDiagram:
         return np.zeros(len(self._jumps))
 
     def schedule(
-        self, t0: float, t1: float, inputs: Inputs | None = None, stops: Any = ()
+        self, t0: float, t1: float, inputs: Inputs | None = None, stops: "Stops | None" = None
     ) -> Schedule:
         """Return the pieces of a run, which end where the inputs bend and at stops."""
         kinks = None if inputs is None else inputs.kinks
@@ -133,7 +141,7 @@ class PythonDiagram:
         inputs = self._inputs(inputs, times)
         if not self.nstates:
             return Solution(times, np.zeros((len(times), 0)), engine=self.engine)
-        stops, share = self.stops(times)
+        stops = self.stops(times)
         P, pieces = self.parameters()[None], [self.schedule(t0, t1, inputs, stops)]
         batch = Batch(self.callee(1, inputs), start[None], P, times, pieces)
         if step is not None:
@@ -146,15 +154,12 @@ class PythonDiagram:
                 progress(batch.now)
             keeps_pace(batch)
 
-        batch.adaptive(*(share * one for one in tolerances), watch, self.most)
+        batch.adaptive(*(stops.share * one for one in tolerances), watch, self.most)
         return ended(self.sweep, batch, inputs)
 
-    def stops(self, times: np.ndarray) -> tuple[Any, float]:
-        """Return when a run with these samples ends a step, and of what share its tolerances are.
-
-        In Python it stops at no sample.
-        """
-        return (), 1.0
+    def stops(self, times: np.ndarray) -> Stops:
+        """Return where a run with these samples ends a step; in Python it does at none."""
+        return Stops()
 
     def run_many(
         self,

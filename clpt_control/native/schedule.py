@@ -20,6 +20,7 @@ class Schedule(NamedTuple):
     edges: np.ndarray  # ends of n pieces, increasing; the last is the end of the run
     places: np.ndarray  # m places in P
     values: np.ndarray  # (n + 1, m): what each piece sets there, and the time of the end
+    smooth: np.ndarray  # (n + 1,): whether rates do not jump where a piece begins
 
 
 def make_schedule(
@@ -29,17 +30,25 @@ def make_schedule(
     t0: float,
     t1: float,
     kinks: np.ndarray | None = None,
+    breaks: np.ndarray | tuple[()] = (),
 ) -> Schedule:
-    """Return the pieces of a run from t0 to t1, which also stop at `kinks` of the inputs.
+    """Return the pieces of a run from t0 to t1, which also stop at `kinks` and at `breaks`.
+
+    Rates bend at kinks and jump at breaks.
 
     `intervals` holds the place in P of each block's `interval`, `jumps` the place that is 1
     where a piece begins with a jump of the block's states.
     """
     edges = sweep.breakpoints(t0, t1)
+    if len(breaks):
+        edges = np.union1d(edges, breaks)
+    jumping = edges
     if kinks is not None:
-        edges = np.union1d(edges, kinks[(kinks > t0) & (kinks < t1)])
-    edges = np.append(edges[edges < t1], t1)
+        edges = np.union1d(edges, kinks)
+    edges = np.append(edges[(edges > t0) & (edges < t1)], t1)
     starts = np.append(t0, edges)
+    smooth = ~np.isin(starts, jumping)
+    smooth[0] = False
     places = np.array([*intervals.values(), *jumps.values()], dtype=np.int64)
     values = np.zeros((len(starts), len(places)))
 
@@ -53,7 +62,7 @@ def make_schedule(
         values[:, j] = numbers(k)
     for j, k in enumerate(jumps, len(intervals)):
         values[1:, j] = np.diff(numbers(k)) != 0
-    return Schedule(edges, places, values)
+    return Schedule(edges, places, values, smooth)
 
 
 def with_inputs(pieces: Schedule, t0: float, samples: Samples, ramp: int) -> Schedule:
@@ -67,4 +76,5 @@ def with_inputs(pieces: Schedule, t0: float, samples: Samples, ramp: int) -> Sch
     slopes = np.diff(u, axis=1) / np.diff(at) if len(at) > 1 else np.zeros((len(u), 1))
     rows = np.column_stack([at[k], u[:, k].T, slopes[:, k].T])
     more = np.arange(ramp, ramp + 1 + 2 * len(u))
-    return Schedule(pieces.edges, np.append(pieces.places, more), np.hstack([pieces.values, rows]))
+    places, values = np.append(pieces.places, more), np.hstack([pieces.values, rows])
+    return pieces._replace(places=places, values=values)

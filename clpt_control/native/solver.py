@@ -12,12 +12,13 @@ All numbers are computed through `call`, by the diagram's functions and the form
     shape     numbers of lanes, states and parameters
     runs      initial states (m, n), parameters (m, nP) and schedule of each run (m,)
     schedule  ends of pieces of time (g, ne), how many there are (g,), the places in P
-              that a piece sets, and their values (g, ne, np)
+              that a piece sets, their values (g, ne, np), and 1 for a piece that is entered
+              with the rates and the step that there are (g, ne)
     times     when states are wanted; a run starts at the first
     results   of each run: states at `times`, how it ended, samples done, numbers of
               steps, evaluations, restarts and rejected steps
     lane      of each lane: numbers (rows TIME ...), whole numbers (rows MEMBER ...);
-              then the queue: next run, the one behind the last, 1 if a lane begins a piece
+              then the queue: next run, the one behind the last, ANEW or ON if a lane begins a piece
     arrays    Z (states and stages), P, T, W and D, as the functions take them
 
 Number i of row r of Z in lane k lies at (r n + i) lanes + k.
@@ -37,6 +38,7 @@ STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of the counts
 DERIVATIVE, PREPARE, MARGIN, SIGNALS, JUMP = range(5)
 ATTEMPT, JUDGE, SIZES, TRIAL, FIRST, ACCEPT, DENSE = range(5, 12)
 STAGE, FIXED = 11, 26
+ANEW, ON = 1, 2  # a piece begins with rates and a step of its own, or goes on with those there are
 OUTSIDE = 1e-9  # grid steps beyond the edge that count as outside
 LOOKS = 16  # places within a step at which guards are looked at
 
@@ -73,9 +75,13 @@ def advance(
     active = start(shape, runs, schedule, times, results, lane, Z, P)
     while active > 0 and budget > 0:
         budget -= 1
-        if queue[2] == 1:
+        if queue[2] > 0:
+            anew = queue[2] == ANEW
             queue[2] = 0
             call(code[PREPARE], now, Z, 0, P, T, W, D, 0)
+        else:
+            anew = False
+        if anew:
             call(code[DERIVATIVE], now, Z, 0, P, T, W, Z, (RATE + 1) * span)
             if guarded:
                 call(code[MARGIN], now, Z, 0, P, T, W, D, 0)
@@ -89,7 +95,7 @@ def advance(
             call(code[STAGE + s], numbers, Z, 0, P, T, W, D, 0)
             call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + s) * span)
         call(code[JUDGE], numbers, Z, 0, P, tolerances, W, D, 0)
-        wanted = False
+        wanted, within = False, guarded > 0
         for k in range(lanes):
             m, done = whole[MEMBER, k], whole[DONE, k]
             if m >= 0:
@@ -102,7 +108,8 @@ def advance(
                     counts[m, STEPS] += 1
                     if done < len(times) and times[done] <= numbers[NEW, k]:
                         wanted = True
-        if wanted or guarded:
+                        within = within or times[done] < numbers[NEW, k]
+        if within:
             for s in range(STAGES + 1, STAGES + 4):
                 call(code[STAGE + s], numbers, Z, 0, P, T, W, D, 0)
                 call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + s) * span)
@@ -110,7 +117,8 @@ def advance(
             call(code[DENSE], numbers, Z, 0, P, T, W, D, 0)
             if guarded:
                 watch(code, shape, results, lane, arrays)
-            sample(shape, times, results, lane, Z)
+        if wanted or within:
+            sample(shape, times, results, lane, Z, within)
         call(code[ACCEPT], numbers, Z, 0, P, T, W, D, 0)
         if jumping:
             leap(code, shape, runs, schedule, times, results, lane, arrays, guarded)
@@ -156,11 +164,11 @@ def take(k, shape, runs, schedule, times, results, lane, Z, P):
     """Begin the next run in a lane; return 0 where there is none."""
     lanes, n, parameters = shape
     X0, Ps, group = runs
-    edges, _, places, values = schedule
+    edges, _, places, values, _ = schedule
     out, (numbers, whole, queue) = results[0], lane
     m, more = queue[0], queue[0] < queue[1]
     if more:
-        queue[0], queue[2] = m + 1, 1
+        queue[0], queue[2] = m + 1, ANEW
         whole[MEMBER, k], whole[EDGE, k], whole[DONE, k] = m, 0, 1
         for i in range(n):
             out[m, 0, i] = X0[m, i]
@@ -207,7 +215,7 @@ def begin(lanes, results, lane, D, guarded):
 
 def enter(k, lanes, runs, schedule, status, lane, P):
     """Enter the next piece of time, or end the run."""
-    edges, ends, places, values = schedule
+    edges, ends, places, values, smooth = schedule
     numbers, whole, queue = lane
     m = whole[MEMBER, k]
     g = runs[2][m]
@@ -216,8 +224,11 @@ def enter(k, lanes, runs, schedule, status, lane, P):
         if status[m] == RUNNING:
             status[m] = FINISHED
         return
-    numbers[END, k], numbers[FRESH, k] = edges[g, whole[EDGE, k]], 1.0
-    queue[2] = 1
+    numbers[END, k] = edges[g, whole[EDGE, k]]
+    if smooth[g, whole[EDGE, k]] == 0:
+        numbers[FRESH, k], queue[2] = 1.0, ANEW
+    elif queue[2] == 0:
+        queue[2] = ON
     for j in range(len(places)):
         P[places[j] * lanes + k] = values[g, whole[EDGE, k], j]
 
@@ -228,7 +239,7 @@ def leap(code, shape, runs, schedule, times, results, lane, arrays, guarded):
     The next piece, which says what jumps, is set in P; after the last it is the time of the end.
     """
     lanes, n, _ = shape
-    _, _, places, values = schedule
+    _, _, places, values, _ = schedule
     (out, status, _, _), (numbers, whole, _) = results, lane
     Z, P, T, W, D = arrays
     some = False
@@ -281,15 +292,16 @@ def between(Z, n, lanes, k, i, share):
     return y + Z[i * lanes + k]
 
 
-def sample(shape, times, results, lane, Z):
-    """Write the states at times within the step."""
+def sample(shape, times, results, lane, Z, within):
+    """Write the states at times within the step, or at its end alone."""
     lanes, n, _ = shape
     (out, status, _, counts), (numbers, whole, _) = results, lane
     for k in range(lanes):
         m, done = whole[MEMBER, k], whole[DONE, k]
         if m < 0 or numbers[GOOD, k] < 0.5 or status[m] != RUNNING:
             continue
-        counts[m, EVALUATIONS] += 3
+        if within:
+            counts[m, EVALUATIONS] += 3
         t, h, new = numbers[TIME, k], numbers[TAKEN, k], numbers[NEW, k]
         while done < len(times) and times[done] <= new:
             for i in range(n):
@@ -330,7 +342,7 @@ def advance_fixed(
     """
     lanes, n, parameters = shape
     X0, Ps, group = runs
-    edges, _, places, values = schedule
+    edges, _, places, values, _ = schedule
     (out, status, reached, counts), (numbers, whole, _) = results, lane
     Z, P, T, W, D = arrays
     for base in range(0, len(X0), lanes):
