@@ -88,6 +88,11 @@ def reading_on(tape: "Tape") -> Iterator[None]:
         _ACTIVE.tape = before
 
 
+def is_free(at: tuple[str, str]) -> bool:
+    """Return whether a leaf changes along a run: all but parameters, and `interval` of these."""
+    return at[0] != "p" or at[1] == "interval"
+
+
 class Tape:
     """A record as it grows; equal operations are one."""
 
@@ -108,7 +113,7 @@ class Tape:
             place = self._known[key] = len(self.operations)
             self.operations.append(Operation(kind, tuple(arguments), shape, at))
             own = [a for a in arguments if type(a) is int]
-            self.free.append(any(self.free[a] for a in own) or (kind == "leaf" and at[0] != "p"))
+            self.free.append(any(self.free[a] for a in own) or (kind == "leaf" and is_free(at)))
             self.truth.append(
                 kind in CONDITIONS
                 or (
@@ -426,7 +431,7 @@ def lifted(tape: Tape, value: Any) -> Any:
 
 def constant(tape: Tape, value: np.ndarray) -> Any:
     """Return an array of numbers; a single one is a float."""
-    value = np.ascontiguousarray(value)
+    value = np.asarray(value, order="C")  # ascontiguousarray would make an axis of a number
     if value.dtype.kind not in "fiub":
         raise Unread(f"calculating with an array of {value.dtype}")
     value = value.astype(float)

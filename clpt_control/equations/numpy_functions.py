@@ -125,6 +125,8 @@ def product(
     a: Any, axis: Any = None, dtype: Any = None, out: Any = None, keepdims: Any = False
 ) -> Any:
     """Return the product of the elements."""
+    if axis is None and not a.size:
+        return 1.0
     return folded(lambda v, w: v * w, a, axis, keepdims)
 
 

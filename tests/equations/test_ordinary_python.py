@@ -361,3 +361,19 @@ def static_of(N):
         parameters={"centers": np.zeros((N, 2)), "theta": np.zeros((2, N))},
         shapes={"centers": ("N", 2), "theta": (2, "N")},
     )
+
+
+def by_interval(t, x, u, p):
+    return -u if p.interval > 1.5 else u
+
+
+def test_the_interval_of_a_run_is_asked_both_ways():
+    def ticks(p, t0, t1):
+        return np.arange(np.floor(t0) + 1, np.floor(t1) + 1)
+
+    block = static(by_interval, 1, parameters={"interval": -1.0}, breakpoints=ticks)
+    record = block.array_record("output")
+    for interval, wanted in ((0.0, 3.0), (1.0, 3.0), (2.0, -3.0)):
+        given = {("p", "interval"): interval, ("u", "u"): np.array([3.0])}
+        (found,) = record.values(lambda group, name, given=given: given[group, name], {})
+        assert found == [wanted]
