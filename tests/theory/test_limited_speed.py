@@ -6,7 +6,7 @@ from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks import learner, speed_limit
-from clpt_control.blocks.laws.law import Truth
+from clpt_control.blocks.laws.known import Truth
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.errors import ScenarioError
@@ -81,16 +81,14 @@ def test_a_certificate_holds_along_a_hedged_run_and_is_refused_without():
         clpt.theory.certificate(scenario.with_values({"learning.hedging": False}), 80.0, 20.0)
 
 
-def added(t, x, u, p, dx):
-    """z' = F_M + v + d, not Eq. (2) hedged: u = flow_z[2], v_z[2], unflown[2], state z[2]."""
-    for i in range(2):
-        dx[i] = u[i] + u[2 + i] + u[4 + i]
+def added(t, x, u, p):
+    """z' = F_M + v + d, not Eq. (2) hedged."""
+    return u.flow_z + u.v_z + u.unflown
 
 
-def too_fast(t, x, u, p, y):
-    """v = 2 v_c, no limit, for Eq. (1): u = v_c[2], y = v_x[2]."""
-    for i in range(2):
-        y[i] = 2 * u[i]
+def too_fast(t, x, u, p):
+    """v = 2 v_c, no limit, for Eq. (1)."""
+    return 2 * u.v_c
 
 
 @pytest.mark.parametrize(

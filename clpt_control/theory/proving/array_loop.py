@@ -56,6 +56,10 @@ class ArrayLoop:
         """
         return self._direction.of(value)
 
+    def read(self, value: Any) -> list[Any]:
+        """Return a value's elements on symbols, row by row."""
+        return list(np.ravel(self.elements.of(value)))
+
     def direction(self, state: str) -> Any:
         """Return any direction of a state, as an array of its shape."""
         return self.tape.add("leaf", (), self.states[state].shape, ("d", state))

@@ -57,14 +57,14 @@ def rate_of_V(loop: ArrayLoop) -> Any:
 
 def known_positive(loop: ArrayLoop, name: str, value: Any) -> None:
     """Refuse what is not known to be positive."""
-    if not all(one.is_positive for one in np.ravel(loop.elements.of(value))):
+    if not all(one.is_positive for one in loop.read(value)):
         raise DiagramError(f"{name} is not known to be positive")
 
 
 def vanish(loop: ArrayLoop, left: Iterable[Any]) -> tuple[bool, str]:
     """Return whether what is left of a loop is zero for every N, and what is not."""
     for rest in left:
-        for one in np.ravel(loop.elements.of(rest)):
+        for one in loop.read(rest):
             if not vanishes(one):
                 return False, f"left over: {short(sympy.expand(one))}"
     return (False, loop.undefined[0]) if loop.undefined else (True, "")

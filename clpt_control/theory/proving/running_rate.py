@@ -54,7 +54,8 @@ class RunningRate:
     def set(self, params: Mapping[str, Any]) -> None:
         """Set the parameters with which the blocks run."""
         self._params = dict(params)
-        self.diagram._update_params(self._params)
+        if self._left > 0:
+            self.diagram._update_params(self._params)
         found = changed_parameters(self.wiring, params)
         self._motion, self._level = (Sweep(self.wiring, found, only) for only in self._needed)
 
