@@ -571,7 +571,7 @@ def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
     if kind == "stack" and isinstance(mapped[0], int):
         item = arguments[mapped[0]]
         if type(item) is float:
-            return item
+            return constant(tape, np.full(shape, item))  # a number, or one with new axes
         return tape_viewed(tape, item, mapped[1:], shape)
     return tape.add("view", (node,), shape, mapped)
 

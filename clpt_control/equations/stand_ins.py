@@ -345,10 +345,10 @@ class Module(ModuleType):
 
     def __init__(self, real: ModuleType):
         super().__init__(real.__name__)
-        self.__dict__["real"] = real
+        self.__dict__["_stands_for"] = real
 
     def __getattr__(self, name: str) -> Any:
-        found = stand_in(getattr(self.real, name))
+        found = stand_in(getattr(self._stands_for, name))
         self.__dict__[name] = found
         return found
 

@@ -107,7 +107,7 @@ def imports(t, x, u, p):
     import numpy as n
     from numpy.linalg import norm
 
-    return n.array([m.tanh(x[0]), norm(x)])
+    return n.array([m.tanh(x[0]), norm(x) + n.real(1.0 + 2.0j)])
 
 
 def masked(t, x, u, p):
