@@ -4,7 +4,7 @@
     x = n pi/2 + (r + d),  |r| <= pi/4 of tan
 
 pi is subtracted in three parts (Cody and Waite) with fused multiply-add; the first difference is
-exact, and what the second rounds off is kept in d.  sin and cos are within 2e-16 of the true
+exact, and what the second rounds off is kept in d.  sin and cos are within 2.3e-16 of the true
 value, relative, for |x| <= 1e5 and within 5e-15 for |x| < 2^50, where doubles are a quarter of a
 radian apart.  Beyond it an angle means nothing and gives NaN, in every reading.
 

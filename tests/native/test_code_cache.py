@@ -6,12 +6,13 @@ import sys
 
 import numpy as np
 import pytest
+from llvmlite import ir
 
 from clpt_control.files.user_cache import FOLDER, cache_folder, trusted
 from clpt_control.native import object_code, solver_cache
 from clpt_control.native.machine import Machine
 from clpt_control.native.object_code import keep, kept, name_of
-from clpt_control.native.program import Step, Store
+from clpt_control.native.printing import Function
 
 
 @pytest.fixture
@@ -100,8 +101,9 @@ def test_nothing_can_be_kept_and_the_work_goes_on(monkeypatch):
     monkeypatch.setattr(object_code, "cache_folder", lambda: None)
     keep("some", b"0123456789")
     assert kept("some") is None
-    functions = {"nothing": (Step(0, "add", (1.0, 2.0)), Store("D", 0, (), 0))}
-    assert Machine(functions, (), 1).addresses["nothing"]
+    module = ir.Module()
+    Function(module, "nothing", 1).builder.ret_void()
+    assert Machine(["nothing"], "nothing", lambda: module).addresses["nothing"]
 
 
 def test_the_name_changes_with_what_is_compiled(monkeypatch):

@@ -1,0 +1,180 @@
+"""Machine code of records of arrays: every operation, in every form, against NumPy's."""
+
+import numpy as np
+import pytest
+
+from clpt_control.diagrams.interconnection import connect
+from clpt_control.diagrams.wiring import wiring_of
+from clpt_control.equations import Block, lookup
+from clpt_control.native import NativeDiagram, readings
+
+SIZES = {"N": 11, "M": 3}
+STATES = {"x": "N", "y": "M", "A": ("N", "N"), "B": (2, "N"), "c": 2, "d": 20, "s": 1}
+
+
+def turned(t, x, u, p):
+    """Views: transposed, backwards, shifted, a diagonal."""
+    return {
+        "x": x.A.T @ x.x + np.trace(x.A),
+        "y": x.y * 2.0 - x.y,
+        "A": x.A.T - x.A,
+        "B": np.stack([x.x, x.x * x.x]) - x.B,
+        "c": x.c[::-1],
+        "d": np.concatenate([x.d[1:], x.d[:1]]) - x.d[::-1],
+        "s": np.diagonal(x.A).sum(),
+    }
+
+
+def products(t, x, u, p):
+    """Matrices, outer products, and a factor that leaves its sum."""
+    return {
+        "x": x.A @ (p.m @ x.x),
+        "y": x.y * (x.x @ p.m @ x.x),
+        "A": x.A @ np.outer(x.x, x.x) @ x.A,
+        "B": np.outer(x.c, x.x) @ x.A,
+        "c": x.B @ x.x,
+        "d": np.outer(x.d, x.d) @ x.d,
+        "s": x.x @ x.x,
+    }
+
+
+def choices(t, x, u, p):
+    """Questions of elements, truth values as numbers, NaN, lookups."""
+    positive = x.x > 0
+    return {
+        "x": np.where(positive & ~(x.x > 1), np.sqrt(x.x), np.minimum(x.x, -0.5)),
+        "y": lookup(x.x, np.floor(3 * x.y)),
+        "A": np.where(x.A > x.A.T, x.A, p.m),
+        "B": np.sign(x.B) * np.floor(x.B) + positive,
+        "c": np.array([np.sum(positive), lookup(x.d, 5.0 * x.c[0])]),
+        "d": np.clip(x.d, -0.5, 0.5) % 0.3,
+        "s": lookup(np.array([np.sin(k * x.c[0]) for k in range(30)]), 7.0 + x.c[0]),
+    }
+
+
+def functions(t, x, u, p):
+    """Powers, divisions by parameters and by signals, functions of a library."""
+    return {
+        "x": np.exp(-x.x / p.w) * np.cos(t * p.w + x.x) / (1.0 + x.x**2),
+        "y": np.arctan2(x.y, -0.0 * x.y) + np.hypot(x.y, 2.0),
+        "A": np.tanh(x.A) ** 3,
+        "B": np.abs(x.B) ** 0.5 + x.B**4,
+        "c": np.abs(x.c) ** 1.3,
+        "d": np.array([np.sin(k * x.c[0]) * x.d[k] for k in range(20)]),
+        "s": np.exp(np.sum(p.m @ p.w)) + np.linalg.norm(x.x),
+    }
+
+
+PROGRAMS = (turned, products, choices, functions)
+
+
+def block_of(update):
+    """Return a block with states of every kind."""
+    random = np.random.default_rng(5)
+    parameters = {"m": random.normal(size=(11, 11)) / 11, "w": random.uniform(1, 2, 11)}
+    return Block(
+        "block",
+        update=update,
+        states=STATES,
+        parameters=parameters,
+        shapes={"m": ("N", "N"), "w": "N"},
+        sizes=SIZES,
+    )
+
+
+@pytest.mark.parametrize("update", PROGRAMS)
+def test_every_form_is_numpys(update):
+    block, random = block_of(update), np.random.default_rng(1)
+    asked = readings(block)
+    for _ in range(3):
+        x = random.normal(size=block.nstates)
+        wanted = asked["python"](0.7, x, [])[0]
+        for name in ("native", "scalar", "looped", "lanes"):
+            np.testing.assert_allclose(
+                asked[name](0.7, x, [])[0], wanted, rtol=1e-12, atol=1e-13, err_msg=name
+            )
+
+
+def basis(function):
+    """Return a basis of five functions."""
+    return Block("basis", output=function, inputs={"z": 2}, outputs={"phi": "M"}, sizes={"M": 5})
+
+
+def opposed(t, x, u, p):
+    """Return what cancels where two blocks meet."""
+    return {"z": u.plus + u.minus - x.z, "alpha": np.outer(u.plus, np.ones(5))}
+
+
+def meeting(one):
+    """Return a diagram in which alpha phi of one block meets - alpha phi of another, or its own."""
+    made = [
+        basis(lambda t, x, u, p: {"phi": np.exp(-np.arange(1.0, 6.0) * u.z[0] ** 2)}),
+        Block(
+            "model",
+            update=opposed,
+            inputs={"plus": 2, "minus": 2},
+            states={"z": 2, "alpha": (2, 5)},
+        ),
+    ]
+    size = {"inputs": {"alpha": (2, "N"), "phi": "N"}, "sizes": {"N": 5}}
+    if one:
+        own = lambda t, x, u, p: {"plus": u.alpha @ u.phi, "minus": -u.alpha @ u.phi}  # noqa: E731
+        return connect([*made, Block("both", output=own, outputs={"plus": 2, "minus": 2}, **size)])
+    up = Block("up", output=lambda t, x, u, p: u.alpha @ u.phi, outputs={"plus": 2}, **size)
+    down = Block("down", output=lambda t, x, u, p: -u.alpha @ u.phi, outputs={"minus": 2}, **size)
+    return connect([*made, up, down])
+
+
+def sums(native):
+    """Return how many sums the rates of the model take."""
+    items = [item for nest in native.code.program.functions["derivative"] for item in nest.items]
+    return sum(type(item).__name__ == "Total" for item in items)
+
+
+def test_terms_of_different_blocks_cancel_and_those_of_one_do_not():
+    for one in (True, False):
+        native = NativeDiagram(meeting(one))
+        assert sums(native) == (4 if one else 2)  # two are left for alpha'
+        ask = readings(meeting(one))
+        x = np.random.default_rng(2).normal(size=12)
+        for name in ("native", "looped", "lanes"):
+            np.testing.assert_allclose(
+                ask[name](0.0, x, [])[0], ask["python"](0.0, x, [])[0], rtol=1e-12, atol=1e-13
+            )
+
+
+def quantiser(t, x, u, p):
+    """Round to steps, in numbers and within a sum over an axis."""
+    big = 3.0 * 2.0**51
+    return {"x": (x.x + big) - big, "s": np.sum(((x.x + p.big) - p.big) * x.x)}
+
+
+def test_the_order_of_operations_within_a_function_is_kept():
+    block = Block(
+        "quantiser",
+        update=quantiser,
+        states={"x": "N", "s": 1},
+        parameters={"big": 3.0 * 2.0**51},
+        sizes={"N": 9},
+    )
+    x = np.append(np.linspace(-4.0, 4.3, 9), 0.0)
+    whole = np.rint(x[:9])
+    for name, ask in readings(block).items():
+        if name != "symbolic":
+            np.testing.assert_allclose(
+                ask(0.0, x, [])[0], [*whole, np.sum(whole * x[:9])], rtol=1e-14, err_msg=name
+            )
+
+
+def test_a_large_matrix_is_a_loop():
+    import control
+
+    random = np.random.default_rng(0)
+    system = control.ss(random.normal(size=(60, 60)), np.ones((60, 1)), np.ones((1, 60)), 0)
+    program = NativeDiagram(wiring_of(system)).code.program
+    assert len(program.components) < 200
+    x = random.normal(size=60)
+    for name in ("native", "lanes"):
+        np.testing.assert_allclose(
+            readings(system)[name](0.0, x, [0.5])[0], system.A @ x + 0.5, rtol=1e-12, atol=1e-12
+        )
