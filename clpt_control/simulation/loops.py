@@ -260,7 +260,7 @@ def error_loop(scenario: Scenario) -> Diagram:
     Returns
     -------
     Diagram
-        Inputs phi_x[N], z[2], zc[2]; states and outputs e[2], eta[2N+4].
+        Inputs phi_x[N], z[2], zc[2]; states and outputs e[2], eta[2N], eta_3[2], eta_4[2].
 
     Examples
     --------
