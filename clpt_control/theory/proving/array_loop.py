@@ -46,8 +46,16 @@ class ArrayLoop:
     jumps: dict[str, dict[str, Any]] = field(default_factory=dict)  # block -> state: what it becomes
     inputs: dict[str, Any] = field(default_factory=dict)  # of the diagram
     parameters: dict[str, Parameters] = field(default_factory=dict)  # block -> arrays
-    undefined: list[str] = field(default_factory=list)  # where there may be no value, sentences
     elements: Elements = field(init=False)
+    seen_undefined: list[str] = field(default_factory=list)  # in what was read so far
+
+    @property
+    def undefined(self) -> list[str]:
+        """Where there may be no value, in sentences; all is read for it."""
+        for ports in (self.signals, self.rates, *self.jumps.values()):
+            for value in ports.values():
+                self.elements.of(value)
+        return self.seen_undefined
 
     def derivative(self, value: Any) -> Any:
         """Return the time derivative along the equations, as an array.
@@ -196,12 +204,9 @@ def array_loop(
             )
         sentence = undefined(name, arguments)
         if sentence is not None:
-            loop.undefined.append(f"{found.owners[place]} {sentence}")
+            loop.seen_undefined.append(f"{found.owners[place]} {sentence}")
 
     loop.elements = Elements(loop.tape, names.element, watch)
-    for ports in (loop.signals, loop.rates, *loop.jumps.values()):
-        for value in ports.values():
-            loop.elements.of(value)
     return loop
 
 

@@ -18,6 +18,7 @@ from ...errors import DiagramError
 MOST_TERMS = 20_000  # more are not multiplied out
 MOST_JUDGED = 400  # of more no sign is known
 HIGHEST = 4  # higher powers are not factored
+FEW = 12  # terms; more with words in them are not factored
 
 
 class Pull(NamedTuple):
@@ -104,7 +105,8 @@ def _negative(group: sympy.Expr, apart: set, values: dict) -> bool:
         return False
     powers = [power.exp for power in group.atoms(sympy.Pow)]
     low = all(exponent.is_Integer and exponent <= HIGHEST for exponent in powers)
-    if low and sympy.factor(group).is_nonpositive:
+    simple = not group.atoms(AppliedUndef) or len(sympy.Add.make_args(group)) <= FEW
+    if low and simple and sympy.factor(group).is_nonpositive:
         return True
     own = sorted(group.free_symbols & apart, key=str)
     if not own or not group.is_polynomial(*own):
