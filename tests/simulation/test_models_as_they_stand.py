@@ -1,0 +1,179 @@
+"""python-control's systems run as they stand: with its params, sizes and starts."""
+
+import warnings
+
+import control
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.diagrams.wiring import wiring_of
+from clpt_control.errors import DiagramError
+
+T = np.linspace(0.0, 4.0, 41)
+TIGHT = {"method": "DOP853", "rtol": 1e-10, "atol": 1e-12}
+
+
+def against_control(system, inputs=0.0, start=0.0, params=None, close=1e-7, engine="native"):
+    """Run a system here and by python-control, and compare all that both return."""
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        found = clpt.simulate(system, T, inputs, start, params)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # its own, of a short start
+        asked = control.input_output_response(
+            system, T, inputs, start, params=params, solve_ivp_kwargs=TIGHT
+        )
+    made = np.reshape(np.asarray(asked.outputs), (-1, len(T)))
+    ours = np.vstack([np.reshape(one.values.T, (-1, len(T))) for one in found.data_vars.values()])
+    np.testing.assert_allclose(ours[: len(made)], made, atol=close * (1.0 + np.abs(made).max()))
+    assert found.attrs["engine"] == engine
+    return [str(one.message) for one in said]
+
+
+def rate(t, x, u, params):
+    m = params.get("m", 1.0)
+    return np.array([x[1], (u[0] - params["c"] * x[1] - np.sin(x[0])) / m])
+
+
+def pendulum(**more):
+    params = {"c": 0.2, "m": 2, "why": "a word"}
+    return control.nlsys(
+        rate, lambda t, x, u, p: x[0], inputs=1, outputs=1, states=2, params=params, **more
+    )
+
+
+def test_params_are_python_controls():
+    for params in (None, {"m": 1000}, {"m": 3, "unknown": 1.0}):
+        against_control(pendulum(name="a"), np.sin(T), [0.3, 0.0], params)
+
+
+def test_params_reach_nested_diagrams_as_python_control_hands_them_down():
+    gain = control.nlsys(
+        None,
+        lambda t, x, u, p: p["k"] * (u[0] - u[1]),
+        inputs=["r", "y"],
+        outputs=["v"],
+        name="gain",
+        params={"k": 2.0},
+    )
+    inner = control.interconnect(
+        [pendulum(name="plant"), gain],
+        [["plant.u[0]", "gain.v"], ["gain.y", "plant.y[0]"]],
+        inplist=["gain.r"],
+        outlist=["plant.y[0]"],
+        name="inner",
+        params={"m": 5.0},
+    )
+    outer = control.interconnect(
+        [inner, control.tf([1.0], [0.3, 1.0], name="lag", inputs="u", outputs="y")],
+        [["inner.u[0]", "lag.y"]],
+        inplist=["lag.u"],
+        outlist=["inner.y[0]"],
+        params={"k": 3.0},
+    )
+    for params in (None, {"k": 1.0}, {"m": 7, "c": 0.0}):
+        against_control(outer, np.cos(T), 0.1, params, close=1e-6)
+
+
+def test_sizes_that_a_system_leaves_open():
+    open_ = control.nlsys(lambda t, x, u, p: -x + u[0] * np.array([1.0, 2.0]), None)
+    against_control(open_, np.vstack([np.sin(T), T]), [1.0, 0.5])
+
+
+def test_a_short_start_is_filled_with_zeros():
+    against_control(pendulum(), 0.0, [0.4, 0])
+    said = against_control(pendulum(), 0.0, np.array([0.4]))
+    assert any("filled with zeros" in one for one in said)
+
+
+@pytest.mark.parametrize(
+    "function",
+    [
+        lambda t, x, u, p: [max(x[0], 0.0), -x[0] + min(abs(u[0]), 0.5)],
+        lambda t, x, u, p: np.where(x > 0.2, -2.0 * x, -x) + (1.0 if t > 1.234 else 0.0),
+        lambda t, x, u, p: -x + np.floor(2.0 * t) * np.interp(t, [0.0, 1.0, 3.0], [0.0, 1.0, -1.0]),
+    ],
+)
+def test_kinks_and_jumps_of_time(function):
+    system = control.nlsys(function, None, inputs=1, outputs=2, states=2)
+    found = clpt.simulate(system, T, np.sin(T), [0.5, -0.1])
+    fine = clpt.simulate(system, T, np.sin(T), [0.5, -0.1], rtol=1e-12, atol=1e-14)
+    assert found.engine == "native"
+    np.testing.assert_allclose(found.states, fine.states, atol=1e-7)
+
+
+def test_feedback_that_python_control_makes():
+    plant = control.ss([[0.0, 1.0], [-1.0, -0.2]], [[0.0], [1.0]], np.eye(2), 0, name="plant")
+    gains = [np.array([[1.0, 1.5]]), np.array([[3.0, 2.5]])]
+    _, loop = control.create_statefbk_iosystem(
+        plant, (gains, [-1.0, 1.0]), gainsched_indices=[0], gainsched_method="linear"
+    )
+    against_control(loop, [0.5 * np.sin(T), 0.0, 0.0], [0.1, 0.0], close=1e-6)
+
+
+class Counter:
+    calls = 0
+
+    def rate(self, t, x, u, p):
+        self.calls += 1
+        return -x * (1.0 if self.calls % 2 else 1.0 + 1e-12)
+
+
+def test_what_cannot_be_read_runs_in_python_with_one_line():
+    system = control.nlsys(Counter().rate, None, inputs=0, outputs=1, states=1, name="kept")
+    (line,) = against_control(system, 0.0, 1.0, engine="python")
+    assert line.startswith("kept runs in Python, not as machine code: kept.update: rate keeps")
+
+
+def test_names_that_change_afterwards_count():
+    space = {"k": 1.0}
+    exec("def rate(t, x, u, p):\n    return -k * x\n", space)
+    system = control.nlsys(space["rate"], None, inputs=0, outputs=1, states=1)
+    block = clpt.Block("b", update=space["rate"], states={"x": 1})
+    for k in (1.0, 2.0):
+        space["k"] = k
+        for one in (system, block):
+            end = clpt.simulate(one, [0.0, 1.0], initial_state=1.0).states.values[-1, 0]
+            assert end == pytest.approx(np.exp(-k), abs=1e-8)
+
+
+def test_circles_of_blocks_that_are_none_of_signals():
+    A = control.nlsys(
+        lambda t, x, u, p: [-x[0] + 0.1 * u[0]],
+        lambda t, x, u, p: [x[0], u[0]],
+        inputs=["a"],
+        outputs=["p", "q"],
+        states=1,
+        name="A",
+    )
+    B = control.nlsys(None, lambda t, x, u, p: 2 * u[0] + t, inputs=["b"], outputs=["r"], name="B")
+    loop = control.interconnect([A, B], [["B.b", "A.p"], ["A.a", "B.r"]], outlist=["A.q", "B.r"])
+    assert wiring_of(loop).order == (0, 1, 0)
+    against_control(loop, 0.0, [1.0])
+    circle = control.interconnect(
+        [B, B.copy("C")], [["B.b", "C.r"], ["C.b", "B.r"]], outlist=["B.r"]
+    )
+    for engine in ("native", "python"):
+        with pytest.raises(DiagramError, match="algebraic loop"):
+            clpt.simulate(circle, T, engine=engine)
+
+
+def test_samples_on_one_line_are_one_piece():
+    system = control.nlsys(lambda t, x, u, p: u - x, None, inputs=1, outputs=1, states=1)
+    times = np.linspace(0.0, 1.0, 1001)
+    held, ramp, bent = (
+        clpt.simulate(system, times, one, 0.0, engine="python").solver_evaluations
+        for one in (1.0, 0.1 + 3.0 * times, np.where(times < 0.5, times, 1.0 - times))
+    )
+    assert ramp <= 1.1 * held + 50
+    assert bent <= 3 * held
+
+
+def test_a_system_without_states_and_a_dense_one():
+    static = control.nlsys(None, lambda t, x, u, p: u[0] ** 2 + t, inputs=1, outputs=1)
+    against_control(static, np.sin(T))
+    random = np.random.default_rng(0)
+    A = 0.1 * random.normal(size=(60, 60)) - np.eye(60)
+    dense = control.ss(A, random.normal(size=(60, 1)), random.normal(size=(1, 60)), 0)
+    against_control(dense, np.sin(T), close=1e-6)
