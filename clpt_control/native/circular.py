@@ -22,7 +22,6 @@ from .vectors import (
     nearest,
     negative_sign,
     odd,
-    round_down,
     select,
     square_root,
     turned_where_odd,

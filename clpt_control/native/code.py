@@ -77,7 +77,7 @@ def code_of(wiring: Wiring, layout: Layout, form: str | None = None) -> Code:
             records = tuple(block.array_record(role) for role in ROLES if has[role])
         except Unread as error:
             raise Uncompiled(str(error)) from None
-        shapes = *block.declared.values(), block.sizes
+        shapes: list[dict] = [*block.declared.values(), block.sizes]
         blocks.append((*records, *(tuple(own.items()) for own in shapes)))
     wires = tuple((node.states.start, node.outputs.start, node.wires) for node in wiring.nodes)
     order = (wiring.order, tuple(node.system.feedthrough for node in wiring.nodes))

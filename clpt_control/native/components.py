@@ -83,7 +83,7 @@ class Components:
         ]
         if bound is not None:
             arguments.append(bound[0])
-        steady = all([self.steady[a[0]] for a in given if type(a) is tuple])
+        steady = all(self.steady[a[0]] for a in given if type(a) is tuple)
         found = self._place(
             Component(name, tuple(arguments), tuple([s[0] for s in symbols])), steady
         )
@@ -139,10 +139,10 @@ class Components:
     def _element(self, ref: int, index: tuple[Index, ...]) -> Value:
         kind, arguments, shape, at, _ = self.entries[ref]
         if kind == "load":
-            return self.load(*at, list(zip(index, _strides(shape), strict=True)))
+            return self.load(at[0], at[1], list(zip(index, _strides(shape), strict=True)))
         if kind == "constant":
             numbers = np.frombuffer(at).reshape(shape)
-            if all([type(i) is int for i in index]):
+            if all(type(i) is int for i in index):
                 return float(numbers[index])
             return self._read(ref, index)
         moved = self.moved(ref, index)
@@ -155,7 +155,7 @@ class Components:
         if kind == "sum":
             return self._summed(arguments[0], index, *at)
         if kind == "pick":
-            return self._picked(*arguments, index)
+            return self._picked(arguments[0], arguments[1], index)
         return self._calculated(kind, [self.at(a, index) for a in arguments], at)
 
     def moved(self, ref: int, index: tuple[Index, ...]) -> tuple[Ref, tuple] | None:
@@ -166,7 +166,7 @@ class Components:
             return arguments[0], tuple(moved)
         if kind == "fill":
             return arguments[0], ()
-        if kind == "part" and all([type(i) is int for i in index]):
+        if kind == "part" and all(type(i) is int for i in index):
             outer = self.entries[arguments[0]].shape
             flat = at + sum([s * i for s, i in zip(_strides(shape), index, strict=True)])
             return arguments[0], tuple(map(int, np.unravel_index(flat, outer))) if outer else ()
@@ -230,7 +230,7 @@ class Components:
         """Return what a product is made of; only of values with axes."""
         name, arguments, _ = self.all[value[0]]
         own = [self.named(a, value[1]) for a in arguments] if name == "mul" else []
-        if not own or any([type(a) is float for a in own]):
+        if not own or any(type(a) is float for a in own):
             return [value]
         return [f for a in own for f in self.factors(a)]
 
@@ -252,10 +252,10 @@ class Components:
         count = self.record.shape_of(table)[0]
         entry = self.entries[table]
         if entry.kind == "load":
-            array, first, kept, stride = *entry.at, -1, 1
+            (array, first), kept, stride = entry.at, -1, 1
         elif entry.kind == "view" and self.entries[entry.arguments[0]].kind == "load":
             source = self.entries[entry.arguments[0]]
-            array, first, kept, stride = *source.at, -1, 0
+            (array, first), kept, stride = source.at, -1, 0
             for m, own in zip(entry.at, _strides(source.shape), strict=True):
                 first += own * (m if isinstance(m, int) else m[1])
                 stride += 0 if isinstance(m, int) else own * m[2]
@@ -330,7 +330,7 @@ class Components:
         self.kept[number] = []
         self.room += size
         writes = self.writes(ref, entry.shape, long, array, first)
-        if all([self.is_steady(w.value) for w in writes]):
+        if all(self.is_steady(w.value) for w in writes):
             array, moved = "P", self.prepared - first
             writes = [w._replace(array=array, first=w.first + moved) for w in writes]
             first, self.prepared = self.prepared, self.prepared + size

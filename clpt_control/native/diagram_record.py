@@ -8,6 +8,7 @@ has a name or the number is beyond `SHORT`.  Every entry knows the block it come
 terms of different blocks can be told apart (`joined_sums`); wires belong to none.
 """
 
+import itertools
 from bisect import bisect
 from collections.abc import Sequence
 from math import prod
@@ -21,7 +22,7 @@ from .layout import Layout
 SHORT, NAMED = 16, 3  # an axis up to SHORT is unrolled, but from NAMED on where it has a name
 SIGNED = frozenset({"atan2", "pow", "floordiv", "mod"})  # tell -0.0 from 0.0, as divisors do
 WIRE = -1  # the owner of what wires do
-Ref = int | float
+Ref = Any  # the place of an entry (int), or a constant (float)
 
 
 class Entry(NamedTuple):
@@ -145,7 +146,7 @@ class DiagramRecord:
         axes = [self._axes(node.system, o.shape) for o in record.operations]
         for (kind, arguments, _, at), (shape, _) in zip(record.operations, axes, strict=True):
             if kind == "leaf":
-                values.append(self._leaf(k, *at, shape, fed))
+                values.append(self._leaf(k, at[0], at[1], shape, fed))
                 continue
             own = [values[a] if type(a) is int else a for a in arguments]
             if kind == "opaque":
@@ -215,7 +216,7 @@ class DiagramRecord:
         terms = [t for wire in node.wires for t in self._terms(wire, first, first + size)]
         cuts = sorted({0, size, *(at for t in terms for at in (t[0], t[0] + t[1]))})
         pieces: list[Ref] = []
-        for start, stop in zip(cuts, cuts[1:], strict=False):
+        for start, stop in itertools.pairwise(cuts):
             own = shape if stop - start == size else (stop - start,)
             total: Ref | None = None
             for to, n, gain, ref, at in terms:

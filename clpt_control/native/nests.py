@@ -133,7 +133,7 @@ class _Printer:
 
     def item(self, sums: list, k: int | None) -> list:
         """Print what one turn of all loops does, the k-th of those that are worked on at once."""
-        found = []
+        found: list[Any] = []
         for item in self.now.items:
             value = _part(self.argument(item.value, None, self.kind), k, self.kind)
             if isinstance(item, Total):

@@ -89,8 +89,14 @@ class Planner:
         functions = {name: self.nests(own, False) for name, own in writes.items()}
         functions["prepare"] = self.nests(early, True)
         made = self.made
-        own = tuple(self.all), functions, self.prepared, tuple(made.constants)
-        return Program(*own, made.prepared, made.room)
+        return Program(
+            tuple(self.all),
+            functions,
+            self.prepared,
+            tuple(made.constants),
+            made.prepared,
+            made.room,
+        )
 
     # --- what is prepared -----------------------------------------------------------------
 
@@ -155,9 +161,11 @@ class Planner:
                 items.append((level[c], lengths, Saved(c, value, place)))
                 continue
             items.append((level[c], *self.total(c, place)))
-        for c in sorted(live):
-            if self.all[c].name == "sum" and not self.rank[c] and not self.left(c, early):
-                items.append((level[c], *self.total(c, -1)))
+        items += [
+            (level[c], *self.total(c, -1))
+            for c in sorted(live)
+            if self.all[c].name == "sum" and not self.rank[c] and not self.left(c, early)
+        ]
 
         def key(item: tuple) -> tuple:
             return item[0], len(item[1]), item[1], self.vector(item[1], item[2], early)
@@ -240,9 +248,9 @@ class Planner:
             seen.add(argument)
             name, arguments, own = self.all[c]
             if name == "load" or self.left(c, early):
-                strides = arguments[2] if name == "load" and not self.left(c, early) else rows(own)
+                moves = arguments[2] if name == "load" and not self.left(c, early) else rows(own)
                 along: dict[int, int] = {}
-                for turn, stride in zip(turns, strides, strict=True):
+                for turn, stride in zip(turns, moves, strict=True):
                     along[turn] = along.get(turn, 0) + stride
                 for turn, stride in along.items():
                     apart[turn] += stride not in (0, 1)
