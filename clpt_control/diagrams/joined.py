@@ -153,10 +153,10 @@ class Joining:
                     key = (other.name, name)
                 pairs.setdefault(key, []).append((j - places.start, k))
             for (owner, name), pair in pairs.items():
-                known = self.found.inputs if not owner else self.found.signals
-                key = (owner, name) if owner else name
-                if key in known:  # else its block is run twice, and now for what does not need it
-                    parts.append((known[key], pair, wire.gain))
+                known: Any = self.found.inputs if not owner else self.found.signals
+                place: Any = (owner, name) if owner else name
+                if place in known:  # else its block is run twice, and now for what does not need it
+                    parts.append((known[place], pair, wire.gain))
         size = places.stop - places.start
         total: Any = None
         whole = [(k, k) for k in range(size)]

@@ -147,7 +147,7 @@ def _diagonal(parts: list[Any]) -> Any:
 
 
 def _count(matrix: Any) -> int:
-    return np.count_nonzero(matrix) if isinstance(matrix, np.ndarray) else matrix.nnz
+    return int(np.count_nonzero(matrix) if isinstance(matrix, np.ndarray) else matrix.nnz)
 
 
 def _beside(left: Any, right: Any) -> Any:
@@ -208,7 +208,7 @@ def _tried(block: Block) -> list[set[int]]:
     random, p = np.random.default_rng(0), block.parameters_at(0.0)
     found: list[set[int]] = [set() for _ in range(block.noutputs)]
     for _ in range(TRIED):
-        x, u = random.standard_normal(block.nstates), random.standard_normal(block.ninputs)
+        x, u = (random.standard_normal((n,)) for n in (block.nstates, block.ninputs))
         before = block.values("output", block.noutputs, 0.0, x, u, p)
         for j in range(block.ninputs):
             moved = u.copy()

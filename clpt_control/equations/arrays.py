@@ -345,7 +345,7 @@ class Array(NDArrayOperatorsMixin):
     def __float__(self) -> float:
         return float(self.tape.numbers(self.ref).item())
 
-    __complex__ = __float__  # type: ignore[assignment]
+    __complex__ = __float__
 
     def __int__(self) -> int:
         return int(self.tape.numbers(self.ref).item())

@@ -62,7 +62,8 @@ def computed(
     values: list[np.ndarray] = []
     with np.errstate(all="ignore"):
         for kind, arguments, shape, at in record.operations:
-            own = [values[a] if type(a) is int else np.float64(a) for a in arguments]
+            own: list[Any] = [values[a] if type(a) is int else np.float64(a) for a in arguments]
+            value: Any
             if kind == "leaf":
                 value = np.asarray(leaf(*at))
             elif kind == "constant":

@@ -349,8 +349,8 @@ def squeezed(a: Array, axis: Any = None) -> Any:
 
 def transposed(a: Array, *axes: Any) -> Any:
     """Return a with its axes in another order."""
-    axes = axes[0] if len(axes) == 1 else axes or None
-    return a.T if axes is None else exploded(a.tape, np.transpose, (a, axes), {})
+    order: Any = axes[0] if len(axes) == 1 else axes or None
+    return a.T if order is None else exploded(a.tape, np.transpose, (a, order), {})
 
 
 def at_least(axes: int) -> Callable:

@@ -185,7 +185,7 @@ class Ports(Array):
             leaf.fixed = True
 
     @property
-    def node(self) -> int:  # type: ignore[override]
+    def node(self) -> int:
         """Return the vector of all ports, one behind the other."""
         if self._node is None:
             self.counted()

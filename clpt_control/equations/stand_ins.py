@@ -112,8 +112,8 @@ class Joiner:
     def __getitem__(self, parts: Any) -> Any:
         given = parts if isinstance(parts, tuple) else (parts,)
         if tape_of(given) is None:
-            found = self.real[parts]
-            return found if active() is None else fresh(active(), found)
+            tape, found = active(), self.real[parts]
+            return found if tape is None else fresh(tape, found)
         return self.join(
             [np.atleast_1d(self.real[p] if isinstance(p, slice) else p) for p in given]
         )

@@ -84,7 +84,7 @@ class System(Block):
         self._bind()
 
     @property
-    def params(self) -> dict[str, Any]:  # type: ignore[override]
+    def params(self) -> dict[str, Any]:
         """Return the system's params."""
         return self.given
 
@@ -147,12 +147,11 @@ class System(Block):
 
     def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
         """Return what a function returns, as one vector; NaN where it raises."""
-        function = self._update if role == "update" else self._output
+        function: Any = self._update if role == "update" else self._output
         given = self._asked_with(p)
         try:
-            found = np.asarray(function(t, np.array(x), np.array(u), given), dtype=float).reshape(
-                -1
-            )
+            made: Any = function(t, np.array(x), np.array(u), given)
+            found = np.asarray(made, dtype=float).reshape(-1)
         except RAISED as error:
             self.raised[role] = f"{type(error).__name__}: {error}"
             return np.full(size, np.nan)

@@ -61,7 +61,7 @@ def of_interp1d(f: Any) -> Callable:
     shape = np.moveaxis(np.asarray(f.y), f.axis, 0).shape[1:]
     if kind not in ("linear", "nearest", "previous", "next", "zero"):
         raise Unread(f"scipy's interp1d of kind {kind!r}")
-    fills = [None, None]
+    fills: list[float | None] = [None, None]
     if not f._extrapolate:
         given = f.fill_value if isinstance(f.fill_value, tuple) else (f.fill_value,) * 2
         fills = [np.nan if f.bounds_error else float(np.ravel(one)[0]) for one in given]

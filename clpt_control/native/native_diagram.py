@@ -81,12 +81,13 @@ class NativeDiagram(PythonDiagram):
     ) -> Schedule:
         """Return the pieces of a run, which end where the inputs bend and at stops."""
         own, stops = (self.sweep, self.layout.intervals, self.layout.jumps), stops or Stops()
-        if inputs is not None and inputs.samples is None and self.wiring.ninputs:
+        if inputs is None or not self.wiring.ninputs:
+            return make_schedule(*own, t0, t1, np.asarray(stops.kinks), stops.breaks)
+        if inputs.samples is None or inputs.kinks is None:
             raise SimulationError("inputs: machine code takes no function; give samples")
-        fed = inputs is not None and self.wiring.ninputs
-        kinks = np.union1d(inputs.kinks, stops.kinks) if fed else np.asarray(stops.kinks)
+        kinks = np.union1d(inputs.kinks, stops.kinks)
         pieces = make_schedule(*own, t0, t1, kinks, stops.breaks)
-        return with_inputs(pieces, t0, inputs.samples, self.ramp) if fed else pieces
+        return with_inputs(pieces, t0, inputs.samples, self.ramp)
 
     def stops(self, times: np.ndarray) -> Stops:
         """Return where a run ends a step: where time decides, and at all samples if signals do.

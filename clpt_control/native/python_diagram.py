@@ -154,7 +154,8 @@ class PythonDiagram:
                 progress(batch.now)
             keeps_pace(batch)
 
-        batch.adaptive(*(stops.share * one for one in tolerances), watch, self.most)
+        rtol, atol = (stops.share * one for one in tolerances)
+        batch.adaptive(rtol, atol, watch, self.most)
         return ended(self.sweep, batch, inputs)
 
     def stops(self, times: np.ndarray) -> Stops:
