@@ -52,7 +52,9 @@ PAIRS: dict[str, Slope] = {
     "add": lambda a, b, f, da, db: _sum(da, db),
     "sub": lambda a, b, f, da, db: _sum(da, None if db is None else -db),
     "mul": lambda a, b, f, da, db: _sum(_times(da, b), _times(db, a)),
-    "div": lambda a, b, f, da, db: _sum(_over(da, b), _times(db, -1.0 * f / b) if db is not None else None),
+    "div": lambda a, b, f, da, db: _sum(
+        _over(da, b), _times(db, -1.0 * f / b) if db is not None else None
+    ),
     "pow": lambda a, b, f, da, db: _sum(
         None if da is None else da * (b * a ** (b - 1.0)),
         None if db is None else db * (f * np.log(a)),
@@ -126,7 +128,9 @@ class Direction:
             refs = [self._argument(a, s) for a, s in zip(arguments, slopes, strict=True)]
             return self.tape.add(kind, refs, shape, at)
         if kind == "pick" and slopes[1] is None:
-            return self.tape.add(kind, [self._argument(arguments[0], slopes[0]), arguments[1]], shape)
+            return self.tape.add(
+                kind, [self._argument(arguments[0], slopes[0]), arguments[1]], shape
+            )
         if kind == "opaque" and not self.smooth:
             return slopes[0]
         return self._refused(kind)

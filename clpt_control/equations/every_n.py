@@ -112,7 +112,10 @@ def _atom(inside: sympy.Expr, indices: list[tuple[str, str]]) -> sympy.Expr:
     found = []
     for order in permutations(indices):
         moved = {old: new for (old, _), new in zip(order, names, strict=True)}
-        pairs = [(index_symbol(new), sympy.Symbol(size)) for (_, size), new in zip(order, names)]
+        pairs = [
+            (index_symbol(new), sympy.Symbol(size))
+            for (_, size), new in zip(order, names, strict=False)
+        ]
         found.append(SUM(renamed(inside, moved), *(one for pair in pairs for one in pair)))
     return min(found, key=str)
 
@@ -181,7 +184,7 @@ class Elements:
         if kind == "leaf":
             return sympy.sympify(self.leaf(at, shape, index))
         if kind == "constant":
-            return exact(float(np.frombuffer(at).reshape(shape)[index]))
+            return exact(np.frombuffer(at).reshape(shape).item(index))  # type: ignore[arg-type]
         if kind == "view":
             return self.at(arguments[0], tuple(_moved(m, index) for m in at))
         if kind == "fill":
@@ -233,7 +236,7 @@ class Elements:
         raise IndexError(index)
 
     def _sum(self, array: Ref, axis: int, index: Index) -> Any:
-        size = self.tape.operations[array].shape[axis]  # type: ignore[index]
+        size = self.tape.operations[array].shape[axis]
         if isinstance(size, int):
             parts = (self.at(array, (*index[:axis], k, *index[axis:])) for k in range(size))
             return sympy.Add(*parts)

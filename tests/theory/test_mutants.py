@@ -43,9 +43,7 @@ def run_by(block):
 def helpers_of(function):
     """The functions of `blocks` that a function calls by name."""
     named = (function.__globals__.get(name) for name in function.__code__.co_names)
-    return [
-        one for one in named if isinstance(one, FunctionType) and ".blocks." in one.__module__
-    ]
+    return [one for one in named if isinstance(one, FunctionType) and ".blocks." in one.__module__]
 
 
 def reached(blocks):

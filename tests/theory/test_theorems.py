@@ -105,9 +105,7 @@ def test_a_wrong_equation_fails_and_is_named(clpt, monkeypatch):
     monkeypatch.setattr(vehicle, "kinematics", wrong_kinematics)
     outcome = clpt("prove", "--theorem", "3.2")
     assert outcome.status == 1
-    assert "the proof fails: 3.2 at step 'V' = -e^T KD e, for every N'" in (
-        outcome.err
-    )
+    assert "the proof fails: 3.2 at step 'V' = -e^T KD e, for every N'" in (outcome.err)
 
 
 def of_the_papers_gain(turn):

@@ -43,7 +43,9 @@ class ArrayLoop:
     states: dict[str, Any] = field(default_factory=dict)
     signals: dict[str, Any] = field(default_factory=dict)
     rates: dict[str, Any] = field(default_factory=dict)  # time derivatives of the states
-    jumps: dict[str, dict[str, Any]] = field(default_factory=dict)  # block -> state: what it becomes
+    jumps: dict[str, dict[str, Any]] = field(
+        default_factory=dict
+    )  # block -> state: what it becomes
     inputs: dict[str, Any] = field(default_factory=dict)  # of the diagram
     parameters: dict[str, Parameters] = field(default_factory=dict)  # block -> arrays
     elements: Elements = field(init=False)
@@ -75,7 +77,9 @@ class ArrayLoop:
     @property
     def _direction(self) -> Direction:
         if not hasattr(self, "_along"):
-            along: dict[Any, Any] = {operand(s): self.rates[name] for name, s in self.states.items()}
+            along: dict[Any, Any] = {
+                operand(s): self.rates[name] for name, s in self.states.items()
+            }
             for k, operation in enumerate(self.tape.operations):
                 if operation.kind == "leaf" and operation.at[0] in ("u", "o"):
                     at = (f"{operation.at[0]}'", operation.at[1])
@@ -171,27 +175,27 @@ def array_loop(
     found = joined(
         diagram, wiring, names.leaf, names.given, stand_in, tape=loop.tape, closed=closed
     )
-    for block, own in sorted(found.pinned):
+    for name, own in sorted(found.pinned):
         raise DiagramError(
-            f"{block}: asks for the value of its parameter {own}, as an `if` does, so nothing would "
+            f"{name}: asks for the value of its parameter {own}, as an `if` does, so nothing would "
             f"be proved of other values; write np.where, or give {own} as a whole number"
         )
     loop.inputs = found.inputs
     loop.signals = {port: value for (_, port), value in found.signals.items()}
-    for node in wiring.nodes:
-        block, shapes = node.system, found.fields[node.name]
-        loop.parameters[block.name] = parameters_of(
-            {
-                own: value if isinstance(value, int) else names.parameter(block, own, shapes[own])
-                for own, value in block.parameters._asdict().items()
-            }
-        )
-        for (owner, port), value in found.rates.items():
-            if owner == node.name:
-                loop.rates[names.states[block.name, port]] = value
-        own = {names.states[block.name, p]: v for (o, p), v in found.jumps.items() if o == node.name}
-        if own:
-            loop.jumps[block.name] = own
+    block_of = {node.name: node.system for node in wiring.nodes}
+    for name, block in block_of.items():
+        held = {
+            field: value
+            if isinstance(value, int)
+            else names.parameter(block, field, found.fields[name][field])
+            for field, value in block.parameters._asdict().items()
+        }
+        loop.parameters[block.name] = parameters_of(held)
+    for (name, port), value in found.rates.items():
+        loop.rates[names.states[block_of[name].name, port]] = value
+    for (name, port), value in found.jumps.items():
+        jumped = loop.jumps.setdefault(block_of[name].name, {})
+        jumped[names.states[block_of[name].name, port]] = value
 
     def watch(place: int, name: str, arguments: tuple) -> None:
         if place not in found.owners:

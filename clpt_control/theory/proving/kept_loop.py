@@ -62,9 +62,7 @@ class Kept:
         self.slopes = {port: self.rates[port] for port in law.cones}
         tied = _tied(self.loop, made, V)
         self.untied = self.loop.derivative(self.loop.signals["V"][0])
-        self.V, self.rate = (
-            one.xreplace(tied) for one in (self.loop.signals["V"][0], self.untied)
-        )
+        self.V, self.rate = (one.xreplace(tied) for one in (self.loop.signals["V"][0], self.untied))
         known = (*np.ravel(truth.theta), *truth.KD, *truth.GammaD)
         self.held = law.over(self.states, p, truth) if law.over else None
         self.over = {} if self.held is None else _alone(self.held)

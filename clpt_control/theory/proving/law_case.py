@@ -12,8 +12,8 @@ from sympy.core.function import AppliedUndef
 
 from ...diagrams.interconnection import Diagram
 from ...equations.block import Block
-from ...errors import DiagramError
 from ...equations.every_n import Index, base_and_term, renamed
+from ...errors import DiagramError
 from .array_loop import TIME, array_loop
 from .dead_zones import DeadZones
 from .law_gains import own_values, refuse_no_value

@@ -11,8 +11,8 @@ import sympy
 
 from ...equations.block import Block
 from ...equations.namespaces import BETWEEN, named, split
-from .paper_symbols import SCALARS, parameter_names
 from .array_loop import TIME
+from .paper_symbols import SCALARS, parameter_names
 from .symbolic_loop import SymbolicLoop
 
 LARGEST = 1e6  # of the kinks that are tried

@@ -82,7 +82,10 @@ def symbolic_loop(
         inputs=read(loop.inputs),
         parameters={
             block: parameters_of(
-                {f: v if isinstance(v, int) else loop.elements.of(v) for f, v in p._asdict().items()}
+                {
+                    f: v if isinstance(v, int) else loop.elements.of(v)
+                    for f, v in p._asdict().items()
+                }
             )
             for block, p in loop.parameters.items()
         },
