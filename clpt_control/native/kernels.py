@@ -7,7 +7,6 @@ from llvmlite import ir
 
 from .formula import Formula
 from .printing import Function, joined
-from .processor import LANES
 from .vectors import Kind, Number, select
 
 
@@ -40,6 +39,7 @@ def _rows(function: Function, array: str, kind: Kind) -> Any:
 def _each(function: Function, formula: Formula, n: int) -> list[Number]:
     """Print what is computed for each state; return what is summed over them."""
     wide = function.lanes == 1 and n > 2
+    function.widen(n)
     kind = function.wide if wide else function.one
 
     def turn(place: Any, sums: list[Number]) -> list[Number]:
@@ -63,11 +63,11 @@ def _each(function: Function, formula: Formula, n: int) -> list[Number]:
                 function.store_turns(value, "X", r * n, [(place, 1)], 1)
             else:
                 function.store(value, "X", r * n, [(place, 1)])
-        if wide and function.turns < LANES:
+        if wide and function.turns < kind.width:
             summed = [select(function.valid(), value, 0.0) for value in summed]
         return [a + b for a, b in zip(sums, summed, strict=True)]
 
     zeros = [kind.number(0.0) for _ in range(formula.sums)]
     if not wide:
         return function.loop(range(n), 2, turn, zeros)
-    return [joined(value) for value in function.rounds(n, 1, turn, zeros)]
+    return [joined(value, n) for value in function.rounds(n, 1, turn, zeros)]

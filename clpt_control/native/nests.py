@@ -6,7 +6,6 @@ from llvmlite import ir
 
 from .plan import Nest, Program, Saved, Total, rows
 from .printing import Function, called, gathered, joined
-from .processor import LANES
 from .vectors import INT32, WORD, Abreast, Kind, Number, round_to_zero, select
 
 UNROLLED, UNROLLED_RUNS = (
@@ -44,6 +43,8 @@ class _Printer:
         self.now, self.inner = nest, len(nest.lengths) - 1
         self.places: list[Any] = [None] * len(nest.lengths)  # the turn of each loop
         self.vector = nest.vector if nest.lengths and self.function.lanes == 1 else -1
+        if self.vector >= 0:
+            self.function.widen(nest.lengths[self.vector])
         self.kind = self.function.wide if self.vector >= 0 else self.function.one
         self.totals = [item for item in nest.items if isinstance(item, Total)]
         self.needed: list[list[Key]] = [[] for _ in range(len(nest.lengths) + 1)]
@@ -51,7 +52,7 @@ class _Printer:
         for item in nest.items:
             self.need(item.value, seen)
         self.within(0, [])
-        for key in [key for key in self.values if key[1]]:
+        for key in [key for key in self.values if key[1] or key[2]]:
             del self.values[key]
         for item in nest.items:
             if isinstance(item, Saved) or (isinstance(item, Total) and item.place >= 0):
@@ -96,7 +97,9 @@ class _Printer:
             self.values[key] = self.value(key)
         if depth > self.inner:
             return self.items(sums)
-        masked = depth == self.vector and self.now.lengths[depth] < LANES  # zeros are among them
+        masked = (
+            depth == self.vector and self.now.lengths[depth] < self.kind.width
+        )  # zeros are among them
         zeros = [None if masked else self.kind.number(0.0) for _ in self.totals]
         zeros = zeros if depth == self.inner else []
         found = self.loop(depth, zeros)

@@ -41,7 +41,7 @@ class Function:
             self.arrays["K"] = _table(module, self.builder, constants)
         self.lanes = lanes
         self.one, self.wide = Kind(self.builder, lanes), Kind(self.builder, LANES)
-        self.turns = LANES  # of a round of eight, how many there are
+        self.turns = LANES  # of a round, how many there are
 
     # --- arrays ---------------------------------------------------------------------------
 
@@ -89,15 +89,15 @@ class Function:
         if stride != 1:
             places = [first + k * stride for k in range(self.turns)]
             ones = [builder.load(self.address(array, place, moves)) for place in places]
-            return gathered(kind, ones + ones[:1] * (LANES - self.turns))
+            return gathered(kind, ones + ones[:1] * (kind.width - self.turns))
         address = self.address(array, first, moves)
         many = builder.bitcast(address, kind.type().as_pointer())
-        if self.turns == LANES:
+        if self.turns == kind.width:
             return Number(kind, builder.load(many, align=8))
         arguments = [many, ir.Constant(INT32, 8), self.valid().value, kind.constant(1.0)]
         function = declared(
             builder.module,
-            "llvm.masked.load.v8f64.p0v8f64",
+            f"llvm.masked.load.v{kind.width}f64.p0v{kind.width}f64",
             kind.type(),
             [many.type, INT32, kind.type(BIT), kind.type()],
         )
@@ -115,13 +115,13 @@ class Function:
             return
         address = self.address(array, first, moves)
         many = builder.bitcast(address, kind.type().as_pointer())
-        if self.turns == LANES:
+        if self.turns == kind.width:
             builder.store(value.value, many, align=8)
             return
         arguments = [value.value, many, ir.Constant(INT32, 8), self.valid().value]
         function = declared(
             builder.module,
-            "llvm.masked.store.v8f64.p0v8f64",
+            f"llvm.masked.store.v{kind.width}f64.p0v{kind.width}f64",
             ir.VoidType(),
             [kind.type(), many.type, INT32, kind.type(BIT)],
         )
@@ -129,21 +129,27 @@ class Function:
 
     def valid(self) -> Mask:
         """Return which turns of a round there are."""
-        bits = [int(k < self.turns) for k in range(LANES)]
+        bits = [int(k < self.turns) for k in range(self.wide.width)]
         return Mask(self.wide, ir.Constant(self.wide.type(BIT), bits))
 
     # --- loops ----------------------------------------------------------------------------
 
+    def widen(self, count: int) -> None:
+        """Take eight of so many turns at once, or four where there are no more."""
+        self.wide = Kind(self.builder, LANES if count > LANES // 2 else LANES // 2)
+        self.turns = self.wide.width
+
     def rounds(
         self, count: int, unrolled: int, turn: Callable[[Any, list], list], sums: list
     ) -> list:
-        """Print a loop of eight turns at once; return what sums are after it."""
-        whole = count // LANES * LANES
-        sums = self.loop(range(0, whole, LANES), unrolled, turn, sums)
+        """Print a loop of several turns at once; return what sums are after it."""
+        width = self.wide.width
+        whole = count // width * width
+        sums = self.loop(range(0, whole, width), unrolled, turn, sums)
         if count > whole:
             self.turns = count - whole
             sums = turn(whole, sums)
-            self.turns = LANES
+            self.turns = width
         return sums
 
     def loop(
@@ -214,7 +220,7 @@ def gathered(kind: Kind, ones: list[Any]) -> Number:
     return Number(kind, found)
 
 
-def joined(part: Number, turns: int = LANES) -> Number:
+def joined(part: Number, turns: int) -> Number:
     """Add up the numbers of a vector, halves first; so many turns that there are at most."""
     builder, value, width = part.kind.builder, part.value, part.kind.width
     while width > 1:
