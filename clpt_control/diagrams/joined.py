@@ -16,8 +16,8 @@ import numpy as np
 from ..equations.arrays import Tape, Unread, operand, packed
 from ..equations.block import Block
 from ..equations.declaration import ports_of
-from ..equations.ufuncs import objects
 from ..equations.record import Record, Shape
+from ..equations.opened import objects
 from .wiring import Node, Wiring
 
 Values = dict[tuple[str, str], Any]  # (block, port) -> Array or number
@@ -115,7 +115,7 @@ class Joining:
         }
 
     def outside_shape(self, port: str, size: int) -> tuple[Shape, Shape]:
-        """Return the shape of an input of the diagram, and how the port that it feeds declares it."""
+        """Return the shape of an input of the diagram, and as the port that it feeds has it."""
         first = self.outside.index((port, 0))
         for node in self.wiring.nodes:
             for wire in node.wires:
@@ -254,4 +254,3 @@ def joined(
     """Return a diagram's record; `leaf`, `given` and `stand_in` make what it begins with."""
     joining = Joining(wiring, tape or Tape(), leaf, closed)
     return joining.joined(external_ports(diagram), given, stand_in)
-

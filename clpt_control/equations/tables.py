@@ -95,7 +95,7 @@ def of_interp1d(f: Any) -> Callable:
 
 
 def _tape_in(x: Any) -> Any:
-    from .numpy_functions import tape_of
+    from .opened import tape_of
 
     return tape_of([x])
 

@@ -11,14 +11,12 @@ from .arrays import (
     Array,
     Tape,
     Unread,
-    constant,
     elementwise,
     lifted,
-    numbers_of,
-    packed,
     total,
     where,
 )
+from .opened import as_numbers, depends, fresh, objects, repacked, unread
 
 
 def called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
@@ -58,34 +56,6 @@ def _called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any
         return repacked(tape, ufunc(*map(objects, own)))
     name = ufunc.__name__
     return COMPOSED[name](*own) if name in COMPOSED else unread(f"np.{name}")
-
-
-def depends(value: Any) -> bool:
-    """Return whether a signal or a parameter is among arguments."""
-    if isinstance(value, Array):
-        return numbers_of(value) is None
-    if isinstance(value, list | tuple):
-        return any(map(depends, value))
-    return isinstance(value, np.ndarray) and value.dtype == object
-
-
-def as_numbers(value: Any) -> Any:
-    """Return arguments that depend on nothing as numbers."""
-    if isinstance(value, Array):
-        return numbers_of(value)
-    return type(value)(map(as_numbers, value)) if type(value) in (list, tuple) else value
-
-
-def fresh(tape: Tape, found: Any) -> Any:
-    """Return a new array of doubles as one that signals may be written into."""
-    if type(found) is np.ndarray and found.dtype == float and found.ndim and found.size < 20_000:
-        return constant(tape, found)
-    return found
-
-
-def unread(what: str) -> Any:
-    """Say that something cannot be read."""
-    raise Unread(f"{what} of signals")
 
 
 def _spread(a: Any, more: int) -> Any:
@@ -238,17 +208,3 @@ COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special
     "expit": lambda a: 1.0 / (1.0 + np.exp(-a)),
     "log_expit": lambda a: -np.log1p(np.exp(-a)),
 }
-
-
-def objects(value: Any) -> np.ndarray:
-    """Return an array of objects."""
-    return value.elements() if isinstance(value, Array) else np.asarray(value, dtype=object)
-
-
-def repacked(tape: Tape, found: Any) -> Any:
-    """Return what NumPy made of arrays of objects."""
-    if isinstance(found, tuple | list):
-        return type(found)(repacked(tape, one) for one in found)
-    if isinstance(found, np.ndarray) and found.dtype == object:
-        return packed(tape, found)
-    return fresh(tape, found)
