@@ -58,7 +58,7 @@ def renamed(expression: sympy.Expr, names: dict[str, str]) -> sympy.Expr:
         own = [f"{names.get(one[:-1], one[:-1])}]" for one in parts[1:] if one.endswith("]")]
         if own and len(own) == len(parts) - 1 and own != parts[1:]:
             changed[symbol] = sympy.Symbol("[".join([parts[0], *own]), **symbol.assumptions0)
-        elif str(symbol) in names:
+        elif str(symbol) in names and symbol == index_symbol(str(symbol)):
             changed[symbol] = index_symbol(names[str(symbol)])
     return expression.xreplace(changed)
 

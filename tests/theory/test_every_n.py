@@ -254,6 +254,13 @@ def test_V_of_the_papers_loop_falls_for_every_N_and_a_changed_sign_is_seen():
     assert not vanish(loop, [rate_of_V(loop) - np.sum(KD * e**2)])[0]
 
 
+def test_a_number_that_is_called_as_an_index_stays_what_it_is():
+    elements, u = reader(a=("N",), s0=(), k1=())
+    found = elements.of(np.sum(u["a"] * np.exp(u["s0"] * u["a"])) * u["k1"])
+    assert {str(s) for s in found.free_symbols} >= {"s0", "k1"}
+    assert elements.of(np.sum(np.exp(u["s0"] * u["a"]) - np.exp(u["k1"] * u["a"]))) != 0
+
+
 def test_jumps_have_no_slope_where_V_shall_fall():
     elements, u = reader(a=(2,))
     for jumping in (np.floor(u["a"]), np.sign(u["a"]), np.where(u["a"] > 0, 1.0, u["a"])):
