@@ -17,6 +17,7 @@ ROWS = [
     ("currents", "native", "estimation"),
     ("scenario", "diagrams"),
     ("blocks",),
+    ("equations",),
     ("arguments", "errors", "files", "progress", "geodesy", "figures", "html", "units"),
 ]
 ROW = {room: k for k, row in enumerate(ROWS) for room in row}

@@ -82,11 +82,12 @@ CALLED = ("progress", "inputs")  # what a function of the user's own raises is i
 LONG = ("audit", "design_track", "disturbance_counterexample", "prove", "run_ensemble", "tune_law")
 LISTS = ("conformance",)  # a sentence for each failure
 OF_THE_ENGINE = (  # called at each step, and checked by no one
-    *("Block.values", "Block.equations", "Block.parameters_at", "Block.interval_at"),
+    *("Block.values", "Block.array_record", "Block.parameters_at", "Block.interval_at"),
     "Block.with_params",
     *("FixModel.regressor", "FixModel.noise", "FixModel.turning", "FixModel.faded"),
     *("FixModel.reached", "FixModel.kept"),
     *("NativeDiagram.schedule", "NativeDiagram.callee", "NativeDiagram.lanes"),
+    "NativeDiagram.stops",
 )
 RESULTS = ("Verdict", "ConformanceReport", "FlowEstimate", "Diagram")  # which nobody makes by hand
 
@@ -223,8 +224,8 @@ def allowed(function, argument, label):
         ),
         (
             lambda: clpt.Block("b", output=line, inputs=["u"], outputs={"y": 1}),
-            "Block: inputs = ['u']: must be a dict of text to whole number or None, such as "
-            "{'e': 2}",
+            "Block: inputs = ['u']: must be a dict of text to whole number, a text or a list of "
+            "whole numbers or a texts or None, such as {'e': 2}",
         ),
         (
             lambda: clpt.gliders.read_dives(3),

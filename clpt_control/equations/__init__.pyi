@@ -1,7 +1,7 @@
 from .at_many import evaluate
 from .block import Block
 from .declaration import Guard
-from .lookup import lookup
-from .opaque import opaque
+from .rows import lookup
+from .undefined import opaque
 
 __all__ = ["Block", "Guard", "evaluate", "lookup", "opaque"]

@@ -11,7 +11,6 @@ tables that SymPy reads as an undefined function (`opaque`).
 """
 
 from collections.abc import Callable, Mapping
-from contextlib import suppress
 from functools import cached_property
 from traceback import walk_tb
 from typing import Any
@@ -248,7 +247,7 @@ class Block(control.NonlinearIOSystem):
         names = self._inner.get(kind, {})
         return {names.get(port, port): shape for port, shape in shapes.items()}
 
-    def name_ports(self, names: Mapping[str, Mapping[str, str]]) -> None:
+    def _name_ports(self, names: Mapping[str, Mapping[str, str]]) -> None:
         """Give ports other names, ``{"inputs": {old: new}}``; the equations keep theirs."""
         for kind, moved in names.items():
             own, ports = self._inner.get(kind, {}), self.declared[kind]
@@ -291,10 +290,14 @@ class Block(control.NonlinearIOSystem):
         return {role: (f, shapes) for role, (f, shapes) in given.items() if f is not None}
 
     def array_record(self, role: str) -> ArrayRecord:
-        """Return the record of "update", "output", "guard" or "jump"; sizes with names are open.
+        """Return the record of "update", "output", "guard" or "jump".
 
-        Raises `Unread` where the function cannot be read.
+        Raises `Unread` where the function cannot be read; sizes that have names are open.
         """
+        if role not in (*self._roles, "output"):
+            raise BlockError(
+                f"{self.name}: role = {role!r}: must be among {', '.join(self._roles)}"
+            )
         if role not in self._records:
             self._records[role] = self._read(role)
         found = self._records[role]
@@ -520,7 +523,7 @@ class Block(control.NonlinearIOSystem):
             self.raised[role] = f"{type(error).__name__}: {error}"
             return np.full(size, np.nan)
 
-    def vectors(self, x: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _vectors(self, x: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return arrays that are filled again and again as states and inputs with ports."""
         return kept_vector(x, self._x), kept_vector(u, self._u)
 

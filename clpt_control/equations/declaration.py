@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ..arguments import public
+from ..arguments import public, shown
 from ..errors import BlockError
 
 Equations = Callable[[float, Any, Any, Any], Any]
@@ -75,7 +75,7 @@ def check_names(name: str, *ports: Mapping[str, Any]) -> None:
             whole = isinstance(size, int | np.integer) and size >= 0
             if not whole and not (isinstance(size, str) and size):
                 raise BlockError(
-                    f"{name}.{port}: size {size!r} must be a whole number, 0 or more, or a name"
+                    f"{name}.{port}: size {shown(size)} must be a whole number, 0 or more, or a name"
                 )
 
 

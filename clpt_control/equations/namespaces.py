@@ -37,9 +37,8 @@ def renamed(
     states: Mapping[str, str] | None = None,
 ) -> Block:
     """Return a block under another name, some of its ports under others: {old: new}."""
-
     made = block.copy(name=name)
     by_states = block.states_are_outputs
     kinds = {"inputs": inputs, "outputs": outputs, "states": outputs if by_states else states or {}}
-    made.name_ports(kinds)
+    made._name_ports(kinds)
     return made

@@ -15,7 +15,8 @@ import numpy as np
 from ..errors import BlockError
 from .record import Shape
 
-Declared = Mapping[str, Any]  # port -> whole number, name of a size, or tuple of them
+Size = int | str  # a number, or the name of one
+Declared = Mapping[str, Size | tuple[Size, ...]]  # port -> its shape
 
 
 def shapes_of(ports: Declared | None) -> dict[str, Shape]:

@@ -34,14 +34,13 @@ class Sweep:
         self._x, self._u = {}, {}
         for k, node in self._plan:
             x, u = self._states[node.states], self._inputs[node.inputs]
-            self._x[k], self._u[k] = node.system.vectors(x, u)
+            self._x[k], self._u[k] = node.system._vectors(x, u)
         self.given = list(parameters)
         self._parameters = list(parameters)
         self._jumping = [
             k
             for k, node in enumerate(self.nodes)
-            if node.system.breakpoints_function is not None
-            and not self.given[k].interval >= 0.0
+            if node.system.breakpoints_function is not None and not self.given[k].interval >= 0.0
         ]
         self.leaping = [
             k for k, node in enumerate(self.nodes) if node.system.jump_function is not None

@@ -4,7 +4,8 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments import public
+from ..arguments import public, shown
+from ..errors import ArgumentError
 from .arrays import Array, lifted, operand
 from .numbers import picked
 
@@ -32,6 +33,12 @@ def lookup(table: Any, index: Any) -> Any:
     """
     tape = next((a.tape for a in (table, index) if isinstance(a, Array)), None)
     if tape is None:
-        return picked(np.asarray(table, dtype=float), index)[()]
+        try:
+            return picked(np.asarray(table, dtype=float), np.asarray(index, dtype=float))[()]
+        except (TypeError, ValueError):
+            raise ArgumentError(
+                f"lookup: table = {shown(table)}, index = {shown(index)}: must be a row of numbers "
+                "and a place"
+            ) from None
     table = lifted(tape, table)
     return tape.add("pick", [operand(table), operand(index)], getattr(index, "shape", ()))
