@@ -135,6 +135,7 @@ def right(tmp_path_factory):
         "connect": {"blocks": [clpe()], "external": ["x", "z"]},
         "evaluate": {"times": [0.0, 1.0], "inputs": np.zeros((2, 4))},
         "opaque": {"function": line},
+        "lookup": {"table": [1.0, 2.0], "index": 1.0},
         "fit_tides": tides,
         "predict": {"fit": found, "time": HOURS[:3]},
         "tidal_basis": {"fit": found, "epoch": HOURS[0]},
@@ -178,6 +179,7 @@ def right(tmp_path_factory):
 
 
 @pytest.mark.parametrize("function", list(public_callables()))
+@pytest.mark.filterwarnings("ignore:initial_state is too short")  # as python-control says it
 def test_wrong_arguments_are_one_sentence(function, right, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)  # "mine.toml" is a good name of a file to write
     named, own = right

@@ -14,50 +14,15 @@ from typing import Any
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 
+from .numbers import UFUNCS
 from .record import Operation, Ref, Shape, key_of
 
 MOST_OPERATIONS = 200_000  # a longer record is given up
 CONDITIONS = frozenset({"lt", "le", "gt", "ge", "eq", "ne", "and", "or", "not"})
 MOVED = frozenset({"view", "stack", "join"})  # hold what their arguments hold
-UFUNCS: dict[Any, str] = {
-    np.add: "add",
-    np.subtract: "sub",
-    np.multiply: "mul",
-    np.true_divide: "div",
-    np.floor_divide: "floordiv",
-    np.remainder: "mod",
-    np.power: "pow",
-    np.float_power: "pow",
-    np.negative: "neg",
-    np.absolute: "fabs",
-    np.less: "lt",
-    np.less_equal: "le",
-    np.greater: "gt",
-    np.greater_equal: "ge",
-    np.equal: "eq",
-    np.not_equal: "ne",
-    np.logical_and: "and",
-    np.logical_or: "or",
-    np.logical_not: "not",
-    np.bitwise_and: "and",
-    np.bitwise_or: "or",
-    np.invert: "not",
-    np.arctan2: "atan2",
-    np.arcsin: "asin",
-    np.arccos: "acos",
-    np.arctan: "atan",
-    np.arcsinh: "asinh",
-    np.arccosh: "acosh",
-    np.arctanh: "atanh",
-    **{
-        getattr(np, name): name
-        for name in (
-            *("exp", "expm1", "log", "log1p", "log2", "log10", "sqrt", "sin", "cos", "tan"),
-            *("sinh", "cosh", "tanh", "fabs", "hypot", "minimum", "maximum", "sign"),
-            *("floor", "ceil", "trunc"),
-        )
-    },
-}
+
+# what an array is asked for, by the files that know it: each puts in its own
+PARTS: dict[str, Any] = {}
 
 
 class Unread(Exception):
@@ -242,16 +207,12 @@ class Array(NDArrayOperatorsMixin):
             return packed(self.tape, self.elements()[index])
         if any(isinstance(i, np.ndarray) for i in index):
             index = tuple(i[()] if isinstance(i, np.ndarray) else i for i in index)
-        from .views import index_map, view
-
-        mapped, shape = index_map(index, self.shape)
-        return view(self, mapped, shape, index)
+        mapped, shape = PARTS["index_map"](index, self.shape)
+        return PARTS["view"](self, mapped, shape, index)
 
     def _picked(self, index: tuple) -> Any:
         """Return elements at places that are signals."""
-        from .reshaping import pick
-
-        return pick(self, index)
+        return PARTS["pick"](self, index)
 
     def __setitem__(self, index: Any, value: Any) -> None:
         root = self
@@ -289,16 +250,12 @@ class Array(NDArrayOperatorsMixin):
     # --- NumPy's protocols ----------------------------------------------------------------
 
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **more: Any) -> Any:
-        from .ufuncs import called
-
         if not self.shape and not more and ufunc in UFUNCS and method == "__call__":
             return elementwise(UFUNCS[ufunc], *inputs)
-        return called(self.tape, ufunc, method, inputs, more)
+        return PARTS["called"](self.tape, ufunc, method, inputs, more)
 
     def __array_function__(self, function: Any, types: Any, inputs: Any, more: Any) -> Any:
-        from .numpy_functions import applied
-
-        return applied(self.tape, function, inputs, more)
+        return PARTS["applied"](self.tape, function, inputs, more)
 
     def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
         if dtype is not None and np.dtype(dtype).kind == "O":
@@ -306,14 +263,12 @@ class Array(NDArrayOperatorsMixin):
         return self.tape.numbers(self.ref).astype(dtype or float)
 
     def __getattr__(self, name: str) -> Any:
-        from .numpy_functions import METHODS
-
-        if name not in METHODS:
+        if name not in PARTS["methods"]:
             known = None if name.startswith("__") else numbers_of(self)
             if known is not None:
                 return getattr(known, name)
             raise AttributeError(f"an array of the record has no {name!r}")
-        return lambda *arguments, **more: METHODS[name](self, *arguments, **more)
+        return lambda *arguments, **more: PARTS["methods"][name](self, *arguments, **more)
 
     def __eq__(self, other: Any) -> Any:
         return False if other is None or isinstance(other, str) else np.equal(self, other)
@@ -329,9 +284,7 @@ class Array(NDArrayOperatorsMixin):
     def T(self) -> "Array":
         """The array with its axes the other way round."""
         turned = tuple((self.ndim - 1 - d, 0, 1) for d in range(self.ndim))
-        from .views import view
-
-        return view(self, turned, self.shape[::-1], None)
+        return PARTS["view"](self, turned, self.shape[::-1], None)
 
     # --- Python asks for a value ----------------------------------------------------------
 
@@ -361,9 +314,7 @@ class Array(NDArrayOperatorsMixin):
         return id(self)
 
     def __round__(self, digits: Any = None) -> Any:
-        from .ufuncs import rounded
-
-        return rounded(self, digits)
+        return PARTS["rounded"](self, digits)
 
     def __repr__(self) -> str:
         return f"<v{self.node} {self.shape}>"
@@ -460,9 +411,7 @@ def stacked(tape: Tape, parts: Sequence[Any]) -> Any:
     refs = [operand(part) for part in parts]
     if all(type(ref) is float for ref in refs):
         return constant(tape, np.array(refs))
-    from .views import tape_view
-
-    seen = tape_view(tape, refs)
+    seen = PARTS["tape_view"](tape, refs)
     return tape.add("stack", refs, (len(refs), *shapes.pop())) if seen is None else seen
 
 

@@ -75,7 +75,8 @@ def check_names(name: str, *ports: Mapping[str, Any]) -> None:
             whole = isinstance(size, int | np.integer) and size >= 0
             if not whole and not (isinstance(size, str) and size):
                 raise BlockError(
-                    f"{name}.{port}: size {shown(size)} must be a whole number, 0 or more, or a name"
+                    f"{name}.{port}: size {shown(size)} must be a whole number, 0 or more, or a "
+                    "name"
                 )
 
 

@@ -59,9 +59,10 @@ class Kept:
             now = _inside(value)
             if isinstance(now, list):
                 now[:] = before
-            elif (isinstance(now, dict) and (
-                now.keys() != before.keys() or any(now[k] is not before[k] for k in before)
-            )) or isinstance(now, set):
+            elif (
+                isinstance(now, dict)
+                and (now.keys() != before.keys() or any(now[k] is not before[k] for k in before))
+            ) or isinstance(now, set):
                 now.clear()
                 now.update(before)
 

@@ -6,11 +6,47 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import UFUNCS
-from .record import Record, Shape
-
 MOST_ANGLE = 2.0**50  # rad; beyond it doubles are a quarter apart and an angle means nothing
 
+UFUNCS: dict[Any, str] = {
+    np.add: "add",
+    np.subtract: "sub",
+    np.multiply: "mul",
+    np.true_divide: "div",
+    np.floor_divide: "floordiv",
+    np.remainder: "mod",
+    np.power: "pow",
+    np.float_power: "pow",
+    np.negative: "neg",
+    np.absolute: "fabs",
+    np.less: "lt",
+    np.less_equal: "le",
+    np.greater: "gt",
+    np.greater_equal: "ge",
+    np.equal: "eq",
+    np.not_equal: "ne",
+    np.logical_and: "and",
+    np.logical_or: "or",
+    np.logical_not: "not",
+    np.bitwise_and: "and",
+    np.bitwise_or: "or",
+    np.invert: "not",
+    np.arctan2: "atan2",
+    np.arcsin: "asin",
+    np.arccos: "acos",
+    np.arctan: "atan",
+    np.arcsinh: "asinh",
+    np.arccosh: "acosh",
+    np.arctanh: "atanh",
+    **{
+        getattr(np, name): name
+        for name in (
+            *("exp", "expm1", "log", "log1p", "log2", "log10", "sqrt", "sin", "cos", "tan"),
+            *("sinh", "cosh", "tanh", "fabs", "hypot", "minimum", "maximum", "sign"),
+            *("floor", "ceil", "trunc"),
+        )
+    },
+}
 OPERATIONS: dict[str, Callable[..., Any]] = {
     **{name: ufunc for ufunc, name in UFUNCS.items()},
     "and": np.logical_and,
@@ -50,13 +86,13 @@ def picked(numbers: np.ndarray, index: Any) -> np.ndarray:
     return np.where(inside, numbers[np.where(inside, whole, 0).astype(int)], np.nan)
 
 
-def sized(shape: Shape, sizes: dict[str, int]) -> tuple[int, ...]:
+def sized(shape: tuple[Any, ...], sizes: dict[str, int]) -> tuple[int, ...]:
     """Return a shape with its open sizes filled in."""
     return tuple(n if isinstance(n, int) else sizes[n] for n in shape)
 
 
 def computed(
-    record: Record, leaf: Callable[[str, str], Any], sizes: dict[str, int]
+    record: Any, leaf: Callable[[str, str], Any], sizes: dict[str, int]
 ) -> list[np.ndarray]:
     """Compute the outputs of a record; `leaf` gives the array of a group and name."""
     values: list[np.ndarray] = []

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from . import elimination, tables
-from .arrays import Array, Tape, elementwise, lifted, packed, stacked, total, where
+from .arrays import PARTS, Array, Tape, elementwise, lifted, packed, stacked, total, where
 from .opened import as_numbers, depends, exploded, fresh, objects, tape_of, unread
 from .reshaping import (
     at_least,
@@ -332,3 +332,6 @@ METHODS: dict[str, Callable] = {
         )
     },
 }
+
+
+PARTS.update(applied=applied, methods=METHODS)

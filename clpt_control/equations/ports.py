@@ -80,7 +80,9 @@ def vector(values: Any, where: dict[str, tuple[slice, Shape]]) -> Vector:
 def kept_vector(values: np.ndarray, where: dict[str, tuple[slice, Shape]]) -> Vector:
     """Return an array that is filled again and again as a vector, its ports made once."""
     made = vector(values, where)
-    made.__dict__.update({port: values[part].reshape(shape) for port, (part, shape) in where.items()})
+    made.__dict__.update(
+        {port: values[part].reshape(shape) for port, (part, shape) in where.items()}
+    )
     return made
 
 

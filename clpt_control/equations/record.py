@@ -31,6 +31,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from .numbers import computed
+
 Ref = Any  # int: the place of a value; float: a constant
 Shape = tuple[Any, ...]  # of whole numbers and names of sizes
 
@@ -59,8 +61,6 @@ class Record:
 
     def values(self, leaf: Callable[[str, str], Any], sizes: dict[str, int]) -> list[np.ndarray]:
         """Compute the outputs in NumPy; ``leaf("x", "alpha")`` is an array."""
-        from .numbers import computed
-
         return computed(self, leaf, sizes)
 
 

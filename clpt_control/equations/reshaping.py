@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Masked, as_number, constant, lifted, operand, packed, stacked
+from .arrays import PARTS, Array, Masked, as_number, constant, lifted, operand, packed, stacked
 from .opened import exploded, objects, tape_of, unread
 
 
@@ -127,3 +127,6 @@ def constant_like(a: Array, value: float) -> Any:
 def full_like(a: Array, value: Any, **more: Any) -> Any:
     """Return an array of a's shape with one value."""
     return constant_like(a, 0.0) + value
+
+
+PARTS.update(pick=pick)

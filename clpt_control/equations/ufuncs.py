@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import (
+    PARTS,
     UFUNCS,
     Array,
     Tape,
@@ -208,3 +209,6 @@ COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special
     "expit": lambda a: 1.0 / (1.0 + np.exp(-a)),
     "log_expit": lambda a: -np.log1p(np.exp(-a)),
 }
+
+
+PARTS.update(called=called, rounded=rounded)

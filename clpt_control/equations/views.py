@@ -10,7 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Tape, Unread, constant
+from .arrays import PARTS, Array, Tape, Unread, constant
+from .numbers import viewed
 from .record import Ref, Shape
 
 
@@ -100,8 +101,6 @@ def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
     if mapped == tuple((d, 0, 1) for d in range(len(old))) and shape == old:
         return Array(tape, node, old)
     if kind == "constant":
-        from .numbers import viewed
-
         return constant(tape, viewed(np.frombuffer(at).reshape(old), mapped, shape))
     if kind == "view":
         inner = list(at)
@@ -145,3 +144,6 @@ def _of_join(tape: Tape, parts: Sequence[Ref], mapped: tuple, shape: Shape) -> A
             return tape_viewed(tape, part, (moved, *rest), shape)
         at += n
     return None
+
+
+PARTS.update(index_map=index_map, view=view, tape_view=tape_view)
