@@ -13,6 +13,7 @@ import numpy as np
 from ..errors import SimulationError
 from ..progress.interrupt import check
 from . import solver
+from .processor import LANES
 from .schedule import Schedule
 
 PAUSE = 0.05  # seconds of a call
@@ -63,16 +64,16 @@ class Batch:
         self.status, self.reached = (np.zeros(m, dtype=np.int64) for _ in range(2))
         self.counts = np.zeros((m, 4), dtype=np.int64)
         self.results = self.out, self.status, self.reached, self.counts
-        self.numbers = np.zeros((solver.NUMBERS, lanes))
+        self.numbers = aligned(solver.NUMBERS * lanes).reshape(-1, lanes)
         whole = np.full((3, lanes), -1, dtype=np.int64)
         self.lane = self.numbers, whole, np.array([0, m, 0], dtype=np.int64)
-        self.Z = np.zeros(solver.ROWS * n * lanes)
+        self.Z = aligned(solver.ROWS * n * lanes)
         self.arrays = (
             self.Z,
-            np.zeros(max(size, 1) * lanes),
+            aligned(max(size, 1) * lanes),
             np.append(callee.tables, 0.0),
-            np.zeros(max(callee.room, 1) * lanes),
-            np.zeros(max(n, 2) * lanes),
+            aligned(max(callee.room, 1) * lanes),
+            aligned(max(n, 2) * lanes),
         )
 
     @property
@@ -132,6 +133,13 @@ class Batch:
     def _shared(self) -> tuple:
         """What both methods of the solver are given."""
         return self.runs, self.schedule, self.times, self.results, self.lane, self.arrays
+
+
+def aligned(size: int) -> np.ndarray:
+    """Return zeros that begin where a line of the cache does: eight runs are one line."""
+    room = np.zeros(size + LANES)
+    first = -(room.ctypes.data // room.itemsize) % LANES
+    return room[first : first + size]
 
 
 def _together(schedules: list[Schedule]) -> tuple[np.ndarray, ...]:
