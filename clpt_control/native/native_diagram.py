@@ -20,6 +20,7 @@ from .schedule import Schedule, make_schedule, with_inputs
 from .solver_cache import compiled_solver
 
 OVER_KINKS = 0.01  # of the tolerances
+ABREAST = 256  # states of runs that are taken side by side; more do not fit the first cache
 FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump")  # in the solver's order
 
 
@@ -124,7 +125,7 @@ class NativeDiagram(PythonDiagram):
 
     def lanes(self, count: int) -> int:
         """Return how many runs are taken at once: eight where it pays."""
-        return LANES if count > 1 and fuses() else 1
+        return LANES if count > 1 and fuses() and self.nstates <= ABREAST else 1
 
 
 @public
