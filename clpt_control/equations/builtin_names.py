@@ -3,7 +3,6 @@
 A stand-in of a type is a type, for ``dtype=float`` and ``isinstance(x, float)``.
 """
 
-import builtins
 import functools
 import numbers
 from collections.abc import Callable
@@ -126,13 +125,6 @@ def ordered(values: Any, **more: Any) -> list[Any]:
     return in_order(given)
 
 
-def imported(name: str, *given: Any, **more: Any) -> Any:
-    """Return a module that a function imports by itself, or what stands for it."""
-    from .stand_ins import stand_in
-
-    return stand_in(builtins.__import__(name, *given, **more))
-
-
 SHADOWS: dict[str, Any] = {  # built-in names that have stand-ins
     "float": FLOAT,
     "int": INT,
@@ -143,7 +135,6 @@ SHADOWS: dict[str, Any] = {  # built-in names that have stand-ins
     "sorted": ordered,
     "isinstance": is_a,
 }
-BUILTINS: dict[str, Any] = {**vars(builtins), **SHADOWS, "__import__": imported}
 _REAL = {FLOAT: float, FLOAT64: np.float64, INT: int, INT64: np.int64}
 
 

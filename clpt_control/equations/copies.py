@@ -17,9 +17,9 @@ from typing import Any
 import numpy as np
 
 from .arrays import Tape, Unread, constant
-from .builtin_names import BUILTINS, SHADOWS
+from .builtin_names import SHADOWS
 from .kept import Kept
-from .stand_ins import Vectorized, stand_in
+from .stand_ins import BUILTINS, Vectorized, stand_in
 from .tables import table_of
 
 MOST_NUMBERS = 20_000  # of an array that is written down

@@ -10,6 +10,8 @@ import numpy as np
 from .arrays import Array, active, elementwise
 from .opened import tape_of
 
+READ = "__read__"  # among the built-in names of a copy that is read
+
 NAMED_AS = {
     **{"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "pow": "power"},
     **{"asinh": "arcsinh", "acosh": "arccosh", "atanh": "arctanh"},
@@ -52,13 +54,15 @@ DOMAINS: dict[str, Callable] = {  # outside, `math` raises
 }
 
 
+READ = "__read__"  # among the built-in names of a function that is read
+
+
 def in_a_try() -> bool:
     """Return whether a function that is read may catch what is raised now."""
-    from .builtin_names import BUILTINS
-
     frame = sys._getframe(2)
     while frame is not None and frame.f_globals.get("__name__") != f"{__package__}.reading":
-        if frame.f_globals.get("__builtins__") is BUILTINS and frame.f_code.co_exceptiontable:
+        names = frame.f_globals.get("__builtins__")
+        if isinstance(names, dict) and READ in names and frame.f_code.co_exceptiontable:
             return True
         frame = frame.f_back  # type: ignore[assignment]
     return False

@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 
 from .arrays import Array, Tape, Unread
-from .builtin_names import BUILTINS
 from .copies import LIBRARIES
 from .record import Ref, compact, reached
+from .stand_ins import BUILTINS
 
 MOST_QUESTIONS = 64  # on one way
 MOST_PLACES = 64  # which whole numbers a signal is asked for

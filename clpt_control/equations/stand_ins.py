@@ -17,7 +17,7 @@ import numpy as np
 
 from .arrays import Array, active, lifted
 from .builtin_names import FLOAT, FLOAT64, INT, INT64, SHADOWS, real_of
-from .math_functions import MATH, of_math
+from .math_functions import MATH, READ, of_math
 from .numpy_functions import applied
 from .opened import fresh, objects, tape_of, unread
 from .reshaping import converted
@@ -168,3 +168,11 @@ def stand_in(value: Any) -> Any:
     ):
         return _KNOWN.setdefault(id(value), NumPyFunction(value))
     return value
+
+
+def imported(name: str, *given: Any, **more: Any) -> Any:
+    """Return a module that a function imports by itself, or what stands for it."""
+    return stand_in(builtins.__import__(name, *given, **more))
+
+
+BUILTINS: dict[str, Any] = {**vars(builtins), **SHADOWS, "__import__": imported, READ: True}
