@@ -141,7 +141,7 @@ def test_states_are_views_of_one_vector():
     ],
 )
 def test_declarations_that_cannot_work(declared, words):
-    with pytest.raises(BlockError, match=words) as caught:
+    with pytest.raises((ArgumentError, BlockError), match=words) as caught:
         Block("mine", **declared)
     assert "\n" not in str(caught.value)
 
