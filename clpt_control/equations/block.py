@@ -248,7 +248,7 @@ class Block(control.NonlinearIOSystem):
         return {names.get(port, port): shape for port, shape in shapes.items()}
 
     def _name_ports(self, names: Mapping[str, Mapping[str, str]]) -> None:
-        """Give ports other names, ``{"inputs": {old: new}}``; the equations keep theirs."""
+        """Rename ports, ``{"inputs": {old: new}}``; the equations keep their names."""
         for kind, moved in names.items():
             own, ports = self._inner.get(kind, {}), self.declared[kind]
             self._inner[kind] = {moved.get(p, p): own.get(p, p) for p in ports}
@@ -339,7 +339,7 @@ class Block(control.NonlinearIOSystem):
 
     @property
     def of_package(self) -> bool:
-        """Whether the functions are the package's own, which do not change."""
+        """Whether the functions are the package's own."""
         own = (getattr(f, "__module__", None) or "" for f, _ in self._roles.values())
         return all(name.startswith(f"{__package__.partition('.')[0]}.") for name in own)
 

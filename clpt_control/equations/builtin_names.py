@@ -46,6 +46,7 @@ class StandInType(type):
 def stand_in_type(real: type, make: Callable) -> StandInType:
     """Return what stands for a type of numbers."""
     own = {"real": real, "make": staticmethod(make), "dtype": np.dtype(real)}
+    own["__doc__"] = make.__doc__
     return StandInType(real.__name__, (), own)
 
 

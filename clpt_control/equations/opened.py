@@ -31,7 +31,7 @@ def fresh(tape: Tape, found: Any) -> Any:
 
 
 def unread(what: str) -> Any:
-    """Say that something cannot be read."""
+    """Write that something cannot be read."""
     raise Unread(f"{what} of signals")
 
 

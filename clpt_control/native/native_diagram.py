@@ -80,7 +80,7 @@ class NativeDiagram(PythonDiagram):
     def schedule(
         self, t0: float, t1: float, inputs: Inputs | None = None, stops: Stops | None = None
     ) -> Schedule:
-        """Return the pieces of a run, which end where the inputs bend and at stops."""
+        """Return the pieces of a run: they end at bends and stops."""
         own, stops = (self.sweep, self.layout.intervals, self.layout.jumps), stops or Stops()
         if inputs is None or not self.wiring.ninputs:
             return make_schedule(*own, t0, t1, np.asarray(stops.kinks), stops.breaks)

@@ -56,7 +56,7 @@ class PythonDiagram:
     def schedule(
         self, t0: float, t1: float, inputs: Inputs | None = None, stops: "Stops | None" = None
     ) -> Schedule:
-        """Return the pieces of a run, which end where the inputs bend and at stops."""
+        """Return the pieces of a run: they end at bends and stops."""
         kinks = None if inputs is None else inputs.kinks
         return make_schedule(self.sweep, {}, self._jumps, t0, t1, kinks)
 
