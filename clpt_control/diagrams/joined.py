@@ -16,8 +16,8 @@ import numpy as np
 from ..equations.arrays import Tape, Unread, operand, packed
 from ..equations.block import Block
 from ..equations.declaration import ports_of
-from ..equations.record import Record, Shape
 from ..equations.opened import objects
+from ..equations.record import Record, Shape
 from .wiring import Node, Wiring
 
 Values = dict[tuple[str, str], Any]  # (block, port) -> Array or number
