@@ -18,7 +18,7 @@ import numpy as np
 
 from ..equations.block import Block
 
-ETA = {"eta": (2, "N"), "eta_3": 2, "eta_4": 2}
+ETA: dict[str, Any] = {"eta": (2, "N"), "eta_3": 2, "eta_4": 2}
 
 
 def error(t, x, u, p):
