@@ -5,6 +5,8 @@ x' = A x + B u,    y = C x + D u
 Where D = 0 an input does not reach the outputs at once, and the block has no D to change.
 """
 
+from typing import Any
+
 import control
 import numpy as np
 from scipy.linalg import block_diag
@@ -33,6 +35,7 @@ def output_of_inputs(t, x, u, p):
     return p.D @ u.u
 
 
+RECORDS: dict[Any, dict[str, Any]] = {}  # of each output function, and of the rates beside it
 SHAPES = {"A": ("n", "n"), "B": ("n", "m"), "C": ("q", "n"), "D": ("q", "m")}
 
 
@@ -57,6 +60,7 @@ def linear(system: control.StateSpace | control.TransferFunction) -> Block:
         shapes={name: SHAPES[name] for name in parameters},
         sizes={"m": inputs, "q": outputs},
     )
+    block.__dict__["_read_records"] = RECORDS.setdefault(function, {})  # the same for all sizes
     block.set_inputs(system.input_labels)
     block.set_outputs(system.output_labels)
     if isinstance(system, control.StateSpace):
