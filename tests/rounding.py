@@ -15,8 +15,8 @@ from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
-from clpt_control.equations.at_many import OPERATIONS, picked
 
+from clpt_control.equations.at_many import OPERATIONS, picked
 from clpt_control.native.python_diagram import PythonDiagram
 
 EPS = 2.0**-52

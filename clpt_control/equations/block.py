@@ -127,6 +127,12 @@ class Block(control.NonlinearIOSystem):
             "states": shapes_of(states),
         }
         check_names(name, *declared.values())
+        for port in (*declared["inputs"], *declared["states"]):
+            if hasattr(np.ndarray, port):
+                raise BlockError(
+                    f"{name}: the port '{port}' has a name that all arrays of NumPy have, so that "
+                    f"u.{port} would be another thing; call it otherwise"
+                )
         if output is None and not states:
             raise BlockError(f"{name}: a block without states needs `output`")
         if (update is None) != (not states):
@@ -344,7 +350,7 @@ class Block(control.NonlinearIOSystem):
         return all(name.startswith(f"{__package__.partition('.')[0]}.") for name in own)
 
     def read_anew(self) -> None:
-        """Read the functions again: a name that they use may stand for something else by now."""
+        """Read the functions again: what they use may have changed."""
         if self.of_package:
             return
         for role, old in list(self._records.items()):

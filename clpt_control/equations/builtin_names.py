@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import Array, elementwise, where
-from .math_functions import READ, single
+from .math_functions import single
 from .numpy_functions import in_order
 from .opened import tape_of
 

@@ -193,6 +193,7 @@ def checked_parameters(name: str, parameters: Any, like: Any = None) -> Paramete
                 values[field] = np.float64(value)
             else:
                 values[field] = np.array(value, dtype=float)
+                values[field].flags.writeable = False  # equations have no side effects
         except (TypeError, ValueError, OverflowError):
             values[field] = None
         if values[field] is None or np.shape(values[field]) != shape:

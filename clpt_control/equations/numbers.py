@@ -80,6 +80,8 @@ def viewed(array: np.ndarray, mapped: tuple, shape: tuple[int, ...]) -> np.ndarr
 
 def picked(numbers: np.ndarray, index: Any) -> np.ndarray:
     """Return numbers of a row at whole places; NaN outside."""
+    if not len(numbers):
+        return np.full(np.shape(index), np.nan)
     whole = np.trunc(index)
     whole = np.where(whole < 0, whole + len(numbers), whole)
     inside = (whole >= 0) & (whole < len(numbers))

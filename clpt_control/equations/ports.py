@@ -74,15 +74,15 @@ def vector(values: Any, where: dict[str, tuple[slice, Shape]]) -> Vector:
         return values
     made = np.asarray(values, dtype=float).view(Vector)
     made.places = where
+    made.flags.writeable = False  # equations have no side effects
     return made
 
 
 def kept_vector(values: np.ndarray, where: dict[str, tuple[slice, Shape]]) -> Vector:
     """Return an array that is filled again and again as a vector, its ports made once."""
     made = vector(values, where)
-    made.__dict__.update(
-        {port: values[part].reshape(shape) for port, (part, shape) in where.items()}
-    )
+    for port, (part, shape) in where.items():
+        made.__dict__[port] = made.view(np.ndarray)[part].reshape(shape)
     return made
 
 

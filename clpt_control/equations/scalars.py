@@ -25,6 +25,7 @@ from .numbers import sized
 from .record import Record, Shape
 
 LEAVES = frozenset({"t", "x", "u", "p"})
+MOST_AT_ONCE = 256  # elements of an array that are computed whether they are used or not
 MOST = 300_000  # operations; more are given up
 Ref = Any  # int: the place of a value; float: a constant
 
@@ -214,7 +215,27 @@ def scalars_of(
             first[group, port] = at
             at += prod(shape)
     lowered = _Lowered(record, sizes, first)
+    for k, shape in enumerate(lowered.shapes):  # in order, so that nothing calls itself deep
+        if prod(shape) <= MOST_AT_ONCE:
+            for index in np.ndindex(shape):
+                lowered.at(k, index)
     outputs: list[Ref] = []
     for ref, shape in zip(record.outputs, record.shapes, strict=True):
         outputs += [lowered.at(ref, index) for index in np.ndindex(sized(shape, dict(sizes)))]
-    return Scalars(tuple(lowered.operations), tuple(outputs))
+    return _compact(lowered.operations, outputs)
+
+
+def _compact(operations: list[tuple], outputs: list[Ref]) -> Scalars:
+    """Return what outputs depend on."""
+    used = {ref for ref in outputs if type(ref) is int}
+    for k in range(len(operations) - 1, -1, -1):
+        if k in used and operations[k][0] not in LEAVES:
+            used.update(a for a in operations[k][1:] if type(a) is int)
+    place = {old: new for new, old in enumerate(sorted(used))}
+
+    def moved(arguments: Any) -> Any:
+        return (place[a] if type(a) is int else a for a in arguments)
+
+    lines = (operations[k] for k in sorted(used))
+    kept = (o if o[0] in LEAVES else (o[0], *moved(o[1:])) for o in lines)
+    return Scalars(tuple(kept), tuple(moved(outputs)))

@@ -48,7 +48,7 @@ class Write(NamedTuple):
 
 @contextmanager
 def deep() -> Iterator[None]:
-    """Let functions call themselves as deep as records are."""
+    """Allow functions to call themselves as deep as records are."""
     before = sys.getrecursionlimit()
     sys.setrecursionlimit(max(before, 1_000_000))
     try:

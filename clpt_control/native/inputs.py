@@ -65,8 +65,9 @@ def stacked_state(name: str, state: Any, count: int) -> np.ndarray:
     """
     if isinstance(state, list | tuple) and len(state):
         state = np.concatenate([numbers(name, part).ravel() for part in state])
-    elif np.ndim(state):
-        state = numbers(name, state).ravel()
+    else:
+        state = numbers(name, state)
+        state = state.ravel() if state.ndim else state
     if 0 < np.size(state) < count and np.ndim(state) == 1:
         if state[-1] != 0:
             warnings.warn(f"{name} is too short: filled with zeros", stacklevel=5)

@@ -9,7 +9,6 @@ an item, address, shape and strides.
 """
 
 import sys
-from collections.abc import Iterator
 from ctypes import CFUNCTYPE, byref, c_double, c_int32, c_int64, c_void_p
 from functools import cache
 from importlib import util

@@ -155,5 +155,7 @@ def test_six_functions_are_mixed_and_seven_refused():
 def test_a_margin_that_is_never_reached_is_refused():
     with pytest.raises(ScenarioError, match=r"learning.drem.margin = 1.0: must be less than 1"):
         clpt.simulate(of_paper(**{"learning.drem": {"margin": 1.0}}))
-    with pytest.raises(ScenarioError, match=r"learning.drem.excitation = 2.0: must be less than or equal to 1"):
+    with pytest.raises(
+        ScenarioError, match=r"learning.drem.excitation = 2.0: must be less than or equal to 1"
+    ):
         clpt.simulate(of_paper(**{"learning.drem": {"excitation": 2.0}}))

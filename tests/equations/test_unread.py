@@ -66,11 +66,6 @@ def is_text(t, x, u, p):
     return float(f"{u[0]:.3f}")  # here
 
 
-def writes_its_inputs(t, x, u, p):
-    u[0] = 1.0  # here
-    return u[0]
-
-
 def takes_eigenvalues(t, x, u, p):
     return np.linalg.eigvals(np.outer(u, u)).max().real  # here
 
@@ -96,7 +91,6 @@ LINES = {  # the line is that of the comment
     solves: "brentq",
     integrates: "",
     is_text: "",
-    writes_its_inputs: "write into a copy",
     takes_eigenvalues: "eigvals",
 }
 TWICE = (draws, draws_noise, asks_the_clock, remembers, keeps_the_last)

@@ -31,6 +31,7 @@ def _copies(block: Block, drawn: list[Sample]) -> Iterator[str]:
                 yield f"{block.name}: a copy gives other values"
     for value in twin.parameters:
         if isinstance(value, np.ndarray):
+            value.flags.writeable = True
             value += 1.0
     for field, old, new in zip(before._fields, before, block.parameters, strict=True):
         if not np.array_equal(old, new):

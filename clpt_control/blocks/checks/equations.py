@@ -77,9 +77,7 @@ def _repeats(block: Block, drawn: list[Sample]) -> Iterator[str]:
                     "memory"
                 )
         if finite < len(drawn) // 4:
-            yield (
-                f"{block.name}.{role} is finite for {finite} of {len(drawn)} random inputs only"
-            )
+            yield (f"{block.name}.{role} is finite for {finite} of {len(drawn)} random inputs only")
 
 
 def _zero(block: Block, drawn: list[Sample]) -> Iterator[str]:
