@@ -32,10 +32,11 @@ def modeled(t, x, u, p):
 
 def true_flow(theta: Any, disturbed: bool = False, position: str = "x") -> Block:
     """Make the true flow at a position, Eq. (3), or with the input delta, Eq. (32)."""
+    inputs: dict[str, Any] = {"x": 2, "phi_x": "N"} | ({"delta": 2} if disturbed else {})
     block = Block(
         "true_flow",
         output=true_disturbed if disturbed else true,
-        inputs={"x": 2, "phi_x": "N"} | ({"delta": 2} if disturbed else {}),
+        inputs=inputs,
         outputs={"flow_x": 2},
         parameters={"theta": theta},
         shapes={"theta": (2, "N")},

@@ -150,13 +150,13 @@ class _Lowered:
             return self.at(arguments[index[0]], index[1:])
         if kind == "join":
             k, part = index[0], 0
-            while k >= (n := self.shapes[arguments[part]][0]):  # type: ignore[index]
+            while k >= (n := self.shapes[arguments[part]][0]):
                 k, part = k - n, part + 1
             return self.at(arguments[part], (k, *index[1:]))
         if kind == "sum":
             return self.summed(arguments[0], at, index)
         if kind == "pick":
-            return self.picked(*arguments, index)
+            return self.picked(arguments[0], arguments[1], index)
         if kind == "opaque":
             given = [self.at(a, k) for a in arguments[1:] for k in self.indices(a)]
             number = int(np.ravel_multi_index(index, shape)) if shape else 0

@@ -9,9 +9,8 @@ a coefficient in which nothing cancels is left as it is.
 
 from typing import Any
 
-from .components import Components, Value
+from .components import LONG, Components, Value
 from .diagram_record import Ref
-from .plan import LONG
 
 HEAVY = 10  # cost of a function, beside an addition
 MOST = 64  # terms of one sum; more are left as they are

@@ -11,14 +11,10 @@ from itertools import groupby
 from math import prod
 from typing import Any, NamedTuple
 
-from .components import BOUND, CONDITIONS, Component, Components, Write, deep
+from .components import BOUND, CONDITIONS, LONG, Component, Components, Write, deep
 from .diagram_record import DiagramRecord
+from .joined_sums import JoinedSums
 
-LONG = frozenset(  # functions that are computed once, not again
-    {"exp", "expm1", "log", "log1p", "log2", "log10", "pow", "sin", "cos", "tan", "hypot", "div"}
-    | {"asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "sqrt"}
-    | {"mod", "floordiv", "erf", "erfc", "lookup"}
-)
 LARGEST = 4096  # numbers of an array that is prepared
 Argument = tuple[int, tuple[int, ...]]  # component, and the loop that each of its axes is
 
@@ -266,8 +262,6 @@ def rows(lengths: tuple[int, ...]) -> tuple[int, ...]:
 
 def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
     """Return the program of a diagram: W has so much room for signals, P for what is given."""
-    from .joined_sums import JoinedSums
-
     made = Components(record, room, prepared)
     with deep():
         writes = {

@@ -209,7 +209,7 @@ def test_broken_equations_make_no_block(output, parameters, size, sentence):
     ],
 )
 def test_writing_into_what_is_given_makes_no_block(make):
-    with pytest.raises(BlockError, match="line .*read-only"):
+    with pytest.raises(BlockError, match=r"line .*read-only"):
         make()
 
 

@@ -87,8 +87,9 @@ def _failures(block: Block, drawn: list[Sample], units: Mapping[str, str]) -> It
                 if off.any():
                     port = names[int(np.argmax(off))]
                     yield (
-                        f"{block.name}.{role}: {port} is not of the unit '{units[port]}' that is declared: in a "
-                        f"smaller {symbol} it becomes {got[off][0]:.6g}, not {wanted[off][0]:.6g}; "
+                        f"{block.name}.{role}: {port} is not of the unit '{units[port]}' that is "
+                        f"declared: in a smaller {symbol} it becomes {got[off][0]:.6g}, not "
+                        f"{wanted[off][0]:.6g}; "
                         "a number in the equations has a unit, or one is declared wrongly"
                     )
                     break
