@@ -7,8 +7,8 @@ BENCH := build/benchmarks/venv
 LOWEST := build/lowest
 DIST := build/dist
 SITE := .venv/.docs
-ENGINE := native jumps random_jumps elementary loops solver closed_form_flows written_is_run random_diagrams \
-	trace words simulation conformance members ensemble
+ENGINE := native jumps random_jumps elementary components solver closed_form_flows written_is_run \
+	random_diagrams conformance members models_as_they_stand random_programs
 
 .PHONY: paper test test-slow test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel docs
 
