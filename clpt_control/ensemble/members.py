@@ -138,7 +138,8 @@ class Ensemble:
             members.group,
         )
         if step is None:
-            batch.adaptive(rtol, atol)
+            share = self.native.stops(times).share  # as a run of its own
+            batch.adaptive(share * rtol, share * atol)
         else:
             batch.fixed(step)
         return States(self.columns, batch.out, batch.status, batch.reached, batch.counts)

@@ -4,6 +4,7 @@ The solver is the one that machine code runs with.
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from typing import Any, NamedTuple
 
 import control
@@ -143,20 +144,26 @@ class PythonDiagram:
             return Solution(times, np.zeros((len(times), 0)), engine=self.engine)
         stops = self.stops(times)
         P, pieces = self.parameters()[None], [self.schedule(t0, t1, inputs, stops)]
-        batch = Batch(self.callee(1, inputs), start[None], P, times, pieces)
+
+        def batch() -> Batch:
+            return Batch(self.callee(1, inputs), start[None], P, times, pieces)
+
         if step is not None:
-            batch.fixed(step)
-            return ended(self.sweep, batch, inputs)
-        keeps_pace = pace(self.most, t1 - t0, t0)
+            (made := batch()).fixed(step)
+            return ended(self.sweep, made, inputs)
+        for share in dict.fromkeys((stops.share, 1.0)):  # a sliding mode ends with its own alone
+            made, keeps_pace = batch(), pace(self.most, t1 - t0, t0)
 
-        def watch(batch: Batch) -> None:
-            if progress is not None:
-                progress(batch.now)
-            keeps_pace(batch)
+            def watch(batch: Batch, keeps_pace: Any = keeps_pace) -> None:
+                if progress is not None:
+                    progress(batch.now)
+                keeps_pace(batch)
 
-        rtol, atol = (stops.share * one for one in tolerances)
-        batch.adaptive(rtol, atol, watch, self.most)
-        return ended(self.sweep, batch, inputs)
+            with suppress(*[SimulationError] * (share < 1.0)):
+                made.adaptive(share * tolerances[0], share * tolerances[1], watch, self.most)
+                if share == 1.0 or made.status[0] not in (solver.TOO_MANY, solver.TOO_SMALL):
+                    break
+        return ended(self.sweep, made, inputs)
 
     def stops(self, times: np.ndarray) -> Stops:
         """Return where a run with these samples ends a step; in Python it does at none."""
