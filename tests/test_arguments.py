@@ -57,7 +57,6 @@ def test_a_scenario_refuses_what_it_does_not_know():
     [
         {"params": {"adaptation.gan": 1.0}},
         {"params": [1.0]},
-        {"initial_state": [1.0]},
         {"initial_state": ["one"]},
         {"inputs": [[1.0, 2.0]]},
         {"rtol": -1.0},
@@ -72,6 +71,15 @@ def test_engines_refuse_the_same(system, times, arguments, engine):
     with pytest.raises(ClptError) as caught:
         clpt.simulate(system, **{"timepts": times, **arguments}, engine=engine)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_short_state_is_refused_or_filled_as_python_control_does(engine):
+    with pytest.raises(ClptError, match="initial_state"):
+        clpt.simulate(SCENARIO, initial_state=[1.0], engine=engine)
+    with pytest.warns(UserWarning, match="initial_state is too short: filled with zeros"):
+        run = clpt.simulate(LOOP, [0.0, 2.0], initial_state=[1.0], engine=engine)
+    assert run.attrs["engine"] == engine
 
 
 def test_there_is_no_other_engine():

@@ -416,7 +416,7 @@ class Block(control.NonlinearIOSystem):
 
     @property
     def read_with(self) -> dict[str, tuple[frozenset[str], str]]:
-        """By role: parameters with whose values it was read, and why not with open sizes."""
+        """Parameters whose values were read, and why no size is open."""
         return self.__dict__.setdefault("_read_with", {})
 
     # --- parameters -------------------------------------------------------------------
@@ -522,7 +522,7 @@ class Block(control.NonlinearIOSystem):
 
     @np.errstate(all="ignore")
     def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
-        """Return what the equations of a role return, as one vector; NaN where they raise."""
+        """Return what equations return; NaN where they raise."""
         try:
             return self._asked(role, size, t, x, u, p)
         except RAISED as error:  # as math.log(0.0) does

@@ -46,7 +46,7 @@ class StandInType(type):
 def stand_in_type(real: type, make: Callable) -> StandInType:
     """Return what stands for a type of numbers."""
     own = {"real": real, "make": staticmethod(make), "dtype": np.dtype(real)}
-    own["__doc__"] = make.__doc__
+    own["__doc__"] = f"What stands for {real.__name__}."
     return StandInType(real.__name__, (), own)
 
 

@@ -58,7 +58,7 @@ def checked_times(name: str, timepts: Any) -> np.ndarray:
     return times
 
 
-def stacked_state(name: str, state: Any, count: int) -> np.ndarray:
+def stacked_state(name: str, state: Any, count: int, padded: bool = True) -> np.ndarray:
     """Return `count` states as python-control takes them.
 
     A list, ``[x0, 0]``, holds numbers and arrays that follow each other; zeros follow a last zero.
@@ -68,7 +68,7 @@ def stacked_state(name: str, state: Any, count: int) -> np.ndarray:
     else:
         state = numbers(name, state)
         state = state.ravel() if state.ndim else state
-    if 0 < np.size(state) < count and np.ndim(state) == 1:
+    if 0 < np.size(state) < count and np.ndim(state) == 1 and (padded or state[-1] == 0):
         if state[-1] != 0:
             warnings.warn(f"{name} is too short: filled with zeros", stacklevel=5)
         state = np.pad(numbers(name, state), (0, count - len(state)))

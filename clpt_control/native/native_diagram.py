@@ -91,10 +91,10 @@ class NativeDiagram(PythonDiagram):
         return with_inputs(pieces, t0, inputs.samples, self.ramp)
 
     def stops(self, times: np.ndarray) -> Stops:
-        """Return where a run ends a step: where time decides, and at all samples if signals do.
+        """Return where a run ends a step.
 
-        The estimate of a step's error may pass over a kink within it, so there the tolerances
-        are tighter.
+        Time decides where, and where signals do it is at all samples.  The estimate of a
+        step's error may pass over a kink within it, so there the tolerances are tighter.
         """
         by_signals, breaks = False, [np.zeros(0)]
         for node, p in zip(self.wiring.nodes, self.sweep.given, strict=True):

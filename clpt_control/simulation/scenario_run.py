@@ -129,7 +129,8 @@ def _into_keys(
     if x0 is not None:
         columns = state_columns(parts)
         held = {STARTS[key]: (key, v.shape) for key, v in starting_values(scenario).items()}
-        state = stacked_state("initial_state", x0, sum(part.nstates or 0 for part in parts))
+        count = sum(part.nstates or 0 for part in parts)
+        state = stacked_state("initial_state", x0, count, padded=False)
         given = columns.keys() & held.keys()
         scenario = scenario.with_values(
             {held[port][0]: state[columns[port]].reshape(held[port][1]) for port in given}

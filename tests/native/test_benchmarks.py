@@ -99,6 +99,6 @@ def test_the_drifter_block_moves_as_the_c_program():
     for step in range(advection.STEPS):
         for s, (lag, share) in enumerate([(0, 0.0), (0, 0.5), (1, 0.5), (2, 1.0)]):
             there = x + h * share * k[lag]
-            block.update_function(h * (step + share), there, (), p, k[s])
+            k[s] = block.values("update", 2, h * (step + share), there, (), p)
         x = x + h / 6 * (k[0] + 2 * k[1] + 2 * k[2] + k[3])
     np.testing.assert_allclose(x, expected[:, 0], rtol=1e-12)
