@@ -13,6 +13,7 @@ from ..equations.block import Block
 from ..equations.linear import is_linear, on_each_axis
 from ..errors import DiagramError
 from .parts import as_part, input_ports, output_ports, sizes, with_ports
+from .wiring import read_anew
 
 Part: TypeAlias = control.NonlinearIOSystem
 LAW = "adaptation"  # the part that is the adaptive law
@@ -64,7 +65,10 @@ def changes_of(law: Any = None, replace: Any = None, insert: Any = None) -> Chan
         raise DiagramError(f"law and replace = {LAW!r}: are one and the same; give one of them")
     if law is not None:
         found[LAW] = law
-    return Changes(found, dict(pairs("insert", insert, "{('v_x', 'vehicle'): lag}")))
+    changes = Changes(found, dict(pairs("insert", insert, "{('v_x', 'vehicle'): lag}")))
+    for part in (*changes.replace.values(), *changes.insert.values()):
+        read_anew(part)
+    return changes
 
 
 def replaced(parts: Sequence[Part], replace: Mapping[str, Any]) -> list[Part]:

@@ -11,7 +11,7 @@ import control
 import numpy as np
 
 from ..diagrams.interconnection import changed_parameters
-from ..diagrams.wiring import Wiring, wiring_of
+from ..diagrams.wiring import Wiring, read_anew, wiring_of
 from ..errors import SimulationError
 from . import method, solver
 from .batch import Batch, Callee, pace
@@ -43,6 +43,8 @@ class PythonDiagram:
     def __init__(
         self, diagram: control.NonlinearIOSystem | Wiring, params: Mapping[str, Any] | None = None
     ):
+        if not isinstance(diagram, Wiring):
+            read_anew(diagram)
         self.wiring = diagram if isinstance(diagram, Wiring) else wiring_of(diagram, params)
         self.sweep = Sweep(self.wiring, changed_parameters(self.wiring, params))
         self.nstates, self.nsignals = self.sweep.nstates, len(self.sweep.signals)

@@ -148,6 +148,7 @@ def check_block(
     >>> print(clpt.blocks.check_block(vehicle()))
     vehicle: conforms (9 checks)
     """
+    block.read_anew()
     drawn = random_samples(block, seed, max(samples, 4))
     checked: list[str] = []
     failures: list[str] = []

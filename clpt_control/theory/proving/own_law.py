@@ -12,6 +12,7 @@ import sympy
 from ...arguments import Seed, public
 from ...blocks.laws.law import functions_of
 from ...diagrams.interconnection import Diagram
+from ...diagrams.wiring import read_anew
 from ...equations.block import Block
 from ...errors import ClptError, DiagramError
 from .law_case import Case, flat
@@ -68,6 +69,8 @@ def prove(
             f"{law_block.name}: is a {type(law_block).__name__}; a law is judged in the paper's "
             "own diagram, give it as a Block; other parts, replaced or inserted, are not judged"
         )
+    for block in filter(None, (law_block, V)):
+        read_anew(block)
     N = functions_of(law_block)
     diagram = theorem_loop(N, "learned-flow", law_block=law_block, candidate=V)
     try:
