@@ -159,7 +159,8 @@ class Array(NDArrayOperatorsMixin):
         if self.store is None and self.parent is not None:
             above = self.parent._written()
             if above is not None:
-                self.store = np.asarray(above[self.index], dtype=object)
+                part = self.index(above) if callable(self.index) else above[self.index]
+                self.store = np.asarray(part, dtype=object)
         return self.store
 
     @property
@@ -284,7 +285,7 @@ class Array(NDArrayOperatorsMixin):
     def T(self) -> "Array":
         """The array with its axes the other way round."""
         turned = tuple((self.ndim - 1 - d, 0, 1) for d in range(self.ndim))
-        return PARTS["view"](self, turned, self.shape[::-1], None)
+        return PARTS["view"](self, turned, self.shape[::-1], np.transpose)
 
     # --- Python asks for a value ----------------------------------------------------------
 

@@ -1,5 +1,6 @@
 """Arrays of the record as NumPy's own: as numbers where they depend on nothing, else as objects."""
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -49,6 +50,22 @@ def repacked(tape: Tape, found: Any) -> Any:
     return fresh(tape, found)
 
 
+SHARING = frozenset(  # functions of NumPy whose results share what is written into the array
+    {np.transpose, np.swapaxes, np.moveaxis, np.rollaxis, np.expand_dims, np.flip, np.fliplr}
+    | {np.flipud, np.split, np.array_split, np.hsplit, np.vsplit, np.dsplit}
+)
+
+
+def shared(a: Array, part: Callable[[np.ndarray], np.ndarray]) -> Any:
+    """Return a part of an array of objects, which shares what is written into either."""
+    if (store := a._written()) is not None:
+        return Array(a.tape, -1, part(store).shape, a, part)
+    made = packed(a.tape, part(objects(a)))
+    if not isinstance(made, Array) or not made.shape:
+        return made
+    return Array(a.tape, made.node, made.shape, a, part)
+
+
 def exploded(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
     """Run NumPy's own function on arrays of objects."""
 
@@ -59,6 +76,16 @@ def exploded(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
             return type(value)(opened(one) for one in value)
         return value
 
+    first, *rest = inputs
+    if function in SHARING and isinstance(first, Array):
+        parts = function(objects(first), *rest, **more)
+        if not isinstance(parts, list | tuple):
+            return shared(first, lambda store: function(store, *rest, **more))
+
+        def one(k: int) -> Callable[[np.ndarray], np.ndarray]:
+            return lambda store: function(store, *rest, **more)[k]
+
+        return [shared(first, one(k)) for k in range(len(parts))]
     try:
         found = function(*opened(tuple(inputs)), **{k: opened(v) for k, v in more.items()})
     except (Unread, IndexError, ValueError):

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import PARTS, Array, Masked, as_number, constant, lifted, operand, packed, stacked
-from .opened import exploded, objects, tape_of, unread
+from .opened import exploded, objects, shared, tape_of, unread
 
 
 def stack(parts: Any, axis: int = 0, **more: Any) -> Any:
@@ -69,7 +69,7 @@ def reshaped(a: Array, *shape: Any, **more: Any) -> Any:
         and new in ((-1, 1), (1, -1), (*a.shape, 1), (1, *a.shape))
     ):
         return a[:, None] if new[-1] == 1 and new[0] != 1 else a[None, :]
-    return packed(a.tape, objects(a).reshape(new))
+    return shared(a, lambda store: store.reshape(new))
 
 
 def squeezed(a: Array, axis: Any = None) -> Any:

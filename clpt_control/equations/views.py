@@ -83,14 +83,14 @@ def index_map(index: tuple, shape: Shape) -> tuple[tuple, Shape]:
 def view(array: Array, mapped: tuple, shape: Shape, index: Any) -> Any:
     """Return a view of an array, which shares what is written into either."""
     if (store := array._written()) is not None:
-        part = store[index] if index is not None else store.T
+        part = index(store) if callable(index) else store[index]
         if not isinstance(part, np.ndarray):
             return part
         found = Array(array.tape, -1, shape, array, index)
         found.store = part
         return found
     made = tape_viewed(array.tape, array.node, mapped, shape)
-    if isinstance(made, Array) and shape and index is not None:
+    if isinstance(made, Array) and shape:
         return Array(array.tape, made.node, shape, array, index)
     return made
 
