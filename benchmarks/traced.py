@@ -7,11 +7,14 @@ time.
 
 import operator
 from collections.abc import Callable, Mapping
+from functools import reduce
 from typing import Any
 
 import numpy as np
 
 from clpt_control.diagrams.wiring import wiring_of
+from clpt_control.equations.at_many import leaf_values
+from clpt_control.equations.elements import Elements
 
 ARITHMETIC = {
     "add": operator.add,
@@ -28,6 +31,25 @@ def boxed(values: Any) -> np.ndarray:
     for i in range(len(values)):
         array[i] = values[i]
     return array
+
+
+class Traced(Elements):
+    """The elements of a record in another algebra."""
+
+    functions: Mapping[str, Callable]
+    given: Callable[[str, str], np.ndarray]
+
+    def leaf(self, at, shape, index):
+        """Return what was given."""
+        return self.given(*at)[index]
+
+    def apply(self, ref, kind, arguments):
+        """Return what the other library makes of an operation."""
+        if kind == "sum":
+            return reduce(operator.add, arguments)
+        if kind == "pow" and arguments[1] == 2.0:
+            return arguments[0] * arguments[0]
+        return self.functions[kind](*arguments)
 
 
 def rates(
@@ -64,28 +86,28 @@ def rates(
     for (block, field), value in (parameters or {}).items():
         changed.setdefault(block, {})[field] = value
 
-    operations = {**ARITHMETIC, **functions}
-
-    def run(record, node) -> list:
+    def run(node, role) -> list:
         u, own = inputs(node), {**node.system.parameters._asdict(), **changed.get(node.name, {})}
-
-        def leaf(name, *where):
-            if name == "t":
-                return t
-            if name == "p":
-                value = own[where[0]]
-                return value.flat[where[1]] if isinstance(value, np.ndarray) else value
-            return (states[node.states] if name == "x" else u)[where[0]]
-
-        return record.without_opaque().replay(leaf, lambda name, *given: operations[name](*given))
+        leaf = leaf_values(node.system, 0.0, states[node.states], u, None)
+        record = node.system.array_record(role)
+        traced = Traced(record.operations, node.system.sizes)
+        traced.functions = {**ARITHMETIC, **functions}
+        traced.given = lambda group, name: (
+            np.asarray(t, dtype=object)
+            if group == "t"
+            else np.asarray(own[name], dtype=object)
+            if group == "p"
+            else leaf(group, name)
+        )
+        return traced.outputs(record)
 
     nodes = [wiring.nodes[k] for k in wiring.order]
     for node in nodes:
         if node.name in given:
             signals[node.outputs] = boxed(given[node.name])
         else:
-            signals[node.outputs] = boxed(run(node.system.output_record, node))
+            signals[node.outputs] = boxed(run(node, "output"))
     for node in nodes:
         if node.system.nstates:
-            derivative[node.states] = boxed(run(node.system.update_record, node))
+            derivative[node.states] = boxed(run(node, "update"))
     return list(derivative)

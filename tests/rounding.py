@@ -11,12 +11,15 @@ Python adds one term after the other, machine code eight sums side by side, and 
 320 a of the sum of 320 a: none is nearer to the truth, and what a sum feeds feels it.
 """
 
+from functools import reduce
 from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from clpt_control.equations.at_many import OPERATIONS, picked
+from clpt_control.equations.elements import Elements
+from clpt_control.equations.numbers import OPERATIONS, picked
+from clpt_control.equations.ports import places
 from clpt_control.native.python_diagram import PythonDiagram
 
 EPS = 2.0**-52
@@ -100,28 +103,39 @@ def looked_up(numbers: Any, index: Rounded) -> Rounded:
     return Rounded(value, sizes.max(), moved + errors.max())
 
 
-def of_block(role: str, block: Any, p: Any, t: float, x: list, u: list) -> list[Rounded]:
-    """Run the record of a block's equations."""
+class OfBlock(Elements):
+    """The elements of a block's record, rounded."""
 
-    def leaf(name: str, *where: Any) -> Rounded:
-        if name == "t":
-            return exact(np.float64(t))
-        if name == "p":
-            return exact(np.ravel(np.asarray(getattr(p, where[0]), dtype=float))[where[1]])
-        return (x if name == "x" else u)[where[0]]
+    def __init__(self, block: Any, role: str, p: Any, t: float, x: list, u: list):
+        super().__init__(block.array_record(role).operations, block.sizes)
+        self.given = {"x": (places(block.state_shapes), x), "u": (places(block.input_shapes), u)}
+        self.t, self.p = t, p
 
-    def operation(name: str, *arguments: Any) -> Any:
-        if name == "table":
-            field, first, stride, count = arguments[1]
-            places = range(first, first + stride * count, stride)
-            numbers = [leaf("p", field, place) for place in places]
-            return looked_up(numbers, rounded(arguments[0]))
-        if name == "pick":
-            return looked_up([rounded(a) for a in arguments[1:]], rounded(arguments[0]))
-        return apply(name, *arguments)
+    def number(self, value: float) -> Rounded:
+        """Return a number that is exact."""
+        return exact(np.float64(value))
 
-    record = getattr(block, f"{role}_record").without_opaque()
-    return [rounded(value) for value in record.replay(leaf, operation)]
+    def leaf(self, at: Any, shape: Any, index: Any) -> Rounded:
+        """Return what was given."""
+        group, name = at
+        if group in self.given:
+            where, values = self.given[group]
+            part, own = where[name]
+            return values[part][int(np.ravel_multi_index(index, own)) if own else 0]
+        return exact(
+            np.float64(self.t if group == "t" else np.asarray(getattr(self.p, name))[index])
+        )
+
+    def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
+        """Run one operation."""
+        if kind == "sum":
+            return reduce(lambda a, b: apply("add", a, b), arguments)
+        if kind == "pick":
+            return looked_up(list(arguments[1:]), arguments[0])
+        if kind in ("eq", "ne"):
+            same = apply("and", apply("le", *arguments), apply("ge", *arguments))
+            return same if kind == "eq" else apply("not", same)
+        return apply(kind, *arguments)
 
 
 @np.errstate(all="ignore")
@@ -147,7 +161,8 @@ def rounding_of(diagram: Any, t: float, x: Any, u: Any) -> np.ndarray:
     def run(role: str, k: int) -> list[Rounded]:
         node = wiring.nodes[k]
         p = node.system.parameters_at(t, sweep.given[k])
-        return of_block(role, node.system, p, t, states[node.states], fed(node))
+        record = OfBlock(node.system, role, p, t, states[node.states], fed(node))
+        return record.outputs(node.system.array_record(role))
 
     for k in wiring.order:
         signals[wiring.nodes[k].outputs] = run("output", k)

@@ -16,7 +16,9 @@ import numpy as np
 
 from ..equations.arrays import Unread
 from ..equations.block import Block
+from ..equations.elements import InputsOf
 from ..equations.linear import linear
+from ..equations.ports import places as inputs_of
 from ..equations.system import System
 from ..errors import DiagramError
 from .parts import check_continuous
@@ -197,7 +199,14 @@ def _through(block: Block, by_signal: bool = True) -> list[set[int]]:
     try:
         if not by_signal:
             return [{0}] if block.array_record("output").leaves("u") else []
-        return block.output_record.inputs_of_outputs()
+        record = block.array_record("output")
+        reaching = InputsOf(record.operations, block.sizes).outputs(record)
+        places = {
+            (port, k): own.start + k
+            for port, (own, _) in inputs_of(block.input_shapes).items()
+            for k in range(own.stop - own.start)
+        }
+        return [{places[one] for one in own} for own in reaching]
     except Unread:
         found = _tried(block)
     return found if by_signal else [set().union(*found)]

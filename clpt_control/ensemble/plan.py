@@ -117,8 +117,7 @@ def _named(changes: Changes) -> str | None:
 def _of_block(place: str, block: Block) -> str:
     fields = block.parameters._asdict().items()
     numbers = json.dumps({field: np.asarray(value).tolist() for field, value in fields})
-    records = block.update_record, block.output_record, *filter(None, [block.jump_record])
-    equations = hashlib.sha256(repr(records).encode()).hexdigest()
+    equations = hashlib.sha256(repr(block.records).encode()).hexdigest()
     return f"{place} {block.name} {equations[:8]} {numbers}".lstrip()
 
 

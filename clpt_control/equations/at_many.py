@@ -1,6 +1,6 @@
-"""A record on NumPy's arrays: the same equations at many times and places at once."""
+"""A block's equations at many times, states and inputs at once."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -9,37 +9,44 @@ from numpy.typing import ArrayLike
 from ..arguments import numbers, public
 from ..errors import ArgumentError
 from .block import Block
-from .numbers import MOST_ANGLE
-from .scalars import Scalars
+from .numbers import computed
+from .ports import places
+from .record import Record
 
 
-def on_arrays(record: Scalars, t: Any, x: Any, u: Any, p: Any) -> np.ndarray:
-    """Run a record on arrays: n times, for each state and input a number or n; shape (size, n)."""
-    t = np.asarray(t, dtype=float)
-    flat: dict[str, np.ndarray] = {}
+def leaf_values(block: Block, t: Any, x: Any, u: Any, p: Any) -> Callable[[str, str], np.ndarray]:
+    """Return what gives the arrays of a record's leaves; more axes, such as times, are last."""
+    where = {"x": (x, places(block.state_shapes)), "u": (u, places(block.input_shapes))}
 
-    def field(name: str) -> np.ndarray:
-        if name not in flat:
-            flat[name] = np.ravel(np.asarray(getattr(p, name), dtype=float))
-        return flat[name]
+    def leaf(group: str, name: str) -> np.ndarray:
+        if group in ("t", "p"):
+            return np.asarray(t if group == "t" else getattr(p, name), dtype=float)
+        values, ports = where[group]
+        part, shape = ports[name]
+        return values[part].reshape((*shape, *values.shape[1:]))
 
-    def leaf(name: str, *where: Any) -> Any:
-        if name == "t":
-            return t
-        if name == "p":
-            return field(where[0])[where[1]]
-        return np.asarray((x if name == "x" else u)[where[0]], dtype=float)
+    return leaf
 
-    def apply(name: str, *arguments: Any) -> Any:
-        if name == "table":
-            which, first, stride, count = arguments[1]
-            numbers = field(which)[first + stride * np.arange(count)]
-            return picked(numbers, arguments[0])
-        return OPERATIONS[name](*arguments)
 
-    with np.errstate(all="ignore"):
-        found = record.replay(leaf, apply)
-    return np.array([np.broadcast_to(value, t.shape) for value in found], dtype=float)
+def on_arrays(block: Block, role: str, t: Any, x: Any, u: Any) -> np.ndarray:
+    """Return what a function gives for each time, state x[k] and input u[k]: (size, ...)."""
+    shape = np.broadcast_shapes(np.shape(t), np.shape(x)[1:], np.shape(u)[1:])
+    count = int(np.prod(shape))
+    x, u = (np.broadcast_to(v, (len(v), *shape)).reshape(len(v), count) for v in (x, u))
+    times = np.broadcast_to(t, shape).reshape(count)
+    leaf = leaf_values(block, times, x, u, block.parameters)
+
+    def given(group: str, name: str) -> np.ndarray:
+        return leaf(group, name)[..., None] if group == "p" else leaf(group, name)
+
+    return rows(block.array_record(role), given, block.sizes, count).reshape((-1, *shape))
+
+
+def rows(record: Record, leaf: Callable, sizes: Mapping[str, int], count: int) -> np.ndarray:
+    """Return the outputs of a record, whose leaves have one more axis, as rows of so many."""
+    found = computed(record, leaf, sizes, many=True)
+    flat = [np.broadcast_to(f, (*f.shape[:-1], count)).reshape(-1, count) for f in found]
+    return np.concatenate([np.zeros((0, count)), *flat])
 
 
 @public
@@ -76,73 +83,4 @@ def evaluate(block: Block, times: ArrayLike, inputs: ArrayLike) -> np.ndarray:
             f"them, and (n, {block.ninputs})"
         )
     at = np.broadcast_to(at, len(given))
-    return on_arrays(block.output_record, at, (), given.T, block.parameters).T
-
-
-def picked(numbers: np.ndarray, index: Any) -> Any:
-    """Return numbers at whole places; NaN outside."""
-    whole = np.trunc(index)
-    whole = np.where(whole < 0, whole + len(numbers), whole)
-    inside = (whole >= 0) & (whole < len(numbers))
-    at = np.where(inside, whole, 0).astype(int)
-    found = numbers[at] if numbers.ndim == 1 else np.take_along_axis(numbers, at[None], 0)[0]
-    return np.where(inside, found, np.nan)
-
-
-def _circular(function: Callable) -> Callable:
-    return lambda a: function(np.where(np.abs(a) < MOST_ANGLE, a, np.nan))
-
-
-def _sign(a: Any) -> Any:
-    return np.where(a > 0, 1.0, np.where(a < 0, -1.0, 0.0 * a))
-
-
-def _each(name: str) -> Callable:
-    from math import erf, erfc
-
-    return np.vectorize({"erf": erf, "erfc": erfc}[name], otypes=[float])
-
-
-OPERATIONS: dict[str, Callable[..., Any]] = {
-    "add": np.add,
-    "sub": np.subtract,
-    "mul": np.multiply,
-    "div": np.divide,
-    "mod": np.mod,
-    "floordiv": np.floor_divide,
-    "pow": np.power,
-    "neg": np.negative,
-    "lt": np.less,
-    "le": np.less_equal,
-    "gt": np.greater,
-    "ge": np.greater_equal,
-    "and": np.logical_and,
-    "or": np.logical_or,
-    "not": np.logical_not,
-    "where": np.where,
-    "minimum": lambda a, b: np.where((a < b) | (a != a), a, b),
-    "maximum": lambda a, b: np.where((a > b) | (a != a), a, b),
-    "clip": lambda a, low, high: np.where(a < low, low, np.where(a > high, high, a)),
-    "sign": _sign,
-    "floor": lambda a: np.floor(a) + 0.0,  # a whole number has no -0
-    "trunc": lambda a: np.trunc(a) + 0.0,
-    "ceil": lambda a: np.ceil(a) + 0.0,
-    "pick": lambda index, *numbers: picked(np.array(np.broadcast_arrays(*numbers)), index),
-    "opaque": lambda identity, value, *arguments: value,
-    "erf": _each("erf"),
-    "erfc": _each("erfc"),
-    "sin": _circular(np.sin),
-    "cos": _circular(np.cos),
-    "tan": _circular(np.tan),
-    **{
-        name: getattr(np, name)
-        for name in (
-            *("exp", "expm1", "log", "log1p", "log2", "log10", "sqrt"),
-            *("sinh", "cosh", "tanh", "fabs", "hypot"),
-        )
-    },
-    **{
-        name: getattr(np, f"arc{name[1:]}")
-        for name in ("asin", "acos", "atan", "atan2", "asinh", "acosh", "atanh")
-    },
-}
+    return on_arrays(block, "output", at, np.zeros((0, len(at))), given.T).T

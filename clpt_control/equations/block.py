@@ -34,7 +34,6 @@ from .ports import Declared, bound, flattened, kept_vector, places, shapes_of, s
 from .reading import RAISED, read, record_of_states
 from .record import Record as ArrayRecord
 from .record import Shape
-from .scalars import Scalars, scalars_of
 from .shown import block_html, block_line
 
 
@@ -356,7 +355,7 @@ class Block(control.NonlinearIOSystem):
         for role, old in list(self._records.items()):
             new = self._read(role)
             if new != old and str(new) != str(old):
-                for kept in ("_read_records", "_scalars", "feedthrough"):
+                for kept in ("_read_records", "feedthrough"):
                     self.__dict__.pop(kept, None)
                 return
 
@@ -372,42 +371,13 @@ class Block(control.NonlinearIOSystem):
         moved = (o._replace(at=names.get(o.at, o.at)) for o in record.operations)
         return ArrayRecord(tuple(moved), record.outputs, record.shapes)
 
-    @cached_property
-    def _scalars(self) -> dict[str, Scalars]:
-        return {}
-
-    def _record(self, role: str) -> Scalars | None:
-        if role not in self._scalars:
-            if role not in self._roles and role != "output":
-                return None
-            own = self.sizes, self.state_shapes, self.input_shapes
-            self._scalars[role] = scalars_of(self.array_record(role), *own)
-        return self._scalars[role]
-
     @property
-    def update_record(self) -> Scalars | None:
-        """Return the scalars of `update`, or None without states."""
-        return self._record("update")
-
-    @property
-    def output_record(self) -> Scalars:
-        """Return the scalars of `output`."""
-        record = self._record("output")
-        assert record is not None
-        return record
-
-    @property
-    def guard_record(self) -> Scalars | None:
-        """Return the scalars of the guard's distance, or None."""
-        return self._record("guard")
-
-    @property
-    def jump_record(self) -> Scalars | None:
-        """Return the scalars of `jump`, or None."""
-        return self._record("jump")
+    def records(self) -> dict[str, ArrayRecord]:
+        """Return the record of each of its functions, by role."""
+        return {role: self.array_record(role) for role in {**self._roles, "output": None}}
 
     def __getstate__(self) -> dict[str, Any]:
-        own = ("_read_records", "_scalars", "feedthrough")
+        own = ("_read_records", "feedthrough")
         return {name: value for name, value in self.__dict__.items() if name not in own}
 
     @property
@@ -429,7 +399,7 @@ class Block(control.NonlinearIOSystem):
     @parameters.setter
     def parameters(self, value: Any) -> None:
         self._parameters = checked_parameters(self.name, value)
-        for kept in ("_read_records", "_scalars", "feedthrough"):
+        for kept in ("_read_records", "feedthrough"):
             self.__dict__.pop(kept, None)
         self._bind()
         self._current = self._parameters

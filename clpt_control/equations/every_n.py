@@ -22,18 +22,17 @@ that they have, whatever N is.  The converse does not hold: atoms are not indepe
 Within a function, exp(Sum(...)) or 1/(1 + Sum(...)), an atom stays as it is.
 """
 
-from collections.abc import Callable
 from itertools import permutations
 from typing import Any
 
 import numpy as np
 import sympy
 
-from .arrays import Tape, Unread, operand
+from .arrays import Unread, operand
+from .elements import Index
 from .record import Ref, Shape
-from .symbolic import OPERATIONS, exact
+from .symbolic import Symbols
 
-Index = tuple[int | str, ...]  # places; a name is a generic one
 MOST_INDICES = 4  # that one atom is summed over
 FREE = "kjihg"  # names of generic places of an array's open axes
 
@@ -135,21 +134,8 @@ def base_and_term(expression: sympy.Expr, index: str = "k") -> tuple[sympy.Expr,
     return base, term
 
 
-class Elements:
-    """The elements of a tape's values on symbols, each computed once.
-
-    ``leaf(at, shape, index)`` is the expression of an element of a leaf; `watch` gets the
-    place of each elementwise operation, its name and its arguments.
-    """
-
-    def __init__(
-        self,
-        tape: Tape,
-        leaf: Callable[[tuple, Shape, Index], Any],
-        watch: Callable[[int, str, tuple], Any] = lambda place, name, arguments: None,
-    ):
-        self.tape, self.leaf, self.watch = tape, leaf, watch
-        self.known: dict[tuple, Any] = {}
+class EveryN(Symbols):
+    """Elements as expressions, for every N: a sum over an open axis is an atom."""
 
     def of(self, value: Any) -> Any:
         """Return the elements of a value: an array over its axes of known length, or one.
@@ -168,90 +154,7 @@ class Elements:
             found[place] = self.at(operand(value), index)
         return found
 
-    def at(self, ref: Ref, index: Index) -> Any:
-        """Return one element; a shorter array is broadcast."""
-        if type(ref) is float:
-            return exact(ref)
-        shape = self.tape.operations[ref].shape
-        index = index[len(index) - len(shape) :]
-        index = tuple(0 if n == 1 else k for k, n in zip(index, shape, strict=True))
-        if (ref, index) not in self.known:
-            self.known[ref, index] = self._element(ref, index)
-        return self.known[ref, index]
-
-    def _element(self, ref: int, index: Index) -> Any:
-        kind, arguments, shape, at = self.tape.operations[ref]
-        if kind == "leaf":
-            return sympy.sympify(self.leaf(at, shape, index))
-        if kind == "constant":
-            return exact(np.frombuffer(at).reshape(shape).item(index))  # type: ignore[arg-type]
-        if kind == "view":
-            return self.at(arguments[0], tuple(_moved(m, index) for m in at))
-        if kind == "fill":
-            return self.at(arguments[0], ())
-        if kind in ("stack", "join", "pick"):
-            return self._gathered(kind, arguments, index)
-        if kind == "sum":
-            return self._sum(arguments[0], at, index)
-        if kind == "opaque":  # of all that it is given, one for each place
-            name = "_".join([f"{at[0]}()", *(str(k) for k in (at[1], *index) if k)])
-            given = (one for a in arguments[1:] for one in self._all(a))
-            return sympy.Function(name, real=True)(*given)
-        own = tuple(self.at(a, index) for a in arguments)
-        self.watch(ref, kind, own)
-        if kind in ("eq", "ne"):
-            same = OPERATIONS["and"](OPERATIONS["le"](*own), OPERATIONS["ge"](*own))
-            return same if kind == "eq" else OPERATIONS["not"](same)
-        if kind == "minimum":  # np.clip(u, low, high) is minimum(maximum(u, low), high)
-            for inner, high in (own, own[::-1]):
-                if getattr(inner, "func", None) == OPERATIONS["maximum"]:
-                    u, low = inner.args if inner.args[0].free_symbols else inner.args[::-1]
-                    return OPERATIONS["clip"](u, low, high)
-        return OPERATIONS[kind](*own)
-
-    def _all(self, ref: Ref) -> list[Any]:
-        """Return every element of a value."""
-        shape = () if type(ref) is float else self.tape.operations[ref].shape
-        if not all(isinstance(n, int) for n in shape):
-            raise Unread("an opaque helper of an array of unknown length")
-        return [self.at(ref, place) for place in np.ndindex(*shape)]
-
-    def _gathered(self, kind: str, arguments: tuple, index: Index) -> Any:
-        if kind == "pick":
-            count = self.tape.operations[arguments[0]].shape[0]
-            if not isinstance(count, int):
-                raise Unread("`lookup` in a row of unknown length")
-            row = [self.at(arguments[0], (k,)) for k in range(count)]
-            return OPERATIONS["pick"](self.at(arguments[1], index), *row)
-        k, *rest = index
-        if not isinstance(k, int):
-            raise Unread("elements that differ along an axis of unknown length")
-        if kind == "stack":
-            return self.at(arguments[k], tuple(rest))
-        for part in arguments:
-            n = self.tape.operations[part].shape[0]
-            if k < n:
-                return self.at(part, (k, *rest))
-            k -= n
-        raise IndexError(index)
-
-    def _sum(self, array: Ref, axis: int, index: Index) -> Any:
-        size = self.tape.operations[array].shape[axis]
-        if isinstance(size, int):
-            parts = (self.at(array, (*index[:axis], k, *index[axis:])) for k in range(size))
-            return sympy.Add(*parts)
+    def sum_over(self, array: Ref, axis: int, index: Index, size: str) -> Any:
+        """Return the atom of a sum."""
         own = next(n for n in (f"s{k}" for k in range(20)) if n not in index)
         return summed(self.at(array, (*index[:axis], own, *index[axis:])), own, size)
-
-
-def _moved(m: Any, index: Index) -> int | str:
-    """Return the place in an array of a place in its view."""
-    if isinstance(m, int):
-        return m
-    d, start, step = m
-    place = index[d]
-    if isinstance(place, int):
-        return start + step * place
-    if (start, step) != (0, 1):
-        raise Unread("a part of an axis of unknown length")
-    return place

@@ -1,6 +1,6 @@
 """A record on NumPy's numbers: what it computes, in the order in which it was written."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from math import erf, erfc
 from typing import Any
 
@@ -47,6 +47,28 @@ UFUNCS: dict[Any, str] = {
         )
     },
 }
+
+
+def picked(numbers: np.ndarray, index: Any, many: bool = False) -> np.ndarray:
+    """Return numbers of a row at whole places, NaN outside; if `many`, of rows side by side."""
+    if not len(numbers):
+        return np.full(np.shape(index), np.nan)
+    whole = np.trunc(index)
+    whole = np.where(whole < 0, whole + len(numbers), whole)
+    inside = (whole >= 0) & (whole < len(numbers))
+    at = np.where(inside, whole, 0).astype(int)
+    if many:
+        rows = np.broadcast_to(numbers, (len(numbers), at.shape[-1]))
+        found = np.take_along_axis(rows, at.reshape(-1, at.shape[-1]), 0).reshape(at.shape)
+    else:
+        found = numbers[at]
+    return np.where(inside, found, np.nan)
+
+
+def _circular(function: Callable) -> Callable:
+    return lambda a: function(np.where(np.abs(a) < MOST_ANGLE, a, np.nan))
+
+
 OPERATIONS: dict[str, Callable[..., Any]] = {
     **{name: ufunc for ufunc, name in UFUNCS.items()},
     "and": np.logical_and,
@@ -57,47 +79,45 @@ OPERATIONS: dict[str, Callable[..., Any]] = {
     "erf": np.vectorize(erf, otypes=[float]),
     "erfc": np.vectorize(erfc, otypes=[float]),
     "fabs": np.fabs,
+    "sin": _circular(np.sin),
+    "cos": _circular(np.cos),
+    "tan": _circular(np.tan),
 }
 
 
 def viewed(array: np.ndarray, mapped: tuple, shape: tuple[int, ...]) -> np.ndarray:
     """Return a view: what `mapped` says of each axis of an array."""
-    strides = [0] * len(shape)
-    first = 0
-    for m, stride in zip(mapped, array.strides, strict=True):
-        if isinstance(m, int):
-            first += m * stride
-        else:
-            strides[m[0]] += m[2] * stride
-            first += m[1] * stride
     if 0 in shape:
         return np.zeros(shape)
-    flat = np.ndarray(shape, float, array, first, strides) if array.dtype == float else None
-    if flat is None:
-        return viewed(array.astype(float), mapped, shape) != 0.0
-    return flat
+    first = array[tuple([m if isinstance(m, int) else slice(m[1], None) for m in mapped])]
+    strides = [0] * len(shape)
+    kept = zip((m for m in mapped if not isinstance(m, int)), first.strides, strict=True)
+    for (axis, _, step), stride in kept:
+        strides[axis] += step * stride
+    return np.lib.stride_tricks.as_strided(first, shape, strides, writeable=False)
 
 
-def picked(numbers: np.ndarray, index: Any) -> np.ndarray:
-    """Return numbers of a row at whole places; NaN outside."""
-    if not len(numbers):
-        return np.full(np.shape(index), np.nan)
-    whole = np.trunc(index)
-    whole = np.where(whole < 0, whole + len(numbers), whole)
-    inside = (whole >= 0) & (whole < len(numbers))
-    return np.where(inside, numbers[np.where(inside, whole, 0).astype(int)], np.nan)
-
-
-def sized(shape: tuple[Any, ...], sizes: dict[str, int]) -> tuple[int, ...]:
+def sized(shape: tuple[Any, ...], sizes: Mapping[str, int]) -> tuple[int, ...]:
     """Return a shape with its open sizes filled in."""
-    return tuple(n if isinstance(n, int) else sizes[n] for n in shape)
+    return tuple([n if isinstance(n, int) else sizes[n] for n in shape])
 
 
 def computed(
-    record: Any, leaf: Callable[[str, str], Any], sizes: dict[str, int]
+    record: Any, leaf: Callable[[str, str], Any], sizes: Mapping[str, int], many: bool = False
 ) -> list[np.ndarray]:
-    """Compute the outputs of a record; `leaf` gives the array of a group and name."""
+    """Compute the outputs of a record; `leaf` gives the array of a group and name.
+
+    If `many`, all arrays have one more axis, the last: what is computed for each, or 1.
+    """
     values: list[np.ndarray] = []
+
+    def full(value: Any, shape: tuple) -> np.ndarray:
+        """Return a value in all of its shape."""
+        own = sized(shape, sizes)
+        if not many:
+            return np.broadcast_to(value, own)
+        return np.broadcast_to(value, (*own, *(np.shape(value)[-1:] or (1,))))
+
     with np.errstate(all="ignore"):
         for kind, arguments, shape, at in record.operations:
             own: list[Any] = [values[a] if type(a) is int else np.float64(a) for a in arguments]
@@ -105,26 +125,27 @@ def computed(
             if kind == "leaf":
                 value = np.asarray(leaf(*at))
             elif kind == "constant":
-                value = np.frombuffer(at).reshape(shape)
+                value = np.frombuffer(at).reshape((*shape, 1) if many else shape)
             elif kind == "sum":
                 value = np.sum(own[0], axis=at)
             elif kind == "view":
-                value = viewed(np.asarray(own[0]), at, sized(shape, sizes))
+                mapped = (*at, (len(shape), 0, 1)) if many else at
+                tail = own[0].shape[-1:] if many else ()
+                value = viewed(np.asarray(own[0]), mapped, (*sized(shape, sizes), *tail))
             elif kind == "stack":
-                value = np.stack([np.asarray(a) for a in own])
+                value = np.stack(np.broadcast_arrays(*own))
             elif kind == "join":
-                value = np.concatenate(own)
+                parts = own
+                if many:
+                    count = max(a.shape[-1] for a in own)
+                    parts = [np.broadcast_to(a, (*a.shape[:-1], count)) for a in own]
+                value = np.concatenate(parts)
             elif kind == "pick":
-                value = picked(*own)
+                value = picked(own[0], own[1], many)
             elif kind in ("opaque", "fill"):
                 value = own[0]
             else:
-                if kind in ("sin", "cos", "tan"):
-                    own = [np.where(np.abs(own[0]) < MOST_ANGLE, own[0], np.nan)]
                 value = OPERATIONS[kind](*own)
-            values.append(np.broadcast_to(value, sized(shape, sizes)))
+            values.append(full(value, shape))
     found = zip(record.outputs, record.shapes, strict=True)
-    return [
-        np.broadcast_to(values[r] if type(r) is int else r, sized(shape, sizes)).astype(float)
-        for r, shape in found
-    ]
+    return [full(values[r] if type(r) is int else r, shape).astype(float) for r, shape in found]

@@ -5,19 +5,28 @@ its ends.  Where states decide (``where``, ``minimum``, ``fabs``, ...) a run end
 sample; where time alone decides, at the times at which it does.
 """
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
+from .at_many import rows
 from .block import Block
-from .numbers import OPERATIONS, picked
-from .record import Record
-from .scalars import Scalars
+from .record import Operation, Record, Ref, Shape, compact
 
 KINKED = frozenset(
     ("minimum", "maximum", "fabs", "sign", "floor", "ceil", "trunc", "mod", "floordiv", "pick")
 )
-COMPARED = frozenset(("lt", "le", "gt", "ge", "eq", "ne"))
+STEPS = frozenset(
+    ("lt", "le", "gt", "ge", "eq", "ne", "floor", "ceil", "trunc", "sign", "floordiv")
+)
+SIDES: dict[str, Callable[[tuple, Shape], Operation]] = {  # which side of a kink, or which place
+    "mod": lambda a, shape: Operation("floordiv", a, shape),
+    "minimum": lambda a, shape: Operation("lt", a, shape),
+    "maximum": lambda a, shape: Operation("lt", a, shape),
+    "fabs": lambda a, shape: Operation("lt", (*a, 0.0), shape),
+    "pick": lambda a, shape: Operation("trunc", a[1:], shape),
+}
 MOST = 2_000  # times at which time decides, in one function
 LOOKS = 4_096  # evenly spaced times between which one change is looked for
 HALVINGS = 64
@@ -43,71 +52,42 @@ def who_decides(record: Record) -> set[str]:
     return found
 
 
-def times_of_change(scalars: Scalars, parameters: Any, t0: float, t1: float) -> np.ndarray:
+def decided_by_time(record: Record) -> Record:
+    """Return what is constant in time between changes, where time alone decides."""
+    lines, groups, found = list(record.operations), groups_of(record), list[Ref]()
+    for k, (kind, arguments, shape, _) in enumerate(record.operations):
+        if "t" not in groups[k] or groups[k] & {"x", "u"}:
+            continue
+        if kind in STEPS:
+            found.append(k)
+        elif kind in SIDES:
+            lines.append(SIDES[kind](arguments, shape))
+            found.append(len(lines) - 1)
+    return compact(lines, found)
+
+
+def times_of_change(block: Block, role: str, p: Any, t0: float, t1: float) -> np.ndarray:
     """Return the times in (t0, t1) at which what depends on time alone jumps or bends."""
+    record = decided_by_time(block.array_record(role))
+
+    def seen_at(t: np.ndarray) -> np.ndarray:
+        def leaf(group: str, name: str) -> np.ndarray:
+            return t if group == "t" else np.asarray(getattr(p, name), dtype=float)[..., None]
+
+        return rows(record, leaf, block.sizes, len(t))
+
     times = np.linspace(t0, t1, LOOKS)
-    seen = _decided(scalars, parameters, times)
-    if not len(seen):
-        return np.zeros(0)
+    seen = seen_at(times)
     which, at = np.nonzero((seen[:, 1:] != seen[:, :-1]) & ~np.isnan(seen[:, 1:] + seen[:, :-1]))
     if not len(at) or len(at) > MOST:
         return np.zeros(0)
     low, high, before = times[at], times[at + 1], seen[which, at]
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
-        same = _decided(scalars, parameters, middle)[which, np.arange(len(at))] == before
+        same = seen_at(middle)[which, np.arange(len(at))] == before
         low, high = np.where(same, middle, low), np.where(same, high, middle)
     found = np.unique([low, high])  # the last time before a change, and the first after
     return found[(found > t0) & (found < t1)]
-
-
-def _decided(scalars: Scalars, parameters: Any, t: np.ndarray) -> np.ndarray:
-    """Return what is decided by time alone at times: rows that are constant between changes."""
-    values: list[Any] = []
-    rows: list[Any] = []
-    by_time: list[bool] = []
-    with np.errstate(all="ignore"):
-        for name, *arguments in scalars.operations:
-            if name in ("x", "u", "p", "t"):
-                own: Any = t if name == "t" else None
-                if name == "p":
-                    own = np.ravel(getattr(parameters, arguments[0]))[arguments[1]]
-                values.append(own)
-                by_time.append(name == "t")
-                continue
-            given = [values[a] if type(a) is int else a for a in arguments]
-            deciding = any(by_time[a] for a in arguments if type(a) is int)
-            unknown = any(one is None for one in given)
-            by_time.append(deciding and not unknown)
-            if unknown:
-                values.append(None)
-                continue
-            if deciding:
-                rows += _rows(name, given)
-            values.append(_value(name, given, parameters))
-    return np.array([np.broadcast_to(row, t.shape) for row in rows], dtype=float)
-
-
-def _rows(name: str, given: list[Any]) -> list[Any]:
-    if name in COMPARED or name in ("floor", "ceil", "trunc", "sign", "floordiv"):
-        return [OPERATIONS[name](*given)]
-    if name == "mod":
-        return [np.floor_divide(*given)]
-    if name in ("minimum", "maximum"):
-        return [np.less(*given)]
-    if name == "fabs":
-        return [given[0] < 0]
-    return [np.trunc(given[0])] if name in ("pick", "table") else []
-
-
-def _value(name: str, given: list[Any], parameters: Any) -> Any:
-    if name == "pick":
-        return picked(np.asarray(given[1:], dtype=float), given[0])
-    if name == "table":
-        field, first, stride, count = given[1]
-        row = np.ravel(getattr(parameters, field))[first : first + stride * count : stride]
-        return picked(row, given[0])
-    return given[1] if name == "opaque" else OPERATIONS[name](*given)
 
 
 def kinks_of(block: Block, parameters: Any, t0: float, t1: float) -> tuple[bool, np.ndarray]:
@@ -119,7 +99,5 @@ def kinks_of(block: Block, parameters: Any, t0: float, t1: float) -> tuple[bool,
         groups = who_decides(block.array_record(role))
         by_signals |= bool(groups & {"x", "u"})
         if "t" in groups:
-            scalars = block.update_record if role == "update" else block.output_record
-            assert scalars is not None
-            times.append(times_of_change(scalars, parameters, t0, t1))
+            times.append(times_of_change(block, role, parameters, t0, t1))
     return by_signals, np.unique(np.concatenate(times))

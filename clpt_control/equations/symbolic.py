@@ -1,12 +1,12 @@
-"""The SymPy reading of a record: expressions of symbols.
+"""The SymPy reading of a record: its elements as expressions of symbols.
 
 Words with kinks, comparisons and remainders are undefined functions, so a proof holds
 for any functions in their place.  An opaque helper is an undefined function of its
-arguments, `lookup` one of the table's name and the index.
+arguments.
 """
 
-from collections.abc import Callable
-from functools import cache, lru_cache
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import lru_cache
 from math import copysign, isfinite
 from typing import Any
 
@@ -14,44 +14,18 @@ import numpy as np
 import sympy
 
 from ..errors import BlockError
-from . import at_many
-from .scalars import Scalars
+from . import numbers
+from .block import Block
+from .elements import Elements, Index
+from .record import Operation, Ref, Shape
+
+Leaf = Callable[[tuple[str, str], Shape, Index], Any]  # (group, name), its shape, a place -> symbol
 
 
 @lru_cache(maxsize=10_000)
 def exact(number: float) -> sympy.Expr:
     """Return a constant as a rational: 0.1 is 1/10."""
     return sympy.nsimplify(number, rational=True)
-
-
-def expressions(
-    record: Scalars,
-    leaf: Callable[..., Any],
-    constant: Callable[[float], Any] = exact,
-    watch: Callable[[str, tuple], Any] = lambda name, arguments: None,
-) -> list[sympy.Expr]:
-    """Return what a record computes, on symbols.
-
-    ``leaf("x", 0)`` is an expression, ``leaf("table", (field, first, stride, count))`` a name for
-    these numbers of a parameter; `watch` gets each operation and its arguments.
-    """
-
-    def read(value: Any) -> Any:
-        return constant(value) if type(value) is float else value
-
-    def apply(name: str, *arguments: Any) -> Any:
-        if name == "table":
-            return sympy.Function(f"lookup_{leaf(name, arguments[1])}", real=True)(arguments[0])
-        if name == "opaque":
-            (helper, *places), _, *given = arguments
-            parts = [str(leaf("table", s) if isinstance(s, tuple) else s) for s in places if s != 0]
-            named = "_".join([f"{helper}()", *parts])
-            return sympy.Function(named, real=True)(*map(read, given))
-        numbers = tuple(map(read, arguments))
-        watch(name, numbers)
-        return OPERATIONS[name](*numbers)
-
-    return [read(value) for value in record.replay(leaf, apply)]
 
 
 # what SymPy leaves as it stands, by the name it has there
@@ -67,6 +41,7 @@ UNEXPANDED = {
 }
 OPERATIONS: dict[str, Callable[..., Any]] = {
     "add": lambda a, b: a + b,
+    "sum": sympy.Add,
     "sub": lambda a, b: a - b,
     "mul": lambda a, b: a * b,
     "div": lambda a, b: a / b,
@@ -89,63 +64,168 @@ OPERATIONS: dict[str, Callable[..., Any]] = {
 }
 
 
+class Symbols(Elements):
+    """Elements as expressions; `leaf` makes those of leaves, `watch` gets each operation."""
+
+    def __init__(
+        self,
+        operations: Sequence[Operation],
+        leaf: Leaf,
+        watch: Callable[[int, str, tuple], Any] = lambda ref, kind, arguments: None,
+        sizes: Mapping[str, int] | None = None,
+    ):
+        super().__init__(operations, sizes)
+        self.given, self.watch = leaf, watch
+
+    def number(self, value: float) -> Any:
+        """Return a rational."""
+        return exact(value)
+
+    def leaf(self, at: tuple[str, str], shape: Shape, index: Index) -> Any:
+        """Return what was given for an element of a leaf."""
+        return sympy.sympify(self.given(at, shape, index))
+
+    def opaque(self, at: tuple, arguments: tuple, index: Index) -> Any:
+        """Return an undefined function of all that a helper is given, one for each place."""
+        name = "_".join([f"{at[0]}()", *(str(k) for k in (at[1], *index) if k)])
+        return sympy.Function(name, real=True)(*(e for a in arguments[1:] for e in self.all_of(a)))
+
+    def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
+        """Return what SymPy makes of an operation."""
+        self.watch(ref, kind, arguments)
+        if kind in ("eq", "ne"):
+            same = OPERATIONS["and"](OPERATIONS["le"](*arguments), OPERATIONS["ge"](*arguments))
+            return same if kind == "eq" else OPERATIONS["not"](same)
+        if kind == "minimum":  # np.clip(u, low, high) is minimum(maximum(u, low), high)
+            for inner, high in (arguments, arguments[::-1]):
+                if getattr(inner, "func", None) == OPERATIONS["maximum"]:
+                    u, low = inner.args if inner.args[0].free_symbols else inner.args[::-1]
+                    return OPERATIONS["clip"](u, low, high)
+        return OPERATIONS[kind](*arguments)
+
+
+def expressions(block: Block, role: str, leaf: Leaf) -> list[sympy.Expr]:
+    """Return what a block computes, on symbols, port by port, row by row."""
+    record = block.array_record(role)
+    return Symbols(record.operations, leaf, sizes=block.sizes).outputs(record)
+
+
+def _picked(place: Any, *row: Any) -> Any:
+    at, *values = np.broadcast_arrays(place, *row)
+    return numbers.picked(np.array(values), at, many=at.ndim > 0)
+
+
+# UNEXPANDED on numbers
+NUMBERS: dict[str, Callable[..., Any]] = {
+    **{
+        own: numbers.OPERATIONS[name]
+        for name, own in UNEXPANDED.items()
+        if name not in ("clip", "pick")
+    },
+    "clip": lambda a, low, high: np.minimum(np.maximum(a, low), high),
+    "pick": _picked,
+}
+
+
 # what loses its digits, or its range, written out: log1p(a) as log(1 + a)
 KEPT = {name: sympy.Function(f"{name}_", real=True) for name in ("hypot", "log1p", "expm1")}
 CIRCULAR = ("sin", "cos", "tan")  # NaN beyond MOST_ANGLE, as in every reading
 
 
-class SymbolicFunction:
-    """A record as SymPy's expressions, to be called with numbers.
+class _Uses(Elements):
+    """How often each operation on single numbers is used, in the order in which they come."""
+
+    def __init__(self, operations: Sequence[Operation], sizes: Mapping[str, int]):
+        super().__init__(operations, sizes)
+        self.count: list[int] = []
+
+    def leaf(self, at: tuple[str, str], shape: Shape, index: Index) -> Any:
+        """Count no leaves."""
+
+    def number(self, value: float) -> Any:
+        """Count no numbers."""
+
+    def picked(self, ref: int, table: Ref, place: Any) -> Any:
+        """Count the place alone where a row is a parameter."""
+        return self.apply(ref, "pick", (place, *([] if _row(self, table) else self.all_of(table))))
+
+    def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
+        """Count the arguments."""
+        for a in arguments:
+            if a is not None:
+                self.count[a] += 1
+        self.count.append(0)
+        return len(self.count) - 1
+
+
+def _row(elements: Elements, table: Ref) -> tuple[str, Any] | None:
+    """Return parameter and view of a row that is a parameter, or part of one."""
+    kind, arguments, shape, at = elements.operations[table]
+    view = None
+    if kind == "view":
+        view = at, elements.sized(shape)
+        kind, arguments, shape, at = elements.operations[arguments[0]]
+    return (at[1], view) if kind == "leaf" and at[0] == "p" else None
+
+
+class SymbolicFunction(Symbols):
+    """A block's equations as SymPy's expressions, to be called with numbers.
 
     What is used twice is a symbol of its own, so that expressions stay short.
     """
 
-    def __init__(self, record: Scalars):
-        self.record = record
+    def __init__(self, block: Block, role: str):
+        record = block.array_record(role)
+        super().__init__(record.operations, self._leaf, sizes=block.sizes)
+        uses = _Uses(record.operations, block.sizes)
+        uses.outputs(record)
+        self.often = iter([n > 1 for n in uses.count])
         self.leaves: dict[tuple, sympy.Symbol] = {}
         self.steps: list[tuple[sympy.Symbol, sympy.Expr]] = []
-        uses = [0] * len(record.operations)
-        for name, *arguments in record.operations:
-            for a in arguments if name not in ("x", "u", "p", "t") else ():
-                if type(a) is int:
-                    uses[a] += 1
-        names = iter(range(len(uses)))
-        often = (
-            uses[k] > 1
-            for k, (name, *_) in enumerate(record.operations)
-            if name not in ("x", "u", "p", "t")
-        )
-
-        def leaf(*where: Any) -> Any:
-            return self.leaves.setdefault(where, sympy.Symbol(f"leaf{len(self.leaves)}", real=True))
-
-        def constant(number: float) -> Any:
-            known = number and isfinite(number)  # SymPy makes no more of 0 * x than of x
-            return sympy.Float(number) if known else leaf("constant", number, copysign(1.0, number))
-
-        def apply(name: str, *arguments: Any) -> Any:
-            shared = next(often)
-            read = [constant(a) if type(a) is float else a for a in arguments]
-            if name == "table":
-                value = sympy.Function("picked", real=True)(leaf(name, *arguments[1]), read[0])
-            elif name == "opaque":
-                value = read[1]
-            else:
-                value = KEPT.get(name, OPERATIONS[name])(*read)
-            if not shared or not isinstance(value, sympy.Expr):
-                return value
-            symbol = sympy.Symbol(f"step{next(names)}", real=True)
-            self.steps.append((symbol, value))
-            return symbol
-
-        found = record.replay(leaf, apply)
-        self.outputs = [constant(v) if type(v) is float else sympy.sympify(v) for v in found]
-        for value in (*self.outputs, *(value for _, value in self.steps)):
+        values = self.outputs(record)
+        for value in (*values, *(value for _, value in self.steps)):
             if value.has(sympy.zoo, sympy.nan, sympy.I):
                 raise BlockError(f"SymPy finds that the equations divide by zero: {value}")
-        self._compiled = self._function()
+        self._compiled = self._function(values)
 
-    def _function(self) -> Callable:
+    def _symbol(self, *key: Any) -> sympy.Symbol:
+        return self.leaves.setdefault(key, sympy.Symbol(f"leaf{len(self.leaves)}", real=True))
+
+    def _leaf(self, at: tuple[str, str], shape: Shape, index: Index) -> Any:
+        return self._symbol(*at, index)
+
+    def number(self, value: float) -> Any:
+        """Return a number; what SymPy would make more of is a symbol, as 0 * x."""
+        known = value and isfinite(value)
+        return sympy.Float(value) if known else self._symbol("", value, copysign(1.0, value))
+
+    def opaque(self, at: tuple, arguments: tuple, index: Index) -> Any:
+        """Return what a helper computes."""
+        return Elements.opaque(self, at, arguments, index)
+
+    def picked(self, ref: int, table: Ref, place: Any) -> Any:
+        """Return what stands in a row, which is one symbol where it is a parameter."""
+        row = _row(self, table)
+        if row is None:
+            return super().picked(ref, table, place)
+        return self._step(sympy.Function("picked", real=True)(self._symbol("row", *row), place))
+
+    def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
+        """Return what SymPy makes of an operation, as a symbol where it is used again."""
+        if kind in KEPT:
+            return self._step(KEPT[kind](*arguments))
+        if kind == "pow" and arguments[1] in (2.0, 3.0, 4.0):
+            arguments = arguments[0], sympy.Integer(arguments[1])
+        return self._step(super().apply(ref, kind, arguments))
+
+    def _step(self, value: Any) -> Any:
+        if not next(self.often) or not isinstance(value, sympy.Expr):
+            return value
+        symbol = sympy.Symbol(f"step{len(self.steps)}", real=True)
+        self.steps.append((symbol, value))
+        return symbol
+
+    def _function(self, values: Iterable[Any]) -> Callable:
         from sympy.printing.numpy import SciPyPrinter
 
         settings = {
@@ -155,12 +235,12 @@ class SymbolicFunction:
         }
         printer = SciPyPrinter(settings)
         lines = [f"    {symbol} = {printer.doprint(value)}" for symbol, value in self.steps]
-        outputs = ", ".join(printer.doprint(value) for value in self.outputs)
+        outputs = ", ".join(printer.doprint(value) for value in values)
         arguments = ", ".join(map(str, self.leaves.values()))
         text = "\n".join([f"def values({arguments}):", *lines, f"    return [{outputs}]"])
-        space: dict[str, Any] = {"numpy": np, "picked": at_many.picked}
-        space |= {own: at_many.OPERATIONS[name] for name, own in UNEXPANDED.items()}
-        space |= {f"{name}_": at_many.OPERATIONS[name] for name in (*KEPT, *CIRCULAR)}
+        space: dict[str, Any] = {"numpy": np, "picked": numbers.picked}
+        space |= NUMBERS
+        space |= {f"{name}_": numbers.OPERATIONS[name] for name in (*KEPT, *CIRCULAR)}
         if "scipy" in text:
             import scipy.special
 
@@ -168,29 +248,18 @@ class SymbolicFunction:
         exec(compile(text, "<the SymPy reading>", "exec"), space)
         return space["values"]
 
-    def __call__(self, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
-        """Return the value of each output; p has `interval` filled in."""
-        numbers = []
-        for name, *where in self.leaves:
-            if name == "t":
-                numbers.append(t)
-            elif name == "p":
-                numbers.append(np.ravel(getattr(p, where[0]))[where[1]])
-            elif name == "constant":
-                numbers.append(where[0])
-            elif name == "table":
-                field, first, stride, count = where
-                places = first + stride * np.arange(count)
-                numbers.append(np.ravel(getattr(p, field))[places])
+    def __call__(self, given: Callable[[str, str], np.ndarray]) -> np.ndarray:
+        """Return the value of each output; ``given("x", "alpha")`` is an array."""
+        values = []
+        for group, name, *more in self.leaves:
+            if group == "":
+                values.append(name)
+            elif group == "row":
+                row = given("p", name)
+                values.append(row if more[0] is None else numbers.viewed(row, *more[0]))
             else:
-                numbers.append((x if name == "x" else u)[where[0]])
+                values.append(np.asarray(given(group, name))[more[0]])
         with np.errstate(all="ignore"):
             return np.array(
-                self._compiled(*(np.asarray(n, dtype=float)[()] for n in numbers)), dtype=float
+                self._compiled(*(np.asarray(v, dtype=float)[()] for v in values)), dtype=float
             )
-
-
-@cache
-def in_sympy(record: Scalars) -> SymbolicFunction:
-    """Return the SymPy reading of a record, made once."""
-    return SymbolicFunction(record)

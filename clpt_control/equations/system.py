@@ -79,7 +79,7 @@ class System(Block):
     @parameters.setter
     def parameters(self, value: Any) -> None:
         self._parameters = self._current = value
-        for kept in ("_read_records", "_scalars", "feedthrough"):
+        for kept in ("_read_records", "feedthrough"):
             self.__dict__.pop(kept, None)
         self._bind()
 

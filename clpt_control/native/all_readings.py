@@ -21,8 +21,9 @@ import control
 import numpy as np
 
 from ..arguments import public
+from ..equations.at_many import leaf_values
 from ..equations.block import Block
-from ..equations.symbolic import in_sympy
+from ..equations.symbolic import SymbolicFunction
 from ..errors import DiagramError
 from .native_diagram import NativeDiagram
 from .processor import LANES
@@ -159,6 +160,10 @@ def _by_machine(diagram: Any, params: Any, form: str | None, lanes: int) -> Read
 class _SymbolicSweep(Sweep):
     """A pass over the diagram that asks SymPy's expressions."""
 
+    def __init__(self, *given: Any):
+        super().__init__(*given)
+        self._functions: dict[tuple[int, str], SymbolicFunction] = {}
+
     def _call(self, role: str, k: int, t: float, x: np.ndarray, u: np.ndarray, out: Any) -> None:
         block = self.nodes[k].system
         if not isinstance(block, Block):
@@ -166,6 +171,6 @@ class _SymbolicSweep(Sweep):
         if block.opaque:
             super()._call(role, k, t, x, u, out)
             return
-        record = getattr(block, f"{role}_record")
-        assert record is not None
-        out[:] = in_sympy(record)(t, x, u, self._parameters[k])
+        if (k, role) not in self._functions:
+            self._functions[k, role] = SymbolicFunction(block, role)
+        out[:] = self._functions[k, role](leaf_values(block, t, x, u, self._parameters[k]))

@@ -265,5 +265,4 @@ def _lyapunov(
         return signals[:, [column[f"{port}[{k}]"] for k in range(size)]]
 
     inputs = np.hstack([values(port, size) for port, size in block.input_ports.items()])
-    zero = np.zeros(len(inputs))
-    return on_arrays(block.output_record, zero, (), inputs.T, block.parameters)[0]
+    return on_arrays(block, "output", 0.0, np.zeros((0, len(inputs))), inputs.T)[0]

@@ -58,11 +58,12 @@ def test_a_table_is_one_operation_whatever_its_length():
 
 def test_a_tables_index_is_any_number_to_sympy():
     block = static(looked_up, 1, parameters={"values": np.zeros(3)})
-    s = sympy.Symbol("s")
-    names = {"t": None, "p": None, "u": s, "table": "the_table"}
-    (found,) = expressions(block.output_record, lambda name, *where: names[name])
-    assert found.func.__name__ == "lookup_the_table"
-    assert found.args == (s,)
+    s, row = sympy.Symbol("s"), sympy.symbols("row:3")
+    (found,) = expressions(
+        block, "output", lambda at, shape, index: s if at[0] == "u" else row[index[0]]
+    )
+    assert found.func.__name__ == "pick"
+    assert found.args == (s, *row)
 
 
 @opaque
@@ -87,7 +88,7 @@ def two_at_once(t, x, u, p):
 def test_an_opaque_helper_is_an_undefined_function_to_sympy():
     t, h = sympy.symbols("t h", real=True)
     block = static(windy, 1)
-    (found,) = expressions(block.output_record, lambda name, *where: t if name == "t" else h)
+    (found,) = expressions(block, "output", lambda at, shape, index: t if at[0] == "t" else h)
     (gusts,) = found.atoms(sympy.core.function.AppliedUndef)
     assert "gust" in gusts.func.__name__
     assert gusts.args == (t, h)

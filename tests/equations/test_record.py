@@ -77,7 +77,7 @@ def test_readings_of_one_record_agree(u):
 
     block = static(function)
     found = as_it_runs(block, "output", 0.7, [], u, 1e-12)
-    scalars = on_arrays(block.output_record, 0.7, (), u, block.parameters)
+    scalars = on_arrays(block, "output", 0.7, np.zeros(0), np.array(u))
     np.testing.assert_allclose(np.ravel(scalars), found, rtol=1e-12, atol=1e-12)
 
 

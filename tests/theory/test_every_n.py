@@ -8,7 +8,7 @@ from clpt_control.diagrams.interconnection import connect
 from clpt_control.equations.arrays import Tape, Unread
 from clpt_control.equations.block import Block
 from clpt_control.equations.derivative import derivative
-from clpt_control.equations.every_n import SUM, Elements, base_and_term
+from clpt_control.equations.every_n import SUM, EveryN, base_and_term
 from clpt_control.theory.proving.array_loop import array_loop
 from clpt_control.theory.proving.lyapunov import rate_of_V, vanish
 from clpt_control.theory.proving.symbolic_loop import symbolic_loop
@@ -23,7 +23,9 @@ def reader(**shapes):
     def named(at, shape, index):
         return sympy.Symbol(at[1] + "".join(f"[{k}]" for k in index), real=True)
 
-    return Elements(tape, named), leaves
+    elements = EveryN(tape.operations, named)
+    elements.tape = tape
+    return elements, leaves
 
 
 def of_numbers(expression, values, N):

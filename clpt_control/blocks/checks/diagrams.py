@@ -7,6 +7,7 @@ from typing import Any
 import control
 import numpy as np
 
+from ...equations.at_many import leaf_values
 from ...equations.block import Block
 from ...equations.symbolic import expressions
 from ...errors import BlockError
@@ -14,7 +15,9 @@ from .equations import Sample, differ, own_copy, python_values, roles
 
 LINEAR = 1e-4
 SMOOTH = frozenset(
-    {"exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh", "atan", "asinh", "erf", "erfc"}
+    {"leaf", "constant", "sum", "view", "fill", "stack", "join", "add", "sub", "mul", "div", "neg"}
+    | {"exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh", "atan", "asinh", "erf", "erfc"}
+    | {"pow", "sqrt", "expm1", "log1p", "log2", "log10", "opaque"}
 )
 
 
@@ -78,38 +81,29 @@ def _linearizes(block: Block, drawn: list[Sample]) -> Iterator[str]:
         ]
         if any(not np.all(np.isfinite(matrix)) for matrix in matrices):
             yield f"{name}: linearize gives values that are not finite"
-        if block.opaque:
+        lines = block.array_record(role).operations
+        if block.opaque or not all(o.kind in SMOOTH for o in lines):
             continue
-        record = block.update_record if update else block.output_record
-        assert record is not None
         symbols: dict[tuple, sympy.Symbol] = {}
 
-        def leaf(*where: Any, symbols: dict = symbols) -> sympy.Symbol:
-            return symbols.setdefault(where, sympy.Symbol(f"s{len(symbols)}", real=True))
+        def leaf(at: Any, shape: Any, index: Any, symbols: dict = symbols) -> sympy.Symbol:
+            return symbols.setdefault((*at, index), sympy.Symbol(f"s{len(symbols)}", real=True))
 
-        read = expressions(record, leaf, sympy.Float)
-        kinks = (sympy.Function, sympy.Abs)
-        smooth = all(type(f).__name__ in SMOOTH for e in read for f in e.atoms(*kinks))
-        about = [leaf("x", k) for k in range(block.nstates or 0)]
-        about += [leaf("u", k) for k in range(block.ninputs or 0)]
-        if not smooth or not about:
+        read = expressions(block, role, leaf)
+        ports = [("x", *port) for port in block.state_shapes.items()]
+        ports += [("u", *port) for port in block.input_shapes.items()]
+        about = [leaf((g, port), own, k) for g, port, own in ports for k in np.ndindex(own)]
+        if not about:
             continue
         jacobian = sympy.Matrix(read).jacobian(about)
         numeric = sympy.lambdify(list(symbols.values()), jacobian.tolist(), "math")
         for sample, matrix in zip(drawn, matrices, strict=True):
-            numbers = [_number(sample, *where) for where in symbols]
+            given = leaf_values(block, *sample)
+            numbers = [given(*at)[index] for *at, index in symbols]
             exact = np.array(numeric(*numbers), dtype=float)
             if differ(exact, matrix, LINEAR):
                 yield f"{name}: linearize gives {matrix}, SymPy's Jacobian is {exact}"
                 break
-
-
-def _number(sample: Sample, name: str, *where: Any) -> float:
-    if name == "t":
-        return sample.t
-    if name == "p":
-        return float(np.ravel(getattr(sample.p, where[0]))[where[1]])
-    return float((sample.x if name == "x" else sample.u)[where[0]])
 
 
 def _interconnects(block: Block, drawn: list[Sample]) -> Iterator[str]:

@@ -89,7 +89,7 @@ def _error_rates(
     phi: np.ndarray, z: np.ndarray, zc: np.ndarray, KD: np.ndarray, gain: float
 ) -> Callable[[np.ndarray], np.ndarray]:
     """Return the blocks' function (e, eta) -> (e, eta)', both (2N + 6, ...)."""
-    N, shape = phi.shape[-1], phi.shape[:-1]
+    N = phi.shape[-1]
     blocks = error_system(N, KD), parameter_system(N, float(gain))
     given = {name: np.moveaxis(v, -1, 0) for name, v in (("phi_x", phi), ("z", z), ("zc", zc))}
 
@@ -102,8 +102,7 @@ def _error_rates(
                 np.concatenate([ports[port] for port in own])
                 for own in (block.state_ports, block.input_ports)
             )
-            assert block.update_record is not None
-            found.append(on_arrays(block.update_record, np.zeros(shape), x, u, block.parameters))
+            found.append(on_arrays(block, "update", 0.0, x, u))
         return np.concatenate(found)
 
     return rates

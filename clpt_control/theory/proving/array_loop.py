@@ -21,7 +21,8 @@ from ...equations.arrays import Tape, operand
 from ...equations.block import Block
 from ...equations.declaration import Parameters, parameters_of
 from ...equations.derivative import Direction
-from ...equations.every_n import Elements, Index
+from ...equations.elements import Index
+from ...equations.every_n import EveryN
 from ...equations.record import Shape
 from ...errors import DiagramError
 from .paper_symbols import SCALARS, element_name, parameter_names, parameter_symbol, state_names
@@ -48,7 +49,7 @@ class ArrayLoop:
     )  # block -> state: what it becomes
     inputs: dict[str, Any] = field(default_factory=dict)  # of the diagram
     parameters: dict[str, Parameters] = field(default_factory=dict)  # block -> arrays
-    elements: Elements = field(init=False)
+    elements: EveryN = field(init=False)
     seen_undefined: list[str] = field(default_factory=list)  # in what was read so far
 
     @property
@@ -210,7 +211,7 @@ def array_loop(
         if sentence is not None:
             loop.seen_undefined.append(f"{found.owners[place]} {sentence}")
 
-    loop.elements = Elements(loop.tape, names.element, watch)
+    loop.elements = EveryN(loop.tape.operations, names.element, watch)
     return loop
 
 

@@ -19,7 +19,8 @@ import sympy
 from ...blocks.laws.law import Law
 from ...diagrams.interconnection import connect
 from ...equations.block import Block
-from ...equations.scalars import Scalars
+from ...equations.elements import Index
+from ...equations.record import Shape
 from ...equations.symbolic import expressions
 from ...simulation.loops import paper_blocks
 from .proof import Step, checked
@@ -40,18 +41,17 @@ r, latency = sympy.symbols("r latency", positive=True)
 States = dict[str, np.ndarray]
 
 
-def read(record: Scalars, x: Any, u: Any, p: dict[str, Any]) -> np.ndarray:
-    """Return what a record computes of expressions, every choice decided."""
+def read(block: Block, role: str, x: States, u: States, p: dict[str, Any]) -> np.ndarray:
+    """Return what a block computes of expressions, every choice decided."""
 
-    def leaf(name: str, *where: Any) -> Any:
-        if name == "t" or (name == "p" and where[0] not in p):  # what is not used
-            return sympy.Symbol("_".join(map(str, (name, *where))))
-        if name == "p":
-            return np.ravel(np.asarray(p[where[0]], dtype=object))[where[1]]
-        return (x if name == "x" else u)[where[0]]
+    def leaf(at: tuple[str, str], shape: Shape, index: Index) -> Any:
+        group, name = at
+        if group == "t" or (group == "p" and name not in p):  # what is not used
+            return sympy.Symbol("_".join(map(str, (group, name, *index))))
+        given = {"x": x, "u": u, "p": p}[group][name]
+        return np.asarray(given, dtype=object).reshape(shape)[index]
 
-    found = [_decided(sympy.sympify(e)) for e in expressions(record, leaf)]
-    return np.array(found, dtype=object)
+    return np.array([_decided(e) for e in expressions(block, role, leaf)], dtype=object)
 
 
 def _decided(expression: sympy.Expr) -> sympy.Expr:
@@ -103,11 +103,9 @@ class AtAFix:
 
     def jump(self, interval: int) -> States:
         """Return the states after the jump with which an interval begins."""
-        x = np.concatenate([self.before[port] for port in self.block.state_ports])
         p = {"noise": r, "latency": latency if self.late else 0, "interval": interval}
-        record = self.block.jump_record
-        assert record is not None
-        return _by_port(self.block, read(record, x, self.u, p))
+        u = _by_port(self.block.input_ports, self.u)
+        return _by_port(self.block.state_ports, read(self.block, "jump", self.before, u, p))
 
     def eta(self, states: States) -> np.ndarray:
         """Return theta + alpha, shape (2, N)."""
@@ -115,8 +113,7 @@ class AtAFix:
 
     def V(self, states: States) -> sympy.Expr:
         """Return V of the states."""
-        u = np.concatenate([states[port] for port in self.candidate.input_ports])
-        return read(self.candidate.output_record, (), u, {"noise": r, "theta": self.theta})[0]
+        return read(self.candidate, "output", {}, states, {"noise": r, "theta": self.theta})[0]
 
     def apart(self, states: States) -> np.ndarray:
         """Return x - z - eta m, shape (2,)."""
@@ -154,9 +151,9 @@ class AtAFix:
         return kept and is_zero([*apart, *after["m"], *(after["waiting"] - 1)])
 
 
-def _by_port(block: Block, values: np.ndarray) -> States:
-    ends = np.cumsum(list(block.state_ports.values()))[:-1]
-    return dict(zip(block.state_ports, np.split(values, ends), strict=True))
+def _by_port(ports: dict[str, int], values: np.ndarray) -> States:
+    ends = np.cumsum(list(ports.values()))[:-1]
+    return dict(zip(ports, np.split(values, ends), strict=True))
 
 
 def _between(law: Law, N: int) -> tuple[bool, str]:
@@ -196,7 +193,7 @@ def _running(law: Law, N: int, points: int) -> tuple[bool, str]:
         x["P"], x["information"], y = P.ravel(), np.linalg.inv(P).ravel(), eta @ x["m"]
         u = np.array([*(x["z"] + y), 1.0, *random.standard_normal(N + 2)])
         state = np.concatenate([x[port] for port in names])
-        after = _by_port(block, block.values("jump", block.nstates, 0.0, state, u, p))
+        after = _by_port(block.state_ports, block.values("jump", block.nstates, 0.0, state, u, p))
         V = [
             candidate.output(0.0, [], np.concatenate([s[port] for port in candidate.input_ports]))[
                 0

@@ -105,5 +105,4 @@ def _judged_blocks() -> list[Block]:
 def _said(block: Block) -> str:
     """Return all that is known of a block's equations."""
     ports = block.input_ports, block.output_ports, block.state_ports
-    records = block.output_record, block.update_record, block.jump_record, block.guard_record
-    return "\n".join(map(str, (block.name, ports, block.parameters, *records)))
+    return "\n".join(map(str, (block.name, ports, block.parameters, block.records)))

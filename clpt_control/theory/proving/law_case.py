@@ -12,7 +12,8 @@ from sympy.core.function import AppliedUndef
 
 from ...diagrams.interconnection import Diagram
 from ...equations.block import Block
-from ...equations.every_n import Index, base_and_term, renamed
+from ...equations.elements import Index
+from ...equations.every_n import base_and_term, renamed
 from ...errors import DiagramError
 from .array_loop import TIME, array_loop
 from .dead_zones import DeadZones

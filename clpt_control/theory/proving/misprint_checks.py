@@ -181,8 +181,8 @@ def gaussian(printed: bool) -> bool:
     d, width = sympy.symbols("d sigma", positive=True)
     kernel, one = "exponential" if printed else "gaussian", (np.zeros((1, 2)), np.ones(1))
     block = basis.flow_basis("basis_x", "x", kernel, *one, np.zeros(1), np.zeros(1))
-    known = {("u", 0): d, ("p", "widths", 0): width}  # the centre, frequency and phase are zero
-    phi = expressions(block.output_record, lambda *where: known.get(where, sympy.Integer(0)))[0]
+    known = {("u", "x", (0,)): d, ("p", "widths", (0,)): width}  # all else is zero
+    phi = expressions(block, "output", lambda at, shape, k: known.get((*at, k), 0))[0]
     bend = sympy.simplify(sympy.diff(sympy.expand_log(sympy.log(phi), force=True), d, 2))
     return bend != 0 and not bend.has(d)
 

@@ -14,7 +14,7 @@ import numpy as np
 import sympy
 
 from ...equations.block import Block
-from ...equations.every_n import Index
+from ...equations.elements import Index
 from ...equations.namespaces import named, split
 from ...equations.record import Shape
 from ...scenario.keys import CALL_TIME_NAMES
@@ -48,7 +48,7 @@ def element_name(port: str, declared: Shape, index: Index) -> str:
     A first axis of known length is the paper's axis; `declared` has names where a size has one.
     """
     first = bool(declared) and isinstance(declared[0], int)
-    shown = [f"_{index[0] + 1}" if first else ""] if index else []  # type: ignore[operator]
+    shown = [f"_{index[0] + 1}" if first else ""] if index else []
     return "".join([port, *shown, *map(bracketed, index[first:])])
 
 
@@ -97,7 +97,7 @@ def parameter_symbol(name: str, value: Any, index: Index) -> sympy.Expr:
     if name in SCALARS or not index:
         return signed(name, value)
     axis = split(name)[1] in ONE and np.shape(value)[0] == 2
-    shown = [f"_{index[0] + 1}"] if axis else []  # type: ignore[operator]
+    shown = [f"_{index[0] + 1}"] if axis else []
     return signed("".join([name, *shown, *map(bracketed, index[axis:])]), value)
 
 

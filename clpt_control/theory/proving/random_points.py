@@ -33,15 +33,8 @@ class Draw:
     def __init__(self, blocks: Sequence[Block], seed: int):
         self.random, self.blocks = np.random.default_rng(seed), blocks
         self.names = parameter_names(blocks)
-        records = [b.output_record for b in blocks] + [b.update_record for b in blocks]
-        numbers = {
-            a
-            for r in records
-            if r is not None
-            for o in r.operations
-            for a in o[1:]
-            if type(a) is float and np.isfinite(a)
-        }
+        lines = [o for b in blocks for r in b.records.values() for o in r.operations]
+        numbers = {a for o in lines for a in o.arguments if type(a) is float and np.isfinite(a)}
         held = [np.ravel(v) for b in blocks for v in b.parameters if not isinstance(v, int)]
         known = np.concatenate([np.array(sorted(numbers)), np.zeros(1), *held])
         known = known[np.abs(known) <= LARGEST]

@@ -18,9 +18,8 @@ import sympy
 
 from ...diagrams.interconnection import changed_parameters
 from ...diagrams.wiring import Wiring, wiring_of
-from ...equations.at_many import OPERATIONS
 from ...equations.block import Block
-from ...equations.symbolic import UNEXPANDED
+from ...equations.symbolic import NUMBERS
 from ...errors import DiagramError
 from ...native.sweep import Sweep
 from ...progress.interrupt import check
@@ -232,16 +231,17 @@ def numeric(expression: sympy.Expr) -> tuple[Any, list[Any]]:
     words = {str(f.func) for f in expression.atoms(sympy.core.function.AppliedUndef)} - {
         str(f.func) for f in inputs
     }
-    space = {own: OPERATIONS[name] for name, own in UNEXPANDED.items()}
-    if expression.has(sympy.Derivative) or words - set(space):
-        unknown = ", ".join(sorted(words - set(space))) or "a derivative of an input"
+    if expression.has(sympy.Derivative) or words - set(NUMBERS):
+        unknown = ", ".join(sorted(words - set(NUMBERS))) or "a derivative of an input"
         raise DiagramError(f"{unknown} has no numbers, so V' cannot be compared")
     symbols = sorted(expression.free_symbols - {TIME}, key=str) + sorted(inputs, key=str)
     if expression.has(TIME):
         symbols.append(TIME)
     plain = {s: sympy.Dummy(f"s{k}") for k, s in enumerate(symbols)}
     text = expression.xreplace(plain)
-    return sympy.lambdify(list(plain.values()), text, [space, "scipy", "numpy"], cse=True), symbols
+    return sympy.lambdify(
+        list(plain.values()), text, [NUMBERS, "scipy", "numpy"], cse=True
+    ), symbols
 
 
 def degree_of(loop: SymbolicLoop) -> float:

@@ -1,0 +1,160 @@
+"""The elements of a record's arrays, each computed once.
+
+    y_ij  of  v = add(a, b):  a_ij + b_ij        v = sum(a over 0):  a_0j + a_1j + ...
+
+What an element is, the reading says: an expression (`symbolic`), the inputs that it depends on,
+a number of another library.  Along an axis of unknown length the place is a name (`every_n`).
+"""
+
+from collections.abc import Mapping, Sequence
+from math import prod
+from typing import Any
+
+import numpy as np
+
+from .arrays import Unread
+from .record import Operation, Record, Ref, Shape
+
+Index = tuple[Any, ...]  # places; a name is a generic one
+MOST_AT_ONCE = 256  # elements of an array that are computed in order, so that nothing goes deep
+MOST = 300_000  # elements; more are given up
+
+
+class Elements:
+    """The elements of the values of a record or a tape."""
+
+    def __init__(self, operations: Sequence[Operation], sizes: Mapping[str, int] | None = None):
+        self.operations, self.sizes = operations, sizes or {}
+        self.known: dict[tuple[int, Index], Any] = {}
+
+    # --- what a reading says ----------------------------------------------------------------
+
+    def number(self, value: float) -> Any:
+        """Return a constant."""
+        return value
+
+    def leaf(self, at: tuple[str, str], shape: Shape, index: Index) -> Any:
+        """Return an element of a leaf."""
+        raise NotImplementedError
+
+    def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
+        """Return what an operation makes of elements."""
+        raise NotImplementedError
+
+    def opaque(self, at: tuple, arguments: tuple, index: Index) -> Any:
+        """Return an element of what an opaque helper computes."""
+        return self.at(arguments[0], index)
+
+    def sum_over(self, array: Ref, axis: int, index: Index, size: str) -> Any:
+        """Return a sum over an axis of unknown length."""
+        raise Unread(f"a sum over the open size {size}")
+
+    # --- elements ---------------------------------------------------------------------------
+
+    def outputs(self, record: Record) -> list[Any]:
+        """Return the elements of a record's outputs, port by port, row by row."""
+        for k, operation in enumerate(self.operations):
+            shape = self.sized(operation.shape)
+            if prod(shape) <= MOST_AT_ONCE:
+                for index in np.ndindex(shape):
+                    self.at(k, index)
+        pairs = zip(record.outputs, record.shapes, strict=True)
+        return [self.at(ref, i) for ref, shape in pairs for i in np.ndindex(self.sized(shape))]
+
+    def sized(self, shape: Shape) -> Shape:
+        """Return a shape with the sizes that are known."""
+        return tuple([self.sizes.get(n, n) if type(n) is str else n for n in shape])
+
+    def at(self, ref: Ref, index: Index) -> Any:
+        """Return one element; a shorter array is broadcast."""
+        if type(ref) is float:
+            return self.number(ref)
+        shape = self.sized(self.operations[ref].shape)
+        index = index[len(index) - len(shape) :]
+        index = tuple([0 if n == 1 else k for k, n in zip(index, shape, strict=True)])
+        if (ref, index) not in self.known:
+            self.known[ref, index] = self._element(ref, index)
+            if len(self.known) > MOST:
+                raise Unread(f"takes more than {MOST} operations on single numbers")
+        return self.known[ref, index]
+
+    def _element(self, ref: int, index: Index) -> Any:
+        kind, arguments, shape, at = self.operations[ref]
+        if kind == "leaf":
+            return self.leaf(at, self.sized(shape), index)
+        if kind == "constant":
+            return self.number(float(np.frombuffer(at).reshape(shape)[index]))
+        if kind == "view":
+            return self.at(arguments[0], tuple([_moved(m, index) for m in at]))
+        if kind == "fill":
+            return self.at(arguments[0], ())
+        if kind in ("stack", "join"):
+            return self._gathered(kind, arguments, index)
+        if kind == "sum":
+            return self._sum(ref, arguments[0], at, index)
+        if kind == "pick":
+            return self.picked(ref, arguments[0], self.at(arguments[1], index))
+        if kind == "opaque":
+            return self.opaque(at, arguments, index)
+        return self.apply(ref, kind, tuple([self.at(a, index) for a in arguments]))
+
+    def all_of(self, ref: Ref) -> list[Any]:
+        """Return every element of a value."""
+        shape = () if type(ref) is float else self.sized(self.operations[ref].shape)
+        if not all(isinstance(n, int) for n in shape):
+            raise Unread("every element of an array of unknown length")
+        return [self.at(ref, place) for place in np.ndindex(*shape)]
+
+    def picked(self, ref: int, table: Ref, place: Any) -> Any:
+        """Return what stands in a row at a place."""
+        return self.apply(ref, "pick", (place, *self.all_of(table)))
+
+    def _gathered(self, kind: str, arguments: tuple, index: Index) -> Any:
+        k, *rest = index
+        if not isinstance(k, int):
+            raise Unread("elements that differ along an axis of unknown length")
+        if kind == "stack":
+            return self.at(arguments[k], tuple(rest))
+        for part in arguments:
+            n = self.sized(self.operations[part].shape)[0]
+            if k < n:
+                return self.at(part, (k, *rest))
+            k -= n
+        raise IndexError(index)
+
+    def _sum(self, ref: int, array: Ref, axis: int, index: Index) -> Any:
+        size = self.sized(self.operations[array].shape)[axis]
+        if not isinstance(size, int):
+            return self.sum_over(array, axis, index, size)
+        parts = [self.at(array, (*index[:axis], k, *index[axis:])) for k in range(size)]
+        return self.apply(ref, "sum", tuple(parts)) if parts else self.number(0.0)
+
+
+def _moved(m: Any, index: Index) -> Any:
+    """Return the place in an array of a place in its view."""
+    if isinstance(m, int):
+        return m
+    d, start, step = m
+    place = index[d]
+    if isinstance(place, int):
+        return start + step * place
+    if (start, step) != (0, 1):
+        raise Unread("a part of an axis of unknown length")
+    return place
+
+
+class InputsOf(Elements):
+    """The inputs that each element depends on: port and place in it."""
+
+    def number(self, value: float) -> Any:
+        """Depend on nothing."""
+        return frozenset()
+
+    def leaf(self, at: tuple[str, str], shape: Shape, index: Index) -> Any:
+        """Depend on the input itself."""
+        place = int(np.ravel_multi_index(index, shape)) if shape else 0
+        return frozenset([(at[1], place)] if at[0] == "u" else [])
+
+    def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
+        """Depend on all that the arguments depend on."""
+        return frozenset().union(*arguments)
