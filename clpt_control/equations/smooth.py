@@ -6,7 +6,7 @@ sample; where time alone decides, at the times at which it does.
 """
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -90,14 +90,22 @@ def times_of_change(block: Block, role: str, p: Any, t0: float, t1: float) -> np
     return found[(found > t0) & (found < t1)]
 
 
-def kinks_of(block: Block, parameters: Any, t0: float, t1: float) -> tuple[bool, np.ndarray]:
-    """Return whether states or inputs decide what a block does, and when time alone decides."""
-    times, by_signals = [np.zeros(0)], False
-    for role in ("update", "output"):
-        if role == "update" and block.update_function is None:
-            continue
-        groups = who_decides(block.array_record(role))
-        by_signals |= bool(groups & {"x", "u"})
-        if "t" in groups:
-            times.append(times_of_change(block, role, parameters, t0, t1))
-    return by_signals, np.unique(np.concatenate(times))
+class Kinks(NamedTuple):
+    """What of a block is not smooth: who decides, found once."""
+
+    block: Block
+    by_signals: bool  # whether states or inputs decide
+    by_time: tuple[str, ...]  # functions in which time does
+
+    def at(self, parameters: Any, t0: float, t1: float) -> np.ndarray:
+        """Return the times in (t0, t1) at which time alone decides."""
+        times = [times_of_change(self.block, role, parameters, t0, t1) for role in self.by_time]
+        return np.unique(np.concatenate([np.zeros(0), *times]))
+
+
+def kinks_of(block: Block) -> Kinks:
+    """Return who decides what a block does."""
+    roles = ("update", "output") if block.update_function is not None else ("output",)
+    groups = {role: who_decides(block.array_record(role)) for role in roles}
+    by_signals = any(own & {"x", "u"} for own in groups.values())
+    return Kinks(block, by_signals, tuple(role for role, own in groups.items() if "t" in own))

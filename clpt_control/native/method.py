@@ -33,6 +33,8 @@ from .solver import (  # rows of Z
     TROUBLE,
 )
 
+BEGUN = range(9, 12)  # stages whose sums are begun before, in the rows of terms
+
 
 def _table() -> Any:
     from scipy.integrate._ivp import dop853_coefficients
@@ -40,26 +42,39 @@ def _table() -> Any:
     return dop853_coefficients
 
 
-def _weighted(weights: Any, z: Row) -> Any:
-    """a_0 K_0 + a_1 K_1 + ..., zeros left out."""
+def _weighted(weights: Any, z: Row, begun: Any = None) -> Any:
+    """What is `begun`, + a_0 K_0 + a_1 K_1 + ..., zeros left out."""
     used = weights.nonzero()[0]
     first = z(RATE + int(used[0]))
     if not hasattr(first, "kind"):
-        return np.add.reduce(weights[used, None] * z(RATE + used))  # in the order of the rows
-    total = float(weights[used[0]]) * first
-    for j in used[1:].tolist():
-        total = joined(float(weights[j]), z(RATE + j), total)
-    return total
+        total = np.add.reduce(weights[used, None] * z(RATE + used))  # in the order of the rows
+        return total if begun is None else begun + total
+    for j in used.tolist():
+        a, rate = float(weights[j]), z(RATE + j)
+        begun = a * rate if begun is None else joined(a, rate, begun)
+    return begun
 
 
 def _stage(s: int) -> Formula:
-    """argument = x + h sum_j a_sj K_j, at t + c_s h; stage 12 is the new state."""
+    """argument = x + h sum_j a_sj K_j, at t + c_s h; stage 12 is the new state.
+
+    Stage 8 begins the sums of those behind it, as its own reads what they read.
+    """
     table = _table()
     weights = table.B if s == STAGES else table.A[s, :s]
     c = 1.0 if s == STAGES else float(table.C[s])
+    begun = {r: TERMS + r - BEGUN[0] for r in BEGUN}
 
     def ahead(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        return {ARGUMENT: joined(lane(TAKEN), _weighted(weights, z), z(STATE))}, ()
+        rows: Rows = {}
+        if s == BEGUN[0] - 1:
+            rows = {place: _weighted(table.A[r, :s], z) for r, place in begun.items()}
+        if s in BEGUN:
+            late = np.where(np.arange(s) < BEGUN[0] - 1, 0.0, weights)
+            total = _weighted(late, z, z(begun[s]))
+        else:
+            total = _weighted(weights, z)
+        return {ARGUMENT: joined(lane(TAKEN), total, z(STATE)), **rows}, ()
 
     return Formula(ahead, lambda lane, sums: {AT: lane(TIME) + c * lane(TAKEN)})
 
@@ -79,14 +94,16 @@ def _attempt() -> Formula:
 
 
 def _judge(n: int) -> Formula:
-    """The estimate of the error, whether the step is good, and the next one."""
-    table = _table()
+    """The new state, the estimate of its error, whether the step is good, and the next one."""
+    table, last = _table(), _stage(STAGES)
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        largest = maximum(abs(z(STATE)), abs(z(ARGUMENT)))
+        assert last.each is not None
+        rows, _ = last.each(z, lane, tolerance)
+        largest = maximum(abs(z(STATE)), abs(rows[ARGUMENT]))
         part = 1.0 / joined(tolerance(0), largest, tolerance(1))
         fifth, third = (_weighted(weights, z) * part for weights in (table.E5, table.E3))
-        return {}, (fifth * fifth, third * third)
+        return rows, (fifth * fifth, third * third)
 
     def after(lane: Row, sums: Sequence[Any]) -> Rows:
         fifth, third = sums
@@ -101,6 +118,7 @@ def _judge(n: int) -> Formula:
             STEP: lane(TAKEN) * where(good, minimum(most, factor), bad),
             GOOD: where(good, 1.0, 0.0),
             REJECTED: where(good, 0.0, 1.0),
+            AT: lane(TIME) + lane(TAKEN),
         }
 
     return Formula(each, after, 2)

@@ -1,6 +1,7 @@
 """A diagram as machine code."""
 
 from collections.abc import Mapping
+from functools import cached_property
 from typing import Any
 
 import control
@@ -8,7 +9,7 @@ import numpy as np
 
 from ..arguments import public
 from ..diagrams.wiring import Wiring
-from ..equations.smooth import kinks_of
+from ..equations.smooth import Kinks, kinks_of
 from ..errors import SimulationError
 from .batch import Callee
 from .code import code_of, kernels
@@ -96,13 +97,17 @@ class NativeDiagram(PythonDiagram):
         Time decides where, and where signals do it is at all samples.  The estimate of a
         step's error may pass over a kink within it, so there the tolerances are tighter.
         """
-        by_signals, breaks = False, [np.zeros(0)]
-        for node, p in zip(self.wiring.nodes, self.sweep.given, strict=True):
-            signals, own = kinks_of(node.system, p, float(times[0]), float(times[-1]))
-            by_signals |= signals
-            breaks.append(own)
+        breaks = [np.zeros(0)]
+        for own, p in zip(self._kinks, self.sweep.given, strict=True):
+            if own.by_time:
+                breaks.append(own.at(p, float(times[0]), float(times[-1])))
+        by_signals = any(own.by_signals for own in self._kinks)
         share = OVER_KINKS if by_signals else 1.0
         return Stops(times if by_signals else (), np.concatenate(breaks), share)
+
+    @cached_property
+    def _kinks(self) -> list[Kinks]:
+        return [kinks_of(node.system) for node in self.wiring.nodes]
 
     def callee(self, lanes: int = 1, inputs: Inputs | None = None) -> Callee:
         """Return what the solver calls."""

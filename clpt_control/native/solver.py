@@ -91,24 +91,28 @@ def advance(
             call(code[FIRST], numbers, Z, 0, P, tolerances, W, D, 0)
             begin(lanes, results, lane, D, guarded)
         call(code[ATTEMPT], numbers, Z, 0, P, T, W, D, 0)
-        for s in range(1, STAGES + 1):
+        for s in range(1, STAGES):
             call(code[STAGE + s], numbers, Z, 0, P, T, W, D, 0)
             call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + s) * span)
         call(code[JUDGE], numbers, Z, 0, P, tolerances, W, D, 0)
-        wanted, within = False, guarded > 0
+        good, wanted, within = False, False, False
         for k in range(lanes):
             m, done = whole[MEMBER, k], whole[DONE, k]
             if m >= 0:
-                counts[m, EVALUATIONS] += STAGES
+                counts[m, EVALUATIONS] += STAGES - 1
                 if numbers[FAILING, k] > 0.5:
                     fail(status, whole, k, TOO_SMALL)
                 if numbers[GOOD, k] < 0.5:
                     counts[m, REJECTIONS] += 1
                 else:
+                    good, within = True, within or guarded > 0
                     counts[m, STEPS] += 1
+                    counts[m, EVALUATIONS] += 1
                     if done < len(times) and times[done] <= numbers[NEW, k]:
                         wanted = True
                         within = within or times[done] < numbers[NEW, k]
+        if good:
+            call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + STAGES) * span)
         if within:
             for s in range(STAGES + 1, STAGES + 4):
                 call(code[STAGE + s], numbers, Z, 0, P, T, W, D, 0)
