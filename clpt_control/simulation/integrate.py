@@ -196,7 +196,9 @@ def _simulate_diagram(
     values = np.hstack([(wiring.output_map @ signals).T, signals[outside].T])
     named = wiring.nodes[0].system if None in (diagram.ninputs, diagram.noutputs) else diagram
     made, given_labels = map(whole_labels, (named.output_labels, named.input_labels))
-    labels = made + [one.replace("[", "_input[") if one in made else one for one in given_labels]
+    taken = ports_of(made)  # an input of the name of an output is told apart, all of its signals
+    parts = [one.partition("[") for one in given_labels]
+    labels = made + ["".join((f"{p}_input" if p in taken else p, *rest)) for p, *rest in parts]
     states = (wiring.nodes[0].system if diagram.nstates is None else diagram).state_labels
     scenario, changes = getattr(diagram, "made_of", None) or (None, UNCHANGED)
     if scenario is None:

@@ -177,3 +177,15 @@ def test_a_system_without_states_and_a_dense_one():
     A = 0.1 * random.normal(size=(60, 60)) - np.eye(60)
     dense = control.ss(A, random.normal(size=(60, 1)), random.normal(size=(1, 60)), 0)
     against_control(dense, np.sin(T), close=1e-6)
+
+
+def test_inputs_with_the_name_of_an_output_stay_apart():
+    """An output u and three inputs u[0], u[1], u[2]: none is taken for the other."""
+    plant = control.nlsys(
+        lambda t, x, u, params: [u[0] - x[0]],
+        lambda t, x, u, params: [2.0 * x[0]],
+        inputs=3, outputs=["u"], states=1, name="plant",
+    )  # fmt: skip
+    run = clpt.simulate(plant, [0.0, 1.0], [[1.0, 1.0], [2.0, 2.0], [3.0, 3.0]], [1.0])
+    np.testing.assert_allclose(run.u, [2.0, 2.0], rtol=1e-9)
+    np.testing.assert_array_equal(run.u_input, [[1.0, 2.0, 3.0]] * 2)
