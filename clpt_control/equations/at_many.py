@@ -28,16 +28,21 @@ def leaf_values(block: Block, t: Any, x: Any, u: Any, p: Any) -> Callable[[str, 
     return leaf
 
 
-def on_arrays(block: Block, role: str, t: Any, x: Any, u: Any) -> np.ndarray:
-    """Return what a function gives for each time, state x[k] and input u[k]: (size, ...)."""
+def on_arrays(block: Block, role: str, t: Any, x: Any, u: Any, p: Any = None) -> np.ndarray:
+    """Return what a function gives for each time, state x[k] and input u[k]: (size, ...).
+
+    Its parameters are the block's, or those given; their `interval` may be one for each time.
+    """
     shape = np.broadcast_shapes(np.shape(t), np.shape(x)[1:], np.shape(u)[1:])
     count = int(np.prod(shape))
     x, u = (np.broadcast_to(v, (len(v), *shape)).reshape(len(v), count) for v in (x, u))
     times = np.broadcast_to(t, shape).reshape(count)
-    leaf = leaf_values(block, times, x, u, block.parameters)
+    leaf = leaf_values(block, times, x, u, block.parameters if p is None else p)
 
     def given(group: str, name: str) -> np.ndarray:
-        return leaf(group, name)[..., None] if group == "p" else leaf(group, name)
+        value = leaf(group, name)
+        one = group == "p" and not (name == "interval" and value.ndim)
+        return value[..., None] if one else value
 
     return rows(block.array_record(role), given, block.sizes, count).reshape((-1, *shape))
 

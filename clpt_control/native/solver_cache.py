@@ -25,7 +25,13 @@ from ..progress import note
 from . import solver
 from .object_code import keep, kept, loaded, name_of, one_at_a_time, target_machine
 
-OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy", "_nrt": False}
+OPTIONS: dict[str, Any] = {
+    "nogil": True,
+    "error_model": "numpy",
+    "_nrt": False,
+    "no_cpython_wrapper": True,  # Python calls the object code alone
+    "no_cfunc_wrapper": True,
+}
 ENTRIES = ("advance", "advance_fixed", "signals_at")  # what is called from Python
 USUAL = ("advance", "signals_at")  # what every run calls
 # the rest is put in where it is called
@@ -164,7 +170,6 @@ def _compiled(name: str, arguments: tuple) -> bytes:
 def _numba_solver() -> ModuleType:
     """Return the solver's module with its functions for Numba to compile."""
     from numba import njit
-    from numba.extending import overload
 
     from .address_call import call_address
 
@@ -175,15 +180,9 @@ def _numba_solver() -> ModuleType:
     sys.modules[spec.name] = module
     spec.loader.exec_module(module)
 
-    @overload(module.call, inline="always")
-    def _(function, t, X, first, P, T, W, D, to):
-        def by_address(function, t, X, first, P, T, W, D, to):
-            call_address(function, t, X, first, P, T, W, D, to)  # type: ignore[call-arg]
-
-        return by_address
-
+    module.call = call_address  # type: ignore[attr-defined]
     for name, function in list(vars(module).items()):
-        if isinstance(function, FunctionType) and function is not module.call:
+        if isinstance(function, FunctionType):
             compiled = njit(function, forceinline=name not in APART, **OPTIONS)
             setattr(module, name, compiled)
     return module

@@ -13,7 +13,8 @@ from clpt_control.errors import ScenarioError
 from clpt_control.simulation.loops import paper_blocks
 from clpt_control.theory.proving import limited_speed
 from clpt_control.theory.proving.limited_speed import judged_limits
-from clpt_control.theory.proving.running_rate import RunningRate
+from clpt_control.theory.proving.running_blocks import RunningBlocks
+from clpt_control.theory.proving.running_rate import rate_along
 
 PAPER = clpt.paper_scenario()
 ESTIMATE = {"learning.theta_estimate": [[0.9, 0.5, 0.7], [1.0, 0.3, 0.9]]}
@@ -32,11 +33,11 @@ def rates_of_V(scenario):
     loop = connect([*blocks, V], name="with_V")
     times = np.arange(0.0, scenario.run.duration, scenario.run.output_step)
     states = response(loop, times, initial_state=clpt.initial_state(scenario)).states.T
-    running = RunningRate(loop)
+    running = RunningBlocks(loop)
     running.set({})
-    rates = [running.rate(t, x, np.zeros(0), 2)[0] for t, x in zip(times, states, strict=True)]
+    rates, _ = rate_along(running.functions, times, states, np.zeros((len(times), 0)), 2)
     e = states[:, 0:2] - states[:, 2:4]
-    return np.array(rates), -np.sum(np.array(car.feedback) * e**2, axis=1)
+    return rates, -np.sum(np.array(car.feedback) * e**2, axis=1)
 
 
 def test_V_falls_along_the_papers_run_as_without_a_limit():

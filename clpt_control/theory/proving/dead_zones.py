@@ -15,7 +15,8 @@ from sympy.core.function import AppliedUndef
 from ...diagrams.interconnection import Diagram
 from .quadratic_forms import positive_definite, tidied
 from .random_points import Draw, symbol_values
-from .running_rate import CLOSE, HUGE, PER_DRAW, RunningRate, numeric
+from .running_blocks import THROUGH_CONTROL, RunningBlocks
+from .running_rate import CALLED, CLOSE, HUGE, PER_DRAW, numeric
 from .symbolic_loop import SymbolicLoop
 
 
@@ -70,7 +71,7 @@ class DeadZones:
 
     def same(self, diagram: Diagram, count: int, seed: int, kept: tuple) -> tuple[bool, str]:
         """Return whether the running blocks have these rates and this V, at random points."""
-        running = RunningRate(diagram)
+        running = RunningBlocks(diagram)
         draw = Draw(running.blocks, seed)
         parts = [self.V, *self.loop.motion.values()]
         known = [numeric(part.xreplace(self.at)) for part in parts]
@@ -84,24 +85,28 @@ class DeadZones:
                     draw.points(PER_DRAW, diagram.nstates),
                     draw.points(PER_DRAW, diagram.ninputs),
                 )
-                at = symbol_values(self.loop, draw, values, np.zeros(PER_DRAW), x, u)
+                t = np.zeros(PER_DRAW)
+                at = symbol_values(self.loop, draw, values, t, x, u)
                 with np.errstate(all="ignore"):
-                    wanted = [
-                        np.broadcast_to(f(*(at[s] for s in symbols)), PER_DRAW)
-                        for f, symbols in known
-                    ]
-                for k, row in enumerate(np.transpose(wanted)):
-                    rates = running.rates(0.0, x[k], u[k])
-                    found = np.array([running.value(0.0, x[k], u[k]), *rates])
-                    size = max(np.abs(x[k]).max(), np.abs(u[k]).max(), 1.0)
-                    scale = np.maximum(np.abs(row), size**2)
-                    off = float(np.max(np.abs(found - row) / scale))
-                    if not np.abs(row).max() < HUGE and not np.abs(found).max() < HUGE:
-                        continue
-                    if not off <= CLOSE:
-                        return False, f"differs by {off:.1e} at x = {x[k].round(3).tolist()}"
-                    worst = max(worst, off)
+                    parts = [function(*(at[s] for s in symbols)) for function, symbols in known]
+                wanted = np.transpose([np.broadcast_to(part, PER_DRAW) for part in parts])
+                called = slice(CALLED if done else THROUGH_CONTROL)
+                for asked, rows in ((running.functions, called), (running.records, slice(None))):
+                    point = t[rows], x[rows], u[rows]
+                    found = np.column_stack([asked.values(*point), asked.rates(*point)])
+                    off = _apart(found, wanted[rows], np.column_stack([x, u])[rows])
+                    for k in np.flatnonzero(~(off <= CLOSE))[:1]:
+                        return False, f"differs by {off[k]:.1e} at x = {x[k].round(3).tolist()}"
+                    worst = max(worst, float(off.max()))
                 done += PER_DRAW
         finally:
             diagram._update_params({})
         return True, f"{done} points, largest difference {worst:.0e}"
+
+
+def _apart(found: np.ndarray, wanted: np.ndarray, point: np.ndarray) -> np.ndarray:
+    """Return by how much of their size rows of numbers differ; 0 where they say nothing."""
+    found_size, size, far = (np.max(np.abs(one), axis=1) for one in (found, wanted, point))
+    silent = ~(size < HUGE) & ~(found_size < HUGE)
+    scale = np.maximum(np.abs(wanted), np.maximum(far, 1.0)[:, None] ** 2)
+    return np.where(silent, 0.0, np.max(np.abs(found - wanted) / scale, axis=1))

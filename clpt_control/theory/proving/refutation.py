@@ -12,7 +12,8 @@ import sympy
 from ...errors import DiagramError
 from ...progress.interrupt import check
 from .random_points import Draw, Point, symbol_values
-from .running_rate import RunningRate, degree_of, numeric
+from .running_blocks import Functions, RunningBlocks
+from .running_rate import degree_of, numeric, rate_along
 from .symbolic_loop import SymbolicLoop
 
 DRAWS, PER_DRAW, TRIED = 100, 200, 3
@@ -31,7 +32,7 @@ def refuting_point(
     `rate` is V' on symbols, by which points are chosen where it has numbers; the blocks in
     `kept` keep their own parameters.
     """
-    running, draw, degree = RunningRate(diagram), Draw(diagram.syslist, seed), degree_of(loop)
+    running, draw, degree = RunningBlocks(diagram), Draw(diagram.syslist, seed), degree_of(loop)
     try:
         function, symbols = numeric(rate)
     except DiagramError:
@@ -52,27 +53,25 @@ def refuting_point(
             if len(order):
                 running.set(params)
             for k in order:
-                found = _persists(running, x[k] - far[k], far[k], u[k], degree)
+                found = _persists(running.functions, x[k] - far[k], far[k], u[k], degree)
                 if found is not None:
-                    return Point(0.0, x[k], u[k], params), float(found)
+                    return Point(0.0, x[k], u[k], params), found
     finally:
         diagram._update_params({})
     return None, None
 
 
 def _persists(
-    running: RunningRate, truth: np.ndarray, far: np.ndarray, u: np.ndarray, degree: float
+    functions: Functions, truth: np.ndarray, far: np.ndarray, u: np.ndarray, degree: float
 ) -> float | None:
     """Return V' where it is positive at all distances and grows with V."""
-    found = []
-    for times in FARTHER:
-        x = truth + times * far
-        rate, scale = running.rate(0.0, x, u, degree)
-        V = running.value(0.0, x, u)
-        if not (rate > 1e-6 * scale and V > 0):
-            return None
-        found.append((rate, rate / V))
-    return found[0][0] if found[-1][1] >= 0.5 * found[0][1] else None
+    x = np.array([truth + times * far for times in FARTHER])
+    point = np.zeros(len(x)), x, np.tile(u, (len(x), 1))
+    rate, scale = rate_along(functions, *point, degree)
+    V = functions.values(*point)
+    if not np.all((rate > 1e-6 * scale) & (V > 0)):
+        return None
+    return float(rate[0]) if rate[-1] / V[-1] >= 0.5 * rate[0] / V[0] else None
 
 
 def _around_the_truth(loop: SymbolicLoop, draw: Draw, values: dict) -> tuple:
