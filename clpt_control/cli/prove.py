@@ -29,17 +29,21 @@ def prove(
     Example:
         clpt prove --theorem 3.2
     """
-    from ..progress import progress_bar
-    from ..theory.proving.judgement import parts
-    from ..theory.proving.kept_verdicts import Kept
-    from ..theory.proving.two_processes import judge
+    from ..theory.proving.two_processes import SecondProcess, judge, nothing_kept
 
-    wanted = parts(theorem)
-    kept = Kept()
-    new = [part for part in wanted if again or part not in kept.verdicts]
-    if new:
-        with progress_bar("proving", len(new)) as report:
-            kept.keep(judge(new, kept.digest, report))
+    with SecondProcess() as second:
+        if theorem is None and (again or nothing_kept()):
+            second.start()
+        from ..progress import progress_bar
+        from ..theory.proving.judgement import parts
+        from ..theory.proving.kept_verdicts import Kept
+
+        wanted = parts(theorem)
+        kept = Kept()
+        new = [part for part in wanted if again or part not in kept.verdicts]
+        if new:
+            with progress_bar("proving", len(new)) as report:
+                kept.keep(judge(new, kept.digest, report, second))
     rooms: dict[str, dict[str, Any]] = {}
     for part in wanted:
         rooms.setdefault(part.room, {})[part.name] = kept.verdicts[part]

@@ -197,7 +197,7 @@ class Kept:
 
     def loses(self) -> bool:
         """Return whether each product that V' loses has factors that are not negative."""
-        return all(self.not_negative(factor) for product in self.losses for factor in product)
+        return all(map(self.not_negative, {sympy.sympify(f) for own in self.losses for f in own}))
 
 
 def _solved(relations: dict[Any, Any]) -> dict[Any, sympy.Expr]:

@@ -7,6 +7,7 @@ A residual r is never positive where it factors into squares with a minus, or is
 """
 
 from collections.abc import Sequence
+from functools import lru_cache
 from math import comb, prod
 from typing import NamedTuple
 
@@ -100,13 +101,18 @@ def _groups(expression: sympy.Expr, apart: set) -> list[sympy.Expr]:
     return [sympy.Add(*terms) for _, terms in groups]
 
 
+@lru_cache(maxsize=10_000)
+def _factors_below_zero(group: sympy.Expr) -> bool:
+    return bool(sympy.factor(group).is_nonpositive)
+
+
 def _negative(group: sympy.Expr, apart: set, values: dict) -> bool:
     if len(sympy.Add.make_args(group)) > MOST_JUDGED:
         return False
     powers = [power.exp for power in group.atoms(sympy.Pow)]
     low = all(exponent.is_Integer and exponent <= HIGHEST for exponent in powers)
     simple = not group.atoms(AppliedUndef) or len(sympy.Add.make_args(group)) <= FEW
-    if low and simple and sympy.factor(group).is_nonpositive:
+    if low and simple and _factors_below_zero(group):
         return True
     own = sorted(group.free_symbols & apart, key=str)
     if not own or not group.is_polynomial(*own):
