@@ -13,10 +13,9 @@ from typing import Any
 import control
 import numpy as np
 
-from ..equations.arrays import Tape, Unread, operand, packed
+from ..equations.arrays import Tape, Unread, lifted, objects, operand
 from ..equations.block import Block
 from ..equations.declaration import ports_of
-from ..equations.opened import objects
 from ..equations.record import Record, Shape
 from .wiring import Node, Wiring
 
@@ -183,7 +182,7 @@ class Joining:
                 gained = own[k] if gain == 1.0 else own[k] * gain
                 flat[to] = gained if fresh[to] else flat[to] + gained
                 fresh[to] = False
-        return packed(self.tape, flat.reshape(shape))
+        return lifted(self.tape, flat.reshape(shape))
 
     # --- a block's record --------------------------------------------------------------------
 

@@ -5,8 +5,9 @@ function does with it: ``np.exp(a)``, ``a @ b``, ``np.outer(a, b)``.  What is wr
 (``y[0] = ...``) is kept element by element, and views share what is written, as NumPy's do.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from functools import partial
 from math import prod
 from threading import local
 from typing import Any
@@ -18,7 +19,8 @@ from .numbers import UFUNCS
 from .record import Operation, Ref, Shape, key_of
 
 MOST_OPERATIONS = 200_000  # a longer record is given up
-CONDITIONS = frozenset({"lt", "le", "gt", "ge", "eq", "ne", "and", "or", "not"})
+LOGICAL = frozenset({"and", "or", "not"})  # of conditions
+CONDITIONS = LOGICAL | {"lt", "le", "gt", "ge", "eq", "ne"}
 MOVED = frozenset({"view", "stack", "join"})  # hold what their arguments hold
 
 # what an array is asked for, by the files that know it: each puts in its own
@@ -121,7 +123,7 @@ class Masked(NDArrayOperatorsMixin):
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **more: Any) -> Any:
         more.pop("out", None)
         for one in inputs:
-            apart = one.mask.ref != self.mask.ref if isinstance(one, Masked) else np.ndim(one)
+            apart = one.mask._ref != self.mask._ref if isinstance(one, Masked) else np.ndim(one)
             if apart or method != "__call__":
                 raise Unread("joins elements taken by a condition with others; write np.where")
         own = [one.full if isinstance(one, Masked) else one for one in inputs]
@@ -135,33 +137,45 @@ class Masked(NDArrayOperatorsMixin):
 class Array(NDArrayOperatorsMixin):
     """A value of a tape, of a known shape, used as NumPy's arrays are."""
 
-    __slots__ = ("fixed", "index", "node", "parent", "shape", "store", "tape")
+    __slots__ = ("_fixed", "_node", "_parent", "_store", "_taken", "_tape", "shape")
     __array_priority__ = 1000
 
-    def __init__(self, tape: Tape, node: int, shape: Shape, parent: Any = None, index: Any = None):
-        self.tape, self.node, self.shape = tape, node, shape
-        self.fixed = False  # whether nothing may be written into it
-        self.parent: Array | None = parent
-        self.index = index
-        self.store: np.ndarray | None = None  # its elements, once one was written
+    def __init__(self, tape: Tape, node: int, shape: Shape, parent: Any = None, taken: Any = None):
+        self._tape, self._node, self.shape = tape, node, shape
+        self._fixed = False  # whether nothing may be written into it
+        self._parent: Array | None = parent
+        self._taken = taken  # what takes this part of the parent's elements
+        self._store: np.ndarray | None = None  # its elements, once one was written
 
     # --- the value ----------------------------------------------------------------------
 
     @property
-    def ref(self) -> Ref:
+    def _ref(self) -> Ref:
         """Its place on the tape, as it stands now."""
         store = self._written()
-        if store is None:
-            return self.node
-        return operand(packed(self.tape, store))
+        return self._node if store is None else operand(lifted(self._tape, store))
 
     def _written(self) -> np.ndarray | None:
-        if self.store is None and self.parent is not None:
-            above = self.parent._written()
+        """Return its elements, once one was written; parts share them, as NumPy's views do."""
+        if self._store is None and self._parent is not None:
+            above = self._parent._written()
             if above is not None:
-                part = self.index(above) if callable(self.index) else above[self.index]
-                self.store = np.asarray(part, dtype=object)
-        return self.store
+                self._store = np.asarray(self._taken(above), dtype=object)
+        return self._store
+
+    def _part(self, taken: Callable[[np.ndarray], Any], made: Callable[[], Any]) -> Any:
+        """Return a part: `made`, until an element of either is written."""
+        if (store := self._written()) is not None:
+            found = taken(store)
+            if not isinstance(found, np.ndarray):
+                return found
+            own = Array(self._tape, -1, found.shape, self, taken)
+            own._store = found
+            return own
+        own = made()
+        if not isinstance(own, Array) or not own.shape:
+            return own
+        return Array(self._tape, own._node, own.shape, self, taken)
 
     @property
     def ndim(self) -> int:
@@ -171,19 +185,19 @@ class Array(NDArrayOperatorsMixin):
     @property
     def size(self) -> int:
         """Number of elements."""
-        return prod(self.counted())
+        return prod(self._counted())
 
     @property
     def dtype(self) -> np.dtype:
         """What NumPy's array would hold."""
-        return np.dtype(bool if self.is_condition else float)
+        return np.dtype(bool if self._is_condition else float)
 
     @property
-    def is_condition(self) -> bool:
+    def _is_condition(self) -> bool:
         """Whether it holds truth values."""
-        return self.store is None and is_condition(self.tape, self.node)
+        return self._store is None and self._tape.truth[self._node]
 
-    def counted(self) -> tuple[int, ...]:
+    def _counted(self) -> tuple[int, ...]:
         """Return the shape, which Python counts with: no open size."""
         for n in self.shape:
             if not isinstance(n, int):
@@ -195,81 +209,64 @@ class Array(NDArrayOperatorsMixin):
     def __len__(self) -> int:
         if not self.shape:
             raise TypeError("len() of unsized object")
-        return self.counted()[0]
+        return self._counted()[0]
 
     def __iter__(self) -> Iterator[Any]:
         return (self[k] for k in range(len(self)))
 
     def __getitem__(self, index: Any) -> Any:
-        index = index if isinstance(index, tuple) else (index,)
-        if any(isinstance(i, Array) for i in index):
-            return self._picked(index)
-        if any(isinstance(i, list | tuple | np.ndarray) and np.ndim(i) for i in index):
-            return packed(self.tape, self.elements()[index])
-        if any(isinstance(i, np.ndarray) for i in index):
-            index = tuple(i[()] if isinstance(i, np.ndarray) else i for i in index)
-        mapped, shape = PARTS["index_map"](index, self.shape)
-        return PARTS["view"](self, mapped, shape, index)
-
-    def _picked(self, index: tuple) -> Any:
-        """Return elements at places that are signals."""
-        return PARTS["pick"](self, index)
+        return PARTS["item"](self, index if isinstance(index, tuple) else (index,))
 
     def __setitem__(self, index: Any, value: Any) -> None:
         root = self
-        while root.parent is not None:
-            root = root.parent
-        if root.fixed:
+        while root._parent is not None:
+            root = root._parent
+        if root._fixed:
             raise Unread("writes into its states, inputs or parameters; write into a copy")
-        if root.store is None:
-            root.store = np.asarray(root.elements(), dtype=object)
+        if root._store is None:
+            root._store = root._elements()
         store = self._written()
         assert store is not None
-        if isinstance(value, Masked):
-            value = value.full
-        value = lifted(self.tape, value)
-        if isinstance(index, Array) and index.is_condition:
-            store[...] = elements(where(index, value, lifted(self.tape, self)))
-            return
-        index = _known(index)
-        store[index] = elements(value) if isinstance(store[index], np.ndarray) else _single(value)
+        value = lifted(self._tape, value.full if isinstance(value, Masked) else value)
+        if isinstance(index, Array) and index._is_condition:
+            index, value = ..., where(index, value, self)
+        index, new = _known(index), objects(value)
+        store[index] = new if isinstance(store[index], np.ndarray) else new.item()
 
-    def elements(self) -> np.ndarray:
+    def _elements(self) -> np.ndarray:
         """Return its elements in an array of objects."""
         if (store := self._written()) is not None:
             return store.copy()
         known = numbers_of(self)
         if known is not None:
             return known.astype(object)
-        found = np.empty(self.counted(), dtype=object)
-        if not self.shape:
-            return _element(self)
-        for place in np.ndindex(found.shape):
-            found[place] = self[place]
-        return found
+        found = np.empty(self.size, dtype=object)
+        for k, place in enumerate(np.ndindex(self.shape)):
+            found[k] = self[place] if self.shape else self
+        return found.reshape(self.shape)
 
     # --- NumPy's protocols ----------------------------------------------------------------
 
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **more: Any) -> Any:
         if not self.shape and not more and ufunc in UFUNCS and method == "__call__":
             return elementwise(UFUNCS[ufunc], *inputs)
-        return PARTS["called"](self.tape, ufunc, method, inputs, more)
+        return PARTS["called"](self._tape, ufunc, method, inputs, more)
 
     def __array_function__(self, function: Any, types: Any, inputs: Any, more: Any) -> Any:
-        return PARTS["applied"](self.tape, function, inputs, more)
+        return PARTS["applied"](self._tape, function, inputs, more)
 
     def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
         if dtype is not None and np.dtype(dtype).kind == "O":
-            return self.elements() if self.shape else _element(self)
-        return self.tape.numbers(self.ref).astype(dtype or float)
+            return self._elements()
+        return self._tape.numbers(self._ref).astype(dtype or float)
 
     def __getattr__(self, name: str) -> Any:
-        if name not in PARTS["methods"]:
-            known = None if name.startswith("__") else numbers_of(self)
-            if known is not None:
-                return getattr(known, name)
-            raise AttributeError(f"an array of the record has no {name!r}")
-        return lambda *arguments, **more: PARTS["methods"][name](self, *arguments, **more)
+        if (method := PARTS["method"](name)) is not None:
+            return partial(method, self)
+        known = None if name.startswith("__") else numbers_of(self)
+        if known is not None:
+            return getattr(known, name)
+        raise AttributeError(f"an array of the record has no {name!r}")
 
     def __eq__(self, other: Any) -> Any:
         return False if other is None or isinstance(other, str) else np.equal(self, other)
@@ -278,35 +275,30 @@ class Array(NDArrayOperatorsMixin):
         return True if other is None or isinstance(other, str) else np.not_equal(self, other)
 
     real = property(lambda self: self)
-    imag = property(lambda self: np.zeros(self.counted())[()])
-    flat = property(lambda self: iter(self.elements().ravel()))
-
-    @property
-    def T(self) -> "Array":
-        """The array with its axes the other way round."""
-        turned = tuple((self.ndim - 1 - d, 0, 1) for d in range(self.ndim))
-        return PARTS["view"](self, turned, self.shape[::-1], np.transpose)
+    imag = property(lambda self: np.zeros(self._counted())[()])
+    flat = property(lambda self: iter(self._elements().ravel()))
+    T = property(lambda self: self.transpose())
 
     # --- Python asks for a value ----------------------------------------------------------
 
     def __bool__(self) -> bool:
-        if self.shape and self.size != 1:
-            raise ValueError("the truth value of an array with more than one element is ambiguous")
-        one = self if not self.shape else self[(0,) * self.ndim]
+        one = single(self)
         if not isinstance(one, Array):
             return bool(one)
-        return self.tape.question(one.ref if one.is_condition else elementwise("ne", one, 0.0).ref)
+        if one.shape:
+            raise ValueError("the truth value of an array with more than one element is ambiguous")
+        return self._tape.question(as_condition(one)._ref)
 
     def __float__(self) -> float:
-        return float(self.tape.numbers(self.ref).item())
+        return float(self._tape.numbers(self._ref).item())
 
     __complex__ = __float__
 
     def __int__(self) -> int:
-        return int(self.tape.numbers(self.ref).item())
+        return int(self._tape.numbers(self._ref).item())
 
     def __index__(self) -> int:
-        return self.tape.whole(self)
+        return self._tape.whole(self)
 
     def __format__(self, spec: str) -> str:
         return repr(self)
@@ -315,10 +307,10 @@ class Array(NDArrayOperatorsMixin):
         return id(self)
 
     def __round__(self, digits: Any = None) -> Any:
-        return PARTS["rounded"](self, digits)
+        return np.round(self, digits or 0)
 
     def __repr__(self) -> str:
-        return f"<v{self.node} {self.shape}>"
+        return f"<v{self._node} {self.shape}>"
 
 
 def numbers_of(array: Array) -> np.ndarray | None:
@@ -327,7 +319,7 @@ def numbers_of(array: Array) -> np.ndarray | None:
     if store is None:
         if type(array) is not Array:  # all states or inputs
             return None
-        own = array.tape.operations[array.node]
+        own = array._tape.operations[array._node]
         return np.frombuffer(own.at).reshape(own.shape) if own.kind == "constant" else None
     plain = all(type(one) is not Array for one in store.flat)
     return store.astype(float) if plain else None
@@ -340,31 +332,27 @@ def _known(index: Any) -> Any:
     return index.__index__() if isinstance(index, Array) else index
 
 
-def _single(value: Any) -> Any:
-    """Return the element that an array of one holds, as NumPy puts it in a place of one."""
-    return value.elements().item() if isinstance(value, Array) and value.shape else value
+def single(value: Any) -> Any:
+    """Return the number in an array of one, which `math` and float take."""
+    if isinstance(value, Array) and value.shape and value.size == 1:
+        return value[(0,) * value.ndim]
+    return value
 
 
-def _element(value: Array) -> np.ndarray:
-    held = np.empty(1, dtype=object)
-    held[0] = value
-    return held.reshape(())
-
-
-def is_condition(tape: Tape, ref: Ref) -> bool:
-    """Return whether a value is a truth value."""
-    return type(ref) is int and tape.truth[ref]
+def objects(value: Any) -> np.ndarray:
+    """Return an array of objects."""
+    return value._elements() if isinstance(value, Array) else np.asarray(value, dtype=object)
 
 
 def operand(value: Any) -> Ref:
     """Return a value's place, or a constant."""
-    return value.ref if isinstance(value, Array) else float(value)
+    return value._ref if isinstance(value, Array) else float(value)
 
 
 def lifted(tape: Tape, value: Any) -> Any:
     """Return a number as it is, and anything that NumPy makes an array of as an array."""
     if isinstance(value, Array):
-        if value.tape is not tape:
+        if value._tape is not tape:
             raise Unread("keeps values from one call to the next; make them states")
         return value
     if isinstance(value, bool | int | float | np.bool_ | np.integer | np.floating):
@@ -377,9 +365,7 @@ def lifted(tape: Tape, value: Any) -> Any:
         parts = [lifted(tape, one) for one in value]
     except TypeError:
         raise Unread(f"calculating with a {type(value).__name__}") from None
-    if not any(isinstance(one, Array) for one in parts):
-        return constant(tape, np.asarray(value, dtype=float))
-    return stacked(tape, parts)
+    return stacked(tape, parts) if parts else constant(tape, np.asarray(value, dtype=float))
 
 
 def constant(tape: Tape, value: np.ndarray) -> Any:
@@ -391,15 +377,11 @@ def constant(tape: Tape, value: np.ndarray) -> Any:
     return tape.add("constant", (), value.shape, value.tobytes()) if value.shape else float(value)
 
 
-def packed(tape: Tape, elements: np.ndarray) -> Any:
-    """Return an array of objects as one value."""
-    if not isinstance(elements, np.ndarray):
-        return lifted(tape, elements)
-    if not elements.shape:
-        return lifted(tape, elements[()])
-    if not elements.size:
-        return constant(tape, np.zeros(elements.shape))
-    return stacked(tape, [packed(tape, one) for one in elements])
+def filled(tape: Tape, value: Any, shape: Shape) -> Any:
+    """Return a number everywhere in an array of a shape."""
+    if type(value) is float and all(isinstance(n, int) for n in shape):
+        return constant(tape, np.full(shape, value))
+    return tape.add("fill", (operand(value),), shape)
 
 
 def stacked(tape: Tape, parts: Sequence[Any]) -> Any:
@@ -418,13 +400,14 @@ def stacked(tape: Tape, parts: Sequence[Any]) -> Any:
 
 def elementwise(name: str, *arguments: Any) -> Any:
     """Return an elementwise operation of arrays and numbers."""
-    tape = next(a.tape for a in arguments if isinstance(a, Array))
-    logical, refs, shapes = name in ("and", "or", "not"), [], set()
+    tape = next(a._tape for a in arguments if isinstance(a, Array))
+    refs, shapes = [], set()
     for k, one in enumerate(arguments):
-        one = one if type(one) is float else lifted(tape, one)
+        asks = name in ("and", "or", "not") or (name == "where" and not k)
+        one = (
+            one if type(one) is float else (as_condition if asks else as_number)(lifted(tape, one))
+        )
         if isinstance(one, Array):
-            if one.is_condition != (logical or (name == "where" and k == 0)):
-                one = as_number(one) if one.is_condition else as_condition(one)
             shapes.add(one.shape)
         refs.append(operand(one))
     shape = shapes.pop() if len(shapes) == 1 else broadcast(*shapes)
@@ -433,31 +416,23 @@ def elementwise(name: str, *arguments: Any) -> Any:
 
 def as_number(value: Any) -> Any:
     """Return truth values as 1 and 0, and all else as it is."""
-    if isinstance(value, Array) and value.is_condition:
-        return value.tape.add("where", (value.ref, 1.0, 0.0), value.shape)
+    if isinstance(value, Array) and value._is_condition:
+        return value._tape.add("where", (value._ref, 1.0, 0.0), value.shape)
     return value
 
 
 def as_condition(value: Any) -> Any:
     """Return numbers as whether they are not zero."""
-    if isinstance(value, Array) and not value.is_condition:
+    if isinstance(value, Array) and not value._is_condition:
         return elementwise("ne", value, 0.0)
     return value
 
 
 def where(condition: Any, a: Any, b: Any) -> Any:
     """Return a where a condition holds, else b."""
-    if not isinstance(condition, Array):
-        if not np.ndim(condition):
-            return a if condition else b
-        tape = next(v.tape for v in (a, b) if isinstance(v, Array))
-        condition = constant(tape, np.asarray(condition, dtype=float))
+    if not isinstance(condition, Array) and not np.ndim(condition):
+        return a if condition else b
     return elementwise("where", condition, a, b)
-
-
-def elements(value: Any) -> Any:
-    """Return the elements of an array, or a number as it is."""
-    return value.elements() if isinstance(value, Array) else value
 
 
 def total(array: Array, axis: int) -> Any:
@@ -465,4 +440,4 @@ def total(array: Array, axis: int) -> Any:
     array = as_number(array)
     axis %= array.ndim
     shape = array.shape[:axis] + array.shape[axis + 1 :]
-    return array.tape.add("sum", (array.ref,), shape, axis)
+    return array._tape.add("sum", (array._ref,), shape, axis)

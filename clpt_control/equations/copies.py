@@ -19,7 +19,7 @@ import numpy as np
 from .arrays import Tape, Unread, constant
 from .builtin_names import SHADOWS
 from .kept import Kept
-from .stand_ins import BUILTINS, Vectorized, stand_in
+from .stand_ins import BUILTINS, stand_in, vectorized
 from .tables import table_of
 
 MOST_NUMBERS = 20_000  # of an array that is written down
@@ -66,7 +66,7 @@ class Copies:
         if isinstance(value, functools._lru_cache_wrapper) or hasattr(value, "py_func"):
             return self.of(getattr(value, "py_func", None) or value.__wrapped__)
         if isinstance(value, np.vectorize):
-            return Vectorized(self.of(value.pyfunc))
+            return vectorized(np.vectorize(self.of(value.pyfunc)))
         if type(value) in (list, tuple) and len(value) < 100:
             own_items = [self.of(one) for one in value]
             changed = any(a is not b for a, b in zip(own_items, value, strict=True))
@@ -81,7 +81,7 @@ class Copies:
         if not value.ndim:
             return value
         found = constant(self.tape, value)
-        found.fixed = True
+        found._fixed = True
         return found
 
     def _function(self, function: FunctionType) -> Any:

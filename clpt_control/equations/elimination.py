@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Unread, elementwise, where
+from .arrays import Array, Unread, where
 
 MOST = 24  # rows
 
@@ -20,22 +20,13 @@ def _rows(matrix: Any) -> list[Any]:
     return [matrix[k] for k in range(len(matrix))]
 
 
-def _greater(a: Any, b: Any) -> Any:
-    """Return whether |a| > |b|."""
-    a, b = np.fabs(a), np.fabs(b)
-    signal = isinstance(a, Array) or isinstance(b, Array)
-    return elementwise("gt", a, b) if signal else bool(a > b)
-
-
 def _eliminated(rows: list[Any]) -> Any:
     """Make rows triangular, in place; return whether they changed places an odd number of times."""
     sign: Any = 1.0
     n = len(rows)
     for k in range(n):
         for i in range(k + 1, n):
-            larger = _greater(rows[i][k], rows[k][k])
-            if larger is False:
-                continue
+            larger = np.greater(np.fabs(rows[i][k]), np.fabs(rows[k][k]))
             rows[k], rows[i] = where(larger, rows[i], rows[k]), where(larger, rows[k], rows[i])
             sign = where(larger, -sign, sign)
         for i in range(k + 1, n):

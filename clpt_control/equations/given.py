@@ -11,42 +11,42 @@ from .record import Shape
 class Ports(Array):
     """States or inputs without values: a vector, with its ports as views."""
 
-    __slots__ = ("_node", "ports")
+    __slots__ = ("_joined", "_ports")
 
     def __init__(self, tape: Tape, group: str, shapes: Mapping[str, Shape], fixed: bool = True):
-        self.ports = {
+        self._ports = {
             port: tape.add("leaf", (), shape, (group, port)) for port, shape in shapes.items()
         }
         known = all(isinstance(n, int) for shape in shapes.values() for n in shape)
         size: Any = sum(map(prod, shapes.values())) if known else f"len({group})"
-        self._node: int | None = None
+        self._joined: int | None = None
         super().__init__(tape, -1, (size,))
-        self.fixed = fixed
-        for leaf in self.ports.values():
-            leaf.fixed = True
+        self._fixed = fixed
+        for leaf in self._ports.values():
+            leaf._fixed = True
 
     @property
-    def node(self) -> int:
+    def _node(self) -> int:
         """Return the vector of all ports, one behind the other."""
-        if self._node is None:
-            self.counted()
-            rows = [row for leaf in self.ports.values() for row in _rows(leaf)]
+        if self._joined is None:
+            self._counted()
+            rows = [row for leaf in self._ports.values() for row in _rows(leaf)]
             if not rows:
-                self._node = self.tape.add("constant", (), (0,), b"").node
+                self._joined = self._tape.add("constant", (), (0,), b"")._node
             elif len(rows) == 1:
-                self._node = rows[0].node
+                self._joined = rows[0]._node
             else:
-                refs = [row.ref for row in rows]
-                self._node = self.tape.add("join", refs, self.shape).node
-        return self._node
+                refs = [row._ref for row in rows]
+                self._joined = self._tape.add("join", refs, self.shape)._node
+        return self._joined
 
-    @node.setter
-    def node(self, value: int) -> None:
+    @_node.setter
+    def _node(self, value: int) -> None:
         pass
 
     def __getattr__(self, name: str) -> Any:
-        if name in self.ports:
-            return self.ports[name]
+        if name in self._ports:
+            return self._ports[name]
         return super().__getattr__(name)
 
 

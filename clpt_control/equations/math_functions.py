@@ -1,36 +1,17 @@
 """What `math` does with arrays of the record."""
 
 import functools
+import math
 import sys
 from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
-from .arrays import Array, active, elementwise
-from .opened import tape_of
+from .arrays import Tape, elementwise, single
+from .standing import StandIn
 
 READ = "__read__"  # among the built-in names of a copy that is read
-
-NAMED_AS = {
-    **{"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "pow": "power"},
-    **{"asinh": "arcsinh", "acosh": "arccosh", "atanh": "arctanh"},
-}
-OF_NUMPY = (
-    *("sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "expm1", "exp2", "cbrt", "log1p", "log2"),
-    *("log10", "sqrt", "fabs", "floor", "ceil", "trunc", "copysign", "fmod", "radians", "degrees"),
-    *("isnan", "isinf", "isfinite", "modf", *NAMED_AS),
-)
-
-
-def logarithm(a: Any, base: Any = None) -> Any:
-    """Return math.log(a, base)."""
-    return np.log(a) if base is None else np.log(a) / np.log(base)
-
-
-def whole_rest(a: Any, b: Any) -> Any:
-    """Return math.remainder(a, b)."""
-    return a - b * np.rint(a / b)
 
 
 def about(a: Any, b: Any, *, rel_tol: float = 1e-9, abs_tol: float = 0.0) -> Any:
@@ -54,12 +35,9 @@ DOMAINS: dict[str, Callable] = {  # outside, `math` raises
 }
 
 
-READ = "__read__"  # among the built-in names of a function that is read
-
-
 def in_a_try() -> bool:
     """Return whether a function that is read may catch what is raised now."""
-    frame = sys._getframe(2)
+    frame = sys._getframe(1)
     while frame is not None and frame.f_globals.get("__name__") != f"{__package__}.reading":
         names = frame.f_globals.get("__builtins__")
         if isinstance(names, dict) and READ in names and frame.f_code.co_exceptiontable:
@@ -69,11 +47,11 @@ def in_a_try() -> bool:
 
 
 MATH: dict[str, Callable] = {
-    **{name: getattr(np, NAMED_AS.get(name, name)) for name in OF_NUMPY},
+    **{name: f for name in vars(math) if isinstance(f := getattr(np, name, None), np.ufunc)},
     "erf": lambda a: elementwise("erf", a),
     "erfc": lambda a: elementwise("erfc", a),
-    "log": logarithm,
-    "remainder": whole_rest,
+    "log": lambda a, base=None: np.log(a) if base is None else np.log(a) / np.log(base),
+    "remainder": lambda a, b: a - b * np.rint(a / b),
     "hypot": lambda *a: np.hypot(*a) if len(a) == 2 else np.sqrt(total_of(v * v for v in a)),
     "dist": lambda a, b: np.sqrt(total_of((v - w) ** 2 for v, w in zip(a, b, strict=True))),
     "isclose": about,
@@ -83,23 +61,12 @@ MATH: dict[str, Callable] = {
 }
 
 
-def single(value: Any) -> Any:
-    """Return the number in an array of one, which `math` and float take."""
-    if isinstance(value, Array) and value.shape and value.size == 1:
-        return value[(0,) * value.ndim]
-    return value
+def of_math(name: str, tape: Tape, *given: Any, **more: Any) -> Any:
+    """Write down a function of `math`."""
+    own = tuple(map(single, given))
+    if name in DOMAINS and in_a_try() and DOMAINS[name](*own):
+        raise ValueError("math domain error")
+    return MATH[name](*own, **more)
 
 
-def of_math(name: str, real: Any) -> Callable:
-    """Return the stand-in of a function of `math`."""
-
-    @functools.wraps(real)
-    def function(*given: Any, **more: Any) -> Any:
-        if active() is None or tape_of(given) is None:
-            return real(*given, **more)
-        own = tuple(map(single, given))
-        if name in DOMAINS and in_a_try() and DOMAINS[name](*own):
-            raise ValueError("math domain error")
-        return MATH[name](*own, **more)
-
-    return function
+OF_MATH = [StandIn(getattr(math, name), functools.partial(of_math, name)) for name in MATH]

@@ -4,170 +4,159 @@ What is not here is tried on arrays of objects, element by element, by NumPy's o
 """
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from . import elimination, tables
-from .arrays import PARTS, Array, Tape, elementwise, lifted, packed, stacked, total, where
-from .opened import as_numbers, depends, exploded, fresh, objects, tape_of, unread
+from .arrays import PARTS, Array, Tape, elementwise, filled, lifted, objects, stacked, where
+from .opened import depends, exploded, of_numbers, tape_of, unread
 from .reshaping import (
     at_least,
     converted,
     copied,
-    filled,
-    full_like,
+    expanded,
     join,
     reshaped,
     squeezed,
     stack,
+    swapped,
     transposed,
 )
-from .ufuncs import accumulated, folded, matmul, rounded, summed
+from .ufuncs import accumulated, matmul, reduced, rounded
 from .views import tape_viewed
+
+FUNCTIONS: dict[Any, Callable] = {}  # NumPy's: what writes them down
 
 
 def applied(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
     """Write down one of NumPy's functions."""
-    if not depends(tuple(inputs)) and not depends(list(more.values())):
-        known = {name: as_numbers(value) for name, value in more.items()}
-        return fresh(tape, function(*as_numbers(tuple(inputs)), **known))
-    if function not in FUNCTIONS:
-        return exploded(tape, function, inputs, more)
-    return FUNCTIONS[function](*inputs, **more)
+    if function not in SHARES and not depends((*inputs, *more.values())):
+        return of_numbers(tape, function, inputs, more)
+    if function in FUNCTIONS:
+        return FUNCTIONS[function](*inputs, **more)
+    return exploded(tape, function, inputs, more)
 
 
-def _of_arrays(function: Callable, count: int = 1) -> Callable:
-    """Return a function whose first arguments are made arrays of the record."""
+def reads(*functions: Any, arrays: int = 1) -> Callable:
+    """Write down NumPy's functions so; the first arguments are made arrays of the record."""
 
-    def made(*inputs: Any, **more: Any) -> Any:
-        tape = tape_of((*inputs, *more.values()))
-        return function(*(lifted(tape, v) for v in inputs[:count]), *inputs[count:], **more)
+    def kept(made: Callable) -> Callable:
+        def function(*inputs: Any, **more: Any) -> Any:
+            tape = tape_of((*inputs, *more.values()))
+            return made(*(lifted(tape, v) for v in inputs[:arrays]), *inputs[arrays:], **more)
 
-    return made
+        FUNCTIONS.update(dict.fromkeys(functions, function if arrays else made))
+        return made
+
+    return kept
 
 
 # --- products, sums and norms ---------------------------------------------------------------
 
 
+@reads(np.dot, np.vdot, arrays=2)
 def dot(a: Any, b: Any, out: Any = None) -> Any:
     """Return np.dot(a, b)."""
     return matmul(a, b) if np.ndim(a) and np.ndim(b) else elementwise("mul", a, b)
 
 
+@reads(np.outer, arrays=2)
 def outer(a: Any, b: Any, out: Any = None) -> Any:
     """Return a b^T."""
     a, b = (v if np.ndim(v) == 1 else np.reshape(v, -1) for v in (a, b))
     return elementwise("mul", a[:, None], b[None, :])
 
 
+@reads(np.linalg.norm)
 def norm(a: Any, ord: Any = None, axis: Any = None, keepdims: Any = False) -> Any:
     """Return a norm of a vector, or of rows or columns."""
     vector = a.ndim == 1 or isinstance(axis, int)
-    if ord in (np.inf, -np.inf) and vector:
-        return (largest if ord > 0 else smallest)(np.fabs(a), axis)
-    if ord == 1 and vector:
-        return summed(np.fabs(a), axis, keepdims=keepdims)
-    if ord not in (None, 2, "fro") or (ord == 2 and not vector):
-        if not vector or not isinstance(ord, int | float):
-            return unread(f"a norm of order {ord}")
-        return summed(np.fabs(a) ** ord, axis, keepdims=keepdims) ** (1.0 / ord)
-    return np.sqrt(summed(elementwise("mul", a, a), axis, keepdims=keepdims))
+    if ord in (None, "fro") or (ord == 2 and vector):
+        return np.sqrt(np.sum(elementwise("mul", a, a), axis, keepdims=keepdims))
+    if not vector or not isinstance(ord, int | float):
+        return unread(f"a norm of order {ord}")
+    if ord in (np.inf, -np.inf):
+        return (np.max if ord > 0 else np.min)(np.fabs(a), axis, keepdims=keepdims)
+    found = np.sum(np.fabs(a) ** ord if ord != 1 else np.fabs(a), axis, keepdims=keepdims)
+    return found ** (1.0 / ord) if ord != 1 else found
 
 
-def product(
-    a: Any, axis: Any = None, dtype: Any = None, out: Any = None, keepdims: Any = False
-) -> Any:
-    """Return the product of the elements."""
-    if axis is None and not a.size:
-        return 1.0
-    return folded(lambda v, w: v * w, a, axis, keepdims)
-
-
-def largest(a: Any, axis: Any = None, out: Any = None, keepdims: Any = False, **more: Any) -> Any:
-    """Return the largest element."""
-    return folded(np.maximum, a, axis, keepdims)
-
-
-def smallest(a: Any, axis: Any = None, out: Any = None, keepdims: Any = False, **more: Any) -> Any:
-    """Return the smallest element."""
-    return folded(np.minimum, a, axis, keepdims)
-
-
-def mean(
-    a: Any, axis: Any = None, dtype: Any = None, out: Any = None, keepdims: Any = False
-) -> Any:
+@reads(np.mean)
+def mean(a: Any, axis: Any = None, dtype: Any = None, out: Any = None, **more: Any) -> Any:
     """Return the mean."""
-    count = a.size if axis is None else a.counted()[axis]
-    return summed(a, axis, keepdims=keepdims) / count
+    found = np.sum(a, axis, **more)
+    return found / (a.size // found.size)
 
 
-def variance(a: Any, axis: Any = None, dtype: Any = None, out: Any = None, ddof: int = 0) -> Any:
+@reads(np.var)
+def variance(
+    a: Any, axis: Any = None, dtype: Any = None, out: Any = None, ddof: float = 0, **more: Any
+) -> Any:
     """Return the mean square of what differs from the mean."""
-    count = a.size if axis is None else a.counted()[axis]
-    apart = a - mean(a, axis, keepdims=True) if axis is not None else a - mean(a)
-    return summed(apart * apart, axis) / (count - ddof)
+    apart = a - mean(a, axis, keepdims=axis is not None)
+    found = np.sum(apart * apart, axis, **more)
+    return found / (a.size // found.size - ddof)
 
 
-def trace(a: Any, *more: Any, **named: Any) -> Any:
-    """Return the sum of the diagonal."""
-    return total(diagonal(a, *more, **named), 0)
+@reads(np.std)
+def deviation(a: Any, *more: Any, **named: Any) -> Any:
+    """Return the root of the variance."""
+    return np.sqrt(np.var(a, *more, **named))
 
 
+@reads(np.diagonal)
 def diagonal(a: Array, offset: int = 0, **more: Any) -> Any:
     """Return the diagonal of a matrix."""
-    n = a.shape[0]
     if a.ndim != 2 or offset or a.shape[0] != a.shape[1] or a._written() is not None:
-        return packed(a.tape, objects(a).diagonal(offset))
-    return tape_viewed(a.tape, a.ref, ((0, 0, 1), (0, 0, 1)), (n,))
+        return lifted(a._tape, objects(a).diagonal(offset))
+    return tape_viewed(a._tape, a._node, ((0, 0, 1), (0, 0, 1)), a.shape[:1])
 
 
+@reads(np.trace)
+def trace(a: Any, *more: Any, **named: Any) -> Any:
+    """Return the sum of the diagonal."""
+    return np.sum(diagonal(a, *more, **named))
+
+
+@reads(np.diag)
 def diag(a: Array, k: int = 0) -> Any:
     """Return the diagonal of a matrix, or the matrix of a diagonal."""
-    if a.ndim == 2:
-        return diagonal(a, k)
-    made = np.zeros((len(a) + abs(k),) * 2, dtype=object)
-    for i in range(len(a)):
-        made[i + max(0, -k), i + max(0, k)] = a[i]
-    return packed(a.tape, made)
+    return diagonal(a, k) if a.ndim == 2 else exploded(a._tape, np.diag, (a, k), {})
 
 
 # --- limits and choices -----------------------------------------------------------------------
 
 
+@reads(np.clip, arrays=0)
 def clip(a: Any, low: Any = None, high: Any = None, out: Any = None, **more: Any) -> Any:
     """Return a within limits."""
     low, high = more.get("min", more.get("a_min", low)), more.get("max", more.get("a_max", high))
-    tape = tape_of((a, low, high))
-    a, low, high = (None if v is None else lifted(tape, v) for v in (a, low, high))
     if low is not None:
         a = np.maximum(a, low)
     return np.minimum(a, high) if high is not None else a
 
 
+@reads(np.where, arrays=0)
 def chosen(condition: Any, *values: Any) -> Any:
     """Return np.where(condition, a, b)."""
     if not values:
         return unread("np.where without values, which counts,")
     tape = tape_of((condition, *values))
-    return where(
-        condition if isinstance(condition, Array) else np.asarray(condition),
-        *(lifted(tape, v) for v in values),
-    )
+    return where(*(lifted(tape, v) for v in (condition, *values)))
 
 
+@reads(np.select, arrays=0)
 def selected(conditions: Any, values: Any, default: Any = 0.0) -> Any:
     """Return np.select: the value of the first condition that holds."""
     found = default
     for condition, value in zip(reversed(conditions), reversed(values), strict=True):
-        found = (
-            np.where(condition, value, found)
-            if np.ndim(condition)
-            else chosen(condition, value, found)
-        )
+        found = chosen(condition, value, found)
     return found
 
 
+@reads(np.piecewise, arrays=0)
 def piecewise(x: Any, conditions: Any, functions: Any, *more: Any, **named: Any) -> Any:
     """Return np.piecewise: what the function of the last condition that holds gives."""
     given = [f(x, *more, **named) if callable(f) else f for f in functions]
@@ -177,11 +166,13 @@ def piecewise(x: Any, conditions: Any, functions: Any, *more: Any, **named: Any)
     return found
 
 
+@reads(np.isclose, arrays=2)
 def close(a: Any, b: Any, rtol: float = 1e-5, atol: float = 1e-8, equal_nan: bool = False) -> Any:
     """Return whether numbers are about the same, as np.isclose does."""
     return np.fabs(a - b) <= atol + rtol * np.fabs(b)
 
 
+@reads(np.polyval, arrays=0)
 def polynomial(coefficients: Any, x: Any) -> Any:
     """Return np.polyval, by Horner's rule."""
     found = np.zeros_like(x)
@@ -190,16 +181,7 @@ def polynomial(coefficients: Any, x: Any) -> Any:
     return found
 
 
-def any_of(a: Any, axis: Any = None, out: Any = None, keepdims: Any = False, **more: Any) -> Any:
-    """Return whether any holds."""
-    return folded(np.logical_or, a, axis, keepdims)
-
-
-def all_of(a: Any, axis: Any = None, out: Any = None, keepdims: Any = False, **more: Any) -> Any:
-    """Return whether all hold."""
-    return folded(np.logical_and, a, axis, keepdims)
-
-
+@reads(np.nan_to_num)
 def whole_numbers(
     a: Any, copy: bool = True, nan: float = 0.0, posinf: Any = None, neginf: Any = None
 ) -> Any:
@@ -221,117 +203,98 @@ def in_order(values: list[Any]) -> list[Any]:
     return found
 
 
+@reads(np.sort)
 def in_rows(a: Any, axis: int = -1, **more: Any) -> Any:
     """Return np.sort(a) of a vector."""
     if a.ndim != 1 or a.size > 16:
         return unread("sorting more than 16 numbers, or rows,")
-    return stacked(a.tape, in_order(list(a.elements())))
+    return stacked(a._tape, in_order(list(a._elements())))
 
 
-FUNCTIONS: dict[Any, Callable] = {
-    np.sum: _of_arrays(summed),
-    np.dot: _of_arrays(dot, 2),
-    np.vdot: _of_arrays(dot, 2),
-    np.outer: _of_arrays(outer, 2),
-    np.where: chosen,
-    np.select: selected,
-    np.piecewise: piecewise,
-    np.isclose: _of_arrays(close, 2),
-    np.allclose: lambda *a, **more: all_of(_of_arrays(close, 2)(*a, **more)),
-    np.nan_to_num: _of_arrays(whole_numbers),
-    np.polyval: polynomial,
-    np.sort: _of_arrays(in_rows),
-    np.interp: _of_arrays(tables.interpolated),
-    np.searchsorted: lambda a, v, side="left", **more: tables.place_in(
-        np.asarray(tables.known(a), dtype=float), v, side
-    ),
-    np.digitize: lambda x, bins, right=False: tables.place_in(
-        np.asarray(tables.known(bins), dtype=float), x, "left" if right else "right"
-    ),
-    np.linalg.norm: _of_arrays(norm),
-    np.linalg.solve: _of_arrays(elimination.solve, 2),
-    np.linalg.inv: _of_arrays(elimination.inverse),
-    np.linalg.det: _of_arrays(elimination.determinant),
-    np.clip: clip,
-    np.trace: _of_arrays(trace),
-    np.diag: _of_arrays(diag),
-    np.diagonal: _of_arrays(diagonal),
-    np.stack: stack,
-    np.concatenate: join,
-    np.max: _of_arrays(largest),
-    np.amax: _of_arrays(largest),
-    np.min: _of_arrays(smallest),
-    np.amin: _of_arrays(smallest),
-    np.prod: _of_arrays(product),
-    np.mean: _of_arrays(mean),
-    np.var: _of_arrays(variance),
-    np.std: lambda *a, **more: np.sqrt(_of_arrays(variance)(*a, **more)),
-    np.cumsum: lambda a, axis=None, **more: accumulated(np.add, a, axis),
-    np.cumprod: lambda a, axis=None, **more: accumulated(np.multiply, a, axis),
-    np.any: _of_arrays(any_of),
-    np.all: _of_arrays(all_of),
-    np.reshape: _of_arrays(reshaped),
-    np.ravel: lambda a, *more, **named: reshaped(a, -1),
-    np.squeeze: _of_arrays(squeezed),
-    np.transpose: _of_arrays(transposed),
-    np.round: _of_arrays(rounded),
-    np.around: _of_arrays(rounded),
-    np.fix: _of_arrays(np.trunc),
-    np.copy: copied,
-    np.zeros_like: filled(0.0),
-    np.empty_like: filled(0.0),
-    np.ones_like: filled(1.0),
-    np.full_like: full_like,
-    np.shape: lambda a: a.counted(),
-    np.ndim: lambda a: a.ndim,
-    np.size: lambda a, axis=None: a.size if axis is None else a.counted()[axis],
-    np.atleast_1d: at_least(1),
-    np.atleast_2d: at_least(2),
-    np.real: lambda a: a,
-    np.iscomplexobj: lambda a: False,
-    np.isrealobj: lambda a: True,
-    np.isreal: lambda a: a == a,
+def joins(ufunc: Any, *functions: Any) -> None:
+    """Write down functions that join the elements of an array by a ufunc."""
+    reads(*functions)(lambda a, axis=None, *more, **named: reduced(ufunc, a, axis, *more, **named))
+
+
+joins(np.add, np.sum)
+joins(np.multiply, np.prod)
+joins(np.maximum, np.max, np.amax)
+joins(np.minimum, np.min, np.amin)
+joins(np.logical_or, np.any)
+joins(np.logical_and, np.all)
+reads(np.cumsum)(lambda a, axis=None, **more: accumulated(np.add, a, axis))
+reads(np.cumprod)(lambda a, axis=None, **more: accumulated(np.multiply, a, axis))
+reads(np.allclose, arrays=2)(lambda *given, **more: np.all(close(*given, **more)))
+reads(np.interp)(tables.interpolated)
+reads(np.searchsorted, arrays=0)(tables.searched)
+reads(np.digitize, arrays=0)(tables.digitized)
+reads(np.linalg.solve, arrays=2)(elimination.solve)
+reads(np.linalg.inv)(elimination.inverse)
+reads(np.linalg.det)(elimination.determinant)
+reads(np.stack, arrays=0)(stack)
+reads(np.concatenate, arrays=0)(join)
+reads(np.round, np.around)(rounded)
+reads(np.fix)(np.trunc)
+reads(np.copy)(copied)
+reads(np.zeros_like, np.empty_like)(lambda a, *more, **named: filled(a._tape, 0.0, a.shape))
+reads(np.ones_like)(lambda a, *more, **named: filled(a._tape, 1.0, a.shape))
+reads(np.full_like)(lambda a, value, **more: filled(a._tape, 0.0, a.shape) + value)
+reads(np.shape)(lambda a: a._counted())
+reads(np.ndim)(lambda a: a.ndim)
+reads(np.size)(lambda a, axis=None: a.size if axis is None else a._counted()[axis])
+reads(np.real)(lambda a: a)
+reads(np.iscomplexobj)(lambda a: False)
+reads(np.isrealobj)(lambda a: True)
+reads(np.isreal)(lambda a: a == a)
+
+# --- parts, which share what is written -----------------------------------------------------
+
+SHARES: dict[Any, Callable] = {
+    np.reshape: reshaped,
+    np.ravel: lambda a, order="C": reshaped(a, -1),
+    np.squeeze: squeezed,
+    np.transpose: transposed,
+    np.swapaxes: swapped,
+    np.expand_dims: expanded,
+    np.atleast_1d: partial(at_least, 1),
+    np.atleast_2d: partial(at_least, 2),
+    np.flipud: lambda a: a[::-1],
+    np.fliplr: lambda a: a[:, ::-1],
 }
-METHODS: dict[str, Callable] = {
-    "sum": summed,
-    "dot": lambda a, b: np.dot(a, b),
-    "clip": clip,
-    "trace": trace,
-    "max": largest,
-    "min": smallest,
-    "prod": product,
-    "mean": mean,
-    "var": variance,
-    "std": lambda a, *more, **named: np.sqrt(variance(a, *more, **named)),
-    "any": any_of,
-    "all": all_of,
+BY_VIEWS: tuple[Any, ...] = (  # of these NumPy's own code does
+    *(np.split, np.array_split, np.hsplit, np.vsplit, np.dsplit, np.flip, np.moveaxis),
+)
+SHARES.update({function: function._implementation for function in BY_VIEWS})
+for real, made in SHARES.items():
+    reads(real)(made)
+
+METHODS: dict[str, Callable] = {  # that are not NumPy's functions
     "reshape": reshaped,
-    "ravel": lambda a, *more, **named: reshaped(a, -1),
+    "transpose": transposed,
     "flatten": lambda a, *more: copied(reshaped(a, -1)),
-    "copy": copied,
     "__copy__": copied,
     "__deepcopy__": copied,
     "astype": converted,
     "item": lambda a, *at: a[at] if at else (objects(a).ravel()[0] if a.shape else a),
     "tolist": lambda a: objects(a).tolist(),
-    "squeeze": squeezed,
-    "transpose": transposed,
-    "round": rounded,
-    "cumsum": lambda a, axis=None, **more: accumulated(np.add, a, axis),
     "fill": lambda a, value: a.__setitem__(..., value),
-    "diagonal": diagonal,
+    "sort": lambda a, *more: a.__setitem__(..., np.sort(a, *more)),
     "is_integer": lambda a: np.floor(a) == a,
-    "conj": lambda a: a,
-    "conjugate": lambda a: a,
-    **{  # what NumPy asks of the elements of arrays of objects
-        name: (lambda ufunc: lambda a, *b: ufunc(a, *b))(getattr(np, name))
-        for name in (
-            *("sin", "cos", "tan", "arcsin", "arccos", "arctan", "arctan2", "sinh", "cosh", "tanh"),
-            *("exp", "expm1", "log", "log1p", "log2", "log10", "sqrt", "cbrt", "hypot", "fmod"),
-            *("floor", "ceil", "trunc", "rint", "fabs", "sign", "square", "deg2rad", "rad2deg"),
-        )
-    },
 }
+IN_PLACE = frozenset({"partition", "resize"})  # other than NumPy's functions of these names
 
 
-PARTS.update(applied=applied, methods=METHODS)
+def method(name: str) -> Callable | None:
+    """Return the method of a name: NumPy's function, where an array has one of its name.
+
+    NumPy asks elements of arrays of objects for ufuncs.
+    """
+    if name in METHODS or name in IN_PLACE:
+        return METHODS.get(name)
+    function = getattr(np, name, None)
+    if isinstance(function, np.ufunc) or (callable(function) and hasattr(np.ndarray, name)):
+        return FUNCTIONS.get(function, function)
+    return None
+
+
+PARTS.update(applied=applied, method=method)

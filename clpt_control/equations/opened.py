@@ -5,7 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Tape, Unread, constant, numbers_of, packed
+from .arrays import Array, Tape, Unread, constant, lifted, numbers_of, objects
+
+MOST_NUMBERS = 20_000  # of an array that is written down
 
 
 def depends(value: Any) -> bool:
@@ -17,17 +19,24 @@ def depends(value: Any) -> bool:
     return isinstance(value, np.ndarray) and value.dtype == object
 
 
-def as_numbers(value: Any) -> Any:
-    """Return arguments that depend on nothing as numbers."""
+def within(value: Any, made: Callable[[Array], Any]) -> Any:
+    """Return arguments with all arrays of the record, in lists and tuples too, made something."""
     if isinstance(value, Array):
-        return numbers_of(value)
-    return type(value)(map(as_numbers, value)) if type(value) in (list, tuple) else value
+        return made(value)
+    if isinstance(value, dict):
+        return {name: within(one, made) for name, one in value.items()}
+    return type(value)(within(v, made) for v in value) if type(value) in (list, tuple) else value
+
+
+def of_numbers(tape: Tape, function: Callable, inputs: Any, more: dict) -> Any:
+    """Run NumPy's own function on arguments that depend on nothing."""
+    return fresh(tape, function(*within(inputs, numbers_of), **within(more, numbers_of)))
 
 
 def fresh(tape: Tape, found: Any) -> Any:
     """Return a new array of doubles as one that signals may be written into."""
-    if type(found) is np.ndarray and found.dtype == float and found.ndim and found.size < 20_000:
-        return constant(tape, found)
+    if type(found) is np.ndarray and found.dtype == float and found.ndim:
+        return constant(tape, found) if found.size < MOST_NUMBERS else found
     return found
 
 
@@ -36,62 +45,26 @@ def unread(what: str) -> Any:
     raise Unread(f"{what} of signals")
 
 
-def objects(value: Any) -> np.ndarray:
-    """Return an array of objects."""
-    return value.elements() if isinstance(value, Array) else np.asarray(value, dtype=object)
-
-
 def repacked(tape: Tape, found: Any) -> Any:
     """Return what NumPy made of arrays of objects."""
     if isinstance(found, tuple | list):
         return type(found)(repacked(tape, one) for one in found)
     if isinstance(found, np.ndarray) and found.dtype == object:
-        return packed(tape, found)
+        return lifted(tape, found)
     return fresh(tape, found)
-
-
-SHARING = frozenset(  # functions of NumPy whose results share what is written into the array
-    {np.transpose, np.swapaxes, np.moveaxis, np.rollaxis, np.expand_dims, np.flip, np.fliplr}
-    | {np.flipud, np.split, np.array_split, np.hsplit, np.vsplit, np.dsplit}
-)
-
-
-def shared(a: Array, part: Callable[[np.ndarray], np.ndarray]) -> Any:
-    """Return a part of an array of objects, which shares what is written into either."""
-    if (store := a._written()) is not None:
-        return Array(a.tape, -1, part(store).shape, a, part)
-    made = packed(a.tape, part(objects(a)))
-    if not isinstance(made, Array) or not made.shape:
-        return made
-    return Array(a.tape, made.node, made.shape, a, part)
 
 
 def exploded(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
     """Run NumPy's own function on arrays of objects."""
-
-    def opened(value: Any) -> Any:
-        if isinstance(value, Array):
-            return objects(value)
-        if isinstance(value, list | tuple):
-            return type(value)(opened(one) for one in value)
-        return value
-
-    first, *rest = inputs
-    if function in SHARING and isinstance(first, Array):
-        parts = function(objects(first), *rest, **more)
-        if not isinstance(parts, list | tuple):
-            return shared(first, lambda store: function(store, *rest, **more))
-
-        def one(k: int) -> Callable[[np.ndarray], np.ndarray]:
-            return lambda store: function(store, *rest, **more)[k]
-
-        return [shared(first, one(k)) for k in range(len(parts))]
+    own = within(inputs, objects)
     try:
-        found = function(*opened(tuple(inputs)), **{k: opened(v) for k, v in more.items()})
+        found = function(*own, **within(more, objects))
     except (Unread, IndexError, ValueError):
         raise
     except Exception as error:
         raise Unread(f"np.{function.__name__} of signals ({error})") from None
+    if found is None and inputs:  # it wrote into its first argument
+        inputs[0][...] = own[0]
     return repacked(tape, found)
 
 
@@ -99,7 +72,7 @@ def tape_of(values: Any) -> Any:
     """Return the tape of the first array of the record among values, or None."""
     for value in values:
         if isinstance(value, Array):
-            return value.tape
+            return value._tape
         if isinstance(value, list | tuple) or (
             isinstance(value, np.ndarray) and value.dtype == object and value.ndim
         ):

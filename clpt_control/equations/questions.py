@@ -88,7 +88,7 @@ class Reading(Tape):
 
     def whole(self, number: Array) -> int:
         """Return the whole number that Python counts with; a signal is asked which one it is."""
-        ref = number.ref
+        ref = number._ref
         if type(ref) is float or not self.free[ref]:
             value = self.known(ref).item()
             if value != int(value):

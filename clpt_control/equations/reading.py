@@ -21,15 +21,14 @@ from .arrays import (
     Unread,
     as_number,
     lifted,
+    objects,
     operand,
-    packed,
     reading_on,
     stacked,
     where,
 )
 from .copies import Copies, borrowed
 from .given import Fields, Ports
-from .opened import objects
 from .questions import Borrowed, Outside, Reading, located
 from .record import Record, Shape, compact
 
@@ -142,7 +141,7 @@ class _Ways:
 
     def _leaf(self, name: str, shape: Shape) -> Array:
         leaf = self.tape.add("leaf", (), shape, ("p", name))
-        leaf.fixed = True
+        leaf._fixed = True
         return leaf
 
     def _way(self, run: Callable[[], Any]) -> list[Any]:
@@ -228,7 +227,7 @@ def _by_port(tape: Tape, role: str, given: Any, out: Mapping[str, Shape]) -> lis
             continue
         part = np.empty(prod(shape), dtype=object)
         part[:] = numbers[at : at + prod(shape)]
-        found.append(packed(tape, part.reshape(shape)))
+        found.append(lifted(tape, part.reshape(shape)))
         at += prod(shape)
     return found
 
@@ -255,9 +254,9 @@ def _shaped(tape: Tape, role: str, port: str, given: Any, shape: Shape) -> Any:
             (prod(shape),),
         )
     ):
-        return packed(tape, objects(value).reshape(shape))
+        return lifted(tape, objects(value).reshape(shape))
     raise BlockError(f"{role}: returns {port} of shape {own}; must be {shape}")
 
 
 def _spread(value: Array, shape: Shape) -> Array:
-    return value.tape.add("fill", (value.ref,), shape)
+    return value._tape.add("fill", (value._ref,), shape)

@@ -31,7 +31,7 @@ def lookup(table: Any, index: Any) -> Any:
     >>> lookup([3.0, 5.0, 7.0], 1.0)
     np.float64(5.0)
     """
-    tape = next((a.tape for a in (table, index) if isinstance(a, Array)), None)
+    tape = next((a._tape for a in (table, index) if isinstance(a, Array)), None)
     if tape is None:
         try:
             return picked(np.asarray(table, dtype=float), np.asarray(index, dtype=float))[()]

@@ -7,7 +7,6 @@ nothing is read, or where no signal is among their arguments.
 """
 
 import builtins
-import functools
 import math
 from collections.abc import Callable
 from types import ModuleType
@@ -15,49 +14,23 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Array, active, lifted
-from .builtin_names import FLOAT, FLOAT64, INT, INT64, SHADOWS, real_of
-from .math_functions import MATH, READ, of_math
+from .arrays import Array, Tape, active, lifted, objects
+from .builtin_names import SHADOWS
+from .math_functions import OF_MATH, READ
 from .numpy_functions import applied
-from .opened import fresh, objects, tape_of, unread
+from .opened import fresh, tape_of
 from .reshaping import converted
+from .standing import TYPES, StandIn
 from .ufuncs import called
 
 
-class NumPyFunction:
-    """One of NumPy's functions, for lists that hold signals, and arrays that will be filled."""
-
-    def __init__(self, real: Any):
-        self.real = real
-        functools.update_wrapper(self, real, updated=())
-
-    def __call__(self, *given: Any, **more: Any) -> Any:
-        """Run the real one, or write down what it does."""
-        tape = active()
-        if "dtype" in more:
-            more["dtype"] = real_of(more["dtype"])
-        if tape is None:
-            return self.real(*given, **more)
-        if tape_of((*given, *more.values())) is None:
-            return fresh(tape, self.real(*map(real_of, given), **more))
-        if self.real in MAKERS:
-            return MAKERS[self.real](tape, *given, **more)
-        if isinstance(self.real, np.ufunc):
-            return called(tape, self.real, "__call__", given, more)
-        return applied(tape, self.real, given, more)
-
-    def __getattr__(self, name: str) -> Any:
-        found = getattr(self.real, name)
-        if not (isinstance(self.real, np.ufunc) and callable(found)):
-            return found
-
-        def method(*given: Any, **more: Any) -> Any:
-            tape = active()
-            if tape is None or tape_of(given) is None:
-                return found(*given, **more)
-            return called(tape, self.real, name, given, more)
-
-        return method
+def of_numpy(real: Any) -> StandIn:
+    """Return the stand-in of a function of NumPy, for lists that hold signals."""
+    if real in MAKERS:
+        return StandIn(real, MAKERS[real])
+    if isinstance(real, np.ufunc):
+        return StandIn(real, lambda tape, *a, **more: called(tape, real, "__call__", a, more))
+    return StandIn(real, lambda tape, *a, **more: applied(tape, real, a, more))
 
 
 def array(tape: Any, value: Any, dtype: Any = None, *, ndmin: int = 0, **more: Any) -> Any:
@@ -81,26 +54,20 @@ MAKERS: dict[Any, Callable] = {
     np.ascontiguousarray: same_array,
     np.full: lambda tape, *a, **more: lifted(tape, np.zeros(a[0])) + lifted(tape, a[1]),
     np.isscalar: lambda tape, a: isinstance(a, Array) and not a.shape,
-    np.vectorize: lambda tape, *a, **more: unread("np.vectorize"),
 }
 
 
-class Vectorized:
-    """np.vectorize: a function of each element."""
+def vectorized(real: np.vectorize) -> StandIn:
+    """Return the stand-in of a function made by np.vectorize, which is run for each element."""
 
-    def __init__(self, function: Callable, *more: Any, **named: Any):
-        self.function, self.real = function, np.vectorize(function, *more, **named)
-
-    def __call__(self, *given: Any, **more: Any) -> Any:
-        """Run the function for each element."""
-        tape = tape_of(given)
-        if tape is None:
-            return self.real(*given, **more)
+    def function(tape: Tape, *given: Any, **more: Any) -> Any:
         own = np.broadcast_arrays(*(objects(lifted(tape, one)) for one in given))
         found = np.empty(own[0].size, dtype=object)
         for k, values in enumerate(zip(*(one.ravel() for one in own), strict=True)):
-            found[k] = self.function(*values, **more)
+            found[k] = real.pyfunc(*values, **more)
         return lifted(tape, found).reshape(own[0].shape)
+
+    return StandIn(real, function)
 
 
 class Joiner:
@@ -138,14 +105,11 @@ class Module(ModuleType):
 _KNOWN: dict[int, Any] = {
     id(math): Module(math),
     id(np): Module(np),
-    id(float): FLOAT,
-    id(int): INT,
-    id(np.float64): FLOAT64,
-    id(np.int64): INT64,
-    id(np.vectorize): Vectorized,
+    id(np.vectorize): lambda *given, **more: vectorized(np.vectorize(*given, **more)),
     id(np.r_): Joiner(np.r_, np.concatenate),
     id(np.c_): Joiner(np.c_, np.column_stack),
-    **{id(getattr(math, name)): of_math(name, getattr(math, name)) for name in MATH},
+    **{id(real): made for real, made in TYPES.items()},
+    **{id(made.real): made for made in OF_MATH},
     **{id(getattr(builtins, name)): made for name, made in SHADOWS.items()},
 }
 
@@ -166,7 +130,7 @@ def stand_in(value: Any) -> Any:
         and hasattr(value, "__name__")
         and getattr(np, value.__name__, getattr(np.linalg, value.__name__, None)) is value
     ):
-        return _KNOWN.setdefault(id(value), NumPyFunction(value))
+        return _KNOWN.setdefault(id(value), of_numpy(value))
     return value
 
 

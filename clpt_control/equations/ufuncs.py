@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from functools import reduce
+from itertools import accumulate
 from typing import Any
 
 import numpy as np
@@ -14,16 +15,17 @@ from .arrays import (
     Unread,
     elementwise,
     lifted,
+    objects,
     total,
     where,
 )
-from .opened import as_numbers, depends, fresh, objects, repacked, unread
+from .opened import depends, of_numbers, repacked, tape_of, unread
 
 
 def called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
     """Write down a ufunc."""
     out = more.pop("out", None)
-    condition = more.pop("where", True)
+    condition = more.pop("where", True) if method == "__call__" else True
     for unused in ("casting", "dtype", "subok", "order"):
         more.pop(unused, None)
     found = _called(tape, ufunc, method, inputs, more)
@@ -40,15 +42,15 @@ def called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
 
 def _called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
     if not depends(inputs):
-        return fresh(tape, getattr(ufunc, method)(*as_numbers(tuple(inputs)), **more))
+        return of_numbers(tape, getattr(ufunc, method), inputs, more)
     if method == "reduce":
-        return _reduced(tape, ufunc, *inputs, **more)
+        return reduced(ufunc, *inputs, **more)
     if method == "accumulate":
-        return accumulated(lambda v, w: ufunc(v, w), lifted(tape, inputs[0]), *inputs[1:], **more)
-    if method == "outer":
-        a, b = (lifted(tape, one) for one in inputs)
-        return ufunc(_spread(a, np.ndim(b)), b)
+        return accumulated(ufunc, *inputs, **more)
     own = [lifted(tape, one) for one in inputs]
+    if method == "outer":
+        a, b = own
+        return ufunc(a[(..., *[None] * np.ndim(b))] if np.ndim(a) else a, b)
     if method != "__call__" or more:
         return unread(f"np.{ufunc.__name__}.{method}")
     if ufunc in UFUNCS:
@@ -59,65 +61,49 @@ def _called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any
     return COMPOSED[name](*own) if name in COMPOSED else unread(f"np.{name}")
 
 
-def _spread(a: Any, more: int) -> Any:
-    return a[(..., *[None] * more)] if np.ndim(a) and more else a
-
-
-def _reduced(
-    tape: Tape,
+def reduced(
     ufunc: Any,
     a: Any,
     axis: Any = 0,
+    *,
     dtype: Any = None,
     out: Any = None,
     keepdims: Any = False,
     initial: Any = None,
+    where: Any = True,
 ) -> Any:
-    a = lifted(tape, a)
-    if ufunc is np.add:
-        return summed(a, axis, keepdims=keepdims)
-    return folded(ufunc, a, axis, keepdims)
+    """Join the elements along an axis, or all, one after the other; a sum is one operation."""
+    a = lifted(tape_of([a]), a)
+    if where is not True:
+        a = np.where(where, a, initial if ufunc.identity is None else ufunc.identity)
+    axes = [axis] if isinstance(axis, int) else axis
+    if axis is None and ufunc is np.add:
+        axes = range(a.ndim)
+    elif axis is None:
+        a, axes, keepdims = np.ravel(a), [0], False
+    for d in sorted((d % a.ndim for d in axes), reverse=True):
+        a = total(a, d) if ufunc is np.add else _folded(ufunc, _along(a, d))
+        if keepdims and isinstance(a, Array):
+            a = a[(*[slice(None)] * d, None)]
+    return a if initial is None else ufunc(a, initial)
 
 
-def folded(join: Callable[[Any, Any], Any], a: Array, axis: Any, keepdims: Any = False) -> Any:
-    """Join the elements along an axis, or all, one after the other."""
-    if axis is None:
-        return reduce(join, a.elements().ravel())
-    parts = _along(a, axis)
-    if not parts:
+def _folded(ufunc: Any, parts: list[Any]) -> Any:
+    if not parts and ufunc.identity is None:
         raise ValueError("zero-size array to reduction operation")
-    found = reduce(join, parts)
-    kept = (*[slice(None)] * (axis % a.ndim), None)
-    return found[kept] if keepdims and isinstance(found, Array) else found
+    return reduce(ufunc, parts) if parts else float(ufunc.identity)
 
 
 def _along(a: Array, axis: int) -> list[Any]:
-    axis %= a.ndim
-    return [a[(*[slice(None)] * axis, k)] for k in range(a.counted()[axis])]
+    return [a[(*[slice(None)] * axis, k)] for k in range(a._counted()[axis])]
 
 
-def accumulated(join: Callable, a: Array, axis: Any = None, dtype: Any = None) -> Any:
+def accumulated(ufunc: Any, a: Any, axis: Any = 0, dtype: Any = None) -> Any:
     """Return what joining the elements along an axis gives on the way, as np.cumsum does."""
-    if axis is None and a.ndim > 1:
-        a = a.reshape(-1)
-    parts = _along(a, axis or 0)
-    for k in range(1, len(parts)):
-        parts[k] = join(parts[k - 1], parts[k])
-    return np.stack(parts, axis or 0)
-
-
-def summed(
-    a: Any, axis: Any = None, dtype: Any = None, out: Any = None, keepdims: Any = False, **more: Any
-) -> Any:
-    """Return the sum over all axes, one or some."""
-    if not a.shape:
-        return a
-    axes = range(a.ndim) if axis is None else [axis] if isinstance(axis, int) else axis
-    for d in sorted((d % a.ndim for d in axes), reverse=True):
-        a = total(a, d)
-        if keepdims and isinstance(a, Array):
-            a = a[(*[slice(None)] * d, None)]
-    return a
+    a = lifted(tape_of([a]), a)
+    if axis is None:
+        a, axis = np.ravel(a), 0
+    return np.stack(list(accumulate(_along(a, axis % a.ndim), ufunc)), axis)
 
 
 def matmul(a: Any, b: Any) -> Any:
@@ -159,7 +145,7 @@ def copied_sign(a: Any, b: Any) -> Any:
 def fmod(a: Any, b: Any) -> Any:
     """Return the rest of a / b, which has a's sign."""
     rest = elementwise("mod", np.fabs(a), np.fabs(b))
-    return where(np.asarray(a < 0)[()] if not isinstance(a, Array) else a < 0, -rest, rest)
+    return where(a < 0, -rest, rest)
 
 
 def power(a: Any, b: Any) -> Any:
@@ -197,9 +183,7 @@ COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special
     "heaviside": lambda a, b: where(a == 0, b, where(a > 0, 1.0, where(a < 0, 0.0, a))),
     "copysign": copied_sign,
     "signbit": negative,
-    "logical_xor": lambda a, b: elementwise(
-        "ne", elementwise("ne", a, 0.0), elementwise("ne", b, 0.0)
-    ),
+    "logical_xor": lambda a, b: (a != 0) != (b != 0),
     "fmod": fmod,
     "divmod": lambda a, b: (np.floor_divide(a, b), np.remainder(a, b)),
     "modf": lambda a: (a - np.trunc(a), np.trunc(a)),
@@ -211,4 +195,4 @@ COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special
 }
 
 
-PARTS.update(called=called, rounded=rounded)
+PARTS.update(called=called)

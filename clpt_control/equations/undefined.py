@@ -37,7 +37,7 @@ def opaque(function: Callable) -> Callable:
     @wraps(function)
     def called(*arguments: Any) -> Any:
         found = function(*arguments)
-        tape = next((a.tape for a in arguments if isinstance(a, Array)), None)
+        tape = next((a._tape for a in arguments if isinstance(a, Array)), None)
         if tape is None:
             return found
         given = [operand(lifted(tape, a)) for a in arguments]

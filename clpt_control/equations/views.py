@@ -6,93 +6,107 @@ of a view, of a stack or of numbers is made at once.
 
 from collections.abc import Sequence
 from itertools import pairwise
+from operator import itemgetter
 from typing import Any
 
 import numpy as np
 
-from .arrays import PARTS, Array, Tape, Unread, constant
+from .arrays import PARTS, Array, Masked, Tape, Unread, constant, lifted, operand
 from .numbers import viewed
+from .opened import unread
 from .record import Ref, Shape
 
 
-def tape_view(tape: Tape, refs: Sequence[Ref]) -> "Array | None":
+def tape_view(tape: Tape, refs: Sequence[Ref]) -> Any:
     """Return the array whose elements follow each other in this stack, or None."""
-    own = [tape.operations[ref] if type(ref) is int else None for ref in refs]
-    if any(o is None or o.kind != "view" for o in own):
+    lines = [tape.operations[ref] for ref in refs if type(ref) is int]
+    views = [line for line in lines if line.kind == "view"]
+    if len(views) < max(2, len(refs)) or len({line.arguments for line in views}) > 1:
         return None
-    maps = [o.at for o in own if o is not None]
-    source = {o.arguments[0] for o in own if o is not None}
-    if len(source) != 1:
-        return None
+    maps = [line.at for line in views]
     turning = [d for d in range(len(maps[0])) if len({m[d] for m in maps}) > 1]
-    if len(turning) != 1 or len(refs) < 2:
-        return None
-    (d,) = turning
-    places = [m[d] for m in maps]
-    if not all(isinstance(p, int) for p in places):
+    places = [m[d] for m in maps for d in turning]
+    if len(turning) != 1 or not all(isinstance(p, int) for p in places):
         return None
     step = places[1] - places[0]
     if step < 1 or any(b - a != step for a, b in pairwise(places)):
         return None
-    first = own[0]
-    assert first is not None
-    shape = (len(refs), *first.shape)
     mapped = tuple(
-        (0, places[0], step) if k == d else p if isinstance(p, int) else (p[0] + 1, *p[1:])
+        (0, places[0], step) if k in turning else p if isinstance(p, int) else (p[0] + 1, *p[1:])
         for k, p in enumerate(maps[0])
     )
-    return tape_viewed(tape, first.arguments[0], mapped, shape)
+    return tape_viewed(tape, views[0].arguments[0], mapped, (len(refs), *views[0].shape))
 
 
-def index_map(index: tuple, shape: Shape) -> tuple[tuple, Shape]:
+def item(array: Array, index: tuple) -> Any:
+    """Return array[index]."""
+    if any(isinstance(i, Array) for i in index):
+        return _picked(array, *index)
+    if any(isinstance(i, list | tuple | np.ndarray) and np.ndim(i) for i in index):
+        return lifted(array._tape, array._elements()[index])
+    return array._part(
+        itemgetter(index),
+        lambda: tape_viewed(array._tape, array._node, *_mapped(index, array.shape)),
+    )
+
+
+def _mapped(index: tuple, shape: Shape) -> tuple[tuple, Shape]:
     """Return what a basic index makes of each axis, and the shape of the view."""
     named = sum(i is not None and i is not Ellipsis for i in index)
-    if Ellipsis not in index:
-        index = (*index, Ellipsis)
-    at = index.index(Ellipsis)
-    filled = (*index[:at], *[slice(None)] * (len(shape) - named), *index[at + 1 :])
+    if named > len(shape):
+        raise IndexError("too many indices for array")
+    at = index.index(Ellipsis) if Ellipsis in index else len(index)
     mapped: list[Any] = []
     found: list[Any] = []
-    for i in filled:
+    for i in (*index[:at], *[slice(None)] * (len(shape) - named), *index[at + 1 :]):
         if i is None:
             found.append(1)
             continue
-        if len(mapped) == len(shape):
-            raise IndexError("too many indices for array")
         n = shape[len(mapped)]
-        if isinstance(i, slice):
-            if i == slice(None):
-                start, step, count = 0, 1, n
-            else:
-                if not isinstance(n, int):
-                    raise Unread(f"a part of the open size {n}")
-                places = range(*i.indices(n))
-                start, step, count = places.start, places.step, len(places)
-            mapped.append((len(found), start, step))
-            found.append(count)
+        if i == slice(None):
+            mapped.append((len(found), 0, 1))
+            found.append(n)
+        elif not isinstance(n, int):
+            raise Unread(f"a part of the open size {n}")
+        elif isinstance(i, slice):
+            places = range(*i.indices(n))
+            mapped.append((len(found), places.start, places.step))
+            found.append(len(places))
         else:
             k = i.__index__()
-            if isinstance(n, int) and not -n <= k < n:
+            if not -n <= k < n:
                 raise IndexError(f"index {k} is out of bounds for axis with size {n}")
-            if not isinstance(n, int):
-                raise Unread(f"element {k} of the open size {n}")
             mapped.append(k % n)
     return tuple(mapped), tuple(found)
 
 
-def view(array: Array, mapped: tuple, shape: Shape, index: Any) -> Any:
-    """Return a view of an array, which shares what is written into either."""
-    if (store := array._written()) is not None:
-        part = index(store) if callable(index) else store[index]
-        if not isinstance(part, np.ndarray):
-            return part
-        found = Array(array.tape, -1, shape, array, index)
-        found.store = part
-        return found
-    made = tape_viewed(array.tape, array.node, mapped, shape)
-    if isinstance(made, Array) and shape:
-        return Array(array.tape, made.node, shape, array, index)
-    return made
+def _picked(array: Array, k: Any, *rest: Any) -> Any:
+    """Return elements at places that are signals."""
+    if isinstance(k, Array) and k._is_condition:
+        if not k._tape.free[k._node]:
+            return array[(k._tape.numbers(k._ref) != 0.0, *rest)]
+        same = not rest and k.shape == array.shape
+        return Masked(array, k) if same else unread("taking elements by a condition")
+    if not rest and array.ndim == 1 and isinstance(array.shape[0], int) and not k.shape:
+        whole = k._tape.operations[k._node].kind in ("trunc", "floor", "ceil", "pick")
+        if whole and k._tape.free[k._node] and array._written() is None:
+            return array._tape.add("pick", (operand(array), k._ref), ())
+    return array[tuple(map(_whole, (k, *rest)))]
+
+
+def _whole(place: Any) -> Any:
+    if not isinstance(place, Array):
+        return place
+    return [one.__index__() for one in place] if place.shape else place.__index__()
+
+
+def turned(a: Array, order: Sequence[int]) -> Any:
+    """Return a with its axes in another order."""
+    mapped = tuple((order.index(d), 0, 1) for d in range(a.ndim))
+    shape = tuple(a.shape[d] for d in order)
+    return a._part(
+        lambda store: store.transpose(order), lambda: tape_viewed(a._tape, a._node, mapped, shape)
+    )
 
 
 def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
@@ -146,4 +160,4 @@ def _of_join(tape: Tape, parts: Sequence[Ref], mapped: tuple, shape: Shape) -> A
     return None
 
 
-PARTS.update(index_map=index_map, view=view, tape_view=tape_view)
+PARTS.update(item=item, tape_view=tape_view)

@@ -242,3 +242,11 @@ def test_a_linear_system_on_each_axis():
     both = on_each_axis(linear(control.ss([[-1.0]], [[1.0]], [[2.0]], 0, name="lag")), 2)
     np.testing.assert_array_equal(both.dynamics(0, [1.0, 2.0], [5.0, 7.0]), [4.0, 5.0])
     np.testing.assert_array_equal(both.output(0, [1.0, 2.0], [5.0, 7.0]), [2.0, 4.0])
+
+
+@pytest.mark.parametrize("port", ["ref", "node", "store", "parent", "elements", "ports", "tape"])
+def test_a_port_has_any_name(port):
+    space = {}
+    exec(f"def f(t, x, u, p):\n    return 2.0 * u.{port} + u.b", space)
+    block = static(space["f"], {"b": 1, port: 1})
+    as_it_runs(block, "output", 0.0, [], [3.0, 5.0])

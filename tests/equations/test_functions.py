@@ -69,7 +69,12 @@ ARRAYS = """
     np.count_nonzero(u > 0.5) + u[0] ; np.argmax(u) + u[0] ; np.nan_to_num(u)[1] ;
     np.triu([u, v])[0, 1] ; np.linalg.multi_dot([u, np.eye(3), v]) ; np.average(u, weights=v) ;
     np.convolve(u, v)[2] ; np.trapezoid(u, [0.0, 1.0, 3.0]) ; np.round(u[2], 1) ;
-    np.unwrap(u)[1] ; np.ix_([0], [1])[0][0, 0] + u[0]
+    np.unwrap(u)[1] ; np.sum(u, where=[True, False, True]) ; np.max(u, initial=0.9) ;
+    np.min(u, where=u > 0.5, initial=5.0) ; np.prod(u, initial=2.0) ; np.flipud(u)[0] ;
+    np.fliplr([u, v])[1, 0] ; np.hsplit(u, 3)[1][0] ; np.expand_dims(u, 0)[0, 2] ;
+    np.moveaxis([u, v], 0, 1)[2, 0] ; np.transpose([u, v], (1, 0))[2, 1] ; u.argmax() + u[0] ;
+    np.interp(u[0] - 0.5, [0.0, 1.0, 2.0], u, left=7.0, right=8.0) ;
+    np.where([True, False, True], u, v)[1] ; np.ix_([0], [1])[0][0, 0] + u[0]
 """
 
 

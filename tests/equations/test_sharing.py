@@ -110,7 +110,37 @@ def copies(t, x, u, p):
     return y + a.ravel()
 
 
+def puts(t, x, u, p):
+    y = u * 1.0
+    np.put(y, [1], u[0])
+    return y
+
+
+def fills_a_diagonal(t, x, u, p):
+    y = np.outer(u[:2], u[2:])
+    np.fill_diagonal(y, u[0])
+    return y.ravel()
+
+
+def sorts(t, x, u, p):
+    y = -u
+    y.sort()
+    return y
+
+
+def reshapes_zeros(t, x, u, p):
+    y = np.zeros(4)
+    a = np.reshape(y, (2, 2))
+    a[0, 1] = u[3]
+    np.flip(y)[0] = u[1]
+    return y
+
+
 SHARING = [
+    puts,
+    fills_a_diagonal,
+    sorts,
+    reshapes_zeros,
     splits,
     writes_a_row,
     reshapes,

@@ -110,7 +110,7 @@ class _Names:
         if name not in SCALARS:
             return tape.add("leaf", (), shape, ("p", name))
         one = tape.add("leaf", (), (), ("p", name))
-        return tape.add("fill", (one.ref,), shape) if shape else one
+        return tape.add("fill", (operand(one),), shape) if shape else one
 
     def leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
         """Return a state or a parameter of a block."""
