@@ -68,6 +68,24 @@ def sizes(ports: Mapping[str, list[int]]) -> str:
     return ", ".join(f"{port}[{len(at)}]" for port, at in ports.items()) or "nothing"
 
 
+def functions_of(law: control.NonlinearIOSystem) -> int:
+    """Return the N of a law; refuse a part that does not make alpha[2N], K[2] and Gamma[2]."""
+    if not isinstance(law, control.NonlinearIOSystem):
+        what = f"a {type(law).__name__}" if hasattr(law, "name") else f"{law!r:.60}"
+        raise DiagramError(f"{what} is no law: give a Block")
+    made = {port: len(places) for port, places in output_ports(law).items()}
+    N = made.get("alpha", 0) // 2
+    if N < 1 or {"alpha": 2 * N, "K": 2, "Gamma": 2}.items() - made.items():
+        raise DiagramError(
+            f"{law.name}: a law makes alpha[2N], K[2] and Gamma[2]; it makes "
+            f"{sizes(output_ports(law))}"
+        )
+    taken = len(input_ports(law).get("phi_x", range(N)))
+    if taken != N:
+        raise DiagramError(f"{law.name}: phi_x has {taken} signals, N is {N}")
+    return N
+
+
 def with_ports(
     part: control.NonlinearIOSystem, inputs: Mapping[str, str], outputs: Mapping[str, str]
 ) -> control.NonlinearIOSystem:

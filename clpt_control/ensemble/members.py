@@ -21,7 +21,8 @@ from ..native.processor import LANES
 from ..native.schedule import Schedule, make_schedule
 from ..native.sweep import Sweep
 from ..scenario.experiment import Scenario, scenario_tables
-from ..scenario.keys import CALL_TIME_NAMES, JUMPS, STARTS, made_of, names_held
+from ..scenario.keys import CALL_TIME_NAMES, JUMPS, STARTS, names_held
+from ..scenario.made_of import made_of
 from ..simulation.loops import changed_blocks
 from ..simulation.starts import state_columns, state_of
 

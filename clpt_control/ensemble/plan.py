@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..blocks.laws.law import functions_of
 from ..diagrams.changes import LAW, UNCHANGED, Changes
+from ..diagrams.parts import functions_of
 from ..equations.block import Block
 from ..errors import DataError, DiagramError, ScenarioError
 from ..files import check_name, check_writable

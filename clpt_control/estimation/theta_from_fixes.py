@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import public
-from ..blocks.laws.scales import reach, usual_prior
+from ..blocks.laws.scales import PRIOR, reach
 from ..equations.block import Block
 from ..errors import DataError, ScenarioError
 from ..scenario.experiment import Scenario
@@ -148,7 +148,7 @@ def flow_estimate(
         scenario = run_scenario(data)
         segments, own, doubt = run_segments(data, scenario, every)
         basis, known = own if basis is None else basis, scenario.known_to_law
-        own_prior = usual_prior(known)
+        own_prior = PRIOR.usual(known)
         usual_noise = np.full(len(segments.start), max(1e-4 * reach(known), doubt))
         usual_start = known.alpha_M if basis is own else None
     n, N = len(segments.start), _functions(basis)

@@ -7,6 +7,8 @@ time, in ``simulate(params=...)``.
 from collections.abc import Collection, Iterable
 from typing import Any
 
+from .made_of import made_of
+
 # scenario key -> parameters of blocks that hold its value as it is
 CALL_TIME_NAMES = {
     "basis.centers": ("basis_x.centers", "basis_z.centers", "basis_x_true.centers"),
@@ -58,11 +60,6 @@ STARTS = {
     "learning.feedback": "K",
     "learning.feedforward": "Gamma",
 }
-
-
-def made_of(scenario: Any) -> set[str]:
-    """Return the keys that the law holds in another form."""
-    return scenario.learning.row.made_of(scenario.known_to_law)
 
 
 def names_held(scenario: Any, keys: Iterable[str], known: Collection[str]) -> dict[str, list[str]]:

@@ -25,12 +25,11 @@ from ..blocks import (
     speed_limit,
     vehicle,
 )
-from ..blocks.laws.law import functions_of
 from ..blocks.laws.table import LAWS
 from ..blocks.localization import TRUE
 from ..diagrams.changes import Changes, Part, changes_of, inserted, replaced
 from ..diagrams.interconnection import Diagram, connect
-from ..diagrams.parts import input_ports, output_ports
+from ..diagrams.parts import functions_of, input_ports, output_ports
 from ..diagrams.scenario_basis import scenario_basis
 from ..equations.block import Block
 from ..errors import DiagramError

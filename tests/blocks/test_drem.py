@@ -83,8 +83,8 @@ def test_one_function_is_the_closed_form():
     np.testing.assert_allclose(run.states[:2], eta - theta[:, None], atol=2e-5)
     late = run.states[12] < 0.7
     assert 0.1 < late.mean() < 0.9
-    np.testing.assert_allclose(run.outputs[13:, late], np.tile(theta[:, None], late.sum()))
-    np.testing.assert_allclose(run.outputs[13:, ~late], -run.states[:2, ~late])
+    np.testing.assert_allclose(run.outputs[:2, late], np.tile(theta[:, None], late.sum()))
+    np.testing.assert_allclose(run.outputs[:2, ~late], -run.states[:2, ~late])
 
 
 @pytest.mark.parametrize("held", [{}, HELD], ids=["adapted", "held"])

@@ -101,7 +101,7 @@ def test_a_block_of_ones_own_may_make_the_estimate():
     mine = clpt.Block(
         "mine",
         update=kalman_flow.kalman_flow,
-        output=kalman_flow.kalman_flow_output,
+        output=table.output_function,
         inputs=table.input_shapes,
         outputs=table.output_shapes,
         states=table.state_shapes,

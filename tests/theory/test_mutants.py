@@ -37,7 +37,8 @@ SOURCES = ("basis", "reference", "disturbance", "field")
 def run_by(block):
     """The functions that a block runs itself."""
     run = (block.update_function, block.output_function, block.jump_function)
-    return [function for function in run if isinstance(function, FunctionType)]
+    own = [getattr(function, "beside", function) for function in run]  # of a law's output
+    return [function for function in own if isinstance(function, FunctionType)]
 
 
 def helpers_of(function):

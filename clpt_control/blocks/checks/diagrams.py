@@ -11,7 +11,7 @@ from ...equations.at_many import leaf_values
 from ...equations.block import Block
 from ...equations.symbolic import expressions
 from ...errors import BlockError
-from .equations import Sample, differ, own_copy, python_values, roles
+from .equations import Sample, control_values, differ, own_copy, python_values, roles
 
 LINEAR = 1e-4
 SMOOTH = frozenset(
@@ -52,16 +52,11 @@ def _pickles(block: Block, drawn: list[Sample]) -> Iterator[str]:
         )
         return
     for sample in drawn[:3]:
-        ours, theirs = ([b.output(sample.t, sample.x, sample.u)] for b in (block, twin))
-        if block.nstates:
-            ours.append(block.dynamics(sample.t, sample.x, sample.u))
-            theirs.append(twin.dynamics(sample.t, sample.x, sample.u))
-        if block.jump_function is not None:
-            given = sample.t, sample.x, sample.u, sample.p
-            ours.append(block.values("jump", block.nstates, *given))
-            theirs.append(twin.values("jump", block.nstates, *given))
-        if any(not np.array_equal(a, b, equal_nan=True) for a, b in zip(ours, theirs, strict=True)):
-            yield f"{block.name}: pickling gives other values"
+        for role in roles(block):
+            ask = python_values if role == "jump" else control_values
+            ours, theirs = (ask(one, role, sample) for one in (block, twin))
+            if not np.array_equal(ours, theirs, equal_nan=True):
+                yield f"{block.name}: pickling gives other values"
 
 
 def _linearizes(block: Block, drawn: list[Sample]) -> Iterator[str]:
@@ -110,14 +105,13 @@ def _interconnects(block: Block, drawn: list[Sample]) -> Iterator[str]:
     """python-control's interconnection of the block alone gives the same."""
     diagram = _alone(block)
     for sample in drawn[:5]:
-        arguments = (sample.t, sample.x, sample.u)
-        ours = python_values(block, "output", sample)
-        if differ(ours, diagram.output(*arguments)):
-            yield f"{block.name}: other outputs inside control.interconnect than alone"
-        if block.update_function is not None:
-            rates = python_values(block, "update", sample)
-            if differ(rates, diagram.dynamics(*arguments)):
-                yield f"{block.name}: other derivatives inside control.interconnect than alone"
+        for role in roles(block):
+            if role == "jump":  # which python-control does not call
+                continue
+            ours = python_values(block, role, sample)
+            if differ(ours, control_values(diagram, role, sample)):
+                what = {"output": "outputs", "update": "derivatives"}[role]
+                yield f"{block.name}: other {what} inside control.interconnect than alone"
 
 
 def _alone(block: Block) -> control.InterconnectedSystem:

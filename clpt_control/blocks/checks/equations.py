@@ -45,6 +45,12 @@ def python_values(block: Block, role: str, sample: Sample) -> np.ndarray:
     return block.values(role, block.noutputs if role == "output" else block.nstates, *given)
 
 
+def control_values(system: Any, role: str, sample: Sample) -> np.ndarray:
+    """Return what python-control gives when it calls a block or a diagram."""
+    call = system.output if role == "output" else system.dynamics
+    return call(sample.t, sample.x, sample.u)
+
+
 def own_copy(p: Any) -> Any:
     """Return the same parameters with arrays of their own."""
     return p._replace(**{f: v.copy() for f, v in p._asdict().items() if isinstance(v, np.ndarray)})

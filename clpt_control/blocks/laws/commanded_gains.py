@@ -21,14 +21,9 @@ from typing import Any
 import numpy as np
 
 from .known import Truth
-from .law import State, adapt_gains
-
-STATES = {"Q_1": State((2, 2)), "Q_2": State((2, 2)), "b_v": State((2, 2))}  # empty at first
-
-
-def remembered(Q, w, size, forgetting):
-    """Return Q' = -m Q + w w^T/size."""
-    return np.outer(w, w) / size - forgetting * Q
+from .law import MOVING, Part, State, adapt_gains
+from .memory import remembered
+from .scales import mean_feedback
 
 
 def gain_rates(x, u, p):
@@ -41,24 +36,30 @@ def gain_rates(x, u, p):
     return {
         "K": by_error["K"] + p.gain_K * missed[:, 0],
         "Gamma": by_error["Gamma"] + p.gain_Gamma * missed[:, 1],
-        "Q_1": remembered(x.Q_1, w[0], size[0], m),
-        "Q_2": remembered(x.Q_2, w[1], size[1], m),
+        "Q_1": remembered(x.Q_1, w[0], w[0], size[0], m),
+        "Q_2": remembered(x.Q_2, w[1], w[1], size[1], m),
         "b_v": w * y[:, None] / size[:, None] - m * x.b_v,
     }
 
 
-def symmetric(Q: Any) -> Any:
-    """Return the symmetric part of a matrix."""
-    return (Q + Q.T) / 2
+def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
+    """Return what the states are at all times: b_i = Q_i kappa_D."""
+    kappa = np.stack([truth.KD, truth.GammaD]).T
+    return {"b_v": np.stack([s["Q_1"] @ kappa[0], s["Q_2"] @ kappa[1]])}
 
 
-def gains_kept(s: Any, truth: Truth) -> dict[str, Any]:
-    """Return what the states are at all times: Q_i = Q_i^T, b_i = Q_i kappa_D."""
-    Q, kappa = [symmetric(s["Q_1"]), symmetric(s["Q_2"])], np.stack([truth.KD, truth.GammaD]).T
-    return {"Q_1": Q[0], "Q_2": Q[1], "b_v": np.stack([Q[0] @ kappa[0], Q[1] @ kappa[1]])}
-
-
-def gains_losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
+def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
     """Return what V' loses: (kappa - kappa_D)^T Q_i (kappa - kappa_D), where they adapt."""
     off = np.stack([s["K"] - truth.KD, s["Gamma"] - truth.GammaD]).T
     return [(off[0] @ s["Q_1"] @ off[0],), (off[1] @ s["Q_2"] @ off[1],)]
+
+
+COMMANDED_GAINS: Part = {
+    "needs": "the commanded velocity",
+    "states": dict.fromkeys(("Q_1", "Q_2", "b_v"), State((2, 2))),  # empty at first
+    "takes": {**MOVING, "v_c": 2},
+    "parameters": {"alpha_M": "alpha_M", "rate": mean_feedback},
+    "keeps": keeps,
+    "losses": losses,
+    "cones": ("Q_1", "Q_2"),
+}

@@ -22,12 +22,12 @@ from typing import Any
 
 import numpy as np
 
-from ..lyapunov import level
-from .covariance import PARAMETERS, STATES, covariance_rates, forgetting, with_covariance
-from .filtered_flow import shared_rates, unexplained
+from .commanded_gains import COMMANDED_GAINS, gain_rates
+from .covariance import covariance, covariance_rates, forgetting, level_over_P
+from .filtered_flow import FILTERED_FLOW, filter_rates, unexplained
 from .known import Truth
-from .law import Law, Setting, State
-from .scales import times_k
+from .law import HELD, Law, Setting, State
+from .scales import scaled
 
 
 def composite_least_squares(t, x, u, p):
@@ -38,16 +38,15 @@ def composite_least_squares(t, x, u, p):
         "alpha": -np.outer(by_error, x.P @ u.phi_x) - np.outer(by_flow, seen),
         "impulse": -np.outer(by_error, u.phi_x) - forgetting(x, p) * x.impulse,
         **covariance_rates(x, p, seen),
-        **shared_rates(x, u, p),
+        **filter_rates(x, u, p),
+        **gain_rates(x, u, p),
     }
 
 
 def candidate(t, x, u, p):
     """V of Eq. (24) with tr(eta P^-1 eta^T)/gamma for |eta|^2."""
     over = errors_over_P({"rho": u.rho, "impulse": u.impulse}, p, p)
-    return {
-        "V": level(u.e, u, p) + p.noise**2 / (2 * p.weight) * np.sum((p.theta + u.alpha) * over)
-    }
+    return level_over_P(u, p, over, p.weight)
 
 
 def errors_over_P(s: Any, p: Any, truth: Truth) -> Any:
@@ -60,19 +59,16 @@ LAW = Law(
     promise="CLPE goes to zero, and alpha to -theta faster the more the track has shown",
     rates=composite_least_squares,
     parameters={
-        **PARAMETERS,
-        "weight": Setting(
-            None, "positive", "w, of CLPE beside the regression, 1/time; 100 k", times_k(100)
-        ),
-        "forgetting": Setting(0.0, "not negative", "lambda_0 of P, 1/time; 0 forgets nothing"),
-    },
-    states={
-        **STATES,
-        "impulse": State((2, "N"), lambda known, p: known.alpha * p.information),
+        **HELD,
+        "weight": Setting("w, of CLPE beside the regression, 1/time; 100 k", scaled(100)),
+        "forgetting": Setting("lambda_0 of P, 1/time; 0 forgets nothing", 0.0, "not negative"),
     },
     candidate=candidate,
     measures=("e", "alpha", "K", "Gamma", "rho", "impulse"),
-    shares=("weight", "noise", "information"),
     says="-e^T KD e - |eta phi_f|^2/(2 w) - lambda tr(eta P^-1 eta^T)/(2 gamma)",
-    **with_covariance(errors_over_P, "weight"),
+).with_parts(
+    FILTERED_FLOW,
+    COMMANDED_GAINS,
+    covariance(errors_over_P, "weight"),
+    {"states": {"impulse": State((2, "N"), lambda known, p: known.alpha * p.information)}},
 )

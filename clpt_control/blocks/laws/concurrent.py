@@ -33,10 +33,9 @@ from typing import Any
 import numpy as np
 
 from ..reference import multiples
-from .commanded_gains import symmetric
-from .known import Truth
-from .law import GAINS, LEARNED, MOVING, Law, Setting, State, adapt_gains
-from .scales import times_k
+from .law import GAINS, Law, Part, Setting, State, adapt_gains
+from .memory import memory, pulled
+from .scales import scaled
 
 
 def concurrent(t, x, u, p):
@@ -75,18 +74,14 @@ def windows(p: Any, t0: float, t1: float) -> np.ndarray:
     return multiples(p.window, t0, t1)
 
 
-def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
-    """Return what the states are at all times: S = S^T, B = theta S, x - origin = theta Phi."""
-    S = symmetric(s["S"])
-    return {"S": S, "B": truth.theta @ S, "origin": s["x"] - truth.theta @ s["Phi"]}
-
-
-def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
-    """Return gamma_c tr(eta S eta^T)/gamma."""
-    eta = truth.theta + s["alpha"]
-    return [(p.memory_gain / p.gain, np.sum((eta @ s["S"]) * eta))]
-
-
+WINDOW: Part = {
+    "states": {
+        "sigma": State(1, lambda known, p: np.full(1, p.window)),
+        "Phi": State("N"),
+        "origin": State(2, lambda known, p: known.position),
+    },
+    "keeps": lambda s, p, truth: {"origin": s["x"] - truth.theta @ s["Phi"]},
+}
 LAW = Law(
     "concurrent",
     promise="CLPE goes to zero, and alpha to -theta exponentially once the track has excited, even "
@@ -95,25 +90,11 @@ LAW = Law(
     rates=concurrent,
     parameters={
         **GAINS,
-        "memory_gain": Setting(None, "positive", "gamma_c, 1/time; 5 k (k mean KD)", times_k(5)),
-        "window": Setting(
-            None, "positive", "T over which flow and basis are summed, time; 1/k", times_k(1, -1)
-        ),
-    },
-    takes=MOVING,
-    states={
-        **LEARNED,
-        "S": State(("N", "N")),
-        "B": State((2, "N")),
-        "sigma": State(1, lambda known, p: np.full(1, p.window)),
-        "Phi": State("N"),
-        "origin": State(2, lambda known, p: known.position),
+        "memory_gain": Setting("gamma_c, 1/time; 5 k (k mean KD)", scaled(5)),
+        "window": Setting("T over which flow and basis are summed, time; 1/k", scaled(1, k=-1)),
     },
     jump=take_in,
     breakpoints=windows,
-    gain=1.0,
-    keeps=keeps,
-    losses=losses,
-    cones=("S",),
+    losses=lambda s, p, truth: [pulled(s, p, truth, "S")],
     says="-e^T KD e - gamma_c tr(eta S eta^T)/gamma",
-)
+).with_parts(memory("S", "B"), WINDOW)

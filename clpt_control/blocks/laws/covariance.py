@@ -20,11 +20,11 @@ from typing import Any
 import numpy as np
 
 from ...errors import ScenarioError
-from .commanded_gains import gains_losses, symmetric
-from .filtered_flow import SHARED, TAKES, shared_kept, unexplained_square
+from ..lyapunov import level
+from .filtered_flow import unexplained_square
 from .known import Known, Truth
-from .law import HELD, Law, Setting, State
-from .scales import FILTER, NOISE, PRIOR, mean_feedback, prior
+from .law import Law, Part, Setting, State
+from .scales import NOISE, PRIOR, prior
 
 
 def forgetting(x, p):
@@ -41,6 +41,11 @@ def covariance_rates(x, p, seen):
     }
 
 
+def level_over_P(u, p, over, w):
+    """Return V of Eq. (24) with r^2 tr(eta P^-1 eta^T)/w for |eta|^2; eta P^-1 is over."""
+    return {"V": level(u.e, u, p) + p.noise**2 / (2 * w) * np.sum((p.theta + u.alpha) * over)}
+
+
 def priors(known: Known) -> np.ndarray:
     """Return the prior standard deviation of each parameter, shape (N,), length per time."""
     each = known.settings["priors"]
@@ -52,73 +57,54 @@ def refuses(law: Law, known: Known) -> None:
     one, each = known.settings["prior"], known.settings["priors"]
     if each is None:
         return
-    if one is not None:
-        raise ScenarioError(
-            f"learning.{law.table}.priors: give either prior or priors, one of the two"
-        )
-    if len(each) != known.N:
-        raise ScenarioError(
-            f"learning.{law.table}.priors: has {len(each)} numbers; must be one for each of the "
-            f"{known.N} functions, 0 to hold its parameter"
-        )
-    if not any(each):
-        raise ScenarioError(
-            f"learning.{law.table}.priors: are all 0, which holds all parameters; give at least one"
-        )
+    count = f"has {len(each)} numbers; must be one for each of the {known.N} functions"
+    for wrong, said in (
+        (one is not None, "give either prior or priors, one of the two"),
+        (len(each) != known.N, f"{count}, 0 to hold its parameter"),
+        (not any(each), "are all 0, which holds all parameters; give at least one"),
+    ):
+        if wrong:
+            raise ScenarioError(f"learning.{law.table}.priors: {said}")
 
 
 def information(known: Known) -> np.ndarray:
     """Return P(0)^-1, 0 for what is held, (time per length) squared."""
-    prior = priors(known)
-    return np.divide(1.0, prior**2, out=np.zeros(len(prior)), where=prior > 0)
+    return np.array([1 / one**2 if one > 0 else 0.0 for one in priors(known)])
 
 
-def with_covariance(over: Callable[..., Any], weight: str) -> dict[str, Any]:
-    """Return what rows of laws with this P share, of eta P^-1 and the parameter that is w."""
+def covariance(over: Callable[..., Any], weight: str) -> Part:
+    """Make the part of a law with this P, of its eta P^-1 and the parameter that is w."""
 
     def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
-        """Return P = P^T, alpha of eta P^-1, F_f = theta phi_f and those of K and Gamma."""
-        P = symmetric(s["P"])
-        return {"P": P, "alpha": over(s, p, truth) @ P - truth.theta, **shared_kept(s, p, truth)}
+        """Return alpha of eta P^-1."""
+        return {"alpha": over(s, p, truth) @ s["P"] - truth.theta}
 
     def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
-        """Return |eta phi_f|^2/(2 w), r^2 lambda tr(eta P^-1 eta^T)/(2 w), those of the gains."""
+        """Return |eta phi_f|^2/(2 w) and r^2 lambda tr(eta P^-1 eta^T)/(2 w)."""
         w, eta_over = getattr(p, weight), over(s, p, truth)
         forgotten = (p.forgetting, 1 - np.trace(s["P"]) / p.largest)
         return [
             (unexplained_square(s, p, truth), 1 / (2 * w)),
             (*forgotten, np.sum((eta_over @ s["P"]) * eta_over), p.noise**2 / (2 * w)),
-            *gains_losses(s, p, truth),
         ]
 
     return {
-        "needs": "the commanded velocity",
-        "keys": KEYS,
-        "takes": TAKES,
+        "keys": {
+            "prior": PRIOR,
+            "priors": Setting("in place of prior: one a function, 0 to hold it", None, "row"),
+        },
+        "parameters": {
+            "noise": NOISE,
+            "largest": lambda known: float(np.sum(priors(known) ** 2)),  # k_0 = tr P(0)
+            "information": information,
+        },
+        "states": {
+            "P": State(("N", "N"), lambda known, p: np.diag(priors(known) ** 2)),
+            "rho": State(1, 1.0),
+        },
         "refuses": refuses,
-        "gain": 1.0,
         "keeps": keeps,
         "losses": losses,
         "over": over,
-        "cones": ("P", "Q_1", "Q_2"),
+        "cones": ("P",),
     }
-
-
-KEYS = {
-    "prior": PRIOR,
-    "priors": Setting(None, "row", "in place of prior: one a function, 0 to hold it"),
-}
-PARAMETERS = {
-    **HELD,
-    "alpha_M": "alpha_M",
-    "rate": mean_feedback,
-    "noise": NOISE,
-    "filter": FILTER,
-    "largest": lambda known: float(np.sum(priors(known) ** 2)),  # k_0 = tr P(0)
-    "information": information,
-}
-STATES = {
-    **SHARED,
-    "P": State(("N", "N"), lambda known, p: np.diag(priors(known) ** 2)),
-    "rho": State(1, 1.0),
-}

@@ -47,13 +47,10 @@ LAW = Law(
     parameters={
         **GAINS,
         "zone": Setting(
-            None,
-            "positive",
-            "CLPE of which nothing is learned, length; a fiftieth of the "
-            "farthest waypoint's distance",
+            "CLPE of which nothing is learned, length; a fiftieth of the farthest waypoint's "
+            "distance",
             lambda known: known.reach / 50,
         ),
     },
     candidate=candidate,
-    shares=("zone",),
 )

@@ -29,20 +29,17 @@ per time), K[2], Gamma[2] (per time), Q[N*N] (time), b[2N] (length), phi_f[N], q
 time), w[1], the states, and readout[2N] (length per time).
 """
 
-from typing import Any
-
 import numpy as np
 
 from ...errors import ScenarioError
-from .composite_memory import STATES as MEMORY_STATES
-from .composite_memory import memory_kept, memory_rates
-from .filtered_flow import FILTER_STATES, filter_kept, filter_rates
-from .known import Known, Truth
-from .law import HELD, LEARNED, MOVING, Law, Setting, State, adapt_gains
-from .scales import FILTER, MEMORY, mean_feedback
+from .composite_memory import memory_rates
+from .filtered_flow import FILTERED_FLOW, filter_rates
+from .known import Known
+from .law import HELD, Law, Setting, State, adapt_gains
+from .memory import memory
+from .scales import MEMORY, mean_feedback
 
 MOST = 6  # functions
-STATES = {**LEARNED, **MEMORY_STATES, **FILTER_STATES, "w": State(1, 1.0)}
 
 
 def mixing(Q, S):
@@ -73,11 +70,10 @@ def drem(t, x, u, p):
 
 
 def output(t, x, u, p):
-    """The states, and readout[2N] of theta, Eq. (3): theta_FT once 1 - w >= margin."""
+    """Return readout[2N] of theta, Eq. (3): theta_FT once 1 - w >= margin."""
     gone = 1 - x.w
     first = (x.alpha - x.w * p.alpha_0) / np.maximum(p.margin, gone)
-    readout = np.where(gone >= p.margin, -first, -x.alpha)
-    return {**{name: getattr(x, name) for name in STATES}, "readout": readout}
+    return {"readout": np.where(gone >= p.margin, -first, -x.alpha)}
 
 
 def refuses(law: Law, known: Known) -> None:
@@ -89,12 +85,6 @@ def refuses(law: Law, known: Known) -> None:
         )
 
 
-def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
-    """Return what the states are at all times: those of the memory, and eta = w eta(0)."""
-    alpha = s["w"] * (truth.theta + p.alpha_0) - truth.theta
-    return {**memory_kept(s, truth), **filter_kept(s, p, truth), "alpha": alpha}
-
-
 LAW = Law(
     "drem",
     promise="each flow parameter's error only shrinks; in the mean, CLPE at most what is left of "
@@ -102,26 +92,19 @@ LAW = Law(
     needs=f"the commanded velocity, at most {MOST} functions",
     rates=drem,
     parameters={
-        "rate": Setting(
-            None, "positive", "g, 1/time, of each parameter once excited; k", mean_feedback
-        ),
-        "excitation": Setting(0.05, "at most 1", "c, the determinant from which on the rate is g"),
-        "margin": Setting(0.5, "below 1", "of 1 - w, from which on the readout is theta"),
+        "rate": Setting("g, 1/time, of each parameter once excited; k", mean_feedback),
+        "excitation": Setting("c, the determinant from which on the rate is g", 0.05, "at most 1"),
+        "margin": Setting("of 1 - w, from which on the readout is theta", 0.5, "below 1"),
         **HELD,
         "forgetting": MEMORY,
-        "filter": FILTER,
         "alpha_0": lambda known: known.alpha,
     },
-    takes=MOVING,
-    states=STATES,
     output=output,
-    makes={**{name: state.shape for name, state in STATES.items()}, "readout": (2, "N")},
+    makes={"readout": (2, "N")},
     weighs=lambda p: p.rate**2,
     refuses=refuses,
-    gain=1.0,
-    keeps=keeps,
-    cones=("Q",),
     shrinking="w",
+    keeps=lambda s, p, truth: {"alpha": s["w"] * (truth.theta + p.alpha_0) - truth.theta},
     readout="readout",
     says="-e^T KD e + e^T eta phi - f |eta|^2/g^2, eta = w eta(0), w' = -f w <= 0",
-)
+).with_parts(memory("Q", "b"), FILTERED_FLOW, {"states": {"w": State(1, 1.0)}})

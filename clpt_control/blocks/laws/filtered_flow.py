@@ -17,19 +17,9 @@ from typing import Any
 
 import numpy as np
 
-from .commanded_gains import STATES, gain_rates, gains_kept
-from .known import Known, Truth
-from .law import LEARNED, MOVING, State
-
-
-def filter_start(known: Known, p: Any) -> Any:
-    """Return q(0) = l x(0)."""
-    return p.filter * known.position
-
-
-FILTER_STATES = {"phi_f": State("N"), "q": State(2, filter_start)}
-SHARED = {**LEARNED, **FILTER_STATES, **STATES}  # the states of the laws that learn by it
-TAKES = {**MOVING, "v_c": 2}  # and what they take
+from .known import Truth
+from .law import MOVING, Part, State
+from .scales import FILTER
 
 
 def filter_rates(x, u, p):
@@ -47,21 +37,14 @@ def unexplained(x, u, p):
     return filtered_flow(x, u, p) + x.alpha @ x.phi_f
 
 
-def shared_rates(x, u, p):
-    """Return the rates of all shared states but alpha."""
-    return {**filter_rates(x, u, p), **gain_rates(x, u, p)}
-
-
-def filter_kept(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
-    """Return what the filter's states are at all times: F_f = theta phi_f."""
-    return {"q": p.filter * s["x"] - truth.theta @ s["phi_f"]}
-
-
-def shared_kept(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
-    """Return what the shared states are at all times: F_f = theta phi_f, b_i = Q_i kappa_D."""
-    return {**filter_kept(s, p, truth), **gains_kept(s, truth)}
-
-
 def unexplained_square(s: Any, p: Any, truth: Truth) -> Any:
     """Return |eta phi_f|^2, eta = theta + alpha."""
     return np.sum(((truth.theta + s["alpha"]) @ s["phi_f"]) ** 2)
+
+
+FILTERED_FLOW: Part = {
+    "states": {"phi_f": State("N"), "q": State(2, lambda known, p: p.filter * known.position)},
+    "takes": MOVING,
+    "parameters": {"filter": FILTER},
+    "keeps": lambda s, p, truth: {"q": p.filter * s["x"] - truth.theta @ s["phi_f"]},  # F_f
+}

@@ -20,27 +20,24 @@ same and stays right however small r is.
 K and Gamma are those of the vehicle, K_D and Gamma_D: Eq. (7) steers, at z.
 Source: Ljung 1999, System Identification, section 11.2, recursive least squares.
 
-Ports: fix[2] (length), taken[1], phi_z[N], v_x[2] (length per time) -> alpha[2N] (length per
-time), K[2], Gamma[2] (per time), z[2] (length), information[N*N] (P^-1, time per length, squared).
-States beside these: P[N*N] (length per time, squared), m[N] (time); of the fix under way
-sent[2] (length), waiting[1], z_sent[2] (length), m_sent[N] (time).
+Ports: fix[2] (length), taken[1], phi_z[N], v_x[2] (length per time) -> K[2], Gamma[2] (per time)
+and the states alpha[2N] (length per time), z[2] (length), information[N*N] (P^-1, time per length,
+squared), P[N*N] (length per time, squared), m[N] (time); of the fix under way sent[2] (length),
+waiting[1], z_sent[2] (length), m_sent[N] (time).
 """
 
 from typing import Any
 
 import numpy as np
 
-from ...errors import ScenarioError
 from ..reference import multiples
-from .known import Known
 from .law import Law, Setting, State
 from .scales import PRIOR, prior, reach
 
 
 def predict(t, x, u, p):
     """z' = theta_hat phi(z) + v, m' = phi(z), Eq. (1) with theta_hat; all else keeps its value."""
-    moving = {"z": u.v_x - x.alpha @ u.phi_z, "m": u.phi_z}
-    return {**dict.fromkeys(STATES, 0.0), **moving}
+    return {**dict.fromkeys(STATES, 0.0), "z": u.v_x - x.alpha @ u.phi_z, "m": u.phi_z}
 
 
 def learn(t, x, u, p):
@@ -74,10 +71,9 @@ def learn(t, x, u, p):
     }
 
 
-def estimate(t, x, u, p):
-    """The states alpha and z, K = K_D and Gamma = Gamma_D of Eq. (7), and P^-1."""
-    gains = {"K": p.KD, "Gamma": p.GammaD}
-    return {"alpha": x.alpha, **gains, "z": x.z, "information": x.information}
+def gains(t, x, u, p):
+    """K = K_D and Gamma = Gamma_D of Eq. (7), beside the states."""
+    return {"K": p.KD, "Gamma": p.GammaD}
 
 
 def candidate(t, x, u, p):
@@ -93,15 +89,6 @@ def events(p: Any, t0: float, t1: float) -> np.ndarray:
         return sent
     arrived = multiples(p.between, t0 - p.latency - p.between, t1) + p.latency
     return np.sort(np.concatenate([sent, arrived[(arrived > t0) & (arrived <= t1)]]))
-
-
-def refuses(law: Law, known: Known) -> None:
-    """Refuse to learn at fixes where there are none."""
-    if known.fixes is None:
-        raise ScenarioError(
-            'learning.law = "fix-regression": learns at fixes; give localization.interval, the '
-            "time from one fix to the next"
-        )
 
 
 def usual_noise(known: Any) -> float:
@@ -126,12 +113,7 @@ LAW = Law(
     needs="fixes, localization.interval; steers on the prediction in between",
     rates=predict,
     parameters={
-        "noise": Setting(
-            None,
-            "positive",
-            "r of the regression, length; ((0.1 R)^2 + 2 noise^2)^0.5",
-            usual_noise,
-        ),
+        "noise": Setting("r of the regression, length; ((0.1 R)^2 + 2 noise^2)^0.5", usual_noise),
         "KD": lambda known: known.KD,
         "GammaD": lambda known: known.GammaD,
         "between": lambda known: known.fixes.between,
@@ -140,13 +122,11 @@ LAW = Law(
     keys={"prior": PRIOR},
     takes={"fix": 2, "taken": 1, "phi_z": "N", "v_x": 2},
     states=STATES,
-    output=estimate,
-    makes={"alpha": (2, "N"), "K": 2, "Gamma": 2, "z": 2, "information": ("N", "N")},
+    output=gains,
+    makes={"K": 2, "Gamma": 2},
     jump=learn,
     breakpoints=events,
     candidate=candidate,
     measures=("alpha", "information"),
-    shares=("noise",),
-    refuses=refuses,
     says="0; at an exact fix V falls by r^2 |eta m|^2/(2 (r^2 + m^T P m))",
 )

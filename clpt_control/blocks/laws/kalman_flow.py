@@ -24,12 +24,11 @@ from typing import Any
 
 import numpy as np
 
-from .. import lyapunov
-from .commanded_gains import symmetric
-from .filtered_flow import FILTER_STATES, filter_kept, filter_rates, filtered_flow
+from .filtered_flow import FILTERED_FLOW, filter_rates, filtered_flow
 from .known import Truth
-from .law import HELD, MOVING, Law, Setting, State, adapt_gains
-from .scales import FILTER, NOISE, PRIOR, mean_feedback, prior
+from .known_flow import known_flow_output
+from .law import HELD, Law, Setting, State, adapt_gains
+from .scales import NOISE, PRIOR, mean_feedback, prior
 
 
 def kalman_flow(t, x, u, p):
@@ -43,29 +42,12 @@ def kalman_flow(t, x, u, p):
     }
 
 
-def kalman_flow_output(t, x, u, p):
-    """alpha = alpha_M and the states, Eqs. (13)-(15)."""
-    return {"alpha": p.alpha_M, **{name: getattr(x, name) for name in STATES}}
-
-
-def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
-    """Return what the states are at all times: P = P^T, F_f = theta phi_f."""
-    return {"P": symmetric(s["P"]), **filter_kept(s, p, truth)}
-
-
 def gains(s: Any, p: Any, truth: Truth) -> Any:
     """Return (d P^-1 d^T)' = -|d phi_f|^2/r^2 - w^2 |d P^-1|^2, both axes together."""
     off = (s["theta_hat"] - truth.theta) @ s["phi_f"]
     return -np.sum(off**2) / p.noise**2 - p.walk**2 * np.sum(s["d P^-1"] ** 2)
 
 
-STATES = {
-    "K": State(2),
-    "Gamma": State(2),
-    "theta_hat": State((2, "N"), lambda known, p: known.theta_estimate),
-    "P": State(("N", "N"), lambda known, p: prior(known) ** 2 * np.eye(known.N)),
-    **FILTER_STATES,
-}
 LAW = Law(
     "kalman-flow",
     promise="CLPE as small as the error of the flow that a Kalman filter finds on the way "
@@ -77,22 +59,21 @@ LAW = Law(
         "alpha_M": "alpha_M",
         "noise": NOISE,
         "walk": Setting(
-            None,
-            "not negative",
             "w of each theta, length/time^1.5; 0.03 of prior, times k^0.5",
             lambda known: 0.03 * prior(known) * np.sqrt(mean_feedback(known)),
+            "not negative",
         ),
-        "filter": FILTER,
     },
     keys={"prior": PRIOR},
-    takes=MOVING,
-    states=STATES,
-    output=kalman_flow_output,
-    makes={"alpha": (2, "N"), **{name: state.shape for name, state in STATES.items()}},
-    candidate=lyapunov.known_flow,
-    gain=1.0,
-    keeps=keeps,
+    states={
+        "K": State(2),
+        "Gamma": State(2),
+        "theta_hat": State((2, "N"), lambda known, p: known.theta_estimate),
+        "P": State(("N", "N"), lambda known, p: prior(known) ** 2 * np.eye(known.N)),
+    },
+    output=known_flow_output,
+    makes={"alpha": (2, "N")},
     gains=gains,
     cones=("P",),
     says="(d P^-1 d^T)' <= -|d phi_f|^2/r^2, d = theta_hat - theta",
-)
+).with_parts(FILTERED_FLOW)

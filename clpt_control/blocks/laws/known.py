@@ -1,4 +1,4 @@
-"""What a law may know of an experiment, and which of it was asked for."""
+"""What a law may know of an experiment, and the truth that V measures to."""
 
 from collections.abc import Mapping
 from typing import Any, NamedTuple
@@ -57,43 +57,3 @@ class Truth(NamedTuple):
     theta: np.ndarray  # shape (2, N), length per time
     KD: np.ndarray  # shape (2,), feedback gains of the vehicle, per time
     GammaD: np.ndarray  # shape (2,), feedforward gains, per time
-
-
-# what is known -> the keys of the scenario that say it
-KEYS = {
-    "gains.parameters": ("learning.gain", "learning.gains.parameters"),
-    "gains.feedback": ("learning.gain", "learning.gains.feedback"),
-    "gains.feedforward": ("learning.gain", "learning.gains.feedforward"),
-    "alpha_M": ("model.parameters",),
-    "KD": ("vehicle.feedback",),
-    "GammaD": ("vehicle.feedforward",),
-    "dwell": ("reference.dwell",),
-    "position": ("vehicle.position",),
-    "alpha": ("learning.parameters",),
-    "theta_estimate": ("learning.theta_estimate", "model.parameters"),
-    "fixes.between": ("localization.interval",),
-    "fixes.latency": ("localization.latency",),
-    "fixes.noise": ("localization.noise",),
-}
-
-
-class Noting:
-    """What is known, noting the names of what is asked for."""
-
-    def __init__(self, known: Any, asked: set[str], within: str = "") -> None:
-        self._known, self._asked, self._within = known, asked, within
-
-    def __getattr__(self, name: str) -> Any:
-        own = getattr(type(self._known), name)
-        if isinstance(own, property):
-            return own.__get__(self)
-        value = getattr(self._known, name)
-        if isinstance(value, Gains | Fixes):
-            return Noting(value, self._asked, f"{name}.")
-        self._asked.add(self._within + name)
-        return value
-
-    @property
-    def keys(self) -> set[str]:
-        """The keys of the scenario that say what was asked for."""
-        return {key for name in self._asked for key in KEYS.get(name, ())}

@@ -7,38 +7,39 @@ z and zc are diagonal matrices in the paper, so each axis i has its own e_i, z_i
 gamma is one number for all.  A gain of 0 holds what it adapts.
 
 A row declares parameters, states, what the law takes, its rates and V; the block, its
-parameters, V's block, starts and what they are made of follow from it.
+parameters, V's block and starts follow from it.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from operator import attrgetter
 from typing import Any, Literal, NamedTuple
 
-import control
 import numpy as np
 
 from ...equations.block import Block
-from ...equations.declaration import Parameters, parameters_of, ports_of
-from ...errors import DiagramError
-from ..lyapunov import SHAPES, learned_flow, weighed
-from .known import Known, Noting, Truth
+from ...equations.declaration import Parameters, parameters_of
+from ..lyapunov import SHAPES, known_flow, learned_flow, weighed
+from .known import Known, Truth
 
 
 class Setting(NamedTuple):
     """A key of a law's own table of the scenario."""
 
-    default: Any  # a number; None where it is made of what is known
-    # "below 1" and "at most 1" are positive too
-    allowed: Literal[
-        "number", "positive", "not negative", "below 1", "at most 1", "row", "two rows"
-    ]
     meaning: str  # what it is, with its unit
-    usual: Callable[[Known], Any] | None = None  # what it is where it is left out
+    usual: Any  # where it is left out: a number, or what makes it of what is known
+    # "below 1" and "at most 1" are positive too
+    allowed: Literal["positive", "not negative", "below 1", "at most 1", "row"] = "positive"
+
+    @property
+    def default(self) -> Any:
+        """A number; None where it is made of what is known."""
+        return None if callable(self.usual) else self.usual
 
     def of(self, known: Known, key: str) -> Any:
         """Return what the scenario gives for a key, or what is usual."""
         given = known.settings[key]
-        return self.usual(known) if given is None and self.usual else given
+        return self.usual(known) if given is None and callable(self.usual) else given
 
 
 class State(NamedTuple):
@@ -55,6 +56,20 @@ HELD = {"gain_K": "gains.feedback", "gain_Gamma": "gains.feedforward"}  # 0 hold
 # per length squared per time squared, and gamma > 0 of alpha per time squared
 GAINS = {"gain": "gains.parameters", **HELD}
 MORE_SHAPES = {"alpha_M": (2, "N"), "alpha_0": (2, "N"), "information": "N"}  # of parameters
+Part = Mapping[str, Any]  # fields of a row that laws share
+MAPPINGS = ("keys", "parameters", "states", "takes")  # fields that are joined
+
+
+@dataclass(frozen=True)
+class Made:
+    """The output of a law: its states, and what is made beside them."""
+
+    beside: Callable[..., Any]
+    states: tuple[str, ...]
+
+    def __call__(self, t: float, x: Any, u: Any, p: Any) -> dict[str, Any]:
+        """Return the outputs by port."""
+        return {**self.beside(t, x, u, p), **{name: getattr(x, name) for name in self.states}}
 
 
 class Law(NamedTuple):
@@ -62,25 +77,23 @@ class Law(NamedTuple):
 
     name: str  # learning.law; its own table is learning.NAME, with _ for -
     promise: str  # one line
-    needs: str  # one line
     rates: Callable[..., Any]  # the rates of its states
+    needs: str = ""  # one line
     # a key of its own table; a name of what is known, as it is; or what makes it of what is known
     parameters: Mapping[str, Any] = GAINS
     one_gain: bool = False  # whether one gain for all is one parameter, as in the paper
     keys: Mapping[str, Setting] = {}  # of its own table, that are no parameters
     takes: Mapping[str, Any] = PAPER  # v_c where the speed is limited
     states: Mapping[str, State] = LEARNED
-    output: Callable[..., Any] | None = None  # and what it `makes`, where that is not its states
-    makes: Mapping[str, Any] | None = None
+    output: Callable[..., Any] | None = None  # what it `makes` beside its states
+    makes: Mapping[str, Any] = {}
     jump: Callable[..., Any] | None = None  # at its breakpoints
     breakpoints: Callable[..., np.ndarray] | None = None
-    candidate: Callable[..., Any] = learned_flow  # V
+    candidate: Callable[..., Any] | None = None  # V, where it is not Eq. (17) or (24)
     measures: tuple[str, ...] = ("e", "alpha", "K", "Gamma")  # of e and what it makes
     weighs: Callable[[Any], float] = lambda p: p.get("gain", 1.0)  # the gain of alpha in V
-    shares: tuple[str, ...] = ()  # its parameters that are V's too
     refuses: Callable[[Any, Known], None] = lambda law, known: None
-    gain: float | None = None  # where learning.gain is left out; None: it is required
-    # for the proof, of (states, parameters, truth): relations of its states
+    # for the proof, of (states, parameters, truth): relations of its states, beside M = M^T
     keeps: Callable[..., dict[str, Any]] | None = None
     # what V' loses beyond e^T KD e where they hold: products of factors that are not negative
     losses: Callable[..., list[tuple]] = lambda states, p, truth: []
@@ -107,6 +120,11 @@ class Law(NamedTuple):
         return {key: one for key, one in own.items() if isinstance(one, Setting)}
 
     @property
+    def gain(self) -> float | None:
+        """learning.gain where it is left out; required of laws that learn by CLPE alone."""
+        return 1.0 if "x" in self.takes else None
+
+    @property
     def alpha_by_gain(self) -> bool:
         """Whether learning.gain adapts alpha too, not only K and Gamma."""
         return "gain" in self.parameters
@@ -131,18 +149,34 @@ class Law(NamedTuple):
         """Whether theta_hat of Eq. (13) is given."""
         return self.keeps_alpha and not self.makes_estimate
 
+    def with_parts(self, *parts: Part) -> "Law":
+        """Return the row with what its parts have; its cones are symmetric."""
+        whole = (self._asdict(), *parts)
+
+        def every(field: str) -> list[Any]:
+            return [part[field] for part in whole if part.get(field)]
+
+        def keeps(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
+            own = {name: (s[name] + s[name].T) / 2 for name in cones}
+            return joined([own, *(one({**s, **own}, p, truth) for one in every("keeps"))])
+
+        def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
+            return [product for one in every("losses") for product in one(s, p, truth)]
+
+        cones = tuple(sorted(name for own in every("cones") for name in own))
+        found = joined(parts) | {field: joined(every(field)) for field in MAPPINGS}
+        return self._replace(**found | {"keeps": keeps, "losses": losses, "cones": cones})
+
     def parameters_of(self, known: Known) -> Parameters:
         """Return its parameters, of what is known."""
         self.refuses(self, known)
         found: dict[str, Any] = {}
         for name, made in self.parameters.items():
-            if isinstance(made, Setting):
-                found[name] = made.of(known, name)
-            else:
-                found[name] = attrgetter(made)(known) if isinstance(made, str) else made(known)
+            made = attrgetter(made) if isinstance(made, str) else made
+            found[name] = made.of(known, name) if isinstance(made, Setting) else made(known)
         if self.one_gain and known.gains.one:
             rest = {name: value for name, value in found.items() if name not in GAINS}
-            found = {"gain": known.gains.feedback, **rest}
+            found = {"gain": known.gains.feedback} | rest
         return parameters_of(found)
 
     def block(self, known: Known) -> Block:
@@ -151,13 +185,14 @@ class Law(NamedTuple):
 
     def of(self, N: int, limited: bool = False, **parameters: Any) -> Block:
         """Make the law of its parameters."""
+        states = {name: state.shape for name, state in self.states.items()}
         return Block(
             "adaptation",
             update=self.rates,
-            output=self.output,
+            output=Made(self.output, tuple(states)) if self.output else None,
             inputs={port: n for port, n in self.takes.items() if port != "v_c" or limited},
-            outputs=self.makes,
-            states={name: state.shape for name, state in self.states.items()},
+            outputs={**self.makes, **states},
+            states=states,
             parameters=parameters | ({"interval": -1.0} if self.breakpoints else {}),
             shapes=among(parameters, MORE_SHAPES),
             sizes={"N": N},
@@ -171,33 +206,25 @@ class Law(NamedTuple):
         own = {name: state.start for name, state in self.states.items() if state.start is not None}
         return {name: start(known, p) if callable(start) else start for name, start in own.items()}
 
-    def made_of(self, known: Known) -> set[str]:
-        """Return keys of which parameters and starts are made, beside its own and as they are."""
-        noting, p = Noting(known, set()), self.parameters_of(known)
-        for name, made in {**self.keys, **self.parameters}.items():
-            if isinstance(made, Setting):
-                made.of(noting, name)  # type: ignore[arg-type]
-            elif callable(made):
-                made(noting)
-        for state in self.states.values():
-            if callable(state.start):
-                state.start(noting, p)
-        return noting.keys
-
     def V(self, p: Any, truth: Truth) -> Block:
         """Make V of its parameters."""
         weights = self.weighs(p), *gains_of(p)
         own = weighed([1.0 if gain is None else gain for gain in weights], *truth)._asdict()
-        own |= {name: getattr(p, name) for name in self.shares}
+        own |= {name: getattr(p, name) for name in self.parameters if name not in own}
         ports = {name: state.shape for name, state in {**LEARNED, **self.states}.items()}
         return Block(
             "lyapunov",
-            output=self.candidate,
+            output=self.candidate or (known_flow if self.keeps_alpha else learned_flow),
             inputs={port: {"e": 2, **ports}[port] for port in self.measures},
             outputs={"V": 1},
             parameters=own,
             shapes=among(own, {**SHAPES, **MORE_SHAPES}),
         )
+
+
+def joined(mappings: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
+    """Return mappings as one."""
+    return {name: one for own in mappings for name, one in own.items()}
 
 
 def among(parameters: Any, shapes: Mapping[str, Any]) -> dict[str, Any]:
@@ -215,23 +242,3 @@ def adapt_gains(p, e, z, zc):
     """Return K' and Gamma', Eqs. (14)-(15) and (22)-(23)."""
     gain_K, gain_Gamma = gains_of(p)
     return {"K": -gain_K * z * e, "Gamma": gain_Gamma * zc * e}
-
-
-def functions_of(law: control.NonlinearIOSystem) -> int:
-    """Return the N of a law; refuse a part that does not make alpha[2N], K[2] and Gamma[2]."""
-    if not isinstance(law, control.NonlinearIOSystem):
-        what = f"a {type(law).__name__}" if hasattr(law, "name") else f"{law!r:.60}"
-        raise DiagramError(f"{what} is no law: give a Block")
-    taken, made = (
-        {port: len(places) for port, places in ports_of(labels).items()}
-        for labels in (law.input_labels, law.output_labels)
-    )
-    N = made.get("alpha", 0) // 2
-    if N < 1 or made.get("alpha") != 2 * N or made.get("K") != 2 or made.get("Gamma") != 2:
-        raise DiagramError(
-            f"{law.name}: a law makes alpha[2N], K[2] and Gamma[2]; it makes "
-            + (", ".join(f"{port}[{size}]" for port, size in made.items()) or "nothing")
-        )
-    if taken.get("phi_x", N) != N:
-        raise DiagramError(f"{law.name}: phi_x has {taken['phi_x']} signals, N is {N}")
-    return N

@@ -27,8 +27,6 @@ Ports: e[2] (length), phi_x[N], z[2], zc[2] (length) -> alpha[2N] (length per ti
 Gamma[2] (per time), the states.
 """
 
-import math
-
 import numpy as np
 
 from .law import GAINS, Known, Law, Setting
@@ -69,36 +67,22 @@ def forgetting(known: Known) -> float:
     return 1.0 / (known.gains.parameters * known.cycle)
 
 
-def largest_flow(known: Known) -> float:
-    """Return M of alpha: each parameter the speed that KD asks for at the farthest waypoint."""
-    return math.sqrt(2 * known.N) * float(known.KD.max()) * known.reach
-
-
 def twice_KD(known: Known) -> float:
     """Return M of K and of Gamma: gains up to twice KD."""
-    return 2.0 * math.hypot(*known.KD)
+    return 2.0 * float(np.hypot(*known.KD))
 
 
 LIMITS = {
     "largest_flow": Setting(
-        None,
-        "positive",
         "largest norm of the flow parameters, length per time; sqrt(2 N) times "
         "the speed that KD asks for at the farthest waypoint",
-        largest_flow,
+        lambda known: float(np.sqrt(2 * known.N) * known.KD.max()) * known.reach,
     ),
-    "largest_feedback": Setting(
-        None, "positive", "largest norm of K, per time; twice that of KD", twice_KD
-    ),
-    "largest_feedforward": Setting(
-        None, "positive", "largest norm of Gamma, per time; twice that of KD", twice_KD
-    ),
+    "largest_feedback": Setting("largest norm of K, per time; twice that of KD", twice_KD),
+    "largest_feedforward": Setting("largest norm of Gamma, per time; twice that of KD", twice_KD),
 }
 LEAK = Setting(
-    None,
-    "positive",
-    "its gain times leak is what is forgotten per time, of alpha all within a cycle",
-    forgetting,
+    "its gain times leak is what is forgotten per time, of alpha all within a cycle", forgetting
 )
 SIGMA = Law(
     "sigma",
@@ -123,8 +107,6 @@ E_MODIFICATION = Law(
     parameters={
         **GAINS,
         "leak": Setting(
-            None,
-            "positive",
             "its gain times leak times CLPE is what is forgotten per time, of alpha all within "
             "a cycle at a CLPE as large as the farthest waypoint's distance",
             lambda known: forgetting(known) / known.reach,

@@ -23,35 +23,34 @@ from typing import Any
 
 import numpy as np
 
-from ..lyapunov import level
-from .covariance import PARAMETERS, STATES, covariance_rates, with_covariance
-from .filtered_flow import shared_rates, unexplained
+from .commanded_gains import COMMANDED_GAINS, gain_rates
+from .covariance import covariance, covariance_rates, level_over_P
+from .filtered_flow import FILTERED_FLOW, filter_rates, unexplained
 from .known import Truth
-from .law import Law, Setting
-from .scales import times_k
+from .law import HELD, Law, Setting
+from .scales import scaled
 
 
 def least_squares(t, x, u, p):
     """alpha' = -P phi_f eps^T/r^2 in place of Eq. (21), P', rho'."""
     seen = x.P @ x.phi_f
     alpha = -np.outer(unexplained(x, u, p), seen) / p.noise**2
-    return {"alpha": alpha, **covariance_rates(x, p, seen), **shared_rates(x, u, p)}
+    return {
+        "alpha": alpha,
+        **covariance_rates(x, p, seen),
+        **filter_rates(x, u, p),
+        **gain_rates(x, u, p),
+    }
 
 
 def candidate(t, x, u, p):
     """V of Eq. (24) with r^2 tr(eta P^-1 eta^T)/k for |eta|^2, eta P^-1 = rho eta(0) P(0)^-1."""
-    eta, over = p.theta + u.alpha, errors_over_P({"rho": u.rho}, p, p)
-    return {"V": level(u.e, u, p) + p.noise**2 / (2 * p.rate) * np.sum(eta * over)}
+    return level_over_P(u, p, errors_over_P({"rho": u.rho}, p, p), p.rate)
 
 
 def errors_over_P(s: Any, p: Any, truth: Truth) -> Any:
     """Return eta P^-1 = rho eta(0) P(0)^-1, shape (2, N)."""
     return s["rho"] * (truth.theta + p.alpha_0) * p.information
-
-
-def push(s: Any, p: Any, truth: Truth) -> Any:
-    """Return e^T eta phi."""
-    return (s["x"] - s["z"]) @ ((truth.theta + s["alpha"]) @ s["phi_x"])
 
 
 LAW = Law(
@@ -60,16 +59,13 @@ LAW = Law(
     "as small in the mean as the flow is well learned",
     rates=least_squares,
     parameters={
-        **PARAMETERS,
-        "forgetting": Setting(None, "not negative", "lambda_0 of P, 1/time; 0.02 k", times_k(0.02)),
+        **HELD,
+        "forgetting": Setting("lambda_0 of P, 1/time; 0.02 k", scaled(0.02), "not negative"),
         "alpha_0": lambda known: known.alpha,
     },
-    states=STATES,
     candidate=candidate,
     measures=("e", "alpha", "K", "Gamma", "rho"),
-    shares=("rate", "noise", "information", "alpha_0"),
-    push=push,
+    push=lambda s, p, truth: (s["x"] - s["z"]) @ ((truth.theta + s["alpha"]) @ s["phi_x"]),
     says="-e^T KD e + e^T eta phi - |eta phi_f|^2/(2 k) - r^2 lambda tr(eta P^-1 eta^T)/(2 k)",
     comes_to="tr(eta P^-1 eta^T) never rises; in the mean |e| <= |eta phi| over the least of KD",
-    **with_covariance(errors_over_P, "rate"),
-)
+).with_parts(FILTERED_FLOW, COMMANDED_GAINS, covariance(errors_over_P, "rate"))

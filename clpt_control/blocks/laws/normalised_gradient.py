@@ -18,53 +18,34 @@ from typing import Any
 
 import numpy as np
 
-from .commanded_gains import gains_losses
-from .filtered_flow import (
-    SHARED,
-    TAKES,
-    shared_kept,
-    shared_rates,
-    unexplained,
-    unexplained_square,
-)
+from .commanded_gains import COMMANDED_GAINS, gain_rates
+from .filtered_flow import FILTERED_FLOW, filter_rates, unexplained, unexplained_square
 from .known import Truth
 from .law import GAINS, Law, Setting
-from .scales import FILTER, mean_feedback, times_k
+from .scales import scaled
 
 
 def normalised_gradient(t, x, u, p):
     """alpha' of Eq. (21) with the regression, normalised."""
     eps = p.regression_gain * unexplained(x, u, p) / (1 + x.phi_f @ x.phi_f)
     alpha = -p.gain * np.outer(u.e, u.phi_x) - np.outer(eps, x.phi_f)
-    return {"alpha": alpha, **shared_rates(x, u, p)}
+    return {"alpha": alpha, **filter_rates(x, u, p), **gain_rates(x, u, p)}
 
 
 def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
-    """Return gamma_n |eta phi_f|^2/(gamma (1 + |phi_f|^2)), and what K and Gamma lose."""
+    """Return gamma_n |eta phi_f|^2/(gamma (1 + |phi_f|^2))."""
     size = 1 + s["phi_f"] @ s["phi_f"]
-    own = (unexplained_square(s, p, truth), p.regression_gain / p.gain, 1 / size)
-    return [own, *gains_losses(s, p, truth)]
+    return [(unexplained_square(s, p, truth), p.regression_gain / p.gain, 1 / size)]
 
 
 LAW = Law(
     "normalised-gradient",
     promise="CLPE goes to zero, and alpha to -theta as fast as the track of now shows it",
-    needs="the commanded velocity",
     rates=normalised_gradient,
     parameters={
         **GAINS,
-        "alpha_M": "alpha_M",
-        "rate": mean_feedback,
-        "filter": FILTER,
-        "regression_gain": Setting(
-            None, "positive", "gamma_n, 1/time; 4 k (k mean KD)", times_k(4)
-        ),
+        "regression_gain": Setting("gamma_n, 1/time; 4 k (k mean KD)", scaled(4)),
     },
-    takes=TAKES,
-    states=SHARED,
-    gain=1.0,
-    keeps=shared_kept,
     losses=losses,
-    cones=("Q_1", "Q_2"),
     says="-e^T KD e - gamma_n |eta phi_f|^2/(gamma (1 + |phi_f|^2))",
-)
+).with_parts(FILTERED_FLOW, COMMANDED_GAINS)

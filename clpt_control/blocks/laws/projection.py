@@ -50,6 +50,6 @@ LAW = Law(
     parameters={
         **GAINS,
         **LIMITS,
-        "layer": Setting(0.1, "positive", "how far beyond a limit, as a share of it"),
+        "layer": Setting("how far beyond a limit, as a share of it", 0.1),
     },
 )

@@ -17,9 +17,9 @@ def mean_feedback(known: Known) -> float:
     return float(np.mean(known.KD))
 
 
-def times_k(factor: float, power: int = 1) -> Any:
-    """Return what makes a multiple of a power of k."""
-    return lambda known: factor * mean_feedback(known) ** power
+def scaled(factor: float, k: float = 1, R: int = 0) -> Any:
+    """Return what makes factor k^k R^R of what is known."""
+    return lambda known: factor * mean_feedback(known) ** k * (reach(known) ** R if R else 1)
 
 
 def reach(known: Known) -> float:
@@ -34,25 +34,13 @@ def reach(known: Known) -> float:
     return R
 
 
-def usual_prior(known: Known) -> float:
-    """Return 0.3 k R, the standard deviation of each parameter, length per time."""
-    return 0.3 * mean_feedback(known) * reach(known)
-
-
-def usual_noise(known: Known) -> float:
-    """Return 0.1 R k^0.5, length per square root of time."""
-    return 0.1 * reach(known) * float(np.sqrt(mean_feedback(known)))
-
-
 PRIOR = Setting(
-    None,
-    "positive",
     "standard deviation of each theta, length/time; 0.3 k R, mean KD times track's reach",
-    usual_prior,
+    scaled(0.3, k=1, R=1),
 )
-NOISE = Setting(None, "positive", "r of the regression, length/time^0.5; 0.1 R k^0.5", usual_noise)
-FILTER = Setting(None, "positive", "pole l of the filter, 1/time; 2 k", times_k(2))
-MEMORY = Setting(None, "not negative", "m of the memory, 1/time; 0.02 k", times_k(0.02))
+NOISE = Setting("r of the regression, length/time^0.5; 0.1 R k^0.5", scaled(0.1, k=0.5, R=1))
+FILTER = Setting("pole l of the filter, 1/time; 2 k", scaled(2))
+MEMORY = Setting("m of the memory, 1/time; 0.02 k", scaled(0.02), "not negative")
 
 
 def prior(known: Known) -> float:

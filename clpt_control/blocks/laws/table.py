@@ -20,23 +20,9 @@ from . import (
 )
 from .law import Law
 
-LAWS: dict[str, Law] = {
-    law.name: law
-    for law in (
-        learned_flow.LAW,
-        known_flow.LAW,
-        kalman_flow.LAW,
-        leakage.SIGMA,
-        leakage.SWITCHING_SIGMA,
-        leakage.E_MODIFICATION,
-        dead_zone.LAW,
-        projection.LAW,
-        normalised_gradient.LAW,
-        least_squares.LAW,
-        composite_least_squares.LAW,
-        composite_memory.LAW,
-        concurrent.LAW,
-        drem.LAW,
-        fix_regression.LAW,
-    )
-}
+PAPER = (learned_flow.LAW, known_flow.LAW, kalman_flow.LAW)
+LEAKS = (leakage.SIGMA, leakage.SWITCHING_SIGMA, leakage.E_MODIFICATION)
+ROBUST = (*LEAKS, dead_zone.LAW, projection.LAW)  # against disturbances
+FILTERED = (normalised_gradient.LAW, least_squares.LAW, composite_least_squares.LAW)
+REMEMBERING = (composite_memory.LAW, concurrent.LAW, drem.LAW, fix_regression.LAW)
+LAWS: dict[str, Law] = {law.name: law for law in PAPER + ROBUST + FILTERED + REMEMBERING}

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...blocks.laws.scales import usual_prior
+from ...blocks.laws.scales import PRIOR
 from ...errors import ScenarioError
 from ...scenario.experiment import Scenario
 from ..varied_keys import Vary
@@ -47,7 +47,7 @@ def unknown_of(
         }
     drawn = scenario.with_values(values)
     known = drawn.known_to_law
-    size = usual_prior(known) if prior is None else float(prior)
+    size = PRIOR.usual(known) if prior is None else float(prior)
     varies = [Vary("flow.parameters", "normal", (size,))]
     seeds = tuple(float(k) for k in range(members))
     delta, seen = drawn.flow.disturbance, drawn.localization

@@ -10,8 +10,8 @@ import numpy as np
 import sympy
 
 from ...arguments import Seed, public
-from ...blocks.laws.law import functions_of
 from ...diagrams.interconnection import Diagram
+from ...diagrams.parts import functions_of
 from ...diagrams.wiring import read_anew
 from ...equations.block import Block
 from ...errors import ClptError, DiagramError
