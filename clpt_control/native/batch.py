@@ -17,6 +17,7 @@ from .processor import LANES
 from .schedule import Schedule
 
 PAUSE = 0.05  # seconds of a call
+BEGIN = 40_000  # numbers, times tries, of the first call of machine code
 MEMBER_STEPS = 5_000_000  # tries of a run among many
 
 
@@ -94,7 +95,8 @@ class Batch:
         `watch` is called between the solver's calls, each of so many `tries`, or of about `PAUSE`.
         """
         tolerances = np.array([max(rtol, 2.3e-14), atol])
-        active, budget = 1, tries or 64
+        first = BEGIN // self.shape[1] if self.callee.solver is not solver else 0
+        active, budget = 1, tries or max(64, first)
         while active:
             check()
             begin = time.perf_counter()

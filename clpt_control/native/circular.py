@@ -70,28 +70,28 @@ def _sine(a, n):
     """Return sin(a - n pi), for n near a/pi."""
     r = fma(n, -PI_LOW, fma(n, -PI_MIDDLE, fma(n, -PI, a)))
     z = r * r
-    q = fma(z, 2.7314368769379893e-15, -7.643969663988074e-13)
-    q = fma(z, q, 1.6058977292642743e-10)
-    q = fma(z, q, -2.505210761669045e-08)
-    q = fma(z, q, 2.7557319219160833e-06)
-    q = fma(z, q, -0.00019841269841254966)
-    q = fma(z, q, 0.008333333333333316)
-    q = fma(z, q, -0.16666666666666666)
-    return fma(r * z, q, r)
+    y = z * z  # even and odd powers of z side by side
+    even = fma(y, -7.643969663988074e-13, -2.505210761669045e-08)
+    odds = fma(y, 2.7314368769379893e-15, 1.6058977292642743e-10)
+    even = fma(y, even, -0.00019841269841254966)
+    odds = fma(y, odds, 2.7557319219160833e-06)
+    even = fma(y, even, -0.16666666666666666)
+    odds = fma(y, odds, 0.008333333333333316)
+    return fma(r * z, fma(z, odds, even), r)
 
 
 def sin(a):
     """Return the sine of an angle in radians: (-1)^n sin(a - n pi)."""
-    inside = select(absolute(a) < RANGE, a, math.nan)
-    n = fma(inside, ONE_OVER_PI, MAGIC)
-    return select(a == 0.0, a, turned_where_odd(_sine(inside, n - MAGIC), n, 0))
+    n = fma(a, ONE_OVER_PI, MAGIC)
+    value = select(a == 0.0, a, turned_where_odd(_sine(a, n - MAGIC), n, 0))
+    return select(absolute(a) < RANGE, value, math.nan)
 
 
 def cos(a):
     """Return the cosine of an angle in radians: -(-1)^n sin(a - (n + 1/2) pi)."""
-    inside = select(absolute(a) < RANGE, a, math.nan)
-    n = fma(inside, ONE_OVER_PI, -0.5) + MAGIC
-    return turned_where_odd(_sine(inside, (n - MAGIC) + 0.5), n, 1)
+    n = fma(a, ONE_OVER_PI, -0.5) + MAGIC
+    value = turned_where_odd(_sine(a, (n - MAGIC) + 0.5), n, 1)
+    return select(absolute(a) < RANGE, value, math.nan)
 
 
 def tan(a):

@@ -39,17 +39,16 @@ def _reduced(a):
 
 
 def _exp_less_one(r):
-    """Return exp(r) - 1 for |r| <= ln(2)/2; even and odd powers side by side."""
+    """Return exp(r) - 1 for |r| <= ln(2)/2; pairs of powers side by side."""
     z = r * r
-    even = fma(z, 2.7620201591031547e-07, 2.4801521057868204e-05)
-    odds = fma(z, 2.5100472505694996e-08, 2.7557268276905696e-06)
-    even = fma(z, even, 0.0013888888917367081)
-    odds = fma(z, odds, 0.00019841269863171557)
-    even = fma(z, even, 0.041666666666623824)
-    odds = fma(z, odds, 0.008333333333330039)
-    even = fma(z, even, 0.5000000000000001)
-    odds = fma(z, odds, 0.16666666666666669)
-    return fma(z, fma(r, odds, even), r)
+    y = z * z
+    c0 = fma(r, 0.16666666666666669, 0.5000000000000001)
+    c1 = fma(r, 0.008333333333330039, 0.041666666666623824)
+    c2 = fma(r, 0.00019841269863171557, 0.0013888888917367081)
+    c3 = fma(r, 2.7557268276905696e-06, 2.4801521057868204e-05)
+    c4 = fma(r, 2.5100472505694996e-08, 2.7620201591031547e-07)
+    late = fma(y, c4, fma(z, c3, c2))
+    return fma(z, fma(y, late, fma(z, c1, c0)), r)
 
 
 def exp(a):

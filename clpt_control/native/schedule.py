@@ -42,12 +42,12 @@ def make_schedule(
     edges = sweep.breakpoints(t0, t1)
     if len(breaks):
         edges = np.union1d(edges, breaks)
-    jumping = edges
-    if kinks is not None:
+    jumping = set(edges.tolist())
+    if kinks is not None and len(kinks):
         edges = np.union1d(edges, kinks)
     edges = np.append(edges[(edges > t0) & (edges < t1)], t1)
     starts = np.append(t0, edges)
-    smooth = ~np.isin(starts, jumping)
+    smooth = np.array([t not in jumping for t in starts.tolist()])
     smooth[0] = False
     places = np.array([*intervals.values(), *jumps.values()], dtype=np.int64)
     values = np.zeros((len(starts), len(places)))
