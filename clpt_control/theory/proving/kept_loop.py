@@ -6,6 +6,7 @@ what is asked of them for one N; `kept_relations` and `shrinking_errors` put the
 """
 
 from collections.abc import Callable, Iterable, Set
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -60,14 +61,18 @@ class Kept:
         self.push = sympy.sympify(law.push(every, p, truth) if law.push else 0)
         self.cones = {port: self.states[port] for port in law.cones}
         self.slopes = {port: self.rates[port] for port in law.cones}
-        tied = _tied(self.loop, made, V)
-        self.untied = self.loop.derivative(self.loop.signals["V"][0])
-        self.V, self.rate = (one.xreplace(tied) for one in (self.loop.signals["V"][0], self.untied))
+        self.tied = _tied(self.loop, made, V)
+        self.V = self.loop.signals["V"][0].xreplace(self.tied)
         known = (*np.ravel(truth.theta), *truth.KD, *truth.GammaD)
         self.held = law.over(self.states, p, truth) if law.over else None
         self.over = {} if self.held is None else _alone(self.held)
         fresh = [value.free_symbols for value in self.over.values()]
         self.apart = {s for symbols in (self.loop.motion, known, *fresh) for s in symbols}
+
+    @cached_property
+    def untied(self) -> sympy.Expr:
+        """V', its gains apart from the law's."""
+        return self.loop.derivative(self.loop.signals["V"][0])
 
     def here(self, expression: Any) -> sympy.Expr:
         """Return an expression where the relations hold, multiplied out."""
@@ -89,7 +94,7 @@ class Kept:
 
     def left_over(self, claim: Claim, more: Any = 0) -> str:
         """Return what V' has beyond a claim and more, or where it has no value, or nothing."""
-        rest = self.put(self.rate - claim(self.loop) - more)
+        rest = self.put(self.untied.xreplace(self.tied) - claim(self.loop) - more)
         if not vanishes(rest):
             return f"left over: {short(sympy.expand(rest))}"
         return self.loop.undefined[0] if self.loop.undefined else ""

@@ -157,7 +157,7 @@ def equation_28_P(printed: bool) -> bool:
     P = sympy.diag(sympy.eye(2) / 2, sympy.eye(8) / (2 * gamma))
     if printed:
         P = sympy.diag(KD.inv() / 2, *[KD.inv() / (2 * gamma)] * 4)
-    Q = sympy.simplify(A.T * P + P * A)
+    Q = sympy.expand(A.T * P + P * A)
     return Q[:2, 2:] == sympy.zeros(2, 8) and Q[2:, 2:] == sympy.zeros(8, 8)
 
 

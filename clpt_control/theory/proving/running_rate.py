@@ -9,7 +9,9 @@ rates r that they give at (t, x, u), at the first points those that python-contr
 which is exact for a V of degree four and less, whatever h.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import cache
+from math import prod
 from typing import Any, NamedTuple
 
 import control
@@ -190,11 +192,36 @@ def numeric(expression: sympy.Expr) -> tuple[Any, list[Any]]:
     symbols = sorted(expression.free_symbols - {TIME}, key=str) + sorted(inputs, key=str)
     if expression.has(TIME):
         symbols.append(TIME)
-    plain = {s: sympy.Dummy(f"s{k}") for k, s in enumerate(symbols)}
-    text = expression.xreplace(plain)
-    return sympy.lambdify(
-        list(plain.values()), text, [NUMBERS, "scipy", "numpy"], cse=True
-    ), symbols
+
+    def function(*numbers: Any) -> Any:
+        known: dict[sympy.Expr, Any] = dict(zip(symbols, numbers, strict=True))
+
+        def value(e: sympy.Expr) -> Any:
+            if e not in known:
+                known[e] = _applied(e, [value(a) for a in e.args])
+            return known[e]
+
+        return value(expression)
+
+    return function, symbols
+
+
+def _applied(e: sympy.Expr, numbers: list[Any]) -> Any:
+    """Return the number of an expression whose arguments have these."""
+    if e.is_Atom:
+        return np.float64(e)
+    if e.is_Add:
+        return sum(numbers)
+    if e.is_Mul:
+        return prod(numbers)
+    return numbers[0] ** numbers[1] if e.is_Pow else _function(e.func, len(numbers))(*numbers)
+
+
+@cache
+def _function(word: Any, count: int) -> Callable[..., Any]:
+    """Return a word of SymPy's, or of the records', as a function of arrays."""
+    own = sympy.symbols(f"a_:{count}", real=True)
+    return sympy.lambdify(own, word(*own), [NUMBERS, "scipy", "numpy"])
 
 
 def degree_of(loop: SymbolicLoop) -> float:

@@ -37,9 +37,26 @@ class SymbolicLoop:
 
         Opaque functions and inputs are differentiated in time as well.
         """
-        own = expression.free_symbols
-        slopes = [sympy.diff(expression, s) * rate for s, rate in self.motion.items() if s in own]
-        return sympy.Add(sympy.diff(expression, TIME), *slopes)
+        known: dict[Any, sympy.Expr] = {TIME: sympy.Integer(1), **self.motion}
+
+        def along(e: sympy.Expr) -> sympy.Expr:
+            if e not in known:
+                known[e] = slope(e)
+            return known[e]
+
+        def slope(e: sympy.Expr) -> sympy.Expr:
+            if e.is_Atom:
+                return sympy.Integer(0)
+            if e.is_Add:
+                return sympy.Add(*map(along, e.args))
+            if e.is_Mul:
+                rest = (sympy.Mul(*e.args[:k], *e.args[k + 1 :]) for k in range(len(e.args)))
+                return sympy.Add(*(along(a) * b for a, b in zip(e.args, rest, strict=True)))
+            if e.is_Pow and e.exp.is_Number:
+                return e.exp * e.base ** (e.exp - 1) * along(e.base)
+            return sympy.Add(*(sympy.diff(e, s) * along(s) for s in e.free_symbols))
+
+        return along(expression)
 
     @cached_property
     def motion(self) -> dict[Any, sympy.Expr]:
