@@ -14,9 +14,8 @@ from sympy.core.function import AppliedUndef
 
 from ...diagrams.interconnection import Diagram
 from .quadratic_forms import positive_definite, tidied
-from .random_points import Draw, symbol_values
-from .running_blocks import THROUGH_CONTROL, RunningBlocks
-from .running_rate import CALLED, CLOSE, HUGE, PER_DRAW, numeric
+from .running_blocks import Reading
+from .running_rate import compared
 from .symbolic_loop import SymbolicLoop
 
 
@@ -71,42 +70,16 @@ class DeadZones:
 
     def same(self, diagram: Diagram, count: int, seed: int, kept: tuple) -> tuple[bool, str]:
         """Return whether the running blocks have these rates and this V, at random points."""
-        running = RunningBlocks(diagram)
-        draw = Draw(running.blocks, seed)
-        parts = [self.V, *self.loop.motion.values()]
-        known = [numeric(part.xreplace(self.at)) for part in parts]
-        done, worst = 0, 0.0
-        try:
-            while done < count:
-                own = kept if done else [block.name for block in running.blocks]
-                values = draw.parameters(own)
-                running.set(draw.params(values))
-                x, u = (
-                    draw.points(PER_DRAW, diagram.nstates),
-                    draw.points(PER_DRAW, diagram.ninputs),
-                )
-                t = np.zeros(PER_DRAW)
-                at = symbol_values(self.loop, draw, values, t, x, u)
-                with np.errstate(all="ignore"):
-                    parts = [function(*(at[s] for s in symbols)) for function, symbols in known]
-                wanted = np.transpose([np.broadcast_to(part, PER_DRAW) for part in parts])
-                called = slice(CALLED if done else THROUGH_CONTROL)
-                for asked, rows in ((running.functions, called), (running.records, slice(None))):
-                    point = t[rows], x[rows], u[rows]
-                    found = np.column_stack([asked.values(*point), asked.rates(*point)])
-                    off = _apart(found, wanted[rows], np.column_stack([x, u])[rows])
-                    for k in np.flatnonzero(~(off <= CLOSE))[:1]:
-                        return False, f"differs by {off[k]:.1e} at x = {x[k].round(3).tolist()}"
-                    worst = max(worst, float(off.max()))
-                done += PER_DRAW
-        finally:
-            diagram._update_params({})
-        return True, f"{done} points, largest difference {worst:.0e}"
+        wanted = [part.xreplace(self.at) for part in (self.V, *self.loop.motion.values())]
+        found = compared(diagram, self.loop, wanted, count, seed, kept=kept, gauge=_numbers)
+        if found.where is not None:
+            return False, f"differs by {found.worst:.1e} at x = {found.where.x.round(3).tolist()}"
+        return True, f"{found.points} points, largest difference {found.worst:.0e}"
 
 
-def _apart(found: np.ndarray, wanted: np.ndarray, point: np.ndarray) -> np.ndarray:
-    """Return by how much of their size rows of numbers differ; 0 where they say nothing."""
-    found_size, size, far = (np.max(np.abs(one), axis=1) for one in (found, wanted, point))
-    silent = ~(size < HUGE) & ~(found_size < HUGE)
-    scale = np.maximum(np.abs(wanted), np.maximum(far, 1.0)[:, None] ** 2)
-    return np.where(silent, 0.0, np.max(np.abs(found - wanted) / scale, axis=1))
+def _numbers(
+    asked: Reading, t: np.ndarray, x: np.ndarray, u: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return V and all rates at points, (1 + nx, n), and the square of how far the points lie."""
+    far = np.max(np.abs(np.column_stack([x, u])), axis=1)
+    return np.vstack([asked.values(t, x, u), asked.rates(t, x, u).T]), np.maximum(far, 1.0) ** 2

@@ -10,7 +10,7 @@ which is exact for a V of degree four and less, whatever h.
 """
 
 from collections.abc import Callable, Mapping
-from functools import cache
+from functools import cache, partial
 from math import prod
 from typing import Any, NamedTuple
 
@@ -28,6 +28,8 @@ from .running_blocks import THROUGH_CONTROL, Reading, RunningBlocks
 from .symbolic_loop import SymbolicLoop
 
 PER_DRAW = 100  # points for each draw of the parameters
+# what a reading gives at points (t, x, u), n or (m, n) numbers, and the size of what is compared
+Gauge = Callable[..., tuple[np.ndarray, np.ndarray]]
 CALLED = 2  # of which the blocks' functions are called as well; of the first more
 CLOSE = 1e-9
 HUGE = 1e100  # beyond, numbers say nothing
@@ -110,13 +112,14 @@ class Comparison(NamedTuple):
 def compared(
     diagram: control.NonlinearIOSystem,
     loop: SymbolicLoop,
-    wanted: sympy.Expr,
+    wanted: sympy.Expr | list[sympy.Expr],
     count: int,
     seed: int = 0,
     tied: Mapping[str, Any] | None = None,
     kept: tuple[str, ...] = (),
+    gauge: Gauge | None = None,
 ) -> Comparison:
-    """Compare V' of the running blocks with `wanted` at random points, to 1e-9.
+    """Compare V' of the running blocks, or what a gauge reads, with `wanted` at random points.
 
     The first 100 points have the blocks' own parameters, half of them near the least V, then every
     100 others; blocks in `kept` keep theirs, and a name in `tied` follows from expressions of the
@@ -124,8 +127,9 @@ def compared(
     """
     running = RunningBlocks(diagram)
     draw = Draw(running.blocks, seed)
-    function, symbols = numeric(wanted)
+    known_as = [numeric(one) for one in (wanted if isinstance(wanted, list) else [wanted])]
     degree = degree_of(loop)
+    gauge = gauge or partial(rate_along, degree=degree)
     worst, done = 0.0, 0
     try:
         while done < count:
@@ -147,11 +151,11 @@ def compared(
             times = draw.random.uniform(0.0, 100.0, size)
             known = symbol_values(loop, draw, values, times, x, u)
             with np.errstate(all="ignore"):
-                right = np.broadcast_to(function(*(known[s] for s in symbols)), size)
+                parts = [function(*(known[s] for s in symbols)) for function, symbols in known_as]
+            right = np.array([np.broadcast_to(part, size) for part in parts])
             called = slice(CALLED if done else THROUGH_CONTROL)
             for asked, rows in ((running.functions, called), (running.records, slice(None))):
-                point = times[rows], x[rows], u[rows]
-                off = _apart(right[rows], *rate_along(asked, *point, degree))
+                off = _apart(right[:, rows], *gauge(asked, times[rows], x[rows], u[rows]))
                 for k in np.flatnonzero(~(off <= CLOSE))[:1]:
                     where = Point(times[k], x[k], u[k], params)
                     return Comparison(int(done + k + 1), float(off[k]), where)
@@ -162,11 +166,13 @@ def compared(
     return Comparison(done, worst, None)
 
 
-def _apart(right: np.ndarray, rate: np.ndarray, scale: np.ndarray) -> np.ndarray:
-    """Return by how much of V's size rates differ; 0 where numbers say nothing."""
-    silent = ~(np.abs(right) < HUGE) & ~(np.abs(rate) < HUGE)
+def _apart(right: np.ndarray, found: np.ndarray, scale: np.ndarray) -> np.ndarray:
+    """Return by how much of their size numbers (m, n) differ; 0 where they say nothing."""
+    found = np.atleast_2d(found)
     with np.errstate(all="ignore"):
-        return np.where(silent, 0.0, np.abs(rate - right) / np.maximum(scale, np.abs(right)))
+        silent = np.all([~(np.max(np.abs(one), axis=0) < HUGE) for one in (right, found)], axis=0)
+        off = np.abs(found - right) / np.maximum(scale, np.abs(right))
+        return np.where(silent, 0.0, np.max(off, axis=0))
 
 
 def running_step(
