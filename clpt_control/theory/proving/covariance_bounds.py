@@ -18,47 +18,30 @@ from typing import Any
 import numpy as np
 import sympy
 
-from .proof import Step, checked
+from .kept_loop import Kept, exact_step
+from .proof import Step
 from .vanishing import vanishes
 
 
-def covariance_steps(cases: list[Any], driven: bool) -> list[Step]:
-    """Check the bounds for each case, a `Kept` whose states hold P and rho.
+def covariance_steps(cases: list[Kept], driven: bool) -> list[Step]:
+    """Check the bounds for each case, whose states hold P and rho.
 
     `driven` is whether CLPE drives alpha.
     """
-
-    def every(check: Any) -> Any:
-        return lambda: all(check(case) for case in cases)
-
-    never = "tr(eta P^-1 eta^T)' = -|eta phi_f|^2/r^2 - lambda tr(eta P^-1 eta^T): it never rises"
-    return [
-        *([] if driven else [checked(never, "exact", every(_falls), False)]),
-        checked(
-            "(k_0 - tr P)' >= 0 where tr P = k_0: tr P <= k_0 is kept", "exact", every(_top), False
-        ),
-        checked(
-            "(rho P)' = -rho (P phi_f) (P phi_f)^T/r^2: P^-1 >= rho P(0)^-1 at all times",
-            "exact",
-            every(_above),
-            False,
-        ),
-        checked(
-            "P' + P phi_f phi_f^T P/r^2 = lambda P: P^-1 <= P(0)^-1 + int phi_f phi_f^T/r^2",
-            "exact",
-            every(_below),
-            False,
-        ),
-        checked(
-            "|eta|^2 <= tr P tr(eta P^-1 eta^T) <= k_0 tr(eta P^-1 eta^T): eta is bounded by V",
-            "exact",
-            lambda: all(_cauchy(len(case.cones["P"])) for case in cases),
-            False,
-        ),
-    ]
+    claims = {
+        "tr(eta P^-1 eta^T)' = -|eta phi_f|^2/r^2 - lambda tr(eta P^-1 eta^T): it never "
+        "rises": _falls,
+        "(k_0 - tr P)' >= 0 where tr P = k_0: tr P <= k_0 is kept": _top,
+        "(rho P)' = -rho (P phi_f) (P phi_f)^T/r^2: P^-1 >= rho P(0)^-1 at all times": _above,
+        "P' + P phi_f phi_f^T P/r^2 = lambda P: P^-1 <= P(0)^-1 + int phi_f phi_f^T/r^2": _below,
+        "|eta|^2 <= tr P tr(eta P^-1 eta^T) <= k_0 tr(eta P^-1 eta^T): eta is bounded by "
+        "V": _cauchy,
+    }
+    checks = list(claims.items())[driven:]
+    return [exact_step(cases, claim, check) for claim, check in checks]
 
 
-def _parts(case: Any) -> tuple[Any, Any, Any]:
+def _parts(case: Kept) -> tuple[Any, Any, Any]:
     """Return P, P' and (P phi_f) (P phi_f)^T/r^2, symmetric."""
     P = case.symmetric("P")
     slope = np.vectorize(case.put, otypes=[object])(case.slopes["P"])
@@ -66,7 +49,7 @@ def _parts(case: Any) -> tuple[Any, Any, Any]:
     return P, slope, np.outer(seen, seen) / case.parameters.noise**2
 
 
-def _top(case: Any) -> bool:
+def _top(case: Kept) -> bool:
     """Return whether the slope of k_0 - tr P, where that is 0, is a sum of squares."""
     P, slope, _ = _parts(case)
     first = P[0, 0]
@@ -76,7 +59,7 @@ def _top(case: Any) -> bool:
     return vanishes(rest.subs(touching))
 
 
-def _above(case: Any) -> bool:
+def _above(case: Kept) -> bool:
     """Return whether rho P comes down by a square and nothing else."""
     P, slope, seen = _parts(case)
     rho, rate = case.states["rho"][0], case.put(case.rates["rho"][0])
@@ -84,7 +67,7 @@ def _above(case: Any) -> bool:
     return all(map(vanishes, rest.ravel()))
 
 
-def _below(case: Any) -> bool:
+def _below(case: Kept) -> bool:
     """Return whether P' is lambda P, lambda >= 0, beside what is learned."""
     P, slope, seen = _parts(case)
     share = 1 - np.trace(P) / case.parameters.largest
@@ -93,7 +76,7 @@ def _below(case: Any) -> bool:
     return bool(given.is_nonnegative) and all(map(vanishes, rest.ravel()))
 
 
-def _falls(case: Any) -> bool:
+def _falls(case: Kept) -> bool:
     """Return whether tr(eta P^-1 eta^T) falls by what is seen and what is forgotten."""
     P, p = case.symmetric("P"), case.parameters
     size = np.sum((case.held @ P) * case.held)
@@ -102,8 +85,9 @@ def _falls(case: Any) -> bool:
     return vanishes(case.put(case.loop.derivative(size)) + seen + share * size)
 
 
-def _cauchy(n: int) -> bool:
+def _cauchy(case: Kept) -> bool:
     """Return whether tr P p P p^T - |p P|^2 is a sum of squares for P = sum of v v^T."""
+    n = len(case.cones["P"])
     p = np.array(sympy.symbols(f"p_1:{n + 1}", real=True))
     v = np.array(sympy.symbols(f"v_1:{n * n + 1}", real=True)).reshape(n, n)
     P = v.T @ v

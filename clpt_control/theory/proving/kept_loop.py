@@ -247,18 +247,27 @@ def cases_of(law: Law) -> list[Kept]:
     return [Kept(law, N) for N in SIZES]
 
 
-def said_of(cases: Iterable[Kept], say: Callable[[Kept], str]) -> tuple[bool, str]:
-    """Return whether nothing is said of any case, and what is said of the first."""
-    for case in cases:
-        if said := say(case):
-            return False, f"N = {case.loop.N}: {said}"
-    return True, ""
+def exact_step(cases: Iterable[Kept], claim: str, check: Callable[[Kept], bool | str]) -> Step:
+    """Check a claim for each number of functions.
+
+    A check returns whether it holds; or what is wrong, and nothing where it holds.
+    """
+
+    def holds() -> tuple[bool, str]:
+        for case in cases:
+            said = check(case)
+            if said is False:
+                return False, ""
+            if said is not True and said:
+                return False, f"N = {case.loop.N}: {said}"
+        return True, ""
+
+    return checked(claim, "exact", holds, False)
 
 
 def kept_step(cases: list[Kept]) -> Step:
     """Check that what the states keep is kept."""
-    claim = "what the law's states keep is kept"
-    return checked(claim, "exact", lambda: said_of(cases, Kept.left), False)
+    return exact_step(cases, "what the law's states keep is kept", Kept.left)
 
 
 def same_running(cases: list[Kept], points: int) -> Step:

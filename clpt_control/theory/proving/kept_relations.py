@@ -25,9 +25,9 @@ import math
 
 from ...blocks.laws.law import Law
 from .covariance_bounds import covariance_steps
-from .kept_loop import Kept, cases_of, kept_step, said_of, same_running
+from .kept_loop import Kept, cases_of, exact_step, kept_step, same_running
 from .lyapunov import Claim, decay, decay_and_known_error
-from .proof import Step, checked
+from .proof import Step
 
 GIVEN = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
 
@@ -36,72 +36,50 @@ def jump_steps(cases: list[Kept], law: Law) -> list[Step]:
     """Check what the states keep, and V, where they jump; nothing where they do not."""
     if not any(case.loop.jumps for case in cases):
         return []
+    left = f"{', '.join(law.cones)} >= 0 is not left where they jump"
     return [
-        checked(
-            "and is kept where they jump",
-            "exact",
-            lambda: said_of(cases, Kept.left_at_a_jump),
-            False,
-        ),
-        checked(
-            f"{', '.join(law.cones)} >= 0 is not left where they jump",
-            "exact",
-            lambda: all(case.cone_is_kept_at_a_jump() for case in cases),
-            False,
-        ),
-        checked(
-            "V does not rise where they jump",
-            "exact",
-            lambda: said_of(cases, Kept.V_rises_by),
-            False,
-        ),
+        exact_step(cases, "and is kept where they jump", Kept.left_at_a_jump),
+        exact_step(cases, left, Kept.cone_is_kept_at_a_jump),
+        exact_step(cases, "V does not rise where they jump", Kept.V_rises_by),
     ]
 
 
 def kept_steps(law: Law, points: int) -> list[Step]:
     """Check a law whose row states what its states keep, for N = 1, 2, 3."""
-    cases = cases_of(law)
-    made = law.makes_estimate
-    claim: Claim = decay_and_known_error if made else decay
-    names = ", ".join(law.cones)
+    cases, names = cases_of(law), ", ".join(law.cones)
+    claim: Claim = decay_and_known_error if law.makes_estimate else decay
 
-    def falls() -> tuple[bool, str]:
-        def left(case: Kept) -> str:
-            return case.left_over(claim, case.push - sum(map(math.prod, case.losses)))
+    def rest(case: Kept) -> str:
+        return case.left_over(claim, case.push - sum(map(math.prod, case.losses)))
 
-        return said_of(cases, left)
+    def grows(case: Kept) -> str:
+        jumps = "its states jump, and what its error does there is not judged"
+        return jumps if case.loop.jumps else case.estimate_grows()
 
-    def recedes() -> tuple[bool, str]:
-        if any(case.loop.jumps for case in cases):
-            return False, "its states jump, and what its error does there is not judged"
-        return said_of(cases, Kept.estimate_grows)
+    def cones_left(case: Kept) -> str:
+        return ", ".join(port for port in law.cones if not case.cone_is_kept(port))
 
-    def cones() -> tuple[bool, str]:
-        left = [p for case in cases for p in law.cones if not case.cone_is_kept(p)]
-        return not left, ", ".join(sorted(set(left)))
+    def not_negative(case: Kept) -> bool:
+        return case.not_negative(case.V) and case.loses()
 
-    if made:
+    if law.makes_estimate:
         third = [
-            checked(f"{GIVEN}, N = 1, 2, 3", "exact", falls, False),
-            checked(f"the error of the estimate never grows: {law.says}", "exact", recedes, False),
+            exact_step(cases, f"{GIVEN}, N = 1, 2, 3", rest),
+            exact_step(cases, f"the error of the estimate never grows: {law.says}", grows),
         ]
     else:
         third = [
-            checked(f"V' as claimed, N = 1, 2, 3: {law.says}", "exact", falls, False),
+            exact_step(cases, f"V' as claimed, N = 1, 2, 3: {law.says}", rest),
             *(covariance_steps(cases, law.push is None) if law.over else []),
-            checked(
-                f"with {names} >= 0 V and what V' loses are not negative",
-                "exact",
-                lambda: all(case.not_negative(case.V) and case.loses() for case in cases),
-                False,
+            exact_step(
+                cases, f"with {names} >= 0 V and what V' loses are not negative", not_negative
             ),
         ]
+    inner = f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {names}"
     return [
         kept_step(cases),
         *jump_steps(cases, law),
-        checked(
-            f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {names}", "exact", cones, False
-        ),
+        exact_step(cases, inner, cones_left),
         *third,
         same_running(cases, points),
     ]

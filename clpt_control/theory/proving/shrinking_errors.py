@@ -16,9 +16,9 @@ import sympy
 from ...blocks.laws.law import Law
 from ...equations.symbolic import UNEXPANDED
 from .boundedness import young_step
-from .kept_loop import Kept, cases_of, kept_step, said_of, same_running
+from .kept_loop import Kept, cases_of, exact_step, kept_step, same_running
 from .lyapunov import decay
-from .proof import Step, checked, short
+from .proof import Step, short
 from .vanishing import vanishes
 
 MAXIMUM = sympy.Function(UNEXPANDED["maximum"], real=True)
@@ -27,34 +27,29 @@ WHERE = sympy.Function(UNEXPANDED["where"], real=True)
 
 def shrinking_steps(law: Law, points: int) -> list[Step]:
     """Check a law whose row names the state with which every parameter's error shrinks."""
-    cases = cases_of(law)
+    cases, w = cases_of(law), law.shrinking
 
-    def shrinks() -> tuple[bool, str]:
-        return said_of(cases, lambda case: _rises(case, law))
+    def rest(case: Kept) -> str:
+        return case.left_over(decay, driven(case, law))
 
-    def falls() -> tuple[bool, str]:
-        return said_of(cases, lambda case: case.left_over(decay, driven(case, law)))
-
-    w = law.shrinking
     steps = [
         kept_step(cases),
-        checked(
-            f"eta = {w} eta(0) for every parameter",
-            "exact",
-            lambda: all(_is_all_of_alpha(case, law) for case in cases),
-            False,
+        exact_step(
+            cases, f"eta = {w} eta(0) for every parameter", lambda case: _is_all_of_alpha(case, law)
         ),
-        checked(f"{w}' = -f {w}, f >= 0, so no parameter's error rises", "exact", shrinks, False),
-        checked(f"V' = {law.says}, N = 1, 2, 3", "exact", falls, False),
-        checked(
-            "V is not negative", "exact", lambda: all(k.not_negative(k.V) for k in cases), False
+        exact_step(
+            cases,
+            f"{w}' = -f {w}, f >= 0, so no parameter's error rises",
+            lambda case: _rises(case, law),
         ),
+        exact_step(cases, f"V' = {law.says}, N = 1, 2, 3", rest),
+        exact_step(cases, "V is not negative", lambda case: case.not_negative(case.V)),
         young_step(),
         same_running(cases, points),
     ]
     if law.readout:
         claim = f"{law.readout} is theta where its condition holds, and -alpha elsewhere"
-        steps.insert(3, checked(claim, "exact", lambda: all(_reads(k, law) for k in cases), False))
+        steps.insert(3, exact_step(cases, claim, lambda case: _reads(case, law)))
     return steps
 
 
