@@ -175,15 +175,14 @@ def _apart(right: np.ndarray, found: np.ndarray, scale: np.ndarray) -> np.ndarra
         return np.where(silent, 0.0, np.max(off, axis=0))
 
 
-def running_step(
-    diagram: control.NonlinearIOSystem, loop: SymbolicLoop, wanted: sympy.Expr, points: int
-) -> Step:
-    """Check that the running blocks give the V' that is wanted."""
+def running_step(read: Callable[[], tuple], points: int, which: str = "", **known: Any) -> Step:
+    """Check that running blocks give the V' wanted; `read` returns diagram, loop and that V'."""
 
     def same() -> tuple[bool, str]:
-        return compared(diagram, loop, wanted, points).outcome
+        diagram, loop, wanted = read()
+        return compared(diagram, loop, wanted, points, **known).outcome
 
-    return checked("the running blocks give the same V'", "sampled", same, False)
+    return checked(f"the running blocks give the same V'{which}", "sampled", same, False)
 
 
 def numeric(expression: sympy.Expr) -> tuple[Any, list[Any]]:

@@ -19,8 +19,8 @@ from ...equations.namespaces import named, split, within
 from ...scenario.team import LAW, Team
 from ...simulation.teams import team_blocks
 from .lyapunov import Loop, rate_of_V, zero_step
-from .proof import Step, checked, first_failure
-from .running_rate import compared
+from .proof import Step, first_failure
+from .running_rate import running_step
 from .symbolic_loop import symbolic_loop
 from .theorem_loop import SOURCES, theorem_scenario
 
@@ -71,18 +71,17 @@ def team_steps() -> Iterator[Step]:
             lambda edges=edges: team_diagram(edges, WIRED),  # type: ignore[misc]
             lambda loop, edges=edges: [rate_of_V(loop) - claimed_rate(loop, edges)],  # type: ignore[misc]
         )
-    yield running_step("three in a row")
+    yield same_rate_step("three in a row")
 
 
-def running_step(graph: str) -> Step:
+def same_rate_step(graph: str) -> Step:
     """Check that the running blocks give the same V'."""
 
-    def holds() -> tuple[bool, str]:
-        diagram = team_diagram(GRAPHS[graph], WIRED)
-        loop = symbolic_loop(diagram)
-        return compared(diagram, loop, claimed_rate(loop, GRAPHS[graph]), POINTS).outcome
+    def read() -> tuple:
+        loop = symbolic_loop(diagram := team_diagram(GRAPHS[graph], WIRED))
+        return diagram, loop, claimed_rate(loop, GRAPHS[graph])
 
-    return checked(f"the running blocks give the same V', {graph}", "sampled", holds, False)
+    return running_step(read, POINTS, f", {graph}")
 
 
 def team_of(edges: tuple[tuple[str, str], ...], N: int) -> Team:
