@@ -1,4 +1,4 @@
-"""V' of the blocks that run, called at random points.
+"""V' of the blocks that run, asked at random points.
 
 A proof is about expressions; this asks the equations themselves (`running_blocks`).  Along the
 rates r that they give at (t, x, u), at the first points those that python-control gives,

@@ -1,7 +1,7 @@
 """The four theorems of section III, each judged as printed.
 
 Every identity is checked on the blocks that run, for N = 1, 2, 3 and for every N, and at
-random points by calling them; every printed statement that is false meets a
+random points by asking them; every printed statement that is false meets a
 counterexample and carries the statement that holds, with what of it is cited.
 """
 
