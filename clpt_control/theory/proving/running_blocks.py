@@ -5,7 +5,7 @@
 """
 
 from collections.abc import Mapping
-from typing import Any, Protocol
+from typing import Any
 
 import control
 import numpy as np
@@ -21,18 +21,11 @@ from .array_loop import blocks_of
 THROUGH_CONTROL = 20  # points at which python-control gives the rates
 
 
-class Reading(Protocol):
-    """A way to ask a diagram at points: times (n,), states (n, nx), inputs (n, nu)."""
-
-    def rates(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
-        """Return the rates of all states, (n, nx); NaN where there are none."""
-
-    def values(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
-        """Return V, (n,)."""
-
-
 class RunningBlocks:
-    """A diagram one block of which makes V[1], and its two readings."""
+    """A diagram one block of which makes V[1], and its two readings.
+
+    They are asked at times (n,), states (n, nx) and inputs (n, nu).
+    """
 
     def __init__(self, diagram: control.NonlinearIOSystem):
         self.wiring = wiring_of(diagram)
@@ -122,6 +115,9 @@ class Records:
                 own = on_arrays(block, "output", *given)
             signals[node.outputs] = own
         return signals
+
+
+Reading = Functions | Records
 
 
 def _fed(node: Node, signals: np.ndarray, u: np.ndarray) -> np.ndarray:
