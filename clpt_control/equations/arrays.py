@@ -230,7 +230,7 @@ class Array(NDArrayOperatorsMixin):
         value = lifted(self._tape, value.full if isinstance(value, Masked) else value)
         if isinstance(index, Array) and index._is_condition:
             index, value = ..., where(index, value, self)
-        index, new = _known(index), objects(value)
+        index, new = whole(index), objects(value)
         store[index] = new if isinstance(store[index], np.ndarray) else new.item()
 
     def _elements(self) -> np.ndarray:
@@ -325,11 +325,13 @@ def numbers_of(array: Array) -> np.ndarray | None:
     return store.astype(float) if plain else None
 
 
-def _known(index: Any) -> Any:
+def whole(index: Any) -> Any:
     """Return an index whose signals are asked which whole numbers they are."""
     if isinstance(index, tuple):
-        return tuple(map(_known, index))
-    return index.__index__() if isinstance(index, Array) else index
+        return tuple(map(whole, index))
+    if not isinstance(index, Array):
+        return index
+    return [one.__index__() for one in index] if index.shape else index.__index__()
 
 
 def single(value: Any) -> Any:
@@ -403,10 +405,8 @@ def elementwise(name: str, *arguments: Any) -> Any:
     tape = next(a._tape for a in arguments if isinstance(a, Array))
     refs, shapes = [], set()
     for k, one in enumerate(arguments):
-        asks = name in ("and", "or", "not") or (name == "where" and not k)
-        one = (
-            one if type(one) is float else (as_condition if asks else as_number)(lifted(tape, one))
-        )
+        made = as_condition if name in LOGICAL or (name == "where" and not k) else as_number
+        one = one if type(one) is float else made(lifted(tape, one))
         if isinstance(one, Array):
             shapes.add(one.shape)
         refs.append(operand(one))

@@ -8,7 +8,7 @@ the length of a reading, under a lock, and then puts the module's own names back
 
 import functools
 import threading
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import contextmanager
 from operator import is_
 from types import CellType, CodeType, FunctionType, MethodType
@@ -16,13 +16,13 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Tape, Unread, constant
+from .arrays import Array, Tape, Unread
 from .builtin_names import SHADOWS
 from .kept import Kept
+from .opened import fresh
 from .stand_ins import BUILTINS, stand_in, vectorized
 from .tables import table_of
 
-MOST_NUMBERS = 20_000  # of an array that is written down
 LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
 _LOCK = threading.RLock()
 _NONE = object()
@@ -51,7 +51,7 @@ class Copies:
     def _made(self, value: Any) -> Any:
         if isinstance(value, FunctionType):
             return self._function(value)
-        if type(value) is np.ndarray and value.dtype == float and 0 < value.size < MOST_NUMBERS:
+        if type(value) is np.ndarray and value.dtype == float and value.size:
             return self._numbers(value)
         table = table_of(value)
         if table is not None:
@@ -78,16 +78,15 @@ class Copies:
 
     def _numbers(self, value: np.ndarray) -> Any:
         """Return numbers as an array of the record, for what NumPy's do not do with signals."""
-        if not value.ndim:
-            return value
-        found = constant(self.tape, value)
-        found._fixed = True
+        found = fresh(self.tape, value)
+        if isinstance(found, Array):
+            found._fixed = True
         return found
 
     def _function(self, function: FunctionType) -> Any:
         if (function.__module__ or "").partition(".")[0] in LIBRARIES:
             return stand_in(function)
-        space = self._space(function.__globals__)
+        space, first = self._space(function.__globals__)
         cells = tuple(CellType() for _ in function.__closure__ or ())
         made = FunctionType(function.__code__, space, function.__name__, None, cells or None)
         made.__module__, made.__qualname__ = function.__module__, function.__qualname__
@@ -102,17 +101,16 @@ class Copies:
                 self._cells.append((cell, cell.cell_contents, name))
             except ValueError:  # not bound yet
                 continue
-        first = self._spaces[id(function.__globals__)][1]
         for name in _names(function.__code__):
             if name in function.__globals__ and first[name] is space[name]:
                 space[name] = first[name] = self.of(function.__globals__[name])
         return made
 
-    def _space(self, own: dict[str, Any]) -> dict[str, Any]:
+    def _space(self, own: dict[str, Any]) -> tuple[dict, dict]:
         if id(own) not in self._spaces:
             copied = {**own, "__builtins__": BUILTINS}
             self._spaces[id(own)] = copied, dict(copied)
-        return self._spaces[id(own)][0]
+        return self._spaces[id(own)]
 
     def check(self) -> None:
         """Refuse a function that changed a name outside it: what it keeps is a state."""
@@ -145,9 +143,12 @@ def borrowed(spaces: list[dict[str, Any]]) -> Iterator[None]:
         undo: list[tuple[dict, str, Any]] = []
         try:
             for space in spaces:
-                for name, made in {**SHADOWS, **_stood(space)}.items():
-                    undo.append((space, name, space.get(name, _NONE)))
-                    space[name] = made
+                for name in {**SHADOWS, **space}:
+                    value = space.get(name, _NONE)
+                    made = SHADOWS[name] if value is _NONE else _stood(name, value)
+                    if made is not value:
+                        undo.append((space, name, value))
+                        space[name] = made
             yield
         finally:
             for space, name, value in reversed(undo):
@@ -157,12 +158,6 @@ def borrowed(spaces: list[dict[str, Any]]) -> Iterator[None]:
                     space[name] = value
 
 
-def _stood(space: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the names of a module that have stand-ins; a name of its own is never shadowed."""
-    found = {name: value for name, value in space.items() if name in SHADOWS}
-    for name, value in list(space.items()):
-        if not name.startswith("__"):
-            made = table_of(value) or stand_in(value)
-            if made is not value:
-                found[name] = made
-    return found
+def _stood(name: str, value: Any) -> Any:
+    """Return what stands for a name of a module."""
+    return value if name.startswith("__") else table_of(value) or stand_in(value)

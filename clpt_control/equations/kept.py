@@ -4,7 +4,6 @@ A reading leaves them as they were.  What the first reading changed is unknown t
 of its own): a record that depends on it is no function of time, states and inputs.
 """
 
-from collections.abc import Iterator
 from types import BuiltinFunctionType, FunctionType, MethodType, ModuleType
 from typing import Any
 
@@ -41,9 +40,9 @@ class Kept:
     def look(self) -> bool:
         """Note what changed since; return whether anything did."""
         for value, before in self._objects.values():
-            now = _inside(value)
-            for key, one in _items(now):
-                if one is not _get(before, key):
+            now, first = _inside(value), _entries(before)
+            for key, one in _entries(now).items():
+                if one is not first.get(key, _NONE):
                     self._changed.append((now, key))
         return bool(self._changed)
 
@@ -75,14 +74,8 @@ def _inside(value: Any) -> Any:
     return own if type(own) is dict else None
 
 
-def _items(inside: Any) -> Iterator[tuple[Any, Any]]:
-    if isinstance(inside, dict):
-        yield from inside.items()
-    elif isinstance(inside, list):
-        yield from enumerate(inside)
-
-
-def _get(before: Any, key: Any) -> Any:
-    if isinstance(before, dict):
-        return before.get(key, _NONE)
-    return before[key] if key < len(before) else _NONE
+def _entries(inside: Any) -> dict:
+    """Return what a container holds in places that have keys."""
+    if isinstance(inside, list):
+        return dict(enumerate(inside))
+    return inside if isinstance(inside, dict) else {}

@@ -27,11 +27,8 @@ def total_of(values: Any, start: Any = 0) -> Any:
 
 DOMAINS: dict[str, Callable] = {  # outside, `math` raises
     "sqrt": lambda a: a < 0,
-    "log": lambda a, *base: a <= 0,
-    "log2": lambda a: a <= 0,
-    "log10": lambda a: a <= 0,
-    "asin": lambda a: np.fabs(a) > 1,
-    "acos": lambda a: np.fabs(a) > 1,
+    **dict.fromkeys(("log", "log2", "log10"), lambda a, *base: a <= 0),
+    **dict.fromkeys(("asin", "acos"), lambda a: np.fabs(a) > 1),
 }
 
 

@@ -9,21 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from . import elimination, tables
+from . import elimination, reshaping, tables
 from .arrays import PARTS, Array, Tape, elementwise, filled, lifted, objects, stacked, where
-from .opened import depends, exploded, of_numbers, tape_of, unread
-from .reshaping import (
-    at_least,
-    converted,
-    copied,
-    expanded,
-    join,
-    reshaped,
-    squeezed,
-    stack,
-    swapped,
-    transposed,
-)
+from .opened import depends, exploded, into, of_numbers, tape_of, unread
 from .ufuncs import accumulated, matmul, reduced, rounded
 from .views import tape_viewed
 
@@ -34,9 +22,10 @@ def applied(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
     """Write down one of NumPy's functions."""
     if function not in SHARES and not depends((*inputs, *more.values())):
         return of_numbers(tape, function, inputs, more)
+    out = more.pop("out", None)
     if function in FUNCTIONS:
-        return FUNCTIONS[function](*inputs, **more)
-    return exploded(tape, function, inputs, more)
+        return into(out, FUNCTIONS[function](*inputs, **more))
+    return into(out, exploded(tape, function, inputs, more))
 
 
 def reads(*functions: Any, arrays: int = 1) -> Callable:
@@ -57,13 +46,13 @@ def reads(*functions: Any, arrays: int = 1) -> Callable:
 
 
 @reads(np.dot, np.vdot, arrays=2)
-def dot(a: Any, b: Any, out: Any = None) -> Any:
+def dot(a: Any, b: Any) -> Any:
     """Return np.dot(a, b)."""
     return matmul(a, b) if np.ndim(a) and np.ndim(b) else elementwise("mul", a, b)
 
 
 @reads(np.outer, arrays=2)
-def outer(a: Any, b: Any, out: Any = None) -> Any:
+def outer(a: Any, b: Any) -> Any:
     """Return a b^T."""
     a, b = (v if np.ndim(v) == 1 else np.reshape(v, -1) for v in (a, b))
     return elementwise("mul", a[:, None], b[None, :])
@@ -84,16 +73,14 @@ def norm(a: Any, ord: Any = None, axis: Any = None, keepdims: Any = False) -> An
 
 
 @reads(np.mean)
-def mean(a: Any, axis: Any = None, dtype: Any = None, out: Any = None, **more: Any) -> Any:
+def mean(a: Any, axis: Any = None, dtype: Any = None, **more: Any) -> Any:
     """Return the mean."""
     found = np.sum(a, axis, **more)
     return found / (a.size // found.size)
 
 
 @reads(np.var)
-def variance(
-    a: Any, axis: Any = None, dtype: Any = None, out: Any = None, ddof: float = 0, **more: Any
-) -> Any:
+def variance(a: Any, axis: Any = None, dtype: Any = None, ddof: float = 0, **more: Any) -> Any:
     """Return the mean square of what differs from the mean."""
     apart = a - mean(a, axis, keepdims=axis is not None)
     found = np.sum(apart * apart, axis, **more)
@@ -130,7 +117,7 @@ def diag(a: Array, k: int = 0) -> Any:
 
 
 @reads(np.clip, arrays=0)
-def clip(a: Any, low: Any = None, high: Any = None, out: Any = None, **more: Any) -> Any:
+def clip(a: Any, low: Any = None, high: Any = None, **more: Any) -> Any:
     """Return a within limits."""
     low, high = more.get("min", more.get("a_min", low)), more.get("max", more.get("a_max", high))
     if low is not None:
@@ -231,50 +218,47 @@ reads(np.digitize, arrays=0)(tables.digitized)
 reads(np.linalg.solve, arrays=2)(elimination.solve)
 reads(np.linalg.inv)(elimination.inverse)
 reads(np.linalg.det)(elimination.determinant)
-reads(np.stack, arrays=0)(stack)
-reads(np.concatenate, arrays=0)(join)
+reads(np.stack, arrays=0)(reshaping.stack)
+reads(np.concatenate, arrays=0)(reshaping.join)
 reads(np.round, np.around)(rounded)
 reads(np.fix)(np.trunc)
-reads(np.copy)(copied)
+reads(np.copy)(reshaping.copied)
 reads(np.zeros_like, np.empty_like)(lambda a, *more, **named: filled(a._tape, 0.0, a.shape))
 reads(np.ones_like)(lambda a, *more, **named: filled(a._tape, 1.0, a.shape))
 reads(np.full_like)(lambda a, value, **more: filled(a._tape, 0.0, a.shape) + value)
 reads(np.shape)(lambda a: a._counted())
-reads(np.ndim)(lambda a: a.ndim)
 reads(np.size)(lambda a, axis=None: a.size if axis is None else a._counted()[axis])
-reads(np.real)(lambda a: a)
-reads(np.iscomplexobj)(lambda a: False)
-reads(np.isrealobj)(lambda a: True)
 reads(np.isreal)(lambda a: a == a)
 
 # --- parts, which share what is written -----------------------------------------------------
 
 SHARES: dict[Any, Callable] = {
-    np.reshape: reshaped,
-    np.ravel: lambda a, order="C": reshaped(a, -1),
-    np.squeeze: squeezed,
-    np.transpose: transposed,
-    np.swapaxes: swapped,
-    np.expand_dims: expanded,
-    np.atleast_1d: partial(at_least, 1),
-    np.atleast_2d: partial(at_least, 2),
+    np.reshape: reshaping.reshaped,
+    np.ravel: lambda a, order="C": reshaping.reshaped(a, -1),
+    np.squeeze: reshaping.squeezed,
+    np.transpose: reshaping.transposed,
+    np.swapaxes: reshaping.swapped,
+    np.expand_dims: reshaping.expanded,
+    np.atleast_1d: partial(reshaping.at_least, 1),
+    np.atleast_2d: partial(reshaping.at_least, 2),
     np.flipud: lambda a: a[::-1],
     np.fliplr: lambda a: a[:, ::-1],
 }
-BY_VIEWS: tuple[Any, ...] = (  # of these NumPy's own code does
+OWN: tuple[Any, ...] = (  # of these NumPy's own code does
     *(np.split, np.array_split, np.hsplit, np.vsplit, np.dsplit, np.flip, np.moveaxis),
+    *(np.real, np.ndim, np.iscomplexobj, np.isrealobj),
 )
-SHARES.update({function: function._implementation for function in BY_VIEWS})
+SHARES.update({function: function._implementation for function in OWN})
 for real, made in SHARES.items():
     reads(real)(made)
 
 METHODS: dict[str, Callable] = {  # that are not NumPy's functions
-    "reshape": reshaped,
-    "transpose": transposed,
-    "flatten": lambda a, *more: copied(reshaped(a, -1)),
-    "__copy__": copied,
-    "__deepcopy__": copied,
-    "astype": converted,
+    "reshape": reshaping.reshaped,
+    "transpose": reshaping.transposed,
+    "flatten": lambda a, *more: reshaping.copied(reshaping.reshaped(a, -1)),
+    "__copy__": reshaping.copied,
+    "__deepcopy__": reshaping.copied,
+    "astype": reshaping.converted,
     "item": lambda a, *at: a[at] if at else (objects(a).ravel()[0] if a.shape else a),
     "tolist": lambda a: objects(a).tolist(),
     "fill": lambda a, value: a.__setitem__(..., value),

@@ -68,6 +68,16 @@ def exploded(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
     return repacked(tape, found)
 
 
+def into(out: Any, found: Any) -> Any:
+    """Return what was found, written into an array where one is given for it."""
+    if out is None or (isinstance(out, Array) and not out.shape):  # a number is replaced
+        return found
+    if not isinstance(out, Array):
+        raise Unread("writes signals into an array made elsewhere; make it where it is filled")
+    out[...] = found
+    return out
+
+
 def tape_of(values: Any) -> Any:
     """Return the tape of the first array of the record among values, or None."""
     for value in values:

@@ -7,37 +7,22 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import (
-    PARTS,
-    UFUNCS,
-    Array,
-    Tape,
-    Unread,
-    elementwise,
-    lifted,
-    objects,
-    total,
-    where,
-)
-from .opened import depends, of_numbers, repacked, tape_of, unread
+from .arrays import PARTS, UFUNCS, Array, Tape, elementwise, lifted, objects, total, where
+from .opened import depends, into, of_numbers, repacked, tape_of, unread
 
 
 def called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
     """Write down a ufunc."""
     out = more.pop("out", None)
+    if isinstance(out, tuple):
+        (out,) = out
     condition = more.pop("where", True) if method == "__call__" else True
     for unused in ("casting", "dtype", "subok", "order"):
         more.pop(unused, None)
     found = _called(tape, ufunc, method, inputs, more)
     if condition is not True:
-        held = out[0] if out is not None else 0.0
-        found = where(lifted(tape, condition), found, lifted(tape, held))
-    if out is None or (isinstance(out[0], Array) and not out[0].shape):  # a number is replaced
-        return found
-    if not isinstance(out[0], Array):
-        raise Unread("writes signals into an array made elsewhere; make it where it is filled")
-    out[0][...] = found
-    return out[0]
+        found = np.where(condition, found, 0.0 if out is None else out)
+    return into(out, found)
 
 
 def _called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
@@ -47,14 +32,14 @@ def _called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any
         return reduced(ufunc, *inputs, **more)
     if method == "accumulate":
         return accumulated(ufunc, *inputs, **more)
+    if method == "__call__" and not more and ufunc in UFUNCS:
+        return elementwise(UFUNCS[ufunc], *inputs)
     own = [lifted(tape, one) for one in inputs]
     if method == "outer":
         a, b = own
         return ufunc(a[(..., *[None] * np.ndim(b))] if np.ndim(a) else a, b)
     if method != "__call__" or more:
         return unread(f"np.{ufunc.__name__}.{method}")
-    if ufunc in UFUNCS:
-        return elementwise(UFUNCS[ufunc], *own)
     if all(set(kind) <= set("O->") for kind in ufunc.types):  # by np.frompyfunc
         return repacked(tape, ufunc(*map(objects, own)))
     name = ufunc.__name__
@@ -62,15 +47,7 @@ def _called(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any
 
 
 def reduced(
-    ufunc: Any,
-    a: Any,
-    axis: Any = 0,
-    *,
-    dtype: Any = None,
-    out: Any = None,
-    keepdims: Any = False,
-    initial: Any = None,
-    where: Any = True,
+    ufunc: Any, a: Any, axis: Any = 0, keepdims: Any = False, initial: Any = None, where: Any = True
 ) -> Any:
     """Join the elements along an axis, or all, one after the other; a sum is one operation."""
     a = lifted(tape_of([a]), a)
@@ -98,7 +75,7 @@ def _along(a: Array, axis: int) -> list[Any]:
     return [a[(*[slice(None)] * axis, k)] for k in range(a._counted()[axis])]
 
 
-def accumulated(ufunc: Any, a: Any, axis: Any = 0, dtype: Any = None) -> Any:
+def accumulated(ufunc: Any, a: Any, axis: Any = 0) -> Any:
     """Return what joining the elements along an axis gives on the way, as np.cumsum does."""
     a = lifted(tape_of([a]), a)
     if axis is None:
@@ -121,7 +98,7 @@ def matmul(a: Any, b: Any) -> Any:
     return total(product, product.ndim - 2)
 
 
-def rounded(a: Array, decimals: Any = None, out: Any = None) -> Any:
+def rounded(a: Array, decimals: Any = None) -> Any:
     """Return numbers rounded to even."""
     if decimals:
         scale = 10.0 ** abs(int(decimals))

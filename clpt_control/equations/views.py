@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import PARTS, Array, Masked, Tape, Unread, constant, lifted, operand
+from .arrays import PARTS, Array, Masked, Tape, Unread, constant, lifted, operand, whole
 from .numbers import viewed
 from .opened import unread
 from .record import Ref, Shape
@@ -88,16 +88,10 @@ def _picked(array: Array, k: Any, *rest: Any) -> Any:
         same = not rest and k.shape == array.shape
         return Masked(array, k) if same else unread("taking elements by a condition")
     if not rest and array.ndim == 1 and isinstance(array.shape[0], int) and not k.shape:
-        whole = k._tape.operations[k._node].kind in ("trunc", "floor", "ceil", "pick")
-        if whole and k._tape.free[k._node] and array._written() is None:
+        counts = k._tape.operations[k._node].kind in ("trunc", "floor", "ceil", "pick")
+        if counts and k._tape.free[k._node] and array._written() is None:
             return array._tape.add("pick", (operand(array), k._ref), ())
-    return array[tuple(map(_whole, (k, *rest)))]
-
-
-def _whole(place: Any) -> Any:
-    if not isinstance(place, Array):
-        return place
-    return [one.__index__() for one in place] if place.shape else place.__index__()
+    return array[whole((k, *rest))]
 
 
 def turned(a: Array, order: Sequence[int]) -> Any:

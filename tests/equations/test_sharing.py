@@ -136,7 +136,17 @@ def reshapes_zeros(t, x, u, p):
     return y
 
 
+def writes_what_is_asked(t, x, u, p):
+    y, z = u * 1.0, np.zeros(2)
+    np.clip(y, 1.5, u[2], out=y)
+    np.sum(y.reshape(2, 2), axis=0, out=z)
+    np.multiply(y[2:], z, out=y[:2])
+    np.negative(y, out=y, where=y > 3.0)
+    return y
+
+
 SHARING = [
+    writes_what_is_asked,
     puts,
     fills_a_diagonal,
     sorts,
