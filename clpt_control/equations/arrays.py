@@ -90,17 +90,11 @@ class Tape:
                 raise Unread(f"takes more than {MOST_OPERATIONS} operations")
         return Array(self, place, shape)
 
-    def question(self, ref: Ref) -> bool:
-        """Answer whether a condition holds, where Python asks."""
-        raise Unread("a choice that depends on a signal")
+    def question(self, ref: Any) -> Any:
+        """Answer where Python asks a condition, numbers or a whole number."""
+        raise Unread("what Python asks of a signal")
 
-    def numbers(self, ref: Ref) -> np.ndarray:
-        """Return the value that Python asks for."""
-        raise Unread("a number that depends on a signal")
-
-    def whole(self, number: "Array") -> int:
-        """Return the whole number that Python counts with."""
-        raise Unread("a whole number that depends on a signal")
+    numbers = whole = question
 
 
 def broadcast(*shapes: Shape) -> Shape:

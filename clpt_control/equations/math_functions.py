@@ -45,8 +45,7 @@ def in_a_try() -> bool:
 
 MATH: dict[str, Callable] = {
     **{name: f for name in vars(math) if isinstance(f := getattr(np, name, None), np.ufunc)},
-    "erf": lambda a: elementwise("erf", a),
-    "erfc": lambda a: elementwise("erfc", a),
+    **{name: functools.partial(elementwise, name) for name in ("erf", "erfc")},
     "log": lambda a, base=None: np.log(a) if base is None else np.log(a) / np.log(base),
     "remainder": lambda a, b: a - b * np.rint(a / b),
     "hypot": lambda *a: np.hypot(*a) if len(a) == 2 else np.sqrt(total_of(v * v for v in a)),

@@ -148,9 +148,7 @@ def piecewise(x: Any, conditions: Any, functions: Any, *more: Any, **named: Any)
     """Return np.piecewise: what the function of the last condition that holds gives."""
     given = [f(x, *more, **named) if callable(f) else f for f in functions]
     found = given.pop() if len(given) > len(conditions) else 0.0
-    for condition, value in zip(conditions, given, strict=True):
-        found = chosen(condition, value, found)
-    return found
+    return selected(conditions[::-1], given[::-1], found)
 
 
 @reads(np.isclose, arrays=2)

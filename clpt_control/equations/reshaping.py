@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import Array, as_number, lifted, objects, operand, stacked
-from .opened import exploded, tape_of, unread
+from .opened import tape_of, unread
 from .views import turned
 
 LONG = 64  # an array that is joined to others as it is
@@ -14,9 +14,8 @@ LONG = 64  # an array that is joined to others as it is
 def stack(parts: Any, axis: int = 0, **more: Any) -> Any:
     """Return np.stack(parts)."""
     tape = tape_of(parts)
-    if axis == 0:
-        return stacked(tape, [lifted(tape, p) for p in parts])
-    return exploded(tape, np.stack, (parts, axis), {})
+    made = stacked(tape, [lifted(tape, p) for p in parts])
+    return np.moveaxis(made, 0, axis) if axis else made
 
 
 def join(parts: Any, axis: Any = 0, **more: Any) -> Any:

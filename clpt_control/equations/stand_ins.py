@@ -123,13 +123,9 @@ def stand_in(value: Any) -> Any:
         if value.__name__.partition(".")[0] == "numpy" and "random" not in value.__name__:
             return _KNOWN.setdefault(id(value), Module(value))
         return value
-    if isinstance(value, np.ufunc) or (
-        callable(value)
-        and not isinstance(value, type)
-        and (getattr(value, "__module__", None) or "").partition(".")[0] == "numpy"
-        and hasattr(value, "__name__")
-        and getattr(np, value.__name__, getattr(np.linalg, value.__name__, None)) is value
-    ):
+    name = getattr(value, "__name__", None)
+    of_them = isinstance(name, str) and any(vars(m).get(name) is value for m in (np, np.linalg))
+    if isinstance(value, np.ufunc) or (of_them and not isinstance(value, type)):
         return _KNOWN.setdefault(id(value), of_numpy(value))
     return value
 

@@ -1,7 +1,7 @@
 """What NumPy's ufuncs do with arrays of the record."""
 
 from collections.abc import Callable
-from functools import reduce
+from functools import partial, reduce
 from itertools import accumulate
 from typing import Any
 
@@ -136,21 +136,16 @@ def spread_out(a: Any, b: Any) -> Any:
 
 
 COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special too
-    "matmul": matmul,
     "vecdot": lambda a, b: total(a * b, a.ndim - 1),
-    "matvec": matmul,
-    "power": power,
-    "float_power": power,
+    **dict.fromkeys(("matmul", "matvec"), matmul),
+    **dict.fromkeys(("power", "float_power"), power),
     "square": lambda a: elementwise("mul", a, a),
     "reciprocal": lambda a: elementwise("div", 1.0, a),
-    "positive": lambda a: a,
-    "conjugate": lambda a: a,
+    **dict.fromkeys(("positive", "conjugate"), lambda a: a),
     "fmin": lambda a, b: elementwise("minimum", a, b),
     "fmax": lambda a, b: elementwise("maximum", a, b),
-    "deg2rad": lambda a: elementwise("mul", a, np.pi / 180),
-    "radians": lambda a: elementwise("mul", a, np.pi / 180),
-    "rad2deg": lambda a: elementwise("mul", a, 180 / np.pi),
-    "degrees": lambda a: elementwise("mul", a, 180 / np.pi),
+    **dict.fromkeys(("deg2rad", "radians"), lambda a: elementwise("mul", a, np.pi / 180)),
+    **dict.fromkeys(("rad2deg", "degrees"), lambda a: elementwise("mul", a, 180 / np.pi)),
     "exp2": lambda a: elementwise("pow", 2.0, a),
     "cbrt": lambda a: np.sign(a) * np.fabs(a) ** (1 / 3),
     "rint": rounded,
@@ -165,8 +160,7 @@ COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special
     "divmod": lambda a, b: (np.floor_divide(a, b), np.remainder(a, b)),
     "modf": lambda a: (a - np.trunc(a), np.trunc(a)),
     "logaddexp": spread_out,
-    "erf": lambda a: elementwise("erf", a),
-    "erfc": lambda a: elementwise("erfc", a),
+    **{name: partial(elementwise, name) for name in ("erf", "erfc")},
     "expit": lambda a: 1.0 / (1.0 + np.exp(-a)),
     "log_expit": lambda a: -np.log1p(np.exp(-a)),
 }

@@ -121,8 +121,10 @@ def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
                     inner[d] = (outer[0], m[1] + m[2] * outer[1], m[2] * outer[2])
         return tape_viewed(tape, arguments[0], tuple(inner), shape)
     if kind == "fill":
-        number = arguments[0]
-        return tape.add("fill", (number,), shape) if shape else _value(tape, number)
+        (number,) = arguments
+        if shape:
+            return tape.add("fill", (number,), shape)
+        return number if type(number) is float else Array(tape, number, ())
     if kind == "join":
         found = _of_join(tape, arguments, mapped, shape)
         if found is not None:
@@ -133,10 +135,6 @@ def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
             return constant(tape, np.full(shape, item))  # a number, or one with new axes
         return tape_viewed(tape, item, mapped[1:], shape)
     return tape.add("view", (node,), shape, mapped)
-
-
-def _value(tape: Tape, ref: Ref) -> Any:
-    return ref if type(ref) is float else Array(tape, ref, tape.operations[ref].shape)
 
 
 def _of_join(tape: Tape, parts: Sequence[Ref], mapped: tuple, shape: Shape) -> Any:
