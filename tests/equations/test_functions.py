@@ -74,7 +74,10 @@ ARRAYS = """
     np.fliplr([u, v])[1, 0] ; np.hsplit(u, 3)[1][0] ; np.expand_dims(u, 0)[0, 2] ;
     np.moveaxis([u, v], 0, 1)[2, 0] ; np.transpose([u, v], (1, 0))[2, 1] ; u.argmax() + u[0] ;
     np.interp(u[0] - 0.5, [0.0, 1.0, 2.0], u, left=7.0, right=8.0) ;
-    np.where([True, False, True], u, v)[1] ; np.ix_([0], [1])[0][0, 0] + u[0]
+    np.where([True, False, True], u, v)[1] ; np.where([u[0] > 0, u[1] > 0, False], u, v)[1] ;
+    np.select([[u[0] > 1, u[1] > 0, True]], [u], -1.0)[1] ; np.ravel([u[0], u[1]])[1] ;
+    np.mean(np.outer(u, v), axis=(0, 1)) ; np.array([0.0, 1.0]).searchsorted(u[0]) + u[1] ;
+    u.repeat(2)[3] ; np.stack([u, v], axis=1)[2, 1] ; np.sum(u, dtype=float) ; np.ix_([0], [1])[0][0, 0] + u[0]
 """
 
 
