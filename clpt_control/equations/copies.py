@@ -17,9 +17,9 @@ from typing import Any
 import numpy as np
 
 from .arrays import Array, Tape, Unread
-from .builtin_names import SHADOWS
 from .kept import Kept
 from .opened import fresh
+from .python_functions import SHADOWS
 from .stand_ins import BUILTINS, stand_in, vectorized
 from .tables import table_of
 

@@ -198,10 +198,7 @@ def in_rows(a: Any, axis: int = -1, **more: Any) -> Any:
 
 def joins(ufunc: Any, *functions: Any) -> None:
     """Write down functions that join the elements of an array by a ufunc."""
-
-    @reads(*functions)
-    def joined(a: Any, axis: Any = None, *, dtype: Any = None, **more: Any) -> Any:
-        return reduced(ufunc, a, axis, **more)
+    reads(*functions)(lambda a, axis=None, *, dtype=None, **more: reduced(ufunc, a, axis, **more))
 
 
 joins(np.add, np.sum)

@@ -15,10 +15,9 @@ from typing import Any
 import numpy as np
 
 from .arrays import Array, Tape, active, lifted, objects
-from .builtin_names import SHADOWS
-from .math_functions import OF_MATH, READ
 from .numpy_functions import applied
 from .opened import fresh, tape_of
+from .python_functions import OF_MATH, READ, SHADOWS
 from .reshaping import converted
 from .standing import TYPES, StandIn
 from .ufuncs import called

@@ -77,7 +77,8 @@ ARRAYS = """
     np.where([True, False, True], u, v)[1] ; np.where([u[0] > 0, u[1] > 0, False], u, v)[1] ;
     np.select([[u[0] > 1, u[1] > 0, True]], [u], -1.0)[1] ; np.ravel([u[0], u[1]])[1] ;
     np.mean(np.outer(u, v), axis=(0, 1)) ; np.array([0.0, 1.0]).searchsorted(u[0]) + u[1] ;
-    u.repeat(2)[3] ; np.stack([u, v], axis=1)[2, 1] ; np.sum(u, dtype=float) ; np.ix_([0], [1])[0][0, 0] + u[0]
+    u.repeat(2)[3] ; np.stack([u, v], axis=1)[2, 1] ; np.sum(u, dtype=float) ;
+    np.ix_([0], [1])[0][0, 0] + u[0]
 """
 
 
