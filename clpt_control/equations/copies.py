@@ -11,7 +11,7 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from operator import is_
-from types import CellType, CodeType, FunctionType, MethodType
+from types import CellType, FunctionType, MethodType
 from typing import Any
 
 import numpy as np
@@ -22,6 +22,7 @@ from .opened import fresh
 from .python_functions import SHADOWS
 from .stand_ins import BUILTINS, stand_in, vectorized
 from .tables import table_of
+from .unchanged import names_in
 
 LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
 _LOCK = threading.RLock()
@@ -101,7 +102,7 @@ class Copies:
                 self._cells.append((cell, cell.cell_contents, name))
             except ValueError:  # not bound yet
                 continue
-        for name in _names(function.__code__):
+        for name in names_in(function.__code__):
             if name in function.__globals__ and first[name] is space[name]:
                 space[name] = first[name] = self.of(function.__globals__[name])
         return made
@@ -123,14 +124,6 @@ class Copies:
         for cell, first, name in self._cells:
             if cell.cell_contents is not first:
                 raise Unread(f"changes {name!r} of the function around it; make it a state")
-
-
-def _names(code: CodeType) -> Iterator[str]:
-    """Yield the names that code asks for, with those of functions made in it."""
-    yield from code.co_names
-    for one in code.co_consts:
-        if isinstance(one, CodeType):
-            yield from _names(one)
 
 
 @contextmanager

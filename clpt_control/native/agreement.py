@@ -49,12 +49,14 @@ class _Machine:
     """Rates and signals by machine code at single points."""
 
     def __init__(self, runner: NativeDiagram, solution: Solution, inputs: Inputs | None):
-        t0, t1 = float(solution.t[0]), float(solution.t[-1])
-        self.pieces = runner.schedule(t0, t1, inputs)
+        self.pieces = runner.pieces_of(solution, inputs)
         self.number = np.searchsorted(self.pieces.edges, solution.t, side="right")
         self.P, self.T = np.append(runner.parameters(), 0.0), np.append(runner.layout.T, 0.0)
         self.W, self.D = np.zeros(max(runner.code.program.room, 1)), np.zeros(runner.nstates + 1)
         self.signals, self.states = runner.nsignals, runner.nstates
+        self.t, self.x = np.zeros(1), np.zeros(runner.nstates + 1)
+        given = self.t, self.x, self.P, self.T, self.W, self.D
+        self.places = [one.ctypes.data for one in given]
         self.own = [
             _CALL(runner.code.address(name, 1)) for name in ("prepare", "signals", "derivative")
         ]
@@ -62,14 +64,13 @@ class _Machine:
     def ask(self, k: int, t: float, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return signals and rates at sample k, from states x."""
         self.P[self.pieces.places] = self.pieces.values[self.number[k]]
-        given = [np.array([t]), np.append(x, 0.0), self.P, self.T, self.W, self.D]
+        self.t[0], self.x[: self.states] = t, x
         prepare, signals, derivative = self.own
-        places = [one.ctypes.data for one in given]
-        prepare(*places)
-        signals(*places)
+        prepare(*self.places)
+        signals(*self.places)
         found = self.W[: self.signals].copy()
         if self.states:
-            derivative(*places)
+            derivative(*self.places)
         return found, self.D[: self.states].copy()
 
 

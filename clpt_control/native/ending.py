@@ -6,6 +6,7 @@ which signal it is.
 
 from dataclasses import dataclass, field
 from enum import IntEnum
+from typing import Any
 
 import numpy as np
 
@@ -50,7 +51,7 @@ class Solution:
 
     `status` is ``"finished"``, or ``"stopped"`` where a guard ended the run; `message` is a
     sentence on it, `statistics` the numbers of steps, evaluations and restarts, `engine` what ran:
-    ``"native"`` or ``"python"``.
+    ``"native"`` or ``"python"``; `pieces` are who ran, on which inputs, and the pieces of time.
     """
 
     t: np.ndarray
@@ -59,6 +60,7 @@ class Solution:
     message: str = Status.FINISHED.sentence
     statistics: dict[str, int] = field(default_factory=dict)
     engine: str = "python"
+    pieces: tuple[Any, ...] = field(default=(None, None, None), repr=False, compare=False)
 
 
 def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:

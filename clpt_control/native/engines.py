@@ -4,16 +4,14 @@ The model alone decides, never what a cache holds: the same script gives the sam
 """
 
 import os
-import warnings
 from collections.abc import Mapping
 from typing import Any
 
 import control
 
 from ..diagrams.wiring import Wiring, wiring_of
-from ..errors import SimulationError, Uncompiled
+from ..errors import SimulationError, Uncompiled, warn
 from .ending import Solution, Status
-from .inputs import Inputs
 from .python_diagram import PythonDiagram
 
 ENGINES = ("native", "python")
@@ -23,21 +21,21 @@ VARIABLE = "CLPT_CONTROL_ENGINE"  # environment variable that names another defa
 def chosen(
     diagram: control.NonlinearIOSystem | Wiring,
     params: Mapping[str, Any] | None = None,
-    inputs: Inputs | None = None,
+    by_function: bool = False,
     engine: str | None = None,
     name: str = "the diagram",
 ) -> PythonDiagram:
     """Return a diagram ready to run, compiled where that can be.
 
     What cannot be compiled runs in Python, with a warning that calls it by `name`; so does a
-    diagram whose inputs are a function, unless machine code is asked for: an error.
+    diagram whose inputs come `by_function`, unless machine code is asked for: an error.
     """
     asked = engine or os.environ.get(VARIABLE) or "native"
     if asked not in ENGINES:
         whose = "engine" if engine else f"the environment variable {VARIABLE}"
         raise SimulationError(f"{whose} = '{asked}': must be one of {', '.join(ENGINES)}")
     wiring = diagram if isinstance(diagram, Wiring) else wiring_of(diagram, params)
-    by_function = inputs is not None and inputs.samples is None and bool(wiring.ninputs)
+    by_function = by_function and bool(wiring.ninputs)
     if engine == "native" and by_function:
         raise SimulationError(
             "inputs: machine code takes no function; give samples at timepts, or leave engine out"
@@ -87,4 +85,4 @@ def run_as_read(
 
 def in_python(name: str, why: str) -> None:
     """Warn that a diagram runs in Python."""
-    warnings.warn(f"{name} runs in Python, not as machine code: {why}", stacklevel=6)
+    warn(f"{name} runs in Python, not as machine code: {why}")

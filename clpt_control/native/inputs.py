@@ -1,6 +1,5 @@
 """Inputs of a diagram as python-control gives them."""
 
-import warnings
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -10,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..arguments import numbers
-from ..errors import SimulationError
+from ..errors import SimulationError, warn
 
 STRAIGHT = 1e-14  # of the largest value, off a straight line, is rounding
 
@@ -70,7 +69,7 @@ def stacked_state(name: str, state: Any, count: int, padded: bool = True) -> np.
         state = state.ravel() if state.ndim else state
     if 0 < np.size(state) < count and np.ndim(state) == 1 and (padded or state[-1] == 0):
         if state[-1] != 0:
-            warnings.warn(f"{name} is too short: filled with zeros", stacklevel=5)
+            warn(f"{name} is too short: filled with zeros")
         state = np.pad(numbers(name, state), (0, count - len(state)))
     return checked_state(name, state, (count,))
 

@@ -87,7 +87,7 @@ class NativeDiagram(PythonDiagram):
             return make_schedule(*own, t0, t1, np.asarray(stops.kinks), stops.breaks)
         if inputs.samples is None or inputs.kinks is None:
             raise SimulationError("inputs: machine code takes no function; give samples")
-        kinks = np.union1d(inputs.kinks, stops.kinks)
+        kinks = np.union1d(inputs.kinks, stops.kinks) if len(stops.kinks) else inputs.kinks
         pieces = make_schedule(*own, t0, t1, kinks, stops.breaks)
         return with_inputs(pieces, t0, inputs.samples, self.ramp)
 

@@ -152,7 +152,7 @@ class PythonDiagram:
 
         if step is not None:
             (made := batch()).fixed(step)
-            return ended(self.sweep, made, inputs)
+            return self._ended(made, inputs, pieces[0])
         for share in dict.fromkeys((stops.share, 1.0)):  # a sliding mode ends with its own alone
             made, keeps_pace = batch(), pace(self.most, t1 - t0, t0)
 
@@ -165,7 +165,19 @@ class PythonDiagram:
                 made.adaptive(share * tolerances[0], share * tolerances[1], watch, self.most)
                 if share == 1.0 or made.status[0] not in (solver.TOO_MANY, solver.TOO_SMALL):
                     break
-        return ended(self.sweep, made, inputs)
+        return self._ended(made, inputs, pieces[0])
+
+    def _ended(self, batch: Batch, inputs: Inputs | None, pieces: Schedule) -> Solution:
+        found = ended(self.sweep, batch, inputs)
+        found.pieces = self, inputs, pieces
+        return found
+
+    def pieces_of(self, solution: Solution, inputs: Inputs | None) -> Schedule:
+        """Return the pieces of time of a solution, of another's made again."""
+        own, given, pieces = solution.pieces
+        if own is self and given is inputs:
+            return pieces
+        return self.schedule(float(solution.t[0]), float(solution.t[-1]), inputs)
 
     def stops(self, times: np.ndarray) -> Stops:
         """Return where a run with these samples ends a step; in Python it does at none."""
@@ -223,9 +235,8 @@ class PythonDiagram:
         if not len(times):  # stopped before the first
             return np.zeros((0, self.nsignals))
         inputs = self._inputs(inputs, times)
-        pieces = self.schedule(float(times[0]), float(times[-1]), inputs)
-        callee = self.callee(1, inputs)
-        out = self.signals_of(callee, times, solution.x, pieces, self.parameters())
+        own = self.pieces_of(solution, inputs), self.parameters()
+        out = self.signals_of(self.callee(1, inputs), times, solution.x, *own)
         bad = np.flatnonzero(~np.all(np.isfinite(out), axis=1))
         if len(bad):
             raise SimulationError(

@@ -5,7 +5,7 @@ sets the `interval` of blocks that jump, whether their states jump where it begi
 the straight line of each input.  States do not jump where a run begins: it begins after.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -39,15 +39,13 @@ def make_schedule(
     `intervals` holds the place in P of each block's `interval`, `jumps` the place that is 1
     where a piece begins with a jump of the block's states.
     """
-    edges = sweep.breakpoints(t0, t1)
-    if len(breaks):
-        edges = np.union1d(edges, breaks)
-    jumping = set(edges.tolist())
-    if kinks is not None and len(kinks):
-        edges = np.union1d(edges, kinks)
+    jumping = edges = _united(sweep.breakpoints(t0, t1), breaks)
+    edges = _united(edges, () if kinks is None else kinks)
     edges = np.append(edges[(edges > t0) & (edges < t1)], t1)
     starts = np.append(t0, edges)
-    smooth = np.array([t not in jumping for t in starts.tolist()])
+    smooth = np.ones(len(starts), dtype=bool)
+    if len(jumping):
+        smooth = ~np.isin(starts, jumping)
     smooth[0] = False
     places = np.array([*intervals.values(), *jumps.values()], dtype=np.int64)
     values = np.zeros((len(starts), len(places)))
@@ -65,6 +63,13 @@ def make_schedule(
     return Schedule(edges, places, values, smooth)
 
 
+def _united(times: np.ndarray, more: Any) -> np.ndarray:
+    """Return increasing times of both."""
+    if len(times) and len(more):
+        return np.union1d(times, more)
+    return np.asarray(more if len(more) else times, dtype=float)
+
+
 def with_inputs(pieces: Schedule, t0: float, samples: Samples, ramp: int) -> Schedule:
     """Add the diagram's inputs, straight within pieces that stop at every sample.
 
@@ -72,8 +77,9 @@ def with_inputs(pieces: Schedule, t0: float, samples: Samples, ramp: int) -> Sch
     """
     at, u = samples
     starts = np.append(t0, pieces.edges)
-    k = np.clip(np.searchsorted(at, starts, side="right") - 1, 0, max(len(at) - 2, 0))
-    slopes = np.diff(u, axis=1) / np.diff(at) if len(at) > 1 else np.zeros((len(u), 1))
+    k = np.searchsorted(at, starts, side="right") - 1
+    k = np.minimum(np.maximum(k, 0), max(len(at) - 2, 0))
+    slopes = (u[:, 1:] - u[:, :-1]) / (at[1:] - at[:-1]) if len(at) > 1 else np.zeros((len(u), 1))
     rows = np.column_stack([at[k], u[:, k].T, slopes[:, k].T])
     more = np.arange(ramp, ramp + 1 + 2 * len(u))
     places, values = np.append(pieces.places, more), np.hstack([pieces.values, rows])

@@ -1,13 +1,11 @@
-"""A run as an `xarray.Dataset` with CF attributes.
+"""A scenario's run as an `xarray.Dataset` with CF attributes.
 
 dims time, axis, basis; units on every variable; the scenario, the versions and
 the solver's statistics in the attributes, so that a run repeats from its file.
 """
 
 import json
-import platform
-from collections.abc import Collection, Container, Mapping, Sequence
-from functools import cache, lru_cache
+from collections.abc import Collection, Mapping, Sequence
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -22,6 +20,7 @@ from ..equations.declaration import ports_of
 from ..native.ending import Solution
 from ..scenario.experiment import Scenario
 from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS, scenario_to_text
+from .frame import STATE, STATES, Frame, Part, columns, ports_shown
 
 if TYPE_CHECKING:
     import xarray
@@ -45,8 +44,6 @@ MEASURED = {  # where the vehicle reads its position with noise
     "measured_position": ("x", "measured position, which the vehicle reads", 1, 0),
     "clpe": ("e", "controlled Lagrangian prediction error, of the measured position", 1, 0),
 }
-STATE = {"long_name": "state of the diagram"}
-STATES = {"long_name": "states of the diagram, each in its own unit"}
 
 
 class Columns(NamedTuple):
@@ -64,90 +61,71 @@ def columns_of(labels: Sequence[str], wiring: Wiring, given: Sequence[Any]) -> C
     )
 
 
-def run_dataset(
+def run_frame(
     scenario: Scenario,
-    columns: Columns,
-    signals: np.ndarray,
-    solution: Solution,
+    found: Columns,
     left: Mapping[str, Any],
     changes: Changes = UNCHANGED,
     more: Collection[str] = (),
-) -> "xarray.Dataset":
-    """Return a scenario's solution as a Dataset.
+    states: Sequence[str] | None = None,
+) -> Frame:
+    """Return the Dataset of a scenario's runs, to be filled with signals, right limits at jumps.
 
-    `signals` are all block outputs, shape (ntimes, nsignals), right limits at jumps; `left`
-    call-time parameters that no key holds; `changes` the parts of the user's own; `more` are
-    signals to show under their own names.
+    `left` are call-time parameters that no key holds; `changes` the parts of the user's own; `more`
+    are signals to show under their own names; `states` the labels of states, if they are shown.
     """
-    import xarray
-
-    units, N, n = scenario.units, scenario.basis.N, len(solution.t)
-    column, ran = columns
-    data: dict[str, Any] = {}
-    measured = f"{TRUE}[0]" in column
-    wanted = {**VARIABLES, **(MEASURED if measured else {})}
+    units, N = scenario.units, scenario.basis.N
+    column, ran = found
+    parts: dict[str, Part] = {}
+    wanted = {**VARIABLES, **(MEASURED if f"{TRUE}[0]" in column else {})}
     wanted |= LIMITED if "v_c[0]" in column else {}
     row, replaced = scenario.learning.row, set(changes.replace)
+    by_functions = ("time", "axis", "basis")
+
+    def own(port: str, *shape: int) -> Any:
+        return columns([column[f"{port}[{k}]"] for k in range(int(np.prod(shape)))], *shape)
+
     for name, (port, long_name, lengths, rates) in wanted.items():
-        size = 2 * N if port == "alpha" else 2
         if f"{port}[0]" not in column:
             continue
-        values = signals[:, [column[f"{port}[{k}]"] for k in range(size)]]
         unit = " ".join([units.length] * lengths + [f"{units.time}-1"] * rates)
-        dims: tuple[str, ...] = ("time", "axis")
-        if port == "alpha":
-            values, dims = values.reshape(n, 2, N), ("time", "axis", "basis")
-        data[name] = (dims, values, {"long_name": long_name, "units": unit})
-    alpha = data["alpha"][1]
-    estimate = 0.0 - alpha  # without -0
-    if row.given_estimate:
-        known: Any = scenario.learning.theta_estimate
-        known = getattr(ran.get("injection"), "theta_hat", known)
-        estimate = np.broadcast_to(known, alpha.shape).copy()
-    elif "theta_hat[0]" in column:
-        made = [column[f"theta_hat[{k}]"] for k in range(2 * N)]
-        estimate = signals[:, made].reshape(n, 2, N)
+        dims, shape = (by_functions, (2, N)) if port == "alpha" else (("time", "axis"), (2,))
+        parts[name] = Part(dims, own(port, *shape), {"long_name": long_name, "units": unit})
     speed = {"units": f"{units.length} {units.time}-1"}
     learned = {"long_name": "estimate of the flow parameters theta", **speed}
-    data["flow_parameters_estimate"] = (("time", "axis", "basis"), estimate, learned)
+    parts["flow_parameters_estimate"] = Part(by_functions, _estimate(scenario, found, own), learned)
     if row.readout and LAW not in replaced:
-        values = signals[:, [column[f"{row.readout}[{k}]"] for k in range(2 * N)]]
         right = f"theta_hat until {row.shrinking} is small enough"
         named = {"long_name": f"readout of the flow parameters theta; {right}", **speed}
-        data["flow_parameters_readout"] = (
-            ("time", "axis", "basis"),
-            values.reshape(n, 2, N),
-            named,
-        )
+        parts["flow_parameters_readout"] = Part(by_functions, own(row.readout, 2, N), named)
         left_of = {"long_name": "share of the first error of theta_hat that is left", "units": "1"}
-        data["error_left"] = (("time",), signals[:, column[f"{row.shrinking}[0]"]], left_of)
+        parts["error_left"] = Part(("time",), own(row.shrinking), left_of)
     ours = set(ran) - replaced if scenario.flow.parameters is not None else set()
     if "true_flow" in ours:
-        said = {"long_name": "true flow parameters theta", **speed}
-        data["flow_parameters"] = (("axis", "basis"), ran["true_flow"].theta, said)
+        said, theta = {"long_name": "true flow parameters theta", **speed}, ran["true_flow"].theta
+        parts["flow_parameters"] = Part(("axis", "basis"), lambda signals: theta.copy(), said)
     if {"true_flow", "vehicle_controller", LAW} <= ours:
         candidate = {"long_name": "Lyapunov candidate V", "units": f"{units.length}2"}
-        data["lyapunov"] = (("time",), _lyapunov(scenario, ran, signals, column), candidate)
+        parts["lyapunov"] = Part(("time",), _lyapunov(scenario, ran, column), candidate)
     shown = {port for port, *_ in wanted.values()}
-    dims_of = {2: "axis", **({} if N == 2 else {N: "basis"})}
-    data |= named_signals(
-        {port: at for port, at in ports_of(column).items() if port in more and port not in shown},
-        signals,
-        dims_of,
-        data,
-    )
+    others = {k: at for k, at in ports_of(column).items() if k in more and k not in shown}
+    parts |= ports_shown(others, {2: "axis", **({} if N == 2 else {N: "basis"})}, parts)
+    coordinates = {
+        "axis": ("axis", [1, 2], {"long_name": "axis of the plane, x1 and x2"}),
+        "basis": ("basis", np.arange(1, N + 1), {"long_name": "flow basis function"}),
+    }
+    since = {"long_name": "time since the start of the run", "units": units.time}
+    attributes = _attributes(scenario, left, changes)
+    return Frame(parts, coordinates, attributes, since, states, str(scenario._folder))
+
+
+def _attributes(scenario: Scenario, left: Mapping[str, Any], changes: Changes) -> dict[str, Any]:
     origin = {}
     if scenario.field_path is not None:
         from ..currents.field_file import time_origin
 
         origin = time_origin(scenario.field_path)
-    since = {"long_name": "time since the start of the run", "units": units.time}
-    coordinates = {
-        "time": ("time", solution.t, since),
-        "axis": ("axis", [1, 2], {"long_name": "axis of the plane, x1 and x2"}),
-        "basis": ("basis", np.arange(1, N + 1), {"long_name": "flow basis function"}),
-    }
-    attributes = {
+    return {
         "Conventions": "CF-1.11",
         "title": scenario.title,
         "source": f"clpt-control {version('clpt-control')}",
@@ -156,63 +134,29 @@ def run_dataset(
         "scenario": scenario_to_text(scenario),
         **origin,
         **_changed(left, changes),
-        **how_it_ran(solution),
     }
-    run = xarray.Dataset(data, coordinates, attributes)
-    run.encoding["folder"] = str(scenario._folder)
-    return run
 
 
-def diagram_dataset(
-    name: str,
-    labels: Sequence[str],
-    signals: np.ndarray,
-    solution: Solution,
-    states: Sequence[str],
-) -> "xarray.Dataset":
-    """Return the run of any diagram: a variable for each port, named as it is, and its states."""
-    from xarray import Coordinates, Dataset, Variable
-
-    data = named_signals(ports_of(labels), signals, {}, ("time", "state", "states"))
-    data["states"] = (("time", "state"), solution.x, STATES)
-    times, own = _index("time", solution.t, None), _state_index(tuple(states))
-    indexes = {"time": times[0], "state": own[0]}
-    coordinates = Coordinates({"time": times[1], "state": own[1]}, indexes=indexes)
-    attributes = {"title": f"Response of {name}", **how_it_ran(solution)}
-    return Dataset({k: Variable(*one) for k, one in data.items()}, coordinates, attributes)
+def _estimate(scenario: Scenario, found: Columns, own: Any) -> Any:
+    """Return what the law takes theta to be, of the signals."""
+    N = scenario.basis.N
+    if scenario.learning.row.given_estimate:
+        known: Any = scenario.learning.theta_estimate
+        known = np.array(getattr(found.ran.get("injection"), "theta_hat", known), dtype=float)
+        return lambda signals: np.broadcast_to(known, (len(signals), 2, N)).copy()
+    if "theta_hat[0]" in found.column:
+        return own("theta_hat", 2, N)
+    alpha = own("alpha", 2, N)
+    return lambda signals: 0.0 - alpha(signals)  # without -0
 
 
-def _index(name: str, values: Any, attributes: Any) -> tuple[Any, Any]:
-    """Return an index of values and its variable, which xarray else makes in some passes."""
-    from pandas import Index
-    from xarray import Variable
-    from xarray.indexes import PandasIndex
+def diagram_frame(name: str, labels: Sequence[str], states: Sequence[str]) -> Frame:
+    """Return the Dataset of any diagram: a variable for each port, named as it is, and its states.
 
-    index = PandasIndex(Index(values), name)
-    variable = Variable((name,), values, attributes)
-    return index, index.create_variables({name: variable})[name]
-
-
-@lru_cache(maxsize=64)
-def _state_index(states: tuple[str, ...]) -> tuple[Any, Any]:
-    """Return the index of a diagram's states."""
-    return _index("state", np.array(states, dtype=object), STATE)
-
-
-def named_signals(
-    ports: Mapping[str, Sequence[int]],
-    signals: np.ndarray,
-    dims: Mapping[int, str],
-    taken: Container[str],
-) -> dict[str, Any]:
-    """Return variables of ports; `dims` names dimensions by size, a name that is taken gets a _."""
-    data: dict[str, Any] = {}
-    for port, places in ports.items():
-        size = len(places)
-        more = () if size == 1 else (dims.get(size, f"index_{size}"),)
-        values = signals[:, places[0]] if size == 1 else signals[:, places]
-        data[f"{port}_" if port in taken else port] = (("time", *more), values)
-    return data
+    `labels` are those of the signals with which it is filled.
+    """
+    parts = ports_shown(ports_of(labels), {}, ("time", "state", "states"))
+    return Frame(parts, {}, {"title": f"Response of {name}"}, states=states)
 
 
 def with_states(
@@ -221,24 +165,6 @@ def with_states(
     """Return a run with the states of its diagram, as `state_at` reads them."""
     named = {"state": ("state", list(labels), STATE)}
     return run.assign_coords(named).assign(states=(("time", "state"), solution.x, STATES))
-
-
-def how_it_ran(solution: Solution) -> dict[str, Any]:
-    """Return attributes: versions, status and the solver's statistics."""
-    return {
-        "software": _software(),
-        "status": solution.status,
-        "message": solution.message,
-        "engine": solution.engine,
-        **{f"solver_{name}": value for name, value in solution.statistics.items()},
-    }
-
-
-@cache
-def _software() -> str:
-    packages = ("clpt-control", "control", "numpy", "scipy", "numba")
-    here = f"Python {platform.python_version()}"
-    return ", ".join([here, *(f"{name} {version(name)}" for name in packages)])
 
 
 def _changed(left: Mapping[str, Any], changes: Changes) -> dict[str, str]:
@@ -252,17 +178,18 @@ def _changed(left: Mapping[str, Any], changes: Changes) -> dict[str, str]:
     return {name: text for name, text in found.items() if text}
 
 
-def _lyapunov(
-    scenario: Scenario, ran: Mapping[str, Any], signals: np.ndarray, column: Mapping[str, int]
-) -> np.ndarray:
-    """Return the law's V along the run, with the parameters that ran."""
+def _lyapunov(scenario: Scenario, ran: Mapping[str, Any], column: Mapping[str, int]) -> Any:
+    """Return the law's V along the run, with the parameters that ran, of the signals."""
     car, p = ran["vehicle_controller"], ran["adaptation"]
     block = scenario.learning.row.V(p, Truth(ran["true_flow"].theta, car.KD, car.GammaD))
+    named = [f"{port}[{k}]" for port, size in block.input_ports.items() for k in range(size)]
+    places = np.array([column[label] for label in named])
 
-    def values(port: str, size: int) -> np.ndarray:
-        if port == "e" and f"{TRUE}[0]" in column:  # not of the measured position
-            return values(TRUE, 2) - values("z", 2)
-        return signals[:, [column[f"{port}[{k}]"] for k in range(size)]]
+    def along(signals: np.ndarray) -> np.ndarray:
+        inputs = signals[:, places]
+        for k in range(2 if f"{TRUE}[0]" in column else 0):  # e is not of the measured position
+            off = signals[:, column[f"{TRUE}[{k}]"]] - signals[:, column[f"z[{k}]"]]
+            inputs[:, named.index(f"e[{k}]")] = off
+        return on_arrays(block, "output", 0.0, np.zeros((0, len(inputs))), inputs.T)[0]
 
-    inputs = np.hstack([values(port, size) for port, size in block.input_ports.items()])
-    return on_arrays(block, "output", 0.0, np.zeros((0, len(inputs))), inputs.T)[0]
+    return along

@@ -4,6 +4,7 @@ A run is an `xarray.Dataset`; that of a scenario has CF attributes, from which i
 """
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import control
@@ -11,17 +12,13 @@ import numpy as np
 
 from ..arguments import public
 from ..diagrams.changes import UNCHANGED, Part, changes_of
-from ..diagrams.wiring import read_anew, wiring_of
 from ..equations.block import Block
-from ..equations.declaration import ports_of, whole_labels
-from ..equations.linear import linear
 from ..errors import SimulationError
-from ..native.engines import chosen, run_as_read
-from ..native.inputs import checked_times, open_sizes, read_inputs, stacked_state
+from ..native.inputs import checked_times
 from ..scenario.experiment import Scenario
-from ..scenario.file import OWN_PARTS
 from ..scenario.team import Team
-from .dataset import columns_of, diagram_dataset, run_dataset, with_states
+from .diagram_run import simulate_diagram
+from .ready import ready
 from .scenario_run import Progress, ScenarioRun
 from .speeds import note_speeds, speeds_of
 from .teams import TeamRun
@@ -111,36 +108,44 @@ def simulate(
                 "replace and insert: are for a scenario; give them to closed_loop, which wires the "
                 "diagram"
             )
-        return _simulate_diagram(
-            system, timepts, inputs, initial_state, params, rtol, atol, progress, engine
-        )
+        given: dict[str, Any] = {"rtol": rtol, "atol": atol, "progress": progress}
+        return simulate_diagram(system, timepts, inputs, initial_state, params, engine, **given)
     if inputs is not None:
         raise SimulationError("a scenario has no inputs; simulate closed_loop(..., external=)")
-    run: ScenarioRun | TeamRun
+    changes = UNCHANGED
     if isinstance(system, Team):
         own = {"initial_state": initial_state, "params": params, "law": law}
-        for name, given in {**own, "replace": replace, "insert": insert}.items():
-            if given is not None:
+        for name, one in {**own, "replace": replace, "insert": insert}.items():
+            if one is not None:
                 raise SimulationError(
                     f"{name}: a team has its own; change its scenarios, or simulate team_loop(team)"
                 )
-        run = TeamRun(system, rtol, atol, engine)
+        made: Any = partial(TeamRun, system, rtol, atol, engine)
     else:
         changes = changes_of(law, replace, insert)
-        run = ScenarioRun(system, params, initial_state, rtol, atol, engine, changes)
-    wanted = run.scenario.run
+        made = partial(ScenarioRun, system, params, initial_state, rtol, atol, engine, changes)
+    wanted = system.run
     if timepts is None:
         times = sample_times(wanted.duration, wanted.output_step)
     else:
         times = checked_times("timepts", timepts)
     from_zero = times if times[0] == 0 else np.concatenate([[0.0], times])
-    solution = run.integrate(run.start, from_zero, progress)
-    if times[0] != 0:
-        solution.t, solution.x = solution.t[1:], solution.x[1:]
-    found = run.dataset(solution, run.signals(solution))
+    alone = params is None and initial_state is None and changes == UNCHANGED
+    with ready(_key(system, rtol, atol, engine) if alone else None, made) as run:
+        solution = run.integrate(run.start, from_zero, progress)
+        if times[0] != 0:
+            solution.t, solution.x = solution.t[1:], solution.x[1:]
+        found = run.dataset(solution, run.signals(solution))
     if isinstance(run, ScenarioRun) and run.max_speed is not None:
         note_speeds(found, speeds_of(found, run.max_speed), run.scenario.units)
     return found
+
+
+def _key(system: Scenario | Team, *more: Any) -> tuple[Any, Any] | None:
+    """Return the key of a run of the package's own blocks; None where a file is read, too."""
+    scenarios = system.members.values() if isinstance(system, Team) else [system]
+    by_file = any(one.field_path is not None for one in scenarios)
+    return None if by_file else ((id(system), *more), system)
 
 
 @public
@@ -165,46 +170,3 @@ def sample_times(duration: float, step: float) -> np.ndarray:
     times = step * np.arange(int(np.floor(duration / step * (1 + 1e-12))) + 1)
     times = times[times < duration * (1 - 1e-12)]
     return np.append(times, duration)
-
-
-def _simulate_diagram(
-    diagram, timepts, inputs, x0, params, rtol, atol, progress, engine
-) -> "xarray.Dataset":
-    if isinstance(diagram, control.TransferFunction):
-        diagram = linear(diagram)
-    if timepts is None:
-        raise SimulationError("timepts: is required to simulate a diagram")
-    times = checked_times("timepts", timepts)
-    read_anew(diagram)
-    wiring = wiring_of(diagram, params, open_sizes(diagram, inputs, x0, times))
-    given = read_inputs(inputs, times, wiring.ninputs)
-    runner = chosen(wiring, params, given, engine, diagram.name)
-    state = stacked_state("initial_state", 0.0 if x0 is None else x0, runner.nstates)
-    solution, runner = run_as_read(
-        runner,
-        diagram.name,
-        state,
-        times,
-        params,
-        rtol=rtol,
-        atol=atol,
-        inputs=given,
-        progress=progress,
-    )
-    signals = np.vstack([runner.signals(solution, given).T, given.along(solution.t)])
-    outside = np.arange(len(signals) - wiring.ninputs, len(signals))
-    values = np.hstack([(wiring.output_map @ signals).T, signals[outside].T])
-    named = wiring.nodes[0].system if None in (diagram.ninputs, diagram.noutputs) else diagram
-    made, given_labels = map(whole_labels, (named.output_labels, named.input_labels))
-    taken = ports_of(made)  # an input of the name of an output is told apart, all of its signals
-    parts = [one.partition("[") for one in given_labels]
-    labels = made + ["".join((f"{p}_input" if p in taken else p, *rest)) for p, *rest in parts]
-    states = (wiring.nodes[0].system if diagram.nstates is None else diagram).state_labels
-    scenario, changes = getattr(diagram, "made_of", None) or (None, UNCHANGED)
-    if scenario is None:
-        return diagram_dataset(diagram.name, labels, values, solution, states)
-    columns, every = columns_of(labels, wiring, runner.sweep.given), ports_of(labels)
-    run = run_dataset(scenario, columns, values, solution, params or {}, changes, every)
-    own = [changes.in_words, f"{diagram.name}: run as a diagram"]
-    run.attrs[OWN_PARTS] = ", ".join(filter(None, own))
-    return with_states(run, states, solution)

@@ -1,6 +1,7 @@
 """A scenario's closed loop, ready to run; call-time values go into the keys that hold them."""
 
 from collections.abc import Callable, Mapping
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,7 +17,8 @@ from ..native.engines import chosen
 from ..native.inputs import stacked_state
 from ..scenario.experiment import Scenario
 from ..scenario.keys import STARTS, keys_alone, keys_of
-from .dataset import columns_of, run_dataset, with_states
+from .dataset import columns_of, run_frame
+from .frame import Frame
 from .loops import changed_blocks
 from .starts import starting_values, state_columns, state_labels, state_of
 
@@ -47,7 +49,7 @@ class ScenarioRun:
         self.parts = changed_blocks(self.scenario, changes)
         self.wiring = wiring_of_blocks(self.parts)
         self.start = state_of(self.scenario, self.parts, changes.law)
-        self.runner = chosen(self.wiring, self.left, None, engine, "the closed loop")
+        self.runner = chosen(self.wiring, self.left, engine=engine, name="the closed loop")
 
     @property
     def max_speed(self) -> float | None:
@@ -82,13 +84,18 @@ class ScenarioRun:
         """Return x of `signals`, shape (ntimes, 2), also where the vehicle reads it with noise."""
         return signals[:, self.columns(TRUE) or self.columns("x")]
 
-    def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
-        """Return a solution and its signals with names, units and attributes."""
-        columns = columns_of(self.labels, self.wiring, self.runner.sweep.given)
+    @cached_property
+    def frame(self) -> Frame:
+        """The Dataset of its runs."""
+        found = columns_of(self.labels, self.wiring, self.runner.sweep.given)
         own = [part for part in self.parts if part.name in self.changes.names]
         more = {port for part in own for port in output_ports(part)}
-        run = run_dataset(self.scenario, columns, signals, solution, self.left, self.changes, more)
-        return with_states(run, state_labels(self.parts), solution)
+        states = state_labels(self.parts)
+        return run_frame(self.scenario, found, self.left, self.changes, more, states)
+
+    def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
+        """Return a solution and its signals with names, units and attributes."""
+        return self.frame.filled(solution, signals)
 
 
 def _checked(scenario: Scenario, name: str, value: Any) -> Scenario:

@@ -22,7 +22,7 @@ from ..scenario.experiment import Scenario
 from ..scenario.file import TEAM
 from ..scenario.team import LAW, Team
 from ..scenario.team_file import team_to_text
-from .dataset import Columns, run_dataset, with_states
+from .dataset import Columns, run_frame, with_states
 from .loops import paper_blocks
 from .speeds import faster_flow, speeds_of
 from .starts import state_labels, state_of
@@ -98,7 +98,7 @@ class TeamRun:
         members = {name: one.with_values(given) for name, one in team.members.items()}
         self.scenario = Team(members=members, edges=team.edges, coupling=team.coupling)
         self.wiring, self.start = wiring_of_blocks(team_blocks(team)), team_state(team)
-        self.runner = chosen(self.wiring, None, None, engine, "the team")
+        self.runner = chosen(self.wiring, engine=engine, name="the team")
 
     def integrate(self, state: np.ndarray, times: np.ndarray, progress: Any = None) -> Solution:
         """Integrate from a state at the first time to the last."""
@@ -129,7 +129,7 @@ class TeamRun:
 
         team, columns = self.scenario, self.columns()
         runs = [
-            run_dataset(scenario, columns[name], signals, solution, {})
+            run_frame(scenario, columns[name], {}).filled(solution, signals)
             for name, scenario in team.members.items()
         ]
         names = xarray.DataArray(

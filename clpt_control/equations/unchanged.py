@@ -1,0 +1,139 @@
+"""Whether a function would be read as before: a key of all that it reaches.
+
+    key = (code, defaults, closure, the globals that it names, and what these reach in turn)
+
+Numbers, texts and arrays of numbers count as they are now, so that a changed global has another
+key at once.  Whatever could change unseen has no key: objects, modules, what a function imports by
+itself, files.  Then it is read anew.
+"""
+
+import dis
+import math
+from collections.abc import Iterator, Mapping
+from functools import lru_cache
+from types import CodeType, FunctionType, ModuleType, NoneType
+from typing import Any
+
+import numpy as np
+
+from .declaration import Parameters
+
+MOST = 20_000  # numbers of an array
+MANY = 100  # things in a list
+DIGITS = (int, bool, str, bytes, NoneType)
+READ = ("open", "input", "load", "loadtxt", "genfromtxt", "fromfile", "memmap", "random")
+OPENED = ("globals", "vars", "eval", "exec", "compile", "__import__", "__dict__", "__globals__")
+SEES = frozenset((*READ, *OPENED))  # names by which a function reaches more than it names
+FIXED = {"math": math, "numpy": np, "numpy.linalg": np.linalg}  # which nobody changes
+CALLED = (FunctionType, type(math.sin), type(np.sin), type(np.dot), type)
+
+
+class Unkeyed(Exception):
+    """What is asked for could change unseen."""
+
+
+class Keys:
+    """Makes keys; places in them are those of objects in `held`, which must live as long.
+
+    What is `alike` has one key; else what can change has the key of its place too, so that one
+    stands for the other also after it has changed.
+    """
+
+    def __init__(self, alike: bool = False) -> None:
+        self.alike = alike
+        self.held: list[Any] = []
+        self._seen: dict[int, int] = {}
+
+    def of(self, value: Any) -> Any:
+        """Return the key of a value; raise `Unkeyed` where it has none."""
+        kind = type(value)
+        if kind in DIGITS:
+            return kind, value
+        if kind in (float, np.float64):
+            return kind, value.hex()  # 0.0 is not -0.0
+        if kind is tuple and len(value) < MANY:
+            return kind, *map(self.of, value)
+        if isinstance(value, Parameters) or is_fixed(value):
+            return self.place(value)
+        if id(value) in self._seen:  # one that holds itself, too
+            return "seen", self._seen[id(value)]
+        self._seen[id(value)] = len(self._seen)
+        if kind is np.ndarray and value.dtype.kind in "fiub" and value.size <= MOST:
+            found: Any = value.dtype, value.shape, value.tobytes()
+        elif kind is list and len(value) < MANY:
+            found = kind, *map(self.of, value)
+        elif kind is dict and len(value) < MANY:
+            found = kind, *self.named(value)
+        elif kind is FunctionType:
+            found = self._function(value)
+        else:
+            raise Unkeyed
+        return found if self.alike else (self.place(value), found)
+
+    def named(self, values: Mapping[Any, Any]) -> tuple[Any, ...]:
+        """Return the keys of values by name."""
+        return tuple([(self.of(name), self.of(value)) for name, value in values.items()])
+
+    def place(self, value: Any) -> int:
+        """Return where an object lies, which then lives as long as the key."""
+        self.held.append(value)
+        return id(value)
+
+    def _function(self, function: FunctionType) -> Any:
+        names = named(function.__code__)
+        if names is None or function.__dict__:
+            raise Unkeyed
+        space = function.__globals__
+        try:
+            cells = [self.of(cell.cell_contents) for cell in function.__closure__ or ()]
+        except ValueError:  # not bound yet
+            raise Unkeyed from None
+        return (
+            self.place(function.__code__),
+            self.of(function.__defaults__),
+            self.of(function.__kwdefaults__),
+            *cells,
+            *[(name, self.of(space[name])) for name in names if name in space],
+        )
+
+
+def is_fixed(value: Any) -> bool:
+    """Return whether a value is a module, function or type that nobody changes."""
+    if isinstance(value, ModuleType):
+        return any(value is one for one in FIXED.values())
+    root = (getattr(value, "__module__", None) or "").partition(".")[0]
+    return (
+        type(value) in CALLED
+        and root in ("builtins", "math", "numpy")
+        and isinstance(getattr(value, "__self__", None), ModuleType | NoneType)
+        and value.__name__ not in SEES
+    )
+
+
+@lru_cache(maxsize=1024)
+def named(code: CodeType) -> tuple[str, ...] | None:
+    """Return the names that code asks for; None where it reaches more than it names."""
+    names = tuple(dict.fromkeys(names_in(code)))
+    return None if SEES.intersection(names) or not all(_imports(code)) else names
+
+
+def names_in(code: CodeType) -> Iterator[str]:
+    """Yield the names that code asks for, with those of functions made in it."""
+    yield from code.co_names
+    for inner in _inner(code):
+        yield from names_in(inner)
+
+
+def _inner(code: CodeType) -> list[CodeType]:
+    """Return the code of functions that are made within."""
+    return [one for one in code.co_consts if isinstance(one, CodeType)]
+
+
+def _imports(code: CodeType) -> Iterator[bool]:
+    """Yield for each import whether it is of a module that nobody changes."""
+    lines = list(dis.get_instructions(code))
+    for k, line in enumerate(lines):
+        if line.opname == "IMPORT_NAME":  # level and names are loaded before
+            yield line.argval in FIXED and lines[k - 2].argval == 0
+    for inner in _inner(code):
+        yield from _imports(inner)

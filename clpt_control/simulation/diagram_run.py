@@ -1,0 +1,94 @@
+"""A diagram of any blocks, ready to run: python-control's systems as they stand."""
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import control
+import numpy as np
+
+from ..diagrams.changes import UNCHANGED
+from ..diagrams.unchanged import key_of
+from ..diagrams.wiring import read_anew, wiring_of
+from ..equations.declaration import ports_of, whole_labels
+from ..equations.linear import linear
+from ..errors import SimulationError
+from ..native.engines import chosen, run_as_read
+from ..native.inputs import checked_times, open_sizes, read_inputs, stacked_state
+from ..scenario.file import OWN_PARTS
+from .dataset import columns_of, diagram_frame, run_frame
+from .frame import Frame
+from .ready import ready
+
+if TYPE_CHECKING:
+    import xarray
+
+
+class DiagramRun:
+    """A diagram as it was read: run it, make a Dataset."""
+
+    def __init__(
+        self,
+        diagram: control.NonlinearIOSystem,
+        params: Mapping[str, Any] | None,
+        sizes: tuple[int | None, int | None],
+        by_function: bool,
+        engine: str | None,
+    ):
+        read_anew(diagram)
+        self.diagram, self.params = diagram, params and dict(params)
+        self.wiring = wiring_of(diagram, params, sizes)
+        self.runner = chosen(self.wiring, params, by_function, engine, diagram.name)
+        first = self.wiring.nodes[0].system
+        named = first if None in (diagram.ninputs, diagram.noutputs) else diagram
+        made, given = map(whole_labels, (named.output_labels, named.input_labels))
+        taken = ports_of(made)  # an input of the name of an output is told apart, all its signals
+        parts = [one.partition("[") for one in given]
+        self.labels = made + [
+            "".join((f"{port}_input" if port in taken else port, *rest)) for port, *rest in parts
+        ]
+        self.states = (first if diagram.nstates is None else diagram).state_labels
+
+    def run(self, times: np.ndarray, inputs: Any, x0: Any, **given: Any) -> "xarray.Dataset":
+        """Run from a state at the first time to the last."""
+        u = read_inputs(inputs, times, self.wiring.ninputs)
+        state = stacked_state("initial_state", 0.0 if x0 is None else x0, self.runner.nstates)
+        name = self.diagram.name
+        found, ran = run_as_read(self.runner, name, state, times, self.params, inputs=u, **given)
+        every = np.vstack([ran.signals(found, u).T, u.along(found.t)])
+        outside = every[len(every) - self.wiring.ninputs :]
+        return self.frame.filled(found, np.hstack([(self.wiring.output_map @ every).T, outside.T]))
+
+    @cached_property
+    def frame(self) -> Frame:
+        """The Dataset of its runs; of `closed_loop` it is its scenario's."""
+        diagram = self.diagram
+        scenario, changes = getattr(diagram, "made_of", None) or (None, UNCHANGED)
+        if scenario is None:
+            return diagram_frame(diagram.name, self.labels, self.states)
+        found = columns_of(self.labels, self.wiring, self.runner.sweep.given)
+        every, params = ports_of(self.labels), self.params or {}
+        frame = run_frame(scenario, found, params, changes, every, self.states)
+        own = [changes.in_words, f"{diagram.name}: run as a diagram"]
+        frame.attributes[OWN_PARTS] = ", ".join(filter(None, own))
+        return frame
+
+
+def simulate_diagram(
+    diagram: Any,
+    timepts: Any,
+    inputs: Any,
+    x0: Any,
+    params: Mapping[str, Any] | None,
+    engine: str | None,
+    **given: Any,
+) -> "xarray.Dataset":
+    """Run a diagram; one that is as it was at its last run is ready."""
+    if isinstance(diagram, control.TransferFunction):
+        diagram = linear(diagram)
+    if timepts is None:
+        raise SimulationError("timepts: is required to simulate a diagram")
+    times = checked_times("timepts", timepts)
+    own = open_sizes(diagram, inputs, x0, times), callable(inputs), engine
+    with ready(key_of(diagram, params, *own), lambda: DiagramRun(diagram, params, *own)) as run:
+        return run.run(times, inputs, x0, **given)

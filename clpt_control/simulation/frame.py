@@ -1,0 +1,119 @@
+"""What the Datasets of one run share, which is made once: names, units, coordinates, attributes."""
+
+import platform
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from importlib.metadata import version
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from ..native.ending import Solution
+
+if TYPE_CHECKING:
+    import xarray
+
+STATE = {"long_name": "state of the diagram"}
+STATES = {"long_name": "states of the diagram, each in its own unit"}
+MOST = 10_000  # samples of a Dataset that is kept to be filled again
+
+
+class Part(NamedTuple):
+    """A variable of a Dataset: what it is of all signals, shape (nt, nsignals)."""
+
+    dims: tuple[str, ...]
+    of: Callable[[np.ndarray], np.ndarray]
+    attributes: Mapping[str, str] = {}
+
+
+class Frame:
+    """A Dataset without numbers, to be filled again and again.
+
+    `since` are the attributes of time; `states` labels the states, if they are shown; relative
+    files of a scenario lie in `folder`.
+    """
+
+    def __init__(
+        self,
+        parts: Mapping[str, Part],
+        coordinates: Mapping[str, Any],
+        attributes: dict[str, Any],
+        since: Mapping[str, str] | None = None,
+        states: Sequence[str] | None = None,
+        folder: str | None = None,
+    ):
+        self.parts, self.attributes, self.since = parts, attributes, since
+        self.coordinates = dict(coordinates)
+        self.states, self.folder = states, folder
+        if states is not None:
+            self.coordinates["state"] = ("state", np.array(states, dtype=object), STATE)
+        self._last: tuple[np.ndarray, Any] | None = None  # times, and a Dataset with them
+
+    def filled(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
+        """Return a Dataset of a run's signals and states."""
+        times = solution.t
+        numbers = {name: part.of(signals) for name, part in self.parts.items()}
+        if self.states is not None:
+            numbers["states"] = solution.x
+        if self._last is None or not np.array_equal(self._last[0], times):
+            self._last = times.copy(), self._made(times.copy(), numbers)
+        run = self._last[1].copy(data=numbers)
+        if len(times) > MOST:
+            self._last = None
+        if self.folder is not None:
+            run.encoding["folder"] = self.folder
+        run.attrs = {**self.attributes, **how_it_ran(solution)}
+        return run
+
+    def _made(self, times: np.ndarray, numbers: Mapping[str, Any]) -> "xarray.Dataset":
+        from xarray import Dataset
+
+        times.flags.writeable = False  # several Datasets share them
+        parts = {name: (one.dims, one.attributes) for name, one in self.parts.items()}
+        if self.states is not None:
+            parts["states"] = ("time", "state"), STATES
+        data = {name: (dims, numbers[name], more) for name, (dims, more) in parts.items()}
+        return Dataset(data, {"time": ("time", times, self.since), **self.coordinates})
+
+
+def ports_shown(
+    ports: Mapping[str, Sequence[int]], dims: Mapping[int, str], taken: Any
+) -> dict[str, Part]:
+    """Return the variables of ports, each with the places of its signals.
+
+    `dims` names dimensions by size; a name that is taken gets a _.
+    """
+    parts: dict[str, Part] = {}
+    for port, places in ports.items():
+        size = len(places)
+        more = () if size == 1 else (dims.get(size, f"index_{size}"),)
+        parts[f"{port}_" if port in taken else port] = Part(("time", *more), columns(places, *more))
+    return parts
+
+
+def columns(places: Sequence[int], *shape: Any) -> Callable[[np.ndarray], np.ndarray]:
+    """Return what takes columns of the signals, each row in a shape; one of none is a number."""
+    if not shape:
+        return lambda signals: signals[:, places[0]]
+    at = np.array(places)
+    if len(shape) == 1:
+        return lambda signals: signals[:, at]
+    return lambda signals: signals[:, at].reshape(len(signals), *shape)
+
+
+def how_it_ran(solution: Solution) -> dict[str, Any]:
+    """Return attributes: versions, status and the solver's statistics."""
+    return {
+        "software": _software(),
+        "status": solution.status,
+        "message": solution.message,
+        "engine": solution.engine,
+        **{f"solver_{name}": value for name, value in solution.statistics.items()},
+    }
+
+
+@cache
+def _software() -> str:
+    packages = ("clpt-control", "control", "numpy", "scipy", "numba")
+    here = f"Python {platform.python_version()}"
+    return ", ".join([here, *(f"{name} {version(name)}" for name in packages)])
