@@ -18,6 +18,7 @@ from .batch import Batch, Callee, pace
 from .ending import Solution, ended
 from .formula import on_rows
 from .inputs import Inputs, checked_state, checked_times, numbers, read_inputs
+from .loose import LOOSE, loosely
 from .schedule import Schedule, make_schedule
 from .sweep import Sweep, first_not_finite
 
@@ -144,6 +145,10 @@ class PythonDiagram:
         inputs = self._inputs(inputs, times)
         if not self.nstates:
             return Solution(times, np.zeros((len(times), 0)), engine=self.engine)
+        if step is None and tolerances[0] >= LOOSE:
+            found = self._loosely(start, times, tolerances, inputs, progress)
+            if found is not None:
+                return found
         stops = self.stops(times)
         P, pieces = self.parameters()[None], [self.schedule(t0, t1, inputs, stops)]
 
@@ -166,6 +171,13 @@ class PythonDiagram:
                 if share == 1.0 or made.status[0] not in (solver.TOO_MANY, solver.TOO_SMALL):
                     break
         return self._ended(made, inputs, pieces[0])
+
+    def _loosely(self, start: np.ndarray, times: np.ndarray, *given: Any) -> Solution | None:
+        """Run at loose tolerances in Python what neither jumps nor has a guard."""
+        if self.engine == "native" or self._jumps or self.sweep.guarded:
+            return None
+        made = loosely(self.sweep, start, times, *given)
+        return made and Solution(times, made[0], statistics=made[1])
 
     def _ended(self, batch: Batch, inputs: Inputs | None, pieces: Schedule) -> Solution:
         found = ended(self.sweep, batch, inputs)

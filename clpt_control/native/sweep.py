@@ -35,6 +35,14 @@ class Sweep:
         for k, node in self._plan:
             x, u = self._states[node.states], self._inputs[node.inputs]
             self._x[k], self._u[k] = node.system._vectors(x, u)
+        wires = [w for node in self.nodes for w in node.wires if not w.external]
+        feeding = {w.source + j for w in wires for j in range(w.size)}
+        self._feeding = [
+            (k, out)
+            for (k, node), out in zip(self._plan, self._outputs, strict=True)
+            if feeding.intersection(range(node.outputs.start, node.outputs.stop))
+        ]
+        self._moving = [(k, node.states) for k, node in self._plan if node.system.nstates]
         self.given = list(parameters)
         self._parameters = list(parameters)
         self._jumping = [
@@ -121,6 +129,17 @@ class Sweep:
             for k, node in self._plan:
                 if node.system.nstates:
                     self._call("update", k, t, self._x[k], self._gather(k), dx[node.states])
+        return dx
+
+    def rates(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
+        """Return the state derivative alone; of the outputs only what feeds a block is computed."""
+        self._external[:] = 0.0 if u is None else u
+        self._states[:] = x
+        for k, out in self._feeding:
+            self._call("output", k, t, self._x[k], self._gather(k), out)
+        dx = np.empty(self.nstates)
+        for k, states in self._moving:
+            self._call("update", k, t, self._x[k], self._gather(k), dx[states])
         return dx
 
     def leap(

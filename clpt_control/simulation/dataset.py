@@ -110,13 +110,13 @@ def run_frame(
     shown = {port for port, *_ in wanted.values()}
     others = {k: at for k, at in ports_of(column).items() if k in more and k not in shown}
     parts |= ports_shown(others, {2: "axis", **({} if N == 2 else {N: "basis"})}, parts)
-    coordinates = {
-        "axis": ("axis", [1, 2], {"long_name": "axis of the plane, x1 and x2"}),
-        "basis": ("basis", np.arange(1, N + 1), {"long_name": "flow basis function"}),
+    axes = {
+        "axis": ([1, 2], {"long_name": "axis of the plane, x1 and x2"}),
+        "basis": (np.arange(1, N + 1), {"long_name": "flow basis function"}),
     }
     since = {"long_name": "time since the start of the run", "units": units.time}
     attributes = _attributes(scenario, left, changes)
-    return Frame(parts, coordinates, attributes, since, states, str(scenario._folder))
+    return Frame(parts, axes, attributes, since, states, str(scenario._folder))
 
 
 def _attributes(scenario: Scenario, left: Mapping[str, Any], changes: Changes) -> dict[str, Any]:

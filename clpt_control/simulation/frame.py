@@ -29,24 +29,24 @@ class Part(NamedTuple):
 class Frame:
     """A Dataset without numbers, to be filled again and again.
 
-    `since` are the attributes of time; `states` labels the states, if they are shown; relative
-    files of a scenario lie in `folder`.
+    `axes` are its other dimensions, values and attributes; `since` are the attributes of time;
+    `states` labels the states, if they are shown; relative files of a scenario lie in `folder`.
     """
 
     def __init__(
         self,
         parts: Mapping[str, Part],
-        coordinates: Mapping[str, Any],
+        axes: Mapping[str, tuple[Any, Mapping[str, str]]],
         attributes: dict[str, Any],
         since: Mapping[str, str] | None = None,
         states: Sequence[str] | None = None,
         folder: str | None = None,
     ):
         self.parts, self.attributes, self.since = parts, attributes, since
-        self.coordinates = dict(coordinates)
         self.states, self.folder = states, folder
+        self.axes = {name: _index(name, *one) for name, one in axes.items()}
         if states is not None:
-            self.coordinates["state"] = ("state", np.array(states, dtype=object), STATE)
+            self.axes["state"] = _index("state", np.array(states, dtype=object), STATE)
         self._last: tuple[np.ndarray, Any] | None = None  # times, and a Dataset with them
 
     def filled(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
@@ -66,14 +66,28 @@ class Frame:
         return run
 
     def _made(self, times: np.ndarray, numbers: Mapping[str, Any]) -> "xarray.Dataset":
-        from xarray import Dataset
+        from xarray import Coordinates, Dataset, Variable
 
         times.flags.writeable = False  # several Datasets share them
         parts = {name: (one.dims, one.attributes) for name, one in self.parts.items()}
         if self.states is not None:
             parts["states"] = ("time", "state"), STATES
-        data = {name: (dims, numbers[name], more) for name, (dims, more) in parts.items()}
-        return Dataset(data, {"time": ("time", times, self.since), **self.coordinates})
+        data = {name: Variable(dims, numbers[name], more) for name, (dims, more) in parts.items()}
+        axes = {"time": _index("time", times, self.since), **self.axes}
+        indexes = {name: index for name, (index, _) in axes.items()}
+        variables = {name: variable for name, (_, variable) in axes.items()}
+        return Dataset(data, Coordinates(variables, indexes=indexes))
+
+
+def _index(name: str, values: Any, attributes: Any) -> tuple[Any, Any]:
+    """Return an index of values and its variable, which xarray else makes in some passes."""
+    from pandas import Index
+    from xarray import Variable
+    from xarray.indexes import PandasIndex
+
+    index = PandasIndex(Index(values), name)
+    variable = Variable((name,), values, attributes)
+    return index, index.create_variables({name: variable})[name]
 
 
 def ports_shown(

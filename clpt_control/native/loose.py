@@ -1,0 +1,87 @@
+"""Runs in Python at loose tolerances: Dormand and Prince's method of order 5, as python-control's.
+
+There a step of order 8 costs more evaluations than it saves.  A run stops where a block jumps in
+time and where a sampled input turns sharply; bends that are no sharper than most are smooth to such
+a tolerance, and the estimate of a step's error sees them.
+"""
+
+from bisect import bisect_right
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from ..progress.interrupt import check
+from .inputs import Inputs
+from .sweep import Sweep
+
+LOOSE = 1e-6  # rtol from which on it pays
+SHARP = 10.0  # a turn is sharp that is so many times as sharp as most
+MOST = 100_000  # steps
+PAUSE = 50  # steps
+
+
+def loosely(
+    sweep: Sweep,
+    start: np.ndarray,
+    times: np.ndarray,
+    tolerances: tuple[float, float],
+    inputs: Inputs | None,
+    progress: Callable[[float], None] | None,
+) -> tuple[np.ndarray, dict[str, int]] | None:
+    """Return states at times, and the numbers of steps, evaluations and restarts.
+
+    None where it cannot go on: whoever finds out why begins again.
+    """
+    from scipy.integrate import RK45
+
+    out, done, wanted = np.empty((len(times), len(start))), 1, times.tolist()
+    counts = dict.fromkeys(("steps", "evaluations", "restarts"), 0)
+    t, x, at = wanted[0], start, None if inputs is None else inputs.at
+    out[0] = start
+
+    def rates(t: float, x: np.ndarray) -> np.ndarray:
+        return sweep.rates(t, x, None if at is None else at(t))
+
+    with np.errstate(all="ignore"):
+        for end in stops(sweep, wanted[0], wanted[-1], inputs):
+            sweep.enter(t)
+            run = RK45(rates, t, x, end, rtol=tolerances[0], atol=tolerances[1])
+            while run.status == "running":
+                run.step()
+                counts["steps"] += 1
+                if counts["steps"] % PAUSE == 0:
+                    check()
+                    if progress is not None:
+                        progress(run.t)
+                reached = bisect_right(wanted, run.t)
+                if run.status == "failed" or counts["steps"] > MOST:
+                    return None
+                if reached > done:
+                    out[done:reached] = run.dense_output()(times[done:reached]).T
+                    done = reached
+            counts["evaluations"] += run.nfev
+            counts["restarts"] += 1
+            t, x = run.t, run.y
+            if done and wanted[done - 1] == t:
+                out[done - 1] = x
+    return (out, counts) if np.all(np.isfinite(out)) else None
+
+
+def stops(sweep: Sweep, t0: float, t1: float, inputs: Inputs | None) -> list[float]:
+    """Return where a run stops, up to its end."""
+    found = set(sweep.breakpoints(t0, t1).tolist())
+    if inputs is not None and inputs.samples is not None:
+        found.update(sharp(*inputs.samples).tolist())
+    return [*sorted(t for t in found if t0 < t < t1), t1]
+
+
+def sharp(times: np.ndarray, values: Any) -> np.ndarray:
+    """Return the times at which samples, joined by straight lines, turn sharply."""
+    if len(times) < 3:
+        return times[:0]
+    slopes = (values[:, 1:] - values[:, :-1]) / (times[1:] - times[:-1])
+    turns = np.abs(slopes[:, 1:] - slopes[:, :-1])
+    rounding = 1e-12 * np.max(np.abs(slopes), axis=1, keepdims=True)
+    most = SHARP * np.median(turns, axis=1, keepdims=True) + rounding
+    return times[1:-1][np.any(turns > most, axis=0)]
