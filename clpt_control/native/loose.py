@@ -15,7 +15,7 @@ from ..progress.interrupt import check
 from .inputs import Inputs
 from .sweep import Sweep
 
-LOOSE = 1e-6  # rtol from which on it pays
+LOOSE = 1e-7  # rtol from which on it pays
 SHARP = 10.0  # a turn is sharp that is so many times as sharp as most
 MOST = 100_000  # steps
 PAUSE = 50  # steps

@@ -72,7 +72,7 @@ class PythonDiagram:
             return None if inputs is None else inputs.at(float(t[0]))
 
         def derivative(t, X, first, P, T, W, D, to):
-            D[to : to + n] = sweep.derivative(t[0], X[first : first + n], u(t))
+            D[to : to + n] = sweep.rates(t[0], X[first : first + n], u(t))
 
         def prepare(t, X, first, P, T, W, D, to):
             sweep.enter(t[0])

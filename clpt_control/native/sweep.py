@@ -134,7 +134,7 @@ class Sweep:
     def rates(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
         """Return the state derivative alone; of the outputs only what feeds a block is computed."""
         self._external[:] = 0.0 if u is None else u
-        self._states[:] = x
+        self._states[:], t = x, np.float64(t)
         for k, out in self._feeding:
             self._call("output", k, t, self._x[k], self._gather(k), out)
         dx = np.empty(self.nstates)

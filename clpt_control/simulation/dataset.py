@@ -6,6 +6,7 @@ the solver's statistics in the attributes, so that a run repeats from its file.
 
 import json
 from collections.abc import Collection, Mapping, Sequence
+from functools import lru_cache
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -150,7 +151,8 @@ def _estimate(scenario: Scenario, found: Columns, own: Any) -> Any:
     return lambda signals: 0.0 - alpha(signals)  # without -0
 
 
-def diagram_frame(name: str, labels: Sequence[str], states: Sequence[str]) -> Frame:
+@lru_cache(maxsize=64)
+def diagram_frame(name: str, labels: tuple[str, ...], states: tuple[str, ...]) -> Frame:
     """Return the Dataset of any diagram: a variable for each port, named as it is, and its states.
 
     `labels` are those of the signals with which it is filled.

@@ -65,7 +65,7 @@ class DiagramRun:
         diagram = self.diagram
         scenario, changes = getattr(diagram, "made_of", None) or (None, UNCHANGED)
         if scenario is None:
-            return diagram_frame(diagram.name, self.labels, self.states)
+            return diagram_frame(diagram.name, tuple(self.labels), tuple(self.states))
         found = columns_of(self.labels, self.wiring, self.runner.sweep.given)
         every, params = ports_of(self.labels), self.params or {}
         frame = run_frame(scenario, found, params, changes, every, self.states)

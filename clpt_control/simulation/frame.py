@@ -55,11 +55,11 @@ class Frame:
         numbers = {name: part.of(signals) for name, part in self.parts.items()}
         if self.states is not None:
             numbers["states"] = solution.x
-        if self._last is None or not np.array_equal(self._last[0], times):
-            self._last = times.copy(), self._made(times.copy(), numbers)
-        run = self._last[1].copy(data=numbers)
-        if len(times) > MOST:
-            self._last = None
+        last = self._last  # threads may share it
+        if last is None or not np.array_equal(last[0], times):
+            last = times.copy(), self._made(times.copy(), numbers)
+        self._last = last if len(times) <= MOST else None
+        run = last[1].copy(data=numbers)
         if self.folder is not None:
             run.encoding["folder"] = self.folder
         run.attrs = {**self.attributes, **how_it_ran(solution)}

@@ -1,0 +1,176 @@
+"""A second run of a diagram is ready at once; whatever changed in between counts."""
+
+import sys
+import types
+
+import control
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.diagrams.unchanged import key_of
+
+TIMES = np.linspace(0.0, 1.0, 11)
+RATE, TABLE, ROW = 1.0, [1.0], np.array([1.0])
+
+
+def helper(x):
+    return RATE * x
+
+
+def by_global(t, x, u, params):
+    return [-RATE * x[0]]
+
+
+def by_helper(t, x, u, params):
+    return [-helper(x[0])]
+
+
+def by_list(t, x, u, params):
+    return [-TABLE[0] * x[0]]
+
+
+def by_array(t, x, u, params):
+    return [-ROW[0] * x[0]]
+
+
+def by_default(t, x, u, params, rate=1.0):
+    return [-rate * x[0]]
+
+
+def by_math(t, x, u, params):
+    from math import fabs
+
+    return [-fabs(RATE) * x[0]]
+
+
+def by_import(t, x, u, params):
+    from numbers_of_mine import rate
+
+    return [-rate * x[0]]
+
+
+def system(function):
+    return control.nlsys(function, None, states=1, inputs=1, outputs=1, name="decay")
+
+
+def end(diagram, **given):
+    with np.errstate(all="raise"):
+        return float(clpt.simulate(diagram, TIMES, initial_state=[1.0], **given).states[-1, 0])
+
+
+def closed(value):
+    def by_closure(t, x, u, params):
+        return [-value[0] * x[0]]
+
+    return by_closure
+
+
+def in_module(monkeypatch, rate):
+    monkeypatch.setitem(sys.modules, "numbers_of_mine", types.SimpleNamespace(rate=rate))
+
+
+CHANGES = {
+    by_global: lambda patch: patch.setitem(globals(), "RATE", 2.0),
+    by_helper: lambda patch: patch.setitem(globals(), "RATE", 2.0),
+    by_math: lambda patch: patch.setitem(globals(), "RATE", 2.0),
+    by_list: lambda patch: TABLE.__setitem__(0, 2.0),
+    by_array: lambda patch: ROW.__setitem__(0, 2.0),
+    by_default: lambda patch: patch.setattr(by_default, "__defaults__", (2.0,)),
+    by_import: lambda patch: in_module(patch, 2.0),
+}
+
+
+@pytest.mark.parametrize("function", CHANGES, ids=lambda one: one.__name__)
+def test_what_a_function_reaches_counts_as_it_is(function, monkeypatch):
+    in_module(monkeypatch, 1.0)
+    diagram = system(function)
+    for _ in range(2):
+        assert end(diagram) == pytest.approx(np.exp(-1.0), rel=1e-7)
+    CHANGES[function](monkeypatch)
+    for _ in range(2):
+        assert end(diagram) == pytest.approx(np.exp(-2.0), rel=1e-7)
+    monkeypatch.undo()
+    TABLE[0] = ROW[0] = 1.0
+    in_module(monkeypatch, 1.0)
+    assert end(diagram) == pytest.approx(np.exp(-1.0), rel=1e-7)
+
+
+def test_a_closure_that_is_alike_does_not_stand_for_another():
+    first, second = [1.0], [1.0]
+    one, other = system(closed(first)), system(closed(second))
+    assert end(one) == end(other)
+    first[0] = 2.0
+    assert end(other) == pytest.approx(np.exp(-1.0), rel=1e-7)
+    assert end(one) == pytest.approx(np.exp(-2.0), rel=1e-7)
+    first[0] = 1.0
+    assert end(one) == end(other)
+
+
+def test_params_matrices_and_names_count_as_they_are():
+    def rates(t, x, u, params):
+        return -params["k"] * x
+
+    diagram = control.nlsys(rates, None, states=1, inputs=1, outputs=1, params={"k": 1.0})
+    params = {"k": np.array([3.0])}
+    assert end(diagram) == pytest.approx(np.exp(-1.0), rel=1e-7)
+    assert end(diagram, params=params) == pytest.approx(np.exp(-3.0), rel=1e-7)
+    params["k"][0] = 2.0
+    assert end(diagram, params=params) == pytest.approx(np.exp(-2.0), rel=1e-7)
+    diagram.params["k"] = 4.0
+    assert end(diagram) == pytest.approx(np.exp(-4.0), rel=1e-7)
+    lag = control.ss([[-1.0]], [[1.0]], [[1.0]], [[0.0]], name="lag")
+    assert end(lag) == pytest.approx(np.exp(-1.0), rel=1e-7)
+    lag.A[0, 0] = -2.0
+    assert end(lag) == pytest.approx(np.exp(-2.0), rel=1e-7)
+    lag.set_outputs(["speed"])
+    assert "speed" in clpt.simulate(lag, TIMES)
+
+
+def test_wires_that_change_count():
+    lag = control.ss([[-1.0]], [[1.0]], [[1.0]], [[0.0]], name="lag", inputs="u", outputs="y")
+    wires = [["lag.u", "-lag.y"]]
+    loop = control.interconnect([lag], wires, ["lag.u"], ["lag.y"], name="loop")
+    assert end(loop) == pytest.approx(np.exp(-2.0), rel=1e-7)
+    loop.connect_map[0, 0] = -3.0
+    assert end(loop) == pytest.approx(np.exp(-4.0), rel=1e-7)
+
+
+def test_what_could_change_unseen_has_no_key(monkeypatch):
+    class Plant:
+        rate = 1.0
+
+        def rates(self, t, x, u, params):
+            return [-self.rate * x[0]]
+
+    plant = Plant()
+    diagram = system(plant.rates)
+    assert key_of(diagram, None) is None
+    assert key_of(system(by_import), None) is None
+    assert key_of(system(by_math), None) is not None
+    assert end(diagram) == pytest.approx(np.exp(-1.0), rel=1e-7)
+    plant.rate = 2.0
+    assert end(diagram) == pytest.approx(np.exp(-2.0), rel=1e-7)
+
+
+def test_runs_do_not_share_what_they_hold():
+    diagram = system(by_global)
+    first = clpt.simulate(diagram, TIMES, initial_state=[1.0])
+    kept = first.copy(deep=True)
+    first.attrs["title"] = "mine"
+    first["states"].attrs.clear()
+    second = clpt.simulate(diagram, TIMES, initial_state=[2.0])
+    second["states"][:] = 0.0
+    third = clpt.simulate(diagram, TIMES, initial_state=[1.0])
+    assert third.identical(kept)
+    short = clpt.simulate(diagram, TIMES[:5], initial_state=[1.0])
+    np.testing.assert_array_equal(short.time, TIMES[:5])
+
+
+def test_scenarios_run_again_alike():
+    scenario = clpt.paper_scenario().with_values({"run.duration": 20})
+    first, again = clpt.simulate(scenario), clpt.simulate(scenario)
+    assert first.identical(again)
+    shorter = clpt.simulate(scenario, [0.0, 5.0], rtol=1e-6)
+    assert shorter.sizes["time"] == 2
+    assert clpt.simulate(scenario).identical(first)
