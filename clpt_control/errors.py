@@ -5,10 +5,6 @@ given, where, what is allowed and what to try.  The command line prints that
 sentence and ends with status 2, or with 1 where a run was under way.
 """
 
-import sys
-import warnings
-from itertools import count
-
 
 class ClptError(Exception):
     """Base of every error this package raises on purpose."""
@@ -40,15 +36,3 @@ class DataError(ClptError, ValueError):
 
 class SimulationError(ClptError, RuntimeError):
     """A run that was under way could not go on."""
-
-
-def warn(sentence: str) -> None:
-    """Warn at the line that called the package."""
-    frame, outside = sys._getframe(), 1
-    for level in count(1):
-        if frame.f_globals.get("__name__", "").partition(".")[0] == __package__:
-            outside = level + 1
-        if frame.f_back is None:
-            break
-        frame = frame.f_back
-    warnings.warn(sentence, stacklevel=outside)

@@ -10,7 +10,8 @@ from typing import Any
 import control
 
 from ..diagrams.wiring import Wiring, wiring_of
-from ..errors import SimulationError, Uncompiled, warn
+from ..errors import SimulationError, Uncompiled
+from ..progress import warn
 from .ending import Solution, Status
 from .python_diagram import PythonDiagram
 

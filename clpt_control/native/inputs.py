@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from ..arguments import numbers
-from ..errors import SimulationError, warn
+from ..errors import SimulationError
+from ..progress import warn
 
 STRAIGHT = 1e-14  # of the largest value, off a straight line, is rounding
 

@@ -5,8 +5,10 @@ A bar on a terminal, a plain line now and then elsewhere; a note on what happens
 
 import sys
 import time
+import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from traceback import walk_stack
 
 PATIENCE = 2.0  # seconds before the bar appears
 LOG_EVERY = 10.0  # seconds between lines where there is no terminal
@@ -64,6 +66,15 @@ def progress_bar(what: str, total: float, counted: str = "") -> Iterator[Callabl
 def note(sentence: str) -> None:
     """Print a line on standard error: why what follows takes longer than usual."""
     print(f"clpt: {sentence}", file=sys.stderr, flush=True)
+
+
+def warn(sentence: str) -> None:
+    """Warn at the line that called the package."""
+    package, outside = __package__.partition(".")[0], 1
+    for level, (frame, _) in enumerate(walk_stack(sys._getframe()), 2):
+        if frame.f_globals.get("__name__", "").partition(".")[0] == package:
+            outside = level
+    warnings.warn(sentence, stacklevel=outside)
 
 
 def clock(seconds: float) -> str:
