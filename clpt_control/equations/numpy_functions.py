@@ -226,7 +226,6 @@ reads(np.ones_like)(lambda a, *more, **named: filled(a._tape, 1.0, a.shape))
 reads(np.full_like)(lambda a, value, **more: filled(a._tape, 0.0, a.shape) + value)
 reads(np.shape)(lambda a: a._counted())
 reads(np.size)(lambda a, axis=None: a.size if axis is None else a._counted()[axis])
-reads(np.isreal)(lambda a: a == a)
 
 # --- parts, which share what is written -----------------------------------------------------
 
@@ -244,7 +243,7 @@ SHARES: dict[Any, Callable] = {
 }
 OWN: tuple[Any, ...] = (  # of these NumPy's own code does
     *(np.split, np.array_split, np.hsplit, np.vsplit, np.dsplit, np.flip, np.moveaxis),
-    *(np.real, np.ndim, np.iscomplexobj, np.isrealobj),
+    *(np.real, np.imag, np.isreal, np.ndim, np.iscomplexobj, np.isrealobj),
 )
 SHARES.update({function: function._implementation for function in OWN})
 for real, made in SHARES.items():

@@ -5,7 +5,7 @@ It does what the real one does where nothing is read, or where no signal is amon
 
 import functools
 import numbers
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -31,6 +31,7 @@ class StandIn:
             more = {name: real_of(one) for name, one in more.items()}
         if tape is None:
             return self.real(*given, **more)
+        given = tuple(list(one) if isinstance(one, Iterator) else one for one in given)
         if tape_of((*given, *more.values())) is None:
             return fresh(tape, self.real(*map(real_of, given), **more))
         return self.own(tape, *given, **more)

@@ -125,6 +125,10 @@ def says_math(t, x, u, p):
     return y + math.degrees(u[0]) + math.dist([u[0], 0.0], [0.0, u[1]]) + math.floor(u[2])
 
 
+def says_generators(t, x, u, p):
+    return math.fsum(a * a for a in u) + math.prod(map(abs, u))
+
+
 def says_filled(t, x, u, p):
     y = np.zeros(3)
     y[0] = u[0]
