@@ -13,7 +13,7 @@ _READY: dict[Any, Any] = {}
 
 @contextmanager
 def ready(found: tuple[Any, Any] | None, make: Callable[[], Any]) -> Iterator[Any]:
-    """Give the run of a key, made where there is none; until it is given back it is one's own.
+    """Yield the run of a key, made where there is none; until it is given back it is one's own.
 
     `found` is a key, with the objects whose places are in it.  Without one a run is made each time,
     and so is what runs in Python, of which a warning tells each time.
