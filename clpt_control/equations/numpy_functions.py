@@ -272,7 +272,7 @@ def method(name: str) -> Callable | None:
     """
     if name in METHODS or name in IN_PLACE:
         return METHODS.get(name)
-    function = getattr(np, name, None)
+    function = vars(np).get(name)
     if isinstance(function, np.ufunc) or (callable(function) and hasattr(np.ndarray, name)):
         return FUNCTIONS.get(function, function)
     return None

@@ -5,7 +5,8 @@ It does what the real one does where nothing is read, or where no signal is amon
 
 import functools
 import numbers
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
+from types import GeneratorType
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from .arrays import Array, active, elementwise, single
 from .opened import fresh, tape_of
 from .ufuncs import called
 
+ITERATORS = (GeneratorType, map, zip, filter)
 NUMBERS = (float, np.float64, np.floating, np.inexact, np.number, np.generic)
 
 
@@ -31,7 +33,7 @@ class StandIn:
             more = {name: real_of(one) for name, one in more.items()}
         if tape is None:
             return self.real(*given, **more)
-        given = tuple(list(one) if isinstance(one, Iterator) else one for one in given)
+        given = tuple(list(one) if isinstance(one, ITERATORS) else one for one in given)
         if tape_of((*given, *more.values())) is None:
             return fresh(tape, self.real(*map(real_of, given), **more))
         return self.own(tape, *given, **more)
