@@ -52,23 +52,31 @@ class _Machine:
         self.pieces = runner.pieces_of(solution, inputs)
         self.number = np.searchsorted(self.pieces.edges, solution.t, side="right")
         self.P, self.T = np.append(runner.parameters(), 0.0), np.append(runner.layout.T, 0.0)
-        self.W, self.D = np.zeros(max(runner.code.program.room, 1)), np.zeros(runner.nstates + 1)
+        program, self.held = runner.code.program, runner.held
+        self.decided = program.decided
+        room = max(runner.nstates, 2 * self.decided) + 1
+        self.W, self.D = np.zeros(max(program.room, 1)), np.zeros(room)
         self.signals, self.states = runner.nsignals, runner.nstates
         self.t, self.x = np.zeros(1), np.zeros(runner.nstates + 1)
         given = self.t, self.x, self.P, self.T, self.W, self.D
         self.places = [one.ctypes.data for one in given]
         self.own = [
-            _CALL(runner.code.address(name, 1)) for name in ("prepare", "signals", "derivative")
+            _CALL(runner.code.address(name, 1))
+            for name in ("prepare", "signals", "derivative", *["decide"] * bool(self.decided))
         ]
 
     def ask(self, k: int, t: float, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return signals and rates at sample k, from states x."""
         self.P[self.pieces.places] = self.pieces.values[self.number[k]]
         self.t[0], self.x[: self.states] = t, x
-        prepare, signals, derivative = self.own
+        prepare, signals, derivative, *decide = self.own
         prepare(*self.places)
         signals(*self.places)
         found = self.W[: self.signals].copy()
+        for function in decide:
+            function(*self.places)
+            self.P[self.held : self.held + self.decided] = self.D[: self.decided]
+            prepare(*self.places)
         if self.states:
             derivative(*self.places)
         return found, self.D[: self.states].copy()

@@ -124,13 +124,14 @@ def _by_machine(diagram: Any, params: Any, form: str | None, lanes: int) -> Read
     def compiled() -> tuple[NativeDiagram, tuple[np.ndarray, ...]]:
         native = NativeDiagram(diagram, params, form)
         program, n = native.code.program, native.nstates
-        sizes = n, program.parameters, program.room, n
+        sizes = n, program.parameters, program.room, max(n, 2 * program.decided)
         X, P, W, D = (np.zeros((max(size, 1), lanes)) for size in sizes)
         return native, (np.zeros(lanes), X, P, np.append(native.layout.T, 0.0), W, D)
 
     def run(t: float, x: Any, u: Any, *functions: str) -> Asked:
         native, arrays = compiled()
-        addresses = [native.code.address(name, lanes) for name in ("prepare", *functions)]
+        held, decided = native.held, native.code.program.decided
+        first = ("prepare", "decide") if decided else ()
         x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
         time, X, P, _, W, D = arrays
         lane, n, m = lanes - 1, native.nstates, native.wiring.ninputs
@@ -143,9 +144,12 @@ def _by_machine(diagram: Any, params: Any, form: str | None, lanes: int) -> Read
         for k in range(lanes):
             elsewhere = 1.0 + 0.1 * (lane - k)
             time[k], X[:n, k], P[: len(own), k] = t, x * elsewhere, own
-        for address in addresses:
+        for name in (*first, "prepare", *functions):
+            address = native.code.address(name, lanes)
             function = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 6)(int(address))
             function(*(array.ctypes.data for array in arrays))
+            if name == "decide":
+                P[held : held + decided] = D[:decided]
         signals = W[: native.nsignals, lane]
         return D[:n, lane].copy(), native.wiring.output_map @ np.concatenate([signals, u])
 

@@ -18,6 +18,7 @@ from .schedule import Schedule
 
 PAUSE = 0.05  # seconds of a call
 BEGIN = 40_000  # numbers, times tries, of the first call of machine code
+GRAIN = 0.01  # of atol: what decisions differ by counts beyond
 MEMBER_STEPS = 5_000_000  # tries of a run among many
 
 
@@ -32,6 +33,8 @@ class Callee(NamedTuple):
     tables: np.ndarray  # T
     guarded: int  # 1 if guards are watched
     jumping: int  # 1 if states jump
+    held: int = 0  # first place in P of what is decided
+    decided: int = 0  # how many numbers are
     code: tuple = ()  # what must live for as long as addresses are used
 
 
@@ -66,7 +69,7 @@ class Batch:
         self.counts = np.zeros((m, 4), dtype=np.int64)
         self.results = self.out, self.status, self.reached, self.counts
         self.numbers = aligned(solver.NUMBERS * lanes).reshape(-1, lanes)
-        whole = np.full((3, lanes), -1, dtype=np.int64)
+        whole = np.full((5, lanes), -1, dtype=np.int64)
         self.lane = self.numbers, whole, np.array([0, m, 0], dtype=np.int64)
         self.Z = aligned(solver.ROWS * n * lanes)
         self.arrays = (
@@ -74,7 +77,7 @@ class Batch:
             aligned(max(size, 1) * lanes),
             np.append(callee.tables, 0.0),
             aligned(max(callee.room, 1) * lanes),
-            aligned(max(n, 2) * lanes),
+            aligned(max(n, 2, 2 * callee.decided) * lanes),
         )
 
     @property
@@ -97,6 +100,8 @@ class Batch:
         tolerances = np.array([max(rtol, 2.3e-14), atol])
         first = BEGIN // self.shape[1] if self.callee.solver is not solver else 0
         active, budget = 1, tries or max(64, first)
+        if self.callee.decided:
+            self.runs[1][:, self.callee.held - 1] = GRAIN * atol
         while active:
             check()
             begin = time.perf_counter()
@@ -110,6 +115,8 @@ class Batch:
                     most,
                     self.callee.guarded,
                     self.callee.jumping,
+                    self.callee.held,
+                    self.callee.decided,
                 )
             if tries is None:
                 share = PAUSE / max(time.perf_counter() - begin, 1e-6)
@@ -129,6 +136,8 @@ class Batch:
                 *self._shared,
                 self.callee.guarded,
                 self.callee.jumping,
+                self.callee.held,
+                self.callee.decided,
             )
 
     @property

@@ -46,7 +46,7 @@ class Code:
     def _make(self, name: str, lanes: int) -> None:
         if (name, lanes) in self._machines:  # another thread may have been first
             return
-        apart = name in ("margin", "jump")  # only some diagrams need them
+        apart = name in ("margin", "jump", "decide")  # only some diagrams need them
         together = (name,) if apart else ("derivative", "prepare", "signals")
 
         def printed() -> object:

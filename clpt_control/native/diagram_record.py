@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 from ..diagrams.wiring import Node, Wiring
 from ..equations.block import Block
 from ..equations.record import reached
+from .decisions import Decisions
 from .layout import Layout
 
 SHORT, NAMED = 16, 3  # an axis up to SHORT is unrolled, but from NAMED on where it has a name
@@ -61,6 +62,7 @@ class DiagramRecord:
     def __init__(self, wiring: Wiring, layout: Layout, long: int = SHORT + 1, named: int = NAMED):
         self.wiring, self.layout, self.long, self.named = wiring, layout, long, named
         self.entries: list[Entry] = []
+        self.moving: list[bool] = []  # of each entry: whether it changes along a run
         self.rates: list[Port] = []
         self.signals: list[Port] = []
         self.margins: list[Ref] = []
@@ -75,10 +77,18 @@ class DiagramRecord:
                     self._sizes[at] = prod(shape)
                 at += prod(shape)
         self._firsts = list(self._sizes)
-        for k in wiring.order:
-            self._output(k)
-        for k, node in enumerate(wiring.nodes):
-            self._states(k, node)
+        self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
+        self._rates()
+        exact, ports, rates = self.signals, self._ports, self.rates
+        self.margins = [m for k in range(len(wiring.nodes)) for m in self._margins(k)]
+        self.decided = 0  # numbers that are decided, of rates that are locked
+        if self.decisions.lock():
+            self._ports, self.signals, self.rates = {}, [], []
+            self._rates()
+            self.decided = self.decisions.kept([port.ref for port in self.rates])
+            self._ports, self.signals = ports, exact
+        if not self.decided:
+            self.rates = rates
         self.leaps = [port for k in range(len(wiring.nodes)) for port in self._leap(k)]
 
     def add(
@@ -86,7 +96,13 @@ class DiagramRecord:
     ) -> int:
         """Add an entry; return its place."""
         self.entries.append(Entry(kind, tuple(arguments), shape, at, owner))
+        own = kind == "load" and at[0] in ("X", "t")
+        self.moving.append(own or any(map(self.is_moving, arguments)))
         return len(self.entries) - 1
+
+    def is_moving(self, ref: Ref) -> bool:
+        """Whether a value changes along a run."""
+        return type(ref) is int and self.moving[ref]
 
     def shape_of(self, ref: Ref) -> tuple[int, ...]:
         """Return the shape of a value."""
@@ -97,18 +113,23 @@ class DiagramRecord:
     def _output(self, k: int) -> None:
         node = self.wiring.nodes[k]
         fed = self._fed(node) if node.system.feedthrough else {}
-        values = self._run(k, "output", fed)
+        values = self._run(k, "output", fed, True)
         ports = self._stored(node.system, "outputs", node.outputs.start, values)
         self.signals = [port for port in self.signals if port.first not in _places(node)] + ports
         self._ports.update({port.first: port.ref for port in ports if prod(port.shape)})
 
-    def _states(self, k: int, node: Node) -> None:
-        block, fed = node.system, self._fed(node)
-        first = node.states.start
-        if block.update_function is not None:
-            self.rates += self._stored(block, "states", first, self._run(k, "update", fed))
-        if block.guard is not None:
-            self.margins += self._run(k, "guard", fed)
+    def _rates(self) -> None:
+        """Write down what the rates of all states are."""
+        for k in self.wiring.order:
+            self._output(k)
+        for k, node in enumerate(self.wiring.nodes):
+            if node.system.update_function is not None:
+                values = self._run(k, "update", self._fed(node), True)
+                self.rates += self._stored(node.system, "states", node.states.start, values)
+
+    def _margins(self, k: int) -> list[Ref]:
+        node = self.wiring.nodes[k]
+        return self._run(k, "guard", self._fed(node)) if node.system.guard is not None else []
 
     def _leap(self, k: int) -> list[Port]:
         """Return the states of a block after the jumps that P asks for."""
@@ -138,13 +159,14 @@ class DiagramRecord:
             n >= self.long or (isinstance(name, str) and n >= self.named) for n, name in long
         )
 
-    def _run(self, k: int, role: str, fed: dict[str, Ref]) -> list[Ref]:
+    def _run(self, k: int, role: str, fed: dict[str, Ref], deciding: bool = False) -> list[Ref]:
         """Write down a block's record on what feeds it; return what each port is."""
         node = self.wiring.nodes[k]
         record = node.system.array_record(role)
         values: list[Ref] = []
         axes = [self._axes(node.system, o.shape) for o in record.operations]
-        for (kind, arguments, _, at), (shape, _) in zip(record.operations, axes, strict=True):
+        deciding = deciding and not node.system.opaque
+        for (kind, arguments, _, at), (shape, looping) in zip(record.operations, axes, strict=True):
             if kind == "leaf":
                 values.append(self._leaf(k, at[0], at[1], shape, fed))
                 continue
@@ -152,6 +174,11 @@ class DiagramRecord:
             if kind == "opaque":
                 values.append(own[0])
                 continue
+            if deciding:
+                locked = self.decisions.read(kind, own, (shape, looping), k, role)
+                if locked is not None:
+                    values.append(locked)
+                    continue
             if kind == "sum":
                 length, long = axes[arguments[0]] if type(arguments[0]) is int else ((), ())
                 at = at, length[at], long[at]

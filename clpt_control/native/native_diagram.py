@@ -22,7 +22,14 @@ from .solver_cache import compiled_solver
 
 OVER_KINKS = 0.01  # of the tolerances
 ABREAST = 256  # states of runs that are taken side by side; more do not fit the first cache
-FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump")  # in the solver's order
+FUNCTIONS = (
+    "derivative",
+    "prepare",
+    "margin",
+    "signals",
+    "jump",
+    "decide",
+)  # in the solver's order
 
 
 @public
@@ -72,6 +79,7 @@ class NativeDiagram(PythonDiagram):
         self.layout = lay_out(self.wiring, self.sweep.given)
         self.code = code_of(self.wiring, self.layout, form)
         self.ramp = len(self.layout.P)  # place in P of the diagram's inputs
+        self.held = self.layout.inputs(self.wiring.ninputs) + 1  # and of what is decided
 
     def parameters(self) -> np.ndarray:
         """Return P, with room for inputs and for what is prepared."""
@@ -101,7 +109,8 @@ class NativeDiagram(PythonDiagram):
         for own, p in zip(self._kinks, self.sweep.given, strict=True):
             if own.by_time:
                 breaks.append(own.at(p, float(times[0]), float(times[-1])))
-        by_signals = any(own.by_signals for own in self._kinks)
+        free = self.code.program.decided == 0
+        by_signals = any(own.by_signals and (own.block.opaque or free) for own in self._kinks)
         share = OVER_KINKS if by_signals else 1.0
         return Stops(times if by_signals else (), np.concatenate(breaks), share)
 
@@ -112,7 +121,8 @@ class NativeDiagram(PythonDiagram):
     def callee(self, lanes: int = 1, inputs: Inputs | None = None) -> Callee:
         """Return what the solver calls."""
         guarded, jumping, n = int(self.sweep.guarded), int(bool(self.layout.jumps)), self.nstates
-        unused = {"margin": not guarded, "jump": not jumping}
+        program = self.code.program
+        unused = {"margin": not guarded, "jump": not jumping, "decide": not program.decided}
         own = [0 if unused.get(name) else self.code.address(name, lanes) for name in FUNCTIONS]
         formulas = kernels(n, lanes) if n else None
         more = formulas.addresses.values() if formulas else ()
@@ -125,6 +135,8 @@ class NativeDiagram(PythonDiagram):
             self.layout.T,
             guarded,
             jumping,
+            self.held,
+            program.decided,
             (self.code, formulas),
         )
 

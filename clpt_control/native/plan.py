@@ -12,6 +12,7 @@ from math import prod
 from typing import Any, NamedTuple
 
 from .components import BOUND, CONDITIONS, LONG, Component, Components, Write, deep
+from .decisions import Decisions
 from .diagram_record import DiagramRecord
 from .joined_sums import JoinedSums
 
@@ -47,7 +48,8 @@ class Program(NamedTuple):
     """The functions of a diagram, as nests of loops over components.
 
     derivative: D = dx/dt; signals: W = all block outputs; margin: D[0] = least distance to a
-    guard's edge; jump: D = states after the jumps that P asks for, empty without any.
+    guard's edge; jump: D = states after the jumps that P asks for, empty without any; decide: D =
+    what is decided, and what of it a step has passed (`decisions`).
     """
 
     components: tuple[Component, ...]
@@ -56,6 +58,8 @@ class Program(NamedTuple):
     constants: tuple[float, ...]  # K
     parameters: int  # length of P
     room: int  # length of W
+    decided: int  # numbers that are decided
+    deciding: tuple[tuple, ...]  # of each decision: first number, whose it is
 
 
 class Planner:
@@ -77,7 +81,9 @@ class Planner:
         name, arguments, _ = self.all[c]
         return arguments[-1] if name in ("load", "table") else -1
 
-    def program(self, writes: dict[str, list[Write]]) -> Program:
+    def program(
+        self, writes: dict[str, list[Write]], decided: int, deciding: tuple[tuple, ...]
+    ) -> Program:
         """Return the program whose functions write these."""
         early: list[Write] = []
         for own in writes.values():
@@ -92,6 +98,8 @@ class Planner:
             tuple(made.constants),
             made.prepared,
             made.room,
+            decided,
+            deciding,
         )
 
     # --- what is prepared -----------------------------------------------------------------
@@ -262,20 +270,29 @@ def rows(lengths: tuple[int, ...]) -> tuple[int, ...]:
 
 def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
     """Return the program of a diagram: W has so much room for signals, P for what is given."""
-    made = Components(record, room, prepared)
+    made = Components(record, room, prepared + (1 + record.decided if record.decided else 0))
     with deep():
         writes = {
             "derivative": _written(made, record.rates, "D", JoinedSums(made).element),
             "signals": _written(made, record.signals, "W"),
             "margin": [_least(made)],
             "jump": _written(made, record.leaps, "D") if record.layout.jumps else [],
+            "decide": _decided(made, record.decisions, record.decided),
         }
-    return Planner(made).program(writes)
+    deciding = tuple((d.first, d.of) for d in record.decisions.now if record.decided)
+    return Planner(made).program(writes, record.decided, deciding)
 
 
 def _written(made: Components, ports: list, array: str, element: Any = None) -> list[Write]:
     own = [made.writes(p.ref, p.shape, p.long, array, p.first, element) for p in ports]
     return [w for writes in own for w in writes]
+
+
+def _decided(made: Components, decisions: Decisions, count: int) -> list[Write]:
+    if not count:
+        return []
+    passed = [d._replace(first=d.first + count) for d in decisions.passed]
+    return _written(made, [*decisions.now, *passed], "D")
 
 
 def _least(made: Components) -> Write:

@@ -88,7 +88,7 @@ class PythonDiagram:
             D[to : to + n] = sweep.leap(t[0], X[first : first + n], u(t), blocks)
 
         formulas = [on_rows(f, n) for f in method.formulas(n).values()] if n else []
-        functions = [derivative, prepare, margin, signals, jump, *formulas]
+        functions = [derivative, prepare, margin, signals, jump, None, *formulas]
         guarded, jumping = int(sweep.guarded), int(bool(self._jumps))
         return Callee(solver, functions, 1, n, self.nsignals, np.zeros(0), guarded, jumping)
 

@@ -26,21 +26,25 @@ Number i of row r of Z in lane k lies at (r n + i) lanes + k.
 
 import math
 
-RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT, TOO_MANY = range(6)  # how a run ended
+RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT, TOO_MANY, CHATTERS = range(7)  # how a run ended
 # rows of Z: the state, rates of stages 0 to 15, argument of a stage, terms between samples
 STATE, RATE, ARGUMENT, TERMS, ROWS = 0, 1, 17, 18, 25
 STAGES = 12  # a step; three more for what lies within it
 TIME, STEP, END, FRESH, REJECTED, GOOD, TAKEN, NEW, AT, FAILING, SIZE, TROUBLE = range(12)
-NUMBERS = 12  # rows of numbers
-MEMBER, EDGE, DONE = range(3)  # rows of whole numbers
+KINK, LOW, HIGH, LAST = range(12, 16)  # of a decision that a step has passed (`decisions`)
+NUMBERS = 16  # rows of numbers
+MEMBER, EDGE, DONE, BURST, WHICH = range(5)  # rows of whole numbers
 STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of the counts
 # places of `code`: the diagram's functions, then the formulas; stage s stands at STAGE + s
-DERIVATIVE, PREPARE, MARGIN, SIGNALS, JUMP = range(5)
-ATTEMPT, JUDGE, SIZES, TRIAL, FIRST, ACCEPT, DENSE = range(5, 12)
-STAGE, FIXED = 11, 26
+DERIVATIVE, PREPARE, MARGIN, SIGNALS, JUMP, DECIDE = range(6)
+ATTEMPT, JUDGE, SIZES, TRIAL, FIRST, ACCEPT, DENSE = range(6, 13)
+STAGE, FIXED = 12, 27
 ANEW, ON = 1, 2  # a piece begins with rates and a step of its own, or goes on with those there are
 OUTSIDE = 1e-9  # grid steps beyond the edge that count as outside
 LOOKS = 16  # places within a step at which guards are looked at
+PASSED, CROSSED = 1.0, 2.0  # a step goes beyond a kink; it ends right behind it
+HALVINGS, RESOLVED = 50, 1e-12  # of a step; how close to a kink one ends, of the step or the time
+MOST_KINKS, NEAR = 1000, 1e-7  # one upon the other, within that share of a run
 
 
 def call(function, t, X, first, P, T, W, D, to):
@@ -62,11 +66,13 @@ def advance(
     most,
     guarded,
     jumping,
+    held,
+    decided,
 ):
     """Take at most `budget` steps in every lane; return how many lanes are at work.
 
     A run that has taken `most` tries is given up; guards are watched if `guarded`, states jump
-    if `jumping`.
+    if `jumping`; so many numbers are `decided`, kept in P from the place `held` on.
     """
     lanes, n, _ = shape
     (_, status, reached, counts), (numbers, whole, queue) = results, lane
@@ -82,6 +88,10 @@ def advance(
         else:
             anew = False
         if anew:
+            if decided > 0:
+                call(code[DECIDE], now, Z, 0, P, T, W, D, 0)
+                hold(lanes, numbers, held, decided, P, D)
+                call(code[PREPARE], now, Z, 0, P, T, W, D, 0)
             call(code[DERIVATIVE], now, Z, 0, P, T, W, Z, (RATE + 1) * span)
             if guarded:
                 call(code[MARGIN], now, Z, 0, P, T, W, D, 0)
@@ -113,17 +123,25 @@ def advance(
                         within = within or times[done] < numbers[NEW, k]
         if good:
             call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + STAGES) * span)
-        if within:
+        beyond = False
+        if decided > 0 and good:
+            call(code[DECIDE], at, Z, ARGUMENT * span, P, T, W, D, 0)
+            beyond = passes(lanes, decided, numbers, whole, D)
+        if within or beyond:
             for s in range(STAGES + 1, STAGES + 4):
                 call(code[STAGE + s], numbers, Z, 0, P, T, W, D, 0)
                 call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + s) * span)
             call(code[STAGE + STAGES], numbers, Z, 0, P, T, W, D, 0)
             call(code[DENSE], numbers, Z, 0, P, T, W, D, 0)
+            if beyond:
+                cross(code, shape, decided, results, lane, arrays)
             if guarded:
                 watch(code, shape, results, lane, arrays)
         if wanted or within:
             sample(shape, times, results, lane, Z, within)
         call(code[ACCEPT], numbers, Z, 0, P, T, W, D, 0)
+        if beyond:
+            decide_anew(lanes, times, status, lane)
         if jumping:
             leap(code, shape, runs, schedule, times, results, lane, arrays, guarded)
         for k in range(lanes):
@@ -141,6 +159,85 @@ def advance(
                 active -= 1
                 active += take(k, shape, runs, schedule, times, results, lane, Z, P)
     return active
+
+
+# --- decisions ------------------------------------------------------------------------------
+
+
+def hold(lanes, numbers, held, decided, P, D):
+    """Keep what is decided now, in lanes that begin."""
+    for k in range(lanes):
+        if numbers[FRESH, k] > 0.5:
+            for j in range(decided):
+                P[(held + j) * lanes + k] = D[j * lanes + k]
+
+
+def passed(k, lanes, decided, D):
+    """Return the first decision of a lane that is another than the one that is held, or -1."""
+    for j in range(decided):
+        if D[(decided + j) * lanes + k] > 0.5:
+            return j
+    return -1
+
+
+def passes(lanes, decided, numbers, whole, D):
+    """Note which lanes' steps go beyond a kink; return whether any does."""
+    some = False
+    for k in range(lanes):
+        numbers[KINK, k] = 0.0
+        if whole[MEMBER, k] >= 0 and numbers[GOOD, k] > 0.5:
+            which = passed(k, lanes, decided, D)
+            if which >= 0:
+                numbers[KINK, k], numbers[LOW, k], numbers[HIGH, k] = PASSED, 0.0, 1.0
+                whole[WHICH, k], some = which, True
+    return some
+
+
+def cross(code, shape, decided, results, lane, arrays):
+    """Find where steps cross a kink; one that goes well beyond is tried again, up to there."""
+    lanes, n, _ = shape
+    counts, (numbers, whole, _), (Z, P, T, W, D) = results[3], lane, arrays
+    for _ in range(HALVINGS):
+        for k in range(lanes):
+            share = 0.5 * (numbers[LOW, k] + numbers[HIGH, k])
+            if numbers[KINK, k] != PASSED:
+                share = 1.0
+            numbers[AT, k] = numbers[TIME, k] + share * numbers[TAKEN, k]
+            for i in range(n):
+                Z[((RATE + 1) * n + i) * lanes + k] = between(Z, n, lanes, k, i, share)
+        call(code[DECIDE], numbers[AT], Z, (RATE + 1) * n * lanes, P, T, W, D, 0)
+        for k in range(lanes):
+            if numbers[KINK, k] == PASSED:
+                share = 0.5 * (numbers[LOW, k] + numbers[HIGH, k])
+                if passed(k, lanes, decided, D) >= 0:
+                    numbers[HIGH, k] = share
+                else:
+                    numbers[LOW, k] = share
+    for k in range(lanes):
+        numbers[AT, k] = numbers[NEW, k]
+        if numbers[KINK, k] == PASSED:
+            m, least = whole[MEMBER, k], 2.0 * RESOLVED * abs(numbers[NEW, k])
+            if (1.0 - numbers[LOW, k]) * numbers[TAKEN, k] <= max(
+                RESOLVED * numbers[TAKEN, k], least
+            ):
+                numbers[KINK, k] = CROSSED
+            else:
+                numbers[GOOD, k], numbers[REJECTED, k] = 0.0, 0.0
+                numbers[STEP, k] = numbers[HIGH, k] * numbers[TAKEN, k]
+                counts[m, STEPS] -= 1
+                counts[m, REJECTIONS] += 1
+
+
+def decide_anew(lanes, times, status, lane):
+    """Begin anew behind a kink; end a run that crosses them ever again without going on."""
+    numbers, whole, queue = lane
+    for k in range(lanes):
+        if numbers[KINK, k] == CROSSED and numbers[GOOD, k] > 0.5:
+            near = numbers[TIME, k] - numbers[LAST, k] < NEAR * (times[-1] - times[0])
+            whole[BURST, k] = whole[BURST, k] + 1 if near else 0
+            numbers[LAST, k], numbers[FRESH, k], queue[2] = numbers[TIME, k], 1.0, ANEW
+            if whole[BURST, k] > MOST_KINKS:
+                fail(status, whole, k, CHATTERS)
 
 
 def fail(status, whole, k, why):
@@ -190,6 +287,7 @@ def take(k, shape, runs, schedule, times, results, lane, Z, P):
         Z[i * lanes + k] = X0[m, i]
     numbers[TIME, k], numbers[END, k], numbers[STEP, k] = times[0], edges[group[m], 0], 0.0
     numbers[FRESH, k], numbers[REJECTED, k] = 1.0, 0.0
+    numbers[LAST, k], whole[BURST, k] = -math.inf, 0
     return 1
 
 
@@ -338,7 +436,19 @@ def watch(code, shape, results, lane, arrays):
 
 
 def advance_fixed(
-    code, shape, step, runs, schedule, times, results, lane, arrays, guarded, jumping
+    code,
+    shape,
+    step,
+    runs,
+    schedule,
+    times,
+    results,
+    lane,
+    arrays,
+    guarded,
+    jumping,
+    held,
+    decided,
 ):
     """Run all to the end by Runge and Kutta's method of order 4.
 
@@ -370,7 +480,10 @@ def advance_fixed(
                 stop = min(times[done], edges[g, edge])
                 steps = max(1, math.ceil((stop - t) / step * (1.0 - 1e-12)))
                 h = (stop - t) / steps
-                if march(code, shape, t, h, steps, results, lane, arrays, guarded) == 0:
+                if (
+                    march(code, shape, t, h, steps, results, lane, arrays, guarded, held, decided)
+                    == 0
+                ):
                     done = len(times)
                     break
                 t = stop
@@ -390,7 +503,7 @@ def advance_fixed(
                 status[base + k] = FINISHED
 
 
-def march(code, shape, first, h, steps, results, lane, arrays, guarded):
+def march(code, shape, first, h, steps, results, lane, arrays, guarded, held, decided):
     """Take steps of length h; return how many lanes are at work."""
     lanes, n, _ = shape
     (_, status, _, counts), (numbers, whole, _) = results, lane
@@ -402,6 +515,11 @@ def march(code, shape, first, h, steps, results, lane, arrays, guarded):
         numbers[TIME, :], numbers[END, :] = first + number * h, first + (number + 1) * h
         for i in range(span):
             Z[TERMS * span + i] = Z[i]
+        if decided > 0:
+            numbers[FRESH, :] = 1.0
+            call(code[DECIDE], now, Z, 0, P, T, W, D, 0)
+            hold(lanes, numbers, held, decided, P, D)
+            call(code[PREPARE], now, Z, 0, P, T, W, D, 0)
         call(code[DERIVATIVE], now, Z, 0, P, T, W, Z, RATE * span)
         for s in range(1, 4):
             call(code[FIXED + s], numbers, Z, 0, P, T, W, D, 0)
