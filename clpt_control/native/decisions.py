@@ -8,7 +8,7 @@ step has gone beyond one, `solver` finds the crossing and begins anew there, dec
 
     H    what was decided: 1 or -1, the whole number of a floor, the place in a row; kept in P
     D    what is decided now, of all decisions, and then for each whether the step has passed it:
-         whether the difference g of what is compared has the other sign than H, by more than rounding
+         the difference of what is compared has the other sign than H, by more than rounding
 
 Sources of time and tables (`opaque` blocks) stay as they are.  Discontinuity locking: Cellier and
 Kofman, Continuous System Simulation, 2006, chapter 9.
@@ -69,7 +69,7 @@ class Decisions:
         return 0 < self.count <= MOST
 
     def read(self, kind: str, own: list[Ref], axes: tuple, owner: int, role: str) -> Ref | None:
-        """Note what an operation decides; return its locked value, None where it is as it stands."""
+        """Note what an operation decides; return its locked value, or None."""
         if kind not in LOCKED or not any(map(self.record.is_moving, own)):
             return None
         add, (shape, long) = self.record.add, axes

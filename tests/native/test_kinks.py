@@ -1,0 +1,148 @@
+"""Runs over kinks and switches, against closed forms."""
+
+import control
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control.errors import SimulationError
+
+RTOL, ATOL = 1e-10, 1e-12
+T = np.linspace(0.0, 10.0, 101)
+
+
+def system(f, n):
+    return control.nlsys(f, None, inputs=0, outputs=n, states=n, name="s")
+
+
+def run(f, x0, t=T):
+    found = clpt.simulate(system(f, len(x0)), t, None, x0, rtol=RTOL, atol=ATOL)
+    assert found.attrs["engine"] == "native"
+    return found
+
+
+def saturated(t, x, u, p):
+    return [np.clip(2.0 - x[0], -0.5, 0.5)]
+
+
+def rectified(t, x, u, p):
+    return [abs(np.sin(t))]
+
+
+def bang_bang(t, x, u, p):
+    return [x[1], -1.0 if x[0] > 0 else 1.0]
+
+
+def dead_zone(t, x, u, p):
+    e = x[0]
+    return [-(e - 1.0) if e > 1.0 else -(e + 1.0) if e < -1.0 else 0.25 * np.cos(t) * 0.0]
+
+
+def stairs(t, x, u, p):
+    return [1.0, np.floor(x[0])]
+
+
+def sawtooth(t, x, u, p):
+    return [2.0, np.mod(x[0], 1.0)]
+
+
+def pulse(t, x, u, p):
+    return [1.0 if 5.0 < t < 5.05 else 0.0]
+
+
+def cornered(t, x, u, p):  # who is larger changes at t = ln 2
+    return [-x[0], np.maximum(x[0], 0.5)]
+
+
+def tracked(t, x, u, p):  # |x|' = -sign(x) until it lies at zero's other side
+    return [1.0, min(x[0], 3.0) ** 2]
+
+
+def bang(t):
+    phase = t % 4.0
+    first, second = 0.5 - phase**2 / 2, (phase - 1) ** 2 / 2 - (phase - 1)
+    return np.where(
+        phase < 1, first, np.where(phase < 3, second, (phase - 3) - (phase - 3) ** 2 / 2)
+    )
+
+
+def whole(t):
+    k = np.floor(t)
+    return k * (k - 1) / 2 + k * (t - k)
+
+
+LN2 = np.log(2.0)
+FORMS = {  # rates, start, which state, what it is at t
+    "saturation": (saturated, [0.0], lambda t: np.where(t < 3, t / 2, 2 - np.exp(3 - t) / 2)),
+    "|sin t|": (rectified, [0.0], lambda t: 2 * np.floor(t / np.pi) + 1 - np.cos(t % np.pi)),
+    "bang-bang": (bang_bang, [0.5, 0.0], bang),
+    "dead zone": (dead_zone, [3.0], lambda t: 1 + 2 * np.exp(-t)),
+    "floor": (stairs, [0.0, 0.0], whole, 1),
+    "mod": (sawtooth, [0.0, 0.0], lambda t: (np.floor(2 * t) + (2 * t % 1.0) ** 2) / 4, 1),
+    "a pulse of time": (pulse, [0.0], lambda t: np.clip(t - 5.0, 0.0, 0.05)),
+    "maximum": (cornered, [1.0, 0.0], lambda t: np.where(t < LN2, 1 - np.exp(-t), 0.5 + (t - LN2) / 2), 1),
+    "minimum": (tracked, [0.0, 0.0], lambda t: np.where(t < 3, t**3 / 3, 9 + 9 * (t - 3)), 1),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", FORMS)
+def test_runs_over_kinks_are_as_their_closed_forms(case):
+    f, x0, wanted, *which = FORMS[case]
+    found = run(f, x0).states.values[:, which[0] if which else 0]
+    np.testing.assert_allclose(found, wanted(T), rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.parametrize("case", ["saturation", "bang-bang", "maximum", "floor"])
+def test_samples_do_not_change_what_a_run_over_kinks_gives(case):
+    f, x0, *_ = FORMS[case]
+    few, many = run(f, x0, [0.0, 10.0]), run(f, x0, np.linspace(0.0, 10.0, 1001))
+    np.testing.assert_allclose(few.states[-1], many.states[-1], rtol=1e-9, atol=1e-9)
+    assert many.attrs["solver_steps"] == few.attrs["solver_steps"]
+
+
+def test_a_kink_takes_few_evaluations():
+    assert run(saturated, [0.0]).attrs["solver_evaluations"] < 500
+
+
+@pytest.mark.parametrize("case", ["saturation", "bang-bang", "floor"])
+def test_runs_side_by_side_stop_at_their_own_kinks(case):
+    f, x0, *_ = FORMS[case]
+    runner = clpt.native.compile(system(f, len(x0)))
+    starts = np.array([x0]) + np.linspace(0.0, 0.3, 11)[:, None]
+    together = runner.run_many(starts, T, rtol=RTOL, atol=ATOL)
+    for start, found in zip(starts, together, strict=True):
+        alone = runner.run(start, T, rtol=RTOL, atol=ATOL).x
+        np.testing.assert_allclose(found, alone, rtol=1e-9, atol=1e-9)
+
+
+def sliding(t, x, u, p):
+    return [-np.sign(x[0]) + 0.3 * np.sin(t)]
+
+
+def test_a_switch_that_chatters_is_said():
+    with pytest.raises(SimulationError, match=r"`sign` in s.update switches to and fro"):
+        run(sliding, [0.5])
+
+
+def boundary(t, x, u, p):
+    return [-np.clip(x[0] / 0.01, -1.0, 1.0)]
+
+
+def test_with_a_boundary_layer_it_runs():
+    found = run(boundary, [0.5]).states.values[:, 0]
+    np.testing.assert_allclose(found[T <= 0.4], 0.5 - T[T <= 0.4], atol=1e-9)
+    assert abs(found[-1]) < 1e-9
+
+
+def at_rest(t, x, u, p):  # rounding alone decides who is larger
+    return [
+        np.minimum(x[1], x[1] * (1.0 + 1e-16)) - x[0],
+        0.0 * x[1],
+        abs(0.3 - 0.1 * 3.0 + 0 * x[2]),
+    ]
+
+
+def test_rounding_is_no_kink():
+    found = run(at_rest, [0.0, 1.0, 0.0])
+    np.testing.assert_allclose(found.states.values[:, 0], 1.0 - np.exp(-T), atol=1e-9)
+    assert found.attrs["solver_restarts"] < 5
