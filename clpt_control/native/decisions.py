@@ -23,7 +23,6 @@ COMPARED = {"lt": -1.0, "le": -1.0, "gt": 1.0, "ge": 1.0}  # the sign of a - b w
 WHOLE = ("floor", "ceil", "trunc", "floordiv")
 LOCKED = frozenset({*COMPARED, *WHOLE, "minimum", "maximum", "fabs", "sign", "mod", "pick"})
 ROUNDING = 1e-12  # of what is compared
-MOST = 4096  # numbers that are decided; more stay as they are
 Ref = Any
 
 
@@ -66,7 +65,7 @@ class Decisions:
     def lock(self) -> bool:
         """Begin to write the rates down again, locked; return whether there is anything to lock."""
         self.locking, self.count, self._next = True, self._next, 0
-        return 0 < self.count <= MOST
+        return self.count > 0
 
     def read(self, kind: str, own: list[Ref], axes: tuple, owner: int, role: str) -> Ref | None:
         """Note what an operation decides; return its locked value, or None."""

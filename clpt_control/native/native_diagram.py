@@ -102,15 +102,15 @@ class NativeDiagram(PythonDiagram):
     def stops(self, times: np.ndarray) -> Stops:
         """Return where a run ends a step.
 
-        Time decides where, and where signals do it is at all samples.  The estimate of a
-        step's error may pass over a kink within it, so there the tolerances are tighter.
+        Time decides where.  Of tables (`opaque` blocks) no kink is looked for (`decisions`); the
+        estimate of a step's error may pass over one, so steps end at all samples, and the
+        tolerances are tighter.
         """
         breaks = [np.zeros(0)]
         for own, p in zip(self._kinks, self.sweep.given, strict=True):
             if own.by_time:
                 breaks.append(own.at(p, float(times[0]), float(times[-1])))
-        free = self.code.program.decided == 0
-        by_signals = any(own.by_signals and (own.block.opaque or free) for own in self._kinks)
+        by_signals = any(own.by_signals and own.block.opaque for own in self._kinks)
         share = OVER_KINKS if by_signals else 1.0
         return Stops(times if by_signals else (), np.concatenate(breaks), share)
 

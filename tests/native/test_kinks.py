@@ -80,7 +80,8 @@ FORMS = {  # rates, start, which state, what it is at t
     "floor": (stairs, [0.0, 0.0], whole, 1),
     "mod": (sawtooth, [0.0, 0.0], lambda t: (np.floor(2 * t) + (2 * t % 1.0) ** 2) / 4, 1),
     "a pulse of time": (pulse, [0.0], lambda t: np.clip(t - 5.0, 0.0, 0.05)),
-    "maximum": (cornered, [1.0, 0.0], lambda t: np.where(t < LN2, 1 - np.exp(-t), 0.5 + (t - LN2) / 2), 1),
+    "maximum": (cornered, [1.0, 0.0],
+                lambda t: np.where(t < LN2, 1 - np.exp(-t), 0.5 + (t - LN2) / 2), 1),
     "minimum": (tracked, [0.0, 0.0], lambda t: np.where(t < 3, t**3 / 3, 9 + 9 * (t - 3)), 1),
 }  # fmt: skip
 
