@@ -160,7 +160,7 @@ def _beside(left: Any, right: Any) -> Any:
     return hstack([left, right], format="csr")
 
 
-def _entries(matrix: Any) -> Rows:
+def entries(matrix: Any) -> Rows:
     """Return the rows of a connection matrix."""
     if isinstance(matrix, np.ndarray):
         to, source = np.nonzero(matrix)
@@ -175,7 +175,7 @@ def _entries(matrix: Any) -> Rows:
     return rows
 
 
-def _wires(rows: Rows, first: int, last: int, external: bool) -> list[Wire]:
+def joined_wires(rows: Rows, first: int, last: int, external: bool) -> list[Wire]:
     """Join the signals that feed inputs first to last - 1 where they are consecutive."""
     following: dict[tuple, int] = {}  # what would continue a wire -> its place
     wires: list[Wire] = []
@@ -252,7 +252,7 @@ def wiring_of(
         flat = _flatten(block, name)
         diagram = block
     output_map = _beside(flat.E, flat.F)
-    rows = _entries(flat.C), _entries(flat.D)
+    rows = entries(flat.C), entries(flat.D)
     return ordered_wiring(systems, *rows, diagram.ninputs or 0, output_map)
 
 
@@ -308,8 +308,8 @@ def ordered_wiring(
         states = slice(x, x := x + (system.nstates or 0))
         inputs = slice(u, u := u + (system.ninputs or 0))
         outputs = slice(y, y := y + (system.noutputs or 0))
-        inner = _wires(from_outputs, inputs.start, inputs.stop, False)
-        outer = _wires(from_inputs, inputs.start, inputs.stop, True)
+        inner = joined_wires(from_outputs, inputs.start, inputs.stop, False)
+        outer = joined_wires(from_inputs, inputs.start, inputs.stop, True)
         nodes.append(Node(system, name, states, inputs, outputs, (*inner, *outer)))
     return Wiring(tuple(nodes), _order(nodes), ninputs, output_map)
 

@@ -1,6 +1,6 @@
 """A diagram of any blocks, ready to run: python-control's systems as they stand."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -8,6 +8,7 @@ import control
 import numpy as np
 
 from ..diagrams.changes import UNCHANGED
+from ..diagrams.stopping import with_stop
 from ..diagrams.unchanged import key_of
 from ..diagrams.wiring import read_anew, wiring_of
 from ..equations.declaration import ports_of, whole_labels
@@ -34,10 +35,13 @@ class DiagramRun:
         sizes: tuple[int | None, int | None],
         by_function: bool,
         engine: str | None,
+        stop: Callable | None = None,
     ):
         read_anew(diagram)
         self.diagram, self.params = diagram, params and dict(params)
         self.wiring = wiring_of(diagram, params, sizes)
+        if stop is not None:
+            self.wiring = with_stop(self.wiring, stop)
         self.runner = chosen(self.wiring, params, by_function, engine, diagram.name)
         first = self.wiring.nodes[0].system
         named = first if None in (diagram.ninputs, diagram.noutputs) else diagram
@@ -81,6 +85,7 @@ def simulate_diagram(
     x0: Any,
     params: Mapping[str, Any] | None,
     engine: str | None,
+    stop: Callable | None = None,
     **given: Any,
 ) -> "xarray.Dataset":
     """Run a diagram; one that is as it was at its last run is ready."""
@@ -90,5 +95,6 @@ def simulate_diagram(
         raise SimulationError("timepts: is required to simulate a diagram")
     times = checked_times("timepts", timepts)
     own = open_sizes(diagram, inputs, x0, times), callable(inputs), engine
-    with ready(key_of(diagram, params, *own), lambda: DiagramRun(diagram, params, *own)) as run:
+    key = None if stop is not None else key_of(diagram, params, *own)
+    with ready(key, lambda: DiagramRun(diagram, params, *own, stop)) as run:
         return run.run(times, inputs, x0, **given)

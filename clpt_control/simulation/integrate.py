@@ -3,7 +3,7 @@
 A run is an `xarray.Dataset`; that of a scenario has CF attributes, from which it repeats.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -41,6 +41,7 @@ def simulate(
     atol: float | None = None,
     progress: Progress | None = None,
     engine: str | None = None,
+    stop: Callable[[float, Any, Any], Any] | None = None,
     law: Block | Part | None = None,
     replace: Mapping[str, Any] | None = None,
     insert: Mapping[Any, Any] | None = None,
@@ -72,6 +73,9 @@ def simulate(
         ``"native"``, machine code, which gives way to ``"python"`` for what
         cannot be compiled and, unless asked for, for inputs by a function; the attribute
         ``engine`` says what ran.
+    stop : callable, optional
+        For a diagram: ``stop(t, y, u)``, a number of its outputs y and inputs u; the run ends where
+        it falls to 0.
     law, replace, insert : optional
         For a scenario: parts of your own in its diagram, as in `closed_loop`.
 
@@ -109,7 +113,11 @@ def simulate(
                 "diagram"
             )
         given: dict[str, Any] = {"rtol": rtol, "atol": atol, "progress": progress}
-        return simulate_diagram(system, timepts, inputs, initial_state, params, engine, **given)
+        return simulate_diagram(
+            system, timepts, inputs, initial_state, params, engine, stop, **given
+        )
+    if stop is not None:
+        raise SimulationError("stop: is for a diagram; simulate closed_loop(scenario) with it")
     if inputs is not None:
         raise SimulationError("a scenario has no inputs; simulate closed_loop(..., external=)")
     changes = UNCHANGED

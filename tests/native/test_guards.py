@@ -85,3 +85,20 @@ def test_a_guard_that_no_run_could_ask_is_refused(guard, said):
 def test_what_is_no_guard_is_refused():
     with pytest.raises(ClptError, match="guard = a function: must be a Guard"):
         Block("stone", update=falls, states={"h": 1}, guard=height)
+
+
+def test_a_condition_of_ones_own_ends_a_run():
+    ball = control.nlsys(
+        lambda t, x, u, p: [x[1], -9.81], lambda t, x, u, p: [x[0]],
+        inputs=0, outputs=1, states=2, name="ball",
+    )  # fmt: skip
+    for engine in ("native", "python"):
+        run = clpt.simulate(
+            ball, np.linspace(0.0, 10.0, 11), None, [10.0, 0.0],
+            rtol=1e-10, atol=1e-12, engine=engine, stop=lambda t, y, u: y[0],
+        )  # fmt: skip
+        assert run.attrs["status"] == "stopped"
+        assert float(run.time[-1]) == pytest.approx(np.sqrt(20 / 9.81), abs=1e-10)
+    lag = control.ss([[-1.0]], [[1.0]], [[1.0]], 0, name="lag")
+    with_input = clpt.simulate(lag, [0.0, 5.0], 2.0, stop=lambda t, y, u: u[0] / 2 - y[0])
+    assert float(with_input.time[-1]) == pytest.approx(np.log(2.0), abs=1e-7)
