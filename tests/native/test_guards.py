@@ -1,5 +1,6 @@
 """Guards of one's own: what a run says where it leaves one, in every engine."""
 
+import control
 import numpy as np
 import pytest
 
