@@ -101,7 +101,13 @@ class Decisions:
             return add("where", (held[0], own[0], minus), shape, None, owner)
         if kind == "mod":
             whole = add("mul", (own[1], held[0]), shape, None, owner)
-            return add("sub", (own[0], whole), shape, None, owner)
+            beyond = add("sub", (own[0], whole), shape, None, owner)
+            same = add(
+                "eq", (add("floordiv", own, shape, None, owner), held[0]), shape, None, owner
+            )
+            return add(
+                "where", (same, add("mod", own, shape, None, owner), beyond), shape, None, owner
+            )
         if kind == "pick":
             return add("pick", (own[0], held[0]), shape, None, owner)
         return add("where", (held[0], *own), shape, None, owner)

@@ -68,6 +68,7 @@ class DiagramRecord:
         self.margins: list[Ref] = []
         self._known: dict[Entry, int] = {}
         self._ports: dict[int, Ref] = {}
+        self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
         self._external = self._inputs()
         self._sizes: dict[int, int] = {}  # of output ports, by their first signal
         for node in wiring.nodes:
@@ -77,7 +78,6 @@ class DiagramRecord:
                     self._sizes[at] = prod(shape)
                 at += prod(shape)
         self._firsts = list(self._sizes)
-        self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
         self._rates()
         exact, ports, rates = self.signals, self._ports, self.rates
         self.margins = [m for k in range(len(wiring.nodes)) for m in self._margins(k)]
@@ -96,7 +96,7 @@ class DiagramRecord:
     ) -> int:
         """Add an entry; return its place."""
         self.entries.append(Entry(kind, tuple(arguments), shape, at, owner))
-        own = kind == "load" and at[0] in ("X", "t")
+        own = kind == "load" and (at[0] in "Xt" or (at[0] == "P" and at[1] > self.decisions.grain))
         self.moving.append(own or any(map(self.is_moving, arguments)))
         return len(self.entries) - 1
 

@@ -89,9 +89,7 @@ def advance(
             anew = False
         if anew:
             if decided > 0:
-                call(code[DECIDE], now, Z, 0, P, T, W, D, 0)
-                hold(lanes, numbers, held, decided, P, D)
-                call(code[PREPARE], now, Z, 0, P, T, W, D, 0)
+                decide(code, lanes, numbers, now, 0, held, decided, arrays)
             call(code[DERIVATIVE], now, Z, 0, P, T, W, Z, (RATE + 1) * span)
             if guarded:
                 call(code[MARGIN], now, Z, 0, P, T, W, D, 0)
@@ -164,12 +162,15 @@ def advance(
 # --- decisions ------------------------------------------------------------------------------
 
 
-def hold(lanes, numbers, held, decided, P, D):
-    """Keep what is decided now, in lanes that begin."""
+def decide(code, lanes, numbers, t, first, held, decided, arrays):
+    """Keep in P what is decided now, at states from a place in Z, in lanes that begin."""
+    Z, P, T, W, D = arrays
+    call(code[DECIDE], t, Z, first, P, T, W, D, 0)
     for k in range(lanes):
         if numbers[FRESH, k] > 0.5:
             for j in range(decided):
                 P[(held + j) * lanes + k] = D[j * lanes + k]
+    call(code[PREPARE], t, Z, 0, P, T, W, D, 0)
 
 
 def passed(k, lanes, decided, D):
@@ -517,12 +518,12 @@ def march(code, shape, first, h, steps, results, lane, arrays, guarded, held, de
             Z[TERMS * span + i] = Z[i]
         if decided > 0:
             numbers[FRESH, :] = 1.0
-            call(code[DECIDE], now, Z, 0, P, T, W, D, 0)
-            hold(lanes, numbers, held, decided, P, D)
-            call(code[PREPARE], now, Z, 0, P, T, W, D, 0)
+            decide(code, lanes, numbers, now, 0, held, decided, arrays)
         call(code[DERIVATIVE], now, Z, 0, P, T, W, Z, RATE * span)
         for s in range(1, 4):
             call(code[FIXED + s], numbers, Z, 0, P, T, W, D, 0)
+            if decided > 0:
+                decide(code, lanes, numbers, at, ARGUMENT * span, held, decided, arrays)
             call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + s) * span)
         call(code[FIXED + 4], numbers, Z, 0, P, T, W, D, 0)
         if guarded:
