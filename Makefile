@@ -10,7 +10,7 @@ SITE := .venv/.docs
 ENGINE := native jumps random_jumps elementary components solver closed_form_flows written_is_run \
 	random_diagrams conformance members models_as_they_stand random_programs
 
-.PHONY: paper test test-slow test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel docs
+.PHONY: paper solver test test-slow test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel docs
 
 paper: $(READY)  ## section IV of the paper: figures and the table of claims
 	$(BIN)/clpt paper --out paper
@@ -25,11 +25,15 @@ test-browser: $(READY)  ## pages to send, the page of a replay and the site in h
 	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -m browser -rs tests/browser
 
 test-generic: $(READY)  ## the engine's tests as on a processor without vector extensions
-	NUMBA_CPU_NAME=generic OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 \
+	CLPT_CONTROL_PROCESSOR=generic OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 \
 		$(wildcard $(ENGINE:%=tests/*/test_%.py))
 
 test-lowest: $(LOWEST)/.ready  ## every test, with the lowest versions that pyproject.toml allows
 	OPENBLAS_NUM_THREADS=1 $(LOWEST)/bin/python -m pytest -n 2
+
+solver: $(READY)  ## print native/solver.py as LLVM's text anew, after a change of it
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt numba
+	$(BIN)/python tools/print_solver.py
 
 lint: $(READY)  ## ruff and mypy
 	$(BIN)/ruff check .

@@ -61,7 +61,7 @@ def alone(module: str, *arguments, timeout: float = 1800) -> dict | None:
 
     The child has one thread, so that engines are compared per core.
     """
-    one = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS"), "1")
+    one = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"), "1")
     xla = "--xla_cpu_multi_thread_eigen=false intra_op_parallelism_threads=1"
     try:
         done = subprocess.run(

@@ -64,11 +64,8 @@ def shared():
 
 
 def pytest_sessionstart(session):
-    """Compile the solver first where it is not kept, so that no test depends on the cache."""
-    from clpt_control.native.solver_cache import ready
+    """Make the solver's machine code first, so that no test depends on the cache."""
+    from clpt_control.native.solver_cache import compiled_solver
 
-    if not ready() and not getattr(session.config.option, "collectonly", False):
-        import clpt_control as clpt
-
-        scenario = clpt.paper_scenario().with_values({"run.duration": 5})
-        clpt.simulate(scenario, engine="native")
+    if not getattr(session.config.option, "collectonly", False):
+        compiled_solver()

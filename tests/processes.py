@@ -13,7 +13,7 @@ CODE = (
 )
 CLPT = [sys.executable, "-c", CODE]
 PROGRESS = re.compile(
-    r".*: \d+ %.*|.* of \d+ members.*|clpt: compiling once .*"
+    r".*: \d+ %.*|.* of \d+ members.*|clpt: making the solver.*"
 )  # lines that only a slow machine shows
 
 

@@ -16,7 +16,7 @@ import typer
 from typer.core import TyperCommand, TyperGroup
 
 TIDES = ("M2", "S2", "N2", "K2", "K1", "O1", "P1", "Q1", "M4")  # the common ones
-PACKAGES = ("control", "numpy", "scipy", "numba", "llvmlite", "xarray", "sympy")
+PACKAGES = ("control", "numpy", "scipy", "llvmlite", "xarray", "sympy")
 
 
 class Command(TyperCommand):

@@ -155,7 +155,7 @@ def run_chunk(recipe: Recipe, code: str, path: str, index: int) -> int:
     worker = worker_of(recipe)
     if worker.code != code:
         raise DataError(
-            "dask: a worker has other versions of clpt-control, numba, llvmlite or numpy, or "
+            "dask: a worker has other versions of clpt-control, llvmlite or numpy, or "
             "another Python; its numbers might differ in the last bit"
         )
     store = open_store(Path(path))

@@ -170,7 +170,7 @@ def _fixed(
 
 
 def _attributes(scenario: Scenario, arguments: dict[str, Any]) -> dict[str, Any]:
-    software = ("clpt-control", "numba", "llvmlite", "numpy", "scipy", "zarr")
+    software = ("clpt-control", "llvmlite", "numpy", "scipy", "zarr")
     return {
         "Conventions": "CF-1.11",
         "title": scenario.title,

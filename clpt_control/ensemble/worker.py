@@ -77,7 +77,7 @@ class Worker:
         from ..native.processor import processor
 
         native = self.ensemble.native
-        made_of = [version(name) for name in ("clpt-control", "numba", "llvmlite", "numpy")]
+        made_of = [version(name) for name in ("clpt-control", "llvmlite", "numpy")]
         made_of += [repr(native.code.program), repr(processor())]
         return hashlib.sha256("\n".join(made_of).encode()).hexdigest()[:16]
 

@@ -1,10 +1,11 @@
-"""The processor that machine code is made for: this one, or what Numba's variables name."""
+"""The processor that machine code is made for: this one, or what a variable names."""
 
 import os
 from functools import cache
 
 import llvmlite.binding as llvm
 
+VARIABLE = "CLPT_CONTROL_PROCESSOR"
 LANES = 8  # runs side by side, or turns of a loop at once
 
 
@@ -14,11 +15,9 @@ def _host() -> tuple[str, str]:
 
 
 def processor() -> tuple[str, str]:
-    """Return its name and features; NUMBA_CPU_NAME and NUMBA_CPU_FEATURES name others."""
-    name, features = os.environ.get("NUMBA_CPU_NAME"), os.environ.get("NUMBA_CPU_FEATURES")
-    if features is None:
-        features = "" if name else _host()[1]
-    return name or _host()[0], features
+    """Return its name and features; CLPT_CONTROL_PROCESSOR names another, such as ``generic``."""
+    name = os.environ.get(VARIABLE)
+    return (name, "") if name else _host()
 
 
 def fuses() -> bool:

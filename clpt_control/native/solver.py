@@ -1,7 +1,7 @@
 """Many runs, exactly to every breakpoint: what comes after what in a step.
 
-The same text serves one run and several side by side (lanes).  Numba compiles it for
-machine code; equations in Python run it as it stands.  Every lane has its own run,
+The same text serves one run and several side by side (lanes).  It is printed once as
+LLVM's text (`make solver`); equations in Python run it as it stands.  Every lane has its own run,
 time, step and piece of time; a lane whose run has ended takes the next.  Nothing is
 summed across lanes, so a run gives the same numbers beside any others.
 

@@ -8,7 +8,7 @@ from typing import Any
 from ..html.text import listing, table
 from .page import Section
 
-PACKAGES = ("clpt-control", "control", "numpy", "scipy", "numba", "xarray", "matplotlib")
+PACKAGES = ("clpt-control", "control", "numpy", "scipy", "llvmlite", "xarray", "matplotlib")
 
 
 def again_section(said: str, commands: list[str], ran_with: str, facts: dict[str, str]) -> Section:

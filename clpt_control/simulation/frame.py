@@ -128,6 +128,6 @@ def how_it_ran(solution: Solution) -> dict[str, Any]:
 
 @cache
 def _software() -> str:
-    packages = ("clpt-control", "control", "numpy", "scipy", "numba")
+    packages = ("clpt-control", "control", "numpy", "scipy", "llvmlite")
     here = f"Python {platform.python_version()}"
     return ", ".join([here, *(f"{name} {version(name)}" for name in packages)])

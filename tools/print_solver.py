@@ -1,0 +1,155 @@
+"""Print `native/solver.py` as LLVM's text, which the package carries: `make solver`.
+
+Numba reads the solver and prints it for no processor in particular, not optimised: each machine
+makes its own code of it once, without Numba.  The hash of the sources stands in the first line.
+"""
+
+import hashlib
+import os
+import re
+import sys
+from importlib import util
+from pathlib import Path
+from types import FunctionType, ModuleType
+from typing import Any
+
+os.environ |= {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": "", "NUMBA_OPT": "0"}
+
+import llvmlite.binding as llvm
+import numpy as np
+from llvmlite import ir
+from numba import njit, typeof
+from numba.core import types
+from numba.extending import intrinsic
+
+ROOT = Path(__file__).parents[1]
+SOURCES = ("clpt_control/native/solver.py", "tools/print_solver.py")
+TEXT = ROOT / "clpt_control" / "native" / "solver.ll"
+OPTIONS: dict[str, Any] = {
+    "nogil": True,
+    "error_model": "numpy",
+    "_nrt": False,
+    "no_cpython_wrapper": True,
+    "no_cfunc_wrapper": True,
+}
+# called by their names; the rest is put in where it is called
+APART = (
+    "advance",
+    "advance_fixed",
+    "signals_at",
+    "watch",
+    "take",
+    "sample",
+    "leap",
+    "keep",
+    "cross",
+)
+# words that an older LLVM does not know
+NEWER = r" (?:#\d+|nuw|nneg|samesign|disjoint|immarg|writeonly|nocreateundeforpoison)\b"
+NEWER += r"| captures\(none\)"
+
+
+def digest() -> str:
+    """Return the hash of what the text is made of."""
+    return hashlib.sha256(b"".join((ROOT / one).read_bytes() for one in SOURCES)).hexdigest()
+
+
+@intrinsic
+def call_address(typingctx, address, t, X, first, P, T, W, D, to):
+    """Call the function at an address with pointers into arrays."""
+    signature = types.void(types.int64, t, X, types.int64, P, T, W, D, types.int64)
+
+    def build(context, builder, signature, arguments):
+        def pointer(k):
+            return context.make_array(signature.args[k])(context, builder, arguments[k]).data
+
+        double = ir.DoubleType().as_pointer()
+        kind = ir.FunctionType(ir.VoidType(), [double] * 6).as_pointer()
+        given = [
+            pointer(1),
+            builder.gep(pointer(2), [arguments[3]]),
+            *(pointer(k) for k in (4, 5, 6)),
+            builder.gep(pointer(7), [arguments[8]]),
+        ]
+        builder.call(builder.inttoptr(arguments[0], kind), given)
+        return context.get_dummy_value()
+
+    return signature, build
+
+
+def for_numba() -> ModuleType:
+    """Return the solver's module with its functions for Numba to compile."""
+    spec = util.spec_from_file_location("clpt_control_solver", ROOT / SOURCES[0])
+    assert spec is not None
+    assert spec.loader is not None
+    module = util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    module.call = call_address  # type: ignore[attr-defined]
+    for name, function in list(vars(module).items()):
+        if isinstance(function, FunctionType):
+            setattr(module, name, njit(function, forceinline=name not in APART, **OPTIONS))
+    return module
+
+
+def arguments() -> dict[str, tuple]:
+    """Return arguments of the kinds with which each function is called."""
+
+    def real(axes: int) -> np.ndarray:
+        return np.zeros((1,) * axes)
+
+    def whole(axes: int) -> np.ndarray:
+        return np.zeros((1,) * axes, np.int64)
+
+    shared = (
+        (real(2), real(2), whole(1)),  # runs
+        (real(2), whole(1), whole(1), real(3), whole(2)),  # schedule
+        real(1),  # times
+        (real(3), whole(1), whole(1), whole(2)),  # results
+        (real(2), whole(2), whole(1)),  # lane
+        (real(1),) * 5,  # arrays
+    )
+    code, shape = whole(1), (1, 1, 1)
+    states = (real(1), real(1), 1, whole(1), whole(1), real(2), *(real(1),) * 4, real(2))
+    return {
+        "advance": (code, shape, real(1), *shared, 1, 1, 0, 0, 0, 0),
+        "advance_fixed": (code, shape, 1.0, *shared, 0, 0, 0, 0),
+        "signals_at": (code, *states),
+    }
+
+
+def printed(function: Any, given: tuple, name: str) -> Any:
+    """Return a function as LLVM's module, called by its own name."""
+    kinds = tuple(map(typeof, given))
+    function.compile(kinds)
+    parsed = llvm.parse_assembly(function.inspect_llvm(kinds))
+    for one in (*parsed.functions, *parsed.global_variables):
+        if not one.is_declaration:
+            one.linkage = "internal"
+    entry = parsed.get_function(function.overloads[kinds].fndesc.mangled_name)
+    entry.linkage, entry.name = "external", name
+    machine = llvm.Target.from_default_triple().create_target_machine()
+    options = llvm.create_pipeline_tuning_options(speed_level=1)  # to drop what is not called
+    passes = llvm.create_pass_builder(machine, options)
+    passes.getModulePassManager().run(parsed, passes)
+    asked = [one.name for one in parsed.functions if one.is_declaration]
+    assert all(one.startswith(("llvm.", "mem")) for one in asked), asked
+    return parsed
+
+
+def main() -> None:
+    """Write the text of all functions."""
+    module = for_numba()
+    first, *others = (
+        printed(getattr(module, name), own, name) for name, own in arguments().items()
+    )
+    for one in others:
+        first.link_in(one)
+    own = r"^(target|source_filename|; ModuleID|attributes).*\n"
+    text = re.sub(NEWER, "", re.sub(own, "", str(first), flags=re.M))
+    TEXT.write_text(f"; sha256 {digest()}\n{text}", encoding="utf-8")
+    print(f"{TEXT.relative_to(ROOT)}: {len(text):,} bytes")
+
+
+if __name__ == "__main__":
+    main()
