@@ -1,23 +1,16 @@
 """What the record of a block computes, beside what its functions do."""
 
-import math
-
 import numpy as np
 
 from clpt_control.equations import Block
+from clpt_control.equations.at_many import leaf_values
 
 
 def recorded(block, role, t, x, u):
     """Return what the record of a role computes."""
-    given = {("t", "t"): np.float64(t)}
-    for group, values, shapes in (("x", x, block.state_shapes), ("u", u, block.input_shapes)):
-        at, values = 0, np.asarray(values, dtype=float)
-        for port, shape in shapes.items():
-            size = math.prod(shape)
-            given[group, port] = values[at : at + size].reshape(shape)
-            at += size
-    given |= {("p", name): value for name, value in block.parameters._asdict().items()}
-    found = block.array_record(role).values(lambda group, name: given[group, name], block.sizes)
+    x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
+    leaf = leaf_values(block, t, x, u, block.parameters)
+    found = block.array_record(role).values(leaf, block.sizes)
     return np.concatenate([np.ravel(value) for value in found])
 
 

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..equations.arrays import Unread
+from ..equations.at_many import leaf_values
 from ..equations.block import Block
 from .ending import Solution
 from .inputs import Inputs
@@ -125,12 +126,5 @@ def _blocks(runner: NativeDiagram, t: float, x: np.ndarray) -> Iterator[tuple[st
 
 def _of_record(block: Block, role: str, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
     """Return what a block's record gives."""
-    groups: dict[str, dict[str, Any]] = {"t": {"t": t}, "p": dict(p._asdict())}
-    for group, values, shapes in (("x", x, block.state_shapes), ("u", u, block.input_shapes)):
-        at, groups[group] = 0, {}
-        for port, shape in shapes.items():
-            size = int(np.prod(shape))
-            groups[group][port] = values[at : at + size].reshape(shape)
-            at += size
-    found = block.array_record(role).values(lambda g, name: groups[g][name], block.sizes)
+    found = block.array_record(role).values(leaf_values(block, t, x, u, p), block.sizes)
     return np.concatenate([np.zeros(0), *(one.ravel() for one in found)])
