@@ -139,8 +139,7 @@ class Ensemble:
             members.group,
         )
         if step is None:
-            share = self.native.stops(times).share  # as a run of its own
-            batch.adaptive(share * rtol, share * atol)
+            batch.adaptive(rtol, atol)
         else:
             batch.fixed(step)
         return States(self.columns, batch.out, batch.status, batch.reached, batch.counts)

@@ -10,7 +10,7 @@ step has gone beyond one, `solver` finds the crossing and begins anew there, dec
     D    what is decided now, of all decisions, and then for each whether the step has passed it:
          the difference of what is compared has the other sign than H, by more than rounding
 
-Sources of time and tables (`opaque` blocks) stay as they are.  Discontinuity locking: Cellier and
+The gridded current, which is smooth, stays as it is.  Discontinuity locking: Cellier and
 Kofman, Continuous System Simulation, 2006, chapter 9.
 """
 

@@ -165,7 +165,7 @@ class DiagramRecord:
         record = node.system.array_record(role)
         values: list[Ref] = []
         axes = [self._axes(node.system, o.shape) for o in record.operations]
-        deciding = deciding and not node.system.opaque
+        deciding = deciding and not (node.system.opaque and node.system.of_package)
         for (kind, arguments, _, at), (shape, looping) in zip(record.operations, axes, strict=True):
             if kind == "leaf":
                 values.append(self._leaf(k, at[0], at[1], shape, fed))

@@ -9,18 +9,17 @@ import numpy as np
 
 from ..arguments import public
 from ..diagrams.wiring import Wiring
-from ..equations.smooth import Kinks, kinks_of
+from ..equations.time_decides import decided_by_time, times_of_change
 from ..errors import SimulationError
 from .batch import Callee
 from .code import code_of, kernels
 from .inputs import Inputs
 from .layout import lay_out
 from .processor import LANES, fuses
-from .python_diagram import PythonDiagram, Stops
+from .python_diagram import PythonDiagram
 from .schedule import Schedule, make_schedule, with_inputs
 from .solver_cache import compiled_solver
 
-OVER_KINKS = 0.01  # of the tolerances
 ABREAST = 256  # states of runs that are taken side by side; more do not fit the first cache
 FUNCTIONS = (
     "derivative",
@@ -87,36 +86,29 @@ class NativeDiagram(PythonDiagram):
         return np.append(P, np.zeros(self.code.program.parameters - len(P)))
 
     def schedule(
-        self, t0: float, t1: float, inputs: Inputs | None = None, stops: Stops | None = None
+        self, t0: float, t1: float, inputs: Inputs | None = None, breaks: Any = ()
     ) -> Schedule:
-        """Return the pieces of a run: they end at bends and stops."""
-        own, stops = (self.sweep, self.layout.intervals, self.layout.jumps), stops or Stops()
+        """Return the pieces of a run: they end where inputs bend, and at `breaks`."""
+        own = self.sweep, self.layout.intervals, self.layout.jumps
         if inputs is None or not self.wiring.ninputs:
-            return make_schedule(*own, t0, t1, np.asarray(stops.kinks), stops.breaks)
+            return make_schedule(*own, t0, t1, None, breaks)
         if inputs.samples is None or inputs.kinks is None:
             raise SimulationError("inputs: machine code takes no function; give samples")
-        kinks = np.union1d(inputs.kinks, stops.kinks) if len(stops.kinks) else inputs.kinks
-        pieces = make_schedule(*own, t0, t1, kinks, stops.breaks)
+        pieces = make_schedule(*own, t0, t1, inputs.kinks, breaks)
         return with_inputs(pieces, t0, inputs.samples, self.ramp)
 
-    def stops(self, times: np.ndarray) -> Stops:
-        """Return where a run ends a step.
-
-        Time decides where.  Of tables (`opaque` blocks) no kink is looked for (`decisions`); the
-        estimate of a step's error may pass over one, so steps end at all samples, and the
-        tolerances are tighter.
-        """
-        breaks = [np.zeros(0)]
-        for own, p in zip(self._kinks, self.sweep.given, strict=True):
-            if own.by_time:
-                breaks.append(own.at(p, float(times[0]), float(times[-1])))
-        by_signals = any(own.by_signals and own.block.opaque for own in self._kinks)
-        share = OVER_KINKS if by_signals else 1.0
-        return Stops(times if by_signals else (), np.concatenate(breaks), share)
+    def breaks(self, t0: float, t1: float) -> Any:
+        """Return the times at which time alone decides, also for a moment."""
+        found = [
+            times_of_change(node.system, record, p, t0, t1)
+            for node, p in zip(self.wiring.nodes, self.sweep.given, strict=True)
+            for record in self._decided_by_time[node.name]
+        ]
+        return np.unique(np.concatenate([np.zeros(0), *found]))
 
     @cached_property
-    def _kinks(self) -> list[Kinks]:
-        return [kinks_of(node.system) for node in self.wiring.nodes]
+    def _decided_by_time(self) -> dict[str, list]:
+        return {node.name: decided_by_time(node.system) for node in self.wiring.nodes}
 
     def callee(self, lanes: int = 1, inputs: Inputs | None = None) -> Callee:
         """Return what the solver calls."""

@@ -4,8 +4,7 @@ The solver is the one that machine code runs with.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
-from typing import Any, NamedTuple
+from typing import Any
 
 import control
 import numpy as np
@@ -21,14 +20,6 @@ from .inputs import Inputs, checked_state, checked_times, numbers, read_inputs
 from .loose import LOOSE, loosely
 from .schedule import Schedule, make_schedule
 from .sweep import Sweep, first_not_finite
-
-
-class Stops(NamedTuple):
-    """Where a run ends a step beside breakpoints and bends of the inputs."""
-
-    kinks: Any = ()  # times at which rates may bend
-    breaks: Any = ()  # times at which they jump
-    share: float = 1.0  # of the tolerances, which a kink within a step asks for
 
 
 class PythonDiagram:
@@ -58,9 +49,9 @@ class PythonDiagram:
         return np.zeros(len(self._jumps))
 
     def schedule(
-        self, t0: float, t1: float, inputs: Inputs | None = None, stops: "Stops | None" = None
+        self, t0: float, t1: float, inputs: Inputs | None = None, breaks: Any = ()
     ) -> Schedule:
-        """Return the pieces of a run: they end at bends and stops."""
+        """Return the pieces of a run: they end where inputs bend, and at `breaks`."""
         kinks = None if inputs is None else inputs.kinks
         return make_schedule(self.sweep, {}, self._jumps, t0, t1, kinks)
 
@@ -149,27 +140,19 @@ class PythonDiagram:
             found = self._loosely(start, times, tolerances, inputs, progress)
             if found is not None:
                 return found
-        stops = self.stops(times)
-        P, pieces = self.parameters()[None], [self.schedule(t0, t1, inputs, stops)]
-
-        def batch() -> Batch:
-            return Batch(self.callee(1, inputs), start[None], P, times, pieces)
-
+        P, pieces = self.parameters()[None], [self.schedule(t0, t1, inputs, self.breaks(t0, t1))]
+        made = Batch(self.callee(1, inputs), start[None], P, times, pieces)
         if step is not None:
-            (made := batch()).fixed(step)
+            made.fixed(step)
             return self._ended(made, inputs, pieces[0])
-        for share in dict.fromkeys((stops.share, 1.0)):  # a sliding mode ends with its own alone
-            made, keeps_pace = batch(), pace(self.most, t1 - t0, t0)
+        keeps_pace = pace(self.most, t1 - t0, t0)
 
-            def watch(batch: Batch, keeps_pace: Any = keeps_pace) -> None:
-                if progress is not None:
-                    progress(batch.now)
-                keeps_pace(batch)
+        def watch(batch: Batch) -> None:
+            if progress is not None:
+                progress(batch.now)
+            keeps_pace(batch)
 
-            with suppress(*[SimulationError] * (share < 1.0)):
-                made.adaptive(share * tolerances[0], share * tolerances[1], watch, self.most)
-                if share == 1.0 or made.status[0] not in (solver.TOO_MANY, solver.TOO_SMALL):
-                    break
+        made.adaptive(*tolerances, watch, self.most)
         return self._ended(made, inputs, pieces[0])
 
     def _loosely(self, start: np.ndarray, times: np.ndarray, *given: Any) -> Solution | None:
@@ -191,9 +174,9 @@ class PythonDiagram:
             return pieces
         return self.schedule(float(solution.t[0]), float(solution.t[-1]), inputs)
 
-    def stops(self, times: np.ndarray) -> Stops:
-        """Return where a run with these samples ends a step; in Python it does at none."""
-        return Stops()
+    def breaks(self, t0: float, t1: float) -> Any:
+        """Return the times at which time alone decides; in Python none is looked for."""
+        return ()
 
     def run_many(
         self,
