@@ -17,7 +17,7 @@ from ..equations.linear import is_linear
 from ..equations.system import System
 from ..errors import BlockError, DiagramError
 from ..scenario.keys import call_time_name_of
-from .parts import as_part, input_ports, output_ports
+from .parts import as_part, input_ports, is_discrete, output_ports
 from .wiring import Wiring, ordered_wiring, wiring_of
 
 MOST_BYTES = 10**9  # of python-control's matrices
@@ -187,13 +187,15 @@ def connect(
     -------
     Diagram
         With every output port of every block as outputs. A linear system is a block with the
-        parameters A, B, C, D, as ``"lag.A"``; a diagram with an ``nlsys`` runs in Python only.
+        parameters A, B, C, D, as ``"lag.A"``. Systems of one discrete time make a diagram of
+        it; beside others such a system samples its inputs at each multiple of its ``dt`` and
+        holds its outputs between.
 
     Raises
     ------
     DiagramError
         If two blocks make the same port, a port is fed by nothing, sizes
-        differ, an external port is made or not used, a system has no name or discrete time, or
+        differ, an external port is made or not used, a system has no name, or
         the diagram is larger than python-control can hold.
 
     Examples
@@ -209,7 +211,8 @@ def connect(
     -1.0
     """
     external = [external] if isinstance(external, str) else external
-    parts = [as_part(block) for block in blocks]
+    discrete = is_discrete(*blocks)
+    parts = [as_part(block, discrete) for block in blocks]
     check_names(name)
     matched = match_ports(parts, external)
     fed, makes = (sum(part.ninputs for part in parts), sum(part.noutputs for part in parts))

@@ -2,6 +2,7 @@
 
 A `control.ss`, `tf` or summing junction becomes a block of A, B, C, D; diagrams and systems by
 functions stay as they are.  The labels of a system form its ports: `v_c[0], v_c[1]` is v_c.
+Parts of one discrete time stay as they are; beside others each samples what it takes.
 """
 
 from collections.abc import Mapping
@@ -13,11 +14,52 @@ from ..equations.block import Block
 from ..equations.declaration import labels, ports_of
 from ..equations.linear import linear
 from ..equations.namespaces import renamed
+from ..equations.sampled import Sampled
+from ..equations.system import System
 from ..errors import DiagramError
 
 
-def as_part(system: Any) -> control.NonlinearIOSystem:
-    """Return what can be wired; refuse in a sentence what cannot."""
+def as_part(system: Any, discrete: bool = False) -> control.NonlinearIOSystem:
+    """Return what can be wired; refuse in a sentence what cannot.
+
+    What is of discrete time samples, but in a diagram that is `discrete` throughout.
+    """
+    part = _wired(system)
+    return part if discrete or not is_discrete(part) else sampled(part, part.dt)
+
+
+def is_discrete(*systems: Any) -> bool:
+    """Return whether systems are of one discrete time, as python-control wires them."""
+    times = {getattr(system, "dt", 0) for system in systems} - {None}
+    return bool(times) and 0 not in times and len(times - {True}) < 2
+
+
+def sampled(
+    part: control.NonlinearIOSystem, period: float, params: Mapping[str, Any] | None = None
+) -> control.NonlinearIOSystem:
+    """Return a part of discrete time as one of continuous time, a diagram block by block.
+
+    `params` are those that a diagram hands down.
+    """
+    if isinstance(part, Block):
+        return Sampled(part, period)
+    own = {**part.params, **(params or {})}
+    if not isinstance(part, control.InterconnectedSystem):
+        linear_alone = isinstance(part, control.StateSpace)
+        return Sampled(linear(part) if linear_alone else System(part, own), period)
+    made = control.InterconnectedSystem(
+        [sampled(one, period, own) for one in part.syslist],
+        inputs=part.input_labels,
+        outputs=part.output_labels,
+        name=part.name,
+    )
+    made.set_connect_map(part.connect_map)
+    made.set_input_map(part.input_map)
+    made.set_output_map(part.output_map)
+    return made
+
+
+def _wired(system: Any) -> control.NonlinearIOSystem:
     if isinstance(system, Block):
         return system
     by_equations = isinstance(system, control.NonlinearIOSystem | control.TransferFunction)
@@ -31,7 +73,6 @@ def as_part(system: Any) -> control.NonlinearIOSystem:
             f"a {type(system).__name__} without a name: parts and their parameters are called by "
             "name; give it one, such as control.ss(A, B, C, D, name='lag')"
         )
-    check_continuous(system, system.name)
     if None in (system.ninputs, system.noutputs):
         raise DiagramError(
             f"{system.name}: how many inputs and outputs it has is not said; give inputs= and "
@@ -41,16 +82,6 @@ def as_part(system: Any) -> control.NonlinearIOSystem:
     if linear_alone and not isinstance(system, control.InterconnectedSystem):
         return linear(system)
     return system
-
-
-def check_continuous(system: control.InputOutputSystem, name: str) -> None:
-    """Refuse a system of discrete time."""
-    if system.dt not in (None, 0):
-        raise DiagramError(
-            f"{name} is a system of discrete time (dt = {system.dt}): only continuous time can be "
-            "run here; write its step as the `jump` of a clpt.Block with breakpoints, or run it "
-            "with control.input_output_response"
-        )
 
 
 def input_ports(part: control.NonlinearIOSystem) -> dict[str, list[int]]:

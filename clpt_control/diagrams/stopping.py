@@ -21,6 +21,11 @@ def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
     """Return the wiring with a block that looks at outputs and inputs, and ends the run."""
     if not callable(stop):
         raise DiagramError(f"stop = {shown(stop)}: must be a function of t, outputs and inputs")
+    if wiring.dt:
+        raise DiagramError(
+            f"stop: a diagram of discrete time (dt = {wiring.dt}) has nothing between its samples "
+            "to cross; look at the samples of a whole run"
+        )
 
     def distance(t, x, u, p):
         return stop(t, u.y, u.u)

@@ -6,6 +6,8 @@ from typing import Any
 import control
 
 from ..equations.block import Block
+from ..equations.sampled import Sampled
+from ..equations.system import System
 from ..equations.unchanged import Keys, Unkeyed
 
 
@@ -25,6 +27,10 @@ def key_of(diagram: Any, params: Mapping[str, Any] | None, *more: Any) -> tuple[
 def _system(keys: Keys, system: Any) -> Any:
     labels = *system.input_index, *system.output_index, *(system.state_index or ())
     own = keys.place(system), system.name, system.dt, labels
+    if isinstance(system, Sampled):
+        inner = system.inner
+        given = keys.named(inner.given) if isinstance(inner, System) else ()
+        return *own, keys.place(system.parameters), system.period, *given, *_system(keys, inner)
     if isinstance(system, Block):  # what is the package's own is not read anew
         functions = [] if system.of_package else [f for f, _ in system._roles.values()]
         return *own, keys.place(system.parameters), *map(keys.of, functions)

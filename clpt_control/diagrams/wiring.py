@@ -19,9 +19,9 @@ from ..equations.block import Block
 from ..equations.elements import InputsOf
 from ..equations.linear import linear
 from ..equations.ports import places as inputs_of
+from ..equations.sampled import Sampled
 from ..equations.system import System
 from ..errors import DiagramError
-from .parts import check_continuous
 
 TRIED = 3  # points at which what cannot be read is tried
 SMALL = 40_000  # entries of a matrix that is kept whole
@@ -58,6 +58,7 @@ class Wiring:
     order: tuple[int, ...]  # indices into `nodes`, in which outputs can be computed one by one
     ninputs: int  # inputs of the diagram
     output_map: Any  # diagram outputs from all block outputs and then all diagram inputs
+    dt: Any = 0  # of discrete time: from one step to the next, or True
 
 
 class _Flat(NamedTuple):
@@ -76,7 +77,6 @@ def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
             f"{name} is a {type(system).__name__}: must be blocks, wired, or a system with states, "
             "such as control.ss(...)"
         )
-    check_continuous(system, name)
     if not isinstance(system, control.InterconnectedSystem):
         m, n = system.ninputs or 0, system.noutputs or 0
         return _Flat([(name, system)], _zeros(m, n), _eye(m), _eye(n), _zeros(n, m))
@@ -86,8 +86,6 @@ def _flatten(system: control.NonlinearIOSystem, name: str) -> _Flat:
     split = connections.shape[1]
     from_outputs, from_inputs = outputs[:, :split], outputs[:, split:]
     if not any(isinstance(part, control.InterconnectedSystem) for part in system.syslist):
-        for part in system.syslist:
-            check_continuous(part, part.name)
         leaves = [(part.name, part) for part in system.syslist]
         E, F = from_outputs + from_inputs @ connections, from_inputs @ inputs
         return _Flat(leaves, connections, inputs, E, F)
@@ -189,13 +187,20 @@ def joined_wires(rows: Rows, first: int, last: int, external: bool) -> list[Wire
     return wires
 
 
+def asked_at_once(block: Block) -> Block:
+    """Return the block whose equations say what reaches the outputs when all is sampled."""
+    return block.inner if isinstance(block, Sampled) else block
+
+
 def reaches_outputs(block: Block) -> bool:
-    """Return whether inputs reach outputs at once; what cannot be read is tried."""
+    """Return whether inputs reach outputs at once, or once sampled; what is not read is tried."""
+    block = asked_at_once(block)
     return bool(block.ninputs and block.feedthrough and any(_through(block, by_signal=False)))
 
 
 def _through(block: Block, by_signal: bool = True) -> list[set[int]]:
     """Return for each output the inputs that reach it at once; else whether any does."""
+    block = asked_at_once(block)
     try:
         if not by_signal:
             return [{0}] if block.array_record("output").leaves("u") else []
@@ -236,8 +241,7 @@ def wiring_of(
     """Return the wiring of a diagram, nested ones included, of blocks alone.
 
     python-control's systems become blocks, given `params` as python-control hands them down, and
-    `sizes`, of states and inputs, where they leave them open.  What is truly circular and systems
-    of discrete time are refused.
+    `sizes`, of states and inputs, where they leave them open.  What is truly circular is refused.
     """
     flat = _flatten(diagram, getattr(diagram, "name", repr(diagram)))
     if not flat.leaves:
@@ -253,7 +257,7 @@ def wiring_of(
         diagram = block
     output_map = _beside(flat.E, flat.F)
     rows = entries(flat.C), entries(flat.D)
-    return ordered_wiring(systems, *rows, diagram.ninputs or 0, output_map)
+    return ordered_wiring(systems, *rows, diagram.ninputs or 0, output_map, diagram.dt or 0)
 
 
 def read_anew(system: Any) -> None:
@@ -301,6 +305,7 @@ def ordered_wiring(
     from_inputs: Rows,
     ninputs: int,
     output_map: Any,
+    dt: Any = 0,
 ) -> Wiring:
     """Return the wiring of named systems, given what feeds each block input, in order."""
     nodes, x, u, y = [], 0, 0, 0
@@ -311,7 +316,7 @@ def ordered_wiring(
         inner = joined_wires(from_outputs, inputs.start, inputs.stop, False)
         outer = joined_wires(from_inputs, inputs.start, inputs.stop, True)
         nodes.append(Node(system, name, states, inputs, outputs, (*inner, *outer)))
-    return Wiring(tuple(nodes), _order(nodes), ninputs, output_map)
+    return Wiring(tuple(nodes), _order(nodes), ninputs, output_map, dt)
 
 
 def _order(nodes: list[Node]) -> tuple[int, ...]:

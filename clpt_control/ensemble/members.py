@@ -16,6 +16,7 @@ from ..diagrams.changes import UNCHANGED, Changes
 from ..diagrams.interconnection import wiring_of_blocks
 from ..errors import ScenarioError
 from ..native.batch import Batch
+from ..native.discrete import begun
 from ..native.native_diagram import NativeDiagram
 from ..native.processor import LANES
 from ..native.schedule import Schedule, make_schedule
@@ -110,6 +111,10 @@ class Ensemble:
             for columns, places in ((P, in_P), (x0, in_x)):
                 for place in places:
                     columns[:, place : place + flat.shape[1]] = flat
+        if schedules[0].begins:
+            callee = self.native.callee()
+            for m, g in enumerate(group):
+                x0[m] = begun(callee, x0[m], 0.0, schedules[g], P[m])
         return Members(P, x0, group, schedules)
 
     def _schedule(self, parameters: list[Any], duration: float) -> Schedule:

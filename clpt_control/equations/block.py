@@ -103,6 +103,8 @@ class Block(control.NonlinearIOSystem):
     array([1.5, 2.5])
     """
 
+    kept: int | None = None  # of a sampled block: how many states stand before what it holds
+
     def __init__(
         self,
         name: str,

@@ -2,7 +2,8 @@
 
 x' = A x + B u,    y = C x + D u
 
-Where D = 0 an input does not reach the outputs at once, and the block has no D to change.
+or, in discrete time, the next x = A x + B u.  Where D = 0 an input does not reach the outputs at
+once, and the block has no D to change.
 """
 
 from typing import Any
@@ -13,6 +14,7 @@ from scipy.linalg import block_diag
 
 from ..errors import DiagramError
 from .block import Block
+from .sampled import Sampled
 
 
 def rate(t, x, u, p):
@@ -40,7 +42,7 @@ SHAPES = {"A": ("n", "n"), "B": ("n", "m"), "C": ("q", "n"), "D": ("q", "m")}
 
 
 def linear(system: control.StateSpace | control.TransferFunction) -> Block:
-    """Make a block of a linear system of continuous time, with its name and labels."""
+    """Make a block of a linear system, with its name, labels and time."""
     parameters = dict(zip("ABCD", _matrices(system), strict=True))
     n, (outputs, inputs) = len(parameters["A"]), parameters["D"].shape
     function = output if n else output_of_inputs
@@ -65,12 +67,14 @@ def linear(system: control.StateSpace | control.TransferFunction) -> Block:
     block.set_outputs(system.output_labels)
     if isinstance(system, control.StateSpace):
         block.set_states(system.state_labels)
+    block.dt = system.dt
     return block
 
 
 def is_linear(part: control.NonlinearIOSystem) -> bool:
     """Return whether a part is a block that `linear` made."""
-    return getattr(part, "output_function", None) in (output, output_of_states, output_of_inputs)
+    own = getattr(part, "inner", part)  # of one that is sampled
+    return getattr(own, "output_function", None) in (output, output_of_states, output_of_inputs)
 
 
 def _matrices(system: control.StateSpace | control.TransferFunction) -> tuple[np.ndarray, ...]:
@@ -101,4 +105,5 @@ def on_each_axis(block: Block, count: int) -> Block:
     own = [getattr(p, "A", np.zeros((0, 0))), getattr(p, "B", np.zeros((0, 1)))]
     own += [getattr(p, "C", np.zeros((1, 0))), getattr(p, "D", np.zeros((1, 1)))]
     A, B, C, D = (np.kron(np.eye(count), matrix) for matrix in own)
-    return linear(control.ss(A, B, C, D, name=block.name))
+    made = linear(control.ss(A, B, C, D, name=block.name))
+    return Sampled(made, block.period) if isinstance(block, Sampled) else made

@@ -1,6 +1,6 @@
 """A python-control system by functions as a block, as it stands.
 
-    dx/dt = updfcn(t, x, u, params),    y = outfcn(t, x, u, params)
+    dx/dt, or the next x, = updfcn(t, x, u, params),    y = outfcn(t, x, u, params)
 
 Of its `params` numbers and arrays of numbers are parameters of the block, also whole numbers; all
 else stays as it is.  Sizes that the system leaves open follow from the inputs and the start of a
@@ -60,7 +60,7 @@ class System(Block):
         self.parameters = parameters_of(
             {self._names[key]: _leaf(self.given[key]) for key in self._names}
         )
-        self.nstates, self.ninputs, self.noutputs, self.dt = n, m, q, 0
+        self.nstates, self.ninputs, self.noutputs, self.dt = n, m, q, system.dt or 0
         for kind, count, letter in (("input", m, "u"), ("output", q, "y"), ("state", n, "x")):
             own = getattr(system, f"{kind}_index")
             own = own if len(own) == count else {f"{letter}[{k}]": k for k in range(count)}
@@ -230,6 +230,7 @@ def _names(given: Mapping[str, Any]) -> dict[str, str]:
     for k, (key, value) in enumerate(given.items()):
         if _is_number(value):
             fits = isinstance(key, str) and key.isidentifier() and not hasattr(Parameters, key)
+            fits &= key != "interval"  # which says when a block jumps
             found[key] = key if fits else f"p{k}"
     return found
 

@@ -1,7 +1,7 @@
 """Whether what was read does what the functions do: asked at the run's own samples.
 
 A record is compared with Python where the run begins and at three of its own samples, on its own
-rates and signals; points chosen by chance do not reach every way through a function.
+rates, signals and jumps; points chosen by chance do not reach every way through a function.
 """
 
 import ctypes
@@ -16,6 +16,7 @@ from ..equations.block import Block
 from .ending import Solution
 from .inputs import Inputs
 from .native_diagram import NativeDiagram
+from .schedule import JUMPS
 
 SAMPLES = 4
 CLOSE = 1e-7  # relative: rounding of terms that cancel, not another way through a function
@@ -47,7 +48,7 @@ def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None)
 
 
 class _Machine:
-    """Rates and signals by machine code at single points."""
+    """Signals, rates and jumps by machine code at single points."""
 
     def __init__(self, runner: NativeDiagram, solution: Solution, inputs: Inputs | None):
         self.pieces = runner.pieces_of(solution, inputs)
@@ -61,26 +62,27 @@ class _Machine:
         self.t, self.x = np.zeros(1), np.zeros(runner.nstates + 1)
         given = self.t, self.x, self.P, self.T, self.W, self.D
         self.places = [one.ctypes.data for one in given]
-        self.own = [
-            _CALL(runner.code.address(name, 1))
-            for name in ("prepare", "signals", "derivative", *["decide"] * bool(self.decided))
-        ]
+        self.jumps = list(runner.layout.jumps.values())
+        has = {"prepare": 1, "signals": 1, "decide": self.decided, "derivative": self.states}
+        has["jump"] = len(self.jumps)
+        self.own = {name: _CALL(runner.code.address(name, 1)) for name in has if has[name]}
 
-    def ask(self, k: int, t: float, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return signals and rates at sample k, from states x."""
+    def ask(self, k: int, t: float, x: np.ndarray) -> list[np.ndarray]:
+        """Return signals, rates and what every jump leaves at sample k, from states x."""
         self.P[self.pieces.places] = self.pieces.values[self.number[k]]
-        self.t[0], self.x[: self.states] = t, x
-        prepare, signals, derivative, *decide = self.own
-        prepare(*self.places)
-        signals(*self.places)
-        found = self.W[: self.signals].copy()
-        for function in decide:
-            function(*self.places)
+        self.t[0], self.x[: self.states], self.P[self.jumps] = t, x, JUMPS
+        self.own["prepare"](*self.places)
+        self.own["signals"](*self.places)
+        found = [self.W[: self.signals].copy()]
+        if self.decided:
+            self.own["decide"](*self.places)
             self.P[self.held : self.held + self.decided] = self.D[: self.decided]
-            prepare(*self.places)
-        if self.states:
-            derivative(*self.places)
-        return found, self.D[: self.states].copy()
+            self.own["prepare"](*self.places)
+        for name in ("derivative", "jump"):
+            if name in self.own:
+                self.own[name](*self.places)
+                found.append(self.D[: self.states].copy())
+        return found
 
 
 def _differs(
@@ -89,9 +91,12 @@ def _differs(
     sweep, u = runner.sweep, None if inputs is None else inputs.at(t)
     sweep.enter(t)
     rates = sweep.derivative(t, x, u)
-    signals, own_rates = machine.ask(k, t, x)
-    if _same(sweep.signals, signals) and _same(rates, own_rates):
+    asked = [sweep.signals.copy(), rates]
+    if sweep.leaping:
+        asked.append(sweep.leap(t, x, u, sweep.leaping))
+    if all(map(_same, asked, machine.ask(k, t, x))):
         return None
+    sweep.derivative(t, x, u)
     for node, role, sentence in _blocks(runner, t, x):
         return f"{node}.{role}{sentence}"
     return f"at t = {t:.6g} its rates are not those of its functions"
@@ -111,7 +116,7 @@ def _blocks(runner: NativeDiagram, t: float, x: np.ndarray) -> Iterator[tuple[st
     sweep = runner.sweep
     for k, node in enumerate(runner.wiring.nodes):
         block, p = node.system, sweep.given[k]
-        for role in ("output", "update"):
+        for role in ("output", "update", "jump"):
             if getattr(block, f"{role}_function") is None:
                 continue
             states, u = x[node.states], sweep.fed(k)

@@ -28,6 +28,7 @@ from ..errors import DiagramError
 from .native_diagram import NativeDiagram
 from .processor import LANES
 from .python_diagram import PythonDiagram
+from .schedule import JUMPS
 from .sweep import Sweep
 
 Asked = tuple[np.ndarray, np.ndarray]
@@ -140,7 +141,7 @@ def _by_machine(diagram: Any, params: Any, form: str | None, lanes: int) -> Read
         for k, place in native.layout.intervals.items():
             block, given = native.wiring.nodes[k].system, native.sweep.given[k]
             own[place] = block.parameters_at(t, given).interval
-        own[list(native.layout.jumps.values())] = 1.0
+        own[list(native.layout.jumps.values())] = JUMPS
         for k in range(lanes):
             elsewhere = 1.0 + 0.1 * (lane - k)
             time[k], X[:n, k], P[: len(own), k] = t, x * elsewhere, own

@@ -24,7 +24,7 @@ class Structure(NamedTuple):
 
     blocks: tuple  # records of each block, and its shapes and sizes
     wires: tuple  # what feeds each block
-    order: tuple  # of evaluation, and which blocks pass their inputs on at once
+    order: tuple  # of evaluation; of what time; which blocks pass inputs on at once, which sample
     pattern: str  # which parameter fields share a slot, and where
     ninputs: int  # of the diagram
 
@@ -80,7 +80,8 @@ def code_of(wiring: Wiring, layout: Layout, form: str | None = None) -> Code:
         shapes: list[dict] = [*block.declared.values(), block.sizes]
         blocks.append((*records, *(tuple(own.items()) for own in shapes)))
     wires = tuple((node.states.start, node.outputs.start, node.wires) for node in wiring.nodes)
-    order = (wiring.order, tuple(node.system.feedthrough for node in wiring.nodes))
+    own = ((node.system.feedthrough, node.system.kept) for node in wiring.nodes)
+    order = (wiring.order, bool(wiring.dt), *own)
     structure = Structure(tuple(blocks), wires, order, layout.pattern, wiring.ninputs)
     return _code(structure, form, _Hidden(wiring, layout))
 

@@ -69,6 +69,7 @@ class DiagramRecord:
         self._known: dict[Entry, int] = {}
         self._ports: dict[int, Ref] = {}
         self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
+        self._jumped: dict[int, dict[str, Ref]] = {}  # states of a block after jumps, once known
         self._external = self._inputs()
         self._sizes: dict[int, int] = {}  # of output ports, by their first signal
         for node in wiring.nodes:
@@ -82,14 +83,22 @@ class DiagramRecord:
         exact, ports, rates = self.signals, self._ports, self.rates
         self.margins = [m for k in range(len(wiring.nodes)) for m in self._margins(k)]
         self.decided = 0  # numbers that are decided, of rates that are locked
-        if self.decisions.lock():
+        if not wiring.dt and self.decisions.lock():
             self._ports, self.signals, self.rates = {}, [], []
             self._rates()
             self.decided = self.decisions.kept([port.ref for port in self.rates])
             self._ports, self.signals = ports, exact
         if not self.decided:
             self.rates = rates
-        self.leaps = [port for k in range(len(wiring.nodes)) for port in self._leap(k)]
+        self._jumped = {k: self._leap(k) for k in range(len(wiring.nodes))}
+        self._sample()
+        self.leaps = [
+            port
+            for k, node in enumerate(wiring.nodes)
+            for port in self._stored(
+                node.system, "states", node.states.start, [*self._jumped[k].values()]
+            )
+        ]
 
     def add(
         self, kind: str, arguments: Sequence[Ref], shape: tuple, at: Any = None, owner: int = WIRE
@@ -110,18 +119,20 @@ class DiagramRecord:
 
     # --- blocks ---------------------------------------------------------------------------
 
-    def _output(self, k: int) -> None:
+    def _output(self, k: int, deciding: bool = True) -> list[Port]:
         node = self.wiring.nodes[k]
         fed = self._fed(node) if node.system.feedthrough else {}
-        values = self._run(k, "output", fed, True)
+        values = self._run(k, "output", fed, deciding)
         ports = self._stored(node.system, "outputs", node.outputs.start, values)
-        self.signals = [port for port in self.signals if port.first not in _places(node)] + ports
         self._ports.update({port.first: port.ref for port in ports if prod(port.shape)})
+        return ports
 
     def _rates(self) -> None:
         """Write down what the rates of all states are."""
         for k in self.wiring.order:
-            self._output(k)
+            own = _places(self.wiring.nodes[k])
+            before = [port for port in self.signals if port.first not in own]
+            self.signals = before + self._output(k)
         for k, node in enumerate(self.wiring.nodes):
             if node.system.update_function is not None:
                 values = self._run(k, "update", self._fed(node), True)
@@ -131,18 +142,36 @@ class DiagramRecord:
         node = self.wiring.nodes[k]
         return self._run(k, "guard", self._fed(node)) if node.system.guard is not None else []
 
-    def _leap(self, k: int) -> list[Port]:
+    def _leap(self, k: int) -> dict[str, Ref]:
         """Return the states of a block after the jumps that P asks for."""
         node, place = self.wiring.nodes[k], self.layout.jumps.get(k)
-        shapes = node.system.state_shapes.values()
-        names = node.system.state_shapes
-        old: list[Ref] = [self._leaf(k, "x", n, shape, {}) for n, shape in names.items()]
+        shapes = node.system.state_shapes
+        states = {name: self._leaf(k, "x", name, shape, {}) for name, shape in shapes.items()}
         if place is not None:
             asked = self.add("gt", (self.load("P", place, ()), 0.5), ())
             new = self._run(k, "jump", self._fed(node))
-            pairs = zip(shapes, new, old, strict=True)
-            old = [self.add("where", (asked, a, b), shape) for shape, a, b in pairs]
-        return self._stored(node.system, "states", node.states.start, old)
+            for (name, shape), value in zip(shapes.items(), new, strict=True):
+                states[name] = self.add("where", (asked, value, states[name]), shape)
+        return states
+
+    def _sample(self) -> None:
+        """Hold what feeds the blocks that sample, signals being those of the states jumped to."""
+        nodes, self._ports = self.wiring.nodes, {}
+        sampling = [k for k, node in enumerate(nodes) if node.system.kept is not None]
+        for k in self.wiring.order if sampling else ():
+            if k in sampling:
+                self._hold(k)
+            self._output(k, deciding=False)
+        for k in sampling:  # what feeds it may have come after it
+            self._hold(k)
+
+    def _hold(self, k: int) -> None:
+        node, P = self.wiring.nodes[k], self.load("P", self.layout.jumps[k], ())
+        sampled = self.add("ne", (P, 0.0), ())
+        fed, states = self._fed(node).values(), self._jumped[k]
+        for name, value in zip([*states][-len(fed) :], fed, strict=True):
+            shape = node.system.state_shapes[name]
+            states[name] = self.add("where", (sampled, value, states[name]), shape)
 
     def _stored(self, block: Block, kind: str, first: int, values: list[Ref]) -> list[Port]:
         ports = []
@@ -166,6 +195,7 @@ class DiagramRecord:
         values: list[Ref] = []
         axes = [self._axes(node.system, o.shape) for o in record.operations]
         deciding = deciding and not (node.system.opaque and node.system.of_package)
+        deciding = deciding and node.system.kept is None  # what is sampled stays for a step
         for (kind, arguments, _, at), (shape, looping) in zip(record.operations, axes, strict=True):
             if kind == "leaf":
                 values.append(self._leaf(k, at[0], at[1], shape, fed))
@@ -191,6 +221,8 @@ class DiagramRecord:
         array, first = "t", 0
         if group == "p":
             array, first = self.layout.slots[k, name]
+        elif group == "x" and name in self._jumped.get(k, {}):
+            return self._jumped[k][name]
         elif group == "x":
             block = self.wiring.nodes[k].system
             before = list(block.state_shapes)

@@ -14,11 +14,12 @@ from ..diagrams.wiring import Wiring, read_anew, wiring_of
 from ..errors import SimulationError
 from . import method, solver
 from .batch import Batch, Callee, pace
+from .discrete import begun, iterated
 from .ending import Solution, ended
 from .formula import on_rows
 from .inputs import Inputs, checked_state, checked_times, numbers, read_inputs
 from .loose import LOOSE, loosely
-from .schedule import Schedule, make_schedule
+from .schedule import BEGINS, JUMPS, Schedule, make_schedule
 from .sweep import Sweep, first_not_finite
 
 
@@ -75,8 +76,11 @@ class PythonDiagram:
             W[: self.nsignals] = sweep.evaluate(t[0], X[first : first + n], u(t))
 
         def jump(t, X, first, P, T, W, D, to):
-            blocks = [k for k, place in self._jumps.items() if P[place] > 0.5]
-            D[to : to + n] = sweep.leap(t[0], X[first : first + n], u(t), blocks)
+            jumping, beginning = (
+                [k for k, place in self._jumps.items() if P[place] == how]
+                for how in (JUMPS, BEGINS)
+            )
+            D[to : to + n] = sweep.leap(t[0], X[first : first + n], u(t), jumping, beginning)
 
         formulas = [on_rows(f, n) for f in method.formulas(n).values()] if n else []
         functions = [derivative, prepare, margin, signals, jump, None, *formulas]
@@ -136,12 +140,20 @@ class PythonDiagram:
         inputs = self._inputs(inputs, times)
         if not self.nstates:
             return Solution(times, np.zeros((len(times), 0)), engine=self.engine)
+        if self.wiring.dt:
+            if (step, rtol, atol) != (None, None, None):
+                raise SimulationError(
+                    "step, rtol and atol: a diagram of discrete time has none; leave them out"
+                )
+            return iterated(self, start, times, inputs, progress)
         if step is None and tolerances[0] >= LOOSE:
             found = self._loosely(start, times, tolerances, inputs, progress)
             if found is not None:
                 return found
         P, pieces = self.parameters()[None], [self.schedule(t0, t1, inputs, self.breaks(t0, t1))]
-        made = Batch(self.callee(1, inputs), start[None], P, times, pieces)
+        callee = self.callee(1, inputs)
+        start = begun(callee, start, t0, pieces[0], P[0])
+        made = Batch(callee, start[None], P, times, pieces)
         if step is not None:
             made.fixed(step)
             return self._ended(made, inputs, pieces[0])
@@ -204,9 +216,12 @@ class PythonDiagram:
         tolerances = _tolerances(step, rtol, atol)
         times = checked_times("times", times)
         starts = checked_state("starts", starts, (len(starts), self.nstates))
+        if self.wiring.dt:
+            return np.array([self.run(one, times).x for one in starts])
         P = np.tile(self.parameters(), (len(starts), 1))
         pieces = [self.schedule(float(times[0]), float(times[-1]))]
-        batch = Batch(self.callee(self.lanes(len(starts))), starts, P, times, pieces)
+        starts = [begun(self.callee(), one, float(times[0]), pieces[0], P[0]) for one in starts]
+        batch = Batch(self.callee(self.lanes(len(starts))), np.array(starts), P, times, pieces)
         if step is not None:
             batch.fixed(step)
         else:

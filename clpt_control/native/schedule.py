@@ -2,7 +2,8 @@
 
 A piece ends at a breakpoint of a block or at a sample of the diagram's inputs.  It
 sets the `interval` of blocks that jump, whether their states jump where it begins, and
-the straight line of each input.  States do not jump where a run begins: it begins after.
+the straight line of each input.  States do not jump where a run begins: it begins after; but
+blocks that sample at that time hold what feeds them then.
 """
 
 from typing import Any, NamedTuple
@@ -11,6 +12,7 @@ import numpy as np
 
 from .sweep import Sweep
 
+JUMPS, BEGINS = 1.0, -1.0  # in P: a block jumps, or holds what feeds it where a run begins
 Samples = tuple[np.ndarray, np.ndarray]  # times, and values of shape (ninputs, ntimes)
 
 
@@ -21,6 +23,7 @@ class Schedule(NamedTuple):
     places: np.ndarray  # m places in P
     values: np.ndarray  # (n + 1, m): what each piece sets there, and the time of the end
     smooth: np.ndarray  # (n + 1,): whether rates do not jump where a piece begins
+    begins: bool = False  # whether blocks sample where the run begins
 
 
 def make_schedule(
@@ -36,7 +39,7 @@ def make_schedule(
 
     Rates bend at kinks and jump at breaks.
 
-    `intervals` holds the place in P of each block's `interval`, `jumps` the place that is 1
+    `intervals` holds the place in P of each block's `interval`, `jumps` the place that is `JUMPS`
     where a piece begins with a jump of the block's states.
     """
     jumping = edges = _united(sweep.breakpoints(t0, t1), breaks)
@@ -59,8 +62,11 @@ def make_schedule(
     for j, k in enumerate(intervals):
         values[:, j] = numbers(k)
     for j, k in enumerate(jumps, len(intervals)):
-        values[1:, j] = np.diff(numbers(k)) != 0
-    return Schedule(edges, places, values, smooth)
+        values[1:, j] = JUMPS * (np.diff(numbers(k)) != 0)
+        block = sweep.nodes[k].system
+        if block.kept is not None and block.samples_at(t0):
+            values[0, j] = BEGINS
+    return Schedule(edges, places, values, smooth, bool(np.any(values[0, len(intervals) :])))
 
 
 def _united(times: np.ndarray, more: Any) -> np.ndarray:

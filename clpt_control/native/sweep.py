@@ -6,7 +6,7 @@ call its output, go on; then call each update.  It also knows which block and
 signal first became non-finite.  The blocks themselves are left as they are.
 """
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import Any
 
 import numpy as np
@@ -107,18 +107,33 @@ class Sweep:
             interval = self.nodes[k].system.interval_at(t, self.given[k])
             self._parameters[k] = self.given[k]._replace(interval=interval)
 
-    def evaluate(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
+    def evaluate(
+        self,
+        t: float,
+        x: np.ndarray,
+        u: np.ndarray | None = None,
+        sampling: Collection[int] = (),
+    ) -> np.ndarray:
         """Return all block outputs at (t, x, u), in the array that the next pass overwrites.
 
-        Inputs of the diagram that are not given are zero.
+        Inputs of the diagram that are not given are zero.  Blocks that are `sampling` hold what
+        feeds them, before their outputs follow.
         """
         self._external[:] = 0.0 if u is None else u
         t = np.float64(t)
         with np.errstate(all="ignore"):
             self._states[:] = x
             for (k, _), out in zip(self._plan, self._outputs, strict=True):
-                self._call("output", k, t, self._x[k], self._gather(k), out)
+                inputs = self._gather(k)
+                if k in sampling:
+                    self._hold(k)
+                self._call("output", k, t, self._x[k], inputs, out)
         return self.signals
+
+    def _hold(self, k: int) -> None:
+        node = self.nodes[k]
+        held = slice(node.states.start + node.system.kept, node.states.stop)
+        self._states[held] = self._gather(k)
 
     def derivative(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
         """Return the state derivative; NaN where a system could not compute it."""
@@ -143,15 +158,29 @@ class Sweep:
         return dx
 
     def leap(
-        self, t: float, x: np.ndarray, u: np.ndarray | None, blocks: Sequence[int]
+        self,
+        t: float,
+        x: np.ndarray,
+        u: np.ndarray | None,
+        blocks: Sequence[int],
+        beginning: Sequence[int] = (),
     ) -> np.ndarray:
-        """Return the states after these blocks jump at once, x being right before."""
+        """Return the states after these blocks jump at once, x being right before.
+
+        Those that sample then hold what feeds them; so do those with which a run is `beginning`.
+        """
         self.evaluate(t, x, u)
         new, t = np.array(x, dtype=float), np.float64(t)
         with np.errstate(all="ignore"):
             for k in blocks:
                 states = self.nodes[k].states
                 self._call("jump", k, t, self._x[k], self._gather(k), new[states])
+        sampling = [*beginning, *(k for k in blocks if self.nodes[k].system.kept is not None)]
+        if sampling:
+            self.evaluate(t, new, u, sampling)
+            for k in sampling:  # what feeds it may have come after it
+                self._hold(k)
+            new = self._states.copy()
         return new
 
     def _call(self, role: str, k: int, t: float, x: np.ndarray, u: np.ndarray, out: Any) -> None:

@@ -73,10 +73,11 @@ def state_columns(parts: Iterable[Part]) -> dict[str, slice]:
 
 def _is_signal(part: Part, port: str, size: int) -> bool:
     """Return whether a state is a signal of the same name; of x it may be the true position."""
-    its_own = not is_linear(part) or np.array_equal(part.parameters.C, np.eye(size))
     outputs = output_ports(part)
     signals = outputs.get(port) or (outputs.get(TRUE) if port == "x" else None) or []
-    return its_own and len(signals) == size
+    if len(signals) != size:
+        return False
+    return not is_linear(part) or np.array_equal(part.parameters.C, np.eye(size))
 
 
 def state_of(scenario: Scenario, parts: Iterable[Part], law: Part | None = None) -> np.ndarray:

@@ -130,7 +130,7 @@ def test_a_system_by_functions_runs_or_says_why_in_python(update):
     ("part", "said"),
     [
         (control.tf(1, [1, 1]), r"a TransferFunction without a name: .* name='lag'"),
-        (control.ss(-1, 1, 1, 0, 0.1, name="held"), r"held is a system of discrete time .*`jump`"),
+        (control.ss(-1, 1, 1, 0, True, name="held"), "held: dt = True does not say how often"),
         (
             control.tf([1, 0, 1], [1, 1], name="pd"),
             r"pd: a numerator of higher degree .* fast pole",

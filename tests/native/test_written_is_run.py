@@ -239,13 +239,6 @@ def test_a_table_from_its_end():
     alike(static(looks_from_the_end, 1, 3, p), u=[0.3], outputs=[7.0, 5.0, 5.0])
 
 
-# --- refused in one sentence -------------------------------------------------------------------
-
-
-def discrete():
-    return control.ss([[1.2]], [[1.0]], [[1.0]], 0, dt=0.1, name="sampled")
-
-
 def around(system):
     return control.interconnect(
         [system],
@@ -254,23 +247,6 @@ def around(system):
         connections=False,
         name="around",
     )
-
-
-@pytest.mark.parametrize("place", ["alone", "in a diagram", "in a diagram in a diagram"])
-def test_discrete_time_is_refused_by_name(place):
-    system = discrete()
-    for _ in range(["alone", "in a diagram", "in a diagram in a diagram"].index(place)):
-        system = around(system)
-        system.name = f"around {system.syslist[0].name}"
-    for call in (
-        lambda: clpt.simulate(system, [0.0, 1.0], 1.0),
-        lambda: clpt.simulate(system, [0.0, 1.0], 1.0, engine="python"),
-        lambda: clpt.native.compile(system),
-        lambda: readings(system),
-    ):
-        with pytest.raises(DiagramError, match=r"discrete time \(dt = 0\.1\)") as caught:
-            call()
-        assert "\n" not in str(caught.value)
 
 
 def test_continuous_systems_of_python_control_are_run():

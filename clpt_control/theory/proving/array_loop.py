@@ -159,6 +159,7 @@ def array_loop(
     """
     wiring, hidden = wiring_of(diagram), set(opaque)
     blocks = blocks_of(wiring)
+    refuse_samples(wiring, blocks)
     if not jumps:
         refuse_jumps(blocks)
     loop = ArrayLoop()
@@ -213,6 +214,16 @@ def array_loop(
 
     loop.elements = EveryN(loop.tape.operations, names.element, watch)
     return loop
+
+
+def refuse_samples(wiring: Wiring, blocks: Iterable[Block]) -> None:
+    """Refuse discrete time and blocks that sample, of which no proof speaks."""
+    name = next((block.name for block in blocks if block.kept is not None or wiring.dt), None)
+    if name is not None:
+        raise DiagramError(
+            f"{name}: is of discrete time, and proofs speak of continuous time alone; prove the "
+            "design that it was sampled from"
+        )
 
 
 def refuse_jumps(blocks: Iterable[Block]) -> None:

@@ -1,0 +1,152 @@
+"""A system of discrete time as a block of continuous time: inputs sampled, outputs held.
+
+    at t_k = k dt     x = f(t_{k-1}, x, held), then held = u(t_k)
+    between           x and held stay, y = h(t_k, x, held)
+
+All blocks that sample at one time move their states at once, with what they held before; then each
+holds what feeds it, and one that is fed by another finds its new output (`Sweep.leap`).  So a
+diagram of blocks sampled alike is, at its samples, the diagram of discrete time.  k is the block's
+`interval`.  A run that begins at a sample begins with what is held there; one that begins between
+two has it in its initial state.
+"""
+
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from ..errors import DiagramError
+from .block import Block
+from .declaration import parameters_of
+from .record import Operation, Record, compact
+
+HELD = "held_"  # with the name of an input port: the state that keeps it
+ROUNDING = 1e-12  # of a time, or of 1: times that differ by less are one
+
+
+def asked_inside(t, x, u, p):
+    """Stand for the equations, which are those of the inner block."""
+    raise NotImplementedError
+
+
+def multiples(period: float, p: Any, t0: float, t1: float) -> np.ndarray:
+    """Return the times k period in (t0, t1], k = 1, 2, ..."""
+    times = period * np.arange(max(np.floor(t0 / period), 1.0), np.floor(t1 / period) + 2.0)
+    return times[(times > t0) & (times <= t1)]
+
+
+class Sampled(Block):
+    """A block that runs another, of discrete time, at each multiple of a period."""
+
+    def __init__(self, inner: Block, period: float):
+        if period is True:
+            raise DiagramError(
+                f"{inner.name}: dt = True does not say how often it samples; give dt a number"
+            )
+        self.inner, self.period = inner, float(period)
+        held = {HELD + port: shape for port, shape in inner.declared["inputs"].items()}
+        states = {**inner.declared["states"], **held}
+        super().__init__(
+            inner.name,
+            update=asked_inside if states else None,
+            output=asked_inside,
+            inputs=inner.declared["inputs"],
+            outputs=inner.declared["outputs"],
+            states=states,
+            parameters={**inner.parameters._asdict(), "interval": -1.0},
+            shapes=inner.parameter_shapes,
+            sizes=inner.sizes,
+            breakpoints=partial(multiples, self.period),
+            jump=asked_inside if states else None,
+        )
+        self.kept, self.raised = inner.nstates if inner.ninputs else None, inner.raised
+        self._given = self.parameters  # those that the inner block has itself
+        for own, rename in (("input", self.set_inputs), ("output", self.set_outputs)):
+            rename(getattr(inner, f"{own}_labels"))
+        if states:
+            self.set_states([*inner.state_labels, *self.state_labels[inner.nstates :]])
+
+    def samples_at(self, t: float) -> bool:
+        """Whether a time is one at which inputs are sampled."""
+        k = np.round(t / self.period)
+        return bool(k >= 0 and abs(t - k * self.period) <= ROUNDING * max(1.0, abs(t)))
+
+    # --- readings ---------------------------------------------------------------------------
+
+    def _tried(self) -> None:
+        """Leave it to the inner block, which was tried."""
+
+    @property
+    def of_package(self) -> bool:
+        """Whether the functions are the package's own."""
+        return self.inner.of_package
+
+    def read_anew(self) -> None:
+        """Read the functions again: what they use may have changed."""
+        if not self.of_package:
+            self.inner.read_anew()
+            self.__dict__.pop("_read_records", None)
+
+    def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+        """Return what the inner block does with what is held."""
+        if role == "update":
+            return np.zeros(size)
+        x, inner = np.asarray(x), self.inner
+        changed = {
+            field: getattr(p, field)
+            for field in inner.parameters._fields
+            if getattr(p, field) is not getattr(self._given, field)
+        }
+        own = (
+            parameters_of({**inner.parameters._asdict(), **changed})
+            if changed
+            else (inner.parameters)
+        )
+        states, held = x[: inner.nstates], x[inner.nstates :]
+        if role == "output":
+            return inner.values(role, size, p.interval * self.period, states, held, own)
+        if not inner.nstates:
+            return held
+        before = (p.interval - 1.0) * self.period
+        return np.append(inner.values("update", inner.nstates, before, states, held, own), held)
+
+    def _read(self, role: str) -> Any:
+        if role == "update":
+            shapes = tuple(self.declared["states"].values())
+            return Record((), (0.0,) * len(shapes), shapes)
+        if role == "output":
+            return self._outside(self._with_held(self.inner.array_record("output"), 0.0))
+        if self.inner.nstates:
+            record = self._with_held(self.inner.array_record("update"), 1.0)
+        else:
+            record = Record((), (), ())
+        held = [
+            Operation("leaf", (), shape, ("x", HELD + port))
+            for port, shape in self.inner.declared["inputs"].items()
+        ]
+        first = len(record.operations)
+        lines = (*record.operations, *held)
+        outputs = (*record.outputs, *range(first, len(lines)))
+        shapes = (*record.shapes, *(one.shape for one in held))
+        return self._outside(Record(lines, outputs, shapes))
+
+    def _with_held(self, record: Record, ago: float) -> Record:
+        """Return a record of the inner block on what is held, at a sample or the one before."""
+        lines = [
+            Operation("leaf", (), (), ("p", "interval")),
+            Operation("sub", (0, ago), ()),
+            Operation("mul", (1, self.period), ()),
+        ]
+        place: dict[int, int] = {}
+        for k, one in enumerate(record.operations):
+            if one.kind == "leaf" and one.at[0] == "t":
+                place[k] = 2
+                continue
+            moved = tuple(place[a] if type(a) is int else a for a in one.arguments)
+            at = one.at
+            if one.kind == "leaf" and at[0] == "u":
+                at = ("x", HELD + at[1])
+            place[k] = len(lines)
+            lines.append(one._replace(arguments=moved, at=at))
+        outputs = [place[ref] if type(ref) is int else ref for ref in record.outputs]
+        return compact(lines, outputs, record.shapes)

@@ -1,0 +1,286 @@
+"""Sampled parts in continuous loops: closed forms, python-control's loops, two rates."""
+
+import copy
+
+import control
+import numpy as np
+import pytest
+from scipy.linalg import expm
+
+import clpt_control as clpt
+from clpt_control.errors import ClptError, DiagramError
+from clpt_control.native import readings
+
+DT = 0.5
+TIMES = DT * np.arange(41)
+A, B = np.array([[-0.2, 0.0], [0.1, -0.3]]), np.array([[1.0], [0.0]])
+TIGHT = {"rtol": 1e-12, "atol": 1e-13}
+every_engine = pytest.mark.parametrize("engine", ["native", "python"])
+
+
+def tanks(name="tanks"):
+    return control.ss(A, B, [[0.0, 1.0]], 0, inputs="v", outputs="y", name=name)
+
+
+def error():
+    return control.summing_junction(["r", "-y"], "e", name="error")
+
+
+def pid(dt=DT):
+    """A PID of Tustin's integral and a difference as derivative."""
+    integral = control.tf([dt / 2, dt / 2], [1, -1], dt)
+    difference = control.tf([1, -1], [dt, 0], dt)
+    made = 1.2 + 0.3 * integral + 0.4 * difference
+    return control.tf(made.num, made.den, dt, inputs="e", outputs="v", name="pid")
+
+
+def discretised(controller, plant=None, r=None):
+    """Return the loop at its samples in python-control, the plant under zero-order hold."""
+    plant = plant or tanks()
+    held = control.c2d(plant, DT, "zoh")
+    held = control.ss(held.A, held.B, held.C, held.D, DT, inputs="v", outputs="y", name="held")
+    wired = control.interconnect(
+        [error(), controller, held], inputs="r", outputs=["y", "v"], check_unused=False
+    )
+    return control.input_output_response(wired, TIMES, np.ones(len(TIMES)) if r is None else r)
+
+
+@every_engine
+def test_a_sampled_pid_on_a_tank_at_its_samples_and_between(engine):
+    loop = clpt.connect([error(), pid(), tanks()], external="r")
+    assert loop.dt == 0
+    fine = np.union1d(TIMES, np.linspace(0.0, TIMES[-1], 173))
+    run = clpt.simulate(loop, fine, 1.0, engine=engine, **TIGHT)
+    expected = discretised(pid())
+    at = np.isin(fine, TIMES)
+    np.testing.assert_allclose(run.y[at], expected.outputs[0], atol=1e-9)
+    np.testing.assert_allclose(run.v[at], expected.outputs[1], atol=1e-9)
+    k = np.searchsorted(TIMES, fine, side="right") - 1
+    np.testing.assert_allclose(run.v, run.v[at][k], atol=0)  # held between
+    exact = [
+        _moved(run.states[at][j, -2:], float(run.v[at][j]), t - TIMES[j])
+        for t, j in zip(fine, k, strict=True)
+    ]
+    np.testing.assert_allclose(run.states[:, -2:], exact, atol=1e-9)
+
+
+def _moved(x, v, since):
+    """Return the exact state of the tanks, v being held."""
+    both = np.block([[A, B], [np.zeros((1, 3))]])
+    return (expm(both * since) @ np.append(x, v))[:2]
+
+
+@every_engine
+def test_sampled_parts_that_feed_each_other_are_the_discrete_diagram(engine):
+    """A filter, a feedback, a delay: at one instant each finds the new output of the other."""
+    sampling = [
+        control.ss([[0.6]], [[0.4]], [[1.0]], [[0.5]], DT, inputs="e", outputs="s", name="filter"),
+        control.tf([0.7, -0.2], [1, -1], DT, inputs="s", outputs="w", name="pi"),
+        control.tf([1], [1, 0], DT, inputs="w", outputs="v", name="late"),
+    ]
+    whole = control.interconnect(sampling, inputs="e", outputs="v", name="whole")
+    expected = discretised(whole)
+    for parts in (sampling, sampling[::-1], [whole]):
+        loop = clpt.connect([error(), *parts, tanks()], external="r")
+        run = clpt.simulate(loop, TIMES, 1.0, engine=engine, **TIGHT)
+        np.testing.assert_allclose(run.y, expected.outputs[0], atol=1e-9)
+        np.testing.assert_allclose(run.v, expected.outputs[1], atol=1e-9)
+
+
+@every_engine
+def test_two_rates_in_one_loop(engine):
+    """The inner at 0.1, the outer at 0.3: exact from one grid of 0.1 to the next."""
+    inner = control.tf([0.5], [1], 0.1, inputs="w", outputs="v", name="inner")
+    outer = control.ss(
+        [[1.0]], [[0.3]], [[1.0]], [[0.8]], 0.3, inputs="e", outputs="w", name="outer"
+    )
+    loop = clpt.connect([error(), outer, inner, tanks()], external="r")
+    times = np.arange(0, 61) * 0.1
+    run = clpt.simulate(loop, times, 1.0, engine=engine, **TIGHT)
+    x, s, held, found = np.zeros(2), 0.0, 0.0, []
+    for k in range(len(times)):
+        if k % 3 == 0:
+            s, held = s + 0.3 * held * (k > 0), 1.0 - x[1]
+        v = 0.5 * (s + 0.8 * held)
+        found.append([x[1], v])
+        x = _moved(x, v, 0.1)
+    np.testing.assert_allclose(np.transpose([run.y, run.v]), found, atol=1e-9)
+
+
+def stepped(t, x, u, params):
+    integral = x[0] + 0.1 * u[0]
+    return np.where(
+        np.abs(integral) > params["limit"], np.sign(integral) * params["limit"], integral
+    )
+
+
+def ruled(t, x, u, params):
+    return params["gain"] * (x + u) + 0.05 * np.sin(t)
+
+
+def limited():
+    return control.nlsys(
+        stepped,
+        ruled,
+        inputs="e",
+        outputs="v",
+        states=1,
+        dt=DT,
+        params={"limit": 0.4, "gain": 0.9},
+        name="limited",
+    )
+
+
+@every_engine
+def test_a_sampled_nlsys_in_time(engine):
+    loop = clpt.connect([error(), limited(), tanks()], external="r")
+    run = clpt.simulate(loop, TIMES, 1.0, engine=engine, **TIGHT)
+    assert run.attrs["engine"] == engine
+    np.testing.assert_allclose(run.v, discretised(limited()).outputs[1], atol=1e-9)
+    changed = clpt.simulate(loop, TIMES, 1.0, params={"limited.gain": 0.5}, engine=engine, **TIGHT)
+    own = limited()
+    own.params["gain"] = 0.5
+    np.testing.assert_allclose(changed.v, discretised(own).outputs[1], atol=1e-9)
+
+
+def unread(t, x, u, params):
+    return ruled(t, x, u, params) if float(str(u[0])) == u[0] else u
+
+
+def test_what_cannot_be_read_runs_in_python():
+    part = control.nlsys(
+        stepped, unread, inputs="e", outputs="v", states=1, dt=DT, params=limited().params, name="p"
+    )
+    loop = clpt.connect([error(), part, tanks()], external="r")
+    with pytest.warns(UserWarning, match="runs in Python"):
+        run = clpt.simulate(loop, TIMES, 1.0, **TIGHT)
+    np.testing.assert_allclose(run.v, discretised(limited()).outputs[1], atol=1e-9)
+
+
+def test_every_reading_agrees():
+    loop = clpt.connect([error(), limited(), pid_of("w"), tanks()], external="r")
+    x, u = np.linspace(0.2, 0.9, loop.nstates), [0.7]
+    asked = {
+        name: (*ask(1.3, x, u), *([] if name == "control" else [ask.jump(1.3, x, u)]))
+        for name, ask in readings(loop).items()
+    }
+    for name, found in asked.items():
+        for one, two in zip(found, asked["python"], strict=name != "control"):
+            np.testing.assert_allclose(one, two, rtol=1e-13, atol=1e-14, err_msg=name)
+
+
+def pid_of(made):
+    part = pid()
+    part.set_outputs([made])
+    return part
+
+
+def test_a_run_goes_on_where_another_ended():
+    """Also from between two samples, where what is held is in the state."""
+    loop = clpt.connect([error(), pid(), tanks()], external="r")
+    whole = clpt.simulate(loop, [0.0, 2.0, 3.3, 6.0], 1.0, **TIGHT)
+    for k in (1, 2):
+        rest = clpt.simulate(loop, whole.time[k:], 1.0, whole.states[k].values, **TIGHT)
+        np.testing.assert_allclose(rest.states[-1], whole.states[-1], atol=1e-10)
+
+
+def test_many_runs_begin_with_what_is_held():
+    loop = clpt.connect([control.tf([2.0], [1], DT, inputs="y", outputs="v", name="p"), tanks()])
+    starts = np.array([[9.0, 0.5, 0.1 * k] for k in range(9)])
+    native = clpt.native.compile(loop)
+    found = native.run_many(starts, TIMES[:4], rtol=1e-10, atol=1e-12)
+    for k, start in enumerate(starts):
+        one = native.run(start, TIMES[:4], rtol=1e-10, atol=1e-12).x
+        np.testing.assert_allclose(found[k], one, atol=1e-9)
+        assert found[k, 0, 0] == start[2]  # y, not the 9 that was given
+    step = native.run(starts[3], TIMES[:4], step=0.05).x
+    np.testing.assert_allclose(step, found[3], atol=1e-7)
+
+
+def test_a_part_of_one_signal_stands_for_two_in_a_scenario():
+    scenario = clpt.paper_scenario().with_values({"run.duration": 20})
+    lag = control.tf([0.5], [1, -0.5], 0.1, name="slow")
+    loop = clpt.closed_loop(scenario, insert={("v_x", "vehicle"): lag})
+    own = clpt.simulate(scenario, insert={("v_x", "vehicle"): lag})
+    node = loop.syslist[[part.name for part in loop.syslist].index("slow")]
+    assert (node.ninputs, node.nstates) == (2, 4)
+    assert own.attrs["engine"] == "native"
+    assert np.all(np.isfinite(own.clpe))
+    python = clpt.simulate(scenario, insert={("v_x", "vehicle"): lag}, engine="python")
+    np.testing.assert_allclose(own.clpe, python.clpe, atol=1e-9)
+
+
+def test_what_is_refused():
+    plant = control.ss(A, B, [[0.0, 1.0]], [[0.5]], inputs="v", outputs="y", name="tanks")
+    direct = clpt.connect([error(), pid(), plant], external="r")
+    with pytest.raises(DiagramError, match="algebraic loop"):
+        clpt.simulate(direct, TIMES, 1.0)
+    with pytest.raises(ClptError, match="dt = True does not say how often"):
+        clpt.connect([control.ss(-1, 1, 1, 0, True, inputs="y", outputs="v", name="p"), tanks()])
+    loop = clpt.connect([error(), pid(), tanks()], external="r")
+    with pytest.raises(ClptError, match="its states jump"):
+        control.input_output_response(loop, TIMES, np.ones(len(TIMES)))
+
+
+def test_proofs_refuse_what_is_sampled():
+    from clpt_control.theory.proving.symbolic_loop import symbolic_loop
+
+    loop = clpt.connect([error(), pid(), tanks()], external="r")
+    for jumps in (False, True):
+        with pytest.raises(DiagramError, match="pid: is of discrete time"):
+            symbolic_loop(loop, jumps=jumps)
+
+
+def test_a_copy_is_independent():
+    loop = clpt.connect([error(), pid(), tanks()], external="r")
+    twin = copy.deepcopy(loop)
+    twin.syslist[1].parameters = twin.syslist[1].with_values({"D": [[0.0]]})
+    one, two = (clpt.simulate(each, TIMES, 1.0) for each in (loop, twin))
+    assert np.max(np.abs(one.y - two.y)) > 1e-3
+    np.testing.assert_allclose(one.y, discretised(pid()).outputs[0], atol=1e-6)
+
+
+@every_engine
+def test_a_switch_that_is_sampled_does_not_chatter(engine):
+    """x' = -0.2 x + v, v = sign(1 - x) each 0.1: exact from sample to sample."""
+    switch = control.nlsys(
+        None, lambda t, x, u, params: np.sign(u), inputs="e", outputs="v", dt=0.1, name="switch"
+    )
+    tank = control.ss(-0.2, 1, 1, 0, inputs="v", outputs="y", name="tank")
+    loop = clpt.connect([error(), switch, tank], external="r")
+    times = 0.1 * np.arange(401)
+    run = clpt.simulate(loop, times, 1.0, engine=engine, **TIGHT)
+    x, found = 0.0, []
+    for _ in times:
+        found.append(x)
+        x = x * np.exp(-0.02) + 5 * np.sign(1 - x) * (1 - np.exp(-0.02))
+    np.testing.assert_allclose(run.y, found, atol=1e-9)
+
+
+def test_params_may_be_called_as_a_block_calls_its_own():
+    """`interval` is a parameter of every block that jumps."""
+    part = control.nlsys(
+        None,
+        lambda t, x, u, params: params["interval"] * u,
+        inputs="y",
+        outputs="v",
+        dt=DT,
+        params={"interval": -3.0},
+        name="part",
+    )
+    loop = clpt.connect([part, tanks()])
+    run = clpt.simulate(loop, TIMES[:3], initial_state=[0, 1.0, 1.0])
+    np.testing.assert_allclose(run.v, -3.0 * run.y, atol=1e-12)
+
+
+def test_an_ensemble_begins_with_what_is_held():
+    scenario = clpt.paper_scenario().with_values({"run.duration": 5})
+    own = {("z", "learning_controller"): control.tf([0.9], [1], 0.5, name="seen")}
+    times = np.arange(6.0)
+    many = clpt.run_ensemble(
+        scenario, ["learning.gain=0.4:1.0"], 2, trajectories=True, insert=own, times=[5.0]
+    )
+    for m in range(2):
+        changed = scenario.with_values({"learning.gain": float(many["learning.gain"][m])})
+        one = clpt.simulate(changed, times, insert=own)
+        np.testing.assert_allclose(many.alpha[m], one.alpha, atol=1e-8)
