@@ -170,8 +170,14 @@ TABLES: dict[str, Callable[[Any], Callable]] = {
 }
 
 
+def is_table(value: Any) -> bool:
+    """Return whether a value is one of SciPy's interpolators."""
+    return f"{type(value).__module__}.{type(value).__name__}" in TABLES
+
+
 def table_of(value: Any) -> Callable | None:
     """Return an interpolator as a function of signals; None for what is none."""
-    kind = type(value)
-    made = TABLES.get(f"{kind.__module__}.{kind.__name__}")
-    return None if made is None else StandIn(value, made(value))
+    if not is_table(value):
+        return None
+    made = TABLES[f"{type(value).__module__}.{type(value).__name__}"]
+    return StandIn(value, made(value))

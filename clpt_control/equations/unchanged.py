@@ -7,6 +7,7 @@ key at once.  Whatever could change unseen has no key: objects, modules, what a 
 itself, files.  Then it is read anew.
 """
 
+import cmath
 import dis
 import math
 from collections.abc import Iterator, Mapping
@@ -14,9 +15,11 @@ from functools import lru_cache
 from types import CodeType, FunctionType, ModuleType, NoneType
 from typing import Any
 
+import control
 import numpy as np
 
 from .declaration import Parameters
+from .tables import is_table
 
 MOST = 20_000  # numbers of an array
 MANY = 100  # things in a list
@@ -24,7 +27,13 @@ DIGITS = (int, bool, str, bytes, NoneType)
 READ = ("open", "input", "load", "loadtxt", "genfromtxt", "fromfile", "memmap", "random")
 OPENED = ("globals", "vars", "eval", "exec", "compile", "__import__", "__dict__", "__globals__")
 SEES = frozenset((*READ, *OPENED))  # names by which a function reaches more than it names
-FIXED = {"math": math, "numpy": np, "numpy.linalg": np.linalg}  # which nobody changes
+FIXED = {"math": math, "cmath": cmath, "numpy": np, "numpy.linalg": np.linalg}  # never changed
+    "math": math,
+    "cmath": cmath,
+    "numpy": np,
+    "numpy.linalg": np.linalg,
+}  # which nobody changes
+TABLE = ("x", "y", "c", "points", "values")  # what an interpolator is made of
 CALLED = (FunctionType, type(math.sin), type(np.sin), type(np.dot), type)
 
 
@@ -51,6 +60,8 @@ class Keys:
             return kind, value
         if kind in (float, np.float64):
             return kind, value.hex()  # 0.0 is not -0.0
+        if kind is complex:
+            return kind, value.real.hex(), value.imag.hex()
         if kind is tuple and len(value) < MANY:
             return kind, *map(self.of, value)
         if isinstance(value, Parameters) or is_fixed(value):
@@ -58,7 +69,7 @@ class Keys:
         if id(value) in self._seen:  # one that holds itself, too
             return "seen", self._seen[id(value)]
         self._seen[id(value)] = len(self._seen)
-        if kind is np.ndarray and value.dtype.kind in "fiub" and value.size <= MOST:
+        if kind is np.ndarray and value.dtype.kind in "fiubc" and value.size <= MOST:
             found: Any = value.dtype, value.shape, value.tobytes()
         elif kind is list and len(value) < MANY:
             found = kind, *map(self.of, value)
@@ -66,6 +77,11 @@ class Keys:
             found = kind, *self.named(value)
         elif kind is FunctionType:
             found = self._function(value)
+        elif is_table(value):
+            own = (getattr(value, name, None) for name in TABLE)
+            found = self.place(value), *map(self.of, own)
+        elif isinstance(value, control.InputOutputSystem):
+            found = self._system(value)
         else:
             raise Unkeyed
         return found if self.alike else (self.place(value), found)
@@ -78,6 +94,13 @@ class Keys:
         """Return where an object lies, which then lives as long as the key."""
         self.held.append(value)
         return id(value)
+
+    def _system(self, system: Any) -> Any:
+        """Return the key of one of python-control's own systems, as functions ask it."""
+        if not (type(system).__module__ or "").startswith("control."):
+            raise Unkeyed
+        own = {k: v for k, v in vars(system).items() if not k.endswith(("_labels", "_prefix"))}
+        return self.place(system), *self.named(own)
 
     def _function(self, function: FunctionType) -> Any:
         names = named(function.__code__)
@@ -104,7 +127,7 @@ def is_fixed(value: Any) -> bool:
     root = (getattr(value, "__module__", None) or "").partition(".")[0]
     return (
         type(value) in CALLED
-        and root in ("builtins", "math", "numpy")
+        and root in ("builtins", "math", "cmath", "numpy", "_warnings")
         and isinstance(getattr(value, "__self__", None), ModuleType | NoneType)
         and value.__name__ not in SEES
     )

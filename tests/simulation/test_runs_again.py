@@ -6,6 +6,7 @@ import types
 import control
 import numpy as np
 import pytest
+from scipy.interpolate import interp1d
 
 import clpt_control as clpt
 from clpt_control.diagrams.unchanged import key_of
@@ -174,3 +175,23 @@ def test_scenarios_run_again_alike():
     shorter = clpt.simulate(scenario, [0.0, 5.0], rtol=1e-6)
     assert shorter.sizes["time"] == 2
     assert clpt.simulate(scenario).identical(first)
+
+
+def test_a_table_or_a_system_that_a_function_asks_counts_as_it_is():
+    """What changes in SciPy's tables and python-control's systems counts at once."""
+    table = interp1d([0.0, 1.0, 2.0], [1.0, 1.0, 1.0])
+    inner = control.nlsys(
+        lambda t, x, u, params: [-params["a"] * x[0]], None,
+        inputs=0, outputs=1, states=1, params={"a": 1.0}, name="inner",
+    )  # fmt: skip
+
+    def rate(t, x, u, params):
+        return [inner.params["a"] * float(table(x[0]))]
+
+    plant = control.nlsys(rate, None, inputs=0, outputs=1, states=1, name="plant")
+    ends = [float(clpt.simulate(plant, [0.0, 1.0]).states[-1, 0])]
+    inner.params["a"] = 2.0
+    ends.append(float(clpt.simulate(plant, [0.0, 0.5]).states[-1, 0]))
+    table.y[:] = 3.0
+    ends.append(float(clpt.simulate(plant, [0.0, 0.1]).states[-1, 0]))
+    np.testing.assert_allclose(ends, [1.0, 1.0, 0.6], rtol=1e-9)
