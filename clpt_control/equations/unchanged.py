@@ -28,11 +28,6 @@ READ = ("open", "input", "load", "loadtxt", "genfromtxt", "fromfile", "memmap", 
 OPENED = ("globals", "vars", "eval", "exec", "compile", "__import__", "__dict__", "__globals__")
 SEES = frozenset((*READ, *OPENED))  # names by which a function reaches more than it names
 FIXED = {"math": math, "cmath": cmath, "numpy": np, "numpy.linalg": np.linalg}  # never changed
-    "math": math,
-    "cmath": cmath,
-    "numpy": np,
-    "numpy.linalg": np.linalg,
-}  # which nobody changes
 TABLE = ("x", "y", "c", "points", "values")  # what an interpolator is made of
 CALLED = (FunctionType, type(math.sin), type(np.sin), type(np.dot), type)
 
