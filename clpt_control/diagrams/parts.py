@@ -41,6 +41,10 @@ def sampled(
 
     `params` are those that a diagram hands down.
     """
+    if period is True:
+        raise DiagramError(
+            f"{part.name}: dt = True does not say how often it samples; give dt a number"
+        )
     if isinstance(part, Block):
         return Sampled(part, period)
     own = {**part.params, **(params or {})}

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arguments import public
 from ..errors import DiagramError
 from .block import Block
 from .declaration import parameters_of
@@ -35,15 +36,45 @@ def multiples(period: float, p: Any, t0: float, t1: float) -> np.ndarray:
     return times[(times > t0) & (times <= t1)]
 
 
+@public
 class Sampled(Block):
-    """A block that runs another, of discrete time, at each multiple of a period."""
+    """A block that runs another at each multiple of a period.
+
+    Its inputs are sampled there, its outputs are held between.
+
+    Parameters
+    ----------
+    inner : Block
+        One of continuous time moves by Euler's step, x += period * rate, as a controller on
+        board does; of discrete time, as `connect` makes it of ``control.ss(..., dt=)``, by its
+        own.
+    period : float
+        From one sample to the next; time 0 is one.
+
+    Raises
+    ------
+    DiagramError
+        If the block jumps by itself or has a guard, or the period is none.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
+    >>> (law,) = (b for b in clpt.paper_blocks(scenario) if b.name == "adaptation")
+    >>> run = clpt.simulate(scenario, law=clpt.equations.Sampled(law, 1.0))
+    >>> run.attrs["engine"]
+    'native'
+    """
 
     def __init__(self, inner: Block, period: float):
-        if period is True:
+        if not 0 < float(period) < np.inf:
+            raise DiagramError(f"{inner.name}: period = {period}: must be a positive time")
+        if inner.breakpoints_function is not None or inner.guard is not None:
             raise DiagramError(
-                f"{inner.name}: dt = True does not say how often it samples; give dt a number"
+                f"{inner.name}: has breakpoints or a guard of its own, so it cannot be sampled"
             )
         self.inner, self.period = inner, float(period)
+        self.stepped = inner.dt == 0  # its rates are taken for a period, as Euler does
         held = {HELD + port: shape for port, shape in inner.declared["inputs"].items()}
         states = {**inner.declared["states"], **held}
         super().__init__(
@@ -100,15 +131,18 @@ class Sampled(Block):
         own = (
             parameters_of({**inner.parameters._asdict(), **changed})
             if changed
-            else (inner.parameters)
+            else inner.parameters
         )
         states, held = x[: inner.nstates], x[inner.nstates :]
         if role == "output":
+            if inner.states_are_outputs:
+                return states
             return inner.values(role, size, p.interval * self.period, states, held, own)
         if not inner.nstates:
             return held
         before = (p.interval - 1.0) * self.period
-        return np.append(inner.values("update", inner.nstates, before, states, held, own), held)
+        new = inner.values("update", inner.nstates, before, states, held, own)
+        return np.append(new * self.period + states if self.stepped else new, held)
 
     def _read(self, role: str) -> Any:
         if role == "update":
@@ -120,15 +154,19 @@ class Sampled(Block):
             record = self._with_held(self.inner.array_record("update"), 1.0)
         else:
             record = Record((), (), ())
-        held = [
-            Operation("leaf", (), shape, ("x", HELD + port))
-            for port, shape in self.inner.declared["inputs"].items()
-        ]
-        first = len(record.operations)
-        lines = (*record.operations, *held)
-        outputs = (*record.outputs, *range(first, len(lines)))
-        shapes = (*record.shapes, *(one.shape for one in held))
-        return self._outside(Record(lines, outputs, shapes))
+        lines, outputs = list(record.operations), list(record.outputs)
+        ports = list(record.shapes)
+        for k, (port, shape) in enumerate(self.inner.declared["states"].items()):
+            if self.stepped:
+                lines.append(Operation("mul", (outputs[k], self.period), shape))
+                lines.append(Operation("leaf", (), shape, ("x", port)))
+                lines.append(Operation("add", (len(lines) - 2, len(lines) - 1), shape))
+                outputs[k], ports[k] = len(lines) - 1, shape
+        for port, shape in self.inner.declared["inputs"].items():
+            lines.append(Operation("leaf", (), shape, ("x", HELD + port)))
+            outputs.append(len(lines) - 1)
+            ports.append(shape)
+        return self._outside(Record(tuple(lines), tuple(outputs), tuple(ports)))
 
     def _with_held(self, record: Record, ago: float) -> Record:
         """Return a record of the inner block on what is held, at a sample or the one before."""

@@ -8,6 +8,7 @@ import pytest
 from scipy.linalg import expm
 
 import clpt_control as clpt
+from clpt_control.equations import Block, Sampled
 from clpt_control.errors import ClptError, DiagramError
 from clpt_control.native import readings
 
@@ -284,3 +285,91 @@ def test_an_ensemble_begins_with_what_is_held():
         changed = scenario.with_values({"learning.gain": float(many["learning.gain"][m])})
         one = clpt.simulate(changed, times, insert=own)
         np.testing.assert_allclose(many.alpha[m], one.alpha, atol=1e-8)
+
+
+def law_of(scenario):
+    return next(one for one in clpt.paper_blocks(scenario) if one.name == "adaptation")
+
+
+def held(t, x, u, p):
+    return {"alpha": p.alpha, "K": p.K, "Gamma": p.Gamma}
+
+
+@every_engine
+def test_the_law_of_the_paper_sampled_is_euler(engine):
+    """Run by hand: the loop with alpha, K and Gamma as constants, from one sample to the next."""
+    scenario = clpt.paper_scenario().with_values({"run.duration": 12})
+    own = law_of(scenario)
+    run = clpt.simulate(scenario, np.arange(13.0), law=Sampled(own, 1.0), engine=engine)
+    values = {"alpha": np.zeros((2, 3)), "K": np.zeros(2), "Gamma": np.zeros(2)}
+    constant = Block(
+        "adaptation",
+        output=held,
+        inputs={},
+        outputs={"alpha": (2, 3), "K": 2, "Gamma": 2},
+        parameters=values,
+    )
+    loop, state = clpt.closed_loop(scenario, law=constant), np.zeros(4)
+    for k in range(12):
+        given = {f"adaptation.{name}": value for name, value in values.items()}
+        piece = clpt.simulate(loop, [k, k + 1.0], initial_state=state, params=given)
+        np.testing.assert_allclose(run.alpha[k], values["alpha"], atol=1e-7)
+        np.testing.assert_allclose(run.position[k], piece.position[0], atol=1e-7)
+        fed = {"e": piece.clpe, "z": piece.predicted_position, "zc": piece.reference}
+        phi = clpt.state_at(run, float(k))[own.nstates + 4 + 2 :][:3]
+        u = np.concatenate([fed["e"][0], phi, fed["z"][0], fed["zc"][0]])
+        rate = own.dynamics(k, np.zeros(own.nstates), u)
+        for name, part in zip(values, (slice(6), slice(6, 8), slice(8, 10)), strict=True):
+            values[name] = values[name] + rate[part].reshape(values[name].shape)
+        state = clpt.state_at(piece, k + 1.0)
+
+
+def test_a_sampled_law_reads_alike_in_every_engine():
+    scenario = clpt.paper_scenario()
+    law = law_of(scenario)
+    loop = clpt.closed_loop(scenario, law=Sampled(law, 0.5))
+    x = np.random.default_rng(2).normal(size=loop.nstates)
+    jumped = {
+        name: ask.jump(3.2, x, []) for name, ask in readings(loop).items() if name != "control"
+    }
+    for name, found in jumped.items():
+        np.testing.assert_allclose(found, jumped["python"], rtol=1e-12, err_msg=name)
+    moved = x[4:14] + 0.5 * law.dynamics(0.0, x[4:14], x[14:])
+    np.testing.assert_allclose(jumped["python"][4:14], moved, rtol=1e-12)
+
+
+@pytest.mark.parametrize("period", [0.0, -1.0, np.inf])
+def test_a_period_that_is_none_is_refused(period):
+    with pytest.raises(DiagramError, match=r"adaptation: period = .*: must be a positive time"):
+        Sampled(law_of(clpt.paper_scenario()), period)
+
+
+def test_what_jumps_by_itself_is_not_sampled():
+    law = law_of(clpt.paper_scenario().with_values({"learning.law": "concurrent"}))
+    with pytest.raises(DiagramError, match="breakpoints or a guard"):
+        Sampled(law, 1.0)
+
+
+def drift(t, x, u, p):
+    return {"a": 1.0, "b": t * np.ones((2, 2)) * u.w[0]}
+
+
+@every_engine
+def test_euler_of_constant_rates_and_of_time(engine):
+    block = Block("drift", update=drift, inputs={"w": 1}, states={"a": 2, "b": (2, 2)})
+    loop = clpt.connect([Sampled(block, 0.5)], external="w")
+    times = np.arange(9) * 0.25
+    run = clpt.simulate(loop, times, 3.0, engine=engine)
+    k = np.floor(times / 0.5)
+    np.testing.assert_allclose(run["a"].values, np.outer(0.5 * k, [1, 1]), atol=1e-12)
+    sums = 3.0 * 0.25 * k * (k - 1) / 2
+    np.testing.assert_allclose(
+        run["b"].values.reshape(9, 4), np.outer(sums, np.ones(4)), atol=1e-12
+    )
+    found = {
+        n: ask.jump(1.2, np.arange(7.0), [2.0])
+        for n, ask in readings(loop).items()
+        if n != "control"
+    }
+    for values in found.values():
+        np.testing.assert_allclose(values, found["python"], rtol=1e-13)
