@@ -139,10 +139,10 @@ class Sampled(Block):
                 return states
             return inner.values(role, size, p.interval * self.period, states, held, own)
         if not inner.nstates:
-            return held
+            return np.array(u)
         before = (p.interval - 1.0) * self.period
         new = inner.values("update", inner.nstates, before, states, held, own)
-        return np.append(new * self.period + states if self.stepped else new, held)
+        return np.append(new * self.period + states if self.stepped else new, u)
 
     def _read(self, role: str) -> Any:
         if role == "update":
@@ -163,7 +163,7 @@ class Sampled(Block):
                 lines.append(Operation("add", (len(lines) - 2, len(lines) - 1), shape))
                 outputs[k], ports[k] = len(lines) - 1, shape
         for port, shape in self.inner.declared["inputs"].items():
-            lines.append(Operation("leaf", (), shape, ("x", HELD + port)))
+            lines.append(Operation("leaf", (), shape, ("u", port)))
             outputs.append(len(lines) - 1)
             ports.append(shape)
         return self._outside(Record(tuple(lines), tuple(outputs), tuple(ports)))

@@ -373,3 +373,11 @@ def test_euler_of_constant_rates_and_of_time(engine):
     }
     for values in found.values():
         np.testing.assert_allclose(values, found["python"], rtol=1e-13)
+
+
+def test_conformance_holds():
+    """By itself a block holds what it is given."""
+    loop = clpt.connect([error(), limited(), pid_of("w"), tanks()], external="r")
+    for block in loop.syslist[1:3]:
+        report = clpt.blocks.check_block(block)
+        assert not report.failures, report
