@@ -88,7 +88,7 @@ class NativeDiagram(PythonDiagram):
     def schedule(
         self, t0: float, t1: float, inputs: Inputs | None = None, breaks: Any = ()
     ) -> Schedule:
-        """Return the pieces of a run: they end where inputs bend, and at `breaks`."""
+        """Return the pieces of a run: they end at bends and `breaks`."""
         own = self.sweep, self.layout.intervals, self.layout.jumps
         if inputs is None or not self.wiring.ninputs:
             return make_schedule(*own, t0, t1, None, breaks)

@@ -52,7 +52,7 @@ class PythonDiagram:
     def schedule(
         self, t0: float, t1: float, inputs: Inputs | None = None, breaks: Any = ()
     ) -> Schedule:
-        """Return the pieces of a run: they end where inputs bend, and at `breaks`."""
+        """Return the pieces of a run: they end at bends and `breaks`."""
         kinks = None if inputs is None else inputs.kinks
         return make_schedule(self.sweep, {}, self._jumps, t0, t1, kinks)
 
