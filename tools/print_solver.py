@@ -23,7 +23,11 @@ from numba.core import types
 from numba.extending import intrinsic
 
 ROOT = Path(__file__).parents[1]
-SOURCES = ("clpt_control/native/solver.py", "tools/print_solver.py")
+SOURCES = (
+    "clpt_control/native/solver.py",
+    "clpt_control/native/linear_equations.py",
+    "tools/print_solver.py",
+)
 TEXT = ROOT / "clpt_control" / "native" / "solver.ll"
 OPTIONS: dict[str, Any] = {
     "nogil": True,
@@ -43,6 +47,8 @@ APART = (
     "leap",
     "keep",
     "cross",
+    "linearise",
+    "solve_stage",
 )
 # words that an older LLVM does not know
 NEWER = r" (?:#\d+|nuw|nneg|samesign|disjoint|immarg|writeonly|nocreateundeforpoison)\b"
@@ -79,7 +85,7 @@ def call_address(typingctx, address, t, X, first, P, T, W, D, to):
 
 def for_numba() -> ModuleType:
     """Return the solver's module with its functions for Numba to compile."""
-    spec = util.spec_from_file_location("clpt_control_solver", ROOT / SOURCES[0])
+    spec = util.spec_from_file_location("clpt_control.native.for_numba", ROOT / SOURCES[0])
     assert spec is not None
     assert spec.loader is not None
     module = util.module_from_spec(spec)
@@ -109,10 +115,11 @@ def arguments() -> dict[str, tuple]:
         (real(2), whole(2), whole(1)),  # lane
         (real(1),) * 5,  # arrays
     )
+    linear = (real(1), real(1), *(whole(1),) * 8)
     code, shape = whole(1), (1, 1, 1)
     states = (real(1), real(1), 1, whole(1), whole(1), real(2), *(real(1),) * 4, real(2))
     return {
-        "advance": (code, shape, real(1), *shared, 1, 1, 0, 0, 0, 0),
+        "advance": (code, shape, real(1), *shared, linear, 1, 1, 0, 0, 0, 0),
         "advance_fixed": (code, shape, 1.0, *shared, 0, 0, 0, 0),
         "signals_at": (code, *states),
     }

@@ -20,6 +20,7 @@ from ..native.discrete import begun
 from ..native.native_diagram import NativeDiagram
 from ..native.processor import LANES
 from ..native.schedule import Schedule, make_schedule
+from ..native.stiffness import finish
 from ..native.sweep import Sweep
 from ..scenario.experiment import Scenario, scenario_tables
 from ..scenario.keys import CALL_TIME_NAMES, JUMPS, STARTS, names_held
@@ -144,7 +145,7 @@ class Ensemble:
             members.group,
         )
         if step is None:
-            batch.adaptive(rtol, atol)
+            finish(batch, (rtol, atol), self.native.implicit)
         else:
             batch.fixed(step)
         return States(self.columns, batch.out, batch.status, batch.reached, batch.counts)

@@ -77,18 +77,21 @@ class Tape:
         place = self._known.get(key)
         if place is None:
             place = self._known[key] = len(self.operations)
-            self.operations.append(Operation(kind, tuple(arguments), shape, at))
-            own = [a for a in arguments if type(a) is int]
-            self.free.append(any(self.free[a] for a in own) or (kind == "leaf" and is_free(at)))
-            self.truth.append(
-                kind in CONDITIONS
-                or (
-                    kind in MOVED and len(own) == len(arguments) and all(self.truth[a] for a in own)
-                )
-            )
+            self.append(Operation(kind, tuple(arguments), shape, at))
             if place > MOST_OPERATIONS:
                 raise Unread(f"takes more than {MOST_OPERATIONS} operations")
         return Array(self, place, shape)
+
+    def append(self, operation: Operation) -> None:
+        """Write an operation down, also one that there is."""
+        kind, arguments, _, at = operation
+        self.operations.append(operation)
+        own = [a for a in arguments if type(a) is int]
+        self.free.append(any(self.free[a] for a in own) or (kind == "leaf" and is_free(at)))
+        self.truth.append(
+            kind in CONDITIONS
+            or (kind in MOVED and len(own) == len(arguments) and all(self.truth[a] for a in own))
+        )
 
     def question(self, ref: Any) -> Any:
         """Answer where Python asks a condition, numbers or a whole number."""

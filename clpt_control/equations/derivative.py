@@ -124,10 +124,12 @@ class Direction:
             return PAIRS[kind](*own, self.value(k), *slopes)
         if kind == "where":
             return _chosen(own[0], *slopes[1:])
-        if kind in ("sum", "view", "fill", "stack", "join"):
+        if kind in ("sum", "view", "fill", "stack", "join", "part"):
             refs = [self._argument(a, s) for a, s in zip(arguments, slopes, strict=True)]
             return self.tape.add(kind, refs, shape, at)
-        if kind == "pick" and slopes[1] is None:
+        if kind == "pick" and (slopes[1] is None or not self.smooth):
+            if slopes[0] is None:
+                return None
             return self.tape.add(
                 kind, [self._argument(arguments[0], slopes[0]), arguments[1]], shape
             )

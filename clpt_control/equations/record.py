@@ -69,7 +69,7 @@ def key_of(ref: Ref) -> Any:
     return (ref, copysign(1.0, ref)) if type(ref) is float else ref
 
 
-def reached(operations: Iterable[Operation], roots: Iterable[Ref]) -> set[int]:
+def reached(operations: Iterable[Any], roots: Iterable[Ref]) -> set[int]:
     """Return the values that roots depend on."""
     lines = operations if isinstance(operations, list | tuple) else list(operations)
     found: set[int] = set()

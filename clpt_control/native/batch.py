@@ -13,12 +13,14 @@ import numpy as np
 from ..errors import SimulationError
 from ..progress.interrupt import check
 from . import solver
+from .jacobian import EXPLICIT, Jacobian
 from .processor import LANES
 from .schedule import Schedule
 
 PAUSE = 0.05  # seconds of a call
 BEGIN = 40_000  # numbers, times tries, of the first call of machine code
 GRAIN = 0.01  # of atol: what decisions differ by counts beyond
+LATER = 64  # looks for stiffness until the next that counts, where a run was found not to be stiff
 MEMBER_STEPS = 5_000_000  # tries of a run among many
 
 
@@ -36,6 +38,7 @@ class Callee(NamedTuple):
     held: int = 0  # first place in P of what is decided
     decided: int = 0  # how many numbers are
     code: tuple = ()  # what must live for as long as addresses are used
+    linear: Jacobian = EXPLICIT  # of an implicit method
 
 
 class Batch:
@@ -45,6 +48,7 @@ class Batch:
     ``schedules[group[k]]`` or the first.  In the end `out` (m, nt, n) holds states, NaN
     where a run did not come, `status` how runs ended (`Status`), `reached` how many
     samples are done, and `counts` (m, 4) steps, evaluations, restarts, rejected steps.
+    No step is longer than `longest`; the first tried is `opening`, unless it is 0.
     """
 
     def __init__(
@@ -55,20 +59,24 @@ class Batch:
         times: np.ndarray,
         schedules: list[Schedule],
         group: np.ndarray | None = None,
+        longest: float = np.inf,
+        opening: float = 0.0,
     ):
         self.callee, self.times = callee, np.ascontiguousarray(times)
+        self.method = "Rodas5P" if len(callee.linear.slopes) else "DOP853"
         m, n = starts.shape
         lanes, size = callee.lanes, parameters.shape[1]
         self.shape = (lanes, n, size)
         group = np.zeros(m, dtype=np.int64) if group is None else group
         own = (starts, parameters, group)
         self.runs = tuple(map(np.ascontiguousarray, own))
-        self.schedule = _together(schedules)
+        self.pieces, self.schedule = schedules, _together(schedules)
         self.out = np.full((m, len(times), n), np.nan)
         self.status, self.reached = (np.zeros(m, dtype=np.int64) for _ in range(2))
         self.counts = np.zeros((m, 4), dtype=np.int64)
         self.results = self.out, self.status, self.reached, self.counts
         self.numbers = aligned(solver.NUMBERS * lanes).reshape(-1, lanes)
+        self.numbers[solver.LONGEST], self.numbers[solver.OPENING] = longest, opening
         whole = np.full((5, lanes), -1, dtype=np.int64)
         self.lane = self.numbers, whole, np.array([0, m, 0], dtype=np.int64)
         self.Z = aligned(solver.ROWS * n * lanes)
@@ -92,12 +100,14 @@ class Batch:
         watch: Callable[["Batch"], None] = lambda batch: None,
         most: int = MEMBER_STEPS,
         tries: int | None = None,
+        stiff: Callable[["Batch", int], bool] | None = None,
     ) -> None:
         """Run to the end with steps chosen by tolerance, a run for at most so many tries.
 
         `watch` is called between the solver's calls, each of so many `tries`, or of about `PAUSE`.
+        `stiff` is asked of lanes whose steps look so; the run of one that is ends as `STIFF`.
         """
-        tolerances = np.array([max(rtol, 2.3e-14), atol])
+        self.numbers[solver.STIFF_STEPS] = -np.inf if stiff is None else 0.0
         first = BEGIN // self.shape[1] if self.callee.solver is not solver else 0
         active, budget = 1, tries or max(64, first)
         if self.callee.decided:
@@ -105,29 +115,48 @@ class Batch:
         while active:
             check()
             begin = time.perf_counter()
-            with np.errstate(all="ignore"):
-                active = self.callee.solver.advance(
-                    self.callee.functions,
-                    self.shape,
-                    tolerances,
-                    *self._shared,
-                    budget,
-                    most,
-                    self.callee.guarded,
-                    self.callee.jumping,
-                    self.callee.held,
-                    self.callee.decided,
-                )
+            active = self.advance(rtol, atol, budget, most)
+            for k in np.flatnonzero(self.numbers[solver.STIFF_STEPS] >= solver.MANY):
+                self._look(int(k), stiff)
+                budget //= 4  # it was not used up
             if tries is None:
                 share = PAUSE / max(time.perf_counter() - begin, 1e-6)
                 budget = int(np.clip(budget * share, budget / 2 + 1, 4 * budget))
             watch(self)
+
+    def advance(self, rtol: float, atol: float, budget: int, most: int = MEMBER_STEPS) -> int:
+        """Take some steps in each lane; return how many lanes are at work."""
+        tolerances = np.array([max(rtol, 2.3e-14), atol])
+        with np.errstate(all="ignore"):
+            return self.callee.solver.advance(
+                self.callee.functions,
+                self.shape,
+                tolerances,
+                *self._shared,
+                tuple(self.callee.linear),
+                budget,
+                most,
+                self.callee.guarded,
+                self.callee.jumping,
+                self.callee.held,
+                self.callee.decided,
+            )
+
+    def _look(self, k: int, stiff: Any) -> None:
+        """End the run of a lane if it is stiff."""
+        self.numbers[solver.STIFF_STEPS, k] = -LATER
+        whole = self.lane[1]
+        m = int(whole[solver.MEMBER, k])
+        if m >= 0 and stiff(self, k):
+            self.status[m], self.reached[m] = solver.STIFF, whole[solver.DONE, k]
+            whole[solver.MEMBER, k] = -1
 
     def fixed(self, step: float) -> None:
         """Run to the end with steps of one length, of order 4."""
         if not step > 0:
             raise SimulationError(f"step = {step}: must be positive")
         check()
+        self.method = "RK4"
         with np.errstate(all="ignore"):
             self.callee.solver.advance_fixed(
                 self.callee.functions,
@@ -167,12 +196,14 @@ def _together(schedules: list[Schedule]) -> tuple[np.ndarray, ...]:
     return edges, ends, schedules[0].places, values, smooth
 
 
-def pace(most: int, span: float, started: float) -> Callable[[Batch], None]:
-    """Return a watch that gives up a run whose end, `span` later, is out of reach."""
-    looked = [0, started]
+def pace(most: int, begin: float, end: float) -> Callable[[Batch], None]:
+    """Return a watch that gives up a run whose end is out of reach."""
+    looked, span = [0, begin], end - begin
 
     def watch(batch: Batch) -> None:
         tries, now = int(batch.counts[0, 0] + batch.counts[0, 3]), batch.now
+        if tries < looked[0]:  # the rest of a run, by another method
+            looked[:] = [0, now]
         if tries - looked[0] < most // 500:
             return
         ahead = (now - looked[1]) / (tries - looked[0])
@@ -180,7 +211,7 @@ def pace(most: int, span: float, started: float) -> Callable[[Batch], None]:
             needed = span / ahead if ahead > 0 else np.inf
             raise SimulationError(
                 f"too many steps: {tries:,} by t = {now:.9g}, at which pace the run would take "
-                f"{needed:.0e}; the equations are stiff there: lower the gains, or loosen rtol and "
+                f"{needed:.0e}; rates change too fast there: lower the gains, or loosen rtol and "
                 "atol"
             )
         looked[:] = [tries, now]

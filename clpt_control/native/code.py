@@ -1,5 +1,6 @@
 """A diagram's machine code: made once a process for all diagrams of one structure."""
 
+from contextlib import suppress
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -7,12 +8,14 @@ from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
 from ..equations.block import Block
 from ..errors import DiagramError, Uncompiled
-from . import method
+from . import method, rosenbrock
 from .diagram_record import NAMED, SHORT, DiagramRecord
+from .jacobian import Jacobian, jacobian, reach_of
 from .layout import Layout
 from .machine import Machine
 from .object_code import one_at_a_time
 from .plan import Program, program_of
+from .slopes import slopes_of
 
 ROLES = ("update", "output", "guard", "jump")
 # how long an axis without and with a name is that loops; the others are there to be compared
@@ -30,10 +33,13 @@ class Structure(NamedTuple):
 
 
 class Code:
-    """The program of a structure, and its machine code once it is asked for."""
+    """The program of a structure, and its machine code once it is asked for.
 
-    def __init__(self, program: Program):
-        self.program = program
+    `linear` is what an implicit method needs of it.
+    """
+
+    def __init__(self, program: Program, linear: Jacobian | None = None):
+        self.program, self.linear = program, linear
         self._machines: dict[tuple[str, int], Machine] = {}
 
     def address(self, name: str, lanes: int) -> int:
@@ -46,7 +52,7 @@ class Code:
     def _make(self, name: str, lanes: int) -> None:
         if (name, lanes) in self._machines:  # another thread may have been first
             return
-        apart = name in ("margin", "jump", "decide")  # only some diagrams need them
+        apart = name in ("margin", "jump", "decide", "slope")  # only some diagrams need them
         together = (name,) if apart else ("derivative", "prepare", "signals")
 
         def printed() -> object:
@@ -58,11 +64,13 @@ class Code:
         self._machines.update({(one, lanes): made for one in together})
 
 
-def code_of(wiring: Wiring, layout: Layout, form: str | None = None) -> Code:
+def code_of(
+    wiring: Wiring, layout: Layout, form: str | None = None, implicit: bool = False
+) -> Code:
     """Return the code of a diagram, the same for diagrams of one structure.
 
-    Where `form` is not None, all axes are ``"unrolled"`` or ``"looped"``.  What cannot be
-    compiled is an `Uncompiled` error.
+    With `implicit` it is for an implicit method: rates have slopes.  Where `form` is not None, all
+    axes are ``"unrolled"`` or ``"looped"``.  What cannot be compiled is an `Uncompiled` error.
     """
     if form not in FORMS:
         raise DiagramError(f"form = {form!r}: must be 'unrolled' or 'looped', or left out")
@@ -83,7 +91,7 @@ def code_of(wiring: Wiring, layout: Layout, form: str | None = None) -> Code:
     own = ((node.system.feedthrough, node.system.kept) for node in wiring.nodes)
     order = (wiring.order, bool(wiring.dt), *own)
     structure = Structure(tuple(blocks), wires, order, layout.pattern, wiring.ninputs)
-    return _code(structure, form, _Hidden(wiring, layout))
+    return _code(structure, form, implicit, _Hidden(wiring, layout))
 
 
 class _Hidden:
@@ -102,23 +110,28 @@ class _Hidden:
 @lru_cache(maxsize=64)
 @one_at_a_time  # threads that ask at once are given the same code
 @lru_cache(maxsize=64)
-def _code(structure: Structure, form: str | None, hidden: _Hidden) -> Code:
+def _code(structure: Structure, form: str | None, implicit: bool, hidden: _Hidden) -> Code:
     wiring, layout = hidden.wiring, hidden.layout
     record = DiagramRecord(wiring, layout, *FORMS[form])
-    signals = wiring.nodes[-1].outputs.stop
-    return Code(program_of(record, signals, layout.inputs(wiring.ninputs)))
+    room = wiring.nodes[-1].outputs.stop, layout.inputs(wiring.ninputs)
+    if not implicit:
+        return Code(program_of(record, *room))
+    reach = reach_of(record, wiring.nodes[-1].states.stop)
+    with suppress(Unread, Uncompiled):  # rates are then differentiated by differences
+        return Code(program_of(record, *room, slopes_of(record, len(reach))), jacobian(reach, True))
+    return Code(program_of(record, *room), jacobian(reach, False))
 
 
 @lru_cache(maxsize=16)
 @one_at_a_time
 @lru_cache(maxsize=16)
-def kernels(n: int, lanes: int) -> Machine:
-    """Return the formulas of the method for n states as machine code."""
-    formulas = method.formulas(n)
+def kernels(n: int, lanes: int, implicit: bool = False) -> Machine:
+    """Return the formulas of a method for n states as machine code."""
+    formulas = (rosenbrock if implicit else method).formulas(n)
 
     def printed() -> object:
         from .kernels import print_formulas
 
         return print_formulas(formulas, n, lanes)
 
-    return Machine(formulas, f"formulas {n} {lanes}", printed)
+    return Machine(formulas, f"formulas {n} {lanes} {implicit}", printed)

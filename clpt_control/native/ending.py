@@ -41,13 +41,15 @@ class Status(IntEnum):
     LEFT = solver.LEFT, "a guard was left"
     TOO_MANY = (
         solver.TOO_MANY,
-        "too many steps: the equations are stiff; lower the gains, or loosen rtol and atol",
+        "too many steps: rates change much faster than the run is long; lower the gains, or loosen "
+        "rtol and atol",
     )
     CHATTERS = (
         solver.CHATTERS,
         "switches to and fro without going on; give the switch a hysteresis, a boundary layer "
         "(np.clip in place of np.sign), or sample it",
     )
+    STIFF = solver.STIFF, "left to an implicit method"
 
 
 @dataclass
@@ -56,7 +58,8 @@ class Solution:
 
     `status` is ``"finished"``, or ``"stopped"`` where a guard ended the run; `message` is a
     sentence on it, `statistics` the numbers of steps, evaluations and restarts, `engine` what ran:
-    ``"native"`` or ``"python"``; `pieces` are who ran, on which inputs, and the pieces of time.
+    ``"native"`` or ``"python"``; `method` is how, and from when by another one; `pieces` are who
+    ran, on which inputs, and the pieces of time.
     """
 
     t: np.ndarray
@@ -65,18 +68,37 @@ class Solution:
     message: str = Status.FINISHED.sentence
     statistics: dict[str, int] = field(default_factory=dict)
     engine: str = "python"
+    method: str = "none"
     pieces: tuple[Any, ...] = field(default=(None, None, None), repr=False, compare=False)
 
 
-def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
+def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None, rest: Batch | None) -> Solution:
     """Return the solution of a batch of one run, or raise what stopped it.
 
-    `sweep` evaluates the diagram in Python, with the parameters that ran.
+    `rest` is its rest by another method, and `sweep` evaluates the diagram in Python, with the
+    parameters that ran.
     """
+    found = _ended(sweep, rest or batch, inputs)
+    found.method = batch.method
+    if rest is not None:
+        done = len(batch.times) - len(rest.times) + 1
+        found.t = np.append(batch.times[:done], found.t[1:])
+        found.x = np.vstack([batch.out[0][:done], found.x[1:]])
+        found.statistics = _statistics(batch)
+        found.method += f", from t = {rest.times[0]:.9g} {rest.method}"
+    return found
+
+
+def _statistics(batch: Batch) -> dict[str, int]:
+    names = ("steps", "evaluations", "restarts")
+    return dict(zip(names, map(int, batch.counts[0]), strict=False))
+
+
+def _ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
+    """Return the solution of a batch of one run, or raise what stopped it."""
     status = Status(batch.status[0])  # type: ignore[call-arg]
     done = int(batch.reached[0])
-    names = ("steps", "evaluations", "restarts")
-    statistics = dict(zip(names, map(int, batch.counts[0]), strict=False))
+    statistics = _statistics(batch)
     times, states = batch.times, batch.out[0]
     engine = "python" if batch.callee.solver is solver else "native"
     if status is Status.FINISHED:

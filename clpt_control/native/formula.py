@@ -41,7 +41,7 @@ def _word(name: str, on_rows: Callable) -> Callable:
 joined = _word("fmuladd", lambda a, b, c: a * b + c)  # rounded once where the processor can
 where = _word("where", np.where)
 minimum, maximum = _word("minimum", np.minimum), _word("maximum", np.maximum)
-sqrt = _word("sqrt", np.sqrt)
+sqrt, power = _word("sqrt", np.sqrt), _word("pow", np.power)
 
 
 def on_rows(formula: Formula, n: int) -> Callable:

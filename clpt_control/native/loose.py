@@ -19,6 +19,7 @@ SHARP = 10.0  # a turn is sharp that is so many times as sharp as most
 FELT = 200.0  # and one that is so many tolerances of the input, off the line before it
 MOST = 100_000  # steps
 PAUSE = 50  # steps
+LATE, SHARE = 2_000, 0.05  # after so many steps a run that has come no further is left to others
 
 
 def loosely(
@@ -53,6 +54,10 @@ def loosely(
                 counts["steps"] += 1
                 if counts["steps"] % PAUSE == 0:
                     check()
+                    if counts["steps"] == LATE and run.t - wanted[0] < SHARE * (
+                        wanted[-1] - wanted[0]
+                    ):
+                        return None
                     if progress is not None:
                         progress(run.t)
                 reached = bisect_right(wanted, run.t)

@@ -34,7 +34,7 @@ class Machine:
 @cache
 def _printed_by() -> list[str]:
     """Return what LLVM's text of a program depends on beside the program."""
-    files = (*PRINTED_BY, "method", "machine")
+    files = (*PRINTED_BY, "method", "rosenbrock", "machine")
     texts = [Path(__file__).with_name(f"{name}.py").read_text("utf-8") for name in files]
     return [*texts, version("numpy")]
 

@@ -20,13 +20,17 @@ from .solver import (  # rows of Z
     FAILING,
     FRESH,
     GOOD,
+    LONGEST,
     NEW,
+    OPENING,
+    OTHER_STEPS,
     RATE,
     REJECTED,
     SIZE,
     STAGES,
     STATE,
     STEP,
+    STIFF_STEPS,
     TAKEN,
     TERMS,
     TIME,
@@ -79,11 +83,11 @@ def _stage(s: int) -> Formula:
     return Formula(ahead, lambda lane, sums: {AT: lane(TIME) + c * lane(TAKEN)})
 
 
-def _attempt() -> Formula:
+def attempt() -> Formula:
     """The step to try: not beyond the end of the piece, not below what time can tell."""
 
     def after(lane: Row, sums: Sequence[Any]) -> Rows:
-        t, h = lane(TIME), lane(STEP)
+        t, h = lane(TIME), minimum(lane(STEP), lane(LONGEST))
         smallest = 2.3e-15 * abs(t) + 1e-300
         enough = h >= smallest
         new = minimum(t + where(enough, h, smallest), lane(END))
@@ -124,7 +128,7 @@ def _judge(n: int) -> Formula:
     return Formula(each, after, 2)
 
 
-def _sizes(n: int) -> Formula:
+def sizes(n: int) -> Formula:
     """The length of a trial step, from the sizes of state and rate (row 2)."""
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
@@ -141,7 +145,7 @@ def _sizes(n: int) -> Formula:
     return Formula(each, after, 3)
 
 
-def _trial() -> Formula:
+def trial() -> Formula:
     """argument = x + h f, f in row 2."""
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
@@ -150,7 +154,7 @@ def _trial() -> Formula:
     return Formula(each)
 
 
-def _first(n: int) -> Formula:
+def first(n: int) -> Formula:
     """The first step, from how the rate bends over the trial step (row 3)."""
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
@@ -165,12 +169,13 @@ def _first(n: int) -> Formula:
         most = maximum(maximum(d1, d2), 1e-30)
         step = where(most <= 1e-15, maximum(1e-6, h * 1e-3), sqrt(sqrt(sqrt(0.01 / most))))
         step = minimum(minimum(100.0 * h, step), lane(END) - lane(TIME))
+        step = where(lane(OPENING) > 0.0, lane(OPENING), step)
         return {STEP: where(lane(FRESH) > 0.5, step, lane(STEP))}
 
     return Formula(each, after, 1)
 
 
-def _accept() -> Formula:
+def accept() -> Formula:
     """The new state and its rate, taken where the step is good."""
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
@@ -198,6 +203,32 @@ def _dense() -> Formula:
     return Formula(each)
 
 
+def _stiffness() -> Formula:
+    """Whether the step is stiff: rates change more than 6.1 times as fast as the states do.
+
+    Both are at its end, the new state and the argument of the last stage (Hairer's test); it
+    is forgotten after six steps that are not.
+    """
+    last = _table().A[STAGES - 1, : STAGES - 1]
+
+    def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
+        rates = z(RATE + STAGES) - z(RATE + STAGES - 1)
+        states = z(ARGUMENT) - joined(lane(TAKEN), _weighted(last, z), z(STATE))
+        return {}, (rates * rates, states * states)
+
+    def after(lane: Row, sums: Sequence[Any]) -> Rows:
+        h, before, calm = lane(TAKEN), lane(STIFF_STEPS), lane(OTHER_STEPS) + 1.0
+        stiff = h * h * sums[0] > 6.1 * 6.1 * sums[1]
+        others = where(calm > 5.5, minimum(before, 0.0), before)
+        found = where(before < 0.0, before + 1.0, where(stiff, before + 1.0, others))
+        return {
+            STIFF_STEPS: where(lane(GOOD) > 0.5, found, before),
+            OTHER_STEPS: where(stiff, 0.0, calm),
+        }
+
+    return Formula(each, after, 2)
+
+
 def _fixed(s: int) -> Formula:
     """Runge and Kutta's classical method of order 4: stages 1 to 3, then the new state."""
     if s == 4:
@@ -219,13 +250,14 @@ def _fixed(s: int) -> Formula:
 def formulas(n: int) -> dict[str, Formula]:
     """Return the formulas for n states, in the solver's order."""
     return {
-        "attempt": _attempt(),
+        "attempt": attempt(),
         "judge": _judge(n),
-        "sizes": _sizes(n),
-        "trial": _trial(),
-        "first": _first(n),
-        "accept": _accept(),
+        "sizes": sizes(n),
+        "trial": trial(),
+        "first": first(n),
+        "accept": accept(),
         "dense": _dense(),
         **{f"stage_{s}": _stage(s) for s in range(1, STAGES + 4)},
         **{f"fixed_{s}": _fixed(s) for s in range(1, 5)},
+        "stiffness": _stiffness(),
     }

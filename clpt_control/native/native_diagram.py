@@ -12,8 +12,9 @@ from ..diagrams.wiring import Wiring
 from ..equations.time_decides import decided_by_time, times_of_change
 from ..errors import SimulationError
 from .batch import Callee
-from .code import code_of, kernels
+from .code import Code, code_of, kernels
 from .inputs import Inputs
+from .jacobian import EXPLICIT, fresh
 from .layout import lay_out
 from .processor import LANES, fuses
 from .python_diagram import PythonDiagram
@@ -21,14 +22,7 @@ from .schedule import Schedule, make_schedule, with_inputs
 from .solver_cache import compiled_solver
 
 ABREAST = 256  # states of runs that are taken side by side; more do not fit the first cache
-FUNCTIONS = (
-    "derivative",
-    "prepare",
-    "margin",
-    "signals",
-    "jump",
-    "decide",
-)  # in the solver's order
+FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide", "slope")
 
 
 @public
@@ -76,14 +70,21 @@ class NativeDiagram(PythonDiagram):
     ):
         super().__init__(diagram, params)
         self.layout = lay_out(self.wiring, self.sweep.given)
-        self.code = code_of(self.wiring, self.layout, form)
+        self._form, self.code = form, code_of(self.wiring, self.layout, form)
         self.ramp = len(self.layout.P)  # place in P of the diagram's inputs
         self.held = self.layout.inputs(self.wiring.ninputs) + 1  # and of what is decided
 
-    def parameters(self) -> np.ndarray:
+    def parameters(self, implicit: bool = False) -> np.ndarray:
         """Return P, with room for inputs and for what is prepared."""
         P = self.layout.P
-        return np.append(P, np.zeros(self.code.program.parameters - len(P)))
+        return np.append(P, np.zeros(self._code(implicit).program.parameters - len(P)))
+
+    def _code(self, implicit: bool) -> Code:
+        return self._implicit if implicit else self.code
+
+    @cached_property
+    def _implicit(self) -> Code:
+        return code_of(self.wiring, self.layout, self._form, True)
 
     def schedule(
         self, t0: float, t1: float, inputs: Inputs | None = None, breaks: Any = ()
@@ -110,26 +111,31 @@ class NativeDiagram(PythonDiagram):
     def _decided_by_time(self) -> dict[str, list]:
         return {node.name: decided_by_time(node.system) for node in self.wiring.nodes}
 
-    def callee(self, lanes: int = 1, inputs: Inputs | None = None) -> Callee:
-        """Return what the solver calls."""
+    def callee(
+        self, lanes: int = 1, inputs: Inputs | None = None, implicit: bool = False
+    ) -> Callee:
+        """Return what the solver calls, of an implicit method or of the other."""
         guarded, jumping, n = int(self.sweep.guarded), int(bool(self.layout.jumps)), self.nstates
-        program = self.code.program
+        code = self._code(implicit)
+        program = code.program
         unused = {"margin": not guarded, "jump": not jumping, "decide": not program.decided}
-        own = [0 if unused.get(name) else self.code.address(name, lanes) for name in FUNCTIONS]
-        formulas = kernels(n, lanes) if n else None
+        unused["slope"] = "slope" not in program.functions
+        own = [0 if unused.get(name) else code.address(name, lanes) for name in FUNCTIONS]
+        formulas = kernels(n, lanes, implicit) if n else None
         more = formulas.addresses.values() if formulas else ()
         return Callee(
             compiled_solver(),
             np.array([*own, *more], dtype=np.int64),
             lanes,
             n,
-            self.code.program.room,
+            code.program.room,
             self.layout.T,
             guarded,
             jumping,
             self.held,
             program.decided,
-            (self.code, formulas),
+            (code, formulas),
+            EXPLICIT if code.linear is None else fresh(code.linear),
         )
 
     def lanes(self, count: int) -> int:

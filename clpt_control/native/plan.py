@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from .components import BOUND, CONDITIONS, LONG, Component, Components, Write, deep
 from .decisions import Decisions
-from .diagram_record import DiagramRecord
+from .diagram_record import DiagramRecord, Port
 from .joined_sums import JoinedSums
 
 LARGEST = 4096  # numbers of an array that is prepared
@@ -49,7 +49,8 @@ class Program(NamedTuple):
 
     derivative: D = dx/dt; signals: W = all block outputs; margin: D[0] = least distance to a
     guard's edge; jump: D = states after the jumps that P asks for, empty without any; decide: D =
-    what is decided, and what of it a step has passed (`decisions`).
+    what is decided, and what of it a step has passed (`decisions`); slope, in some: D = df/dx v +
+    df/dt s, where v and s lie behind the states.
     """
 
     components: tuple[Component, ...]
@@ -268,8 +269,13 @@ def rows(lengths: tuple[int, ...]) -> tuple[int, ...]:
     return tuple(prod(lengths[k + 1 :]) for k in range(len(lengths)))
 
 
-def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
-    """Return the program of a diagram: W has so much room for signals, P for what is given."""
+def program_of(
+    record: DiagramRecord, room: int, prepared: int, slopes: list[Port] | None = None
+) -> Program:
+    """Return the program of a diagram: W has so much room for signals, P for what is given.
+
+    With `slopes`, of the rates along a direction, it has the function `slope`, which writes them.
+    """
     made = Components(record, room, prepared + (1 + record.decided if record.decided else 0))
     with deep():
         writes = {
@@ -279,6 +285,8 @@ def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
             "jump": _written(made, record.leaps, "D") if record.layout.jumps else [],
             "decide": _decided(made, record.decisions, record.decided),
         }
+        if slopes is not None:
+            writes["slope"] = _written(made, slopes, "D")
     deciding = tuple((d.first, d.of) for d in record.decisions.now if record.decided)
     return Planner(made).program(writes, record.decided, deciding)
 

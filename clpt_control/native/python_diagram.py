@@ -4,6 +4,7 @@ The solver is the one that machine code runs with.
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import control
@@ -12,15 +13,20 @@ import numpy as np
 from ..diagrams.interconnection import changed_parameters
 from ..diagrams.wiring import Wiring, read_anew, wiring_of
 from ..errors import SimulationError
-from . import method, solver
+from . import method as dop853
+from . import rosenbrock, solver
 from .batch import Batch, Callee, pace
 from .discrete import begun, iterated
 from .ending import Solution, ended
 from .formula import on_rows
 from .inputs import Inputs, checked_state, checked_times, numbers, read_inputs
+from .jacobian import fresh, jacobian
 from .loose import LOOSE, loosely
 from .schedule import BEGINS, JUMPS, Schedule, make_schedule
+from .stiffness import checked_method, finish
 from .sweep import Sweep, first_not_finite
+
+FREE = (np.inf, 0.0)  # no longest step, nor a first one
 
 
 class PythonDiagram:
@@ -45,7 +51,7 @@ class PythonDiagram:
 
     # --- what machine code does otherwise -------------------------------------------------
 
-    def parameters(self) -> np.ndarray:
+    def parameters(self, implicit: bool = False) -> np.ndarray:
         """Return P, which the solver carries; in Python it says which blocks jump."""
         return np.zeros(len(self._jumps))
 
@@ -56,8 +62,10 @@ class PythonDiagram:
         kinks = None if inputs is None else inputs.kinks
         return make_schedule(self.sweep, {}, self._jumps, t0, t1, kinks)
 
-    def callee(self, lanes: int = 1, inputs: Inputs | None = None) -> Callee:
-        """Return what the solver calls."""
+    def callee(
+        self, lanes: int = 1, inputs: Inputs | None = None, implicit: bool = False
+    ) -> Callee:
+        """Return what the solver calls, of an implicit method or of the other."""
         n, sweep = self.nstates, self.sweep
 
         def u(t: np.ndarray) -> np.ndarray | None:
@@ -82,10 +90,17 @@ class PythonDiagram:
             )
             D[to : to + n] = sweep.leap(t[0], X[first : first + n], u(t), jumping, beginning)
 
-        formulas = [on_rows(f, n) for f in method.formulas(n).values()] if n else []
-        functions = [derivative, prepare, margin, signals, jump, None, *formulas]
+        own = (rosenbrock if implicit else dop853).formulas(n) if n else {}
+        formulas = [on_rows(f, n) for f in own.values()]
+        functions = [derivative, prepare, margin, signals, jump, None, None, *formulas]
         guarded, jumping = int(sweep.guarded), int(bool(self._jumps))
-        return Callee(solver, functions, 1, n, self.nsignals, np.zeros(0), guarded, jumping)
+        made = Callee(solver, functions, 1, n, self.nsignals, np.zeros(0), guarded, jumping)
+        every = np.ones((n, n + 1), dtype=bool)
+        return made._replace(linear=fresh(jacobian(every, False))) if implicit else made
+
+    def implicit(self, inputs: Inputs | None = None) -> tuple[Callee, int]:
+        """Return what the solver calls of an implicit method, and the length of P."""
+        return self.callee(1, inputs, True), len(self.parameters(True))
 
     # --- runs -----------------------------------------------------------------------------
 
@@ -99,6 +114,9 @@ class PythonDiagram:
         inputs: Any = None,
         progress: Callable[[float], None] | None = None,
         step: float | None = None,
+        method: str | None = None,
+        max_step: float = np.inf,
+        first_step: float | None = None,
     ) -> Solution:
         """Integrate from the first to the last of the times.
 
@@ -118,6 +136,11 @@ class PythonDiagram:
             A fixed step: Runge and Kutta's classical method of order 4 in
             place of DOP853, without tolerances and progress; steps end at
             every breakpoint and sample.
+        method : str, optional
+            ``"dop853"``, explicit, of order 8; ``"rodas5p"``, for stiff equations, of order 5; or
+            ``"auto"``, as without: DOP853, and Rodas5P from where the equations are stiff.
+        max_step, first_step : float, optional
+            The longest step, and the first that is tried.
 
         Returns
         -------
@@ -131,7 +154,8 @@ class PythonDiagram:
             step becomes too small, the end is out of reach, or a guard with
             the policy ``"raise"`` is crossed.
         """
-        tolerances = _tolerances(step, rtol, atol)
+        tolerances, limits = _tolerances(step, rtol, atol), _limits(step, max_step, first_step)
+        method = checked_method(method, step)
         if step is not None and progress is not None:
             raise SimulationError("step and progress: a fixed step reports none; leave one out")
         times, start = checked_times("times", times), checked_state("x0", x0, (self.nstates,))
@@ -141,41 +165,46 @@ class PythonDiagram:
         if not self.nstates:
             return Solution(times, np.zeros((len(times), 0)), engine=self.engine)
         if self.wiring.dt:
-            if (step, rtol, atol) != (None, None, None):
+            if (step, rtol, atol) != (None, None, None) or limits != FREE or method != "auto":
                 raise SimulationError(
-                    "step, rtol and atol: a diagram of discrete time has none; leave them out"
+                    "step, max_step, first_step, method, rtol and atol: a diagram of discrete time "
+                    "has none; leave them out"
                 )
             return iterated(self, start, times, inputs, progress)
-        if step is None and tolerances[0] >= LOOSE:
+        if method == "auto" and limits == FREE and step is None and tolerances[0] >= LOOSE:
             found = self._loosely(start, times, tolerances, inputs, progress)
             if found is not None:
                 return found
-        P, pieces = self.parameters()[None], [self.schedule(t0, t1, inputs, self.breaks(t0, t1))]
-        callee = self.callee(1, inputs)
-        start = begun(callee, start, t0, pieces[0], P[0])
-        made = Batch(callee, start[None], P, times, pieces)
+        by_rodas = method == "rodas5p"
+        pieces = self.schedule(t0, t1, inputs, self.breaks(t0, t1))
+        callee, P = self.callee(1, inputs, by_rodas), self.parameters(by_rodas)[None]
+        start = begun(callee, start, t0, pieces, P[0])
+        made = Batch(callee, start[None], P, times, [pieces], None, *limits)
         if step is not None:
             made.fixed(step)
-            return self._ended(made, inputs, pieces[0])
-        keeps_pace = pace(self.most, t1 - t0, t0)
+            return self._ended(made, inputs, pieces)
+        keeps_pace = pace(self.most, t0, t1)
 
         def watch(batch: Batch) -> None:
             if progress is not None:
                 progress(batch.now)
             keeps_pace(batch)
 
-        made.adaptive(*tolerances, watch, self.most)
-        return self._ended(made, inputs, pieces[0])
+        auto = partial(self.implicit, inputs) if method == "auto" else None
+        rest = finish(made, tolerances, auto, watch, self.most)
+        return self._ended(made, inputs, pieces, rest.get(0))
 
     def _loosely(self, start: np.ndarray, times: np.ndarray, *given: Any) -> Solution | None:
         """Run at loose tolerances in Python what neither jumps nor has a guard."""
         if self.engine == "native" or self._jumps or self.sweep.guarded:
             return None
         made = loosely(self.sweep, start, times, *given)
-        return made and Solution(times, made[0], statistics=made[1])
+        return made and Solution(times, made[0], statistics=made[1], method="RK45")
 
-    def _ended(self, batch: Batch, inputs: Inputs | None, pieces: Schedule) -> Solution:
-        found = ended(self.sweep, batch, inputs)
+    def _ended(
+        self, batch: Batch, inputs: Inputs | None, pieces: Schedule, rest: Batch | None = None
+    ) -> Solution:
+        found = ended(self.sweep, batch, inputs, rest)
         found.pieces = self, inputs, pieces
         return found
 
@@ -279,6 +308,18 @@ class PythonDiagram:
             out,
         )
         return out
+
+
+def _limits(step: float | None, longest: float, opening: float | None) -> tuple[float, float]:
+    """Return the longest step, and the first or 0; refuse what is none, and both beside `step`."""
+    for name, value in (("max_step", longest), ("first_step", opening)):
+        if value is None or (name == "max_step" and value == np.inf):
+            continue
+        if step is not None:
+            raise SimulationError(f"step and {name}: a fixed step is what it is; leave one out")
+        if numbers(name, value).ndim or not numbers(name, value) > 0.0:
+            raise SimulationError(f"{name} = {value}: must be a number above 0")
+    return float(longest), 0.0 if opening is None else float(opening)
 
 
 def _tolerances(step: float | None, rtol: float | None, atol: float | None) -> tuple[float, float]:

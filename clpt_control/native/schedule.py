@@ -25,6 +25,13 @@ class Schedule(NamedTuple):
     smooth: np.ndarray  # (n + 1,): whether rates do not jump where a piece begins
     begins: bool = False  # whether blocks sample where the run begins
 
+    def after(self, t: float) -> "Schedule":
+        """Return the pieces from a time on."""
+        k = int(np.searchsorted(self.edges, t, side="right"))
+        smooth = self.smooth[k:].copy()
+        smooth[:1] = False
+        return Schedule(self.edges[k:], self.places, self.values[k:], smooth)
+
 
 def make_schedule(
     sweep: Sweep,

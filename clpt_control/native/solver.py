@@ -20,31 +20,46 @@ All numbers are computed through `call`, by the diagram's functions and the form
     lane      of each lane: numbers (rows TIME ...), whole numbers (rows MEMBER ...);
               then the queue: next run, the one behind the last, ANEW or ON if a lane begins a piece
     arrays    Z (states and stages), P, T, W and D, as the functions take them
+    linear    of an implicit method, which takes one run at a time (all empty without):
+              df/dx and the factors of I/(h g) - df/dx, column by column; pivots; the place
+              of each state in the matrix; the group of each state, then of time, or -1; where
+              the elements of each group begin; of each element its row, its column and its place
+              in df/dx; how many diagonals lie below and above, and whether there is `slope`
 
 Number i of row r of Z in lane k lies at (r n + i) lanes + k.
 """
 
 import math
 
-RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT, TOO_MANY, CHATTERS = range(7)  # how a run ended
+from .linear_equations import factor, solve
+
+# how a run ended; STIFF: left to an implicit method, from where it is
+RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT, TOO_MANY, CHATTERS, STIFF = range(8)
 # rows of Z: the state, rates of stages 0 to 15, argument of a stage, terms between samples
 STATE, RATE, ARGUMENT, TERMS, ROWS = 0, 1, 17, 18, 25
 STAGES = 12  # a step; three more for what lies within it
+# of an implicit method: its stages begin at SOLVED, then what each is solved for has beside its
+# rate, df/dt, and room
+SOLVED, KNOWN, OVER_TIME, ROOM, IMPLICIT_STAGES = 2, 10, 11, 12, 9
 TIME, STEP, END, FRESH, REJECTED, GOOD, TAKEN, NEW, AT, FAILING, SIZE, TROUBLE = range(12)
 KINK, LOW, HIGH, LAST = range(12, 16)  # of a decision that a step has passed (`decisions`)
-NUMBERS = 16  # rows of numbers
+LONGEST, OPENING, STIFF_STEPS, OTHER_STEPS, DIAGONAL, WANTED = range(16, 22)
+NUMBERS = 22  # rows of numbers
 MEMBER, EDGE, DONE, BURST, WHICH = range(5)  # rows of whole numbers
 STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of the counts
 # places of `code`: the diagram's functions, then the formulas; stage s stands at STAGE + s
-DERIVATIVE, PREPARE, MARGIN, SIGNALS, JUMP, DECIDE = range(6)
-ATTEMPT, JUDGE, SIZES, TRIAL, FIRST, ACCEPT, DENSE = range(6, 13)
-STAGE, FIXED = 12, 27
+DERIVATIVE, PREPARE, MARGIN, SIGNALS, JUMP, DECIDE, SLOPE = range(7)
+ATTEMPT, JUDGE, SIZES, TRIAL, FIRST, ACCEPT, DENSE = range(7, 14)
+STAGE, FIXED, STIFFNESS = 13, 28, 33
 ANEW, ON = 1, 2  # a piece begins with rates and a step of its own, or goes on with those there are
 OUTSIDE = 1e-9  # grid steps beyond the edge that count as outside
 LOOKS = 16  # places within a step at which guards are looked at
 PASSED, CROSSED = 1.0, 2.0  # a step goes beyond a kink; it ends right behind it
 HALVINGS, RESOLVED = 50, 1e-12  # of a step; how close to a kink one ends, of the step or the time
 MOST_KINKS, NEAR = 1000, 1e-7  # one upon the other, within that share of a run
+# steps from one look for stiffness to the next, of those that show it, and ahead for it to matter
+OFTEN, MANY, AHEAD = 128, 15, 5_000
+APART = 6e-6  # of the size of a state, for differences of rates: the third root of a rounding
 
 
 def call(function, t, X, first, P, T, W, D, to):
@@ -62,6 +77,7 @@ def advance(
     results,
     lane,
     arrays,
+    linear,
     budget,
     most,
     guarded,
@@ -72,12 +88,15 @@ def advance(
     """Take at most `budget` steps in every lane; return how many lanes are at work.
 
     A run that has taken `most` tries is given up; guards are watched if `guarded`, states jump
-    if `jumping`; so many numbers are `decided`, kept in P from the place `held` on.
+    if `jumping`; so many numbers are `decided`, kept in P from the place `held` on.  Where a lane
+    is found to be stiff, no more are taken.
     """
     lanes, n, _ = shape
     (_, status, reached, counts), (numbers, whole, queue) = results, lane
     Z, P, T, W, D = arrays
     span, now, at = n * lanes, numbers[TIME], numbers[AT]
+    implicit = len(linear[0]) > 0
+    stages = IMPLICIT_STAGES if implicit else STAGES
     active = start(shape, runs, schedule, times, results, lane, Z, P)
     while active > 0 and budget > 0:
         budget -= 1
@@ -98,16 +117,23 @@ def advance(
             call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + 2) * span)
             call(code[FIRST], numbers, Z, 0, P, tolerances, W, D, 0)
             begin(lanes, results, lane, D, guarded)
+        if implicit:  # it ends a step at a sample: between ends it is not as exact
+            done = whole[DONE, 0]
+            numbers[WANTED, 0] = times[done] if done < len(times) else math.inf
         call(code[ATTEMPT], numbers, Z, 0, P, T, W, D, 0)
-        for s in range(1, STAGES):
+        if implicit:
+            linearise(code, n, tolerances, numbers, linear, arrays)
+        for s in range(1, stages):
             call(code[STAGE + s], numbers, Z, 0, P, T, W, D, 0)
             call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + s) * span)
+            if implicit:
+                solve_stage(n, s, linear, Z)
         call(code[JUDGE], numbers, Z, 0, P, tolerances, W, D, 0)
-        good, wanted, within = False, False, False
+        good, wanted, within, doubted = False, False, False, False
         for k in range(lanes):
             m, done = whole[MEMBER, k], whole[DONE, k]
             if m >= 0:
-                counts[m, EVALUATIONS] += STAGES - 1
+                counts[m, EVALUATIONS] += stages - 1
                 if numbers[FAILING, k] > 0.5:
                     fail(status, whole, k, TOO_SMALL)
                 if numbers[GOOD, k] < 0.5:
@@ -116,27 +142,33 @@ def advance(
                     good, within = True, within or guarded > 0
                     counts[m, STEPS] += 1
                     counts[m, EVALUATIONS] += 1
+                    doubted = (
+                        doubted or counts[m, STEPS] % OFTEN == 0 or numbers[STIFF_STEPS, k] > 0
+                    )
                     if done < len(times) and times[done] <= numbers[NEW, k]:
                         wanted = True
                         within = within or times[done] < numbers[NEW, k]
         if good:
             call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + STAGES) * span)
+        if doubted and not implicit:
+            call(code[STIFFNESS], numbers, Z, 0, P, T, W, D, 0)
         beyond = False
         if decided > 0 and good:
             call(code[DECIDE], at, Z, ARGUMENT * span, P, T, W, D, 0)
             beyond = passes(lanes, decided, numbers, whole, D)
         if within or beyond:
-            for s in range(STAGES + 1, STAGES + 4):
-                call(code[STAGE + s], numbers, Z, 0, P, T, W, D, 0)
-                call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + s) * span)
-            call(code[STAGE + STAGES], numbers, Z, 0, P, T, W, D, 0)
+            if not implicit:
+                for s in range(STAGES + 1, STAGES + 4):
+                    call(code[STAGE + s], numbers, Z, 0, P, T, W, D, 0)
+                    call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + s) * span)
+                call(code[STAGE + STAGES], numbers, Z, 0, P, T, W, D, 0)
             call(code[DENSE], numbers, Z, 0, P, T, W, D, 0)
             if beyond:
                 cross(code, shape, decided, results, lane, arrays)
             if guarded:
                 watch(code, shape, results, lane, arrays)
         if wanted or within:
-            sample(shape, times, results, lane, Z, within)
+            sample(shape, times, results, lane, Z, 3 if within and not implicit else 0)
         call(code[ACCEPT], numbers, Z, 0, P, T, W, D, 0)
         if beyond:
             decide_anew(lanes, times, status, lane)
@@ -156,6 +188,11 @@ def advance(
                 whole[MEMBER, k] = -1
                 active -= 1
                 active += take(k, shape, runs, schedule, times, results, lane, Z, P)
+            elif numbers[STIFF_STEPS, k] >= MANY:
+                if times[len(times) - 1] - numbers[TIME, k] > AHEAD * numbers[STEP, k]:
+                    budget = 0
+                else:
+                    numbers[STIFF_STEPS, k] = 0.0
     return active
 
 
@@ -289,6 +326,8 @@ def take(k, shape, runs, schedule, times, results, lane, Z, P):
     numbers[TIME, k], numbers[END, k], numbers[STEP, k] = times[0], edges[group[m], 0], 0.0
     numbers[FRESH, k], numbers[REJECTED, k] = 1.0, 0.0
     numbers[LAST, k], whole[BURST, k] = -math.inf, 0
+    if numbers[STIFF_STEPS, k] > -math.inf:
+        numbers[STIFF_STEPS, k] = 0.0
     return 1
 
 
@@ -306,7 +345,7 @@ def begin(lanes, results, lane, D, guarded):
     (_, status, _, counts), (numbers, whole, _) = results, lane
     for k in range(lanes):
         if numbers[FRESH, k] > 0.5:
-            numbers[FRESH, k], numbers[REJECTED, k] = 0.0, 0.0
+            numbers[FRESH, k], numbers[REJECTED, k], numbers[OPENING, k] = 0.0, 0.0, 0.0
             counts[whole[MEMBER, k], EVALUATIONS] += 2
             counts[whole[MEMBER, k], RESTARTS] += 1
             if numbers[TROUBLE, k] != 0.0:
@@ -395,16 +434,15 @@ def between(Z, n, lanes, k, i, share):
     return y + Z[i * lanes + k]
 
 
-def sample(shape, times, results, lane, Z, within):
-    """Write the states at times within the step, or at its end alone."""
+def sample(shape, times, results, lane, Z, more):
+    """Write the states at times within the step; so many more evaluations were made for them."""
     lanes, n, _ = shape
     (out, status, _, counts), (numbers, whole, _) = results, lane
     for k in range(lanes):
         m, done = whole[MEMBER, k], whole[DONE, k]
         if m < 0 or numbers[GOOD, k] < 0.5 or status[m] != RUNNING:
             continue
-        if within:
-            counts[m, EVALUATIONS] += 3
+        counts[m, EVALUATIONS] += more
         t, h, new = numbers[TIME, k], numbers[TAKEN, k], numbers[NEW, k]
         while done < len(times) and times[done] <= new:
             for i in range(n):
@@ -431,6 +469,88 @@ def watch(code, shape, results, lane, arrays):
             if numbers[GOOD, k] > 0.5 and D[k] < -OUTSIDE:
                 fail(status, whole, k, LEFT)
                 numbers[GOOD, k] = 0.0
+
+
+# --- what an implicit method solves ---------------------------------------------------------
+
+
+def linearise(code, n, tolerances, numbers, linear, arrays):
+    """Factor I/(h g) - df/dx for the step to try; df/dx stays as it is after a rejected step."""
+    slopes, M, pivots, _, _, _, _, _, _, band = linear
+    if numbers[REJECTED, 0] < 0.5:
+        differentiate(code, n, tolerances, numbers, linear, arrays)
+    low, high = band[0], band[1]
+    for j in range(n):
+        for i in range(max(0, j - low - high), min(n, j + low + 1)):
+            M[j * n + i] = -slopes[j * n + i]
+        M[j * n + j] += numbers[DIAGONAL, 0]
+    factor(n, low, high, M, pivots)
+
+
+def differentiate(code, n, tolerances, numbers, linear, arrays):
+    """Bring df/dx and df/dt up to date: states whose rates have nothing in common go together."""
+    slopes, _, _, _, groups, begins, rows, columns, to, band = linear
+    Z, P, T, W, _ = arrays
+    for i in range(n):
+        Z[ARGUMENT * n + i] = Z[i]
+        Z[OVER_TIME * n + i] = 0.0
+    for group in range(len(begins) - 1):
+        found = band[2] > 0
+        if found:
+            for j in range(n + 1):
+                Z[TERMS * n + j] = 1.0 if groups[j] == group else 0.0
+            call(code[SLOPE], numbers[TIME], Z, ARGUMENT * n, P, T, W, Z, ROOM * n)
+            for e in range(begins[group], begins[group + 1]):
+                found = found and Z[ROOM * n + rows[e]] - Z[ROOM * n + rows[e]] == 0.0
+        if not found:
+            by_differences(code, n, group, tolerances, numbers, groups, arrays)
+        for e in range(begins[group], begins[group + 1]):
+            slope = Z[ROOM * n + rows[e]]
+            if not found:
+                slope /= Z[TERMS * n + columns[e]]
+                slope = slope if slope - slope == 0.0 else 0.0
+            if columns[e] == n:
+                Z[OVER_TIME * n + rows[e]] = slope
+            else:
+                slopes[to[e]] = slope
+
+
+def by_differences(code, n, group, tolerances, numbers, groups, arrays):
+    """Write into ROOM by how much rates change over a group's own changes, those into TERMS."""
+    Z, P, T, W, D = arrays
+    least = tolerances[1] / tolerances[0]  # a smaller state is as good as zero
+    for j in range(n):
+        size = max(abs(Z[j]), least)
+        Z[TERMS * n + j] = 2.0 * APART * (size if size > 0.0 else 1.0)
+    Z[TERMS * n + n] = 1e-3 * numbers[TAKEN, 0]
+    for side in range(2):
+        half = 0.5 - side
+        for j in range(n):
+            moved = half * Z[TERMS * n + j] if groups[j] == group else 0.0
+            Z[ARGUMENT * n + j] = Z[j] + moved
+        moved = half * Z[TERMS * n + n] if groups[n] == group else 0.0
+        numbers[AT, 0] = numbers[TIME, 0] + moved
+        if side == 0:
+            call(code[DERIVATIVE], numbers[AT], Z, ARGUMENT * n, P, T, W, Z, ROOM * n)
+        else:
+            call(code[DERIVATIVE], numbers[AT], Z, ARGUMENT * n, P, T, W, D, 0)
+    for i in range(n):
+        Z[ARGUMENT * n + i] = Z[i]
+        ahead, behind, here = Z[ROOM * n + i], D[i], Z[RATE * n + i]
+        if behind - behind == 0.0:
+            Z[ROOM * n + i] = ahead - behind
+        else:  # beyond an edge, as that of a root
+            Z[ROOM * n + i] = 2.0 * (ahead - here)
+
+
+def solve_stage(n, s, linear, Z):
+    """Put the solution of a stage in the place of its rate."""
+    _, M, pivots, places, _, _, _, _, _, band = linear
+    for i in range(n):
+        Z[ARGUMENT * n + places[i]] = Z[(RATE + s) * n + i] + Z[KNOWN * n + i]
+    solve(n, band[0], band[1], M, pivots, Z, ARGUMENT * n)
+    for i in range(n):
+        Z[(RATE + s) * n + i] = Z[ARGUMENT * n + places[i]]
 
 
 # --- steps of one length, and signals -------------------------------------------------------

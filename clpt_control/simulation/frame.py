@@ -122,6 +122,7 @@ def how_it_ran(solution: Solution) -> dict[str, Any]:
         "status": solution.status,
         "message": solution.message,
         "engine": solution.engine,
+        "method": solution.method,
         **{f"solver_{name}": value for name, value in solution.statistics.items()},
     }
 

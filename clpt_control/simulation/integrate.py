@@ -42,6 +42,9 @@ def simulate(
     progress: Progress | None = None,
     engine: str | None = None,
     stop: Callable[[float, Any, Any], Any] | None = None,
+    method: str | None = None,
+    max_step: float = np.inf,
+    first_step: float | None = None,
     law: Block | Part | None = None,
     replace: Mapping[str, Any] | None = None,
     insert: Mapping[Any, Any] | None = None,
@@ -76,6 +79,13 @@ def simulate(
     stop : callable, optional
         For a diagram: ``stop(t, y, u)``, a number of its outputs y and inputs u; the run ends where
         it falls to 0.
+    method : str, optional
+        ``"dop853"``, explicit, of order 8; ``"rodas5p"``, for stiff equations, of order 5; or
+        ``"auto"``, as without: DOP853, and Rodas5P from where the equations are stiff. The
+        attribute ``method`` says what ran, and from when.
+    max_step, first_step : float, optional
+        The longest step, and the first that is tried. What happens for a short time and is not
+        announced, such as a pulse of an input by a function, may lie within a step.
     law, replace, insert : optional
         For a scenario: parts of your own in its diagram, as in `closed_loop`.
 
@@ -104,6 +114,7 @@ def simulate(
     >>> float(run.clpe[-1, 0].round(3)), run.attrs["status"]
     (0.027, 'finished')
     """
+    how = {"method": method, "max_step": max_step, "first_step": first_step}
     if not isinstance(system, Scenario | Team):
         if law is not None:
             raise SimulationError("law: is for a scenario; a diagram has its law among its blocks")
@@ -112,7 +123,7 @@ def simulate(
                 "replace and insert: are for a scenario; give them to closed_loop, which wires the "
                 "diagram"
             )
-        given: dict[str, Any] = {"rtol": rtol, "atol": atol, "progress": progress}
+        given: dict[str, Any] = {"rtol": rtol, "atol": atol, "progress": progress, **how}
         return simulate_diagram(
             system, timepts, inputs, initial_state, params, engine, stop, **given
         )
@@ -140,7 +151,7 @@ def simulate(
     from_zero = times if times[0] == 0 else np.concatenate([[0.0], times])
     alone = params is None and initial_state is None and changes == UNCHANGED
     with ready(_key(system, rtol, atol, engine) if alone else None, made) as run:
-        solution = run.integrate(run.start, from_zero, progress)
+        solution = run.integrate(run.start, from_zero, progress, **how)
         if times[0] != 0:
             solution.t, solution.x = solution.t[1:], solution.x[1:]
         found = run.dataset(solution, run.signals(solution))

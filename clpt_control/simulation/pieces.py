@@ -68,7 +68,8 @@ def run_in_pieces(
     group = 1 if len(pieces) == 1 else GROUP
     sums, counts, parts, z = [], [], [], run.columns("z")
     watch = None if run.max_speed is None else SpeedWatch(run.max_speed)
-    state, statistics, engines = run.start, dict[str, int](), dict[str, None]()
+    state, statistics = run.start, dict[str, int]()
+    engines, methods = dict[str, None](), dict[str, None]()
     for first, last in pieces:
         numbers = np.arange(first, last + 1)
         even = grid.times(numbers)
@@ -94,12 +95,12 @@ def run_in_pieces(
         sums.append(np.add.reduceat(squares, starts))
         counts.append(np.diff(np.append(starts, len(at))))
         parts.append((solution.t[held], solution.x[held], signals[held]))
-        engines[solution.engine] = None
+        engines[solution.engine] = methods[solution.method] = None
         if final:
             break
     t, x, signals = (np.concatenate(one) for one in zip(*parts, strict=True))
-    ran = ", ".join(engines)  # a long run may begin in Python
-    joined = Solution(t, x, solution.status, solution.message, statistics, ran)
+    ran = ", ".join(engines), ", ".join(methods)  # a long run may begin in Python
+    joined = Solution(t, x, solution.status, solution.message, statistics, *ran)
     squared = Squares(np.concatenate(sums), np.concatenate(counts), group)
     return run.dataset(joined, signals), squared, watch
 

@@ -58,11 +58,11 @@ class ScenarioRun:
         return next((p.max_speed for node, p in nodes if node.name == "speed_limit"), None)
 
     def integrate(
-        self, state: np.ndarray, times: np.ndarray, progress: Progress | None = None
+        self, state: np.ndarray, times: np.ndarray, progress: Progress | None = None, **how: Any
     ) -> Solution:
         """Integrate from a state at the first time to the last."""
-        run = self.scenario.run
-        return self.runner.run(state, times, rtol=run.rtol, atol=run.atol, progress=progress)
+        own: dict[str, Any] = {"rtol": self.scenario.run.rtol, "atol": self.scenario.run.atol}
+        return self.runner.run(state, times, **own, progress=progress, **how)
 
     def signals(self, solution: Solution) -> np.ndarray:
         """Return all signals, shape (ntimes, nsignals), right limits at jumps."""

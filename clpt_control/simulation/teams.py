@@ -100,10 +100,12 @@ class TeamRun:
         self.wiring, self.start = wiring_of_blocks(team_blocks(team)), team_state(team)
         self.runner = chosen(self.wiring, engine=engine, name="the team")
 
-    def integrate(self, state: np.ndarray, times: np.ndarray, progress: Any = None) -> Solution:
+    def integrate(
+        self, state: np.ndarray, times: np.ndarray, progress: Any = None, **how: Any
+    ) -> Solution:
         """Integrate from a state at the first time to the last."""
-        run = self.scenario.run
-        return self.runner.run(state, times, rtol=run.rtol, atol=run.atol, progress=progress)
+        own: dict[str, Any] = {"rtol": self.scenario.run.rtol, "atol": self.scenario.run.atol}
+        return self.runner.run(state, times, **own, progress=progress, **how)
 
     def signals(self, solution: Solution) -> np.ndarray:
         """Return all block outputs, shape (ntimes, nsignals), right limits at jumps."""

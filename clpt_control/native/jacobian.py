@@ -1,0 +1,159 @@
+"""Which states reach which rates, and what an implicit method needs of it.
+
+States whose rates have nothing in common are differentiated along together (Curtis, Powell and
+Reid, On the estimation of sparse Jacobian matrices, 1974): a chain of any length takes three
+derivatives.  The matrix is put in the order that makes its band narrow (Cuthill and McKee).
+"""
+
+from math import prod
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..equations.derivative import CONDITIONS, JUMPS
+from ..equations.numbers import viewed
+from ..equations.record import reached
+from .diagram_record import DiagramRecord
+
+LARGEST = 20_000_000  # numbers; of a larger value all elements are taken to be reached by the same
+FULL = 0.3  # share of a matrix from which on it is taken as full
+
+
+class Jacobian(NamedTuple):
+    """Arrays of the solver: its `linear`, in that order."""
+
+    slopes: np.ndarray
+    factors: np.ndarray
+    pivots: np.ndarray
+    places: np.ndarray
+    groups: np.ndarray
+    begins: np.ndarray
+    rows: np.ndarray
+    columns: np.ndarray
+    to: np.ndarray
+    band: np.ndarray
+
+
+def whole(*values: Any) -> list[np.ndarray]:
+    """Return arrays of whole numbers."""
+    return [np.ascontiguousarray(value, dtype=np.int64) for value in values]
+
+
+EXPLICIT = Jacobian(np.zeros(0), np.zeros(0), *whole(*[np.zeros(0)] * 8))
+
+
+def jacobian(reach: np.ndarray, exact: bool) -> Jacobian:
+    """Return the arrays for rates that these reach: (n, n + 1), the states and then time.
+
+    `exact` if there is a function `slope`; matrices are yet to be made (`fresh`).
+    """
+    n = len(reach)
+    places, low, high = _ordered(reach[:, :n])
+    groups = _grouped(reach)
+    rows, columns = np.nonzero(reach)
+    order = np.argsort(groups[columns], kind="stable")
+    rows, columns = rows[order], columns[order]
+    begins = np.searchsorted(groups[columns], np.arange(groups.max(initial=-1) + 2))
+    to = np.append(places, 0)[columns] * n + places[rows]
+    band = low, high, int(exact)
+    return Jacobian(*EXPLICIT[:3], *whole(places, groups, begins, rows, columns, to, band))
+
+
+def fresh(made: Jacobian) -> Jacobian:
+    """Return the arrays with matrices of their own, for one batch."""
+    n = len(made.places)
+    pivots = np.zeros(n, dtype=np.int64)
+    return made._replace(slopes=np.zeros(n * n), factors=np.zeros(n * n), pivots=pivots)
+
+
+def _grouped(reach: np.ndarray) -> np.ndarray:
+    """Return the group of each column, -1 of one that is empty."""
+    count = reach.shape[1]
+    groups, some = np.full(count, -1), np.flatnonzero(reach.any(axis=0))
+    if reach.mean() > FULL:
+        groups[some] = np.arange(len(some))
+        return groups
+    taken = np.zeros((len(some), len(reach)), dtype=bool)
+    for j in some:
+        k = int(np.argmin((taken & reach[:, j]).any(axis=1)))
+        taken[k] |= reach[:, j]
+        groups[j] = k
+    return groups
+
+
+def _ordered(reach: np.ndarray) -> tuple[np.ndarray, int, int]:
+    """Return the place of each state, and how many diagonals lie below and above the main one."""
+    from scipy.sparse import csr_array
+    from scipy.sparse.csgraph import reverse_cuthill_mckee
+
+    n = len(reach)
+    own = np.arange(n)
+    if reach.mean() > FULL:
+        return own, n - 1, n - 1
+    moved = np.empty(n, dtype=int)
+    moved[reverse_cuthill_mckee(csr_array(reach | reach.T), symmetric_mode=True)] = own
+    rows, columns = np.nonzero(reach)
+    found = []
+    for places in (own, moved):
+        below = places[rows] - places[columns]
+        found.append(
+            (places, int(max(below.max(initial=0), 0)), int(max(-below.min(initial=0), 0)))
+        )
+    return min(found, key=lambda one: one[1] * (one[1] + one[2]))
+
+
+# --- which states reach which rates ---------------------------------------------------------
+
+
+def reach_of(record: DiagramRecord, n: int) -> np.ndarray:
+    """Return which of n states, and whether time, reach which rates: truth values (n, n + 1)."""
+    found: dict[int, Any] = {}
+    for k in sorted(reached(record.entries, [port.ref for port in record.rates])):
+        found[k] = _reached(record, k, found, n)
+    whole = np.zeros((n, n + 1), dtype=bool)
+    for port in record.rates:
+        one = found.get(port.ref) if type(port.ref) is int else None
+        if one is not None:
+            size = prod(port.shape)
+            value = np.broadcast_to(one, (*port.shape, n + 1))
+            whole[port.first : port.first + size] = value.reshape(size, n + 1)
+    return whole
+
+
+def _reached(record: DiagramRecord, k: int, found: dict[int, Any], n: int) -> Any:
+    """Return what reaches each element of a value, along a last axis; None for nothing."""
+    kind, arguments, shape, at, _ = record.entries[k]
+    if kind == "load":
+        if at[0] not in ("X", "t"):
+            return None
+        first = at[1] if at[0] == "X" else n
+        return (first + np.arange(prod(shape)).reshape(*shape, 1)) == np.arange(n + 1)
+    own: list[Any] = [found[a] if type(a) is int else None for a in arguments]
+    if kind in CONDITIONS or kind in JUMPS:
+        return None
+    own = own[1:] if kind == "where" else own[:1] if kind == "pick" else own
+    some = [one for one in own if one is not None]
+    if not some:
+        return None
+    size = (*shape, n + 1)
+    if kind == "pick" or prod(size) > LARGEST:
+        every = [one.any(axis=tuple(range(one.ndim - 1))) for one in some]
+        return np.broadcast_to(np.any(every, axis=0), size)
+    if kind == "sum":
+        return own[0].any(axis=at[0])
+    if kind == "view":
+        return viewed(own[0], (*at, (len(shape), 0, 1)), size)
+    if kind == "part":
+        return own[0].reshape(-1, n + 1)[at : at + prod(shape)].reshape(size)
+    if kind in ("stack", "join"):
+        nothing = np.zeros(n + 1, dtype=bool)
+        shapes = [record.shape_of(a) if kind == "join" else shape[1:] for a in arguments]
+        parts = [
+            np.broadcast_to(nothing if one is None else one, (*own_shape, n + 1))
+            for one, own_shape in zip(own, shapes, strict=True)
+        ]
+        return np.concatenate(parts) if kind == "join" else np.stack(parts)
+    reached = some[0]
+    for one in some[1:]:
+        reached = reached | one
+    return np.broadcast_to(reached, size)
