@@ -25,7 +25,7 @@ HELD = "held_"  # with the name of an input port: the state that keeps it
 ROUNDING = 1e-12  # of a time, or of 1: times that differ by less are one
 
 
-def asked_inside(t, x, u, p):
+def asked_inside(*arguments: Any) -> Any:
     """Stand for the equations, which are those of the inner block."""
     raise NotImplementedError
 

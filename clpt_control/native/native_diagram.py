@@ -99,7 +99,7 @@ class NativeDiagram(PythonDiagram):
         return with_inputs(pieces, t0, inputs.samples, self.ramp)
 
     def breaks(self, t0: float, t1: float) -> Any:
-        """Return the times at which time alone decides, also for a moment."""
+        """Return times at which time alone decides, also for a moment."""
         found = [
             times_of_change(node.system, record, p, t0, t1)
             for node, p in zip(self.wiring.nodes, self.sweep.given, strict=True)
