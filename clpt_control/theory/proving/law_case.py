@@ -22,7 +22,6 @@ from .leaks import Bound, Leaking, delta_bounds, leaks_of, pull_bound
 from .lyapunov import decay, rate_of_V
 from .proof import Step, checked, short
 from .quadratic_forms import nonpositive, pulled, tidied
-from .random_points import Draw
 from .running_rate import numeric, running_step
 from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import theorem_loop
@@ -48,17 +47,12 @@ class Case:
         refuse_no_value(loop, V.name)
         self.points, self.seed = points, seed
         self.blocks = [node for node in diagram.syslist if isinstance(node, Block)]
-        names = Draw(self.blocks, 0).names
         self.weights: dict[sympy.Expr, sympy.Expr] = {}
-        self.tied: dict[str, list[sympy.Expr]] = {}  # V's gains, where they are apart
-        at = 0
-        for field in ("gain", "gain_K", "gain_Gamma") if gains else ():
-            own = list(np.ravel(getattr(loop.parameters[V.name], field)))
-            theirs = gains[at : at + len(own)]
-            at += len(own)
-            self.weights.update(zip(own, theirs, strict=True))
-            if own != theirs:
-                self.tied[names[V.name, field]] = theirs
+        if gains:
+            p = loop.parameters[V.name]
+            own = [s for field in (p.gain, p.gain_K, p.gain_Gamma) for s in np.ravel(field)]
+            self.weights = dict(zip(own, gains, strict=True))
+        self.tied = {s: gain for s, gain in self.weights.items() if s != gain}
         hidden = {
             s
             for b in self.blocks

@@ -16,7 +16,7 @@ from ...equations.block import Block
 from ...errors import DiagramError
 from .array_loop import TIME
 from .quadratic_forms import tidied
-from .random_points import Draw, symbol_values
+from .random_points import own_numbers
 from .symbolic_loop import SymbolicLoop, symbolic_loop
 
 
@@ -27,11 +27,10 @@ def law_alone(law: Block) -> SymbolicLoop:
 
 def own_values(loop: SymbolicLoop, blocks: list[Block]) -> dict[Any, sympy.Rational]:
     """Return parameter -> the number it has, of the blocks of a loop."""
-    draw = Draw(blocks, 0)
-    own = draw.parameters(kept=tuple(block.name for block in blocks))
     return {
-        symbol: sympy.nsimplify(float(value), rational=True)
-        for symbol, value in symbol_values(loop, draw, own).items()
+        symbol: sympy.nsimplify(value, rational=True)
+        for block in blocks
+        for symbol, value in own_numbers(loop, block).items()
     }
 
 

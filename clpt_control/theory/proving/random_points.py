@@ -7,12 +7,10 @@ from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-import sympy
 
 from ...equations.block import Block
 from ...equations.namespaces import BETWEEN, named, split
 from .array_loop import TIME
-from .paper_symbols import SCALARS, parameter_names
 from .symbolic_loop import SymbolicLoop
 
 LARGEST = 1e6  # of the kinks that are tried
@@ -27,12 +25,22 @@ class Point(NamedTuple):
     params: dict[str, Any]  # call-time parameters, ``{"block.field": value}``
 
 
+def own_numbers(loop: SymbolicLoop, block: Block) -> dict[Any, float]:
+    """Return symbol -> its number, of a block's parameters."""
+    found: dict[Any, float] = {}
+    for own, value in block.parameters._asdict().items():
+        symbols = getattr(loop.parameters[block.name], own)
+        if not isinstance(value, int) and own != "interval":
+            numbers = np.broadcast_to(np.asarray(value, dtype=float), np.shape(symbols))
+            found.update(zip(np.ravel(symbols), numbers.ravel().tolist(), strict=True))
+    return {symbol: number for symbol, number in found.items() if symbol.is_Symbol}
+
+
 class Draw:
     """A source of random parameters and points for the blocks of a diagram."""
 
-    def __init__(self, blocks: Sequence[Block], seed: int):
-        self.random, self.blocks = np.random.default_rng(seed), blocks
-        self.names = parameter_names(blocks)
+    def __init__(self, blocks: Sequence[Block], loop: SymbolicLoop, seed: int):
+        self.random, self.blocks, self.loop = np.random.default_rng(seed), blocks, loop
         lines = [o for b in blocks for r in b.records.values() for o in r.operations]
         numbers = {a for o in lines for a in o.arguments if type(a) is float and np.isfinite(a)}
         held = [np.ravel(v) for b in blocks for v in b.parameters if not isinstance(v, int)]
@@ -40,42 +48,30 @@ class Draw:
         known = known[np.abs(known) <= LARGEST]
         self.kinks = np.concatenate([known, -known])
 
-    def parameters(self, kept: Collection[str] = (), largest: float = 1.5) -> dict[str, np.ndarray]:
-        """Return values by name, of the size 10^-1.5 to 10^largest."""
-        values: dict[str, np.ndarray] = {}
+    def parameters(self, kept: Collection[str] = (), largest: float = 1.5) -> dict[Any, float]:
+        """Return symbol -> a number of its sign, of the size 10^-1.5 to 10^largest.
+
+        The blocks in `kept` keep their own.
+        """
+        values: dict[Any, float] = {}
         for block in self.blocks:
-            for field, value in block.parameters._asdict().items():
-                name = self.names[block.name, field]
-                if isinstance(value, int) or name in values or field == "interval":
-                    continue
-                own = np.asarray(value, dtype=float)
-                if name in SCALARS:
-                    own = np.ravel(own)[0]
-                if block.name in kept:
-                    values[name] = own
-                    continue
-                drawn = 10.0 ** self.random.uniform(-1.5, largest, own.shape)
-                if not np.any(own):
-                    drawn = own
-                elif np.all(own < 0):
-                    drawn = -drawn
-                elif not np.all(own > 0):
-                    drawn *= self.random.choice([-1.0, 1.0], own.shape)
-                values[name] = drawn
+            own = own_numbers(self.loop, block)
+            if block.name not in kept:
+                sizes = 10.0 ** self.random.uniform(-1.5, largest, len(own))
+                signs = self.random.choice([-1.0, 1.0], len(own))
+                for s, size, sign in zip(own, sizes.tolist(), signs.tolist(), strict=True):
+                    own[s] = size if s.is_positive else -size if s.is_negative else sign * size
+            values = own | values
         return values
 
-    def params(self, values: Mapping[str, np.ndarray]) -> dict[str, Any]:
-        """Return values by name as call-time parameters."""
-        found = {}
+    def params(self, values: Mapping[Any, float]) -> dict[str, Any]:
+        """Return the numbers of symbols as call-time parameters."""
+        found: dict[str, Any] = {}
         for block in self.blocks:
-            for field, own in block.parameters._asdict().items():
-                name = self.names[block.name, field]
-                if name not in values or isinstance(own, int):
-                    continue
-                value = values[name]
-                if name in SCALARS:
-                    value = np.full(np.shape(own), float(value))
-                found[f"{block.name}.{field}"] = float(value) if np.ndim(own) == 0 else value
+            for own, value in block.parameters._asdict().items():
+                if not isinstance(value, int) and own != "interval":
+                    numbers = numbers_at(values, getattr(self.loop.parameters[block.name], own))
+                    found[f"{block.name}.{own}"] = numbers if np.ndim(value) else float(numbers)
         return found
 
     def points(self, count: int, n: int) -> np.ndarray:
@@ -87,27 +83,19 @@ class Draw:
         found[kinked] = random.choice(self.kinks, int(kinked.sum()))
         return found
 
-
-def symbol_values(
-    loop: SymbolicLoop, draw: Draw, values: Mapping[str, np.ndarray], *point: Any
-) -> dict[Any, Any]:
-    """Return symbol -> number, of parameters and of points (t, x, u)."""
-    found: dict[Any, Any] = {}
-    for block in draw.blocks:
-        own = loop.parameters[block.name]
-        for field, symbols in own._asdict().items():
-            name = draw.names[block.name, field]
-            if name in values and not isinstance(symbols, int):
-                numbers = np.broadcast_to(values[name], np.shape(symbols) or np.shape(values[name]))
-                pairs = zip(np.ravel(np.asarray(symbols, object)), np.ravel(numbers), strict=False)
-                found.update({s: v for s, v in pairs if isinstance(s, sympy.Symbol)})
-    if point:
-        t, x, u = point
-        found[TIME] = t
-        for ports, numbers in ((loop.states, x), (loop.inputs, u)):
+    def at(self, values: Mapping[Any, float], t: Any, x: np.ndarray, u: np.ndarray) -> dict:
+        """Return symbol -> number, of parameters and of points."""
+        found: dict[Any, Any] = {**values, TIME: t}
+        for ports, numbers in ((self.loop.states, x), (self.loop.inputs, u)):
             flat = [s for symbols in ports.values() for s in symbols.flat]
-            found.update(dict(zip(flat, numbers.T, strict=True)))
-    return found
+            found.update(zip(flat, numbers.T, strict=True))
+        return found
+
+
+def numbers_at(values: Mapping[Any, float], symbols: Any) -> np.ndarray:
+    """Return the numbers of symbols, in their shape; what is zero is no symbol."""
+    flat = [float(values.get(s, s)) for s in np.ravel(symbols)]
+    return np.reshape(flat, np.shape(symbols))
 
 
 def equate_x_and_z(loop: SymbolicLoop, x: np.ndarray, random: np.random.Generator) -> None:

@@ -11,7 +11,7 @@ import sympy
 
 from ...errors import DiagramError
 from ...progress.interrupt import check
-from .random_points import Draw, Point, symbol_values
+from .random_points import Draw, Point, numbers_at
 from .running_blocks import Functions, RunningBlocks
 from .running_rate import degree_of, numeric, rate_along
 from .symbolic_loop import SymbolicLoop
@@ -32,7 +32,8 @@ def refuting_point(
     `rate` is V' on symbols, by which points are chosen where it has numbers; the blocks in
     `kept` keep their own parameters.
     """
-    running, draw, degree = RunningBlocks(diagram), Draw(diagram.syslist, seed), degree_of(loop)
+    running, degree = RunningBlocks(diagram), degree_of(loop)
+    draw = Draw(running.blocks, loop, seed)
     try:
         function, symbols = numeric(rate)
     except DiagramError:
@@ -42,10 +43,10 @@ def refuting_point(
             check()
             values = draw.parameters(kept, largest=0.0)
             params = draw.params(values)
-            x, far, u = _around_the_truth(loop, draw, values)
+            x, far, u = _around_the_truth(draw, values)
             order = list(range(PER_DRAW))
             if function is not None:
-                known = symbol_values(loop, draw, values, np.zeros(PER_DRAW), x, u)
+                known = draw.at(values, np.zeros(PER_DRAW), x, u)
                 with np.errstate(all="ignore"):
                     rates = np.broadcast_to(function(*(known[s] for s in symbols)), PER_DRAW)
                 steepest = np.argsort(-rates / np.sum(far**2, axis=1))
@@ -74,16 +75,18 @@ def _persists(
     return float(rate[0]) if rate[-1] / V[-1] >= 0.5 * rate[0] / V[0] else None
 
 
-def _around_the_truth(loop: SymbolicLoop, draw: Draw, values: dict) -> tuple:
+def _around_the_truth(draw: Draw, values: dict) -> tuple:
     """Return states, what of them is error, and inputs."""
-    random = draw.random
+    random, loop = draw.random, draw.loop
+    flow, car = loop.parameters["true_flow"], loop.parameters["vehicle_controller"]
+    theta, KD, GammaD = (numbers_at(values, own) for own in (flow.theta, car.KD, car.GammaD))
     ports = [port for port, symbols in loop.states.items() for _ in symbols.flat]
     n, inputs = len(ports), sum(np.size(own) for own in loop.inputs.values())
     u = random.standard_normal((PER_DRAW, inputs)) * 10.0 ** random.uniform(-1, 0.5, (PER_DRAW, 1))
     x = random.standard_normal((PER_DRAW, n)) * 10.0 ** random.uniform(-1, 0.5, (PER_DRAW, 1))
     far = random.standard_normal((PER_DRAW, n)) * 10.0 ** random.uniform(-1, 1, (PER_DRAW, n))
     at = {port: [k for k, own in enumerate(ports) if own == port] for port in set(ports)}
-    true = {"alpha": -np.ravel(values["theta"]), "K": values["KD"], "Gamma": values["GammaD"]}
+    true = {"alpha": -theta.ravel(), "K": KD, "Gamma": GammaD}
     for port, where in at.items():
         if port == "x":
             x[:, where] = x[:, at["z"]]

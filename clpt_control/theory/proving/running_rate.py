@@ -23,7 +23,7 @@ from ...errors import DiagramError
 from ...progress.interrupt import check
 from .array_loop import TIME
 from .proof import Step, checked
-from .random_points import Draw, Point, equate_x_and_z, symbol_values
+from .random_points import Draw, Point, equate_x_and_z
 from .running_blocks import THROUGH_CONTROL, Reading, RunningBlocks
 from .symbolic_loop import SymbolicLoop
 
@@ -115,18 +115,18 @@ def compared(
     wanted: sympy.Expr | list[sympy.Expr],
     count: int,
     seed: int = 0,
-    tied: Mapping[str, Any] | None = None,
+    tied: Mapping[Any, sympy.Expr] | None = None,
     kept: tuple[str, ...] = (),
     gauge: Gauge | None = None,
 ) -> Comparison:
     """Compare V' of the running blocks, or what a gauge reads, with `wanted` at random points.
 
     The first 100 points have the blocks' own parameters, half of them near the least V, then every
-    100 others; blocks in `kept` keep theirs, and a name in `tied` follows from expressions of the
-    other parameters.  All are asked of the blocks' records, and some of their functions.
+    100 others; blocks in `kept` keep theirs, and a symbol in `tied` follows from the others by its
+    expression.  All are asked of the blocks' records, and some of their functions.
     """
     running = RunningBlocks(diagram)
-    draw = Draw(running.blocks, seed)
+    draw = Draw(running.blocks, loop, seed)
     known_as = [numeric(one) for one in (wanted if isinstance(wanted, list) else [wanted])]
     degree = degree_of(loop)
     gauge = gauge or partial(rate_along, degree=degree)
@@ -135,11 +135,7 @@ def compared(
         while done < count:
             check()
             values = draw.parameters(kept if done else [block.name for block in running.blocks])
-            for name, expressions in (tied or {}).items():
-                known = symbol_values(loop, draw, values)
-                numbers = np.array([float(e.subs(known)) for e in expressions])
-                shape = np.shape(values[name])  # one number where all of them are one symbol
-                values[name] = numbers.reshape(shape) if shape else numbers[0]
+            values |= {s: float(e.subs(values)) for s, e in (tied or {}).items()}
             params = draw.params(values)
             running.set(params)
             size = min(PER_DRAW, count - done)
@@ -149,7 +145,7 @@ def compared(
                 x[half:] = near_least(running.records, x[half:], u, draw.random)
             equate_x_and_z(loop, x, draw.random)
             times = draw.random.uniform(0.0, 100.0, size)
-            known = symbol_values(loop, draw, values, times, x, u)
+            known = draw.at(values, times, x, u)
             with np.errstate(all="ignore"):
                 parts = [function(*(known[s] for s in symbols)) for function, symbols in known_as]
             right = np.array([np.broadcast_to(part, size) for part in parts])
