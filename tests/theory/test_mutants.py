@@ -27,6 +27,7 @@ from clpt_control.theory.proving import (
     theorems,
 )
 from clpt_control.theory.proving.misprints import misprints
+from clpt_control.theory.proving.proof import judged
 from clpt_control.theory.proving.theorems import THEOREMS, audit
 
 FIRST = {"error_system": "3.3"}  # where to look first; every theorem is tried before giving up
@@ -120,7 +121,7 @@ def laws_of(function):
 
 @cache
 def judged_unaltered():
-    return judged_laws.judged_laws()
+    return {name: judged_laws.judged(law) for name, law in LAWS.items()}
 
 
 def caught_by(function, which, first):
@@ -150,8 +151,8 @@ def caught_by(function, which, first):
         for misprint in misprints():
             if not misprint.confirmed:
                 return f"misprint {misprint.equation}"
-        for name, proof in limited_speed.judged_limits().items():
-            for step in proof.failed:
+        for name, proof in limited_speed.LIMITS.items():
+            for step in judged(name, proof).failed:
                 return f"{name}: {step.claim}"
     finally:
         function.__code__ = own

@@ -6,12 +6,9 @@ Theorem 3.1, and is bounded in the mean square by the error of the estimate.  A 
 fixes keeps V from rising there.
 """
 
-from collections.abc import Callable
 from typing import NamedTuple
 
 from ...blocks.laws.law import Law
-from ...blocks.laws.table import LAWS
-from ...progress.interrupt import check
 from .fixes import fix_steps
 from .kept_relations import GIVEN, kept_steps
 from .lyapunov import decay_and_known_error, identity_steps
@@ -38,17 +35,6 @@ class JudgedLaw(NamedTuple):
     def holds(self) -> bool:
         """Whether the law may stand in the table."""
         return self.status in ("proved", "bounded")
-
-
-def judged_laws(progress: Callable[[float], None] | None = None) -> dict[str, JudgedLaw]:
-    """Judge every law of the table, by name; `progress` is called with the number done."""
-    found = {}
-    for done, law in enumerate(LAWS.values(), 1):
-        check()
-        found[law.name] = judged(law)
-        if progress is not None:
-            progress(done)
-    return found
 
 
 def judged(law: Law) -> JudgedLaw:

@@ -21,9 +21,9 @@ from .proof import Step, checked, short
 from .quadratic_forms import nonpositive, positive_maximum
 from .running_rate import running_step
 from .symbolic_loop import SymbolicLoop, symbolic_loop
-from .theorem_loop import Hedging, law_and_V, theorem_loop
+from .theorem_loop import Hedging, law_and_V, law_loop
 from .undefined import extent
-from .vanishing import vanishes
+from .vanishing import left_over, vanishes
 
 SIZES = (1, 2, 3)  # numbers of functions
 
@@ -33,8 +33,7 @@ class Kept:
 
     def __init__(self, law: Law, N: int, speed: Hedging = "no limit"):
         made, V = law_and_V(law, N, speed)
-        wired = law.name if law.makes_estimate else "learned-flow"
-        self.diagram = theorem_loop(N, wired, law_block=made, candidate=V, speed=speed)
+        self.diagram = law_loop(law, made, V, speed)
         self.loop: SymbolicLoop = symbolic_loop(self.diagram, jumps=True)
         self.words: dict[Any, sympy.Symbol] = {}
         own = self.loop.states
@@ -95,25 +94,23 @@ class Kept:
     def left_over(self, claim: Claim, more: Any = 0) -> str:
         """Return what V' has beyond a claim and more, or where it has no value, or nothing."""
         rest = self.put(self.untied.xreplace(self.tied) - claim(self.loop) - more)
-        if not vanishes(rest):
-            return f"left over: {short(sympy.expand(rest))}"
-        return self.loop.undefined[0] if self.loop.undefined else ""
+        return left_over(rest) or "".join(self.loop.undefined[:1])
 
     def left(self) -> str:
         """Return which relation is left, or nothing."""
-        for symbol, value in self.relations.items():
-            drift = self.put(self.loop.derivative(symbol - value))
-            if not vanishes(drift):
-                return f"{symbol} leaves it by {short(sympy.expand(drift))}"
-        return ""
+        return self.leaving(self.loop.derivative)
 
     def left_at_a_jump(self) -> str:
         """Return which relation is left where states jump, or nothing."""
-        for after in self.loop.jumps_at_once():
-            for symbol, value in self.relations.items():
-                off = self.put((symbol - value).xreplace(after))
-                if not vanishes(off):
-                    return f"{symbol} leaves it by {short(sympy.expand(off))}"
+        jumps = (lambda off, new=new: off.xreplace(new) for new in self.loop.jumps_at_once())
+        return next(filter(None, map(self.leaving, jumps)), "")
+
+    def leaving(self, after: Callable[[sympy.Expr], sympy.Expr]) -> str:
+        """Return which relation does not hold of what a state less its expression becomes."""
+        for symbol, value in self.relations.items():
+            off = self.put(after(symbol - value))
+            if not vanishes(off):
+                return f"{symbol} leaves it by {short(sympy.expand(off))}"
         return ""
 
     def cone_is_kept_at_a_jump(self) -> bool:
@@ -147,9 +144,7 @@ class Kept:
         at = dict(zip(self.states["theta_hat"].flat, (theta + c @ M).flat, strict=True))
         rate = 2 * np.sum(self.rates["theta_hat"] * c) - np.sum((c @ self.slopes[port]) * c)
         rest = self.put(sympy.sympify(rate - self.gains).xreplace(at))
-        if self.gains.is_nonpositive and vanishes(rest):
-            return ""
-        return f"left over: {short(sympy.expand(rest))}"
+        return left_over(rest) if self.gains.is_nonpositive else "what it gains may be positive"
 
     def cone_is_kept(self, port: str) -> bool:
         """Return whether c^T M' c is not negative where M c = 0, for every c.

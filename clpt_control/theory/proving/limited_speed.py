@@ -28,10 +28,10 @@ from .array_loop import ArrayLoop, array_loop
 from .boundedness import definite_step, dissipation_step, wanted_rates, young_step
 from .kept_loop import Kept
 from .lyapunov import WIRED, decay, identity_steps, rate_of_V, zero_step
-from .proof import Proof, Step, checked, judged, short
+from .proof import Proof, Step, checked
 from .symbolic_loop import symbolic_loop
-from .theorem_loop import Hedging, law_and_V, theorem_loop
-from .vanishing import vanishes
+from .theorem_loop import Hedging, law_and_V, law_loop, theorem_loop
+from .vanishing import left_over, vanishes
 
 POINTS = 1_000  # at which the running blocks are called
 N = 2  # functions, for each law of the table
@@ -49,19 +49,12 @@ def same_error_rate(loop: ArrayLoop) -> list[Any]:
     return [loop.derivative(loop.signals["e"]) - wanted_rates(loop)["e"]]
 
 
-def law_loop(law: Law, speed: Hedging) -> Diagram:
-    """Return a law's loop, with or without a limit."""
-    made, V = law_and_V(law, N, speed)
-    name = law.name if law.keeps_alpha else "learned-flow"
-    return theorem_loop(N, name, law_block=made, candidate=V, speed=speed)
-
-
 def pair_of(law: Law) -> tuple[ArrayLoop, ArrayLoop]:
     """Return a law's loop without a limit and hedged, for every N where that is read."""
 
     def both(closed: bool) -> tuple[ArrayLoop, ...]:
         speeds: tuple[Hedging, ...] = ("no limit", "hedged")
-        made = (law_loop(law, speed) for speed in speeds)
+        made = (law_loop(law, *law_and_V(law, N, speed), speed) for speed in speeds)
         return tuple(array_loop(one, jumps=True, closed=closed) for one in made)
 
     try:
@@ -83,8 +76,8 @@ def differs(law: Law) -> str:
         return [a - b.xreplace(as_flown) for a, b in pairs if a != b]
 
     rates = [loop.read(rate_of_V(loop))[0] for loop in (free, hedged)]
-    if not vanishes(rest := rates[0] - rates[1]):  # whatever v is flown
-        return f"left over: {short(sympy.expand(rest))}"
+    if said := left_over(rates[0] - rates[1]):  # whatever v is flown
+        return said
     for port in free.states.keys() - {"x", "z"}:
         if not all(map(vanishes, apart(free.rates[port], hedged.rates[port]))):
             return f"{port} moves differently"
@@ -239,8 +232,3 @@ LIMITS: dict[str, Callable[[], Proof]] = {
     "every law with hedging": every_law,
     "without hedging": without_hedging,
 }
-
-
-def judged_limits() -> dict[str, Proof]:
-    """Judge what a limit of the speed does to the theorems, by name."""
-    return {name: judged(name, proof) for name, proof in LIMITS.items()}

@@ -11,16 +11,15 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
-import sympy
 
 from ...diagrams.interconnection import Diagram
 from ...errors import DiagramError
 from .array_loop import ArrayLoop, array_loop
-from .proof import Step, checked, short
+from .proof import Step, checked
 from .running_rate import compared
 from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import Hedging, theorem_loop
-from .vanishing import vanishes
+from .vanishing import left_over
 
 Loop = ArrayLoop | SymbolicLoop
 Claim = Callable[[Any], Any]  # what V' should be: loop -> a number of its kind
@@ -65,8 +64,8 @@ def vanish(loop: ArrayLoop, left: Iterable[Any]) -> tuple[bool, str]:
     """Return whether what is left of a loop is zero for every N, and what is not."""
     for rest in left:
         for one in loop.read(rest):
-            if not vanishes(one):
-                return False, f"left over: {short(sympy.expand(one))}"
+            if said := left_over(one):
+                return False, said
     return (False, loop.undefined[0]) if loop.undefined else (True, "")
 
 

@@ -1,7 +1,7 @@
 """The closed loop on symbols for its own N: the elements of its arrays, each an expression."""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
 from typing import Any
@@ -12,7 +12,7 @@ import sympy
 
 from ...diagrams.joined import open_sizes
 from ...diagrams.wiring import wiring_of
-from ...equations.declaration import parameters_of
+from ...equations.declaration import Parameters, parameters_of
 from .array_loop import TIME, array_loop
 
 
@@ -23,14 +23,14 @@ class SymbolicLoop:
     A state that is no port of the diagram stands under ``"block:port"``.
     """
 
-    states: dict[str, np.ndarray] = field(default_factory=dict)  # symbols
-    signals: dict[str, np.ndarray] = field(default_factory=dict)  # expressions
-    rates: dict[str, np.ndarray] = field(default_factory=dict)  # time derivatives of the states
-    jumps: dict[str, dict] = field(default_factory=dict)  # block -> symbol: what it jumps to
-    inputs: dict[str, np.ndarray] = field(default_factory=dict)  # functions of time
-    parameters: dict[str, Any] = field(default_factory=dict)  # block -> arrays of symbols
-    N: int | None = None  # number of basis functions, where the blocks have one
-    undefined: list[str] = field(default_factory=list)  # where there may be no value, sentences
+    states: dict[str, np.ndarray]  # symbols
+    signals: dict[str, np.ndarray]  # expressions
+    rates: dict[str, np.ndarray]  # time derivatives of the states
+    jumps: dict[str, dict]  # block -> symbol: what it jumps to
+    inputs: dict[str, np.ndarray]  # functions of time
+    parameters: dict[str, Any]  # block -> arrays of symbols
+    N: int | None  # number of basis functions, where the blocks have one
+    undefined: list[str]  # where there may be no value, sentences
 
     def derivative(self, expression: sympy.Expr) -> sympy.Expr:
         """Differentiate an expression of the states along the equations.
@@ -83,29 +83,25 @@ def symbolic_loop(
     """
     loop = array_loop(diagram, opaque, jumps, closed=True)
 
-    def read(values: dict[str, Any]) -> dict[str, Any]:
-        return {name: loop.elements.of(value) for name, value in values.items()}
+    def read(value: Any) -> Any:
+        if isinstance(value, dict):
+            return {name: read(own) for name, own in value.items()}
+        if isinstance(value, Parameters):
+            return parameters_of(read(value._asdict()))
+        return value if isinstance(value, int) else loop.elements.of(value)
 
     states, rates = read(loop.states), read(loop.rates)
-    jumped = {block: read(own) for block, own in loop.jumps.items()}
+    jumps_of = {
+        block: {s: new for p in own for s, new in zip(states[p].flat, own[p].flat, strict=True)}
+        for block, own in read(loop.jumps).items()
+    }
     return SymbolicLoop(
-        states=states,
-        signals=read(loop.signals),
-        rates=rates,
-        jumps={
-            block: {s: new for p in own for s, new in zip(states[p].flat, own[p].flat, strict=True)}
-            for block, own in jumped.items()
-        },
-        inputs=read(loop.inputs),
-        parameters={
-            block: parameters_of(
-                {
-                    f: v if isinstance(v, int) else loop.elements.of(v)
-                    for f, v in p._asdict().items()
-                }
-            )
-            for block, p in loop.parameters.items()
-        },
-        N=open_sizes(wiring_of(diagram)).get("N"),
-        undefined=loop.undefined,
+        states,
+        read(loop.signals),
+        rates,
+        jumps_of,
+        read(loop.inputs),
+        read(loop.parameters),
+        open_sizes(wiring_of(diagram)).get("N"),
+        loop.undefined,
     )

@@ -105,6 +105,12 @@ def theorem_loop(
     )
 
 
+def law_loop(law: Law, block: Block, V: Block, speed: Hedging = "no limit") -> Diagram:
+    """Wire a law of the table with its V."""
+    known = law.name if law.keeps_alpha else "learned-flow"
+    return theorem_loop(block.sizes["N"], known, law_block=block, candidate=V, speed=speed)
+
+
 def theorem_candidate(N: int, law: str, gain: float, weights: tuple = ()) -> Block:
     """Return V of Eq. (17) or (24) with the scenario's truth.
 

@@ -14,6 +14,8 @@ import sympy
 from sympy.core.function import AppliedUndef
 from sympy.polys.rings import PolyElement, ring
 
+from .proof import short
+
 
 def vanishes(expression: Any) -> bool:
     """Return whether an expression is zero; one that divides by zero is not."""
@@ -42,6 +44,11 @@ def vanishes(expression: Any) -> bool:
         return False
     numerator, _ = sympy.fraction(sympy.together(as_given(expression)))
     return sympy.expand(numerator) == 0
+
+
+def left_over(rest: Any) -> str:
+    """Return what is left where nothing should be, or nothing."""
+    return "" if vanishes(rest) else f"left over: {short(sympy.expand(rest))}"
 
 
 def _without_division(expression: sympy.Expr, inverses: dict) -> sympy.Expr:
