@@ -47,6 +47,7 @@ APART = (
     "leap",
     "keep",
     "cross",
+    "factor",
     "linearise",
     "solve_stage",
 )
@@ -115,7 +116,7 @@ def arguments() -> dict[str, tuple]:
         (real(2), whole(2), whole(1)),  # lane
         (real(1),) * 5,  # arrays
     )
-    linear = (real(1), real(1), *(whole(1),) * 8)
+    linear = (real(1), whole(1))
     code, shape = whole(1), (1, 1, 1)
     states = (real(1), real(1), 1, whole(1), whole(1), real(2), *(real(1),) * 4, real(2))
     return {

@@ -63,7 +63,7 @@ class Batch:
         opening: float = 0.0,
     ):
         self.callee, self.times = callee, np.ascontiguousarray(times)
-        self.method = "Rodas5P" if len(callee.linear.slopes) else "DOP853"
+        self.method = "Rodas5P" if len(callee.linear.matrices) else "DOP853"
         m, n = starts.shape
         lanes, size = callee.lanes, parameters.shape[1]
         self.shape = (lanes, n, size)
@@ -76,6 +76,7 @@ class Batch:
         self.counts = np.zeros((m, 4), dtype=np.int64)
         self.results = self.out, self.status, self.reached, self.counts
         self.numbers = aligned(solver.NUMBERS * lanes).reshape(-1, lanes)
+        self._linear = callee.linear.given
         self.numbers[solver.LONGEST], self.numbers[solver.OPENING] = longest, opening
         whole = np.full((5, lanes), -1, dtype=np.int64)
         self.lane = self.numbers, whole, np.array([0, m, 0], dtype=np.int64)
@@ -133,7 +134,7 @@ class Batch:
                 self.shape,
                 tolerances,
                 *self._shared,
-                tuple(self.callee.linear),
+                self._linear,
                 budget,
                 most,
                 self.callee.guarded,

@@ -20,11 +20,9 @@ FULL = 0.3  # share of a matrix from which on it is taken as full
 
 
 class Jacobian(NamedTuple):
-    """Arrays of the solver: its `linear`, in that order."""
+    """What the solver is given as `linear`, which says what each is."""
 
-    slopes: np.ndarray
-    factors: np.ndarray
-    pivots: np.ndarray
+    matrices: np.ndarray  # df/dx, and the factors
     places: np.ndarray
     groups: np.ndarray
     begins: np.ndarray
@@ -33,13 +31,27 @@ class Jacobian(NamedTuple):
     to: np.ndarray
     band: np.ndarray
 
+    @property
+    def slopes(self) -> np.ndarray:
+        """df/dx as the solver has it, transposed."""
+        n = len(self.places)
+        return self.matrices[: n * n].reshape(n, n)
+
+    @property
+    def given(self) -> tuple[np.ndarray, np.ndarray]:
+        """The two arrays of the solver: matrices, and all lists with their lengths before them."""
+        if not len(self.matrices):
+            return self.matrices, self.places
+        sizes, pivots = (len(self.begins), len(self.rows)), np.zeros_like(self.places)
+        return self.matrices, np.concatenate([self.band, sizes, pivots, *self[1:-1]])
+
 
 def whole(*values: Any) -> list[np.ndarray]:
     """Return arrays of whole numbers."""
     return [np.ascontiguousarray(value, dtype=np.int64) for value in values]
 
 
-EXPLICIT = Jacobian(np.zeros(0), np.zeros(0), *whole(*[np.zeros(0)] * 8))
+EXPLICIT = Jacobian(np.zeros(0), *whole(*[np.zeros(0)] * 7))
 
 
 def jacobian(reach: np.ndarray, exact: bool) -> Jacobian:
@@ -56,14 +68,12 @@ def jacobian(reach: np.ndarray, exact: bool) -> Jacobian:
     begins = np.searchsorted(groups[columns], np.arange(groups.max(initial=-1) + 2))
     to = np.append(places, 0)[columns] * n + places[rows]
     band = low, high, int(exact)
-    return Jacobian(*EXPLICIT[:3], *whole(places, groups, begins, rows, columns, to, band))
+    return Jacobian(np.zeros(0), *whole(places, groups, begins, rows, columns, to, band))
 
 
 def fresh(made: Jacobian) -> Jacobian:
-    """Return the arrays with matrices of their own, for one batch."""
-    n = len(made.places)
-    pivots = np.zeros(n, dtype=np.int64)
-    return made._replace(slopes=np.zeros(n * n), factors=np.zeros(n * n), pivots=pivots)
+    """Return the same with matrices of its own, for one batch."""
+    return made._replace(matrices=np.zeros(2 * len(made.places) ** 2))
 
 
 def _grouped(reach: np.ndarray) -> np.ndarray:

@@ -20,11 +20,12 @@ All numbers are computed through `call`, by the diagram's functions and the form
     lane      of each lane: numbers (rows TIME ...), whole numbers (rows MEMBER ...);
               then the queue: next run, the one behind the last, ANEW or ON if a lane begins a piece
     arrays    Z (states and stages), P, T, W and D, as the functions take them
-    linear    of an implicit method, which takes one run at a time (all empty without):
-              df/dx and the factors of I/(h g) - df/dx, column by column; pivots; the place
-              of each state in the matrix; the group of each state, then of time, or -1; where
-              the elements of each group begin; of each element its row, its column and its place
-              in df/dx; how many diagonals lie below and above, and whether there is `slope`
+    linear    of an implicit method, which takes one run at a time (empty without): df/dx and then
+              the factors of I/(h g) - df/dx, column by column; and whole numbers: how many
+              diagonals lie below and above, whether there is `slope`, how many lists `begins` and
+              `rows` hold; pivots; the place of each state in the matrix; the group of each state,
+              then of time, or -1; where the elements of each group begin; of each element its
+              row, its column and its place in df/dx
 
 Number i of row r of Z in lane k lies at (r n + i) lanes + k.
 """
@@ -59,6 +60,7 @@ HALVINGS, RESOLVED = 50, 1e-12  # of a step; how close to a kink one ends, of th
 MOST_KINKS, NEAR = 1000, 1e-7  # one upon the other, within that share of a run
 # steps from one look for stiffness to the next, of those that show it, and ahead for it to matter
 OFTEN, MANY, AHEAD = 128, 15, 5_000
+LISTS = 5  # where the lists of `linear` begin
 APART = 6e-6  # of the size of a state, for differences of rates: the third root of a rounding
 
 
@@ -476,10 +478,11 @@ def watch(code, shape, results, lane, arrays):
 
 def linearise(code, n, tolerances, numbers, linear, arrays):
     """Factor I/(h g) - df/dx for the step to try; df/dx stays as it is after a rejected step."""
-    slopes, M, pivots, _, _, _, _, _, _, band = linear
+    slopes, whole = linear
+    M, pivots = slopes[n * n :], whole[LISTS : LISTS + n]
     if numbers[REJECTED, 0] < 0.5:
         differentiate(code, n, tolerances, numbers, linear, arrays)
-    low, high = band[0], band[1]
+    low, high = whole[0], whole[1]
     for j in range(n):
         for i in range(max(0, j - low - high), min(n, j + low + 1)):
             M[j * n + i] = -slopes[j * n + i]
@@ -489,13 +492,18 @@ def linearise(code, n, tolerances, numbers, linear, arrays):
 
 def differentiate(code, n, tolerances, numbers, linear, arrays):
     """Bring df/dx and df/dt up to date: states whose rates have nothing in common go together."""
-    slopes, _, _, _, groups, begins, rows, columns, to, band = linear
+    slopes, whole = linear
+    at, count, size = LISTS + 2 * n, whole[3], whole[4]
+    groups, begins = whole[at : at + n + 1], whole[at + n + 1 : at + n + 1 + count]
+    at += n + 1 + count
+    rows, columns = whole[at : at + size], whole[at + size : at + 2 * size]
+    to = whole[at + 2 * size : at + 3 * size]
     Z, P, T, W, _ = arrays
     for i in range(n):
         Z[ARGUMENT * n + i] = Z[i]
         Z[OVER_TIME * n + i] = 0.0
     for group in range(len(begins) - 1):
-        found = band[2] > 0
+        found = whole[2] > 0
         if found:
             for j in range(n + 1):
                 Z[TERMS * n + j] = 1.0 if groups[j] == group else 0.0
@@ -545,10 +553,11 @@ def by_differences(code, n, group, tolerances, numbers, groups, arrays):
 
 def solve_stage(n, s, linear, Z):
     """Put the solution of a stage in the place of its rate."""
-    _, M, pivots, places, _, _, _, _, _, band = linear
+    M, whole = linear[0][n * n :], linear[1]
+    pivots, places = whole[LISTS : LISTS + n], whole[LISTS + n : LISTS + 2 * n]
     for i in range(n):
         Z[ARGUMENT * n + places[i]] = Z[(RATE + s) * n + i] + Z[KNOWN * n + i]
-    solve(n, band[0], band[1], M, pivots, Z, ARGUMENT * n)
+    solve(n, whole[0], whole[1], M, pivots, Z, ARGUMENT * n)
     for i in range(n):
         Z[(RATE + s) * n + i] = Z[ARGUMENT * n + places[i]]
 

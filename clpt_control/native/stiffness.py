@@ -45,8 +45,8 @@ def finish(
         assert implicit is not None
         one = rest[int(batch.lane[1][solver.MEMBER, k])] = _rest(batch, k, *implicit())
         one.advance(*tolerances, 1)
-        h, n = float(batch.numbers[solver.STEP, k]), one.shape[1]
-        return h * radius(one.callee.linear.slopes.reshape(n, n).T) > LARGE
+        h = float(batch.numbers[solver.STEP, k])
+        return h * radius(one.callee.linear.slopes) > LARGE
 
     batch.adaptive(*tolerances, watch, most, None, None if implicit is None else stiff)
     found = {int(m): rest[int(m)] for m in np.flatnonzero(batch.status == solver.STIFF)}

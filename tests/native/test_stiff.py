@@ -1,10 +1,12 @@
 """Stiff equations: exact to the tolerance, found by themselves, and nothing else taken for them."""
 
+import random
 import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from random_diagrams import random_diagram
 
 import clpt_control as clpt
 from clpt_control.diagrams.wiring import wiring_of
@@ -126,8 +128,21 @@ def slopes_of(runner, t, x):
     batch = Batch(callee, x[None], P[None], np.array([t, end]), pieces)
     batch.advance(1e-3, 1e-3, 1)
     places = callee.linear.places
-    slopes = callee.linear.slopes.reshape(n, n).T[np.ix_(places, places)]
+    slopes = callee.linear.slopes.T[np.ix_(places, places)]
     return slopes, batch.Z[solver.OVER_TIME * n : (solver.OVER_TIME + 1) * n].copy()
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_slopes_of_random_diagrams_are_exact(seed):
+    runner = NativeDiagram(random_diagram(random.Random(seed)))
+    x = np.random.default_rng(seed).normal(size=runner.nstates)
+    if not runner.nstates or not np.all(np.isfinite(runner.sweep.derivative(0.3, x))):
+        pytest.skip("no rates there")
+    runner.sweep.enter(0.3)
+    wanted = slopes_by_differences(runner, 0.3, x)
+    found = np.column_stack(slopes_of(runner, 0.3, x))
+    known = np.isfinite(wanted) & (np.abs(wanted) < 1e3)  # the rest is a jump
+    np.testing.assert_allclose(found[known], wanted[known], rtol=1e-5, atol=1e-5)
 
 
 def chained(t, x, u, p):
