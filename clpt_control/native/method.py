@@ -16,17 +16,22 @@ from .formula import Formula, Row, Rows, joined, maximum, minimum, sqrt, where
 from .solver import (  # rows of Z
     ARGUMENT,
     AT,
+    BAD_ONES,
     END,
     FAILING,
     FRESH,
     GOOD,
+    GOOD_ONES,
     LONGEST,
+    LOOK,
     NEW,
+    NEXT,
     OPENING,
     OTHER_STEPS,
     RATE,
     REJECTED,
     SIZE,
+    SPARE,
     STAGES,
     STATE,
     STEP,
@@ -99,15 +104,16 @@ def attempt() -> Formula:
 
 def _judge(n: int) -> Formula:
     """The new state, the estimate of its error, whether the step is good, and the next one."""
-    table, last = _table(), _stage(STAGES)
+    table = _table()
+    beyond = table.E3[:STAGES] - table.B  # most of E3 is B
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        assert last.each is not None
-        rows, _ = last.each(z, lane, tolerance)
-        largest = maximum(abs(z(STATE)), abs(rows[ARGUMENT]))
+        rate = _weighted(table.B, z)
+        state = joined(lane(TAKEN), rate, z(STATE))
+        largest = maximum(abs(z(STATE)), abs(state))
         part = 1.0 / joined(tolerance(0), largest, tolerance(1))
-        fifth, third = (_weighted(weights, z) * part for weights in (table.E5, table.E3))
-        return rows, (fifth * fifth, third * third)
+        fifth, third = _weighted(table.E5, z) * part, _weighted(beyond, z, rate) * part
+        return {ARGUMENT: state}, (fifth * fifth, third * third)
 
     def after(lane: Row, sums: Sequence[Any]) -> Rows:
         fifth, third = sums
@@ -117,12 +123,17 @@ def _judge(n: int) -> Formula:
         factor = 0.9 / sqrt(sqrt(sqrt(maximum(error, 1e-30))))  # error^(-1/8)
         most = where(lane(REJECTED) > 0.5, 1.0, 10.0)
         good = error < 1.0
+        tried = lane(GOOD_ONES) + lane(BAD_ONES) + 1.0
+        look = where(lane(NEW) >= lane(NEXT), 1.0, lane(FAILING))
         bad = where(error >= 1.0, maximum(0.2, factor), 0.2)  # not a number: 0.2
         return {
             STEP: lane(TAKEN) * where(good, minimum(most, factor), bad),
             GOOD: where(good, 1.0, 0.0),
             REJECTED: where(good, 0.0, 1.0),
             AT: lane(TIME) + lane(TAKEN),
+            LOOK: where(tried >= lane(SPARE), 1.0, look),
+            GOOD_ONES: lane(GOOD_ONES) + where(good, 1.0, 0.0),
+            BAD_ONES: lane(BAD_ONES) + where(good, 0.0, 1.0),
         }
 
     return Formula(each, after, 2)

@@ -45,7 +45,9 @@ SOLVED, KNOWN, OVER_TIME, ROOM, IMPLICIT_STAGES = 2, 10, 11, 12, 9
 TIME, STEP, END, FRESH, REJECTED, GOOD, TAKEN, NEW, AT, FAILING, SIZE, TROUBLE = range(12)
 KINK, LOW, HIGH, LAST = range(12, 16)  # of a decision that a step has passed (`decisions`)
 LONGEST, OPENING, STIFF_STEPS, OTHER_STEPS, DIAGONAL, WANTED = range(16, 22)
-NUMBERS = 22  # rows of numbers
+# when a lane is looked at next, or after how many tries; whether it is; steps since, good and not
+NEXT, SPARE, LOOK, GOOD_ONES, BAD_ONES = range(22, 27)
+NUMBERS = 27  # rows of numbers
 MEMBER, EDGE, DONE, BURST, WHICH = range(5)  # rows of whole numbers
 STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of the counts
 # places of `code`: the diagram's functions, then the formulas; stage s stands at STAGE + s
@@ -132,18 +134,20 @@ def advance(
                 solve_stage(n, s, linear, Z)
         call(code[JUDGE], numbers, Z, 0, P, tolerances, W, D, 0)
         good, wanted, within, doubted = False, False, False, False
+        looked = anew or implicit or guarded > 0 or decided > 0
         for k in range(lanes):
-            m, done = whole[MEMBER, k], whole[DONE, k]
-            if m >= 0:
-                counts[m, EVALUATIONS] += stages - 1
-                if numbers[FAILING, k] > 0.5:
+            good = good or numbers[GOOD, k] > 0.5
+            looked = looked or numbers[LOOK, k] > 0.5
+        if implicit:
+            numbers[GOOD_ONES, 0], numbers[BAD_ONES, 0] = numbers[GOOD, 0], 1.0 - numbers[GOOD, 0]
+        if looked:
+            count(lanes, stages, counts, lane)
+            for k in range(lanes):
+                m, done = whole[MEMBER, k], whole[DONE, k]
+                if m >= 0 and numbers[FAILING, k] > 0.5:
                     fail(status, whole, k, TOO_SMALL)
-                if numbers[GOOD, k] < 0.5:
-                    counts[m, REJECTIONS] += 1
-                else:
-                    good, within = True, within or guarded > 0
-                    counts[m, STEPS] += 1
-                    counts[m, EVALUATIONS] += 1
+                if m >= 0 and numbers[GOOD, k] > 0.5:
+                    within = within or guarded > 0
                     doubted = (
                         doubted or counts[m, STEPS] % OFTEN == 0 or numbers[STIFF_STEPS, k] > 0
                     )
@@ -174,27 +178,31 @@ def advance(
         call(code[ACCEPT], numbers, Z, 0, P, T, W, D, 0)
         if beyond:
             decide_anew(lanes, times, status, lane)
-        if jumping:
+        if jumping and looked:
             leap(code, shape, runs, schedule, times, results, lane, arrays, guarded)
-        for k in range(lanes):
-            m = whole[MEMBER, k]
-            if m < 0:
-                rest(k, shape, runs, numbers, Z)
-                continue
-            if counts[m, STEPS] + counts[m, REJECTIONS] >= most:
-                fail(status, whole, k, TOO_MANY)
-            if numbers[GOOD, k] > 0.5 and numbers[TIME, k] == numbers[END, k]:
-                enter(k, lanes, runs, schedule, status, lane, P)
-            if status[m] != RUNNING:
-                reached[m] = whole[DONE, k]
-                whole[MEMBER, k] = -1
-                active -= 1
-                active += take(k, shape, runs, schedule, times, results, lane, Z, P)
-            elif numbers[STIFF_STEPS, k] >= MANY:
-                if times[len(times) - 1] - numbers[TIME, k] > AHEAD * numbers[STEP, k]:
-                    budget = 0
-                else:
-                    numbers[STIFF_STEPS, k] = 0.0
+        if looked:
+            for k in range(lanes):
+                m = whole[MEMBER, k]
+                if m < 0:
+                    rest(k, shape, runs, numbers, Z)
+                    continue
+                spare = most - counts[m, STEPS] - counts[m, REJECTIONS]
+                if spare <= 0:
+                    fail(status, whole, k, TOO_MANY)
+                if numbers[GOOD, k] > 0.5 and numbers[TIME, k] == numbers[END, k]:
+                    enter(k, lanes, runs, schedule, status, lane, P)
+                if status[m] != RUNNING:
+                    reached[m] = whole[DONE, k]
+                    whole[MEMBER, k] = -1
+                    active -= 1
+                    active += take(k, shape, runs, schedule, times, results, lane, Z, P)
+                elif numbers[STIFF_STEPS, k] >= MANY:
+                    if times[len(times) - 1] - numbers[TIME, k] > AHEAD * numbers[STEP, k]:
+                        budget = 0
+                    else:
+                        numbers[STIFF_STEPS, k] = 0.0
+                look_again(k, times, spare, counts, lane)
+    count(lanes, stages, counts, lane)
     return active
 
 
@@ -280,6 +288,31 @@ def decide_anew(lanes, times, status, lane):
                 fail(status, whole, k, CHATTERS)
 
 
+def count(lanes, stages, counts, lane):
+    """Count the steps of runs since they were looked at."""
+    numbers, whole, _ = lane
+    for k in range(lanes):
+        m = whole[MEMBER, k]
+        if m >= 0:
+            good, bad = int(numbers[GOOD_ONES, k]), int(numbers[BAD_ONES, k])
+            counts[m, STEPS] += good
+            counts[m, REJECTIONS] += bad
+            counts[m, EVALUATIONS] += (stages - 1) * (good + bad) + good
+            numbers[GOOD_ONES, k], numbers[BAD_ONES, k] = 0.0, 0.0
+
+
+def look_again(k, times, spare, counts, lane):
+    """Note when a lane is looked at next: at an end, a sample, or for stiffness."""
+    numbers, whole, _ = lane
+    m, done = whole[MEMBER, k], whole[DONE, k]
+    if m >= 0:
+        tries = min(spare, OFTEN - counts[m, STEPS] % OFTEN)
+        numbers[SPARE, k] = 1.0 if numbers[STIFF_STEPS, k] > 0 else tries
+        numbers[NEXT, k] = numbers[END, k]
+        if done < len(times):
+            numbers[NEXT, k] = min(times[done], numbers[END, k])
+
+
 def fail(status, whole, k, why):
     """End the run of a lane."""
     m = whole[MEMBER, k]
@@ -328,6 +361,7 @@ def take(k, shape, runs, schedule, times, results, lane, Z, P):
     numbers[TIME, k], numbers[END, k], numbers[STEP, k] = times[0], edges[group[m], 0], 0.0
     numbers[FRESH, k], numbers[REJECTED, k] = 1.0, 0.0
     numbers[LAST, k], whole[BURST, k] = -math.inf, 0
+    numbers[GOOD_ONES, k], numbers[BAD_ONES, k] = 0.0, 0.0
     if numbers[STIFF_STEPS, k] > -math.inf:
         numbers[STIFF_STEPS, k] = 0.0
     return 1
@@ -339,7 +373,7 @@ def rest(k, shape, runs, numbers, Z):
     for i in range(n):
         Z[i * lanes + k] = runs[0][0, i]
     numbers[TIME, k], numbers[STEP, k], numbers[END, k] = 0.0, 0.5, 1.0
-    numbers[FRESH, k], numbers[REJECTED, k] = 0.0, 0.0
+    numbers[FRESH, k], numbers[REJECTED, k], numbers[NEXT, k] = 0.0, 0.0, -math.inf
 
 
 def begin(lanes, results, lane, D, guarded):
