@@ -19,7 +19,13 @@ from .slopes import slopes_of
 
 ROLES = ("update", "output", "guard", "jump")
 # how long an axis without and with a name is that loops; the others are there to be compared
-FORMS = {None: (SHORT + 1, NAMED), "unrolled": (10**9, 10**9), "looped": (2, 2)}
+# and whether decisions are locked for a step
+FORMS = {
+    None: (SHORT + 1, NAMED, True),
+    "unrolled": (10**9, 10**9, True),
+    "looped": (2, 2, True),
+    "free": (SHORT + 1, NAMED, False),
+}
 
 
 class Structure(NamedTuple):
@@ -70,10 +76,11 @@ def code_of(
     """Return the code of a diagram, the same for diagrams of one structure.
 
     With `implicit` it is for an implicit method: rates have slopes.  Where `form` is not None, all
-    axes are ``"unrolled"`` or ``"looped"``.  What cannot be compiled is an `Uncompiled` error.
+    axes are ``"unrolled"`` or ``"looped"``, or decisions are ``"free"``.  What cannot be compiled
+    is an `Uncompiled` error.
     """
     if form not in FORMS:
-        raise DiagramError(f"form = {form!r}: must be 'unrolled' or 'looped', or left out")
+        raise DiagramError(f"form = {form!r}: must be 'unrolled', 'looped' or 'free', or left out")
     blocks = []
     for node in wiring.nodes:
         block = node.system

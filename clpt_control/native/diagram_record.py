@@ -59,7 +59,14 @@ class DiagramRecord:
     Axes loop from the length `long` on, where they have a name from `named` on.
     """
 
-    def __init__(self, wiring: Wiring, layout: Layout, long: int = SHORT + 1, named: int = NAMED):
+    def __init__(
+        self,
+        wiring: Wiring,
+        layout: Layout,
+        long: int = SHORT + 1,
+        named: int = NAMED,
+        locking: bool = True,
+    ):
         self.wiring, self.layout, self.long, self.named = wiring, layout, long, named
         self.entries: list[Entry] = []
         self.moving: list[bool] = []  # of each entry: whether it changes along a run
@@ -83,7 +90,7 @@ class DiagramRecord:
         exact, ports, rates = self.signals, self._ports, self.rates
         self.margins = [m for k in range(len(wiring.nodes)) for m in self._margins(k)]
         self.decided = 0  # numbers that are decided, of rates that are locked
-        if not wiring.dt and self.decisions.lock():
+        if locking and not wiring.dt and self.decisions.lock():
             self._ports, self.signals, self.rates = {}, [], []
             self._rates()
             self.decided = self.decisions.kept([port.ref for port in self.rates])

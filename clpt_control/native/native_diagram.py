@@ -1,6 +1,7 @@
 """A diagram as machine code."""
 
 from collections.abc import Mapping
+from copy import copy
 from functools import cached_property
 from typing import Any
 
@@ -25,6 +26,9 @@ ABREAST = 256  # states of runs that are taken side by side; more do not fit the
 FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide", "slope")
 
 
+MOST_FREE = 2_000_000  # tries of a run that switches to and fro, a few seconds
+
+
 @public
 class NativeDiagram(PythonDiagram):
     """A diagram compiled to machine code.
@@ -36,7 +40,8 @@ class NativeDiagram(PythonDiagram):
     params : mapping, optional
         Call-time parameters by qualified name.
     form : str, optional
-        ``"unrolled"`` or ``"looped"``: all axes; short ones are unrolled without.
+        ``"unrolled"`` or ``"looped"``: all axes; short ones are unrolled without.  ``"free"``:
+        decisions are not locked for a step.
 
     Attributes
     ----------
@@ -85,6 +90,15 @@ class NativeDiagram(PythonDiagram):
     @cached_property
     def _implicit(self) -> Code:
         return code_of(self.wiring, self.layout, self._form, True)
+
+    @cached_property
+    def free(self) -> "NativeDiagram":
+        """The same, whose decisions are not locked: for what switches to and fro without end."""
+        made = copy(self)
+        made.__dict__.pop("_implicit", None)
+        made._form, made.code = "free", code_of(self.wiring, self.layout, "free")
+        made.most = MOST_FREE
+        return made
 
     def schedule(
         self, t0: float, t1: float, inputs: Inputs | None = None, breaks: Any = ()

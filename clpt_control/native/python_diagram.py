@@ -13,11 +13,12 @@ import numpy as np
 from ..diagrams.interconnection import changed_parameters
 from ..diagrams.wiring import Wiring, read_anew, wiring_of
 from ..errors import SimulationError
+from ..progress import warn
 from . import method as dop853
 from . import rosenbrock, solver
 from .batch import Batch, Callee, pace
 from .discrete import begun, iterated
-from .ending import Solution, ended
+from .ending import Solution, ended, switching
 from .formula import on_rows
 from .inputs import Inputs, checked_state, checked_times, numbers, read_inputs
 from .jacobian import fresh, jacobian
@@ -192,7 +193,25 @@ class PythonDiagram:
 
         auto = partial(self.implicit, inputs) if method == "auto" else None
         rest = finish(made, tolerances, auto, watch, self.most)
+        if made.status[0] == solver.CHATTERS:
+            return self._chattering(
+                switching(self.sweep, rest.get(0, made)),
+                lambda free: free.run(
+                    x0, times, rtol=rtol, atol=atol, inputs=inputs, progress=progress,
+                    method=method, max_step=max_step, first_step=first_step,
+                ),
+            )  # fmt: skip
         return self._ended(made, inputs, pieces, rest.get(0))
+
+    def _chattering(self, sentence: str, run: Callable[[Any], Solution]) -> Solution:
+        """Run what switches to and fro without its decisions locked; say so."""
+        try:
+            found = run(self.free)  # type: ignore[attr-defined]
+        except SimulationError as error:
+            raise SimulationError(sentence) from error
+        warn(sentence)
+        found.message = f"{found.message}; {sentence}"
+        return found
 
     def _loosely(self, start: np.ndarray, times: np.ndarray, *given: Any) -> Solution | None:
         """Run at loose tolerances in Python what neither jumps nor has a guard."""
