@@ -121,7 +121,7 @@ def arguments() -> dict[str, tuple]:
     states = (real(1), real(1), 1, whole(1), whole(1), real(2), *(real(1),) * 4, real(2))
     return {
         "advance": (code, shape, real(1), *shared, linear, 1, 1, 0, 0, 0, 0),
-        "advance_fixed": (code, shape, 1.0, *shared, 0, 0, 0, 0),
+        "advance_fixed": (code, shape, 1.0, *shared, 0, 0),
         "signals_at": (code, *states),
     }
 

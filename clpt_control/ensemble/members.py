@@ -15,7 +15,6 @@ import numpy as np
 from ..diagrams.changes import UNCHANGED, Changes
 from ..diagrams.interconnection import wiring_of_blocks
 from ..errors import ScenarioError
-from ..native import solver
 from ..native.batch import Batch
 from ..native.discrete import begun
 from ..native.native_diagram import NativeDiagram
@@ -137,8 +136,9 @@ class Ensemble:
         `times` increase from 0; the last is the duration that the members were made for.
         """
         lanes = self.lanes if step is None or len(members.schedules) == 1 else 1
+        native = self.native if step is None else self.native.free
         batch = Batch(
-            self.native.callee(lanes),
+            native.callee(lanes),
             members.x0,
             members.P,
             np.asarray(times, dtype=float),
@@ -147,25 +147,9 @@ class Ensemble:
         )
         if step is None:
             finish(batch, (rtol, atol), self.native.implicit)
-            self._free(batch, np.flatnonzero(batch.status == solver.CHATTERS), rtol, atol)
         else:
             batch.fixed(step)
         return States(self.columns, batch.out, batch.status, batch.reached, batch.counts)
-
-    def _free(self, batch: Batch, which: np.ndarray, rtol: float, atol: float) -> None:
-        """Run members that switch to and fro again, their decisions not locked."""
-        if not len(which):
-            return
-        (starts, P, group), free = batch.runs, self.native.free
-        own = np.zeros((len(which), len(free.parameters())))
-        given = min(own.shape[1], P.shape[1], self.native.held - 1)
-        own[:, :given] = P[which, :given]
-        again = Batch(
-            free.callee(self.lanes), starts[which], own, batch.times, batch.pieces, group[which]
-        )
-        finish(again, (rtol, atol), free.implicit)
-        for into, found in zip(batch.results, again.results, strict=True):
-            into[which] = found
 
     def signals(
         self, members: Members, run: "States", m: int, times: np.ndarray, ports: Sequence[str]

@@ -166,8 +166,6 @@ class Batch:
                 *self._shared,
                 self.callee.guarded,
                 self.callee.jumping,
-                self.callee.held,
-                self.callee.decided,
             )
 
     @property

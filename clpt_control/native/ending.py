@@ -110,18 +110,19 @@ def _ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
         times, states = _until(batch, t, x, done)
         return Solution(times, states, "stopped", f"stopped: {sentence}", statistics, engine)
     reason = status.sentence
+    if status is Status.CHATTERS:
+        reason = f"{_switch(sweep, batch)} {reason}"
     if found := _trouble(sweep, batch, inputs):
         reason = f"{found}; check the parameters of that block, or loosen rtol and atol"
     raise SimulationError(f"the integration stopped at t = {batch.now:.9g}: {reason}")
 
 
-def switching(sweep: Sweep, batch: Batch) -> str:
-    """Return a sentence on a run that chatters: from when, block, function and operation."""
+def _switch(sweep: Sweep, batch: Batch) -> str:
+    """Name the decision of a run that chatters: block, function and operation."""
     deciding, which = batch.callee.code[0].program.deciding, batch.lane[1][solver.WHICH, 0]
     k, role, kind = [of for first, of in deciding if first <= which][-1]
     word = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}.get(kind, kind)
-    what = f"`{word}` in {sweep.nodes[k].name}.{role}"
-    return f"from t = {batch.now:.9g} on {what} {Status.CHATTERS.sentence}"
+    return f"`{word}` in {sweep.nodes[k].name}.{role}"
 
 
 def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:

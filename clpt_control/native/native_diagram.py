@@ -26,9 +26,6 @@ ABREAST = 256  # states of runs that are taken side by side; more do not fit the
 FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide", "slope")
 
 
-MOST_FREE = 2_000_000  # tries of a run that switches to and fro, a few seconds
-
-
 @public
 class NativeDiagram(PythonDiagram):
     """A diagram compiled to machine code.
@@ -91,13 +88,15 @@ class NativeDiagram(PythonDiagram):
     def _implicit(self) -> Code:
         return code_of(self.wiring, self.layout, self._form, True)
 
-    @cached_property
+    @property
     def free(self) -> "NativeDiagram":
-        """The same, whose decisions are not locked: for what switches to and fro without end."""
+        """The same, whose decisions are not locked for a step: for steps of one length."""
+        return self._free if self.code.program.decided else self
+
+    @cached_property
+    def _free(self) -> "NativeDiagram":
         made = copy(self)
-        made.__dict__.pop("_implicit", None)
         made._form, made.code = "free", code_of(self.wiring, self.layout, "free")
-        made.most = MOST_FREE
         return made
 
     def schedule(

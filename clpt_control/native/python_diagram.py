@@ -13,12 +13,11 @@ import numpy as np
 from ..diagrams.interconnection import changed_parameters
 from ..diagrams.wiring import Wiring, read_anew, wiring_of
 from ..errors import SimulationError
-from ..progress import warn
 from . import method as dop853
 from . import rosenbrock, solver
 from .batch import Batch, Callee, pace
 from .discrete import begun, iterated
-from .ending import Solution, ended, switching
+from .ending import Solution, ended
 from .formula import on_rows
 from .inputs import Inputs, checked_state, checked_times, numbers, read_inputs
 from .jacobian import fresh, jacobian
@@ -103,6 +102,11 @@ class PythonDiagram:
         """Return what the solver calls of an implicit method, and the length of P."""
         return self.callee(1, inputs, True), len(self.parameters(True))
 
+    @property
+    def free(self) -> "PythonDiagram":
+        """The same, whose decisions are not locked for a step: for steps of one length."""
+        return self
+
     # --- runs -----------------------------------------------------------------------------
 
     def run(
@@ -155,6 +159,11 @@ class PythonDiagram:
             step becomes too small, the end is out of reach, or a guard with
             the policy ``"raise"`` is crossed.
         """
+        if step is not None and self.free is not self:
+            return self.free.run(
+                x0, times, rtol=rtol, atol=atol, inputs=inputs, progress=progress, step=step,
+                method=method, max_step=max_step, first_step=first_step,
+            )  # fmt: skip
         tolerances, limits = _tolerances(step, rtol, atol), _limits(step, max_step, first_step)
         method = checked_method(method, step)
         if step is not None and progress is not None:
@@ -193,25 +202,7 @@ class PythonDiagram:
 
         auto = partial(self.implicit, inputs) if method == "auto" else None
         rest = finish(made, tolerances, auto, watch, self.most)
-        if made.status[0] == solver.CHATTERS:
-            return self._chattering(
-                switching(self.sweep, rest.get(0, made)),
-                lambda free: free.run(
-                    x0, times, rtol=rtol, atol=atol, inputs=inputs, progress=progress,
-                    method=method, max_step=max_step, first_step=first_step,
-                ),
-            )  # fmt: skip
         return self._ended(made, inputs, pieces, rest.get(0))
-
-    def _chattering(self, sentence: str, run: Callable[[Any], Solution]) -> Solution:
-        """Run what switches to and fro without its decisions locked; say so."""
-        try:
-            found = run(self.free)  # type: ignore[attr-defined]
-        except SimulationError as error:
-            raise SimulationError(sentence) from error
-        warn(sentence)
-        found.message = f"{found.message}; {sentence}"
-        return found
 
     def _loosely(self, start: np.ndarray, times: np.ndarray, *given: Any) -> Solution | None:
         """Run at loose tolerances in Python what neither jumps nor has a guard."""
@@ -261,6 +252,8 @@ class PythonDiagram:
         ndarray, shape (m, n, nstates)
             NaN from where a run could not go on.
         """
+        if step is not None and self.free is not self:
+            return self.free.run_many(starts, times, rtol=rtol, atol=atol, step=step)
         tolerances = _tolerances(step, rtol, atol)
         times = checked_times("times", times)
         starts = checked_state("starts", starts, (len(starts), self.nstates))

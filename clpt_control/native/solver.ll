@@ -1,4 +1,4 @@
-; sha256 46eb8ad90e4ff401a5473cb5acca45517a79970907077ec93b144262766fc4d2
+; sha256 90843a5d3b7e7f8f09ac24f0b5a398edd5afa837dbf58dfc3bc1d3c8903f4f8d
 
 @.const.pickledata.ca8efb3a72d614fe872032cce3ac326007a30727 = internal constant [76 x i8] c"\80\04\95A\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AValueError\94\93\94\8C\1Erange() arg 3 must not be zero\94\85\94N\87\94."
 @.const.pickledata.ca8efb3a72d614fe872032cce3ac326007a30727.sha1 = internal constant [20 x i8] c"\CA\8E\FB:r\D6\14\FE\87 2\CC\E3\AC2`\07\A3\07'"
@@ -3960,139 +3960,139 @@ declare i64 @llvm.smax.i64(i64, i64)
 ; Function Attrs: nocallback nofree nosync nounwind speculatable willreturn memory(none)
 declare <2 x double> @llvm.fabs.v2f64(<2 x double>)
 
-define dso_local range(i32 0, 2) i32 @advance_fixed(ptr noalias %retptr, ptr noalias %excinfo, ptr readnone %arg.code.0, ptr readnone %arg.code.1, i64 %arg.code.2, i64 %arg.code.3, ptr readonly %arg.code.4, i64 %arg.code.5.0, i64 %arg.code.6.0, i64 %arg.shape.0, i64 %arg.shape.1, i64 %arg.shape.2, double %arg.step, ptr readnone %arg.runs.0.0, ptr readnone %arg.runs.0.1, i64 %arg.runs.0.2, i64 %arg.runs.0.3, ptr readonly %arg.runs.0.4, i64 %arg.runs.0.5.0, i64 %arg.runs.0.5.1, i64 %arg.runs.0.6.0, i64 %arg.runs.0.6.1, ptr readnone %arg.runs.1.0, ptr readnone %arg.runs.1.1, i64 %arg.runs.1.2, i64 %arg.runs.1.3, ptr readonly %arg.runs.1.4, i64 %arg.runs.1.5.0, i64 %arg.runs.1.5.1, i64 %arg.runs.1.6.0, i64 %arg.runs.1.6.1, ptr readnone %arg.runs.2.0, ptr readnone %arg.runs.2.1, i64 %arg.runs.2.2, i64 %arg.runs.2.3, ptr readonly %arg.runs.2.4, i64 %arg.runs.2.5.0, i64 %arg.runs.2.6.0, ptr readnone %arg.schedule.0.0, ptr readnone %arg.schedule.0.1, i64 %arg.schedule.0.2, i64 %arg.schedule.0.3, ptr readonly %arg.schedule.0.4, i64 %arg.schedule.0.5.0, i64 %arg.schedule.0.5.1, i64 %arg.schedule.0.6.0, i64 %arg.schedule.0.6.1, ptr readnone %arg.schedule.1.0, ptr readnone %arg.schedule.1.1, i64 %arg.schedule.1.2, i64 %arg.schedule.1.3, ptr readnone %arg.schedule.1.4, i64 %arg.schedule.1.5.0, i64 %arg.schedule.1.6.0, ptr readnone %arg.schedule.2.0, ptr readnone %arg.schedule.2.1, i64 %arg.schedule.2.2, i64 %arg.schedule.2.3, ptr readonly %arg.schedule.2.4, i64 %arg.schedule.2.5.0, i64 %arg.schedule.2.6.0, ptr readnone %arg.schedule.3.0, ptr readnone %arg.schedule.3.1, i64 %arg.schedule.3.2, i64 %arg.schedule.3.3, ptr readonly %arg.schedule.3.4, i64 %arg.schedule.3.5.0, i64 %arg.schedule.3.5.1, i64 %arg.schedule.3.5.2, i64 %arg.schedule.3.6.0, i64 %arg.schedule.3.6.1, i64 %arg.schedule.3.6.2, ptr readnone %arg.schedule.4.0, ptr readnone %arg.schedule.4.1, i64 %arg.schedule.4.2, i64 %arg.schedule.4.3, ptr readnone %arg.schedule.4.4, i64 %arg.schedule.4.5.0, i64 %arg.schedule.4.5.1, i64 %arg.schedule.4.6.0, i64 %arg.schedule.4.6.1, ptr readnone %arg.times.0, ptr readnone %arg.times.1, i64 %arg.times.2, i64 %arg.times.3, ptr readonly %arg.times.4, i64 %arg.times.5.0, i64 %arg.times.6.0, ptr readnone %arg.results.0.0, ptr readnone %arg.results.0.1, i64 %arg.results.0.2, i64 %arg.results.0.3, ptr %arg.results.0.4, i64 %arg.results.0.5.0, i64 %arg.results.0.5.1, i64 %arg.results.0.5.2, i64 %arg.results.0.6.0, i64 %arg.results.0.6.1, i64 %arg.results.0.6.2, ptr readnone %arg.results.1.0, ptr readnone %arg.results.1.1, i64 %arg.results.1.2, i64 %arg.results.1.3, ptr %arg.results.1.4, i64 %arg.results.1.5.0, i64 %arg.results.1.6.0, ptr readnone %arg.results.2.0, ptr readnone %arg.results.2.1, i64 %arg.results.2.2, i64 %arg.results.2.3, ptr %arg.results.2.4, i64 %arg.results.2.5.0, i64 %arg.results.2.6.0, ptr readnone %arg.results.3.0, ptr readnone %arg.results.3.1, i64 %arg.results.3.2, i64 %arg.results.3.3, ptr %arg.results.3.4, i64 %arg.results.3.5.0, i64 %arg.results.3.5.1, i64 %arg.results.3.6.0, i64 %arg.results.3.6.1, ptr readnone %arg.lane.0.0, ptr readnone %arg.lane.0.1, i64 %arg.lane.0.2, i64 %arg.lane.0.3, ptr %arg.lane.0.4, i64 %arg.lane.0.5.0, i64 %arg.lane.0.5.1, i64 %arg.lane.0.6.0, i64 %arg.lane.0.6.1, ptr readnone %arg.lane.1.0, ptr readnone %arg.lane.1.1, i64 %arg.lane.1.2, i64 %arg.lane.1.3, ptr %arg.lane.1.4, i64 %arg.lane.1.5.0, i64 %arg.lane.1.5.1, i64 %arg.lane.1.6.0, i64 %arg.lane.1.6.1, ptr readnone %arg.lane.2.0, ptr readnone %arg.lane.2.1, i64 %arg.lane.2.2, i64 %arg.lane.2.3, ptr readnone %arg.lane.2.4, i64 %arg.lane.2.5.0, i64 %arg.lane.2.6.0, ptr readnone %arg.arrays.0.0, ptr readnone %arg.arrays.0.1, i64 %arg.arrays.0.2, i64 %arg.arrays.0.3, ptr %arg.arrays.0.4, i64 %arg.arrays.0.5.0, i64 %arg.arrays.0.6.0, ptr readnone %arg.arrays.1.0, ptr readnone %arg.arrays.1.1, i64 %arg.arrays.1.2, i64 %arg.arrays.1.3, ptr %arg.arrays.1.4, i64 %arg.arrays.1.5.0, i64 %arg.arrays.1.6.0, ptr readnone %arg.arrays.2.0, ptr readnone %arg.arrays.2.1, i64 %arg.arrays.2.2, i64 %arg.arrays.2.3, ptr %arg.arrays.2.4, i64 %arg.arrays.2.5.0, i64 %arg.arrays.2.6.0, ptr readnone %arg.arrays.3.0, ptr readnone %arg.arrays.3.1, i64 %arg.arrays.3.2, i64 %arg.arrays.3.3, ptr %arg.arrays.3.4, i64 %arg.arrays.3.5.0, i64 %arg.arrays.3.6.0, ptr readnone %arg.arrays.4.0, ptr readnone %arg.arrays.4.1, i64 %arg.arrays.4.2, i64 %arg.arrays.4.3, ptr %arg.arrays.4.4, i64 %arg.arrays.4.5.0, i64 %arg.arrays.4.6.0, i64 %arg.guarded, i64 %arg.jumping, i64 %arg.held, i64 %arg.decided) local_unnamed_addr {
+define dso_local range(i32 0, 2) i32 @advance_fixed(ptr noalias %retptr, ptr noalias %excinfo, ptr readnone %arg.code.0, ptr readnone %arg.code.1, i64 %arg.code.2, i64 %arg.code.3, ptr readonly %arg.code.4, i64 %arg.code.5.0, i64 %arg.code.6.0, i64 %arg.shape.0, i64 %arg.shape.1, i64 %arg.shape.2, double %arg.step, ptr readnone %arg.runs.0.0, ptr readnone %arg.runs.0.1, i64 %arg.runs.0.2, i64 %arg.runs.0.3, ptr readonly %arg.runs.0.4, i64 %arg.runs.0.5.0, i64 %arg.runs.0.5.1, i64 %arg.runs.0.6.0, i64 %arg.runs.0.6.1, ptr readnone %arg.runs.1.0, ptr readnone %arg.runs.1.1, i64 %arg.runs.1.2, i64 %arg.runs.1.3, ptr readonly %arg.runs.1.4, i64 %arg.runs.1.5.0, i64 %arg.runs.1.5.1, i64 %arg.runs.1.6.0, i64 %arg.runs.1.6.1, ptr readnone %arg.runs.2.0, ptr readnone %arg.runs.2.1, i64 %arg.runs.2.2, i64 %arg.runs.2.3, ptr readonly %arg.runs.2.4, i64 %arg.runs.2.5.0, i64 %arg.runs.2.6.0, ptr readnone %arg.schedule.0.0, ptr readnone %arg.schedule.0.1, i64 %arg.schedule.0.2, i64 %arg.schedule.0.3, ptr readonly %arg.schedule.0.4, i64 %arg.schedule.0.5.0, i64 %arg.schedule.0.5.1, i64 %arg.schedule.0.6.0, i64 %arg.schedule.0.6.1, ptr readnone %arg.schedule.1.0, ptr readnone %arg.schedule.1.1, i64 %arg.schedule.1.2, i64 %arg.schedule.1.3, ptr readnone %arg.schedule.1.4, i64 %arg.schedule.1.5.0, i64 %arg.schedule.1.6.0, ptr readnone %arg.schedule.2.0, ptr readnone %arg.schedule.2.1, i64 %arg.schedule.2.2, i64 %arg.schedule.2.3, ptr readonly %arg.schedule.2.4, i64 %arg.schedule.2.5.0, i64 %arg.schedule.2.6.0, ptr readnone %arg.schedule.3.0, ptr readnone %arg.schedule.3.1, i64 %arg.schedule.3.2, i64 %arg.schedule.3.3, ptr readonly %arg.schedule.3.4, i64 %arg.schedule.3.5.0, i64 %arg.schedule.3.5.1, i64 %arg.schedule.3.5.2, i64 %arg.schedule.3.6.0, i64 %arg.schedule.3.6.1, i64 %arg.schedule.3.6.2, ptr readnone %arg.schedule.4.0, ptr readnone %arg.schedule.4.1, i64 %arg.schedule.4.2, i64 %arg.schedule.4.3, ptr readnone %arg.schedule.4.4, i64 %arg.schedule.4.5.0, i64 %arg.schedule.4.5.1, i64 %arg.schedule.4.6.0, i64 %arg.schedule.4.6.1, ptr readnone %arg.times.0, ptr readnone %arg.times.1, i64 %arg.times.2, i64 %arg.times.3, ptr readonly %arg.times.4, i64 %arg.times.5.0, i64 %arg.times.6.0, ptr readnone %arg.results.0.0, ptr readnone %arg.results.0.1, i64 %arg.results.0.2, i64 %arg.results.0.3, ptr %arg.results.0.4, i64 %arg.results.0.5.0, i64 %arg.results.0.5.1, i64 %arg.results.0.5.2, i64 %arg.results.0.6.0, i64 %arg.results.0.6.1, i64 %arg.results.0.6.2, ptr readnone %arg.results.1.0, ptr readnone %arg.results.1.1, i64 %arg.results.1.2, i64 %arg.results.1.3, ptr %arg.results.1.4, i64 %arg.results.1.5.0, i64 %arg.results.1.6.0, ptr readnone %arg.results.2.0, ptr readnone %arg.results.2.1, i64 %arg.results.2.2, i64 %arg.results.2.3, ptr %arg.results.2.4, i64 %arg.results.2.5.0, i64 %arg.results.2.6.0, ptr readnone %arg.results.3.0, ptr readnone %arg.results.3.1, i64 %arg.results.3.2, i64 %arg.results.3.3, ptr %arg.results.3.4, i64 %arg.results.3.5.0, i64 %arg.results.3.5.1, i64 %arg.results.3.6.0, i64 %arg.results.3.6.1, ptr readnone %arg.lane.0.0, ptr readnone %arg.lane.0.1, i64 %arg.lane.0.2, i64 %arg.lane.0.3, ptr %arg.lane.0.4, i64 %arg.lane.0.5.0, i64 %arg.lane.0.5.1, i64 %arg.lane.0.6.0, i64 %arg.lane.0.6.1, ptr readnone %arg.lane.1.0, ptr readnone %arg.lane.1.1, i64 %arg.lane.1.2, i64 %arg.lane.1.3, ptr %arg.lane.1.4, i64 %arg.lane.1.5.0, i64 %arg.lane.1.5.1, i64 %arg.lane.1.6.0, i64 %arg.lane.1.6.1, ptr readnone %arg.lane.2.0, ptr readnone %arg.lane.2.1, i64 %arg.lane.2.2, i64 %arg.lane.2.3, ptr readnone %arg.lane.2.4, i64 %arg.lane.2.5.0, i64 %arg.lane.2.6.0, ptr readnone %arg.arrays.0.0, ptr readnone %arg.arrays.0.1, i64 %arg.arrays.0.2, i64 %arg.arrays.0.3, ptr %arg.arrays.0.4, i64 %arg.arrays.0.5.0, i64 %arg.arrays.0.6.0, ptr readnone %arg.arrays.1.0, ptr readnone %arg.arrays.1.1, i64 %arg.arrays.1.2, i64 %arg.arrays.1.3, ptr %arg.arrays.1.4, i64 %arg.arrays.1.5.0, i64 %arg.arrays.1.6.0, ptr readnone %arg.arrays.2.0, ptr readnone %arg.arrays.2.1, i64 %arg.arrays.2.2, i64 %arg.arrays.2.3, ptr %arg.arrays.2.4, i64 %arg.arrays.2.5.0, i64 %arg.arrays.2.6.0, ptr readnone %arg.arrays.3.0, ptr readnone %arg.arrays.3.1, i64 %arg.arrays.3.2, i64 %arg.arrays.3.3, ptr %arg.arrays.3.4, i64 %arg.arrays.3.5.0, i64 %arg.arrays.3.6.0, ptr readnone %arg.arrays.4.0, ptr readnone %arg.arrays.4.1, i64 %arg.arrays.4.2, i64 %arg.arrays.4.3, ptr %arg.arrays.4.4, i64 %arg.arrays.4.5.0, i64 %arg.arrays.4.6.0, i64 %arg.guarded, i64 %arg.jumping) local_unnamed_addr {
 entry:
-  %arg.arrays.0.44803 = ptrtoint ptr %arg.arrays.0.4 to i64
-  %arg.results.0.44802 = ptrtoint ptr %arg.results.0.4 to i64
-  %.428 = icmp sgt i64 %arg.runs.0.5.0, 0
-  %.431 = icmp eq i64 %arg.shape.0, 0
-  br i1 %.431, label %B0.if, label %B0.endif, !prof !36
+  %arg.arrays.0.43791 = ptrtoint ptr %arg.arrays.0.4 to i64
+  %arg.results.0.43790 = ptrtoint ptr %arg.results.0.4 to i64
+  %.422 = icmp sgt i64 %arg.runs.0.5.0, 0
+  %.425 = icmp eq i64 %arg.shape.0, 0
+  br i1 %.425, label %B0.if, label %B0.endif, !prof !36
 
-B148.loopexit:                                    ; preds = %B1706, %B1576
-  %.473 = icmp sgt i64 %.417.14768, 0
-  %.486 = select i1 %.473, i64 %arg.shape.0, i64 0
-  %.414.1 = add i64 %.486, %.414.14767
-  %.482 = sext i1 %.473 to i64
-  %.417.1 = add nsw i64 %.417.14768, %.482
-  %.463.sroa.0.0 = select i1 %.473, i64 %.414.14767, i64 0
-  br i1 %.473, label %B152, label %B1712
+B148.loopexit:                                    ; preds = %B1702, %B1572
+  %.467 = icmp sgt i64 %.411.13763, 0
+  %.480 = select i1 %.467, i64 %arg.shape.0, i64 0
+  %.408.1 = add i64 %.480, %.408.13762
+  %.476 = sext i1 %.467 to i64
+  %.411.1 = add nsw i64 %.411.13763, %.476
+  %.457.sroa.0.0 = select i1 %.467, i64 %.408.13762, i64 0
+  br i1 %.467, label %B152, label %B1708
 
 B152:                                             ; preds = %B152.lr.ph, %B148.loopexit
-  %.463.sroa.0.04769 = phi i64 [ 0, %B152.lr.ph ], [ %.463.sroa.0.0, %B148.loopexit ]
-  %.417.14768 = phi i64 [ %.417.14766, %B152.lr.ph ], [ %.417.1, %B148.loopexit ]
-  %.414.14767 = phi i64 [ %arg.shape.0, %B152.lr.ph ], [ %.414.1, %B148.loopexit ]
-  %.528 = sub i64 %arg.runs.0.5.0, %.463.sroa.0.04769
-  %.11.i = tail call i64 @llvm.smin.i64(i64 %.528, i64 %arg.shape.0)
-  br i1 %.6414696.not, label %B512, label %B248.if.lr.ph
+  %.457.sroa.0.03764 = phi i64 [ 0, %B152.lr.ph ], [ %.457.sroa.0.0, %B148.loopexit ]
+  %.411.13763 = phi i64 [ %.411.13761, %B152.lr.ph ], [ %.411.1, %B148.loopexit ]
+  %.408.13762 = phi i64 [ %arg.shape.0, %B152.lr.ph ], [ %.408.1, %B148.loopexit ]
+  %.522 = sub i64 %arg.runs.0.5.0, %.457.sroa.0.03764
+  %.11.i = tail call i64 @llvm.smin.i64(i64 %.522, i64 %arg.shape.0)
+  br i1 %.6353705.not, label %B512, label %B248.if.lr.ph
 
 B248.if.lr.ph:                                    ; preds = %B152
-  %.683 = add nsw i64 %.11.i, -1
+  %.677 = add nsw i64 %.11.i, -1
   br label %B248.if
 
 B410:                                             ; preds = %B366.if, %B248.if
-  br i1 %.10764693.not, label %B500, label %B440.if.lr.ph
+  br i1 %.10703702.not, label %B500, label %B440.if.lr.ph
 
 B440.if.lr.ph:                                    ; preds = %B410
-  %.1137 = icmp slt i64 %.714, 0
-  %.1138 = select i1 %.1137, i64 %arg.runs.0.5.0, i64 0
-  %.1139 = add i64 %.1138, %.714
-  %.1159 = mul i64 %.1139, %arg.runs.0.5.1
-  %0 = getelementptr double, ptr %arg.runs.0.4, i64 %.1159
-  %.1236 = select i1 %.1137, i64 %arg.results.0.5.0, i64 0
-  %.1237 = add i64 %.1236, %.714
-  %.1267 = mul i64 %.1265, %.1237
-  %1 = getelementptr double, ptr %arg.results.0.4, i64 %.1267
-  %invariant.gep4975 = getelementptr double, ptr %arg.arrays.0.4, i64 %.585.04697
+  %.1131 = icmp slt i64 %.708, 0
+  %.1132 = select i1 %.1131, i64 %arg.runs.0.5.0, i64 0
+  %.1133 = add i64 %.1132, %.708
+  %.1153 = mul i64 %.1133, %arg.runs.0.5.1
+  %0 = getelementptr double, ptr %arg.runs.0.4, i64 %.1153
+  %.1230 = select i1 %.1131, i64 %arg.results.0.5.0, i64 0
+  %.1231 = add i64 %.1230, %.708
+  %.1261 = mul i64 %.1259, %.1231
+  %1 = getelementptr double, ptr %arg.results.0.4, i64 %.1261
+  %invariant.gep3950 = getelementptr double, ptr %arg.arrays.0.4, i64 %.579.03706
   br label %B440.if
 
 B500:                                             ; preds = %B440.if, %B410
-  %.1296 = icmp slt i64 %.714, 0
-  %.1297 = select i1 %.1296, i64 %arg.results.2.5.0, i64 0
-  %2 = getelementptr i64, ptr %arg.results.2.4, i64 %.714
-  %.1311 = getelementptr i64, ptr %2, i64 %.1297
-  store i64 1, ptr %.1311, align 8
-  %exitcond4776.not = icmp eq i64 %arg.shape.0, %.654
-  br i1 %exitcond4776.not, label %B512, label %B248.if
+  %.1290 = icmp slt i64 %.708, 0
+  %.1291 = select i1 %.1290, i64 %arg.results.2.5.0, i64 0
+  %2 = getelementptr i64, ptr %arg.results.2.4, i64 %.708
+  %.1305 = getelementptr i64, ptr %2, i64 %.1291
+  store i64 1, ptr %.1305, align 8
+  %exitcond3769.not = icmp eq i64 %arg.shape.0, %.648
+  br i1 %exitcond3769.not, label %B512, label %B248.if
 
 B512:                                             ; preds = %B500, %B152
-  br i1 %.1414, label %B598.preheader, label %B1576
+  br i1 %.1408, label %B598.preheader, label %B1572
 
 B598.preheader:                                   ; preds = %B512
-  %3 = getelementptr i64, ptr %arg.runs.2.4, i64 %.463.sroa.0.04769
-  %.1364 = icmp slt i64 %.463.sroa.0.04769, 0
-  %.1365 = select i1 %.1364, i64 %arg.runs.2.5.0, i64 0
-  %.1379 = getelementptr i64, ptr %3, i64 %.1365
-  %.1380 = load i64, ptr %.1379, align 8
-  %.1349 = load double, ptr %arg.times.4, align 8
-  %.1701 = icmp slt i64 %.1380, 0
-  %.1702 = select i1 %.1701, i64 %arg.schedule.3.5.0, i64 0
-  %.1703 = add i64 %.1702, %.1380
-  %.1733 = mul i64 %.1731, %.1703
-  %4 = getelementptr double, ptr %arg.schedule.3.4, i64 %.1733
-  %.2405 = icmp slt i64 %.1380, 0
-  %.2406 = select i1 %.2405, i64 %arg.schedule.0.5.0, i64 0
-  %.2407 = add i64 %.2406, %.1380
-  %.2427 = mul i64 %.2407, %arg.schedule.0.5.1
-  %5 = getelementptr double, ptr %arg.schedule.0.4, i64 %.2427
+  %3 = getelementptr i64, ptr %arg.runs.2.4, i64 %.457.sroa.0.03764
+  %.1358 = icmp slt i64 %.457.sroa.0.03764, 0
+  %.1359 = select i1 %.1358, i64 %arg.runs.2.5.0, i64 0
+  %.1373 = getelementptr i64, ptr %3, i64 %.1359
+  %.1374 = load i64, ptr %.1373, align 8
+  %.1343 = load double, ptr %arg.times.4, align 8
+  %.1695 = icmp slt i64 %.1374, 0
+  %.1696 = select i1 %.1695, i64 %arg.schedule.3.5.0, i64 0
+  %.1697 = add i64 %.1696, %.1374
+  %.1727 = mul i64 %.1725, %.1697
+  %4 = getelementptr double, ptr %arg.schedule.3.4, i64 %.1727
+  %.2399 = icmp slt i64 %.1374, 0
+  %.2400 = select i1 %.2399, i64 %arg.schedule.0.5.0, i64 0
+  %.2401 = add i64 %.2400, %.1374
+  %.2421 = mul i64 %.2401, %arg.schedule.0.5.1
+  %5 = getelementptr double, ptr %arg.schedule.0.4, i64 %.2421
   br label %B598
 
-B598:                                             ; preds = %B598.preheader, %B1536
-  %t.2.1 = phi double [ %t.3.4, %B1536 ], [ %.1349, %B598.preheader ]
-  %done.3.1 = phi i64 [ %done.4.4, %B1536 ], [ 1, %B598.preheader ]
-  %edge.2.1 = phi i64 [ %edge.3.4, %B1536 ], [ 0, %B598.preheader ]
-  br i1 %.1468, label %B748.else.endif, label %B654.if.lr.ph
+B598:                                             ; preds = %B598.preheader, %B1532
+  %t.2.1 = phi double [ %t.3.4, %B1532 ], [ %.1343, %B598.preheader ]
+  %done.3.1 = phi i64 [ %done.4.4, %B1532 ], [ 1, %B598.preheader ]
+  %edge.2.1 = phi i64 [ %edge.3.4, %B1532 ], [ 0, %B598.preheader ]
+  br i1 %.1462, label %B748.else.endif, label %B654.if.lr.ph
 
 B654.if.lr.ph:                                    ; preds = %B598
-  %.1704 = icmp slt i64 %edge.2.1, 0
-  %.1705 = select i1 %.1704, i64 %arg.schedule.3.5.1, i64 0
-  %.1706 = add i64 %.1705, %edge.2.1
-  %.1735 = mul i64 %.1706, %arg.schedule.3.5.2
-  %6 = getelementptr double, ptr %4, i64 %.1735
+  %.1698 = icmp slt i64 %edge.2.1, 0
+  %.1699 = select i1 %.1698, i64 %arg.schedule.3.5.1, i64 0
+  %.1700 = add i64 %.1699, %edge.2.1
+  %.1729 = mul i64 %.1700, %arg.schedule.3.5.2
+  %6 = getelementptr double, ptr %4, i64 %.1729
   br label %B654.if
 
 B654.loopexit:                                    ; preds = %B688.if, %B654.if
-  %.1510 = icmp sgt i64 %.1457.04704, 1
-  br i1 %.1510, label %B654.if, label %B748.else.endif
+  %.1504 = icmp sgt i64 %.1451.03713, 1
+  br i1 %.1504, label %B654.if, label %B748.else.endif
 
-B906:                                             ; preds = %B906.preheader, %B1496
-  %t.4.3 = phi double [ %.11.i4679, %B1496 ], [ %t.2.1, %B906.preheader ]
-  %done.6.3 = phi i64 [ %done.5.5, %B1496 ], [ %done.3.1, %B906.preheader ]
-  %.2364 = icmp slt i64 %done.6.3, 0
-  %.2365 = select i1 %.2364, i64 %arg.times.5.0, i64 0
+B906:                                             ; preds = %B906.preheader, %B1492
+  %t.4.3 = phi double [ %.11.i3686, %B1492 ], [ %t.2.1, %B906.preheader ]
+  %done.6.3 = phi i64 [ %done.5.5, %B1492 ], [ %done.3.1, %B906.preheader ]
+  %.2358 = icmp slt i64 %done.6.3, 0
+  %.2359 = select i1 %.2358, i64 %arg.times.5.0, i64 0
   %7 = getelementptr double, ptr %arg.times.4, i64 %done.6.3
-  %.2379 = getelementptr double, ptr %7, i64 %.2365
-  %.2380 = load double, ptr %.2379, align 8
-  %.2432 = load double, ptr %.2431, align 8
-  %.10.i = fcmp olt double %.2432, %.2380
-  %.11.i4679 = select i1 %.10.i, double %.2432, double %.2380
-  %.2466 = fsub double %.11.i4679, %t.4.3
-  %.2471 = fdiv double %.2466, %arg.step
-  %.2472 = fmul double %.2471, 0x3FEFFFFFFFFFDCD1
-  %.2473 = tail call double @llvm.ceil.f64(double %.2472)
-  %.2474 = fptosi double %.2473 to i64
-  %.11.i4680 = tail call i64 @llvm.smax.i64(i64 %.2474, i64 1)
-  %.2506 = uitofp i64 %.11.i4680 to double
-  %.2510 = fdiv double %.2466, %.2506
-  br i1 %.2065, label %B0.endif.else.endif.if.i, label %B0.endif.else.endif.endif.i, !prof !36
+  %.2373 = getelementptr double, ptr %7, i64 %.2359
+  %.2374 = load double, ptr %.2373, align 8
+  %.2426 = load double, ptr %.2425, align 8
+  %.10.i = fcmp olt double %.2426, %.2374
+  %.11.i3686 = select i1 %.10.i, double %.2426, double %.2374
+  %.2460 = fsub double %.11.i3686, %t.4.3
+  %.2465 = fdiv double %.2460, %arg.step
+  %.2466 = fmul double %.2465, 0x3FEFFFFFFFFFDCD1
+  %.2467 = tail call double @llvm.ceil.f64(double %.2466)
+  %.2468 = fptosi double %.2467 to i64
+  %.11.i3687 = tail call i64 @llvm.smax.i64(i64 %.2468, i64 1)
+  %.2500 = uitofp i64 %.11.i3687 to double
+  %.2504 = fdiv double %.2460, %.2500
+  br i1 %.2059, label %B0.endif.else.endif.if.i, label %B0.endif.else.endif.endif.i, !prof !36
 
-B1158:                                            ; preds = %B906.endif.endif.endif.endif.endif
-  br i1 %.2625.not, label %B1384, label %B1166
+B1154:                                            ; preds = %B906.endif.endif.endif.endif.endif
+  br i1 %.2617.not, label %B1380, label %B1162
 
-B1166:                                            ; preds = %B1158
-  %.2678 = load double, ptr %.2431, align 8
-  %.2680 = fcmp oeq double %.11.i4679, %.2678
-  br i1 %.2680, label %B1194.else.endif, label %B1384
+B1162:                                            ; preds = %B1154
+  %.2670 = load double, ptr %.2425, align 8
+  %.2672 = fcmp oeq double %.11.i3686, %.2670
+  br i1 %.2672, label %B1190.else.endif, label %B1380
 
-B1384:                                            ; preds = %B1228.i, %B360.i, %.4350.if, %B982.i, %B1166, %B1158
-  %.4543 = load double, ptr %.2379, align 8
-  %.4545 = fcmp oeq double %.11.i4679, %.4543
-  br i1 %.4545, label %B1408, label %B1456
+B1380:                                            ; preds = %B1228.i, %B360.i, %.4342.if, %B982.i, %B1162, %B1154
+  %.4535 = load double, ptr %.2373, align 8
+  %.4537 = fcmp oeq double %.11.i3686, %.4535
+  br i1 %.4537, label %B1404, label %B1452
 
-B1408:                                            ; preds = %B1384
-  br i1 %.191230.not.i, label %_ZN12clpt_control6native9for_numba4keepB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B60.if.lr.ph.i
+B1404:                                            ; preds = %B1380
+  br i1 %.191230.not.i, label %_ZN12clpt_control6native9for_numba4keepB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B60.if.lr.ph.i
 
-B60.if.lr.ph.i:                                   ; preds = %B1408
-  %.513.i = select i1 %.2364, i64 %arg.results.0.5.1, i64 0
+B60.if.lr.ph.i:                                   ; preds = %B1404
+  %.513.i = select i1 %.2358, i64 %arg.results.0.5.1, i64 0
   %.514.i = add i64 %.513.i, %done.6.3
   %.543.i = mul i64 %.514.i, %arg.results.0.5.2
   %invariant.gep.i = getelementptr double, ptr %arg.results.0.4, i64 %.543.i
@@ -4101,8 +4101,8 @@ B60.if.lr.ph.i:                                   ; preds = %B1408
   br label %B60.if.i
 
 B106.i:                                           ; preds = %B60.if.i
-  %.322.i = getelementptr i64, ptr %arg.results.1.4, i64 %.286.i
-  %.323.i = load i64, ptr %.322.i, align 8, !noalias !159
+  %.322.i3688 = getelementptr i64, ptr %arg.results.1.4, i64 %.286.i
+  %.323.i = load i64, ptr %.322.i3688, align 8, !noalias !159
   %.324.i = icmp eq i64 %.323.i, 0
   br i1 %.324.i, label %B140.i, label %B232.i
 
@@ -4112,11 +4112,11 @@ B140.i:                                           ; preds = %B106.i
 B170.if.lr.ph.i:                                  ; preds = %B140.i
   %factor.op.mul.reass.i = mul i64 %factor.op.mul229.i, %.286.i
   %gep.i = getelementptr double, ptr %invariant.gep.i, i64 %factor.op.mul.reass.i
-  %invariant.gep4758 = getelementptr double, ptr %arg.arrays.0.4, i64 %.133.0231.i
-  br i1 %or.cond4958, label %vector.memcheck, label %B170.if.i.preheader
+  %invariant.gep3753 = getelementptr double, ptr %arg.arrays.0.4, i64 %.133.0231.i
+  br i1 %or.cond3934, label %vector.memcheck, label %B170.if.i.preheader
 
 vector.memcheck:                                  ; preds = %B170.if.lr.ph.i
-  %9 = mul i64 %35, %.286.i
+  %9 = mul i64 %32, %.286.i
   %10 = add i64 %8, %9
   %11 = mul i64 %arg.results.0.5.2, %10
   %12 = add i64 %20, %11
@@ -4125,14 +4125,14 @@ vector.memcheck:                                  ; preds = %B170.if.lr.ph.i
 
 vector.body:                                      ; preds = %vector.memcheck, %vector.body
   %index = phi i64 [ %index.next, %vector.body ], [ 0, %vector.memcheck ]
-  %13 = getelementptr double, ptr %invariant.gep4758, i64 %index
+  %13 = getelementptr double, ptr %invariant.gep3753, i64 %index
   %14 = getelementptr i8, ptr %13, i64 16
   %wide.load = load <2 x double>, ptr %13, align 8, !noalias !159
-  %wide.load4804 = load <2 x double>, ptr %14, align 8, !noalias !159
+  %wide.load3792 = load <2 x double>, ptr %14, align 8, !noalias !159
   %15 = getelementptr double, ptr %gep.i, i64 %index
   %16 = getelementptr i8, ptr %15, i64 16
   store <2 x double> %wide.load, ptr %15, align 8, !noalias !159
-  store <2 x double> %wide.load4804, ptr %16, align 8, !noalias !159
+  store <2 x double> %wide.load3792, ptr %16, align 8, !noalias !159
   %index.next = add i64 %index, 4
   %17 = icmp eq i64 %index.next, %n.vec
   br i1 %17, label %middle.block, label %vector.body, !llvm.loop !162
@@ -4151,13 +4151,13 @@ B216.i:                                           ; preds = %B170.if.i, %middle.
 
 B232.i:                                           ; preds = %B60.if.i, %B216.i, %B106.i
   %exitcond233.not.i = icmp eq i64 %arg.shape.0, %.204.i
-  br i1 %exitcond233.not.i, label %_ZN12clpt_control6native9for_numba4keepB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B60.if.i
+  br i1 %exitcond233.not.i, label %_ZN12clpt_control6native9for_numba4keepB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B60.if.i
 
 B60.if.i:                                         ; preds = %B232.i, %B60.if.lr.ph.i
   %.133.0231.i = phi i64 [ 0, %B60.if.lr.ph.i ], [ %.204.i, %B232.i ]
   %18 = shl i64 %.133.0231.i, 3
-  %19 = add i64 %18, %arg.arrays.0.44803
-  %20 = sub i64 %arg.results.0.44802, %19
+  %19 = add i64 %18, %arg.arrays.0.43791
+  %20 = sub i64 %arg.results.0.43790, %19
   %.204.i = add nsw i64 %.133.0231.i, 1
   %21 = getelementptr i64, ptr %arg.lane.1.4, i64 %.133.0231.i
   %.286.i = load i64, ptr %21, align 8, !noalias !159
@@ -4168,56 +4168,56 @@ B170.if.i:                                        ; preds = %B170.if.i.preheader
   %.350.0227.i = phi i64 [ %.419.i, %B170.if.i ], [ %.350.0227.i.ph, %B170.if.i.preheader ]
   %.419.i = add nsw i64 %.350.0227.i, 1
   %.445.i = mul nsw i64 %.350.0227.i, %arg.shape.0
-  %gep4759 = getelementptr double, ptr %invariant.gep4758, i64 %.445.i
-  %.477.i = load double, ptr %gep4759, align 8, !noalias !159
+  %gep3754 = getelementptr double, ptr %invariant.gep3753, i64 %.445.i
+  %.477.i = load double, ptr %gep3754, align 8, !noalias !159
   %22 = getelementptr double, ptr %gep.i, i64 %.350.0227.i
   store double %.477.i, ptr %22, align 8, !noalias !159
   %exitcond.not.i = icmp eq i64 %arg.shape.1, %.419.i
   br i1 %exitcond.not.i, label %B216.i, label %B170.if.i, !llvm.loop !163
 
-_ZN12clpt_control6native9for_numba4keepB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B232.i, %B1408
-  %.4603 = add nsw i64 %done.6.3, 1
-  br label %B1456
+_ZN12clpt_control6native9for_numba4keepB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B232.i, %B1404
+  %.4595 = add nsw i64 %done.6.3, 1
+  br label %B1452
 
-B1456:                                            ; preds = %_ZN12clpt_control6native9for_numba4keepB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B1384
-  %done.5.5 = phi i64 [ %.4603, %_ZN12clpt_control6native9for_numba4keepB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %done.6.3, %B1384 ]
-  %.4662 = load double, ptr %.2431, align 8
-  %.4664 = fcmp oeq double %.11.i4679, %.4662
-  br i1 %.4664, label %B1484, label %B1496
+B1452:                                            ; preds = %_ZN12clpt_control6native9for_numba4keepB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B1380
+  %done.5.5 = phi i64 [ %.4595, %_ZN12clpt_control6native9for_numba4keepB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %done.6.3, %B1380 ]
+  %.4654 = load double, ptr %.2425, align 8
+  %.4656 = fcmp oeq double %.11.i3686, %.4654
+  br i1 %.4656, label %B1480, label %B1492
 
-B1484:                                            ; preds = %B1456
-  %.4677 = add nsw i64 %edge.2.1, 1
-  br label %B1536
+B1480:                                            ; preds = %B1452
+  %.4669 = add nsw i64 %edge.2.1, 1
+  br label %B1532
 
-B1496:                                            ; preds = %B1456
-  %.4711 = icmp slt i64 %done.5.5, %arg.times.5.0
-  br i1 %.4711, label %B906, label %B1536
+B1492:                                            ; preds = %B1452
+  %.4703 = icmp slt i64 %done.5.5, %arg.times.5.0
+  br i1 %.4703, label %B906, label %B1532
 
-B1536:                                            ; preds = %B906.endif.endif.endif.endif.endif, %B1496, %.2131.if, %B1484
-  %t.3.4 = phi double [ %t.2.1, %.2131.if ], [ %.11.i4679, %B1484 ], [ %.11.i4679, %B1496 ], [ %t.4.3, %B906.endif.endif.endif.endif.endif ]
-  %done.4.4 = phi i64 [ %done.3.1, %.2131.if ], [ %done.5.5, %B1484 ], [ %done.5.5, %B1496 ], [ %arg.times.5.0, %B906.endif.endif.endif.endif.endif ]
-  %edge.3.4 = phi i64 [ %edge.2.1, %.2131.if ], [ %.4677, %B1484 ], [ %edge.2.1, %B1496 ], [ %edge.2.1, %B906.endif.endif.endif.endif.endif ]
-  %.4751 = icmp slt i64 %done.4.4, %arg.times.5.0
-  br i1 %.4751, label %B598, label %B1576
+B1532:                                            ; preds = %B906.endif.endif.endif.endif.endif, %B1492, %.2125.if, %B1480
+  %t.3.4 = phi double [ %t.2.1, %.2125.if ], [ %.11.i3686, %B1480 ], [ %.11.i3686, %B1492 ], [ %t.4.3, %B906.endif.endif.endif.endif.endif ]
+  %done.4.4 = phi i64 [ %done.3.1, %.2125.if ], [ %done.5.5, %B1480 ], [ %done.5.5, %B1492 ], [ %arg.times.5.0, %B906.endif.endif.endif.endif.endif ]
+  %edge.3.4 = phi i64 [ %edge.2.1, %.2125.if ], [ %.4669, %B1480 ], [ %edge.2.1, %B1492 ], [ %edge.2.1, %B906.endif.endif.endif.endif.endif ]
+  %.4743 = icmp slt i64 %done.4.4, %arg.times.5.0
+  br i1 %.4743, label %B598, label %B1572
 
-B1576:                                            ; preds = %B1536, %B512
-  %edge.4.2 = phi i64 [ 0, %B512 ], [ %edge.3.4, %B1536 ]
-  %.48504760.not = icmp slt i64 %.11.i, 1
-  br i1 %.48504760.not, label %B148.loopexit, label %B1606.if
+B1572:                                            ; preds = %B1532, %B512
+  %edge.4.2 = phi i64 [ 0, %B512 ], [ %edge.3.4, %B1532 ]
+  %.48423755.not = icmp slt i64 %.11.i, 1
+  br i1 %.48423755.not, label %B148.loopexit, label %B1602.if
 
-B1680:                                            ; preds = %B1606.if
-  store i64 1, ptr %.4980, align 8
-  br label %B1706
+B1676:                                            ; preds = %B1602.if
+  store i64 1, ptr %.4972, align 8
+  br label %B1702
 
-B1706:                                            ; preds = %B1680, %B1606.if
-  %exitcond4798.not = icmp eq i64 %.11.i, %.4863
-  br i1 %exitcond4798.not, label %B148.loopexit, label %B1606.if
+B1702:                                            ; preds = %B1676, %B1602.if
+  %exitcond3786.not = icmp eq i64 %.11.i, %.4855
+  br i1 %exitcond3786.not, label %B148.loopexit, label %B1602.if
 
-common.ret:                                       ; preds = %B0.if, %B1712
-  %common.ret.op = phi i32 [ 0, %B1712 ], [ 1, %B0.if ]
+common.ret:                                       ; preds = %B0.if, %B1708
+  %common.ret.op = phi i32 [ 0, %B1708 ], [ 1, %B0.if ]
   ret i32 %common.ret.op
 
-B1712:                                            ; preds = %B148.loopexit, %B0.endif.endif
+B1708:                                            ; preds = %B148.loopexit, %B0.endif.endif
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
@@ -4226,92 +4226,77 @@ B0.if:                                            ; preds = %entry
   br label %common.ret
 
 B0.endif:                                         ; preds = %entry
-  %.429 = icmp sgt i64 %arg.shape.0, 0
-  %.430 = xor i1 %.429, %.428
-  br i1 %.430, label %B0.endif.endif, label %B0.endif.else
+  %.423 = icmp sgt i64 %arg.shape.0, 0
+  %.424 = xor i1 %.423, %.422
+  br i1 %.424, label %B0.endif.endif, label %B0.endif.else
 
 B0.endif.else:                                    ; preds = %B0.endif
-  %.445 = srem i64 %arg.runs.0.5.0, %arg.shape.0
-  %.446 = sub nsw i64 0, %.445
-  %.447 = select i1 %.428, i64 %.445, i64 %.446
-  %.448 = icmp sgt i64 %.447, 0
-  %.449 = sdiv i64 %arg.runs.0.5.0, %arg.shape.0
-  %.450 = zext i1 %.448 to i64
-  %.451 = add i64 %.449, %.450
+  %.439 = srem i64 %arg.runs.0.5.0, %arg.shape.0
+  %.440 = sub nsw i64 0, %.439
+  %.441 = select i1 %.422, i64 %.439, i64 %.440
+  %.442 = icmp sgt i64 %.441, 0
+  %.443 = sdiv i64 %arg.runs.0.5.0, %arg.shape.0
+  %.444 = zext i1 %.442 to i64
+  %.445 = add i64 %.443, %.444
   br label %B0.endif.endif
 
 B0.endif.endif:                                   ; preds = %B0.endif, %B0.endif.else
-  %storemerge = phi i64 [ %.451, %B0.endif.else ], [ 0, %B0.endif ]
-  %.4734763 = icmp sgt i64 %storemerge, 0
-  br i1 %.4734763, label %B152.lr.ph, label %B1712
+  %storemerge = phi i64 [ %.445, %B0.endif.else ], [ 0, %B0.endif ]
+  %.4673758 = icmp sgt i64 %storemerge, 0
+  br i1 %.4673758, label %B152.lr.ph, label %B1708
 
 B152.lr.ph:                                       ; preds = %B0.endif.endif
-  %.417.14766 = add nsw i64 %storemerge, -1
-  %.6414696.not = icmp slt i64 %arg.shape.0, 1
-  %.8684690.not = icmp slt i64 %arg.shape.2, 1
-  %.10764693.not = icmp slt i64 %arg.shape.1, 1
-  %.1265 = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
-  %.1414 = icmp sgt i64 %arg.times.5.0, 1
-  %.1468 = icmp slt i64 %arg.schedule.2.5.0, 1
-  %storemerge4657 = select i1 %.1468, i64 0, i64 %arg.schedule.2.5.0
-  %.2065 = icmp slt i64 %arg.lane.0.5.1, 1
-  %.2211 = getelementptr i8, ptr %arg.code.4, i64 8
-  %.16314699.not = icmp slt i64 %arg.shape.0, 1
-  %.1731 = mul i64 %arg.schedule.3.5.2, %arg.schedule.3.5.1
-  %.223.i = mul i64 %arg.shape.1, %arg.shape.0
-  %.331.i.idx = shl i64 %arg.lane.0.5.1, 6
-  %.331.i = getelementptr i8, ptr %arg.lane.0.4, i64 %.331.i.idx
-  %.idx4659 = shl i64 %arg.lane.0.5.1, 4
-  %23 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx4659
-  %.1621.i4713.not = icmp slt i64 %.223.i, 1
-  %.1728.i = icmp sgt i64 %arg.decided, 0
-  %.idx4661 = mul i64 %arg.lane.0.5.1, 24
-  %24 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx4661
-  %.149.i.i = getelementptr i8, ptr %arg.code.4, i64 40
-  %.279.i.i4721.not = icmp slt i64 %arg.shape.0, 1
-  %.idx4672 = mul i64 %arg.lane.0.5.1, 24
-  %25 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx4672
-  %.457.i.i4718 = icmp slt i64 %arg.decided, 1
-  %.2204.i = getelementptr double, ptr %arg.arrays.0.4, i64 %.223.i
-  %.149.i154.i = getelementptr i8, ptr %arg.code.4, i64 40
-  %.169.i.i.idx = mul i64 %.223.i, 136
-  %.169.i.i = getelementptr i8, ptr %arg.arrays.0.4, i64 %.169.i.i.idx
-  %.279.i211.i4727.not = icmp slt i64 %arg.shape.0, 1
-  %.idx4671 = mul i64 %arg.lane.0.5.1, 24
-  %26 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx4671
-  %.457.i354.i4724 = icmp slt i64 %arg.decided, 1
-  %.2522.i.idx = mul i64 %.223.i, 136
-  %.2522.i = getelementptr i8, ptr %arg.arrays.0.4, i64 %.2522.i.idx
-  %.2584.i = getelementptr i8, ptr %arg.code.4, i64 256
-  %.2633.i.not = icmp eq i64 %arg.guarded, 0
-  %.2663.i = getelementptr i8, ptr %arg.code.4, i64 16
-  %.2795.i4736.not = icmp slt i64 %arg.shape.0, 1
-  %.3250.i4732.not = icmp slt i64 %arg.shape.1, 1
+  %.411.13761 = add nsw i64 %storemerge, -1
+  %.6353705.not = icmp slt i64 %arg.shape.0, 1
+  %.8623699.not = icmp slt i64 %arg.shape.2, 1
+  %.10703702.not = icmp slt i64 %arg.shape.1, 1
+  %.1259 = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
+  %.1408 = icmp sgt i64 %arg.times.5.0, 1
+  %.1462 = icmp slt i64 %arg.schedule.2.5.0, 1
+  %storemerge3670 = select i1 %.1462, i64 0, i64 %arg.schedule.2.5.0
+  %.2059 = icmp slt i64 %arg.lane.0.5.1, 1
+  %.2205 = getelementptr i8, ptr %arg.code.4, i64 8
+  %.16253708.not = icmp slt i64 %arg.shape.0, 1
+  %.1725 = mul i64 %arg.schedule.3.5.2, %arg.schedule.3.5.1
+  %.214.i = mul i64 %arg.shape.1, %arg.shape.0
+  %.322.i.idx = shl i64 %arg.lane.0.5.1, 6
+  %.322.i = getelementptr i8, ptr %arg.lane.0.4, i64 %.322.i.idx
+  %.idx3672 = shl i64 %arg.lane.0.5.1, 4
+  %23 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx3672
+  %.1612.i3722.not = icmp slt i64 %.214.i, 1
+  %.1793.i = getelementptr double, ptr %arg.arrays.0.4, i64 %.214.i
+  %.2043.i.idx = mul i64 %.214.i, 136
+  %.2043.i = getelementptr i8, ptr %arg.arrays.0.4, i64 %.2043.i.idx
+  %.2105.i = getelementptr i8, ptr %arg.code.4, i64 256
+  %.2154.i.not = icmp eq i64 %arg.guarded, 0
+  %.2184.i = getelementptr i8, ptr %arg.code.4, i64 16
+  %.2316.i3731.not = icmp slt i64 %arg.shape.0, 1
+  %.2771.i3727.not = icmp slt i64 %arg.shape.1, 1
   %.idx = mul i64 %arg.lane.0.5.1, 48
-  %27 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx
-  %.3568.i = icmp ne i64 %arg.shape.0, 1
-  %.3652.i4743.not4772 = icmp slt i64 %arg.shape.1, 1
-  %.2625.not = icmp eq i64 %arg.jumping, 0
-  %.idx4665 = shl i64 %arg.lane.0.5.1, 4
-  %28 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx4665
-  %.idx4666 = mul i64 %arg.lane.0.5.1, 40
-  %29 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx4666
-  %.3941 = icmp slt i64 %arg.lane.1.5.1, 1
-  %30 = getelementptr i64, ptr %arg.lane.1.4, i64 %arg.lane.1.5.1
-  %.idx4667 = shl i64 %arg.lane.1.5.1, 4
+  %24 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx
+  %.3077.i = icmp ne i64 %arg.shape.0, 1
+  %.3161.i3738.not3765 = icmp slt i64 %arg.shape.1, 1
+  %.2617.not = icmp eq i64 %arg.jumping, 0
+  %.idx3676 = shl i64 %arg.lane.0.5.1, 4
+  %25 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx3676
+  %.idx3677 = mul i64 %arg.lane.0.5.1, 40
+  %26 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx3677
+  %.3933 = icmp slt i64 %arg.lane.1.5.1, 1
+  %27 = getelementptr i64, ptr %arg.lane.1.4, i64 %arg.lane.1.5.1
+  %.idx3678 = shl i64 %arg.lane.1.5.1, 4
   %.4101855.not.i = icmp slt i64 %arg.shape.0, 1
   %.idx1848.i = mul i64 %arg.lane.0.5.1, 40
-  %31 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1848.i
+  %28 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1848.i
   %.idx1849.i = shl i64 %arg.lane.0.5.1, 4
-  %32 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1849.i
-  %33 = getelementptr i64, ptr %arg.lane.1.4, i64 %arg.lane.1.5.1
-  %.852.i4683 = mul i64 %arg.schedule.3.5.2, %arg.schedule.3.5.1
+  %29 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1849.i
+  %30 = getelementptr i64, ptr %arg.lane.1.4, i64 %arg.lane.1.5.1
+  %.852.i = mul i64 %arg.schedule.3.5.2, %arg.schedule.3.5.1
   %.1160.i = getelementptr i8, ptr %arg.code.4, i64 32
   %.1231.i = mul nsw i64 %arg.shape.1, 17
   %.1233.i = mul nsw i64 %.1231.i, %arg.shape.0
   %.1276.i = getelementptr double, ptr %arg.arrays.0.4, i64 %.1233.i
   %.idx1846.i = shl i64 %arg.lane.1.5.1, 4
-  %34 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx1846.i
+  %31 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx1846.i
   %.17571859.not.i = icmp slt i64 %arg.shape.1, 1
   %.1952.i = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
   %.2041.not.i = icmp eq i64 %arg.guarded, 0
@@ -4319,1020 +4304,882 @@ B152.lr.ph:                                       ; preds = %B0.endif.endif
   %factor.op.mul229.i = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
   %.191230.not.i = icmp slt i64 %arg.shape.0, 1
   %.406226.not.i = icmp slt i64 %arg.shape.1, 1
-  %scevgep = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx4667
-  %35 = shl i64 %arg.results.0.5.1, 3
-  %36 = shl i64 %arg.shape.1, 3
-  %scevgep4857 = getelementptr i8, ptr %arg.arrays.0.4, i64 %36
-  %37 = mul i64 %arg.shape.1, 144
-  %scevgep4858 = getelementptr i8, ptr %arg.arrays.0.4, i64 %37
-  %38 = mul i64 %arg.shape.1, 152
-  %scevgep4859 = getelementptr i8, ptr %arg.arrays.0.4, i64 %38
-  %39 = mul i64 %arg.shape.1, %arg.shape.0
-  %40 = mul i64 %39, 144
-  %min.iters.check4890 = icmp ult i64 %.223.i, 4
-  %diff.check4888 = icmp ult i64 %40, 32
-  %or.cond4959 = select i1 %min.iters.check4890, i1 true, i1 %diff.check4888
-  %n.vec4893 = and i64 %.223.i, 9223372036854775804
-  %41 = mul i64 %.223.i, 144
-  %cmp.n4900 = icmp eq i64 %.223.i, %n.vec4893
-  %.idx4799 = mul i64 %.223.i, 144
-  %invariant.gep4977 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx4799
-  %min.iters.check4861 = icmp ult i64 %arg.shape.1, 4
-  %bound0 = icmp ult ptr %arg.arrays.0.4, %scevgep4859
-  %bound1 = icmp ult ptr %scevgep4858, %scevgep4857
+  %scevgep = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx3678
+  %32 = shl i64 %arg.results.0.5.1, 3
+  %33 = shl i64 %arg.shape.1, 3
+  %scevgep3845 = getelementptr i8, ptr %arg.arrays.0.4, i64 %33
+  %34 = mul i64 %arg.shape.1, 144
+  %scevgep3846 = getelementptr i8, ptr %arg.arrays.0.4, i64 %34
+  %35 = mul i64 %arg.shape.1, 152
+  %scevgep3847 = getelementptr i8, ptr %arg.arrays.0.4, i64 %35
+  %36 = mul i64 %arg.shape.1, %arg.shape.0
+  %37 = mul i64 %36, 144
+  %min.iters.check3866 = icmp ult i64 %.214.i, 4
+  %diff.check3864 = icmp ult i64 %37, 32
+  %or.cond3935 = select i1 %min.iters.check3866, i1 true, i1 %diff.check3864
+  %n.vec3869 = and i64 %.214.i, 9223372036854775804
+  %38 = mul i64 %.214.i, 144
+  %cmp.n3876 = icmp eq i64 %.214.i, %n.vec3869
+  %.idx3787 = mul i64 %.214.i, 144
+  %invariant.gep3952 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx3787
+  %39 = getelementptr i8, ptr %arg.code.4, i64 232
+  %.2068.i.idx = shl i64 %.214.i, 4
+  %.2068.i = getelementptr i8, ptr %arg.arrays.0.4, i64 %.2068.i.idx
+  %40 = getelementptr i8, ptr %arg.code.4, i64 240
+  %.2068.i.1.idx = mul i64 %.214.i, 24
+  %.2068.i.1 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.2068.i.1.idx
+  %41 = getelementptr i8, ptr %arg.code.4, i64 248
+  %.2068.i.2.idx = shl i64 %.214.i, 5
+  %.2068.i.2 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.2068.i.2.idx
+  %min.iters.check3849 = icmp ult i64 %arg.shape.1, 4
+  %bound0 = icmp ult ptr %arg.arrays.0.4, %scevgep3847
+  %bound1 = icmp ult ptr %scevgep3846, %scevgep3845
   %found.conflict = and i1 %bound0, %bound1
-  %n.vec4864 = and i64 %arg.shape.1, 9223372036854775804
+  %n.vec3852 = and i64 %arg.shape.1, 9223372036854775804
   %42 = mul i64 %arg.shape.1, 144
-  %cmp.n4873 = icmp eq i64 %arg.shape.1, %n.vec4864
-  %.idx4800 = mul i64 %arg.shape.1, 144
-  %invariant.gep4985 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx4800
+  %cmp.n3861 = icmp eq i64 %arg.shape.1, %n.vec3852
+  %.idx3788 = mul i64 %arg.shape.1, 144
+  %invariant.gep3956 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx3788
   %min.iters.check = icmp ugt i64 %arg.shape.1, 9
   %ident.check.not = icmp eq i64 %arg.shape.0, 1
-  %or.cond4958 = and i1 %min.iters.check, %ident.check.not
+  %or.cond3934 = and i1 %min.iters.check, %ident.check.not
   %n.vec = and i64 %arg.shape.1, 9223372036854775804
   %cmp.n = icmp eq i64 %arg.shape.1, %n.vec
   br label %B152
 
 B248.if:                                          ; preds = %B248.if.lr.ph, %B500
-  %.585.04697 = phi i64 [ 0, %B248.if.lr.ph ], [ %.654, %B500 ]
-  %.654 = add nsw i64 %.585.04697, 1
-  %.11.i4681 = tail call i64 @llvm.smin.i64(i64 %.683, i64 %.585.04697)
-  %.714 = add nsw i64 %.11.i4681, %.463.sroa.0.04769
-  %.720 = icmp slt i64 %.585.04697, %.11.i
-  %"$phi314.2.2.2" = select i1 %.720, i64 %.714, i64 -1
-  %43 = getelementptr i64, ptr %arg.lane.1.4, i64 %.585.04697
+  %.579.03706 = phi i64 [ 0, %B248.if.lr.ph ], [ %.648, %B500 ]
+  %.648 = add nsw i64 %.579.03706, 1
+  %.11.i3689 = tail call i64 @llvm.smin.i64(i64 %.677, i64 %.579.03706)
+  %.708 = add nsw i64 %.11.i3689, %.457.sroa.0.03764
+  %.714 = icmp slt i64 %.579.03706, %.11.i
+  %"$phi314.2.2.2" = select i1 %.714, i64 %.708, i64 -1
+  %43 = getelementptr i64, ptr %arg.lane.1.4, i64 %.579.03706
   store i64 %"$phi314.2.2.2", ptr %43, align 8
-  br i1 %.8684690.not, label %B410, label %B366.if.lr.ph
+  br i1 %.8623699.not, label %B410, label %B366.if.lr.ph
 
 B366.if.lr.ph:                                    ; preds = %B248.if
-  %.929 = icmp slt i64 %.714, 0
-  %.930 = select i1 %.929, i64 %arg.runs.1.5.0, i64 0
-  %.931 = add i64 %.930, %.714
-  %.951 = mul i64 %.931, %arg.runs.1.5.1
-  %44 = getelementptr double, ptr %arg.runs.1.4, i64 %.951
-  %invariant.gep4973 = getelementptr double, ptr %arg.arrays.1.4, i64 %.585.04697
+  %.923 = icmp slt i64 %.708, 0
+  %.924 = select i1 %.923, i64 %arg.runs.1.5.0, i64 0
+  %.925 = add i64 %.924, %.708
+  %.945 = mul i64 %.925, %arg.runs.1.5.1
+  %44 = getelementptr double, ptr %arg.runs.1.4, i64 %.945
+  %invariant.gep3948 = getelementptr double, ptr %arg.arrays.1.4, i64 %.579.03706
   br label %B366.if
 
 B366.if:                                          ; preds = %B366.if.lr.ph, %B366.if
-  %.812.04691 = phi i64 [ 0, %B366.if.lr.ph ], [ %.881, %B366.if ]
-  %.881 = add nsw i64 %.812.04691, 1
-  %45 = getelementptr double, ptr %44, i64 %.812.04691
-  %.956 = load double, ptr %45, align 8
-  %.958 = mul nsw i64 %.812.04691, %arg.shape.0
-  %gep4974 = getelementptr double, ptr %invariant.gep4973, i64 %.958
-  store double %.956, ptr %gep4974, align 8
-  %exitcond.not = icmp eq i64 %arg.shape.2, %.881
+  %.806.03700 = phi i64 [ 0, %B366.if.lr.ph ], [ %.875, %B366.if ]
+  %.875 = add nsw i64 %.806.03700, 1
+  %45 = getelementptr double, ptr %44, i64 %.806.03700
+  %.950 = load double, ptr %45, align 8
+  %.952 = mul nsw i64 %.806.03700, %arg.shape.0
+  %gep3949 = getelementptr double, ptr %invariant.gep3948, i64 %.952
+  store double %.950, ptr %gep3949, align 8
+  %exitcond.not = icmp eq i64 %arg.shape.2, %.875
   br i1 %exitcond.not, label %B410, label %B366.if
 
 B440.if:                                          ; preds = %B440.if.lr.ph, %B440.if
-  %.1020.04694 = phi i64 [ 0, %B440.if.lr.ph ], [ %.1089, %B440.if ]
-  %.1089 = add nsw i64 %.1020.04694, 1
-  %46 = getelementptr double, ptr %0, i64 %.1020.04694
-  %.1164 = load double, ptr %46, align 8
-  %.1166 = mul nsw i64 %.1020.04694, %arg.shape.0
-  %gep4976 = getelementptr double, ptr %invariant.gep4975, i64 %.1166
-  store double %.1164, ptr %gep4976, align 8
-  %47 = getelementptr double, ptr %1, i64 %.1020.04694
-  store double %.1164, ptr %47, align 8
-  %exitcond4775.not = icmp eq i64 %arg.shape.1, %.1089
-  br i1 %exitcond4775.not, label %B500, label %B440.if
+  %.1014.03703 = phi i64 [ 0, %B440.if.lr.ph ], [ %.1083, %B440.if ]
+  %.1083 = add nsw i64 %.1014.03703, 1
+  %46 = getelementptr double, ptr %0, i64 %.1014.03703
+  %.1158 = load double, ptr %46, align 8
+  %.1160 = mul nsw i64 %.1014.03703, %arg.shape.0
+  %gep3951 = getelementptr double, ptr %invariant.gep3950, i64 %.1160
+  store double %.1158, ptr %gep3951, align 8
+  %47 = getelementptr double, ptr %1, i64 %.1014.03703
+  store double %.1158, ptr %47, align 8
+  %exitcond3768.not = icmp eq i64 %arg.shape.1, %.1083
+  br i1 %exitcond3768.not, label %B500, label %B440.if
 
 B654.if:                                          ; preds = %B654.if.lr.ph, %B654.loopexit
-  %.1457.04704 = phi i64 [ %storemerge4657, %B654.if.lr.ph ], [ %.1519, %B654.loopexit ]
-  %.1454.04703 = phi i64 [ 0, %B654.if.lr.ph ], [ %.1523, %B654.loopexit ]
-  %.1519 = add nsw i64 %.1457.04704, -1
-  %.1523 = add nsw i64 %.1454.04703, 1
-  br i1 %.16314699.not, label %B654.loopexit, label %B688.if.lr.ph
+  %.1451.03713 = phi i64 [ %storemerge3670, %B654.if.lr.ph ], [ %.1513, %B654.loopexit ]
+  %.1448.03712 = phi i64 [ 0, %B654.if.lr.ph ], [ %.1517, %B654.loopexit ]
+  %.1513 = add nsw i64 %.1451.03713, -1
+  %.1517 = add nsw i64 %.1448.03712, 1
+  br i1 %.16253708.not, label %B654.loopexit, label %B688.if.lr.ph
 
 B688.if.lr.ph:                                    ; preds = %B654.if
-  %48 = getelementptr double, ptr %6, i64 %.1454.04703
-  %49 = getelementptr i64, ptr %arg.schedule.2.4, i64 %.1454.04703
+  %48 = getelementptr double, ptr %6, i64 %.1448.03712
+  %49 = getelementptr i64, ptr %arg.schedule.2.4, i64 %.1448.03712
   br label %B688.if
 
 B688.if:                                          ; preds = %B688.if.lr.ph, %B688.if
-  %.1575.04700 = phi i64 [ 0, %B688.if.lr.ph ], [ %.1644, %B688.if ]
-  %.1644 = add nsw i64 %.1575.04700, 1
-  %.1740 = load double, ptr %48, align 8
-  %.1771 = load i64, ptr %49, align 8
-  %.1773 = mul nsw i64 %.1771, %arg.shape.0
-  %.1774 = add nsw i64 %.1773, %.1575.04700
-  %.1788 = icmp slt i64 %.1774, 0
-  %.1789 = select i1 %.1788, i64 %arg.arrays.1.5.0, i64 0
-  %50 = getelementptr double, ptr %arg.arrays.1.4, i64 %.1774
-  %.1803 = getelementptr double, ptr %50, i64 %.1789
-  store double %.1740, ptr %.1803, align 8
-  %exitcond4777.not = icmp eq i64 %arg.shape.0, %.1644
-  br i1 %exitcond4777.not, label %B654.loopexit, label %B688.if
+  %.1569.03709 = phi i64 [ 0, %B688.if.lr.ph ], [ %.1638, %B688.if ]
+  %.1638 = add nsw i64 %.1569.03709, 1
+  %.1734 = load double, ptr %48, align 8
+  %.1765 = load i64, ptr %49, align 8
+  %.1767 = mul nsw i64 %.1765, %arg.shape.0
+  %.1768 = add nsw i64 %.1767, %.1569.03709
+  %.1782 = icmp slt i64 %.1768, 0
+  %.1783 = select i1 %.1782, i64 %arg.arrays.1.5.0, i64 0
+  %50 = getelementptr double, ptr %arg.arrays.1.4, i64 %.1768
+  %.1797 = getelementptr double, ptr %50, i64 %.1783
+  store double %.1734, ptr %.1797, align 8
+  %exitcond3770.not = icmp eq i64 %arg.shape.0, %.1638
+  br i1 %exitcond3770.not, label %B654.loopexit, label %B688.if
 
 B748.else.endif:                                  ; preds = %B654.loopexit, %B598
-  br i1 %.2065, label %B748.endif.else.endif.if, label %B748.endif.else.endif.endif.endif.if, !prof !36
+  br i1 %.2059, label %B748.endif.else.endif.if, label %B748.endif.else.endif.endif.endif.if, !prof !36
 
 B748.endif.else.endif.if:                         ; preds = %B748.else.endif
   br label %B748.endif.else.endif.endif.endif.if
 
 B748.endif.else.endif.endif.endif.if:             ; preds = %B748.endif.else.endif.if, %B748.else.endif
-  %.2037.sroa.0.3 = phi i64 [ %arg.lane.0.5.1, %B748.endif.else.endif.if ], [ 0, %B748.else.endif ]
-  %.2161.not4705 = icmp slt i64 %.2037.sroa.0.3, %arg.lane.0.5.1
-  br i1 %.2161.not4705, label %.2131.endif.preheader, label %.2131.if, !prof !165
+  %.2031.sroa.0.3 = phi i64 [ %arg.lane.0.5.1, %B748.endif.else.endif.if ], [ 0, %B748.else.endif ]
+  %.2155.not3714 = icmp slt i64 %.2031.sroa.0.3, %arg.lane.0.5.1
+  br i1 %.2155.not3714, label %.2125.endif.preheader, label %.2125.if, !prof !165
 
-.2131.endif.preheader:                            ; preds = %B748.endif.else.endif.endif.endif.if
-  %51 = sub i64 %arg.lane.0.5.1, %.2037.sroa.0.3
-  %min.iters.check4945 = icmp ult i64 %51, 4
-  br i1 %min.iters.check4945, label %.2131.endif.preheader4970, label %vector.ph4946, !prof !166
+.2125.endif.preheader:                            ; preds = %B748.endif.else.endif.endif.endif.if
+  %51 = sub i64 %arg.lane.0.5.1, %.2031.sroa.0.3
+  %min.iters.check3921 = icmp ult i64 %51, 4
+  br i1 %min.iters.check3921, label %.2125.endif.preheader3945, label %vector.ph3922, !prof !166
 
-vector.ph4946:                                    ; preds = %.2131.endif.preheader
-  %n.vec4948 = and i64 %51, -4
-  %52 = add i64 %.2037.sroa.0.3, %n.vec4948
-  %broadcast.splatinsert4949 = insertelement <2 x double> poison, double %t.2.1, i64 0
-  %broadcast.splat4950 = shufflevector <2 x double> %broadcast.splatinsert4949, <2 x double> poison, <2 x i32> zeroinitializer
-  %53 = getelementptr double, ptr %arg.lane.0.4, i64 %.2037.sroa.0.3
-  br label %vector.body4951
+vector.ph3922:                                    ; preds = %.2125.endif.preheader
+  %n.vec3924 = and i64 %51, -4
+  %52 = add i64 %.2031.sroa.0.3, %n.vec3924
+  %broadcast.splatinsert3925 = insertelement <2 x double> poison, double %t.2.1, i64 0
+  %broadcast.splat3926 = shufflevector <2 x double> %broadcast.splatinsert3925, <2 x double> poison, <2 x i32> zeroinitializer
+  %53 = getelementptr double, ptr %arg.lane.0.4, i64 %.2031.sroa.0.3
+  br label %vector.body3927
 
-vector.body4951:                                  ; preds = %vector.body4951, %vector.ph4946
-  %index4952 = phi i64 [ 0, %vector.ph4946 ], [ %index.next4954, %vector.body4951 ]
-  %54 = getelementptr double, ptr %53, i64 %index4952
+vector.body3927:                                  ; preds = %vector.body3927, %vector.ph3922
+  %index3928 = phi i64 [ 0, %vector.ph3922 ], [ %index.next3930, %vector.body3927 ]
+  %54 = getelementptr double, ptr %53, i64 %index3928
   %55 = getelementptr i8, ptr %54, i64 16
-  store <2 x double> %broadcast.splat4950, ptr %54, align 8
-  store <2 x double> %broadcast.splat4950, ptr %55, align 8
-  %index.next4954 = add i64 %index4952, 4
-  %56 = icmp eq i64 %index.next4954, %n.vec4948
-  br i1 %56, label %middle.block4955, label %vector.body4951, !prof !167, !llvm.loop !168
+  store <2 x double> %broadcast.splat3926, ptr %54, align 8
+  store <2 x double> %broadcast.splat3926, ptr %55, align 8
+  %index.next3930 = add i64 %index3928, 4
+  %56 = icmp eq i64 %index.next3930, %n.vec3924
+  br i1 %56, label %middle.block3931, label %vector.body3927, !prof !167, !llvm.loop !168
 
-middle.block4955:                                 ; preds = %vector.body4951
-  %cmp.n4956 = icmp eq i64 %51, %n.vec4948
-  br i1 %cmp.n4956, label %.2131.if, label %.2131.endif.preheader4970, !prof !170
+middle.block3931:                                 ; preds = %vector.body3927
+  %cmp.n3932 = icmp eq i64 %51, %n.vec3924
+  br i1 %cmp.n3932, label %.2125.if, label %.2125.endif.preheader3945, !prof !170
 
-.2131.endif.preheader4970:                        ; preds = %.2131.endif.preheader, %middle.block4955
-  %.2127.04706.ph = phi i64 [ %.2037.sroa.0.3, %.2131.endif.preheader ], [ %52, %middle.block4955 ]
-  br label %.2131.endif
+.2125.endif.preheader3945:                        ; preds = %.2125.endif.preheader, %middle.block3931
+  %.2121.03715.ph = phi i64 [ %.2031.sroa.0.3, %.2125.endif.preheader ], [ %52, %middle.block3931 ]
+  br label %.2125.endif
 
-.2131.if:                                         ; preds = %.2131.endif, %middle.block4955, %B748.endif.else.endif.endif.endif.if
-  %.2212 = load i64, ptr %.2211, align 8
-  %.2324 = inttoptr i64 %.2212 to ptr
-  tail call void %.2324(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
-  %.2337 = icmp slt i64 %done.3.1, %arg.times.5.0
-  br i1 %.2337, label %B906.preheader, label %B1536
+.2125.if:                                         ; preds = %.2125.endif, %middle.block3931, %B748.endif.else.endif.endif.endif.if
+  %.2206 = load i64, ptr %.2205, align 8
+  %.2318 = inttoptr i64 %.2206 to ptr
+  tail call void %.2318(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
+  %.2331 = icmp slt i64 %done.3.1, %arg.times.5.0
+  br i1 %.2331, label %B906.preheader, label %B1532
 
-B906.preheader:                                   ; preds = %.2131.if
-  %.2408 = icmp slt i64 %edge.2.1, 0
-  %.2409 = select i1 %.2408, i64 %arg.schedule.0.5.1, i64 0
+B906.preheader:                                   ; preds = %.2125.if
+  %.2402 = icmp slt i64 %edge.2.1, 0
+  %.2403 = select i1 %.2402, i64 %arg.schedule.0.5.1, i64 0
   %57 = getelementptr double, ptr %5, i64 %edge.2.1
-  %.2431 = getelementptr double, ptr %57, i64 %.2409
+  %.2425 = getelementptr double, ptr %57, i64 %.2403
   %broadcast.splatinsert = insertelement <2 x i64> poison, i64 %edge.2.1, i64 0
   %broadcast.splat = shufflevector <2 x i64> %broadcast.splatinsert, <2 x i64> poison, <2 x i32> zeroinitializer
   br label %B906
 
-.2131.endif:                                      ; preds = %.2131.endif.preheader4970, %.2131.endif
-  %.2127.04706 = phi i64 [ %.2175, %.2131.endif ], [ %.2127.04706.ph, %.2131.endif.preheader4970 ]
-  %.2170 = getelementptr double, ptr %arg.lane.0.4, i64 %.2127.04706
-  store double %t.2.1, ptr %.2170, align 8
-  %.2175 = add nsw i64 %.2127.04706, 1
-  %exitcond4778.not = icmp eq i64 %.2175, %arg.lane.0.5.1
-  br i1 %exitcond4778.not, label %.2131.if, label %.2131.endif, !prof !171, !llvm.loop !172
+.2125.endif:                                      ; preds = %.2125.endif.preheader3945, %.2125.endif
+  %.2121.03715 = phi i64 [ %.2169, %.2125.endif ], [ %.2121.03715.ph, %.2125.endif.preheader3945 ]
+  %.2164 = getelementptr double, ptr %arg.lane.0.4, i64 %.2121.03715
+  store double %t.2.1, ptr %.2164, align 8
+  %.2169 = add nsw i64 %.2121.03715, 1
+  %exitcond3771.not = icmp eq i64 %.2169, %arg.lane.0.5.1
+  br i1 %exitcond3771.not, label %.2125.if, label %.2125.endif, !prof !171, !llvm.loop !172
 
-B358.i:                                           ; preds = %B308.if.i, %middle.block4899, %.1491.if.i
-  br i1 %.1728.i, label %B370.else.i, label %B442.i
+B358.i:                                           ; preds = %B308.if.i, %middle.block3875, %.1482.if.i
+  %.1747.i = load i64, ptr %arg.code.4, align 8, !noalias !174
+  %.1794.i = inttoptr i64 %.1747.i to ptr
+  tail call void %.1794.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.1793.i), !noalias !174
+  %.1943.i = load i64, ptr %39, align 8, !noalias !174
+  %.1988.i = inttoptr i64 %.1943.i to ptr
+  tail call void %.1988.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !174
+  %.2019.i = load i64, ptr %arg.code.4, align 8, !noalias !174
+  %.2069.i = inttoptr i64 %.2019.i to ptr
+  tail call void %.2069.i(ptr %.322.i, ptr %.2043.i, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.2068.i), !noalias !174
+  %.1943.i.1 = load i64, ptr %40, align 8, !noalias !174
+  %.1988.i.1 = inttoptr i64 %.1943.i.1 to ptr
+  tail call void %.1988.i.1(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !174
+  %.2019.i.1 = load i64, ptr %arg.code.4, align 8, !noalias !174
+  %.2069.i.1 = inttoptr i64 %.2019.i.1 to ptr
+  tail call void %.2069.i.1(ptr %.322.i, ptr %.2043.i, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.2068.i.1), !noalias !174
+  %.1943.i.2 = load i64, ptr %41, align 8, !noalias !174
+  %.1988.i.2 = inttoptr i64 %.1943.i.2 to ptr
+  tail call void %.1988.i.2(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !174
+  %.2019.i.2 = load i64, ptr %arg.code.4, align 8, !noalias !174
+  %.2069.i.2 = inttoptr i64 %.2019.i.2 to ptr
+  tail call void %.2069.i.2(ptr %.322.i, ptr %.2043.i, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.2068.i.2), !noalias !174
+  %.2106.i = load i64, ptr %.2105.i, align 8, !noalias !174
+  %.2151.i = inttoptr i64 %.2106.i to ptr
+  tail call void %.2151.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !174
+  br i1 %.2154.i.not, label %B806.i, label %B738.i
 
-B442.i:                                           ; preds = %B250.i.i, %B358.i
-  %.2158.i = load i64, ptr %arg.code.4, align 8, !noalias !174
-  %.2205.i = inttoptr i64 %.2158.i to ptr
-  tail call void %.2205.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.2204.i), !noalias !174
-  br label %B558.if.i
+B738.i:                                           ; preds = %B358.i
+  %.2185.i = load i64, ptr %.2184.i, align 8, !noalias !174
+  %.2230.i = inttoptr i64 %.2185.i to ptr
+  tail call void %.2230.i(ptr %.322.i, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !174
+  br label %B806.i
 
-B648.i:                                           ; preds = %B558.if.i
-  %.150.i155.i = load i64, ptr %.149.i154.i, align 8, !noalias !178
-  %.195.i174.i = inttoptr i64 %.150.i155.i to ptr
-  tail call void %.195.i174.i(ptr %.331.i, ptr %.169.i.i, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !178
-  br i1 %.279.i211.i4727.not, label %B250.i219.i, label %B118.if.i429.i
+B806.i:                                           ; preds = %B738.i, %B358.i
+  br i1 %.2316.i3731.not, label %B1254.i, label %B840.if.i
 
-B248.i313.i:                                      ; preds = %B190.if.i414.i, %B118.if.i429.i
-  %exitcond4787.not = icmp eq i64 %arg.shape.0, %.292.i435.i
-  br i1 %exitcond4787.not, label %B250.i219.i, label %B118.if.i429.i
+B890.i:                                           ; preds = %B840.if.i
+  %.2450.i = getelementptr i64, ptr %arg.results.1.4, i64 %.2411.i
+  %.2451.i = load i64, ptr %.2450.i, align 8, !noalias !174
+  %.2452.i.not = icmp eq i64 %.2451.i, 0
+  br i1 %.2452.i.not, label %B926.i, label %B1465.i
 
-B250.i219.i:                                      ; preds = %B248.i313.i, %B648.i
-  %.614.i243.i = load i64, ptr %.2211, align 8, !noalias !178
-  %.661.i263.i = inttoptr i64 %.614.i243.i to ptr
-  tail call void %.661.i263.i(ptr %.331.i, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !178
-  br label %B708.i
+B926.i:                                           ; preds = %B890.i
+  %.2522.i = mul i64 %.2411.i, %arg.results.3.5.1
+  %.2526.i = getelementptr i64, ptr %arg.results.3.4, i64 %.2522.i
+  %.2527.i = load i64, ptr %.2526.i, align 8, !noalias !174
+  %.2528.i = add nsw i64 %.2527.i, 1
+  store i64 %.2528.i, ptr %.2526.i, align 8, !noalias !174
+  %.2636.i = getelementptr i8, ptr %.2526.i, i64 8
+  %.2637.i = load i64, ptr %.2636.i, align 8, !noalias !174
+  %.2638.i = add nsw i64 %.2637.i, 4
+  store i64 %.2638.i, ptr %.2636.i, align 8, !noalias !174
+  br i1 %.2771.i3727.not, label %B1154.i, label %B1048.if.i.preheader
 
-B118.if.i429.i:                                   ; preds = %B648.i, %B248.i313.i
-  %.221.i102.i.04729 = phi i64 [ %.292.i435.i, %B248.i313.i ], [ 0, %B648.i ]
-  %.292.i435.i = add nsw i64 %.221.i102.i.04729, 1
-  %58 = getelementptr double, ptr %26, i64 %.221.i102.i.04729
-  %.374.i311.i = load double, ptr %58, align 8, !noalias !178
-  %.375.i312.i = fcmp ule double %.374.i311.i, 5.000000e-01
-  %brmerge = select i1 %.375.i312.i, i1 true, i1 %.457.i354.i4724
-  br i1 %brmerge, label %B248.i313.i, label %B190.if.i414.i.preheader
+B1048.if.i.preheader:                             ; preds = %B926.i
+  %invariant.gep3954 = getelementptr double, ptr %arg.arrays.0.4, i64 %.2260.i.03732
+  br label %B1048.if.i
 
-B190.if.i414.i.preheader:                         ; preds = %B118.if.i429.i
-  %invariant.gep4981 = getelementptr double, ptr %arg.arrays.4.4, i64 %.221.i102.i.04729
-  br label %B190.if.i414.i
+B1094.i.loopexit:                                 ; preds = %B1048.if.i
+  %58 = fcmp une double %.2845.i, 0.000000e+00
+  br i1 %58, label %B1106.i, label %B1154.i
 
-B190.if.i414.i:                                   ; preds = %B190.if.i414.i.preheader, %B190.if.i414.i
-  %.401.i116.i.04726 = phi i64 [ %.470.i420.i, %B190.if.i414.i ], [ 0, %B190.if.i414.i.preheader ]
-  %.470.i420.i = add nsw i64 %.401.i116.i.04726, 1
-  %.496.i366.i = mul nsw i64 %.401.i116.i.04726, %arg.shape.0
-  %gep4982 = getelementptr double, ptr %invariant.gep4981, i64 %.496.i366.i
-  %.528.i388.i = load double, ptr %gep4982, align 8, !noalias !178
-  %.530.i390.i = add nsw i64 %.401.i116.i.04726, %arg.held
-  %.532.i392.i = mul nsw i64 %.530.i390.i, %arg.shape.0
-  %.534.i394.i = add nsw i64 %.532.i392.i, %.221.i102.i.04729
-  %.548.i402.i = icmp slt i64 %.534.i394.i, 0
-  %.549.i403.i = select i1 %.548.i402.i, i64 %arg.arrays.1.5.0, i64 0
-  %59 = getelementptr double, ptr %arg.arrays.1.4, i64 %.534.i394.i
-  %.563.i413.i = getelementptr double, ptr %59, i64 %.549.i403.i
-  store double %.528.i388.i, ptr %.563.i413.i, align 8, !noalias !178
-  %exitcond4786.not = icmp eq i64 %.470.i420.i, %arg.decided
-  br i1 %exitcond4786.not, label %B248.i313.i, label %B190.if.i414.i
+B1106.i:                                          ; preds = %B1094.i.loopexit
+  %.84.i.i = load i64, ptr %92, align 8, !noalias !178
+  %.89.i.i = icmp sgt i64 %.84.i.i, -1
+  br i1 %.89.i.i, label %B46.i.i, label %B1465.i
 
-B708.i:                                           ; preds = %B250.i219.i, %B558.if.i
-  %.2495.i = load i64, ptr %arg.code.4, align 8, !noalias !174
-  %.2503.i = mul nsw i64 %.2299.i, %.223.i
-  %.2547.i = getelementptr double, ptr %arg.arrays.0.4, i64 %.2503.i
-  %.2548.i = inttoptr i64 %.2495.i to ptr
-  tail call void %.2548.i(ptr %.331.i, ptr %.2522.i, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.2547.i), !noalias !174
-  %exitcond4788.not = icmp eq i64 %.2299.i, 4
-  br i1 %exitcond4788.not, label %B816.i, label %B558.if.i
-
-B816.i:                                           ; preds = %B708.i
-  %.2585.i = load i64, ptr %.2584.i, align 8, !noalias !174
-  %.2630.i = inttoptr i64 %.2585.i to ptr
-  tail call void %.2630.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !174
-  br i1 %.2633.i.not, label %B962.i, label %B894.i
-
-B894.i:                                           ; preds = %B816.i
-  %.2664.i = load i64, ptr %.2663.i, align 8, !noalias !174
-  %.2709.i = inttoptr i64 %.2664.i to ptr
-  tail call void %.2709.i(ptr %.331.i, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !174
-  br label %B962.i
-
-B962.i:                                           ; preds = %B894.i, %B816.i
-  br i1 %.2795.i4736.not, label %B1410.i, label %B996.if.i
-
-B1046.i:                                          ; preds = %B996.if.i
-  %.2929.i = getelementptr i64, ptr %arg.results.1.4, i64 %.2890.i
-  %.2930.i = load i64, ptr %.2929.i, align 8, !noalias !174
-  %.2931.i.not = icmp eq i64 %.2930.i, 0
-  br i1 %.2931.i.not, label %B1082.i, label %B1621.i
-
-B1082.i:                                          ; preds = %B1046.i
-  %.3001.i = mul i64 %.2890.i, %arg.results.3.5.1
-  %.3005.i = getelementptr i64, ptr %arg.results.3.4, i64 %.3001.i
-  %.3006.i = load i64, ptr %.3005.i, align 8, !noalias !174
-  %.3007.i = add nsw i64 %.3006.i, 1
-  store i64 %.3007.i, ptr %.3005.i, align 8, !noalias !174
-  %.3115.i = getelementptr i8, ptr %.3005.i, i64 8
-  %.3116.i = load i64, ptr %.3115.i, align 8, !noalias !174
-  %.3117.i = add nsw i64 %.3116.i, 4
-  store i64 %.3117.i, ptr %.3115.i, align 8, !noalias !174
-  br i1 %.3250.i4732.not, label %B1310.i, label %B1204.if.i.preheader
-
-B1204.if.i.preheader:                             ; preds = %B1082.i
-  %invariant.gep4983 = getelementptr double, ptr %arg.arrays.0.4, i64 %.2739.i.04737
-  br label %B1204.if.i
-
-B1250.i.loopexit:                                 ; preds = %B1204.if.i
-  %60 = fcmp une double %.3324.i, 0.000000e+00
-  br i1 %60, label %B1262.i, label %B1310.i
-
-B1262.i:                                          ; preds = %B1250.i.loopexit
-  %.84.i477.i = load i64, ptr %104, align 8, !noalias !182
-  %.89.i.i = icmp sgt i64 %.84.i477.i, -1
-  br i1 %.89.i.i, label %B46.i.i, label %B1621.i
-
-B46.i.i:                                          ; preds = %B1262.i
-  %.120.i.i = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i477.i
-  %.121.i486.i = load i64, ptr %.120.i.i, align 8, !noalias !182
-  %.122.i487.i = icmp eq i64 %.121.i486.i, 0
-  br i1 %.122.i487.i, label %B80.i.i, label %B1621.i
+B46.i.i:                                          ; preds = %B1106.i
+  %.120.i.i = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i.i
+  %.121.i.i = load i64, ptr %.120.i.i, align 8, !noalias !178
+  %.122.i.i = icmp eq i64 %.121.i.i, 0
+  br i1 %.122.i.i, label %B80.i.i, label %B1465.i
 
 B80.i.i:                                          ; preds = %B46.i.i
-  store i64 3, ptr %.120.i.i, align 8, !noalias !182
-  br label %B1621.i
+  store i64 3, ptr %.120.i.i, align 8, !noalias !178
+  br label %B1465.i
 
-B1310.i:                                          ; preds = %B1082.i, %B1250.i.loopexit
-  br i1 %.2633.i.not, label %B1398.i, label %B1314.i
+B1154.i:                                          ; preds = %B926.i, %B1094.i.loopexit
+  br i1 %.2154.i.not, label %B1242.i, label %B1158.i
 
-B1314.i:                                          ; preds = %B1310.i
-  %61 = getelementptr double, ptr %arg.arrays.4.4, i64 %.2739.i.04737
-  %.3412.i = load double, ptr %61, align 8, !noalias !174
-  %.3414.i = fcmp olt double %.3412.i, -1.000000e-09
-  br i1 %.3414.i, label %B1350.i, label %B1398.i
+B1158.i:                                          ; preds = %B1154.i
+  %59 = getelementptr double, ptr %arg.arrays.4.4, i64 %.2260.i.03732
+  %.2933.i = load double, ptr %59, align 8, !noalias !174
+  %.2935.i = fcmp olt double %.2933.i, -1.000000e-09
+  br i1 %.2935.i, label %B1194.i, label %B1242.i
 
-B1350.i:                                          ; preds = %B1314.i
-  %.84.i577.i = load i64, ptr %104, align 8, !noalias !185
-  %.89.i580.i = icmp sgt i64 %.84.i577.i, -1
-  br i1 %.89.i580.i, label %B46.i585.i, label %B1621.i
+B1194.i:                                          ; preds = %B1158.i
+  %.84.i63.i = load i64, ptr %92, align 8, !noalias !181
+  %.89.i66.i = icmp sgt i64 %.84.i63.i, -1
+  br i1 %.89.i66.i, label %B46.i71.i, label %B1465.i
 
-B46.i585.i:                                       ; preds = %B1350.i
-  %.120.i606.i = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i577.i
-  %.121.i607.i = load i64, ptr %.120.i606.i, align 8, !noalias !185
-  %.122.i608.i = icmp eq i64 %.121.i607.i, 0
-  br i1 %.122.i608.i, label %B80.i613.i, label %B1621.i
+B46.i71.i:                                        ; preds = %B1194.i
+  %.120.i91.i = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i63.i
+  %.121.i92.i = load i64, ptr %.120.i91.i, align 8, !noalias !181
+  %.122.i93.i = icmp eq i64 %.121.i92.i, 0
+  br i1 %.122.i93.i, label %B80.i98.i, label %B1465.i
 
-B80.i613.i:                                       ; preds = %B46.i585.i
-  store i64 4, ptr %.120.i606.i, align 8, !noalias !185
-  br label %B1621.i
+B80.i98.i:                                        ; preds = %B46.i71.i
+  store i64 4, ptr %.120.i91.i, align 8, !noalias !181
+  br label %B1465.i
 
-B1398.i:                                          ; preds = %B1314.i, %B1310.i
-  %.3461.i = add nsw i64 %active.3.i.14739, 1
-  br label %B1621.i
+B1242.i:                                          ; preds = %B1158.i, %B1154.i
+  %.2982.i = add nsw i64 %active.3.i.13734, 1
+  br label %B1465.i
 
-B1410.i.loopexit:                                 ; preds = %B1621.i
-  %62 = icmp ne i64 %active.4.i.2, 0
-  br label %B1410.i
+B1254.i.loopexit:                                 ; preds = %B1465.i
+  %60 = icmp ne i64 %active.4.i.2, 0
+  br label %B1254.i
 
-B1410.i:                                          ; preds = %B1410.i.loopexit, %B962.i
-  %active.3.i.1.lcssa = phi i1 [ false, %B962.i ], [ %62, %B1410.i.loopexit ]
-  %.804.i = icmp sgt i64 %.742.i.04742, 1
-  %or.cond = select i1 %active.3.i.1.lcssa, i1 %.804.i, i1 false
-  br i1 %or.cond, label %B186.if.i, label %B1430.i
+B1254.i:                                          ; preds = %B1254.i.loopexit, %B806.i
+  %active.3.i.1.lcssa = phi i1 [ false, %B806.i ], [ %60, %B1254.i.loopexit ]
+  %.795.i = icmp sgt i64 %.733.i.03736, 1
+  %or.cond = select i1 %active.3.i.1.lcssa, i1 %.795.i, i1 false
+  br i1 %or.cond, label %B186.if.i, label %B1274.i
 
-B1430.i:                                          ; preds = %B1410.i
-  %or.cond.not4773 = or i1 %.3568.i, %active.3.i.1.lcssa
-  %brmerge4771 = select i1 %or.cond.not4773, i1 true, i1 %.3652.i4743.not4772
-  br i1 %brmerge4771, label %B906.endif.endif.endif.endif.endif, label %B1484.if.i.preheader
+B1274.i:                                          ; preds = %B1254.i
+  %or.cond.not3766 = or i1 %.3077.i, %active.3.i.1.lcssa
+  %brmerge = select i1 %or.cond.not3766, i1 true, i1 %.3161.i3738.not3765
+  br i1 %brmerge, label %B906.endif.endif.endif.endif.endif, label %B1328.if.i.preheader
 
-B1484.if.i.preheader:                             ; preds = %B1430.i
-  %brmerge4987 = select i1 %min.iters.check4861, i1 true, i1 %found.conflict
-  br i1 %brmerge4987, label %B1484.if.i.preheader4968, label %vector.body4865
+B1328.if.i.preheader:                             ; preds = %B1274.i
+  %brmerge3958 = select i1 %min.iters.check3849, i1 true, i1 %found.conflict
+  br i1 %brmerge3958, label %B1328.if.i.preheader3943, label %vector.body3853
 
-vector.body4865:                                  ; preds = %B1484.if.i.preheader, %vector.body4865
-  %index4866 = phi i64 [ %index.next4871, %vector.body4865 ], [ 0, %B1484.if.i.preheader ]
-  %63 = getelementptr double, ptr %arg.arrays.0.4, i64 %index4866
-  %64 = getelementptr i8, ptr %63, i64 %42
-  %65 = getelementptr i8, ptr %64, i64 16
-  %wide.load4867 = load <2 x double>, ptr %64, align 8, !alias.scope !188, !noalias !174
-  %wide.load4868 = load <2 x double>, ptr %65, align 8, !alias.scope !188, !noalias !174
-  %66 = getelementptr i8, ptr %63, i64 16
-  %wide.load4869 = load <2 x double>, ptr %63, align 8, !alias.scope !191, !noalias !193
-  %wide.load4870 = load <2 x double>, ptr %66, align 8, !alias.scope !191, !noalias !193
-  %67 = fsub <2 x double> %wide.load4869, %wide.load4867
-  %68 = fsub <2 x double> %wide.load4870, %wide.load4868
-  store <2 x double> %wide.load4867, ptr %63, align 8, !alias.scope !191, !noalias !193
-  store <2 x double> %wide.load4868, ptr %66, align 8, !alias.scope !191, !noalias !193
-  store <2 x double> %67, ptr %64, align 8, !alias.scope !188, !noalias !174
-  store <2 x double> %68, ptr %65, align 8, !alias.scope !188, !noalias !174
-  %index.next4871 = add i64 %index4866, 4
-  %69 = icmp eq i64 %index.next4871, %n.vec4864
-  br i1 %69, label %middle.block4872, label %vector.body4865, !llvm.loop !194
+vector.body3853:                                  ; preds = %B1328.if.i.preheader, %vector.body3853
+  %index3854 = phi i64 [ %index.next3859, %vector.body3853 ], [ 0, %B1328.if.i.preheader ]
+  %61 = getelementptr double, ptr %arg.arrays.0.4, i64 %index3854
+  %62 = getelementptr i8, ptr %61, i64 %42
+  %63 = getelementptr i8, ptr %62, i64 16
+  %wide.load3855 = load <2 x double>, ptr %62, align 8, !alias.scope !184, !noalias !174
+  %wide.load3856 = load <2 x double>, ptr %63, align 8, !alias.scope !184, !noalias !174
+  %64 = getelementptr i8, ptr %61, i64 16
+  %wide.load3857 = load <2 x double>, ptr %61, align 8, !alias.scope !187, !noalias !189
+  %wide.load3858 = load <2 x double>, ptr %64, align 8, !alias.scope !187, !noalias !189
+  %65 = fsub <2 x double> %wide.load3857, %wide.load3855
+  %66 = fsub <2 x double> %wide.load3858, %wide.load3856
+  store <2 x double> %wide.load3855, ptr %61, align 8, !alias.scope !187, !noalias !189
+  store <2 x double> %wide.load3856, ptr %64, align 8, !alias.scope !187, !noalias !189
+  store <2 x double> %65, ptr %62, align 8, !alias.scope !184, !noalias !174
+  store <2 x double> %66, ptr %63, align 8, !alias.scope !184, !noalias !174
+  %index.next3859 = add i64 %index3854, 4
+  %67 = icmp eq i64 %index.next3859, %n.vec3852
+  br i1 %67, label %middle.block3860, label %vector.body3853, !llvm.loop !190
 
-middle.block4872:                                 ; preds = %vector.body4865
-  br i1 %cmp.n4873, label %B906.endif.endif.endif.endif.endif, label %B1484.if.i.preheader4968
+middle.block3860:                                 ; preds = %vector.body3853
+  br i1 %cmp.n3861, label %B906.endif.endif.endif.endif.endif, label %B1328.if.i.preheader3943
 
-B1484.if.i.preheader4968:                         ; preds = %B1484.if.i.preheader, %middle.block4872
-  %.3596.i.04744.ph = phi i64 [ %n.vec4864, %middle.block4872 ], [ 0, %B1484.if.i.preheader ]
-  br label %B1484.if.i
+B1328.if.i.preheader3943:                         ; preds = %B1328.if.i.preheader, %middle.block3860
+  %.3105.i.03739.ph = phi i64 [ %n.vec3852, %middle.block3860 ], [ 0, %B1328.if.i.preheader ]
+  br label %B1328.if.i
 
-B1621.i:                                          ; preds = %B80.i613.i, %B1350.i, %B46.i585.i, %B80.i.i, %B1262.i, %B46.i.i, %B996.if.i, %B1046.i, %B1398.i
-  %active.4.i.2 = phi i64 [ %.3461.i, %B1398.i ], [ %active.3.i.14739, %B996.if.i ], [ %active.3.i.14739, %B80.i.i ], [ %active.3.i.14739, %B1046.i ], [ %active.3.i.14739, %B46.i.i ], [ %active.3.i.14739, %B1262.i ], [ %active.3.i.14739, %B46.i585.i ], [ %active.3.i.14739, %B1350.i ], [ %active.3.i.14739, %B80.i613.i ]
-  %exitcond4790.not = icmp eq i64 %arg.shape.0, %.2808.i
-  br i1 %exitcond4790.not, label %B1410.i.loopexit, label %B996.if.i
+B1465.i:                                          ; preds = %B80.i98.i, %B1194.i, %B46.i71.i, %B80.i.i, %B1106.i, %B46.i.i, %B840.if.i, %B890.i, %B1242.i
+  %active.4.i.2 = phi i64 [ %.2982.i, %B1242.i ], [ %active.3.i.13734, %B840.if.i ], [ %active.3.i.13734, %B80.i.i ], [ %active.3.i.13734, %B890.i ], [ %active.3.i.13734, %B46.i.i ], [ %active.3.i.13734, %B1106.i ], [ %active.3.i.13734, %B46.i71.i ], [ %active.3.i.13734, %B1194.i ], [ %active.3.i.13734, %B80.i98.i ]
+  %exitcond3778.not = icmp eq i64 %arg.shape.0, %.2329.i
+  br i1 %exitcond3778.not, label %B1254.i.loopexit, label %B840.if.i
 
 B0.endif.else.endif.if.i:                         ; preds = %B906
   br label %B0.endif.else.endif.endif.i
 
 B0.endif.else.endif.endif.i:                      ; preds = %B0.endif.else.endif.if.i, %B906
   %spec.select = phi i64 [ %arg.lane.0.5.1, %B0.endif.else.endif.if.i ], [ 0, %B906 ]
-  %.693.i.not4707 = icmp slt i64 %spec.select, %arg.lane.0.5.1
-  br i1 %.693.i.not4707, label %.663.endif.i.preheader, label %B186.if.i.preheader, !prof !165
+  %.684.i.not3716 = icmp slt i64 %spec.select, %arg.lane.0.5.1
+  br i1 %.684.i.not3716, label %.654.endif.i.preheader, label %B186.if.i.preheader, !prof !165
 
-.663.endif.i.preheader:                           ; preds = %B0.endif.else.endif.endif.i
-  %70 = sub i64 %arg.lane.0.5.1, %spec.select
-  %min.iters.check4931 = icmp ult i64 %70, 4
-  br i1 %min.iters.check4931, label %.663.endif.i.preheader4969, label %vector.ph4932, !prof !166
+.654.endif.i.preheader:                           ; preds = %B0.endif.else.endif.endif.i
+  %68 = sub i64 %arg.lane.0.5.1, %spec.select
+  %min.iters.check3907 = icmp ult i64 %68, 4
+  br i1 %min.iters.check3907, label %.654.endif.i.preheader3944, label %vector.ph3908, !prof !166
 
-vector.ph4932:                                    ; preds = %.663.endif.i.preheader
-  %n.vec4934 = and i64 %70, -4
-  %71 = add i64 %spec.select, %n.vec4934
-  %broadcast.splatinsert4935 = insertelement <2 x double> poison, double %.2510, i64 0
-  %broadcast.splat4936 = shufflevector <2 x double> %broadcast.splatinsert4935, <2 x double> poison, <2 x i32> zeroinitializer
-  %72 = getelementptr double, ptr %27, i64 %spec.select
-  br label %vector.body4937
+vector.ph3908:                                    ; preds = %.654.endif.i.preheader
+  %n.vec3910 = and i64 %68, -4
+  %69 = add i64 %spec.select, %n.vec3910
+  %broadcast.splatinsert3911 = insertelement <2 x double> poison, double %.2504, i64 0
+  %broadcast.splat3912 = shufflevector <2 x double> %broadcast.splatinsert3911, <2 x double> poison, <2 x i32> zeroinitializer
+  %70 = getelementptr double, ptr %24, i64 %spec.select
+  br label %vector.body3913
 
-vector.body4937:                                  ; preds = %vector.body4937, %vector.ph4932
-  %index4938 = phi i64 [ 0, %vector.ph4932 ], [ %index.next4940, %vector.body4937 ]
-  %73 = getelementptr double, ptr %72, i64 %index4938
-  %74 = getelementptr i8, ptr %73, i64 16
-  store <2 x double> %broadcast.splat4936, ptr %73, align 8, !noalias !174
-  store <2 x double> %broadcast.splat4936, ptr %74, align 8, !noalias !174
-  %index.next4940 = add i64 %index4938, 4
-  %75 = icmp eq i64 %index.next4940, %n.vec4934
-  br i1 %75, label %middle.block4941, label %vector.body4937, !prof !167, !llvm.loop !195
+vector.body3913:                                  ; preds = %vector.body3913, %vector.ph3908
+  %index3914 = phi i64 [ 0, %vector.ph3908 ], [ %index.next3916, %vector.body3913 ]
+  %71 = getelementptr double, ptr %70, i64 %index3914
+  %72 = getelementptr i8, ptr %71, i64 16
+  store <2 x double> %broadcast.splat3912, ptr %71, align 8, !noalias !174
+  store <2 x double> %broadcast.splat3912, ptr %72, align 8, !noalias !174
+  %index.next3916 = add i64 %index3914, 4
+  %73 = icmp eq i64 %index.next3916, %n.vec3910
+  br i1 %73, label %middle.block3917, label %vector.body3913, !prof !167, !llvm.loop !191
 
-middle.block4941:                                 ; preds = %vector.body4937
-  %cmp.n4942 = icmp eq i64 %70, %n.vec4934
-  br i1 %cmp.n4942, label %B186.if.i.preheader, label %.663.endif.i.preheader4969, !prof !170
+middle.block3917:                                 ; preds = %vector.body3913
+  %cmp.n3918 = icmp eq i64 %68, %n.vec3910
+  br i1 %cmp.n3918, label %B186.if.i.preheader, label %.654.endif.i.preheader3944, !prof !170
 
-.663.endif.i.preheader4969:                       ; preds = %.663.endif.i.preheader, %middle.block4941
-  %.659.i.04708.ph = phi i64 [ %spec.select, %.663.endif.i.preheader ], [ %71, %middle.block4941 ]
-  br label %.663.endif.i
+.654.endif.i.preheader3944:                       ; preds = %.654.endif.i.preheader, %middle.block3917
+  %.650.i.03717.ph = phi i64 [ %spec.select, %.654.endif.i.preheader ], [ %69, %middle.block3917 ]
+  br label %.654.endif.i
 
-.663.endif.i:                                     ; preds = %.663.endif.i.preheader4969, %.663.endif.i
-  %.659.i.04708 = phi i64 [ %.707.i, %.663.endif.i ], [ %.659.i.04708.ph, %.663.endif.i.preheader4969 ]
-  %.702.i = getelementptr double, ptr %27, i64 %.659.i.04708
-  store double %.2510, ptr %.702.i, align 8, !noalias !174
-  %.707.i = add nsw i64 %.659.i.04708, 1
-  %exitcond4779.not = icmp eq i64 %.707.i, %arg.lane.0.5.1
-  br i1 %exitcond4779.not, label %B186.if.i.preheader, label %.663.endif.i, !prof !171, !llvm.loop !196
+.654.endif.i:                                     ; preds = %.654.endif.i.preheader3944, %.654.endif.i
+  %.650.i.03717 = phi i64 [ %.698.i, %.654.endif.i ], [ %.650.i.03717.ph, %.654.endif.i.preheader3944 ]
+  %.693.i = getelementptr double, ptr %24, i64 %.650.i.03717
+  store double %.2504, ptr %.693.i, align 8, !noalias !174
+  %.698.i = add nsw i64 %.650.i.03717, 1
+  %exitcond3772.not = icmp eq i64 %.698.i, %arg.lane.0.5.1
+  br i1 %exitcond3772.not, label %B186.if.i.preheader, label %.654.endif.i, !prof !171, !llvm.loop !192
 
-B186.if.i.preheader:                              ; preds = %.663.endif.i, %middle.block4941, %B0.endif.else.endif.endif.i
+B186.if.i.preheader:                              ; preds = %.654.endif.i, %middle.block3917, %B0.endif.else.endif.endif.i
   br label %B186.if.i
 
-B186.if.i:                                        ; preds = %B186.if.i.preheader, %B1410.i
-  %.742.i.04742 = phi i64 [ %.813.i, %B1410.i ], [ %.11.i4680, %B186.if.i.preheader ]
-  %.739.i.04741 = phi i64 [ %.817.i, %B1410.i ], [ 0, %B186.if.i.preheader ]
-  %.813.i = add nsw i64 %.742.i.04742, -1
-  %.817.i = add nsw i64 %.739.i.04741, 1
-  %.845.i = uitofp i64 %.739.i.04741 to double
-  %.846.i = fmul double %.2510, %.845.i
-  %.848.i = fadd double %t.4.3, %.846.i
-  %.851.i = uitofp i64 %.817.i to double
-  %.852.i = fmul double %.2510, %.851.i
-  %.854.i = fadd double %t.4.3, %.852.i
-  br i1 %.2065, label %B188.endif.else.endif.if.i, label %B188.endif.else.endif.endif.i, !prof !36
+B186.if.i:                                        ; preds = %B186.if.i.preheader, %B1254.i
+  %.730.i.03737 = phi i64 [ %.808.i, %B1254.i ], [ 0, %B186.if.i.preheader ]
+  %.733.i.03736 = phi i64 [ %.804.i, %B1254.i ], [ %.11.i3687, %B186.if.i.preheader ]
+  %.804.i = add nsw i64 %.733.i.03736, -1
+  %.808.i = add nsw i64 %.730.i.03737, 1
+  %.836.i = uitofp i64 %.730.i.03737 to double
+  %.837.i = fmul double %.2504, %.836.i
+  %.839.i = fadd double %t.4.3, %.837.i
+  %.842.i = uitofp i64 %.808.i to double
+  %.843.i = fmul double %.2504, %.842.i
+  %.845.i = fadd double %t.4.3, %.843.i
+  br i1 %.2059, label %B188.endif.else.endif.if.i, label %B188.endif.else.endif.endif.i, !prof !36
 
 B188.endif.else.endif.if.i:                       ; preds = %B186.if.i
   br label %B188.endif.else.endif.endif.i
 
 B188.endif.else.endif.endif.i:                    ; preds = %B188.endif.else.endif.if.i, %B186.if.i
-  %spec.select4676 = phi i64 [ %arg.lane.0.5.1, %B188.endif.else.endif.if.i ], [ 0, %B186.if.i ]
-  %.1178.i.not4709 = icmp slt i64 %spec.select4676, %arg.lane.0.5.1
-  br i1 %.1178.i.not4709, label %.1148.endif.i.preheader, label %.1149.else.i, !prof !165
+  %spec.select3684 = phi i64 [ %arg.lane.0.5.1, %B188.endif.else.endif.if.i ], [ 0, %B186.if.i ]
+  %.1169.i.not3718 = icmp slt i64 %spec.select3684, %arg.lane.0.5.1
+  br i1 %.1169.i.not3718, label %.1139.endif.i.preheader, label %.1140.else.i, !prof !165
 
-.1148.endif.i.preheader:                          ; preds = %B188.endif.else.endif.endif.i
-  %76 = sub i64 %arg.lane.0.5.1, %spec.select4676
-  %min.iters.check4917 = icmp ult i64 %76, 4
-  br i1 %min.iters.check4917, label %.1148.endif.i.preheader4963, label %vector.ph4918, !prof !166
+.1139.endif.i.preheader:                          ; preds = %B188.endif.else.endif.endif.i
+  %74 = sub i64 %arg.lane.0.5.1, %spec.select3684
+  %min.iters.check3893 = icmp ult i64 %74, 4
+  br i1 %min.iters.check3893, label %.1139.endif.i.preheader3938, label %vector.ph3894, !prof !166
 
-vector.ph4918:                                    ; preds = %.1148.endif.i.preheader
-  %n.vec4920 = and i64 %76, -4
-  %77 = add i64 %spec.select4676, %n.vec4920
-  %broadcast.splatinsert4921 = insertelement <2 x double> poison, double %.848.i, i64 0
-  %broadcast.splat4922 = shufflevector <2 x double> %broadcast.splatinsert4921, <2 x double> poison, <2 x i32> zeroinitializer
-  %78 = getelementptr double, ptr %arg.lane.0.4, i64 %spec.select4676
-  br label %vector.body4923
+vector.ph3894:                                    ; preds = %.1139.endif.i.preheader
+  %n.vec3896 = and i64 %74, -4
+  %75 = add i64 %spec.select3684, %n.vec3896
+  %broadcast.splatinsert3897 = insertelement <2 x double> poison, double %.839.i, i64 0
+  %broadcast.splat3898 = shufflevector <2 x double> %broadcast.splatinsert3897, <2 x double> poison, <2 x i32> zeroinitializer
+  %76 = getelementptr double, ptr %arg.lane.0.4, i64 %spec.select3684
+  br label %vector.body3899
 
-vector.body4923:                                  ; preds = %vector.body4923, %vector.ph4918
-  %index4924 = phi i64 [ 0, %vector.ph4918 ], [ %index.next4926, %vector.body4923 ]
-  %79 = getelementptr double, ptr %78, i64 %index4924
-  %80 = getelementptr i8, ptr %79, i64 16
-  store <2 x double> %broadcast.splat4922, ptr %79, align 8, !noalias !174
-  store <2 x double> %broadcast.splat4922, ptr %80, align 8, !noalias !174
-  %index.next4926 = add i64 %index4924, 4
-  %81 = icmp eq i64 %index.next4926, %n.vec4920
-  br i1 %81, label %middle.block4927, label %vector.body4923, !prof !167, !llvm.loop !197
+vector.body3899:                                  ; preds = %vector.body3899, %vector.ph3894
+  %index3900 = phi i64 [ 0, %vector.ph3894 ], [ %index.next3902, %vector.body3899 ]
+  %77 = getelementptr double, ptr %76, i64 %index3900
+  %78 = getelementptr i8, ptr %77, i64 16
+  store <2 x double> %broadcast.splat3898, ptr %77, align 8, !noalias !174
+  store <2 x double> %broadcast.splat3898, ptr %78, align 8, !noalias !174
+  %index.next3902 = add i64 %index3900, 4
+  %79 = icmp eq i64 %index.next3902, %n.vec3896
+  br i1 %79, label %middle.block3903, label %vector.body3899, !prof !167, !llvm.loop !193
 
-middle.block4927:                                 ; preds = %vector.body4923
-  %cmp.n4928 = icmp eq i64 %76, %n.vec4920
-  br i1 %cmp.n4928, label %.1149.else.i, label %.1148.endif.i.preheader4963, !prof !170
+middle.block3903:                                 ; preds = %vector.body3899
+  %cmp.n3904 = icmp eq i64 %74, %n.vec3896
+  br i1 %cmp.n3904, label %.1140.else.i, label %.1139.endif.i.preheader3938, !prof !170
 
-.1148.endif.i.preheader4963:                      ; preds = %.1148.endif.i.preheader, %middle.block4927
-  %.1144.i.04710.ph = phi i64 [ %spec.select4676, %.1148.endif.i.preheader ], [ %77, %middle.block4927 ]
-  br label %.1148.endif.i
+.1139.endif.i.preheader3938:                      ; preds = %.1139.endif.i.preheader, %middle.block3903
+  %.1135.i.03719.ph = phi i64 [ %spec.select3684, %.1139.endif.i.preheader ], [ %75, %middle.block3903 ]
+  br label %.1139.endif.i
 
-.1148.endif.i:                                    ; preds = %.1148.endif.i.preheader4963, %.1148.endif.i
-  %.1144.i.04710 = phi i64 [ %.1192.i, %.1148.endif.i ], [ %.1144.i.04710.ph, %.1148.endif.i.preheader4963 ]
-  %.1187.i = getelementptr double, ptr %arg.lane.0.4, i64 %.1144.i.04710
-  store double %.848.i, ptr %.1187.i, align 8, !noalias !174
-  %.1192.i = add nsw i64 %.1144.i.04710, 1
-  %exitcond4780.not = icmp eq i64 %.1192.i, %arg.lane.0.5.1
-  br i1 %exitcond4780.not, label %.1149.else.i, label %.1148.endif.i, !prof !171, !llvm.loop !198
+.1139.endif.i:                                    ; preds = %.1139.endif.i.preheader3938, %.1139.endif.i
+  %.1135.i.03719 = phi i64 [ %.1183.i, %.1139.endif.i ], [ %.1135.i.03719.ph, %.1139.endif.i.preheader3938 ]
+  %.1178.i = getelementptr double, ptr %arg.lane.0.4, i64 %.1135.i.03719
+  store double %.839.i, ptr %.1178.i, align 8, !noalias !174
+  %.1183.i = add nsw i64 %.1135.i.03719, 1
+  %exitcond3773.not = icmp eq i64 %.1183.i, %arg.lane.0.5.1
+  br i1 %exitcond3773.not, label %.1140.else.i, label %.1139.endif.i, !prof !171, !llvm.loop !194
 
-.1149.else.i:                                     ; preds = %.1148.endif.i, %middle.block4927, %B188.endif.else.endif.endif.i
-  br i1 %.2065, label %.1149.endif.else.endif.if.i, label %.1149.endif.else.endif.endif.i, !prof !36
+.1140.else.i:                                     ; preds = %.1139.endif.i, %middle.block3903, %B188.endif.else.endif.endif.i
+  br i1 %.2059, label %.1140.endif.else.endif.if.i, label %.1140.endif.else.endif.endif.i, !prof !36
 
-.1149.endif.else.endif.if.i:                      ; preds = %.1149.else.i
-  br label %.1149.endif.else.endif.endif.i
+.1140.endif.else.endif.if.i:                      ; preds = %.1140.else.i
+  br label %.1140.endif.else.endif.endif.i
 
-.1149.endif.else.endif.endif.i:                   ; preds = %.1149.endif.else.endif.if.i, %.1149.else.i
-  %spec.select4677 = phi i64 [ %arg.lane.0.5.1, %.1149.endif.else.endif.if.i ], [ 0, %.1149.else.i ]
-  %.1521.i.not4711 = icmp slt i64 %spec.select4677, %arg.lane.0.5.1
-  br i1 %.1521.i.not4711, label %.1491.endif.i.preheader, label %.1491.if.i, !prof !165
+.1140.endif.else.endif.endif.i:                   ; preds = %.1140.endif.else.endif.if.i, %.1140.else.i
+  %spec.select3685 = phi i64 [ %arg.lane.0.5.1, %.1140.endif.else.endif.if.i ], [ 0, %.1140.else.i ]
+  %.1512.i.not3720 = icmp slt i64 %spec.select3685, %arg.lane.0.5.1
+  br i1 %.1512.i.not3720, label %.1482.endif.i.preheader, label %.1482.if.i, !prof !165
 
-.1491.endif.i.preheader:                          ; preds = %.1149.endif.else.endif.endif.i
-  %82 = sub i64 %arg.lane.0.5.1, %spec.select4677
-  %min.iters.check4903 = icmp ult i64 %82, 4
-  br i1 %min.iters.check4903, label %.1491.endif.i.preheader4962, label %vector.ph4904, !prof !166
+.1482.endif.i.preheader:                          ; preds = %.1140.endif.else.endif.endif.i
+  %80 = sub i64 %arg.lane.0.5.1, %spec.select3685
+  %min.iters.check3879 = icmp ult i64 %80, 4
+  br i1 %min.iters.check3879, label %.1482.endif.i.preheader3937, label %vector.ph3880, !prof !166
 
-vector.ph4904:                                    ; preds = %.1491.endif.i.preheader
-  %n.vec4906 = and i64 %82, -4
-  %83 = add i64 %spec.select4677, %n.vec4906
-  %broadcast.splatinsert4907 = insertelement <2 x double> poison, double %.854.i, i64 0
-  %broadcast.splat4908 = shufflevector <2 x double> %broadcast.splatinsert4907, <2 x double> poison, <2 x i32> zeroinitializer
-  %84 = getelementptr double, ptr %23, i64 %spec.select4677
-  br label %vector.body4909
+vector.ph3880:                                    ; preds = %.1482.endif.i.preheader
+  %n.vec3882 = and i64 %80, -4
+  %81 = add i64 %spec.select3685, %n.vec3882
+  %broadcast.splatinsert3883 = insertelement <2 x double> poison, double %.845.i, i64 0
+  %broadcast.splat3884 = shufflevector <2 x double> %broadcast.splatinsert3883, <2 x double> poison, <2 x i32> zeroinitializer
+  %82 = getelementptr double, ptr %23, i64 %spec.select3685
+  br label %vector.body3885
 
-vector.body4909:                                  ; preds = %vector.body4909, %vector.ph4904
-  %index4910 = phi i64 [ 0, %vector.ph4904 ], [ %index.next4912, %vector.body4909 ]
-  %85 = getelementptr double, ptr %84, i64 %index4910
-  %86 = getelementptr i8, ptr %85, i64 16
-  store <2 x double> %broadcast.splat4908, ptr %85, align 8, !noalias !174
-  store <2 x double> %broadcast.splat4908, ptr %86, align 8, !noalias !174
-  %index.next4912 = add i64 %index4910, 4
-  %87 = icmp eq i64 %index.next4912, %n.vec4906
-  br i1 %87, label %middle.block4913, label %vector.body4909, !prof !167, !llvm.loop !199
+vector.body3885:                                  ; preds = %vector.body3885, %vector.ph3880
+  %index3886 = phi i64 [ 0, %vector.ph3880 ], [ %index.next3888, %vector.body3885 ]
+  %83 = getelementptr double, ptr %82, i64 %index3886
+  %84 = getelementptr i8, ptr %83, i64 16
+  store <2 x double> %broadcast.splat3884, ptr %83, align 8, !noalias !174
+  store <2 x double> %broadcast.splat3884, ptr %84, align 8, !noalias !174
+  %index.next3888 = add i64 %index3886, 4
+  %85 = icmp eq i64 %index.next3888, %n.vec3882
+  br i1 %85, label %middle.block3889, label %vector.body3885, !prof !167, !llvm.loop !195
 
-middle.block4913:                                 ; preds = %vector.body4909
-  %cmp.n4914 = icmp eq i64 %82, %n.vec4906
-  br i1 %cmp.n4914, label %.1491.if.i, label %.1491.endif.i.preheader4962, !prof !170
+middle.block3889:                                 ; preds = %vector.body3885
+  %cmp.n3890 = icmp eq i64 %80, %n.vec3882
+  br i1 %cmp.n3890, label %.1482.if.i, label %.1482.endif.i.preheader3937, !prof !170
 
-.1491.endif.i.preheader4962:                      ; preds = %.1491.endif.i.preheader, %middle.block4913
-  %.1487.i.04712.ph = phi i64 [ %spec.select4677, %.1491.endif.i.preheader ], [ %83, %middle.block4913 ]
-  br label %.1491.endif.i
+.1482.endif.i.preheader3937:                      ; preds = %.1482.endif.i.preheader, %middle.block3889
+  %.1478.i.03721.ph = phi i64 [ %spec.select3685, %.1482.endif.i.preheader ], [ %81, %middle.block3889 ]
+  br label %.1482.endif.i
 
-.1491.if.i:                                       ; preds = %.1491.endif.i, %middle.block4913, %.1149.endif.else.endif.endif.i
-  br i1 %.1621.i4713.not, label %B358.i, label %B308.if.i.preheader
+.1482.if.i:                                       ; preds = %.1482.endif.i, %middle.block3889, %.1140.endif.else.endif.endif.i
+  br i1 %.1612.i3722.not, label %B358.i, label %B308.if.i.preheader
 
-B308.if.i.preheader:                              ; preds = %.1491.if.i
-  br i1 %or.cond4959, label %B308.if.i.preheader4961, label %vector.body4894
+B308.if.i.preheader:                              ; preds = %.1482.if.i
+  br i1 %or.cond3935, label %B308.if.i.preheader3936, label %vector.body3870
 
-vector.body4894:                                  ; preds = %B308.if.i.preheader, %vector.body4894
-  %index4895 = phi i64 [ %index.next4898, %vector.body4894 ], [ 0, %B308.if.i.preheader ]
-  %88 = getelementptr double, ptr %arg.arrays.0.4, i64 %index4895
+vector.body3870:                                  ; preds = %B308.if.i.preheader, %vector.body3870
+  %index3871 = phi i64 [ %index.next3874, %vector.body3870 ], [ 0, %B308.if.i.preheader ]
+  %86 = getelementptr double, ptr %arg.arrays.0.4, i64 %index3871
+  %87 = getelementptr i8, ptr %86, i64 16
+  %wide.load3872 = load <2 x double>, ptr %86, align 8, !noalias !174
+  %wide.load3873 = load <2 x double>, ptr %87, align 8, !noalias !174
+  %88 = getelementptr i8, ptr %86, i64 %38
   %89 = getelementptr i8, ptr %88, i64 16
-  %wide.load4896 = load <2 x double>, ptr %88, align 8, !noalias !174
-  %wide.load4897 = load <2 x double>, ptr %89, align 8, !noalias !174
-  %90 = getelementptr i8, ptr %88, i64 %41
-  %91 = getelementptr i8, ptr %90, i64 16
-  store <2 x double> %wide.load4896, ptr %90, align 8, !noalias !174
-  store <2 x double> %wide.load4897, ptr %91, align 8, !noalias !174
-  %index.next4898 = add i64 %index4895, 4
-  %92 = icmp eq i64 %index.next4898, %n.vec4893
-  br i1 %92, label %middle.block4899, label %vector.body4894, !llvm.loop !200
+  store <2 x double> %wide.load3872, ptr %88, align 8, !noalias !174
+  store <2 x double> %wide.load3873, ptr %89, align 8, !noalias !174
+  %index.next3874 = add i64 %index3871, 4
+  %90 = icmp eq i64 %index.next3874, %n.vec3869
+  br i1 %90, label %middle.block3875, label %vector.body3870, !llvm.loop !196
 
-middle.block4899:                                 ; preds = %vector.body4894
-  br i1 %cmp.n4900, label %B358.i, label %B308.if.i.preheader4961
+middle.block3875:                                 ; preds = %vector.body3870
+  br i1 %cmp.n3876, label %B358.i, label %B308.if.i.preheader3936
 
-B308.if.i.preheader4961:                          ; preds = %B308.if.i.preheader, %middle.block4899
-  %.1565.i.04714.ph = phi i64 [ 0, %B308.if.i.preheader ], [ %n.vec4893, %middle.block4899 ]
+B308.if.i.preheader3936:                          ; preds = %B308.if.i.preheader, %middle.block3875
+  %.1556.i.03724.ph = phi i64 [ 0, %B308.if.i.preheader ], [ %n.vec3869, %middle.block3875 ]
   br label %B308.if.i
 
-.1491.endif.i:                                    ; preds = %.1491.endif.i.preheader4962, %.1491.endif.i
-  %.1487.i.04712 = phi i64 [ %.1535.i, %.1491.endif.i ], [ %.1487.i.04712.ph, %.1491.endif.i.preheader4962 ]
-  %.1530.i = getelementptr double, ptr %23, i64 %.1487.i.04712
-  store double %.854.i, ptr %.1530.i, align 8, !noalias !174
-  %.1535.i = add nsw i64 %.1487.i.04712, 1
-  %exitcond4781.not = icmp eq i64 %.1535.i, %arg.lane.0.5.1
-  br i1 %exitcond4781.not, label %.1491.if.i, label %.1491.endif.i, !prof !171, !llvm.loop !201
+.1482.endif.i:                                    ; preds = %.1482.endif.i.preheader3937, %.1482.endif.i
+  %.1478.i.03721 = phi i64 [ %.1526.i, %.1482.endif.i ], [ %.1478.i.03721.ph, %.1482.endif.i.preheader3937 ]
+  %.1521.i = getelementptr double, ptr %23, i64 %.1478.i.03721
+  store double %.845.i, ptr %.1521.i, align 8, !noalias !174
+  %.1526.i = add nsw i64 %.1478.i.03721, 1
+  %exitcond3774.not = icmp eq i64 %.1526.i, %arg.lane.0.5.1
+  br i1 %exitcond3774.not, label %.1482.if.i, label %.1482.endif.i, !prof !171, !llvm.loop !197
 
-B308.if.i:                                        ; preds = %B308.if.i.preheader4961, %B308.if.i
-  %.1565.i.04714 = phi i64 [ %.1634.i, %B308.if.i ], [ %.1565.i.04714.ph, %B308.if.i.preheader4961 ]
-  %.1634.i = add nsw i64 %.1565.i.04714, 1
-  %93 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1565.i.04714
-  %.1688.i = load double, ptr %93, align 8, !noalias !174
-  %gep4978 = getelementptr double, ptr %invariant.gep4977, i64 %.1565.i.04714
-  store double %.1688.i, ptr %gep4978, align 8, !noalias !174
-  %exitcond4782.not = icmp eq i64 %.223.i, %.1634.i
-  br i1 %exitcond4782.not, label %B358.i, label %B308.if.i, !llvm.loop !202
+B308.if.i:                                        ; preds = %B308.if.i.preheader3936, %B308.if.i
+  %.1556.i.03724 = phi i64 [ %.1625.i, %B308.if.i ], [ %.1556.i.03724.ph, %B308.if.i.preheader3936 ]
+  %.1625.i = add nsw i64 %.1556.i.03724, 1
+  %91 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1556.i.03724
+  %.1679.i = load double, ptr %91, align 8, !noalias !174
+  %gep3953 = getelementptr double, ptr %invariant.gep3952, i64 %.1556.i.03724
+  store double %.1679.i, ptr %gep3953, align 8, !noalias !174
+  %exitcond3775.not = icmp eq i64 %.214.i, %.1625.i
+  br i1 %exitcond3775.not, label %B358.i, label %B308.if.i, !llvm.loop !198
 
-B370.else.i:                                      ; preds = %B358.i
-  br i1 %.2065, label %B370.endif.else.endif.if.i, label %B370.endif.else.endif.endif.i, !prof !36
+B840.if.i:                                        ; preds = %B806.i, %B1465.i
+  %active.3.i.13734 = phi i64 [ %active.4.i.2, %B1465.i ], [ 0, %B806.i ]
+  %.2260.i.03732 = phi i64 [ %.2329.i, %B1465.i ], [ 0, %B806.i ]
+  %.2329.i = add nsw i64 %.2260.i.03732, 1
+  %92 = getelementptr i64, ptr %arg.lane.1.4, i64 %.2260.i.03732
+  %.2411.i = load i64, ptr %92, align 8, !noalias !174
+  %.2419.i = icmp slt i64 %.2411.i, 0
+  br i1 %.2419.i, label %B1465.i, label %B890.i
 
-B370.endif.else.endif.if.i:                       ; preds = %B370.else.i
-  br label %B370.endif.else.endif.endif.i
+B1048.if.i:                                       ; preds = %B1048.if.i.preheader, %B1048.if.i
+  %trouble.2.i.33730 = phi double [ %.2845.i, %B1048.if.i ], [ 0.000000e+00, %B1048.if.i.preheader ]
+  %.2715.i.03728 = phi i64 [ %.2784.i, %B1048.if.i ], [ 0, %B1048.if.i.preheader ]
+  %.2784.i = add nsw i64 %.2715.i.03728, 1
+  %93 = mul nsw i64 %.2715.i.03728, %arg.shape.0
+  %gep3955 = getelementptr double, ptr %invariant.gep3954, i64 %93
+  %.2842.i = load double, ptr %gep3955, align 8, !noalias !174
+  %.2843.i = fmul double %.2842.i, 0.000000e+00
+  %.2845.i = fadd double %trouble.2.i.33730, %.2843.i
+  %exitcond3777.not = icmp eq i64 %arg.shape.1, %.2784.i
+  br i1 %exitcond3777.not, label %B1094.i.loopexit, label %B1048.if.i
 
-B370.endif.else.endif.endif.i:                    ; preds = %B370.endif.else.endif.if.i, %B370.else.i
-  %spec.select4678 = phi i64 [ %arg.lane.0.5.1, %B370.endif.else.endif.if.i ], [ 0, %B370.else.i ]
-  %.2053.i.not4716 = icmp slt i64 %spec.select4678, %arg.lane.0.5.1
-  br i1 %.2053.i.not4716, label %.2023.endif.i.preheader, label %.2023.if.i, !prof !165
+B1328.if.i:                                       ; preds = %B1328.if.i.preheader3943, %B1328.if.i
+  %.3105.i.03739 = phi i64 [ %.3174.i, %B1328.if.i ], [ %.3105.i.03739.ph, %B1328.if.i.preheader3943 ]
+  %.3174.i = add nsw i64 %.3105.i.03739, 1
+  %gep3957 = getelementptr double, ptr %invariant.gep3956, i64 %.3105.i.03739
+  %.3231.i = load double, ptr %gep3957, align 8, !noalias !174
+  %94 = getelementptr double, ptr %arg.arrays.0.4, i64 %.3105.i.03739
+  %.3261.i = load double, ptr %94, align 8, !noalias !174
+  %.3295.i = fsub double %.3261.i, %.3231.i
+  store double %.3231.i, ptr %94, align 8, !noalias !174
+  store double %.3295.i, ptr %gep3957, align 8, !noalias !174
+  %exitcond3779.not = icmp eq i64 %arg.shape.1, %.3174.i
+  br i1 %exitcond3779.not, label %B906.endif.endif.endif.endif.endif, label %B1328.if.i, !llvm.loop !199
 
-.2023.endif.i.preheader:                          ; preds = %B370.endif.else.endif.endif.i
-  %94 = sub i64 %arg.lane.0.5.1, %spec.select4678
-  %min.iters.check4876 = icmp ult i64 %94, 4
-  br i1 %min.iters.check4876, label %.2023.endif.i.preheader4960, label %vector.ph4877, !prof !166
+B906.endif.endif.endif.endif.endif:               ; preds = %B1328.if.i, %middle.block3860, %B1274.i
+  br i1 %active.3.i.1.lcssa, label %B1154, label %B1532
 
-vector.ph4877:                                    ; preds = %.2023.endif.i.preheader
-  %n.vec4879 = and i64 %94, -4
-  %95 = add i64 %spec.select4678, %n.vec4879
-  %96 = getelementptr double, ptr %24, i64 %spec.select4678
-  br label %vector.body4880
+B1190.else.endif:                                 ; preds = %B1162
+  br i1 %.2059, label %B1190.endif.else.endif.if, label %B1190.endif.else.endif.endif.endif.if, !prof !36
 
-vector.body4880:                                  ; preds = %vector.body4880, %vector.ph4877
-  %index4881 = phi i64 [ 0, %vector.ph4877 ], [ %index.next4883, %vector.body4880 ]
-  %97 = getelementptr double, ptr %96, i64 %index4881
-  %98 = getelementptr i8, ptr %97, i64 16
-  store <2 x double> splat (double 1.000000e+00), ptr %97, align 8, !noalias !174
-  store <2 x double> splat (double 1.000000e+00), ptr %98, align 8, !noalias !174
-  %index.next4883 = add i64 %index4881, 4
-  %99 = icmp eq i64 %index.next4883, %n.vec4879
-  br i1 %99, label %middle.block4884, label %vector.body4880, !prof !167, !llvm.loop !203
+B1190.endif.else.endif.if:                        ; preds = %B1190.else.endif
+  br label %B1190.endif.else.endif.endif.endif.if
 
-middle.block4884:                                 ; preds = %vector.body4880
-  %cmp.n4885 = icmp eq i64 %94, %n.vec4879
-  br i1 %cmp.n4885, label %.2023.if.i, label %.2023.endif.i.preheader4960, !prof !170
+B1190.endif.else.endif.endif.endif.if:            ; preds = %B1190.endif.else.endif.if, %B1190.else.endif
+  %.2874.sroa.0.3 = phi i64 [ %arg.lane.0.5.1, %B1190.endif.else.endif.if ], [ 0, %B1190.else.endif ]
+  %.2998.not3741 = icmp slt i64 %.2874.sroa.0.3, %arg.lane.0.5.1
+  br i1 %.2998.not3741, label %.2968.endif.preheader, label %.2969.else.endif, !prof !165
 
-.2023.endif.i.preheader4960:                      ; preds = %.2023.endif.i.preheader, %middle.block4884
-  %.2019.i.04717.ph = phi i64 [ %spec.select4678, %.2023.endif.i.preheader ], [ %95, %middle.block4884 ]
-  br label %.2023.endif.i
+.2968.endif.preheader:                            ; preds = %B1190.endif.else.endif.endif.endif.if
+  %95 = sub i64 %arg.lane.0.5.1, %.2874.sroa.0.3
+  %min.iters.check3831 = icmp ult i64 %95, 4
+  br i1 %min.iters.check3831, label %.2968.endif.preheader3942, label %vector.ph3832, !prof !166
 
-B248.i.i:                                         ; preds = %B190.if.i.i, %B118.if.i.i
-  %exitcond4785.not = icmp eq i64 %arg.shape.0, %.292.i.i
-  br i1 %exitcond4785.not, label %B250.i.i, label %B118.if.i.i
+vector.ph3832:                                    ; preds = %.2968.endif.preheader
+  %n.vec3834 = and i64 %95, -4
+  %96 = add i64 %.2874.sroa.0.3, %n.vec3834
+  %broadcast.splatinsert3835 = insertelement <2 x double> poison, double %.11.i3686, i64 0
+  %broadcast.splat3836 = shufflevector <2 x double> %broadcast.splatinsert3835, <2 x double> poison, <2 x i32> zeroinitializer
+  %97 = getelementptr double, ptr %arg.lane.0.4, i64 %.2874.sroa.0.3
+  br label %vector.body3837
 
-B250.i.i:                                         ; preds = %B248.i.i, %.2023.if.i
-  %.614.i.i = load i64, ptr %.2211, align 8, !noalias !204
-  %.661.i.i = inttoptr i64 %.614.i.i to ptr
-  tail call void %.661.i.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !204
-  br label %B442.i
+vector.body3837:                                  ; preds = %vector.body3837, %vector.ph3832
+  %index3838 = phi i64 [ 0, %vector.ph3832 ], [ %index.next3840, %vector.body3837 ]
+  %98 = getelementptr double, ptr %97, i64 %index3838
+  %99 = getelementptr i8, ptr %98, i64 16
+  store <2 x double> %broadcast.splat3836, ptr %98, align 8
+  store <2 x double> %broadcast.splat3836, ptr %99, align 8
+  %index.next3840 = add i64 %index3838, 4
+  %100 = icmp eq i64 %index.next3840, %n.vec3834
+  br i1 %100, label %middle.block3841, label %vector.body3837, !prof !167, !llvm.loop !200
 
-B118.if.i.i:                                      ; preds = %.2023.if.i, %B248.i.i
-  %.221.i.i.04723 = phi i64 [ %.292.i.i, %B248.i.i ], [ 0, %.2023.if.i ]
-  %.292.i.i = add nsw i64 %.221.i.i.04723, 1
-  %100 = getelementptr double, ptr %25, i64 %.221.i.i.04723
-  %.374.i.i = load double, ptr %100, align 8, !noalias !204
-  %.375.i.i = fcmp ule double %.374.i.i, 5.000000e-01
-  %brmerge4770 = select i1 %.375.i.i, i1 true, i1 %.457.i.i4718
-  br i1 %brmerge4770, label %B248.i.i, label %B190.if.i.i.preheader
+middle.block3841:                                 ; preds = %vector.body3837
+  %cmp.n3842 = icmp eq i64 %95, %n.vec3834
+  br i1 %cmp.n3842, label %.2969.else.endif, label %.2968.endif.preheader3942, !prof !170
 
-B190.if.i.i.preheader:                            ; preds = %B118.if.i.i
-  %invariant.gep4979 = getelementptr double, ptr %arg.arrays.4.4, i64 %.221.i.i.04723
-  br label %B190.if.i.i
+.2968.endif.preheader3942:                        ; preds = %.2968.endif.preheader, %middle.block3841
+  %.2964.03742.ph = phi i64 [ %.2874.sroa.0.3, %.2968.endif.preheader ], [ %96, %middle.block3841 ]
+  br label %.2968.endif
 
-B190.if.i.i:                                      ; preds = %B190.if.i.i.preheader, %B190.if.i.i
-  %.401.i.i.04719 = phi i64 [ %.470.i.i, %B190.if.i.i ], [ 0, %B190.if.i.i.preheader ]
-  %.470.i.i = add nsw i64 %.401.i.i.04719, 1
-  %.496.i.i = mul nsw i64 %.401.i.i.04719, %arg.shape.0
-  %gep4980 = getelementptr double, ptr %invariant.gep4979, i64 %.496.i.i
-  %.528.i.i = load double, ptr %gep4980, align 8, !noalias !204
-  %.530.i.i = add nsw i64 %.401.i.i.04719, %arg.held
-  %.532.i.i = mul nsw i64 %.530.i.i, %arg.shape.0
-  %.534.i.i = add nsw i64 %.532.i.i, %.221.i.i.04723
-  %.548.i.i = icmp slt i64 %.534.i.i, 0
-  %.549.i.i = select i1 %.548.i.i, i64 %arg.arrays.1.5.0, i64 0
-  %101 = getelementptr double, ptr %arg.arrays.1.4, i64 %.534.i.i
-  %.563.i.i = getelementptr double, ptr %101, i64 %.549.i.i
-  store double %.528.i.i, ptr %.563.i.i, align 8, !noalias !204
-  %exitcond4784.not = icmp eq i64 %.470.i.i, %arg.decided
-  br i1 %exitcond4784.not, label %B248.i.i, label %B190.if.i.i
+.2968.endif:                                      ; preds = %.2968.endif.preheader3942, %.2968.endif
+  %.2964.03742 = phi i64 [ %.3012, %.2968.endif ], [ %.2964.03742.ph, %.2968.endif.preheader3942 ]
+  %.3007 = getelementptr double, ptr %arg.lane.0.4, i64 %.2964.03742
+  store double %.11.i3686, ptr %.3007, align 8
+  %.3012 = add nsw i64 %.2964.03742, 1
+  %exitcond3780.not = icmp eq i64 %.3012, %arg.lane.0.5.1
+  br i1 %exitcond3780.not, label %.2969.else.endif, label %.2968.endif, !prof !171, !llvm.loop !201
 
-.2023.if.i:                                       ; preds = %.2023.endif.i, %middle.block4884, %B370.endif.else.endif.endif.i
-  %.150.i.i = load i64, ptr %.149.i.i, align 8, !noalias !204
-  %.195.i.i = inttoptr i64 %.150.i.i to ptr
-  tail call void %.195.i.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !204
-  br i1 %.279.i.i4721.not, label %B250.i.i, label %B118.if.i.i
+.2969.else.endif:                                 ; preds = %.2968.endif, %middle.block3841, %B1190.endif.else.endif.endif.endif.if
+  br i1 %.2059, label %.2969.endif.else.endif.if, label %.2969.endif.else.endif.endif.endif.if, !prof !36
 
-.2023.endif.i:                                    ; preds = %.2023.endif.i.preheader4960, %.2023.endif.i
-  %.2019.i.04717 = phi i64 [ %.2067.i, %.2023.endif.i ], [ %.2019.i.04717.ph, %.2023.endif.i.preheader4960 ]
-  %.2062.i = getelementptr double, ptr %24, i64 %.2019.i.04717
-  store double 1.000000e+00, ptr %.2062.i, align 8, !noalias !174
-  %.2067.i = add nsw i64 %.2019.i.04717, 1
-  %exitcond4783.not = icmp eq i64 %.2067.i, %arg.lane.0.5.1
-  br i1 %exitcond4783.not, label %.2023.if.i, label %.2023.endif.i, !prof !171, !llvm.loop !208
+.2969.endif.else.endif.if:                        ; preds = %.2969.else.endif
+  br label %.2969.endif.else.endif.endif.endif.if
 
-B558.if.i:                                        ; preds = %B442.i, %B708.i
-  %.2230.i.04730 = phi i64 [ 1, %B442.i ], [ %.2299.i, %B708.i ]
-  %.2299.i = add nsw i64 %.2230.i.04730, 1
-  %102 = getelementptr i64, ptr %arg.code.4, i64 %.2230.i.04730
-  %103 = getelementptr i8, ptr %102, i64 224
-  %.2358.i = load i64, ptr %103, align 8, !noalias !174
-  %.2403.i = inttoptr i64 %.2358.i to ptr
-  tail call void %.2403.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !174
-  br i1 %.1728.i, label %B648.i, label %B708.i
+.2969.endif.else.endif.endif.endif.if:            ; preds = %.2969.endif.else.endif.if, %.2969.else.endif
+  %.3218.sroa.0.3 = phi i64 [ %arg.lane.0.5.1, %.2969.endif.else.endif.if ], [ 0, %.2969.else.endif ]
+  %.3342.not3743 = icmp slt i64 %.3218.sroa.0.3, %arg.lane.0.5.1
+  br i1 %.3342.not3743, label %.3312.endif.preheader, label %.3313.else.endif, !prof !165
 
-B996.if.i:                                        ; preds = %B962.i, %B1621.i
-  %active.3.i.14739 = phi i64 [ %active.4.i.2, %B1621.i ], [ 0, %B962.i ]
-  %.2739.i.04737 = phi i64 [ %.2808.i, %B1621.i ], [ 0, %B962.i ]
-  %.2808.i = add nsw i64 %.2739.i.04737, 1
-  %104 = getelementptr i64, ptr %arg.lane.1.4, i64 %.2739.i.04737
-  %.2890.i = load i64, ptr %104, align 8, !noalias !174
-  %.2898.i = icmp slt i64 %.2890.i, 0
-  br i1 %.2898.i, label %B1621.i, label %B1046.i
+.3312.endif.preheader:                            ; preds = %.2969.endif.else.endif.endif.endif.if
+  %101 = sub i64 %arg.lane.0.5.1, %.3218.sroa.0.3
+  %min.iters.check3817 = icmp ult i64 %101, 4
+  br i1 %min.iters.check3817, label %.3312.endif.preheader3941, label %vector.ph3818, !prof !166
 
-B1204.if.i:                                       ; preds = %B1204.if.i.preheader, %B1204.if.i
-  %trouble.2.i.34735 = phi double [ %.3324.i, %B1204.if.i ], [ 0.000000e+00, %B1204.if.i.preheader ]
-  %.3194.i.04733 = phi i64 [ %.3263.i, %B1204.if.i ], [ 0, %B1204.if.i.preheader ]
-  %.3263.i = add nsw i64 %.3194.i.04733, 1
-  %105 = mul nsw i64 %.3194.i.04733, %arg.shape.0
-  %gep4984 = getelementptr double, ptr %invariant.gep4983, i64 %105
-  %.3321.i = load double, ptr %gep4984, align 8, !noalias !174
-  %.3322.i = fmul double %.3321.i, 0.000000e+00
-  %.3324.i = fadd double %trouble.2.i.34735, %.3322.i
-  %exitcond4789.not = icmp eq i64 %arg.shape.1, %.3263.i
-  br i1 %exitcond4789.not, label %B1250.i.loopexit, label %B1204.if.i
+vector.ph3818:                                    ; preds = %.3312.endif.preheader
+  %n.vec3820 = and i64 %101, -4
+  %102 = add i64 %.3218.sroa.0.3, %n.vec3820
+  %broadcast.splatinsert3821 = insertelement <2 x double> poison, double %.11.i3686, i64 0
+  %broadcast.splat3822 = shufflevector <2 x double> %broadcast.splatinsert3821, <2 x double> poison, <2 x i32> zeroinitializer
+  %103 = getelementptr double, ptr %25, i64 %.3218.sroa.0.3
+  br label %vector.body3823
 
-B1484.if.i:                                       ; preds = %B1484.if.i.preheader4968, %B1484.if.i
-  %.3596.i.04744 = phi i64 [ %.3665.i, %B1484.if.i ], [ %.3596.i.04744.ph, %B1484.if.i.preheader4968 ]
-  %.3665.i = add nsw i64 %.3596.i.04744, 1
-  %gep4986 = getelementptr double, ptr %invariant.gep4985, i64 %.3596.i.04744
-  %.3722.i = load double, ptr %gep4986, align 8, !noalias !174
-  %106 = getelementptr double, ptr %arg.arrays.0.4, i64 %.3596.i.04744
-  %.3752.i = load double, ptr %106, align 8, !noalias !174
-  %.3786.i = fsub double %.3752.i, %.3722.i
-  store double %.3722.i, ptr %106, align 8, !noalias !174
-  store double %.3786.i, ptr %gep4986, align 8, !noalias !174
-  %exitcond4791.not = icmp eq i64 %arg.shape.1, %.3665.i
-  br i1 %exitcond4791.not, label %B906.endif.endif.endif.endif.endif, label %B1484.if.i, !llvm.loop !209
+vector.body3823:                                  ; preds = %vector.body3823, %vector.ph3818
+  %index3824 = phi i64 [ 0, %vector.ph3818 ], [ %index.next3826, %vector.body3823 ]
+  %104 = getelementptr double, ptr %103, i64 %index3824
+  %105 = getelementptr i8, ptr %104, i64 16
+  store <2 x double> %broadcast.splat3822, ptr %104, align 8
+  store <2 x double> %broadcast.splat3822, ptr %105, align 8
+  %index.next3826 = add i64 %index3824, 4
+  %106 = icmp eq i64 %index.next3826, %n.vec3820
+  br i1 %106, label %middle.block3827, label %vector.body3823, !prof !167, !llvm.loop !202
 
-B906.endif.endif.endif.endif.endif:               ; preds = %B1484.if.i, %middle.block4872, %B1430.i
-  br i1 %active.3.i.1.lcssa, label %B1158, label %B1536
+middle.block3827:                                 ; preds = %vector.body3823
+  %cmp.n3828 = icmp eq i64 %101, %n.vec3820
+  br i1 %cmp.n3828, label %.3313.else.endif, label %.3312.endif.preheader3941, !prof !170
 
-B1194.else.endif:                                 ; preds = %B1166
-  br i1 %.2065, label %B1194.endif.else.endif.if, label %B1194.endif.else.endif.endif.endif.if, !prof !36
+.3312.endif.preheader3941:                        ; preds = %.3312.endif.preheader, %middle.block3827
+  %.3308.03744.ph = phi i64 [ %.3218.sroa.0.3, %.3312.endif.preheader ], [ %102, %middle.block3827 ]
+  br label %.3312.endif
 
-B1194.endif.else.endif.if:                        ; preds = %B1194.else.endif
-  br label %B1194.endif.else.endif.endif.endif.if
+.3312.endif:                                      ; preds = %.3312.endif.preheader3941, %.3312.endif
+  %.3308.03744 = phi i64 [ %.3356, %.3312.endif ], [ %.3308.03744.ph, %.3312.endif.preheader3941 ]
+  %.3351 = getelementptr double, ptr %25, i64 %.3308.03744
+  store double %.11.i3686, ptr %.3351, align 8
+  %.3356 = add nsw i64 %.3308.03744, 1
+  %exitcond3781.not = icmp eq i64 %.3356, %arg.lane.0.5.1
+  br i1 %exitcond3781.not, label %.3313.else.endif, label %.3312.endif, !prof !171, !llvm.loop !203
 
-B1194.endif.else.endif.endif.endif.if:            ; preds = %B1194.endif.else.endif.if, %B1194.else.endif
-  %.2882.sroa.0.3 = phi i64 [ %arg.lane.0.5.1, %B1194.endif.else.endif.if ], [ 0, %B1194.else.endif ]
-  %.3006.not4746 = icmp slt i64 %.2882.sroa.0.3, %arg.lane.0.5.1
-  br i1 %.3006.not4746, label %.2976.endif.preheader, label %.2977.else.endif, !prof !165
+.3313.else.endif:                                 ; preds = %.3312.endif, %middle.block3827, %.2969.endif.else.endif.endif.endif.if
+  br i1 %.2059, label %.3313.endif.else.endif.if, label %.3313.endif.else.endif.endif.endif.if, !prof !36
 
-.2976.endif.preheader:                            ; preds = %B1194.endif.else.endif.endif.endif.if
-  %107 = sub i64 %arg.lane.0.5.1, %.2882.sroa.0.3
-  %min.iters.check4843 = icmp ult i64 %107, 4
-  br i1 %min.iters.check4843, label %.2976.endif.preheader4967, label %vector.ph4844, !prof !166
+.3313.endif.else.endif.if:                        ; preds = %.3313.else.endif
+  br label %.3313.endif.else.endif.endif.endif.if
 
-vector.ph4844:                                    ; preds = %.2976.endif.preheader
-  %n.vec4846 = and i64 %107, -4
-  %108 = add i64 %.2882.sroa.0.3, %n.vec4846
-  %broadcast.splatinsert4847 = insertelement <2 x double> poison, double %.11.i4679, i64 0
-  %broadcast.splat4848 = shufflevector <2 x double> %broadcast.splatinsert4847, <2 x double> poison, <2 x i32> zeroinitializer
-  %109 = getelementptr double, ptr %arg.lane.0.4, i64 %.2882.sroa.0.3
-  br label %vector.body4849
+.3313.endif.else.endif.endif.endif.if:            ; preds = %.3313.endif.else.endif.if, %.3313.else.endif
+  %.3561.sroa.0.3 = phi i64 [ %arg.lane.0.5.1, %.3313.endif.else.endif.if ], [ 0, %.3313.else.endif ]
+  %.3685.not3745 = icmp slt i64 %.3561.sroa.0.3, %arg.lane.0.5.1
+  br i1 %.3685.not3745, label %.3655.endif.preheader, label %.3656.else.endif, !prof !165
 
-vector.body4849:                                  ; preds = %vector.body4849, %vector.ph4844
-  %index4850 = phi i64 [ 0, %vector.ph4844 ], [ %index.next4852, %vector.body4849 ]
-  %110 = getelementptr double, ptr %109, i64 %index4850
+.3655.endif.preheader:                            ; preds = %.3313.endif.else.endif.endif.endif.if
+  %107 = sub i64 %arg.lane.0.5.1, %.3561.sroa.0.3
+  %min.iters.check3805 = icmp ult i64 %107, 4
+  br i1 %min.iters.check3805, label %.3655.endif.preheader3940, label %vector.ph3806, !prof !166
+
+vector.ph3806:                                    ; preds = %.3655.endif.preheader
+  %n.vec3808 = and i64 %107, -4
+  %108 = add i64 %.3561.sroa.0.3, %n.vec3808
+  %109 = getelementptr double, ptr %26, i64 %.3561.sroa.0.3
+  br label %vector.body3809
+
+vector.body3809:                                  ; preds = %vector.body3809, %vector.ph3806
+  %index3810 = phi i64 [ 0, %vector.ph3806 ], [ %index.next3812, %vector.body3809 ]
+  %110 = getelementptr double, ptr %109, i64 %index3810
   %111 = getelementptr i8, ptr %110, i64 16
-  store <2 x double> %broadcast.splat4848, ptr %110, align 8
-  store <2 x double> %broadcast.splat4848, ptr %111, align 8
-  %index.next4852 = add i64 %index4850, 4
-  %112 = icmp eq i64 %index.next4852, %n.vec4846
-  br i1 %112, label %middle.block4853, label %vector.body4849, !prof !167, !llvm.loop !210
+  store <2 x double> splat (double 1.000000e+00), ptr %110, align 8
+  store <2 x double> splat (double 1.000000e+00), ptr %111, align 8
+  %index.next3812 = add i64 %index3810, 4
+  %112 = icmp eq i64 %index.next3812, %n.vec3808
+  br i1 %112, label %middle.block3813, label %vector.body3809, !prof !167, !llvm.loop !204
 
-middle.block4853:                                 ; preds = %vector.body4849
-  %cmp.n4854 = icmp eq i64 %107, %n.vec4846
-  br i1 %cmp.n4854, label %.2977.else.endif, label %.2976.endif.preheader4967, !prof !170
+middle.block3813:                                 ; preds = %vector.body3809
+  %cmp.n3814 = icmp eq i64 %107, %n.vec3808
+  br i1 %cmp.n3814, label %.3656.else.endif, label %.3655.endif.preheader3940, !prof !170
 
-.2976.endif.preheader4967:                        ; preds = %.2976.endif.preheader, %middle.block4853
-  %.2972.04747.ph = phi i64 [ %.2882.sroa.0.3, %.2976.endif.preheader ], [ %108, %middle.block4853 ]
-  br label %.2976.endif
+.3655.endif.preheader3940:                        ; preds = %.3655.endif.preheader, %middle.block3813
+  %.3651.03746.ph = phi i64 [ %.3561.sroa.0.3, %.3655.endif.preheader ], [ %108, %middle.block3813 ]
+  br label %.3655.endif
 
-.2976.endif:                                      ; preds = %.2976.endif.preheader4967, %.2976.endif
-  %.2972.04747 = phi i64 [ %.3020, %.2976.endif ], [ %.2972.04747.ph, %.2976.endif.preheader4967 ]
-  %.3015 = getelementptr double, ptr %arg.lane.0.4, i64 %.2972.04747
-  store double %.11.i4679, ptr %.3015, align 8
-  %.3020 = add nsw i64 %.2972.04747, 1
-  %exitcond4792.not = icmp eq i64 %.3020, %arg.lane.0.5.1
-  br i1 %exitcond4792.not, label %.2977.else.endif, label %.2976.endif, !prof !171, !llvm.loop !211
+.3655.endif:                                      ; preds = %.3655.endif.preheader3940, %.3655.endif
+  %.3651.03746 = phi i64 [ %.3699, %.3655.endif ], [ %.3651.03746.ph, %.3655.endif.preheader3940 ]
+  %.3694 = getelementptr double, ptr %26, i64 %.3651.03746
+  store double 1.000000e+00, ptr %.3694, align 8
+  %.3699 = add nsw i64 %.3651.03746, 1
+  %exitcond3782.not = icmp eq i64 %.3699, %arg.lane.0.5.1
+  br i1 %exitcond3782.not, label %.3656.else.endif, label %.3655.endif, !prof !171, !llvm.loop !205
 
-.2977.else.endif:                                 ; preds = %.2976.endif, %middle.block4853, %B1194.endif.else.endif.endif.endif.if
-  br i1 %.2065, label %.2977.endif.else.endif.if, label %.2977.endif.else.endif.endif.endif.if, !prof !36
+.3656.else.endif:                                 ; preds = %.3655.endif, %middle.block3813, %.3313.endif.else.endif.endif.endif.if
+  br i1 %.3933, label %.3656.endif.else.endif.if, label %.3656.endif.else.endif.endif.endif.if, !prof !36
 
-.2977.endif.else.endif.if:                        ; preds = %.2977.else.endif
-  br label %.2977.endif.else.endif.endif.endif.if
+.3656.endif.else.endif.if:                        ; preds = %.3656.else.endif
+  br label %.3656.endif.else.endif.endif.endif.if
 
-.2977.endif.else.endif.endif.endif.if:            ; preds = %.2977.endif.else.endif.if, %.2977.else.endif
-  %.3226.sroa.0.3 = phi i64 [ %arg.lane.0.5.1, %.2977.endif.else.endif.if ], [ 0, %.2977.else.endif ]
-  %.3350.not4748 = icmp slt i64 %.3226.sroa.0.3, %arg.lane.0.5.1
-  br i1 %.3350.not4748, label %.3320.endif.preheader, label %.3321.else.endif, !prof !165
+.3656.endif.else.endif.endif.endif.if:            ; preds = %.3656.endif.else.endif.if, %.3656.else.endif
+  %.3905.sroa.0.3 = phi i64 [ %arg.lane.1.5.1, %.3656.endif.else.endif.if ], [ 0, %.3656.else.endif ]
+  %.4029.not3747 = icmp slt i64 %.3905.sroa.0.3, %arg.lane.1.5.1
+  br i1 %.4029.not3747, label %.3999.endif.preheader, label %.4000.else.endif, !prof !165
 
-.3320.endif.preheader:                            ; preds = %.2977.endif.else.endif.endif.endif.if
-  %113 = sub i64 %arg.lane.0.5.1, %.3226.sroa.0.3
-  %min.iters.check4829 = icmp ult i64 %113, 4
-  br i1 %min.iters.check4829, label %.3320.endif.preheader4966, label %vector.ph4830, !prof !166
+.3999.endif.preheader:                            ; preds = %.3656.endif.else.endif.endif.endif.if
+  %113 = sub i64 %arg.lane.1.5.1, %.3905.sroa.0.3
+  %min.iters.check3794 = icmp ult i64 %113, 4
+  br i1 %min.iters.check3794, label %.3999.endif.preheader3939, label %vector.ph3795, !prof !166
 
-vector.ph4830:                                    ; preds = %.3320.endif.preheader
-  %n.vec4832 = and i64 %113, -4
-  %114 = add i64 %.3226.sroa.0.3, %n.vec4832
-  %broadcast.splatinsert4833 = insertelement <2 x double> poison, double %.11.i4679, i64 0
-  %broadcast.splat4834 = shufflevector <2 x double> %broadcast.splatinsert4833, <2 x double> poison, <2 x i32> zeroinitializer
-  %115 = getelementptr double, ptr %28, i64 %.3226.sroa.0.3
-  br label %vector.body4835
+vector.ph3795:                                    ; preds = %.3999.endif.preheader
+  %n.vec3797 = and i64 %113, -4
+  %114 = add i64 %.3905.sroa.0.3, %n.vec3797
+  %115 = getelementptr i64, ptr %27, i64 %.3905.sroa.0.3
+  br label %vector.body3798
 
-vector.body4835:                                  ; preds = %vector.body4835, %vector.ph4830
-  %index4836 = phi i64 [ 0, %vector.ph4830 ], [ %index.next4838, %vector.body4835 ]
-  %116 = getelementptr double, ptr %115, i64 %index4836
+vector.body3798:                                  ; preds = %vector.body3798, %vector.ph3795
+  %index3799 = phi i64 [ 0, %vector.ph3795 ], [ %index.next3800, %vector.body3798 ]
+  %116 = getelementptr i64, ptr %115, i64 %index3799
   %117 = getelementptr i8, ptr %116, i64 16
-  store <2 x double> %broadcast.splat4834, ptr %116, align 8
-  store <2 x double> %broadcast.splat4834, ptr %117, align 8
-  %index.next4838 = add i64 %index4836, 4
-  %118 = icmp eq i64 %index.next4838, %n.vec4832
-  br i1 %118, label %middle.block4839, label %vector.body4835, !prof !167, !llvm.loop !212
+  store <2 x i64> %broadcast.splat, ptr %116, align 8
+  store <2 x i64> %broadcast.splat, ptr %117, align 8
+  %index.next3800 = add i64 %index3799, 4
+  %118 = icmp eq i64 %index.next3800, %n.vec3797
+  br i1 %118, label %middle.block3801, label %vector.body3798, !prof !167, !llvm.loop !206
 
-middle.block4839:                                 ; preds = %vector.body4835
-  %cmp.n4840 = icmp eq i64 %113, %n.vec4832
-  br i1 %cmp.n4840, label %.3321.else.endif, label %.3320.endif.preheader4966, !prof !170
+middle.block3801:                                 ; preds = %vector.body3798
+  %cmp.n3802 = icmp eq i64 %113, %n.vec3797
+  br i1 %cmp.n3802, label %.4000.else.endif, label %.3999.endif.preheader3939, !prof !170
 
-.3320.endif.preheader4966:                        ; preds = %.3320.endif.preheader, %middle.block4839
-  %.3316.04749.ph = phi i64 [ %.3226.sroa.0.3, %.3320.endif.preheader ], [ %114, %middle.block4839 ]
-  br label %.3320.endif
+.3999.endif.preheader3939:                        ; preds = %.3999.endif.preheader, %middle.block3801
+  %.3995.03748.ph = phi i64 [ %.3905.sroa.0.3, %.3999.endif.preheader ], [ %114, %middle.block3801 ]
+  br label %.3999.endif
 
-.3320.endif:                                      ; preds = %.3320.endif.preheader4966, %.3320.endif
-  %.3316.04749 = phi i64 [ %.3364, %.3320.endif ], [ %.3316.04749.ph, %.3320.endif.preheader4966 ]
-  %.3359 = getelementptr double, ptr %28, i64 %.3316.04749
-  store double %.11.i4679, ptr %.3359, align 8
-  %.3364 = add nsw i64 %.3316.04749, 1
-  %exitcond4793.not = icmp eq i64 %.3364, %arg.lane.0.5.1
-  br i1 %exitcond4793.not, label %.3321.else.endif, label %.3320.endif, !prof !171, !llvm.loop !213
+.3999.endif:                                      ; preds = %.3999.endif.preheader3939, %.3999.endif
+  %.3995.03748 = phi i64 [ %.4043, %.3999.endif ], [ %.3995.03748.ph, %.3999.endif.preheader3939 ]
+  %.4038 = getelementptr i64, ptr %27, i64 %.3995.03748
+  store i64 %edge.2.1, ptr %.4038, align 8
+  %.4043 = add nsw i64 %.3995.03748, 1
+  %exitcond3783.not = icmp eq i64 %.4043, %arg.lane.1.5.1
+  br i1 %exitcond3783.not, label %.4000.else.endif, label %.3999.endif, !prof !171, !llvm.loop !207
 
-.3321.else.endif:                                 ; preds = %.3320.endif, %middle.block4839, %.2977.endif.else.endif.endif.endif.if
-  br i1 %.2065, label %.3321.endif.else.endif.if, label %.3321.endif.else.endif.endif.endif.if, !prof !36
+.4000.else.endif:                                 ; preds = %.3999.endif, %middle.block3801, %.3656.endif.else.endif.endif.endif.if
+  br i1 %.3933, label %.4000.endif.else.endif.if, label %.4000.endif.else.endif.endif.endif.if, !prof !36
 
-.3321.endif.else.endif.if:                        ; preds = %.3321.else.endif
-  br label %.3321.endif.else.endif.endif.endif.if
+.4000.endif.else.endif.if:                        ; preds = %.4000.else.endif
+  br label %.4000.endif.else.endif.endif.endif.if
 
-.3321.endif.else.endif.endif.endif.if:            ; preds = %.3321.endif.else.endif.if, %.3321.else.endif
-  %.3569.sroa.0.3 = phi i64 [ %arg.lane.0.5.1, %.3321.endif.else.endif.if ], [ 0, %.3321.else.endif ]
-  %.3693.not4750 = icmp slt i64 %.3569.sroa.0.3, %arg.lane.0.5.1
-  br i1 %.3693.not4750, label %.3663.endif.preheader, label %.3664.else.endif, !prof !165
+.4000.endif.else.endif.endif.endif.if:            ; preds = %.4000.endif.else.endif.if, %.4000.else.endif
+  %.4248.sroa.0.3 = phi i64 [ %arg.lane.1.5.1, %.4000.endif.else.endif.if ], [ 0, %.4000.else.endif ]
+  %.4372.not3749 = icmp slt i64 %.4248.sroa.0.3, %arg.lane.1.5.1
+  br i1 %.4372.not3749, label %.4342.endif.preheader, label %.4342.if, !prof !165
 
-.3663.endif.preheader:                            ; preds = %.3321.endif.else.endif.endif.endif.if
-  %119 = sub i64 %arg.lane.0.5.1, %.3569.sroa.0.3
-  %min.iters.check4817 = icmp ult i64 %119, 4
-  br i1 %min.iters.check4817, label %.3663.endif.preheader4965, label %vector.ph4818, !prof !166
+.4342.endif.preheader:                            ; preds = %.4000.endif.else.endif.endif.endif.if
+  %119 = shl i64 %.4248.sroa.0.3, 3
+  %scevgep3784 = getelementptr i8, ptr %scevgep, i64 %119
+  %120 = sub i64 %arg.lane.1.5.1, %.4248.sroa.0.3
+  %121 = shl i64 %120, 3
+  tail call void @llvm.memset.p0.i64(ptr align 8 %scevgep3784, i8 0, i64 %121, i1 false)
+  br label %.4342.if
 
-vector.ph4818:                                    ; preds = %.3663.endif.preheader
-  %n.vec4820 = and i64 %119, -4
-  %120 = add i64 %.3569.sroa.0.3, %n.vec4820
-  %121 = getelementptr double, ptr %29, i64 %.3569.sroa.0.3
-  br label %vector.body4821
+.4342.if:                                         ; preds = %.4342.endif.preheader, %.4000.endif.else.endif.endif.endif.if
+  br i1 %.4101855.not.i, label %B1380, label %B110.if.i
 
-vector.body4821:                                  ; preds = %vector.body4821, %vector.ph4818
-  %index4822 = phi i64 [ 0, %vector.ph4818 ], [ %index.next4824, %vector.body4821 ]
-  %122 = getelementptr double, ptr %121, i64 %index4822
-  %123 = getelementptr i8, ptr %122, i64 16
-  store <2 x double> splat (double 1.000000e+00), ptr %122, align 8
-  store <2 x double> splat (double 1.000000e+00), ptr %123, align 8
-  %index.next4824 = add i64 %index4822, 4
-  %124 = icmp eq i64 %index.next4824, %n.vec4820
-  br i1 %124, label %middle.block4825, label %vector.body4821, !prof !167, !llvm.loop !214
-
-middle.block4825:                                 ; preds = %vector.body4821
-  %cmp.n4826 = icmp eq i64 %119, %n.vec4820
-  br i1 %cmp.n4826, label %.3664.else.endif, label %.3663.endif.preheader4965, !prof !170
-
-.3663.endif.preheader4965:                        ; preds = %.3663.endif.preheader, %middle.block4825
-  %.3659.04751.ph = phi i64 [ %.3569.sroa.0.3, %.3663.endif.preheader ], [ %120, %middle.block4825 ]
-  br label %.3663.endif
-
-.3663.endif:                                      ; preds = %.3663.endif.preheader4965, %.3663.endif
-  %.3659.04751 = phi i64 [ %.3707, %.3663.endif ], [ %.3659.04751.ph, %.3663.endif.preheader4965 ]
-  %.3702 = getelementptr double, ptr %29, i64 %.3659.04751
-  store double 1.000000e+00, ptr %.3702, align 8
-  %.3707 = add nsw i64 %.3659.04751, 1
-  %exitcond4794.not = icmp eq i64 %.3707, %arg.lane.0.5.1
-  br i1 %exitcond4794.not, label %.3664.else.endif, label %.3663.endif, !prof !171, !llvm.loop !215
-
-.3664.else.endif:                                 ; preds = %.3663.endif, %middle.block4825, %.3321.endif.else.endif.endif.endif.if
-  br i1 %.3941, label %.3664.endif.else.endif.if, label %.3664.endif.else.endif.endif.endif.if, !prof !36
-
-.3664.endif.else.endif.if:                        ; preds = %.3664.else.endif
-  br label %.3664.endif.else.endif.endif.endif.if
-
-.3664.endif.else.endif.endif.endif.if:            ; preds = %.3664.endif.else.endif.if, %.3664.else.endif
-  %.3913.sroa.0.3 = phi i64 [ %arg.lane.1.5.1, %.3664.endif.else.endif.if ], [ 0, %.3664.else.endif ]
-  %.4037.not4752 = icmp slt i64 %.3913.sroa.0.3, %arg.lane.1.5.1
-  br i1 %.4037.not4752, label %.4007.endif.preheader, label %.4008.else.endif, !prof !165
-
-.4007.endif.preheader:                            ; preds = %.3664.endif.else.endif.endif.endif.if
-  %125 = sub i64 %arg.lane.1.5.1, %.3913.sroa.0.3
-  %min.iters.check4806 = icmp ult i64 %125, 4
-  br i1 %min.iters.check4806, label %.4007.endif.preheader4964, label %vector.ph4807, !prof !166
-
-vector.ph4807:                                    ; preds = %.4007.endif.preheader
-  %n.vec4809 = and i64 %125, -4
-  %126 = add i64 %.3913.sroa.0.3, %n.vec4809
-  %127 = getelementptr i64, ptr %30, i64 %.3913.sroa.0.3
-  br label %vector.body4810
-
-vector.body4810:                                  ; preds = %vector.body4810, %vector.ph4807
-  %index4811 = phi i64 [ 0, %vector.ph4807 ], [ %index.next4812, %vector.body4810 ]
-  %128 = getelementptr i64, ptr %127, i64 %index4811
-  %129 = getelementptr i8, ptr %128, i64 16
-  store <2 x i64> %broadcast.splat, ptr %128, align 8
-  store <2 x i64> %broadcast.splat, ptr %129, align 8
-  %index.next4812 = add i64 %index4811, 4
-  %130 = icmp eq i64 %index.next4812, %n.vec4809
-  br i1 %130, label %middle.block4813, label %vector.body4810, !prof !167, !llvm.loop !216
-
-middle.block4813:                                 ; preds = %vector.body4810
-  %cmp.n4814 = icmp eq i64 %125, %n.vec4809
-  br i1 %cmp.n4814, label %.4008.else.endif, label %.4007.endif.preheader4964, !prof !170
-
-.4007.endif.preheader4964:                        ; preds = %.4007.endif.preheader, %middle.block4813
-  %.4003.04753.ph = phi i64 [ %.3913.sroa.0.3, %.4007.endif.preheader ], [ %126, %middle.block4813 ]
-  br label %.4007.endif
-
-.4007.endif:                                      ; preds = %.4007.endif.preheader4964, %.4007.endif
-  %.4003.04753 = phi i64 [ %.4051, %.4007.endif ], [ %.4003.04753.ph, %.4007.endif.preheader4964 ]
-  %.4046 = getelementptr i64, ptr %30, i64 %.4003.04753
-  store i64 %edge.2.1, ptr %.4046, align 8
-  %.4051 = add nsw i64 %.4003.04753, 1
-  %exitcond4795.not = icmp eq i64 %.4051, %arg.lane.1.5.1
-  br i1 %exitcond4795.not, label %.4008.else.endif, label %.4007.endif, !prof !171, !llvm.loop !217
-
-.4008.else.endif:                                 ; preds = %.4007.endif, %middle.block4813, %.3664.endif.else.endif.endif.endif.if
-  br i1 %.3941, label %.4008.endif.else.endif.if, label %.4008.endif.else.endif.endif.endif.if, !prof !36
-
-.4008.endif.else.endif.if:                        ; preds = %.4008.else.endif
-  br label %.4008.endif.else.endif.endif.endif.if
-
-.4008.endif.else.endif.endif.endif.if:            ; preds = %.4008.endif.else.endif.if, %.4008.else.endif
-  %.4256.sroa.0.3 = phi i64 [ %arg.lane.1.5.1, %.4008.endif.else.endif.if ], [ 0, %.4008.else.endif ]
-  %.4380.not4754 = icmp slt i64 %.4256.sroa.0.3, %arg.lane.1.5.1
-  br i1 %.4380.not4754, label %.4350.endif.preheader, label %.4350.if, !prof !165
-
-.4350.endif.preheader:                            ; preds = %.4008.endif.else.endif.endif.endif.if
-  %131 = shl i64 %.4256.sroa.0.3, 3
-  %scevgep4796 = getelementptr i8, ptr %scevgep, i64 %131
-  %132 = sub i64 %arg.lane.1.5.1, %.4256.sroa.0.3
-  %133 = shl i64 %132, 3
-  tail call void @llvm.memset.p0.i64(ptr align 8 %scevgep4796, i8 0, i64 %133, i1 false)
-  br label %.4350.if
-
-.4350.if:                                         ; preds = %.4350.endif.preheader, %.4008.endif.else.endif.endif.endif.if
-  br i1 %.4101855.not.i, label %B1384, label %B110.if.i
-
-B46.i.i4684:                                      ; preds = %B110.if.i
+B46.i.i3692:                                      ; preds = %B110.if.i
   %.135.i.i = getelementptr i64, ptr %arg.results.1.4, i64 %.99.i.i
-  %.136.i.i = load i64, ptr %.135.i.i, align 8, !noalias !218
+  %.136.i.i = load i64, ptr %.135.i.i, align 8, !noalias !208
   %.141.i.not.i = icmp eq i64 %.136.i.i, 0
-  br i1 %.141.i.not.i, label %B80.i.i4686, label %B358.i4685
+  br i1 %.141.i.not.i, label %B80.i.i3696, label %B358.i3693
 
-B80.i.i4686:                                      ; preds = %B46.i.i4684
-  %.196.i.i = getelementptr double, ptr %31, i64 %.352.01856.i
-  %.197.i.i = load double, ptr %.196.i.i, align 8, !noalias !218
+B80.i.i3696:                                      ; preds = %B46.i.i3692
+  %.196.i.i = getelementptr double, ptr %28, i64 %.352.01856.i
+  %.197.i.i = load double, ptr %.196.i.i, align 8, !noalias !208
   %.198.i.i = fcmp olt double %.197.i.i, 5.000000e-01
-  br i1 %.198.i.i, label %B358.i4685, label %B122.i.i
+  br i1 %.198.i.i, label %B358.i3693, label %B122.i.i
 
-B122.i.i:                                         ; preds = %B80.i.i4686
+B122.i.i:                                         ; preds = %B80.i.i3696
   %.264.i.i = getelementptr double, ptr %arg.lane.0.4, i64 %.352.01856.i
-  %.265.i.i = load double, ptr %.264.i.i, align 8, !noalias !218
-  %.321.i.i = getelementptr double, ptr %32, i64 %.352.01856.i
-  %.322.i.i = load double, ptr %.321.i.i, align 8, !noalias !218
+  %.265.i.i = load double, ptr %.264.i.i, align 8, !noalias !208
+  %.321.i.i = getelementptr double, ptr %29, i64 %.352.01856.i
+  %.322.i.i = load double, ptr %.321.i.i, align 8, !noalias !208
   %.325.i.i = fcmp une double %.265.i.i, %.322.i.i
-  %brmerge.i = select i1 %.325.i.i, i1 true, i1 %.1468
+  %brmerge.i = select i1 %.325.i.i, i1 true, i1 %.1462
   %not..325.i.i = xor i1 %.325.i.i, true
   %some.2.01858.mux.i = select i1 %not..325.i.i, i1 true, i1 %some.2.01858.i
-  br i1 %brmerge.i, label %B358.i4685, label %B300.if.lr.ph.i
+  br i1 %brmerge.i, label %B358.i3693, label %B300.if.lr.ph.i
 
 B300.if.lr.ph.i:                                  ; preds = %B122.i.i
-  %.650.i = getelementptr i64, ptr %33, i64 %.352.01856.i
-  %.651.i = load i64, ptr %.650.i, align 8, !noalias !223
+  %.650.i = getelementptr i64, ptr %30, i64 %.352.01856.i
+  %.651.i = load i64, ptr %.650.i, align 8, !noalias !213
   %.652.i = add nsw i64 %.651.i, 1
-  %134 = getelementptr i64, ptr %arg.runs.2.4, i64 %.99.i.i
-  %.596.i = load i64, ptr %134, align 8, !noalias !223
+  %122 = getelementptr i64, ptr %arg.runs.2.4, i64 %.99.i.i
+  %.596.i = load i64, ptr %122, align 8, !noalias !213
   %.822.i = icmp slt i64 %.596.i, 0
   %.823.i = select i1 %.822.i, i64 %arg.schedule.3.5.0, i64 0
   %.824.i = add i64 %.823.i, %.596.i
   %.825.i = icmp slt i64 %.651.i, -1
   %.826.i = select i1 %.825.i, i64 %arg.schedule.3.5.1, i64 0
   %.827.i = add i64 %.652.i, %.826.i
-  %.854.i4687 = mul i64 %.852.i4683, %.824.i
+  %.854.i = mul i64 %.852.i, %.824.i
   %.856.i = mul i64 %.827.i, %arg.schedule.3.5.2
-  %135 = getelementptr double, ptr %arg.schedule.3.4, i64 %.854.i4687
-  %136 = getelementptr double, ptr %135, i64 %.856.i
+  %123 = getelementptr double, ptr %arg.schedule.3.4, i64 %.854.i
+  %124 = getelementptr double, ptr %123, i64 %.856.i
   br label %B300.if.i
 
-B358.i4685:                                       ; preds = %B300.if.i, %B110.if.i, %B122.i.i, %B80.i.i4686, %B46.i.i4684
-  %some.3.2.i = phi i1 [ %some.2.01858.i, %B80.i.i4686 ], [ %some.2.01858.mux.i, %B122.i.i ], [ %some.2.01858.i, %B46.i.i4684 ], [ %some.2.01858.i, %B110.if.i ], [ true, %B300.if.i ]
-  %exitcond1870.not.i = icmp eq i64 %arg.shape.0, %.423.i
+B358.i3693:                                       ; preds = %B300.if.i, %B110.if.i, %B122.i.i, %B80.i.i3696, %B46.i.i3692
+  %some.3.2.i = phi i1 [ %some.2.01858.i, %B80.i.i3696 ], [ %some.2.01858.mux.i, %B122.i.i ], [ %some.2.01858.i, %B46.i.i3692 ], [ %some.2.01858.i, %B110.if.i ], [ true, %B300.if.i ]
+  %exitcond1870.not.i = icmp eq i64 %arg.shape.0, %.423.i3691
   br i1 %exitcond1870.not.i, label %B360.i, label %B110.if.i
 
-B360.i:                                           ; preds = %B358.i4685
-  br i1 %some.3.2.i, label %B368.i, label %B1384
+B360.i:                                           ; preds = %B358.i3693
+  br i1 %some.3.2.i, label %B368.i, label %B1380
 
 B368.i:                                           ; preds = %B360.i
-  %.1018.i = load i64, ptr %.2211, align 8, !noalias !223
+  %.1018.i = load i64, ptr %.2205, align 8, !noalias !213
   %.1130.i = inttoptr i64 %.1018.i to ptr
-  tail call void %.1130.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !223
-  %.1161.i = load i64, ptr %.1160.i, align 8, !noalias !223
+  tail call void %.1130.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !213
+  %.1161.i = load i64, ptr %.1160.i, align 8, !noalias !213
   %.1277.i = inttoptr i64 %.1161.i to ptr
-  tail call void %.1277.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.1276.i), !noalias !223
+  tail call void %.1277.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.1276.i), !noalias !213
   br label %B600.if.i
 
 B46.i82.i:                                        ; preds = %B600.if.i
   %.135.i102.i = getelementptr i64, ptr %arg.results.1.4, i64 %.99.i78.i
-  %.136.i103.i = load i64, ptr %.135.i102.i, align 8, !noalias !224
+  %.136.i103.i = load i64, ptr %.135.i102.i, align 8, !noalias !214
   %.141.i106.not.i = icmp eq i64 %.136.i103.i, 0
   br i1 %.141.i106.not.i, label %B80.i107.i, label %B980.i
 
 B80.i107.i:                                       ; preds = %B46.i82.i
-  %.196.i144.i = getelementptr double, ptr %31, i64 %.1303.01865.i
-  %.197.i145.i = load double, ptr %.196.i144.i, align 8, !noalias !224
+  %.196.i144.i = getelementptr double, ptr %28, i64 %.1303.01865.i
+  %.197.i145.i = load double, ptr %.196.i144.i, align 8, !noalias !214
   %.198.i146.i = fcmp olt double %.197.i145.i, 5.000000e-01
   br i1 %.198.i146.i, label %B980.i, label %B122.i147.i
 
 B122.i147.i:                                      ; preds = %B80.i107.i
   %.264.i184.i = getelementptr double, ptr %arg.lane.0.4, i64 %.1303.01865.i
-  %.265.i185.i = load double, ptr %.264.i184.i, align 8, !noalias !224
-  %.321.i223.i = getelementptr double, ptr %32, i64 %.1303.01865.i
-  %.322.i224.i = load double, ptr %.321.i223.i, align 8, !noalias !224
+  %.265.i185.i = load double, ptr %.264.i184.i, align 8, !noalias !214
+  %.321.i223.i = getelementptr double, ptr %29, i64 %.1303.01865.i
+  %.322.i224.i = load double, ptr %.321.i223.i, align 8, !noalias !214
   %.325.i226.i = fcmp une double %.265.i185.i, %.322.i224.i
   br i1 %.325.i226.i, label %B980.i, label %B640.i
 
 B640.i:                                           ; preds = %B122.i147.i
-  %.1557.i = getelementptr i64, ptr %34, i64 %.1303.01865.i
-  %.1558.i = load i64, ptr %.1557.i, align 8, !noalias !223
+  %.1557.i = getelementptr i64, ptr %31, i64 %.1303.01865.i
+  %.1558.i = load i64, ptr %.1557.i, align 8, !noalias !213
   %.1569.i = icmp sgt i64 %.1558.i, 0
   br i1 %.1569.i, label %B716.i, label %B770.i
 
 B716.i:                                           ; preds = %B640.i
-  %137 = getelementptr double, ptr %arg.times.4, i64 %.1558.i
-  %.1604.i = getelementptr i8, ptr %137, i64 -8
-  %.1605.i = load double, ptr %.1604.i, align 8, !noalias !223
+  %125 = getelementptr double, ptr %arg.times.4, i64 %.1558.i
+  %.1604.i = getelementptr i8, ptr %125, i64 -8
+  %.1605.i = load double, ptr %.1604.i, align 8, !noalias !213
   %.1661.i = fcmp oeq double %.1605.i, %.265.i185.i
   br label %B770.i
 
@@ -5343,18 +5190,18 @@ B770.i:                                           ; preds = %B716.i, %B640.i
 B802.if.lr.ph.i:                                  ; preds = %B770.i
   %.1887.i = add nsw i64 %.1558.i, -1
   %.1926.i = select i1 %.1569.i, i64 0, i64 %arg.results.0.5.1
-  %.1927.i = add i64 %.1887.i, %.1926.i
+  %.1927.i3694 = add i64 %.1887.i, %.1926.i
   %.1954.i = mul i64 %.1952.i, %.99.i78.i
-  %.1956.i = mul i64 %.1927.i, %arg.results.0.5.2
-  %138 = getelementptr double, ptr %arg.results.0.4, i64 %.1954.i
-  %139 = getelementptr double, ptr %138, i64 %.1956.i
+  %.1956.i = mul i64 %.1927.i3694, %arg.results.0.5.2
+  %126 = getelementptr double, ptr %arg.results.0.4, i64 %.1954.i
+  %127 = getelementptr double, ptr %126, i64 %.1956.i
   %invariant.gep = getelementptr double, ptr %arg.arrays.0.4, i64 %.1303.01865.i
-  %invariant.gep4756 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1303.01865.i
+  %invariant.gep3751 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1303.01865.i
   br label %B802.if.i
 
 B898.i:                                           ; preds = %B802.if.i
-  %140 = getelementptr double, ptr %139, i64 %.1701.01860.i
-  store double %.1835.i, ptr %140, align 8, !noalias !223
+  %128 = getelementptr double, ptr %127, i64 %.1701.01860.i
+  store double %.1835.i, ptr %128, align 8, !noalias !213
   br label %B920.i
 
 B920.i:                                           ; preds = %B802.if.i, %B898.i
@@ -5362,22 +5209,22 @@ B920.i:                                           ; preds = %B802.if.i, %B898.i
   br i1 %exitcond1871.not.i, label %B922.loopexit.i, label %B802.if.i
 
 B922.loopexit.i:                                  ; preds = %B920.i
-  %141 = fcmp une double %.1842.i, 0.000000e+00
-  br i1 %141, label %B934.i, label %B980.i
+  %129 = fcmp une double %.1842.i, 0.000000e+00
+  br i1 %129, label %B934.i, label %B980.i
 
 B934.i:                                           ; preds = %B922.loopexit.i
-  %.84.i516.i = load i64, ptr %147, align 8, !noalias !227
+  %.84.i516.i = load i64, ptr %135, align 8, !noalias !217
   %.89.i518.i = icmp sgt i64 %.84.i516.i, -1
   br i1 %.89.i518.i, label %B46.i521.i, label %B980.i
 
 B46.i521.i:                                       ; preds = %B934.i
   %.120.i539.i = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i516.i
-  %.121.i540.i = load i64, ptr %.120.i539.i, align 8, !noalias !227
+  %.121.i540.i = load i64, ptr %.120.i539.i, align 8, !noalias !217
   %.122.i541.i = icmp eq i64 %.121.i540.i, 0
   br i1 %.122.i541.i, label %B80.i545.i, label %B980.i
 
 B80.i545.i:                                       ; preds = %B46.i521.i
-  store i64 3, ptr %.120.i539.i, align 8, !noalias !227
+  store i64 3, ptr %.120.i539.i, align 8, !noalias !217
   br label %B980.i
 
 B980.i:                                           ; preds = %B600.if.i, %B80.i545.i, %B46.i521.i, %B934.i, %B922.loopexit.i, %B770.i, %B122.i147.i, %B80.i107.i, %B46.i82.i
@@ -5385,79 +5232,79 @@ B980.i:                                           ; preds = %B600.if.i, %B80.i54
   br i1 %exitcond1872.not.i, label %B982.i, label %B600.if.i
 
 B982.i:                                           ; preds = %B980.i
-  br i1 %.2041.not.i, label %B1384, label %B986.i
+  br i1 %.2041.not.i, label %B1380, label %B986.i
 
 B986.i:                                           ; preds = %B982.i
-  %.2074.i = load i64, ptr %.2073.i, align 8, !noalias !223
+  %.2074.i = load i64, ptr %.2073.i, align 8, !noalias !213
   %.2188.i = inttoptr i64 %.2074.i to ptr
-  tail call void %.2188.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !223
+  tail call void %.2188.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !213
   br label %B1106.if.i
 
 B46.i315.i:                                       ; preds = %B1106.if.i
   %.135.i335.i = getelementptr i64, ptr %arg.results.1.4, i64 %.99.i311.i
-  %.136.i336.i = load i64, ptr %.135.i335.i, align 8, !noalias !230
+  %.136.i336.i = load i64, ptr %.135.i335.i, align 8, !noalias !220
   %.141.i339.not.i = icmp eq i64 %.136.i336.i, 0
   br i1 %.141.i339.not.i, label %B80.i340.i, label %B1228.i
 
 B80.i340.i:                                       ; preds = %B46.i315.i
-  %.196.i377.i = getelementptr double, ptr %31, i64 %.2224.01868.i
-  %.197.i378.i = load double, ptr %.196.i377.i, align 8, !noalias !230
+  %.196.i377.i = getelementptr double, ptr %28, i64 %.2224.01868.i
+  %.197.i378.i = load double, ptr %.196.i377.i, align 8, !noalias !220
   %.198.i379.i = fcmp olt double %.197.i378.i, 5.000000e-01
   br i1 %.198.i379.i, label %B1228.i, label %B122.i380.i
 
 B122.i380.i:                                      ; preds = %B80.i340.i
   %.264.i417.i = getelementptr double, ptr %arg.lane.0.4, i64 %.2224.01868.i
-  %.265.i418.i = load double, ptr %.264.i417.i, align 8, !noalias !230
-  %.321.i456.i = getelementptr double, ptr %32, i64 %.2224.01868.i
-  %.322.i457.i = load double, ptr %.321.i456.i, align 8, !noalias !230
+  %.265.i418.i = load double, ptr %.264.i417.i, align 8, !noalias !220
+  %.321.i456.i = getelementptr double, ptr %29, i64 %.2224.01868.i
+  %.322.i457.i = load double, ptr %.321.i456.i, align 8, !noalias !220
   %.325.i459.i = fcmp une double %.265.i418.i, %.322.i457.i
   br i1 %.325.i459.i, label %B1228.i, label %B1146.i
 
 B1146.i:                                          ; preds = %B122.i380.i
-  %142 = getelementptr double, ptr %arg.arrays.4.4, i64 %.2224.01868.i
-  %.2400.i = load double, ptr %142, align 8, !noalias !223
+  %130 = getelementptr double, ptr %arg.arrays.4.4, i64 %.2224.01868.i
+  %.2400.i = load double, ptr %130, align 8, !noalias !213
   %.2402.i = fcmp olt double %.2400.i, -1.000000e-09
   br i1 %.2402.i, label %B80.i672.i, label %B1228.i
 
 B80.i672.i:                                       ; preds = %B1146.i
-  store i64 4, ptr %.135.i335.i, align 8, !noalias !233
+  store i64 4, ptr %.135.i335.i, align 8, !noalias !223
   br label %B1228.i
 
 B1228.i:                                          ; preds = %B1106.if.i, %B80.i672.i, %B1146.i, %B122.i380.i, %B80.i340.i, %B46.i315.i
-  %exitcond4797.not = icmp eq i64 %arg.shape.0, %.2293.i
-  br i1 %exitcond4797.not, label %B1384, label %B1106.if.i
+  %exitcond3785.not = icmp eq i64 %arg.shape.0, %.2293.i
+  br i1 %exitcond3785.not, label %B1380, label %B1106.if.i
 
-B110.if.i:                                        ; preds = %.4350.if, %B358.i4685
-  %some.2.01858.i = phi i1 [ %some.3.2.i, %B358.i4685 ], [ false, %.4350.if ]
-  %.352.01856.i = phi i64 [ %.423.i, %B358.i4685 ], [ 0, %.4350.if ]
-  %.423.i = add nsw i64 %.352.01856.i, 1
-  %143 = getelementptr i64, ptr %arg.lane.1.4, i64 %.352.01856.i
-  %.99.i.i = load i64, ptr %143, align 8, !noalias !218
+B110.if.i:                                        ; preds = %.4342.if, %B358.i3693
+  %some.2.01858.i = phi i1 [ %some.3.2.i, %B358.i3693 ], [ false, %.4342.if ]
+  %.352.01856.i = phi i64 [ %.423.i3691, %B358.i3693 ], [ 0, %.4342.if ]
+  %.423.i3691 = add nsw i64 %.352.01856.i, 1
+  %131 = getelementptr i64, ptr %arg.lane.1.4, i64 %.352.01856.i
+  %.99.i.i = load i64, ptr %131, align 8, !noalias !208
   %.104.i.i = icmp slt i64 %.99.i.i, 0
-  br i1 %.104.i.i, label %B358.i4685, label %B46.i.i4684
+  br i1 %.104.i.i, label %B358.i3693, label %B46.i.i3692
 
 B300.if.i:                                        ; preds = %B300.if.i, %B300.if.lr.ph.i
   %.692.01853.i = phi i64 [ 0, %B300.if.lr.ph.i ], [ %.764.i, %B300.if.i ]
   %.764.i = add nsw i64 %.692.01853.i, 1
-  %144 = getelementptr double, ptr %136, i64 %.692.01853.i
-  %.861.i = load double, ptr %144, align 8, !noalias !223
-  %145 = getelementptr i64, ptr %arg.schedule.2.4, i64 %.692.01853.i
-  %.891.i = load i64, ptr %145, align 8, !noalias !223
+  %132 = getelementptr double, ptr %124, i64 %.692.01853.i
+  %.861.i = load double, ptr %132, align 8, !noalias !213
+  %133 = getelementptr i64, ptr %arg.schedule.2.4, i64 %.692.01853.i
+  %.891.i = load i64, ptr %133, align 8, !noalias !213
   %.893.i = mul nsw i64 %.891.i, %arg.shape.0
   %.895.i = add nsw i64 %.893.i, %.352.01856.i
   %.909.i = icmp slt i64 %.895.i, 0
   %.910.i = select i1 %.909.i, i64 %arg.arrays.1.5.0, i64 0
-  %146 = getelementptr double, ptr %arg.arrays.1.4, i64 %.895.i
-  %.924.i = getelementptr double, ptr %146, i64 %.910.i
-  store double %.861.i, ptr %.924.i, align 8, !noalias !223
-  %exitcond.not.i4688 = icmp eq i64 %arg.schedule.2.5.0, %.764.i
-  br i1 %exitcond.not.i4688, label %B358.i4685, label %B300.if.i
+  %134 = getelementptr double, ptr %arg.arrays.1.4, i64 %.895.i
+  %.924.i = getelementptr double, ptr %134, i64 %.910.i
+  store double %.861.i, ptr %.924.i, align 8, !noalias !213
+  %exitcond.not.i3697 = icmp eq i64 %arg.schedule.2.5.0, %.764.i
+  br i1 %exitcond.not.i3697, label %B358.i3693, label %B300.if.i
 
 B600.if.i:                                        ; preds = %B980.i, %B368.i
   %.1303.01865.i = phi i64 [ 0, %B368.i ], [ %.1372.i, %B980.i ]
   %.1372.i = add nsw i64 %.1303.01865.i, 1
-  %147 = getelementptr i64, ptr %arg.lane.1.4, i64 %.1303.01865.i
-  %.99.i78.i = load i64, ptr %147, align 8, !noalias !224
+  %135 = getelementptr i64, ptr %arg.lane.1.4, i64 %.1303.01865.i
+  %.99.i78.i = load i64, ptr %135, align 8, !noalias !214
   %.104.i81.i = icmp slt i64 %.99.i78.i, 0
   br i1 %.104.i81.i, label %B980.i, label %B46.i82.i
 
@@ -5468,39 +5315,39 @@ B802.if.i:                                        ; preds = %B920.i, %B802.if.lr
   %.1801.i = add nsw i64 %.1701.01860.i, %.1231.i
   %.1803.i = mul nsw i64 %.1801.i, %arg.shape.0
   %gep = getelementptr double, ptr %invariant.gep, i64 %.1803.i
-  %.1835.i = load double, ptr %gep, align 8, !noalias !223
+  %.1835.i = load double, ptr %gep, align 8, !noalias !213
   %.1840.i = fmul double %.1835.i, 0.000000e+00
   %.1842.i = fadd double %trouble.2.11862.i, %.1840.i
   %.1850.i = mul nsw i64 %.1701.01860.i, %arg.shape.0
-  %gep4757 = getelementptr double, ptr %invariant.gep4756, i64 %.1850.i
-  store double %.1835.i, ptr %gep4757, align 8, !noalias !223
+  %gep3752 = getelementptr double, ptr %invariant.gep3751, i64 %.1850.i
+  store double %.1835.i, ptr %gep3752, align 8, !noalias !213
   br i1 %"$phi770.1.2.1.i", label %B898.i, label %B920.i
 
 B1106.if.i:                                       ; preds = %B1228.i, %B986.i
   %.2224.01868.i = phi i64 [ 0, %B986.i ], [ %.2293.i, %B1228.i ]
   %.2293.i = add nsw i64 %.2224.01868.i, 1
-  %148 = getelementptr i64, ptr %arg.lane.1.4, i64 %.2224.01868.i
-  %.99.i311.i = load i64, ptr %148, align 8, !noalias !230
+  %136 = getelementptr i64, ptr %arg.lane.1.4, i64 %.2224.01868.i
+  %.99.i311.i = load i64, ptr %136, align 8, !noalias !220
   %.104.i314.i = icmp slt i64 %.99.i311.i, 0
   br i1 %.104.i314.i, label %B1228.i, label %B46.i315.i
 
-B1606.if:                                         ; preds = %B1576, %B1706
-  %.4794.04761 = phi i64 [ %.4863, %B1706 ], [ 0, %B1576 ]
-  %.4863 = add nsw i64 %.4794.04761, 1
-  %.4893 = add nsw i64 %.4794.04761, %.463.sroa.0.04769
-  %.4921 = icmp slt i64 %.4893, 0
-  %.4922 = select i1 %.4921, i64 %arg.results.3.5.0, i64 0
-  %.4923 = add i64 %.4922, %.4893
-  %.4943 = mul i64 %.4923, %arg.results.3.5.1
-  %149 = getelementptr i64, ptr %arg.results.3.4, i64 %.4943
-  %.4947 = getelementptr i8, ptr %149, i64 16
-  store i64 %edge.4.2, ptr %.4947, align 8
-  %.4966 = select i1 %.4921, i64 %arg.results.1.5.0, i64 0
-  %150 = getelementptr i64, ptr %arg.results.1.4, i64 %.4893
-  %.4980 = getelementptr i64, ptr %150, i64 %.4966
-  %.4981 = load i64, ptr %.4980, align 8
-  %.4982 = icmp eq i64 %.4981, 0
-  br i1 %.4982, label %B1680, label %B1706
+B1602.if:                                         ; preds = %B1572, %B1702
+  %.4786.03756 = phi i64 [ %.4855, %B1702 ], [ 0, %B1572 ]
+  %.4855 = add nsw i64 %.4786.03756, 1
+  %.4885 = add nsw i64 %.4786.03756, %.457.sroa.0.03764
+  %.4913 = icmp slt i64 %.4885, 0
+  %.4914 = select i1 %.4913, i64 %arg.results.3.5.0, i64 0
+  %.4915 = add i64 %.4914, %.4885
+  %.4935 = mul i64 %.4915, %arg.results.3.5.1
+  %137 = getelementptr i64, ptr %arg.results.3.4, i64 %.4935
+  %.4939 = getelementptr i8, ptr %137, i64 16
+  store i64 %edge.4.2, ptr %.4939, align 8
+  %.4958 = select i1 %.4913, i64 %arg.results.1.5.0, i64 0
+  %138 = getelementptr i64, ptr %arg.results.1.4, i64 %.4885
+  %.4972 = getelementptr i64, ptr %138, i64 %.4958
+  %.4973 = load i64, ptr %.4972, align 8
+  %.4974 = icmp eq i64 %.4973, 0
+  br i1 %.4974, label %B1676, label %B1702
 }
 
 ; Function Attrs: nocallback nofree nosync nounwind speculatable willreturn memory(none)
@@ -5579,7 +5426,7 @@ vector.body:                                      ; preds = %B430.if.lr.ph, %vec
   store <2 x double> %wide.load544, ptr %7, align 8
   %index.next = add i64 %index, 4
   %8 = icmp eq i64 %index.next, %n.vec
-  br i1 %8, label %middle.block, label %vector.body, !llvm.loop !236
+  br i1 %8, label %middle.block, label %vector.body, !llvm.loop !226
 
 middle.block:                                     ; preds = %vector.body
   br i1 %cmp.n, label %B64.loopexit, label %B430.if.preheader
@@ -5629,7 +5476,7 @@ B430.if:                                          ; preds = %B430.if.preheader, 
   %17 = getelementptr double, ptr %3, i64 %.851.0534
   store double %.974, ptr %17, align 8
   %exitcond540.not = icmp eq i64 %arg.out.5.1, %.920
-  br i1 %exitcond540.not, label %B64.loopexit, label %B430.if, !llvm.loop !237
+  br i1 %exitcond540.not, label %B64.loopexit, label %B430.if, !llvm.loop !227
 }
 
 
@@ -5793,8 +5640,8 @@ B430.if:                                          ; preds = %B430.if.preheader, 
 !157 = distinct !{!157, !"_ZN12clpt_control6native9for_numba5countB3v20B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
 !158 = distinct !{!158, !157, !"_ZN12clpt_control6native9for_numba5countB3v20B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
 !159 = !{!160}
-!160 = distinct !{!160, !161, !"_ZN12clpt_control6native9for_numba4keepB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!161 = distinct !{!161, !"_ZN12clpt_control6native9for_numba4keepB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!160 = distinct !{!160, !161, !"_ZN12clpt_control6native9for_numba4keepB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!161 = distinct !{!161, !"_ZN12clpt_control6native9for_numba4keepB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !162 = distinct !{!162, !7, !8}
 !163 = distinct !{!163, !7}
 !164 = !{i1 true}
@@ -5808,66 +5655,56 @@ B430.if:                                          ; preds = %B430.if.preheader, 
 !172 = distinct !{!172, !8, !7, !173}
 !173 = !{!"llvm.loop.estimated_trip_count", i32 0}
 !174 = !{!175, !177}
-!175 = distinct !{!175, !176, !"_ZN12clpt_control6native9for_numba5marchB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEddx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EExxx: %retptr"}
-!176 = distinct !{!176, !"_ZN12clpt_control6native9for_numba5marchB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEddx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EExxx"}
-!177 = distinct !{!177, !176, !"_ZN12clpt_control6native9for_numba5marchB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEddx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EExxx: %excinfo"}
-!178 = !{!179, !181, !175, !177}
-!179 = distinct !{!179, !180, !"_ZN12clpt_control6native9for_numba6decideB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
-!180 = distinct !{!180, !"_ZN12clpt_control6native9for_numba6decideB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
-!181 = distinct !{!181, !180, !"_ZN12clpt_control6native9for_numba6decideB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %excinfo"}
-!182 = !{!183, !175, !177}
-!183 = distinct !{!183, !184, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29: %retptr"}
-!184 = distinct !{!184, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29"}
-!185 = !{!186, !175, !177}
-!186 = distinct !{!186, !187, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
-!187 = distinct !{!187, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
-!188 = !{!189}
-!189 = distinct !{!189, !190}
-!190 = distinct !{!190, !"LVerDomain"}
-!191 = !{!192}
-!192 = distinct !{!192, !190}
-!193 = !{!175, !177, !189}
-!194 = distinct !{!194, !7, !8}
+!175 = distinct !{!175, !176, !"_ZN12clpt_control6native9for_numba5marchB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEddx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx: %retptr"}
+!176 = distinct !{!176, !"_ZN12clpt_control6native9for_numba5marchB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEddx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx"}
+!177 = distinct !{!177, !176, !"_ZN12clpt_control6native9for_numba5marchB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEddx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx: %excinfo"}
+!178 = !{!179, !175, !177}
+!179 = distinct !{!179, !180, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29: %retptr"}
+!180 = distinct !{!180, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29"}
+!181 = !{!182, !175, !177}
+!182 = distinct !{!182, !183, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
+!183 = distinct !{!183, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
+!184 = !{!185}
+!185 = distinct !{!185, !186}
+!186 = distinct !{!186, !"LVerDomain"}
+!187 = !{!188}
+!188 = distinct !{!188, !186}
+!189 = !{!175, !177, !185}
+!190 = distinct !{!190, !7, !8}
+!191 = distinct !{!191, !7, !8, !169}
+!192 = distinct !{!192, !8, !7, !173}
+!193 = distinct !{!193, !7, !8, !169}
+!194 = distinct !{!194, !8, !7, !173}
 !195 = distinct !{!195, !7, !8, !169}
-!196 = distinct !{!196, !8, !7, !173}
-!197 = distinct !{!197, !7, !8, !169}
-!198 = distinct !{!198, !8, !7, !173}
-!199 = distinct !{!199, !7, !8, !169}
-!200 = distinct !{!200, !7, !8}
+!196 = distinct !{!196, !7, !8}
+!197 = distinct !{!197, !8, !7, !173}
+!198 = distinct !{!198, !7}
+!199 = distinct !{!199, !7}
+!200 = distinct !{!200, !7, !8, !169}
 !201 = distinct !{!201, !8, !7, !173}
-!202 = distinct !{!202, !7}
-!203 = distinct !{!203, !7, !8, !169}
-!204 = !{!205, !207, !175, !177}
-!205 = distinct !{!205, !206, !"_ZN12clpt_control6native9for_numba6decideB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29xx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
-!206 = distinct !{!206, !"_ZN12clpt_control6native9for_numba6decideB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29xx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
-!207 = distinct !{!207, !206, !"_ZN12clpt_control6native9for_numba6decideB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29xx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %excinfo"}
-!208 = distinct !{!208, !8, !7, !173}
-!209 = distinct !{!209, !7}
-!210 = distinct !{!210, !7, !8, !169}
-!211 = distinct !{!211, !8, !7, !173}
-!212 = distinct !{!212, !7, !8, !169}
-!213 = distinct !{!213, !8, !7, !173}
-!214 = distinct !{!214, !7, !8, !169}
-!215 = distinct !{!215, !8, !7, !173}
-!216 = distinct !{!216, !7, !8, !169}
-!217 = distinct !{!217, !8, !7, !173}
-!218 = !{!219, !221}
-!219 = distinct !{!219, !220, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
-!220 = distinct !{!220, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
-!221 = distinct !{!221, !222, !"_ZN12clpt_control6native9for_numba4leapB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx: %retptr"}
-!222 = distinct !{!222, !"_ZN12clpt_control6native9for_numba4leapB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx"}
-!223 = !{!221}
-!224 = !{!225, !221}
-!225 = distinct !{!225, !226, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
-!226 = distinct !{!226, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
-!227 = !{!228, !221}
-!228 = distinct !{!228, !229, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29: %retptr"}
-!229 = distinct !{!229, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29"}
-!230 = !{!231, !221}
-!231 = distinct !{!231, !232, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
-!232 = distinct !{!232, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
-!233 = !{!234, !221}
-!234 = distinct !{!234, !235, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
-!235 = distinct !{!235, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
-!236 = distinct !{!236, !7, !8}
-!237 = distinct !{!237, !7}
+!202 = distinct !{!202, !7, !8, !169}
+!203 = distinct !{!203, !8, !7, !173}
+!204 = distinct !{!204, !7, !8, !169}
+!205 = distinct !{!205, !8, !7, !173}
+!206 = distinct !{!206, !7, !8, !169}
+!207 = distinct !{!207, !8, !7, !173}
+!208 = !{!209, !211}
+!209 = distinct !{!209, !210, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
+!210 = distinct !{!210, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
+!211 = distinct !{!211, !212, !"_ZN12clpt_control6native9for_numba4leapB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx: %retptr"}
+!212 = distinct !{!212, !"_ZN12clpt_control6native9for_numba4leapB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx"}
+!213 = !{!211}
+!214 = !{!215, !211}
+!215 = distinct !{!215, !216, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
+!216 = distinct !{!216, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
+!217 = !{!218, !211}
+!218 = distinct !{!218, !219, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29: %retptr"}
+!219 = distinct !{!219, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29"}
+!220 = !{!221, !211}
+!221 = distinct !{!221, !222, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
+!222 = distinct !{!222, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
+!223 = !{!224, !211}
+!224 = distinct !{!224, !225, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
+!225 = distinct !{!225, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
+!226 = distinct !{!226, !7, !8}
+!227 = distinct !{!227, !7}

@@ -611,8 +611,6 @@ def advance_fixed(
     arrays,
     guarded,
     jumping,
-    held,
-    decided,
 ):
     """Run all to the end by Runge and Kutta's method of order 4.
 
@@ -644,10 +642,7 @@ def advance_fixed(
                 stop = min(times[done], edges[g, edge])
                 steps = max(1, math.ceil((stop - t) / step * (1.0 - 1e-12)))
                 h = (stop - t) / steps
-                if (
-                    march(code, shape, t, h, steps, results, lane, arrays, guarded, held, decided)
-                    == 0
-                ):
+                if march(code, shape, t, h, steps, results, lane, arrays, guarded) == 0:
                     done = len(times)
                     break
                 t = stop
@@ -667,7 +662,7 @@ def advance_fixed(
                 status[base + k] = FINISHED
 
 
-def march(code, shape, first, h, steps, results, lane, arrays, guarded, held, decided):
+def march(code, shape, first, h, steps, results, lane, arrays, guarded):
     """Take steps of length h; return how many lanes are at work."""
     lanes, n, _ = shape
     (_, status, _, counts), (numbers, whole, _) = results, lane
@@ -679,14 +674,9 @@ def march(code, shape, first, h, steps, results, lane, arrays, guarded, held, de
         numbers[TIME, :], numbers[END, :] = first + number * h, first + (number + 1) * h
         for i in range(span):
             Z[TERMS * span + i] = Z[i]
-        if decided > 0:
-            numbers[FRESH, :] = 1.0
-            decide(code, lanes, numbers, now, 0, held, decided, arrays)
         call(code[DERIVATIVE], now, Z, 0, P, T, W, Z, RATE * span)
         for s in range(1, 4):
             call(code[FIXED + s], numbers, Z, 0, P, T, W, D, 0)
-            if decided > 0:
-                decide(code, lanes, numbers, at, ARGUMENT * span, held, decided, arrays)
             call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + s) * span)
         call(code[FIXED + 4], numbers, Z, 0, P, T, W, D, 0)
         if guarded:

@@ -79,6 +79,7 @@ def ask_all(seeds):
 
 def run(runner, lanes, x, times):
     """Return the states of one run, in lanes beside others."""
+    runner = runner.free
     starts = x * np.linspace(1.0, 1.1, LANES + 3 if lanes > 1 else 1)[:, None]
     P = np.tile(runner.parameters(), (len(starts), 1))
     runs = Batch(runner.callee(lanes), starts, P, times, [runner.schedule(0.0, times[-1])])

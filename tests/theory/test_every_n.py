@@ -74,7 +74,7 @@ def test_what_is_read_holds_for_each_N(form, N):
 @pytest.mark.parametrize("form", FORMS)
 def test_the_derivative_is_that_of_each_N(form):
     elements, u = reader(a=("N",), b=("N",), P=("N", "N"), c=(), d=("N",))
-    slope = derivative(elements.tape, FORMS[form](*(u[k] for k in "abPc")), {u["a"].ref: u["d"]})
+    slope = derivative(elements.tape, FORMS[form](*(u[k] for k in "abPc")), {u["a"]._ref: u["d"]})
     random, h = np.random.default_rng(1), 1e-6
     values = {k: 0.3 * random.standard_normal([3] * len(v.shape)) for k, v in u.items()}
     ahead, behind = (
@@ -267,6 +267,6 @@ def test_jumps_have_no_slope_where_V_shall_fall():
     elements, u = reader(a=(2,))
     for jumping in (np.floor(u["a"]), np.sign(u["a"]), np.where(u["a"] > 0, 1.0, u["a"])):
         with pytest.raises(Unread, match="derivative"):
-            derivative(elements.tape, np.sum(jumping), {u["a"].ref: u["a"]}, smooth=True)
-    kinked = derivative(elements.tape, np.maximum(u["a"], 0.0), {u["a"].ref: u["a"]}, smooth=True)
+            derivative(elements.tape, np.sum(jumping), {u["a"]._ref: u["a"]}, smooth=True)
+    kinked = derivative(elements.tape, np.maximum(u["a"], 0.0), {u["a"]._ref: u["a"]}, smooth=True)
     assert str(elements.of(kinked)[0]) == "where(ge(a[0], 0), a[0], 0)"
