@@ -87,7 +87,8 @@ OF_THE_ENGINE = (  # called at each step, and checked by no one
     *("FixModel.regressor", "FixModel.noise", "FixModel.turning", "FixModel.faded"),
     *("FixModel.reached", "FixModel.kept"),
     *("NativeDiagram.schedule", "NativeDiagram.callee", "NativeDiagram.lanes"),
-    "NativeDiagram.stops",
+    *("NativeDiagram.parameters", "NativeDiagram.breaks"),
+    *("Sampled.samples_at", "Sampled.values"),
 )
 RESULTS = ("Verdict", "ConformanceReport", "FlowEstimate", "Diagram")  # which nobody makes by hand
 

@@ -163,7 +163,9 @@ class _Ways:
             said = str(error) if isinstance(error, Unread) else f"{type(error).__name__}: {error}"
             if isinstance(error, Unread) or tape.stopped is None:
                 raise Unread(f"{located(error, asked.function)}{said}") from None
-        if tape.stopped is not None:  # and the function went on
+        if isinstance(tape.stopped, Unread):  # and the function went on
+            raise Unread(f"{located(tape.stopped, asked.function)}{tape.stopped}")
+        if tape.stopped is not None:
             raise tape.stopped
         return found
 

@@ -90,7 +90,7 @@ class NativeDiagram(PythonDiagram):
 
     @property
     def free(self) -> "NativeDiagram":
-        """The same, whose decisions are not locked for a step: for steps of one length."""
+        """The same, decisions not locked: for steps of one length."""
         return self._free if self.code.program.decided else self
 
     @cached_property
@@ -127,7 +127,7 @@ class NativeDiagram(PythonDiagram):
     def callee(
         self, lanes: int = 1, inputs: Inputs | None = None, implicit: bool = False
     ) -> Callee:
-        """Return what the solver calls, of an implicit method or of the other."""
+        """Return what the solver calls, for one of its methods."""
         guarded, jumping, n = int(self.sweep.guarded), int(bool(self.layout.jumps)), self.nstates
         code = self._code(implicit)
         program = code.program

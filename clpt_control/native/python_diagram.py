@@ -104,7 +104,7 @@ class PythonDiagram:
 
     @property
     def free(self) -> "PythonDiagram":
-        """The same, whose decisions are not locked for a step: for steps of one length."""
+        """The same, decisions not locked: for steps of one length."""
         return self
 
     # --- runs -----------------------------------------------------------------------------

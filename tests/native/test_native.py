@@ -395,7 +395,9 @@ def test_a_run_without_inputs_forgets_those_of_the_run_before(made):
 
 
 def test_unknown_forms_of_machine_code_are_refused():
-    with pytest.raises(DiagramError, match="form = 'rolled': must be 'unrolled' or 'looped'"):
+    with pytest.raises(
+        DiagramError, match="form = 'rolled': must be 'unrolled', 'looped' or 'free'"
+    ):
         NativeDiagram(clpt.closed_loop(clpt.paper_scenario()), form="rolled")
 
 
