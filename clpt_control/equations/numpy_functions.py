@@ -154,7 +154,8 @@ def piecewise(x: Any, conditions: Any, functions: Any, *more: Any, **named: Any)
 @reads(np.isclose, arrays=2)
 def close(a: Any, b: Any, rtol: float = 1e-5, atol: float = 1e-8, equal_nan: bool = False) -> Any:
     """Return whether numbers are about the same, as np.isclose does."""
-    return np.fabs(a - b) <= atol + rtol * np.fabs(b)
+    near = (np.fabs(a - b) <= atol + rtol * np.fabs(b)) & (np.fabs(b) < np.inf) | (a == b)
+    return near | ((a != a) & (b != b)) if equal_nan else near
 
 
 @reads(np.polyval, arrays=0)

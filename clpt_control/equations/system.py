@@ -38,7 +38,7 @@ class System(Block):
     ):
         n = _size(system, "states", system.nstates, sizes[0])
         m = _size(system, "inputs", system.ninputs, sizes[1])
-        self.original, self.name = system, system.name
+        self.name = system.name
         self.given = dict(system.params if params is None else params)
         self._update, self._output = _functions(system)
         q = system.noutputs if system.noutputs is not None else self._count(n, m)

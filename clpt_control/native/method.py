@@ -15,6 +15,7 @@ import numpy as np
 from .formula import Formula, Row, Rows, joined, maximum, minimum, sqrt, where
 from .solver import (  # rows of Z
     ARGUMENT,
+    ASKED,
     AT,
     BAD_ONES,
     END,
@@ -229,12 +230,13 @@ def _stiffness() -> Formula:
 
     def after(lane: Row, sums: Sequence[Any]) -> Rows:
         h, before, calm = lane(TAKEN), lane(STIFF_STEPS), lane(OTHER_STEPS) + 1.0
+        asked = lane(ASKED) > 0.5  # a run is what it is beside any others
         stiff = h * h * sums[0] > 6.1 * 6.1 * sums[1]
         others = where(calm > 5.5, minimum(before, 0.0), before)
         found = where(before < 0.0, before + 1.0, where(stiff, before + 1.0, others))
         return {
-            STIFF_STEPS: where(lane(GOOD) > 0.5, found, before),
-            OTHER_STEPS: where(stiff, 0.0, calm),
+            STIFF_STEPS: where(asked, found, before),
+            OTHER_STEPS: where(asked, where(stiff, 0.0, calm), lane(OTHER_STEPS)),
         }
 
     return Formula(each, after, 2)

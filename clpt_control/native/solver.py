@@ -47,7 +47,8 @@ KINK, LOW, HIGH, LAST = range(12, 16)  # of a decision that a step has passed (`
 LONGEST, OPENING, STIFF_STEPS, OTHER_STEPS, DIAGONAL, WANTED = range(16, 22)
 # when a lane is looked at next, or after how many tries; whether it is; steps since, good and not
 NEXT, SPARE, LOOK, GOOD_ONES, BAD_ONES = range(22, 27)
-NUMBERS = 27  # rows of numbers
+ASKED = 27  # whether a lane's own step is looked at for stiffness
+NUMBERS = 28  # rows of numbers
 MEMBER, EDGE, DONE, BURST, WHICH = range(5)  # rows of whole numbers
 STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of the counts
 # places of `code`: the diagram's functions, then the formulas; stage s stands at STAGE + s
@@ -144,13 +145,13 @@ def advance(
             count(lanes, stages, counts, lane)
             for k in range(lanes):
                 m, done = whole[MEMBER, k], whole[DONE, k]
+                numbers[ASKED, k] = 0.0
                 if m >= 0 and numbers[FAILING, k] > 0.5:
                     fail(status, whole, k, TOO_SMALL)
                 if m >= 0 and numbers[GOOD, k] > 0.5:
                     within = within or guarded > 0
-                    doubted = (
-                        doubted or counts[m, STEPS] % OFTEN == 0 or numbers[STIFF_STEPS, k] > 0
-                    )
+                    if counts[m, STEPS] % OFTEN == 0 or numbers[STIFF_STEPS, k] > 0:
+                        numbers[ASKED, k], doubted = 1.0, True
                     if done < len(times) and times[done] <= numbers[NEW, k]:
                         wanted = True
                         within = within or times[done] < numbers[NEW, k]
@@ -361,7 +362,7 @@ def take(k, shape, runs, schedule, times, results, lane, Z, P):
     numbers[TIME, k], numbers[END, k], numbers[STEP, k] = times[0], edges[group[m], 0], 0.0
     numbers[FRESH, k], numbers[REJECTED, k] = 1.0, 0.0
     numbers[LAST, k], whole[BURST, k] = -math.inf, 0
-    numbers[GOOD_ONES, k], numbers[BAD_ONES, k] = 0.0, 0.0
+    numbers[GOOD_ONES, k], numbers[BAD_ONES, k], numbers[OTHER_STEPS, k] = 0.0, 0.0, 0.0
     if numbers[STIFF_STEPS, k] > -math.inf:
         numbers[STIFF_STEPS, k] = 0.0
     return 1

@@ -101,3 +101,11 @@ def test_what_math_refuses_is_nan_or_infinite(name):
     assert not np.isfinite(recorded(block, "output", 0.0, [], [outside, 0.0, 0.0])[0])
     with pytest.raises((ArithmeticError, ValueError, BlockError)):
         getattr(math, name)(outside)
+
+
+@pytest.mark.parametrize("equal_nan", [False, True])
+def test_numbers_that_are_about_the_same_are_so_at_infinity_too(equal_nan):
+    block = static(lambda t, x, u, p: np.isclose(u[:2], u[1:], equal_nan=equal_nan) * 1.0, 3, 2)
+    for u in ([1.0, 1.0 + 1e-9, 1.1], [np.inf, np.inf, 1.0], [np.inf, -np.inf, np.nan]):
+        as_it_runs(block, "output", 0.0, [], u)
+    as_it_runs(block, "output", 0.0, [], [np.nan, np.nan, np.inf])

@@ -326,6 +326,11 @@ def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
     own = ensemble.members({"learning.gain": gains[[0, 2]]}, 20.0)
     alone = ensemble.run(own, np.array([0.0, 10.0, 20.0]), 1e-6, 1e-8)
     np.testing.assert_array_equal(found.states[[0, 2]], alone.states)
+    beside = np.array([3e5, *np.geomspace(1e4, 1e7, 9), 1e6])  # others, each stiff in its time
+    again = ensemble.run(
+        ensemble.members({"learning.gain": beside}, 20.0), np.array([0.0, 10.0, 20.0]), 1e-6, 1e-8
+    )
+    np.testing.assert_array_equal(again.states[[-1, 0]], found.states[[1, 3]])
     one = scenario.with_values({"learning.gain": 1e6})
     runner = NativeDiagram(clpt.closed_loop(one))
     whole = runner.run(clpt.initial_state(one), [0.0, 10.0, 20.0], rtol=1e-6, atol=1e-8)
