@@ -5,26 +5,19 @@ from typing import Annotated
 
 import typer
 
+from .help_pages import arg, opt
+
 
 def animate(
-    run: Annotated[Path, typer.Argument(metavar="RUN", help="A run's NetCDF.")],
+    run: Annotated[Path, arg("RUN", "A run's NetCDF.")],
     out: Annotated[
-        Path,
-        typer.Option(
-            "-o", "--out", metavar="FILE", help="The film: .gif, or .mp4 where ffmpeg is installed."
-        ),
+        Path, opt("FILE", "The film: .gif, or .mp4 where ffmpeg is installed.", "-o", "--out")
     ] = Path("run.gif"),
-    start: Annotated[
-        float | None, typer.Option(metavar="TIME", help="First time shown; default: the run's.")
-    ] = None,
-    end: Annotated[
-        float | None, typer.Option(metavar="TIME", help="Last time shown; default: the run's.")
-    ] = None,
-    seconds: Annotated[
-        float, typer.Option(metavar="SECONDS", help="How long the film lasts.")
-    ] = 12.0,
-    fps: Annotated[float, typer.Option(metavar="NUMBER", help="Frames a second.")] = 12.5,
-    width: Annotated[int, typer.Option(metavar="PIXELS", help="Pixels.")] = 560,
+    start: Annotated[float | None, opt("TIME", "First time shown; default: the run's.")] = None,
+    end: Annotated[float | None, opt("TIME", "Last time shown; default: the run's.")] = None,
+    seconds: Annotated[float, opt("SECONDS", "How long the film lasts.")] = 12.0,
+    fps: Annotated[float, opt("NUMBER", "Frames a second.")] = 12.5,
+    width: Annotated[int, opt("PIXELS", "Pixels.")] = 560,
 ) -> None:
     """Make a moving picture of a run.
 

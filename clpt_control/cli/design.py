@@ -5,6 +5,7 @@ from typing import Annotated, Any
 
 import typer
 
+from .help_pages import opt
 from .printing import (
     Json,
     ScenarioFile,
@@ -22,48 +23,30 @@ Four = tuple[float, float, float, float]
 
 def design(
     scenario: ScenarioFile,
-    out: Annotated[
-        Path, typer.Option(metavar="FILE", help="Scenario file to write, with the new waypoints.")
-    ],
+    out: Annotated[Path, opt("FILE", "Scenario file to write, with the new waypoints.")],
     length: Annotated[
-        float | None,
-        typer.Option(metavar="LENGTH", help="Longest closed polygon; default: the scenario's own."),
+        float | None, opt("LENGTH", "Longest closed polygon; default: the scenario's own.")
     ] = None,
     max_speed: Annotated[
-        float | None,
-        typer.Option(metavar="SPEED", help="Largest speed through the water; default: any."),
+        float | None, opt("SPEED", "Largest speed through the water; default: any.")
     ] = None,
     area: Annotated[
         Four | None,
-        typer.Option(
-            metavar="X1FROM X1TO X2FROM X2TO",
-            help="Where it may drive; default: where it drives now.",
-        ),
+        opt("X1FROM X1TO X2FROM X2TO", "Where it may drive; default: where it drives now."),
     ] = None,
     box: Annotated[
-        Four | None,
-        typer.Option(
-            metavar="LAT0 LAT1 LON0 LON1",
-            help="The area in degrees, in a measured current.",
-        ),
+        Four | None, opt("LAT0 LAT1 LON0 LON1", "The area in degrees, in a measured current.")
     ] = None,
-    count: Annotated[
-        int | None, typer.Option(metavar="COUNT", help="Waypoints; default: as many as now.")
-    ] = None,
-    dwell: Annotated[
-        float | None, typer.Option(metavar="TIME", help="Time at each; default: as now.")
-    ] = None,
+    count: Annotated[int | None, opt("COUNT", "Waypoints; default: as many as now.")] = None,
+    dwell: Annotated[float | None, opt("TIME", "Time at each; default: as now.")] = None,
     window: Window = None,
     start: Start = None,
     level: Annotated[
-        float | None,
-        typer.Option(metavar="ERROR", help="Error that ends the learning time; default: a tenth."),
+        float | None, opt("ERROR", "Error that ends the learning time; default: a tenth.")
     ] = None,
-    seed: Annotated[int, typer.Option(metavar="NUMBER", help="Of the search.")] = 0,
-    generations: Annotated[int, typer.Option(metavar="COUNT", help="Of the search.")] = 60,
-    figure: Annotated[
-        Path | None, typer.Option(metavar="FILE", help=".png, .pdf or .svg: old and new track.")
-    ] = None,
+    seed: Annotated[int, opt("NUMBER", "Of the search.")] = 0,
+    generations: Annotated[int, opt("COUNT", "Of the search.")] = 60,
+    figure: Annotated[Path | None, opt("FILE", ".png, .pdf or .svg: old and new track.")] = None,
     as_json: Json = False,
 ) -> None:
     """Find waypoints from which most can be learned.

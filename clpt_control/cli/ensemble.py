@@ -5,53 +5,38 @@ from typing import Annotated
 
 import typer
 
-from .help_pages import one_of
+from .help_pages import one_of, opt
 from .printing import Json, ScenarioFile, check_figure, print_json, print_table, shown
 
 
 def ensemble(
     scenario: ScenarioFile,
-    members: Annotated[int, typer.Option(metavar="COUNT", help="How many runs.")],
+    members: Annotated[int, opt("COUNT", "How many runs.")],
     vary: Annotated[
-        list[str],
-        typer.Option(
-            metavar="KEY=LOW:HIGH",
-            help="Or KEY~normal:DEVIATION, or KEY=[VALUE, ...]; repeat it.",
-        ),
+        list[str], opt("KEY=LOW:HIGH", "Or KEY~normal:DEVIATION, or KEY=[VALUE, ...]; repeat it.")
     ],
-    out: Annotated[
-        Path,
-        typer.Option(metavar="FOLDER", help="Zarr folder; if it holds a part, go on from there."),
-    ],
+    out: Annotated[Path, opt("FOLDER", "Zarr folder; if it holds a part, go on from there.")],
     design: Annotated[
         str,
-        typer.Option(
-            metavar="NAME",
+        opt(
+            "NAME",
+            "lhs (Latin hypercube), grid or random.",
             autocompletion=one_of("lhs", "grid", "random"),
-            help="lhs (Latin hypercube), grid or random.",
         ),
     ] = "lhs",
-    seed: Annotated[int, typer.Option(metavar="NUMBER", help="Of the draws.")] = 0,
-    threads: Annotated[
-        int | None, typer.Option(metavar="COUNT", help="Default: all processors.")
-    ] = None,
+    seed: Annotated[int, opt("NUMBER", "Of the draws.")] = 0,
+    threads: Annotated[int | None, opt("COUNT", "Default: all processors.")] = None,
     trajectories: Annotated[
         bool, typer.Option("--trajectories", help="Keep the states too.")
     ] = False,
     figure: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help=".png, .pdf or .svg: percentiles of CLPE and errors."),
+        Path | None, opt("FILE", ".png, .pdf or .svg: percentiles of CLPE and errors.")
     ] = None,
     dask: Annotated[
-        str | None,
-        typer.Option(metavar="ADDRESS", help="Run on a cluster: tcp://HOST:PORT, or local."),
+        str | None, opt("ADDRESS", "Run on a cluster: tcp://HOST:PORT, or local.")
     ] = None,
-    chunk: Annotated[
-        int | None, typer.Option(metavar="COUNT", help="Members written at once.")
-    ] = None,
-    samples: Annotated[
-        int | None, typer.Option(metavar="COUNT", help="Samples a cycle for CLPE rms.")
-    ] = None,
+    chunk: Annotated[int | None, opt("COUNT", "Members written at once.")] = None,
+    samples: Annotated[int | None, opt("COUNT", "Samples a cycle for CLPE rms.")] = None,
     as_json: Json = False,
 ) -> None:
     r"""Run a scenario many times with values that vary.

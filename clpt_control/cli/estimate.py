@@ -5,42 +5,32 @@ from typing import Annotated
 
 import typer
 
-from .help_pages import one_of
+from .help_pages import arg, one_of, opt
 from .printing import Json, print_json, print_table, shown
 
 
 def estimate(
-    run: Annotated[
-        Path, typer.Argument(metavar="RUN", help="A run's NetCDF, as clpt run writes it.")
-    ],
+    run: Annotated[Path, arg("RUN", "A run's NetCDF, as clpt run writes it.")],
     method: Annotated[
         str,
-        typer.Option(
-            metavar="NAME",
+        opt(
+            "NAME",
+            "least-squares, kalman or tomography.",
             autocompletion=one_of("least-squares", "kalman", "tomography"),
-            help="least-squares, kalman or tomography.",
         ),
     ] = "least-squares",
     every: Annotated[
-        float | None,
-        typer.Option(metavar="TIME", help="Time between fixes; a tenth of reference.dwell."),
+        float | None, opt("TIME", "Time between fixes; a tenth of reference.dwell.")
     ] = None,
     prior: Annotated[
-        float | None,
-        typer.Option(metavar="SPEED", help="Standard deviation of each theta before any fix."),
+        float | None, opt("SPEED", "Standard deviation of each theta before any fix.")
     ] = None,
     noise: Annotated[
-        float | None,
-        typer.Option(metavar="LENGTH", help="Standard deviation of a miss between fixes."),
+        float | None, opt("LENGTH", "Standard deviation of a miss between fixes.")
     ] = None,
-    until: Annotated[
-        float | None, typer.Option(metavar="TIME", help="Use the run up to this time.")
-    ] = None,
+    until: Annotated[float | None, opt("TIME", "Use the run up to this time.")] = None,
     out: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE", help="Scenario file to write: the run's, with the estimate given."
-        ),
+        Path | None, opt("FILE", "Scenario file to write: the run's, with the estimate given.")
     ] = None,
     as_json: Json = False,
 ) -> None:

@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from ..errors import ClptError
+from .help_pages import opt
 from .printing import Json, ScenarioFile, Start, Window, check_figure, print_json, print_table
 
 MOST_SHOWN = 20  # eigenvalues in the table; --json has all
@@ -16,8 +17,7 @@ def excitation(
     window: Window = None,
     start: Start = None,
     figure: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help=".png, .pdf or .svg: eigenvalues and directions."),
+        Path | None, opt("FILE", ".png, .pdf or .svg: eigenvalues and directions.")
     ] = None,
     as_json: Json = False,
 ) -> None:

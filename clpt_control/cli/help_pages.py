@@ -125,6 +125,16 @@ def clpt(
     """
 
 
+def opt(metavar: str, said: str, *names: str, **more: Any) -> Any:
+    """Return an option: the word for its value, its help, names other than the parameter's."""
+    return typer.Option(*names, metavar=metavar, help=said, **more)
+
+
+def arg(metavar: str, said: str) -> Any:
+    """Return an argument: its word and its help."""
+    return typer.Argument(metavar=metavar, help=said)
+
+
 def one_of(*words: str) -> Callable[[str], Iterable[str]]:
     """Return what completes a value by some words, the last one of a list with commas too."""
 

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from ..errors import ClptError
-from .help_pages import one_of
+from .help_pages import arg, one_of, opt
 from .printing import Formats, Json, ScenarioFile, print_json, print_table
 
 RUN = "run it with `clpt run {} --out run.nc`"
@@ -21,16 +21,10 @@ EXAMPLES = {  # of `clpt init`: the name that it is given, the file in the packa
 
 def init(
     file: Annotated[
-        Path | None,
-        typer.Argument(metavar="FILE", help="Where to write it; default: the name of the example."),
+        Path | None, arg("FILE", "Where to write it; default: the name of the example.")
     ] = None,
     example: Annotated[
-        str,
-        typer.Option(
-            metavar="NAME",
-            autocompletion=one_of(*EXAMPLES),
-            help=f"What to write: {', '.join(EXAMPLES)}.",
-        ),
+        str, opt("NAME", f"What to write: {', '.join(EXAMPLES)}.", autocompletion=one_of(*EXAMPLES))
     ] = "paper",
 ) -> None:
     """Write an example to start from: a scenario, by default.
@@ -55,9 +49,7 @@ def init(
 
 
 def paper(
-    out: Annotated[
-        Path, typer.Option(metavar="FOLDER", help="Folder for figures and run.nc.")
-    ] = Path("paper"),
+    out: Annotated[Path, opt("FOLDER", "Folder for figures and run.nc.")] = Path("paper"),
     formats: Formats = None,
     as_json: Json = False,
 ) -> None:
@@ -94,10 +86,8 @@ def paper(
 
 def run(
     scenario: ScenarioFile,
-    out: Annotated[Path, typer.Option(metavar="FILE", help="NetCDF file for the run.")],
-    figures: Annotated[
-        Path | None, typer.Option(metavar="FOLDER", help="Folder for the figures.")
-    ] = None,
+    out: Annotated[Path, opt("FILE", "NetCDF file for the run.")],
+    figures: Annotated[Path | None, opt("FOLDER", "Folder for the figures.")] = None,
     formats: Formats = None,
     as_json: Json = False,
 ) -> None:
@@ -165,14 +155,10 @@ def run(
 def diagram(
     scenario: ScenarioFile,
     out: Annotated[
-        Path | None,
-        typer.Option(
-            "-o", "--out", metavar="FILE", help=".svg, .png, .pdf or .mmd; default: Mermaid text."
-        ),
+        Path | None, opt("FILE", ".svg, .png, .pdf or .mmd; default: Mermaid text.", "-o", "--out")
     ] = None,
     external: Annotated[
-        list[str] | None,
-        typer.Option(metavar="PORT", help="A port to take from outside, such as zc."),
+        list[str] | None, opt("PORT", "A port to take from outside, such as zc.")
     ] = None,
 ) -> None:
     """Draw a scenario's block diagram.

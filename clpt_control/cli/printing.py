@@ -8,18 +8,13 @@ from typing import Annotated, Any
 import typer
 
 from ..errors import ClptError, SimulationError
+from .help_pages import arg, opt
 
-ScenarioFile = Annotated[
-    Path, typer.Argument(metavar="SCENARIO", help="A scenario's TOML file, or a run's NetCDF.")
-]
+ScenarioFile = Annotated[Path, arg("SCENARIO", "A scenario's TOML file, or a run's NetCDF.")]
 Window = Annotated[
-    float | None,
-    typer.Option(metavar="TIME", help="Length of the window; default: one cycle of waypoints."),
+    float | None, opt("TIME", "Length of the window; default: one cycle of waypoints.")
 ]
-Start = Annotated[
-    float | None,
-    typer.Option(metavar="TIME", help="Start of the window; default: the second cycle."),
-]
+Start = Annotated[float | None, opt("TIME", "Start of the window; default: the second cycle.")]
 PIPED = 140  # letters of a line that goes to no terminal
 LONG = 40  # characters; longer cells are broken into lines
 Json = Annotated[
@@ -31,8 +26,7 @@ Json = Annotated[
 ]
 
 Formats = Annotated[
-    list[str] | None,
-    typer.Option("--format", metavar="FORMAT", help="Of the figures: png, svg, pdf; repeat it."),
+    list[str] | None, opt("FORMAT", "Of the figures: png, svg, pdf; repeat it.", "--format")
 ]
 
 

@@ -5,25 +5,18 @@ from typing import Annotated
 
 import typer
 
+from .help_pages import arg, opt
 from .printing import Formats, Json, print_json
 
 
 def report(
     run: Annotated[
-        Path,
-        typer.Argument(
-            metavar="RUN", help="run.nc, a team's too; an ensemble's folder; replay.nc or its JSON."
-        ),
+        Path, arg("RUN", "run.nc, a team's too; an ensemble's folder; replay.nc or its JSON.")
     ],
-    out: Annotated[
-        Path, typer.Option("-o", "--out", metavar="FILE", help="The page, .html.")
-    ] = Path("report.html"),
-    title: Annotated[
-        str | None, typer.Option(metavar="TITLE", help="In place of the scenario's.")
-    ] = None,
+    out: Annotated[Path, opt("FILE", "The page, .html.", "-o", "--out")] = Path("report.html"),
+    title: Annotated[str | None, opt("TITLE", "In place of the scenario's.")] = None,
     figures: Annotated[
-        Path | None,
-        typer.Option(metavar="FOLDER", help="Folder for the figures too, as SVG and PDF."),
+        Path | None, opt("FOLDER", "Folder for the figures too, as SVG and PDF.")
     ] = None,
     formats: Formats = None,
     as_json: Json = False,

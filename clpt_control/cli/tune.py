@@ -5,7 +5,7 @@ from typing import Annotated, Any
 
 import typer
 
-from .help_pages import names_of_laws
+from .help_pages import names_of_laws, opt
 from .printing import Json, ScenarioFile, check_scenario, print_json, print_table, shown
 
 MOST_SHOWN = 15  # candidates in the table; --json has all
@@ -14,31 +14,20 @@ MOST_SHOWN = 15  # candidates in the table; --json has all
 def tune(
     scenario: ScenarioFile,
     out: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="Scenario file to write, with the choice in it."),
+        Path | None, opt("FILE", "Scenario file to write, with the choice in it.")
     ] = None,
-    members: Annotated[int, typer.Option(metavar="COUNT", help="How many flows are drawn.")] = 24,
+    members: Annotated[int, opt("COUNT", "How many flows are drawn.")] = 24,
     prior: Annotated[
-        float | None,
-        typer.Option(
-            metavar="SPEED", help="Standard deviation of flow parameters; default: 0.3 k R."
-        ),
+        float | None, opt("SPEED", "Standard deviation of flow parameters; default: 0.3 k R.")
     ] = None,
     unmodelled: Annotated[
-        float | None,
-        typer.Option(
-            metavar="SPEED", help="Rms of flow beside the basis; default: the scenario's."
-        ),
+        float | None, opt("SPEED", "Rms of flow beside the basis; default: the scenario's.")
     ] = None,
     law: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="NAME",
-            autocompletion=names_of_laws,
-            help="A law to compare; repeat it; default: all.",
-        ),
+        opt("NAME", "A law to compare; repeat it; default: all.", autocompletion=names_of_laws),
     ] = None,
-    seed: Annotated[int, typer.Option(metavar="NUMBER", help="Of the draws.")] = 0,
+    seed: Annotated[int, opt("NUMBER", "Of the draws.")] = 0,
     as_json: Json = False,
 ) -> None:
     """Choose law, gains and filter for a flow that is not known.
