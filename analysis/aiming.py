@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Annotated
 import numpy as np
 import typer
 
-from clpt_control.estimation.fix_model import miss
+from clpt_control.estimation.dive import miss
 from clpt_control.figures import BLUE, ORANGE, new_figure
 from clpt_control.files import make_folder, write_figure, write_text
 from clpt_control.geodesy import place_from

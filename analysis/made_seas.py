@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from clpt_control.estimation.fix_regressor import inertial_frequency
+from clpt_control.estimation.fix_model import inertial_frequency
 from clpt_control.gliders import Dive
 from clpt_control.scenario import period
 

@@ -42,9 +42,8 @@ def estimate(
     import numpy as np
 
     from ..errors import DataError, ScenarioError
-    from ..estimation.flow_methods import METHODS
-    from ..estimation.run_segments import run_scenario
-    from ..estimation.theta_from_fixes import flow_estimate, known_flow_scenario
+    from ..estimation.segments import run_scenario
+    from ..estimation.theta_from_fixes import METHODS, flow_estimate, known_flow_scenario
     from ..scenario.file import save_scenario
     from ..simulation.run_file import load_run
 

@@ -1,6 +1,6 @@
 from .estimators import make_estimator
 from .fix_model import FixModel
-from .functions_of_dives import dive_basis
+from .gaussian_places import dive_basis
 from .priors import Priors
 from .theta_from_fixes import FlowEstimate, flow_estimate, known_flow_scenario
 

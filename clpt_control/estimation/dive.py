@@ -147,3 +147,24 @@ def make_dive(
     return Dive(
         number, *start, *end, *displacement(*start[1:], *end[1:]), *through_water, **optional
     )
+
+
+def mid_time(dive: Dive) -> float:
+    """Return the middle of a dive, s since 1970 UTC."""
+    return 0.5 * (dive.t_gps2 + dive.t_gpse)
+
+
+def miss(dive: Dive) -> np.ndarray:
+    """Return y, fix less dead reckoning at a dive's end, (2,), m."""
+    return np.array([dive.miss_east, dive.miss_north])
+
+
+def reckoned(dive: Dive) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return dead reckoning: time since the fix before the dive (s), east and north (m).
+
+    A straight line at constant speed where the dive has no track; its end fix is not read.
+    """
+    if dive.track is not None:
+        return dive.track
+    ends = np.array([[0.0, dive.duration], [0.0, dive.dr_east], [0.0, dive.dr_north]])
+    return ends[0], ends[1], ends[2]

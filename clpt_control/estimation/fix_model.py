@@ -5,8 +5,22 @@
 the integral of Eq. (1) with the flow of Eq. (3); int v dt is the dead-reckoned
 displacement d, f a factor on speed through water, R(psi) a compass error.
 Less d on both sides and to first order in f - 1 and psi it is linear, y = H p.
-The columns of H stand in `fix_regressor`.  Gaussian places (`gaussian_places`)
-join the parameters when a track first comes near them, so that n grows.
+Gaussian places (`gaussian_places`) join the parameters when a track first comes near
+them, so that n grows.
+
+The columns of H, what one unit of a parameter does:
+
+    steady current      T                             two parameters, m/s
+    tide, speed w       T s(w) cos(w tm), T s(w) sin(w tm)    four, m/s
+    inertial current    T s(c)                        two, m/s, at mid-dive
+    flow model          its displacement (east, north)    one, a factor
+    speed               (d_east, d_north)             f - 1
+    compass             (d_north, -d_east)            psi, rad, clockwise
+
+with T the duration, tm mid-dive, d the dead reckoning and s(w) = sin(w T/2)/(w T/2),
+the mean of a tide over a dive.  Between dives the inertial current turns by
+-c dt, c = 2 Omega sin(latitude) (A. E. Gill, "Atmosphere-Ocean Dynamics", 1982,
+section 8.3).
 """
 
 import math
@@ -19,25 +33,24 @@ import numpy as np
 from ..arguments import public
 from ..errors import ScenarioError
 from ..scenario.tides import SPEEDS, period
-from .dive import Dive
-from .fix_regressor import (
-    flow_model,
-    inertial,
-    inertial_frequency,
-    mid_time,
-    miss,
-    steady,
-    tide,
-    water,
-)
-from .gaussian_places import Places, near, places_columns
+from .dive import Dive, mid_time
+from .gaussian_places import WIDTH, Places, near, places_columns
 from .priors import Priors
 
-__all__ = ["FixModel", "mid_time", "miss"]
-
 FAR = 13.82  # chi-squared of two components, 99.9 %: what lies beyond is strange
-WIDTH = 20e3  # m, of a gaussian
+ROTATION = 7.292115e-5  # rad/s, of the Earth
 OTHERS = ("inertial", "gaussians", "model")  # parts that are no tide
+
+
+def inertial_frequency(latitude: float) -> float:
+    """Return the Coriolis frequency at a latitude (degrees), rad/s: positive turns clockwise."""
+    return 2 * ROTATION * math.sin(math.radians(latitude))
+
+
+def swing(dive: Dive, w: float) -> float:
+    """Return T s(w), s: how far an oscillation of unit size at mid-dive carries; w in rad/s."""
+    T = dive.duration
+    return T * float(np.sinc(w * T / (2 * math.pi)))
 
 
 @public
@@ -165,16 +178,21 @@ class FixModel:
         Its columns are in s for currents, in m for the others. A dive's end is read
         only where it has `ended`: for gaussians along the bent track.
         """
-        columns = [steady(dive)]
+        one = np.eye(2)
+        columns = [dive.duration * one]
         for part in self.flow[1:]:
             if part == "inertial":
-                columns.append(inertial(dive))
-            elif part == "model":
-                columns.append(flow_model(dive))
+                columns.append(swing(dive, inertial_frequency(dive.lat_gps2)) * one)
+            elif part == "model":  # zero where it does not cover the dive
+                columns.append(np.array([[dive.model_east or 0.0], [dive.model_north or 0.0]]))
             elif part != "gaussians":
-                columns.append(tide(dive, 2 * math.pi / period(part, "s")))
+                w = 2 * math.pi / period(part, "s")
+                turn = w * mid_time(dive)
+                waves = [math.cos(turn) * one, math.sin(turn) * one]
+                columns.append(swing(dive, w) * np.hstack(waves))
         if self.learn_speed:
-            columns.append(water(dive))
+            d = dive.dr_east, dive.dr_north
+            columns.append(np.array([d, (d[1], -d[0])]))
         if self.places:
             columns.append(places_columns(self.places, dive, ended))
         return np.hstack(columns)

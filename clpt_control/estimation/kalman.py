@@ -3,7 +3,7 @@
     p_k = F p_{k-1} + w,  y_k = H_k p_k + n,  n ~ (FIX^2 + (s T)^2) I
 
 (R. E. Kalman, "A new approach to linear filtering and prediction problems",
-1960; H is that of `fix_model`, w of `wandering`).  How restless a sea is, and
+1960; H is that of `fix_model`, w below).  How restless a sea is, and
 which parts of the flow there are, differ from sea to sea.  A bank holds a filter
 for each combination (D. T. Magill, "Optimal adaptive estimation of sampled
 stochastic processes", 1965), weighed by the density of the fixes that it has
@@ -22,17 +22,57 @@ are in all: they are absent, f = 1 or psi = 0, with the ratio of the density the
 after and before the dives (J. M. Dickey, "The weighted likelihood ratio, linear
 hypotheses on normal location parameters", Annals of Statistics 42, 204-223, 1971).
 
-The state of a filter is that of `wandering`, continued by the other parameters.
+A current wanders between dives by a walk, a trend and an eddying part:
+
+    du = a dt + q dw,  da = -a/F dt + s dw,  s^2 = 2 A^2 / F
+    dv = -v/tau dt + sqrt(2/tau) S dw,       flow = u + v
+
+q alone is a random walk.  A trend a fades in F: a manoeuvring target (R. A.
+Singer, "Estimating optimal tracking filter performance for manned maneuvering
+targets", IEEE Trans. Aerospace and Electronic Systems 6, 473-483, 1970), as a
+vehicle sees it that crosses an eddy or a jet.  An eddying part v of size S is
+forgotten in tau and returns to the steady current.  Over a time t, with x = t/F,
+r = exp(-x) and b = exp(-t/tau),
+
+    a <- r a,  u <- u + F (1 - r) a,  v <- b v
+    var a  += A^2 (1 - r^2)
+    cov ua += A^2 F (1 - r)^2
+    var u  += A^2 F^2 (2x - 3 + 4r - r^2) + q^2 t
+    var v  += S^2 (1 - b^2)
+
+The state of one filter is (a_east, a_north, v_east, v_north, u_east, u_north), continued by
+the other parameters.
 """
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 
-from .dive import Dive
-from .fix_model import FAR, FixModel, mid_time, miss
-from .priors import QUARTER_DAY, Kind
-from .wandering import wander
+from .dive import Dive, mid_time, miss
+from .fix_model import FAR, FixModel
+from .priors import QUARTER_DAY, Kind, Priors
+
+
+def wander(dt: float, kinds: Kind, priors: Priors) -> tuple[np.ndarray, np.ndarray]:
+    """Return F and Q of (a, v, u) over `dt` s, (m, 6, 6) each, for m kinds."""
+    fading = priors.trend_fading
+    x, r = dt / fading, math.exp(-dt / fading)
+    b = math.exp(-dt / priors.eddy_memory)
+    A2 = (kinds.trend / QUARTER_DAY) ** 2
+    m = len(kinds.walk)
+    F, Q = np.tile(np.eye(6), (m, 1, 1)), np.zeros((m, 6, 6))
+    for a, v, u in ((0, 2, 4), (1, 3, 5)):
+        F[:, a, a], F[:, v, v] = r, b
+        F[:, u, a] = fading * (1 - r)
+        Q[:, a, a] = A2 * (1 - r**2)
+        Q[:, a, u] = Q[:, u, a] = A2 * fading * (1 - r) ** 2
+        Q[:, u, u] = (
+            A2 * fading**2 * max(0.0, 2 * x - 3 + 4 * r - r**2) + kinds.walk**2 * dt / QUARTER_DAY
+        )
+        Q[:, v, v] = kinds.eddy**2 * (1 - b**2)
+    return F, Q
+
 
 HIDDEN = 4  # states before the parameters: trend and eddies
 

@@ -13,7 +13,7 @@ QUARTER_DAY = 21600.0  # s, the time that walks and trends are given for
 
 
 class Kind(NamedTuple):
-    """How restless a sea is, as `wandering` has it: floats, or arrays (m,) for m filters."""
+    """How restless a sea is, as `kalman` has it: floats, or arrays (m,) for m filters."""
 
     walk: Any = 0.01  # q, m/s per sqrt(6 h)
     trend: Any = 0.0  # A, m/s per 6 h

@@ -25,7 +25,8 @@ from math import hypot
 
 import numpy as np
 
-from ..estimation.fix_model import FixModel, miss
+from ..estimation.dive import miss
+from ..estimation.fix_model import FixModel
 from ..geodesy import displacement
 from ..gliders.dives import Dive
 from ..gliders.usable_dives import FASTEST

@@ -27,7 +27,7 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import ClptError
-from ..estimation.fix_regressor import reckoned
+from ..estimation.dive import reckoned
 from ..gliders.dives import Dive
 
 Flow = Callable[[float, float, float], tuple[float, float]]

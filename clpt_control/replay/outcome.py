@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from ..arguments import public
-from ..estimation.fix_model import miss
+from ..estimation.dive import miss
 from ..gliders.dives import Skipped
 from .flow_models import NOTE, why_uncovered
 from .learned import learned

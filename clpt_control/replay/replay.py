@@ -27,8 +27,9 @@ import numpy as np
 from ..arguments import public
 from ..currents.rayleigh import check_separable
 from ..errors import DataError
+from ..estimation.dive import miss
 from ..estimation.estimators import make_estimator
-from ..estimation.fix_model import OTHERS, FixModel, miss
+from ..estimation.fix_model import OTHERS, FixModel
 from ..estimation.kalman import KalmanBank
 from ..gliders.dives import Dive
 from ..progress.interrupt import check

@@ -9,9 +9,9 @@ import pytest
 from scipy.integrate import trapezoid
 from synthetic_vehicle import STEADY, vehicle
 
-from clpt_control.estimation.dive import make_dive
+from clpt_control.estimation.dive import make_dive, mid_time
 from clpt_control.estimation.estimators import ESTIMATORS
-from clpt_control.estimation.fix_model import FixModel, inertial_frequency, mid_time
+from clpt_control.estimation.fix_model import FixModel, inertial_frequency
 from clpt_control.replay.flow_model_file import read_flow_model
 from clpt_control.replay.flow_models import Uncovered, carried_by
 from clpt_control.replay.outcome import clpe_rms, summary

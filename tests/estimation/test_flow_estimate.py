@@ -14,14 +14,14 @@ from hypothesis import given, seed, settings
 from hypothesis import strategies as st
 
 import clpt_control as clpt
-from clpt_control.estimation.flow_methods import (
+from clpt_control.estimation.segments import SAMPLES, Segments
+from clpt_control.estimation.theta_from_fixes import (
     METHODS,
     fitted,
     kalman,
     least_squares,
     tomography,
 )
-from clpt_control.estimation.segments import SAMPLES, Segments
 
 estimate = clpt.estimation.flow_estimate
 PAPER = clpt.paper_scenario()

@@ -7,7 +7,8 @@ import pytest
 from scipy.stats import multivariate_normal, multivariate_t
 from synthetic_vehicle import vehicle
 
-from clpt_control.estimation.fix_model import FixModel, miss
+from clpt_control.estimation.dive import miss
+from clpt_control.estimation.fix_model import FixModel
 from clpt_control.estimation.kalman import KalmanBank, with_hidden
 from clpt_control.estimation.priors import Kind, Priors
 from clpt_control.replay.replay import replay_dives

@@ -6,10 +6,10 @@ from scipy.linalg import expm
 from synthetic_vehicle import vehicle
 
 from clpt_control.estimation import kalman
-from clpt_control.estimation.fix_model import FixModel, mid_time, miss
-from clpt_control.estimation.kalman import mixed
+from clpt_control.estimation.dive import mid_time, miss
+from clpt_control.estimation.fix_model import FixModel
+from clpt_control.estimation.kalman import mixed, wander
 from clpt_control.estimation.priors import QUARTER_DAY, Kind, Priors
-from clpt_control.estimation.wandering import wander
 
 PRIORS = Priors()
 KINDS = Kind(*np.array(PRIORS.kinds).T)
