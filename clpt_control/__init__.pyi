@@ -1,5 +1,6 @@
 from . import (
     blocks,
+    conformance,
     currents,
     diagrams,
     ensemble,
@@ -58,6 +59,7 @@ __all__ = [
     "animate",
     "blocks",
     "closed_loop",
+    "conformance",
     "connect",
     "currents",
     "diagrams",

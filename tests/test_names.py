@@ -15,7 +15,7 @@ FOUND = (  # by clpt.<tab>
     "theory.prove",
     "theory.audit",
     "ensemble.run_ensemble",
-    "blocks.conformance",
+    "conformance.conformance",
     "draw",
     "connect",
     "simulation.explained_variance",

@@ -20,12 +20,12 @@ from typing import Any
 import numpy as np
 
 from ..arguments import public
-from ..diagrams.scenario_basis import scenario_basis
 from ..equations.at_many import evaluate
 from ..errors import DataError
 from ..estimation.least_squares import least_squares
 from ..scenario import tides
 from ..scenario.experiment import Scenario
+from ..scenario.scenario_basis import scenario_basis
 from ..units import seconds_since_1970
 from .field_file import GriddedField
 from .gaps import fill_gaps, regular_grid

@@ -5,19 +5,17 @@ for any functions in their place.  An opaque helper is an undefined function of 
 arguments.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
-from math import copysign, isfinite
 from typing import Any
 
 import numpy as np
 import sympy
 
-from ..errors import BlockError
 from . import numbers
 from .block import Block
 from .elements import Elements, Index
-from .record import Operation, Ref, Shape
+from .record import Operation, Shape
 
 Leaf = Callable[[tuple[str, str], Shape, Index], Any]  # (group, name), its shape, a place -> symbol
 
@@ -125,141 +123,3 @@ NUMBERS: dict[str, Callable[..., Any]] = {
     "clip": lambda a, low, high: np.minimum(np.maximum(a, low), high),
     "pick": _picked,
 }
-
-
-# what loses its digits, or its range, written out: log1p(a) as log(1 + a)
-KEPT = {name: sympy.Function(f"{name}_", real=True) for name in ("hypot", "log1p", "expm1")}
-CIRCULAR = ("sin", "cos", "tan")  # NaN beyond MOST_ANGLE, as in every reading
-
-
-class _Uses(Elements):
-    """How often each operation on single numbers is used, in the order in which they come."""
-
-    def __init__(self, operations: Sequence[Operation], sizes: Mapping[str, int]):
-        super().__init__(operations, sizes)
-        self.count: list[int] = []
-
-    def leaf(self, at: tuple[str, str], shape: Shape, index: Index) -> Any:
-        """Count no leaves."""
-
-    def number(self, value: float) -> Any:
-        """Count no numbers."""
-
-    def picked(self, ref: int, table: Ref, place: Any) -> Any:
-        """Count the place alone where a row is a parameter."""
-        return self.apply(ref, "pick", (place, *([] if _row(self, table) else self.all_of(table))))
-
-    def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
-        """Count the arguments."""
-        for a in arguments:
-            if a is not None:
-                self.count[a] += 1
-        self.count.append(0)
-        return len(self.count) - 1
-
-
-def _row(elements: Elements, table: Ref) -> tuple[str, Any] | None:
-    """Return parameter and view of a row that is a parameter, or part of one."""
-    kind, arguments, shape, at = elements.operations[table]
-    view = None
-    if kind == "view":
-        view = at, elements.sized(shape)
-        kind, arguments, shape, at = elements.operations[arguments[0]]
-    return (at[1], view) if kind == "leaf" and at[0] == "p" else None
-
-
-class SymbolicFunction(Symbols):
-    """A block's equations as SymPy's expressions, to be called with numbers.
-
-    What is used twice is a symbol of its own, so that expressions stay short.
-    """
-
-    def __init__(self, block: Block, role: str):
-        record = block.array_record(role)
-        super().__init__(record.operations, self._leaf, sizes=block.sizes)
-        uses = _Uses(record.operations, block.sizes)
-        uses.outputs(record)
-        self.often = iter([n > 1 for n in uses.count])
-        self.leaves: dict[tuple, sympy.Symbol] = {}
-        self.steps: list[tuple[sympy.Symbol, sympy.Expr]] = []
-        values = self.outputs(record)
-        for value in (*values, *(value for _, value in self.steps)):
-            if value.has(sympy.zoo, sympy.nan, sympy.I):
-                raise BlockError(f"SymPy finds that the equations divide by zero: {value}")
-        self._compiled = self._function(values)
-
-    def _symbol(self, *key: Any) -> sympy.Symbol:
-        return self.leaves.setdefault(key, sympy.Symbol(f"leaf{len(self.leaves)}", real=True))
-
-    def _leaf(self, at: tuple[str, str], shape: Shape, index: Index) -> Any:
-        return self._symbol(*at, index)
-
-    def number(self, value: float) -> Any:
-        """Return a number; what SymPy would make more of is a symbol, as 0 * x."""
-        known = value and isfinite(value)
-        return sympy.Float(value) if known else self._symbol("", value, copysign(1.0, value))
-
-    def opaque(self, at: tuple, arguments: tuple, index: Index) -> Any:
-        """Return what a helper computes."""
-        return Elements.opaque(self, at, arguments, index)
-
-    def picked(self, ref: int, table: Ref, place: Any) -> Any:
-        """Return what stands in a row, which is one symbol where it is a parameter."""
-        row = _row(self, table)
-        if row is None:
-            return super().picked(ref, table, place)
-        return self._step(sympy.Function("picked", real=True)(self._symbol("row", *row), place))
-
-    def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
-        """Return what SymPy makes of an operation, as a symbol where it is used again."""
-        if kind in KEPT:
-            return self._step(KEPT[kind](*arguments))
-        if kind == "pow" and arguments[1] in (2.0, 3.0, 4.0):
-            arguments = arguments[0], sympy.Integer(arguments[1])
-        return self._step(super().apply(ref, kind, arguments))
-
-    def _step(self, value: Any) -> Any:
-        if not next(self.often) or not isinstance(value, sympy.Expr):
-            return value
-        symbol = sympy.Symbol(f"step{len(self.steps)}", real=True)
-        self.steps.append((symbol, value))
-        return symbol
-
-    def _function(self, values: Iterable[Any]) -> Callable:
-        from sympy.printing.numpy import SciPyPrinter
-
-        settings = {
-            "fully_qualified_modules": True,
-            "allow_unknown_functions": True,
-            "user_functions": {name: f"{name}_" for name in CIRCULAR},
-        }
-        printer = SciPyPrinter(settings)
-        lines = [f"    {symbol} = {printer.doprint(value)}" for symbol, value in self.steps]
-        outputs = ", ".join(printer.doprint(value) for value in values)
-        arguments = ", ".join(map(str, self.leaves.values()))
-        text = "\n".join([f"def values({arguments}):", *lines, f"    return [{outputs}]"])
-        space: dict[str, Any] = {"numpy": np, "picked": numbers.picked}
-        space |= NUMBERS
-        space |= {f"{name}_": numbers.OPERATIONS[name] for name in (*KEPT, *CIRCULAR)}
-        if "scipy" in text:
-            import scipy.special
-
-            space["scipy"] = scipy
-        exec(compile(text, "<the SymPy reading>", "exec"), space)
-        return space["values"]
-
-    def __call__(self, given: Callable[[str, str], np.ndarray]) -> np.ndarray:
-        """Return the value of each output; ``given("x", "alpha")`` is an array."""
-        values = []
-        for group, name, *more in self.leaves:
-            if group == "":
-                values.append(name)
-            elif group == "row":
-                row = given("p", name)
-                values.append(row if more[0] is None else numbers.viewed(row, *more[0]))
-            else:
-                values.append(np.asarray(given(group, name))[more[0]])
-        with np.errstate(all="ignore"):
-            return np.array(
-                self._compiled(*(np.asarray(v, dtype=float)[()] for v in values)), dtype=float
-            )

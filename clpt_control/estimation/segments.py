@@ -24,12 +24,12 @@ from scipy.integrate import simpson
 from scipy.interpolate import CubicSpline
 
 from ..blocks import speed_limit, vehicle
-from ..diagrams.scenario_basis import scenario_basis
 from ..equations.at_many import evaluate
 from ..equations.block import Block
 from ..errors import DataError, ScenarioError
 from ..geodesy import displacement
 from ..scenario.experiment import Scenario
+from ..scenario.scenario_basis import scenario_basis
 from .dive import Dive, reckoned
 
 if TYPE_CHECKING:

@@ -1,8 +1,3 @@
-from .all_readings import readings
 from .native_diagram import NativeDiagram, compile
 
-__all__ = [
-    "NativeDiagram",
-    "compile",
-    "readings",
-]
+__all__ = ["NativeDiagram", "compile"]

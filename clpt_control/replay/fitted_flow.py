@@ -16,13 +16,13 @@ from pathlib import Path
 import numpy as np
 
 from ..currents.plane import LocalPlane
-from ..diagrams.scenario_basis import scenario_basis
 from ..equations.block import Block
 from ..errors import DataError
 from ..files import open_netcdf
 from ..gliders.dives import Dive
 from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario
+from ..scenario.scenario_basis import scenario_basis
 from ..units import METRES, SECONDS, seconds_since_1970
 from .flow_models import Flow, FlowModel, Uncovered
 

@@ -27,11 +27,11 @@ from numpy.typing import ArrayLike
 from ..arguments import numbers, public
 from ..blocks.field import gridded_flow
 from ..currents.field_file import read_field
-from ..diagrams.scenario_basis import scenario_basis
 from ..equations.at_many import evaluate
 from ..errors import DataError
 from ..estimation.least_squares import explained_share
 from ..scenario.experiment import Scenario
+from ..scenario.scenario_basis import scenario_basis
 from .loops import paper_blocks
 
 if TYPE_CHECKING:

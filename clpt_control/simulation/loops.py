@@ -30,10 +30,10 @@ from ..blocks.localization import TRUE
 from ..diagrams.changes import Changes, Part, changes_of, inserted, replaced
 from ..diagrams.interconnection import Diagram, connect
 from ..diagrams.parts import functions_of, input_ports, output_ports
-from ..diagrams.scenario_basis import scenario_basis
 from ..equations.block import Block
 from ..errors import DiagramError
 from ..scenario.experiment import Scenario
+from ..scenario.scenario_basis import scenario_basis
 
 
 @public

@@ -6,9 +6,9 @@ import pytest
 import clpt_control as clpt
 from clpt_control.blocks import localization
 from clpt_control.blocks.disturbance import disturbance
-from clpt_control.diagrams.scenario_basis import scenario_basis
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.equations import evaluate
+from clpt_control.scenario.scenario_basis import scenario_basis
 
 COUNT = 6000
 NOISE = {"noise": 0.05, "noise_period": 0.5, "seed": 3}

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 import clpt_control as clpt
 from clpt_control.blocks import speed_limit
+from clpt_control.conformance import readings
 from clpt_control.errors import ScenarioError
-from clpt_control.native.all_readings import readings
 
 PAPER = clpt.paper_scenario()
 LIMITED = PAPER.with_values({"vehicle.max_speed": 1.5})

@@ -12,9 +12,9 @@ import clpt_control as clpt
 from clpt_control.currents.fit import fit_scenario
 from clpt_control.currents.fit_file import save_fit
 from clpt_control.currents.sample import sample_currents
-from clpt_control.diagrams.scenario_basis import scenario_basis
 from clpt_control.errors import ArgumentError, ClptError, DataError, ScenarioError
 from clpt_control.replay.flow_model_file import read_flow_model
+from clpt_control.scenario.scenario_basis import scenario_basis
 from clpt_control.simulation.flows import explained_variance
 
 MARACOOS = sample_currents()

@@ -286,7 +286,7 @@ def test_a_jump_may_branch(engine):
 
 def test_a_block_that_jumps_conforms_is_copied_and_pickled():
     block = saw(jump=read, inputs={"r": 1})
-    clpt.blocks.conformance(block)
+    clpt.conformance.conformance(block)
     for twin in (pickle.loads(pickle.dumps(block)), copy.deepcopy(block), block.copy(name="twin")):
         found = response(twin, [0.0, 1.5], 3.0, [0.0])
         np.testing.assert_allclose(found.states[0], [0.0, 4.5], atol=1e-12)

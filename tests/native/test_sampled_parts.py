@@ -379,5 +379,5 @@ def test_conformance_holds():
     """By itself a block holds what it is given."""
     loop = clpt.connect([error(), limited(), pid_of("w"), tanks()], external="r")
     for block in loop.syslist[1:3]:
-        report = clpt.blocks.check_block(block)
+        report = clpt.conformance.check_block(block)
         assert not report.failures, report

@@ -59,7 +59,7 @@ def made():
         "Diagram": clpt.connect([block], external=["a<i>"], name="d<i>"),
         "Drawing": clpt.draw(loop),
         "Replay": replay,
-        "ConformanceReport": clpt.blocks.check_block(block),
+        "ConformanceReport": clpt.conformance.check_block(block),
         "Verdict": clpt.theory.prove(LAW.of(1, gain=-0.5), points=200),
         "Excitation": clpt.theory.gramian(scenario, 20.0),
         "TeamExcitation": clpt.theory.team_gramian(team, 20.0),

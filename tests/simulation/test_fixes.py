@@ -6,9 +6,9 @@ import pytest
 import clpt_control as clpt
 from clpt_control.blocks import localization
 from clpt_control.blocks.disturbance import hash_fraction
-from clpt_control.diagrams.scenario_basis import scenario_basis
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.equations import evaluate
+from clpt_control.scenario.scenario_basis import scenario_basis
 from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
 TABLE = "learning.fix_regression"

@@ -80,7 +80,7 @@ def test_a_robust_law_is_bounded(name, N):
     }
     assert said[name] in verdict.reached
     assert (verdict.level is None) == (name == "dead-zone")
-    clpt.blocks.conformance(law_of(name, N))
+    clpt.conformance.conformance(law_of(name, N))
 
 
 def burst(law, faint, quiet, cycles=4, theta=0.5):

@@ -17,10 +17,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...arguments import public
-from ...diagrams.scenario_basis import scenario_basis
 from ...equations.at_many import evaluate
 from ...scenario.experiment import Scenario
 from ...scenario.file import paper_scenario
+from ...scenario.scenario_basis import scenario_basis
 from ...simulation.integrate import sample_times, simulate
 from ..excitation.gramian import started_true
 from .printed_bounds import PrintedBound, printed_bound

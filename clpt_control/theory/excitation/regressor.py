@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from ...blocks.reference import multiples, reference
-from ...diagrams.scenario_basis import scenario_basis
 from ...equations.at_many import evaluate
 from ...errors import ScenarioError
 from ...scenario.experiment import Scenario
 from ...scenario.file import OWN_LAW, OWN_PARTS
+from ...scenario.scenario_basis import scenario_basis
 from ...scenario.team import Team
 from ...simulation.integrate import simulate
 from .between_samples import Source, positions_between, scenario_of, span_of

@@ -7,10 +7,10 @@ from typing import Any
 import control
 import numpy as np
 
-from ...equations.at_many import leaf_values
-from ...equations.block import Block
-from ...equations.symbolic import expressions
-from ...errors import BlockError
+from ..equations.at_many import leaf_values
+from ..equations.block import Block
+from ..equations.symbolic import expressions
+from ..errors import BlockError
 from .equations import Sample, control_values, differ, own_copy, python_values, roles
 
 LINEAR = 1e-4

@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 from package_blocks import BLOCKS
 
-from clpt_control.blocks import ConformanceReport, check_block, clpe, conformance, vehicle
-from clpt_control.blocks.checks.equations import roles
+from clpt_control.blocks import clpe, vehicle
 from clpt_control.blocks.laws.learned_flow import LAW
+from clpt_control.conformance import ConformanceReport, check_block, conformance
+from clpt_control.conformance.equations import roles
 from clpt_control.equations import Block
 from clpt_control.errors import ArgumentError, BlockError
 from clpt_control.native import elementary, printing

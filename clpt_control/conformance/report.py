@@ -1,4 +1,4 @@
-"""Does a block do what every block must?  `clpt.blocks.conformance(my_block)` checks.
+"""Does a block do what every block must?  `clpt.conformance.conformance(my_block)` checks.
 
 A block that passes can be wired, compiled, proved with, copied, pickled, linearized
 and integrated like the paper's own.  Each check is a generator that takes random
@@ -8,19 +8,12 @@ arguments and gives one plain sentence for each failure.
 from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
-from ...arguments import Seed, public
-from ...equations.block import Block
-from ...errors import BlockError
-from ...html.fragment import facts, fragment, unfolding
+from ..arguments import Seed, public
+from ..equations.block import Block
+from ..errors import BlockError
+from ..html.fragment import facts, fragment, unfolding
 from .diagrams import _copies, _interconnects, _jumps, _linearizes, _parameters, _pickles
-from .equations import (
-    Sample,
-    _in_range,
-    _readings,
-    _repeats,
-    _zero,
-    random_samples,
-)
+from .equations import Sample, _in_range, _readings, _repeats, _zero, random_samples
 from .scaling import keeps_units
 
 Check = Callable[[Block, list[Sample]], Iterator[str]]
@@ -53,7 +46,7 @@ class ConformanceReport(NamedTuple):
     --------
     >>> import clpt_control as clpt
     >>> from clpt_control.blocks.vehicle import vehicle
-    >>> clpt.blocks.check_block(vehicle()).ok
+    >>> clpt.conformance.check_block(vehicle()).ok
     True
     """
 
@@ -110,7 +103,7 @@ def conformance(
     --------
     >>> import clpt_control as clpt
     >>> from clpt_control.blocks.vehicle import vehicle
-    >>> clpt.blocks.conformance(vehicle())
+    >>> clpt.conformance.conformance(vehicle())
     """
     report = check_block(block, seed, samples, units)
     if not report.ok:
@@ -145,7 +138,7 @@ def check_block(
     --------
     >>> import clpt_control as clpt
     >>> from clpt_control.blocks.vehicle import vehicle
-    >>> print(clpt.blocks.check_block(vehicle()))
+    >>> print(clpt.conformance.check_block(vehicle()))
     vehicle: conforms (9 checks)
     """
     block.read_anew()

@@ -23,13 +23,13 @@ import numpy as np
 from ..arguments import public
 from ..equations.at_many import leaf_values
 from ..equations.block import Block
-from ..equations.symbolic import SymbolicFunction
 from ..errors import DiagramError
-from .native_diagram import NativeDiagram
-from .processor import LANES
-from .python_diagram import PythonDiagram
-from .schedule import JUMPS
-from .sweep import Sweep
+from ..native.native_diagram import NativeDiagram
+from ..native.processor import LANES
+from ..native.python_diagram import PythonDiagram
+from ..native.schedule import JUMPS
+from ..native.sweep import Sweep
+from .symbolic_function import SymbolicFunction
 
 Asked = tuple[np.ndarray, np.ndarray]
 
@@ -74,7 +74,7 @@ def readings(
     --------
     >>> import clpt_control as clpt
     >>> from clpt_control.blocks.clpe import clpe
-    >>> for name, ask in clpt.native.readings(clpe()).items():
+    >>> for name, ask in clpt.conformance.readings(clpe()).items():
     ...     print(name, ask(0.0, [], [3.0, 2.0, 1.0, 1.0])[1])
     python [2. 1.]
     control [2. 1.]

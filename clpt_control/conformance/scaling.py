@@ -15,8 +15,8 @@ from collections.abc import Callable, Iterator, Mapping
 
 import numpy as np
 
-from ...equations.block import Block
-from ...errors import BlockError
+from ..equations.block import Block
+from ..errors import BlockError
 from .equations import Sample, python_values, roles
 
 FACTOR = 1.7  # by which a unit is made smaller

@@ -5,8 +5,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...equations.block import Block
-from ...errors import ClptError
+from ..equations.block import Block
+from ..errors import ClptError
+from .all_readings import readings
 
 
 class Sample(NamedTuple):
@@ -103,8 +104,6 @@ def _zero(block: Block, drawn: list[Sample]) -> Iterator[str]:
 
 def _readings(block: Block, drawn: list[Sample]) -> Iterator[str]:
     """Every reading computes what Python computes."""
-    from ...native.all_readings import readings
-
     for name, reading in readings(block).items():
         for sample in drawn:
             point = sample.t, sample.x, sample.u

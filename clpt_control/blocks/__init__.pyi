@@ -1,3 +1,0 @@
-from .checks import ConformanceReport, check_block, conformance
-
-__all__ = ["ConformanceReport", "check_block", "conformance"]
