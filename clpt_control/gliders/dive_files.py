@@ -19,9 +19,7 @@ from ..files import open_netcdf
 from ..files.reading import read_bytes, text_of
 from ..progress.interrupt import check
 from . import dive_table, og1, seaexplorer, seaglider, slocum
-from .dives import Dive, Skipped
-from .segments import is_segment
-from .vehicles import name_in, name_of_file, named
+from .dives import Dive, Skipped, is_segment, name_in, name_of_file, named
 
 OF_NETCDF = (seaglider, og1)
 OF_TEXT = (seaexplorer, dive_table)  # which takes any text, so it is the last

@@ -25,8 +25,7 @@ from ..errors import DataError
 from ..files import write_text
 from ..geodesy import displacement
 from ..units import seconds_since_1970
-from .dives import NUMBERS, Dive, Fix, Skipped, make_dive, whole_number
-from .vehicles import name_of, named
+from .dives import NUMBERS, Dive, Fix, Skipped, make_dive, name_of, named, whole_number
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")
 END = ("t_gpse", "lat_gpse", "lon_gpse")

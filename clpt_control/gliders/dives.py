@@ -10,18 +10,45 @@ and the time of flight, which differs from ours by up to 0.5 % of the displaceme
 between the fixes and by the minutes at the surface: some 2 mm/s, five at most in
 sound dives that were tried.  More says that the samples in the file are not all
 that its current was made of.
+
+A dive lies between two fixes, far enough apart in time, with a time under water between them.
+
+It may begin in one file and end in a later one.  Such a file is a segment of a Slocum's
+mission, rosie_713-2019-166-0-156.sbd or 00970156.sbd, or of a SeaExplorer's navigation,
+sea035.10.gli.sub.3 or .gz.  It gives the dives that end in it; the files before it, of the
+same vehicle in the same folder, are joined to it.
 """
 
+import re
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from math import hypot, isfinite
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numpy as np
 
 from ..errors import DataError
 from ..estimation.dive import Dive as Dive
 from ..estimation.dive import Fix as Fix
 from ..estimation.dive import make_dive as make_dive
+from ..geodesy import is_place
 
 MENTIONED = 0.01  # m/s
+LEAST_DEPTH = 5.0  # m that a dive reaches
+Three = tuple[Fix | None, Fix, Fix]  # of a dive: first of the stay before it, before, after it
 NUMBERS = 2**31  # dive numbers are smaller, as files keep them in 32 bits
+LONGEST = 40  # letters; a longer one is no name
+FILES = (
+    re.compile(r"(.+?)-\d{4}-\d+-\d+-\d+"),  # of a Slocum: rosie_713-2019-166-0-156
+    re.compile(r"(sea\d+)\.\d+\.", re.IGNORECASE),  # of a SeaExplorer: sea035.10.gli.sub.12.gz
+)
+DATED = re.compile(r"(.+?)_\d{8}")  # SG015_20040929T140907_delayed
+Part = TypeVar("Part")
+BACK = 6  # files before one that are joined to it at most
+SLOCUM = re.compile(r"(?P<who>.*?)-?(?P<order>\d+-\d+-\d+-\d+|\d{8})(?P<kind>\.[smd]bd)", re.I)
+SEAEXPLORER = re.compile(r"(?P<who>.*)(?P<kind>\.gli\.(?:sub|raw))\.(?P<order>\d+)(?:\.gz)?", re.I)
 
 
 @dataclass(frozen=True)
@@ -49,6 +76,45 @@ def whole_number(value: float | str | None) -> int | None:
     return int(number) if number.is_integer() and abs(number) < NUMBERS else None
 
 
+def is_fix(lat: float, lon: float) -> bool:
+    """Whether two numbers, degrees, can be a fix; 0 N 0 E is what a receiver without one gives."""
+    return is_place(lat, lon) and not lat == lon == 0.0
+
+
+def has_start(fixes: Sequence[Fix], wet: np.ndarray) -> bool:
+    """Whether a fix stands before the first time under water."""
+    return bool(fixes) and (wet.size == 0 or fixes[0][0] <= wet[0])
+
+
+def cut_dives(fixes: Sequence[Fix], wet: np.ndarray | None, least_gap: float) -> list[Three]:
+    """Return the fixes of each dive: more than a gap (s) apart, with a time under water between.
+
+    Fixes and times under water, `wet`, are in order; with None for these any gap is a dive.
+
+    >>> up = [(0.0, 43.0, 8.0), (60.0, 43.0, 8.0), (7200.0, 43.0, 8.1), (9000.0, 43.0, 8.1)]
+    >>> cut_dives(up, np.array([600.0]), 300.0) == [tuple(up[:3])]
+    True
+    """
+    found: list[Three] = []
+    surfaced = 0  # first fix since the dive before
+    for k, (start, end) in enumerate(pairwise(fixes)):
+        dived = wet is None or np.ptp(np.searchsorted(wet, (start[0], end[0]), "right")) > 0
+        if end[0] - start[0] > least_gap and dived:
+            found.append((fixes[surfaced] if k > surfaced else None, start, end))
+            surfaced = k + 1
+    return found
+
+
+def dive_between(
+    number: int, fixes: Three, through_water: tuple[float, float], **optional: Any
+) -> Dive:
+    """Make a dive of its three fixes, `compared` with the current of its file."""
+    first: dict[str, Any] = dict(
+        zip(("t_gps1", "lat_gps1", "lon_gps1"), fixes[0] or (None,) * 3, strict=True)
+    )
+    return compared(make_dive(number, fixes[1], fixes[2], through_water, **first, **optional))
+
+
 def compared(dive: Dive) -> Dive:
     """Add a note where miss / duration differs from the file's current by over 10 mm/s.
 
@@ -71,3 +137,104 @@ def compared(dive: Dive) -> Dive:
         "depth-averaged current"
     )
     return replace(dive, notes=(*dive.notes, note))
+
+
+def named(dives: list[Dive], name: str | None) -> list[Dive]:
+    """Return dives that bear the name of their vehicle, unless they have one."""
+    return [dive if dive.vehicle else replace(dive, vehicle=name) for dive in dives]
+
+
+def changes_noted(dives: list[Dive]) -> list[Dive]:
+    """Return dives, noted where one is of another vehicle than the last that bears a name."""
+    noted, last = [], None
+    for dive in dives:
+        name = dive.vehicle
+        if name and last and name.casefold() != last.casefold():
+            note = f"is of {name}, those before of {last}: replay each on its own"
+            dive = replace(dive, notes=(*dive.notes, note))
+        last = name or last
+        noted.append(dive)
+    return noted
+
+
+def name_in(data: Any) -> str | None:
+    """Return the vehicle's name in an open xarray.Dataset: its identifier, or its serial number.
+
+    >>> import xarray
+    >>> name_in(xarray.Dataset(attrs={"id": "SG015_20040929T140907_delayed"}))
+    'SG015'
+    >>> name_in(xarray.Dataset(attrs={"id": "x", "platform_id": " SG171 "}))
+    'SG171'
+    """
+    serial = data.get("platform_serial_number")
+    values = [data.attrs.get("platform_id"), None]
+    if serial is not None and serial.ndim == 0 and serial.dtype.kind in "SUO":
+        value = serial.values.item()
+        values[1] = value.decode("utf-8", "replace") if isinstance(value, bytes) else value
+    dated = DATED.match(str(data.attrs.get("id", "")))
+    return name_of(*values, dated and dated[1])
+
+
+def name_of_file(file: str) -> str | None:
+    """Return the vehicle's name in that of a file of a Slocum or a SeaExplorer.
+
+    >>> name_of_file("rosie_713-2019-166-0-156.sbd"), name_of_file("sea035.10.gli.sub.12.gz")
+    ('rosie_713', 'sea035')
+    >>> name_of_file("dives.csv") is None
+    True
+    """
+    matches = (pattern.match(file) for pattern in FILES)
+    return name_of(*(found[1] for found in matches if found))
+
+
+def name_of(*values: Any) -> str | None:
+    """Return the first value that is a name, None where none is."""
+    for value in values:
+        name = value.strip() if isinstance(value, str) else ""
+        if 0 < len(name) <= LONGEST and name.isprintable():
+            return name
+    return None
+
+
+def is_segment(path: Path) -> bool:
+    """Whether a name is that of a segment.
+
+    >>> [is_segment(Path(name)) for name in ("00970156.SBD", "sea035.10.gli.sub.3.gz", "p1.nc")]
+    [True, True, False]
+    """
+    return path.suffix.lower() in (".sbd", ".mbd", ".dbd") or bool(SEAEXPLORER.fullmatch(path.name))
+
+
+def files_before(path: Path) -> list[Path]:
+    """Return the files before one of the same vehicle in its folder, the nearest last."""
+    vehicle, place = _order(path)
+    try:
+        inside = [(file, _order(file)) for file in path.parent.iterdir() if file.name[:1] != "."]
+    except OSError:
+        return []
+    known = sorted((order[1], file) for file, order in inside if order[0] == vehicle)
+    return [file for order, file in known if order < place][-BACK:]
+
+
+def with_those_before(
+    path: Path, own: Part, read: Callable[[Path], Part], whole: Callable[[list[Part]], bool]
+) -> list[Part]:
+    """Return what a file holds behind what those before it do, until the parts are `whole`."""
+    parts = [own]
+    for before in reversed(files_before(path)):
+        if whole(parts):
+            break
+        try:
+            parts.insert(0, read(before))
+        except DataError:  # named where it is read for itself
+            continue
+    return parts
+
+
+def _order(path: Path) -> tuple[str, list[int]]:
+    """Return the vehicle and kind of a file, and its place among theirs."""
+    found = SLOCUM.fullmatch(path.name) or SEAEXPLORER.fullmatch(path.name)
+    if not found:
+        return path.name, []
+    whose = f"{found['who']}{found['kind']}".lower()
+    return whose, [int(number) for number in re.findall(r"\d+", found["order"])]

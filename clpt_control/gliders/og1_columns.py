@@ -11,16 +11,27 @@ rows.  Where there is no `TIME_GPS`, a fix has the `TIME` of its row.  Where the
 `LATITUDE_GPS`, fixes are the places with `DEAD_RECKONING` = 0, which the receiver gave.
 Times of fixes without units are in the unit in which most of them lie among the
 measurements, or within a day of them.
+
+Some files, of Spray, say of every measurement where and when its dive ended:
+`TIME_GPS_END`, `LATITUDE_GPS_END`, `LONGITUDE_GPS_END` are the fix after the dive,
+repeated at its measurements, `TIME_GPS`, `LATITUDE_GPS`, `LONGITUDE_GPS` the one
+before it.  Where that one is missing, it follows from the middle of the segment under
+water (`TIME_UV`, `LATITUDE_UV`, `LONGITUDE_UV`), which its maker defines as halfway
+between both fixes (Scripps Institution of Oceanography, comments of sp028_20230202T1637):
+
+    start = 2 middle - end,
+
+good to twice the last digit of the file, some 10 m.
 """
 
-from math import nan
+from math import isfinite, nan
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from ..errors import DataError
-from ..geodesy import is_place
+from .dives import Fix, is_fix
 from .samples import SURFACE, metres, metres_per_second, seconds, values
 from .usable_dives import DAY, SMALLER
 
@@ -38,6 +49,10 @@ NORTH = ("DAVG_CURR_NORTH", "VCUR", "DAC_NORTH", "DEPTH_AVG_CURR_NORTH", "WCUR_Y
 QUALITY = ("DAVG_CURR_EAST_QC", "DAVG_CURR_QC", "DEPTH_AVG_CURR_QC", "WCUR_QC")
 NUMBER = ("DIVE_NUMBER", "DIVE_NUM", "DIVENUM", "DIVE_NUM_CAST", "PROFILE_INDEX")
 FASTEST_CLIMB = 1.0  # m/s: no glider comes up faster
+NAMES = ("TIME{}", "LATITUDE{}", "LONGITUDE{}")
+END, START, MIDDLE = ("_GPS_END", "_GPS", "_UV")
+END_FLAG = "GPS_END_QC"
+DOUBTFUL = (3.0, 4.0)  # flags of a fix: questionable, bad
 
 
 class Columns(NamedTuple):
@@ -161,7 +176,7 @@ def fixes_in(of: dict[str, np.ndarray], path: Path) -> tuple[np.ndarray, np.ndar
     """
     some = np.isfinite(of["lat"]) | np.isfinite(of["lon"])
     places = zip(of["lat"].tolist(), of["lon"].tolist(), strict=True)
-    good = np.array([is_place(*place) and place != (0.0, 0.0) for place in places], dtype=bool)
+    good = np.array([is_fix(*place) for place in places], dtype=bool)
     good &= some & np.isfinite(of["t_fix"]) & (of["t_fix"] > 0)
     rows = np.flatnonzero(good)
     failed = of["t_fix"][some & ~good]
@@ -205,3 +220,73 @@ def _frame(data: "xarray.Dataset", known: dict[str, str]) -> str:
         return ""
     said = " ".join(str(value) for value in data[name].attrs.values()).lower()
     return "magnetic" if "magnetic" in said else "true" if "true" in said else ""
+
+
+class Segment(NamedTuple):
+    """The fixes of a dive, NaN where there is none, and notes."""
+
+    start: Fix
+    end: Fix
+    notes: list[str]
+
+
+def has_ends(data: "xarray.Dataset") -> bool:
+    """Whether the file has a fix after the dive for each measurement."""
+    return all(name.format(END) in known_names(data) for name in NAMES)
+
+
+def segments_of(data: "xarray.Dataset", path: Path) -> list[Segment]:
+    """Return the segments between fixes by time, one for each fix after a dive."""
+    known = known_names(data)
+    of = {suffix: _fixes(data, known, suffix, path) for suffix in (END, START, MIDDLE)}
+    ends = of[END]
+    if not np.isfinite(ends).all(axis=0).any():
+        raise DataError(
+            f"{path}: TIME_GPS_END, LATITUDE_GPS_END, LONGITUDE_GPS_END have no fix; a dive needs "
+            "one before and one after it"
+        )
+    flags = values(data, known[END_FLAG]) if END_FLAG in known else np.full(ends.shape[1], nan)
+    found = []
+    for time in np.unique(ends[0][np.isfinite(ends).all(axis=0)]):
+        rows = np.flatnonzero(ends[0] == time)
+        end = _fix(ends, rows)
+        start, middle = _fix(of[START], rows), _fix(of[MIDDLE], rows)
+        notes = []
+        if not _whole(start) and _whole(middle):
+            start = 2 * middle[0] - end[0], 2 * middle[1] - end[1], 2 * middle[2] - end[2]
+            notes.append("the fix before the dive computed from the segment's middle and its end")
+        if flags.shape == ends[0].shape and flags[rows[0]] in DOUBTFUL:
+            notes.append(f"the file flags the fix after the dive {flags[rows[0]]:g}")
+        found.append(Segment(start, end, notes))
+    return found
+
+
+def _fixes(data: "xarray.Dataset", known: dict[str, str], suffix: str, path: Path) -> np.ndarray:
+    """Return time (s), latitude and longitude with a suffix, (3, n); what is no place is NaN.
+
+    A file that has none has one of NaN for each end.
+    """
+    names = [name.format(suffix) for name in NAMES]
+    if not all(name in known for name in names):
+        return np.full((3, data[known[NAMES[0].format(END)]].size), nan)
+    time = seconds(data, known[names[0]], path)
+    lat, lon = (values(data, known[name]) for name in names[1:])
+    if not (time.ndim == 1 and time.shape == lat.shape == lon.shape):
+        raise DataError(f"{path}: {', '.join(names)} differ in length; must be one per measurement")
+    places = zip(lat.tolist(), lon.tolist(), strict=True)
+    good = np.array([is_fix(*place) for place in places], dtype=bool)
+    return np.where(good, [time, lat, lon], nan)
+
+
+def _fix(columns: np.ndarray, rows: np.ndarray) -> Fix:
+    """Return the first fix that is whole among rows, else NaN."""
+    own = columns[:, rows]
+    whole = own[:, np.isfinite(own).all(axis=0)]
+    if not whole.size:
+        return nan, nan, nan
+    time, lat, lon = whole[:, 0].tolist()
+    return time, lat, lon
+
+
+def _whole(fix: Fix) -> bool:
+    return all(isfinite(number) for number in fix)

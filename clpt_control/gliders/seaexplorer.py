@@ -5,7 +5,7 @@ A text of columns between `;`: Timestamp (day/month/year), NavState, Heading and
 in ddmm.mmm.  A fix is a place that is new where NavState is 116, at the surface.
 
 A dive lies between two fixes with a depth of more than 5 m between them.  It often ends in the
-file after that in which it began (`segments`).  The vehicle flies along its nose,
+file after that in which it began (`dives`).  The vehicle flies along its nose,
 
     u = -(dz/dt)/tan(pitch),    dr = sum_i u_i (t_i - t_{i-1}) (sin h_i, cos h_i),
 
@@ -23,18 +23,26 @@ import numpy as np
 
 from ..errors import DataError
 from ..files.reading import LARGEST, read_bytes, text_of
-from ..geodesy import is_place
-from .dives import Dive, Fix, Skipped, make_dive
+from .dives import (
+    LEAST_DEPTH,
+    Dive,
+    Fix,
+    Skipped,
+    Three,
+    cut_dives,
+    dive_between,
+    has_start,
+    is_fix,
+    with_those_before,
+)
 from .samples import deepest, hole_under_water, track_of
-from .segments import files_before
-from .slocum_reckoning import degrees
+from .slocum import degrees
 
 GZIP = b"\x1f\x8b"
 FIRST = "Timestamp;"
 NEEDED = ("NavState", "Heading", "Declination", "Pitch", "Depth", "Lat", "Lon")
 ESTIMATED = "DeadReckoning"  # in some files: 1 where Lat, Lon are no fix
 AT_SURFACE = 116
-LEAST_DEPTH = 5.0  # m
 LEAST_GAP = 300.0  # s between two fixes with a dive between them
 LEAST_PITCH = 10.0  # degrees
 FASTEST = 1.5  # m/s
@@ -59,21 +67,25 @@ def unzipped(raw: bytes, path: Path) -> str:
 def dives_of(text: str, path: Path) -> tuple[list[Dive], list[Skipped]]:
     """Return the dives that end in a file."""
     own = _rows(text, path)
-    start, parts = float(own[:, 0].min()), [own]
-    for before in reversed(files_before(path)):
-        if _has_start(np.concatenate(parts)):
-            break
-        try:
-            raw = read_bytes(before)
-            known = unzipped(raw, before) if raw[:2] == GZIP else text_of(raw, before, "no text")
-            parts.insert(0, _rows(known, before))
-        except DataError:  # named where it is read for itself
-            continue
-    rows = np.concatenate(parts)
+
+    def read(before: Path) -> Rows:
+        raw = read_bytes(before)
+        known = unzipped(raw, before) if raw[:2] == GZIP else text_of(raw, before, "no text")
+        return _rows(known, before)
+
+    def whole(parts: list[Rows]) -> bool:
+        rows = np.concatenate(parts)
+        return has_start(_fixes(rows), _wet(rows))
+
+    rows = np.concatenate(with_those_before(path, own, read, whole))
     rows = rows[np.unique(rows[:, 0], return_index=True)[1]]
     digits = [part for part in path.name.split(".") if part.isdecimal()]
     number = int(digits[-1]) if digits else 0
-    return _dives(rows, start, number), []
+    return [
+        _dive(rows[(rows[:, 0] >= three[1][0]) & (rows[:, 0] <= three[2][0])], three, number)
+        for three in cut_dives(_fixes(rows), _wet(rows), LEAST_GAP)
+        if three[2][0] >= own[:, 0].min()
+    ], []
 
 
 def _rows(text: str, path: Path) -> Rows:
@@ -119,35 +131,17 @@ def _fixes(rows: Rows) -> list[Fix]:
         fix = float(rows[k, 0]), float(lat[k]), float(lon[k])
         new = rows[k, 6] != rows[k - 1, 6] or rows[k, 7] != rows[k - 1, 7]
         own = rows[k, 1] == AT_SURFACE and not rows[k, 8] > 0
-        if new and own and is_place(*fix[1:]) and not fix[1] == fix[2] == 0.0:
+        if new and own and is_fix(*fix[1:]):
             fixes.append(fix)
     return fixes
 
 
-def _has_start(rows: Rows) -> bool:
-    fixes, wet = _fixes(rows), rows[rows[:, 5] > LEAST_DEPTH, 0]
-    return bool(fixes) and (wet.size == 0 or fixes[0][0] <= wet[0])
+def _wet(rows: Rows) -> np.ndarray:
+    return rows[rows[:, 5] > LEAST_DEPTH, 0]
 
 
-def _dives(rows: Rows, since: float, number: int) -> list[Dive]:
-    """Return the dives that end at or after a time."""
-    fixes = _fixes(rows)
-    dives: list[Dive] = []
-    surfaced = 0
-    for k in range(len(fixes) - 1):
-        start, end = fixes[k], fixes[k + 1]
-        part = rows[(rows[:, 0] >= start[0]) & (rows[:, 0] <= end[0])]
-        if end[0] - start[0] < LEAST_GAP or not np.any(part[:, 5] > LEAST_DEPTH):
-            continue
-        before = fixes[surfaced] if k > surfaced else None
-        surfaced = k + 1
-        if end[0] >= since:
-            dives.append(_dive(part, (before, start, end), number))
-    return dives
-
-
-def _dive(rows: Rows, fixes: tuple[Fix | None, Fix, Fix], number: int) -> Dive:
-    before, start, end = fixes
+def _dive(rows: Rows, fixes: Three, number: int) -> Dive:
+    _, start, end = fixes
     duration, notes = end[0] - start[0], []
     good = np.isfinite(rows[:, [2, 3, 4, 5]]).all(axis=1)
     rows = rows[good]
@@ -165,12 +159,10 @@ def _dive(rows: Rows, fixes: tuple[Fix | None, Fix, Fix], number: int) -> Dive:
         east, north = step * np.sin(true), step * np.cos(true)
         total = float(east.sum()), float(north.sum())
         track = track_of(time - start[0], east, north, duration)
-    return make_dive(
+    return dive_between(
         number,
-        start,
-        end,
+        fixes,
         total,
-        **dict(zip(("t_gps1", "lat_gps1", "lon_gps1"), before or (None,) * 3, strict=True)),
         magvar=float(np.median(declination)) if declination.size else None,
         depth_max=deepest(depth),
         track=track,

@@ -9,10 +9,16 @@ the water since the sample before, by its hydrodynamic model, in
 and where that model is missing the glide-slope model (`_gsm`) is read.  Times are
 `ctd_time` or `time`, whichever has the dimension of the displacement: one
 `sg_data_point` in files to version 2, one per instrument in those of version 3.
+
+The three fixes of a dive, `log_gps_time`, `log_gps_lat`, `log_gps_lon`, shape (3,), are
+GPS1 (first fix of the surfacing before the dive), GPS2 (last fix before it) and GPSE
+(first after it).  A receiver that times out is logged at 0 N 0 E with a horizontal dilution of
+precision (hdop) of 99.  The fix before the dive is the later of GPS1 and GPS2:
+where GPS2 failed, an older one may stand in its place.
 """
 
 import re
-from math import nan
+from math import isfinite, nan
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,18 +26,75 @@ import numpy as np
 
 from ..errors import DataError
 from ..estimation.dive import Track
-from .dives import NUMBERS, Dive, Skipped, compared, make_dive, whole_number
+from .dives import NUMBERS, Dive, Fix, Skipped, Three, dive_between, is_fix, whole_number
 from .samples import deepest, fill, hole_under_water, metres, scalar, seconds, track_of, values
-from .seaglider_fixes import FIXES, fixes_of
 
 if TYPE_CHECKING:
     import xarray
 
+FIXES = ("log_gps_time", "log_gps_lat", "log_gps_lon")
+NAMES = ("GPS1", "GPS2", "GPSE")
+GOOD = (0.0, 1.0, 2.0)  # flags of a fix: no change, good, probably good
+POOR = 10.0  # hdop that is mentioned; a good one is about 1
+FAILED = 99.0  # hdop of a receiver that timed out
 LONGEST_STEP = 1e5  # m in one sample: beyond, a fill value
 REPAIRABLE = 0.05  # largest share of samples that is filled from their neighbours
 LONGEST_GAP = 900.0  # s between samples that is mentioned
 DEPTHS = ("depth", "ctd_depth", "eng_depth")
 NOT_KNOWN = (nan, nan)
+
+
+def fixes_of(data: "xarray.Dataset", path: Path, first_sample: float) -> tuple[Three, list[str]]:
+    """Return the fixes of a file whose first sample is at a time (s, NaN where not known).
+
+    A fix that failed is NaN, and its note says so; the first is None where it cannot be used.
+    """
+    missing = [name for name in FIXES if name not in data.variables]
+    if missing:
+        raise DataError(
+            f"{path}: no variable {' and no '.join(missing)}; a Seaglider basestation file has "
+            "its fixes there"
+        )
+    columns = [seconds(data, FIXES[0], path), *(values(data, name) for name in FIXES[1:])]
+    if any(column.shape != (3,) for column in columns):
+        raise DataError(
+            f"{path}: {columns[0].size} fixes in {FIXES[0]}; must be 3: GPS1, GPS2 and GPSE"
+        )
+    notes: list[str] = []
+    fixes = [_checked(data, k, columns, notes) for k in range(3)]
+    first: Fix | None
+    first, start, end = fixes
+    if not (isfinite(first[0]) and is_fix(*first[1:])):
+        first = None
+    elif start[0] < first[0]:
+        late = f"GPS2 is {first[0] - start[0]:.0f} s older than GPS1"
+        if first[0] <= first_sample:
+            notes.append(f"{late}, so GPS1 is taken as the fix before the dive")
+            start = first
+        else:
+            notes.append(f"{late}, which is left out")
+        first = None
+    return (first, start, end), notes
+
+
+def _checked(data: "xarray.Dataset", k: int, columns: list[np.ndarray], notes: list[str]) -> Fix:
+    time, lat, lon = (float(column[k]) for column in columns)
+    name = NAMES[k]
+    flags = [scalar(data, f"{name}_qc")]
+    for other in ("log_gps_qc", "log_gps_hdop"):
+        found = values(data, other) if other in data.variables else np.array([])
+        flags.append(float(found[k]) if found.shape == (3,) else None)
+    flag = flags[0] if flags[0] is not None else flags[1]
+    hdop = flags[2]
+    if name != "GPS1" and flag is not None and isfinite(flag) and flag not in GOOD:
+        notes.append(f"the file flags {name} {flag:g}")
+    if hdop is None or not hdop > POOR:
+        return time, lat, lon
+    if hdop < FAILED:
+        notes.append(f"{name} has a hdop of {hdop:g}: up to some {10 * hdop:.0f} m off")
+        return time, lat, lon
+    notes.append(f"{name} has a hdop of {hdop:g}: the receiver found no fix")
+    return nan, nan, nan
 
 
 def is_known(data: "xarray.Dataset") -> bool:
@@ -43,27 +106,23 @@ def dives_of(data: "xarray.Dataset", path: Path) -> tuple[list[Dive], list[Skipp
     """Return the one dive of a file, NaN where a fix or the displacement is missing."""
     names = _displacement(data)
     time, why_not = _times(data, names[0], path) if names else (None, "")
-    fixes = fixes_of(data, path, nan if time is None else float(time[0]))
-    start, end = fixes.start, fixes.end
-    through_water, track, notes = _dead_reckoning(data, names, time, start[0], end[0], path)
+    fixes, doubts = fixes_of(data, path, nan if time is None else float(time[0]))
+    through_water, track, notes = _dead_reckoning(data, names, time, fixes[1][0], fixes[2][0], path)
     depths = (deepest(metres(data, name, path)) for name in DEPTHS if name in data.variables)
-    before = dict(zip(("t_gps1", "lat_gps1", "lon_gps1"), fixes.first or (None,) * 3, strict=True))
     number, misnumbered = _number(data, path)
-    dive = make_dive(
+    dive = dive_between(
         number,
-        start,
-        end,
+        fixes,
         through_water,
-        **before,
         dac_east=scalar(data, "depth_avg_curr_east"),
         dac_north=scalar(data, "depth_avg_curr_north"),
         dac_qc=scalar(data, "depth_avg_curr_qc"),
         magvar=_variation(data),
         depth_max=next((depth for depth in depths if depth is not None), None),
         track=track,
-        notes=(*notes, *([why_not] if why_not else []), *fixes.notes, *misnumbered),
+        notes=(*notes, *([why_not] if why_not else []), *doubts, *misnumbered),
     )
-    return [compared(dive)], []
+    return [dive], []
 
 
 def number_in_name(path: Path) -> int | None:

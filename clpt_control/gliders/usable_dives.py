@@ -27,8 +27,7 @@ import numpy as np
 from ..arguments import public
 from ..currents.nodal import YEARS
 from ..geodesy import displacement, is_place
-from .dives import NUMBERS, Dive, Skipped
-from .vehicles import changes_noted
+from .dives import NUMBERS, Dive, Skipped, changes_noted
 
 LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for minutes
 FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is wrong

@@ -25,8 +25,7 @@ from filelock import FileLock, Timeout
 from ..errors import DataError
 from ..files import make_folder, remove_left, write_text
 from ..gliders.dive_files import may_hold_dives, read_dive_file
-from ..gliders.dives import Dive, NotYet, Skipped
-from ..gliders.segments import files_before, is_segment
+from ..gliders.dives import Dive, NotYet, Skipped, files_before, is_segment
 from ..progress.interrupt import check
 
 LOCK = ".clpt-lock"

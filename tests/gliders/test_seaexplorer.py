@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from clpt_control.gliders import read_dives
-from clpt_control.gliders.segments import files_before
+from clpt_control.gliders.dives import files_before
 from clpt_control.replay.follow import Follower
 
 HEADER = "Timestamp;NavState;Heading;Declination;Pitch;Depth;Lat;Lon;\n"

@@ -13,7 +13,7 @@ from slocum_bytes import CRC, cac, ddmm, segment
 
 from clpt_control.errors import DataError
 from clpt_control.gliders import read_dives, usable
-from clpt_control.gliders.segments import files_before
+from clpt_control.gliders.dives import files_before
 from clpt_control.gliders.slocum import dives_of
 from clpt_control.replay.follow import Follower
 
