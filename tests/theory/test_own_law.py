@@ -161,3 +161,45 @@ def test_the_callers_law_is_left_as_it_is():
     before = own.dynamics(0.0, x, u)
     prove(own, points=POINTS)
     np.testing.assert_array_equal(own.dynamics(0.0, x, u), before)
+
+
+OTHER_STATES = {  # s' of a state that V does not hold; whether it exists for all times, or N
+    "ends at pi/2": (lambda s, u: 1 + s**2, False),
+    "a cube": (lambda s, u: s**3 + u.e[0], False),
+    "a product of all": (lambda s, u: s * np.sum(s * u.phi_x), False),
+    "grows": (lambda s, u: s + 1, True),
+    "filters": (lambda s, u: -s + u.e[0], True),
+    "a share that stays small": (lambda s, u: u.e[1] * np.tanh(s) - s / (1 + u.z @ u.z), True),
+    "clipped": (lambda s, u: np.clip(s**2, -1, 4) + np.where(s > 1, s, 2 * s), True),
+    "linear for N = 2 alone": (lambda s, u: s ** (np.sum(u.phi_x * 0 + 1) - 1), N),
+}
+
+
+@pytest.mark.parametrize("size", [1, "N"])
+@pytest.mark.parametrize("name", OTHER_STATES)
+def test_a_proof_says_whether_other_states_exist(name, size):
+    rate, exists = OTHER_STATES[name]
+
+    def update(t, x, u, p):
+        """The paper's law and a state of its own, section III."""
+        return own_laws.filled(u, p.gain, u.e) | {"s": rate(x.s, u)}
+
+    verdict = prove(law(update, GAIN, states={**own_laws.LEARNED, "s": size}), points=POINTS)
+    asked = next(step for step in verdict.steps if step.claim.startswith("s: not in V"))
+    assert asked.holds == bool(exists)
+    assert verdict.status == ("proved" if exists else "proved as long as s exist")
+    assert verdict.for_every_N == (exists is True)
+
+
+def test_a_jump_that_squares_is_no_proof():
+    def square(t, x, u, p):
+        return {port: getattr(x, port) for port in own_laws.LEARNED} | {"s": x.s**2 + 2}
+
+    own = law(
+        lambda t, x, u, p: own_laws.filled(u, p.gain, u.e) | {"s": 0.0},
+        GAIN | {"interval": -1.0},
+        states={**own_laws.LEARNED, "s": 1},
+        breakpoints=lambda p, t0, t1: np.arange(np.ceil(t0), t1),
+        jump=square,
+    )
+    assert prove(own, points=POINTS).status == "proved as long as s exist"

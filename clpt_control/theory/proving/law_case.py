@@ -20,6 +20,7 @@ from .dead_zones import DeadZones
 from .law_gains import own_values, refuse_no_value
 from .leaks import Bound, Leaking, delta_bounds, leaks_of, pull_bound
 from .lyapunov import decay, rate_of_V
+from .own_states import faster_than_linear
 from .proof import Step, checked, short
 from .quadratic_forms import nonpositive, pulled, tidied
 from .running_rate import numeric, running_step
@@ -171,6 +172,26 @@ class Case:
         claim = f"V does not rise where states of {' and '.join(self.loop.jumps)} jump"
         return checked(claim, "exact", no_rise, False)
 
+    @property
+    def others(self) -> list[str]:
+        """The states that V need not hold: all but e's and what is learned."""
+        return [port for port in self.loop.states if port not in ("x", "z", "alpha", "K", "Gamma")]
+
+    def existing(self) -> Step:
+        """Return the step that the other states exist for all times."""
+        loop = self.loop
+        moves = {f"{port}'": loop.rates[port] for port in self.others}
+        moves |= {
+            f"{s} after a jump": new
+            for own in loop.jumps.values()
+            for s, new in own.items()
+            if any(s in loop.states[port] for port in self.others)
+        }
+        at = {what: [m.xreplace(self.values) for m in np.ravel(own)] for what, own in moves.items()}
+        detail = faster_than_linear(at, {port: loop.states[port] for port in self.others})
+        claim = f"{', '.join(self.others)}: not in V, may grow, and exist for all t"
+        return Step(claim, not detail, "exact", detail, False)
+
     def running(self) -> Step:
         """Return the step that the running blocks have the same V'."""
 
@@ -189,6 +210,12 @@ class Case:
             rest = tidied(loop.elements.of(rate_of_V(loop) - decay(loop)))
             if loop.undefined:
                 return False, loop.undefined[0]
+            read = loop.elements.of
+            moves, states = (
+                {port: read(own[port]) for port in self.others} for own in (loop.rates, loop.states)
+            )
+            if faster := faster_than_linear(moves, states):
+                return False, faster
             base, term = map(tidied, base_and_term(rest))
             if self.falls(base) and self.falls(term):
                 return True, ""

@@ -31,7 +31,8 @@ class Verdict:
         ``"proved"``: V' <= -e^T KD e; ``"bounded"``: V' <= -e^T KD e + a bounded term;
         ``"refuted"``: the running blocks give V' > 0 at `point`, however far from the
         truth; ``"open"``: none of these is known. ``"proved between jumps"`` and ``"bounded
-        between jumps"`` where states jump, and V is not known not to rise there.
+        between jumps"`` where states jump, and V is not known not to rise there; ``"proved as
+        long as s exist"`` where a state that V does not hold may grow without end.
     residual : sympy.Expr
         V' + e^T KD e, multiplied out.
     steps : tuple of Step
@@ -175,10 +176,15 @@ def _beyond_a_zone(case: Case, truth: dict, zone: str) -> Verdict:
     return _found(case, "bounded", steps, reached=said)
 
 
-def _found(case: Case, status: str, steps: list[Step], **known: Any) -> Verdict:
-    """Return a verdict with its residual and diagram; it says what is known of jumps."""
+def _found(case: Case, status: str, steps: list[Step], **more: Any) -> Verdict:
+    """Return a verdict with its residual and diagram; other states and jumps are asked."""
+    known = status in ("proved", "bounded")
+    if known and case.others:
+        steps = [*steps, case.existing()]
+        if not steps[-1].holds:
+            status = f"{status} as long as {', '.join(case.others)} exist"
     if case.loop.jumps:
         steps = [*steps, case.across_jumps()]
-        if status in ("proved", "bounded") and not steps[-1].holds:
+        if known and not steps[-1].holds:
             status = f"{status} between jumps"
-    return Verdict(status, case.rest, tuple(steps), case.diagram, **known)
+    return Verdict(status, case.rest, tuple(steps), case.diagram, **more)
