@@ -203,3 +203,31 @@ def test_a_jump_that_squares_is_no_proof():
         jump=square,
     )
     assert prove(own, points=POINTS).status == "proved as long as s exist"
+
+
+def test_a_law_called_as_a_block_that_holds_the_truth_is_refused():
+    def leak_to_KD(t, x, u, p):
+        rates = own_laws.filled(u, 0.5, u.e)
+        return rates | {"K": rates["K"] - (x.K - p.KD)}
+
+    known = {"KD": np.array(theorem_scenario(N, "learned-flow").vehicle.feedback)}
+    assert prove(law(leak_to_KD, known), points=POINTS).status == "bounded"
+    own = law(leak_to_KD, known)
+    named = Block(
+        "error_system",
+        update=leak_to_KD,
+        inputs=own.input_shapes,
+        states=own.state_shapes,
+        parameters=known,
+        sizes={"N": N},
+    )
+    with pytest.raises(DiagramError, match=r"^error_system: its parameter KD would be taken for"):
+        prove(named, points=POINTS)
+
+
+def test_a_proof_says_what_no_vehicle_measures():
+    own = law(own_laws.composite, two(0.1), more={"flow_x": 2})
+    said = [step.claim for step in prove(own, points=POINTS).steps]
+    assert any("flow_x, the true flow, which no vehicle measures" in one for one in said)
+    said = [step.claim for step in prove(law(own_laws.shipped, GAIN), points=POINTS).steps]
+    assert not any("flow_x" in one for one in said)

@@ -17,6 +17,7 @@ from ...equations.block import Block
 from ...errors import ClptError, DiagramError
 from .law_case import Case, flat
 from .law_gains import law_alone, law_gains, own_values
+from .paper_symbols import paper_name
 from .symbolic_loop import symbolic_loop
 from .theorem_loop import theorem_candidate, theorem_loop
 from .verdict import Verdict, judge
@@ -51,7 +52,8 @@ def prove(
     Raises
     ------
     DiagramError
-        If the law does not make alpha[2N], K[2] and Gamma[2].
+        If the law does not make alpha[2N], K[2] and Gamma[2], or has the name of a block that
+        holds the truth.
     BlockError
         If its equations cannot be read.
 
@@ -69,6 +71,12 @@ def prove(
             f"{law_block.name}: is a {type(law_block).__name__}; a law is judged in the paper's "
             "own diagram, give it as a Block; other parts, replaced or inserted, are not judged"
         )
+    for field in law_block.parameters._fields:
+        if paper_name(law_block.name, field) not in (None, "gamma"):
+            raise DiagramError(
+                f"{law_block.name}: its parameter {field} would be taken for what the paper's "
+                "block of this name holds, which no law knows; give the law another name"
+            )
     for block in filter(None, (law_block, V)):
         read_anew(block)
     N = functions_of(law_block)

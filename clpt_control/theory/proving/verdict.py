@@ -179,6 +179,9 @@ def _beyond_a_zone(case: Case, truth: dict, zone: str) -> Verdict:
 def _found(case: Case, status: str, steps: list[Step], **more: Any) -> Verdict:
     """Return a verdict with its residual and diagram; other states and jumps are asked."""
     known = status in ("proved", "bounded")
+    if "flow_x" in case.law.input_ports:
+        claim = "the law reads flow_x, the true flow, which no vehicle measures by itself"
+        steps = [*steps, Step(claim, True, "exact", "", False)]
     if known and case.others:
         steps = [*steps, case.existing()]
         if not steps[-1].holds:
