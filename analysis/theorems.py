@@ -37,7 +37,7 @@ def page(proofs: Mapping[str, Any], listed: Sequence[Any]) -> str:
         for step in proof.steps:
             claim = step.claim + (f" ({step.detail})" if step.detail else "")
             lines.append(row("yes" if step.holds else "**no**", step.how, claim))
-        lines += ["", proof.conclusion, ""]
+        lines += ["", proof.claim, ""]
         for title, said in (
             ("What holds", proof.corrected),
             ("Cited", proof.cited),

@@ -9,6 +9,15 @@ from ..errors import SimulationError
 from .help_pages import one_of
 from .printing import Json, print_json, print_table
 
+OF_THEOREM = "status for_every_N printed assumptions steps conclusion corrected cited not_proved"
+OF_LAW = "law status claim for_every_N steps"
+FIELDS = {  # of each room's proofs, in JSON
+    "theorems": OF_THEOREM.split(),
+    "limited_speed": OF_THEOREM.split(),
+    "laws": OF_LAW.split(),
+    "team": [*OF_LAW.split()[1:], "cited"],
+}
+
 
 def prove(
     theorem: Annotated[
@@ -29,60 +38,44 @@ def prove(
     Example:
         clpt prove --theorem 3.2
     """
-    from ..theory.proving.two_processes import SecondProcess, judge, nothing_kept
+    from ..theory.proving.two_processes import judge, nothing_kept, own_digest, second_process
 
-    with SecondProcess() as second:
-        if theorem is None and (again or nothing_kept()):
-            second.start()
+    with second_process() as pool:
+        if pool is not None and theorem is None and (again or nothing_kept()):
+            pool.submit(own_digest)  # what it needs takes a while to be imported
         from ..progress import progress_bar
-        from ..theory.proving.judgement import parts
-        from ..theory.proving.kept_verdicts import Kept
+        from ..theory.proving.judgement import Kept, parts
 
-        wanted = parts(theorem)
-        kept = Kept()
+        wanted, kept = parts(theorem), Kept()
         new = [part for part in wanted if again or part not in kept.verdicts]
         if new:
             with progress_bar("proving", len(new)) as report:
-                kept.keep(judge(new, kept.digest, report, second))
-    rooms: dict[str, dict[str, Any]] = {}
-    for part in wanted:
-        rooms.setdefault(part.room, {})[part.name] = kept.verdicts[part]
-    proofs, listed = rooms["theorems"], rooms["misprints"][""]
-    laws, limits = rooms.get("laws", {}), rooms.get("limited_speed", {})
-    team = rooms.get("team", {}).get("")
+                kept.keep(judge(new, kept.digest, report, pool))
+    judged: dict[Any, Any] = {part: kept.verdicts[part] for part in wanted}
+    rooms = {room: {p.name: v for p, v in judged.items() if p.room == room} for room in FIELDS}
+    listed = judged[wanted[-1]]
     judged_at = max(kept.times[part] for part in wanted)
     if as_json:
-        said = _as_json(proofs, limits, listed, laws, team)
+        said: dict[str, Any] = {
+            room: {name: _said(found, room, name) for name, found in proofs.items()}
+            for room, proofs in rooms.items()
+        }
+        said |= {"team": said["team"].get(""), "misprints": listed}
         print_json({**said, "judged": {"time": judged_at, "before": not new}})
     else:
-        named = {f"Theorem {number}": proof for number, proof in proofs.items()}
-        named |= {f"Limited speed, {name}": proof for name, proof in limits.items()}
-        for name, proof in named.items():
-            rows = [["yes" if s.holds else "NO", s.how, s.claim, s.detail] for s in proof.steps]
-            every = ", for every N" if proof.for_every_N else ""
-            print_table(f"{name}: {proof.status}{every}", ["holds", "how", "claim", ""], rows)
-            typer.echo(f"printed: {proof.printed}")
-            if proof.corrected:
-                typer.echo(f"holds:   {proof.corrected}")
-            if proof.cited:
-                typer.echo(f"cited:   {proof.cited}")
-            for rest in proof.not_proved:
-                typer.echo(f"not shown: {rest}")
-            typer.echo("")
-        if laws:
+        for name, found in rooms["theorems"].items():
+            _print_proof(f"Theorem {name}", found)
+        for name, found in rooms["limited_speed"].items():
+            _print_proof(f"Limited speed, {name}", found)
+        if rooms["laws"]:
             rows = [
                 [law, found.status + (", every N" if found.for_every_N else ""), found.claim]
-                for law, found in laws.items()
+                for law, found in rooms["laws"].items()
             ]
             print_table("Laws", ["law", "status", "V' along the closed loop"], rows)
             typer.echo("")
-        if team is not None:
-            rows = [["yes" if s.holds else "NO", s.how, s.claim, s.detail] for s in team.steps]
-            every = ", for every N" if team.for_every_N else ""
-            columns = ["holds", "how", "claim", ""]
-            print_table(f"A team that learns one flow: {team.status}{every}", columns, rows)
-            typer.echo(f"cited:   {team.cited}")
-            typer.echo("")
+        for found in rooms["team"].values():
+            _print_proof("A team that learns one flow", found)
         print_table(
             "Misprints",
             ["equation", "printed", "should be", "confirmed"],
@@ -93,10 +86,16 @@ def prove(
         )
         if not new:
             typer.echo(f"judged on {judged_at} of the same equations; --again judges anew")
-    judged = {**proofs, **{f"limited speed, {name}": proof for name, proof in limits.items()}}
-    wrong = [f"{n} at step '{s.claim}'" for n, p in judged.items() for s in p.failed]
-    wrong += [f"law {law}: {found.claim}" for law, found in laws.items() if not found.holds]
-    wrong += [f"team: {team.claim}"] if team is not None and not team.holds else []
+    wrong = [
+        f"{'limited speed, ' * (room == 'limited_speed')}{name} at step '{step.claim}'"
+        for room in ("theorems", "limited_speed")
+        for name, found in rooms[room].items()
+        for step in found.failed
+    ]
+    wrong += [
+        f"law {law}: {found.claim}" for law, found in rooms["laws"].items() if not found.holds
+    ]
+    wrong += [f"team: {found.claim}" for found in rooms["team"].values() if not found.holds]
     wrong += [
         f"the misprint of {m['equation']} is not confirmed" for m in listed if not m["confirmed"]
     ]
@@ -105,26 +104,19 @@ def prove(
         raise SimulationError(f"the proof fails: {wrong[0]}{more}")
 
 
-def _as_json(proofs: dict, limits: dict, listed: list, laws: dict, team: Any) -> dict[str, Any]:
-    """Return the statuses, steps and statements, laws, team and misprints."""
-
-    def plain(judged: dict) -> dict[str, Any]:
-        found = {}
-        for name, proof in judged.items():
-            said = asdict(proof)
-            del said["theorem"], said["printed_holds"]
-            found[name] = {"status": proof.status, "for_every_N": proof.for_every_N, **said}
-        return found
-
-    return {
-        "theorems": plain(proofs),
-        "limited_speed": plain(limits),
-        "laws": {law: _judged(found) for law, found in laws.items()},
-        "team": None if team is None else _judged(team),
-        "misprints": listed,
-    }
+def _said(found: Any, room: str, name: str) -> dict[str, Any]:
+    """Return what is said of one thing in JSON."""
+    known = {**asdict(found), "law": name, "conclusion": found.claim}
+    return {field: known[field] for field in FIELDS[room]}
 
 
-def _judged(found: Any) -> dict[str, Any]:
-    """Return what is known of a law, with its steps."""
-    return {**found._asdict(), "steps": [asdict(step) for step in found.steps]}
+def _print_proof(name: str, found: Any) -> None:
+    """Print the steps of a proof, and what is printed, holds, is cited or not shown."""
+    rows = [["yes" if s.holds else "NO", s.how, s.claim, s.detail] for s in found.steps]
+    every = ", for every N" if found.for_every_N else ""
+    print_table(f"{name}: {found.status}{every}", ["holds", "how", "claim", ""], rows)
+    sentences = [("printed", found.printed), ("holds", found.corrected), ("cited", found.cited)]
+    for what, sentence in [*sentences, *(("not shown", rest) for rest in found.not_proved)]:
+        if sentence:
+            typer.echo(f"{what + ':':8} {sentence}")
+    typer.echo("")

@@ -1,17 +1,17 @@
 """Verdicts that are kept: of the same equations by the same prover, and of nothing else."""
 
 import json
+import multiprocessing
 import os
 
 import pytest
 
 from clpt_control.blocks import vehicle
 from clpt_control.files.user_cache import FOLDER
-from clpt_control.theory.proving import kept_verdicts, two_processes
-from clpt_control.theory.proving.judgement import Part, parts, plain, restored
-from clpt_control.theory.proving.kept_verdicts import Kept, digest
-from clpt_control.theory.proving.proof import Proof, Step
-from clpt_control.theory.proving.two_processes import judge
+from clpt_control.theory.proving import judgement
+from clpt_control.theory.proving.judgement import Kept, Part, digest, parts
+from clpt_control.theory.proving.proof import Step, theorem
+from clpt_control.theory.proving.two_processes import judge, second_process
 
 SHORT = Part("limited_speed", "without hedging")
 
@@ -62,24 +62,22 @@ def good(part):
     if part.room == "misprints":
         return [{"equation": "(1)", "confirmed": True}]
     step = Step("it holds", True, "exact")
-    return Proof(part.name, "printed", ("so",), (step,), True, "it holds", not_proved=("more",))
+    return theorem("printed", ("so",), (step,), "it holds", not_proved=("more",))
 
 
 def test_versions_processor_and_engine_are_part_of_the_name(monkeypatch):
     names = {digest()}
-    for name in kept_verdicts.STOOD_ON:
+    for name in judgement.STOOD_ON:
         with monkeypatch.context() as patch:
-            patch.setattr(
-                kept_verdicts, "version", lambda one, name=name: "9" if one == name else "1"
-            )
+            patch.setattr(judgement, "version", lambda one, name=name: "9" if one == name else "1")
             names.add(digest())
-    monkeypatch.setattr(kept_verdicts, "processor", lambda: ("another", ""))
+    monkeypatch.setattr(judgement, "processor", lambda: ("another", ""))
     names.add(digest())
-    monkeypatch.setenv(kept_verdicts.VARIABLE, "python")
+    monkeypatch.setenv(judgement.VARIABLE, "python")
     names.add(digest())
-    monkeypatch.setattr(kept_verdicts.platform, "python_version", lambda: "4.0")
+    monkeypatch.setattr(judgement.platform, "python_version", lambda: "4.0")
     names.add(digest())
-    assert len(names) == len(kept_verdicts.STOOD_ON) + 4
+    assert len(names) == len(judgement.STOOD_ON) + 4
 
 
 @pytest.mark.usefixtures("folder")
@@ -105,19 +103,31 @@ def test_without_a_folder_nothing_is_kept_and_the_work_goes_on(monkeypatch):
     assert Kept().verdicts == {}
 
 
+@pytest.mark.usefixtures("folder")
 def test_a_verdict_comes_back_as_it_was():
-    for part in (SHORT, Part("misprints"), Part("laws", "known-flow")):
-        found = part.judged()
-        assert restored(json.loads(json.dumps(plain(found)))) == found
+    found = {part: part.judged() for part in (SHORT, Part("misprints"), Part("laws", "known-flow"))}
+    Kept().keep(found)
+    assert Kept().verdicts == found
 
 
 @pytest.mark.usefixtures("folder")
 def test_two_processes_judge_the_same(monkeypatch):
-    wanted = [SHORT, Part("misprints"), Part("laws", "known-flow")]
-    monkeypatch.setattr(two_processes.os, "cpu_count", lambda: 1)
-    alone = judge(wanted, digest())
-    monkeypatch.setattr(two_processes.os, "cpu_count", lambda: 2)
-    assert judge(wanted, digest()) == alone
-    for refused in (["false"], ["echo", "another"]):  # one that judges otherwise is let go
-        monkeypatch.setattr(two_processes, "COMMAND", refused)
-        assert judge(wanted, digest()) == alone
+    wanted, own = [SHORT, Part("misprints"), Part("laws", "known-flow")], digest()
+    alone = judge(wanted, own)
+    asked = []
+    with second_process() as pool:
+        monkeypatch.setattr(Part, "judged", lambda part: asked.append(part) or alone[part])
+        assert judge(wanted, own, pool=pool) == alone
+        assert asked != wanted  # the other was asked too
+        asked.clear()
+        assert judge(wanted, "of other equations", pool=pool) == alone
+        assert sorted(asked) == sorted(wanted)  # one that judges otherwise says nothing
+        for process in multiprocessing.active_children():
+            process.kill()
+        asked.clear()
+        assert judge(wanted, own, pool=pool) == alone
+        assert sorted(asked) == sorted(wanted)  # and one that ended neither
+    assert multiprocessing.active_children() == []
+    monkeypatch.setattr(os, "cpu_count", lambda: 1)
+    with second_process() as pool:
+        assert pool is None

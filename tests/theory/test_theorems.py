@@ -9,7 +9,7 @@ from analysis.theorems import page
 from clpt_control.blocks import vehicle
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory.proving.misprints import misprints
-from clpt_control.theory.proving.proof import Proof, Step, checked, cited
+from clpt_control.theory.proving.proof import Step, checked, cited, theorem
 from clpt_control.theory.proving.theorems import audit
 
 
@@ -34,7 +34,7 @@ def test_every_N_is_a_property_of_each_exact_step(proofs):
     steps = proofs["3.2"].steps
     assert all(step.every_N for step in steps if step.how == "exact")
     one = Step("for N = 2 alone", True, "exact", every_N=False)
-    assert not Proof("x", "", (), (*steps, one), True, "").for_every_N
+    assert not theorem("", (), (*steps, one), "").for_every_N
 
 
 def test_what_is_cited_is_said(proofs):
@@ -77,9 +77,9 @@ def test_prove_prints_json(clpt):
     assert outcome.status == 0
     printed = json.loads(outcome.out)
     assert set(printed["theorems"]) == {"3.1", "3.2", "3.3", "3.4"}
-    for theorem in printed["theorems"].values():
-        assert theorem["status"] in ("proved", "refuted", "corrected")
-        for step in theorem["steps"]:
+    for found in printed["theorems"].values():
+        assert found["status"] in ("proved", "refuted", "corrected")
+        for step in found["steps"]:
             assert step["how"] in ("exact", "cited", "counterexample", "sampled")
     assert {"equation", "printed", "corrected", "check"} <= set(printed["misprints"][0])
     limited = printed["limited_speed"]
@@ -143,11 +143,11 @@ def test_a_step_that_cannot_be_checked_fails():
 
 
 def test_sampled_steps_alone_prove_nothing():
-    sampled = Proof("x", "", (), (Step("seen often", True, "sampled"),), True, "")
+    sampled = theorem("", (), (Step("seen often", True, "sampled"),), "")
     assert sampled.status == "sampled"
     exact = Step("shown", True, "exact")
-    assert Proof("x", "", (), (exact, cited("known", "a book")), True, "").status == "cited"
-    assert Proof("x", "", (), (exact,), False, "", corrected="better").status == "failed"
+    assert theorem("", (), (exact, cited("known", "a book")), "").status == "cited"
+    assert theorem("", (), (exact,), "", corrected="better").status == "failed"
 
 
 def test_the_page(proofs):

@@ -28,7 +28,7 @@ from .array_loop import ArrayLoop, array_loop
 from .boundedness import definite_step, dissipation_step, wanted_rates, young_step
 from .kept_loop import Kept
 from .lyapunov import WIRED, decay, identity_steps, rate_of_V, zero_step
-from .proof import Proof, Step, checked
+from .proof import Proof, checked, theorem
 from .symbolic_loop import symbolic_loop
 from .theorem_loop import Hedging, law_and_V, law_loop, theorem_loop
 from .vanishing import left_over, vanishes
@@ -151,7 +151,7 @@ def lost_without(loop: ArrayLoop) -> list[Any]:
 def with_hedging() -> Proof:
     """Prove Theorem 3.2 of a vehicle whose speed is limited, with hedging."""
     text = "V' = -e^T KD e, whatever v is flown"
-    steps: list[Step] = [
+    steps = [
         *identity_steps(text, "learned-flow", decay, POINTS, speed="hedged"),
         zero_step("e' is that without a limit, for every N", learned("hedged"), same_error_rate),
         definite_step("learned-flow"),
@@ -169,13 +169,11 @@ def with_hedging() -> Proof:
             pulls_back,
         ),
     ]
-    return Proof(
-        "3.2, limited speed, with hedging",
+    return theorem(
         OPEN,
         ("Assumptions of Theorem 3.2", f"for CLPE -> 0 also: {SLOWER}"),
-        tuple(steps),
-        printed_holds=True,
-        conclusion="V falls as without a limit; where the flow is slower than the vehicle x is "
+        steps,
+        "V falls as without a limit; where the flow is slower than the vehicle x is "
         "bounded, and Theorem 3.2 goes on as it stands, since e' is the same.",
         not_proved=("that CLPE goes to zero where the flow carries the vehicle away",),
     )
@@ -187,13 +185,11 @@ def every_law() -> Proof:
         "V' is that without a limit, whatever v is flown, for every N; "
         f"N = {N} where a law counts its functions"
     )
-    return Proof(
-        "every law, limited speed, with hedging",
+    return theorem(
         "not in the paper",
         ("what the law's own proof assumes",),
-        (checked(claim, "exact", same_rate_of_every_law, False),),
-        printed_holds=True,
-        conclusion="Laws that read the velocity are given the one that is flown.",
+        [checked(claim, "exact", same_rate_of_every_law, False)],
+        "Laws that read the velocity are given the one that is flown.",
     )
 
 
@@ -206,11 +202,10 @@ def without_hedging() -> Proof:
             f"largest |e| {untold:.3f} within a cycle, {told:.0e} with hedging"
         )
 
-    return Proof(
-        "3.2, limited speed, without hedging",
+    return theorem(
         OPEN,
         ("Assumptions of Theorem 3.2",),
-        (
+        [
             zero_step(
                 "V' = -e^T KD e - e^T (v_c - v), for every N", learned("not hedged"), lost_without
             ),
@@ -220,9 +215,8 @@ def without_hedging() -> Proof:
                 "counterexample",
                 grows,
             ),
-        ),
-        printed_holds=False,
-        conclusion="What is not flown acts like a disturbance at every waypoint.",
+        ],
+        "What is not flown acts like a disturbance at every waypoint.",
         corrected="int |e|^2 dt <= 2 V(0)/k + int |v_c - v|^2 dt/k^2 with k = lambda_min(KD)",
     )
 

@@ -1,8 +1,8 @@
 """What a proof is made of: steps, and what they add up to.
 
-A step is an identity or an inequality with how it was established.  A proof judges the
-statement as printed in the paper; where the print is false it carries the corrected
-statement, and it always says what was not proved and what is cited.
+A step is an identity or an inequality with how it was established.  A proof judges a statement as
+printed in the paper, a law or a team; where the print is false it carries the corrected statement,
+and it always says what was not proved and what is cited.
 """
 
 from collections.abc import Callable, Iterable
@@ -29,50 +29,82 @@ class Step:
 
 @dataclass(frozen=True)
 class Proof:
-    """A theorem judged as printed."""
+    """What is known of a statement, of a law or of a team, and the steps that show it.
 
-    theorem: str  # its number in the paper
-    printed: str  # the statement as printed
-    assumptions: tuple[str, ...]
-    steps: tuple[Step, ...]  # in order; all must hold for the status to count
-    printed_holds: bool  # whether the printed statement is true once all steps hold
-    conclusion: str
-    corrected: str = ""  # what holds where the print does not: proved, but for what is cited
+    A theorem is ``"proved"``: by exact steps alone; ``"cited"``: some of them are cited;
+    ``"corrected"``: false as printed, and another statement holds; ``"refuted"``: false as
+    printed, no more; ``"sampled"``: only seen at points; ``"failed"``: a step does not hold.
+    A law or a team is ``"proved"``, ``"bounded"``, ``"open"`` or ``"refuted"``.
+    """
+
+    status: str
+    claim: str  # what holds: a conclusion, or V' and the set that is reached; or what failed
+    for_every_N: bool
+    steps: tuple[Step, ...]
     cited: str = ""  # the part of the statement that rests on cited steps
+    printed: str = ""  # a theorem as printed
+    assumptions: tuple[str, ...] = ()
+    corrected: str = ""  # what holds where the print does not: proved, but for what is cited
     not_proved: tuple[str, ...] = ()  # what is not shown here
 
     @property
     def holds(self) -> bool:
-        """Whether every step holds."""
-        return all(step.holds for step in self.steps)
+        """Whether it is what the package claims."""
+        return self.status in ("proved", "cited", "corrected", "sampled", "bounded")
 
     @property
     def failed(self) -> tuple[Step, ...]:
         """The steps that do not hold."""
         return tuple(step for step in self.steps if not step.holds)
 
-    @property
-    def for_every_N(self) -> bool:
-        """Whether every exact step holds for every N."""
-        exact = [step for step in self.steps if step.how == "exact"]
-        return bool(exact) and all(step.holds and step.every_N for step in exact)
 
-    @property
-    def status(self) -> str:
-        """What the steps add up to.
+def theorem(
+    printed: str,
+    assumptions: tuple[str, ...],
+    steps: Iterable[Step],
+    conclusion: str,
+    *,
+    corrected: str | None = None,
+    cited: str = "",
+    not_proved: tuple[str, ...] = (),
+) -> Proof:
+    """Judge a statement as printed; a correction, if only "", says that it is false."""
+    steps = tuple(steps)
+    hows = {step.how for step in steps}
+    if first_failure(steps) or (corrected is not None and "counterexample" not in hows):
+        status = "failed"
+    elif corrected is not None:
+        status = "corrected" if corrected else "refuted"
+    elif "exact" not in hows:
+        status = "sampled"
+    else:
+        status = "cited" if "cited" in hows else "proved"
+    every = exact_for_every_N(steps)
+    more = (cited, printed, assumptions, corrected or "", not_proved)
+    return Proof(status, conclusion, every, steps, *more)
 
-        ``"proved"``: by exact steps alone; ``"cited"``: some of them are cited;
-        ``"corrected"``: false as printed, and another statement holds; ``"refuted"``: false as
-        printed, no more; ``"sampled"``: only seen at points; ``"failed"``: a step does not hold.
-        """
-        if not self.holds:
-            return "failed"
-        if not self.printed_holds:
-            refuted = any(step.how == "counterexample" for step in self.steps)
-            return "failed" if not refuted else "corrected" if self.corrected else "refuted"
-        if not any(step.how == "exact" for step in self.steps):
-            return "sampled"
-        return "cited" if any(step.how == "cited" for step in self.steps) else "proved"
+
+def where_all_hold(status: str, claim: str, steps: Iterable[Step], cited: str = "") -> Proof:
+    """Return a status and a claim where every step holds; else it is open, and what fails."""
+    steps = tuple(steps)
+    failed = first_failure(steps)
+    known = ("open", failed) if failed else (status, claim)
+    return Proof(*known, not failed and exact_for_every_N(steps), steps, cited)
+
+
+def exact_for_every_N(steps: Iterable[Step]) -> bool:
+    """Return whether there are exact steps, and each holds for every N."""
+    exact = [step for step in steps if step.how == "exact"]
+    return bool(exact) and all(step.holds and step.every_N for step in exact)
+
+
+def judged(status: str, proof: Callable[[], Proof]) -> Proof:
+    """Return a proof; one whose parts cannot be read has a failed step, and this status."""
+    try:
+        return proof()
+    except Exception as error:  # an equation so changed that it cannot be traced
+        step = Step("the equations can be read", False, "exact", f"{error}")
+        return Proof(status, f"{error}", False, (step,))
 
 
 def checked(claim: str, how: str, check: Callable[[], Any], every_N: bool = True) -> Step:
@@ -93,15 +125,6 @@ def checked(claim: str, how: str, check: Callable[[], Any], every_N: bool = True
 def first_failure(steps: Iterable[Step]) -> str:
     """Return what the first step that does not hold claims, and its detail, or nothing."""
     return next((f"{step.claim} ({step.detail})" for step in steps if not step.holds), "")
-
-
-def judged(theorem: str, proof: Callable[[], Proof]) -> Proof:
-    """Return a proof; one whose parts cannot be read has a failed step."""
-    try:
-        return proof()
-    except Exception as error:  # an equation so changed that it cannot be traced
-        step = Step("the equations can be read", False, "exact", f"{error}")
-        return Proof(theorem, "", (), (step,), False, "nothing")
 
 
 def short(expression: Any, most: int = 160) -> str:

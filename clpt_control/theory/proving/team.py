@@ -8,7 +8,7 @@ never rises, e goes to zero by the lemma of Theorem 3.2 and neighbours agree lik
 """
 
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from ...equations.namespaces import named, split, within
 from ...scenario.team import LAW, Team
 from ...simulation.teams import team_blocks
 from .lyapunov import Loop, rate_of_V, zero_step
-from .proof import Step, first_failure
+from .proof import Proof, Step, where_all_hold
 from .running_rate import running_step
 from .symbolic_loop import symbolic_loop
 from .theorem_loop import SOURCES, theorem_scenario
@@ -40,27 +40,10 @@ COUPLING = 0.6  # stands for any kappa > 0
 CLAIM = "V' = -sum e^T KD e - (kappa/gamma) sum over edges |alpha_i - alpha_j|^2"
 
 
-class JudgedTeam(NamedTuple):
-    """What is known of V' of a team."""
-
-    status: str  # "proved" or "open"
-    claim: str
-    for_every_N: bool
-    steps: tuple[Step, ...]
-    cited: str = CITED
-
-    @property
-    def holds(self) -> bool:
-        """Whether V' is proved."""
-        return self.status == "proved"
-
-
-def judged_team() -> JudgedTeam:
+def judged_team() -> Proof:
     """Judge the law of a team; equations that cannot be read leave it open."""
-    steps = tuple(team_steps())
-    failed = first_failure(steps)
-    claim = failed or f"{CLAIM}, so CLPE goes to zero and the vehicles agree"
-    return JudgedTeam("open" if failed else "proved", claim, not failed, steps)
+    claim = f"{CLAIM}, so CLPE goes to zero and the vehicles agree"
+    return where_all_hold("proved", claim, team_steps(), CITED)
 
 
 def team_steps() -> Iterator[Step]:

@@ -1,82 +1,71 @@
 """Parts judged by two processes: this one, and another that is asked part by part.
 
-The other is a Python that reads a part a line and answers with its verdict.  It first
-says the digest of what it judges by; where that is not ours, as for equations that were changed in
-memory, it is let go.  It ends where this process does, or is interrupted.  This process takes
-parts from the front, the other from behind, so that not both compile what the first ones run.
+The other answers only where it judges by the same: its digest may differ from ours, as for
+equations that were changed in memory.  It ends where this process does.  This process takes parts
+from the front, the other from behind, so that not both compile what the first ones run.
 """
 
-import json
+import gc
 import os
-import subprocess
-import sys
+import signal
 import threading
 from collections import deque
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ProcessPoolExecutor
+from contextlib import contextmanager, suppress
+from functools import cache
+from multiprocessing import active_children, get_context, parent_process
 from typing import TYPE_CHECKING
 
 from ...files.user_cache import cache_folder
 from ...progress import interrupt
 
 if TYPE_CHECKING:  # the other process starts before all this is imported
-    from .judgement import Part, Verdicts
-
-COMMAND = [sys.executable, "-m", "clpt_control.theory.proving.second_process"]
+    from .judgement import Part, Verdict, Verdicts
 
 
-class SecondProcess:
-    """A process that judges parts which are left, where there is a core for it."""
+@contextmanager
+def second_process() -> Iterator[ProcessPoolExecutor | None]:
+    """Yield a pool of one process, where there is a core for it."""
+    if (os.cpu_count() or 1) < 2:
+        yield None
+        return
+    pool = ProcessPoolExecutor(1, get_context("spawn"), begin)
+    before = active_children()
+    try:
+        yield pool
+    finally:
+        for one in set(active_children()) - set(before):
+            one.kill()
+        pool.shutdown(wait=False, cancel_futures=True)
 
-    def __init__(self) -> None:
-        self.work: subprocess.Popen | None = None
-        self.thread, self.taken = threading.Thread(), set["Part"]()
 
-    def start(self) -> None:
-        """Start it, unless it was; what it needs takes a while to be imported."""
-        if self.work is None and (os.cpu_count() or 1) > 1:
-            self.work = subprocess.Popen(
-                COMMAND,
-                stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.DEVNULL,
-                text=True,
-                env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
-            )
+def begin() -> None:
+    """Make ready the other process: it is silent, and ends with the one that asks."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the one that asks is told
+    gc.set_threshold(200_000, 50, 50)  # as in `clpt`: expressions are many objects
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
+    threading.Thread(target=_end, daemon=True).start()
 
-    def take(self, left: "deque[Part]", found: "Verdicts", digest: str) -> None:
-        """Take parts from what is left, in a thread, if both processes judge by the same."""
-        if self.work is not None and digest:
-            self.thread = threading.Thread(target=self._ask, args=(left, found, digest))
-            self.thread.daemon = True
-            self.thread.start()
 
-    def _ask(self, left: "deque[Part]", found: "Verdicts", digest: str) -> None:
-        from .judgement import restored
+def _end() -> None:
+    asking = parent_process()
+    if asking is not None:
+        asking.join()
+    os._exit(0)  # also amid a part
 
-        assert self.work is not None
-        asked, told = self.work.stdin, self.work.stdout
-        assert asked is not None
-        assert told is not None
-        with suppress(OSError, ValueError, IndexError):
-            if told.readline().strip() != digest:
-                return
-            while True:
-                part = left.pop()
-                self.taken.add(part)
-                print(json.dumps(part), file=asked, flush=True)
-                found[part] = restored(json.loads(told.readline()))
 
-    def __enter__(self) -> "SecondProcess":
-        return self
+@cache
+def own_digest() -> str:
+    """Return the digest of what this process judges by."""
+    from .judgement import digest
 
-    def __exit__(self, *error: object) -> None:
-        if self.work is not None:
-            self.work.kill()
-            if self.thread.ident is not None:
-                self.thread.join()
-            with self.work:  # closes the pipes
-                self.work = None
+    return digest()
+
+
+def answer(part: "Part", digest: str) -> "Verdict | None":
+    """Return the verdict on a part, in the other process; None where it judges by other things."""
+    return part.judged() if digest == own_digest() else None
 
 
 def nothing_kept() -> bool:
@@ -89,25 +78,33 @@ def judge(
     parts: "list[Part]",
     digest: str,
     report: Callable[[float], None] = lambda done: None,
-    second: SecondProcess | None = None,
+    pool: ProcessPoolExecutor | None = None,
 ) -> "Verdicts":
-    """Judge parts; `report` is called with the number done, `second` may run already."""
-    left, found = deque(parts), dict["Part", object]()
-    with second or SecondProcess() as other:
-        if len(left) > 2:
-            other.start()
-            other.take(left, found, digest)
-        while True:
-            interrupt.check()
-            with suppress(IndexError):
-                part = left.popleft()
-                found[part] = part.judged()
-                report(len(found))
-                continue
-            if not other.thread.is_alive():
-                break
+    """Judge parts, some of them in a pool; `report` is called with the number done."""
+    left, asked, found = deque(parts), dict["Part", Future](), dict["Part", "Verdict"]()
+
+    def ask(done: Future | None = None) -> None:
+        """Ask the pool for the last part that is left, and again when it is done."""
+        with suppress(IndexError, RuntimeError):  # nothing is left, or the pool is broken
+            if pool is not None and digest:
+                part = left.pop()
+                asked[part] = pool.submit(answer, part, digest)
+                asked[part].add_done_callback(ask)
+
+    if len(left) > 2:
+        ask()
+    while left:
+        interrupt.check()
+        with suppress(IndexError):  # the pool took the last one
+            part = left.popleft()
+            found[part] = part.judged()
+        report(len(found) + sum(one.done() for one in list(asked.values())))
+    for part in parts:
+        while part in asked and not asked[part].done():
             interrupt.wait(0.05)
-            report(len(found))
-    for part in other.taken - found.keys():  # what the other left
-        found[part] = part.judged()
+        if part not in found:
+            told = None
+            if part in asked and asked[part].exception() is None:
+                told = asked[part].result()
+            found[part] = part.judged() if told is None else told
     return {part: found[part] for part in parts}
