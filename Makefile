@@ -10,7 +10,7 @@ SITE := .venv/.docs
 ENGINE := native jumps random_jumps elementary components solver closed_form_flows written_is_run \
 	random_diagrams conformance members models_as_they_stand random_programs
 
-.PHONY: paper solver test test-slow test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel docs
+.PHONY: paper solver test test-slow test-processes test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel docs
 
 paper: $(READY)  ## section IV of the paper: figures and the table of claims
 	$(BIN)/clpt paper --out paper
@@ -20,6 +20,9 @@ test: $(READY)  ## every test but the slow ones
 
 test-slow: $(READY)  ## the minutes-long tests
 	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 -m slow --no-header
+
+test-processes: $(READY)  ## processes that are interrupted, killed and given full disks; `make test` has one of each kind
+	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 -m processes --no-header
 
 test-browser: $(READY)  ## pages to send, the page of a replay and the site in headless Chromium, where one is installed
 	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -m browser -rs tests/browser

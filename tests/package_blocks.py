@@ -1,6 +1,7 @@
 """Every kind of block of the package, for several numbers of functions, by name."""
 
 import numpy as np
+import pytest
 
 from clpt_control.blocks import (
     basis,
@@ -110,3 +111,16 @@ def package_blocks():
 
 
 BLOCKS = dict(package_blocks())
+SIZE_OF_WAY = {"one": 3, "each": 1, "held": 2}  # a law's gains -> functions asked by `make test`
+
+
+def often(case):
+    """Whether `make test` asks this block; `make test-slow` asks all."""
+    kind, _, N = case.rpartition("-")
+    if not N.isdigit() or kind == "reference":
+        return True
+    way = kind.rpartition("-")[2]
+    return int(N) == SIZE_OF_WAY[way] if way in SIZE_OF_WAY else int(N) in (1, 3)
+
+
+EACH = [pytest.param(name, marks=() if often(name) else pytest.mark.slow) for name in BLOCKS]

@@ -137,7 +137,9 @@ def test_interrupt_ends_cleanly(tmp_path):
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full")
-@pytest.mark.parametrize("words", [("--help",), ("replay", "--sample"), ("init", "--help")])
+@pytest.mark.parametrize(
+    "words", [("--help",), pytest.param(("replay", "--sample"), marks=pytest.mark.processes)]
+)
 def test_a_full_standard_output_is_one_sentence(words):
     with Path("/dev/full").open("w") as full:
         done = subprocess.run(

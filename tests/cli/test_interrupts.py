@@ -46,6 +46,7 @@ def names(folder):
 
 RUN = ("run", "s.toml", "--out", "run.nc")
 TIDES = ("tides", "r.csv", "--constituents", "M2", "--out", "out")
+ENSEMBLE = ("ensemble", "s.toml", "--vary", "learning.gain=1:2", "--out", "e.zarr", "--members")
 FOLLOW = ("replay", "--follow", "in", "--out", "out", "--patience", "0", "--json")
 
 
@@ -53,34 +54,27 @@ FOLLOW = ("replay", "--follow", "in", "--out", "out", "--patience", "0", "--json
     ("module", "words"),
     [
         ("typer", RUN),
-        ("numpy", RUN),
-        ("pydantic", RUN),
-        ("llvmlite", RUN),
-        ("llvmlite.binding", RUN),
-        ("netCDF4", RUN),
-        ("clpt_control.native.solver", RUN),
-        ("utide", TIDES),
-        ("utide.harmonics", TIDES),
-        ("matplotlib.figure", TIDES),
-        ("numpy", FOLLOW),
         ("clpt_control.estimation.kalman", FOLLOW),
-        ("matplotlib", FOLLOW),
-        ("netCDF4", FOLLOW),
-        (
-            "zarr",
-            (
-                "ensemble",
-                "s.toml",
-                "--vary",
-                "learning.gain=0.2:2.0",
-                "--members",
-                "8",
-                "--out",
-                "e.zarr",
-            ),
+        *(
+            pytest.param(*case, marks=pytest.mark.processes)
+            for case in (
+                ("numpy", RUN),
+                ("pydantic", RUN),
+                ("llvmlite", RUN),
+                ("llvmlite.binding", RUN),
+                ("netCDF4", RUN),
+                ("clpt_control.native.solver", RUN),
+                ("utide", TIDES),
+                ("utide.harmonics", TIDES),
+                ("matplotlib.figure", TIDES),
+                ("numpy", FOLLOW),
+                ("matplotlib", FOLLOW),
+                ("netCDF4", FOLLOW),
+                ("zarr", (*ENSEMBLE, "8")),
+                ("control", ("excitation", "s.toml")),
+                ("clpt_control.diagrams.drawing", ("diagram", "s.toml", "-o", "d.svg")),
+            )
         ),
-        ("control", ("excitation", "s.toml")),
-        ("clpt_control.diagrams.drawing", ("diagram", "s.toml", "-o", "d.svg")),
     ],
 )
 def test_an_interrupt_in_an_import_is_an_interrupt(files, module, words):
@@ -122,27 +116,18 @@ def ended(work):
     return process.returncode, out, err
 
 
-def test_an_interrupt_that_a_callback_drops_is_raised_by_the_next_look():
-    later = "interrupt.PATIENCE = 1e6; interrupt.check(); print('never')"
-    assert ended(DROPPED.format(then=later)) == (130, "dropped\n", LINE)
+THEN = {
+    "the next look": "interrupt.PATIENCE = 1e6; interrupt.check(); print('never')",
+    "a wait": "interrupt.PATIENCE = 1e6; interrupt.wait(1e9)",
+    "a loop that never looks": "while True: pass",
+    "the command's end": "return 0",
+    "another error": "raise ImportError('initialization failed')",
+}
 
 
-def test_a_wait_ends_by_an_interrupt_that_was_dropped():
-    later = "interrupt.PATIENCE = 1e6; interrupt.wait(1e9)"
-    assert ended(DROPPED.format(then=later)) == (130, "dropped\n", LINE)
-
-
-def test_a_loop_that_never_looks_is_ended():
-    assert ended(DROPPED.format(then="while True: pass")) == (130, "dropped\n", LINE)
-
-
-def test_a_command_that_ends_all_the_same_was_interrupted():
-    assert ended(DROPPED.format(then="return 0")) == (130, "dropped\n", LINE)
-
-
-def test_an_interrupt_that_becomes_another_error_is_an_interrupt():
-    wrong = "raise ImportError('initialization failed')"
-    assert ended(DROPPED.format(then=wrong)) == (130, "dropped\n", LINE)
+@pytest.mark.parametrize("then", THEN)
+def test_an_interrupt_that_a_callback_drops_ends_the_command_by(then):
+    assert ended(DROPPED.format(then=THEN[then])) == (130, "dropped\n", LINE)
 
 
 def test_one_long_call_is_ended_with_its_half_written_files(tmp_path):
@@ -170,25 +155,11 @@ def test_an_interrupt_of_code_that_python_ran_from_text():
     assert ended(work) == (130, "", LINE)
 
 
+@pytest.mark.processes
 @pytest.mark.skipif(not hasattr(signal, "pthread_sigmask"), reason="no POSIX signals")
 def test_a_cluster_ends_with_the_command(files):
     pytest.importorskip("distributed")
-    words = (
-        "ensemble",
-        "s.toml",
-        "--vary",
-        "learning.gain=0.2:2.0",
-        "--members",
-        "3000",
-        "--out",
-        "e.zarr",
-        "--chunk",
-        "20",
-        "--dask",
-        "local",
-        "--threads",
-        "1",
-    )
+    words = (*ENSEMBLE, "3000", "--chunk", "20", "--dask", "local", "--threads", "1")
     hear = "import clpt_control.progress as c; c.PATIENCE = c.LOG_EVERY = 0.0\n"
     code = CLPT[2].replace("from clpt", f"{hear}from clpt", 1)
     with started([sys.executable, "-c", code, *words], cwd=files) as process:

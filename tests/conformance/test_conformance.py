@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-from package_blocks import BLOCKS
+from package_blocks import BLOCKS, EACH
 
 from clpt_control.blocks import clpe, vehicle
 from clpt_control.blocks.laws.learned_flow import LAW
@@ -17,20 +17,19 @@ from clpt_control.errors import ArgumentError, BlockError
 from clpt_control.native import elementary, printing
 
 
-@pytest.mark.parametrize("case", BLOCKS)
+@pytest.mark.parametrize("case", EACH)
 def test_package_block_conforms(case):
     conformance(BLOCKS[case])
 
 
-@pytest.mark.parametrize("case", list(BLOCKS))
-def test_docstrings_name_the_equation(case):
+def test_docstrings_name_the_equation():
     """Of the package's own blocks; a user's equation has no number in the paper."""
-    block = BLOCKS[case]
-    functions = [getattr(block, f"{role}_function") for role in roles(block)]
-    texts = [function.__doc__ or "" for function in functions if function is not None]
-    assert all(text.strip() and text.splitlines()[0].strip() for text in texts)
-    text = "\n".join(texts)
-    assert re.search(r"\bEqs?\.|\b[Ss]ection\b|\b[A-Z]\w+ (19|20)\d\d\b", text)
+    for case, block in BLOCKS.items():
+        functions = [getattr(block, f"{role}_function") for role in roles(block)]
+        texts = [function.__doc__ or "" for function in functions if function is not None]
+        assert all(text.strip() and text.splitlines()[0].strip() for text in texts), case
+        text = "\n".join(texts)
+        assert re.search(r"\bEqs?\.|\b[Ss]ection\b|\b[A-Z]\w+ (19|20)\d\d\b", text), case
 
 
 def test_report_counts_its_checks():

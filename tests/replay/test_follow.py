@@ -11,7 +11,6 @@ import pytest
 from processes import started
 from synthetic_vehicle import one_file_each
 
-from clpt_control.errors import DataError
 from clpt_control.gliders.dive_table import sample_dives
 from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay import follow
@@ -41,6 +40,7 @@ def test_following_a_folder_equals_reading_it(tmp_path):
     )
 
 
+@pytest.mark.processes
 def test_a_killed_follower_loses_nothing(tmp_path):
     """Kill -9 at random moments; what a last run gives is what reading gives."""
     inbox, state = tmp_path / "inbox", tmp_path / "state"
@@ -63,16 +63,6 @@ def test_a_killed_follower_loses_nothing(tmp_path):
     assert follower.dives()[1] == []
 
 
-@pytest.mark.parametrize(
-    "text", ["[1]", '{"format": 0, "stamp": [1, 2], "dives": [], "skipped": []}', '{"form', "{}"]
-)
-def test_a_strange_state_is_refused(tmp_path, text):
-    (tmp_path / "state").mkdir()
-    (tmp_path / "state" / "dive1.csv.json").write_text(text)
-    with pytest.raises(DataError, match="is no state of this version"):
-        Follower(tmp_path, tmp_path / "state")
-
-
 def test_tracks_come_back_to_the_bit(tmp_path, monkeypatch):
     rng = np.random.default_rng(2)
     time_ = np.linspace(0, 9000, 40)
@@ -93,7 +83,9 @@ def test_tracks_come_back_to_the_bit(tmp_path, monkeypatch):
         assert all(map(np.array_equal, before.track, after.track))
 
 
-@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize(
+    "seed", [0, 1, 2, 3, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(4, 20))]
+)
 def test_any_history_of_a_folder(tmp_path, seed):
     """Files are written, cut short, copied, renamed and removed; followers end and begin.
 

@@ -43,6 +43,7 @@ def test_sigterm_ends_following_with_its_results(tmp_path):
     assert json.loads(printed)["used"] == 1
 
 
+@pytest.mark.processes
 def test_a_folder_that_is_removed_ends_following(tmp_path):
     folder, out = tmp_path / "in", tmp_path / "out"
     folder.mkdir()
@@ -79,7 +80,10 @@ def sizes(tmp_path_factory):
     return {name: (folder / name).stat().st_size for name in RESULTS}
 
 
-@pytest.mark.parametrize("name", RESULTS)
+@pytest.mark.parametrize(
+    "name",
+    ["map.png", *(pytest.param(n, marks=pytest.mark.processes) for n in RESULTS if n != "map.png")],
+)
 def test_a_full_disk_leaves_the_results_as_they_were(tmp_path, sizes, name):
     """A limit on files stands in for the disk; a file is one half too large."""
     for other in RESULTS:

@@ -200,6 +200,7 @@ def test_results_of_following_lie_in_the_folder_by_default(command, tmp_path):
     assert json.loads(command(*words).stdout)["used"] == 2  # its own results are no dives
 
 
+@pytest.mark.processes
 def test_an_interrupt_ends_following_with_its_results(tmp_path):
     one_file_each(tmp_path, sample_dives()[:3])
     with started([*CLPT, "replay", "--follow", tmp_path, "--json"]) as process:
