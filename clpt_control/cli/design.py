@@ -3,20 +3,9 @@
 from pathlib import Path
 from typing import Annotated, Any
 
-import typer
-
+from ..html.text import Result
 from .help_pages import opt
-from .printing import (
-    Json,
-    ScenarioFile,
-    Start,
-    Window,
-    check_figure,
-    check_scenario,
-    print_json,
-    print_table,
-    shown,
-)
+from .printing import Json, ScenarioFile, Start, Window, check_figure, check_scenario, finish, shown
 
 Four = tuple[float, float, float, float]
 
@@ -85,14 +74,9 @@ def design(
 
         results[figure] = figure_of(design_plot, found)
     write_together(results)
-    if as_json:
-        print_json(found.report)
-        return
-    print_table(_title(found.report), ["", "before", "after"], _rows(found.report))
-    for line in _sentences(found.report):
-        typer.echo(line)
-    for path in results:
-        typer.echo(f"{path}: written")
+    columns = ["", "before", "after"]
+    result = Result(_title(found.report), columns, _rows(found.report), _sentences(found.report))
+    finish(result, found.report, as_json, *results)
 
 
 def _title(report: dict[str, Any]) -> str:

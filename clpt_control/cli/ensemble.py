@@ -6,7 +6,9 @@ from typing import Annotated
 import typer
 
 from .help_pages import one_of, opt
-from .printing import Json, ScenarioFile, check_figure, print_json, print_table, shown
+from .printing import Json, ScenarioFile, check_figure, finish
+
+MOST_CYCLES = 4  # rows of the table
 
 
 def ensemble(
@@ -48,6 +50,7 @@ def ensemble(
     from ..ensemble.run import run_ensemble
     from ..ensemble.spread import ensemble_summary
     from ..files import write_figure
+    from ..pages.ensemble_page import ensemble_result
     from ..progress import progress_bar
     from ..scenario.file import load_scenario
 
@@ -74,35 +77,5 @@ def ensemble(
         from ..figures import figure_of
 
         write_figure(figure_of(ensemble_plot, data), figure)
-    if as_json:
-        print_json(summary)
-        return
-    length, time = experiment.units.length, experiment.units.time
-    rows = []
-    for number, column in enumerate(summary["clpe_rms_per_cycle"], 1):
-        if number <= 3 or number == len(summary["clpe_rms_per_cycle"]):
-            rows.append([f"CLPE rms, cycle {number} ({length})", *_cells(column)])
-    rows.append([f"CLPE rms, whole run ({length})", *_cells(summary["clpe_rms"])])
-    for key, name in (("flow_parameter_error", "flow parameter"), ("gain_error", "gain")):
-        if f"{key}_at_end" in summary:
-            end = f"t = {experiment.run.duration:g} {time}"
-            rows.append([f"largest {name} error, {end}", *_cells(summary[f"{key}_at_end"])])
-    columns = ["percentile", *(f"{p} %" for p in summary["percents"])]
-    ended = ", ".join(
-        f"{count} {name.replace('_', ' ')}" for name, count in summary["ended"].items()
-    )
-    print_table(f"{experiment.title or scenario}: {ended}", columns, rows)
-    if "faster_flow" in summary and summary["faster_flow"]["members"]:
-        faster = summary["faster_flow"]
-        typer.echo(
-            f"in {faster['members']} members the flow was faster than the vehicle, for at most "
-            f"{100 * faster['largest_share']:.3g} % of the time and {faster['longest']:.3g} {time} "
-            "in a stretch"
-        )
-    if summary["first_failed"] is not None:
-        typer.echo(f"the first member that did not finish is {summary['first_failed']}")
-    typer.echo(f"{out}: written")
-
-
-def _cells(column: list[float] | None) -> list[str]:
-    return ["-"] * 5 if column is None else [shown(value) for value in column]
+    found = ensemble_result(data, summary, experiment.title or str(scenario), MOST_CYCLES)
+    finish(found, summary, as_json, out)

@@ -3,10 +3,9 @@
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
+from ..html.text import Result
 from .help_pages import arg, one_of, opt
-from .printing import Json, print_json, print_table, shown
+from .printing import Json, finish, shown
 
 
 def estimate(
@@ -74,20 +73,15 @@ def estimate(
     if scenario.flow.parameters is not None:
         error = np.abs(found.theta - np.array(scenario.flow.parameters))
         report["largest_error"] = float(error.max())
-    if as_json:
-        print_json(report)
-        return
     rows = [
         [str(k + 1), *(f"{found.theta[i, k]:.4f}" for i in range(2)), f"{sd[k]:.1e}"]
         for k in range(len(sd))
     ]
-    print_table(
-        f"{run}: {method}, {report['fixes']} fixes",
-        ["function", f"theta_1 ({speed})", f"theta_2 ({speed})", "standard deviation"],
-        rows,
-    )
-    for key in ("condition_number", "rms_of_misses_left", "largest_error"):
-        if report.get(key) is not None:
-            typer.echo(f"{key.replace('_', ' ')}: {shown(report[key])}")
+    columns = ["function", f"theta_1 ({speed})", f"theta_2 ({speed})", "standard deviation"]
+    keys = ("condition_number", "rms_of_misses_left", "largest_error")
+    known = [key for key in keys if report.get(key) is not None]
+    said = [f"{key.replace('_', ' ')}: {shown(report[key])}" for key in known]
     if out is not None:
-        typer.echo(f"{out}: written, with law = known-flow and this estimate")
+        said.append(f"{out}: written, with law = known-flow and this estimate")
+    title = f"{run}: {method}, {report['fixes']} fixes"
+    finish(Result(title, columns, rows, said), report, as_json)

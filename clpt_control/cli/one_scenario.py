@@ -7,8 +7,9 @@ from typing import Annotated
 import typer
 
 from ..errors import ClptError
+from ..html.text import Result
 from .help_pages import arg, one_of, opt
-from .printing import Formats, Json, ScenarioFile, print_json, print_table
+from .printing import Formats, Json, ScenarioFile, finish
 
 RUN = "run it with `clpt run {} --out run.nc`"
 FIT = "fit it with `clpt fit {} --out mine.toml`"
@@ -62,9 +63,9 @@ def paper(
     from ..files import make_folder
     from ..progress import progress_bar
     from ..scenario.file import paper_scenario
-    from ..simulation.plots import save_figures
     from ..simulation.report import claims, run_and_report
     from ..simulation.run_file import save_run
+    from ..simulation.team_plots import save_figures
 
     kinds = checked_formats(formats or ["png"])
     scenario, folder = paper_scenario(), make_folder(out)
@@ -73,15 +74,10 @@ def paper(
     save_run(run, folder / "run.nc")
     drawn = save_figures(fine, folder, kinds)
     summary["claims"] = claims(summary)
-    if as_json:
-        print_json(summary)
-        return
-    print_table(
-        "Claims of section IV",
-        ["claim", "criterion", "measured", "verdict"],
-        [list(claim.values()) for claim in summary["claims"]],
-    )
-    typer.echo(f"{folder}: {drawn[0].name} to {drawn[-1].name}, run.nc")
+    rows = [list(claim.values()) for claim in summary["claims"]]
+    said = [f"{folder}: {drawn[0].name} to {drawn[-1].name}, run.nc"]
+    columns = ["claim", "criterion", "measured", "verdict"]
+    finish(Result("Claims of section IV", columns, rows, said), summary, as_json)
 
 
 def run(
@@ -98,8 +94,8 @@ def run(
     """
     from ..figures import checked_formats
     from ..files import check_writable, make_folder
+    from ..pages.run_words import run_result
     from ..progress import progress_bar
-    from ..scenario.team import Team
     from ..scenario.team_file import load_either
     from ..simulation.report import run_and_report
     from ..simulation.run_file import save_run
@@ -108,48 +104,14 @@ def run(
     experiment = load_either(scenario)
     check_writable(out)
     folder = None if figures is None else make_folder(figures)
-    if isinstance(experiment, Team):
-        from .team import run_and_print
-
-        run_and_print(experiment, scenario.name, out, folder, kinds, as_json)
-        return
     with progress_bar(f"running {scenario.name}", experiment.run.duration) as report:
         result, fine, summary = run_and_report(experiment, report)
     save_run(result, out)
     if folder is not None:
-        from ..simulation.plots import save_figures
+        from ..simulation.team_plots import save_figures
 
         save_figures(fine, folder, kinds)
-    if as_json:
-        print_json(summary)
-        return
-    rows = [["status", summary["message"]]]
-    unit = experiment.units.length
-    rms = summary["clpe_rms_per_cycle"]
-    if rms:
-        shown = ", ".join(f"{value:.3g}" for value in rms[:10]) + (", ..." if rms[10:] else "")
-        rows.append([f"CLPE rms per cycle ({unit})", shown])
-    rows.append([f"CLPE rms, whole run ({unit})", f"{summary['clpe_rms']:.3g}"])
-    rows.append([f"CLPE rms, last quarter ({unit})", f"{summary['clpe_rms_last_quarter']:.3g}"])
-    if "speed" in summary:
-        rows.append(
-            ["share of time at the speed limit", f"{summary['speed']['share_at_limit']:.3g}"]
-        )
-        if summary["speed"]["faster_flow"] is None:
-            rows.append(["flow faster than the vehicle", "never"])
-    for key, name in (
-        ("max_flow_parameter_error", "largest flow parameter error"),
-        ("max_gain_error", "largest gain error"),
-    ):
-        if summary.get(key):
-            time, error = list(summary[key].items())[-1]
-            rows.append([name, f"{error:.3g} at t = {time} {experiment.units.time}"])
-    for place, share in summary.get("explained_variance", {}).items():
-        if isinstance(share, float):
-            worse = "; negative: worse than no flow" if share < 0 else ""
-            rows.append([f"share of the flow's variance learned, {place}", f"{share:.3f}{worse}"])
-    print_table(experiment.title or str(scenario), ["", ""], rows)
-    typer.echo(f"{out}: written")
+    finish(run_result(summary, summary["title"] or str(scenario)), summary, as_json, out)
 
 
 def diagram(

@@ -2,12 +2,14 @@
 
 import json
 import os
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 from ..errors import ClptError, SimulationError
+from ..html.text import Result
 from .help_pages import arg, opt
 
 ScenarioFile = Annotated[Path, arg("SCENARIO", "A scenario's TOML file, or a run's NetCDF.")]
@@ -63,6 +65,19 @@ def print_json(value: dict[str, Any]) -> None:
     typer.echo(text)
 
 
+def finish(found: Result, report: dict[str, Any], as_json: bool, *written: Path | None) -> None:
+    """Print what was found, as one JSON object or as table and sentences; name files written."""
+    if as_json:
+        print_json(report)
+        return
+    print_table(found.title, found.columns, found.rows)
+    for sentence in found.sentences:
+        typer.echo(sentence)
+    for path in written:
+        if path is not None:
+            typer.echo(f"{path}: written")
+
+
 def terminal_width() -> int:
     """Return how many letters a line has: the terminal's, or COLUMNS; 140 into files and pipes."""
     from rich.console import Console
@@ -72,7 +87,7 @@ def terminal_width() -> int:
 
 
 def print_table(
-    title: str, columns: list[str], rows: list[list[str]], width: int | None = None
+    title: str, columns: Sequence[str], rows: Sequence[Sequence[str]], width: int | None = None
 ) -> None:
     """Print a table on standard output, brackets in it as they are.
 

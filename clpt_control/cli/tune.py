@@ -3,10 +3,9 @@
 from pathlib import Path
 from typing import Annotated, Any
 
-import typer
-
+from ..html.text import Result
 from .help_pages import names_of_laws, opt
-from .printing import Json, ScenarioFile, check_scenario, print_json, print_table, shown
+from .printing import Json, ScenarioFile, check_scenario, finish, shown
 
 MOST_SHOWN = 15  # candidates in the table; --json has all
 
@@ -54,38 +53,23 @@ def tune(
         )
     if out is not None:
         write_text(out, scenario_to_text(tuned.scenario, out.parent))
-    if as_json:
-        print_json(tuned.report)
-        return
-    _table(tuned.report)
-    for name, why in tuned.report["skipped"].items():
-        typer.echo(f"skipped {name}: {why}")
-    typer.echo(tuned.report["because"])
-    if out is not None:
-        typer.echo(f"{out}: written")
+    finish(_result(tuned.report), tuned.report, as_json, out)
 
 
-def _table(report: dict[str, Any]) -> None:
+def _result(report: dict[str, Any]) -> Result:
     length, time = report["units"]["length"], report["units"]["time"]
     rows = [_row(one) for one in report["candidates"][:MOST_SHOWN]]
     if report["own"] is not None:
         rows.append(_row(report["own"]))
     more = len(report["candidates"]) - MOST_SHOWN
-    print_table(
+    title = (
         f"{report['members']} flows drawn with a prior of {report['prior']:.3g} {length}/{time}, "
-        f"the scenario's own flow unseen{f'; {more} more candidates' if more > 0 else ''}",
-        [
-            "law",
-            "gain",
-            "K, Gamma",
-            "filter",
-            f"error at the end ({length}/{time})",
-            "95 %",
-            f"to a tenth ({time})",
-            f"CLPE rms ({length})",
-        ],
-        rows,
+        f"the scenario's own flow unseen{f'; {more} more candidates' if more > 0 else ''}"
     )
+    errors = [f"error at the end ({length}/{time})", "95 %", f"to a tenth ({time})"]
+    columns = ["law", "gain", "K, Gamma", "filter", *errors, f"CLPE rms ({length})"]
+    skipped = [f"skipped {name}: {why}" for name, why in report["skipped"].items()]
+    return Result(title, columns, rows, [*skipped, report["because"]])
 
 
 def _row(one: dict[str, Any]) -> list[str]:

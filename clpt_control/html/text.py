@@ -3,9 +3,19 @@
 import re
 from collections.abc import Sequence
 from html import escape
+from typing import NamedTuple
 
 NO_TEXT = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 WORDS = ' class="words"'
+
+
+class Result(NamedTuple):
+    """What was found, as a terminal and a page show it: a table whose first column names rows."""
+
+    title: str
+    columns: Sequence[str]
+    rows: Sequence[Sequence[str]]
+    sentences: Sequence[str] = ()
 
 
 def plain(text: object) -> str:

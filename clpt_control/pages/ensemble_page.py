@@ -8,7 +8,7 @@ import numpy as np
 from ..ensemble.spread import ensemble_plot, ensemble_summary
 from ..ensemble.varied_keys import Vary, read_vary
 from ..figures import figure_of
-from ..html.text import folded, listing, paragraphs, table
+from ..html.text import Result, folded, listing, paragraphs, table
 from .page import Beside, Card, Drawn, Page, Section, narrow
 from .run_words import number
 from .versions import again_section
@@ -129,28 +129,48 @@ def _spread(data: "xarray.Dataset", summary: dict[str, Any], done: int) -> Secti
     heading = "How the runs differ"
     if not done:
         return Section("spread", heading, [paragraphs(["No member is done: nothing to draw."])])
-    columns = ["percentile", *(f"{p} %" for p in summary["percents"])]
-    rows, rounds = [], summary["clpe_rms_per_cycle"]
-    for k, column in enumerate(rounds):
-        if k < MOST_ROUNDS - 1 or k == len(rounds) - 1:
-            rows.append([f"CLPE rms, round {k + 1}", *_cells(column)])
-    rows.append(["CLPE rms, whole run", *_cells(summary["clpe_rms"])])
-    for key, what in (("flow_parameter_error", "flow parameter"), ("gain_error", "gain")):
-        if f"{key}_at_end" in summary:
-            name = f"largest {what} error at the end ({_unit(data[key])})"
-            rows.append([name, *_cells(summary[f"{key}_at_end"])])
-    unit = data["clpe_rms"].attrs["units"]
     caption = (
         "Above, the CLPE in each round of the waypoints; below, the largest error of what was "
         "learned: the median run, half of all runs, and nine in ten."
     )
     drawn = Drawn("ensemble", narrow(figure_of(ensemble_plot, data), 5.4), caption)
-    listed = table(f"Percentiles over the members; CLPE in {unit}", columns, rows)
-    return Section("spread", heading, [drawn, Beside(listed)])
+    found = ensemble_result(data, summary, "Percentiles over the members", MOST_ROUNDS)
+    return Section(
+        "spread", heading, [drawn, Beside(table(*found[:3])), paragraphs(found.sentences)]
+    )
+
+
+def ensemble_result(
+    data: "xarray.Dataset", summary: dict[str, Any], name: str, most: int
+) -> Result:
+    """Return percentiles over the members; of more cycles than `most`, the first and the last."""
+    length, time = data["clpe_rms"].attrs["units"], data["mark"].attrs["units"]
+    rows, cycles = [], summary["clpe_rms_per_cycle"]
+    for k, column in enumerate(cycles, 1):
+        if k < most or k == len(cycles):
+            rows.append([f"CLPE rms, cycle {k} ({length})", *_cells(column)])
+    rows.append([f"CLPE rms, whole run ({length})", *_cells(summary["clpe_rms"])])
+    end = f"t = {float(data['mark'][-1]):g} {time}"
+    for key, name in (("flow_parameter_error", "flow parameter"), ("gain_error", "gain")):
+        if f"{key}_at_end" in summary:
+            rows.append([f"largest {name} error, {end}", *_cells(summary[f"{key}_at_end"])])
+    ended = ", ".join(f"{n} {name.replace('_', ' ')}" for name, n in summary["ended"].items())
+    said = []
+    if "faster_flow" in summary and summary["faster_flow"]["members"]:
+        faster = summary["faster_flow"]
+        said.append(
+            f"in {faster['members']} members the flow was faster than the vehicle, for at most "
+            f"{100 * faster['largest_share']:.3g} % of the time and {faster['longest']:.3g} {time} "
+            "in a stretch"
+        )
+    if summary["first_failed"] is not None:
+        said.append(f"the first member that did not finish is {summary['first_failed']}")
+    columns = ["percentile", *(f"{p} %" for p in summary["percents"])]
+    return Result(f"{name}: {ended}", columns, rows, said)
 
 
 def _cells(column: list[float] | None) -> list[str]:
-    return ["-"] * 5 if column is None else [number(value) for value in column]
+    return ["-"] * 5 if column is None else [f"{value:.4g}" for value in column]
 
 
 def _varied(data: "xarray.Dataset", made: dict[str, Any]) -> Section:

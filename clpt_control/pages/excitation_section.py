@@ -1,92 +1,97 @@
-"""What a track can teach: eigenvalues of the Gramian of Definition 3.1, and what they mean."""
+"""What a track, or those of a team, can teach: the Gramian of Definition 3.1, and what it means."""
 
 from typing import TYPE_CHECKING, Any
 
 from ..errors import ClptError
 from ..figures import figure_of
-from ..html.text import folded, paragraphs, table
-from ..scenario.experiment import Scenario
+from ..html.text import Result, folded, paragraphs, table
+from ..scenario.file import TEAM
+from ..scenario.team import Team
+from ..theory.excitation.plot import excitation_plot
+from ..theory.excitation.pooled import team_excitation_report
+from ..theory.excitation.report import excitation_report
 from .page import Drawn, Section
 
 if TYPE_CHECKING:
     import xarray
 
-HEADING = "What the track can teach"
 LONG = 400  # letters on what cannot be learned
-SLOW = 100  # runs as long as this one
-MOST = 3  # parameters named of the least excited direction
+MOST = 20  # eigenvalues in the table; the report has all
 
 
-def excitation_section(run: "xarray.Dataset", scenario: Scenario) -> Section:
+def is_team(source: Any) -> bool:
+    """Return whether a scenario or a run is of several vehicles."""
+    return isinstance(source, Team) or TEAM in getattr(source, "attrs", {})
+
+
+def excitation_of(source: Any, window: float | None = None, start: float | None = None) -> Any:
+    """Return what a scenario, a team or a run of one can teach over one window, for JSON."""
+    return (team_excitation_report if is_team(source) else excitation_report)(source, window, start)
+
+
+def excitation_section(run: "xarray.Dataset") -> Section:
     """Return the excitation over one round of a recorded run, or why it cannot be measured."""
-    from ..theory.excitation.plot import excitation_plot
-    from ..theory.excitation.report import excitation_report
-
+    team = is_team(run)
+    heading = f"What the track{'s' if team else ''} can teach"
     try:
-        found = excitation_report(run)
-        figure = figure_of(excitation_plot, run, found["window"], found["start"])
+        report = excitation_of(run)
+        drawn = [] if team else [_drawn(run, report)]
     except ClptError as error:
-        return Section("excitation", HEADING, [paragraphs([f"Not measured: {error}."])])
+        return Section("excitation", heading, [paragraphs([f"Not measured: {error}."])])
+    found = excitation_result(report)
+    said = paragraphs([f"{sentence}." for sentence in found.sentences])
+    if len(said) > LONG:
+        said = folded("What cannot be learned one by one", said)
+    return Section("excitation", heading, [table(*found[:3]), said, *drawn])
+
+
+def _drawn(run: "xarray.Dataset", report: dict[str, Any]) -> Drawn:
+    figure = figure_of(excitation_plot, run, report["window"], report["start"])
     caption = (
         "Above, eigenvalues of the Gramian in a window that slides over the run: the smallest says "
         "how fast the slowest combination is learned. Below, that combination in one window."
     )
-    drawn = Drawn("excitation", figure, caption, wide=True)
-    end = float(run.time[-1])
-    said = [paragraphs(_sentences(found, end)), *_not_learnable(found), _table(found)]
-    parts: list[str | Drawn] = [*said, drawn]
-    return Section("excitation", HEADING, parts)
+    return Drawn("excitation", figure, caption, wide=True)
 
 
-def _sentences(found: dict[str, Any], run_end: float) -> list[str]:
-    end, unit = found["start"] + found["window"], found["time_unit"]
-    said = [
-        f"Measured from t = {found['start']:g} to {end:g} {unit}, {found['trajectory']}; "
-        f"eigenvalues are certain to {100 * found['accuracy']:.2g} %."
-    ]
-    if not found["not_learnable"]:
-        said.append("Every flow parameter and gain can be told apart on this track.")
-    if found["contraction"] is None:
-        said.append(f"No rate is certified: {found['not_certified']}.")
-    else:
-        time = found["time_to_tenth"]
-        slow = time is not None and time > SLOW * run_end
-        said.append(
-            "By the theory errors need not fall in such windows."
-            if time is None
-            else f"Errors fall to a tenth within {time:.3g} {unit} of such windows, at worst"
-            + (": of some combination as good as nothing is learned." if slow else ".")
-        )
-    return said
-
-
-def _not_learnable(found: dict[str, Any]) -> list[str]:
-    """Return what cannot be learned on the track; long lists are folded."""
-    said = paragraphs([f"{sentence}." for sentence in found["not_learnable"]])
-    if len(said) <= LONG:
-        return [said]
-    counts = ", ".join(
-        f"{found['dimension'][axis]} of {len(values)} along {axis}"
-        for axis, values in found["eigenvalues"].items()
-    )
-    return [
-        paragraphs([f"Not all can be learned: {counts}, in some combination."]),
-        folded("Which cannot be learned one by one", said),
-    ]
-
-
-def _table(found: dict[str, Any]) -> str:
+def excitation_result(report: dict[str, Any]) -> Result:
+    """Return what a track can teach, or the tracks of a team, each alone and together."""
+    end, unit = report["start"] + report["window"], report["time_unit"]
+    title = f"Excitation from {report['start']:g} to {end:g} {unit}, {report['trajectory']}"
+    if "vehicles" in report:
+        columns = ["", "axis", "smallest eigenvalue", "largest", "can be learned"]
+        return Result(title, columns, *_of_a_team(report))
     rows = []
-    for axis, values in found["eigenvalues"].items():
-        parts = sorted(found["least_excited"][axis].items(), key=lambda part: -abs(part[1]))[:MOST]
-        rows.append(
-            [
-                axis,
-                f"{values[0]:.3g}",
-                f"{values[-1]:.3g}",
-                f"{found['dimension'][axis]} of {len(values)}",
-                ", ".join(f"{name} {share:+.2f}" for name, share in parts),
-            ]
-        )
-    columns = ["axis", "smallest eigenvalue", "largest", "can be learned", "least excited"]
-    return table("Eigenvalues over one round of the waypoints", columns, rows)
+    for axis, values in report["eigenvalues"].items():
+        shown = [f"{value:.4g}" for value in values]
+        if len(shown) > MOST:
+            shown = [*shown[:6], "...", *shown[-3:], f"({len(values)} in all)"]
+        rows.append([f"{axis}: eigenvalues", ", ".join(shown)])
+        parts = sorted(report["least_excited"][axis].items(), key=lambda part: -abs(part[1]))[:8]
+        listed = ", ".join(f"{name} {share:+.2f}" for name, share in parts)
+        rows.append([f"{axis}: least excited direction", listed])
+    if report["contraction"] is None:
+        rows.append(["contraction of V", report["not_certified"]])
+    else:
+        time = report["time_to_tenth"]
+        within = "never" if time is None else f"{time:.6g} {unit}, in windows like this one"
+        rows += [
+            ["contraction of V, exact, at worst", f"{report['contraction']:.6g}"],
+            ["guaranteed drop of V, rho", f"{report['rho']:.3g}"],
+            ["errors fall to a tenth within", within],
+        ]
+    if "accuracy" in report:
+        rows.append(["accuracy of the eigenvalues", f"{report['accuracy']:.2g} relative"])
+    return Result(title, ["", ""], rows, report["not_learnable"])
+
+
+def _of_a_team(report: dict[str, Any]) -> tuple[list[list[str]], list[str]]:
+    """Return a row for each axis of each vehicle and of the team, and sentences."""
+    rows, said = [], [f"measured: {report['measured']}"]
+    for name, one in [*report["vehicles"].items(), ("team", report["team"])]:
+        for axis, values in one["eigenvalues"].items():
+            learned = f"{one['dimension'][axis]} of {len(values)}"
+            rows.append([name, axis, f"{values[0]:.4g}", f"{values[-1]:.4g}", learned])
+        who = "the team" if one is report["team"] else f"{name} alone"
+        said += [f"{who}: {sentence}" for sentence in one["not_learnable"]]
+    return rows, said

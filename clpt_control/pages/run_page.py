@@ -38,7 +38,7 @@ def run_page(run: "xarray.Dataset", scenario: Scenario, title: str | None = None
         said = "Not measured: the run had what its scenario does not hold."
         sections.append(Section("excitation", "What the track can teach", [paragraphs([said])]))
     else:
-        sections.append(excitation_section(run, scenario))
+        sections.append(excitation_section(run))
     sections += [_scenario(run), _again(run, scenario, paper)]
     return Page(
         "Section IV of the paper" if paper else KINDS[parts is not None],
@@ -78,7 +78,8 @@ def _warnings(run: "xarray.Dataset", scenario: Scenario, numbers: dict[str, Any]
         )
     if "measured_position" in run:
         said.append(
-            "The CLPE is that of the measured position, which the vehicle reads with noise."
+            "The CLPE is drawn of the measured position, which the vehicle reads with noise; mean "
+            "squares are of the true one."
         )
     if numbers["of_samples"]:
         said.append(f"Mean squares here are over the {run.sizes['time']} samples of the file.")

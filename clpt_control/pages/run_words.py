@@ -2,10 +2,13 @@
 
 from typing import Any
 
+from ..html.text import Result
 from ..scenario.experiment import Scenario
 from .run_numbers import at_end
 
 LEAST_SHARE = 0.01  # percent, that is said
+MOST_VEHICLES = 8  # in the table; the summary has all
+MOST_CYCLES = 10
 
 
 def number(value: float) -> str:
@@ -84,3 +87,49 @@ def found_of_flow(numbers: dict[str, Any], scenario: Scenario) -> str:
     if errors := numbers.get("max_gain_error"):
         parts.append(f"the largest error of a gain is {number(at_end(errors))} 1/{unit.time}")
     return said + "; ".join(parts) + "."
+
+
+def run_result(summary: dict[str, Any], title: str) -> Result:
+    """Return what a vehicle achieved in its run, or each of a team's."""
+    length, time = summary["units"]["length"], summary["units"]["time"]
+    rows = [["status", summary["message"]]]
+    if "vehicles" not in summary:
+        rows += _achieved(summary, length, time)
+        return Result(title, ["", ""], rows)
+    graph = f"{summary['coupling']:g}, {summary['connectivity']:.3g}"
+    apart = f"{at_end(summary['max_disagreement']):.3g} at t = {summary['end']:g} {time}"
+    rows += [["coupling kappa, connectivity lambda_2", graph], ["largest disagreement", apart]]
+    for name in summary["vehicles"][:MOST_VEHICLES]:
+        own = {key: of[name] for key, of in summary.items() if isinstance(of, dict) and name in of}
+        rows += [[f"{name}: {what}", value] for what, value in _achieved(own, length, time)]
+    if left := summary["vehicles"][MOST_VEHICLES:]:
+        rows.append(["...", f"{len(left)} more vehicles in --json"])
+    return Result(title, ["", ""], rows)
+
+
+def _achieved(numbers: dict[str, Any], length: str, time: str) -> list[list[str]]:
+    """Return rows of what one vehicle achieved."""
+    rows = []
+    if rms := numbers.get("clpe_rms_per_cycle"):
+        shown = [
+            *(f"{value:.3g}" for value in rms[:MOST_CYCLES]),
+            *["..."][: len(rms) > MOST_CYCLES],
+        ]
+        rows.append([f"CLPE rms per cycle ({length})", ", ".join(shown)])
+    rows.append([f"CLPE rms, whole run ({length})", f"{numbers['clpe_rms']:.3g}"])
+    late = f"{numbers['clpe_rms_last_quarter']:.3g}"
+    rows.append([f"CLPE rms, last quarter ({length})", late])
+    if "speed" in numbers:
+        share = f"{numbers['speed']['share_at_limit']:.3g}"
+        rows.append(["share of time at the speed limit", share])
+        if numbers["speed"]["faster_flow"] is None:
+            rows.append(["flow faster than the vehicle", "never"])
+    for what in ("flow parameter", "gain"):
+        if errors := numbers.get(f"max_{what.replace(' ', '_')}_error"):
+            end, error = list(errors.items())[-1]
+            rows.append([f"largest {what} error", f"{error:.3g} at t = {end} {time}"])
+    for place, share in numbers.get("explained_variance", {}).items():
+        if isinstance(share, float):
+            worse = "; negative: worse than no flow" if share < 0 else ""
+            rows.append([f"share of the flow's variance learned, {place}", f"{share:.3f}{worse}"])
+    return rows

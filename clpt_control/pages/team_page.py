@@ -2,14 +2,14 @@
 
 from typing import TYPE_CHECKING, Any
 
-from ..errors import ClptError
 from ..figures import figure_of
 from ..html.text import folded, listing, paragraphs, table
 from ..scenario.file import TEAM
 from ..scenario.team import Team
 from ..scenario.team_file import team_of_run
+from ..simulation.report import team_summary
 from ..simulation.team_plots import team_plot
-from ..simulation.team_report import team_summary
+from .excitation_section import excitation_section
 from .page import Card, Drawn, Page, Section, narrow
 from .run_numbers import at_end, shown_samples
 from .run_words import number
@@ -25,13 +25,12 @@ MOST_DRAWN = 3  # vehicles in a drawing of the loop
 def team_page(run: "xarray.Dataset", title: str | None = None) -> Page:
     """Return the page of a team's run."""
     team = team_of_run(run)
-    last = {f"{float(run.time[-1]):g}": run.isel(time=-1)}
-    numbers = team_summary(team, run, last)
+    numbers = team_summary(team, run, run)
     early = run.attrs.get("status", "finished") != "finished"
     sections = [
         _team(run, team, numbers),
         *_loop(team),
-        _excitation(run),
+        excitation_section(run),
         Section(
             "scenario",
             "Scenario",
@@ -153,33 +152,3 @@ def _loop(team: Team) -> list[Section]:
     caption = "The team's loop: the blocks of each vehicle, and the pull of its neighbours."
     drawn = Drawn("loop", block_figure(team_loop(team)), caption, wide=True)
     return [Section("loop", "The loop", [drawn])]
-
-
-def _excitation(run: "xarray.Dataset") -> Section:
-    from ..theory.excitation.pooled import team_excitation_report
-
-    heading = "What the tracks can teach"
-    try:
-        found = team_excitation_report(run)
-    except ClptError as error:
-        return Section("excitation", heading, [paragraphs([f"Not measured: {error}."])])
-    rows = []
-    for name, one in [*found["vehicles"].items(), ("the team", found["team"])]:
-        for axis, values in one["eigenvalues"].items():
-            learned = f"{one['dimension'][axis]} of {len(values)}"
-            rows.append([name, axis, f"{values[0]:.3g}", f"{values[-1]:.3g}", learned])
-    end = found["start"] + found["window"]
-    said = [
-        f"Measured from t = {found['start']:g} to {end:g} {found['time_unit']}: "
-        f"{found['measured']}.",
-        *(f"Together: {sentence}." for sentence in found["team"]["not_learnable"]),
-    ]
-    alone = sum(bool(one["not_learnable"]) for one in found["vehicles"].values())
-    if alone and not found["team"]["not_learnable"]:
-        said.append(
-            f"{alone} of {len(found['vehicles'])} vehicles could not learn all alone; together "
-            "they can."
-        )
-    columns = ["vehicle", "axis", "smallest eigenvalue", "largest", "can be learned"]
-    listed = table("Eigenvalues of the Gramian, alone and together", columns, rows)
-    return Section("excitation", heading, [paragraphs(said), listed])

@@ -3,16 +3,13 @@
 Nothing here integrates.
 """
 
-from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..arguments import public
 from ..errors import ClptError, DataError
-from ..figures import BLUE, COLOURS, GREY, RED, STYLES, axes_for, figure_of, legend_below
-from ..files import write_together
+from ..figures import BLUE, COLOURS, GREY, RED, STYLES, axes_for, legend_below
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_of_run
 
@@ -274,16 +271,3 @@ def run_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     for axis in (1, 2):
         learning_plot(run, axis, ax=axes[[2 + axis, 4 + axis]])
     return axes
-
-
-def save_figures(
-    run: "xarray.Dataset", folder: Path, kinds: Sequence[str] = ("png",)
-) -> list[Path]:
-    """Write figure1.png to figure4.png: track, CLPE, horizontal and vertical learning."""
-    plots: Any = ((track_plot,), (clpe_plot,), (learning_plot, 1), (learning_plot, 2))
-    results: dict[Path, Any] = {}
-    for number, (plot, *axis) in enumerate(plots, 1):
-        figure = figure_of(plot, run, *axis)
-        results |= {Path(folder) / f"figure{number}.{kind}": figure for kind in kinds}
-    write_together(results)
-    return list(results)

@@ -2,8 +2,10 @@
 
     CLPE rms per cycle     rms of |e| over one round of the waypoints
     parameter error        max |alpha + theta|, and max |gain - true gain|
+    disagreement           of a team: max |alpha_i - alpha_j| over all pairs
 
-Mean squares are over 2000 samples a cycle (`pieces`).
+Mean squares are over 2000 samples a cycle (`pieces`), a team's over its recorded samples.
+Errors and disagreement stand at some times (`TIMES`) and at the end.
 The claims judge the paper's sentences about figures 2 to 4, each with its
 criterion, what was measured, and a verdict.
 """
@@ -17,9 +19,11 @@ import numpy as np
 from ..arguments import check_holds, public
 from ..errors import DataError
 from ..scenario.experiment import Scenario
-from .integrate import sample_times
+from ..scenario.tables import Units
+from ..scenario.team import Team
+from .integrate import sample_times, simulate
 from .pieces import SAMPLES_PER_CYCLE, Grid, Squares, nearest, run_in_pieces, union
-from .speeds import note_speeds
+from .speeds import note_speeds, speeds_of
 
 if TYPE_CHECKING:
     import xarray
@@ -38,13 +42,13 @@ class RunReport(NamedTuple):
 
 @public
 def run_and_report(
-    scenario: Scenario, progress: Callable[[float], None] | None = None
+    system: Scenario | Team, progress: Callable[[float], None] | None = None
 ) -> RunReport:
-    """Run a scenario and summarise it.
+    """Run a scenario, or a team, and summarise it.
 
     Parameters
     ----------
-    scenario : Scenario
+    system : Scenario or Team
         The experiment.
     progress : callable, optional
         Called with the time reached.
@@ -59,7 +63,8 @@ def run_and_report(
         ``max_flow_parameter_error`` and ``max_gain_error`` keyed by time,
         ``status`` and ``message``; with ``vehicle.max_speed`` also ``speed``, the share of time
         at it and when the flow was faster; for a gridded field also the shares of
-        variance that the learned flow explains.
+        variance that the learned flow explains. Of a team these are by vehicle and of its own
+        samples, with ``max_disagreement`` keyed by time.
 
     Raises
     ------
@@ -73,76 +78,138 @@ def run_and_report(
     >>> list(run_and_report(scenario).summary["max_gain_error"])
     ['10', '20']
     """
-    end = scenario.run.duration
-    own = sample_times(end, scenario.run.output_step)
-    marks = np.array([t for t in TIMES if t <= end], dtype=float)
-    grid = Grid.to(end, scenario.cycle / SAMPLES_PER_CYCLE)
-    dense, squares, watch = run_in_pieces(scenario, union(own, marks), grid, progress)
+    end = system.run.duration
+    own = sample_times(end, system.run.output_step)
+    times = union(own, np.array([t for t in TIMES if t <= end], dtype=float))
+    if isinstance(system, Team):
+        dense = simulate(system, times, progress=progress)
+        run = _at_own_samples(dense, own)
+        return RunReport(run, run, team_summary(system, run, dense))
+    grid = Grid.to(end, system.cycle / SAMPLES_PER_CYCLE)
+    dense, squares, watch = run_in_pieces(system, times, grid, progress)
     if watch is not None:
-        note_speeds(dense, watch.figures(), scenario.units)
-    reached = dense.time.values
-    run = dense.isel(time=nearest(reached, own))
-    if dense.attrs["status"] == "stopped":
-        run = dense.isel(time=np.append(nearest(reached, own[own < reached[-1]]), -1))
-    run.encoding.update(dense.encoding)
+        note_speeds(dense, watch.figures(), system.units)
+    run = _at_own_samples(dense, own)
     shown = np.append(np.arange(0, grid.last, grid.every), grid.last)
-    even = dense.isel(time=nearest(reached, grid.times(shown)))
-    summary = _summary(scenario, squares, dense)
+    even = dense.isel(time=nearest(dense.time.values, grid.times(shown)))
+    figures = {**_clpe(system, squares, dense), **errors(system, run, at_times(dense))}
     if watch is not None:
-        summary["speed"] = watch.figures()
-    if scenario.flow.field is not None:
-        from .flows import explained_variance
-
-        summary["explained_variance"] = explained_variance(scenario, run)
+        figures["speed"] = watch.figures()
+    summary = _summary(dense, system.units, figures)
     run.attrs[SUMMARY] = json.dumps(summary)
     return RunReport(run, even, summary)
 
 
-def _summary(scenario: Scenario, squares: Squares, dense: "xarray.Dataset") -> dict[str, Any]:
-    """Return a run's figures, ready for JSON."""
+def _at_own_samples(dense: "xarray.Dataset", own: np.ndarray) -> "xarray.Dataset":
+    """Return a run at times of its own; one that stopped is there to where it stopped."""
+    reached = dense.time.values
+    at = nearest(reached, own)
+    if dense.attrs["status"] == "stopped":
+        at = np.append(nearest(reached, own[own < reached[-1]]), -1)
+    run = dense.isel(time=at)
+    run.encoding.update(dense.encoding)
+    return run
+
+
+def _summary(run: "xarray.Dataset", units: Units, figures: dict[str, Any]) -> dict[str, Any]:
+    """Return a run's figures with what it is and how it ended, ready for JSON."""
+    return {
+        "title": run.attrs["title"],
+        "units": {"length": units.length, "time": units.time},
+        "status": run.attrs["status"],
+        "message": run.attrs["message"],
+        "end": float(run.time[-1]),
+        **figures,
+        "solver": {
+            name.removeprefix("solver_"): int(value)
+            for name, value in run.attrs.items()
+            if name.startswith("solver_")
+        },
+    }
+
+
+def _clpe(scenario: Scenario, squares: Squares, dense: "xarray.Dataset") -> dict[str, Any]:
+    """Return mean squares over 2000 samples a cycle."""
     end = float(dense.time[-1])
     cycles = int(np.floor((end + 1e-9 * max(1.0, end)) / scenario.cycle))
-    samples = int(squares.counts.sum())
-    summary: dict[str, Any] = {
-        "title": scenario.title,
-        "units": {"length": scenario.units.length, "time": scenario.units.time},
-        "status": dense.attrs["status"],
-        "message": dense.attrs["message"],
-        "end": end,
-        "clpe_rms_per_cycle": [
-            squares.rms(j * SAMPLES_PER_CYCLE, (j + 1) * SAMPLES_PER_CYCLE) for j in range(cycles)
-        ],
+    samples, each = int(squares.counts.sum()), SAMPLES_PER_CYCLE
+    return {
+        "clpe_rms_per_cycle": [squares.rms(j * each, (j + 1) * each) for j in range(cycles)],
         "clpe_rms": squares.rms(),
         "clpe_rms_last_quarter": squares.rms(samples - samples // 4 - 1),
     }
-    marks = {str(t): float(t) for t in TIMES if t <= end * (1 + 1e-12)}
-    at = {key: dense.sel(time=t, method="nearest") for key, t in marks.items()}
+
+
+def clpe_of_samples(scenario: Scenario, run: "xarray.Dataset") -> dict[str, Any]:
+    """Return mean squares over the samples of a vehicle's run."""
+    squares = ((run.position - run.predicted_position).values ** 2).sum(-1)
+    times, cycle, first, end = run.time.values, scenario.cycle, run.time.values[0], run.time[-1]
+    count = int(np.floor(float(end) / cycle * (1 + 1e-12)))
+    rounds = [squares[(times >= k * cycle) & (times < (k + 1) * cycle)] for k in range(count)]
+    late = squares[times >= first + 0.75 * (float(end) - first)]
+    return {
+        "clpe_rms_per_cycle": [_root_mean(one) for one in rounds if len(one)],
+        "clpe_rms": _root_mean(squares),
+        "clpe_rms_last_quarter": _root_mean(late),
+    }
+
+
+def _root_mean(squares: np.ndarray) -> float:
+    return float(np.sqrt(squares.mean()))
+
+
+def at_times(run: "xarray.Dataset") -> "dict[str, xarray.Dataset]":
+    """Return a run at the times of its errors, by time, the end the last."""
+    last = float(run.time[-1])
+    times = [*(float(t) for t in TIMES if t < last), last]
+    return {f"{t:g}": run.sel(time=t, method="nearest") for t in times}
+
+
+def errors(
+    scenario: Scenario, run: "xarray.Dataset", at: "dict[str, xarray.Dataset]"
+) -> dict[str, Any]:
+    """Return how far a vehicle is from the truth; `at` are samples of its run by time."""
+    found: dict[str, Any] = {}
     if scenario.flow.parameters is not None:
-        summary["max_flow_parameter_error"] = {
-            key: parameter_error(scenario, sample) for key, sample in at.items()
+        theta = np.array(scenario.flow.parameters)
+        found["max_flow_parameter_error"] = {
+            key: float(np.abs(one.flow_parameters_estimate - theta).max())
+            for key, one in at.items()
         }
-    summary["max_gain_error"] = {key: gain_error(scenario, one) for key, one in at.items()}
-    summary["solver"] = {
-        name.removeprefix("solver_"): int(value)
-        for name, value in dense.attrs.items()
-        if name.startswith("solver_")
+    car = scenario.vehicle
+    gains = {"feedback_gain": car.feedback, "feedforward_gain": car.feedforward}
+    found["max_gain_error"] = {
+        key: max(float(np.abs(one[name] - np.array(true)).max()) for name, true in gains.items())
+        for key, one in at.items()
     }
-    return summary
+    if scenario.flow.field is not None:
+        from .flows import explained_variance
+
+        found["explained_variance"] = explained_variance(scenario, run)
+    return found
 
 
-def parameter_error(scenario: Scenario, sample: "xarray.Dataset") -> float:
-    """Return the largest error of a flow parameter at one time."""
-    theta = np.array(scenario.flow.parameters)
-    return float(np.abs(sample.flow_parameters_estimate - theta).max())
-
-
-def gain_error(scenario: Scenario, sample: "xarray.Dataset") -> float:
-    """Return the largest error of K and Gamma at one time."""
-    gains = {
-        "feedback_gain": np.array(scenario.vehicle.feedback),
-        "feedforward_gain": np.array(scenario.vehicle.feedforward),
+def team_summary(team: Team, run: "xarray.Dataset", dense: "xarray.Dataset") -> dict[str, Any]:
+    """Return the figures of a team's run, by vehicle; errors are those of its `dense` samples."""
+    at = at_times(dense)
+    figures: dict[str, Any] = {}
+    for name, scenario in team.members.items():
+        own = run.sel(vehicle=name)
+        found = clpe_of_samples(scenario, own)
+        del found["clpe_rms_per_cycle"]  # rounds of several vehicles are no rounds of the team
+        found |= errors(scenario, own, {key: one.sel(vehicle=name) for key, one in at.items()})
+        if (limit := scenario.vehicle.max_speed) is not None:
+            found["speed"] = speeds_of(own, limit)
+        for key, value in found.items():
+            figures.setdefault(key, {})[name] = value
+    apart = {key: one.alpha.max("vehicle") - one.alpha.min("vehicle") for key, one in at.items()}
+    of_the_team = {
+        "vehicles": list(team.members),
+        "coupling": team.coupling,
+        "connectivity": team.connectivity,
+        "max_disagreement": {key: float(one.max()) for key, one in apart.items()},
     }
-    return max(float(np.abs(sample[name] - true).max()) for name, true in gains.items())
+    return _summary(run, team.first.units, {**of_the_team, **figures})
 
 
 @public
@@ -184,30 +251,26 @@ def claims(summary: dict[str, Any]) -> list[dict[str, str]]:
             "the claims of section IV are about its scenario, which has theta, from t = 0 to 2000"
         )
     share = rms[1] / rms[0]
-    verdicts = [
-        {
-            "claim": "CLPE goes to zero over about one cycle",
-            "criterion": "rms |e| in the second cycle at most 10 % of the first",
-            "measured": f"{rms[0]:.3f}, then {rms[1]:.3f} ({100 * share:.0f} %); "
-            f"last cycle {rms[-1]:.4f}",
-            "verdict": "holds" if share <= 0.1 else "fails",
-        }
+    measured = f"{rms[0]:.3f}, then {rms[1]:.3f} ({100 * share:.0f} %); last cycle {rms[-1]:.4f}"
+    judged = [
+        (
+            "CLPE goes to zero over about one cycle",
+            "rms |e| in the second cycle at most 10 % of the first",
+            measured,
+            "holds" if share <= 0.1 else "fails",
+        )
     ]
     for claim, key in (
         ("the six flow parameters converge to their true values", "max_flow_parameter_error"),
         ("the gains converge likewise", "max_gain_error"),
     ):
-        error = summary[key]
-        early, late = error["200"], error["2000"]
+        early, late = summary[key]["200"], summary[key]["2000"]
         verdict = "fails"
         if late <= 0.05:
             verdict = "holds" if early <= 0.05 else "holds by t = 2000, not in one cycle"
-        verdicts.append(
-            {
-                "claim": claim,
-                "criterion": "largest error at most 0.05 after one cycle, t = 200",
-                "measured": f"{early:.3f} at t = 200, {late:.3f} at t = 2000",
-                "verdict": verdict,
-            }
+        criterion = "largest error at most 0.05 after one cycle, t = 200"
+        judged.append(
+            (claim, criterion, f"{early:.3f} at t = 200, {late:.3f} at t = 2000", verdict)
         )
-    return verdicts
+    names = ("claim", "criterion", "measured", "verdict")
+    return [dict(zip(names, row, strict=True)) for row in judged]

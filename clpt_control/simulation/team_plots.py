@@ -1,15 +1,19 @@
 """The picture of a team's run: who swam where, and what they learned together."""
 
+from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..arguments import public
 from ..errors import DataError
-from ..figures import COLOURS, GREY, STYLES, axes_for, legend_below
+from ..figures import COLOURS, GREY, STYLES, axes_for, figure_of, legend_below
+from ..files import write_together
+from ..scenario.file import TEAM
 from ..scenario.team import Team
 from ..scenario.team_file import team_of_run
-from .plots import TITLE
+from .plots import TITLE, clpe_plot, learning_plot, track_plot
 
 if TYPE_CHECKING:
     import xarray
@@ -111,3 +115,21 @@ def _tracks(ax: Any, run: "xarray.Dataset", team: Team, lines: dict[str, dict[st
     ax.set(xlabel=f"$x_1$ ({unit.length})", ylabel=f"$x_2$ ({unit.length})", aspect="equal")
     ax.set_title(f"Waypoints, tracks, and flow at t = 0, at most {longest}", fontsize=10)
     legend_below(ax, 4)
+
+
+def save_figures(
+    run: "xarray.Dataset", folder: Path, kinds: Sequence[str] = ("png",)
+) -> list[Path]:
+    """Write figure1.png to figure4.png: track, CLPE, both axes' learning; of a team team.png."""
+    plots: dict[str, Any] = {
+        "figure1": (track_plot,),
+        "figure2": (clpe_plot,),
+        "figure3": (learning_plot, 1),
+        "figure4": (learning_plot, 2),
+    }
+    results: dict[Path, Any] = {}
+    for name, (plot, *axis) in ({"team": (team_plot,)} if TEAM in run.attrs else plots).items():
+        figure = figure_of(plot, run, *axis)
+        results |= {Path(folder) / f"{name}.{kind}": figure for kind in kinds}
+    write_together(results)
+    return list(results)

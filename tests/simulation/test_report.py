@@ -44,6 +44,10 @@ def test_mean_squares_are_over_every_sample(case, pieces, monkeypatch):
     np.testing.assert_allclose(found.run.time, own.time, rtol=1e-14)
     for name in ("position", "alpha", "reference", "lyapunov"):
         np.testing.assert_allclose(found.run[name], own[name], rtol=0, atol=1e-7, err_msg=name)
+    end = f"{scenario.run.duration:g}"
+    last = abs(own.flow_parameters_estimate[-1] - own.flow_parameters).max()
+    assert list(found.summary["max_flow_parameter_error"])[-1] == end
+    assert found.summary["max_flow_parameter_error"][end] == pytest.approx(float(last), abs=1e-7)
     assert found.run.attrs["solver_steps"] == pytest.approx(own.attrs["solver_steps"], rel=0.1)
 
 
