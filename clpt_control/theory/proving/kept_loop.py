@@ -263,7 +263,7 @@ def cases_of(law: Law) -> list[Kept]:
     return [Kept(law, N) for N in SIZES]
 
 
-def exact_step(cases: Iterable[Kept], claim: str, check: Callable[[Kept], bool | str]) -> Step:
+def exact_step(cases: Iterable[Any], claim: str, check: Callable[[Any], bool | str]) -> Step:
     """Check a claim for each number of functions.
 
     A check returns whether it holds; or what is wrong, and nothing where it holds.
