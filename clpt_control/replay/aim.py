@@ -34,7 +34,7 @@ from ..gliders.dives import Dive, Fix
 from ..gliders.magnetic import variation as igrf
 from ..gliders.usable_dives import FASTEST
 from .replay import Replay
-from .step import ellipse
+from .step import ELLIPSE, ellipse
 from .surfacing import LONGEST, NextDive, forecast_dive, next_start
 from .wording import direction, in_minutes, utc
 
@@ -102,7 +102,6 @@ class Aim:
     def as_dict(self) -> dict[str, Any]:
         """Return all by name, for JSON; `expected_miss` is rms, from where the dive should end."""
         plan = self.ahead.plan
-        long, short, bearing = ellipse(self.ahead.covariance)
         return {
             "latitude": self.target[0],
             "longitude": self.target[1],
@@ -133,9 +132,7 @@ class Aim:
             "end_latitude": self.ahead.latitude,
             "end_longitude": self.ahead.longitude,
             "expected_miss": sqrt(float(np.trace(self.ahead.covariance))),
-            "ellipse_90_long": long,
-            "ellipse_90_short": short,
-            "ellipse_90_bearing": bearing,
+            **dict(zip(ELLIPSE, ellipse(self.ahead.covariance), strict=True)),
         }
 
 

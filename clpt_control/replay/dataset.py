@@ -3,30 +3,101 @@
 CF conventions 1.11, appendix H.4: `dive` is the element dimension, `time`,
 `latitude` and `longitude` are where and when the vehicle surfaced, and a scalar
 `trajectory` bears `cf_role`.  Forecast places have their own coordinates.
+
+`FACTS` has a line for each variable of a dive: its name, units, words, CF standard name, and
+which of the `facts` it is where that has another name.  The plots of a replay draw the same
+facts, of a replay, of its dataset or of what `clpt replay --json` prints.
 """
 
 import json
-from collections.abc import Sequence
 from importlib.metadata import version
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 import numpy as np
 
 from ..arguments import public
 from ..errors import DataError
-from ..geodesy import place_from
-from .over_ground import drifts, over_ground
 from .replay import Replay
-from .step import ellipse
+from .rows import facts, known
+from .step import ELLIPSE, FLOW_MODEL, MODELS, ellipse
 from .surfacing import NextDive
-from .wording import direction
+from .wording import utc
 
 if TYPE_CHECKING:
     import xarray
 
 EPOCH = "seconds since 1970-01-01 00:00:00 UTC"
+SECOND, START = np.timedelta64(1, "s"), np.datetime64("1970-01-01")
 SUMMARY = "summary"  # variable: what `clpt replay --json` prints
 ALONG = {"coordinates": "time latitude longitude"}
+FACTS = f"""
+start_time | {EPOCH} | last fix before the dive
+start_latitude | degrees_north | latitude, last fix before the dive
+reckoned_latitude | degrees_north | latitude, end of the dive by dead reckoning
+forecast_latitude | degrees_north | latitude, surfacing as forecast
+start_longitude | degrees_east | longitude, last fix before the dive
+reckoned_longitude | degrees_east | longitude, end of the dive by dead reckoning
+forecast_longitude | degrees_east | longitude, surfacing as forecast
+clpe_no_flow | m | prediction error at the surfacing, flow: no flow
+clpe_previous_dive | m | prediction error at the surfacing, flow: previous dive
+clpe_adaptive | m | prediction error at the surfacing, flow: adaptive
+clpe_flow_model | m | prediction error at the surfacing, flow: flow model
+flow_model_east | m | displacement of the vehicle by the flow model, east
+flow_model_north | m | displacement of the vehicle by the flow model, north
+current_east | m s-1 | learned current over the dive, east | eastward_sea_water_velocity
+current_east_error | m s-1 | standard error of current_east
+current_north | m s-1 | learned current over the dive, north | northward_sea_water_velocity
+current_north_error | m s-1 | standard error of current_north
+current_speed | m s-1 | learned current over the dive | sea_water_speed
+current_direction | degree | where the learned current goes to, clockwise from north \
+    | sea_water_velocity_to_direction
+file_current_east | m s-1 | depth-averaged current of the vehicle's own file, east
+file_current_north | m s-1 | depth-averaged current of the vehicle's own file, north
+forecast_east | m | fix less dead reckoning as forecast, east
+forecast_variance_east | m2 | variance of forecast_east
+forecast_north | m | fix less dead reckoning as forecast, north
+forecast_variance_north | m2 | variance of forecast_north
+forecast_covariance | m2 | covariance of forecast_east and forecast_north
+speed_factor | 1 | factor on speed through water
+speed_factor_standard_error | 1 | standard error of: factor on speed through water \
+    | | speed_factor_error
+compass_error | degree | compass error, clockwise | | compass
+compass_error_standard_error | degree | standard error of: compass error, clockwise \
+    | | compass_error
+surface_drift | m | drift at the surface before the dive | | drift_distance
+surface_drift_speed | m s-1 | speed of surface_drift | | drift_speed
+surface_drift_direction | degree | where surface_drift goes to, clockwise from north \
+    | | drift_direction
+speed_over_ground | m s-1 | from fix to fix | platform_speed_wrt_ground | over_ground_speed
+course_over_ground | degree | from fix to fix, clockwise from north | platform_course \
+    | over_ground_direction
+"""
+FLAGS = """
+inside_90 | outside inside | whether the vehicle surfaced in the 90 % ellipse of its forecast
+speed_anomaly | none flagged | whether the speed factor left its credible range | | anomaly
+"""
+Source = Union[Replay, "xarray.Dataset", dict[str, Any]]
+
+
+class Fact(NamedTuple):
+    """A variable of a dive, and the name `of` what it holds in `facts`."""
+
+    variable: str
+    units: str
+    words: str
+    standard_name: str
+    of: str
+
+
+def table(text: str) -> list[Fact]:
+    """Return the lines of `FACTS` or `FLAGS`, whose second field is the meaning of 0 and 1."""
+    found = []
+    for line in text.strip().splitlines():
+        cells = [cell.strip() for cell in line.split("|")]
+        cells += [""] * (len(Fact._fields) - len(cells))
+        variable, units, words, standard_name, of = cells
+        found.append(Fact(variable, units, words, standard_name, of or variable))
+    return found
 
 
 @public
@@ -60,31 +131,19 @@ def replay_dataset(
     """
     import xarray
 
-    steps = replay.steps
-    dives = [step.dive for step in steps]
-    forecast = np.array(
-        [
-            place_from(
-                d.lat_gps2, d.lon_gps2, d.dr_east + s.forecast[0], d.dr_north + s.forecast[1]
-            )
-            for s, d in zip(steps, dives, strict=True)
-        ]
-    ).reshape(-1, 2)
-    reckoned = np.array(
-        [place_from(d.lat_gps2, d.lon_gps2, d.dr_east, d.dr_north) for d in dives]
-    ).reshape(-1, 2)
+    dives, found = [step.dive for step in replay.steps], facts(replay)
     numbers = np.array([d.number for d in dives], np.int64)
     if np.all(np.abs(numbers) < 2**31):
         numbers = numbers.astype(np.int32)
     time = {"units": EPOCH, "calendar": "standard", "standard_name": "time", "axis": "T"}
-    north = {"units": "degrees_north", "standard_name": "latitude"}
-    east = {"units": "degrees_east", "standard_name": "longitude"}
+    north = {"units": "degrees_north", "standard_name": "latitude", "axis": "Y"}
+    east = {"units": "degrees_east", "standard_name": "longitude", "axis": "X"}
     data = xarray.Dataset(
         coords={
             "dive": ("dive", numbers, {"long_name": "number of the dive"}),
             "time": ("dive", [d.t_gpse for d in dives], {**time, "long_name": "surfacing"}),
-            "latitude": ("dive", [d.lat_gpse for d in dives], {**north, "axis": "Y"}),
-            "longitude": ("dive", [d.lon_gpse for d in dives], {**east, "axis": "X"}),
+            "latitude": ("dive", [d.lat_gpse for d in dives], north),
+            "longitude": ("dive", [d.lon_gpse for d in dives], east),
         },
         attrs={
             "Conventions": "CF-1.11",
@@ -99,188 +158,35 @@ def replay_dataset(
             "gaussian_width_units": "m",
         },
     )
-    data["trajectory"] = ((), name, {"cf_role": "trajectory_id"})
-
-    def add(key: str, values: list, units: str, long_name: str, **more: str) -> None:
-        column = np.array([np.nan if v is None else v for v in values], float)
-        data[key] = ("dive", column, {"units": units, "long_name": long_name, **more, **ALONG})
-
-    add("start_time", [d.t_gps2 for d in dives], EPOCH, "last fix before the dive")
-    for axis, where in (("latitude", north), ("longitude", east)):
-        k = axis == "longitude"
-        start = [d.lon_gps2 if k else d.lat_gps2 for d in dives]
-        for key, values, long_name in (
-            ("start", start, "last fix before the dive"),
-            ("reckoned", list(reckoned[:, int(k)]), "end of the dive by dead reckoning"),
-            ("forecast", list(forecast[:, int(k)]), "surfacing as forecast"),
-        ):
-            add(f"{key}_{axis}", values, where["units"], f"{axis}, {long_name}")
-    for model in replay.models:
-        add(
-            f"clpe_{model}",
-            [s.clpe[model] for s in steps],
-            "m",
-            f"prediction error at the surfacing, flow: {model.replace('_', ' ')}",
-        )
     if replay.flow_model is not None:
         data.attrs["flow_model"] = f"{replay.flow_model.source}: {replay.flow_model.about}"
-        for axis in ("east", "north"):
-            add(
-                f"flow_model_{axis}",
-                [getattr(d, f"model_{axis}") for d in dives],
-                "m",
-                f"displacement of the vehicle by the flow model, {axis}",
-            )
-    for i, axis in enumerate(("east", "north")):
-        sea = {"standard_name": f"{axis}ward_sea_water_velocity"}
-        add(
-            f"current_{axis}",
-            [s.current[i] for s in steps],
-            "m s-1",
-            f"learned current over the dive, {axis}",
-            **sea,
-        )
-        add(
-            f"current_{axis}_error",
-            [s.current_error[i] for s in steps],
-            "m s-1",
-            f"standard error of current_{axis}",
-        )
-        add(
-            f"file_current_{axis}",
-            [getattr(d, f"dac_{axis}") for d in dives],
-            "m s-1",
-            f"depth-averaged current of the vehicle's own file, {axis}",
-        )
-        add(
-            f"forecast_{axis}",
-            [s.forecast[i] for s in steps],
-            "m",
-            f"fix less dead reckoning as forecast, {axis}",
-        )
-        add(
-            f"forecast_variance_{axis}",
-            [s.covariance[i, i] for s in steps],
-            "m2",
-            f"variance of forecast_{axis}",
-        )
-    add(
-        "forecast_covariance",
-        [s.covariance[0, 1] for s in steps],
-        "m2",
-        "covariance of forecast_east and forecast_north",
-    )
-    for part in steps[0].parts if steps else ():
-        add(f"probability_{part}", [s.parts[part] for s in steps], "1", f"that {part} is present")
-    if replay.model.learn_speed:
-        for key, values, errors, units, long_name in (
-            (
-                "speed_factor",
-                [s.speed for s in steps],
-                [s.speed_error for s in steps],
-                "1",
-                "factor on speed through water",
-            ),
-            (
-                "compass_error",
-                [s.compass for s in steps],
-                [s.compass_error for s in steps],
-                "degree",
-                "compass error, clockwise",
-            ),
-        ):
-            wrong = f"{key}_standard_error"
-            add(key, values, units, long_name, ancillary_variables=wrong)
-            add(wrong, errors, units, f"standard error of: {long_name}")
-    for key, said, no, yes, long_name in (
-        (
-            "inside_90",
-            [s.inside for s in steps],
-            "outside",
-            "inside",
-            "whether the vehicle surfaced in the 90 % ellipse of its forecast",
-        ),
-        (
-            "speed_anomaly",
-            [s.anomaly is not None for s in steps],
-            "none",
-            "flagged",
-            "whether the speed factor left its credible range",
-        ),
-    ):
-        data[key] = (
-            "dive",
-            np.array(said, np.int8),
-            {
-                "long_name": long_name,
-                "flag_values": np.array([0, 1], np.int8),
-                "flag_meanings": f"{no} {yes}",
-                **ALONG,
-            },
-        )
-    _over_ground(data, replay)
+    data["trajectory"] = ((), name, {"cf_role": "trajectory_id"})
+    each = table(FACTS)
+    each += [
+        Fact(f"probability_{part}", "1", f"that {part} is present", "", f"probability_{part}")
+        for part in replay.steps[0].parts
+    ]
+    each = [fact for fact in each if fact.of in found[0]]
+    names = {fact.variable for fact in each}
+    for fact in each:
+        more = {"standard_name": fact.standard_name} if fact.standard_name else {}
+        if (wrong := f"{fact.variable}_standard_error") in names:
+            more["ancillary_variables"] = wrong
+        attributes = {"units": fact.units, "long_name": fact.words, **more, **ALONG}
+        data[fact.variable] = ("dive", np.array([row[fact.of] for row in found], float), attributes)
+    for fact in table(FLAGS):
+        flags = {"flag_values": np.array([0, 1], np.int8), "flag_meanings": fact.units}
+        raised = np.array([bool(row[fact.of]) for row in found], np.int8)
+        data[fact.variable] = ("dive", raised, {"long_name": fact.words, **flags, **ALONG})
     if ahead is not None:
         _next(data, ahead)
     return data
 
 
-def _over_ground(data: "xarray.Dataset", replay: Replay) -> None:
-    """Add drift at the surface, way over ground, size and direction of the current."""
-    dives = [step.dive for step in replay.steps]
-    ways = [None if way is None else way.as_dict() for way in drifts(dives)]
-    made = [over_ground(dive).as_dict() for dive in dives]
-    for key, values, units, long_name, standard in (
-        ("surface_drift", _of(ways, "distance"), "m", "drift at the surface before the dive", ""),
-        ("surface_drift_speed", _of(ways, "speed"), "m s-1", "speed of surface_drift", ""),
-        (
-            "surface_drift_direction",
-            _of(ways, "direction"),
-            "degree",
-            "where surface_drift goes to, clockwise from north",
-            "",
-        ),
-        (
-            "speed_over_ground",
-            _of(made, "speed"),
-            "m s-1",
-            "from fix to fix",
-            "platform_speed_wrt_ground",
-        ),
-        (
-            "course_over_ground",
-            _of(made, "direction"),
-            "degree",
-            "from fix to fix, clockwise from north",
-            "platform_course",
-        ),
-        (
-            "current_speed",
-            [float(np.hypot(*step.current)) for step in replay.steps],
-            "m s-1",
-            "learned current over the dive",
-            "sea_water_speed",
-        ),
-        (
-            "current_direction",
-            [direction(*map(float, step.current)) for step in replay.steps],
-            "degree",
-            "where the learned current goes to, clockwise from north",
-            "sea_water_velocity_to_direction",
-        ),
-    ):
-        column = np.array([np.nan if v is None else v for v in values], float)
-        more = {"standard_name": standard} if standard else {}
-        data[key] = ("dive", column, {"units": units, "long_name": long_name, **more, **ALONG})
-
-
-def _of(ways: Sequence[dict | None], key: str) -> list:
-    return [None if way is None else way[key] for way in ways]
-
-
 def _next(data: "xarray.Dataset", ahead: NextDive) -> None:
     """Add the next surfacing: when, where, and its 90 % ellipse."""
     long, short, bearing = ellipse(ahead.covariance)
-    said = "of the next surfacing, as forecast"
+    words = "of the next surfacing, as forecast"
     for key, value, attributes in (
         ("next_time", ahead.plan.t_gpse, {"units": EPOCH, "calendar": "standard"}),
         ("next_latitude", ahead.latitude, {"units": "degrees_north"}),
@@ -290,7 +196,7 @@ def _next(data: "xarray.Dataset", ahead: NextDive) -> None:
         ("next_ellipse_90_bearing", bearing, {"units": "degree"}),
     ):
         name = key.removeprefix("next_").replace("_90", " of 90 %").replace("_", " ")
-        data[key] = ((), value, {"long_name": f"{name} {said}", **attributes})
+        data[key] = ((), value, {"long_name": f"{name} {words}", **attributes})
 
 
 def carrying(data: "xarray.Dataset", found: dict[str, Any]) -> "xarray.Dataset":
@@ -308,3 +214,55 @@ def carried(data: "xarray.Dataset", name: str) -> Any:
             f"{name}: is a replay's NetCDF without its summary; run `clpt replay --out` again, or "
             "give what `clpt replay --json` prints"
         ) from None
+
+
+class Plotted(NamedTuple):
+    """A replay with one dive at least, as plots need it."""
+
+    vehicle: str
+    models: tuple[str, ...]
+    learns_speed: bool
+    rows: list[dict[str, Any]]
+
+
+def plotted(source: Source) -> Plotted:
+    """Return what plots draw; refuse what is no replay, or has no dive."""
+    if isinstance(source, Replay):
+        if not source.steps:
+            raise DataError("the replay has no dive yet; feed one, as Replay.step does")
+        vehicle, found = source.steps[-1].dive.vehicle or "glider", facts(source)
+    elif isinstance(source, dict) and source.get("each_dive"):
+        vehicle, found = source["vehicle"], source["each_dive"]
+    elif "dive" in getattr(source, "dims", ()) and "clpe_adaptive" in source:
+        vehicle, found = str(source["trajectory"].values), _facts_in(source)
+    else:
+        raise DataError(
+            f"{type(source).__name__}: is no replay; clpt.replay.replay_dives(dives) gives one, "
+            "`clpt replay` writes its dataset, replay.nc"
+        )
+    learns = found[0].get("speed_factor") is not None
+    return Plotted(vehicle, tuple(found[0]["clpe"]), learns, found)
+
+
+def _facts_in(data: Any) -> list[dict[str, Any]]:
+    """Return the facts of each dive of a dataset."""
+    columns = {
+        fact.of: list(map(known, data[fact.variable].values.tolist()))
+        for fact in (*table(FACTS), *table(FLAGS))
+        if fact.variable in data
+    }
+    columns["dive"] = data["dive"].values.tolist()
+    columns |= {f"end_{axis}": data[axis].values.tolist() for axis in ("latitude", "longitude")}
+    ends = data["time"].values
+    if ends.dtype.kind == "M":  # decoded
+        ends = (ends - START) / SECOND
+    columns["end"] = [utc(float(end)) for end in ends]
+    found = [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+    for row in found:
+        names = [f"forecast_{name}" for name in ("variance_east", "variance_north", "covariance")]
+        east, north, both = (row[name] for name in names)
+        half = ellipse(np.array([[east, both], [both, north]]))
+        row |= dict(zip(ELLIPSE, half, strict=True))
+        models = (name for name in (*MODELS, FLOW_MODEL) if f"clpe_{name}" in row)
+        row["clpe"] = {name: row[f"clpe_{name}"] for name in models}
+    return found

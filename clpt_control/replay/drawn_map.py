@@ -11,7 +11,7 @@ import numpy as np
 from ..arguments import public
 from ..figures import BLUE, GREEN, ORANGE, PURPLE, RED, axes_for, legend_below
 from .chart import Chart, length_of, mark
-from .plotted import Source, plotted
+from .dataset import Source, plotted
 from .rings import AIMED, NEXT, Place, place_in, ring_of
 from .surfacing import NextDive
 

@@ -8,16 +8,19 @@ dive under the pointer and counts the hours.  Every text is escaped: files may s
 from collections.abc import Sequence
 from typing import Any
 
+from ..figures import figure_of
 from ..html.document import document
+from ..html.svg import inline_svg
 from ..html.text import paragraphs, safe
 from .columns import columns
-from .page_lines import replay_lines
 from .page_map import replay_map
+from .plots import current_plot, dive_clpe_plot
 from .sentences import aimed, next_surfacing, remarks
 from .wording import compass, in_degrees, velocity
 
 ALARM = ' class="alarm"'
 AGAIN = 60  # s, until a page of a folder that is followed is loaded again
+NARROW = 5.8  # inches of a chart, whose letters a telephone shows
 PHONE, PAPER = 2, 6  # greatest rank of a column that a telephone shows, and a printed page
 
 
@@ -40,7 +43,7 @@ def replay_page(found: dict[str, Any], again: bool = False, title: str | None = 
             f'<div class="body"><div><div class="map">{replay_map(found)}',
             f'<div class="buttons"></div></div>{_keys(found)}',
             '<p id="said" class="soft"></p></div>',
-            f"<div>{replay_lines(found)}</div></div>",
+            f"<div>{_charts(found)}</div></div>",
             *_table(found),
             *_remarks(remarks(found)),
         ]
@@ -100,6 +103,20 @@ def _aim(leg: dict[str, Any]) -> str:
         value += f" (mag {compass(magnetic)})"
     below = f"to {safe(leg['place'])}; {leg['made_good']:.0f} m made good, {safe(leg['state'])}"
     return _card("Aim", value, below, "first")
+
+
+def _charts(found: dict[str, Any]) -> str:
+    """Return the misses and what was learned, over time."""
+    charts = []
+    for name, plot, high, said in (
+        ("clpe", dive_clpe_plot, 0.6, "Miss (CLPE) of each dive, one dive ahead"),
+        ("learned", current_plot, 1.0, "Learned, with two standard errors"),
+    ):
+        figure = figure_of(plot, found, dates=True)
+        figure.set_size_inches(NARROW, NARROW * high)
+        svg = inline_svg(figure, name, said)
+        charts.append(f"<figure>{svg}<figcaption>{said}</figcaption></figure>")
+    return "\n".join(charts)
 
 
 def _keys(found: dict[str, Any]) -> str:

@@ -9,9 +9,9 @@ import numpy as np
 from ..arguments import public
 from ..figures import BLUE, GREEN, GREY, ORANGE, RED, axes_for, figure_of, legend_below
 from ..files import write_together
+from .dataset import Source, plotted
 from .drawn_map import map_plot
 from .outcome import rms_of
-from .plotted import Source, plotted
 from .replay import Replay
 from .surfacing import NextDive
 
@@ -29,13 +29,15 @@ MANY = 40  # dives; beyond, marks are small
 
 
 @public
-def dive_clpe_plot(replay: Source, *, ax: "Axes | None" = None) -> "Axes":
+def dive_clpe_plot(replay: Source, *, dates: bool = False, ax: "Axes | None" = None) -> "Axes":
     """Draw the CLPE of each dive for each flow model.
 
     Parameters
     ----------
     replay : Replay or xarray.Dataset
         With one dive at least; the dataset as `replay_dataset` gives it.
+    dates : bool, optional
+        Whether x is when the vehicle surfaced, in place of the numbers of the dives.
     ax : Axes, optional
         Where to draw; by default a new figure of pyplot's.
 
@@ -59,31 +61,32 @@ def dive_clpe_plot(replay: Source, *, ax: "Axes | None" = None) -> "Axes":
     """
     seen = plotted(replay)
     ax = axes_for(ax, 6.8, 4.0)
-    numbers = [row["dive"] for row in seen.rows]
+    x = _along(seen.rows, dates)
     clpe = [row["clpe"] for row in seen.rows]
     for model, rms in rms_of(clpe[1:], seen.models).items():
         colour, mark, style = LINES[model]
         size = [np.nan if e is None else e / 1000 for e in (one[model] for one in clpe)]
         label = model.replace("_", " ") + ("" if rms is None else f", rms {rms / 1000:.2f} km")
-        ax.plot(numbers, size, mark, ls=style, color=colour, label=label, **_fine(numbers))
-    flagged = [row["dive"] for row in seen.rows if row["anomaly"]]
-    for k, number in enumerate(flagged):
-        ax.axvline(number, color=RED, lw=1, label=None if k else "speed anomaly")
-    ax.set(xlabel="dive", ylabel="miss (CLPE) at the surfacing (km)", ylim=(0, None))
-    _whole_dives(ax, numbers)
+        ax.plot(x, size, mark, ls=style, color=colour, label=label, **_fine(x))
+    for k, here in enumerate(x[[bool(row["anomaly"]) for row in seen.rows]]):
+        ax.axvline(here, color=RED, lw=1, label=None if k else "speed anomaly")
+    ax.set(ylabel="miss (CLPE) at the surfacing (km)", ylim=(0, None))
+    _mark(ax, x, dates)
     ax.set_title("Prediction error, one dive ahead; rms after the first", loc="left", fontsize=10)
     legend_below(ax, 3)
     return ax
 
 
 @public
-def current_plot(replay: Source, *, ax: Any = None) -> Any:
+def current_plot(replay: Source, *, dates: bool = False, ax: Any = None) -> Any:
     """Draw the learned current of each dive, and the speed factor.
 
     Parameters
     ----------
     replay : Replay or xarray.Dataset
         With one dive at least; the dataset as `replay_dataset` gives it.
+    dates : bool, optional
+        Whether x is when the vehicle surfaced, in place of the numbers of the dives.
     ax : array of 3 Axes, optional
         Where to draw, two where no speed factor is learned; by default a new figure of pyplot's.
 
@@ -109,23 +112,22 @@ def current_plot(replay: Source, *, ax: Any = None) -> Any:
     seen = plotted(replay)
     found, learned = seen.rows, seen.learns_speed
     axes = axes_for(ax, 6.8, 6.4 if learned else 4.6, nrows=2 + learned, sharex=True)
-    numbers = [row["dive"] for row in found]
+    x = _along(found, dates)
     for one, axis in zip(axes, ("east", "north"), strict=False):
         value, error = (_column(found, key) for key in (f"current_{axis}", f"current_{axis}_error"))
-        _band(one, numbers, value, error, BLUE, "learned, 2 standard errors")
+        _band(one, x, value, error, BLUE, "learned, 2 standard errors")
         own = _column(found, f"file_current_{axis}")
         if np.isfinite(own).any():
-            one.plot(numbers, own, "--^", color=ORANGE, label="the file's own", **_fine(numbers))
+            one.plot(x, own, "--^", color=ORANGE, label="the file's own", **_fine(x))
         one.axhline(0, color="black", lw=0.5)
         one.set_ylabel(f"current {axis} (m/s)")
     axes[0].legend(fontsize=8, frameon=False, ncols=2, loc="lower left", bbox_to_anchor=(0, 1))
     if learned:
         value, error = (_column(found, key) for key in ("speed_factor", "speed_factor_error"))
-        _band(axes[2], numbers, value, error, GREEN)
+        _band(axes[2], x, value, error, GREEN)
         axes[2].axhline(1, color="black", lw=0.5)
         axes[2].set_ylabel("factor on speed")
-    axes[-1].set_xlabel("dive")
-    _whole_dives(axes[-1], numbers)
+    _mark(axes[-1], x, dates)
     return axes
 
 
@@ -217,33 +219,47 @@ def save_replay_figures(replay: Replay, folder: Path, ahead: NextDive | None = N
     return list(figures)
 
 
+def _along(rows: list[dict[str, Any]], dates: bool) -> np.ndarray:
+    """Return where dives stand on x: their numbers, or when the vehicle surfaced."""
+    if dates:
+        return np.array([row["end"].removesuffix("Z") for row in rows], "datetime64[s]")
+    return np.array([row["dive"] for row in rows])
+
+
 def _column(rows: list[dict[str, Any]], key: str) -> np.ndarray:
     """Return a number of each dive, NaN where it is not known."""
-    return np.array([row[key] for row in rows], dtype=float)
+    return np.array([row.get(key) for row in rows], dtype=float)
 
 
 def _band(
     ax: "Axes",
-    numbers: list[int],
+    x: np.ndarray,
     value: np.ndarray,
     error: np.ndarray,
     colour: str,
     label: str | None = None,
 ) -> None:
     """Draw numbers with two standard errors."""
-    ax.fill_between(numbers, value - 2 * error, value + 2 * error, color=colour, alpha=0.15, lw=0)
-    ax.plot(numbers, value, "-o", color=colour, label=label, **_fine(numbers))
+    ax.fill_between(x, value - 2 * error, value + 2 * error, color=colour, alpha=0.15, lw=0)
+    ax.plot(x, value, "-o", color=colour, label=label, **_fine(x))
 
 
-def _fine(numbers: list[int]) -> dict[str, Any]:
+def _fine(x: np.ndarray) -> dict[str, Any]:
     """Return sizes of marks and lines, small for many dives."""
-    return {"ms": 4, "lw": 1.2} if len(numbers) <= MANY else {"ms": 1.8, "lw": 0.7}
+    return {"ms": 4, "lw": 1.2} if len(x) <= MANY else {"ms": 1.8, "lw": 0.7}
 
 
-def _whole_dives(ax: "Axes", numbers: list[int]) -> None:
-    """Mark whole numbers of dives, also where there is one."""
+def _mark(ax: "Axes", x: np.ndarray, dates: bool) -> None:
+    """Mark dates or whole numbers of dives, also where there is one."""
+    from matplotlib.dates import AutoDateLocator, ConciseDateFormatter
     from matplotlib.ticker import MaxNLocator
 
-    ax.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
-    if len(numbers) == 1:
-        ax.set_xlim(numbers[0] - 1, numbers[0] + 1)
+    locator: Any = MaxNLocator(integer=True, min_n_ticks=1)
+    if dates:
+        locator = AutoDateLocator(maxticks=7)
+        ax.xaxis.set_major_formatter(ConciseDateFormatter(locator))
+    ax.xaxis.set_major_locator(locator)
+    ax.set_xlabel("surfaced (UTC)" if dates else "dive")
+    if len(x) == 1:
+        step: Any = np.timedelta64(1, "h") if dates else 1
+        ax.set_xlim(x[0] - step, x[0] + step)

@@ -18,6 +18,7 @@ from .anomaly import Anomaly
 MODELS = ("no_flow", "previous_dive", "adaptive")
 FLOW_MODEL = "flow_model"  # a forecast or a fit that was given
 CHI_SQUARED = 4.605170185988092  # of two components, 90 %: 2 ln 10
+ELLIPSE = ("ellipse_90_long", "ellipse_90_short", "ellipse_90_bearing")  # as `ellipse` has them
 LEARNED = 0.87  # share of a prior's standard error; a parameter with more is held
 
 

@@ -26,7 +26,7 @@ from ..gliders.usable_dives import FASTEST
 from .flow_models import carried, why_uncovered
 from .over_ground import at_the_surface
 from .replay import Replay
-from .step import ellipse
+from .step import ELLIPSE, ellipse
 from .wording import in_minutes, utc
 
 LONGEST = 30 * 86400.0  # s, of a plan
@@ -57,7 +57,6 @@ class NextDive:
 
     def as_dict(self) -> dict[str, Any]:
         """Return the forecast by name, for JSON: degrees, m and s."""
-        long, short, bearing = ellipse(self.covariance)
         now, which = self.now()
         return {
             "time": utc(self.plan.t_gpse),
@@ -73,9 +72,7 @@ class NextDive:
             "latitude": self.latitude,
             "longitude": self.longitude,
             "place": in_minutes(self.latitude, self.longitude),
-            "ellipse_90_long": long,
-            "ellipse_90_short": short,
-            "ellipse_90_bearing": bearing,
+            **dict(zip(ELLIPSE, ellipse(self.covariance), strict=True)),
             "flow_model_covers": self.flow_model_covers,
             "why_uncovered": why_uncovered(self.plan) or None,
         }
