@@ -68,7 +68,7 @@ def application() -> "typer.Typer":
     from .one_scenario import diagram, init, paper, run
     from .prove import prove
     from .replay import replay
-    from .replay_ahead import WithPlaces
+    from .replay_report import WithPlaces
     from .report import report
     from .tides import tides
     from .tune import tune

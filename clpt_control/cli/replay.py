@@ -8,8 +8,7 @@ import typer
 
 from .help_pages import one_of
 from .printing import Formats, Json, print_json
-from .replay_ahead import Ahead, waypoint
-from .replay_report import show, summary_with_next, write
+from .replay_report import Ahead, show, summary_with_next, waypoint, write
 from .replay_watch import check_pace, watch
 
 

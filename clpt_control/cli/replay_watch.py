@@ -9,8 +9,7 @@ from typing import Any
 import typer
 
 from ..progress import interrupt
-from .replay_ahead import Ahead
-from .replay_report import RESULTS, write
+from .replay_report import RESULTS, Ahead, write
 
 LONGEST = 86400.0  # s between looks
 Take = Callable[[Any, Any], tuple[Any, list]]  # dives and what was unread -> replay, skipped

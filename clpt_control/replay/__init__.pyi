@@ -1,10 +1,9 @@
 from .aim import aims
 from .dataset import replay_dataset
-from .drawn_map import map_plot
 from .flow_model_file import read_flow_model
 from .flow_models import carried
 from .outcome import clpe_rms, summary
-from .plots import current_plot, dive_clpe_plot, replay_plot, save_replay_figures
+from .plots import current_plot, dive_clpe_plot, map_plot, replay_plot, save_replay_figures
 from .replay import Replay, replay_dives
 from .surfacing import next_dive
 

@@ -33,8 +33,7 @@ from ..geodesy import displacement, is_place
 from ..gliders.dives import Dive, Fix
 from ..gliders.magnetic import variation as igrf
 from ..gliders.usable_dives import FASTEST
-from .replay import Replay
-from .step import ELLIPSE, ellipse
+from .replay import ELLIPSE, Replay, ellipse
 from .surfacing import LONGEST, NextDive, forecast_dive, next_start
 from .wording import direction, in_minutes, utc
 

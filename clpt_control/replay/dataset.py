@@ -17,9 +17,8 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import DataError
-from .replay import Replay
-from .rows import facts, known
-from .step import ELLIPSE, FLOW_MODEL, MODELS, ellipse
+from .outcome import facts, known
+from .replay import ELLIPSE, FLOW_MODEL, MODELS, Replay, ellipse
 from .surfacing import NextDive
 from .wording import utc
 

@@ -11,7 +11,7 @@ from typing import Any
 from xml.etree import ElementTree
 
 from ..html.text import plain
-from .rings import AIMED, NEXT, Place, line_pieces, place_in, ring_of, ring_pieces
+from .chart import AIMED, NEXT, Place, line_pieces, place_in, ring_of, ring_pieces
 from .wording import compass, velocity
 
 DIGITS = 6  # decimals of a degree: 0.1 m

@@ -1,25 +1,256 @@
-"""What a replay comes to: root mean squares, what was learned, what was left out.
+"""What a replay comes to, by name: a row for each dive, root mean squares, what was learned.
 
     rms = sqrt(mean |x - z|^2)
 
 over used dives.  The first used dive has no dive before it: its forecast is the
 dead reckoning, and it stands in `clpe_rms_all` only.  A given flow model is
-judged on the dives that it covers.
+judged on the dives that it covers.  In rows lengths are in m, times ISO 8601 UTC, currents
+in m/s, angles in degrees clockwise from north; what is not known is None.
+
+Fixes alone say how a vehicle drifts at the surface, and its way over ground,
+
+    drift before a dive = start of the dive - end of the dive before,
+
+where the numbers of the two follow one another; where they do not, or the dive is the first
+known, from the first fix of the surfacing (GPS1), if the file has it.  Ways are geodesics.
+
+What was learned is said as a pilot reads it:
+
+    0.21 m/s to 184 over the last dive; M2 0.03 m/s (odds 1:9); speed 1.48 +- 0.11: ...
+
+A tide is as large as the longer half axis of its ellipse, the greatest singular value of
+[[cos_east, sin_east], [cos_north, sin_north]].  Odds p : 1 - p are of a part's presence; all
+tides come or go together.  A speed or a compass more than `FAR` standard errors from what it
+should be is said in words.
 """
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from math import hypot, isfinite
+from statistics import median
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..arguments import public
 from ..estimation.dive import miss
-from ..gliders.dives import Skipped
+from ..geodesy import displacement, place_from
+from ..gliders.dives import Dive, Skipped
 from .flow_models import NOTE, why_uncovered
-from .learned import learned
-from .replay import Replay
-from .rows import rows
-from .step import FLOW_MODEL
+from .replay import ELLIPSE, FLOW_MODEL, Replay, Step, ellipse
+from .wording import direction, utc, velocity
+
+SHORTEST = 60.0  # s; a fix of 4 m makes more than 0.1 m/s of less
+LONGEST = 86400.0  # s; who is longer at the surface does not only wait for a fix
+SPEED = ("speed_factor", "speed_factor_error", "compass", "compass_error")
+FAR = 3.0  # standard errors
+SURE = 99  # odds beyond which more digits say nothing
+
+
+class Way(NamedTuple):
+    """A way over ground: m east and north, and the time it took, s."""
+
+    east: float
+    north: float
+    seconds: float
+
+    def as_dict(self) -> dict[str, float | None]:
+        """Return length (m), speed (m/s), direction (degrees) and time (s), None if unknown."""
+        length = hypot(self.east, self.north)
+        long = self.seconds >= SHORTEST
+        return {
+            "distance": length,
+            "duration": self.seconds,
+            "speed": length / self.seconds if long else None,
+            "direction": direction(self.east, self.north),
+        }
+
+
+def drift(dive: Dive, before: Dive | None) -> Way | None:
+    """Return the drift at the surface before a dive; None where it is not known."""
+    fix: tuple[Any, Any, Any] = dive.t_gps1, dive.lat_gps1, dive.lon_gps1
+    if before is not None and dive.number == before.number + 1:
+        fix = before.t_gpse, before.lat_gpse, before.lon_gpse
+    if any(value is None or not isfinite(value) for value in fix):
+        return None
+    seconds = dive.t_gps2 - fix[0]
+    way = displacement(*fix[1:], dive.lat_gps2, dive.lon_gps2)
+    known = 0.0 <= seconds <= LONGEST and isfinite(way[0])
+    return Way(*way, seconds) if known else None
+
+
+def over_ground(dive: Dive) -> Way:
+    """Return a dive's way from fix to fix."""
+    return Way(dive.gps_east, dive.gps_north, dive.duration)
+
+
+def drifts(dives: Sequence[Dive]) -> list[Way | None]:
+    """Return the drift before each dive."""
+    return [drift(d, dives[k - 1] if k else None) for k, d in enumerate(dives)]
+
+
+def at_the_surface(dives: Sequence[Dive]) -> float:
+    """Return how long the vehicle stays up between dives, s: the median; zero if not known."""
+    return float(median([way.seconds for way in drifts(dives) if way is not None] or [0.0]))
+
+
+def rows(replay: Replay) -> list[dict[str, Any]]:
+    """Return a row for each dive of a replay."""
+    ways = drifts([step.dive for step in replay.steps])
+    found = []
+    for step, way in zip(replay.steps, ways, strict=True):
+        row = _row(step, replay.models)
+        row["drift"] = None if way is None else way.as_dict()
+        if not replay.model.learn_speed:
+            row |= dict.fromkeys(SPEED)
+        found.append({key: known(value) for key, value in row.items()})
+    return found
+
+
+def facts(replay: Replay) -> list[dict[str, Any]]:
+    """Return the row of each dive with what files and plots have in addition, on one level."""
+    found = rows(replay)
+    for row, step in zip(found, replay.steps, strict=True):
+        dive, covariance = step.dive, step.covariance
+        row |= {"start_time": dive.t_gps2, "forecast_covariance": covariance[0, 1]}
+        for k, axis in enumerate(("east", "north")):
+            row[f"file_current_{axis}"] = getattr(dive, f"dac_{axis}")
+            row[f"forecast_variance_{axis}"] = covariance[k, k]
+            if replay.flow_model is not None:
+                row[f"flow_model_{axis}"] = getattr(dive, f"model_{axis}")
+        for key in ("distance", "speed", "direction"):
+            row[f"drift_{key}"] = row["drift"] and row["drift"][key]
+            row[f"over_ground_{key}"] = row["over_ground"][key]
+        row |= {f"clpe_{name}": size for name, size in row["clpe"].items()}
+        row |= {f"probability_{part}": p for part, p in step.parts.items()}
+        if not replay.model.learn_speed:
+            for key in SPEED:
+                del row[key]
+    return found
+
+
+def known(value: Any) -> Any:
+    """Return None for a number that is not finite, which JSON has no word for."""
+    return None if isinstance(value, float) and not isfinite(value) else value
+
+
+def _row(step: Step, models: tuple[str, ...]) -> dict[str, Any]:
+    dive = step.dive
+    start = dive.lat_gps2, dive.lon_gps2
+    reckoned = place_from(*start, dive.dr_east, dive.dr_north)
+    forecast = place_from(*start, dive.dr_east + step.forecast[0], dive.dr_north + step.forecast[1])
+    east, north = map(float, step.current)
+    return {
+        "dive": dive.number,
+        "start": utc(dive.t_gps2),
+        "end": utc(dive.t_gpse),
+        "duration": dive.duration,
+        "start_latitude": dive.lat_gps2,
+        "start_longitude": dive.lon_gps2,
+        "end_latitude": dive.lat_gpse,
+        "end_longitude": dive.lon_gpse,
+        "reckoned_latitude": reckoned[0],
+        "reckoned_longitude": reckoned[1],
+        "forecast_latitude": forecast[0],
+        "forecast_longitude": forecast[1],
+        "dr_east": dive.dr_east,
+        "dr_north": dive.dr_north,
+        "forecast_east": float(step.forecast[0]),
+        "forecast_north": float(step.forecast[1]),
+        "clpe": {name: step.clpe[name] for name in models},
+        **dict(zip(ELLIPSE, ellipse(step.covariance), strict=True)),
+        "inside_90": step.inside,
+        "current_east": east,
+        "current_north": north,
+        "current_east_error": float(step.current_error[0]),
+        "current_north_error": float(step.current_error[1]),
+        "current_speed": hypot(east, north),
+        "current_direction": direction(east, north),
+        "speed_factor": step.speed,
+        "speed_factor_error": step.speed_error,
+        "compass": step.compass,
+        "compass_error": step.compass_error,
+        "over_ground": over_ground(dive).as_dict(),
+        "anomaly": None if step.anomaly is None else step.anomaly.as_dict(),
+        "depth_max": dive.depth_max,
+        "notes": list(dive.notes),
+    }
+
+
+def odds(p: float) -> str:
+    """Return a probability as odds of whole numbers.
+
+    >>> odds(0.1), odds(0.75), odds(0.5), odds(0.0), odds(1.0)
+    ('1:9', '3:1', '1:1', 'below 1:99', 'above 99:1')
+    """
+    small = min(p, 1 - p)
+    ratio = round((1 - small) / small) if small > 0 else SURE + 1
+    if ratio > SURE:
+        return f"below 1:{SURE}" if p < 0.5 else f"above {SURE}:1"
+    return f"1:{ratio}" if p < 0.5 else f"{ratio}:1"
+
+
+def strengths(replay: Replay) -> dict[str, float]:
+    """Return how strong each optional part of the flow is now: m/s, the factor of a model."""
+    if not replay.steps:
+        return {}
+    known = replay.known()
+    found: dict[str, float] = {}
+    for part in replay.model.flow[1:]:
+        if part == "model":
+            found[part] = known[part]
+        elif part == "inertial":
+            found[part] = hypot(known["inertial_east"], known["inertial_north"])
+        elif part != "gaussians":
+            waves = [
+                [known[f"{part}_{wave}_{axis}"] for wave in ("cos", "sin")]
+                for axis in ("east", "north")
+            ]
+            found[part] = float(np.linalg.norm(np.array(waves), 2))
+    return found
+
+
+def learned(replay: Replay) -> dict[str, Any]:
+    """Return what was learned, by name, for JSON, with the sentence that says it."""
+    if not replay.steps:
+        return {"sentence": "nothing", "strengths": {}, "odds": {}}
+    step = replay.steps[-1]
+    sizes = strengths(replay)
+    chances = {part: step.parts.get(_of(part)) for part in replay.model.flow[1:]}
+    words = [f"{velocity(*map(float, step.current))} over the last dive"]
+    for part, p in chances.items():
+        size = f" {round(sizes[part], 2) + 0.0:.2f}" if part in sizes else ""
+        unit = " m/s" if size and part != "model" else ""
+        words.append(f"{part}{size}{unit}" + ("" if p is None else f" (odds {odds(p)})"))
+    if replay.model.learn_speed:
+        words += [speed_said(step), compass_said(step)]
+    return {
+        "sentence": "; ".join(words),
+        "strengths": sizes,
+        "odds": {part: None if p is None else odds(p) for part, p in chances.items()},
+    }
+
+
+def speed_said(step: Step) -> str:
+    """Return the factor on speed, and what it means where it is far from 1."""
+    said = f"speed {step.speed:.2f} +- {step.speed_error:.2f}"
+    if abs(step.speed - 1) <= FAR * step.speed_error:
+        return said
+    slow = "slow" if step.speed > 1 else "fast"
+    return f"{said}: your flight model is too {slow}"
+
+
+def compass_said(step: Step) -> str:
+    """Return the error of the compass, and what it means where it is far from 0."""
+    said = f"compass {step.compass:+.1f} +- {step.compass_error:.1f} degrees"
+    if abs(step.compass) <= FAR * step.compass_error:
+        return said
+    side = "right" if step.compass > 0 else "left"
+    return f"{said}: it goes to the {side} of its heading"
+
+
+def _of(part: str) -> str:
+    """Return the name of the part whose presence is asked; all tides are one."""
+    return part if part in ("inertial", "gaussians", "model") else "tides"
 
 
 @public

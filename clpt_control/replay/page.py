@@ -12,10 +12,9 @@ from ..figures import figure_of
 from ..html.document import document
 from ..html.svg import inline_svg
 from ..html.text import paragraphs, safe
-from .columns import columns
 from .page_map import replay_map
 from .plots import current_plot, dive_clpe_plot
-from .sentences import aimed, next_surfacing, remarks
+from .sentences import aimed, columns, next_surfacing, remarks
 from .wording import compass, in_degrees, velocity
 
 ALARM = ' class="alarm"'

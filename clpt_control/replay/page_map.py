@@ -11,9 +11,8 @@ from typing import Any
 
 from ..geodesy import displacement
 from ..html.text import safe
-from .chart import Chart, length_of, mark
+from .chart import AIMED, NEXT, Chart, Place, length_of, mark, place_in, ring_of
 from .exchange import said_of_dive, said_of_next
-from .rings import AIMED, NEXT, Place, place_in, ring_of
 from .wording import compass
 
 WIDTH = 1000.0

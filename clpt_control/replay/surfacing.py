@@ -24,9 +24,8 @@ from ..geodesy import place_from
 from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import FASTEST
 from .flow_models import carried, why_uncovered
-from .over_ground import at_the_surface
-from .replay import Replay
-from .step import ELLIPSE, ellipse
+from .outcome import at_the_surface
+from .replay import ELLIPSE, Replay, ellipse
 from .wording import in_minutes, utc
 
 LONGEST = 30 * 86400.0  # s, of a plan

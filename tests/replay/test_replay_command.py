@@ -20,7 +20,7 @@ def command():
     from typer.testing import CliRunner
 
     from clpt_control.cli.replay import replay
-    from clpt_control.cli.replay_ahead import WithPlaces
+    from clpt_control.cli.replay_report import WithPlaces
 
     app = typer.Typer()
     app.command(cls=WithPlaces)(replay)

@@ -11,8 +11,7 @@ from typer.testing import CliRunner
 
 from clpt_control.estimation.fix_model import FixModel
 from clpt_control.gliders.dive_table import sample_dives
-from clpt_control.replay.learned import learned, odds, speed_said, strengths
-from clpt_control.replay.outcome import summary
+from clpt_control.replay.outcome import learned, odds, speed_said, strengths, summary
 from clpt_control.replay.replay import replay_dives
 
 
@@ -45,7 +44,7 @@ def rows_of(text):
 
 @pytest.mark.parametrize("width", [20, 60, 80, 100, 140, 200])
 def test_the_table_keeps_what_matters(width, sg542, capsys):
-    from clpt_control.cli.replay_table import show_tables
+    from clpt_control.cli.replay_report import show_tables
 
     found = json.loads(json.dumps(sg542))
     found["each_dive"][4]["anomaly"] = {"certain": False}
@@ -86,8 +85,8 @@ def test_following_goes_on_where_it_cannot_aim(command, tmp_path):
 
 
 def test_wider_is_more(sg542):
-    from clpt_control.cli.replay_table import fitting
-    from clpt_control.replay.columns import columns
+    from clpt_control.cli.replay_report import fitting
+    from clpt_control.replay.sentences import columns
 
     table = columns(sg542["each_dive"][0])
     cells = [[column.cell(row) for column in table] for row in sg542["each_dive"]]

@@ -11,9 +11,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from synthetic_vehicle import vehicle
 
+from clpt_control.geodesy import displacement
 from clpt_control.gliders.dive_table import sample_dives
 from clpt_control.gliders.dives import make_dive
-from clpt_control.replay import over_ground, surfacing, wording
+from clpt_control.replay import outcome, surfacing, wording
 from clpt_control.replay.dataset import replay_dataset
 from clpt_control.replay.outcome import summary
 from clpt_control.replay.replay import replay_dives
@@ -64,17 +65,17 @@ def test_directions(angle):
 def test_drift_is_from_where_it_came_up():
     first = make_dive(7, (0.0, 0.0, 179.9), (9000.0, 0.0, 179.99), (0.0, 0.0))
     next_one = make_dive(8, (9600.0, 0.0, -179.99), (19000.0, 0.0, -179.9), (0.0, 0.0))
-    way = over_ground.drift(next_one, first)
+    way = outcome.drift(next_one, first)
     degree = math.radians(1) * 6378137.0  # along the equator
     assert way.east == pytest.approx(0.02 * degree, rel=1e-9)  # over the date line
     said = way.as_dict()
     assert said["direction"] == pytest.approx(90.0)
     assert said["speed"] == pytest.approx(0.02 * degree / 600)
-    assert over_ground.drift(replace(next_one, number=9), first) is None  # a dive is missing
+    assert outcome.drift(replace(next_one, number=9), first) is None  # a dive is missing
     gps1 = replace(next_one, number=9, t_gps1=9300.0, lat_gps1=0.0, lon_gps1=-180.0)
-    assert over_ground.drift(gps1, first).east == pytest.approx(0.01 * degree, rel=1e-9)
-    assert over_ground.drift(replace(gps1, t_gps1=math.nan), first) is None
-    still = over_ground.Way(0.0, 0.0, 20.0).as_dict()
+    assert outcome.drift(gps1, first).east == pytest.approx(0.01 * degree, rel=1e-9)
+    assert outcome.drift(replace(gps1, t_gps1=math.nan), first) is None
+    still = outcome.Way(0.0, 0.0, 20.0).as_dict()
     assert still["direction"] is still["speed"] is None
 
 
@@ -87,14 +88,14 @@ def test_each_dive_has_its_row():
     assert len({tuple(row) for row in rows}) == 1
     for row, step in zip(rows, replay.steps, strict=True):
         dive = step.dive
-        apart = over_ground.displacement(dive.lat_gps1, dive.lon_gps1, dive.lat_gps2, dive.lon_gps2)
+        apart = displacement(dive.lat_gps1, dive.lon_gps1, dive.lat_gps2, dive.lon_gps2)
         if dive.number != 307:  # up for 51 minutes, GPS1 is a later fix
             assert row["drift"]["distance"] == pytest.approx(math.hypot(*apart), abs=1e-6)
         assert row["over_ground"]["speed"] == pytest.approx(
             math.hypot(dive.gps_east, dive.gps_north) / dive.duration
         )
         assert row["current_speed"] == pytest.approx(np.linalg.norm(step.current))
-        miss = over_ground.displacement(
+        miss = displacement(
             row["forecast_latitude"], row["forecast_longitude"], dive.lat_gpse, dive.lon_gpse
         )
         assert math.hypot(*miss) == pytest.approx(row["clpe"]["adaptive"], rel=1e-3, abs=1)
