@@ -5,45 +5,33 @@ from typing import Annotated
 
 import typer
 
-from .help_pages import TIDES, one_of
+from .help_pages import TIDES, arg, one_of, opt
 from .printing import Json, print_json, print_table, shown
 
 
 def fit(
-    currents: Annotated[
-        Path, typer.Argument(metavar="FILE", help="NetCDF file of a gridded current.")
-    ],
-    out: Annotated[
-        Path,
-        typer.Option(metavar="SCENARIO", help="Scenario file to write; the field lies beside it."),
-    ],
+    currents: Annotated[Path, arg("FILE", "NetCDF file of a gridded current.")],
+    out: Annotated[Path, opt("SCENARIO", "Scenario file to write; the field lies beside it.")],
     box: Annotated[
         tuple[float, float, float, float] | None,
-        typer.Option(metavar="LAT0 LAT1 LON0 LON1", help="Degrees; default: the whole grid."),
+        opt("LAT0 LAT1 LON0 LON1", "Degrees; default: the whole grid."),
     ] = None,
-    rows: Annotated[
-        int, typer.Option(metavar="COUNT", help="Places of functions, south to north.")
-    ] = 3,
-    columns: Annotated[
-        int, typer.Option(metavar="COUNT", help="Places of functions, west to east.")
-    ] = 3,
-    width_km: Annotated[
-        float, typer.Option(metavar="KM", help="Width of the Gaussians, km.")
-    ] = 15.0,
+    rows: Annotated[int, opt("COUNT", "Places of functions, south to north.")] = 3,
+    columns: Annotated[int, opt("COUNT", "Places of functions, west to east.")] = 3,
+    width_km: Annotated[float, opt("KM", "Width of the Gaussians, km.")] = 15.0,
     constituents: Annotated[
         str,
-        typer.Option(
-            metavar="NAMES",
+        opt(
+            "NAMES",
+            "steady and named tides, such as steady,M2.",
             autocompletion=one_of("steady", *TIDES),
-            help="steady and named tides, such as steady,M2.",
         ),
     ] = "steady,M2",
     start_from_fit: Annotated[
         bool, typer.Option("--start-from-fit", help="Let the learner start with the fit.")
     ] = False,
     units: Annotated[
-        str | None,
-        typer.Option(metavar="UNIT", help="Of u and v, such as m/s, where the file has none."),
+        str | None, opt("UNIT", "Of u and v, such as m/s, where the file has none.")
     ] = None,
     as_json: Json = False,
 ) -> None:

@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 import typer
 
-from .help_pages import one_of
+from .help_pages import arg, one_of, opt
 from .printing import Formats, Json, print_json
 from .replay_report import Ahead, show, summary_with_next, waypoint, write
 from .replay_watch import check_pace, watch
@@ -21,103 +21,77 @@ def folder_named(text: str) -> Path:
 
 def replay(
     files: Annotated[
-        list[Path] | None,
-        typer.Argument(metavar="FILES", help="Files of one vehicle, or folders of them."),
+        list[Path] | None, arg("FILES", "Files of one vehicle, or folders of them.")
     ] = None,
     sample: Annotated[
         bool, typer.Option("--sample", help="Replay the dives that come with clpt.")
     ] = False,
     estimator: Annotated[
-        str,
-        typer.Option(
-            metavar="NAME", autocompletion=one_of("kalman", "gradient"), help="kalman or gradient."
-        ),
+        str, opt("NAME", "kalman or gradient.", autocompletion=one_of("kalman", "gradient"))
     ] = "kalman",
     flow: Annotated[
         str | None,
-        typer.Option(
-            metavar="PARTS",
+        opt(
+            "PARTS",
+            "steady, then any of tides, inertial, gaussians, model, such as steady,M2,K1.",
             autocompletion=one_of("steady", "tides", "M2", "inertial", "gaussians", "model"),
-            help="steady, then any of tides, inertial, gaussians, model, such as steady,M2,K1.",
         ),
     ] = None,
-    width_km: Annotated[
-        float | None, typer.Option(metavar="KM", help="Width of the gaussians.")
-    ] = None,
+    width_km: Annotated[float | None, opt("KM", "Width of the gaussians.")] = None,
     learn_speed: Annotated[
         bool, typer.Option(help="Learn a factor on speed and a compass error.")
     ] = True,
     flow_model: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE", help="Forecast (NetCDF) or fit (TOML) to compare with and learn from."
-        ),
+        Path | None, opt("FILE", "Forecast (NetCDF) or fit (TOML) to compare with and learn from.")
     ] = None,
     units: Annotated[
-        str | None,
-        typer.Option(
-            metavar="UNIT", help="Of u and v of a forecast, such as m/s, where it has none."
-        ),
+        str | None, opt("UNIT", "Of u and v of a forecast, such as m/s, where it has none.")
     ] = None,
     plan: Annotated[
         tuple[float, float, float] | None,
-        typer.Option(
+        opt(
+            "HOURS EAST NORTH",
+            "Plan of the next dive: hours, m east, m north through the water.",
             "--next",
-            metavar="HOURS EAST NORTH",
-            help="Plan of the next dive: hours, m east, m north through the water.",
         ),
     ] = None,
     aim: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="LAT LON",
-            help="Waypoint to aim at, degrees: the heading that the current carries there. Give "
+        opt(
+            "LAT LON",
+            "Waypoint to aim at, degrees: the heading that the current carries there. Give "
             "it again for those that follow.",
         ),
     ] = None,
     speed: Annotated[
-        float | None,
-        typer.Option(
-            metavar="M/S", help="Speed through water for --aim; else that of the last dives."
-        ),
+        float | None, opt("M/S", "Speed through water for --aim; else that of the last dives.")
     ] = None,
     hours: Annotated[
-        float | None,
-        typer.Option(
-            metavar="HOURS", help="Length of a dive for --aim; else that of the last dives."
-        ),
+        float | None, opt("HOURS", "Length of a dive for --aim; else that of the last dives.")
     ] = None,
     least_duration: Annotated[
-        float | None, typer.Option(metavar="SECONDS", help="Dives must last longer than this.")
+        float | None, opt("SECONDS", "Dives must last longer than this.")
     ] = None,
     variation: Annotated[
         float | None,
-        typer.Option(
-            metavar="DEGREES",
-            help="Variation of magnetic headings, degrees east; else the file's or IGRF.",
-        ),
+        opt("DEGREES", "Variation of magnetic headings, degrees east; else the file's or IGRF."),
     ] = None,
     out: Annotated[
-        Path | None,
-        typer.Option(parser=folder_named, metavar="FOLDER", help="Folder for NetCDF and figures."),
+        Path | None, opt("FOLDER", "Folder for NetCDF and figures.", parser=folder_named)
     ] = None,
     follow: Annotated[
         Path | None,
-        typer.Option(
+        opt(
+            "FOLDER",
+            "Folder to watch for new files; --out is FOLDER/replay by default.",
             parser=folder_named,
-            metavar="FOLDER",
-            help="Folder to watch for new files; --out is FOLDER/replay by default.",
         ),
     ] = None,
-    every: Annotated[
-        float, typer.Option(metavar="SECONDS", help="Time between looks at that folder.")
-    ] = 10.0,
+    every: Annotated[float, opt("SECONDS", "Time between looks at that folder.")] = 10.0,
     patience: Annotated[
         float,
-        typer.Option(
-            metavar="SECONDS",
-            help="End after this time without a new file; default: never.",
-            show_default=False,
+        opt(
+            "SECONDS", "End after this time without a new file; default: never.", show_default=False
         ),
     ] = inf,
     formats: Formats = None,

@@ -5,37 +5,30 @@ from typing import Annotated, Any
 
 import typer
 
-from .help_pages import TIDES, one_of
+from .help_pages import TIDES, arg, one_of, opt
 from .printing import Formats, Json, print_json, print_table
 
 
 def tides(
-    record: Annotated[
-        Path, typer.Argument(metavar="FILE", help="NetCDF, or CSV with time, u and v.")
-    ],
+    record: Annotated[Path, arg("FILE", "NetCDF, or CSV with time, u and v.")],
     constituents: Annotated[
         str,
-        typer.Option(
-            metavar="NAMES",
+        opt(
+            "NAMES",
+            "Named tides, such as M2,S2,K1; auto: all that can be told apart.",
             autocompletion=one_of("auto", *TIDES),
-            help="Named tides, such as M2,S2,K1; auto: all that can be told apart.",
         ),
     ],
     latitude: Annotated[
-        float | None,
-        typer.Option(metavar="DEGREES", help="Degrees north; default: the file's own."),
+        float | None, opt("DEGREES", "Degrees north; default: the file's own.")
     ] = None,
     at: Annotated[
-        tuple[float, float] | None,
-        typer.Option(metavar="LAT LON", help="Degrees: the nearest cell of a grid."),
+        tuple[float, float] | None, opt("LAT LON", "Degrees: the nearest cell of a grid.")
     ] = None,
     units: Annotated[
-        str | None,
-        typer.Option(metavar="UNIT", help="Of u and v, such as m/s, where the file has none."),
+        str | None, opt("UNIT", "Of u and v, such as m/s, where the file has none.")
     ] = None,
-    out: Annotated[
-        Path | None, typer.Option(metavar="FOLDER", help="Folder for tides.nc and its figure.")
-    ] = None,
+    out: Annotated[Path | None, opt("FOLDER", "Folder for tides.nc and its figure.")] = None,
     formats: Formats = None,
     as_json: Json = False,
 ) -> None:
