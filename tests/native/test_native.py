@@ -290,11 +290,6 @@ def test_what_cannot_be_compiled_runs_in_python_with_one_warning():
     assert found.states[0, -1] == pytest.approx(math.exp(-1), abs=1e-9)
 
 
-def test_unknown_engines_are_refused():
-    with pytest.raises(SimulationError, match="native, python"):
-        clpt.simulate(clpt.paper_scenario(), engine="c")
-
-
 def test_code_is_made_once_for_diagrams_that_differ_in_numbers():
     def code(**changes):
         changes = {key.replace("_", "."): value for key, value in changes.items()}

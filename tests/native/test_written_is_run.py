@@ -483,24 +483,3 @@ def jumping(breakpoints):
 def test_breakpoints_that_are_no_increasing_times_are_refused(times, engine):
     with pytest.raises(BlockError, match="must be increasing times"):
         clpt.simulate(jumping(lambda p, t0, t1: times), [0.0, 2.0], engine=engine)
-
-
-GIVEN = {
-    "timepts": ("abc", ["a", "b"]),
-    "initial_state": ("a", [[1.0], [2.0, 3.0]]),
-    "inputs": ("ab", [[1.0], [1.0, 2.0]], lambda t: [t, t] if t > 1 else [t], lambda t: ["a"]),
-    "rtol": (-1.0, math.nan, "a"),
-    "atol": (-1.0, "a"),
-    "params": ([1.0], "a"),
-}
-
-
-@pytest.mark.parametrize("engine", ["python", "native"])
-@pytest.mark.parametrize(
-    ("name", "k"), [(name, k) for name in GIVEN for k in range(len(GIVEN[name]))]
-)
-def test_what_is_no_number_is_refused_by_its_name(name, k, engine):
-    given = {"timepts": [0.0, 2.0], name: GIVEN[name][k]}
-    with pytest.raises(clpt.errors.ClptError, match=name) as caught:
-        clpt.simulate(jumping(lambda p, t0, t1: [0.5]), **given, engine=engine)
-    assert "\n" not in str(caught.value)
