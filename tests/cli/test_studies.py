@@ -32,6 +32,7 @@ def test_step_response_agrees_with_theory(tmp_path):
     assert inked(tmp_path / "step_response.png") > 0.01
 
 
+@pytest.mark.slow
 def test_forecasts_of_flow_estimators(tmp_path):
     few = ROOT / "clpt_control/data/sg542_dives.csv"
     lines = few.read_text().splitlines(keepends=True)
@@ -77,6 +78,7 @@ def test_measured_current_example(tmp_path):
     assert inked(tmp_path / "measured_current.png") > 0.01
 
 
+@pytest.mark.slow
 def test_forecasts_of_gliders_in_made_seas(tmp_path):
     run("-m", "analysis.glider_forecasts", "--vehicles", "3", "--out", tmp_path)
     text = (tmp_path / "glider_forecasts.md").read_text()
@@ -89,6 +91,7 @@ def test_forecasts_of_gliders_in_made_seas(tmp_path):
     assert inked(tmp_path / "glider_forecasts.png") > 0.01
 
 
+@pytest.mark.slow
 def test_priors_matter_little(tmp_path):
     run("-m", "analysis.prior_sensitivity", "--out", tmp_path)
     text = (tmp_path / "prior_sensitivity.md").read_text()

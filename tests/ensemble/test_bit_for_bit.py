@@ -204,6 +204,7 @@ def test_a_store_that_memory_does_not_suffice_for_is_removed(quick, tmp_path, mo
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.processes
 @pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="Dask is not installed")
 def test_a_dask_worker_is_killed(scenario, tmp_path):
     from distributed import Client, LocalCluster
