@@ -43,12 +43,12 @@ class Diagram(control.InterconnectedSystem):
     made_of: Any = None
 
     def __repr__(self) -> str:
-        from .drawing.shown import diagram_line
+        from .drawing.drawn import diagram_line
 
         return diagram_line(self)
 
     def _repr_html_(self) -> str:
-        from .drawing.shown import diagram_html
+        from .drawing.drawn import diagram_html
 
         return diagram_html(self)
 

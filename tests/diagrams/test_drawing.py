@@ -10,7 +10,7 @@ import pytest
 
 import clpt_control as clpt
 from clpt_control.diagrams.drawing import draw, mermaid
-from clpt_control.diagrams.drawing.layout import equations, layout, lines_of
+from clpt_control.diagrams.drawing.figure import equations, layout, lines_of
 from clpt_control.errors import DataError, DiagramError
 
 PAPER = clpt.paper_scenario()

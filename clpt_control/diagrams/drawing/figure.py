@@ -5,16 +5,18 @@ tables (`Block.opaque`).  Dashed: feedback.  The number under a name is the
 equation of the paper that the block's function names.
 """
 
+import re
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import control
 
-from ...equations.block import Block
-from ..wiring import Node
-from .layout import NAME, NOTE, PORT, layout, lines_of, note, width
-from .routing import Routed, strokes
+from ..wiring import Node, wiring_of
+from .layers import arrange, gather
+from .routing import Routed, route, strokes
 
+NAME, NOTE, PORT = 8.0, 6.5, 7.0  # sizes of text, points
 MARGIN, KEY = 6.0, 18.0
 STYLE: dict[Any, Any] = {
     "font.family": "sans-serif",
@@ -69,7 +71,7 @@ def _key(nets: list[Any], nodes: dict[str, Node]) -> str:
     parts = []
     if any(system.nstates for system in systems):
         parts.append("∫ thick frame: block with states")
-    if any(isinstance(system, Block) and system.opaque for system in systems):
+    if any(getattr(system, "opaque", False) for system in systems):
         parts.append("grey: source of time or tables")
     if any(net.back for net in nets):
         parts.append("dashed: feedback")
@@ -104,7 +106,7 @@ def _draw_arrows(axes: Any, routed: Routed, nets: list[Any]) -> None:
 def _draw_block(axes: Any, box: Any, name: str, system: control.NonlinearIOSystem) -> None:
     from matplotlib.patches import Rectangle
 
-    opaque = isinstance(system, Block) and system.opaque
+    opaque = getattr(system, "opaque", False)
     frame = Rectangle(
         (box.x, box.y - box.height / 2),
         box.width,
@@ -123,3 +125,64 @@ def _draw_block(axes: Any, box: Any, name: str, system: control.NonlinearIOSyste
         y = box.y + (k - (len(rows) - 1) / 2) * 10 + size * 0.36
         place = {"ha": "center", "va": "baseline", "zorder": 5}
         axes.text(box.x + box.width / 2, y, line, size=size, weight=weight, **place)
+
+
+def layout(diagram: control.NonlinearIOSystem) -> tuple[Routed, list[Any], dict[str, Node]]:
+    """Return boxes and arrows in points, the nets they carry, and the blocks by name."""
+    wiring = wiring_of(diagram)
+    nets = gather(diagram, wiring)
+    layered = arrange(nets, wiring)
+    sizes = {name: (width(name[3:], PORT) + 4, PORT) for name in layered.rank if name[:3] == "in:"}
+    for node in wiring.nodes:
+        widths = [width(line, NAME, "bold") for line in lines_of(node.name)]
+        widths.append(width(note(node.system), NOTE))
+        rows = len(lines_of(node.name)) + bool(note(node.system))
+        sizes[node.name] = (max(widths) + 11, rows * 10 + 10)
+    routed = route(layered, sizes, lambda text: width(text, PORT))
+    return routed, nets, {node.name: node for node in wiring.nodes}
+
+
+def equations(system: control.NonlinearIOSystem) -> str:
+    """Return the equations that a block's docstrings name, such as ``"Eqs. (21)–(23)"``."""
+    numbers: set[int] = set()
+    for role in ("update_function", "output_function", "jump_function"):
+        text = getattr(getattr(system, role, None), "__doc__", None) or ""
+        for found in re.findall(r"Eqs?\.\s*((?:\(\d+\)(?:\s*(?:,|-|–|and)\s*)?)+)", text):
+            for first, last in re.findall(r"\((\d+)\)(?:\s*[-–]\s*\((\d+)\))?", found):
+                numbers |= set(range(int(first), int(last or first) + 1))
+    runs: list[list[int]] = []
+    for number in sorted(numbers):
+        if runs and number == runs[-1][-1] + 1:
+            runs[-1].append(number)
+        else:
+            runs.append([number])
+    parts = []
+    for run in runs:
+        parts += [f"({run[0]})–({run[-1]})"] if len(run) > 2 else [f"({n})" for n in run]
+    return f"Eq{'s' * (len(numbers) > 1)}. {', '.join(parts)}" if parts else ""
+
+
+def lines_of(name: str) -> list[str]:
+    """Return a name in lines, broken where its words meet."""
+    lines: list[str] = []
+    for word in re.findall(r"[^_.]+[_.]*|[_.]+", name):
+        if lines and len(lines[-1]) + len(word) <= 12:
+            lines[-1] += word
+        else:
+            lines.append(word)
+    return lines
+
+
+def note(system: control.NonlinearIOSystem) -> str:
+    """Return the line under a block's name: an integral sign for states, and equations."""
+    return f"{'∫' if system.nstates else ''}  {equations(system)}".strip()
+
+
+@cache
+def width(text: str, size: float, weight: str = "normal") -> float:
+    """Return the width of a line of text in points."""
+    from matplotlib.font_manager import FontProperties
+    from matplotlib.textpath import TextPath
+
+    font = FontProperties(family="DejaVu Sans", weight=weight)
+    return float(TextPath((0, 0), text, size=size, prop=font).get_extents().width) if text else 0.0

@@ -10,6 +10,8 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from statistics import mean, median
 
+import numpy as np
+
 from .layers import Layered
 
 GRID, PITCH, GAP = 7.0, 14.0, 14.0  # points; of heights, of ports, between boxes
@@ -69,7 +71,7 @@ def _boxes(layered: Layered, sizes: dict[str, tuple[float, float]]) -> dict[str,
 
 def _links(layered: Layered, boxes: dict[str, Box]) -> Links:
     links: Links = {name: [] for name in boxes}
-    for _, k, start, ends in layered.hops():
+    for (_, k), (start, ends) in layered.hops.items():
         for end in ends:
             links[start].append((end, k, True))
             links[end].append((start, k, False))
@@ -99,14 +101,12 @@ def _spacing(boxes: dict[str, Box], names: list[str]) -> list[float]:
 
 def settle(wanted: list[float], spaces: list[float]) -> list[float]:
     """Return heights on the grid near those wanted, in order and at least `spaces` apart."""
-    offsets = [sum(spaces[:k]) for k in range(len(wanted))]
-    pools: list[list[float]] = []
-    for want, offset in zip(wanted, offsets, strict=True):
-        pools.append([want - offset])
-        while len(pools) > 1 and mean(pools[-2]) >= mean(pools[-1]):
-            pools[-2:] = [pools[-2] + pools[-1]]
-    levels = [round(mean(pool) / GRID) * GRID for pool in pools for _ in pool]
-    return [level + offset for level, offset in zip(levels, offsets, strict=True)]
+    from scipy.optimize import isotonic_regression
+
+    offsets = np.cumsum([0.0, *spaces])
+    levels = isotonic_regression(wanted - offsets).x
+    heights: list[float] = (np.round(levels / GRID) * GRID + offsets).tolist()
+    return heights
 
 
 def _straighten(layered: Layered, boxes: dict[str, Box]) -> None:
@@ -125,7 +125,7 @@ def _straighten(layered: Layered, boxes: dict[str, Box]) -> None:
                 if max(low, least) > min(high, most):
                     break
                 low, high, size = max(low, least), min(high, most), size + 1
-            ends = {t for layer, _ in chain[:size] for t in (layered.hop(k, layer) or ("", []))[1]}
+            ends = {t for layer, _ in chain[:size] for t in layered.hops[layer, k].ends}
             levels = [before, *(boxes[t].port(k, False) for t in ends if not t.startswith("pass:"))]
             tries = sorted(min(max(level, low), high) for level in levels)
             y = min(tries, key=lambda y: (-levels.count(y), sum(abs(y - z) for z in levels)))
@@ -174,7 +174,7 @@ def _sort_ports(layered: Layered, boxes: dict[str, Box], above: dict[int, bool])
     """Sort ports by where their nets come from and go; feedback to its lane's side."""
     came: dict[tuple[str, int], float] = {}
     went: dict[int, float] = {}
-    for _, k, start, ends in layered.hops():
+    for (_, k), (start, ends) in layered.hops.items():
         came |= {(end, k): boxes[start].port(k, True) for end in ends}
         if start == layered.nets[k].source:
             went[k] = mean([boxes[end].port(k, False) for end in ends])

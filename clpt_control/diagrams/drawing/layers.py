@@ -5,8 +5,8 @@ block a layer by its longest path; a net that skips layers leaves a passage in
 each; sweeps over the barycentres order every layer so that few nets cross.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import control
 
@@ -34,6 +34,13 @@ class Net:
         return not self.source.startswith("in:") and (len(self.targets) != 1 or bool(self.back))
 
 
+class Hop(NamedTuple):
+    """A net on its way behind one layer: from a box or a passage to some in the next layer."""
+
+    start: str
+    ends: list[str]
+
+
 @dataclass
 class Layered:
     """Blocks, inputs and passages in ordered layers."""
@@ -41,24 +48,12 @@ class Layered:
     nets: list[Net]  # what is connected
     rank: dict[str, int]  # block or input -> number of its layer
     layers: list[list[str]]  # left to right, top to bottom; a passage is "pass:NET:LAYER"
+    hops: dict[tuple[int, int], Hop]  # layer and number of the net -> its way behind that layer
 
-    def hop(self, k: int, layer: int) -> tuple[str, list[str]] | None:
-        """Return where net k comes from and where it goes behind a layer, if it passes there."""
-        net = self.nets[k]
-        start, last = self.rank[net.source], max((self.rank[t] for t in net.onward), default=-1)
-        if not start <= layer < last:
-            return None
-        ends = [t for t in net.onward if self.rank[t] == layer + 1]
-        if last > layer + 1:
-            ends.append(f"pass:{k}:{layer + 1}")
-        return (net.source if start == layer else f"pass:{k}:{layer}"), ends
-
-    def hops(self) -> Iterator[tuple[int, int, str, list[str]]]:
-        """Return layer, net, where it comes from and where it goes, of every hop."""
-        for layer in range(len(self.layers)):
-            for k in range(len(self.nets)):
-                if hop := self.hop(k, layer):
-                    yield layer, k, *hop
+    def links(self, layer: int) -> list[tuple[str, str]]:
+        """Return which boxes are joined behind a layer."""
+        hops = [hop for (at, _), hop in self.hops.items() if at == layer]
+        return [(hop.start, end) for hop in hops for end in hop.ends]
 
 
 def gather(diagram: control.NonlinearIOSystem, wiring: Wiring) -> list[Net]:
@@ -88,29 +83,39 @@ def arrange(nets: list[Net], wiring: Wiring) -> Layered:
     """Return blocks in ordered layers, sources at the left; feedback is marked in the nets."""
     names = [net.source for net in nets if net.source.startswith("in:")]
     names = list(dict.fromkeys(names)) + [node.name for node in wiring.nodes]
-    after = _mark_feedback(nets, wiring, names)
-    rank = _ranks(nets, names, after)
-    layered = Layered(nets, rank, [[] for _ in range(max(rank.values()) + 1)])
+    _mark_feedback(nets, wiring, names)
+    rank = _ranks(nets, names)
+    layers: list[list[str]] = [[] for _ in range(max(rank.values()) + 1)]
     for name in names:
-        layered.layers[rank[name]].append(name)
-    for layer, _, _, ends in layered.hops():
-        layered.layers[layer + 1] += [end for end in ends if end.startswith("pass:")]
+        layers[rank[name]].append(name)
+    hops = {}
+    for layer in range(len(layers)):
+        for k, net in enumerate(nets):
+            start, last = rank[net.source], max((rank[t] for t in net.onward), default=-1)
+            if start <= layer < last:
+                ends = [t for t in net.onward if rank[t] == layer + 1]
+                passes = [f"pass:{k}:{layer + 1}"] if last > layer + 1 else []
+                layers[layer + 1] += passes
+                here = net.source if start == layer else f"pass:{k}:{layer}"
+                hops[layer, k] = Hop(here, ends + passes)
+    layered = Layered(nets, rank, layers, hops)
     _order_layers(layered)
     return layered
 
 
-def _mark_feedback(nets: list[Net], wiring: Wiring, names: list[str]) -> dict[str, set[str]]:
-    """Mark arrows that close a circle, those out of states last; return what follows what."""
-    after: dict[str, set[str]] = {name: set() for name in names}
+def _mark_feedback(nets: list[Net], wiring: Wiring, names: list[str]) -> None:
+    """Mark arrows that close a circle, those out of states last."""
+    reached = {name: {name} for name in names}  # from each
     with_states = {node.name for node in wiring.nodes if node.system.nstates}
     met = _depth_first(nets, names)
     for net in sorted(nets, key=lambda net: (net.source in with_states, met.index(net.source))):
         for target in net.targets:
-            if _reaches(after, target, net.source):
+            if net.source in reached[target]:
                 net.back.add(target)
-            else:
-                after[net.source].add(target)
-    return after
+                continue
+            for found in reached.values():
+                if net.source in found:
+                    found |= reached[target]
 
 
 def _depth_first(nets: list[Net], names: list[str]) -> list[str]:
@@ -127,27 +132,15 @@ def _depth_first(nets: list[Net], names: list[str]) -> list[str]:
     return list(found)
 
 
-def _reaches(after: dict[str, set[str]], start: str, end: str) -> bool:
-    seen, waiting = set(), [start]
-    while waiting:
-        name = waiting.pop()
-        if name == end:
-            return True
-        if name not in seen:
-            seen.add(name)
-            waiting += after[name]
-    return False
-
-
-def _ranks(nets: list[Net], names: list[str], after: dict[str, set[str]]) -> dict[str, int]:
+def _ranks(nets: list[Net], names: list[str]) -> dict[str, int]:
     """Return longest paths; a name with more nets out than in moves to what it feeds."""
     rank = dict.fromkeys(names, 0)
+    onward = [(net.source, target) for net in nets for target in net.onward]
     for _ in names:
-        for name in names:
-            for target in after[name]:
-                rank[target] = max(rank[target], rank[name] + 1)
+        for name, target in onward:
+            rank[target] = max(rank[target], rank[name] + 1)
     for name in sorted(names, key=lambda name: -rank[name]):
-        right = min((rank[target] for target in after[name]), default=0) - 1
+        right = min((rank[target] for source, target in onward if source == name), default=0) - 1
         comes = sum(name in net.onward for net in nets)
         goes = sum(bool(net.onward) for net in nets if net.source == name)
         if right > rank[name] and goes > comes and not name.startswith("in:"):
@@ -165,7 +158,7 @@ def _order_layers(layered: Layered) -> None:
         for layer in steps:
             near: dict[str, list[int]] = {name: [] for name in layers[layer]}
             place = {name: k for one in layers for k, name in enumerate(one)}
-            for start, end in _links(layered, layer - 1 if down else layer):
+            for start, end in layered.links(layer - 1 if down else layer):
                 name, other = (end, start) if down else (start, end)
                 near[name].append(place[other])
             mean = {n: sum(at) / len(at) if at else place[n] for n, at in near.items()}
@@ -175,15 +168,10 @@ def _order_layers(layered: Layered) -> None:
     layered.layers = best
 
 
-def _links(layered: Layered, layer: int) -> list[tuple[str, str]]:
-    hops = [layered.hop(k, layer) for k in range(len(layered.nets))]
-    return [(hop[0], end) for hop in hops if hop for end in hop[1]]
-
-
 def _crossings(layered: Layered) -> int:
     place = {name: k for one in layered.layers for k, name in enumerate(one)}
     total = 0
     for layer in range(len(layered.layers) - 1):
-        pairs = [(place[a], place[b]) for a, b in _links(layered, layer)]
+        pairs = [(place[a], place[b]) for a, b in layered.links(layer)]
         total += sum(a < c and b > d for a, b in pairs for c, d in pairs)
     return total

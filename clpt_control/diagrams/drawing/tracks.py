@@ -59,11 +59,9 @@ def channels_of(
     for k, net in enumerate(layered.nets):
         out = boxes[net.source].port(k, True)
         for c, turns in channels.items():
-            hop = layered.hop(k, c) if c >= 0 else None
-            if hop:
-                start, ends = hop
-                rights = [boxes[end].port(k, False) for end in ends]
-                turns.append(Turn(k, [boxes[start].port(k, True)], rights))
+            if hop := layered.hops.get((c, k)):
+                rights = [boxes[end].port(k, False) for end in hop.ends]
+                turns.append(Turn(k, [boxes[hop.start].port(k, True)], rights))
             ends = [t for t in net.targets if t in net.back and layered.rank[t] == c + 1]
             starts = [net.source] if net.back and layered.rank[net.source] == c else []
             if starts or ends:
