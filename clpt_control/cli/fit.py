@@ -40,7 +40,8 @@ def fit(
     Example:
         clpt fit currents.nc --box 40.9 41.55 -69.9 -69.0 --out mine.toml
     """
-    from ..currents.fit import fit_scenario, save_fit
+    from ..currents.fit import fit_scenario
+    from ..currents.fit_file import save_fit
 
     fitted = fit_scenario(
         currents,

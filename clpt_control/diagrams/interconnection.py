@@ -31,7 +31,7 @@ class Diagram(control.InterconnectedSystem):
     Attributes
     ----------
     made_of : object or None
-        What `closed_loop` made it of: its scenario, and what was replaced and inserted.
+        What `closed_loop` made it of: its scenario, and what the user put into it.
 
     Examples
     --------

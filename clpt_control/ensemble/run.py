@@ -6,19 +6,19 @@ not: every member is integrated and summarised by itself.
 """
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..arguments import Seed, public
-from ..diagrams.changes import Part, changes_of
-from ..equations.block import Block
+from ..diagrams.interconnection import Diagram
 from ..errors import ScenarioError
 from ..progress.interrupt import SLICE, check
 from ..scenario.experiment import Scenario
+from ..simulation.loops import loop_of
 from .plan import Plan, make_plan
 from .store import remove_empty
 from .varied_keys import Vary
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 @public
 def run_ensemble(
-    scenario: Scenario,
+    system: Scenario | Diagram,
     vary: "str | Vary | Iterable[str | Vary]",
     members: int,
     design: str = "lhs",
@@ -44,9 +44,6 @@ def run_ensemble(
     times: Sequence[float] | None = None,
     progress: Callable[[int], None] | None = None,
     dask: str | None = None,
-    law: Block | Part | None = None,
-    replace: Mapping[str, Any] | None = None,
-    insert: Mapping[Any, Any] | None = None,
 ) -> "xarray.Dataset":
     """Run many members of one scenario.
 
@@ -56,8 +53,9 @@ def run_ensemble(
 
     Parameters
     ----------
-    scenario : Scenario
-        The base.
+    system : Scenario or Diagram
+        The base: a scenario, or its `closed_loop` with blocks and linear systems of your own, which
+        workers get pickled.
     vary : str, Vary or several
         ``"learning.gain=0.2:2.0"``, ``"flow.parameters~normal:0.1"``,
         ``"learning.gain=[0.5, 1, 2]"``.
@@ -84,8 +82,6 @@ def run_ensemble(
         Called with the number of members done.
     dask : str, optional
         Address of a Dask scheduler, or ``"local"``; needs `out`.
-    law, replace, insert : optional
-        Blocks and linear systems of your own, as in `closed_loop`; workers get them pickled.
 
     Returns
     -------
@@ -120,8 +116,9 @@ def run_ensemble(
         from .cluster import check_dask
 
         check_dask()
+    loop = loop_of(system)
     plan = make_plan(
-        scenario,
+        loop.scenario,
         vary,
         members,
         design,
@@ -131,7 +128,7 @@ def run_ensemble(
         chunk=chunk,
         samples=samples,
         times=times,
-        changes=changes_of(law, replace, insert),
+        changes=loop.changes,
         cluster=dask is not None,
     )
     report = progress or (lambda done: None)
@@ -148,7 +145,7 @@ def run_ensemble(
             raise
     plan.store.finish()
     data = plan.store.dataset()
-    data.encoding.setdefault("folder", str(scenario._folder.absolute()))  # of its field
+    data.encoding.setdefault("folder", str(loop.scenario._folder.absolute()))  # of its field
     return data
 
 

@@ -1,7 +1,8 @@
 from .at_many import evaluate
 from .block import Block
 from .declaration import Guard
+from .rows import lookup
 from .sampled import Sampled
-from .words import lookup, opaque
+from .undefined import opaque
 
 __all__ = ["Block", "Guard", "Sampled", "evaluate", "lookup", "opaque"]

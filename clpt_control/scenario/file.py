@@ -212,7 +212,7 @@ def run_text(path: str | Path) -> tuple[str, bool]:
                 raise DataError(
                     f"{path}: was run with {what} given in Python, {data.attrs[name]}, which no "
                     "file holds, so it cannot be repeated; give the scenario itself, and the rest "
-                    "to simulate(replace=..., insert=...)"
+                    "to closed_loop(replace=..., insert=...)"
                 )
         return str(data.attrs.get(TEAM, data.attrs.get("scenario"))), TEAM in data.attrs
 

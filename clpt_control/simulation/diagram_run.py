@@ -7,19 +7,20 @@ from typing import TYPE_CHECKING, Any
 import control
 import numpy as np
 
-from ..diagrams.changes import UNCHANGED
 from ..diagrams.stopping import with_stop
 from ..diagrams.unchanged import key_of
 from ..diagrams.wiring import read_anew, wiring_of
 from ..equations.declaration import ports_of, whole_labels
 from ..equations.linear import linear
-from ..errors import SimulationError
 from ..native.engines import chosen, run_as_read
-from ..native.inputs import checked_times, open_sizes, read_inputs, stacked_state
+from ..native.inputs import open_sizes, read_inputs, stacked_state
 from ..scenario.file import OWN_PARTS
 from .dataset import columns_of, diagram_frame, run_frame
 from .frame import Frame
+from .loops import LoopOf
 from .ready import ready
+from .speeds import limit_of, note_speeds, speeds_of
+from .starts import initial_state
 
 if TYPE_CHECKING:
     import xarray
@@ -39,6 +40,7 @@ class DiagramRun:
     ):
         read_anew(diagram)
         self.diagram, self.params = diagram, params and dict(params)
+        self.made_of: LoopOf | None = getattr(diagram, "made_of", None)
         self.wiring = wiring_of(diagram, params, sizes)
         if stop is not None:
             self.wiring = with_stop(self.wiring, stop)
@@ -67,20 +69,23 @@ class DiagramRun:
     def frame(self) -> Frame:
         """The Dataset of its runs; of `closed_loop` it is its scenario's."""
         diagram = self.diagram
-        scenario, changes = getattr(diagram, "made_of", None) or (None, UNCHANGED)
-        if scenario is None:
+        if self.made_of is None:
             return diagram_frame(diagram.name, tuple(self.labels), tuple(self.states))
         found = columns_of(self.labels, self.wiring, self.runner.sweep.given)
         every, params = ports_of(self.labels), self.params or {}
-        frame = run_frame(scenario, found, params, changes, every, self.states)
-        own = [changes.in_words, f"{diagram.name}: run as a diagram"]
-        frame.attributes[OWN_PARTS] = ", ".join(filter(None, own))
-        return frame
+        scenario, changes, _ = self.made_of
+        return run_frame(scenario, found, params, changes, every, self.states)
+
+    @cached_property
+    def as_made(self) -> bool:
+        """Whether a closed loop of a scenario is as it was made, with nothing from outside."""
+        made = self.made_of
+        return made is not None and not made.external and made.is_still(self.wiring)
 
 
 def simulate_diagram(
     diagram: Any,
-    timepts: Any,
+    times: np.ndarray,
     inputs: Any,
     x0: Any,
     params: Mapping[str, Any] | None,
@@ -91,10 +96,23 @@ def simulate_diagram(
     """Run a diagram; one that is as it was at its last run is ready."""
     if isinstance(diagram, control.TransferFunction):
         diagram = linear(diagram)
-    if timepts is None:
-        raise SimulationError("timepts: is required to simulate a diagram")
-    times = checked_times("timepts", timepts)
+    loop: LoopOf | None = getattr(diagram, "made_of", None)
+    alone = loop is not None and inputs is x0 is stop is None
+    if loop is not None:
+        x0 = initial_state(diagram) if x0 is None else x0
+        alone = alone and given["rtol"] is given["atol"] is None
+        for name in ("rtol", "atol"):
+            given[name] = getattr(loop.scenario.run, name) if given[name] is None else given[name]
     own = open_sizes(diagram, inputs, x0, times), callable(inputs), engine
     key = None if stop is not None else key_of(diagram, params, *own)
     with ready(key, lambda: DiagramRun(diagram, params, *own, stop)) as run:
-        return run.run(times, inputs, x0, **given)
+        found = run.run(times, inputs, x0, **given)
+        if loop is None:
+            return found
+        if not (alone and run.as_made):
+            said = [loop.changes.in_words, f"{diagram.name}: run as a diagram"]
+            found.attrs[OWN_PARTS] = ", ".join(filter(None, said))
+        limit = limit_of(run.wiring, run.runner.sweep.given)
+    if limit is not None and {"commanded_velocity", "true_flow"} <= set(found):
+        note_speeds(found, speeds_of(found, limit), loop.scenario.units)
+    return found

@@ -11,8 +11,6 @@ import control
 import numpy as np
 
 from ..arguments import public
-from ..diagrams.changes import UNCHANGED, Part, changes_of
-from ..equations.block import Block
 from ..errors import SimulationError
 from ..native.inputs import checked_times
 from ..scenario.experiment import Scenario
@@ -45,16 +43,13 @@ def simulate(
     method: str | None = None,
     max_step: float = np.inf,
     first_step: float | None = None,
-    law: Block | Part | None = None,
-    replace: Mapping[str, Any] | None = None,
-    insert: Mapping[Any, Any] | None = None,
 ) -> "xarray.Dataset":
     """Run a scenario, a team, or any diagram of blocks.
 
     Parameters
     ----------
     system : Scenario, Team or control.InputOutputSystem
-        A team gives a dimension ``vehicle``.
+        A team gives a dimension ``vehicle``. A diagram that `closed_loop` made knows its scenario.
     timepts : array_like, optional
         Times of the samples, increasing; a scenario and a team have their own
         (multiples of ``run.output_step``, and the end).
@@ -63,9 +58,9 @@ def simulate(
         between `timepts`; a number or one number per input is held; a list
         of both, ``[u1, 0]``; a callable gives the inputs at any time.
     initial_state : array_like, optional
-        State at ``timepts[0]``; zero for a diagram, the scenario's own else. A list holds numbers
-        and arrays that follow each other; one that ends with 0, ``[x0, 0]``, is filled with zeros.
-        A team takes neither this nor `params`.
+        State at ``timepts[0]``; without, the scenario's own at t = 0, and zero for a diagram that
+        knows none. A list holds numbers and arrays that follow each other; one that ends with 0,
+        ``[x0, 0]``, is filled with zeros. A team takes neither this nor `params`.
     params : mapping, optional
         Call-time parameters, ``{"adaptation.gain": 2.0}``.
     rtol, atol : float, optional
@@ -86,8 +81,6 @@ def simulate(
     max_step, first_step : float, optional
         The longest step, and the first that is tried. What happens for a short time and is not
         announced, such as a pulse of an input by a function, may lie within a step.
-    law, replace, insert : optional
-        For a scenario: parts of your own in its diagram, as in `closed_loop`.
 
     Returns
     -------
@@ -115,41 +108,43 @@ def simulate(
     (0.027, 'finished')
     """
     how = {"method": method, "max_step": max_step, "first_step": first_step}
+    loop = getattr(system, "made_of", None)
+    experiment = system if loop is None else loop.scenario
+    if timepts is not None:
+        times = checked_times("timepts", timepts)
+    elif isinstance(experiment, Scenario | Team):
+        times = sample_times(experiment.run.duration, experiment.run.output_step)
+    else:
+        raise SimulationError("timepts: is required to simulate a diagram")
+    from_zero = times if times[0] == 0 else np.concatenate([[0.0], times])
     if not isinstance(system, Scenario | Team):
-        if law is not None:
-            raise SimulationError("law: is for a scenario; a diagram has its law among its blocks")
-        if replace is not None or insert is not None:
-            raise SimulationError(
-                "replace and insert: are for a scenario; give them to closed_loop, which wires the "
-                "diagram"
-            )
         given: dict[str, Any] = {"rtol": rtol, "atol": atol, "progress": progress, **how}
-        return simulate_diagram(
-            system, timepts, inputs, initial_state, params, engine, stop, **given
+        own_start = loop is not None and inputs is initial_state is None
+        found = simulate_diagram(
+            system,
+            from_zero if own_start else times,
+            inputs,
+            initial_state,
+            params,
+            engine,
+            stop,
+            **given,
         )
+        return found.isel(time=slice(1, None)) if own_start and times[0] != 0 else found
     if stop is not None:
         raise SimulationError("stop: is for a diagram; simulate closed_loop(scenario) with it")
     if inputs is not None:
         raise SimulationError("a scenario has no inputs; simulate closed_loop(..., external=)")
-    changes = UNCHANGED
     if isinstance(system, Team):
-        own = {"initial_state": initial_state, "params": params, "law": law}
-        for name, one in {**own, "replace": replace, "insert": insert}.items():
+        for name, one in {"initial_state": initial_state, "params": params}.items():
             if one is not None:
                 raise SimulationError(
                     f"{name}: a team has its own; change its scenarios, or simulate team_loop(team)"
                 )
         made: Any = partial(TeamRun, system, rtol, atol, engine)
     else:
-        changes = changes_of(law, replace, insert)
-        made = partial(ScenarioRun, system, params, initial_state, rtol, atol, engine, changes)
-    wanted = system.run
-    if timepts is None:
-        times = sample_times(wanted.duration, wanted.output_step)
-    else:
-        times = checked_times("timepts", timepts)
-    from_zero = times if times[0] == 0 else np.concatenate([[0.0], times])
-    alone = params is None and initial_state is None and changes == UNCHANGED
+        made = partial(ScenarioRun, system, params, initial_state, rtol, atol, engine)
+    alone = params is initial_state is None
     with ready(_key(system, rtol, atol, engine) if alone else None, made) as run:
         solution = run.integrate(run.start, from_zero, progress, **how)
         if times[0] != 0:

@@ -8,7 +8,7 @@ error and parameter systems of Eqs. (27)-(28).
 """
 
 from collections.abc import Collection, Iterable, Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -27,9 +27,10 @@ from ..blocks import (
 )
 from ..blocks.laws.table import LAWS
 from ..blocks.localization import TRUE
-from ..diagrams.changes import Changes, Part, changes_of, inserted, replaced
-from ..diagrams.interconnection import Diagram, connect
+from ..diagrams.changes import UNCHANGED, Changes, Part, changes_of, inserted, replaced
+from ..diagrams.interconnection import Diagram, connect, wiring_of_blocks
 from ..diagrams.parts import functions_of, input_ports, output_ports
+from ..diagrams.wiring import Node, Wiring, read_anew, wiring_of
 from ..equations.block import Block
 from ..errors import DiagramError
 from ..scenario.experiment import Scenario
@@ -37,38 +38,24 @@ from ..scenario.scenario_basis import scenario_basis
 
 
 @public
-def paper_blocks(
-    scenario: Scenario,
-    law: Block | Part | None = None,
-    *,
-    replace: Mapping[str, Any] | None = None,
-    insert: Mapping[Any, Any] | None = None,
-) -> list[Part]:
+def paper_blocks(scenario: Scenario) -> list[Part]:
     """Make the blocks of the paper's closed loop.
 
     Parameters
     ----------
     scenario : Scenario
         The experiment.
-    law : Block, optional
-        A law of your own in place of the scenario's, with outputs alpha[2N], K[2], Gamma[2];
-        the same as ``replace={"adaptation": law}``.
-    replace, insert : mapping, optional
-        Parts of your own in place of others and between them, as in `closed_loop`.
 
     Returns
     -------
     list of Block
         In the order of the table in the documentation; `measurement`, `fixes`, `disturbance`,
-        `speed_limit` and `hedging` are among them where the scenario has them, what is inserted
-        comes last.
+        `speed_limit` and `hedging` are among them where the scenario has them.
 
     Raises
     ------
     DataError
         If the scenario's field cannot be read.
-    DiagramError
-        If a part does not fit.
 
     Examples
     --------
@@ -76,7 +63,7 @@ def paper_blocks(
     >>> len(paper_blocks(clpt.paper_scenario()))
     12
     """
-    return changed_blocks(scenario, changes_of(law, replace, insert))
+    return changed_blocks(scenario, UNCHANGED)
 
 
 def changed_blocks(
@@ -162,12 +149,52 @@ def _true_flow(scenario: Scenario, disturbed: bool, position: str) -> Block:
     return field.gridded_flow(gridded, scenario.flow.outside, disturbed, scenario.units, position)
 
 
+class LoopOf(NamedTuple):
+    """What a closed loop is made of."""
+
+    scenario: Scenario
+    changes: Changes = UNCHANGED
+    external: tuple[str, ...] = ()
+
+    def is_still(self, wiring: Wiring) -> bool:
+        """Return whether wires and numbers are those with which the loop is made."""
+        made = wiring_of_blocks(*kept_parts(*self)).nodes
+        return len(made) == len(wiring.nodes) and all(map(_alike, made, wiring.nodes))
+
+
+def _alike(one: Node, other: Node) -> bool:
+    numbers = [
+        [number for own in params for number in (own if isinstance(own, tuple) else [own])]
+        for params in (one.system.params.values(), other.system.params.values())
+    ]
+    wired = (one.name, one.wires) == (other.name, other.wires)
+    return wired and len(numbers[0]) == len(numbers[1]) and all(map(np.array_equal, *numbers))
+
+
+def loop_of(system: Scenario | Diagram) -> LoopOf:
+    """Return what a loop with nothing from outside is made of."""
+    if isinstance(system, Scenario):
+        return LoopOf(system)
+    made = getattr(system, "made_of", None)
+    if made is None or made.external:
+        raise DiagramError(
+            f"{system.name}: must be a scenario, or a closed_loop of one with nothing from outside"
+        )
+    read_anew(system)
+    if not made.is_still(wiring_of(system)):
+        raise DiagramError(
+            f"{system.name}: was changed after closed_loop made it; give closed_loop what it is to "
+            "have, with replace and insert"
+        )
+    return made
+
+
 @public
 def closed_loop(
     scenario: Scenario,
     external: str | Iterable[str] = (),
-    law: Block | Part | None = None,
     *,
+    law: Block | Part | None = None,
     replace: Mapping[str, Any] | None = None,
     insert: Mapping[Any, Any] | None = None,
 ) -> Diagram:
@@ -198,7 +225,8 @@ def closed_loop(
     -------
     Diagram
         A `control.InterconnectedSystem`; states x, z, and those of the law, first
-        alpha, K, Gamma, and those of inserted parts.
+        alpha, K, Gamma, and those of inserted parts. It knows its scenario: `simulate`,
+        `run_ensemble`, `initial_state` and `theory.prove` take it in the scenario's place.
 
     Raises
     ------
@@ -217,17 +245,17 @@ def closed_loop(
     >>> lagging.state_labels[-2:]
     ['lag_x[0]', 'lag_x[1]']
     """
-    changes = changes_of(law, replace, insert)
-    diagram = connect(*kept_parts(scenario, changes, external), name="closed_loop")
-    diagram.made_of = scenario, changes
+    external = (external,) if isinstance(external, str) else tuple(external)
+    made = LoopOf(scenario, changes_of(law, replace, insert), external)
+    diagram = connect(*kept_parts(*made), name="closed_loop")
+    diagram.made_of = made
     return diagram
 
 
 def kept_parts(
-    scenario: Scenario, changes: Changes, external: str | Iterable[str]
-) -> tuple[list[Part], list[str]]:
+    scenario: Scenario, changes: Changes, external: tuple[str, ...]
+) -> tuple[list[Part], tuple[str, ...]]:
     """Return the parts that are left where some ports come from outside, and these ports."""
-    external = [external] if isinstance(external, str) else list(external)
     blocks = changed_blocks(scenario, changes, external)
     ports = {port for block in blocks for of in (input_ports, output_ports) for port in of(block)}
     for port in external:

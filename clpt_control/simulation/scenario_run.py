@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..blocks.localization import TRUE
-from ..diagrams.changes import UNCHANGED, Changes
 from ..diagrams.interconnection import wiring_of_blocks
 from ..diagrams.parts import output_ports
 from ..equations.declaration import labels
@@ -19,7 +18,8 @@ from ..scenario.experiment import Scenario
 from ..scenario.keys import STARTS, keys_alone, keys_of
 from .dataset import columns_of, run_frame
 from .frame import Frame
-from .loops import changed_blocks
+from .loops import paper_blocks
+from .speeds import limit_of
 from .starts import starting_values, state_columns, state_labels, state_of
 
 if TYPE_CHECKING:
@@ -32,30 +32,21 @@ class ScenarioRun:
     """A scenario's closed loop, ready to run: integrate, ask its signals, make a Dataset."""
 
     def __init__(
-        self,
-        scenario,
-        params=None,
-        initial_state=None,
-        rtol=None,
-        atol=None,
-        engine=None,
-        changes=UNCHANGED,
+        self, scenario, params=None, initial_state=None, rtol=None, atol=None, engine=None
     ):
-        scenario, self.left = _into_keys(scenario, params, initial_state, changes)
-        self.changes: Changes = changes
+        scenario, self.left = _into_keys(scenario, params, initial_state)
         tolerances = {"run.rtol": rtol, "run.atol": atol}
         given = {key: value for key, value in tolerances.items() if value is not None}
         self.scenario: Scenario = scenario.with_values(given) if given else scenario
-        self.parts = changed_blocks(self.scenario, changes)
+        self.parts = paper_blocks(self.scenario)
         self.wiring = wiring_of_blocks(self.parts)
-        self.start = state_of(self.scenario, self.parts, changes.law)
+        self.start = state_of(self.scenario, self.parts)
         self.runner = chosen(self.wiring, self.left, engine=engine, name="the closed loop")
 
     @property
     def max_speed(self) -> float | None:
         """The vehicle's largest speed in this run, units.length per units.time, if it has one."""
-        nodes = zip(self.wiring.nodes, self.runner.sweep.given, strict=True)
-        return next((p.max_speed for node, p in nodes if node.name == "speed_limit"), None)
+        return limit_of(self.wiring, self.runner.sweep.given)
 
     def integrate(
         self, state: np.ndarray, times: np.ndarray, progress: Progress | None = None, **how: Any
@@ -66,9 +57,7 @@ class ScenarioRun:
 
     def signals(self, solution: Solution) -> np.ndarray:
         """Return all signals, shape (ntimes, nsignals), right limits at jumps."""
-        made = self.runner.signals(solution)
-        nested = len(self.wiring.nodes) > len(self.parts)
-        return (self.wiring.output_map @ made.T).T if nested else made
+        return self.runner.signals(solution)
 
     @property
     def labels(self) -> list[str]:
@@ -88,10 +77,7 @@ class ScenarioRun:
     def frame(self) -> Frame:
         """The Dataset of its runs."""
         found = columns_of(self.labels, self.wiring, self.runner.sweep.given)
-        own = [part for part in self.parts if part.name in self.changes.names]
-        more = {port for part in own for port in output_ports(part)}
-        states = state_labels(self.parts)
-        return run_frame(self.scenario, found, self.left, self.changes, more, states)
+        return run_frame(self.scenario, found, self.left, states=state_labels(self.parts))
 
     def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
         """Return a solution and its signals with names, units and attributes."""
@@ -116,7 +102,7 @@ def _checked(scenario: Scenario, name: str, value: Any) -> Scenario:
 
 
 def _into_keys(
-    scenario: Scenario, params: Mapping[str, Any] | None, x0: Any, changes: Changes
+    scenario: Scenario, params: Mapping[str, Any] | None, x0: Any
 ) -> tuple[Scenario, dict[str, Any]]:
     """Put call-time values into the scenario where keys hold them; return it and what is left."""
     if params is not None and not isinstance(params, Mapping):
@@ -124,9 +110,8 @@ def _into_keys(
     left = dict(params or {})
     if x0 is None and not left:
         return scenario, left
-    parts = changed_blocks(scenario, changes)
-    paper = [part for part in parts if part.name not in changes.names]  # no key holds the others
-    known = {f"{block.name}.{field}" for block in paper for field in block.parameters._fields}
+    parts = paper_blocks(scenario)
+    known = {f"{block.name}.{field}" for block in parts for field in block.parameters._fields}
     alone = keys_alone(scenario, known)
     for name in [name for name in left if name in known]:
         changed = _checked(scenario, name, left[name])
@@ -142,7 +127,7 @@ def _into_keys(
         scenario = scenario.with_values(
             {held[port][0]: state[columns[port]].reshape(held[port][1]) for port in given}
         )
-        usual = state_of(scenario, changed_blocks(scenario, changes), changes.law)
+        usual = state_of(scenario, paper_blocks(scenario))
         wrong = np.flatnonzero(state != usual)
         if len(wrong):
             raise SimulationError(

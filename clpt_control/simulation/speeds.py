@@ -6,10 +6,12 @@
 Each sample counts until the next one.
 """
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..diagrams.wiring import Wiring
 from ..scenario.tables import Units
 
 if TYPE_CHECKING:
@@ -71,6 +73,12 @@ def faster_flow(figures: dict[str, Any], units: Units) -> str:
         f"which cannot hold its place there: first at t = {found['first']:g} {time}, "
         f"{100 * found['share']:.3g} % of the time, at most {found['longest']:.3g} {time} long"
     )
+
+
+def limit_of(wiring: Wiring, given: Sequence[Any]) -> float | None:
+    """Return the vehicle's largest speed, if it has one; `given` are the blocks' parameters."""
+    nodes = zip(wiring.nodes, given, strict=True)
+    return next((p.max_speed for node, p in nodes if node.name == "speed_limit"), None)
 
 
 def speeds_of(run: "xarray.Dataset", max_speed: float) -> dict[str, Any]:

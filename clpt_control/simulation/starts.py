@@ -1,22 +1,23 @@
 """Where states are: at t = 0 by what a scenario's keys say, and at a time of a run."""
 
-from collections.abc import Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
 
 import control
 import numpy as np
 
 from ..arguments import public
 from ..blocks.localization import TRUE
-from ..diagrams.changes import Part, changes_of
+from ..diagrams.changes import Part
+from ..diagrams.interconnection import Diagram
 from ..diagrams.parts import output_ports
 from ..equations.block import Block
 from ..equations.linear import is_linear
-from ..errors import DataError
+from ..errors import DataError, DiagramError
 from ..native.inputs import numbers
 from ..scenario.experiment import Scenario
 from ..scenario.keys import STARTS
-from .loops import kept_parts
+from .loops import paper_blocks
 
 if TYPE_CHECKING:
     import xarray
@@ -96,24 +97,14 @@ def state_of(scenario: Scenario, parts: Iterable[Part], law: Part | None = None)
 
 
 @public
-def initial_state(
-    scenario: Scenario,
-    external: str | Iterable[str] = (),
-    law: Block | Part | None = None,
-    *,
-    replace: Mapping[str, Any] | None = None,
-    insert: Mapping[Any, Any] | None = None,
-) -> np.ndarray:
+def initial_state(system: Scenario | Diagram) -> np.ndarray:
     """Return the state at t = 0 of a scenario's `closed_loop`.
 
     Parameters
     ----------
-    scenario : Scenario
-        The experiment.
-    external : str or iterable of str, optional
-        As given to `closed_loop`.
-    law, replace, insert : optional
-        As given to `closed_loop`; states of yours start at 0, but for x, z, alpha, K and Gamma.
+    system : Scenario or Diagram
+        The experiment, or what `closed_loop` made of it; states of your own parts start at 0, but
+        for x, z, alpha, K and Gamma.
 
     Returns
     -------
@@ -127,8 +118,11 @@ def initial_state(
     >>> initial_state(clpt.paper_scenario()).shape
     (14,)
     """
-    changes = changes_of(law, replace, insert)
-    return state_of(scenario, kept_parts(scenario, changes, external)[0], changes.law)
+    if isinstance(system, Scenario):
+        return state_of(system, paper_blocks(system))
+    if system.made_of is None:
+        raise DiagramError(f"{system.name}: knows no scenario; one that closed_loop makes does")
+    return state_of(system.made_of.scenario, system.syslist, system.made_of.changes.law)
 
 
 @public

@@ -12,6 +12,7 @@ from ..arguments import public
 from ..blocks.laws.table import LAWS
 from ..blocks.localization import TRUE
 from ..blocks.team import consensus_block, pulled_law
+from ..diagrams.changes import changes_of
 from ..diagrams.interconnection import Diagram, connect, wiring_of_blocks
 from ..diagrams.wiring import Wiring
 from ..equations.block import Block
@@ -23,7 +24,7 @@ from ..scenario.file import TEAM
 from ..scenario.team import LAW, Team
 from ..scenario.team_file import team_to_text
 from .dataset import Columns, run_frame, with_states
-from .loops import paper_blocks
+from .loops import changed_blocks, paper_blocks
 from .speeds import faster_flow, speeds_of
 from .starts import state_labels, state_of
 
@@ -67,7 +68,7 @@ def vehicle_blocks(team: Team, name: str) -> list[Block]:
     """Return the blocks of one vehicle, in its namespace, its consensus the last."""
     scenario = team.members[name]
     law = pulled_law(LAWS[LAW].block(scenario.known_to_law))
-    own = [within(block, name) for block in paper_blocks(scenario, law)]
+    own = [within(block, name) for block in changed_blocks(scenario, changes_of(law))]
     neighbours = team.neighbours(name)
     return [*own, consensus_block(name, neighbours, scenario.basis.N, team.coupling)]
 

@@ -107,7 +107,7 @@ def test_a_block_of_ones_own_may_make_the_estimate():
         states=table.state_shapes,
         parameters=table.parameters._replace(walk=0.5),
     )
-    run = clpt.simulate(scenario, law=mine)
+    run = clpt.simulate(clpt.closed_loop(scenario, law=mine))
     injected = clpt.closed_loop(scenario, law=mine).syslist[-3]
     assert injected.input_ports == {"phi_x": 3, "theta_hat": 6}
     assert np.ptp(run.alpha.values) == 0

@@ -57,7 +57,10 @@ def test_a_law_given_in_python_is_not_run_again(clpt, tmp_path):
     from law_blocks import papers_law
 
     scenario = clpt_control.paper_scenario().with_values({"run.duration": 20})
-    clpt_control.save_run(clpt_control.simulate(scenario, law=papers_law()), tmp_path / "run.nc")
+    clpt_control.save_run(
+        clpt_control.simulate(clpt_control.closed_loop(scenario, law=papers_law())),
+        tmp_path / "run.nc",
+    )
     outcome = clpt("run", tmp_path / "run.nc", "--out", tmp_path / "again.nc")
     assert outcome.status == 2
     assert "was run with a law given in Python, mine" in outcome.err

@@ -23,7 +23,7 @@ def assert_members_are_runs(data, scenario, key, law=None):
     theta = np.array(scenario.flow.parameters)
     for member in data.member.values:
         value = data[key].values[member]
-        run = clpt.simulate(scenario.with_values({key: value}), law=law)
+        run = clpt.simulate(clpt.closed_loop(scenario.with_values({key: value}), law=law))
         error = np.abs(run.flow_parameters_estimate.values[-1] - theta).max()
         assert float(data.flow_parameter_error[member, -1]) == pytest.approx(error, rel=1e-6)
         if "gain_error" not in data:
@@ -81,26 +81,34 @@ def test_settings_vary(quick, name):
 
 def test_a_block_takes_the_laws_place(quick, tmp_path):
     law, vary = law_blocks.remembering_law(), "flow.parameters~normal:0.1"
-    data = run_ensemble(quick, vary, 12, law=law, samples=20, threads=2, chunk=4)
-    stored = run_ensemble(quick, vary, 12, law=law, samples=20, out=tmp_path / "e.zarr", chunk=4)
+    data = run_ensemble(clpt.closed_loop(quick, law=law), vary, 12, samples=20, threads=2, chunk=4)
+    stored = run_ensemble(
+        clpt.closed_loop(quick, law=law), vary, 12, samples=20, out=tmp_path / "e.zarr", chunk=4
+    )
     for name in data.variables:
         np.testing.assert_array_equal(stored[name], data[name])
     own = run_ensemble(quick, vary, 12, samples=20)
     assert not np.array_equal(own.gain_error, data.gain_error)
     for other in (None, law_blocks.remembering_law(gain=0.9), law_blocks.papers_law()):
         with pytest.raises(DataError, match="holds an ensemble of"):
-            run_ensemble(quick, vary, 12, law=other, samples=20, out=tmp_path / "e.zarr", chunk=4)
+            run_ensemble(
+                clpt.closed_loop(quick, law=other),
+                vary,
+                12,
+                samples=20,
+                out=tmp_path / "e.zarr",
+                chunk=4,
+            )
 
 
 @pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="Dask is not installed")
 def test_a_cluster_gets_the_block(quick, tmp_path):
     law, vary = law_blocks.papers_law(gain=1.1), "flow.parameters~normal:0.1"
-    here = run_ensemble(quick, vary, 8, law=law, samples=20, chunk=4)
+    here = run_ensemble(clpt.closed_loop(quick, law=law), vary, 8, samples=20, chunk=4)
     data = run_ensemble(
-        quick,
+        clpt.closed_loop(quick, law=law),
         vary,
         8,
-        law=law,
         samples=20,
         chunk=4,
         out=tmp_path / "e.zarr",
@@ -120,26 +128,34 @@ def test_what_members_cannot_be_summarised_from_is_refused(quick):
     ports = {"alpha": 6, "K": 2, "Gamma": 2}
     fixed = Block("fixed", output=without_states, outputs=ports)
     with pytest.raises(DiagramError, match="fixed: alpha is no state of it"):
-        run_ensemble(quick, "flow.parameters~normal:0.1", 3, law=fixed)
+        run_ensemble(clpt.closed_loop(quick, law=fixed), "flow.parameters~normal:0.1", 3)
 
 
 def test_an_ensemble_with_a_lag_is_runs_with_a_lag(quick, tmp_path):
     lag = {("v_x", "vehicle"): control.tf(1, [0.5, 1], name="lag")}
     key, values = "learning.gain", [0.4, 1.2]
     for scenario in (quick, quick.with_values({"vehicle.max_speed": 3.0})):
-        data = run_ensemble(scenario, f"{key}={values}", 2, design="grid", insert=lag, samples=20)
+        data = run_ensemble(
+            clpt.closed_loop(scenario, insert=lag), f"{key}={values}", 2, design="grid", samples=20
+        )
         for m, value in enumerate(values):
-            run = clpt.simulate(scenario.with_values({key: value}), insert=lag)
+            run = clpt.simulate(clpt.closed_loop(scenario.with_values({key: value}), insert=lag))
             error = abs(run.flow_parameters_estimate[-1] - run.flow_parameters).max()
             assert float(data.flow_parameter_error[m, -1]) == pytest.approx(float(error), abs=1e-6)
     out = tmp_path / "e.zarr"
-    stored = run_ensemble(quick, f"{key}=0.2:2.0", 3, insert=lag, samples=20, out=out)
-    again = run_ensemble(quick, f"{key}=0.2:2.0", 3, insert=lag, samples=20, out=out)
+    stored = run_ensemble(
+        clpt.closed_loop(quick, insert=lag), f"{key}=0.2:2.0", 3, samples=20, out=out
+    )
+    again = run_ensemble(
+        clpt.closed_loop(quick, insert=lag), f"{key}=0.2:2.0", 3, samples=20, out=out
+    )
     np.testing.assert_array_equal(stored.clpe_rms, again.clpe_rms)
     slower = {("v_x", "vehicle"): control.tf(1, [0.6, 1], name="lag")}
     for other in (None, slower, {"v_x": lag[("v_x", "vehicle")]}):
         with pytest.raises(DataError, match="holds an ensemble of"):
-            run_ensemble(quick, f"{key}=0.2:2.0", 3, insert=other, samples=20, out=out)
+            run_ensemble(
+                clpt.closed_loop(quick, insert=other), f"{key}=0.2:2.0", 3, samples=20, out=out
+            )
 
 
 def test_an_ensemble_refuses_what_is_not_compiled(quick):
@@ -147,11 +163,13 @@ def test_an_ensemble_refuses_what_is_not_compiled(quick):
         None, lambda t, x, u, params: np.clip(u, -1, 1), inputs=2, outputs=2, name="saturation"
     )
     with pytest.raises(DiagramError, match="saturation: is a NonlinearIOSystem; an ensemble takes"):
-        run_ensemble(quick, "learning.gain=0.2:2.0", 3, insert={"v_x": saturation})
+        run_ensemble(
+            clpt.closed_loop(quick, insert={"v_x": saturation}), "learning.gain=0.2:2.0", 3
+        )
     ports = {"inputs": ["v_x[0]", "v_x[1]"], "outputs": ["x[0]", "x[1]"]}
     boat = control.ss(-np.eye(2), np.eye(2), 2 * np.eye(2), 0, **ports, name="boat")
     with pytest.raises(DiagramError, match="boat: x is no state of it"):
-        run_ensemble(quick, "learning.gain=0.2:2.0", 3, replace={"vehicle": boat})
+        run_ensemble(clpt.closed_loop(quick, replace={"vehicle": boat}), "learning.gain=0.2:2.0", 3)
 
 
 def test_a_law_that_cannot_be_sent_is_refused(quick):
@@ -162,7 +180,7 @@ def test_a_law_that_cannot_be_sent_is_refused(quick):
     own = law_blocks.papers_law()
     law = Block("local", update=local, inputs=own.input_ports, states=own.state_ports)
     with pytest.raises(DiagramError, match="local: cannot be sent to workers; define"):
-        run_ensemble(quick, "flow.parameters~normal:0.1", 3, law=law)
+        run_ensemble(clpt.closed_loop(quick, law=law), "flow.parameters~normal:0.1", 3)
 
 
 def test_a_gain_that_is_not_set_cannot_vary(quick):

@@ -202,12 +202,14 @@ def test_a_part_of_one_signal_stands_for_two_in_a_scenario():
     scenario = clpt.paper_scenario().with_values({"run.duration": 20})
     lag = control.tf([0.5], [1, -0.5], 0.1, name="slow")
     loop = clpt.closed_loop(scenario, insert={("v_x", "vehicle"): lag})
-    own = clpt.simulate(scenario, insert={("v_x", "vehicle"): lag})
+    own = clpt.simulate(clpt.closed_loop(scenario, insert={("v_x", "vehicle"): lag}))
     node = loop.syslist[[part.name for part in loop.syslist].index("slow")]
     assert (node.ninputs, node.nstates) == (2, 4)
     assert own.attrs["engine"] == "native"
     assert np.all(np.isfinite(own.clpe))
-    python = clpt.simulate(scenario, insert={("v_x", "vehicle"): lag}, engine="python")
+    python = clpt.simulate(
+        clpt.closed_loop(scenario, insert={("v_x", "vehicle"): lag}), engine="python"
+    )
     np.testing.assert_allclose(own.clpe, python.clpe, atol=1e-9)
 
 
@@ -279,11 +281,15 @@ def test_an_ensemble_begins_with_what_is_held():
     own = {("z", "learning_controller"): control.tf([0.9], [1], 0.5, name="seen")}
     times = np.arange(6.0)
     many = clpt.run_ensemble(
-        scenario, ["learning.gain=0.4:1.0"], 2, trajectories=True, insert=own, times=[5.0]
+        clpt.closed_loop(scenario, insert=own),
+        ["learning.gain=0.4:1.0"],
+        2,
+        trajectories=True,
+        times=[5.0],
     )
     for m in range(2):
         changed = scenario.with_values({"learning.gain": float(many["learning.gain"][m])})
-        one = clpt.simulate(changed, times, insert=own)
+        one = clpt.simulate(clpt.closed_loop(changed, insert=own), times)
         np.testing.assert_allclose(many.alpha[m], one.alpha, atol=1e-8)
 
 
@@ -300,7 +306,9 @@ def test_the_law_of_the_paper_sampled_is_euler(engine):
     """Run by hand: the loop with alpha, K and Gamma as constants, from one sample to the next."""
     scenario = clpt.paper_scenario().with_values({"run.duration": 12})
     own = law_of(scenario)
-    run = clpt.simulate(scenario, np.arange(13.0), law=Sampled(own, 1.0), engine=engine)
+    run = clpt.simulate(
+        clpt.closed_loop(scenario, law=Sampled(own, 1.0)), np.arange(13.0), engine=engine
+    )
     values = {"alpha": np.zeros((2, 3)), "K": np.zeros(2), "Gamma": np.zeros(2)}
     constant = Block(
         "adaptation",

@@ -234,4 +234,4 @@ def test_a_law_of_ones_own_is_refused_at_fixes():
     import law_blocks
 
     with pytest.raises(clpt.ClptError, match="reads the position at all times"):
-        clpt.simulate(PAPER, law=law_blocks.papers_law())
+        clpt.simulate(clpt.closed_loop(PAPER, law=law_blocks.papers_law()))

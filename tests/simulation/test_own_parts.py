@@ -1,6 +1,7 @@
 """Parts of the paper's diagram replaced and inserted; the state at a time of a run."""
 
 import control
+import law_blocks
 import numpy as np
 import pytest
 from calm_water import CALM, DWELL, KD, POINTS, GammaD
@@ -10,9 +11,13 @@ from scipy.linalg import expm
 
 import clpt_control as clpt
 from clpt_control.blocks import localization, vehicle
-from clpt_control.errors import ClptError, DataError, DiagramError, SimulationError
+from clpt_control.diagrams.changes import LAW
+from clpt_control.errors import ClptError, DataError, DiagramError
+from clpt_control.scenario.file import OWN_PARTS
+from clpt_control.theory import prove
 
 PAPER = clpt.paper_scenario().with_values({"run.duration": 30})
+LIMITED = PAPER.with_values({"vehicle.max_speed": 1.0})
 TIGHT = {"rtol": 1e-11, "atol": 1e-13}
 LAG = control.tf(1, [0.5, 1], name="lag")
 ENGINES = ("native", "python")
@@ -39,9 +44,9 @@ def lagging(times, lag, x0=(4.0, -2.0)):
 @pytest.mark.parametrize("engine", ENGINES)
 def test_a_lag_of_one_line_is_its_closed_form(engine):
     times = np.linspace(0, 5, 11)
-    run = clpt.simulate(CALM, times, insert={("v_x", "vehicle"): LAG}, engine=engine, **TIGHT)
-    np.testing.assert_allclose(run.position, lagging(times, 0.5), atol=1e-8)
     loop = clpt.closed_loop(CALM, insert={("v_x", "vehicle"): LAG})
+    run = clpt.simulate(loop, times, engine=engine, **TIGHT)
+    np.testing.assert_allclose(run.position, lagging(times, 0.5), atol=1e-8)
     start = [clpt.initial_state(CALM), 0]
     for lag in (0.5, 0.2):
         matrices = {"lag.A": -np.eye(2) / lag, "lag.C": np.eye(2) / lag}
@@ -63,12 +68,10 @@ def test_a_random_system_anywhere_is_the_same_in_every_engine(seed, n, where):
     part = (
         control.ss(A, B, 0.2 * C, D, name="mine") if n else control.ss([], [], [], D, name="mine")
     )
-    runs = [
-        clpt.simulate(PAPER, [0, 0.5, 1], insert={where: part}, engine=engine) for engine in ENGINES
-    ]
+    loop = clpt.closed_loop(PAPER, insert={where: part})
+    runs = [clpt.simulate(loop, [0, 0.5, 1], engine=engine) for engine in ENGINES]
     for name in runs[0].data_vars:
         np.testing.assert_allclose(runs[0][name], runs[1][name], rtol=1e-6, atol=1e-6)
-    loop = clpt.closed_loop(PAPER, insert={where: part})
     states = runs[1].states.values
     step = 1e-4
     moved = clpt.simulate(loop, [0.5, 0.5 + step], 0, states[1], **TIGHT).states.values[1]
@@ -86,7 +89,7 @@ def test_what_passes_everything_on_changes_nothing():
         "phi_x",
         ("K", "learning_controller"),
     ):
-        run = clpt.simulate(PAPER, insert={where: through})
+        run = clpt.simulate(clpt.closed_loop(PAPER, insert={where: through}))
         for name in plain.data_vars:
             np.testing.assert_allclose(run[name], plain[name], rtol=0, atol=1e-7)
 
@@ -103,7 +106,7 @@ def test_parts_of_one_wide_port_in_a_row_and_names_of_ones_own():
 
 def test_a_measurement_of_the_package_is_inserted():
     noisy = localization.measurement(0.1, 1.0, 4.0)
-    run = clpt.simulate(PAPER, insert={("x", "clpe"): noisy})
+    run = clpt.simulate(clpt.closed_loop(PAPER, insert={("x", "clpe"): noisy}))
     away = run.x_measurement.values - run.position.values
     assert 0.05 < away.std() < 0.2
 
@@ -115,11 +118,12 @@ def test_a_replaced_vehicle_starts_where_the_scenario_says():
         0 * np.eye(2), B, np.eye(2), 0, **sizes, outputs=["x[0]", "x[1]"], name="boat"
     )
     scenario = PAPER.with_values({"vehicle.position": [1.0, -2.0]})
-    run, plain = clpt.simulate(scenario, replace={"vehicle": boat}), clpt.simulate(scenario)
+    run = clpt.simulate(clpt.closed_loop(scenario, replace={"vehicle": boat}))
+    plain = clpt.simulate(scenario)
     np.testing.assert_allclose(run.position, plain.position, rtol=0, atol=1e-7)
     assert "lyapunov" in run
     nested = clpt.connect([vehicle.vehicle()], external=["flow_x", "v_x"], name="hull")
-    run = clpt.simulate(scenario, replace={"vehicle": nested})
+    run = clpt.simulate(clpt.closed_loop(scenario, replace={"vehicle": nested}))
     np.testing.assert_allclose(run.position, plain.position, rtol=0, atol=1e-7)
     assert run.state.values[0] == "hull_vehicle_x[0]"
 
@@ -129,7 +133,7 @@ def test_a_port_of_one_in_and_one_out_takes_the_names_it_replaces():
     saturation = control.nlsys(
         None, lambda t, x, u, params: np.clip(u, -1, 1), inputs=2, outputs=2, name="saturation"
     )
-    run = clpt.simulate(limited, replace={"speed_limit": saturation})
+    run = clpt.simulate(clpt.closed_loop(limited, replace={"speed_limit": saturation}))
     assert run.attrs["engine"] == "native"
     assert abs(run.velocity).max() == 1.0
     np.testing.assert_allclose(run.velocity, run.commanded_velocity.clip(-1, 1))
@@ -137,10 +141,10 @@ def test_a_port_of_one_in_and_one_out_takes_the_names_it_replaces():
 
 def test_law_is_replace_adaptation():
     law = clpt.paper_blocks(PAPER.with_values({"learning.gain": 2.0}))[-1]
-    one, other = clpt.simulate(PAPER, law=law), clpt.simulate(PAPER, replace={"adaptation": law})
-    assert one.identical(other)
+    loops = [clpt.closed_loop(PAPER, **own) for own in ({"law": law}, {"replace": {LAW: law}})]
+    assert clpt.simulate(loops[0]).identical(clpt.simulate(loops[1]))
     with pytest.raises(DiagramError, match="one and the same"):
-        clpt.closed_loop(PAPER, law=law, replace={"adaptation": law})
+        clpt.closed_loop(PAPER, law=law, replace={LAW: law})
 
 
 @pytest.mark.parametrize(
@@ -161,19 +165,60 @@ def test_law_is_replace_adaptation():
     ],
 )  # fmt: skip
 def test_what_does_not_fit_is_refused_in_a_sentence(changes, said):
-    for use in (clpt.simulate, clpt.closed_loop):
-        with pytest.raises(ClptError, match=said) as caught:
-            use(PAPER, **changes)
-        assert "\n" not in str(caught.value)
-    with pytest.raises(SimulationError, match="are for a scenario; give them to closed_loop"):
-        clpt.simulate(clpt.closed_loop(PAPER), [0, 1], **changes)
+    with pytest.raises(ClptError, match=said) as caught:
+        clpt.closed_loop(PAPER, **changes)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_loop_that_knows_its_scenario_is_its_scenario():
+    """Times, start, tolerances and attributes; what was done to the diagram since is in its run."""
+    later, loop = PAPER.with_values({"vehicle.position": [1.0, 2.0]}), clpt.closed_loop
+    plain, run = clpt.simulate(later), clpt.simulate(loop(later))
+    for name in plain.data_vars:
+        np.testing.assert_array_equal(run[name], plain[name], err_msg=name)
+    assert run.attrs == plain.attrs
+    from_ten = clpt.simulate(loop(later), [10.0, 12.0])
+    np.testing.assert_array_equal(from_ten.states, clpt.simulate(later, [10.0, 12.0]).states)
+    fast = clpt.simulate(loop(LIMITED))
+    assert fast.attrs["message"] == clpt.simulate(LIMITED).attrs["message"]
+    for change in (rewired, renumbered):
+        changed = change(loop(later))
+        run = clpt.simulate(changed)
+        assert run.attrs[OWN_PARTS] == "closed_loop: run as a diagram"
+        assert not np.allclose(run.predicted_position, plain.predicted_position)
+        for use in (lambda own: clpt.run_ensemble(own, "learning.gain=0.2:2.0", 2), prove):
+            with pytest.raises(DiagramError, match="closed_loop: was changed after closed_loop"):
+                use(changed)
+    with pytest.raises(DiagramError, match="closed_loop of one with nothing from outside"):
+        clpt.run_ensemble(loop(later, external="zc"), "learning.gain=0.2:2.0", 2)
+
+
+def rewired(loop):
+    loop.set_connect_map(0.5 * loop.connect_map)
+    return loop
+
+
+def renumbered(loop):
+    loop.syslist[-1].parameters = loop.syslist[-1].parameters._replace(gain=3.0)
+    return loop
+
+
+def test_the_law_of_a_loop_is_proved():
+    law = law_blocks.papers_law()
+    assert prove(clpt.closed_loop(PAPER, law=law), points=100).status == "proved"
+    assert prove(clpt.closed_loop(PAPER), points=100).status == "proved"
+    with pytest.raises(DiagramError, match="has parts of your own, v_x to vehicle: lag; a law is"):
+        prove(clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): LAG}))
 
 
 def test_runs_with_parts_of_ones_own_are_not_repeated(tmp_path):
     steered = clpt.closed_loop(PAPER, external="zc")
     state = clpt.initial_state(PAPER)
     for run, said in (
-        (clpt.simulate(PAPER, insert={("v_x", "vehicle"): LAG}), "v_x to vehicle: lag"),
+        (
+            clpt.simulate(clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): LAG})),
+            "v_x to vehicle: lag",
+        ),
         (clpt.simulate(steered, [0, 1], [3, 0], state), "closed_loop: run as a diagram"),
     ):
         clpt.save_run(run, tmp_path / "run.nc")
@@ -191,7 +236,9 @@ def test_the_run_of_another_diagram_is_no_file_of_a_run(tmp_path):
 
 
 def test_no_certificate_for_parts_that_it_is_not_of():
-    run = clpt.simulate(PAPER, np.linspace(0, 30, 601), insert={("v_x", "vehicle"): LAG})
+    run = clpt.simulate(
+        clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): LAG}), np.linspace(0, 30, 601)
+    )
     with pytest.raises(ClptError, match="the run has parts given in Python, v_x to vehicle: lag"):
         clpt.theory.certificate(run, 20.0, 0.0)
     with pytest.raises(ClptError, match=r"parts given in Python, v_x .* its vehicle is not known"):
@@ -213,7 +260,7 @@ def test_a_loop_cut_open_is_the_controller_and_the_vehicle():
     """In calm water from v to v_x = GammaD zc - KD x with x' = v: -KD/s."""
     cut = {("v_x", "vehicle"): control.tf(1, 1, name="cut")}
     opened = clpt.closed_loop(CALM, external="v_x_cut", insert=cut)
-    assert len(clpt.initial_state(CALM, external="v_x_cut", insert=cut)) == opened.nstates == 14
+    assert len(clpt.initial_state(opened)) == opened.nstates == 14
     state = np.append([2.0, -3.0], np.ones(12))
     linear = control.linearize(opened, state, [0.3, 0.4], t=0.2, copy_names=True)
     for i in range(2):

@@ -10,6 +10,7 @@ from responses import response
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import DataError, DiagramError, ScenarioError, SimulationError
+from clpt_control.scenario.file import OWN_PARTS
 from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
 PAPER = clpt.paper_scenario().with_values({"run.duration": 40})
@@ -87,11 +88,11 @@ def test_equal_gains_each_are_one_gain():
 
 
 def test_a_block_takes_the_laws_place(tmp_path):
-    run = clpt.simulate(PAPER, law=law_blocks.papers_law())
+    run = clpt.simulate(clpt.closed_loop(PAPER, law=law_blocks.papers_law()))
     own = clpt.simulate(PAPER)
-    for name in run.data_vars:
+    assert "lyapunov" not in run  # of a block none is known
+    for name in set(own.data_vars) - {"lyapunov"}:
         np.testing.assert_array_equal(run[name], own[name], err_msg=name)
-    assert set(own.data_vars) - set(run.data_vars) == {"lyapunov"}  # of a block none is known
     clpt.save_run(run, tmp_path / "run.nc")
     np.testing.assert_array_equal(clpt.load_run(tmp_path / "run.nc").alpha, run.alpha)
     with pytest.raises(DataError, match=r"law given in Python, mine, .* cannot be repeated"):
@@ -101,35 +102,40 @@ def test_a_block_takes_the_laws_place(tmp_path):
 def test_what_a_block_remembers_starts_at_zero_and_is_wired():
     law = law_blocks.remembering_law()
     loop = clpt.closed_loop(PAPER, law=law)
-    state = clpt.initial_state(PAPER, law=law)
+    state = clpt.initial_state(loop)
     assert loop.nstates == len(state) == 15
     ran = response(loop, [0.0, 4.0], initial_state=state)
     assert ran.states[-1, -1] == pytest.approx(0.5 * 4.0, rel=1e-12)
-    run = clpt.simulate(PAPER, law=law)
+    run = clpt.simulate(loop)
     assert np.all(run.feedback_gain.values == 0)
     assert run.alpha.values[-1].any()
-    only = clpt.initial_state(PAPER, external="x", law=law)
-    assert clpt.closed_loop(PAPER, external="x", law=law).nstates == len(only) == 13
+    alone = clpt.closed_loop(PAPER, external="x", law=law)
+    assert alone.nstates == len(clpt.initial_state(alone)) == 13
 
 
 def test_a_blocks_own_gain_is_its_own():
-    run = clpt.simulate(PAPER, law=law_blocks.papers_law(name="adaptation", gain=2.0))
+    run = clpt.simulate(
+        clpt.closed_loop(PAPER, law=law_blocks.papers_law(name="adaptation", gain=2.0))
+    )
     faster = clpt.simulate(PAPER.with_values({"learning.gain": 2.0}))
     np.testing.assert_array_equal(run.alpha, faster.alpha)
     law = law_blocks.papers_law(name="adaptation")
-    called = clpt.simulate(PAPER, law=law, params={"adaptation.gain": 2.0})
+    called = clpt.simulate(clpt.closed_loop(PAPER, law=law), params={"adaptation.gain": 2.0})
     np.testing.assert_array_equal(called.alpha, faster.alpha)
     assert "learning" in called.attrs["scenario"]
     assert "adaptation.gain" in called.attrs["parameters_changed"]
 
 
-def test_an_initial_state_that_no_key_holds_is_refused():
-    law = law_blocks.remembering_law()
-    state = clpt.initial_state(PAPER, law=law)
-    assert clpt.simulate(PAPER, initial_state=state, law=law).attrs["status"] == "finished"
-    state[-1] = 1.0
-    with pytest.raises(SimulationError, match=r"no key of .* holds mine_m\[0\], which starts at"):
-        clpt.simulate(PAPER, initial_state=state, law=law)
+def test_an_initial_state_that_no_key_holds_is_that_of_a_diagram():
+    remembering = PAPER.with_values({"learning.law": "least-squares"})
+    state = clpt.initial_state(remembering)
+    assert clpt.simulate(remembering, initial_state=state).attrs["status"] == "finished"
+    state[-1] += 1.0
+    with pytest.raises(SimulationError, match=r"no key of .* holds adaptation_.*, which starts at"):
+        clpt.simulate(remembering, initial_state=state)
+    run = clpt.simulate(clpt.closed_loop(remembering), initial_state=state)
+    np.testing.assert_array_equal(clpt.state_at(run, 0), state)
+    assert run.attrs[OWN_PARTS] == "closed_loop: run as a diagram"
 
 
 @pytest.mark.parametrize(
@@ -141,14 +147,8 @@ def test_an_initial_state_that_no_key_holds_is_refused():
     ],
 )
 def test_what_is_no_law_for_the_scenario_is_refused(law, said):
-    for use in (clpt.simulate, clpt.initial_state, clpt.closed_loop):
-        with pytest.raises(clpt.ClptError, match=said):
-            use(PAPER, law=law)
-
-
-def test_a_diagram_has_its_law_already():
-    with pytest.raises(SimulationError, match="a diagram has its law among its blocks"):
-        clpt.simulate(clpt.closed_loop(PAPER), [0, 1], law=law_blocks.papers_law())
+    with pytest.raises(clpt.ClptError, match=said):
+        clpt.closed_loop(PAPER, law=law)
 
 
 def test_the_error_loop_is_of_the_papers_law():
@@ -158,7 +158,9 @@ def test_the_error_loop_is_of_the_papers_law():
 
 
 def test_no_certificate_for_a_law_that_it_is_not_of():
-    run = clpt.simulate(PAPER, np.linspace(0, 40, 801), law=law_blocks.papers_law())
+    run = clpt.simulate(
+        clpt.closed_loop(PAPER, law=law_blocks.papers_law()), np.linspace(0, 40, 801)
+    )
     with pytest.raises(ScenarioError, match=r"no certificate: .* the run has the law mine"):
         clpt.theory.certificate(run, 20.0, 0.0)
     assert clpt.theory.gramian(run, 20.0, 0.0).eigenvalues["x1"][0] > 0

@@ -47,7 +47,7 @@ def test_times_that_cannot_be(times):
 
 def test_a_diagram_needs_times():
     with pytest.raises(SimulationError, match="timepts: is required"):
-        clpt.simulate(clpt.closed_loop(PAPER))
+        clpt.simulate(clpt.error_loop(PAPER))
 
 
 def test_values_at_a_jump_are_right_limits():

@@ -28,7 +28,7 @@ def law():
 @pytest.mark.parametrize("engine", ["native", "python"])
 def test_a_global_that_changes_counts_at_the_next_run(law, monkeypatch, engine):
     def run():
-        return clpt.simulate(SHORT, law=law, engine=engine)
+        return clpt.simulate(clpt.closed_loop(SHORT, law=law), engine=engine)
 
     for gain in (0.8, 1.6):
         monkeypatch.setitem(globals(), "GAIN", gain)
@@ -37,9 +37,9 @@ def test_a_global_that_changes_counts_at_the_next_run(law, monkeypatch, engine):
 
 
 def test_a_global_that_changes_counts_in_an_ensemble_and_a_proof(law, monkeypatch):
-    before = clpt.run_ensemble(SHORT, "flow.parameters~normal:0.1", 2, law=law)
+    before = clpt.run_ensemble(clpt.closed_loop(SHORT, law=law), "flow.parameters~normal:0.1", 2)
     assert clpt.theory.prove(law, points=200).status == "proved"
     monkeypatch.setitem(globals(), "GAIN", -0.8)
-    after = clpt.run_ensemble(SHORT, "flow.parameters~normal:0.1", 2, law=law)
+    after = clpt.run_ensemble(clpt.closed_loop(SHORT, law=law), "flow.parameters~normal:0.1", 2)
     assert not np.allclose(before.flow_parameter_error, after.flow_parameter_error)
     assert clpt.theory.prove(law, points=200).status != "proved"

@@ -15,6 +15,7 @@ from ...diagrams.parts import functions_of
 from ...diagrams.wiring import read_anew
 from ...equations.block import Block
 from ...errors import ClptError, DiagramError
+from ...simulation.loops import loop_of
 from .law_case import Case, flat
 from .law_gains import law_alone, law_gains, own_values
 from .paper_symbols import paper_name
@@ -25,15 +26,16 @@ from .verdict import Verdict, judge
 
 @public
 def prove(
-    law_block: Block, V: Block | None = None, points: int = 10_000, seed: Seed = 0
+    law_block: Block | Diagram, V: Block | None = None, points: int = 10_000, seed: Seed = 0
 ) -> Verdict:
     """Judge an adaptive law by V' along the closed loop.
 
     Parameters
     ----------
-    law_block : Block
+    law_block : Block or Diagram
         With outputs alpha[2N], K[2], Gamma[2] and inputs among the diagram's ports, such
-        as e[2], phi_x[N], z[2], zc[2].
+        as e[2], phi_x[N], z[2], zc[2]; or a `closed_loop` with such a law, and nothing else of
+        your own.
     V : Block, optional
         A candidate with the output V[1]; by default Eq. (24), each error weighed by the
         gain with which the law adapts it.
@@ -66,6 +68,14 @@ def prove(
     """
     if V is not None and V.output_ports != {"V": 1}:
         raise DiagramError(f"{V.name}: a candidate makes V[1] and nothing else")
+    if isinstance(law_block, Diagram) and law_block.made_of is not None:
+        made = loop_of(law_block)
+        if made.changes.in_words:
+            raise DiagramError(
+                f"{law_block.name}: has parts of your own, {made.changes.in_words}; a law is "
+                "judged in the paper's own diagram, with no other part replaced or inserted"
+            )
+        law_block = made.changes.law or made.scenario.learning.row.block(made.scenario.known_to_law)
     if isinstance(law_block, control.InputOutputSystem) and not isinstance(law_block, Block):
         raise DiagramError(
             f"{law_block.name}: is a {type(law_block).__name__}; a law is judged in the paper's "

@@ -1,0 +1,1 @@
+"""Tides of a current record: constants, ellipses, what can be told apart."""
