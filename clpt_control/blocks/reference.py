@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from ..equations.block import Block
-from ..equations.rows import lookup
+from ..equations.words import lookup
 from ..errors import BlockError
 
 MOST_JUMPS = 2 * 10**7  # times of jumps that are listed

@@ -40,8 +40,7 @@ def fit(
     Example:
         clpt fit currents.nc --box 40.9 41.55 -69.9 -69.0 --out mine.toml
     """
-    from ..currents.fit import fit_scenario
-    from ..currents.fit_file import save_fit
+    from ..currents.fit import fit_scenario, save_fit
 
     fitted = fit_scenario(
         currents,

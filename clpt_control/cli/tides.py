@@ -37,9 +37,9 @@ def tides(
     Example:
         clpt tides record.nc --constituents M2,S2,K1 --out tides
     """
-    from ..currents.tidal.analysis import fit_tides
-    from ..currents.tidal.constants import tides_dataset, tides_report
-    from ..currents.tidal.record import read_record
+    from ..currents.record import read_record
+    from ..currents.tidal_constants import tides_dataset, tides_report
+    from ..currents.tides import fit_tides
     from ..figures import checked_formats, figure_of
     from ..files import make_folder, write_together
 
@@ -57,7 +57,7 @@ def tides(
     report = {"source": measured.source, **tides_report(fit)}
     written: list[Path] = []
     if out is not None:
-        from ..currents.tidal.plots import tides_plot
+        from ..currents.tidal_plots import tides_plot
 
         results: dict[Path, Any] = {make_folder(out) / "tides.nc": tides_dataset(fit, measured)}
         figure = figure_of(tides_plot, fit, measured)

@@ -1,12 +1,10 @@
-from .fit import fit_scenario
-from .fit_file import save_fit
-from .grid_file import read_currents
+from .fit import fit_scenario, save_fit
+from .grid_file import read_currents, sample_currents
 from .rayleigh import check_separable
-from .sample import sample_currents
-from .tidal.analysis import fit_tides, predict
-from .tidal.basis import tidal_basis
-from .tidal.plots import tides_plot
-from .tidal.record import read_record
+from .record import read_record
+from .tidal_constants import tidal_basis
+from .tidal_plots import tides_plot
+from .tides import fit_tides, predict
 
 __all__ = [
     "check_separable",

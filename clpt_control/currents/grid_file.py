@@ -6,6 +6,7 @@ drifter needs the level nearest the surface, a glider samples the water column.
 """
 
 from dataclasses import dataclass
+from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -32,9 +33,28 @@ from .cf import (
 if TYPE_CHECKING:
     import xarray
 
+NAME = "maracoos_hfr_2019-01-01.nc"
 DEEPEST = 1000.0  # m; no level of a column further down is read, except the next
 AROUND = 1.5  # times the median step: no longer step is missing in a grid around the Earth
 MOST = 10**8  # values of one component: 0.8 GB
+
+
+def sample_currents() -> Path:
+    """Return the file of a measured current in the package.
+
+    Returns
+    -------
+    Path
+        NetCDF: the surface current of Nantucket Shoals on 1 January 2019 by HF radar, hourly, on
+        cells of 6 km; u and v in cm/s, with gaps (MARACOOS; MIT licence).
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> clpt.currents.read_currents(sample_currents()).u.shape
+    (24, 14, 18)
+    """
+    return Path(str(resources.files("clpt_control.data") / NAME))
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,6 @@
-"""Which tides a record is long enough to tell apart: the Rayleigh criterion.
+"""Which tides a record can tell apart, and how much noise is near them.
+
+It must be long enough, by the Rayleigh criterion
 
     |w_a - w_b| T >= 360 degrees
 
@@ -8,17 +10,27 @@ tidal heights analysis and prediction", Pacific Marine Science Report 77-10,
 1977).  Below that, least squares still gives numbers, but the two amplitudes
 trade against each other.  "steady" is the speed 0: a tide beside a mean needs
 one full period.
+
+A record can be long enough and still be blind: a tide sampled once
+a period looks like a mean.  The functions 1, cos w t, sin w t at the record's
+own times say so by their condition number, which bounds how much worse than
+even sampling the times make the errors.
 """
 
 import math
 from collections.abc import Mapping, Sequence
 from itertools import combinations
 
+import numpy as np
+
 from ..arguments import check_holds, public
 from ..errors import DataError
 from ..scenario import tides
 
 TURN = 360.0 * (1 - 1e-9)  # times in files are rounded
+UNEVEN = 0.1  # of a step, by which a clock may be off
+WORST = 30.0  # largest condition number
+NEAR = np.array([*range(-10, 0), *range(1, 11)])  # neighbours of a tide, in 1 / record length
 
 
 def inseparable(
@@ -100,3 +112,108 @@ def _shown(hours: float) -> str:
         return "endless h"
     unit = 10.0 ** max(math.floor(math.log10(hours)) - 3, -6)
     return f"{math.ceil(hours / unit - 1e-9) * unit:.10g} h"
+
+
+def check_increasing(times: np.ndarray, where: str) -> None:
+    """Refuse times, datetime64, at the first that does not increase."""
+    late = np.flatnonzero(np.diff(times) <= np.timedelta64(0, "ms"))
+    if len(late):
+        raise DataError(
+            f"{where}: the time {times[late[0] + 1]} comes after {times[late[0]]}; times must "
+            "increase: sort the record and keep each time once"
+        )
+
+
+def nyquist(hours: np.ndarray) -> float:
+    """Return the frequency, cycles per hour, from which on a record of even steps is blind.
+
+    A step may be left out; where steps are no multiples of one, endless: `check_sampling` judges.
+
+    >>> [round(nyquist(np.array([0.0, 1.0, 2.0, last])), 6) for last in (5.0, 2.4)]
+    [0.5, inf]
+    """
+    steps = np.diff(hours)
+    counts = steps / np.median(steps)
+    even = np.all(np.abs(counts - np.round(counts)) <= UNEVEN) and np.all(counts > 0.5)
+    return 0.5 / float(np.median(steps)) * (1 - 1e-9) if even else np.inf
+
+
+def check_nyquist(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], where: str) -> None:
+    """Refuse tides that steps are too long for: they would be seen as slower ones.
+
+    >>> check_nyquist(6.0 * np.arange(9), np.array([1 / 12]), ["S2"], "record")
+    Traceback (most recent call last):
+        ...
+    clpt_control.errors.DataError: record: a measurement each 6 h sees no tide of 12 h or faster:
+    leave out S2
+    """
+    fast = [name for name, each in zip(names, cycles, strict=True) if each >= nyquist(hours)]
+    if fast:
+        step = float(np.median(np.diff(hours)))
+        raise DataError(
+            f"{where}: a measurement each {step:.4g} h sees no tide of {2 * step:.4g} h or faster: "
+            f"leave out {', '.join(fast)}"
+        )
+
+
+def check_sampling(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], where: str) -> None:
+    """Refuse times, in hours, that are too few or at which tides look alike.
+
+    `cycles` are frequencies in cycles per hour.
+
+    >>> check_sampling(np.arange(48.0), np.array([1 / 12]), ["S2"], "record")
+    >>> check_sampling(12.0 * np.arange(48), np.array([1 / 12]), ["S2"], "record")
+    Traceback (most recent call last):
+        ...
+    clpt_control.errors.DataError: record: at the times of its 48 measurements the mean and S2 look
+    alike; take them at other intervals, fill the gaps or leave one out
+    """
+    n, count = len(cycles), 2 * len(cycles) + 1
+    if len(hours) < 2 * count:
+        raise DataError(
+            f"{where}: {len(hours)} measurements for {count} numbers to fit; at least {2 * count} "
+            "are needed: take a longer record or fewer constituents"
+        )
+    turn = np.exp(2j * np.pi * np.outer(hours - hours.mean(), cycles))
+    functions = np.hstack([np.full((len(hours), 1), 0.5**0.5), turn.real, turn.imag])
+    _, size, modes = np.linalg.svd(functions, full_matrices=False)
+    if size[0] <= WORST * size[-1]:
+        return
+    weakest = np.abs(modes[-1])
+    share = np.array([weakest[0], *np.hypot(weakest[1 : n + 1], weakest[n + 1 :])])
+    alike = [
+        name
+        for name, part in zip(["the mean", *names], share, strict=True)
+        if part > 0.3 * share.max()
+    ]
+    said = f"{' and '.join(alike)} look alike" if len(alike) > 1 else f"{alike[0]} is not seen"
+    raise DataError(
+        f"{where}: at the times of its {len(hours)} measurements {said}; take them at other "
+        "intervals, fill the gaps or leave one out"
+    )
+
+
+def noise_ratio(residual: np.ndarray, hours: np.ndarray, cycles: np.ndarray, k: int) -> np.ndarray:
+    """Return sqrt(power / mean power) of a residual near a tide: of both, of east, of north.
+
+    The power is that of the 20 neighbouring frequencies, those of other tides left out; a ratio
+    below 1 counts as 1.  The residual is east + i north, hours begin at 0, `cycles` are
+    frequencies of all tides in cycles per hour, of which the tide has the index k.
+
+    >>> noise = np.random.default_rng(1).normal(size=(2, 500))
+    >>> found = noise_ratio(noise[0] + 1j * noise[1], np.arange(500.0), np.array([1 / 12]), 0)
+    >>> bool(found[0] < 1.3)
+    True
+    """
+    step = 1.0 / hours[-1]
+    near = cycles[k] + step * NEAR
+    away = np.abs(near[:, None] - np.array([0.0, *cycles])).min(axis=1) >= 0.99 * step
+    near = near[(near > 0) & away]
+    if not len(near):
+        return np.ones(3)
+    wave = np.exp(-2j * np.pi * np.outer(near, hours))
+    power = [np.mean(np.abs(wave @ r) ** 2) / len(hours) for r in (residual.real, residual.imag)]
+    white = [np.mean(residual.real**2), np.mean(residual.imag**2)]
+    with np.errstate(all="ignore"):  # no residual at all: 0 / 0
+        ratio = np.array([sum(power) / sum(white), power[0] / white[0], power[1] / white[1]])
+    return np.sqrt(np.fmax(ratio, 1.0))

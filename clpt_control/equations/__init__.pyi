@@ -1,8 +1,7 @@
 from .at_many import evaluate
 from .block import Block
 from .declaration import Guard
-from .rows import lookup
 from .sampled import Sampled
-from .undefined import opaque
+from .words import lookup, opaque
 
 __all__ = ["Block", "Guard", "Sampled", "evaluate", "lookup", "opaque"]

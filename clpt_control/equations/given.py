@@ -1,11 +1,146 @@
-"""What a function is called with while it is read: states, inputs and parameters without values."""
+"""What a function is given while it is read: arrays without values, and answers to its questions.
 
+Each way through a function is a row of answers; what depends on parameters alone has a value.
+"""
+
+import sys
 from collections.abc import Mapping
 from math import prod
+from types import FrameType
 from typing import Any
 
-from .arrays import Array, Tape
-from .record import Shape
+import numpy as np
+
+from .arrays import Array, Tape, Unread
+from .copies import LIBRARIES
+from .record import Ref, Shape, compact, reached
+from .stand_ins import BUILTINS
+
+MOST_QUESTIONS = 64  # on one way
+MOST_PLACES = 64  # which whole numbers a signal is asked for
+
+
+class Borrowed(Exception):
+    """A helper that is reached through an object needs stand-ins in its module."""
+
+    def __init__(self, space: dict[str, Any]):
+        super().__init__(space.get("__name__", ""))
+        self.space = space
+
+
+class Outside(Exception):
+    """A way that no run takes: a place that no row has."""
+
+
+class Reading(Tape):
+    """A tape with the answers that this way through the function takes."""
+
+    def __init__(self, parameters: Mapping[str, Any], spaces: list[dict[str, Any]]) -> None:
+        super().__init__()
+        self.parameters, self.spaces = parameters, spaces
+        self.pinned: set[str] = set()  # parameters whose value Python asked for
+        self.way: list[bool] = []
+        self.answers: dict[int, bool] = {}
+        self.rows: dict[int, int] = {}  # length of the row in which a signal is a place
+        self.asked: tuple[int, int] | None = None  # the signal last asked, and the answer
+
+    def question(self, ref: Ref) -> bool:
+        """Answer a condition: as this way says, or by the parameters if they decide."""
+        if type(ref) is float or not self.free[ref]:
+            return bool(self.known(ref).item())
+        if ref not in self.answers:
+            k = len(self.answers)
+            if k >= MOST_QUESTIONS:
+                raise Unread(
+                    f"asks more than {MOST_QUESTIONS} questions that depend on signals; write "
+                    "np.where, and no `while` on a signal"
+                )
+            self.answers[ref] = self.way[k] if k < len(self.way) else True
+        return self.answers[ref]
+
+    def numbers(self, ref: Ref) -> np.ndarray:
+        """Return what Python asks for; only parameters have a value."""
+        if type(ref) is float or not self.free[ref]:
+            return self.known(ref)
+        frame = _asking()
+        space, where_ = frame.f_globals, f"{frame.f_code.co_name}, line {frame.f_lineno}"
+        library = (space.get("__name__") or "").partition(".")[0]
+        if library in LIBRARIES:
+            raise Unread(
+                f"{library} ({where_}) asks for the value of a signal; write what it computes in "
+                "NumPy"
+            )
+        if space.get("__builtins__") is BUILTINS or any(space is one for one in self.spaces):
+            raise Unread(
+                "needs the value of a signal; write NumPy, and fill arrays where they are made"
+            )
+        self.stopped = Borrowed(space)
+        raise self.stopped
+
+    def known(self, ref: Ref) -> np.ndarray:
+        """Return the value of what depends on parameters alone, which are then pinned."""
+        if type(ref) is float:
+            return np.asarray(ref)
+        used = reached(self.operations, [ref])
+        leaves = [self.operations[k].at for k in used if self.operations[k].kind == "leaf"]
+        self.pinned |= {name for _, name in leaves}
+        record = compact(self.operations, [ref])
+        return record.values(lambda group, name: self.parameters[name], {})[0]
+
+    def whole(self, number: Array) -> int:
+        """Return the whole number that Python counts with; a signal is asked which one it is."""
+        ref = number._ref
+        if type(ref) is float or not self.free[ref]:
+            value = self.known(ref).item()
+            if value != int(value):
+                raise TypeError("only integers can be used as an index")
+            return int(value)
+        count = self.rows.get(ref, MOST_PLACES)
+        for k in (*range(count + 1), *range(-1, -count - 1, -1)):
+            if k == MOST_PLACES:
+                raise Unread(
+                    "counts with a signal; let a number of the run choose by np.where or lookup"
+                )
+            self.asked = ref, k
+            if number == float(k):
+                return k
+        self.asked = None
+        raise Outside
+
+    def ended(self, error: Exception) -> None:
+        """Learn from a way that raised where a row ends."""
+        if isinstance(error, IndexError) and self.asked and self.asked[1] >= 0:
+            self.rows.setdefault(*self.asked)
+
+
+def _asking() -> FrameType:
+    """Return the frame in which a number is asked for, past NumPy and the record's own."""
+    frame = sys._getframe(2)
+    while frame.f_back is not None and _own(frame):
+        frame = frame.f_back
+    return frame
+
+
+def _own(frame: FrameType) -> bool:
+    name = frame.f_globals.get("__name__") or ""
+    return name.startswith("numpy") or name.startswith(__package__)
+
+
+def located(function: Any, *errors: Exception) -> str:
+    """Return function and line in which a reading ended, for a sentence.
+
+    Of several errors the first counts that came by a line: a library may swallow one.
+    """
+    found = ""
+    for error in errors:
+        trace = None if found else error.__traceback__
+        while trace is not None:
+            frame, trace_line = trace.tb_frame, trace.tb_lineno
+            name = frame.f_globals.get("__name__") or ""
+            if not _own(frame) and name.partition(".")[0] not in LIBRARIES:
+                found = f"{frame.f_code.co_name}, line {trace_line}: "
+            trace = trace.tb_next
+    return found or f"{getattr(function, '__name__', 'it')}: "
 
 
 class Ports(Array):

@@ -4,18 +4,19 @@ What is not here is tried on arrays of objects, element by element, by NumPy's o
 """
 
 from collections.abc import Callable
-from functools import partial
+from functools import partial, reduce
 from typing import Any
 
 import numpy as np
 
-from . import elimination, reshaping, tables
-from .arrays import PARTS, Array, Tape, elementwise, filled, lifted, objects, stacked, where
+from . import tables, views
+from .arrays import PARTS, Array, Tape, Unread, elementwise, filled, lifted, objects, stacked, where
 from .opened import depends, exploded, into, of_numbers, tape_of, unread
 from .ufuncs import accumulated, matmul, reduced, rounded
 from .views import tape_viewed
 
 FUNCTIONS: dict[Any, Callable] = {}  # NumPy's: what writes them down
+MOST_ROWS = 24  # of linear equations
 
 
 def applied(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
@@ -111,6 +112,64 @@ def trace(a: Any, *more: Any, **named: Any) -> Any:
 def diag(a: Array, k: int = 0) -> Any:
     """Return the diagonal of a matrix, or the matrix of a diagonal."""
     return diagonal(a, k) if a.ndim == 2 else exploded(a._tape, np.diag, (a, k), {})
+
+
+# --- linear equations: elimination, with pivots by `where` -----------------------------------
+
+
+def _rows(matrix: Any) -> list[Any]:
+    if len(matrix) > MOST_ROWS:
+        raise Unread(f"linear equations of more than {MOST_ROWS} rows with signals in their matrix")
+    return [matrix[k] for k in range(len(matrix))]
+
+
+def _eliminated(rows: list[Any]) -> Any:
+    """Make rows triangular, in place; return whether they changed places an odd number of times."""
+    sign: Any = 1.0
+    n = len(rows)
+    for k in range(n):
+        for i in range(k + 1, n):
+            larger = np.greater(np.fabs(rows[i][k]), np.fabs(rows[k][k]))
+            rows[k], rows[i] = where(larger, rows[i], rows[k]), where(larger, rows[k], rows[i])
+            sign = where(larger, -sign, sign)
+        for i in range(k + 1, n):
+            rows[i] = rows[i] - rows[k] * (rows[i][k] / rows[k][k])
+    return sign
+
+
+@reads(np.linalg.solve, arrays=2)
+def solve(A: Any, b: Any) -> Any:
+    """Return the x of A x = b, as np.linalg.solve does."""
+    n = A.shape[0]
+    if A.ndim != 2 or A.shape != (n, n) or b.shape[0] != n:
+        raise ValueError("solve: A must be square, b as long")
+    if not isinstance(A, Array):
+        return np.linalg.inv(A) @ b
+    right = b[:, None] if b.ndim == 1 else b
+    rows = [np.concatenate([row, right[k]]) for k, row in enumerate(_rows(A))]
+    _eliminated(rows)
+    found: list[Any] = [None] * n
+    for k in range(n - 1, -1, -1):
+        rest = rows[k][n:]
+        for i in range(k + 1, n):
+            rest = rest - found[i] * rows[k][i]
+        found[k] = rest / rows[k][k]
+    x = np.stack(found)
+    return x[:, 0] if b.ndim == 1 else x
+
+
+@reads(np.linalg.inv)
+def inverse(A: Any) -> Any:
+    """Return the inverse of a square matrix."""
+    return solve(A, np.eye(A.shape[0]))
+
+
+@reads(np.linalg.det)
+def determinant(A: Any) -> Any:
+    """Return the determinant: the product of the pivots."""
+    rows = _rows(A)
+    sign = _eliminated(rows)
+    return reduce(lambda v, w: v * w, (rows[k][k] for k in range(len(rows)))) * sign
 
 
 # --- limits and choices -----------------------------------------------------------------------
@@ -214,14 +273,11 @@ reads(np.allclose, arrays=2)(lambda *given, **more: np.all(close(*given, **more)
 reads(np.interp)(tables.interpolated)
 reads(np.searchsorted, arrays=0)(tables.searched)
 reads(np.digitize, arrays=0)(tables.digitized)
-reads(np.linalg.solve, arrays=2)(elimination.solve)
-reads(np.linalg.inv)(elimination.inverse)
-reads(np.linalg.det)(elimination.determinant)
-reads(np.stack, arrays=0)(reshaping.stack)
-reads(np.concatenate, arrays=0)(reshaping.join)
+reads(np.stack, arrays=0)(views.stack)
+reads(np.concatenate, arrays=0)(views.join)
 reads(np.round, np.around)(rounded)
 reads(np.fix)(np.trunc)
-reads(np.copy)(reshaping.copied)
+reads(np.copy)(views.copied)
 reads(np.zeros_like, np.empty_like)(lambda a, *more, **named: filled(a._tape, 0.0, a.shape))
 reads(np.ones_like)(lambda a, *more, **named: filled(a._tape, 1.0, a.shape))
 reads(np.full_like)(lambda a, value, **more: filled(a._tape, 0.0, a.shape) + value)
@@ -231,14 +287,14 @@ reads(np.size)(lambda a, axis=None: a.size if axis is None else a._counted()[axi
 # --- parts, which share what is written -----------------------------------------------------
 
 SHARES: dict[Any, Callable] = {
-    np.reshape: reshaping.reshaped,
-    np.ravel: lambda a, order="C": reshaping.reshaped(a, -1),
-    np.squeeze: reshaping.squeezed,
-    np.transpose: reshaping.transposed,
-    np.swapaxes: reshaping.swapped,
-    np.expand_dims: reshaping.expanded,
-    np.atleast_1d: partial(reshaping.at_least, 1),
-    np.atleast_2d: partial(reshaping.at_least, 2),
+    np.reshape: views.reshaped,
+    np.ravel: lambda a, order="C": views.reshaped(a, -1),
+    np.squeeze: views.squeezed,
+    np.transpose: views.transposed,
+    np.swapaxes: views.swapped,
+    np.expand_dims: views.expanded,
+    np.atleast_1d: partial(views.at_least, 1),
+    np.atleast_2d: partial(views.at_least, 2),
     np.flipud: lambda a: a[::-1],
     np.fliplr: lambda a: a[:, ::-1],
 }
@@ -251,12 +307,12 @@ for real, made in SHARES.items():
     reads(real)(made)
 
 METHODS: dict[str, Callable] = {  # that are not NumPy's functions
-    "reshape": reshaping.reshaped,
-    "transpose": reshaping.transposed,
-    "flatten": lambda a, *more: reshaping.copied(reshaping.reshaped(a, -1)),
-    "__copy__": reshaping.copied,
-    "__deepcopy__": reshaping.copied,
-    "astype": reshaping.converted,
+    "reshape": views.reshaped,
+    "transpose": views.transposed,
+    "flatten": lambda a, *more: views.copied(views.reshaped(a, -1)),
+    "__copy__": views.copied,
+    "__deepcopy__": views.copied,
+    "astype": views.converted,
     "item": lambda a, *at: a[at] if at else (objects(a).ravel()[0] if a.shape else a),
     "tolist": lambda a: objects(a).tolist(),
     "fill": lambda a, value: a.__setitem__(..., value),

@@ -28,9 +28,8 @@ from .arrays import (
     where,
 )
 from .copies import Copies, borrowed
-from .given import Fields, Ports
+from .given import Borrowed, Fields, Outside, Ports, Reading, located
 from .ports import places
-from .questions import Borrowed, Outside, Reading, located
 from .record import Record, Shape, compact
 
 MOST_WAYS = 256
@@ -144,7 +143,7 @@ class _Ways:
 
     def _way(self, run: Callable[[], Any]) -> list[Any]:
         """Return what one way gives, for each port; NaN where it raises."""
-        tape, asked, found = self.tape, self.asked, []
+        tape, asked, found, raised = self.tape, self.asked, [], list[Exception]()
         try:
             with borrowed(self.spaces), reading_on(tape):
                 found = _by_port(tape, asked.role, run(), asked.out)
@@ -154,7 +153,8 @@ class _Ways:
             raise Unread(f"{asked.name} calls itself without end") from None
         except (*RAISED, RuntimeError, Outside) as error:
             tape.ended(error)
-            sentence = f"{located(error, asked.function)}{type(error).__name__}: {error}"
+            raised.append(error)
+            sentence = f"{located(asked.function, error)}{type(error).__name__}: {error}"
             self.raised[sentence] = None
             if not tape.answers and tape.stopped is None:
                 raise Unread(sentence) from None
@@ -162,9 +162,11 @@ class _Ways:
         except Exception as error:
             said = str(error) if isinstance(error, Unread) else f"{type(error).__name__}: {error}"
             if isinstance(error, Unread) or tape.stopped is None:
-                raise Unread(f"{located(error, asked.function)}{said}") from None
+                raise Unread(f"{located(asked.function, error)}{said}") from None
+            raised.append(error)
         if isinstance(tape.stopped, Unread):  # and the function went on
-            raise Unread(f"{located(tape.stopped, asked.function)}{tape.stopped}")
+            place = located(asked.function, tape.stopped, *raised)
+            raise Unread(f"{place}{tape.stopped}")
         if tape.stopped is not None:
             raise tape.stopped
         return found

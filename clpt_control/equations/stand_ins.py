@@ -7,20 +7,214 @@ nothing is read, or where no signal is among their arguments.
 """
 
 import builtins
+import functools
 import math
+import numbers
+import sys
 from collections.abc import Callable
-from types import ModuleType
+from types import GeneratorType, ModuleType
 from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Tape, active, lifted, objects
-from .numpy_functions import applied
+from .arrays import Array, Tape, active, elementwise, lifted, objects, single, where
+from .numpy_functions import applied, in_order
 from .opened import fresh, tape_of
-from .python_functions import OF_MATH, READ, SHADOWS
-from .reshaping import converted
-from .standing import TYPES, StandIn
+from .tables import function_of
 from .ufuncs import called
+from .views import converted
+
+ITERATORS = (GeneratorType, map, zip, filter)
+NUMBERS = (float, np.float64, np.floating, np.inexact, np.number, np.generic)
+
+
+class StandIn:
+    """What stands for a function; its own way writes on a tape what the real one does."""
+
+    def __init__(self, real: Any, own: Callable):
+        self.real, self.own = real, own
+        functools.update_wrapper(self, real, updated=())
+
+    def __call__(self, *given: Any, **more: Any) -> Any:
+        """Run the real one, or write down what it does."""
+        tape = active()
+        if more:
+            more = {name: real_of(one) for name, one in more.items()}
+        if tape is None:
+            return self.real(*given, **more)
+        given = tuple(list(one) if isinstance(one, ITERATORS) else one for one in given)
+        if tape_of((*given, *more.values())) is None:
+            return fresh(tape, self.real(*map(real_of, given), **more))
+        return self.own(tape, *given, **more)
+
+    def __getattr__(self, name: str) -> Any:
+        found = getattr(self.real, name)
+        if isinstance(self.real, np.ufunc) and callable(found):
+            return StandIn(found, lambda tape, *a, **more: called(tape, self.real, name, a, more))
+        return found
+
+
+class StandInType(type):
+    """A stand-in of a type: a type too, for ``dtype=float`` and ``isinstance(x, float)``."""
+
+    real: type
+    make: Callable
+
+    def __call__(cls, *given: Any, **more: Any) -> Any:
+        """Convert a signal, or make a number of the real type."""
+        if given and isinstance(single(given[0]), Array):
+            return cls.make(single(given[0]))
+        return cls.real(*given, **more)
+
+    def __instancecheck__(cls, value: Any) -> bool:
+        return is_a(value, cls.real)
+
+    def __subclasscheck__(cls, kind: type) -> bool:
+        return issubclass(kind, cls.real)
+
+    def __eq__(cls, other: Any) -> bool:
+        return other is cls or other is cls.real
+
+    def __hash__(cls) -> int:
+        return hash(cls.real)
+
+
+def stand_in_type(real: type, make: Callable) -> StandInType:
+    """Return what stands for a type of numbers."""
+    own = {"real": real, "make": staticmethod(make), "dtype": np.dtype(real)}
+    own["__doc__"] = f"What stands for {real.__name__}."
+    return StandInType(real.__name__, (), own)
+
+
+def real_of(value: Any) -> Any:
+    """Return what a stand-in of a type stands for."""
+    return value.real if isinstance(value, StandInType) else value
+
+
+def is_a(value: Any, kinds: Any) -> bool:
+    """Return isinstance(value, kinds), for which a signal is a float and a vector an array."""
+    if isinstance(kinds, tuple):
+        return any(is_a(value, kind) for kind in kinds)
+    kind = real_of(kinds)
+    if not isinstance(value, Array):
+        return isinstance(value, kind)
+    if value.shape:
+        return kind in (np.ndarray, object, Array)
+    return kind in (*NUMBERS, object, Array, numbers.Number, numbers.Real, numbers.Complex)
+
+
+def as_float(value: Array) -> Any:
+    """Return float(value)."""
+    if value.shape:
+        raise TypeError("only 0-dimensional arrays can be converted to Python scalars")
+    return elementwise("where", value, 1.0, 0.0) if value._is_condition else value
+
+
+TYPES = {  # of numbers: what stands for them
+    real: stand_in_type(real, make)
+    for real, make in (
+        (float, as_float),
+        (np.float64, lambda value: value),
+        (int, lambda value: np.trunc(as_float(value))),
+        (np.int64, lambda value: np.trunc(as_float(value))),
+    )
+}
+
+
+# --- `math` and built-in functions --------------------------------------------------
+
+MOST_SORTED = 16
+READ = "__read__"  # among the built-in names of a copy that is read
+
+
+def about(a: Any, b: Any, *, rel_tol: float = 1e-9, abs_tol: float = 0.0) -> Any:
+    """Return math.isclose(a, b)."""
+    size = np.maximum(np.fabs(a), np.fabs(b))
+    return (np.fabs(a - b) <= rel_tol * size) | (np.fabs(a - b) <= abs_tol)
+
+
+def total_of(values: Any, start: Any = 0) -> Any:
+    """Return the sum of numbers, one after the other."""
+    return functools.reduce(lambda v, w: v + w, values, start)
+
+
+DOMAINS: dict[str, Callable] = {  # outside, `math` raises
+    "sqrt": lambda a: a < 0,
+    **dict.fromkeys(("log", "log2", "log10"), lambda a, *base: a <= 0),
+    **dict.fromkeys(("asin", "acos"), lambda a: np.fabs(a) > 1),
+}
+
+
+def in_a_try() -> bool:
+    """Return whether a function that is read may catch what is raised now."""
+    frame = sys._getframe(1)
+    while frame is not None and frame.f_globals.get("__name__") != f"{__package__}.reading":
+        names = frame.f_globals.get("__builtins__")
+        if isinstance(names, dict) and READ in names and frame.f_code.co_exceptiontable:
+            return True
+        frame = frame.f_back  # type: ignore[assignment]
+    return False
+
+
+MATH: dict[str, Callable] = {
+    **{name: f for name in vars(math) if isinstance(f := getattr(np, name, None), np.ufunc)},
+    **{name: functools.partial(elementwise, name) for name in ("erf", "erfc")},
+    "log": lambda a, base=None: np.log(a) if base is None else np.log(a) / np.log(base),
+    "remainder": lambda a, b: a - b * np.rint(a / b),
+    "hypot": lambda *a: np.hypot(*a) if len(a) == 2 else np.sqrt(total_of(v * v for v in a)),
+    "dist": lambda a, b: np.sqrt(total_of((v - w) ** 2 for v, w in zip(a, b, strict=True))),
+    "isclose": about,
+    "fsum": total_of,
+    "prod": lambda a, start=1: functools.reduce(lambda v, w: v * w, a, start),
+    "ldexp": lambda a, k: a * 2.0**k,
+}
+
+
+def of_math(name: str, tape: Tape, *given: Any, **more: Any) -> Any:
+    """Write down a function of `math`."""
+    own = tuple(map(single, given))
+    if name in DOMAINS and in_a_try() and DOMAINS[name](*own):
+        raise ValueError("math domain error")
+    return MATH[name](*own, **more)
+
+
+OF_MATH = [StandIn(getattr(math, name), functools.partial(of_math, name)) for name in MATH]
+
+
+def of_values(real: Callable, own: Callable[[list], Any]) -> Callable:
+    """Return the stand-in of a function of values, given one by one or in one."""
+
+    @functools.wraps(real)
+    def function(*given: Any, **more: Any) -> Any:
+        values = list(given[0]) if len(given) == 1 else list(given)
+        return real(values, **more) if more or tape_of(values) is None else own(values)
+
+    return function
+
+
+def best(better: Callable, values: list) -> Any:
+    """Return the best value: what is better takes the place of what was best."""
+    return functools.reduce(lambda a, b: where(better(b, a), b, a), map(single, values))
+
+
+def ordered(values: list) -> list[Any]:
+    """Return values sorted, without a question where they are few."""
+    return in_order(values) if len(values) <= MOST_SORTED else sorted(values)
+
+
+SHADOWS: dict[str, Any] = {  # built-in names that have stand-ins
+    "float": TYPES[float],
+    "int": TYPES[int],
+    "max": of_values(max, functools.partial(best, np.greater)),
+    "min": of_values(min, functools.partial(best, np.less)),
+    "any": of_values(any, functools.partial(functools.reduce, np.logical_or)),
+    "all": of_values(all, functools.partial(functools.reduce, np.logical_and)),
+    "sorted": of_values(sorted, ordered),
+    "isinstance": is_a,
+}
+
+
+# --- NumPy ------------------------------------------------------------
 
 
 def of_numpy(real: Any) -> StandIn:
@@ -135,3 +329,9 @@ def imported(name: str, *given: Any, **more: Any) -> Any:
 
 
 BUILTINS: dict[str, Any] = {**vars(builtins), **SHADOWS, "__import__": imported, READ: True}
+
+
+def table_of(value: Any) -> StandIn | None:
+    """Return what stands for one of SciPy's interpolators; None for what is none."""
+    made = function_of(value)
+    return None if made is None else StandIn(value, made)

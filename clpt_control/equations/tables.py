@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 
 from .arrays import Array, Tape, Unread, constant, elementwise, lifted, numbers_of, operand, where
-from .standing import StandIn
 
 MOST = 64  # simplices, or points in more than one dimension
 
@@ -175,9 +174,7 @@ def is_table(value: Any) -> bool:
     return f"{type(value).__module__}.{type(value).__name__}" in TABLES
 
 
-def table_of(value: Any) -> Callable | None:
+def function_of(value: Any) -> Callable | None:
     """Return an interpolator as a function of signals; None for what is none."""
-    if not is_table(value):
-        return None
-    made = TABLES[f"{type(value).__module__}.{type(value).__name__}"]
-    return StandIn(value, made(value))
+    name = f"{type(value).__module__}.{type(value).__name__}"
+    return TABLES[name](value) if name in TABLES else None

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..arguments import public
 from ..diagrams.wiring import Wiring
-from ..equations.time_decides import decided_by_time, times_of_change
+from ..equations.at_many import decided_by_time, times_of_change
 from ..errors import SimulationError
 from .batch import Callee
 from .code import Code, code_of, kernels

@@ -13,8 +13,7 @@ from scipy.integrate import cumulative_simpson, quad, simpson
 
 import clpt_control as clpt
 from clpt_control.blocks.laws import composite_least_squares, composite_memory
-from clpt_control.currents.fit import fit_scenario
-from clpt_control.currents.fit_file import save_fit
+from clpt_control.currents.fit import fit_scenario, save_fit
 from clpt_control.errors import ScenarioError
 from clpt_control.simulation.flows import explained_variance
 from clpt_control.simulation.loops import paper_blocks

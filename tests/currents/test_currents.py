@@ -14,7 +14,7 @@ from clpt_control.currents.field_file import GriddedField, field_dataset, read_f
 from clpt_control.currents.gaps import fill_gaps, regular_grid
 from clpt_control.currents.grid_file import read_currents
 from clpt_control.currents.plane import LocalPlane
-from clpt_control.currents.tidal.record import read_record
+from clpt_control.currents.record import read_record
 from clpt_control.equations import evaluate
 from clpt_control.errors import DataError
 from clpt_control.files import write_netcdf

@@ -9,9 +9,8 @@ import pytest
 from pyproj import Proj
 
 import clpt_control as clpt
-from clpt_control.currents.fit import fit_scenario
-from clpt_control.currents.fit_file import save_fit
-from clpt_control.currents.sample import sample_currents
+from clpt_control.currents.fit import fit_scenario, save_fit
+from clpt_control.currents.grid_file import sample_currents
 from clpt_control.errors import ArgumentError, ClptError, DataError, ScenarioError
 from clpt_control.replay.flow_model_file import read_flow_model
 from clpt_control.scenario.scenario_basis import scenario_basis
@@ -173,9 +172,7 @@ def test_saved_scenario_and_field_belong_together(known, tmp_path):
 def test_files_are_written_whole_or_not_at_all(known, tmp_path, monkeypatch):
     fit = fit_scenario(known[0], BOX, rows=2, columns=2, width_km=20.0)
     (tmp_path / "s.toml").write_text("before")
-    monkeypatch.setattr(
-        "clpt_control.currents.fit_file._header", lambda report: 1 / 0 if report else ""
-    )
+    monkeypatch.setattr("clpt_control.currents.fit._header", lambda report: 1 / 0 if report else "")
     with pytest.raises(ZeroDivisionError):
         save_fit(fit, tmp_path / "s.toml")
     assert [p.name for p in tmp_path.iterdir()] == ["s.toml"]

@@ -17,7 +17,7 @@ from tidal_records import (
 
 from clpt_control.currents.fit import fit_scenario
 from clpt_control.currents.rayleigh import check_separable, inseparable
-from clpt_control.currents.tidal.analysis import fit_tides
+from clpt_control.currents.tides import fit_tides
 from clpt_control.errors import DataError, ScenarioError
 
 

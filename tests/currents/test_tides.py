@@ -5,8 +5,8 @@ import pytest
 from tidal_records import KNOWN, LATITUDE, classical, local, moon, times, waves
 
 from clpt_control.currents.nodal import OTHER_NAMES, nodal_corrections
-from clpt_control.currents.tidal.analysis import fit_tides, predict
-from clpt_control.currents.tidal.basis import tidal_basis
+from clpt_control.currents.tidal_constants import tidal_basis
+from clpt_control.currents.tides import fit_tides, predict
 from clpt_control.errors import DataError, ScenarioError
 from clpt_control.scenario.tides import SPEEDS, period, speed
 

@@ -20,8 +20,7 @@ from synthetic_forecast import (
     write,
 )
 
-from clpt_control.currents.fit import fit_scenario
-from clpt_control.currents.fit_file import save_fit
+from clpt_control.currents.fit import fit_scenario, save_fit
 from clpt_control.errors import DataError
 from clpt_control.files import write_netcdf
 from clpt_control.gliders.dive_table import sample_dives

@@ -1,20 +1,33 @@
 """Tidal constants of one place: what `fit_tides` returns, as JSON and as NetCDF.
 
-Amplitudes in m/s, phases in degrees of Greenwich lag, as `analysis` says.  In a file
+Amplitudes in m/s, phases in degrees of Greenwich lag, as `tides` says.  In a file
 `amplitude` and `phase` have the dims (constituent, axis), the ellipse's numbers
 (constituent); each has its standard error beside it under `..._standard_error`.  `f`,
 `u` and `V` are the nodal corrections at the record's middle.  Latitude and longitude are
 scalar coordinates of all; times are ISO 8601, UTC.
+
+As theta of Eq. (3), for the basis of a scenario, they are
+
+    f A cos(V(t) + u - g) = c cos(w (t - t0)) + s sin(w (t - t0))
+    c = f A cos(p),  s = -f A sin(p),  p = V(t0) + u(t0) - g
+
+f and u are held at the epoch t0, which becomes t = 0 of the scenario: choose it
+in the middle of what is to be run; M2 changes by 0.4 % in half a year.  A
+scenario's sine is the phase -pi/2.
 """
 
 from dataclasses import dataclass, field
 from importlib.metadata import version
 from math import isfinite
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ..nodal import nodal_corrections, nodal_report
+from ..arguments import public
+from ..errors import DataError
+from ..scenario.tides import SPEEDS
+from ..units import speed_in_metres_per_second
+from .nodal import checked_times, nodal_corrections, nodal_report
 from .record import CurrentRecord
 
 if TYPE_CHECKING:
@@ -166,4 +179,68 @@ def tides_dataset(fit: TidalFit, record: CurrentRecord) -> "xarray.Dataset":
             "residual_rms_units": "m s-1",
             "comment": "tide(t) = f(t) amplitude cos(V(t) + u(t) - phase)",
         },
+    )
+
+
+class TidalBasis(NamedTuple):
+    """Functions of time and their theta, as `basis` of a scenario has them."""
+
+    constituents: tuple[str, ...]  # steady, then each tide twice
+    phases: tuple[float, ...]  # rad: 0 for cosines, -pi/2 for sines
+    theta: np.ndarray  # east and north, in the unit that was asked for, shape (2, N)
+
+
+@public
+def tidal_basis(fit: TidalFit, epoch: Any, unit: str = "m s-1") -> TidalBasis:
+    """Return a fit as theta of a scenario that starts at an epoch.
+
+    Parameters
+    ----------
+    fit : TidalFit
+        From `fit_tides`.
+    epoch : str or datetime64
+        t = 0 of the scenario, UTC.
+    unit : str, optional
+        Of theta: the scenario's length per time, such as "km h-1".
+
+    Returns
+    -------
+    TidalBasis
+        Constituents, phases and theta, shape (2, N).
+
+    Raises
+    ------
+    DataError
+        If the epoch or the unit cannot be read, or a constituent is not one
+        of `tides.SPEEDS`.
+
+    Examples
+    --------
+    >>> from clpt_control.currents.tides import fit_tides
+    >>> time = np.datetime64("2019-01-01") + np.arange(72) * np.timedelta64(1, "h")
+    >>> wave = np.cos(np.radians(28.9841042) * np.arange(72))
+    >>> basis = tidal_basis(fit_tides(time, wave, 0.5 * wave, 41.0, ["M2"]), time[0])
+    >>> basis.constituents
+    ('steady', 'M2', 'M2')
+    >>> bool(abs(basis.theta - [[0, 1, 0], [0, 0.5, 0]]).max() < 1e-3)
+    True
+    """
+    names = [each.name for each in fit.constituents]
+    foreign = [name for name in names if name not in SPEEDS]
+    if foreign:
+        raise DataError(
+            f"{', '.join(foreign)}: no constituent of a scenario; fit those that are wanted "
+            f"by name, of {', '.join(SPEEDS)}"
+        )
+    size = 1.0 / speed_in_metres_per_second(unit, "theta")
+    f, u, V = nodal_corrections(names, checked_times(epoch)[:1], fit.latitude)
+    columns = [np.array(fit.mean)]
+    for k, each in enumerate(fit.constituents):
+        p = np.radians(V[0, k] + u[0, k] - np.array([each.east_phase, each.north_phase]))
+        A = f[0, k] * np.array([each.east, each.north])
+        columns += [A * np.cos(p), -A * np.sin(p)]
+    return TidalBasis(
+        ("steady", *(name for name in names for _ in range(2))),
+        (0.0, *([0.0, -np.pi / 2] * len(names))),
+        size * np.column_stack(columns),
     )

@@ -19,12 +19,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...arguments import public
-from ...errors import DataError, ScenarioError
-from ..nodal import checked_latitude, checked_times, load_utide, utide_names
-from ..rayleigh import check_separable
-from .constants import Constituent, TidalFit
-from .sampling import check_increasing, check_nyquist, check_sampling, noise_ratio, nyquist
+from ..arguments import public
+from ..errors import DataError, ScenarioError
+from .nodal import checked_latitude, checked_times, load_utide, utide_names
+from .rayleigh import (
+    check_increasing,
+    check_nyquist,
+    check_sampling,
+    check_separable,
+    noise_ratio,
+    nyquist,
+)
+from .tidal_constants import Constituent, TidalFit
 
 LEAST_CHANGE = 1e-9  # m/s in a record; less is no measured tide, and its squares vanish
 CI = 1.96  # UTide's half widths, in standard errors

@@ -10,11 +10,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...arguments import public
-from ...figures import BLUE, GREY, RED, axes_for
-from .analysis import predict
-from .constants import Constituent, TidalFit
+from ..arguments import public
+from ..figures import BLUE, GREY, RED, axes_for
 from .record import CurrentRecord
+from .tidal_constants import Constituent, TidalFit
+from .tides import predict
 
 MOST = 6  # ellipses that are drawn, the greatest
 SMALL = 1 / 8  # of the greatest: below it an ellipse is drawn larger

@@ -1,4 +1,4 @@
-"""Read a current record at one place: NetCDF, or a table (`table`).
+"""Read a current record at one place: NetCDF, or a table (`record_table`).
 
 NetCDF: a time and two velocities, found by CF standard name or as u and v, of
 the one dimension time; dimensions of one value and a depth beside it are
@@ -7,6 +7,11 @@ longitudes the cell nearest to a given place is taken.  The latitude, which the
 nodal corrections need, is the file's variable, its attribute
 `geospatial_lat_min` (equal to `geospatial_lat_max`), `latitude` or `lat`, or
 given.  Gaps are kept as NaN.
+
+A profiler's NetCDF, as dolfyn writes it, has `vel` on dir, range and time.  `dir` names the
+components, E, N and up where `coord_sys` is earth; they lie from true north once a
+`declination` is set.  The current is the mean over the ranges that hold a number at half of
+the times or more.
 """
 
 from dataclasses import dataclass
@@ -15,24 +20,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...arguments import public
-from ...errors import DataError
-from ...files import open_netcdf
-from ..cf import (
-    AXES,
-    VELOCITY,
-    check_speed,
-    dates_of,
-    find_axis,
-    find_variable,
-    velocity_values,
-)
-from .profiler import of_profiler
-from .sampling import check_increasing
-from .table import is_table, read_table
+from ..arguments import public
+from ..errors import DataError
+from ..files import open_netcdf
+from .cf import AXES, VELOCITY, check_speed, dates_of, find_axis, find_variable, velocity_values
+from .rayleigh import check_increasing
+from .record_table import is_table, read_table
 
 if TYPE_CHECKING:
     import xarray
+
+SHARE = 0.5  # of times at which a range must hold a number
 
 
 @dataclass(frozen=True)
@@ -184,3 +182,34 @@ def _number(value: Any) -> float | None:
     except (TypeError, ValueError):
         return None
     return number if np.isfinite(number) else None
+
+
+def of_profiler(data: "xarray.Dataset", path: Path) -> "xarray.Dataset":
+    """Return u and v of a profiler's file; another file as it is."""
+    if "vel" not in data.variables or "dir" not in data.variables or "dir" not in data["vel"].dims:
+        return data
+    system = str(data.attrs.get("coord_sys", "unknown"))
+    names = [str(name) for name in data["dir"].values]
+    if system != "earth" or not {"E", "N"} <= set(names):
+        raise DataError(
+            f"{path}: vel has the coordinates '{system}' ({', '.join(names)}); must be earth: "
+            "dolfyn.rotate2(data, 'earth'), and save it again"
+        )
+    if "declination" not in data.attrs:
+        raise DataError(
+            f"{path}: does not say its declination, so north is that of the compass; "
+            "dolfyn.set_declination(data, DEGREES EAST), and save it again"
+        )
+    parts = {}
+    for name, direction in (("u", "E"), ("v", "N")):
+        part = data["vel"].isel(dir=names.index(direction), drop=True)
+        others = [str(dim) for dim in part.dims if dim != "time"]
+        if "time" not in part.dims or len(others) > 1:
+            raise DataError(f"{path}: vel is on {', '.join(map(str, data['vel'].dims))}")
+        if others:
+            held = part.notnull().mean("time") >= SHARE
+            part = part.where(held).mean(others[0], skipna=True)
+        said = {key: value for key, value in data["vel"].attrs.items() if key == "units"}
+        parts[name] = part.assign_attrs(said)
+    kept = data.drop_vars([n for n in data.variables if n != "time" and data[n].ndim])
+    return kept.assign(parts)

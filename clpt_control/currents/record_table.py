@@ -19,12 +19,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...errors import DataError
-from ...files.reading import read_text
-from ...units import speed_in_metres_per_second
-from ..cf import VELOCITY
-from ..nodal import checked_times
-from ..text_table import other_marks, table_of
+from ..errors import DataError
+from ..files.reading import read_text
+from ..units import speed_in_metres_per_second
+from .cf import VELOCITY
+from .nodal import checked_times
+from .text_table import other_marks, table_of
 
 if TYPE_CHECKING:
     import pandas

@@ -1,1 +1,0 @@
-"""Tides of a current record: constants, ellipses, what can be told apart."""
