@@ -23,7 +23,6 @@ from .solver import (  # rows of Z
     DIAGONAL,
     GOOD,
     KNOWN,
-    NEW,
     OVER_TIME,
     REJECTED,
     SOLVED,
@@ -32,7 +31,6 @@ from .solver import (  # rows of Z
     TAKEN,
     TERMS,
     TIME,
-    WANTED,
 )
 
 GAMMA = 0.21193756319429014
@@ -109,9 +107,7 @@ def _attempt() -> Formula:
     def after(lane: Row, sums: Sequence[Any]) -> Rows:
         assert plain.after is not None
         rows = plain.after(lane, sums)
-        new = minimum(rows[NEW], lane(WANTED))
-        h = new - lane(TIME)
-        return {**rows, NEW: new, TAKEN: h, DIAGONAL: 1.0 / (GAMMA * h)}
+        return {**rows, DIAGONAL: 1.0 / (GAMMA * rows[TAKEN])}
 
     return Formula(None, after)
 

@@ -1,4 +1,4 @@
-; sha256 331912d157fd34d0ac3fb0a467abdcab06a78cca63ed0df7479e33c53a4317de
+; sha256 150beeb240cec15c2e34fc0efb1250186293725af2dd33c3b66703d6529be6f8
 
 @.const.pickledata.ca8efb3a72d614fe872032cce3ac326007a30727 = internal constant [76 x i8] c"\80\04\95A\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AValueError\94\93\94\8C\1Erange() arg 3 must not be zero\94\85\94N\87\94."
 @.const.pickledata.ca8efb3a72d614fe872032cce3ac326007a30727.sha1 = internal constant [20 x i8] c"\CA\8E\FB:r\D6\14\FE\87 2\CC\E3\AC2`\07\A3\07'"
@@ -6,10 +6,10 @@
 
 define dso_local noundef i32 @advance(ptr noalias %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.code.0, ptr readnone %arg.code.1, i64 %arg.code.2, i64 %arg.code.3, ptr readonly %arg.code.4, i64 %arg.code.5.0, i64 %arg.code.6.0, i64 %arg.shape.0, i64 %arg.shape.1, i64 %arg.shape.2, ptr readnone %arg.tolerances.0, ptr readnone %arg.tolerances.1, i64 %arg.tolerances.2, i64 %arg.tolerances.3, ptr %arg.tolerances.4, i64 %arg.tolerances.5.0, i64 %arg.tolerances.6.0, ptr readnone %arg.runs.0.0, ptr readnone %arg.runs.0.1, i64 %arg.runs.0.2, i64 %arg.runs.0.3, ptr readonly %arg.runs.0.4, i64 %arg.runs.0.5.0, i64 %arg.runs.0.5.1, i64 %arg.runs.0.6.0, i64 %arg.runs.0.6.1, ptr readnone %arg.runs.1.0, ptr readnone %arg.runs.1.1, i64 %arg.runs.1.2, i64 %arg.runs.1.3, ptr readonly %arg.runs.1.4, i64 %arg.runs.1.5.0, i64 %arg.runs.1.5.1, i64 %arg.runs.1.6.0, i64 %arg.runs.1.6.1, ptr readnone %arg.runs.2.0, ptr readnone %arg.runs.2.1, i64 %arg.runs.2.2, i64 %arg.runs.2.3, ptr readonly %arg.runs.2.4, i64 %arg.runs.2.5.0, i64 %arg.runs.2.6.0, ptr readnone %arg.schedule.0.0, ptr readnone %arg.schedule.0.1, i64 %arg.schedule.0.2, i64 %arg.schedule.0.3, ptr readonly %arg.schedule.0.4, i64 %arg.schedule.0.5.0, i64 %arg.schedule.0.5.1, i64 %arg.schedule.0.6.0, i64 %arg.schedule.0.6.1, ptr readnone %arg.schedule.1.0, ptr readnone %arg.schedule.1.1, i64 %arg.schedule.1.2, i64 %arg.schedule.1.3, ptr readonly %arg.schedule.1.4, i64 %arg.schedule.1.5.0, i64 %arg.schedule.1.6.0, ptr readnone %arg.schedule.2.0, ptr readnone %arg.schedule.2.1, i64 %arg.schedule.2.2, i64 %arg.schedule.2.3, ptr readonly %arg.schedule.2.4, i64 %arg.schedule.2.5.0, i64 %arg.schedule.2.6.0, ptr readnone %arg.schedule.3.0, ptr readnone %arg.schedule.3.1, i64 %arg.schedule.3.2, i64 %arg.schedule.3.3, ptr readonly %arg.schedule.3.4, i64 %arg.schedule.3.5.0, i64 %arg.schedule.3.5.1, i64 %arg.schedule.3.5.2, i64 %arg.schedule.3.6.0, i64 %arg.schedule.3.6.1, i64 %arg.schedule.3.6.2, ptr readnone %arg.schedule.4.0, ptr readnone %arg.schedule.4.1, i64 %arg.schedule.4.2, i64 %arg.schedule.4.3, ptr readonly %arg.schedule.4.4, i64 %arg.schedule.4.5.0, i64 %arg.schedule.4.5.1, i64 %arg.schedule.4.6.0, i64 %arg.schedule.4.6.1, ptr readnone %arg.times.0, ptr readnone %arg.times.1, i64 %arg.times.2, i64 %arg.times.3, ptr readonly %arg.times.4, i64 %arg.times.5.0, i64 %arg.times.6.0, ptr readnone %arg.results.0.0, ptr readnone %arg.results.0.1, i64 %arg.results.0.2, i64 %arg.results.0.3, ptr %arg.results.0.4, i64 %arg.results.0.5.0, i64 %arg.results.0.5.1, i64 %arg.results.0.5.2, i64 %arg.results.0.6.0, i64 %arg.results.0.6.1, i64 %arg.results.0.6.2, ptr readnone %arg.results.1.0, ptr readnone %arg.results.1.1, i64 %arg.results.1.2, i64 %arg.results.1.3, ptr %arg.results.1.4, i64 %arg.results.1.5.0, i64 %arg.results.1.6.0, ptr readnone %arg.results.2.0, ptr readnone %arg.results.2.1, i64 %arg.results.2.2, i64 %arg.results.2.3, ptr %arg.results.2.4, i64 %arg.results.2.5.0, i64 %arg.results.2.6.0, ptr readnone %arg.results.3.0, ptr readnone %arg.results.3.1, i64 %arg.results.3.2, i64 %arg.results.3.3, ptr %arg.results.3.4, i64 %arg.results.3.5.0, i64 %arg.results.3.5.1, i64 %arg.results.3.6.0, i64 %arg.results.3.6.1, ptr readnone %arg.lane.0.0, ptr readnone %arg.lane.0.1, i64 %arg.lane.0.2, i64 %arg.lane.0.3, ptr %arg.lane.0.4, i64 %arg.lane.0.5.0, i64 %arg.lane.0.5.1, i64 %arg.lane.0.6.0, i64 %arg.lane.0.6.1, ptr readnone %arg.lane.1.0, ptr readnone %arg.lane.1.1, i64 %arg.lane.1.2, i64 %arg.lane.1.3, ptr %arg.lane.1.4, i64 %arg.lane.1.5.0, i64 %arg.lane.1.5.1, i64 %arg.lane.1.6.0, i64 %arg.lane.1.6.1, ptr readnone %arg.lane.2.0, ptr readnone %arg.lane.2.1, i64 %arg.lane.2.2, i64 %arg.lane.2.3, ptr %arg.lane.2.4, i64 %arg.lane.2.5.0, i64 %arg.lane.2.6.0, ptr readnone %arg.arrays.0.0, ptr readnone %arg.arrays.0.1, i64 %arg.arrays.0.2, i64 %arg.arrays.0.3, ptr %arg.arrays.0.4, i64 %arg.arrays.0.5.0, i64 %arg.arrays.0.6.0, ptr readnone %arg.arrays.1.0, ptr readnone %arg.arrays.1.1, i64 %arg.arrays.1.2, i64 %arg.arrays.1.3, ptr %arg.arrays.1.4, i64 %arg.arrays.1.5.0, i64 %arg.arrays.1.6.0, ptr readnone %arg.arrays.2.0, ptr readnone %arg.arrays.2.1, i64 %arg.arrays.2.2, i64 %arg.arrays.2.3, ptr %arg.arrays.2.4, i64 %arg.arrays.2.5.0, i64 %arg.arrays.2.6.0, ptr readnone %arg.arrays.3.0, ptr readnone %arg.arrays.3.1, i64 %arg.arrays.3.2, i64 %arg.arrays.3.3, ptr %arg.arrays.3.4, i64 %arg.arrays.3.5.0, i64 %arg.arrays.3.6.0, ptr readnone %arg.arrays.4.0, ptr readnone %arg.arrays.4.1, i64 %arg.arrays.4.2, i64 %arg.arrays.4.3, ptr %arg.arrays.4.4, i64 %arg.arrays.4.5.0, i64 %arg.arrays.4.6.0, ptr readnone %arg.linear.0.0, ptr readnone %arg.linear.0.1, i64 %arg.linear.0.2, i64 %arg.linear.0.3, ptr %arg.linear.0.4, i64 %arg.linear.0.5.0, i64 %arg.linear.0.6.0, ptr readnone %arg.linear.1.0, ptr readnone %arg.linear.1.1, i64 %arg.linear.1.2, i64 %arg.linear.1.3, ptr %arg.linear.1.4, i64 %arg.linear.1.5.0, i64 %arg.linear.1.6.0, i64 %arg.budget, i64 %arg.most, i64 %arg.guarded, i64 %arg.jumping, i64 %arg.held, i64 %arg.decided) local_unnamed_addr {
 entry:
-  %arg.linear.1.48774 = ptrtoint ptr %arg.linear.1.4 to i64
-  %arg.arrays.0.48773 = ptrtoint ptr %arg.arrays.0.4 to i64
-  %arg.runs.0.48663 = ptrtoint ptr %arg.runs.0.4 to i64
-  %arg.results.0.48662 = ptrtoint ptr %arg.results.0.4 to i64
+  %arg.linear.1.49330 = ptrtoint ptr %arg.linear.1.4 to i64
+  %arg.arrays.0.49329 = ptrtoint ptr %arg.arrays.0.4 to i64
+  %arg.runs.0.49219 = ptrtoint ptr %arg.runs.0.4 to i64
+  %arg.results.0.49218 = ptrtoint ptr %arg.results.0.4 to i64
   %.382 = mul nsw i64 %arg.shape.1, %arg.shape.0
   %.490.idx = shl i64 %arg.lane.0.5.1, 6
   %.490 = getelementptr i8, ptr %arg.lane.0.4, i64 %.490.idx
@@ -20,201 +20,207 @@ entry:
   br i1 %.274.i, label %B202.endif, label %B50.if.i.lr.ph
 
 B50.if.i.lr.ph:                                   ; preds = %entry
-  %arg.results.0.48658 = ptrtoint ptr %arg.results.0.4 to i64
-  %arg.runs.0.48659 = ptrtoint ptr %arg.runs.0.4 to i64
-  %.373.i8166 = getelementptr i8, ptr %arg.lane.2.4, i64 8
+  %arg.results.0.49214 = ptrtoint ptr %arg.results.0.4 to i64
+  %arg.runs.0.49215 = ptrtoint ptr %arg.runs.0.4 to i64
+  %.373.i8713 = getelementptr i8, ptr %arg.lane.2.4, i64 8
   %.444.i = getelementptr i8, ptr %arg.lane.2.4, i64 16
   %0 = getelementptr i64, ptr %arg.lane.1.4, i64 %arg.lane.1.5.1
   %.idx.i = shl i64 %arg.lane.1.5.1, 4
   %1 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx.i
-  %.6961521.not.i = icmp slt i64 %arg.shape.1, 1
-  %.851.i8170 = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
-  %.9661524.not.i = icmp slt i64 %arg.shape.2, 1
-  %.11851527.not.i = icmp slt i64 %arg.schedule.2.5.0, 1
+  %.6961563.not.i = icmp slt i64 %arg.shape.1, 1
+  %.851.i = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
+  %.9661566.not.i = icmp slt i64 %arg.shape.2, 1
+  %.11851569.not.i = icmp slt i64 %arg.schedule.2.5.0, 1
   %.1319.i = mul i64 %arg.schedule.3.5.2, %arg.schedule.3.5.1
   %.1423.i.not = icmp eq i64 %arg.shape.0, 1
-  %.163.i1530.not.i = icmp slt i64 %arg.shape.1, 1
+  %.163.i1572.not.i = icmp slt i64 %arg.shape.1, 1
   %2 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
-  %.idx1506.i = shl i64 %arg.lane.0.5.1, 4
-  %3 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1506.i
-  %.idx1507.i = mul i64 %arg.lane.0.5.1, 24
-  %4 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1507.i
-  %.idx1508.i = shl i64 %arg.lane.0.5.1, 5
-  %5 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1508.i
-  %.idx1509.i = mul i64 %arg.lane.0.5.1, 176
-  %6 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1509.i
-  %.15851533.not.i = icmp slt i64 %arg.shape.1, 1
-  %.idx1512.i = shl i64 %arg.lane.0.5.1, 4
-  %7 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1512.i
-  %8 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
-  %.idx1513.i = mul i64 %arg.lane.0.5.1, 24
-  %9 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1513.i
-  %.idx1514.i = shl i64 %arg.lane.0.5.1, 5
-  %10 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1514.i
-  %.idx1515.i = mul i64 %arg.lane.0.5.1, 120
-  %11 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1515.i
-  %.idx1516.i = mul i64 %arg.lane.1.5.1, 24
-  %12 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx1516.i
-  %.idx1517.i = mul i64 %arg.lane.0.5.1, 200
-  %13 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1517.i
-  %.idx1518.i = mul i64 %arg.lane.0.5.1, 208
-  %14 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1518.i
-  %.idx1519.i = mul i64 %arg.lane.0.5.1, 152
-  %15 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1519.i
-  %.idx1520.i = mul i64 %arg.lane.0.5.1, 144
-  %16 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1520.i
-  %17 = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
-  %18 = shl i64 %17, 3
-  %19 = shl i64 %arg.runs.0.5.1, 3
+  %.idx1546.i = shl i64 %arg.lane.0.5.1, 4
+  %3 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1546.i
+  %.idx1547.i = mul i64 %arg.lane.0.5.1, 24
+  %4 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1547.i
+  %.idx1548.i = shl i64 %arg.lane.0.5.1, 5
+  %5 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1548.i
+  %.idx1549.i = mul i64 %arg.lane.0.5.1, 176
+  %6 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1549.i
+  %.idx1550.i = mul i64 %arg.lane.0.5.1, 168
+  %7 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1550.i
+  %.15851575.not.i = icmp slt i64 %arg.shape.1, 1
+  %.idx1553.i = shl i64 %arg.lane.0.5.1, 4
+  %8 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1553.i
+  %9 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
+  %.idx1554.i = mul i64 %arg.lane.0.5.1, 24
+  %10 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1554.i
+  %.idx1555.i = shl i64 %arg.lane.0.5.1, 5
+  %11 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1555.i
+  %.idx1556.i = mul i64 %arg.lane.0.5.1, 120
+  %12 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1556.i
+  %.idx1557.i = mul i64 %arg.lane.1.5.1, 24
+  %13 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx1557.i
+  %.idx1558.i = mul i64 %arg.lane.0.5.1, 168
+  %14 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1558.i
+  %.idx1559.i = mul i64 %arg.lane.0.5.1, 200
+  %15 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1559.i
+  %.idx1560.i = mul i64 %arg.lane.0.5.1, 208
+  %16 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1560.i
+  %.idx1561.i = mul i64 %arg.lane.0.5.1, 152
+  %17 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1561.i
+  %.idx1562.i = mul i64 %arg.lane.0.5.1, 144
+  %18 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1562.i
+  %19 = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
+  %20 = shl i64 %19, 3
+  %21 = shl i64 %arg.runs.0.5.1, 3
   %min.iters.check = icmp ult i64 %arg.shape.1, 8
   %n.vec = and i64 %arg.shape.1, 9223372036854775804
   %cmp.n = icmp eq i64 %arg.shape.1, %n.vec
   br label %B50.if.i
 
 B104.i:                                           ; preds = %B50.if.i
-  %.420.i = add nsw i64 %active.3.i.08513, 1
+  %.420.i = add nsw i64 %active.3.i.09065, 1
   br label %B171.i
 
 B116.i:                                           ; preds = %B50.if.i
   %.314.i = load i64, ptr %arg.lane.2.4, align 8, !noalias !0
-  %.374.i = load i64, ptr %.373.i8166, align 8, !noalias !0
-  %.375.i8167 = icmp slt i64 %.314.i, %.374.i
-  br i1 %.375.i8167, label %B130.i, label %B316.i
+  %.374.i = load i64, ptr %.373.i8713, align 8, !noalias !0
+  %.375.i8714 = icmp slt i64 %.314.i, %.374.i
+  br i1 %.375.i8714, label %B130.i, label %B316.i
 
 B130.i:                                           ; preds = %B116.i
   %.385.i = add nsw i64 %.314.i, 1
   store i64 %.385.i, ptr %arg.lane.2.4, align 8, !noalias !0
   store i64 1, ptr %.444.i, align 8, !noalias !0
-  %.502.i8169 = getelementptr i64, ptr %arg.lane.1.4, i64 %.260.i.08511
-  store i64 %.314.i, ptr %.502.i8169, align 8, !noalias !0
-  %.557.i = getelementptr i64, ptr %0, i64 %.260.i.08511
+  %.502.i8716 = getelementptr i64, ptr %arg.lane.1.4, i64 %.260.i.09063
+  store i64 %.314.i, ptr %.502.i8716, align 8, !noalias !0
+  %.557.i = getelementptr i64, ptr %0, i64 %.260.i.09063
   store i64 0, ptr %.557.i, align 8, !noalias !0
-  %.612.i = getelementptr i64, ptr %1, i64 %.260.i.08511
+  %.612.i = getelementptr i64, ptr %1, i64 %.260.i.09063
   store i64 1, ptr %.612.i, align 8, !noalias !0
-  br i1 %.6961521.not.i, label %B316.i, label %B272.if.lr.ph.i
+  br i1 %.6961563.not.i, label %B316.i, label %B272.if.lr.ph.i
 
 B272.if.lr.ph.i:                                  ; preds = %B130.i
   %.757.i = icmp slt i64 %.314.i, 0
   %.758.i = select i1 %.757.i, i64 %arg.runs.0.5.0, i64 0
   %.759.i = add i64 %.758.i, %.314.i
   %.779.i = mul i64 %.759.i, %arg.runs.0.5.1
-  %20 = getelementptr double, ptr %arg.runs.0.4, i64 %.779.i
+  %22 = getelementptr double, ptr %arg.runs.0.4, i64 %.779.i
   %.822.i = select i1 %.757.i, i64 %arg.results.0.5.0, i64 0
   %.823.i = add i64 %.822.i, %.314.i
-  %.853.i = mul i64 %.851.i8170, %.823.i
-  %21 = getelementptr double, ptr %arg.results.0.4, i64 %.853.i
+  %.853.i = mul i64 %.851.i, %.823.i
+  %23 = getelementptr double, ptr %arg.results.0.4, i64 %.853.i
   br i1 %min.iters.check, label %B272.if.i.preheader, label %vector.memcheck
 
 vector.memcheck:                                  ; preds = %B272.if.lr.ph.i
-  %22 = mul i64 %18, %.823.i
-  %23 = mul i64 %19, %.759.i
-  %24 = add i64 %22, %arg.results.0.48658
-  %25 = add i64 %23, %arg.runs.0.48659
-  %26 = sub i64 %24, %25
-  %diff.check = icmp ult i64 %26, 32
+  %24 = mul i64 %20, %.823.i
+  %25 = mul i64 %21, %.759.i
+  %26 = add i64 %24, %arg.results.0.49214
+  %27 = add i64 %25, %arg.runs.0.49215
+  %28 = sub i64 %26, %27
+  %diff.check = icmp ult i64 %28, 32
   br i1 %diff.check, label %B272.if.i.preheader, label %vector.body
 
 vector.body:                                      ; preds = %vector.memcheck, %vector.body
   %index = phi i64 [ %index.next, %vector.body ], [ 0, %vector.memcheck ]
-  %27 = getelementptr double, ptr %20, i64 %index
-  %28 = getelementptr i8, ptr %27, i64 16
-  %wide.load = load <2 x double>, ptr %27, align 8, !noalias !0
-  %wide.load8660 = load <2 x double>, ptr %28, align 8, !noalias !0
-  %29 = getelementptr double, ptr %21, i64 %index
+  %29 = getelementptr double, ptr %22, i64 %index
   %30 = getelementptr i8, ptr %29, i64 16
-  store <2 x double> %wide.load, ptr %29, align 8, !noalias !0
-  store <2 x double> %wide.load8660, ptr %30, align 8, !noalias !0
+  %wide.load = load <2 x double>, ptr %29, align 8, !noalias !0
+  %wide.load9216 = load <2 x double>, ptr %30, align 8, !noalias !0
+  %31 = getelementptr double, ptr %23, i64 %index
+  %32 = getelementptr i8, ptr %31, i64 16
+  store <2 x double> %wide.load, ptr %31, align 8, !noalias !0
+  store <2 x double> %wide.load9216, ptr %32, align 8, !noalias !0
   %index.next = add i64 %index, 4
-  %31 = icmp eq i64 %index.next, %n.vec
-  br i1 %31, label %middle.block, label %vector.body, !llvm.loop !6
+  %33 = icmp eq i64 %index.next, %n.vec
+  br i1 %33, label %middle.block, label %vector.body, !llvm.loop !6
 
 middle.block:                                     ; preds = %vector.body
   br i1 %cmp.n, label %B316.i, label %B272.if.i.preheader
 
 B272.if.i.preheader:                              ; preds = %vector.memcheck, %B272.if.lr.ph.i, %middle.block
-  %.638.01522.i.ph = phi i64 [ 0, %vector.memcheck ], [ 0, %B272.if.lr.ph.i ], [ %n.vec, %middle.block ]
+  %.638.01564.i.ph = phi i64 [ 0, %vector.memcheck ], [ 0, %B272.if.lr.ph.i ], [ %n.vec, %middle.block ]
   br label %B272.if.i
 
 B316.i:                                           ; preds = %B272.if.i, %middle.block, %B130.i, %B116.i
   %m.2.0.i = phi i64 [ 0, %B116.i ], [ %.314.i, %B130.i ], [ %.314.i, %middle.block ], [ %.314.i, %B272.if.i ]
-  br i1 %.9661524.not.i, label %B390.i, label %B346.if.lr.ph.i
+  br i1 %.9661566.not.i, label %B390.i, label %B346.if.lr.ph.i
 
 B346.if.lr.ph.i:                                  ; preds = %B316.i
   %.1027.i = icmp slt i64 %m.2.0.i, 0
   %.1028.i = select i1 %.1027.i, i64 %arg.runs.1.5.0, i64 0
   %.1029.i = add i64 %.1028.i, %m.2.0.i
   %.1049.i = mul i64 %.1029.i, %arg.runs.1.5.1
-  %32 = getelementptr double, ptr %arg.runs.1.4, i64 %.1049.i
-  %invariant.gep8821 = getelementptr double, ptr %arg.arrays.1.4, i64 %.260.i.08511
+  %34 = getelementptr double, ptr %arg.runs.1.4, i64 %.1049.i
+  %invariant.gep9377 = getelementptr double, ptr %arg.arrays.1.4, i64 %.260.i.09063
   br label %B346.if.i
 
 B390.i:                                           ; preds = %B346.if.i, %B316.i
-  br i1 %.11851527.not.i, label %B516.i, label %B446.if.lr.ph.i
+  br i1 %.11851569.not.i, label %B516.i, label %B446.if.lr.ph.i
 
 B446.if.lr.ph.i:                                  ; preds = %B390.i
   %.1237.i = icmp slt i64 %m.2.0.i, 0
   %.1238.i = select i1 %.1237.i, i64 %arg.runs.2.5.0, i64 0
-  %33 = getelementptr i64, ptr %arg.runs.2.4, i64 %m.2.0.i
-  %.1252.i = getelementptr i64, ptr %33, i64 %.1238.i
+  %35 = getelementptr i64, ptr %arg.runs.2.4, i64 %m.2.0.i
+  %.1252.i = getelementptr i64, ptr %35, i64 %.1238.i
   br label %B446.if.i
 
 B516.i:                                           ; preds = %B446.if.i, %B390.i
-  br i1 %.375.i8167, label %B574.i, label %B520.i
+  br i1 %.375.i8714, label %B574.i, label %B520.i
 
 B520.i:                                           ; preds = %B516.i
   br i1 %.1423.i.not, label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B532.i
 
 B532.i:                                           ; preds = %B520.i
-  br i1 %.163.i1530.not.i, label %B102.i.i, label %B46.if.i.i.preheader
+  br i1 %.163.i1572.not.i, label %B102.i.i, label %B46.if.i.i.preheader
 
 B46.if.i.i.preheader:                             ; preds = %B532.i
-  %invariant.gep8823 = getelementptr double, ptr %arg.arrays.0.4, i64 %.260.i.08511
+  %invariant.gep9379 = getelementptr double, ptr %arg.arrays.0.4, i64 %.260.i.09063
   br label %B46.if.i.i
 
 B102.i.i:                                         ; preds = %B46.if.i.i, %B532.i
-  %.360.i.i = getelementptr double, ptr %arg.lane.0.4, i64 %.260.i.08511
+  %.360.i.i = getelementptr double, ptr %arg.lane.0.4, i64 %.260.i.09063
   store double 0.000000e+00, ptr %.360.i.i, align 8, !noalias !9
-  %.415.i.i = getelementptr double, ptr %2, i64 %.260.i.08511
+  %.415.i.i = getelementptr double, ptr %2, i64 %.260.i.09063
   store double 5.000000e-01, ptr %.415.i.i, align 8, !noalias !9
-  %.470.i.i = getelementptr double, ptr %3, i64 %.260.i.08511
+  %.470.i.i = getelementptr double, ptr %3, i64 %.260.i.09063
   store double 1.000000e+00, ptr %.470.i.i, align 8, !noalias !9
-  %.526.i.i = getelementptr double, ptr %4, i64 %.260.i.08511
+  %.526.i.i = getelementptr double, ptr %4, i64 %.260.i.09063
   store double 0.000000e+00, ptr %.526.i.i, align 8, !noalias !9
-  %.581.i.i = getelementptr double, ptr %5, i64 %.260.i.08511
+  %.581.i.i = getelementptr double, ptr %5, i64 %.260.i.09063
   store double 0.000000e+00, ptr %.581.i.i, align 8, !noalias !9
-  %.638.i.i = getelementptr double, ptr %6, i64 %.260.i.08511
-  store double 0xFFF0000000000000, ptr %.638.i.i, align 8, !noalias !9
+  %.636.i.i = getelementptr double, ptr %6, i64 %.260.i.09063
+  store double 0xFFF0000000000000, ptr %.636.i.i, align 8, !noalias !9
+  %.693.i.i = getelementptr double, ptr %7, i64 %.260.i.09063
+  store double 0x7FF0000000000000, ptr %.693.i.i, align 8, !noalias !9
   br label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
 B46.if.i.i:                                       ; preds = %B46.if.i.i.preheader, %B46.if.i.i
-  %.105.i.01531.i = phi i64 [ %.176.i.i, %B46.if.i.i ], [ 0, %B46.if.i.i.preheader ]
-  %.176.i.i = add nsw i64 %.105.i.01531.i, 1
-  %34 = getelementptr double, ptr %arg.runs.0.4, i64 %.105.i.01531.i
-  %.255.i.i = load double, ptr %34, align 8, !noalias !9
-  %.257.i.i = mul nsw i64 %.105.i.01531.i, %arg.shape.0
-  %gep8824 = getelementptr double, ptr %invariant.gep8823, i64 %.257.i.i
-  store double %.255.i.i, ptr %gep8824, align 8, !noalias !9
-  %exitcond1538.not.i = icmp eq i64 %arg.shape.1, %.176.i.i
-  br i1 %exitcond1538.not.i, label %B102.i.i, label %B46.if.i.i
+  %.105.i.01573.i = phi i64 [ %.176.i.i, %B46.if.i.i ], [ 0, %B46.if.i.i.preheader ]
+  %.176.i.i = add nsw i64 %.105.i.01573.i, 1
+  %36 = getelementptr double, ptr %arg.runs.0.4, i64 %.105.i.01573.i
+  %.255.i.i = load double, ptr %36, align 8, !noalias !9
+  %.257.i.i = mul nsw i64 %.105.i.01573.i, %arg.shape.0
+  %gep9380 = getelementptr double, ptr %invariant.gep9379, i64 %.257.i.i
+  store double %.255.i.i, ptr %gep9380, align 8, !noalias !9
+  %exitcond1580.not.i = icmp eq i64 %arg.shape.1, %.176.i.i
+  br i1 %exitcond1580.not.i, label %B102.i.i, label %B46.if.i.i
 
 B574.i:                                           ; preds = %B516.i
-  br i1 %.15851533.not.i, label %B648.i, label %B604.if.lr.ph.i
+  br i1 %.15851575.not.i, label %B648.i, label %B604.if.lr.ph.i
 
 B604.if.lr.ph.i:                                  ; preds = %B574.i
   %.1646.i = icmp slt i64 %m.2.0.i, 0
   %.1647.i = select i1 %.1646.i, i64 %arg.runs.0.5.0, i64 0
   %.1648.i = add i64 %.1647.i, %m.2.0.i
   %.1668.i = mul i64 %.1648.i, %arg.runs.0.5.1
-  %35 = getelementptr double, ptr %arg.runs.0.4, i64 %.1668.i
-  %invariant.gep8825 = getelementptr double, ptr %arg.arrays.0.4, i64 %.260.i.08511
+  %37 = getelementptr double, ptr %arg.runs.0.4, i64 %.1668.i
+  %invariant.gep9381 = getelementptr double, ptr %arg.arrays.0.4, i64 %.260.i.09063
   br label %B604.if.i
 
 B648.i:                                           ; preds = %B604.if.i, %B574.i
   %.1748.i = load double, ptr %arg.times.4, align 8, !noalias !0
   %.1765.i = icmp slt i64 %m.2.0.i, 0
   %.1766.i = select i1 %.1765.i, i64 %arg.runs.2.5.0, i64 0
-  %36 = getelementptr i64, ptr %arg.runs.2.4, i64 %m.2.0.i
-  %.1780.i = getelementptr i64, ptr %36, i64 %.1766.i
+  %38 = getelementptr i64, ptr %arg.runs.2.4, i64 %m.2.0.i
+  %.1780.i = getelementptr i64, ptr %38, i64 %.1766.i
   %.1781.i = load i64, ptr %.1780.i, align 8, !noalias !0
   %.1812.i = icmp slt i64 %.1781.i, 0
   %.1813.i = select i1 %.1812.i, i64 %arg.schedule.0.5.0, i64 0
@@ -222,114 +228,116 @@ B648.i:                                           ; preds = %B604.if.i, %B574.i
   %.1834.i = mul i64 %.1814.i, %arg.schedule.0.5.1
   %.1838.i = getelementptr double, ptr %arg.schedule.0.4, i64 %.1834.i
   %.1839.i = load double, ptr %.1838.i, align 8, !noalias !0
-  %.1895.i = getelementptr double, ptr %arg.lane.0.4, i64 %.260.i.08511
+  %.1895.i = getelementptr double, ptr %arg.lane.0.4, i64 %.260.i.09063
   store double %.1748.i, ptr %.1895.i, align 8, !noalias !0
-  %.1950.i = getelementptr double, ptr %7, i64 %.260.i.08511
+  %.1950.i = getelementptr double, ptr %8, i64 %.260.i.09063
   store double %.1839.i, ptr %.1950.i, align 8, !noalias !0
-  %.2005.i = getelementptr double, ptr %8, i64 %.260.i.08511
+  %.2005.i = getelementptr double, ptr %9, i64 %.260.i.09063
   store double 0.000000e+00, ptr %.2005.i, align 8, !noalias !0
-  %.2064.i = getelementptr double, ptr %9, i64 %.260.i.08511
+  %.2064.i = getelementptr double, ptr %10, i64 %.260.i.09063
   store double 1.000000e+00, ptr %.2064.i, align 8, !noalias !0
-  %.2119.i = getelementptr double, ptr %10, i64 %.260.i.08511
+  %.2119.i = getelementptr double, ptr %11, i64 %.260.i.09063
   store double 0.000000e+00, ptr %.2119.i, align 8, !noalias !0
-  %.2175.i = getelementptr double, ptr %11, i64 %.260.i.08511
+  %.2175.i = getelementptr double, ptr %12, i64 %.260.i.09063
   store double 0xFFF0000000000000, ptr %.2175.i, align 8, !noalias !0
-  %37 = getelementptr i64, ptr %12, i64 %.260.i.08511
-  store i64 0, ptr %37, align 8, !noalias !0
-  %.2293.i = getelementptr double, ptr %13, i64 %.260.i.08511
-  store double 0.000000e+00, ptr %.2293.i, align 8, !noalias !0
-  %.2348.i = getelementptr double, ptr %14, i64 %.260.i.08511
+  %39 = getelementptr i64, ptr %13, i64 %.260.i.09063
+  store i64 0, ptr %39, align 8, !noalias !0
+  %.2287.i = getelementptr double, ptr %14, i64 %.260.i.09063
+  store double 0x7FF0000000000000, ptr %.2287.i, align 8, !noalias !0
+  %.2348.i = getelementptr double, ptr %15, i64 %.260.i.09063
   store double 0.000000e+00, ptr %.2348.i, align 8, !noalias !0
-  %.2403.i = getelementptr double, ptr %15, i64 %.260.i.08511
+  %.2403.i = getelementptr double, ptr %16, i64 %.260.i.09063
   store double 0.000000e+00, ptr %.2403.i, align 8, !noalias !0
-  %.2458.i = getelementptr double, ptr %16, i64 %.260.i.08511
-  %.2459.i = load double, ptr %.2458.i, align 8, !noalias !0
-  %.2461.i = fcmp ueq double %.2459.i, 0xFFF0000000000000
-  br i1 %.2461.i, label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B1016.i
-
-B1016.i:                                          ; preds = %B648.i
+  %.2458.i = getelementptr double, ptr %17, i64 %.260.i.09063
   store double 0.000000e+00, ptr %.2458.i, align 8, !noalias !0
+  %.2513.i = getelementptr double, ptr %18, i64 %.260.i.09063
+  %.2514.i = load double, ptr %.2513.i, align 8, !noalias !0
+  %.2516.i = fcmp ueq double %.2514.i, 0xFFF0000000000000
+  br i1 %.2516.i, label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B1060.i
+
+B1060.i:                                          ; preds = %B648.i
+  store double 0.000000e+00, ptr %.2513.i, align 8, !noalias !0
   br label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
 B272.if.i:                                        ; preds = %B272.if.i.preheader, %B272.if.i
-  %.638.01522.i = phi i64 [ %.709.i, %B272.if.i ], [ %.638.01522.i.ph, %B272.if.i.preheader ]
-  %.709.i = add nsw i64 %.638.01522.i, 1
-  %38 = getelementptr double, ptr %20, i64 %.638.01522.i
-  %.784.i = load double, ptr %38, align 8, !noalias !0
-  %39 = getelementptr double, ptr %21, i64 %.638.01522.i
-  store double %.784.i, ptr %39, align 8, !noalias !0
+  %.638.01564.i = phi i64 [ %.709.i, %B272.if.i ], [ %.638.01564.i.ph, %B272.if.i.preheader ]
+  %.709.i = add nsw i64 %.638.01564.i, 1
+  %40 = getelementptr double, ptr %22, i64 %.638.01564.i
+  %.784.i = load double, ptr %40, align 8, !noalias !0
+  %41 = getelementptr double, ptr %23, i64 %.638.01564.i
+  store double %.784.i, ptr %41, align 8, !noalias !0
   %exitcond.not.i = icmp eq i64 %.709.i, %arg.shape.1
   br i1 %exitcond.not.i, label %B316.i, label %B272.if.i, !llvm.loop !13
 
 B346.if.i:                                        ; preds = %B346.if.i, %B346.if.lr.ph.i
-  %.910.01525.i = phi i64 [ 0, %B346.if.lr.ph.i ], [ %.979.i, %B346.if.i ]
-  %.979.i = add nsw i64 %.910.01525.i, 1
-  %40 = getelementptr double, ptr %32, i64 %.910.01525.i
-  %.1054.i = load double, ptr %40, align 8, !noalias !0
-  %.1056.i = mul nsw i64 %.910.01525.i, %arg.shape.0
-  %gep8822 = getelementptr double, ptr %invariant.gep8821, i64 %.1056.i
-  store double %.1054.i, ptr %gep8822, align 8, !noalias !0
-  %exitcond1536.not.i = icmp eq i64 %.979.i, %arg.shape.2
-  br i1 %exitcond1536.not.i, label %B390.i, label %B346.if.i
+  %.910.01567.i = phi i64 [ 0, %B346.if.lr.ph.i ], [ %.979.i, %B346.if.i ]
+  %.979.i = add nsw i64 %.910.01567.i, 1
+  %42 = getelementptr double, ptr %34, i64 %.910.01567.i
+  %.1054.i = load double, ptr %42, align 8, !noalias !0
+  %.1056.i = mul nsw i64 %.910.01567.i, %arg.shape.0
+  %gep9378 = getelementptr double, ptr %invariant.gep9377, i64 %.1056.i
+  store double %.1054.i, ptr %gep9378, align 8, !noalias !0
+  %exitcond1578.not.i = icmp eq i64 %.979.i, %arg.shape.2
+  br i1 %exitcond1578.not.i, label %B390.i, label %B346.if.i
 
 B446.if.i:                                        ; preds = %B446.if.i, %B446.if.lr.ph.i
-  %.1129.01528.i = phi i64 [ 0, %B446.if.lr.ph.i ], [ %.1198.i, %B446.if.i ]
-  %.1198.i = add nsw i64 %.1129.01528.i, 1
+  %.1129.01570.i = phi i64 [ 0, %B446.if.lr.ph.i ], [ %.1198.i, %B446.if.i ]
+  %.1198.i = add nsw i64 %.1129.01570.i, 1
   %.1253.i = load i64, ptr %.1252.i, align 8, !noalias !0
   %.1289.i = icmp slt i64 %.1253.i, 0
   %.1290.i = select i1 %.1289.i, i64 %arg.schedule.3.5.0, i64 0
   %.1291.i = add i64 %.1290.i, %.1253.i
   %.1321.i = mul i64 %.1319.i, %.1291.i
-  %41 = getelementptr double, ptr %arg.schedule.3.4, i64 %.1321.i
-  %42 = getelementptr double, ptr %41, i64 %.1129.01528.i
-  %.1328.i8168 = load double, ptr %42, align 8, !noalias !0
-  %43 = getelementptr i64, ptr %arg.schedule.2.4, i64 %.1129.01528.i
-  %.1358.i = load i64, ptr %43, align 8, !noalias !0
+  %43 = getelementptr double, ptr %arg.schedule.3.4, i64 %.1321.i
+  %44 = getelementptr double, ptr %43, i64 %.1129.01570.i
+  %.1328.i8715 = load double, ptr %44, align 8, !noalias !0
+  %45 = getelementptr i64, ptr %arg.schedule.2.4, i64 %.1129.01570.i
+  %.1358.i = load i64, ptr %45, align 8, !noalias !0
   %.1360.i = mul nsw i64 %.1358.i, %arg.shape.0
-  %.1362.i = add nsw i64 %.1360.i, %.260.i.08511
+  %.1362.i = add nsw i64 %.1360.i, %.260.i.09063
   %.1376.i = icmp slt i64 %.1362.i, 0
   %.1377.i = select i1 %.1376.i, i64 %arg.arrays.1.5.0, i64 0
-  %44 = getelementptr double, ptr %arg.arrays.1.4, i64 %.1362.i
-  %.1391.i = getelementptr double, ptr %44, i64 %.1377.i
-  store double %.1328.i8168, ptr %.1391.i, align 8, !noalias !0
-  %exitcond1537.not.i = icmp eq i64 %.1198.i, %arg.schedule.2.5.0
-  br i1 %exitcond1537.not.i, label %B516.i, label %B446.if.i
+  %46 = getelementptr double, ptr %arg.arrays.1.4, i64 %.1362.i
+  %.1391.i = getelementptr double, ptr %46, i64 %.1377.i
+  store double %.1328.i8715, ptr %.1391.i, align 8, !noalias !0
+  %exitcond1579.not.i = icmp eq i64 %.1198.i, %arg.schedule.2.5.0
+  br i1 %exitcond1579.not.i, label %B516.i, label %B446.if.i
 
 B604.if.i:                                        ; preds = %B604.if.i, %B604.if.lr.ph.i
-  %.1529.01534.i = phi i64 [ 0, %B604.if.lr.ph.i ], [ %.1598.i, %B604.if.i ]
-  %.1598.i = add nsw i64 %.1529.01534.i, 1
-  %45 = getelementptr double, ptr %35, i64 %.1529.01534.i
-  %.1673.i = load double, ptr %45, align 8, !noalias !0
-  %.1675.i = mul nsw i64 %.1529.01534.i, %arg.shape.0
-  %gep8826 = getelementptr double, ptr %invariant.gep8825, i64 %.1675.i
-  store double %.1673.i, ptr %gep8826, align 8, !noalias !0
-  %exitcond1539.not.i = icmp eq i64 %.1598.i, %arg.shape.1
-  br i1 %exitcond1539.not.i, label %B648.i, label %B604.if.i
+  %.1529.01576.i = phi i64 [ 0, %B604.if.lr.ph.i ], [ %.1598.i, %B604.if.i ]
+  %.1598.i = add nsw i64 %.1529.01576.i, 1
+  %47 = getelementptr double, ptr %37, i64 %.1529.01576.i
+  %.1673.i = load double, ptr %47, align 8, !noalias !0
+  %.1675.i = mul nsw i64 %.1529.01576.i, %arg.shape.0
+  %gep9382 = getelementptr double, ptr %invariant.gep9381, i64 %.1675.i
+  store double %.1673.i, ptr %gep9382, align 8, !noalias !0
+  %exitcond1581.not.i = icmp eq i64 %.1598.i, %arg.shape.1
+  br i1 %exitcond1581.not.i, label %B648.i, label %B604.if.i
 
-_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B520.i, %B102.i.i, %B648.i, %B1016.i
-  %storemerge1510.i = phi i64 [ 0, %B520.i ], [ 0, %B102.i.i ], [ 1, %B1016.i ], [ 1, %B648.i ]
-  %.525.i = add nsw i64 %storemerge1510.i, %active.3.i.08513
+_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B520.i, %B102.i.i, %B648.i, %B1060.i
+  %storemerge1551.i = phi i64 [ 0, %B520.i ], [ 0, %B102.i.i ], [ 1, %B1060.i ], [ 1, %B648.i ]
+  %.525.i = add nsw i64 %storemerge1551.i, %active.3.i.09065
   br label %B171.i
 
 B171.i:                                           ; preds = %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B104.i
   %active.4.i.1 = phi i64 [ %.420.i, %B104.i ], [ %.525.i, %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
-  %.318.i = icmp sgt i64 %.263.i.08512, 1
+  %.318.i = icmp sgt i64 %.263.i.09064, 1
   br i1 %.318.i, label %B50.if.i, label %B202.endif
 
 B50.if.i:                                         ; preds = %B50.if.i.lr.ph, %B171.i
-  %active.3.i.08513 = phi i64 [ 0, %B50.if.i.lr.ph ], [ %active.4.i.1, %B171.i ]
-  %.263.i.08512 = phi i64 [ %storemerge, %B50.if.i.lr.ph ], [ %.327.i, %B171.i ]
-  %.260.i.08511 = phi i64 [ 0, %B50.if.i.lr.ph ], [ %.331.i, %B171.i ]
-  %.327.i = add nsw i64 %.263.i.08512, -1
-  %.331.i = add nsw i64 %.260.i.08511, 1
-  %46 = getelementptr i64, ptr %arg.lane.1.4, i64 %.260.i.08511
-  %.414.i = load i64, ptr %46, align 8, !noalias !14
+  %active.3.i.09065 = phi i64 [ 0, %B50.if.i.lr.ph ], [ %active.4.i.1, %B171.i ]
+  %.263.i.09064 = phi i64 [ %storemerge, %B50.if.i.lr.ph ], [ %.327.i, %B171.i ]
+  %.260.i.09063 = phi i64 [ 0, %B50.if.i.lr.ph ], [ %.331.i, %B171.i ]
+  %.327.i = add nsw i64 %.263.i.09064, -1
+  %.331.i = add nsw i64 %.260.i.09063, 1
+  %48 = getelementptr i64, ptr %arg.lane.1.4, i64 %.260.i.09063
+  %.414.i = load i64, ptr %48, align 8, !noalias !14
   %.415.i = icmp sgt i64 %.414.i, -1
   br i1 %.415.i, label %B104.i, label %B116.i
 
-B276:                                             ; preds = %B276.preheader, %B4306
-  %budget.3.0 = phi i64 [ %budget.4.2, %B4306 ], [ %arg.budget, %B276.preheader ]
-  %active.6.0 = phi i64 [ %active.7.2, %B4306 ], [ %active.3.i.0.lcssa, %B276.preheader ]
+B276:                                             ; preds = %B276.preheader, %B4348
+  %budget.3.0 = phi i64 [ %budget.4.2, %B4348 ], [ %arg.budget, %B276.preheader ]
+  %active.4.0 = phi i64 [ %active.5.2, %B4348 ], [ %active.3.i.0.lcssa, %B276.preheader ]
   %.688 = add nsw i64 %budget.3.0, -1
   %.723 = load i64, ptr %.722, align 8
   %.724 = icmp sgt i64 %.723, 0
@@ -352,12 +360,12 @@ B434:                                             ; preds = %B428
 
 B446:                                             ; preds = %B434
   %.150.i = load i64, ptr %.149.i, align 8, !noalias !15
-  %.195.i99 = inttoptr i64 %.150.i to ptr
-  tail call void %.195.i99(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !15
+  %.195.i108 = inttoptr i64 %.150.i to ptr
+  tail call void %.195.i108(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !15
   br i1 %.274.i, label %B250.i, label %B118.if.i
 
 B248.i:                                           ; preds = %B190.if.i, %B118.if.i
-  %.279.i = icmp sgt i64 %.224.i.08519, 1
+  %.279.i = icmp sgt i64 %.224.i.09071, 1
   br i1 %.279.i, label %B118.if.i, label %B250.i
 
 B250.i:                                           ; preds = %B248.i, %B446
@@ -367,35 +375,35 @@ B250.i:                                           ; preds = %B248.i, %B446
   br label %B490
 
 B118.if.i:                                        ; preds = %B446, %B248.i
-  %.224.i.08519 = phi i64 [ %.288.i238, %B248.i ], [ %storemerge, %B446 ]
-  %.221.i.08518 = phi i64 [ %.292.i240, %B248.i ], [ 0, %B446 ]
-  %.288.i238 = add nsw i64 %.224.i.08519, -1
-  %.292.i240 = add nsw i64 %.221.i.08518, 1
-  %47 = getelementptr double, ptr %276, i64 %.221.i.08518
-  %.374.i149 = load double, ptr %47, align 8, !noalias !15
-  %.375.i = fcmp ule double %.374.i149, 5.000000e-01
-  %brmerge8637 = select i1 %.375.i, i1 true, i1 %.457.i1788514
-  br i1 %brmerge8637, label %B248.i, label %B190.if.i.preheader
+  %.224.i.09071 = phi i64 [ %.288.i247, %B248.i ], [ %storemerge, %B446 ]
+  %.221.i.09070 = phi i64 [ %.292.i249, %B248.i ], [ 0, %B446 ]
+  %.288.i247 = add nsw i64 %.224.i.09071, -1
+  %.292.i249 = add nsw i64 %.221.i.09070, 1
+  %49 = getelementptr double, ptr %279, i64 %.221.i.09070
+  %.374.i158 = load double, ptr %49, align 8, !noalias !15
+  %.375.i = fcmp ule double %.374.i158, 5.000000e-01
+  %brmerge9192 = select i1 %.375.i, i1 true, i1 %.457.i1879066
+  br i1 %brmerge9192, label %B248.i, label %B190.if.i.preheader
 
 B190.if.i.preheader:                              ; preds = %B118.if.i
-  %invariant.gep8827 = getelementptr double, ptr %arg.arrays.4.4, i64 %.221.i.08518
+  %invariant.gep9383 = getelementptr double, ptr %arg.arrays.4.4, i64 %.221.i.09070
   br label %B190.if.i
 
 B190.if.i:                                        ; preds = %B190.if.i.preheader, %B190.if.i
-  %.401.i.08515 = phi i64 [ %.470.i231, %B190.if.i ], [ 0, %B190.if.i.preheader ]
-  %.470.i231 = add nsw i64 %.401.i.08515, 1
-  %.496.i189 = mul nsw i64 %.401.i.08515, %arg.shape.0
-  %gep8828 = getelementptr double, ptr %invariant.gep8827, i64 %.496.i189
-  %.528.i210 = load double, ptr %gep8828, align 8, !noalias !15
-  %.530.i = add nsw i64 %.401.i.08515, %arg.held
+  %.401.i.09067 = phi i64 [ %.470.i240, %B190.if.i ], [ 0, %B190.if.i.preheader ]
+  %.470.i240 = add nsw i64 %.401.i.09067, 1
+  %.496.i198 = mul nsw i64 %.401.i.09067, %arg.shape.0
+  %gep9384 = getelementptr double, ptr %invariant.gep9383, i64 %.496.i198
+  %.528.i219 = load double, ptr %gep9384, align 8, !noalias !15
+  %.530.i = add nsw i64 %.401.i.09067, %arg.held
   %.532.i = mul nsw i64 %.530.i, %arg.shape.0
-  %.534.i = add nsw i64 %.532.i, %.221.i.08518
+  %.534.i = add nsw i64 %.532.i, %.221.i.09070
   %.548.i = icmp slt i64 %.534.i, 0
-  %.549.i218 = select i1 %.548.i, i64 %arg.arrays.1.5.0, i64 0
-  %48 = getelementptr double, ptr %arg.arrays.1.4, i64 %.534.i
-  %.563.i = getelementptr double, ptr %48, i64 %.549.i218
-  store double %.528.i210, ptr %.563.i, align 8, !noalias !15
-  %exitcond.not = icmp eq i64 %.470.i231, %arg.decided
+  %.549.i227 = select i1 %.548.i, i64 %arg.arrays.1.5.0, i64 0
+  %50 = getelementptr double, ptr %arg.arrays.1.4, i64 %.534.i
+  %.563.i = getelementptr double, ptr %50, i64 %.549.i227
+  store double %.528.i219, ptr %.563.i, align 8, !noalias !15
+  %exitcond.not = icmp eq i64 %.470.i240, %arg.decided
   br i1 %exitcond.not, label %B248.i, label %B190.if.i
 
 B490:                                             ; preds = %B250.i, %B434
@@ -425,40 +433,40 @@ B652:                                             ; preds = %B584, %B490
   tail call void %.1397(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.tolerances.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
   br i1 %.274.i, label %B1000, label %B62.if.i
 
-B104.i430:                                        ; preds = %B62.if.i
-  store double 0.000000e+00, ptr %.296.i427, align 8, !noalias !19
-  %.414.i512 = getelementptr double, ptr %278, i64 %.144.i332.08521
-  store double 0.000000e+00, ptr %.414.i512, align 8, !noalias !19
-  %.469.i557 = getelementptr double, ptr %279, i64 %.144.i332.08521
-  store double 0.000000e+00, ptr %.469.i557, align 8, !noalias !19
-  %49 = getelementptr i64, ptr %arg.lane.1.4, i64 %.144.i332.08521
-  %.525.i605 = load i64, ptr %49, align 8, !noalias !19
-  %.552.i626 = icmp slt i64 %.525.i605, 0
-  %.553.i627 = select i1 %.552.i626, i64 %arg.results.3.5.0, i64 0
-  %.554.i628 = add i64 %.553.i627, %.525.i605
-  %.574.i = mul i64 %.554.i628, %arg.results.3.5.1
-  %50 = getelementptr i64, ptr %arg.results.3.4, i64 %.574.i
-  %.578.i = getelementptr i8, ptr %50, i64 8
-  %.579.i641 = load i64, ptr %.578.i, align 8, !noalias !19
-  %.580.i = add nsw i64 %.579.i641, 2
+B104.i439:                                        ; preds = %B62.if.i
+  store double 0.000000e+00, ptr %.296.i436, align 8, !noalias !19
+  %.414.i521 = getelementptr double, ptr %281, i64 %.144.i341.09073
+  store double 0.000000e+00, ptr %.414.i521, align 8, !noalias !19
+  %.469.i566 = getelementptr double, ptr %282, i64 %.144.i341.09073
+  store double 0.000000e+00, ptr %.469.i566, align 8, !noalias !19
+  %51 = getelementptr i64, ptr %arg.lane.1.4, i64 %.144.i341.09073
+  %.525.i614 = load i64, ptr %51, align 8, !noalias !19
+  %.552.i635 = icmp slt i64 %.525.i614, 0
+  %.553.i636 = select i1 %.552.i635, i64 %arg.results.3.5.0, i64 0
+  %.554.i637 = add i64 %.553.i636, %.525.i614
+  %.574.i = mul i64 %.554.i637, %arg.results.3.5.1
+  %52 = getelementptr i64, ptr %arg.results.3.4, i64 %.574.i
+  %.578.i = getelementptr i8, ptr %52, i64 8
+  %.579.i650 = load i64, ptr %.578.i, align 8, !noalias !19
+  %.580.i = add nsw i64 %.579.i650, 2
   store i64 %.580.i, ptr %.578.i, align 8, !noalias !19
-  %.687.i = load i64, ptr %49, align 8, !noalias !19
+  %.687.i = load i64, ptr %51, align 8, !noalias !19
   %.714.i = icmp slt i64 %.687.i, 0
   %.715.i = select i1 %.714.i, i64 %arg.results.3.5.0, i64 0
   %.716.i = add i64 %.715.i, %.687.i
   %.736.i = mul i64 %.716.i, %arg.results.3.5.1
-  %51 = getelementptr i64, ptr %arg.results.3.4, i64 %.736.i
-  %.740.i = getelementptr i8, ptr %51, i64 16
+  %53 = getelementptr i64, ptr %arg.results.3.4, i64 %.736.i
+  %.740.i = getelementptr i8, ptr %53, i64 16
   %.741.i = load i64, ptr %.740.i, align 8, !noalias !19
   %.742.i = add nsw i64 %.741.i, 1
   store i64 %.742.i, ptr %.740.i, align 8, !noalias !19
-  %.848.i = getelementptr double, ptr %280, i64 %.144.i332.08521
+  %.848.i = getelementptr double, ptr %283, i64 %.144.i341.09073
   %.849.i = load double, ptr %.848.i, align 8, !noalias !19
   %.850.i = fcmp une double %.849.i, 0.000000e+00
   br i1 %.850.i, label %B358.i, label %B404.i
 
-B358.i:                                           ; preds = %B104.i430
-  %.84.i.i = load i64, ptr %49, align 8, !noalias !23
+B358.i:                                           ; preds = %B104.i439
+  %.84.i.i = load i64, ptr %51, align 8, !noalias !23
   %.89.i.i = icmp sgt i64 %.84.i.i, -1
   br i1 %.89.i.i, label %B46.i.i, label %B404.i
 
@@ -472,17 +480,17 @@ B80.i.i:                                          ; preds = %B46.i.i
   store i64 3, ptr %.120.i.i, align 8, !noalias !23
   br label %B404.i
 
-B404.i:                                           ; preds = %B80.i.i, %B358.i, %B46.i.i, %B104.i430
+B404.i:                                           ; preds = %B80.i.i, %B358.i, %B46.i.i, %B104.i439
   br i1 %.1011.not, label %B540.i, label %B408.i
 
 B408.i:                                           ; preds = %B404.i
-  %52 = getelementptr double, ptr %arg.arrays.4.4, i64 %.144.i332.08521
-  %.920.i = load double, ptr %52, align 8, !noalias !19
+  %54 = getelementptr double, ptr %arg.arrays.4.4, i64 %.144.i341.09073
+  %.920.i = load double, ptr %54, align 8, !noalias !19
   %.922.i = fcmp olt double %.920.i, -1.000000e-09
   br i1 %.922.i, label %B444.i, label %B540.i
 
 B444.i:                                           ; preds = %B408.i
-  %.84.i63.i = load i64, ptr %49, align 8, !noalias !26
+  %.84.i63.i = load i64, ptr %51, align 8, !noalias !26
   %.89.i66.i = icmp sgt i64 %.84.i63.i, -1
   br i1 %.89.i66.i, label %B46.i71.i, label %_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i
 
@@ -497,25 +505,25 @@ B80.i98.i:                                        ; preds = %B46.i71.i
   br label %_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i
 
 _ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i: ; preds = %B46.i71.i, %B444.i, %B80.i98.i
-  %.1011.i = getelementptr double, ptr %arg.lane.0.4, i64 %.144.i332.08521
+  %.1011.i = getelementptr double, ptr %arg.lane.0.4, i64 %.144.i341.09073
   %.1012.i = load double, ptr %.1011.i, align 8, !noalias !19
-  %.1068.i = getelementptr double, ptr %281, i64 %.144.i332.08521
+  %.1068.i = getelementptr double, ptr %284, i64 %.144.i341.09073
   store double %.1012.i, ptr %.1068.i, align 8, !noalias !19
   br label %B540.i
 
 B540.i:                                           ; preds = %_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i, %B408.i, %B404.i, %B62.if.i
-  %.202.i383 = icmp sgt i64 %.147.i.08522, 1
-  br i1 %.202.i383, label %B62.if.i, label %B1000
+  %.202.i392 = icmp sgt i64 %.147.i.09074, 1
+  br i1 %.202.i392, label %B62.if.i, label %B1000
 
 B62.if.i:                                         ; preds = %B652, %B540.i
-  %.147.i.08522 = phi i64 [ %.211.i723, %B540.i ], [ %storemerge, %B652 ]
-  %.144.i332.08521 = phi i64 [ %.215.i726, %B540.i ], [ 0, %B652 ]
-  %.211.i723 = add nsw i64 %.147.i.08522, -1
-  %.215.i726 = add nsw i64 %.144.i332.08521, 1
-  %.296.i427 = getelementptr double, ptr %277, i64 %.144.i332.08521
-  %.297.i428 = load double, ptr %.296.i427, align 8, !noalias !19
-  %.298.i429 = fcmp ogt double %.297.i428, 5.000000e-01
-  br i1 %.298.i429, label %B104.i430, label %B540.i
+  %.147.i.09074 = phi i64 [ %.211.i732, %B540.i ], [ %storemerge, %B652 ]
+  %.144.i341.09073 = phi i64 [ %.215.i735, %B540.i ], [ 0, %B652 ]
+  %.211.i732 = add nsw i64 %.147.i.09074, -1
+  %.215.i735 = add nsw i64 %.144.i341.09073, 1
+  %.296.i436 = getelementptr double, ptr %280, i64 %.144.i341.09073
+  %.297.i437 = load double, ptr %.296.i436, align 8, !noalias !19
+  %.298.i438 = fcmp ogt double %.297.i437, 5.000000e-01
+  br i1 %.298.i438, label %B104.i439, label %B540.i
 
 B1000:                                            ; preds = %B540.i, %B652, %B428
   br i1 %.539, label %B1004, label %B1244.critedge
@@ -528,8 +536,8 @@ B1004:                                            ; preds = %B1000
 B1072:                                            ; preds = %B1004
   %.1542 = icmp slt i64 %.1511, 0
   %.1543 = select i1 %.1542, i64 %arg.times.5.0, i64 0
-  %53 = getelementptr double, ptr %arg.times.4, i64 %.1511
-  %.1557 = getelementptr double, ptr %53, i64 %.1543
+  %55 = getelementptr double, ptr %arg.times.4, i64 %.1511
+  %.1557 = getelementptr double, ptr %55, i64 %.1543
   %.1558 = load double, ptr %.1557, align 8
   br label %B1110
 
@@ -542,11 +550,11 @@ B1110:                                            ; preds = %B1004, %B1072
   br i1 %.174.not.i, label %B0.else.endif.endif.endif.if.i, label %B0.else.endif.if.i, !prof !29
 
 B124.i:                                           ; preds = %B0.endif.else.endif.endif.i
-  %.154.i.i8180 = load i64, ptr %.153.i.i8179, align 8, !noalias !30
-  %.184.i.i8182 = load i64, ptr %.183.i.i8181, align 8, !noalias !30
+  %.154.i.i8726 = load i64, ptr %.153.i.i8725, align 8, !noalias !30
+  %.184.i.i8728 = load i64, ptr %.183.i.i8727, align 8, !noalias !30
   br i1 %.234.i.i, label %B0.else.endif.if.i.i, label %B0.else.endif.endif.i.i, !prof !36
 
-B412.i.i:                                         ; preds = %B330.if.i.i, %middle.block8808, %B0.endif.endif.endif.endif.endif.i.i
+B412.i.i:                                         ; preds = %B330.if.i.i, %middle.block9364, %B0.endif.endif.endif.endif.endif.i.i
   %.1311.i.i = add nsw i64 %.486.i.i, -1
   %.1349.i.i = icmp slt i64 %.477.i.i, 2
   %storemerge2355.i = select i1 %.1349.i.i, i64 0, i64 %.1311.i.i
@@ -556,13 +564,13 @@ B412.i.i:                                         ; preds = %B330.if.i.i, %middl
 B478.i.lr.ph.i:                                   ; preds = %B412.i.i
   %.1338.i.12406.i = add nsw i64 %storemerge2355.i, -1
   %.952.i.i.i = select i1 %.1556.i2382.not.i, i64 %.311.i.i, i64 0
-  %54 = getelementptr i64, ptr %.327.i.i, i64 %arg.shape.1
-  %.966.i.i.i = getelementptr i64, ptr %54, i64 %.952.i.i.i
-  %55 = shl i64 %spec.select.i, 3
-  %56 = add i64 %55, %arg.linear.1.48774
-  %57 = sub i64 %378, %56
-  %diff.check8775 = icmp ult i64 %57, 32
-  %or.cond8812 = select i1 %min.iters.check8777, i1 true, i1 %diff.check8775
+  %56 = getelementptr i64, ptr %.327.i.i, i64 %arg.shape.1
+  %.966.i.i.i = getelementptr i64, ptr %56, i64 %.952.i.i.i
+  %57 = shl i64 %spec.select.i, 3
+  %58 = add i64 %57, %arg.linear.1.49330
+  %59 = sub i64 %394, %58
+  %diff.check9331 = icmp ult i64 %59, 32
+  %or.cond9368 = select i1 %min.iters.check9333, i1 true, i1 %diff.check9331
   br label %B478.i.i
 
 B474.i.loopexit.i:                                ; preds = %B1261.i.i, %B960.i.i
@@ -586,52 +594,52 @@ B508.i.i:                                         ; preds = %B478.i.i
   br i1 %.1556.i2382.not.i, label %B610.i.i, label %B544.if.i.i.preheader
 
 B544.if.i.i.preheader:                            ; preds = %B508.i.i
-  br i1 %or.cond8812, label %B544.if.i.i.preheader8817, label %vector.ph8778
+  br i1 %or.cond9368, label %B544.if.i.i.preheader9373, label %vector.ph9334
 
-vector.ph8778:                                    ; preds = %B544.if.i.i.preheader
-  %broadcast.splatinsert8781 = insertelement <2 x i64> poison, i64 %.1382.i.sroa.0.02409.i, i64 0
-  %broadcast.splat8782 = shufflevector <2 x i64> %broadcast.splatinsert8781, <2 x i64> poison, <2 x i32> zeroinitializer
-  br label %vector.body8783
+vector.ph9334:                                    ; preds = %B544.if.i.i.preheader
+  %broadcast.splatinsert9337 = insertelement <2 x i64> poison, i64 %.1382.i.sroa.0.02409.i, i64 0
+  %broadcast.splat9338 = shufflevector <2 x i64> %broadcast.splatinsert9337, <2 x i64> poison, <2 x i32> zeroinitializer
+  br label %vector.body9339
 
-vector.body8783:                                  ; preds = %vector.body8783, %vector.ph8778
-  %index8784 = phi i64 [ 0, %vector.ph8778 ], [ %index.next8787, %vector.body8783 ]
-  %58 = getelementptr i64, ptr %.327.i.i, i64 %index8784
-  %59 = getelementptr i8, ptr %58, i64 16
-  %wide.load8785 = load <2 x i64>, ptr %58, align 8, !noalias !30
-  %wide.load8786 = load <2 x i64>, ptr %59, align 8, !noalias !30
-  %60 = icmp eq <2 x i64> %wide.load8785, %broadcast.splat8782
-  %61 = icmp eq <2 x i64> %wide.load8786, %broadcast.splat8782
-  %62 = select <2 x i1> %60, <2 x double> splat (double 1.000000e+00), <2 x double> zeroinitializer
-  %63 = select <2 x i1> %61, <2 x double> splat (double 1.000000e+00), <2 x double> zeroinitializer
-  %64 = getelementptr double, ptr %invariant.gep, i64 %index8784
-  %65 = getelementptr i8, ptr %64, i64 16
-  store <2 x double> %62, ptr %64, align 8, !noalias !30
-  store <2 x double> %63, ptr %65, align 8, !noalias !30
-  %index.next8787 = add i64 %index8784, 4
-  %66 = icmp eq i64 %index.next8787, %n.vec8780
-  br i1 %66, label %middle.block8788, label %vector.body8783, !llvm.loop !37
+vector.body9339:                                  ; preds = %vector.body9339, %vector.ph9334
+  %index9340 = phi i64 [ 0, %vector.ph9334 ], [ %index.next9343, %vector.body9339 ]
+  %60 = getelementptr i64, ptr %.327.i.i, i64 %index9340
+  %61 = getelementptr i8, ptr %60, i64 16
+  %wide.load9341 = load <2 x i64>, ptr %60, align 8, !noalias !30
+  %wide.load9342 = load <2 x i64>, ptr %61, align 8, !noalias !30
+  %62 = icmp eq <2 x i64> %wide.load9341, %broadcast.splat9338
+  %63 = icmp eq <2 x i64> %wide.load9342, %broadcast.splat9338
+  %64 = select <2 x i1> %62, <2 x double> splat (double 1.000000e+00), <2 x double> zeroinitializer
+  %65 = select <2 x i1> %63, <2 x double> splat (double 1.000000e+00), <2 x double> zeroinitializer
+  %66 = getelementptr double, ptr %invariant.gep, i64 %index9340
+  %67 = getelementptr i8, ptr %66, i64 16
+  store <2 x double> %64, ptr %66, align 8, !noalias !30
+  store <2 x double> %65, ptr %67, align 8, !noalias !30
+  %index.next9343 = add i64 %index9340, 4
+  %68 = icmp eq i64 %index.next9343, %n.vec9336
+  br i1 %68, label %middle.block9344, label %vector.body9339, !llvm.loop !37
 
-middle.block8788:                                 ; preds = %vector.body8783
-  br i1 %cmp.n8789, label %B610.i.i, label %B544.if.i.i.preheader8817
+middle.block9344:                                 ; preds = %vector.body9339
+  br i1 %cmp.n9345, label %B610.i.i, label %B544.if.i.i.preheader9373
 
-B544.if.i.i.preheader8817:                        ; preds = %B544.if.i.i.preheader, %middle.block8788
-  %.1503.i.02384.i.ph = phi i64 [ %storemerge2359.i, %B544.if.i.i.preheader ], [ %381, %middle.block8788 ]
-  %.1500.i.02383.i.ph = phi i64 [ 0, %B544.if.i.i.preheader ], [ %n.vec8780, %middle.block8788 ]
+B544.if.i.i.preheader9373:                        ; preds = %B544.if.i.i.preheader, %middle.block9344
+  %.1503.i.02384.i.ph = phi i64 [ %storemerge2359.i, %B544.if.i.i.preheader ], [ %397, %middle.block9344 ]
+  %.1500.i.02383.i.ph = phi i64 [ 0, %B544.if.i.i.preheader ], [ %n.vec9336, %middle.block9344 ]
   br label %B544.if.i.i
 
-B610.i.i:                                         ; preds = %B544.if.i.i, %middle.block8788, %B508.i.i
+B610.i.i:                                         ; preds = %B544.if.i.i, %middle.block9344, %B508.i.i
   %.1717.i.i = load i64, ptr %.1716.i.i, align 8, !noalias !30
   %.1833.i.i = inttoptr i64 %.1717.i.i to ptr
   tail call void %.1833.i.i(ptr %arg.lane.0.4, ptr %.1807.i.i, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.1832.i.i), !noalias !30
   %.1849.i.i = icmp slt i64 %.1382.i.sroa.0.02409.i, 0
   %.1850.i.i = select i1 %.1849.i.i, i64 %.486.i.i, i64 0
-  %67 = getelementptr i64, ptr %.502.i.i, i64 %.1382.i.sroa.0.02409.i
-  %.1864.i.i = getelementptr i64, ptr %67, i64 %.1850.i.i
+  %69 = getelementptr i64, ptr %.502.i.i, i64 %.1382.i.sroa.0.02409.i
+  %.1864.i.i = getelementptr i64, ptr %69, i64 %.1850.i.i
   %.1865.i.i = load i64, ptr %.1864.i.i, align 8, !noalias !30
   %.1881.i.i = icmp slt i64 %.1382.i.sroa.0.02409.i, -1
   %.1882.i.i = select i1 %.1881.i.i, i64 %.486.i.i, i64 0
-  %68 = getelementptr i8, ptr %67, i64 8
-  %.1896.i.i = getelementptr i64, ptr %68, i64 %.1882.i.i
+  %70 = getelementptr i8, ptr %69, i64 8
+  %.1896.i.i = getelementptr i64, ptr %70, i64 %.1882.i.i
   %.1897.i.i = load i64, ptr %.1896.i.i, align 8, !noalias !30
   %.1934.i.i = sub i64 %.1897.i.i, %.1865.i.i
   %.1980.i2385.not.i = icmp slt i64 %.1934.i.i, 1
@@ -640,14 +648,14 @@ B610.i.i:                                         ; preds = %B544.if.i.i, %middl
 B802.i.i:                                         ; preds = %B794.if.i.i
   %.2047.i.i = icmp slt i64 %.1921.i.02386.i, 0
   %.2048.i.i = select i1 %.2047.i.i, i64 %.665.i.i, i64 0
-  %69 = getelementptr i64, ptr %.681.i.i, i64 %.1921.i.02386.i
-  %.2062.i.i = getelementptr i64, ptr %69, i64 %.2048.i.i
+  %71 = getelementptr i64, ptr %.681.i.i, i64 %.1921.i.02386.i
+  %.2062.i.i = getelementptr i64, ptr %71, i64 %.2048.i.i
   %.2063.i.i = load i64, ptr %.2062.i.i, align 8, !noalias !30
   %.2064.i.i = add nsw i64 %.2063.i.i, %.1789.i.i
   %.2078.i.i = icmp slt i64 %.2064.i.i, 0
   %.2079.i.i = select i1 %.2078.i.i, i64 %arg.arrays.0.5.0, i64 0
-  %70 = getelementptr double, ptr %arg.arrays.0.4, i64 %.2064.i.i
-  %.2093.i.i = getelementptr double, ptr %70, i64 %.2079.i.i
+  %72 = getelementptr double, ptr %arg.arrays.0.4, i64 %.2064.i.i
+  %.2093.i.i = getelementptr double, ptr %72, i64 %.2079.i.i
   %.2094.i.i = load double, ptr %.2093.i.i, align 8, !noalias !30
   %.2161.i.i = fsub double %.2094.i.i, %.2094.i.i
   %.2162.i.i = fcmp oeq double %.2161.i.i, 0.000000e+00
@@ -669,65 +677,65 @@ B918.i.i:                                         ; preds = %B914.i.i
   br i1 %.1162.i2379.not.i, label %B498.i.i.i.critedge, label %B84.if.i.i.i.preheader
 
 B84.if.i.i.i.preheader:                           ; preds = %B918.i.i
-  br i1 %or.cond8813, label %B84.if.i.i.i.preheader8816, label %vector.ph8759
+  br i1 %or.cond9369, label %B84.if.i.i.i.preheader9372, label %vector.ph9315
 
-vector.ph8759:                                    ; preds = %B84.if.i.i.i.preheader
-  %broadcast.splatinsert8762 = insertelement <2 x double> poison, double %.187.i.i.i, i64 0
-  %broadcast.splat8763 = shufflevector <2 x double> %broadcast.splatinsert8762, <2 x double> poison, <2 x i32> zeroinitializer
-  br label %vector.body8764
+vector.ph9315:                                    ; preds = %B84.if.i.i.i.preheader
+  %broadcast.splatinsert9318 = insertelement <2 x double> poison, double %.187.i.i.i, i64 0
+  %broadcast.splat9319 = shufflevector <2 x double> %broadcast.splatinsert9318, <2 x double> poison, <2 x i32> zeroinitializer
+  br label %vector.body9320
 
-vector.body8764:                                  ; preds = %vector.body8764, %vector.ph8759
-  %index8765 = phi i64 [ 0, %vector.ph8759 ], [ %index.next8768, %vector.body8764 ]
-  %71 = getelementptr double, ptr %arg.arrays.0.4, i64 %index8765
-  %72 = getelementptr i8, ptr %71, i64 16
-  %wide.load8766 = load <2 x double>, ptr %71, align 8, !noalias !38
-  %wide.load8767 = load <2 x double>, ptr %72, align 8, !noalias !38
-  %73 = tail call <2 x double> @llvm.fabs.v2f64(<2 x double> %wide.load8766)
-  %74 = tail call <2 x double> @llvm.fabs.v2f64(<2 x double> %wide.load8767)
-  %75 = fcmp ogt <2 x double> %broadcast.splat8763, %73
-  %76 = fcmp ogt <2 x double> %broadcast.splat8763, %74
-  %77 = select <2 x i1> %75, <2 x double> %broadcast.splat8763, <2 x double> %73
-  %78 = select <2 x i1> %76, <2 x double> %broadcast.splat8763, <2 x double> %74
-  %79 = fcmp ogt <2 x double> %77, zeroinitializer
-  %80 = fcmp ogt <2 x double> %78, zeroinitializer
-  %81 = fmul <2 x double> %77, splat (double 1.200000e-05)
-  %82 = fmul <2 x double> %78, splat (double 1.200000e-05)
-  %83 = select <2 x i1> %79, <2 x double> %81, <2 x double> splat (double 1.200000e-05)
-  %84 = select <2 x i1> %80, <2 x double> %82, <2 x double> splat (double 1.200000e-05)
-  %85 = getelementptr i8, ptr %71, i64 %.idx2424.i
-  %86 = getelementptr i8, ptr %85, i64 16
-  store <2 x double> %83, ptr %85, align 8, !noalias !38
-  store <2 x double> %84, ptr %86, align 8, !noalias !38
-  %index.next8768 = add i64 %index8765, 4
-  %87 = icmp eq i64 %index.next8768, %n.vec8761
-  br i1 %87, label %middle.block8769, label %vector.body8764, !llvm.loop !42
+vector.body9320:                                  ; preds = %vector.body9320, %vector.ph9315
+  %index9321 = phi i64 [ 0, %vector.ph9315 ], [ %index.next9324, %vector.body9320 ]
+  %73 = getelementptr double, ptr %arg.arrays.0.4, i64 %index9321
+  %74 = getelementptr i8, ptr %73, i64 16
+  %wide.load9322 = load <2 x double>, ptr %73, align 8, !noalias !38
+  %wide.load9323 = load <2 x double>, ptr %74, align 8, !noalias !38
+  %75 = tail call <2 x double> @llvm.fabs.v2f64(<2 x double> %wide.load9322)
+  %76 = tail call <2 x double> @llvm.fabs.v2f64(<2 x double> %wide.load9323)
+  %77 = fcmp ogt <2 x double> %broadcast.splat9319, %75
+  %78 = fcmp ogt <2 x double> %broadcast.splat9319, %76
+  %79 = select <2 x i1> %77, <2 x double> %broadcast.splat9319, <2 x double> %75
+  %80 = select <2 x i1> %78, <2 x double> %broadcast.splat9319, <2 x double> %76
+  %81 = fcmp ogt <2 x double> %79, zeroinitializer
+  %82 = fcmp ogt <2 x double> %80, zeroinitializer
+  %83 = fmul <2 x double> %79, splat (double 1.200000e-05)
+  %84 = fmul <2 x double> %80, splat (double 1.200000e-05)
+  %85 = select <2 x i1> %81, <2 x double> %83, <2 x double> splat (double 1.200000e-05)
+  %86 = select <2 x i1> %82, <2 x double> %84, <2 x double> splat (double 1.200000e-05)
+  %87 = getelementptr i8, ptr %73, i64 %.idx2424.i
+  %88 = getelementptr i8, ptr %87, i64 16
+  store <2 x double> %85, ptr %87, align 8, !noalias !38
+  store <2 x double> %86, ptr %88, align 8, !noalias !38
+  %index.next9324 = add i64 %index9321, 4
+  %89 = icmp eq i64 %index.next9324, %n.vec9317
+  br i1 %89, label %middle.block9325, label %vector.body9320, !llvm.loop !42
 
-middle.block8769:                                 ; preds = %vector.body8764
-  br i1 %cmp.n8770, label %B230.i.i.i, label %B84.if.i.i.i.preheader8816
+middle.block9325:                                 ; preds = %vector.body9320
+  br i1 %cmp.n9326, label %B230.i.i.i, label %B84.if.i.i.i.preheader9372
 
-B84.if.i.i.i.preheader8816:                       ; preds = %B84.if.i.i.i.preheader, %middle.block8769
-  %.215.i.i.02391.i.ph = phi i64 [ 0, %B84.if.i.i.i.preheader ], [ %n.vec8761, %middle.block8769 ]
+B84.if.i.i.i.preheader9372:                       ; preds = %B84.if.i.i.i.preheader, %middle.block9325
+  %.215.i.i.02391.i.ph = phi i64 [ 0, %B84.if.i.i.i.preheader ], [ %n.vec9317, %middle.block9325 ]
   br label %B84.if.i.i.i
 
-B230.i.i.i:                                       ; preds = %B84.if.i.i.i, %middle.block8769
+B230.i.i.i:                                       ; preds = %B84.if.i.i.i, %middle.block9325
   %.500.i.i.i = load double, ptr %.499.i.i.i, align 8, !noalias !38
   %.501.i.i.i = fmul double %.500.i.i.i, 1.000000e-03
   store double %.501.i.i.i, ptr %.534.i.i.i, align 8, !noalias !38
   br label %B370.if.i.i.i
 
 B398.i.i.i:                                       ; preds = %B370.if.i.i.i
-  %gep8524 = getelementptr double, ptr %invariant.gep8523, i64 %.687.i.i.02393.i
-  %.851.i.i.i = load double, ptr %gep8524, align 8, !noalias !38
+  %gep9076 = getelementptr double, ptr %invariant.gep9075, i64 %.687.i.i.02393.i
+  %.851.i.i.i = load double, ptr %gep9076, align 8, !noalias !38
   %.853.i.i.i = fmul double %.851.i.i.i, 5.000000e-01
   br label %B444.i.i.i
 
 B444.i.i.i:                                       ; preds = %B370.if.i.i.i, %B398.i.i.i
   %"$phi444.2.2.i.i.2.i" = phi double [ %.853.i.i.i, %B398.i.i.i ], [ 0.000000e+00, %B370.if.i.i.i ]
-  %88 = getelementptr double, ptr %arg.arrays.0.4, i64 %.687.i.i.02393.i
-  %.894.i.i.i = load double, ptr %88, align 8, !noalias !38
+  %90 = getelementptr double, ptr %arg.arrays.0.4, i64 %.687.i.i.02393.i
+  %.894.i.i.i = load double, ptr %90, align 8, !noalias !38
   %.895.i.i.i = fadd double %"$phi444.2.2.i.i.2.i", %.894.i.i.i
-  %89 = getelementptr double, ptr %88, i64 %.897.i.i.i
-  store double %.895.i.i.i, ptr %89, align 8, !noalias !38
+  %91 = getelementptr double, ptr %90, i64 %.897.i.i.i
+  store double %.895.i.i.i, ptr %91, align 8, !noalias !38
   %exitcond2417.not.i = icmp eq i64 %arg.shape.1, %.756.i.i.i
   br i1 %exitcond2417.not.i, label %B498.i.i.i, label %B370.if.i.i.i
 
@@ -762,8 +770,8 @@ B1060.i.i.i:                                      ; preds = %B902.if.i.i.i
   br label %B1148.i.i.i
 
 B1100.i.i.i:                                      ; preds = %B902.if.i.i.i
-  %90 = getelementptr double, ptr %98, i64 %arg.shape.1
-  %.1731.i.i.i = load double, ptr %90, align 8, !noalias !38
+  %92 = getelementptr double, ptr %100, i64 %arg.shape.1
+  %.1731.i.i.i = load double, ptr %92, align 8, !noalias !38
   %.1796.i.i.i = fsub double %.1666.i.i.i, %.1731.i.i.i
   %.1801.i.i.i = fmul double %.1796.i.i.i, 2.000000e+00
   br label %B1148.i.i.i
@@ -771,24 +779,24 @@ B1100.i.i.i:                                      ; preds = %B902.if.i.i.i
 B370.if.i.i.1.i:                                  ; preds = %B568.i.i.i, %B444.i.i.1.i
   %.687.i.i.02393.1.i = phi i64 [ %.756.i.i.1.i, %B444.i.i.1.i ], [ 0, %B568.i.i.i ]
   %.756.i.i.1.i = add nsw i64 %.687.i.i.02393.1.i, 1
-  %91 = getelementptr i64, ptr %.327.i.i, i64 %.687.i.i.02393.1.i
-  %.814.i.i.1.i = load i64, ptr %91, align 8, !noalias !38
+  %93 = getelementptr i64, ptr %.327.i.i, i64 %.687.i.i.02393.1.i
+  %.814.i.i.1.i = load i64, ptr %93, align 8, !noalias !38
   %.816.i.i.1.i = icmp eq i64 %.814.i.i.1.i, %.1382.i.sroa.0.02409.i
   br i1 %.816.i.i.1.i, label %B398.i.i.1.i, label %B444.i.i.1.i
 
 B398.i.i.1.i:                                     ; preds = %B370.if.i.i.1.i
-  %gep8526 = getelementptr double, ptr %invariant.gep8525, i64 %.687.i.i.02393.1.i
-  %.851.i.i.1.i = load double, ptr %gep8526, align 8, !noalias !38
+  %gep9078 = getelementptr double, ptr %invariant.gep9077, i64 %.687.i.i.02393.1.i
+  %.851.i.i.1.i = load double, ptr %gep9078, align 8, !noalias !38
   %.853.i.i.1.i = fmul double %.851.i.i.1.i, -5.000000e-01
   br label %B444.i.i.1.i
 
 B444.i.i.1.i:                                     ; preds = %B398.i.i.1.i, %B370.if.i.i.1.i
   %"$phi444.2.2.i.i.2.1.i" = phi double [ %.853.i.i.1.i, %B398.i.i.1.i ], [ 0.000000e+00, %B370.if.i.i.1.i ]
-  %92 = getelementptr double, ptr %arg.arrays.0.4, i64 %.687.i.i.02393.1.i
-  %.894.i.i.1.i = load double, ptr %92, align 8, !noalias !38
+  %94 = getelementptr double, ptr %arg.arrays.0.4, i64 %.687.i.i.02393.1.i
+  %.894.i.i.1.i = load double, ptr %94, align 8, !noalias !38
   %.895.i.i.1.i = fadd double %"$phi444.2.2.i.i.2.1.i", %.894.i.i.1.i
-  %93 = getelementptr double, ptr %92, i64 %.897.i.i.i
-  store double %.895.i.i.1.i, ptr %93, align 8, !noalias !38
+  %95 = getelementptr double, ptr %94, i64 %.897.i.i.i
+  store double %.895.i.i.1.i, ptr %95, align 8, !noalias !38
   %exitcond2417.1.not.i = icmp eq i64 %arg.shape.1, %.756.i.i.1.i
   br i1 %exitcond2417.1.not.i, label %B498.i.i.1.i, label %B370.if.i.i.1.i
 
@@ -814,45 +822,45 @@ B568.i.i.1.i:                                     ; preds = %B522.i.i.1.i, %B498
 
 B1148.i.i.i:                                      ; preds = %B1100.i.i.i, %B1060.i.i.i
   %storemerge2363.i = phi double [ %.1801.i.i.i, %B1100.i.i.i ], [ %.1750.i.i.i, %B1060.i.i.i ]
-  store double %storemerge2363.i, ptr %100, align 8, !noalias !38
+  store double %storemerge2363.i, ptr %102, align 8, !noalias !38
   %exitcond2419.not.i = icmp eq i64 %arg.shape.1, %.1540.i.i.i
   br i1 %exitcond2419.not.i, label %B960.i.i, label %B902.if.i.i.i
 
-B84.if.i.i.i:                                     ; preds = %B84.if.i.i.i.preheader8816, %B84.if.i.i.i
-  %.215.i.i.02391.i = phi i64 [ %.286.i.i.i, %B84.if.i.i.i ], [ %.215.i.i.02391.i.ph, %B84.if.i.i.i.preheader8816 ]
+B84.if.i.i.i:                                     ; preds = %B84.if.i.i.i.preheader9372, %B84.if.i.i.i
+  %.215.i.i.02391.i = phi i64 [ %.286.i.i.i, %B84.if.i.i.i ], [ %.215.i.i.02391.i.ph, %B84.if.i.i.i.preheader9372 ]
   %.286.i.i.i = add nsw i64 %.215.i.i.02391.i, 1
-  %94 = getelementptr double, ptr %arg.arrays.0.4, i64 %.215.i.i.02391.i
-  %.344.i.i.i = load double, ptr %94, align 8, !noalias !38
+  %96 = getelementptr double, ptr %arg.arrays.0.4, i64 %.215.i.i.02391.i
+  %.344.i.i.i = load double, ptr %96, align 8, !noalias !38
   %.345.i.i.i = tail call double @llvm.fabs.f64(double %.344.i.i.i)
   %.10.i.i.i.i = fcmp ogt double %.187.i.i.i, %.345.i.i.i
   %.11.i.i.i.i = select i1 %.10.i.i.i.i, double %.187.i.i.i, double %.345.i.i.i
   %.380.i.i.i = fcmp ogt double %.11.i.i.i.i, 0.000000e+00
-  %95 = fmul double %.11.i.i.i.i, 1.200000e-05
-  %"$phi194.2.2.i.i.1.i" = select i1 %.380.i.i.i, double %95, double 1.200000e-05
-  %96 = getelementptr i8, ptr %94, i64 %.idx2424.i
-  store double %"$phi194.2.2.i.i.1.i", ptr %96, align 8, !noalias !38
+  %97 = fmul double %.11.i.i.i.i, 1.200000e-05
+  %"$phi194.2.2.i.i.1.i" = select i1 %.380.i.i.i, double %97, double 1.200000e-05
+  %98 = getelementptr i8, ptr %96, i64 %.idx2424.i
+  store double %"$phi194.2.2.i.i.1.i", ptr %98, align 8, !noalias !38
   %exitcond2416.not.i = icmp eq i64 %arg.shape.1, %.286.i.i.i
   br i1 %exitcond2416.not.i, label %B230.i.i.i, label %B84.if.i.i.i, !llvm.loop !43
 
 B370.if.i.i.i:                                    ; preds = %B230.i.i.i, %B444.i.i.i
   %.687.i.i.02393.i = phi i64 [ %.756.i.i.i, %B444.i.i.i ], [ 0, %B230.i.i.i ]
   %.756.i.i.i = add nsw i64 %.687.i.i.02393.i, 1
-  %97 = getelementptr i64, ptr %.327.i.i, i64 %.687.i.i.02393.i
-  %.814.i.i.i = load i64, ptr %97, align 8, !noalias !38
+  %99 = getelementptr i64, ptr %.327.i.i, i64 %.687.i.i.02393.i
+  %.814.i.i.i = load i64, ptr %99, align 8, !noalias !38
   %.816.i.i.i = icmp eq i64 %.814.i.i.i, %.1382.i.sroa.0.02409.i
   br i1 %.816.i.i.i, label %B398.i.i.i, label %B444.i.i.i
 
 B902.if.i.i.i:                                    ; preds = %B568.i.i.1.i, %B1148.i.i.i
   %.1471.i.i.02398.i = phi i64 [ %.1540.i.i.i, %B1148.i.i.i ], [ 0, %B568.i.i.1.i ]
   %.1540.i.i.i = add nsw i64 %.1471.i.i.02398.i, 1
-  %98 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1471.i.i.02398.i
-  %.1598.i.i.i = load double, ptr %98, align 8, !noalias !38
-  %99 = getelementptr i8, ptr %98, i64 %.1807.i.idx.i
-  store double %.1598.i.i.i, ptr %99, align 8, !noalias !38
-  %100 = getelementptr i8, ptr %98, i64 %.1279.i.i.idx.i
-  %.1666.i.i.i = load double, ptr %100, align 8, !noalias !38
-  %101 = getelementptr double, ptr %arg.arrays.4.4, i64 %.1471.i.i.02398.i
-  %.1697.i.i.i = load double, ptr %101, align 8, !noalias !38
+  %100 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1471.i.i.02398.i
+  %.1598.i.i.i = load double, ptr %100, align 8, !noalias !38
+  %101 = getelementptr i8, ptr %100, i64 %.1807.i.idx.i
+  store double %.1598.i.i.i, ptr %101, align 8, !noalias !38
+  %102 = getelementptr i8, ptr %100, i64 %.1279.i.i.idx.i
+  %.1666.i.i.i = load double, ptr %102, align 8, !noalias !38
+  %103 = getelementptr double, ptr %arg.arrays.4.4, i64 %.1471.i.i.02398.i
+  %.1697.i.i.i = load double, ptr %103, align 8, !noalias !38
   %.1743.i.i.i = fsub double %.1697.i.i.i, %.1697.i.i.i
   %.1744.i.i.i = fcmp oeq double %.1743.i.i.i, 0.000000e+00
   br i1 %.1744.i.i.i, label %B1060.i.i.i, label %B1100.i.i.i
@@ -860,13 +868,13 @@ B902.if.i.i.i:                                    ; preds = %B568.i.i.1.i, %B114
 B960.i.i:                                         ; preds = %B1148.i.i.i, %B568.i.i.1.i, %B914.i.i
   %.2256.i.i = icmp slt i64 %.1382.i.sroa.0.02409.i, 0
   %.2257.i.i = select i1 %.2256.i.i, i64 %.486.i.i, i64 0
-  %102 = getelementptr i64, ptr %.502.i.i, i64 %.1382.i.sroa.0.02409.i
-  %.2271.i.i = getelementptr i64, ptr %102, i64 %.2257.i.i
+  %104 = getelementptr i64, ptr %.502.i.i, i64 %.1382.i.sroa.0.02409.i
+  %.2271.i.i = getelementptr i64, ptr %104, i64 %.2257.i.i
   %.2272.i.i = load i64, ptr %.2271.i.i, align 8, !noalias !30
   %.2290.i.i = icmp slt i64 %.1382.i.sroa.0.02409.i, -1
   %.2291.i.i = select i1 %.2290.i.i, i64 %.486.i.i, i64 0
-  %103 = getelementptr i8, ptr %102, i64 8
-  %.2305.i.i = getelementptr i64, ptr %103, i64 %.2291.i.i
+  %105 = getelementptr i8, ptr %104, i64 8
+  %.2305.i.i = getelementptr i64, ptr %105, i64 %.2291.i.i
   %.2306.i.i = load i64, ptr %.2305.i.i, align 8, !noalias !30
   %.2343.i.i = sub i64 %.2306.i.i, %.2272.i.i
   %.2386.i2400.not.i = icmp slt i64 %.2343.i.i, 1
@@ -874,14 +882,14 @@ B960.i.i:                                         ; preds = %B1148.i.i.i, %B568.
 
 B1080.i.i:                                        ; preds = %B1022.if.i.i
   %.2519.i.i = select i1 %.2443.i.i, i64 %.836.i.i, i64 0
-  %104 = getelementptr i64, ptr %.852.i.i, i64 %.2330.i.02401.i
-  %.2533.i.i = getelementptr i64, ptr %104, i64 %.2519.i.i
+  %106 = getelementptr i64, ptr %.852.i.i, i64 %.2330.i.02401.i
+  %.2533.i.i = getelementptr i64, ptr %106, i64 %.2519.i.i
   %.2534.i.i = load i64, ptr %.2533.i.i, align 8, !noalias !30
   %.2535.i.i = add nsw i64 %.2534.i.i, %.503.i.i.i
   %.2549.i.i = icmp slt i64 %.2535.i.i, 0
   %.2550.i.i = select i1 %.2549.i.i, i64 %arg.arrays.0.5.0, i64 0
-  %105 = getelementptr double, ptr %arg.arrays.0.4, i64 %.2535.i.i
-  %.2564.i.i = getelementptr double, ptr %105, i64 %.2550.i.i
+  %107 = getelementptr double, ptr %arg.arrays.0.4, i64 %.2535.i.i
+  %.2564.i.i = getelementptr double, ptr %107, i64 %.2550.i.i
   %.2565.i.i = load double, ptr %.2564.i.i, align 8, !noalias !30
   %.2570.i.i = fdiv double %.2490.i.i, %.2565.i.i
   %.2578.i.i = fsub double %.2570.i.i, %.2570.i.i
@@ -892,8 +900,8 @@ B1080.i.i:                                        ; preds = %B1022.if.i.i
 B1162.i.i:                                        ; preds = %B1022.if.i.i, %B1080.i.i
   %slope.3.i.2.i = phi double [ %.2490.i.i, %B1022.if.i.i ], [ %.2570.i..i, %B1080.i.i ]
   %.2616.i.i = select i1 %.2443.i.i, i64 %.836.i.i, i64 0
-  %106 = getelementptr i64, ptr %.852.i.i, i64 %.2330.i.02401.i
-  %.2630.i.i = getelementptr i64, ptr %106, i64 %.2616.i.i
+  %108 = getelementptr i64, ptr %.852.i.i, i64 %.2330.i.02401.i
+  %.2630.i.i = getelementptr i64, ptr %108, i64 %.2616.i.i
   %.2631.i.i = load i64, ptr %.2630.i.i, align 8, !noalias !30
   %.2633.i.i = icmp eq i64 %.2631.i.i, %arg.shape.1
   br i1 %.2633.i.i, label %B1186.i.i, label %B1232.i.i
@@ -902,20 +910,20 @@ B1186.i.i:                                        ; preds = %B1162.i.i
   %.2670.i.i = add nsw i64 %.2459.i.i, %.2636.i.i
   %.2685.i.i = icmp slt i64 %.2670.i.i, 0
   %.2686.i.i = select i1 %.2685.i.i, i64 %arg.arrays.0.5.0, i64 0
-  %107 = getelementptr double, ptr %arg.arrays.0.4, i64 %.2670.i.i
-  %.2700.i.i = getelementptr double, ptr %107, i64 %.2686.i.i
+  %109 = getelementptr double, ptr %arg.arrays.0.4, i64 %.2670.i.i
+  %.2700.i.i = getelementptr double, ptr %109, i64 %.2686.i.i
   store double %slope.3.i.2.i, ptr %.2700.i.i, align 8, !noalias !30
   br label %B1261.i.i
 
 B1232.i.i:                                        ; preds = %B1162.i.i
   %.2720.i.i = select i1 %.2443.i.i, i64 %.1014.i.i, i64 0
-  %108 = getelementptr i64, ptr %.1030.i.i, i64 %.2330.i.02401.i
-  %.2734.i.i = getelementptr i64, ptr %108, i64 %.2720.i.i
+  %110 = getelementptr i64, ptr %.1030.i.i, i64 %.2330.i.02401.i
+  %.2734.i.i = getelementptr i64, ptr %110, i64 %.2720.i.i
   %.2735.i.i = load i64, ptr %.2734.i.i, align 8, !noalias !30
   %.2752.i.i = icmp slt i64 %.2735.i.i, 0
   %.2753.i.i = select i1 %.2752.i.i, i64 %arg.linear.0.5.0, i64 0
-  %109 = getelementptr double, ptr %arg.linear.0.4, i64 %.2735.i.i
-  %.2767.i.i = getelementptr double, ptr %109, i64 %.2753.i.i
+  %111 = getelementptr double, ptr %arg.linear.0.4, i64 %.2735.i.i
+  %.2767.i.i = getelementptr double, ptr %111, i64 %.2753.i.i
   store double %slope.3.i.2.i, ptr %.2767.i.i, align 8, !noalias !30
   br label %B1261.i.i
 
@@ -928,7 +936,7 @@ B0.endif.i.i:                                     ; preds = %B0.else.endif.endif
   %.302.i.i = sub i64 %.214.i.sroa.11.0.i, %spec.select.i
   %.311.i.i = tail call i64 @llvm.smax.i64(i64 %.302.i.i, i64 0)
   %.327.i.i = getelementptr i64, ptr %arg.linear.1.4, i64 %spec.select.i
-  %.362.i.i = add nsw i64 %.154.i.i8180, %.187.i.i
+  %.362.i.i = add nsw i64 %.154.i.i8726, %.187.i.i
   br i1 %.409.i.i, label %B0.endif.else.endif.if.i.i, label %B0.endif.else.endif.endif.i.i, !prof !36
 
 B0.else.endif.if.i.i:                             ; preds = %B124.i
@@ -936,7 +944,7 @@ B0.else.endif.if.i.i:                             ; preds = %B124.i
 
 B0.else.endif.endif.i.i:                          ; preds = %B0.else.endif.if.i.i, %B124.i
   %simplifycfg.merge.i = phi i64 [ %arg.linear.1.5.0, %B0.else.endif.if.i.i ], [ 0, %B124.i ]
-  %spec.select.i = select i1 %282, i64 %simplifycfg.merge.i, i64 %.226.i.i, !prof !44
+  %spec.select.i = select i1 %285, i64 %simplifycfg.merge.i, i64 %.226.i.i, !prof !44
   br i1 %.246.i.i, label %B0.else.endif.endif.if.i.i, label %B0.else.endif.endif.endif.i.i, !prof !36
 
 B0.else.endif.endif.if.i.i:                       ; preds = %B0.else.endif.endif.i.i
@@ -954,8 +962,8 @@ B0.endif.endif.i.i:                               ; preds = %B0.endif.else.endif
   %.477.i.i = sub i64 %.389.i.sroa.11.0.i, %spec.select2366.i
   %.486.i.i = tail call i64 @llvm.smax.i64(i64 %.477.i.i, i64 0)
   %.502.i.i = getelementptr i64, ptr %arg.linear.1.4, i64 %spec.select2366.i
-  %.540.i.i = add i64 %.539.i.i, %.154.i.i8180
-  %.541.i.i = add nsw i64 %.540.i.i, %.184.i.i8182
+  %.540.i.i = add i64 %.539.i.i, %.154.i.i8726
+  %.541.i.i = add nsw i64 %.540.i.i, %.184.i.i8728
   %.578.i.i = icmp slt i64 %.540.i.i, 0
   %.579.i.i = select i1 %.578.i.i, i64 %arg.linear.1.5.0, i64 0
   %.580.i.i = add i64 %.579.i.i, %.540.i.i
@@ -968,7 +976,7 @@ B0.endif.else.endif.if.i.i:                       ; preds = %B0.endif.i.i
 
 B0.endif.else.endif.endif.i.i:                    ; preds = %B0.endif.else.endif.if.i.i, %B0.endif.i.i
   %simplifycfg.merge2.i = phi i64 [ %arg.linear.1.5.0, %B0.endif.else.endif.if.i.i ], [ 0, %B0.endif.i.i ]
-  %spec.select2366.i = select i1 %283, i64 %simplifycfg.merge2.i, i64 %.243.i.i, !prof !44
+  %spec.select2366.i = select i1 %286, i64 %simplifycfg.merge2.i, i64 %.243.i.i, !prof !44
   %.416.i.i = icmp slt i64 %.362.i.i, 0
   %.417.i.i = select i1 %.416.i.i, i64 %arg.linear.1.5.0, i64 0
   %.418.i.i = add i64 %.417.i.i, %.362.i.i
@@ -991,7 +999,7 @@ B0.endif.endif.endif.i.i:                         ; preds = %B0.endif.endif.else
   %.656.i.i = sub i64 %.568.i.sroa.11.0.i, %spec.select2367.i
   %.665.i.i = tail call i64 @llvm.smax.i64(i64 %.656.i.i, i64 0)
   %.681.i.i = getelementptr i64, ptr %arg.linear.1.4, i64 %spec.select2367.i
-  %.711.i.i = shl nsw i64 %.184.i.i8182, 1
+  %.711.i.i = shl nsw i64 %.184.i.i8728, 1
   %.712.i.i = add nsw i64 %.711.i.i, %.540.i.i
   %.759.i.i = icmp sge i64 %.597.i.i, %arg.linear.1.5.0
   br i1 %.759.i.i, label %B0.endif.endif.endif.else.endif.if.i.i, label %B0.endif.endif.endif.else.endif.endif.i.i, !prof !36
@@ -1001,8 +1009,8 @@ B0.endif.endif.else.endif.if.i.i:                 ; preds = %B0.endif.endif.i.i
 
 B0.endif.endif.else.endif.endif.i.i:              ; preds = %B0.endif.endif.else.endif.if.i.i, %B0.endif.endif.i.i
   %simplifycfg.merge4.i = phi i64 [ %arg.linear.1.5.0, %B0.endif.endif.else.endif.if.i.i ], [ 0, %B0.endif.endif.i.i ]
-  %110 = or i1 %.583.i.i, %.588.i.i
-  %spec.select2367.i = select i1 %110, i64 %simplifycfg.merge4.i, i64 %.580.i.i, !prof !44
+  %112 = or i1 %.583.i.i, %.588.i.i
+  %spec.select2367.i = select i1 %112, i64 %simplifycfg.merge4.i, i64 %.580.i.i, !prof !44
   %.595.i.i = icmp slt i64 %.541.i.i, 0
   %.596.i.i = select i1 %.595.i.i, i64 %arg.linear.1.5.0, i64 0
   %.597.i.i = add i64 %.596.i.i, %.541.i.i
@@ -1025,7 +1033,7 @@ B0.endif.endif.endif.endif.i.i:                   ; preds = %B0.endif.endif.endi
   %.827.i.i = sub i64 %.739.i.sroa.11.0.i, %spec.select2368.i
   %.836.i.i = tail call i64 @llvm.smax.i64(i64 %.827.i.i, i64 0)
   %.852.i.i = getelementptr i64, ptr %arg.linear.1.4, i64 %spec.select2368.i
-  %.889.i.i = mul nsw i64 %.184.i.i8182, 3
+  %.889.i.i = mul nsw i64 %.184.i.i8728, 3
   %.890.i.i = add nsw i64 %.889.i.i, %.540.i.i
   %.937.i.i = icmp sge i64 %.768.i.i, %arg.linear.1.5.0
   br i1 %.937.i.i, label %B0.endif.endif.endif.endif.else.endif.if.i.i, label %B0.endif.endif.endif.endif.else.endif.endif.i.i, !prof !36
@@ -1035,8 +1043,8 @@ B0.endif.endif.endif.else.endif.if.i.i:           ; preds = %B0.endif.endif.endi
 
 B0.endif.endif.endif.else.endif.endif.i.i:        ; preds = %B0.endif.endif.endif.else.endif.if.i.i, %B0.endif.endif.endif.i.i
   %simplifycfg.merge6.i = phi i64 [ %arg.linear.1.5.0, %B0.endif.endif.endif.else.endif.if.i.i ], [ 0, %B0.endif.endif.endif.i.i ]
-  %111 = or i1 %.600.i.i, %.759.i.i
-  %spec.select2368.i = select i1 %111, i64 %simplifycfg.merge6.i, i64 %.597.i.i, !prof !44
+  %113 = or i1 %.600.i.i, %.759.i.i
+  %spec.select2368.i = select i1 %113, i64 %simplifycfg.merge6.i, i64 %.597.i.i, !prof !44
   %.766.i.i = icmp slt i64 %.712.i.i, 0
   %.767.i.i = select i1 %.766.i.i, i64 %arg.linear.1.5.0, i64 0
   %.768.i.i = add i64 %.767.i.i, %.712.i.i
@@ -1062,32 +1070,32 @@ B0.endif.endif.endif.endif.endif.i.i:             ; preds = %B0.endif.endif.endi
   br i1 %.1162.i2379.not.i, label %B412.i.i, label %B330.if.i.i.preheader
 
 B330.if.i.i.preheader:                            ; preds = %B0.endif.endif.endif.endif.endif.i.i
-  %brmerge8873 = select i1 %min.iters.check8799, i1 true, i1 %conflict.rdx8797
-  br i1 %brmerge8873, label %B330.if.i.i.preheader8818, label %vector.body8803
+  %brmerge9429 = select i1 %min.iters.check9355, i1 true, i1 %conflict.rdx9353
+  br i1 %brmerge9429, label %B330.if.i.i.preheader9374, label %vector.body9359
 
-vector.body8803:                                  ; preds = %B330.if.i.i.preheader, %vector.body8803
-  %index8804 = phi i64 [ %index.next8807, %vector.body8803 ], [ 0, %B330.if.i.i.preheader ]
-  %112 = getelementptr double, ptr %arg.arrays.0.4, i64 %index8804
-  %113 = getelementptr i8, ptr %112, i64 16
-  %wide.load8805 = load <2 x double>, ptr %112, align 8, !noalias !30
-  %wide.load8806 = load <2 x double>, ptr %113, align 8, !noalias !30
-  %114 = getelementptr i8, ptr %112, i64 %.idx2421.i
+vector.body9359:                                  ; preds = %B330.if.i.i.preheader, %vector.body9359
+  %index9360 = phi i64 [ %index.next9363, %vector.body9359 ], [ 0, %B330.if.i.i.preheader ]
+  %114 = getelementptr double, ptr %arg.arrays.0.4, i64 %index9360
   %115 = getelementptr i8, ptr %114, i64 16
-  store <2 x double> %wide.load8805, ptr %114, align 8, !noalias !30
-  store <2 x double> %wide.load8806, ptr %115, align 8, !noalias !30
-  %116 = getelementptr i8, ptr %112, i64 %.idx2422.i
+  %wide.load9361 = load <2 x double>, ptr %114, align 8, !noalias !30
+  %wide.load9362 = load <2 x double>, ptr %115, align 8, !noalias !30
+  %116 = getelementptr i8, ptr %114, i64 %.idx2421.i
   %117 = getelementptr i8, ptr %116, i64 16
-  store <2 x double> zeroinitializer, ptr %116, align 8, !noalias !30
-  store <2 x double> zeroinitializer, ptr %117, align 8, !noalias !30
-  %index.next8807 = add i64 %index8804, 4
-  %118 = icmp eq i64 %index.next8807, %n.vec8802
-  br i1 %118, label %middle.block8808, label %vector.body8803, !llvm.loop !45
+  store <2 x double> %wide.load9361, ptr %116, align 8, !noalias !30
+  store <2 x double> %wide.load9362, ptr %117, align 8, !noalias !30
+  %118 = getelementptr i8, ptr %114, i64 %.idx2422.i
+  %119 = getelementptr i8, ptr %118, i64 16
+  store <2 x double> zeroinitializer, ptr %118, align 8, !noalias !30
+  store <2 x double> zeroinitializer, ptr %119, align 8, !noalias !30
+  %index.next9363 = add i64 %index9360, 4
+  %120 = icmp eq i64 %index.next9363, %n.vec9358
+  br i1 %120, label %middle.block9364, label %vector.body9359, !llvm.loop !45
 
-middle.block8808:                                 ; preds = %vector.body8803
-  br i1 %cmp.n8809, label %B412.i.i, label %B330.if.i.i.preheader8818
+middle.block9364:                                 ; preds = %vector.body9359
+  br i1 %cmp.n9365, label %B412.i.i, label %B330.if.i.i.preheader9374
 
-B330.if.i.i.preheader8818:                        ; preds = %B330.if.i.i.preheader, %middle.block8808
-  %.1104.i.02380.i.ph = phi i64 [ %n.vec8802, %middle.block8808 ], [ 0, %B330.if.i.i.preheader ]
+B330.if.i.i.preheader9374:                        ; preds = %B330.if.i.i.preheader, %middle.block9364
+  %.1104.i.02380.i.ph = phi i64 [ %n.vec9358, %middle.block9364 ], [ 0, %B330.if.i.i.preheader ]
   br label %B330.if.i.i
 
 B0.endif.endif.endif.endif.else.endif.if.i.i:     ; preds = %B0.endif.endif.endif.endif.i.i
@@ -1095,8 +1103,8 @@ B0.endif.endif.endif.endif.else.endif.if.i.i:     ; preds = %B0.endif.endif.endi
 
 B0.endif.endif.endif.endif.else.endif.endif.i.i:  ; preds = %B0.endif.endif.endif.endif.else.endif.if.i.i, %B0.endif.endif.endif.endif.i.i
   %simplifycfg.merge8.i = phi i64 [ %arg.linear.1.5.0, %B0.endif.endif.endif.endif.else.endif.if.i.i ], [ 0, %B0.endif.endif.endif.endif.i.i ]
-  %119 = or i1 %.771.i.i, %.937.i.i
-  %spec.select2369.i = select i1 %119, i64 %simplifycfg.merge8.i, i64 %.768.i.i, !prof !44
+  %121 = or i1 %.771.i.i, %.937.i.i
+  %spec.select2369.i = select i1 %121, i64 %simplifycfg.merge8.i, i64 %.768.i.i, !prof !44
   %.944.i.i = icmp slt i64 %.890.i.i, 0
   %.945.i.i = select i1 %.944.i.i, i64 %arg.linear.1.5.0, i64 0
   %.946.i.i = add i64 %.945.i.i, %.890.i.i
@@ -1114,25 +1122,25 @@ B0.endif.endif.endif.endif.else.endif.endif.endif.i.i: ; preds = %B0.endif.endif
 B0.endif.endif.endif.endif.else.endif.endif.endif.if.i.i: ; preds = %B0.endif.endif.endif.endif.else.endif.endif.endif.i.i
   br label %B0.endif.endif.endif.endif.endif.i.i
 
-B330.if.i.i:                                      ; preds = %B330.if.i.i.preheader8818, %B330.if.i.i
-  %.1104.i.02380.i = phi i64 [ %.1175.i.i, %B330.if.i.i ], [ %.1104.i.02380.i.ph, %B330.if.i.i.preheader8818 ]
+B330.if.i.i:                                      ; preds = %B330.if.i.i.preheader9374, %B330.if.i.i
+  %.1104.i.02380.i = phi i64 [ %.1175.i.i, %B330.if.i.i ], [ %.1104.i.02380.i.ph, %B330.if.i.i.preheader9374 ]
   %.1175.i.i = add nsw i64 %.1104.i.02380.i, 1
-  %120 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1104.i.02380.i
-  %.1229.i.i = load double, ptr %120, align 8, !noalias !30
-  %121 = getelementptr i8, ptr %120, i64 %.idx2421.i
-  store double %.1229.i.i, ptr %121, align 8, !noalias !30
-  %122 = getelementptr i8, ptr %120, i64 %.idx2422.i
-  store double 0.000000e+00, ptr %122, align 8, !noalias !30
-  %exitcond.not.i8183 = icmp eq i64 %arg.shape.1, %.1175.i.i
-  br i1 %exitcond.not.i8183, label %B412.i.i, label %B330.if.i.i, !llvm.loop !46
+  %122 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1104.i.02380.i
+  %.1229.i.i = load double, ptr %122, align 8, !noalias !30
+  %123 = getelementptr i8, ptr %122, i64 %.idx2421.i
+  store double %.1229.i.i, ptr %123, align 8, !noalias !30
+  %124 = getelementptr i8, ptr %122, i64 %.idx2422.i
+  store double 0.000000e+00, ptr %124, align 8, !noalias !30
+  %exitcond.not.i8729 = icmp eq i64 %arg.shape.1, %.1175.i.i
+  br i1 %exitcond.not.i8729, label %B412.i.i, label %B330.if.i.i, !llvm.loop !46
 
-B544.if.i.i:                                      ; preds = %B544.if.i.i.preheader8817, %B544.if.i.i
-  %.1503.i.02384.i = phi i64 [ %.1565.i.i, %B544.if.i.i ], [ %.1503.i.02384.i.ph, %B544.if.i.i.preheader8817 ]
-  %.1500.i.02383.i = phi i64 [ %.1569.i.i, %B544.if.i.i ], [ %.1500.i.02383.i.ph, %B544.if.i.i.preheader8817 ]
+B544.if.i.i:                                      ; preds = %B544.if.i.i.preheader9373, %B544.if.i.i
+  %.1503.i.02384.i = phi i64 [ %.1565.i.i, %B544.if.i.i ], [ %.1503.i.02384.i.ph, %B544.if.i.i.preheader9373 ]
+  %.1500.i.02383.i = phi i64 [ %.1569.i.i, %B544.if.i.i ], [ %.1500.i.02383.i.ph, %B544.if.i.i.preheader9373 ]
   %.1565.i.i = add nsw i64 %.1503.i.02384.i, -1
   %.1569.i.i = add nsw i64 %.1500.i.02383.i, 1
-  %123 = getelementptr i64, ptr %.327.i.i, i64 %.1500.i.02383.i
-  %.1627.i.i = load i64, ptr %123, align 8, !noalias !30
+  %125 = getelementptr i64, ptr %.327.i.i, i64 %.1500.i.02383.i
+  %.1627.i.i = load i64, ptr %125, align 8, !noalias !30
   %.1629.i.i = icmp eq i64 %.1627.i.i, %.1382.i.sroa.0.02409.i
   %..i = select i1 %.1629.i.i, double 1.000000e+00, double 0.000000e+00
   %gep = getelementptr double, ptr %invariant.gep, i64 %.1500.i.02383.i
@@ -1155,14 +1163,14 @@ B1022.if.i.i:                                     ; preds = %B960.i.i, %B1261.i.
   %.2399.i.i = add i64 %.2330.i.02401.i, 1
   %.2443.i.i = icmp slt i64 %.2330.i.02401.i, 0
   %.2444.i.i = select i1 %.2443.i.i, i64 %.665.i.i, i64 0
-  %124 = getelementptr i64, ptr %.681.i.i, i64 %.2330.i.02401.i
-  %.2458.i.i = getelementptr i64, ptr %124, i64 %.2444.i.i
+  %126 = getelementptr i64, ptr %.681.i.i, i64 %.2330.i.02401.i
+  %.2458.i.i = getelementptr i64, ptr %126, i64 %.2444.i.i
   %.2459.i.i = load i64, ptr %.2458.i.i, align 8, !noalias !30
   %.2460.i.i = add nsw i64 %.2459.i.i, %.1789.i.i
   %.2474.i.i = icmp slt i64 %.2460.i.i, 0
   %.2475.i.i = select i1 %.2474.i.i, i64 %arg.arrays.0.5.0, i64 0
-  %125 = getelementptr double, ptr %arg.arrays.0.4, i64 %.2460.i.i
-  %.2489.i.i = getelementptr double, ptr %125, i64 %.2475.i.i
+  %127 = getelementptr double, ptr %arg.arrays.0.4, i64 %.2460.i.i
+  %.2489.i.i = getelementptr double, ptr %127, i64 %.2475.i.i
   %.2490.i.i = load double, ptr %.2489.i.i, align 8, !noalias !30
   br i1 %found.3.i.1.i, label %B1162.i.i, label %B1080.i.i
 
@@ -1173,18 +1181,18 @@ B164.i:                                           ; preds = %B474.i.loopexit.i, 
 
 B226.if.lr.ph.i:                                  ; preds = %B164.i
   %.829.i = add i64 %.634.i, 1
-  %126 = add i64 %.664.i, %.634.i
+  %128 = add i64 %.664.i, %.634.i
   br label %B226.if.i
 
 B396.i:                                           ; preds = %B342.if.i, %B226.if.i
   %.1055.i = mul i64 %.697.02414.i, %.743.sroa.0.02358.i
   %.1071.i = icmp slt i64 %.1055.i, 0
-  %.1072.i8176 = select i1 %.1071.i, i64 %.251.i, i64 0
-  %127 = getelementptr double, ptr %.267.i, i64 %.1055.i
-  %.1086.i = getelementptr double, ptr %127, i64 %.1072.i8176
-  %.1087.i8177 = load double, ptr %.1086.i, align 8, !noalias !48
+  %.1072.i8722 = select i1 %.1071.i, i64 %.251.i, i64 0
+  %129 = getelementptr double, ptr %.267.i, i64 %.1055.i
+  %.1086.i = getelementptr double, ptr %129, i64 %.1072.i8722
+  %.1087.i8723 = load double, ptr %.1086.i, align 8, !noalias !48
   %.1141.i = load double, ptr %.1140.i, align 8, !noalias !48
-  %.1142.i = fadd double %.1087.i8177, %.1141.i
+  %.1142.i = fadd double %.1087.i8723, %.1141.i
   store double %.1142.i, ptr %.1086.i, align 8, !noalias !48
   %exitcond2420.not.i = icmp eq i64 %.766.i, %arg.shape.1
   br i1 %exitcond2420.not.i, label %B468.i, label %B226.if.i
@@ -1199,16 +1207,16 @@ B34.loopexit.i.i:                                 ; preds = %B790.i.i, %B528.i.i
 
 B348.i.i:                                         ; preds = %B234.if.i.i, %B36.if.i.i
   %p.2.1.lcssa.i.i = phi i64 [ %.59.0509.i.i, %B36.if.i.i ], [ %p.3.2.i.i, %B234.if.i.i ]
-  %128 = getelementptr i64, ptr %.437.i8171, i64 %.59.0509.i.i
-  store i64 %p.2.1.lcssa.i.i, ptr %128, align 8, !noalias !49
+  %130 = getelementptr i64, ptr %.437.i8717, i64 %.59.0509.i.i
+  store i64 %p.2.1.lcssa.i.i, ptr %130, align 8, !noalias !49
   %.547.i.i = add nsw i64 %p.2.1.lcssa.i.i, %.161.i.i
   %.561.i.i = icmp slt i64 %.547.i.i, 0
   %.562.i.i = select i1 %.561.i.i, i64 %.251.i, i64 0
-  %129 = getelementptr double, ptr %.267.i, i64 %.547.i.i
-  %.576.i.i = getelementptr double, ptr %129, i64 %.562.i.i
+  %131 = getelementptr double, ptr %.267.i, i64 %.547.i.i
+  %.576.i.i = getelementptr double, ptr %131, i64 %.562.i.i
   %.577.i.i = load double, ptr %.576.i.i, align 8, !noalias !49
-  %.610.i.i = load double, ptr %131, align 8, !noalias !49
-  store double %.577.i.i, ptr %131, align 8, !noalias !49
+  %.610.i.i = load double, ptr %133, align 8, !noalias !49
+  store double %.577.i.i, ptr %133, align 8, !noalias !49
   store double %.610.i.i, ptr %.576.i.i, align 8, !noalias !49
   br i1 %.362493.not.i.i, label %B528.i.i, label %B466.if.i.i
 
@@ -1230,15 +1238,15 @@ B36.if.i.i:                                       ; preds = %B34.loopexit.i.i, %
   %.11.i.i.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.165.i.i, i64 %arg.shape.1)
   %.200.i.i = add i64 %.199.i.i, %.164.i.i
   %.11.i492.i.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.200.i.i, i64 %arg.shape.1)
-  %130 = getelementptr double, ptr %.267.i, i64 %.161.i.i
-  %131 = getelementptr double, ptr %130, i64 %.59.0509.i.i
+  %132 = getelementptr double, ptr %.267.i, i64 %.161.i.i
+  %133 = getelementptr double, ptr %132, i64 %.59.0509.i.i
   %.319.i.i = sub i64 %.11.i.i.i, %.131.i.i
   %storemerge488.i.i = tail call i64 @llvm.smax.i64(i64 %.319.i.i, i64 0)
   %.362493.not.i.i = icmp slt i64 %.319.i.i, 1
   br i1 %.362493.not.i.i, label %B348.i.i, label %B234.if.preheader.i.i
 
 B234.if.preheader.i.i:                            ; preds = %B36.if.i.i
-  %.271.i.i = load double, ptr %131, align 8, !noalias !49
+  %.271.i.i = load double, ptr %133, align 8, !noalias !49
   %.272.i.i = tail call double @llvm.fabs.f64(double %.271.i.i)
   br label %B234.if.i.i
 
@@ -1249,11 +1257,11 @@ B234.if.i.i:                                      ; preds = %B234.if.i.i, %B234.
   %.306.0494.i.i = phi i64 [ %.375.i.i, %B234.if.i.i ], [ %.131.i.i, %B234.if.preheader.i.i ]
   %.371.i.i = add nsw i64 %.309.0495.i.i, -1
   %.375.i.i = add i64 %.306.0494.i.i, 1
-  %.415.i.i8178 = add nsw i64 %.306.0494.i.i, %.161.i.i
-  %.429.i.i = icmp slt i64 %.415.i.i8178, 0
+  %.415.i.i8724 = add nsw i64 %.306.0494.i.i, %.161.i.i
+  %.429.i.i = icmp slt i64 %.415.i.i8724, 0
   %.430.i.i = select i1 %.429.i.i, i64 %.251.i, i64 0
-  %132 = getelementptr double, ptr %.267.i, i64 %.415.i.i8178
-  %.444.i.i = getelementptr double, ptr %132, i64 %.430.i.i
+  %134 = getelementptr double, ptr %.267.i, i64 %.415.i.i8724
+  %.444.i.i = getelementptr double, ptr %134, i64 %.430.i.i
   %.445.i.i = load double, ptr %.444.i.i, align 8, !noalias !49
   %.446.i.i = tail call double @llvm.fabs.f64(double %.445.i.i)
   %.448.i.i = fcmp ogt double %.446.i.i, %largest.2.1496.i.i
@@ -1270,10 +1278,10 @@ B466.if.i.i:                                      ; preds = %B348.i.i, %B466.if.
   %.798.i.i = add nsw i64 %.703.0499.i.i, %.161.i.i
   %.812.i.i = icmp slt i64 %.798.i.i, 0
   %.813.i.i = select i1 %.812.i.i, i64 %.251.i, i64 0
-  %133 = getelementptr double, ptr %.267.i, i64 %.798.i.i
-  %.827.i2372.i = getelementptr double, ptr %133, i64 %.813.i.i
+  %135 = getelementptr double, ptr %.267.i, i64 %.798.i.i
+  %.827.i2372.i = getelementptr double, ptr %135, i64 %.813.i.i
   %.828.i.i = load double, ptr %.827.i2372.i, align 8, !noalias !49
-  %.861.i.i = load double, ptr %131, align 8, !noalias !49
+  %.861.i.i = load double, ptr %133, align 8, !noalias !49
   %.865.i.i = fdiv double %.828.i.i, %.861.i.i
   store double %.865.i.i, ptr %.827.i2372.i, align 8, !noalias !49
   %.759.i2373.i = icmp sgt i64 %.706.0500.i.i, 1
@@ -1284,18 +1292,18 @@ B566.if.i.i:                                      ; preds = %B528.i.i, %B790.i.i
   %.929.0505.i.i = phi i64 [ %.998.i.i, %B790.i.i ], [ %.131.i.i, %B528.i.i ]
   %.994.i.i = add nsw i64 %.932.0506.i.i, -1
   %.998.i.i = add i64 %.929.0505.i.i, 1
-  %134 = mul nsw i64 %.929.0505.i.i, %arg.shape.1
-  %.1030.i2374.i = add nsw i64 %134, %p.2.1.lcssa.i.i
+  %136 = mul nsw i64 %.929.0505.i.i, %arg.shape.1
+  %.1030.i2374.i = add nsw i64 %136, %p.2.1.lcssa.i.i
   %.1044.i.i = icmp slt i64 %.1030.i2374.i, 0
   %.1045.i.i = select i1 %.1044.i.i, i64 %.251.i, i64 0
-  %135 = getelementptr double, ptr %.267.i, i64 %.1030.i2374.i
-  %.1059.i.i = getelementptr double, ptr %135, i64 %.1045.i.i
+  %137 = getelementptr double, ptr %.267.i, i64 %.1030.i2374.i
+  %.1059.i.i = getelementptr double, ptr %137, i64 %.1045.i.i
   %.1060.i.i = load double, ptr %.1059.i.i, align 8, !noalias !49
-  %.1068.i.i = add nsw i64 %134, %.59.0509.i.i
+  %.1068.i.i = add nsw i64 %136, %.59.0509.i.i
   %.1082.i.i = icmp slt i64 %.1068.i.i, 0
   %.1083.i.i = select i1 %.1082.i.i, i64 %.251.i, i64 0
-  %136 = getelementptr double, ptr %.267.i, i64 %.1068.i.i
-  %.1097.i.i = getelementptr double, ptr %136, i64 %.1083.i.i
+  %138 = getelementptr double, ptr %.267.i, i64 %.1068.i.i
+  %.1097.i.i = getelementptr double, ptr %138, i64 %.1083.i.i
   %.1098.i.i = load double, ptr %.1097.i.i, align 8, !noalias !49
   store double %.1098.i.i, ptr %.1059.i.i, align 8, !noalias !49
   store double %.1060.i.i, ptr %.1097.i.i, align 8, !noalias !49
@@ -1308,17 +1316,17 @@ B716.if.i.i:                                      ; preds = %B566.if.i.i, %B716.
   %.1199.0502.i.i = phi i64 [ %.1268.i.i, %B716.if.i.i ], [ %.131.i.i, %B566.if.i.i ]
   %.1264.i2376.i = add nsw i64 %.1202.0503.i.i, -1
   %.1268.i.i = add i64 %.1199.0502.i.i, 1
-  %.1296.i.i = add nsw i64 %.1199.0502.i.i, %134
+  %.1296.i.i = add nsw i64 %.1199.0502.i.i, %136
   %.1310.i.i = icmp slt i64 %.1296.i.i, 0
   %.1311.i2377.i = select i1 %.1310.i.i, i64 %.251.i, i64 0
-  %137 = getelementptr double, ptr %.267.i, i64 %.1296.i.i
-  %.1325.i.i = getelementptr double, ptr %137, i64 %.1311.i2377.i
+  %139 = getelementptr double, ptr %.267.i, i64 %.1296.i.i
+  %.1325.i.i = getelementptr double, ptr %139, i64 %.1311.i2377.i
   %.1326.i.i = load double, ptr %.1325.i.i, align 8, !noalias !49
   %.1328.i.i = add nsw i64 %.1199.0502.i.i, %.161.i.i
   %.1342.i.i = icmp slt i64 %.1328.i.i, 0
   %.1343.i.i = select i1 %.1342.i.i, i64 %.251.i, i64 0
-  %138 = getelementptr double, ptr %.267.i, i64 %.1328.i.i
-  %.1357.i.i = getelementptr double, ptr %138, i64 %.1343.i.i
+  %140 = getelementptr double, ptr %.267.i, i64 %.1328.i.i
+  %.1357.i.i = getelementptr double, ptr %140, i64 %.1343.i.i
   %.1358.i.i = load double, ptr %.1357.i.i, align 8, !noalias !49
   %.1360.i.i = fmul double %.1060.i.i, %.1358.i.i
   %.1361.i.i = fsub double %.1326.i.i, %.1360.i.i
@@ -1341,42 +1349,42 @@ B0.endif.else.endif.if.i:                         ; preds = %B0.else.endif.endif
 
 B0.endif.else.endif.endif.i:                      ; preds = %B0.endif.else.endif.if.i, %B0.else.endif.endif.endif.if.i
   %.324.sroa.0.3.i = phi i64 [ %arg.linear.1.5.0, %B0.endif.else.endif.if.i ], [ 5, %B0.else.endif.endif.endif.if.i ]
-  %.437.i8171 = getelementptr i64, ptr %arg.linear.1.4, i64 %.324.sroa.0.3.i
-  %.525.i8172 = load double, ptr %.524.i, align 8, !noalias !48
-  %.526.i = fcmp olt double %.525.i8172, 5.000000e-01
+  %.437.i8717 = getelementptr i64, ptr %arg.linear.1.4, i64 %.324.sroa.0.3.i
+  %.525.i8718 = load double, ptr %.524.i, align 8, !noalias !48
+  %.526.i = fcmp olt double %.525.i8718, 5.000000e-01
   br i1 %.526.i, label %B124.i, label %B164.i
 
 B226.if.i:                                        ; preds = %B396.i, %B226.if.lr.ph.i
   %.697.02414.i = phi i64 [ 0, %B226.if.lr.ph.i ], [ %.766.i, %B396.i ]
   %.766.i = add nsw i64 %.697.02414.i, 1
-  %.798.i = sub i64 %.697.02414.i, %126
-  %.11.i.i8173 = tail call i64 @llvm.smax.i64(i64 %.798.i, i64 0)
+  %.798.i = sub i64 %.697.02414.i, %128
+  %.11.i.i8719 = tail call i64 @llvm.smax.i64(i64 %.798.i, i64 0)
   %.830.i = add i64 %.829.i, %.697.02414.i
   %.11.i2378.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.830.i, i64 %arg.shape.1)
-  %.896.i = sub i64 %.11.i2378.i, %.11.i.i8173
+  %.896.i = sub i64 %.11.i2378.i, %.11.i.i8719
   %.9392410.not.i = icmp slt i64 %.896.i, 1
   br i1 %.9392410.not.i, label %B396.i, label %B342.if.lr.ph.i
 
 B342.if.lr.ph.i:                                  ; preds = %B226.if.i
-  %.979.i8174 = mul nsw i64 %.697.02414.i, %arg.shape.1
+  %.979.i8720 = mul nsw i64 %.697.02414.i, %arg.shape.1
   br label %B342.if.i
 
 B342.if.i:                                        ; preds = %B342.if.i, %B342.if.lr.ph.i
   %.886.02412.i = phi i64 [ %.896.i, %B342.if.lr.ph.i ], [ %.948.i, %B342.if.i ]
-  %.883.02411.i = phi i64 [ %.11.i.i8173, %B342.if.lr.ph.i ], [ %.952.i, %B342.if.i ]
+  %.883.02411.i = phi i64 [ %.11.i.i8719, %B342.if.lr.ph.i ], [ %.952.i, %B342.if.i ]
   %.948.i = add nsw i64 %.886.02412.i, -1
   %.952.i = add i64 %.883.02411.i, 1
-  %.980.i = add nsw i64 %.883.02411.i, %.979.i8174
+  %.980.i = add nsw i64 %.883.02411.i, %.979.i8720
   %.994.i = icmp slt i64 %.980.i, 0
   %.995.i = select i1 %.994.i, i64 %arg.linear.0.5.0, i64 0
-  %139 = getelementptr double, ptr %arg.linear.0.4, i64 %.980.i
-  %.1009.i = getelementptr double, ptr %139, i64 %.995.i
+  %141 = getelementptr double, ptr %arg.linear.0.4, i64 %.980.i
+  %.1009.i = getelementptr double, ptr %141, i64 %.995.i
   %.1010.i = load double, ptr %.1009.i, align 8, !noalias !48
-  %.1011.i8175 = fneg double %.1010.i
+  %.1011.i8721 = fneg double %.1010.i
   %.1030.i = select i1 %.994.i, i64 %.251.i, i64 0
-  %140 = getelementptr double, ptr %.267.i, i64 %.980.i
-  %.1044.i = getelementptr double, ptr %140, i64 %.1030.i
-  store double %.1011.i8175, ptr %.1044.i, align 8, !noalias !48
+  %142 = getelementptr double, ptr %.267.i, i64 %.980.i
+  %.1044.i = getelementptr double, ptr %142, i64 %.1030.i
+  store double %.1011.i8721, ptr %.1044.i, align 8, !noalias !48
   %.939.i = icmp sgt i64 %.886.02412.i, 1
   br i1 %.939.i, label %B342.if.i, label %B396.i
 
@@ -1390,20 +1398,20 @@ B1276.if.preheader:                               ; preds = %B34.loopexit.i.i, %
   br label %B1276.if
 
 B1464:                                            ; preds = %B1276.if
-  br i1 %.88.not.i, label %B0.else.endif.endif.endif.if.i8186, label %B0.else.endif.if.i8185, !prof !29
+  br i1 %.88.not.i, label %B0.else.endif.endif.endif.if.i8732, label %B0.else.endif.if.i8731, !prof !29
 
 B322.i:                                           ; preds = %B192.if.i
-  %.853.i8193 = load i64, ptr %arg.linear.1.4, align 8, !noalias !52
+  %.853.i8739 = load i64, ptr %arg.linear.1.4, align 8, !noalias !52
   %.883.i = load i64, ptr %.882.i, align 8, !noalias !52
-  %.339.i.i8194 = add i64 %.853.i8193, 1
-  br label %B34.if.i.i8195
+  %.339.i.i8740 = add i64 %.853.i8739, 1
+  br label %B34.if.i.i8741
 
-B34.i.loopexit.i:                                 ; preds = %B198.if.i.i, %B34.if.i.i8195
+B34.i.loopexit.i:                                 ; preds = %B198.if.i.i, %B34.if.i.i8741
   %exitcond766.not.i = icmp eq i64 %arg.shape.1, %.144.i.i
-  br i1 %exitcond766.not.i, label %B314.if.i.lr.ph.i, label %B34.if.i.i8195
+  br i1 %exitcond766.not.i, label %B314.if.i.lr.ph.i, label %B34.if.i.i8741
 
 B314.if.i.lr.ph.i:                                ; preds = %B34.i.loopexit.i
-  %141 = add i64 %.883.i, %.853.i8193
+  %143 = add i64 %.883.i, %.853.i8739
   br label %B314.if.i.i
 
 B314.i.loopexit.i:                                ; preds = %B474.if.i.i, %B314.if.i.i
@@ -1411,32 +1419,32 @@ B314.i.loopexit.i:                                ; preds = %B474.if.i.i, %B314.
   br i1 %.683.i.i, label %B314.if.i.i, label %B434.if.lr.ph.i
 
 B434.if.lr.ph.i:                                  ; preds = %B314.i.loopexit.i
-  %.1110.i = mul nsw i64 %.1858, %arg.shape.1
-  %invariant.gep8831 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1110.i
+  %.1110.i8749 = mul nsw i64 %.1858, %arg.shape.1
+  %invariant.gep9387 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1110.i8749
   br label %B434.if.i
 
-B34.if.i.i8195:                                   ; preds = %B34.i.loopexit.i, %B322.i
+B34.if.i.i8741:                                   ; preds = %B34.i.loopexit.i, %B322.i
   %.73.i.0754.i = phi i64 [ 0, %B322.i ], [ %.144.i.i, %B34.i.loopexit.i ]
   %.144.i.i = add nsw i64 %.73.i.0754.i, 1
-  %142 = getelementptr i64, ptr %.358.i, i64 %.73.i.0754.i
-  %.202.i.i = load i64, ptr %142, align 8, !noalias !55
+  %144 = getelementptr i64, ptr %.358.i, i64 %.73.i.0754.i
+  %.202.i.i = load i64, ptr %144, align 8, !noalias !55
   %.204.i.i = add nsw i64 %.202.i.i, %.887.i
   %.218.i.i = icmp slt i64 %.204.i.i, 0
   %.219.i.i = select i1 %.218.i.i, i64 %arg.arrays.0.5.0, i64 0
-  %143 = getelementptr double, ptr %arg.arrays.0.4, i64 %.204.i.i
-  %.233.i.i = getelementptr double, ptr %143, i64 %.219.i.i
-  %.234.i.i8196 = load double, ptr %.233.i.i, align 8, !noalias !55
-  %gep8530 = getelementptr double, ptr %invariant.gep8529, i64 %.73.i.0754.i
-  %.270.i.i = load double, ptr %gep8530, align 8, !noalias !55
+  %145 = getelementptr double, ptr %arg.arrays.0.4, i64 %.204.i.i
+  %.233.i.i = getelementptr double, ptr %145, i64 %.219.i.i
+  %.234.i.i8742 = load double, ptr %.233.i.i, align 8, !noalias !55
+  %gep9082 = getelementptr double, ptr %invariant.gep9081, i64 %.73.i.0754.i
+  %.270.i.i = load double, ptr %gep9082, align 8, !noalias !55
   store double %.270.i.i, ptr %.233.i.i, align 8, !noalias !55
-  store double %.234.i.i8196, ptr %gep8530, align 8, !noalias !55
-  %.340.i.i = add i64 %.339.i.i8194, %.73.i.0754.i
-  %.11.i.i.i8197 = tail call i64 @llvm.smin.i64(i64 %.340.i.i, i64 %arg.shape.1)
-  %.406.i.i = sub i64 %.11.i.i.i8197, %.144.i.i
+  store double %.234.i.i8742, ptr %gep9082, align 8, !noalias !55
+  %.340.i.i = add i64 %.339.i.i8740, %.73.i.0754.i
+  %.11.i.i.i8743 = tail call i64 @llvm.smin.i64(i64 %.340.i.i, i64 %arg.shape.1)
+  %.406.i.i = sub i64 %.11.i.i.i8743, %.144.i.i
   %.449.i750.not.i = icmp slt i64 %.406.i.i, 1
   br i1 %.449.i750.not.i, label %B34.i.loopexit.i, label %B198.if.i.lr.ph.i
 
-B198.if.i.lr.ph.i:                                ; preds = %B34.if.i.i8195
+B198.if.i.lr.ph.i:                                ; preds = %B34.if.i.i8741
   %.521.i.i = mul nsw i64 %.73.i.0754.i, %arg.shape.1
   br label %B198.if.i.i
 
@@ -1446,18 +1454,18 @@ B198.if.i.i:                                      ; preds = %B198.if.i.i, %B198.
   %.458.i.i = add nsw i64 %.396.i.0752.i, -1
   %.462.i.i = add i64 %.393.i.0751.i, 1
   %.488.i.i = add nsw i64 %.393.i.0751.i, %.887.i
-  %.502.i.i8198 = icmp slt i64 %.488.i.i, 0
-  %.503.i.i = select i1 %.502.i.i8198, i64 %arg.arrays.0.5.0, i64 0
-  %144 = getelementptr double, ptr %arg.arrays.0.4, i64 %.488.i.i
-  %.517.i.i = getelementptr double, ptr %144, i64 %.503.i.i
+  %.502.i.i8744 = icmp slt i64 %.488.i.i, 0
+  %.503.i.i = select i1 %.502.i.i8744, i64 %arg.arrays.0.5.0, i64 0
+  %146 = getelementptr double, ptr %arg.arrays.0.4, i64 %.488.i.i
+  %.517.i.i = getelementptr double, ptr %146, i64 %.503.i.i
   %.518.i.i = load double, ptr %.517.i.i, align 8, !noalias !55
   %.522.i.i = add nsw i64 %.393.i.0751.i, %.521.i.i
   %.536.i.i = icmp slt i64 %.522.i.i, 0
   %.537.i.i = select i1 %.536.i.i, i64 %.165.i, i64 0
-  %145 = getelementptr double, ptr %.181.i, i64 %.522.i.i
-  %.551.i.i = getelementptr double, ptr %145, i64 %.537.i.i
+  %147 = getelementptr double, ptr %.181.i, i64 %.522.i.i
+  %.551.i.i = getelementptr double, ptr %147, i64 %.537.i.i
   %.552.i.i = load double, ptr %.551.i.i, align 8, !noalias !55
-  %.554.i.i = fmul double %.234.i.i8196, %.552.i.i
+  %.554.i.i = fmul double %.234.i.i8742, %.552.i.i
   %.555.i.i = fsub double %.518.i.i, %.554.i.i
   store double %.555.i.i, ptr %.517.i.i, align 8, !noalias !55
   %.449.i.i = icmp sgt i64 %.396.i.0752.i, 1
@@ -1469,19 +1477,19 @@ B314.if.i.i:                                      ; preds = %B314.i.loopexit.i, 
   %.726.i.i = add nsw i64 %.627.i.0762.i, %.887.i
   %.740.i.i = icmp slt i64 %.726.i.i, 0
   %.741.i.i = select i1 %.740.i.i, i64 %arg.arrays.0.5.0, i64 0
-  %146 = getelementptr double, ptr %arg.arrays.0.4, i64 %.726.i.i
-  %.755.i.i = getelementptr double, ptr %146, i64 %.741.i.i
+  %148 = getelementptr double, ptr %arg.arrays.0.4, i64 %.726.i.i
+  %.755.i.i = getelementptr double, ptr %148, i64 %.741.i.i
   %.756.i.i = load double, ptr %.755.i.i, align 8, !noalias !55
-  %.759.i.i8199 = mul nsw i64 %.627.i.0762.i, %arg.shape.1
-  %.761.i.i = add nsw i64 %.759.i.i8199, %.627.i.0762.i
+  %.759.i.i8745 = mul nsw i64 %.627.i.0762.i, %arg.shape.1
+  %.761.i.i = add nsw i64 %.759.i.i8745, %.627.i.0762.i
   %.775.i.i = icmp slt i64 %.761.i.i, 0
   %.776.i.i = select i1 %.775.i.i, i64 %.165.i, i64 0
-  %147 = getelementptr double, ptr %.181.i, i64 %.761.i.i
-  %.790.i.i = getelementptr double, ptr %147, i64 %.776.i.i
+  %149 = getelementptr double, ptr %.181.i, i64 %.761.i.i
+  %.790.i.i = getelementptr double, ptr %149, i64 %.776.i.i
   %.791.i.i = load double, ptr %.790.i.i, align 8, !noalias !55
   %.795.i.i = fdiv double %.756.i.i, %.791.i.i
   store double %.795.i.i, ptr %.755.i.i, align 8, !noalias !55
-  %.866.i.i = sub i64 %.627.i.0762.i, %141
+  %.866.i.i = sub i64 %.627.i.0762.i, %143
   %.11.i4.i.i = tail call i64 @llvm.smax.i64(i64 %.866.i.i, i64 0)
   %.932.i.i = sub i64 %.627.i.0762.i, %.11.i4.i.i
   %.975.i756.not.i = icmp slt i64 %.932.i.i, 1
@@ -1492,52 +1500,52 @@ B474.if.i.i:                                      ; preds = %B314.if.i.i, %B474.
   %.919.i.0757.i = phi i64 [ %.988.i.i, %B474.if.i.i ], [ %.11.i4.i.i, %B314.if.i.i ]
   %.984.i.i = add nsw i64 %.922.i.0758.i, -1
   %.988.i.i = add i64 %.919.i.0757.i, 1
-  %.1014.i.i8200 = add nsw i64 %.919.i.0757.i, %.887.i
-  %.1028.i.i = icmp slt i64 %.1014.i.i8200, 0
+  %.1014.i.i8746 = add nsw i64 %.919.i.0757.i, %.887.i
+  %.1028.i.i = icmp slt i64 %.1014.i.i8746, 0
   %.1029.i.i = select i1 %.1028.i.i, i64 %arg.arrays.0.5.0, i64 0
-  %148 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1014.i.i8200
-  %.1043.i.i = getelementptr double, ptr %148, i64 %.1029.i.i
-  %.1044.i.i8201 = load double, ptr %.1043.i.i, align 8, !noalias !55
-  %.1048.i.i = add nsw i64 %.919.i.0757.i, %.759.i.i8199
+  %150 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1014.i.i8746
+  %.1043.i.i = getelementptr double, ptr %150, i64 %.1029.i.i
+  %.1044.i.i8747 = load double, ptr %.1043.i.i, align 8, !noalias !55
+  %.1048.i.i = add nsw i64 %.919.i.0757.i, %.759.i.i8745
   %.1062.i.i = icmp slt i64 %.1048.i.i, 0
   %.1063.i.i = select i1 %.1062.i.i, i64 %.165.i, i64 0
-  %149 = getelementptr double, ptr %.181.i, i64 %.1048.i.i
-  %.1077.i.i = getelementptr double, ptr %149, i64 %.1063.i.i
+  %151 = getelementptr double, ptr %.181.i, i64 %.1048.i.i
+  %.1077.i.i = getelementptr double, ptr %151, i64 %.1063.i.i
   %.1078.i.i = load double, ptr %.1077.i.i, align 8, !noalias !55
   %.1080.i.i = fmul double %.795.i.i, %.1078.i.i
-  %.1081.i.i = fsub double %.1044.i.i8201, %.1080.i.i
+  %.1081.i.i = fsub double %.1044.i.i8747, %.1080.i.i
   store double %.1081.i.i, ptr %.1043.i.i, align 8, !noalias !55
   %.975.i.i = icmp sgt i64 %.922.i.0758.i, 1
   br i1 %.975.i.i, label %B474.if.i.i, label %B314.i.loopexit.i
 
-B0.else.endif.if.i8185:                           ; preds = %B1464
-  br label %B0.else.endif.endif.endif.if.i8186
+B0.else.endif.if.i8731:                           ; preds = %B1464
+  br label %B0.else.endif.endif.endif.if.i8732
 
-B0.else.endif.endif.endif.if.i8186:               ; preds = %B0.else.endif.if.i8185, %B1464
-  %.68.sroa.0.3.i = phi i64 [ %arg.linear.0.5.0, %B0.else.endif.if.i8185 ], [ %.42.i, %B1464 ]
+B0.else.endif.endif.endif.if.i8732:               ; preds = %B0.else.endif.if.i8731, %B1464
+  %.68.sroa.0.3.i = phi i64 [ %arg.linear.0.5.0, %B0.else.endif.if.i8731 ], [ %.42.i, %B1464 ]
   %.156.i = sub nsw i64 %arg.linear.0.5.0, %.68.sroa.0.3.i
   %.165.i = tail call i64 @llvm.smax.i64(i64 %.156.i, i64 0)
   %.181.i = getelementptr double, ptr %arg.linear.0.4, i64 %.68.sroa.0.3.i
-  br i1 %.265.i, label %B0.endif.else.endif.if.i8203, label %B0.endif.else.endif.endif.i8187, !prof !36
+  br i1 %.265.i, label %B0.endif.else.endif.if.i8751, label %B0.endif.else.endif.endif.i8733, !prof !36
 
-B0.endif.else.endif.if.i8203:                     ; preds = %B0.else.endif.endif.endif.if.i8186
-  br label %B0.endif.else.endif.endif.i8187
+B0.endif.else.endif.if.i8751:                     ; preds = %B0.else.endif.endif.endif.if.i8732
+  br label %B0.endif.else.endif.endif.i8733
 
-B0.endif.else.endif.endif.i8187:                  ; preds = %B0.endif.else.endif.if.i8203, %B0.else.endif.endif.endif.if.i8186
-  %.245.sroa.0.3.i = phi i64 [ %arg.linear.1.5.0, %B0.endif.else.endif.if.i8203 ], [ 5, %B0.else.endif.endif.endif.if.i8186 ]
+B0.endif.else.endif.endif.i8733:                  ; preds = %B0.endif.else.endif.if.i8751, %B0.else.endif.endif.endif.if.i8732
+  %.245.sroa.0.3.i = phi i64 [ %arg.linear.1.5.0, %B0.endif.else.endif.if.i8751 ], [ 5, %B0.else.endif.endif.endif.if.i8732 ]
   %.358.i = getelementptr i64, ptr %arg.linear.1.4, i64 %.245.sroa.0.3.i
   br i1 %.277.i, label %B0.endif.endif.else.if.i, label %B0.endif.endif.else.endif.i, !prof !36
 
 B192.if.lr.ph.i:                                  ; preds = %B0.endif.endif.else.endif.endif.endif.i
   %.689.i = mul nsw i64 %.1858, %arg.shape.1
-  %invariant.gep8829 = getelementptr double, ptr %arg.arrays.0.4, i64 %.689.i
+  %invariant.gep9385 = getelementptr double, ptr %arg.arrays.0.4, i64 %.689.i
   br label %B192.if.i
 
-B0.endif.endif.else.if.i:                         ; preds = %B0.endif.else.endif.endif.i8187
+B0.endif.endif.else.if.i:                         ; preds = %B0.endif.else.endif.endif.i8733
   br label %B0.endif.endif.else.endif.i
 
-B0.endif.endif.else.endif.i:                      ; preds = %B0.endif.endif.else.if.i, %B0.endif.else.endif.endif.i8187
-  %.418.sroa.0.1.i = phi i64 [ 0, %B0.endif.endif.else.if.i ], [ %.274.i8188, %B0.endif.else.endif.endif.i8187 ]
+B0.endif.endif.else.endif.i:                      ; preds = %B0.endif.endif.else.if.i, %B0.endif.else.endif.endif.i8733
+  %.418.sroa.0.1.i = phi i64 [ 0, %B0.endif.endif.else.if.i ], [ %.274.i8734, %B0.endif.else.endif.endif.i8733 ]
   br i1 %.282.not.i, label %B0.endif.endif.else.endif.endif.endif.i, label %B0.endif.endif.else.endif.if.i, !prof !29
 
 B0.endif.endif.else.endif.if.i:                   ; preds = %B0.endif.endif.else.endif.i
@@ -1549,77 +1557,77 @@ B0.endif.endif.else.endif.endif.endif.i:          ; preds = %B0.endif.endif.else
   br i1 %.648747.not.i, label %B1500, label %B192.if.lr.ph.i
 
 B192.if.i:                                        ; preds = %B192.if.i, %B192.if.lr.ph.i
-  %.590.0748.i = phi i64 [ 0, %B192.if.lr.ph.i ], [ %.661.i8190, %B192.if.i ]
-  %.661.i8190 = add nsw i64 %.590.0748.i, 1
-  %gep8830 = getelementptr double, ptr %invariant.gep8829, i64 %.590.0748.i
-  %.720.i = load double, ptr %gep8830, align 8, !noalias !52
-  %gep8528 = getelementptr double, ptr %invariant.gep8527, i64 %.590.0748.i
-  %.753.i = load double, ptr %gep8528, align 8, !noalias !52
+  %.590.0748.i = phi i64 [ 0, %B192.if.lr.ph.i ], [ %.661.i8736, %B192.if.i ]
+  %.661.i8736 = add nsw i64 %.590.0748.i, 1
+  %gep9386 = getelementptr double, ptr %invariant.gep9385, i64 %.590.0748.i
+  %.720.i = load double, ptr %gep9386, align 8, !noalias !52
+  %gep9080 = getelementptr double, ptr %invariant.gep9079, i64 %.590.0748.i
+  %.753.i = load double, ptr %gep9080, align 8, !noalias !52
   %.754.i = fadd double %.720.i, %.753.i
-  %150 = getelementptr i64, ptr %.531.i, i64 %.590.0748.i
-  %.786.i = load i64, ptr %150, align 8, !noalias !52
+  %152 = getelementptr i64, ptr %.531.i, i64 %.590.0748.i
+  %.786.i = load i64, ptr %152, align 8, !noalias !52
   %.787.i = add nsw i64 %.786.i, %.756.i
   %.801.i = icmp slt i64 %.787.i, 0
   %.802.i = select i1 %.801.i, i64 %arg.arrays.0.5.0, i64 0
-  %151 = getelementptr double, ptr %arg.arrays.0.4, i64 %.787.i
-  %.816.i = getelementptr double, ptr %151, i64 %.802.i
+  %153 = getelementptr double, ptr %arg.arrays.0.4, i64 %.787.i
+  %.816.i = getelementptr double, ptr %153, i64 %.802.i
   store double %.754.i, ptr %.816.i, align 8, !noalias !52
-  %exitcond.not.i8192 = icmp eq i64 %arg.shape.1, %.661.i8190
-  br i1 %exitcond.not.i8192, label %B322.i, label %B192.if.i
+  %exitcond.not.i8738 = icmp eq i64 %arg.shape.1, %.661.i8736
+  br i1 %exitcond.not.i8738, label %B322.i, label %B192.if.i
 
 B434.if.i:                                        ; preds = %B434.if.i, %B434.if.lr.ph.i
   %.950.0764.i = phi i64 [ 0, %B434.if.lr.ph.i ], [ %.1019.i, %B434.if.i ]
   %.1019.i = add nsw i64 %.950.0764.i, 1
-  %152 = getelementptr i64, ptr %.531.i, i64 %.950.0764.i
-  %.1075.i = load i64, ptr %152, align 8, !noalias !52
+  %154 = getelementptr i64, ptr %.531.i, i64 %.950.0764.i
+  %.1075.i = load i64, ptr %154, align 8, !noalias !52
   %.1076.i = add nsw i64 %.1075.i, %.887.i
   %.1090.i = icmp slt i64 %.1076.i, 0
   %.1091.i = select i1 %.1090.i, i64 %arg.arrays.0.5.0, i64 0
-  %153 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1076.i
-  %.1105.i = getelementptr double, ptr %153, i64 %.1091.i
+  %155 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1076.i
+  %.1105.i = getelementptr double, ptr %155, i64 %.1091.i
   %.1106.i = load double, ptr %.1105.i, align 8, !noalias !52
-  %gep8832 = getelementptr double, ptr %invariant.gep8831, i64 %.950.0764.i
-  store double %.1106.i, ptr %gep8832, align 8, !noalias !52
+  %gep9388 = getelementptr double, ptr %invariant.gep9387, i64 %.950.0764.i
+  store double %.1106.i, ptr %gep9388, align 8, !noalias !52
   %exitcond767.not.i = icmp eq i64 %arg.shape.1, %.1019.i
   br i1 %exitcond767.not.i, label %B1500, label %B434.if.i
 
 B1500:                                            ; preds = %B434.if.i, %B0.endif.endif.else.endif.endif.endif.i, %B1276.if
-  %exitcond8649.not = icmp eq i64 %.1789.08531, %.
-  br i1 %exitcond8649.not, label %B1502, label %B1276.if
+  %exitcond9205.not = icmp eq i64 %.1789.09083, %.
+  br i1 %exitcond9205.not, label %B1502, label %B1276.if
 
 B1502:                                            ; preds = %B1500
   %.2122 = load i64, ptr %.2121, align 8
   %.2167 = inttoptr i64 %.2122 to ptr
   tail call void %.2167(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.tolerances.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
   %brmerge = select i1 %anew.2.1, i1 true, i1 %.539
-  %or.cond8156 = select i1 %brmerge, i1 true, i1 %.2203
-  %spec.select8165 = select i1 %or.cond8156, i1 true, i1 %.2208
+  %or.cond8702 = select i1 %brmerge, i1 true, i1 %.2203
+  %spec.select8712 = select i1 %or.cond8702, i1 true, i1 %.2208
   br i1 %.274.i, label %B1736, label %B1646.if
 
 B1654:                                            ; preds = %B1646.if
-  %154 = getelementptr double, ptr %285, i64 %.2248.08534
-  %.2407 = load double, ptr %154, align 8
+  %156 = getelementptr double, ptr %288, i64 %.2248.09086
+  %.2407 = load double, ptr %156, align 8
   %.2408 = fcmp ogt double %.2407, 5.000000e-01
   br label %B1690
 
 B1690:                                            ; preds = %B1654, %B1646.if
   %"$phi1690.1.2.2" = phi i1 [ true, %B1646.if ], [ %.2408, %B1654 ]
-  br i1 %looked.2.18537, label %B1732, label %B1696
+  br i1 %looked.2.19089, label %B1732, label %B1696
 
 B1696:                                            ; preds = %B1690
-  %155 = getelementptr double, ptr %286, i64 %.2248.08534
-  %.2482 = load double, ptr %155, align 8
+  %157 = getelementptr double, ptr %289, i64 %.2248.09086
+  %.2482 = load double, ptr %157, align 8
   %.2483 = fcmp ogt double %.2482, 5.000000e-01
   br label %B1732
 
 B1732:                                            ; preds = %B1696, %B1690
   %"$phi1732.1.2.2" = phi i1 [ true, %B1690 ], [ %.2483, %B1696 ]
-  %.2304 = icmp sgt i64 %.2251.08535, 1
+  %.2304 = icmp sgt i64 %.2251.09087, 1
   br i1 %.2304, label %B1646.if, label %B1736
 
 B1736:                                            ; preds = %B1732, %B1502
   %good.2.1.lcssa = phi i1 [ false, %B1502 ], [ %"$phi1690.1.2.2", %B1732 ]
-  %looked.2.1.lcssa = phi i1 [ %spec.select8165, %B1502 ], [ %"$phi1732.1.2.2", %B1732 ]
+  %looked.2.1.lcssa = phi i1 [ %spec.select8712, %B1502 ], [ %"$phi1732.1.2.2", %B1732 ]
   br i1 %.539, label %B1740, label %B1848
 
 B1740:                                            ; preds = %B1736
@@ -1630,84 +1638,84 @@ B1740:                                            ; preds = %B1736
   br label %B1848
 
 B1848:                                            ; preds = %B1740, %B1736
-  %looked.2.1.lcssa.not8655 = xor i1 %looked.2.1.lcssa, true
-  %brmerge8656 = or i1 %.274.i, %looked.2.1.lcssa.not8655
-  br i1 %brmerge8656, label %B2444, label %B46.if.i
+  %looked.2.1.lcssa.not9211 = xor i1 %looked.2.1.lcssa, true
+  %brmerge9212 = or i1 %.274.i, %looked.2.1.lcssa.not9211
+  br i1 %brmerge9212, label %B2444, label %B46.if.i
 
 B1920.preheader:                                  ; preds = %B416.i
   br i1 %.274.i, label %B2444, label %B1922.if
 
 B92.i:                                            ; preds = %B46.if.i
-  %.303.i925 = getelementptr double, ptr %287, i64 %.90.i774.08541
-  %.304.i926 = load double, ptr %.303.i925, align 8, !noalias !59
-  %.5.i.i = fptosi double %.304.i926 to i64
-  %.382.i = getelementptr double, ptr %288, i64 %.90.i774.08541
-  %.383.i975 = load double, ptr %.382.i, align 8, !noalias !59
-  %.5.i1.i = fptosi double %.383.i975 to i64
-  %.457.i1022 = mul i64 %.243.i876, %arg.results.3.5.1
-  %.461.i1026 = getelementptr i64, ptr %arg.results.3.4, i64 %.457.i1022
-  %.462.i1027 = load i64, ptr %.461.i1026, align 8, !noalias !59
-  %.463.i1028 = add nsw i64 %.462.i1027, %.5.i.i
-  store i64 %.463.i1028, ptr %.461.i1026, align 8, !noalias !59
-  %.569.i1121 = getelementptr i8, ptr %.461.i1026, i64 24
-  %.570.i1122 = load i64, ptr %.569.i1121, align 8, !noalias !59
-  %.571.i1123 = add nsw i64 %.570.i1122, %.5.i1.i
-  store i64 %.571.i1123, ptr %.569.i1121, align 8, !noalias !59
-  %.679.i1207 = getelementptr i8, ptr %.461.i1026, i64 8
-  %.680.i1208 = load i64, ptr %.679.i1207, align 8, !noalias !59
+  %.303.i934 = getelementptr double, ptr %290, i64 %.90.i783.09093
+  %.304.i935 = load double, ptr %.303.i934, align 8, !noalias !59
+  %.5.i.i = fptosi double %.304.i935 to i64
+  %.382.i = getelementptr double, ptr %291, i64 %.90.i783.09093
+  %.383.i984 = load double, ptr %.382.i, align 8, !noalias !59
+  %.5.i1.i = fptosi double %.383.i984 to i64
+  %.457.i1031 = mul i64 %.243.i885, %arg.results.3.5.1
+  %.461.i1035 = getelementptr i64, ptr %arg.results.3.4, i64 %.457.i1031
+  %.462.i1036 = load i64, ptr %.461.i1035, align 8, !noalias !59
+  %.463.i1037 = add nsw i64 %.462.i1036, %.5.i.i
+  store i64 %.463.i1037, ptr %.461.i1035, align 8, !noalias !59
+  %.569.i1130 = getelementptr i8, ptr %.461.i1035, i64 24
+  %.570.i1131 = load i64, ptr %.569.i1130, align 8, !noalias !59
+  %.571.i1132 = add nsw i64 %.570.i1131, %.5.i1.i
+  store i64 %.571.i1132, ptr %.569.i1130, align 8, !noalias !59
+  %.679.i1216 = getelementptr i8, ptr %.461.i1035, i64 8
+  %.680.i1217 = load i64, ptr %.679.i1216, align 8, !noalias !59
   %.683.i = add nsw i64 %.5.i1.i, %.5.i.i
   %.684.i = mul nsw i64 %.683.i, %.
-  %.685.i1210 = add nsw i64 %.684.i, %.5.i.i
-  %.686.i1211 = add nsw i64 %.685.i1210, %.680.i1208
-  store i64 %.686.i1211, ptr %.679.i1207, align 8, !noalias !59
-  store double 0.000000e+00, ptr %.303.i925, align 8, !noalias !59
+  %.685.i1219 = add nsw i64 %.684.i, %.5.i.i
+  %.686.i1220 = add nsw i64 %.685.i1219, %.680.i1217
+  store i64 %.686.i1220, ptr %.679.i1216, align 8, !noalias !59
+  store double 0.000000e+00, ptr %.303.i934, align 8, !noalias !59
   store double 0.000000e+00, ptr %.382.i, align 8, !noalias !59
   br label %B416.i
 
 B416.i:                                           ; preds = %B92.i, %B46.if.i
-  %.148.i = icmp sgt i64 %.93.i775.08542, 1
+  %.148.i = icmp sgt i64 %.93.i784.09094, 1
   br i1 %.148.i, label %B46.if.i, label %B1920.preheader
 
 B46.if.i:                                         ; preds = %B1848, %B416.i
-  %.93.i775.08542 = phi i64 [ %.157.i1315, %B416.i ], [ %storemerge, %B1848 ]
-  %.90.i774.08541 = phi i64 [ %.161.i1318, %B416.i ], [ 0, %B1848 ]
-  %.157.i1315 = add nsw i64 %.93.i775.08542, -1
-  %.161.i1318 = add nsw i64 %.90.i774.08541, 1
-  %156 = getelementptr i64, ptr %arg.lane.1.4, i64 %.90.i774.08541
-  %.243.i876 = load i64, ptr %156, align 8, !noalias !59
-  %.248.i879 = icmp sgt i64 %.243.i876, -1
-  br i1 %.248.i879, label %B92.i, label %B416.i
+  %.93.i784.09094 = phi i64 [ %.157.i1324, %B416.i ], [ %storemerge, %B1848 ]
+  %.90.i783.09093 = phi i64 [ %.161.i1327, %B416.i ], [ 0, %B1848 ]
+  %.157.i1324 = add nsw i64 %.93.i784.09094, -1
+  %.161.i1327 = add nsw i64 %.90.i783.09093, 1
+  %158 = getelementptr i64, ptr %arg.lane.1.4, i64 %.90.i783.09093
+  %.243.i885 = load i64, ptr %158, align 8, !noalias !59
+  %.248.i888 = icmp sgt i64 %.243.i885, -1
+  br i1 %.248.i888, label %B92.i, label %B416.i
 
 B2022:                                            ; preds = %B1922.if
-  %.3169 = getelementptr double, ptr %291, i64 %.2829.08544
+  %.3169 = getelementptr double, ptr %294, i64 %.2829.09096
   %.3170 = load double, ptr %.3169, align 8
   %.3171 = fcmp ogt double %.3170, 5.000000e-01
   br i1 %.3171, label %B2060, label %B2118
 
 B2060:                                            ; preds = %B2022
-  %157 = getelementptr i64, ptr %arg.lane.1.4, i64 %.2829.08544
-  %.84.i2075 = load i64, ptr %157, align 8, !noalias !63
-  %.89.i2078 = icmp sgt i64 %.84.i2075, -1
-  br i1 %.89.i2078, label %B46.i2082, label %B2118
+  %159 = getelementptr i64, ptr %arg.lane.1.4, i64 %.2829.09096
+  %.84.i2084 = load i64, ptr %159, align 8, !noalias !63
+  %.89.i2087 = icmp sgt i64 %.84.i2084, -1
+  br i1 %.89.i2087, label %B46.i2091, label %B2118
 
-B46.i2082:                                        ; preds = %B2060
-  %.120.i = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i2075
-  %.121.i2101 = load i64, ptr %.120.i, align 8, !noalias !63
-  %.122.i2102 = icmp eq i64 %.121.i2101, 0
-  br i1 %.122.i2102, label %B80.i, label %B2118
+B46.i2091:                                        ; preds = %B2060
+  %.120.i = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i2084
+  %.121.i2110 = load i64, ptr %.120.i, align 8, !noalias !63
+  %.122.i2111 = icmp eq i64 %.121.i2110, 0
+  br i1 %.122.i2111, label %B80.i, label %B2118
 
-B80.i:                                            ; preds = %B46.i2082
+B80.i:                                            ; preds = %B46.i2091
   store i64 2, ptr %.120.i, align 8, !noalias !63
   br label %B2118
 
-B2118:                                            ; preds = %B2022, %B46.i2082, %B2060, %B80.i
-  %.3285 = getelementptr double, ptr %292, i64 %.2829.08544
+B2118:                                            ; preds = %B2022, %B46.i2091, %B2060, %B80.i
+  %.3285 = getelementptr double, ptr %295, i64 %.2829.09096
   %.3286 = load double, ptr %.3285, align 8
   %.3287 = fcmp ogt double %.3286, 5.000000e-01
   br i1 %.3287, label %B2156, label %B2440
 
 B2156:                                            ; preds = %B2118
-  %spec.select = select i1 %within.3.28547, i1 true, i1 %.2203
+  %spec.select = select i1 %within.3.29099, i1 true, i1 %.2203
   %.3365 = mul i64 %.2996, %arg.results.3.5.1
   %.3369 = getelementptr i64, ptr %arg.results.3.4, i64 %.3365
   %.3370 = load i64, ptr %.3369, align 8
@@ -1716,7 +1724,7 @@ B2156:                                            ; preds = %B2118
   br i1 %.3411, label %B2264, label %B2226
 
 B2226:                                            ; preds = %B2156
-  %.3472 = getelementptr double, ptr %293, i64 %.2829.08544
+  %.3472 = getelementptr double, ptr %296, i64 %.2829.09096
   %.3473 = load double, ptr %.3472, align 8
   %.3475 = fcmp ogt double %.3473, 0.000000e+00
   br i1 %.3475, label %B2264, label %B2294
@@ -1726,43 +1734,43 @@ B2264:                                            ; preds = %B2156, %B2226
   br label %B2294
 
 B2294:                                            ; preds = %B2264, %B2226
-  %doubted.5.5 = phi i1 [ true, %B2264 ], [ %doubted.3.28548, %B2226 ]
+  %doubted.5.5 = phi i1 [ true, %B2264 ], [ %doubted.3.29100, %B2226 ]
   %.3561 = icmp slt i64 %.3051, %arg.times.5.0
   br i1 %.3561, label %B2332, label %B2440
 
 B2332:                                            ; preds = %B2294
   %.3588 = icmp slt i64 %.3051, 0
   %.3589 = select i1 %.3588, i64 %arg.times.5.0, i64 0
-  %158 = getelementptr double, ptr %arg.times.4, i64 %.3051
-  %.3603 = getelementptr double, ptr %158, i64 %.3589
+  %160 = getelementptr double, ptr %arg.times.4, i64 %.3051
+  %.3603 = getelementptr double, ptr %160, i64 %.3589
   %.3604 = load double, ptr %.3603, align 8
-  %.3658 = getelementptr double, ptr %294, i64 %.2829.08544
+  %.3658 = getelementptr double, ptr %297, i64 %.2829.09096
   %.3659 = load double, ptr %.3658, align 8
   %.3660 = fcmp ugt double %.3604, %.3659
   br i1 %.3660, label %B2440, label %B2382
 
 B2382:                                            ; preds = %B2332
   %.3769 = fcmp olt double %.3604, %.3659
-  %spec.select8157 = or i1 %spec.select, %.3769
+  %spec.select8703 = or i1 %spec.select, %.3769
   br label %B2440
 
 B2440:                                            ; preds = %B1922.if, %B2382, %B2332, %B2294, %B2118
-  %wanted.4.3 = phi i1 [ true, %B2382 ], [ %wanted.3.28546, %B2332 ], [ %wanted.3.28546, %B2294 ], [ %wanted.3.28546, %B2118 ], [ %wanted.3.28546, %B1922.if ]
-  %within.4.3 = phi i1 [ %spec.select8157, %B2382 ], [ %spec.select, %B2332 ], [ %spec.select, %B2294 ], [ %within.3.28547, %B2118 ], [ %within.3.28547, %B1922.if ]
-  %doubted.4.3 = phi i1 [ %doubted.5.5, %B2382 ], [ %doubted.5.5, %B2332 ], [ %doubted.5.5, %B2294 ], [ %doubted.3.28548, %B2118 ], [ %doubted.3.28548, %B1922.if ]
-  %.2895 = icmp sgt i64 %.2832.08545, 1
+  %wanted.4.3 = phi i1 [ true, %B2382 ], [ %wanted.3.29098, %B2332 ], [ %wanted.3.29098, %B2294 ], [ %wanted.3.29098, %B2118 ], [ %wanted.3.29098, %B1922.if ]
+  %within.4.3 = phi i1 [ %spec.select8703, %B2382 ], [ %spec.select, %B2332 ], [ %spec.select, %B2294 ], [ %within.3.29099, %B2118 ], [ %within.3.29099, %B1922.if ]
+  %doubted.4.3 = phi i1 [ %doubted.5.5, %B2382 ], [ %doubted.5.5, %B2332 ], [ %doubted.5.5, %B2294 ], [ %doubted.3.29100, %B2118 ], [ %doubted.3.29100, %B1922.if ]
+  %.2895 = icmp sgt i64 %.2832.09097, 1
   br i1 %.2895, label %B1922.if, label %B2444.loopexit
 
 B2444.loopexit:                                   ; preds = %B2440
-  %159 = xor i1 %doubted.4.3, true
-  %160 = select i1 %159, i1 true, i1 %.539
-  %161 = select i1 %wanted.4.3, i1 true, i1 %within.4.3
+  %161 = xor i1 %doubted.4.3, true
+  %162 = select i1 %161, i1 true, i1 %.539
+  %163 = select i1 %wanted.4.3, i1 true, i1 %within.4.3
   br label %B2444
 
 B2444:                                            ; preds = %B1848, %B2444.loopexit, %B1920.preheader
-  %wanted.2.1 = phi i1 [ false, %B1848 ], [ false, %B1920.preheader ], [ %161, %B2444.loopexit ]
+  %wanted.2.1 = phi i1 [ false, %B1848 ], [ false, %B1920.preheader ], [ %163, %B2444.loopexit ]
   %within.5.1 = phi i1 [ false, %B1848 ], [ false, %B1920.preheader ], [ %within.4.3, %B2444.loopexit ]
-  %doubted.2.1 = phi i1 [ true, %B1848 ], [ true, %B1920.preheader ], [ %160, %B2444.loopexit ]
+  %doubted.2.1 = phi i1 [ true, %B1848 ], [ true, %B1920.preheader ], [ %162, %B2444.loopexit ]
   br i1 %good.2.1.lcssa, label %B2448, label %B2564
 
 B2448:                                            ; preds = %B2444
@@ -1781,8 +1789,8 @@ B2572:                                            ; preds = %B2564
   br label %B2640
 
 B2640:                                            ; preds = %B2564, %B2572
-  %162 = select i1 %.2208, i1 %good.2.1.lcssa, i1 false
-  br i1 %162, label %B2660, label %B2782
+  %164 = select i1 %.2208, i1 %good.2.1.lcssa, i1 false
+  br i1 %164, label %B2660, label %B2782
 
 B2660:                                            ; preds = %B2640
   %.4050 = load i64, ptr %.4049, align 8
@@ -1790,963 +1798,1037 @@ B2660:                                            ; preds = %B2640
   tail call void %.4097(ptr %.490, ptr %.4071, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
   br i1 %.274.i, label %B2782, label %B38.if.i
 
-B104.i2351:                                       ; preds = %B38.if.i
-  %.349.i2397 = getelementptr double, ptr %296, i64 %.78.i2175.08553
-  %.350.i2398 = load double, ptr %.349.i2397, align 8, !noalias !66
-  %.351.i2399 = fcmp ogt double %.350.i2398, 5.000000e-01
-  br i1 %.351.i2399, label %B34.i.i, label %B304.i
+B104.i2360:                                       ; preds = %B38.if.i
+  %.349.i2406 = getelementptr double, ptr %299, i64 %.78.i2184.09105
+  %.350.i2407 = load double, ptr %.349.i2406, align 8, !noalias !66
+  %.351.i2408 = fcmp ogt double %.350.i2407, 5.000000e-01
+  br i1 %.351.i2408, label %B34.i.i, label %B304.i
 
-B34.i.i:                                          ; preds = %B104.i2351, %B36.i.i
-  %.48.i.i2137.0 = phi i64 [ %.119.i.i, %B36.i.i ], [ 0, %B104.i2351 ]
-  %exitcond8650.not = icmp eq i64 %.48.i.i2137.0, %arg.decided
-  br i1 %exitcond8650.not, label %B142.endif.i, label %B36.i.i
+B34.i.i:                                          ; preds = %B104.i2360, %B36.i.i
+  %.48.i.i2146.0 = phi i64 [ %.119.i.i, %B36.i.i ], [ 0, %B104.i2360 ]
+  %exitcond9206.not = icmp eq i64 %.48.i.i2146.0, %arg.decided
+  br i1 %exitcond9206.not, label %B142.endif.i, label %B36.i.i
 
 B36.i.i:                                          ; preds = %B34.i.i
-  %.119.i.i = add i64 %.48.i.i2137.0, 1
-  %.149.i.i2664 = add nsw i64 %.48.i.i2137.0, %arg.decided
-  %.151.i.i2666 = mul nsw i64 %.149.i.i2664, %arg.shape.0
-  %.153.i.i = add nsw i64 %.151.i.i2666, %.78.i2175.08553
+  %.119.i.i = add i64 %.48.i.i2146.0, 1
+  %.149.i.i2673 = add nsw i64 %.48.i.i2146.0, %arg.decided
+  %.151.i.i2675 = mul nsw i64 %.149.i.i2673, %arg.shape.0
+  %.153.i.i = add nsw i64 %.151.i.i2675, %.78.i2184.09105
   %.167.i.i = icmp slt i64 %.153.i.i, 0
-  %.168.i.i2670 = select i1 %.167.i.i, i64 %arg.arrays.4.5.0, i64 0
-  %163 = getelementptr double, ptr %arg.arrays.4.4, i64 %.153.i.i
-  %.182.i.i = getelementptr double, ptr %163, i64 %.168.i.i2670
+  %.168.i.i2679 = select i1 %.167.i.i, i64 %arg.arrays.4.5.0, i64 0
+  %165 = getelementptr double, ptr %arg.arrays.4.4, i64 %.153.i.i
+  %.182.i.i = getelementptr double, ptr %165, i64 %.168.i.i2679
   %.183.i.i = load double, ptr %.182.i.i, align 8, !noalias !70
   %.184.i.i = fcmp ogt double %.183.i.i, 5.000000e-01
   br i1 %.184.i.i, label %B142.endif.i, label %B34.i.i
 
-B190.i2462:                                       ; preds = %B142.endif.i
-  store double 1.000000e+00, ptr %.234.i2296, align 8, !noalias !66
-  %.503.i2558 = getelementptr double, ptr %297, i64 %.78.i2175.08553
-  store double 0.000000e+00, ptr %.503.i2558, align 8, !noalias !66
-  %.558.i2605 = getelementptr double, ptr %298, i64 %.78.i2175.08553
-  store double 1.000000e+00, ptr %.558.i2605, align 8, !noalias !66
-  %.616.i2653 = getelementptr i64, ptr %299, i64 %.78.i2175.08553
-  store i64 %.363.i2186.0, ptr %.616.i2653, align 8, !noalias !66
+B190.i2471:                                       ; preds = %B142.endif.i
+  store double 1.000000e+00, ptr %.234.i2305, align 8, !noalias !66
+  %.503.i2567 = getelementptr double, ptr %300, i64 %.78.i2184.09105
+  store double 0.000000e+00, ptr %.503.i2567, align 8, !noalias !66
+  %.558.i2614 = getelementptr double, ptr %301, i64 %.78.i2184.09105
+  store double 1.000000e+00, ptr %.558.i2614, align 8, !noalias !66
+  %.616.i2662 = getelementptr i64, ptr %302, i64 %.78.i2184.09105
+  store i64 %.363.i2195.0, ptr %.616.i2662, align 8, !noalias !66
   br label %B304.i
 
-B304.i:                                           ; preds = %B142.endif.i, %B190.i2462, %B104.i2351, %B38.if.i
-  %some.3.i.1 = phi i1 [ true, %B190.i2462 ], [ %some.2.i.08555, %B142.endif.i ], [ %some.2.i.08555, %B104.i2351 ], [ %some.2.i.08555, %B38.if.i ]
-  %.136.i2229 = icmp sgt i64 %.81.i2176.08554, 1
-  br i1 %.136.i2229, label %B38.if.i, label %B2782
+B304.i:                                           ; preds = %B142.endif.i, %B190.i2471, %B104.i2360, %B38.if.i
+  %some.3.i.1 = phi i1 [ true, %B190.i2471 ], [ %some.2.i.09107, %B142.endif.i ], [ %some.2.i.09107, %B104.i2360 ], [ %some.2.i.09107, %B38.if.i ]
+  %.136.i2238 = icmp sgt i64 %.81.i2185.09106, 1
+  br i1 %.136.i2238, label %B38.if.i, label %B2782
 
 B38.if.i:                                         ; preds = %B2660, %B304.i
-  %some.2.i.08555 = phi i1 [ %some.3.i.1, %B304.i ], [ false, %B2660 ]
-  %.81.i2176.08554 = phi i64 [ %.145.i2685, %B304.i ], [ %storemerge, %B2660 ]
-  %.78.i2175.08553 = phi i64 [ %.149.i2688, %B304.i ], [ 0, %B2660 ]
-  %.145.i2685 = add nsw i64 %.81.i2176.08554, -1
-  %.149.i2688 = add nsw i64 %.78.i2175.08553, 1
-  %.234.i2296 = getelementptr double, ptr %295, i64 %.78.i2175.08553
-  store double 0.000000e+00, ptr %.234.i2296, align 8, !noalias !66
-  %.289.i2343 = getelementptr i64, ptr %arg.lane.1.4, i64 %.78.i2175.08553
-  %.290.i2344 = load i64, ptr %.289.i2343, align 8, !noalias !66
-  %.291.i2345 = icmp sgt i64 %.290.i2344, -1
-  br i1 %.291.i2345, label %B104.i2351, label %B304.i
+  %some.2.i.09107 = phi i1 [ %some.3.i.1, %B304.i ], [ false, %B2660 ]
+  %.81.i2185.09106 = phi i64 [ %.145.i2694, %B304.i ], [ %storemerge, %B2660 ]
+  %.78.i2184.09105 = phi i64 [ %.149.i2697, %B304.i ], [ 0, %B2660 ]
+  %.145.i2694 = add nsw i64 %.81.i2185.09106, -1
+  %.149.i2697 = add nsw i64 %.78.i2184.09105, 1
+  %.234.i2305 = getelementptr double, ptr %298, i64 %.78.i2184.09105
+  store double 0.000000e+00, ptr %.234.i2305, align 8, !noalias !66
+  %.289.i2352 = getelementptr i64, ptr %arg.lane.1.4, i64 %.78.i2184.09105
+  %.290.i2353 = load i64, ptr %.289.i2352, align 8, !noalias !66
+  %.291.i2354 = icmp sgt i64 %.290.i2353, -1
+  br i1 %.291.i2354, label %B104.i2360, label %B304.i
 
 B142.endif.i:                                     ; preds = %B36.i.i, %B34.i.i
-  %.363.i2186.0 = phi i64 [ %.48.i.i2137.0, %B36.i.i ], [ -1, %B34.i.i ]
-  %.393.i2461 = icmp sgt i64 %.363.i2186.0, -1
-  br i1 %.393.i2461, label %B190.i2462, label %B304.i
+  %.363.i2195.0 = phi i64 [ %.48.i.i2146.0, %B36.i.i ], [ -1, %B34.i.i ]
+  %.393.i2470 = icmp sgt i64 %.363.i2195.0, -1
+  br i1 %.393.i2470, label %B190.i2471, label %B304.i
 
 B2782:                                            ; preds = %B304.i, %B2660, %B2640
   %beyond.2.1 = phi i1 [ false, %B2640 ], [ false, %B2660 ], [ %some.3.i.1, %B304.i ]
-  %brmerge8160 = select i1 %within.5.1, i1 true, i1 %beyond.2.1
-  br i1 %brmerge8160, label %B2790, label %B3282
+  %brmerge8706 = select i1 %within.5.1, i1 true, i1 %beyond.2.1
+  br i1 %brmerge8706, label %B2792, label %B3324
 
-B2790:                                            ; preds = %B2782
-  br i1 %.539, label %B3128, label %B2858.if
+B2792:                                            ; preds = %B2782
+  br i1 %.539, label %B3238.critedge, label %B2860.if
 
-B3128:                                            ; preds = %B2858.if, %B2790
-  %.4550 = load i64, ptr %.4549, align 8
-  %.4595 = inttoptr i64 %.4550 to ptr
-  tail call void %.4595(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
-  br i1 %beyond.2.1, label %B104.if.i, label %B3240
+B142.i2984:                                       ; preds = %B66.if.i
+  %.407.i3032 = getelementptr double, ptr %304, i64 %.135.i2804.09113
+  %.408.i3033 = load double, ptr %.407.i3032, align 8, !noalias !74
+  %.409.i3034 = fcmp uge double %.408.i3033, 5.000000e-01
+  %.422.i3042.not = icmp slt i64 %.344.i2979, %arg.times.5.0
+  %or.cond8707 = select i1 %.409.i3034, i1 %.422.i3042.not, i1 false
+  br i1 %or.cond8707, label %B218.i, label %B611.i
+
+B218.i:                                           ; preds = %B142.i2984
+  %.438.i3053 = icmp slt i64 %.344.i2979, 0
+  %.439.i3054 = select i1 %.438.i3053, i64 %arg.times.5.0, i64 0
+  %166 = getelementptr double, ptr %arg.times.4, i64 %.344.i2979
+  %.453.i3068 = getelementptr double, ptr %166, i64 %.439.i3054
+  %.454.i3069 = load double, ptr %.453.i3068, align 8, !noalias !74
+  %.508.i3117 = getelementptr double, ptr %305, i64 %.135.i2804.09113
+  %.509.i3118 = load double, ptr %.508.i3117, align 8, !noalias !74
+  %.510.i3119 = fcmp ult double %.454.i3069, %.509.i3118
+  br i1 %.510.i3119, label %B270.i, label %B611.i
+
+B270.i:                                           ; preds = %B218.i
+  %.572.i3167 = getelementptr double, ptr %306, i64 %.135.i2804.09113
+  %.573.i3168 = load double, ptr %.572.i3167, align 8, !noalias !74
+  %.574.i3169 = fcmp ogt double %.573.i3168, 1.000000e+00
+  br i1 %.574.i3169, label %B308.i, label %B611.i
+
+B308.i:                                           ; preds = %B270.i
+  store double 0.000000e+00, ptr %.407.i3032, align 8, !noalias !74
+  %.690.i3264 = getelementptr double, ptr %307, i64 %.135.i2804.09113
+  store double 0.000000e+00, ptr %.690.i3264, align 8, !noalias !74
+  %.745.i3305 = getelementptr double, ptr %308, i64 %.135.i2804.09113
+  store double 0.000000e+00, ptr %.745.i3305, align 8, !noalias !74
+  %.800.i3349 = getelementptr double, ptr %309, i64 %.135.i2804.09113
+  %.801.i3350 = load double, ptr %.800.i3349, align 8, !noalias !74
+  %.832.i3377 = load double, ptr %.453.i3068, align 8, !noalias !74
+  %.888.i3406 = getelementptr double, ptr %310, i64 %.135.i2804.09113
+  store double %.801.i3350, ptr %.888.i3406, align 8, !noalias !74
+  %.945.i = getelementptr double, ptr %311, i64 %.135.i2804.09113
+  store double %.832.i3377, ptr %.945.i, align 8, !noalias !74
+  %.996.i3463 = mul i64 %.289.i2930, %arg.results.3.5.1
+  %.1000.i3465 = getelementptr i64, ptr %arg.results.3.4, i64 %.996.i3463
+  %.1001.i3466 = load i64, ptr %.1000.i3465, align 8, !noalias !74
+  %.1002.i3467 = add nsw i64 %.1001.i3466, -1
+  store i64 %.1002.i3467, ptr %.1000.i3465, align 8, !noalias !74
+  %.1108.i = getelementptr i8, ptr %.1000.i3465, i64 24
+  %.1109.i = load i64, ptr %.1108.i, align 8, !noalias !74
+  %.1110.i = add nsw i64 %.1109.i, 1
+  store i64 %.1110.i, ptr %.1108.i, align 8, !noalias !74
+  %.1218.i = getelementptr i8, ptr %.1000.i3465, i64 8
+  %.1219.i = load i64, ptr %.1218.i, align 8, !noalias !74
+  %.1220.i = add nsw i64 %.1219.i, 3
+  store i64 %.1220.i, ptr %.1218.i, align 8, !noalias !74
+  br label %B611.i
+
+B611.i:                                           ; preds = %B270.i, %B308.i, %B66.if.i, %B142.i2984, %B218.i
+  %.194.i2872 = icmp sgt i64 %.138.i2805.09112, 1
+  br i1 %.194.i2872, label %B66.if.i, label %B3238
+
+B66.if.i:                                         ; preds = %B2860.if, %B611.i
+  %.135.i2804.09113 = phi i64 [ %.207.i3527, %B611.i ], [ 0, %B2860.if ]
+  %.138.i2805.09112 = phi i64 [ %.203.i3524, %B611.i ], [ %storemerge, %B2860.if ]
+  %.203.i3524 = add nsw i64 %.138.i2805.09112, -1
+  %.207.i3527 = add nsw i64 %.135.i2804.09113, 1
+  %.288.i2929 = getelementptr i64, ptr %arg.lane.1.4, i64 %.135.i2804.09113
+  %.289.i2930 = load i64, ptr %.288.i2929, align 8, !noalias !74
+  %.343.i2978 = getelementptr i64, ptr %303, i64 %.135.i2804.09113
+  %.344.i2979 = load i64, ptr %.343.i2978, align 8, !noalias !74
+  %.352.i2983 = icmp slt i64 %.289.i2930, 0
+  br i1 %.352.i2983, label %B611.i, label %B142.i2984
+
+B3238.critedge:                                   ; preds = %B2792
+  %.4550.c = load i64, ptr %.4549.c, align 8
+  %.4595.c = inttoptr i64 %.4550.c to ptr
+  tail call void %.4595.c(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.tolerances.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
+  br label %B3238
+
+B3238:                                            ; preds = %B611.i, %B2860.if, %B3238.critedge
+  br i1 %beyond.2.1, label %B104.if.i, label %B3282
 
 B102.loopexit.i.critedge:                         ; preds = %B104.if.i
-  %.1014.i.c = load i64, ptr %.1013.i, align 8, !noalias !74
+  %.1014.i.c = load i64, ptr %.1013.i, align 8, !noalias !78
   %.1131.i.c = inttoptr i64 %.1014.i.c to ptr
-  tail call void %.1131.i.c(ptr %.490, ptr %.1105.i8206, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !74
+  tail call void %.1131.i.c(ptr %.490, ptr %.1105.i8754, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !78
   br label %B102.loopexit.i
 
 B102.loopexit.i:                                  ; preds = %B1498.i, %B102.loopexit.i.critedge
   %.281.i = icmp ugt i64 %.225.01193.i, 1
   br i1 %.281.i, label %B104.if.i, label %B842.i
 
-B138.loopexit.i:                                  ; preds = %B380.if.i, %middle.block8752, %B138.if.i
+B138.loopexit.i:                                  ; preds = %B380.if.i, %middle.block9308, %B138.if.i
   %exitcond1198.not.i = icmp eq i64 %arg.shape.0, %.412.i
   br i1 %exitcond1198.not.i, label %B474.i, label %B138.if.i
 
 B474.i:                                           ; preds = %B138.loopexit.i
-  %.1014.i = load i64, ptr %.1013.i, align 8, !noalias !74
+  %.1014.i = load i64, ptr %.1013.i, align 8, !noalias !78
   %.1131.i = inttoptr i64 %.1014.i to ptr
-  tail call void %.1131.i(ptr %.490, ptr %.1105.i8206, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !74
+  tail call void %.1131.i(ptr %.490, ptr %.1105.i8754, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !78
   br label %B622.if.i
 
 B674.i:                                           ; preds = %B622.if.i
-  %.1364.i = getelementptr double, ptr %300, i64 %.1157.01191.i
-  %.1365.i = load double, ptr %.1364.i, align 8, !noalias !74
-  %.1419.i = getelementptr double, ptr %301, i64 %.1157.01191.i
-  %.1420.i = load double, ptr %.1419.i, align 8, !noalias !74
+  %.1364.i = getelementptr double, ptr %312, i64 %.1157.01191.i
+  %.1365.i = load double, ptr %.1364.i, align 8, !noalias !78
+  %.1419.i = getelementptr double, ptr %313, i64 %.1157.01191.i
+  %.1420.i = load double, ptr %.1419.i, align 8, !noalias !78
   %.1421.i = fadd double %.1365.i, %.1420.i
   %.1422.i = fmul double %.1421.i, 5.000000e-01
-  br label %B34.i.i8212
+  br label %B34.i.i8760
 
-B34.i.i8212:                                      ; preds = %B34.if.i.i8213, %B674.i
-  %.48.i.0.i = phi i64 [ 0, %B674.i ], [ %.119.i73.i, %B34.if.i.i8213 ]
+B34.i.i8760:                                      ; preds = %B34.if.i.i8761, %B674.i
+  %.48.i.0.i = phi i64 [ 0, %B674.i ], [ %.119.i73.i, %B34.if.i.i8761 ]
   %exitcond1199.not.i = icmp eq i64 %.48.i.0.i, %storemerge1173.i
-  br i1 %exitcond1199.not.i, label %B812.i, label %B34.if.i.i8213
+  br i1 %exitcond1199.not.i, label %B812.i, label %B34.if.i.i8761
 
-B80.i.i8215:                                      ; preds = %B34.if.i.i8213
-  %164 = icmp sgt i64 %.48.i.0.i, -1
-  br i1 %164, label %B786.i, label %B812.i
+B80.i.i8763:                                      ; preds = %B34.if.i.i8761
+  %167 = icmp sgt i64 %.48.i.0.i, -1
+  br i1 %167, label %B786.i, label %B812.i
 
-B34.if.i.i8213:                                   ; preds = %B34.i.i8212
+B34.if.i.i8761:                                   ; preds = %B34.i.i8760
   %.119.i73.i = add i64 %.48.i.0.i, 1
   %.149.i42.i = add nsw i64 %.48.i.0.i, %arg.decided
   %.151.i.i = mul nsw i64 %.149.i42.i, %arg.shape.0
   %.153.i44.i = add nsw i64 %.151.i.i, %.1157.01191.i
   %.167.i51.i = icmp slt i64 %.153.i44.i, 0
   %.168.i.i = select i1 %.167.i51.i, i64 %arg.arrays.4.5.0, i64 0
-  %165 = getelementptr double, ptr %arg.arrays.4.4, i64 %.153.i44.i
-  %.182.i.i8214 = getelementptr double, ptr %165, i64 %.168.i.i
-  %.183.i63.i = load double, ptr %.182.i.i8214, align 8, !noalias !77
+  %168 = getelementptr double, ptr %arg.arrays.4.4, i64 %.153.i44.i
+  %.182.i.i8762 = getelementptr double, ptr %168, i64 %.168.i.i
+  %.183.i63.i = load double, ptr %.182.i.i8762, align 8, !noalias !81
   %.184.i64.i = fcmp ogt double %.183.i63.i, 5.000000e-01
-  br i1 %.184.i64.i, label %B80.i.i8215, label %B34.i.i8212
+  br i1 %.184.i64.i, label %B80.i.i8763, label %B34.i.i8760
 
-B786.i:                                           ; preds = %B80.i.i8215
-  store double %.1422.i, ptr %.1419.i, align 8, !noalias !74
+B786.i:                                           ; preds = %B80.i.i8763
+  store double %.1422.i, ptr %.1419.i, align 8, !noalias !78
   br label %B1498.i
 
-B812.i:                                           ; preds = %B34.i.i8212, %B80.i.i8215
-  store double %.1422.i, ptr %.1364.i, align 8, !noalias !74
+B812.i:                                           ; preds = %B34.i.i8760, %B80.i.i8763
+  store double %.1422.i, ptr %.1364.i, align 8, !noalias !78
   br label %B1498.i
 
 B842.i:                                           ; preds = %B102.loopexit.i
-  br i1 %.274.i, label %B3240, label %B874.if.i
+  br i1 %.274.i, label %B3282, label %B874.if.i
 
 B978.i:                                           ; preds = %B874.if.i
-  %.2010.i = load double, ptr %.1786.i, align 8, !noalias !74
+  %.2010.i = load double, ptr %.1786.i, align 8, !noalias !78
   %.2011.i = tail call double @llvm.fabs.f64(double %.2010.i)
   %.2012.i = fmul double %.2011.i, 2.000000e-12
-  %.2069.i = getelementptr double, ptr %300, i64 %.1635.01195.i
-  %.2070.i = load double, ptr %.2069.i, align 8, !noalias !74
-  %.2125.i = getelementptr double, ptr %303, i64 %.1635.01195.i
-  %.2126.i = load double, ptr %.2125.i, align 8, !noalias !74
+  %.2069.i = getelementptr double, ptr %312, i64 %.1635.01195.i
+  %.2070.i = load double, ptr %.2069.i, align 8, !noalias !78
+  %.2125.i = getelementptr double, ptr %315, i64 %.1635.01195.i
+  %.2126.i = load double, ptr %.2125.i, align 8, !noalias !78
   %.2183.i = fmul double %.2126.i, 0x3D719799812DEA11
   %.10.i.i = fcmp ogt double %.2012.i, %.2183.i
-  %.11.i.i8211 = select i1 %.10.i.i, double %.2012.i, double %.2183.i
+  %.11.i.i8759 = select i1 %.10.i.i, double %.2012.i, double %.2183.i
   %.2071.i = fsub double 1.000000e+00, %.2070.i
   %.2127.i = fmul double %.2071.i, %.2126.i
-  %.2212.i = fcmp ugt double %.2127.i, %.11.i.i8211
+  %.2212.i = fcmp ugt double %.2127.i, %.11.i.i8759
   br i1 %.2212.i, label %B1268.i, label %B1232.i
 
 B1232.i:                                          ; preds = %B978.i
-  store double 2.000000e+00, ptr %.1896.i, align 8, !noalias !74
+  store double 2.000000e+00, ptr %.1896.i, align 8, !noalias !78
   br label %B1497.i
 
 B1268.i:                                          ; preds = %B978.i
-  %166 = getelementptr i64, ptr %arg.lane.1.4, i64 %.1635.01195.i
-  %.1954.i = load i64, ptr %166, align 8, !noalias !74
-  %.2331.i = getelementptr double, ptr %305, i64 %.1635.01195.i
-  store double 0.000000e+00, ptr %.2331.i, align 8, !noalias !74
-  %.2386.i = getelementptr double, ptr %306, i64 %.1635.01195.i
-  store double 0.000000e+00, ptr %.2386.i, align 8, !noalias !74
-  %.2441.i = getelementptr double, ptr %301, i64 %.1635.01195.i
-  %.2442.i = load double, ptr %.2441.i, align 8, !noalias !74
-  %.2497.i = load double, ptr %.2125.i, align 8, !noalias !74
+  %169 = getelementptr i64, ptr %arg.lane.1.4, i64 %.1635.01195.i
+  %.1954.i = load i64, ptr %169, align 8, !noalias !78
+  %.2331.i = getelementptr double, ptr %317, i64 %.1635.01195.i
+  store double 0.000000e+00, ptr %.2331.i, align 8, !noalias !78
+  %.2386.i = getelementptr double, ptr %318, i64 %.1635.01195.i
+  store double 0.000000e+00, ptr %.2386.i, align 8, !noalias !78
+  %.2441.i = getelementptr double, ptr %313, i64 %.1635.01195.i
+  %.2442.i = load double, ptr %.2441.i, align 8, !noalias !78
+  %.2497.i = load double, ptr %.2125.i, align 8, !noalias !78
   %.2498.i = fmul double %.2442.i, %.2497.i
-  %.2554.i = getelementptr double, ptr %307, i64 %.1635.01195.i
-  store double %.2498.i, ptr %.2554.i, align 8, !noalias !74
+  %.2554.i = getelementptr double, ptr %319, i64 %.1635.01195.i
+  store double %.2498.i, ptr %.2554.i, align 8, !noalias !78
   %.2583.i = icmp slt i64 %.1954.i, 0
   %.2584.i = select i1 %.2583.i, i64 %arg.results.3.5.0, i64 0
   %.2585.i = add i64 %.2584.i, %.1954.i
   %.2605.i = mul i64 %.2585.i, %arg.results.3.5.1
   %.2609.i = getelementptr i64, ptr %arg.results.3.4, i64 %.2605.i
-  %.2610.i = load i64, ptr %.2609.i, align 8, !noalias !74
+  %.2610.i = load i64, ptr %.2609.i, align 8, !noalias !78
   %.2611.i = add nsw i64 %.2610.i, -1
-  store i64 %.2611.i, ptr %.2609.i, align 8, !noalias !74
+  store i64 %.2611.i, ptr %.2609.i, align 8, !noalias !78
   %.2719.i = getelementptr i8, ptr %.2609.i, i64 24
-  %.2720.i = load i64, ptr %.2719.i, align 8, !noalias !74
+  %.2720.i = load i64, ptr %.2719.i, align 8, !noalias !78
   %.2721.i = add nsw i64 %.2720.i, 1
-  store i64 %.2721.i, ptr %.2719.i, align 8, !noalias !74
+  store i64 %.2721.i, ptr %.2719.i, align 8, !noalias !78
   br label %B1497.i
 
 B1497.i:                                          ; preds = %B874.if.i, %B1268.i, %B1232.i
   %exitcond1201.not.i = icmp eq i64 %.1705.i, %arg.shape.0
-  br i1 %exitcond1201.not.i, label %B3240, label %B874.if.i
+  br i1 %exitcond1201.not.i, label %B3282, label %B874.if.i
 
 B1498.i:                                          ; preds = %B622.if.i, %B812.i, %B786.i
   %exitcond1200.not.i = icmp eq i64 %arg.shape.0, %.1226.i
   br i1 %exitcond1200.not.i, label %B102.loopexit.i, label %B622.if.i
 
-B104.if.i:                                        ; preds = %B3128, %B102.loopexit.i
-  %.225.01193.i = phi i64 [ %.290.i, %B102.loopexit.i ], [ 50, %B3128 ]
+B104.if.i:                                        ; preds = %B3238, %B102.loopexit.i
+  %.225.01193.i = phi i64 [ %.290.i, %B102.loopexit.i ], [ 50, %B3238 ]
   %.290.i = add nsw i64 %.225.01193.i, -1
   br i1 %.274.i, label %B102.loopexit.i.critedge, label %B138.if.i
 
 B138.if.i:                                        ; preds = %B104.if.i, %B138.loopexit.i
   %.343.01188.i = phi i64 [ %.412.i, %B138.loopexit.i ], [ 0, %B104.if.i ]
   %.412.i = add nsw i64 %.343.01188.i, 1
-  %.493.i = getelementptr double, ptr %300, i64 %.343.01188.i
-  %.494.i = load double, ptr %.493.i, align 8, !noalias !74
-  %.548.i8207 = getelementptr double, ptr %301, i64 %.343.01188.i
-  %.549.i = load double, ptr %.548.i8207, align 8, !noalias !74
+  %.493.i = getelementptr double, ptr %312, i64 %.343.01188.i
+  %.494.i = load double, ptr %.493.i, align 8, !noalias !78
+  %.548.i8755 = getelementptr double, ptr %313, i64 %.343.01188.i
+  %.549.i = load double, ptr %.548.i8755, align 8, !noalias !78
   %.550.i = fadd double %.494.i, %.549.i
   %.551.i = fmul double %.550.i, 5.000000e-01
-  %.608.i = getelementptr double, ptr %302, i64 %.343.01188.i
-  %.609.i = load double, ptr %.608.i, align 8, !noalias !74
+  %.608.i = getelementptr double, ptr %314, i64 %.343.01188.i
+  %.609.i = load double, ptr %.608.i, align 8, !noalias !78
   %.610.i = fcmp une double %.609.i, 1.000000e+00
   %share.3.2.i = select i1 %.610.i, double 1.000000e+00, double %.551.i
   %.668.i = getelementptr double, ptr %arg.lane.0.4, i64 %.343.01188.i
-  %.669.i = load double, ptr %.668.i, align 8, !noalias !74
-  %.723.i = getelementptr double, ptr %303, i64 %.343.01188.i
-  %.724.i = load double, ptr %.723.i, align 8, !noalias !74
+  %.669.i = load double, ptr %.668.i, align 8, !noalias !78
+  %.723.i = getelementptr double, ptr %315, i64 %.343.01188.i
+  %.724.i = load double, ptr %.723.i, align 8, !noalias !78
   %.726.i = fmul double %share.3.2.i, %.724.i
   %.727.i = fadd double %.669.i, %.726.i
   %.781.i = getelementptr double, ptr %.490, i64 %.343.01188.i
-  store double %.727.i, ptr %.781.i, align 8, !noalias !74
+  store double %.727.i, ptr %.781.i, align 8, !noalias !78
   br i1 %.8631184.not.i, label %B138.loopexit.i, label %B380.if.lr.ph.i
 
 B380.if.lr.ph.i:                                  ; preds = %B138.if.i
   %.247.i.i = fsub double 1.000000e+00, %share.3.2.i
-  %invariant.gep8559 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
-  %invariant.gep8561 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
-  %invariant.gep8563 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
-  %invariant.gep8565 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
-  %invariant.gep8567 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
-  %invariant.gep8569 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
-  %invariant.gep8571 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
-  %invariant.gep8573 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
-  %invariant.gep8575 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
-  %or.cond8814.not = xor i1 %or.cond8814, true
-  %brmerge8874 = select i1 %or.cond8814.not, i1 true, i1 %conflict.rdx8731
-  br i1 %brmerge8874, label %B380.if.i.preheader, label %vector.ph8734
+  %invariant.gep9114 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
+  %invariant.gep9116 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
+  %invariant.gep9118 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
+  %invariant.gep9120 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
+  %invariant.gep9122 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
+  %invariant.gep9124 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
+  %invariant.gep9126 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
+  %invariant.gep9128 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
+  %invariant.gep9130 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
+  %or.cond9370.not = xor i1 %or.cond9370, true
+  %brmerge9430 = select i1 %or.cond9370.not, i1 true, i1 %conflict.rdx9287
+  br i1 %brmerge9430, label %B380.if.i.preheader, label %vector.ph9290
 
-vector.ph8734:                                    ; preds = %B380.if.lr.ph.i
-  %broadcast.splatinsert8737 = insertelement <2 x double> poison, double %.247.i.i, i64 0
-  %broadcast.splat8738 = shufflevector <2 x double> %broadcast.splatinsert8737, <2 x double> poison, <2 x i32> zeroinitializer
-  %broadcast.splatinsert8739 = insertelement <2 x double> poison, double %share.3.2.i, i64 0
-  %broadcast.splat8740 = shufflevector <2 x double> %broadcast.splatinsert8739, <2 x double> poison, <2 x i32> zeroinitializer
-  %invariant.gep8833 = getelementptr double, ptr %invariant.gep8559, i64 %.155.i.i
-  %invariant.gep8835 = getelementptr double, ptr %invariant.gep8561, i64 %.155.i.1.i
-  %invariant.gep8837 = getelementptr double, ptr %invariant.gep8563, i64 %.155.i.2.i
-  %invariant.gep8839 = getelementptr double, ptr %invariant.gep8565, i64 %.155.i.3.i
-  %invariant.gep8841 = getelementptr double, ptr %invariant.gep8567, i64 %.155.i.4.i
-  %invariant.gep8843 = getelementptr double, ptr %invariant.gep8569, i64 %.155.i.5.i
-  %invariant.gep8845 = getelementptr double, ptr %invariant.gep8571, i64 %.155.i.6.i
-  %invariant.gep8847 = getelementptr double, ptr %invariant.gep8575, i64 %.935.i
-  br label %vector.body8741
+vector.ph9290:                                    ; preds = %B380.if.lr.ph.i
+  %broadcast.splatinsert9293 = insertelement <2 x double> poison, double %.247.i.i, i64 0
+  %broadcast.splat9294 = shufflevector <2 x double> %broadcast.splatinsert9293, <2 x double> poison, <2 x i32> zeroinitializer
+  %broadcast.splatinsert9295 = insertelement <2 x double> poison, double %share.3.2.i, i64 0
+  %broadcast.splat9296 = shufflevector <2 x double> %broadcast.splatinsert9295, <2 x double> poison, <2 x i32> zeroinitializer
+  %invariant.gep9389 = getelementptr double, ptr %invariant.gep9114, i64 %.155.i.i
+  %invariant.gep9391 = getelementptr double, ptr %invariant.gep9116, i64 %.155.i.1.i
+  %invariant.gep9393 = getelementptr double, ptr %invariant.gep9118, i64 %.155.i.2.i
+  %invariant.gep9395 = getelementptr double, ptr %invariant.gep9120, i64 %.155.i.3.i
+  %invariant.gep9397 = getelementptr double, ptr %invariant.gep9122, i64 %.155.i.4.i
+  %invariant.gep9399 = getelementptr double, ptr %invariant.gep9124, i64 %.155.i.5.i
+  %invariant.gep9401 = getelementptr double, ptr %invariant.gep9126, i64 %.155.i.6.i
+  %invariant.gep9403 = getelementptr double, ptr %invariant.gep9130, i64 %.935.i
+  br label %vector.body9297
 
-vector.body8741:                                  ; preds = %vector.body8741, %vector.ph8734
-  %index8742 = phi i64 [ 0, %vector.ph8734 ], [ %index.next8751, %vector.body8741 ]
-  %gep8834 = getelementptr double, ptr %invariant.gep8833, i64 %index8742
-  %wide.load8743 = load <2 x double>, ptr %gep8834, align 8, !noalias !81
-  %167 = fadd <2 x double> %wide.load8743, zeroinitializer
-  %168 = fmul <2 x double> %broadcast.splat8740, %167
-  %gep8836 = getelementptr double, ptr %invariant.gep8835, i64 %index8742
-  %wide.load8744 = load <2 x double>, ptr %gep8836, align 8, !noalias !81
-  %169 = fadd <2 x double> %wide.load8744, %168
-  %170 = fmul <2 x double> %broadcast.splat8738, %169
-  %gep8838 = getelementptr double, ptr %invariant.gep8837, i64 %index8742
-  %wide.load8745 = load <2 x double>, ptr %gep8838, align 8, !noalias !81
-  %171 = fadd <2 x double> %wide.load8745, %170
-  %172 = fmul <2 x double> %broadcast.splat8740, %171
-  %gep8840 = getelementptr double, ptr %invariant.gep8839, i64 %index8742
-  %wide.load8746 = load <2 x double>, ptr %gep8840, align 8, !noalias !81
-  %173 = fadd <2 x double> %wide.load8746, %172
-  %174 = fmul <2 x double> %broadcast.splat8738, %173
-  %gep8842 = getelementptr double, ptr %invariant.gep8841, i64 %index8742
-  %wide.load8747 = load <2 x double>, ptr %gep8842, align 8, !noalias !81
-  %175 = fadd <2 x double> %wide.load8747, %174
-  %176 = fmul <2 x double> %broadcast.splat8740, %175
-  %gep8844 = getelementptr double, ptr %invariant.gep8843, i64 %index8742
-  %wide.load8748 = load <2 x double>, ptr %gep8844, align 8, !noalias !81
-  %177 = fadd <2 x double> %wide.load8748, %176
-  %178 = fmul <2 x double> %broadcast.splat8738, %177
-  %gep8846 = getelementptr double, ptr %invariant.gep8845, i64 %index8742
-  %wide.load8749 = load <2 x double>, ptr %gep8846, align 8, !noalias !81
-  %179 = fadd <2 x double> %wide.load8749, %178
-  %180 = fmul <2 x double> %broadcast.splat8740, %179
-  %181 = getelementptr double, ptr %invariant.gep8573, i64 %index8742
-  %wide.load8750 = load <2 x double>, ptr %181, align 8, !noalias !81
-  %182 = fadd <2 x double> %wide.load8750, %180
-  %gep8848 = getelementptr double, ptr %invariant.gep8847, i64 %index8742
-  store <2 x double> %182, ptr %gep8848, align 8, !noalias !74
-  %index.next8751 = add i64 %index8742, 2
-  %183 = icmp eq i64 %index.next8751, %n.vec8736
-  br i1 %183, label %middle.block8752, label %vector.body8741, !llvm.loop !85
+vector.body9297:                                  ; preds = %vector.body9297, %vector.ph9290
+  %index9298 = phi i64 [ 0, %vector.ph9290 ], [ %index.next9307, %vector.body9297 ]
+  %gep9390 = getelementptr double, ptr %invariant.gep9389, i64 %index9298
+  %wide.load9299 = load <2 x double>, ptr %gep9390, align 8, !noalias !85
+  %170 = fadd <2 x double> %wide.load9299, zeroinitializer
+  %171 = fmul <2 x double> %broadcast.splat9296, %170
+  %gep9392 = getelementptr double, ptr %invariant.gep9391, i64 %index9298
+  %wide.load9300 = load <2 x double>, ptr %gep9392, align 8, !noalias !85
+  %172 = fadd <2 x double> %wide.load9300, %171
+  %173 = fmul <2 x double> %broadcast.splat9294, %172
+  %gep9394 = getelementptr double, ptr %invariant.gep9393, i64 %index9298
+  %wide.load9301 = load <2 x double>, ptr %gep9394, align 8, !noalias !85
+  %174 = fadd <2 x double> %wide.load9301, %173
+  %175 = fmul <2 x double> %broadcast.splat9296, %174
+  %gep9396 = getelementptr double, ptr %invariant.gep9395, i64 %index9298
+  %wide.load9302 = load <2 x double>, ptr %gep9396, align 8, !noalias !85
+  %176 = fadd <2 x double> %wide.load9302, %175
+  %177 = fmul <2 x double> %broadcast.splat9294, %176
+  %gep9398 = getelementptr double, ptr %invariant.gep9397, i64 %index9298
+  %wide.load9303 = load <2 x double>, ptr %gep9398, align 8, !noalias !85
+  %178 = fadd <2 x double> %wide.load9303, %177
+  %179 = fmul <2 x double> %broadcast.splat9296, %178
+  %gep9400 = getelementptr double, ptr %invariant.gep9399, i64 %index9298
+  %wide.load9304 = load <2 x double>, ptr %gep9400, align 8, !noalias !85
+  %180 = fadd <2 x double> %wide.load9304, %179
+  %181 = fmul <2 x double> %broadcast.splat9294, %180
+  %gep9402 = getelementptr double, ptr %invariant.gep9401, i64 %index9298
+  %wide.load9305 = load <2 x double>, ptr %gep9402, align 8, !noalias !85
+  %182 = fadd <2 x double> %wide.load9305, %181
+  %183 = fmul <2 x double> %broadcast.splat9296, %182
+  %184 = getelementptr double, ptr %invariant.gep9128, i64 %index9298
+  %wide.load9306 = load <2 x double>, ptr %184, align 8, !noalias !85
+  %185 = fadd <2 x double> %wide.load9306, %183
+  %gep9404 = getelementptr double, ptr %invariant.gep9403, i64 %index9298
+  store <2 x double> %185, ptr %gep9404, align 8, !noalias !78
+  %index.next9307 = add i64 %index9298, 2
+  %186 = icmp eq i64 %index.next9307, %n.vec9292
+  br i1 %186, label %middle.block9308, label %vector.body9297, !llvm.loop !89
 
-middle.block8752:                                 ; preds = %vector.body8741
-  br i1 %cmp.n8753, label %B138.loopexit.i, label %B380.if.i.preheader
+middle.block9308:                                 ; preds = %vector.body9297
+  br i1 %cmp.n9309, label %B138.loopexit.i, label %B380.if.i.preheader
 
-B380.if.i.preheader:                              ; preds = %B380.if.lr.ph.i, %middle.block8752
-  %.807.01185.i.ph = phi i64 [ %n.vec8736, %middle.block8752 ], [ 0, %B380.if.lr.ph.i ]
+B380.if.i.preheader:                              ; preds = %B380.if.lr.ph.i, %middle.block9308
+  %.807.01185.i.ph = phi i64 [ %n.vec9292, %middle.block9308 ], [ 0, %B380.if.lr.ph.i ]
   br label %B380.if.i
 
 B380.if.i:                                        ; preds = %B380.if.i.preheader, %B380.if.i
   %.807.01185.i = phi i64 [ %.876.i, %B380.if.i ], [ %.807.01185.i.ph, %B380.if.i.preheader ]
   %.157.i.i = add nsw i64 %.807.01185.i, %.155.i.i
   %.159.i.i = mul nsw i64 %.157.i.i, %arg.shape.0
-  %gep8560 = getelementptr double, ptr %invariant.gep8559, i64 %.159.i.i
-  %.191.i.i = load double, ptr %gep8560, align 8, !noalias !81
+  %gep9115 = getelementptr double, ptr %invariant.gep9114, i64 %.159.i.i
+  %.191.i.i = load double, ptr %gep9115, align 8, !noalias !85
   %.193.i.i = fadd double %.191.i.i, 0.000000e+00
   %.253.i.i = fmul double %share.3.2.i, %.193.i.i
   %.157.i.1.i = add nsw i64 %.807.01185.i, %.155.i.1.i
   %.159.i.1.i = mul nsw i64 %.157.i.1.i, %arg.shape.0
-  %gep8562 = getelementptr double, ptr %invariant.gep8561, i64 %.159.i.1.i
-  %.191.i.1.i = load double, ptr %gep8562, align 8, !noalias !81
+  %gep9117 = getelementptr double, ptr %invariant.gep9116, i64 %.159.i.1.i
+  %.191.i.1.i = load double, ptr %gep9117, align 8, !noalias !85
   %.193.i.1.i = fadd double %.191.i.1.i, %.253.i.i
   %.253.i.1.i = fmul double %.247.i.i, %.193.i.1.i
   %.157.i.2.i = add nsw i64 %.807.01185.i, %.155.i.2.i
   %.159.i.2.i = mul nsw i64 %.157.i.2.i, %arg.shape.0
-  %gep8564 = getelementptr double, ptr %invariant.gep8563, i64 %.159.i.2.i
-  %.191.i.2.i = load double, ptr %gep8564, align 8, !noalias !81
+  %gep9119 = getelementptr double, ptr %invariant.gep9118, i64 %.159.i.2.i
+  %.191.i.2.i = load double, ptr %gep9119, align 8, !noalias !85
   %.193.i.2.i = fadd double %.191.i.2.i, %.253.i.1.i
   %.253.i.2.i = fmul double %share.3.2.i, %.193.i.2.i
   %.157.i.3.i = add nsw i64 %.807.01185.i, %.155.i.3.i
   %.159.i.3.i = mul nsw i64 %.157.i.3.i, %arg.shape.0
-  %gep8566 = getelementptr double, ptr %invariant.gep8565, i64 %.159.i.3.i
-  %.191.i.3.i = load double, ptr %gep8566, align 8, !noalias !81
+  %gep9121 = getelementptr double, ptr %invariant.gep9120, i64 %.159.i.3.i
+  %.191.i.3.i = load double, ptr %gep9121, align 8, !noalias !85
   %.193.i.3.i = fadd double %.191.i.3.i, %.253.i.2.i
   %.253.i.3.i = fmul double %.247.i.i, %.193.i.3.i
   %.157.i.4.i = add nsw i64 %.807.01185.i, %.155.i.4.i
   %.159.i.4.i = mul nsw i64 %.157.i.4.i, %arg.shape.0
-  %gep8568 = getelementptr double, ptr %invariant.gep8567, i64 %.159.i.4.i
-  %.191.i.4.i = load double, ptr %gep8568, align 8, !noalias !81
+  %gep9123 = getelementptr double, ptr %invariant.gep9122, i64 %.159.i.4.i
+  %.191.i.4.i = load double, ptr %gep9123, align 8, !noalias !85
   %.193.i.4.i = fadd double %.191.i.4.i, %.253.i.3.i
   %.253.i.4.i = fmul double %share.3.2.i, %.193.i.4.i
   %.157.i.5.i = add nsw i64 %.807.01185.i, %.155.i.5.i
   %.159.i.5.i = mul nsw i64 %.157.i.5.i, %arg.shape.0
-  %gep8570 = getelementptr double, ptr %invariant.gep8569, i64 %.159.i.5.i
-  %.191.i.5.i = load double, ptr %gep8570, align 8, !noalias !81
+  %gep9125 = getelementptr double, ptr %invariant.gep9124, i64 %.159.i.5.i
+  %.191.i.5.i = load double, ptr %gep9125, align 8, !noalias !85
   %.193.i.5.i = fadd double %.191.i.5.i, %.253.i.4.i
   %.253.i.5.i = fmul double %.247.i.i, %.193.i.5.i
   %.157.i.6.i = add nsw i64 %.807.01185.i, %.155.i.6.i
   %.159.i.6.i = mul nsw i64 %.157.i.6.i, %arg.shape.0
-  %gep8572 = getelementptr double, ptr %invariant.gep8571, i64 %.159.i.6.i
-  %.191.i.6.i = load double, ptr %gep8572, align 8, !noalias !81
+  %gep9127 = getelementptr double, ptr %invariant.gep9126, i64 %.159.i.6.i
+  %.191.i.6.i = load double, ptr %gep9127, align 8, !noalias !85
   %.193.i.6.i = fadd double %.191.i.6.i, %.253.i.5.i
   %.253.i.6.i = fmul double %share.3.2.i, %.193.i.6.i
   %.876.i = add nsw i64 %.807.01185.i, 1
-  %.271.i.i8208 = mul nsw i64 %.807.01185.i, %arg.shape.0
-  %gep8574 = getelementptr double, ptr %invariant.gep8573, i64 %.271.i.i8208
-  %.309.i.i = load double, ptr %gep8574, align 8, !noalias !81
+  %.271.i.i8756 = mul nsw i64 %.807.01185.i, %arg.shape.0
+  %gep9129 = getelementptr double, ptr %invariant.gep9128, i64 %.271.i.i8756
+  %.309.i.i = load double, ptr %gep9129, align 8, !noalias !85
   %.313.i.i = fadd double %.309.i.i, %.253.i.6.i
   %.936.i = add nsw i64 %.807.01185.i, %.935.i
   %.938.i = mul nsw i64 %.936.i, %arg.shape.0
-  %gep8576 = getelementptr double, ptr %invariant.gep8575, i64 %.938.i
-  store double %.313.i.i, ptr %gep8576, align 8, !noalias !74
-  %exitcond.not.i8209 = icmp eq i64 %arg.shape.1, %.876.i
-  br i1 %exitcond.not.i8209, label %B138.loopexit.i, label %B380.if.i, !llvm.loop !86
+  %gep9131 = getelementptr double, ptr %invariant.gep9130, i64 %.938.i
+  store double %.313.i.i, ptr %gep9131, align 8, !noalias !78
+  %exitcond.not.i8757 = icmp eq i64 %arg.shape.1, %.876.i
+  br i1 %exitcond.not.i8757, label %B138.loopexit.i, label %B380.if.i, !llvm.loop !90
 
 B622.if.i:                                        ; preds = %B474.i, %B1498.i
   %.1157.01191.i = phi i64 [ %.1226.i, %B1498.i ], [ 0, %B474.i ]
   %.1226.i = add nsw i64 %.1157.01191.i, 1
-  %.1307.i = getelementptr double, ptr %302, i64 %.1157.01191.i
-  %.1308.i = load double, ptr %.1307.i, align 8, !noalias !74
+  %.1307.i = getelementptr double, ptr %314, i64 %.1157.01191.i
+  %.1308.i = load double, ptr %.1307.i, align 8, !noalias !78
   %.1309.i = fcmp oeq double %.1308.i, 1.000000e+00
   br i1 %.1309.i, label %B674.i, label %B1498.i
 
 B874.if.i:                                        ; preds = %B842.i, %B1497.i
   %.1635.01195.i = phi i64 [ %.1705.i, %B1497.i ], [ 0, %B842.i ]
   %.1705.i = add nsw i64 %.1635.01195.i, 1
-  %.1786.i = getelementptr double, ptr %304, i64 %.1635.01195.i
-  %.1787.i = load double, ptr %.1786.i, align 8, !noalias !74
+  %.1786.i = getelementptr double, ptr %316, i64 %.1635.01195.i
+  %.1787.i = load double, ptr %.1786.i, align 8, !noalias !78
   %.1841.i = getelementptr double, ptr %.490, i64 %.1635.01195.i
-  store double %.1787.i, ptr %.1841.i, align 8, !noalias !74
-  %.1896.i = getelementptr double, ptr %302, i64 %.1635.01195.i
-  %.1897.i = load double, ptr %.1896.i, align 8, !noalias !74
+  store double %.1787.i, ptr %.1841.i, align 8, !noalias !78
+  %.1896.i = getelementptr double, ptr %314, i64 %.1635.01195.i
+  %.1897.i = load double, ptr %.1896.i, align 8, !noalias !78
   %.1898.i = fcmp oeq double %.1897.i, 1.000000e+00
   br i1 %.1898.i, label %B978.i, label %B1497.i
 
-B3240:                                            ; preds = %B1497.i, %B842.i, %B3128
-  br i1 %.4676.not, label %B3282, label %B112.if.i
+B3282:                                            ; preds = %B1497.i, %B842.i, %B3238
+  br i1 %.4734.not, label %B3324, label %B112.if.i
 
 B110.loopexit.i.critedge:                         ; preds = %B112.if.i
-  %.846.i.c = load i64, ptr %.845.i, align 8, !noalias !87
+  %.846.i.c = load i64, ptr %.845.i, align 8, !noalias !91
   %.963.i.c = inttoptr i64 %.846.i.c to ptr
-  tail call void %.963.i.c(ptr %.490, ptr %.937.i, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !87
+  tail call void %.963.i.c(ptr %.490, ptr %.937.i, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !91
   br label %B110.loopexit.i
 
 B110.loopexit.i:                                  ; preds = %B678.i, %B110.loopexit.i.critedge
   %exitcond671.not.i = icmp eq i64 %.292.i, 17
-  br i1 %exitcond671.not.i, label %B3282, label %B112.if.i
+  br i1 %exitcond671.not.i, label %B3324, label %B112.if.i
 
-B166.loopexit.i:                                  ; preds = %B288.if.i, %middle.block8711, %B166.if.i
+B166.loopexit.i:                                  ; preds = %B288.if.i, %middle.block9267, %B166.if.i
   %exitcond669.not.i = icmp eq i64 %arg.shape.0, %.419.i
   br i1 %exitcond669.not.i, label %B382.i, label %B166.if.i
 
 B382.i:                                           ; preds = %B166.loopexit.i
-  %.846.i = load i64, ptr %.845.i, align 8, !noalias !87
+  %.846.i = load i64, ptr %.845.i, align 8, !noalias !91
   %.963.i = inttoptr i64 %.846.i to ptr
-  tail call void %.963.i(ptr %.490, ptr %.937.i, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !87
+  tail call void %.963.i(ptr %.490, ptr %.937.i, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !91
   br label %B530.if.i
 
 B572.i:                                           ; preds = %B530.if.i
-  %184 = getelementptr double, ptr %arg.arrays.4.4, i64 %.989.0665.i
-  %.1173.i = load double, ptr %184, align 8, !noalias !87
+  %187 = getelementptr double, ptr %arg.arrays.4.4, i64 %.989.0665.i
+  %.1173.i = load double, ptr %187, align 8, !noalias !91
   %.1175.i = fcmp olt double %.1173.i, -1.000000e-09
   br i1 %.1175.i, label %B608.i, label %B678.i
 
 B608.i:                                           ; preds = %B572.i
-  %185 = getelementptr i64, ptr %arg.lane.1.4, i64 %.989.0665.i
-  %.84.i35.i = load i64, ptr %185, align 8, !noalias !90
+  %188 = getelementptr i64, ptr %arg.lane.1.4, i64 %.989.0665.i
+  %.84.i35.i = load i64, ptr %188, align 8, !noalias !94
   %.89.i37.i = icmp sgt i64 %.84.i35.i, -1
-  br i1 %.89.i37.i, label %B46.i.i8269, label %B608.endif.i
+  br i1 %.89.i37.i, label %B46.i.i8817, label %B608.endif.i
 
-B46.i.i8269:                                      ; preds = %B608.i
+B46.i.i8817:                                      ; preds = %B608.i
   %.120.i51.i = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i35.i
-  %.121.i.i8270 = load i64, ptr %.120.i51.i, align 8, !noalias !90
-  %.122.i.i8271 = icmp eq i64 %.121.i.i8270, 0
-  br i1 %.122.i.i8271, label %B80.i.i8272, label %B608.endif.i
+  %.121.i.i8818 = load i64, ptr %.120.i51.i, align 8, !noalias !94
+  %.122.i.i8819 = icmp eq i64 %.121.i.i8818, 0
+  br i1 %.122.i.i8819, label %B80.i.i8820, label %B608.endif.i
 
-B80.i.i8272:                                      ; preds = %B46.i.i8269
-  store i64 4, ptr %.120.i51.i, align 8, !noalias !90
+B80.i.i8820:                                      ; preds = %B46.i.i8817
+  store i64 4, ptr %.120.i51.i, align 8, !noalias !94
   br label %B608.endif.i
 
 B678.i:                                           ; preds = %B608.endif.i, %B530.if.i, %B572.i
-  %exitcond670.not.i = icmp eq i64 %arg.shape.0, %.1058.i8266
+  %exitcond670.not.i = icmp eq i64 %arg.shape.0, %.1058.i8814
   br i1 %exitcond670.not.i, label %B110.loopexit.i, label %B530.if.i
 
-B112.if.i:                                        ; preds = %B3240, %B110.loopexit.i
-  %.220.0667.i = phi i64 [ %.292.i, %B110.loopexit.i ], [ 1, %B3240 ]
+B112.if.i:                                        ; preds = %B3282, %B110.loopexit.i
+  %.220.0667.i = phi i64 [ %.292.i, %B110.loopexit.i ], [ 1, %B3282 ]
   %.292.i = add nsw i64 %.220.0667.i, 1
-  %186 = uitofp i64 %.220.0667.i to double
-  %187 = fmul double %186, 6.250000e-02
+  %189 = uitofp i64 %.220.0667.i to double
+  %190 = fmul double %189, 6.250000e-02
   br i1 %.274.i, label %B110.loopexit.i.critedge, label %B166.if.lr.ph.i
 
 B166.if.lr.ph.i:                                  ; preds = %B112.if.i
-  %.247.i.i8218 = fsub double 1.000000e+00, %187
-  %broadcast.splatinsert = insertelement <2 x double> poison, double %187, i64 0
+  %.247.i.i8766 = fsub double 1.000000e+00, %190
+  %broadcast.splatinsert = insertelement <2 x double> poison, double %190, i64 0
   %broadcast.splat = shufflevector <2 x double> %broadcast.splatinsert, <2 x double> poison, <2 x i32> zeroinitializer
-  %broadcast.splatinsert8698 = insertelement <2 x double> poison, double %.247.i.i8218, i64 0
-  %broadcast.splat8699 = shufflevector <2 x double> %broadcast.splatinsert8698, <2 x double> poison, <2 x i32> zeroinitializer
+  %broadcast.splatinsert9254 = insertelement <2 x double> poison, double %.247.i.i8766, i64 0
+  %broadcast.splat9255 = shufflevector <2 x double> %broadcast.splatinsert9254, <2 x double> poison, <2 x i32> zeroinitializer
   br label %B166.if.i
 
 B166.if.i:                                        ; preds = %B166.if.lr.ph.i, %B166.loopexit.i
   %.350.0662.i = phi i64 [ 0, %B166.if.lr.ph.i ], [ %.419.i, %B166.loopexit.i ]
   %.419.i = add nsw i64 %.350.0662.i, 1
   %.500.i = getelementptr double, ptr %arg.lane.0.4, i64 %.350.0662.i
-  %.501.i = load double, ptr %.500.i, align 8, !noalias !87
-  %.555.i = getelementptr double, ptr %308, i64 %.350.0662.i
-  %.556.i = load double, ptr %.555.i, align 8, !noalias !87
-  %.558.i = fmul double %187, %.556.i
+  %.501.i = load double, ptr %.500.i, align 8, !noalias !91
+  %.555.i = getelementptr double, ptr %320, i64 %.350.0662.i
+  %.556.i = load double, ptr %.555.i, align 8, !noalias !91
+  %.558.i = fmul double %190, %.556.i
   %.559.i = fadd double %.501.i, %.558.i
-  %.613.i8219 = getelementptr double, ptr %.490, i64 %.350.0662.i
-  store double %.559.i, ptr %.613.i8219, align 8, !noalias !87
+  %.613.i8767 = getelementptr double, ptr %.490, i64 %.350.0662.i
+  store double %.559.i, ptr %.613.i8767, align 8, !noalias !91
   br i1 %.695658.not.i, label %B166.loopexit.i, label %B288.if.preheader.i
 
 B288.if.preheader.i:                              ; preds = %B166.if.i
-  %invariant.gep8577 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
-  %invariant.gep8579 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
-  %invariant.gep8581 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
-  %invariant.gep8583 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
-  %invariant.gep8585 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
-  %invariant.gep8587 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
-  %invariant.gep8589 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
-  %invariant.gep8591 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
-  %invariant.gep8593 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
-  %or.cond8815.not = xor i1 %or.cond8815, true
-  %brmerge8875 = select i1 %or.cond8815.not, i1 true, i1 %conflict.rdx8692
-  br i1 %brmerge8875, label %B288.if.i.preheader, label %vector.ph8695
+  %invariant.gep9132 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
+  %invariant.gep9134 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
+  %invariant.gep9136 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
+  %invariant.gep9138 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
+  %invariant.gep9140 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
+  %invariant.gep9142 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
+  %invariant.gep9144 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
+  %invariant.gep9146 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
+  %invariant.gep9148 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
+  %or.cond9371.not = xor i1 %or.cond9371, true
+  %brmerge9431 = select i1 %or.cond9371.not, i1 true, i1 %conflict.rdx9248
+  br i1 %brmerge9431, label %B288.if.i.preheader, label %vector.ph9251
 
-vector.ph8695:                                    ; preds = %B288.if.preheader.i
-  %invariant.gep8849 = getelementptr double, ptr %invariant.gep8577, i64 %.155.i.i8220
-  %invariant.gep8851 = getelementptr double, ptr %invariant.gep8579, i64 %.155.i.1.i8226
-  %invariant.gep8853 = getelementptr double, ptr %invariant.gep8581, i64 %.155.i.2.i8232
-  %invariant.gep8855 = getelementptr double, ptr %invariant.gep8583, i64 %.155.i.3.i8238
-  %invariant.gep8857 = getelementptr double, ptr %invariant.gep8585, i64 %.155.i.4.i8244
-  %invariant.gep8859 = getelementptr double, ptr %invariant.gep8587, i64 %.155.i.5.i8250
-  %invariant.gep8861 = getelementptr double, ptr %invariant.gep8589, i64 %.155.i.6.i8256
-  %invariant.gep8863 = getelementptr double, ptr %invariant.gep8593, i64 %.767.i
-  br label %vector.body8700
+vector.ph9251:                                    ; preds = %B288.if.preheader.i
+  %invariant.gep9405 = getelementptr double, ptr %invariant.gep9132, i64 %.155.i.i8768
+  %invariant.gep9407 = getelementptr double, ptr %invariant.gep9134, i64 %.155.i.1.i8774
+  %invariant.gep9409 = getelementptr double, ptr %invariant.gep9136, i64 %.155.i.2.i8780
+  %invariant.gep9411 = getelementptr double, ptr %invariant.gep9138, i64 %.155.i.3.i8786
+  %invariant.gep9413 = getelementptr double, ptr %invariant.gep9140, i64 %.155.i.4.i8792
+  %invariant.gep9415 = getelementptr double, ptr %invariant.gep9142, i64 %.155.i.5.i8798
+  %invariant.gep9417 = getelementptr double, ptr %invariant.gep9144, i64 %.155.i.6.i8804
+  %invariant.gep9419 = getelementptr double, ptr %invariant.gep9148, i64 %.767.i
+  br label %vector.body9256
 
-vector.body8700:                                  ; preds = %vector.body8700, %vector.ph8695
-  %index8701 = phi i64 [ 0, %vector.ph8695 ], [ %index.next8710, %vector.body8700 ]
-  %gep8850 = getelementptr double, ptr %invariant.gep8849, i64 %index8701
-  %wide.load8702 = load <2 x double>, ptr %gep8850, align 8, !noalias !93
-  %188 = fadd <2 x double> %wide.load8702, zeroinitializer
-  %189 = fmul <2 x double> %broadcast.splat, %188
-  %gep8852 = getelementptr double, ptr %invariant.gep8851, i64 %index8701
-  %wide.load8703 = load <2 x double>, ptr %gep8852, align 8, !noalias !93
-  %190 = fadd <2 x double> %wide.load8703, %189
-  %191 = fmul <2 x double> %broadcast.splat8699, %190
-  %gep8854 = getelementptr double, ptr %invariant.gep8853, i64 %index8701
-  %wide.load8704 = load <2 x double>, ptr %gep8854, align 8, !noalias !93
-  %192 = fadd <2 x double> %wide.load8704, %191
-  %193 = fmul <2 x double> %broadcast.splat, %192
-  %gep8856 = getelementptr double, ptr %invariant.gep8855, i64 %index8701
-  %wide.load8705 = load <2 x double>, ptr %gep8856, align 8, !noalias !93
-  %194 = fadd <2 x double> %wide.load8705, %193
-  %195 = fmul <2 x double> %broadcast.splat8699, %194
-  %gep8858 = getelementptr double, ptr %invariant.gep8857, i64 %index8701
-  %wide.load8706 = load <2 x double>, ptr %gep8858, align 8, !noalias !93
-  %196 = fadd <2 x double> %wide.load8706, %195
-  %197 = fmul <2 x double> %broadcast.splat, %196
-  %gep8860 = getelementptr double, ptr %invariant.gep8859, i64 %index8701
-  %wide.load8707 = load <2 x double>, ptr %gep8860, align 8, !noalias !93
-  %198 = fadd <2 x double> %wide.load8707, %197
-  %199 = fmul <2 x double> %broadcast.splat8699, %198
-  %gep8862 = getelementptr double, ptr %invariant.gep8861, i64 %index8701
-  %wide.load8708 = load <2 x double>, ptr %gep8862, align 8, !noalias !93
-  %200 = fadd <2 x double> %wide.load8708, %199
-  %201 = fmul <2 x double> %broadcast.splat, %200
-  %202 = getelementptr double, ptr %invariant.gep8591, i64 %index8701
-  %wide.load8709 = load <2 x double>, ptr %202, align 8, !noalias !93
-  %203 = fadd <2 x double> %wide.load8709, %201
-  %gep8864 = getelementptr double, ptr %invariant.gep8863, i64 %index8701
-  store <2 x double> %203, ptr %gep8864, align 8, !noalias !87
-  %index.next8710 = add i64 %index8701, 2
-  %204 = icmp eq i64 %index.next8710, %n.vec8697
-  br i1 %204, label %middle.block8711, label %vector.body8700, !llvm.loop !97
+vector.body9256:                                  ; preds = %vector.body9256, %vector.ph9251
+  %index9257 = phi i64 [ 0, %vector.ph9251 ], [ %index.next9266, %vector.body9256 ]
+  %gep9406 = getelementptr double, ptr %invariant.gep9405, i64 %index9257
+  %wide.load9258 = load <2 x double>, ptr %gep9406, align 8, !noalias !97
+  %191 = fadd <2 x double> %wide.load9258, zeroinitializer
+  %192 = fmul <2 x double> %broadcast.splat, %191
+  %gep9408 = getelementptr double, ptr %invariant.gep9407, i64 %index9257
+  %wide.load9259 = load <2 x double>, ptr %gep9408, align 8, !noalias !97
+  %193 = fadd <2 x double> %wide.load9259, %192
+  %194 = fmul <2 x double> %broadcast.splat9255, %193
+  %gep9410 = getelementptr double, ptr %invariant.gep9409, i64 %index9257
+  %wide.load9260 = load <2 x double>, ptr %gep9410, align 8, !noalias !97
+  %195 = fadd <2 x double> %wide.load9260, %194
+  %196 = fmul <2 x double> %broadcast.splat, %195
+  %gep9412 = getelementptr double, ptr %invariant.gep9411, i64 %index9257
+  %wide.load9261 = load <2 x double>, ptr %gep9412, align 8, !noalias !97
+  %197 = fadd <2 x double> %wide.load9261, %196
+  %198 = fmul <2 x double> %broadcast.splat9255, %197
+  %gep9414 = getelementptr double, ptr %invariant.gep9413, i64 %index9257
+  %wide.load9262 = load <2 x double>, ptr %gep9414, align 8, !noalias !97
+  %199 = fadd <2 x double> %wide.load9262, %198
+  %200 = fmul <2 x double> %broadcast.splat, %199
+  %gep9416 = getelementptr double, ptr %invariant.gep9415, i64 %index9257
+  %wide.load9263 = load <2 x double>, ptr %gep9416, align 8, !noalias !97
+  %201 = fadd <2 x double> %wide.load9263, %200
+  %202 = fmul <2 x double> %broadcast.splat9255, %201
+  %gep9418 = getelementptr double, ptr %invariant.gep9417, i64 %index9257
+  %wide.load9264 = load <2 x double>, ptr %gep9418, align 8, !noalias !97
+  %203 = fadd <2 x double> %wide.load9264, %202
+  %204 = fmul <2 x double> %broadcast.splat, %203
+  %205 = getelementptr double, ptr %invariant.gep9146, i64 %index9257
+  %wide.load9265 = load <2 x double>, ptr %205, align 8, !noalias !97
+  %206 = fadd <2 x double> %wide.load9265, %204
+  %gep9420 = getelementptr double, ptr %invariant.gep9419, i64 %index9257
+  store <2 x double> %206, ptr %gep9420, align 8, !noalias !91
+  %index.next9266 = add i64 %index9257, 2
+  %207 = icmp eq i64 %index.next9266, %n.vec9253
+  br i1 %207, label %middle.block9267, label %vector.body9256, !llvm.loop !101
 
-middle.block8711:                                 ; preds = %vector.body8700
-  br i1 %cmp.n8712, label %B166.loopexit.i, label %B288.if.i.preheader
+middle.block9267:                                 ; preds = %vector.body9256
+  br i1 %cmp.n9268, label %B166.loopexit.i, label %B288.if.i.preheader
 
-B288.if.i.preheader:                              ; preds = %B288.if.preheader.i, %middle.block8711
-  %.639.0659.i.ph = phi i64 [ %n.vec8697, %middle.block8711 ], [ 0, %B288.if.preheader.i ]
+B288.if.i.preheader:                              ; preds = %B288.if.preheader.i, %middle.block9267
+  %.639.0659.i.ph = phi i64 [ %n.vec9253, %middle.block9267 ], [ 0, %B288.if.preheader.i ]
   br label %B288.if.i
 
 B288.if.i:                                        ; preds = %B288.if.i.preheader, %B288.if.i
   %.639.0659.i = phi i64 [ %.708.i, %B288.if.i ], [ %.639.0659.i.ph, %B288.if.i.preheader ]
-  %.157.i.i8221 = add nsw i64 %.639.0659.i, %.155.i.i8220
-  %.159.i.i8222 = mul nsw i64 %.157.i.i8221, %arg.shape.0
-  %gep8578 = getelementptr double, ptr %invariant.gep8577, i64 %.159.i.i8222
-  %.191.i.i8223 = load double, ptr %gep8578, align 8, !noalias !93
-  %.193.i.i8224 = fadd double %.191.i.i8223, 0.000000e+00
-  %.253.i.i8225 = fmul double %187, %.193.i.i8224
-  %.157.i.1.i8227 = add nsw i64 %.639.0659.i, %.155.i.1.i8226
-  %.159.i.1.i8228 = mul nsw i64 %.157.i.1.i8227, %arg.shape.0
-  %gep8580 = getelementptr double, ptr %invariant.gep8579, i64 %.159.i.1.i8228
-  %.191.i.1.i8229 = load double, ptr %gep8580, align 8, !noalias !93
-  %.193.i.1.i8230 = fadd double %.191.i.1.i8229, %.253.i.i8225
-  %.253.i.1.i8231 = fmul double %.247.i.i8218, %.193.i.1.i8230
-  %.157.i.2.i8233 = add nsw i64 %.639.0659.i, %.155.i.2.i8232
-  %.159.i.2.i8234 = mul nsw i64 %.157.i.2.i8233, %arg.shape.0
-  %gep8582 = getelementptr double, ptr %invariant.gep8581, i64 %.159.i.2.i8234
-  %.191.i.2.i8235 = load double, ptr %gep8582, align 8, !noalias !93
-  %.193.i.2.i8236 = fadd double %.191.i.2.i8235, %.253.i.1.i8231
-  %.253.i.2.i8237 = fmul double %187, %.193.i.2.i8236
-  %.157.i.3.i8239 = add nsw i64 %.639.0659.i, %.155.i.3.i8238
-  %.159.i.3.i8240 = mul nsw i64 %.157.i.3.i8239, %arg.shape.0
-  %gep8584 = getelementptr double, ptr %invariant.gep8583, i64 %.159.i.3.i8240
-  %.191.i.3.i8241 = load double, ptr %gep8584, align 8, !noalias !93
-  %.193.i.3.i8242 = fadd double %.191.i.3.i8241, %.253.i.2.i8237
-  %.253.i.3.i8243 = fmul double %.247.i.i8218, %.193.i.3.i8242
-  %.157.i.4.i8245 = add nsw i64 %.639.0659.i, %.155.i.4.i8244
-  %.159.i.4.i8246 = mul nsw i64 %.157.i.4.i8245, %arg.shape.0
-  %gep8586 = getelementptr double, ptr %invariant.gep8585, i64 %.159.i.4.i8246
-  %.191.i.4.i8247 = load double, ptr %gep8586, align 8, !noalias !93
-  %.193.i.4.i8248 = fadd double %.191.i.4.i8247, %.253.i.3.i8243
-  %.253.i.4.i8249 = fmul double %187, %.193.i.4.i8248
-  %.157.i.5.i8251 = add nsw i64 %.639.0659.i, %.155.i.5.i8250
-  %.159.i.5.i8252 = mul nsw i64 %.157.i.5.i8251, %arg.shape.0
-  %gep8588 = getelementptr double, ptr %invariant.gep8587, i64 %.159.i.5.i8252
-  %.191.i.5.i8253 = load double, ptr %gep8588, align 8, !noalias !93
-  %.193.i.5.i8254 = fadd double %.191.i.5.i8253, %.253.i.4.i8249
-  %.253.i.5.i8255 = fmul double %.247.i.i8218, %.193.i.5.i8254
-  %.157.i.6.i8257 = add nsw i64 %.639.0659.i, %.155.i.6.i8256
-  %.159.i.6.i8258 = mul nsw i64 %.157.i.6.i8257, %arg.shape.0
-  %gep8590 = getelementptr double, ptr %invariant.gep8589, i64 %.159.i.6.i8258
-  %.191.i.6.i8259 = load double, ptr %gep8590, align 8, !noalias !93
-  %.193.i.6.i8260 = fadd double %.191.i.6.i8259, %.253.i.5.i8255
-  %.253.i.6.i8261 = fmul double %187, %.193.i.6.i8260
+  %.157.i.i8769 = add nsw i64 %.639.0659.i, %.155.i.i8768
+  %.159.i.i8770 = mul nsw i64 %.157.i.i8769, %arg.shape.0
+  %gep9133 = getelementptr double, ptr %invariant.gep9132, i64 %.159.i.i8770
+  %.191.i.i8771 = load double, ptr %gep9133, align 8, !noalias !97
+  %.193.i.i8772 = fadd double %.191.i.i8771, 0.000000e+00
+  %.253.i.i8773 = fmul double %190, %.193.i.i8772
+  %.157.i.1.i8775 = add nsw i64 %.639.0659.i, %.155.i.1.i8774
+  %.159.i.1.i8776 = mul nsw i64 %.157.i.1.i8775, %arg.shape.0
+  %gep9135 = getelementptr double, ptr %invariant.gep9134, i64 %.159.i.1.i8776
+  %.191.i.1.i8777 = load double, ptr %gep9135, align 8, !noalias !97
+  %.193.i.1.i8778 = fadd double %.191.i.1.i8777, %.253.i.i8773
+  %.253.i.1.i8779 = fmul double %.247.i.i8766, %.193.i.1.i8778
+  %.157.i.2.i8781 = add nsw i64 %.639.0659.i, %.155.i.2.i8780
+  %.159.i.2.i8782 = mul nsw i64 %.157.i.2.i8781, %arg.shape.0
+  %gep9137 = getelementptr double, ptr %invariant.gep9136, i64 %.159.i.2.i8782
+  %.191.i.2.i8783 = load double, ptr %gep9137, align 8, !noalias !97
+  %.193.i.2.i8784 = fadd double %.191.i.2.i8783, %.253.i.1.i8779
+  %.253.i.2.i8785 = fmul double %190, %.193.i.2.i8784
+  %.157.i.3.i8787 = add nsw i64 %.639.0659.i, %.155.i.3.i8786
+  %.159.i.3.i8788 = mul nsw i64 %.157.i.3.i8787, %arg.shape.0
+  %gep9139 = getelementptr double, ptr %invariant.gep9138, i64 %.159.i.3.i8788
+  %.191.i.3.i8789 = load double, ptr %gep9139, align 8, !noalias !97
+  %.193.i.3.i8790 = fadd double %.191.i.3.i8789, %.253.i.2.i8785
+  %.253.i.3.i8791 = fmul double %.247.i.i8766, %.193.i.3.i8790
+  %.157.i.4.i8793 = add nsw i64 %.639.0659.i, %.155.i.4.i8792
+  %.159.i.4.i8794 = mul nsw i64 %.157.i.4.i8793, %arg.shape.0
+  %gep9141 = getelementptr double, ptr %invariant.gep9140, i64 %.159.i.4.i8794
+  %.191.i.4.i8795 = load double, ptr %gep9141, align 8, !noalias !97
+  %.193.i.4.i8796 = fadd double %.191.i.4.i8795, %.253.i.3.i8791
+  %.253.i.4.i8797 = fmul double %190, %.193.i.4.i8796
+  %.157.i.5.i8799 = add nsw i64 %.639.0659.i, %.155.i.5.i8798
+  %.159.i.5.i8800 = mul nsw i64 %.157.i.5.i8799, %arg.shape.0
+  %gep9143 = getelementptr double, ptr %invariant.gep9142, i64 %.159.i.5.i8800
+  %.191.i.5.i8801 = load double, ptr %gep9143, align 8, !noalias !97
+  %.193.i.5.i8802 = fadd double %.191.i.5.i8801, %.253.i.4.i8797
+  %.253.i.5.i8803 = fmul double %.247.i.i8766, %.193.i.5.i8802
+  %.157.i.6.i8805 = add nsw i64 %.639.0659.i, %.155.i.6.i8804
+  %.159.i.6.i8806 = mul nsw i64 %.157.i.6.i8805, %arg.shape.0
+  %gep9145 = getelementptr double, ptr %invariant.gep9144, i64 %.159.i.6.i8806
+  %.191.i.6.i8807 = load double, ptr %gep9145, align 8, !noalias !97
+  %.193.i.6.i8808 = fadd double %.191.i.6.i8807, %.253.i.5.i8803
+  %.253.i.6.i8809 = fmul double %190, %.193.i.6.i8808
   %.708.i = add nsw i64 %.639.0659.i, 1
-  %.271.i.i8262 = mul nsw i64 %.639.0659.i, %arg.shape.0
-  %gep8592 = getelementptr double, ptr %invariant.gep8591, i64 %.271.i.i8262
-  %.309.i.i8263 = load double, ptr %gep8592, align 8, !noalias !93
-  %.313.i.i8264 = fadd double %.309.i.i8263, %.253.i.6.i8261
+  %.271.i.i8810 = mul nsw i64 %.639.0659.i, %arg.shape.0
+  %gep9147 = getelementptr double, ptr %invariant.gep9146, i64 %.271.i.i8810
+  %.309.i.i8811 = load double, ptr %gep9147, align 8, !noalias !97
+  %.313.i.i8812 = fadd double %.309.i.i8811, %.253.i.6.i8809
   %.768.i = add nsw i64 %.639.0659.i, %.767.i
   %.770.i = mul nsw i64 %.768.i, %arg.shape.0
-  %gep8594 = getelementptr double, ptr %invariant.gep8593, i64 %.770.i
-  store double %.313.i.i8264, ptr %gep8594, align 8, !noalias !87
-  %exitcond.not.i8265 = icmp eq i64 %arg.shape.1, %.708.i
-  br i1 %exitcond.not.i8265, label %B166.loopexit.i, label %B288.if.i, !llvm.loop !98
+  %gep9149 = getelementptr double, ptr %invariant.gep9148, i64 %.770.i
+  store double %.313.i.i8812, ptr %gep9149, align 8, !noalias !91
+  %exitcond.not.i8813 = icmp eq i64 %arg.shape.1, %.708.i
+  br i1 %exitcond.not.i8813, label %B166.loopexit.i, label %B288.if.i, !llvm.loop !102
 
 B530.if.i:                                        ; preds = %B382.i, %B678.i
-  %.989.0665.i = phi i64 [ %.1058.i8266, %B678.i ], [ 0, %B382.i ]
-  %.1058.i8266 = add nsw i64 %.989.0665.i, 1
-  %205 = getelementptr double, ptr %309, i64 %.989.0665.i
-  %.1140.i8267 = load double, ptr %205, align 8, !noalias !87
-  %.1141.i8268 = fcmp ogt double %.1140.i8267, 5.000000e-01
-  br i1 %.1141.i8268, label %B572.i, label %B678.i
+  %.989.0665.i = phi i64 [ %.1058.i8814, %B678.i ], [ 0, %B382.i ]
+  %.1058.i8814 = add nsw i64 %.989.0665.i, 1
+  %208 = getelementptr double, ptr %321, i64 %.989.0665.i
+  %.1140.i8815 = load double, ptr %208, align 8, !noalias !91
+  %.1141.i8816 = fcmp ogt double %.1140.i8815, 5.000000e-01
+  br i1 %.1141.i8816, label %B572.i, label %B678.i
 
-B608.endif.i:                                     ; preds = %B80.i.i8272, %B46.i.i8269, %B608.i
-  store double 0.000000e+00, ptr %205, align 8, !noalias !87
+B608.endif.i:                                     ; preds = %B80.i.i8820, %B46.i.i8817, %B608.i
+  store double 0.000000e+00, ptr %208, align 8, !noalias !91
   br label %B678.i
 
-B3282:                                            ; preds = %B110.loopexit.i, %B2782, %B3240
-  br i1 %wanted.2.1, label %B3290, label %B3342
+B3324:                                            ; preds = %B110.loopexit.i, %B2782, %B3282
+  br i1 %wanted.2.1, label %B3332, label %B3384
 
-B3290:                                            ; preds = %B3282
+B3332:                                            ; preds = %B3324
   %within.5.1.not = xor i1 %within.5.1, true
-  %brmerge8162 = select i1 %within.5.1.not, i1 true, i1 %.539
-  %"$phi3326.7.2.2" = select i1 %brmerge8162, i64 0, i64 3
-  br i1 %.274.i, label %B3342, label %B76.if.i
+  %brmerge8709 = select i1 %within.5.1.not, i1 true, i1 %.539
+  %"$phi3368.7.2.2" = select i1 %brmerge8709, i64 0, i64 3
+  br i1 %.274.i, label %B3384, label %B76.if.i
 
 B152.i:                                           ; preds = %B76.if.i
-  %.445.i = getelementptr double, ptr %311, i64 %.173.0633.i
-  %.446.i = load double, ptr %.445.i, align 8, !noalias !99
+  %.445.i = getelementptr double, ptr %323, i64 %.173.0654.i
+  %.446.i = load double, ptr %.445.i, align 8, !noalias !103
   %.447.i = fcmp olt double %.446.i, 5.000000e-01
-  br i1 %.447.i, label %B725.i, label %B190.i8277
+  br i1 %.447.i, label %B769.i, label %B190.i8825
 
-B190.i8277:                                       ; preds = %B152.i
-  %.478.i = getelementptr i64, ptr %arg.results.1.4, i64 %.327.i8274
-  %.479.i8278 = load i64, ptr %.478.i, align 8, !noalias !99
-  %.480.not.i = icmp eq i64 %.479.i8278, 0
-  br i1 %.480.not.i, label %B226.i, label %B725.i
+B190.i8825:                                       ; preds = %B152.i
+  %.478.i = getelementptr i64, ptr %arg.results.1.4, i64 %.327.i8822
+  %.479.i8826 = load i64, ptr %.478.i, align 8, !noalias !103
+  %.480.not.i = icmp eq i64 %.479.i8826, 0
+  br i1 %.480.not.i, label %B226.i, label %B769.i
 
-B226.i:                                           ; preds = %B190.i8277
-  %.542.i = mul i64 %.327.i8274, %arg.results.3.5.1
-  %206 = getelementptr i64, ptr %arg.results.3.4, i64 %.542.i
-  %.546.i = getelementptr i8, ptr %206, i64 8
-  %.547.i = load i64, ptr %.546.i, align 8, !noalias !99
-  %.549.i8279 = add nsw i64 %.547.i, %"$phi3326.7.2.2"
-  store i64 %.549.i8279, ptr %.546.i, align 8, !noalias !99
-  %.655.i = getelementptr double, ptr %arg.lane.0.4, i64 %.173.0633.i
-  %.656.i = load double, ptr %.655.i, align 8, !noalias !99
-  %.710.i = getelementptr double, ptr %312, i64 %.173.0633.i
-  %.711.i8280 = load double, ptr %.710.i, align 8, !noalias !99
-  %.765.i = getelementptr double, ptr %313, i64 %.173.0633.i
-  %.766.i8281 = load double, ptr %.765.i, align 8, !noalias !99
-  %.787.i8282 = icmp slt i64 %.382.i8275, %arg.times.5.0
-  br i1 %.787.i8282, label %B400.i, label %B696.i
+B226.i:                                           ; preds = %B190.i8825
+  %.542.i = mul i64 %.327.i8822, %arg.results.3.5.1
+  %209 = getelementptr i64, ptr %arg.results.3.4, i64 %.542.i
+  %.546.i = getelementptr i8, ptr %209, i64 8
+  %.547.i = load i64, ptr %.546.i, align 8, !noalias !103
+  %.549.i8827 = add nsw i64 %.547.i, %"$phi3368.7.2.2"
+  store i64 %.549.i8827, ptr %.546.i, align 8, !noalias !103
+  %.655.i = getelementptr double, ptr %arg.lane.0.4, i64 %.173.0654.i
+  %.656.i = load double, ptr %.655.i, align 8, !noalias !103
+  %.710.i = getelementptr double, ptr %324, i64 %.173.0654.i
+  %.711.i8828 = load double, ptr %.710.i, align 8, !noalias !103
+  %.765.i = getelementptr double, ptr %325, i64 %.173.0654.i
+  %.766.i8829 = load double, ptr %.765.i, align 8, !noalias !103
+  %.787.i8830 = icmp slt i64 %.382.i8823, %arg.times.5.0
+  br i1 %.787.i8830, label %B400.i, label %B740.i
 
 B400.i:                                           ; preds = %B226.i
-  %.810.i = icmp slt i64 %.382.i8275, 0
+  %.810.i = icmp slt i64 %.382.i8823, 0
   %.811.i = select i1 %.810.i, i64 %arg.times.5.0, i64 0
-  %207 = getelementptr double, ptr %arg.times.4, i64 %.382.i8275
-  %.825.i = getelementptr double, ptr %207, i64 %.811.i
-  %.826.i = load double, ptr %.825.i, align 8, !noalias !99
-  %.830.i8283 = fcmp ugt double %.826.i, %.766.i8281
-  br i1 %.830.i8283, label %B696.i, label %B424.preheader.i
+  %210 = getelementptr double, ptr %arg.times.4, i64 %.382.i8823
+  %.825.i = getelementptr double, ptr %210, i64 %.811.i
+  %.826.i = load double, ptr %.825.i, align 8, !noalias !103
+  %.830.i8831 = fcmp ugt double %.826.i, %.766.i8829
+  br i1 %.830.i8831, label %B740.i, label %B424.preheader.i
 
 B424.preheader.i:                                 ; preds = %B400.i
-  %factor.op.mul.reass.i = mul i64 %factor.op.mul631.i, %.327.i8274
-  %208 = getelementptr double, ptr %arg.results.0.4, i64 %factor.op.mul.reass.i
-  %invariant.gep8595 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0633.i
-  %invariant.gep8597 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0633.i
-  %invariant.gep8599 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0633.i
-  %invariant.gep8601 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0633.i
-  %invariant.gep8603 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0633.i
-  %invariant.gep8605 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0633.i
-  %invariant.gep8607 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0633.i
-  %invariant.gep8609 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0633.i
-  %invariant.gep8611 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0633.i
+  %factor.op.mul.reass.i = mul i64 %factor.op.mul652.i, %.327.i8822
+  %.1317.i = getelementptr double, ptr %326, i64 %.173.0654.i
+  %211 = getelementptr double, ptr %arg.results.0.4, i64 %factor.op.mul.reass.i
+  %invariant.gep9150 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
+  %invariant.gep9152 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
+  %invariant.gep9154 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
+  %invariant.gep9156 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
+  %invariant.gep9158 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
+  %invariant.gep9160 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
+  %invariant.gep9162 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
+  %invariant.gep9164 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
+  %invariant.gep9166 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
   br label %B424.i
 
-B424.i:                                           ; preds = %B672.i, %B424.preheader.i
-  %done.2.3.i = phi i64 [ %.1255.i, %B672.i ], [ %.382.i8275, %B424.preheader.i ]
-  br i1 %.917628.not.i, label %B624.i, label %B454.if.lr.ph.i
+B424.i:                                           ; preds = %B716.i, %B424.preheader.i
+  %done.2.3.i = phi i64 [ %.1255.i, %B716.i ], [ %.382.i8823, %B424.preheader.i ]
+  br i1 %.917649.not.i, label %B624.i, label %B454.if.lr.ph.i
 
 B454.if.lr.ph.i:                                  ; preds = %B424.i
   %.972.i = icmp slt i64 %done.2.3.i, 0
   %.973.i = select i1 %.972.i, i64 %arg.times.5.0, i64 0
-  %209 = getelementptr double, ptr %arg.times.4, i64 %done.2.3.i
-  %.987.i = getelementptr double, ptr %209, i64 %.973.i
+  %212 = getelementptr double, ptr %arg.times.4, i64 %done.2.3.i
+  %.987.i = getelementptr double, ptr %212, i64 %.973.i
   %.1213.i = select i1 %.972.i, i64 %arg.results.0.5.1, i64 0
   %.1214.i = add i64 %.1213.i, %done.2.3.i
   %.1243.i = mul i64 %.1214.i, %arg.results.0.5.2
-  %210 = getelementptr double, ptr %208, i64 %.1243.i
+  %213 = getelementptr double, ptr %211, i64 %.1243.i
   br label %B454.if.i
 
 B482.i:                                           ; preds = %B454.if.i
-  %.995.i8334 = add nsw i64 %.861.0629.i, %.993.i
-  %.997.i = mul nsw i64 %.995.i8334, %arg.shape.0
-  %gep8612 = getelementptr double, ptr %invariant.gep8611, i64 %.997.i
-  %.1029.i8335 = load double, ptr %gep8612, align 8, !noalias !99
-  br label %B726.i
+  %.995.i8880 = add nsw i64 %.861.0650.i, %.993.i
+  %.997.i = mul nsw i64 %.995.i8880, %arg.shape.0
+  %gep9167 = getelementptr double, ptr %invariant.gep9166, i64 %.997.i
+  %.1029.i8881 = load double, ptr %gep9167, align 8, !noalias !103
+  br label %B770.i
 
-B624.i:                                           ; preds = %B726.i, %B424.i
-  %exitcond635.not.i = icmp eq i64 %done.2.3.i, %314
-  br i1 %exitcond635.not.i, label %B696.i, label %B672.i
+B624.i:                                           ; preds = %B770.i, %B424.i
+  store double 0x7FF0000000000000, ptr %.1317.i, align 8, !noalias !103
+  %exitcond656.not.i = icmp eq i64 %done.2.3.i, %327
+  br i1 %exitcond656.not.i, label %B740.i, label %B716.i
 
-B672.i:                                           ; preds = %B624.i
+B716.i:                                           ; preds = %B624.i
   %.1255.i = add i64 %done.2.3.i, 1
-  %.1297.i8332 = icmp slt i64 %done.2.3.i, -1
-  %.1298.i = select i1 %.1297.i8332, i64 %arg.times.5.0, i64 0
-  %211 = getelementptr double, ptr %arg.times.4, i64 %.1255.i
-  %.1312.i = getelementptr double, ptr %211, i64 %.1298.i
-  %.1313.i8333 = load double, ptr %.1312.i, align 8, !noalias !99
-  %.1317.i = fcmp ugt double %.1313.i8333, %.766.i8281
-  br i1 %.1317.i, label %B696.i, label %B424.i
+  %.1352.i = icmp slt i64 %done.2.3.i, -1
+  %.1353.i = select i1 %.1352.i, i64 %arg.times.5.0, i64 0
+  %214 = getelementptr double, ptr %arg.times.4, i64 %.1255.i
+  %.1367.i = getelementptr double, ptr %214, i64 %.1353.i
+  %.1368.i = load double, ptr %.1367.i, align 8, !noalias !103
+  %.1372.i = fcmp ugt double %.1368.i, %.766.i8829
+  br i1 %.1372.i, label %B740.i, label %B424.i
 
-B696.i:                                           ; preds = %B672.i, %B624.i, %B400.i, %B226.i
-  %done.3.2.i = phi i64 [ %.382.i8275, %B400.i ], [ %.382.i8275, %B226.i ], [ %arg.times.5.0, %B624.i ], [ %.1255.i, %B672.i ]
-  store i64 %done.3.2.i, ptr %.381.i, align 8, !noalias !99
-  br label %B725.i
+B740.i:                                           ; preds = %B716.i, %B624.i, %B400.i, %B226.i
+  %done.3.2.i = phi i64 [ %.382.i8823, %B400.i ], [ %.382.i8823, %B226.i ], [ %arg.times.5.0, %B624.i ], [ %.1255.i, %B716.i ]
+  store i64 %done.3.2.i, ptr %.381.i, align 8, !noalias !103
+  br label %B769.i
 
-B725.i:                                           ; preds = %B76.if.i, %B696.i, %B190.i8277, %B152.i
-  %exitcond636.not.i = icmp eq i64 %.245.i, %arg.shape.0
-  br i1 %exitcond636.not.i, label %B3342, label %B76.if.i
+B769.i:                                           ; preds = %B76.if.i, %B740.i, %B190.i8825, %B152.i
+  %exitcond657.not.i = icmp eq i64 %.245.i, %arg.shape.0
+  br i1 %exitcond657.not.i, label %B3384, label %B76.if.i
 
-B726.i:                                           ; preds = %B38.if.i.i, %B482.i
-  %.313.i.i8330.sink = phi double [ %.313.i.i8330, %B38.if.i.i ], [ %.1029.i8335, %B482.i ]
-  %212 = getelementptr double, ptr %210, i64 %.861.0629.i
-  store double %.313.i.i8330.sink, ptr %212, align 8, !noalias !99
-  %exitcond.not.i8331 = icmp eq i64 %arg.shape.1, %.930.i
-  br i1 %exitcond.not.i8331, label %B624.i, label %B454.if.i
+B770.i:                                           ; preds = %B38.if.i.i, %B482.i
+  %.313.i.i8878.sink = phi double [ %.313.i.i8878, %B38.if.i.i ], [ %.1029.i8881, %B482.i ]
+  %215 = getelementptr double, ptr %213, i64 %.861.0650.i
+  store double %.313.i.i8878.sink, ptr %215, align 8, !noalias !103
+  %exitcond.not.i8879 = icmp eq i64 %arg.shape.1, %.930.i
+  br i1 %exitcond.not.i8879, label %B624.i, label %B454.if.i
 
-B76.if.i:                                         ; preds = %B3290, %B725.i
-  %.173.0633.i = phi i64 [ %.245.i, %B725.i ], [ 0, %B3290 ]
-  %.245.i = add nsw i64 %.173.0633.i, 1
-  %.326.i = getelementptr i64, ptr %arg.lane.1.4, i64 %.173.0633.i
-  %.327.i8274 = load i64, ptr %.326.i, align 8, !noalias !99
-  %.381.i = getelementptr i64, ptr %310, i64 %.173.0633.i
-  %.382.i8275 = load i64, ptr %.381.i, align 8, !noalias !99
-  %.390.i8276 = icmp slt i64 %.327.i8274, 0
-  br i1 %.390.i8276, label %B725.i, label %B152.i
+B76.if.i:                                         ; preds = %B3332, %B769.i
+  %.173.0654.i = phi i64 [ %.245.i, %B769.i ], [ 0, %B3332 ]
+  %.245.i = add nsw i64 %.173.0654.i, 1
+  %.326.i = getelementptr i64, ptr %arg.lane.1.4, i64 %.173.0654.i
+  %.327.i8822 = load i64, ptr %.326.i, align 8, !noalias !103
+  %.381.i = getelementptr i64, ptr %322, i64 %.173.0654.i
+  %.382.i8823 = load i64, ptr %.381.i, align 8, !noalias !103
+  %.390.i8824 = icmp slt i64 %.327.i8822, 0
+  br i1 %.390.i8824, label %B769.i, label %B152.i
 
-B454.if.i:                                        ; preds = %B726.i, %B454.if.lr.ph.i
-  %.861.0629.i = phi i64 [ 0, %B454.if.lr.ph.i ], [ %.930.i, %B726.i ]
-  %.930.i = add nsw i64 %.861.0629.i, 1
-  %.988.i = load double, ptr %.987.i, align 8, !noalias !99
-  %.990.i = fcmp oeq double %.988.i, %.766.i8281
+B454.if.i:                                        ; preds = %B770.i, %B454.if.lr.ph.i
+  %.861.0650.i = phi i64 [ 0, %B454.if.lr.ph.i ], [ %.930.i, %B770.i ]
+  %.930.i = add nsw i64 %.861.0650.i, 1
+  %.988.i = load double, ptr %.987.i, align 8, !noalias !103
+  %.990.i = fcmp oeq double %.988.i, %.766.i8829
   br i1 %.990.i, label %B482.i, label %B38.if.i.i
 
 B38.if.i.i:                                       ; preds = %B454.if.i
   %.1138.i = fsub double %.988.i, %.656.i
-  %.1143.i = fdiv double %.1138.i, %.711.i8280
-  %.247.i.i8285 = fsub double 1.000000e+00, %.1143.i
-  %.157.i.i8287 = add nsw i64 %.861.0629.i, %.155.i.i8286
-  %.159.i.i8288 = mul nsw i64 %.157.i.i8287, %arg.shape.0
-  %gep8596 = getelementptr double, ptr %invariant.gep8595, i64 %.159.i.i8288
-  %.191.i.i8289 = load double, ptr %gep8596, align 8, !noalias !102
-  %.193.i.i8290 = fadd double %.191.i.i8289, 0.000000e+00
-  %.253.i.i8291 = fmul double %.1143.i, %.193.i.i8290
-  %.157.i.1.i8293 = add nsw i64 %.861.0629.i, %.155.i.1.i8292
-  %.159.i.1.i8294 = mul nsw i64 %.157.i.1.i8293, %arg.shape.0
-  %gep8598 = getelementptr double, ptr %invariant.gep8597, i64 %.159.i.1.i8294
-  %.191.i.1.i8295 = load double, ptr %gep8598, align 8, !noalias !102
-  %.193.i.1.i8296 = fadd double %.191.i.1.i8295, %.253.i.i8291
-  %.253.i.1.i8297 = fmul double %.247.i.i8285, %.193.i.1.i8296
-  %.157.i.2.i8299 = add nsw i64 %.861.0629.i, %.155.i.2.i8298
-  %.159.i.2.i8300 = mul nsw i64 %.157.i.2.i8299, %arg.shape.0
-  %gep8600 = getelementptr double, ptr %invariant.gep8599, i64 %.159.i.2.i8300
-  %.191.i.2.i8301 = load double, ptr %gep8600, align 8, !noalias !102
-  %.193.i.2.i8302 = fadd double %.191.i.2.i8301, %.253.i.1.i8297
-  %.253.i.2.i8303 = fmul double %.1143.i, %.193.i.2.i8302
-  %.157.i.3.i8305 = add nsw i64 %.861.0629.i, %.155.i.3.i8304
-  %.159.i.3.i8306 = mul nsw i64 %.157.i.3.i8305, %arg.shape.0
-  %gep8602 = getelementptr double, ptr %invariant.gep8601, i64 %.159.i.3.i8306
-  %.191.i.3.i8307 = load double, ptr %gep8602, align 8, !noalias !102
-  %.193.i.3.i8308 = fadd double %.191.i.3.i8307, %.253.i.2.i8303
-  %.253.i.3.i8309 = fmul double %.247.i.i8285, %.193.i.3.i8308
-  %.157.i.4.i8311 = add nsw i64 %.861.0629.i, %.155.i.4.i8310
-  %.159.i.4.i8312 = mul nsw i64 %.157.i.4.i8311, %arg.shape.0
-  %gep8604 = getelementptr double, ptr %invariant.gep8603, i64 %.159.i.4.i8312
-  %.191.i.4.i8313 = load double, ptr %gep8604, align 8, !noalias !102
-  %.193.i.4.i8314 = fadd double %.191.i.4.i8313, %.253.i.3.i8309
-  %.253.i.4.i8315 = fmul double %.1143.i, %.193.i.4.i8314
-  %.157.i.5.i8317 = add nsw i64 %.861.0629.i, %.155.i.5.i8316
-  %.159.i.5.i8318 = mul nsw i64 %.157.i.5.i8317, %arg.shape.0
-  %gep8606 = getelementptr double, ptr %invariant.gep8605, i64 %.159.i.5.i8318
-  %.191.i.5.i8319 = load double, ptr %gep8606, align 8, !noalias !102
-  %.193.i.5.i8320 = fadd double %.191.i.5.i8319, %.253.i.4.i8315
-  %.253.i.5.i8321 = fmul double %.247.i.i8285, %.193.i.5.i8320
-  %.157.i.6.i8323 = add nsw i64 %.861.0629.i, %.155.i.6.i8322
-  %.159.i.6.i8324 = mul nsw i64 %.157.i.6.i8323, %arg.shape.0
-  %gep8608 = getelementptr double, ptr %invariant.gep8607, i64 %.159.i.6.i8324
-  %.191.i.6.i8325 = load double, ptr %gep8608, align 8, !noalias !102
-  %.193.i.6.i8326 = fadd double %.191.i.6.i8325, %.253.i.5.i8321
-  %.253.i.6.i8327 = fmul double %.1143.i, %.193.i.6.i8326
-  %.271.i.i8328 = mul nsw i64 %.861.0629.i, %arg.shape.0
-  %gep8610 = getelementptr double, ptr %invariant.gep8609, i64 %.271.i.i8328
-  %.309.i.i8329 = load double, ptr %gep8610, align 8, !noalias !102
-  %.313.i.i8330 = fadd double %.309.i.i8329, %.253.i.6.i8327
-  br label %B726.i
+  %.1143.i = fdiv double %.1138.i, %.711.i8828
+  %.247.i.i8833 = fsub double 1.000000e+00, %.1143.i
+  %.157.i.i8835 = add nsw i64 %.861.0650.i, %.155.i.i8834
+  %.159.i.i8836 = mul nsw i64 %.157.i.i8835, %arg.shape.0
+  %gep9151 = getelementptr double, ptr %invariant.gep9150, i64 %.159.i.i8836
+  %.191.i.i8837 = load double, ptr %gep9151, align 8, !noalias !106
+  %.193.i.i8838 = fadd double %.191.i.i8837, 0.000000e+00
+  %.253.i.i8839 = fmul double %.1143.i, %.193.i.i8838
+  %.157.i.1.i8841 = add nsw i64 %.861.0650.i, %.155.i.1.i8840
+  %.159.i.1.i8842 = mul nsw i64 %.157.i.1.i8841, %arg.shape.0
+  %gep9153 = getelementptr double, ptr %invariant.gep9152, i64 %.159.i.1.i8842
+  %.191.i.1.i8843 = load double, ptr %gep9153, align 8, !noalias !106
+  %.193.i.1.i8844 = fadd double %.191.i.1.i8843, %.253.i.i8839
+  %.253.i.1.i8845 = fmul double %.247.i.i8833, %.193.i.1.i8844
+  %.157.i.2.i8847 = add nsw i64 %.861.0650.i, %.155.i.2.i8846
+  %.159.i.2.i8848 = mul nsw i64 %.157.i.2.i8847, %arg.shape.0
+  %gep9155 = getelementptr double, ptr %invariant.gep9154, i64 %.159.i.2.i8848
+  %.191.i.2.i8849 = load double, ptr %gep9155, align 8, !noalias !106
+  %.193.i.2.i8850 = fadd double %.191.i.2.i8849, %.253.i.1.i8845
+  %.253.i.2.i8851 = fmul double %.1143.i, %.193.i.2.i8850
+  %.157.i.3.i8853 = add nsw i64 %.861.0650.i, %.155.i.3.i8852
+  %.159.i.3.i8854 = mul nsw i64 %.157.i.3.i8853, %arg.shape.0
+  %gep9157 = getelementptr double, ptr %invariant.gep9156, i64 %.159.i.3.i8854
+  %.191.i.3.i8855 = load double, ptr %gep9157, align 8, !noalias !106
+  %.193.i.3.i8856 = fadd double %.191.i.3.i8855, %.253.i.2.i8851
+  %.253.i.3.i8857 = fmul double %.247.i.i8833, %.193.i.3.i8856
+  %.157.i.4.i8859 = add nsw i64 %.861.0650.i, %.155.i.4.i8858
+  %.159.i.4.i8860 = mul nsw i64 %.157.i.4.i8859, %arg.shape.0
+  %gep9159 = getelementptr double, ptr %invariant.gep9158, i64 %.159.i.4.i8860
+  %.191.i.4.i8861 = load double, ptr %gep9159, align 8, !noalias !106
+  %.193.i.4.i8862 = fadd double %.191.i.4.i8861, %.253.i.3.i8857
+  %.253.i.4.i8863 = fmul double %.1143.i, %.193.i.4.i8862
+  %.157.i.5.i8865 = add nsw i64 %.861.0650.i, %.155.i.5.i8864
+  %.159.i.5.i8866 = mul nsw i64 %.157.i.5.i8865, %arg.shape.0
+  %gep9161 = getelementptr double, ptr %invariant.gep9160, i64 %.159.i.5.i8866
+  %.191.i.5.i8867 = load double, ptr %gep9161, align 8, !noalias !106
+  %.193.i.5.i8868 = fadd double %.191.i.5.i8867, %.253.i.4.i8863
+  %.253.i.5.i8869 = fmul double %.247.i.i8833, %.193.i.5.i8868
+  %.157.i.6.i8871 = add nsw i64 %.861.0650.i, %.155.i.6.i8870
+  %.159.i.6.i8872 = mul nsw i64 %.157.i.6.i8871, %arg.shape.0
+  %gep9163 = getelementptr double, ptr %invariant.gep9162, i64 %.159.i.6.i8872
+  %.191.i.6.i8873 = load double, ptr %gep9163, align 8, !noalias !106
+  %.193.i.6.i8874 = fadd double %.191.i.6.i8873, %.253.i.5.i8869
+  %.253.i.6.i8875 = fmul double %.1143.i, %.193.i.6.i8874
+  %.271.i.i8876 = mul nsw i64 %.861.0650.i, %arg.shape.0
+  %gep9165 = getelementptr double, ptr %invariant.gep9164, i64 %.271.i.i8876
+  %.309.i.i8877 = load double, ptr %gep9165, align 8, !noalias !106
+  %.313.i.i8878 = fadd double %.309.i.i8877, %.253.i.6.i8875
+  br label %B770.i
 
-B3342:                                            ; preds = %B725.i, %B3290, %B3282
-  %.4903 = load i64, ptr %.4902, align 8
-  %.4948 = inttoptr i64 %.4903 to ptr
-  tail call void %.4948(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
+B3384:                                            ; preds = %B769.i, %B3332, %B3324
+  %.4961 = load i64, ptr %.4960, align 8
+  %.5006 = inttoptr i64 %.4961 to ptr
+  tail call void %.5006(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
   %beyond.2.1.not = xor i1 %beyond.2.1, true
-  %brmerge8639 = or i1 %.274.i, %beyond.2.1.not
-  br i1 %brmerge8639, label %B3450, label %B46.if.i3542
+  %brmerge9194 = or i1 %.274.i, %beyond.2.1.not
+  br i1 %brmerge9194, label %B3492, label %B46.if.i4403
 
-B98.i2900:                                        ; preds = %B46.if.i3542
-  %.306.i2947 = getelementptr double, ptr %316, i64 %.97.i2764.08615
-  %.307.i2948 = load double, ptr %.306.i2947, align 8, !noalias !106
-  %.308.i2949 = fcmp ogt double %.307.i2948, 5.000000e-01
-  br i1 %.308.i2949, label %B136.i, label %B506.i
+B98.i3743:                                        ; preds = %B46.if.i4403
+  %.306.i3790 = getelementptr double, ptr %329, i64 %.97.i3603.09170
+  %.307.i3791 = load double, ptr %.306.i3790, align 8, !noalias !110
+  %.308.i3792 = fcmp ogt double %.307.i3791, 5.000000e-01
+  br i1 %.308.i3792, label %B136.i, label %B506.i
 
-B136.i:                                           ; preds = %B98.i2900
-  %.363.i2997 = getelementptr double, ptr %arg.lane.0.4, i64 %.97.i2764.08615
-  %.364.i2998 = load double, ptr %.363.i2997, align 8, !noalias !106
-  %.418.i3046 = getelementptr double, ptr %317, i64 %.97.i2764.08615
-  %.419.i3047 = load double, ptr %.418.i3046, align 8, !noalias !106
-  %.420.i3048 = fsub double %.364.i2998, %.419.i3047
-  %.450.i3073 = load double, ptr %.449.i3072, align 8, !noalias !106
-  %.480.i3098 = load double, ptr %arg.times.4, align 8, !noalias !106
-  %.481.i3099 = fsub double %.450.i3073, %.480.i3098
-  %.482.i3100 = fmul double %.481.i3099, 0x3E7AD7F29ABCAF48
-  %.483.i3101 = fcmp olt double %.420.i3048, %.482.i3100
-  br i1 %.483.i3101, label %B256.i, label %B294.i
+B136.i:                                           ; preds = %B98.i3743
+  %.363.i3840 = getelementptr double, ptr %arg.lane.0.4, i64 %.97.i3603.09170
+  %.364.i3841 = load double, ptr %.363.i3840, align 8, !noalias !110
+  %.418.i3889 = getelementptr double, ptr %330, i64 %.97.i3603.09170
+  %.419.i3890 = load double, ptr %.418.i3889, align 8, !noalias !110
+  %.420.i3891 = fsub double %.364.i3841, %.419.i3890
+  %.450.i3916 = load double, ptr %.449.i3915, align 8, !noalias !110
+  %.480.i3941 = load double, ptr %arg.times.4, align 8, !noalias !110
+  %.481.i3942 = fsub double %.450.i3916, %.480.i3941
+  %.482.i3943 = fmul double %.481.i3942, 0x3E7AD7F29ABCAF48
+  %.483.i3944 = fcmp olt double %.420.i3891, %.482.i3943
+  br i1 %.483.i3944, label %B256.i, label %B294.i
 
 B256.i:                                           ; preds = %B136.i
-  %213 = getelementptr i64, ptr %319, i64 %.97.i2764.08615
-  %.539.i3539 = load i64, ptr %213, align 8, !noalias !106
-  %.540.i3540 = add nsw i64 %.539.i3539, 1
+  %216 = getelementptr i64, ptr %332, i64 %.97.i3603.09170
+  %.539.i4400 = load i64, ptr %216, align 8, !noalias !110
+  %.540.i4401 = add nsw i64 %.539.i4400, 1
   br label %B294.i
 
 B294.i:                                           ; preds = %B136.i, %B256.i
-  %"$phi294.1.2.i.2" = phi i64 [ %.540.i3540, %B256.i ], [ 0, %B136.i ]
-  %214 = getelementptr i64, ptr %320, i64 %.97.i2764.08615
-  store i64 %"$phi294.1.2.i.2", ptr %214, align 8, !noalias !106
-  %.660.i3200 = load double, ptr %.363.i2997, align 8, !noalias !106
-  store double %.660.i3200, ptr %.418.i3046, align 8, !noalias !106
-  %.769.i3285 = getelementptr double, ptr %321, i64 %.97.i2764.08615
-  store double 1.000000e+00, ptr %.769.i3285, align 8, !noalias !106
-  store i64 1, ptr %.722, align 8, !noalias !106
-  %.855.i3353 = load i64, ptr %214, align 8, !noalias !106
-  %.856.i3354 = icmp sgt i64 %.855.i3353, 1000
-  br i1 %.856.i3354, label %B460.i, label %B506.i
+  %"$phi294.1.2.i.2" = phi i64 [ %.540.i4401, %B256.i ], [ 0, %B136.i ]
+  %217 = getelementptr i64, ptr %333, i64 %.97.i3603.09170
+  store i64 %"$phi294.1.2.i.2", ptr %217, align 8, !noalias !110
+  %.660.i4043 = load double, ptr %.363.i3840, align 8, !noalias !110
+  store double %.660.i4043, ptr %.418.i3889, align 8, !noalias !110
+  %.769.i4136 = getelementptr double, ptr %334, i64 %.97.i3603.09170
+  store double 1.000000e+00, ptr %.769.i4136, align 8, !noalias !110
+  store i64 1, ptr %.722, align 8, !noalias !110
+  %.855.i4207 = load i64, ptr %217, align 8, !noalias !110
+  %.856.i4208 = icmp sgt i64 %.855.i4207, 1000
+  br i1 %.856.i4208, label %B460.i, label %B506.i
 
 B460.i:                                           ; preds = %B294.i
-  %215 = getelementptr i64, ptr %arg.lane.1.4, i64 %.97.i2764.08615
-  %.84.i.i3430 = load i64, ptr %215, align 8, !noalias !110
-  %.89.i.i3433 = icmp sgt i64 %.84.i.i3430, -1
-  br i1 %.89.i.i3433, label %B46.i.i3439, label %B506.i
+  %218 = getelementptr i64, ptr %arg.lane.1.4, i64 %.97.i3603.09170
+  %.84.i.i4288 = load i64, ptr %218, align 8, !noalias !114
+  %.89.i.i4291 = icmp sgt i64 %.84.i.i4288, -1
+  br i1 %.89.i.i4291, label %B46.i.i4300, label %B506.i
 
-B46.i.i3439:                                      ; preds = %B460.i
-  %.120.i.i3459 = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i.i3430
-  %.121.i.i3460 = load i64, ptr %.120.i.i3459, align 8, !noalias !110
-  %.122.i.i3461 = icmp eq i64 %.121.i.i3460, 0
-  br i1 %.122.i.i3461, label %B80.i.i3466, label %B506.i
+B46.i.i4300:                                      ; preds = %B460.i
+  %.120.i.i4320 = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i.i4288
+  %.121.i.i4321 = load i64, ptr %.120.i.i4320, align 8, !noalias !114
+  %.122.i.i4322 = icmp eq i64 %.121.i.i4321, 0
+  br i1 %.122.i.i4322, label %B80.i.i4327, label %B506.i
 
-B80.i.i3466:                                      ; preds = %B46.i.i3439
-  store i64 6, ptr %.120.i.i3459, align 8, !noalias !110
+B80.i.i4327:                                      ; preds = %B46.i.i4300
+  store i64 6, ptr %.120.i.i4320, align 8, !noalias !114
   br label %B506.i
 
-B506.i:                                           ; preds = %B80.i.i3466, %B460.i, %B46.i.i3439, %B294.i, %B98.i2900, %B46.if.i3542
-  %.155.i2833 = icmp sgt i64 %.100.i2765.08614, 1
-  br i1 %.155.i2833, label %B46.if.i3542, label %B3450
+B506.i:                                           ; preds = %B80.i.i4327, %B460.i, %B46.i.i4300, %B294.i, %B98.i3743, %B46.if.i4403
+  %.155.i3672 = icmp sgt i64 %.100.i3604.09169, 1
+  br i1 %.155.i3672, label %B46.if.i4403, label %B3492
 
-B46.if.i3542:                                     ; preds = %B3342, %B506.i
-  %.97.i2764.08615 = phi i64 [ %.168.i3550, %B506.i ], [ 0, %B3342 ]
-  %.100.i2765.08614 = phi i64 [ %.164.i3547, %B506.i ], [ %storemerge, %B3342 ]
-  %.164.i3547 = add nsw i64 %.100.i2765.08614, -1
-  %.168.i3550 = add nsw i64 %.97.i2764.08615, 1
-  %.249.i2897 = getelementptr double, ptr %315, i64 %.97.i2764.08615
-  %.250.i2898 = load double, ptr %.249.i2897, align 8, !noalias !106
-  %.251.i2899 = fcmp oeq double %.250.i2898, 2.000000e+00
-  br i1 %.251.i2899, label %B98.i2900, label %B506.i
+B46.if.i4403:                                     ; preds = %B3384, %B506.i
+  %.97.i3603.09170 = phi i64 [ %.168.i4411, %B506.i ], [ 0, %B3384 ]
+  %.100.i3604.09169 = phi i64 [ %.164.i4408, %B506.i ], [ %storemerge, %B3384 ]
+  %.164.i4408 = add nsw i64 %.100.i3604.09169, -1
+  %.168.i4411 = add nsw i64 %.97.i3603.09170, 1
+  %.249.i3739 = getelementptr double, ptr %328, i64 %.97.i3603.09170
+  %.250.i3740 = load double, ptr %.249.i3739, align 8, !noalias !110
+  %.251.i3741 = fcmp oeq double %.250.i3740, 2.000000e+00
+  br i1 %.251.i3741, label %B98.i3743, label %B506.i
 
-B3450:                                            ; preds = %B506.i, %B3342
-  %brmerge8163.not = select i1 %.4999.not, i1 %looked.2.1.lcssa, i1 false
-  %brmerge8163.not.not = xor i1 %brmerge8163.not, true
-  %brmerge8638 = or i1 %.274.i, %brmerge8163.not.not
-  br i1 %brmerge8638, label %B3504, label %B110.if.i
+B3492:                                            ; preds = %B506.i, %B3384
+  %brmerge8710.not = select i1 %.5057.not, i1 %looked.2.1.lcssa, i1 false
+  %brmerge8710.not.not = xor i1 %brmerge8710.not, true
+  %brmerge9193 = or i1 %.274.i, %brmerge8710.not.not
+  br i1 %brmerge9193, label %B3546, label %B110.if.i
 
-B46.i.i8336:                                      ; preds = %B110.if.i
+B46.i.i8882:                                      ; preds = %B110.if.i
   %.135.i.i = getelementptr i64, ptr %arg.results.1.4, i64 %.99.i.i
-  %.136.i.i = load i64, ptr %.135.i.i, align 8, !noalias !113
+  %.136.i.i = load i64, ptr %.135.i.i, align 8, !noalias !117
   %.141.i.not.i = icmp eq i64 %.136.i.i, 0
-  br i1 %.141.i.not.i, label %B80.i.i8344, label %B358.i8337
+  br i1 %.141.i.not.i, label %B80.i.i8892, label %B358.i8883
 
-B80.i.i8344:                                      ; preds = %B46.i.i8336
-  %.196.i.i = getelementptr double, ptr %322, i64 %.352.01856.i
-  %.197.i.i = load double, ptr %.196.i.i, align 8, !noalias !113
+B80.i.i8892:                                      ; preds = %B46.i.i8882
+  %.196.i.i = getelementptr double, ptr %335, i64 %.352.01856.i
+  %.197.i.i = load double, ptr %.196.i.i, align 8, !noalias !117
   %.198.i.i = fcmp olt double %.197.i.i, 5.000000e-01
-  br i1 %.198.i.i, label %B358.i8337, label %B122.i.i
+  br i1 %.198.i.i, label %B358.i8883, label %B122.i.i
 
-B122.i.i:                                         ; preds = %B80.i.i8344
+B122.i.i:                                         ; preds = %B80.i.i8892
   %.264.i.i = getelementptr double, ptr %arg.lane.0.4, i64 %.352.01856.i
-  %.265.i.i = load double, ptr %.264.i.i, align 8, !noalias !113
-  %.321.i.i = getelementptr double, ptr %323, i64 %.352.01856.i
-  %.322.i.i = load double, ptr %.321.i.i, align 8, !noalias !113
+  %.265.i.i = load double, ptr %.264.i.i, align 8, !noalias !117
+  %.321.i.i = getelementptr double, ptr %336, i64 %.352.01856.i
+  %.322.i.i = load double, ptr %.321.i.i, align 8, !noalias !117
   %.325.i.i = fcmp une double %.265.i.i, %.322.i.i
   %brmerge.i = select i1 %.325.i.i, i1 true, i1 %.7511852.not.i
   %not..325.i.i = xor i1 %.325.i.i, true
   %some.2.01858.mux.i = select i1 %not..325.i.i, i1 true, i1 %some.2.01858.i
-  br i1 %brmerge.i, label %B358.i8337, label %B300.if.lr.ph.i
+  br i1 %brmerge.i, label %B358.i8883, label %B300.if.lr.ph.i
 
 B300.if.lr.ph.i:                                  ; preds = %B122.i.i
-  %.650.i = getelementptr i64, ptr %324, i64 %.352.01856.i
-  %.651.i = load i64, ptr %.650.i, align 8, !noalias !118
+  %.650.i = getelementptr i64, ptr %337, i64 %.352.01856.i
+  %.651.i = load i64, ptr %.650.i, align 8, !noalias !122
   %.652.i = add nsw i64 %.651.i, 1
-  %216 = getelementptr i64, ptr %arg.runs.2.4, i64 %.99.i.i
-  %.596.i = load i64, ptr %216, align 8, !noalias !118
-  %.822.i8346 = icmp slt i64 %.596.i, 0
-  %.823.i8347 = select i1 %.822.i8346, i64 %arg.schedule.3.5.0, i64 0
-  %.824.i = add i64 %.823.i8347, %.596.i
-  %.825.i8348 = icmp slt i64 %.651.i, -1
-  %.826.i8349 = select i1 %.825.i8348, i64 %arg.schedule.3.5.1, i64 0
-  %.827.i = add i64 %.652.i, %.826.i8349
+  %219 = getelementptr i64, ptr %arg.runs.2.4, i64 %.99.i.i
+  %.596.i = load i64, ptr %219, align 8, !noalias !122
+  %.822.i8894 = icmp slt i64 %.596.i, 0
+  %.823.i8895 = select i1 %.822.i8894, i64 %arg.schedule.3.5.0, i64 0
+  %.824.i = add i64 %.823.i8895, %.596.i
+  %.825.i8896 = icmp slt i64 %.651.i, -1
+  %.826.i8897 = select i1 %.825.i8896, i64 %arg.schedule.3.5.1, i64 0
+  %.827.i = add i64 %.652.i, %.826.i8897
   %.854.i = mul i64 %.852.i, %.824.i
   %.856.i = mul i64 %.827.i, %arg.schedule.3.5.2
-  %217 = getelementptr double, ptr %arg.schedule.3.4, i64 %.854.i
-  %218 = getelementptr double, ptr %217, i64 %.856.i
+  %220 = getelementptr double, ptr %arg.schedule.3.4, i64 %.854.i
+  %221 = getelementptr double, ptr %220, i64 %.856.i
   br label %B300.if.i
 
-B358.i8337:                                       ; preds = %B300.if.i, %B110.if.i, %B122.i.i, %B80.i.i8344, %B46.i.i8336
-  %some.3.2.i = phi i1 [ %some.2.01858.i, %B80.i.i8344 ], [ %some.2.01858.mux.i, %B122.i.i ], [ %some.2.01858.i, %B46.i.i8336 ], [ %some.2.01858.i, %B110.if.i ], [ true, %B300.if.i ]
+B358.i8883:                                       ; preds = %B300.if.i, %B110.if.i, %B122.i.i, %B80.i.i8892, %B46.i.i8882
+  %some.3.2.i = phi i1 [ %some.2.01858.i, %B80.i.i8892 ], [ %some.2.01858.mux.i, %B122.i.i ], [ %some.2.01858.i, %B46.i.i8882 ], [ %some.2.01858.i, %B110.if.i ], [ true, %B300.if.i ]
   %exitcond1870.not.i = icmp eq i64 %arg.shape.0, %.423.i
   br i1 %exitcond1870.not.i, label %B360.i, label %B110.if.i
 
-B360.i:                                           ; preds = %B358.i8337
-  br i1 %some.3.2.i, label %B368.i, label %B3504
+B360.i:                                           ; preds = %B358.i8883
+  br i1 %some.3.2.i, label %B368.i, label %B3546
 
 B368.i:                                           ; preds = %B360.i
-  %.1018.i = load i64, ptr %.1017.i, align 8, !noalias !118
+  %.1018.i = load i64, ptr %.1017.i, align 8, !noalias !122
   %.1130.i = inttoptr i64 %.1018.i to ptr
-  tail call void %.1130.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !118
-  %.1161.i = load i64, ptr %.1160.i, align 8, !noalias !118
+  tail call void %.1130.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !122
+  %.1161.i = load i64, ptr %.1160.i, align 8, !noalias !122
   %.1277.i = inttoptr i64 %.1161.i to ptr
-  tail call void %.1277.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.1276.i), !noalias !118
+  tail call void %.1277.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.1276.i), !noalias !122
   br label %B600.if.i
 
 B46.i82.i:                                        ; preds = %B600.if.i
   %.135.i102.i = getelementptr i64, ptr %arg.results.1.4, i64 %.99.i78.i
-  %.136.i103.i = load i64, ptr %.135.i102.i, align 8, !noalias !119
+  %.136.i103.i = load i64, ptr %.135.i102.i, align 8, !noalias !123
   %.141.i106.not.i = icmp eq i64 %.136.i103.i, 0
   br i1 %.141.i106.not.i, label %B80.i107.i, label %B980.i
 
 B80.i107.i:                                       ; preds = %B46.i82.i
-  %.196.i144.i = getelementptr double, ptr %322, i64 %.1303.01865.i
-  %.197.i145.i = load double, ptr %.196.i144.i, align 8, !noalias !119
+  %.196.i144.i = getelementptr double, ptr %335, i64 %.1303.01865.i
+  %.197.i145.i = load double, ptr %.196.i144.i, align 8, !noalias !123
   %.198.i146.i = fcmp olt double %.197.i145.i, 5.000000e-01
   br i1 %.198.i146.i, label %B980.i, label %B122.i147.i
 
 B122.i147.i:                                      ; preds = %B80.i107.i
   %.264.i184.i = getelementptr double, ptr %arg.lane.0.4, i64 %.1303.01865.i
-  %.265.i185.i = load double, ptr %.264.i184.i, align 8, !noalias !119
-  %.321.i223.i = getelementptr double, ptr %323, i64 %.1303.01865.i
-  %.322.i224.i = load double, ptr %.321.i223.i, align 8, !noalias !119
+  %.265.i185.i = load double, ptr %.264.i184.i, align 8, !noalias !123
+  %.321.i223.i = getelementptr double, ptr %336, i64 %.1303.01865.i
+  %.322.i224.i = load double, ptr %.321.i223.i, align 8, !noalias !123
   %.325.i226.i = fcmp une double %.265.i185.i, %.322.i224.i
   br i1 %.325.i226.i, label %B980.i, label %B640.i
 
 B640.i:                                           ; preds = %B122.i147.i
-  %.1557.i = getelementptr i64, ptr %325, i64 %.1303.01865.i
-  %.1558.i = load i64, ptr %.1557.i, align 8, !noalias !118
+  %.1557.i = getelementptr i64, ptr %338, i64 %.1303.01865.i
+  %.1558.i = load i64, ptr %.1557.i, align 8, !noalias !122
   %.1569.i = icmp sgt i64 %.1558.i, 0
-  br i1 %.1569.i, label %B716.i, label %B770.i
+  br i1 %.1569.i, label %B716.i8891, label %B770.i8889
 
-B716.i:                                           ; preds = %B640.i
-  %219 = getelementptr double, ptr %arg.times.4, i64 %.1558.i
-  %.1604.i = getelementptr i8, ptr %219, i64 -8
-  %.1605.i = load double, ptr %.1604.i, align 8, !noalias !118
+B716.i8891:                                       ; preds = %B640.i
+  %222 = getelementptr double, ptr %arg.times.4, i64 %.1558.i
+  %.1604.i = getelementptr i8, ptr %222, i64 -8
+  %.1605.i = load double, ptr %.1604.i, align 8, !noalias !122
   %.1661.i = fcmp oeq double %.1605.i, %.265.i185.i
-  br label %B770.i
+  br label %B770.i8889
 
-B770.i:                                           ; preds = %B716.i, %B640.i
-  %"$phi770.1.2.1.i" = phi i1 [ %.1661.i, %B716.i ], [ false, %B640.i ]
+B770.i8889:                                       ; preds = %B716.i8891, %B640.i
+  %"$phi770.1.2.1.i" = phi i1 [ %.1661.i, %B716.i8891 ], [ false, %B640.i ]
   br i1 %.17571859.not.i, label %B980.i, label %B802.if.lr.ph.i
 
-B802.if.lr.ph.i:                                  ; preds = %B770.i
+B802.if.lr.ph.i:                                  ; preds = %B770.i8889
   %.1887.i = add nsw i64 %.1558.i, -1
   %.1926.i = select i1 %.1569.i, i64 0, i64 %arg.results.0.5.1
   %.1927.i = add i64 %.1887.i, %.1926.i
-  %.1954.i8343 = mul i64 %.1952.i, %.99.i78.i
+  %.1954.i8890 = mul i64 %.1952.i, %.99.i78.i
   %.1956.i = mul i64 %.1927.i, %arg.results.0.5.2
-  %220 = getelementptr double, ptr %arg.results.0.4, i64 %.1954.i8343
-  %221 = getelementptr double, ptr %220, i64 %.1956.i
-  %invariant.gep8616 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1303.01865.i
-  %invariant.gep8618 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1303.01865.i
+  %223 = getelementptr double, ptr %arg.results.0.4, i64 %.1954.i8890
+  %224 = getelementptr double, ptr %223, i64 %.1956.i
+  %invariant.gep9171 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1303.01865.i
+  %invariant.gep9173 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1303.01865.i
   br label %B802.if.i
 
 B898.i:                                           ; preds = %B802.if.i
-  %222 = getelementptr double, ptr %221, i64 %.1701.01860.i
-  store double %.1835.i, ptr %222, align 8, !noalias !118
+  %225 = getelementptr double, ptr %224, i64 %.1701.01860.i
+  store double %.1835.i, ptr %225, align 8, !noalias !122
   br label %B920.i
 
 B920.i:                                           ; preds = %B802.if.i, %B898.i
@@ -2754,102 +2836,102 @@ B920.i:                                           ; preds = %B802.if.i, %B898.i
   br i1 %exitcond1871.not.i, label %B922.loopexit.i, label %B802.if.i
 
 B922.loopexit.i:                                  ; preds = %B920.i
-  %223 = fcmp une double %.1842.i, 0.000000e+00
-  br i1 %223, label %B934.i, label %B980.i
+  %226 = fcmp une double %.1842.i, 0.000000e+00
+  br i1 %226, label %B934.i, label %B980.i
 
 B934.i:                                           ; preds = %B922.loopexit.i
-  %.84.i516.i = load i64, ptr %229, align 8, !noalias !122
+  %.84.i516.i = load i64, ptr %232, align 8, !noalias !126
   %.89.i518.i = icmp sgt i64 %.84.i516.i, -1
   br i1 %.89.i518.i, label %B46.i521.i, label %B980.i
 
 B46.i521.i:                                       ; preds = %B934.i
   %.120.i539.i = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i516.i
-  %.121.i540.i = load i64, ptr %.120.i539.i, align 8, !noalias !122
+  %.121.i540.i = load i64, ptr %.120.i539.i, align 8, !noalias !126
   %.122.i541.i = icmp eq i64 %.121.i540.i, 0
   br i1 %.122.i541.i, label %B80.i545.i, label %B980.i
 
 B80.i545.i:                                       ; preds = %B46.i521.i
-  store i64 3, ptr %.120.i539.i, align 8, !noalias !122
+  store i64 3, ptr %.120.i539.i, align 8, !noalias !126
   br label %B980.i
 
-B980.i:                                           ; preds = %B600.if.i, %B80.i545.i, %B46.i521.i, %B934.i, %B922.loopexit.i, %B770.i, %B122.i147.i, %B80.i107.i, %B46.i82.i
-  %exitcond1872.not.i = icmp eq i64 %arg.shape.0, %.1372.i
+B980.i:                                           ; preds = %B600.if.i, %B80.i545.i, %B46.i521.i, %B934.i, %B922.loopexit.i, %B770.i8889, %B122.i147.i, %B80.i107.i, %B46.i82.i
+  %exitcond1872.not.i = icmp eq i64 %arg.shape.0, %.1372.i8887
   br i1 %exitcond1872.not.i, label %B982.i, label %B600.if.i
 
 B982.i:                                           ; preds = %B980.i
-  br i1 %.2041.not.i, label %B3504, label %B986.i
+  br i1 %.2041.not.i, label %B3546, label %B986.i
 
 B986.i:                                           ; preds = %B982.i
-  %.2074.i = load i64, ptr %.2073.i, align 8, !noalias !118
+  %.2074.i = load i64, ptr %.2073.i, align 8, !noalias !122
   %.2188.i = inttoptr i64 %.2074.i to ptr
-  tail call void %.2188.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !118
+  tail call void %.2188.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !122
   br label %B1106.if.i
 
 B46.i315.i:                                       ; preds = %B1106.if.i
   %.135.i335.i = getelementptr i64, ptr %arg.results.1.4, i64 %.99.i311.i
-  %.136.i336.i = load i64, ptr %.135.i335.i, align 8, !noalias !125
+  %.136.i336.i = load i64, ptr %.135.i335.i, align 8, !noalias !129
   %.141.i339.not.i = icmp eq i64 %.136.i336.i, 0
   br i1 %.141.i339.not.i, label %B80.i340.i, label %B1228.i
 
 B80.i340.i:                                       ; preds = %B46.i315.i
-  %.196.i377.i = getelementptr double, ptr %322, i64 %.2224.01868.i
-  %.197.i378.i = load double, ptr %.196.i377.i, align 8, !noalias !125
+  %.196.i377.i = getelementptr double, ptr %335, i64 %.2224.01868.i
+  %.197.i378.i = load double, ptr %.196.i377.i, align 8, !noalias !129
   %.198.i379.i = fcmp olt double %.197.i378.i, 5.000000e-01
   br i1 %.198.i379.i, label %B1228.i, label %B122.i380.i
 
 B122.i380.i:                                      ; preds = %B80.i340.i
   %.264.i417.i = getelementptr double, ptr %arg.lane.0.4, i64 %.2224.01868.i
-  %.265.i418.i = load double, ptr %.264.i417.i, align 8, !noalias !125
-  %.321.i456.i = getelementptr double, ptr %323, i64 %.2224.01868.i
-  %.322.i457.i = load double, ptr %.321.i456.i, align 8, !noalias !125
+  %.265.i418.i = load double, ptr %.264.i417.i, align 8, !noalias !129
+  %.321.i456.i = getelementptr double, ptr %336, i64 %.2224.01868.i
+  %.322.i457.i = load double, ptr %.321.i456.i, align 8, !noalias !129
   %.325.i459.i = fcmp une double %.265.i418.i, %.322.i457.i
   br i1 %.325.i459.i, label %B1228.i, label %B1146.i
 
 B1146.i:                                          ; preds = %B122.i380.i
-  %224 = getelementptr double, ptr %arg.arrays.4.4, i64 %.2224.01868.i
-  %.2400.i = load double, ptr %224, align 8, !noalias !118
+  %227 = getelementptr double, ptr %arg.arrays.4.4, i64 %.2224.01868.i
+  %.2400.i = load double, ptr %227, align 8, !noalias !122
   %.2402.i = fcmp olt double %.2400.i, -1.000000e-09
   br i1 %.2402.i, label %B80.i672.i, label %B1228.i
 
 B80.i672.i:                                       ; preds = %B1146.i
-  store i64 4, ptr %.135.i335.i, align 8, !noalias !128
+  store i64 4, ptr %.135.i335.i, align 8, !noalias !132
   br label %B1228.i
 
 B1228.i:                                          ; preds = %B1106.if.i, %B80.i672.i, %B1146.i, %B122.i380.i, %B80.i340.i, %B46.i315.i
-  %exitcond8652.not = icmp eq i64 %arg.shape.0, %.2293.i8342
-  br i1 %exitcond8652.not, label %B3504, label %B1106.if.i
+  %exitcond9208.not = icmp eq i64 %arg.shape.0, %.2293.i
+  br i1 %exitcond9208.not, label %B3546, label %B1106.if.i
 
-B110.if.i:                                        ; preds = %B3450, %B358.i8337
-  %some.2.01858.i = phi i1 [ %some.3.2.i, %B358.i8337 ], [ false, %B3450 ]
-  %.352.01856.i = phi i64 [ %.423.i, %B358.i8337 ], [ 0, %B3450 ]
+B110.if.i:                                        ; preds = %B3492, %B358.i8883
+  %some.2.01858.i = phi i1 [ %some.3.2.i, %B358.i8883 ], [ false, %B3492 ]
+  %.352.01856.i = phi i64 [ %.423.i, %B358.i8883 ], [ 0, %B3492 ]
   %.423.i = add nsw i64 %.352.01856.i, 1
-  %225 = getelementptr i64, ptr %arg.lane.1.4, i64 %.352.01856.i
-  %.99.i.i = load i64, ptr %225, align 8, !noalias !113
+  %228 = getelementptr i64, ptr %arg.lane.1.4, i64 %.352.01856.i
+  %.99.i.i = load i64, ptr %228, align 8, !noalias !117
   %.104.i.i = icmp slt i64 %.99.i.i, 0
-  br i1 %.104.i.i, label %B358.i8337, label %B46.i.i8336
+  br i1 %.104.i.i, label %B358.i8883, label %B46.i.i8882
 
 B300.if.i:                                        ; preds = %B300.if.i, %B300.if.lr.ph.i
   %.692.01853.i = phi i64 [ 0, %B300.if.lr.ph.i ], [ %.764.i, %B300.if.i ]
   %.764.i = add nsw i64 %.692.01853.i, 1
-  %226 = getelementptr double, ptr %218, i64 %.692.01853.i
-  %.861.i = load double, ptr %226, align 8, !noalias !118
-  %227 = getelementptr i64, ptr %arg.schedule.2.4, i64 %.692.01853.i
-  %.891.i = load i64, ptr %227, align 8, !noalias !118
+  %229 = getelementptr double, ptr %221, i64 %.692.01853.i
+  %.861.i = load double, ptr %229, align 8, !noalias !122
+  %230 = getelementptr i64, ptr %arg.schedule.2.4, i64 %.692.01853.i
+  %.891.i = load i64, ptr %230, align 8, !noalias !122
   %.893.i = mul nsw i64 %.891.i, %arg.shape.0
   %.895.i = add nsw i64 %.893.i, %.352.01856.i
   %.909.i = icmp slt i64 %.895.i, 0
   %.910.i = select i1 %.909.i, i64 %arg.arrays.1.5.0, i64 0
-  %228 = getelementptr double, ptr %arg.arrays.1.4, i64 %.895.i
-  %.924.i = getelementptr double, ptr %228, i64 %.910.i
-  store double %.861.i, ptr %.924.i, align 8, !noalias !118
-  %exitcond.not.i8350 = icmp eq i64 %arg.schedule.2.5.0, %.764.i
-  br i1 %exitcond.not.i8350, label %B358.i8337, label %B300.if.i
+  %231 = getelementptr double, ptr %arg.arrays.1.4, i64 %.895.i
+  %.924.i = getelementptr double, ptr %231, i64 %.910.i
+  store double %.861.i, ptr %.924.i, align 8, !noalias !122
+  %exitcond.not.i8898 = icmp eq i64 %arg.schedule.2.5.0, %.764.i
+  br i1 %exitcond.not.i8898, label %B358.i8883, label %B300.if.i
 
 B600.if.i:                                        ; preds = %B980.i, %B368.i
-  %.1303.01865.i = phi i64 [ 0, %B368.i ], [ %.1372.i, %B980.i ]
-  %.1372.i = add nsw i64 %.1303.01865.i, 1
-  %229 = getelementptr i64, ptr %arg.lane.1.4, i64 %.1303.01865.i
-  %.99.i78.i = load i64, ptr %229, align 8, !noalias !119
+  %.1303.01865.i = phi i64 [ 0, %B368.i ], [ %.1372.i8887, %B980.i ]
+  %.1372.i8887 = add nsw i64 %.1303.01865.i, 1
+  %232 = getelementptr i64, ptr %arg.lane.1.4, i64 %.1303.01865.i
+  %.99.i78.i = load i64, ptr %232, align 8, !noalias !123
   %.104.i81.i = icmp slt i64 %.99.i78.i, 0
   br i1 %.104.i81.i, label %B980.i, label %B46.i82.i
 
@@ -2857,605 +2939,611 @@ B802.if.i:                                        ; preds = %B920.i, %B802.if.lr
   %trouble.2.11862.i = phi double [ 0.000000e+00, %B802.if.lr.ph.i ], [ %.1842.i, %B920.i ]
   %.1701.01860.i = phi i64 [ 0, %B802.if.lr.ph.i ], [ %.1770.i, %B920.i ]
   %.1770.i = add nsw i64 %.1701.01860.i, 1
-  %.1801.i = add nsw i64 %.1701.01860.i, %.1231.i8339
+  %.1801.i = add nsw i64 %.1701.01860.i, %.1231.i8885
   %.1803.i = mul nsw i64 %.1801.i, %arg.shape.0
-  %gep8617 = getelementptr double, ptr %invariant.gep8616, i64 %.1803.i
-  %.1835.i = load double, ptr %gep8617, align 8, !noalias !118
+  %gep9172 = getelementptr double, ptr %invariant.gep9171, i64 %.1803.i
+  %.1835.i = load double, ptr %gep9172, align 8, !noalias !122
   %.1840.i = fmul double %.1835.i, 0.000000e+00
   %.1842.i = fadd double %trouble.2.11862.i, %.1840.i
   %.1850.i = mul nsw i64 %.1701.01860.i, %arg.shape.0
-  %gep8619 = getelementptr double, ptr %invariant.gep8618, i64 %.1850.i
-  store double %.1835.i, ptr %gep8619, align 8, !noalias !118
+  %gep9174 = getelementptr double, ptr %invariant.gep9173, i64 %.1850.i
+  store double %.1835.i, ptr %gep9174, align 8, !noalias !122
   br i1 %"$phi770.1.2.1.i", label %B898.i, label %B920.i
 
 B1106.if.i:                                       ; preds = %B1228.i, %B986.i
-  %.2224.01868.i = phi i64 [ 0, %B986.i ], [ %.2293.i8342, %B1228.i ]
-  %.2293.i8342 = add nsw i64 %.2224.01868.i, 1
-  %230 = getelementptr i64, ptr %arg.lane.1.4, i64 %.2224.01868.i
-  %.99.i311.i = load i64, ptr %230, align 8, !noalias !125
+  %.2224.01868.i = phi i64 [ 0, %B986.i ], [ %.2293.i, %B1228.i ]
+  %.2293.i = add nsw i64 %.2224.01868.i, 1
+  %233 = getelementptr i64, ptr %arg.lane.1.4, i64 %.2224.01868.i
+  %.99.i311.i = load i64, ptr %233, align 8, !noalias !129
   %.104.i314.i = icmp slt i64 %.99.i311.i, 0
   br i1 %.104.i314.i, label %B1228.i, label %B46.i315.i
 
-B3504:                                            ; preds = %B1228.i, %B3450, %B360.i, %B982.i
+B3546:                                            ; preds = %B1228.i, %B3492, %B360.i, %B982.i
   %looked.2.1.lcssa.not = xor i1 %looked.2.1.lcssa, true
-  %brmerge8640 = or i1 %.274.i, %looked.2.1.lcssa.not
-  br i1 %brmerge8640, label %B4306, label %B3542.if
+  %brmerge9195 = or i1 %.274.i, %looked.2.1.lcssa.not
+  br i1 %brmerge9195, label %B4348, label %B3584.if
 
-B3588:                                            ; preds = %B3542.if
-  br i1 %.163.i36858623.not, label %B102.i, label %B46.if.i4070.preheader
+B3630:                                            ; preds = %B3584.if
+  br i1 %.163.i45479178.not, label %B102.i, label %B46.if.i4980.preheader
 
-B46.if.i4070.preheader:                           ; preds = %B3588
-  %invariant.gep8871 = getelementptr double, ptr %arg.arrays.0.4, i64 %.5164.08627
-  br label %B46.if.i4070
+B46.if.i4980.preheader:                           ; preds = %B3630
+  %invariant.gep9427 = getelementptr double, ptr %arg.arrays.0.4, i64 %.5222.09182
+  br label %B46.if.i4980
 
-B102.i:                                           ; preds = %B46.if.i4070, %B3588
-  %.360.i3746 = getelementptr double, ptr %arg.lane.0.4, i64 %.5164.08627
-  store double 0.000000e+00, ptr %.360.i3746, align 8, !noalias !131
-  %.415.i3794 = getelementptr double, ptr %356, i64 %.5164.08627
-  store double 5.000000e-01, ptr %.415.i3794, align 8, !noalias !131
-  %.470.i3842 = getelementptr double, ptr %357, i64 %.5164.08627
-  store double 1.000000e+00, ptr %.470.i3842, align 8, !noalias !131
-  %.526.i3890 = getelementptr double, ptr %358, i64 %.5164.08627
-  store double 0.000000e+00, ptr %.526.i3890, align 8, !noalias !131
-  %.581.i3938 = getelementptr double, ptr %359, i64 %.5164.08627
-  store double 0.000000e+00, ptr %.581.i3938, align 8, !noalias !131
-  %.638.i3987 = getelementptr double, ptr %360, i64 %.5164.08627
-  store double 0xFFF0000000000000, ptr %.638.i3987, align 8, !noalias !131
-  br label %B4333
+B102.i:                                           ; preds = %B46.if.i4980, %B3630
+  %.360.i4608 = getelementptr double, ptr %arg.lane.0.4, i64 %.5222.09182
+  store double 0.000000e+00, ptr %.360.i4608, align 8, !noalias !135
+  %.415.i4656 = getelementptr double, ptr %371, i64 %.5222.09182
+  store double 5.000000e-01, ptr %.415.i4656, align 8, !noalias !135
+  %.470.i4704 = getelementptr double, ptr %372, i64 %.5222.09182
+  store double 1.000000e+00, ptr %.470.i4704, align 8, !noalias !135
+  %.526.i4752 = getelementptr double, ptr %373, i64 %.5222.09182
+  store double 0.000000e+00, ptr %.526.i4752, align 8, !noalias !135
+  %.581.i4800 = getelementptr double, ptr %374, i64 %.5222.09182
+  store double 0.000000e+00, ptr %.581.i4800, align 8, !noalias !135
+  %.636.i4848 = getelementptr double, ptr %375, i64 %.5222.09182
+  store double 0xFFF0000000000000, ptr %.636.i4848, align 8, !noalias !135
+  %.693.i4897 = getelementptr double, ptr %376, i64 %.5222.09182
+  store double 0x7FF0000000000000, ptr %.693.i4897, align 8, !noalias !135
+  br label %B4375
 
-B46.if.i4070:                                     ; preds = %B46.if.i4070.preheader, %B46.if.i4070
-  %.105.i3626.08625 = phi i64 [ %.176.i4078, %B46.if.i4070 ], [ 0, %B46.if.i4070.preheader ]
-  %.176.i4078 = add nsw i64 %.105.i3626.08625, 1
-  %231 = getelementptr double, ptr %arg.runs.0.4, i64 %.105.i3626.08625
-  %.255.i4040 = load double, ptr %231, align 8, !noalias !131
-  %.257.i4042 = mul nsw i64 %.105.i3626.08625, %arg.shape.0
-  %gep8872 = getelementptr double, ptr %invariant.gep8871, i64 %.257.i4042
-  store double %.255.i4040, ptr %gep8872, align 8, !noalias !131
-  %exitcond8654.not = icmp eq i64 %arg.shape.1, %.176.i4078
-  br i1 %exitcond8654.not, label %B102.i, label %B46.if.i4070
+B46.if.i4980:                                     ; preds = %B46.if.i4980.preheader, %B46.if.i4980
+  %.105.i4487.09180 = phi i64 [ %.176.i4988, %B46.if.i4980 ], [ 0, %B46.if.i4980.preheader ]
+  %.176.i4988 = add nsw i64 %.105.i4487.09180, 1
+  %234 = getelementptr double, ptr %arg.runs.0.4, i64 %.105.i4487.09180
+  %.255.i4950 = load double, ptr %234, align 8, !noalias !135
+  %.257.i4952 = mul nsw i64 %.105.i4487.09180, %arg.shape.0
+  %gep9428 = getelementptr double, ptr %invariant.gep9427, i64 %.257.i4952
+  store double %.255.i4950, ptr %gep9428, align 8, !noalias !135
+  %exitcond9210.not = icmp eq i64 %arg.shape.1, %.176.i4988
+  br i1 %exitcond9210.not, label %B102.i, label %B46.if.i4980
 
-B3628:                                            ; preds = %B3542.if
-  %.5448 = mul i64 %.5326, %arg.results.3.5.1
-  %.5452 = getelementptr i64, ptr %arg.results.3.4, i64 %.5448
-  %.5453 = load i64, ptr %.5452, align 8
-  %.5509 = getelementptr i8, ptr %.5452, i64 24
-  %.5510 = load i64, ptr %.5509, align 8
-  %232 = add i64 %.5453, %.5510
-  %.5511 = sub i64 %arg.most, %232
-  %.5516 = icmp slt i64 %.5511, 1
-  br i1 %.5516, label %B3708, label %B3754
+B3670:                                            ; preds = %B3584.if
+  %.5506 = mul i64 %.5384, %arg.results.3.5.1
+  %.5510 = getelementptr i64, ptr %arg.results.3.4, i64 %.5506
+  %.5511 = load i64, ptr %.5510, align 8
+  %.5567 = getelementptr i8, ptr %.5510, i64 24
+  %.5568 = load i64, ptr %.5567, align 8
+  %235 = add i64 %.5511, %.5568
+  %.5569 = sub i64 %arg.most, %235
+  %.5574 = icmp slt i64 %.5569, 1
+  br i1 %.5574, label %B3750, label %B3796
 
-B3708:                                            ; preds = %B3628
-  %233 = getelementptr i64, ptr %arg.lane.1.4, i64 %.5164.08627
-  %.84.i4161 = load i64, ptr %233, align 8, !noalias !135
-  %.89.i4164 = icmp sgt i64 %.84.i4161, -1
-  br i1 %.89.i4164, label %B46.i4169, label %B3754
+B3750:                                            ; preds = %B3670
+  %236 = getelementptr i64, ptr %arg.lane.1.4, i64 %.5222.09182
+  %.84.i5071 = load i64, ptr %236, align 8, !noalias !139
+  %.89.i5074 = icmp sgt i64 %.84.i5071, -1
+  br i1 %.89.i5074, label %B46.i5079, label %B3796
 
-B46.i4169:                                        ; preds = %B3708
-  %.120.i4194 = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i4161
-  %.121.i4195 = load i64, ptr %.120.i4194, align 8, !noalias !135
-  %.122.i4196 = icmp eq i64 %.121.i4195, 0
-  br i1 %.122.i4196, label %B80.i4201, label %B3754
+B46.i5079:                                        ; preds = %B3750
+  %.120.i5104 = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i5071
+  %.121.i5105 = load i64, ptr %.120.i5104, align 8, !noalias !139
+  %.122.i5106 = icmp eq i64 %.121.i5105, 0
+  br i1 %.122.i5106, label %B80.i5111, label %B3796
 
-B80.i4201:                                        ; preds = %B46.i4169
-  store i64 5, ptr %.120.i4194, align 8, !noalias !135
-  br label %B3754
+B80.i5111:                                        ; preds = %B46.i5079
+  store i64 5, ptr %.120.i5104, align 8, !noalias !139
+  br label %B3796
 
-B3754:                                            ; preds = %B80.i4201, %B3708, %B46.i4169, %B3628
-  %.5606 = getelementptr double, ptr %326, i64 %.5164.08627
-  %.5607 = load double, ptr %.5606, align 8
-  %.5608 = fcmp ogt double %.5607, 5.000000e-01
-  br i1 %.5608, label %B3792, label %B3898
+B3796:                                            ; preds = %B80.i5111, %B3750, %B46.i5079, %B3670
+  %.5664 = getelementptr double, ptr %339, i64 %.5222.09182
+  %.5665 = load double, ptr %.5664, align 8
+  %.5666 = fcmp ogt double %.5665, 5.000000e-01
+  br i1 %.5666, label %B3834, label %B3940
 
-B3792:                                            ; preds = %B3754
-  %.5663 = getelementptr double, ptr %arg.lane.0.4, i64 %.5164.08627
-  %.5664 = load double, ptr %.5663, align 8
-  %.5718 = getelementptr double, ptr %327, i64 %.5164.08627
-  %.5719 = load double, ptr %.5718, align 8
-  %.5720 = fcmp oeq double %.5664, %.5719
-  br i1 %.5720, label %B3856, label %B3898
+B3834:                                            ; preds = %B3796
+  %.5721 = getelementptr double, ptr %arg.lane.0.4, i64 %.5222.09182
+  %.5722 = load double, ptr %.5721, align 8
+  %.5776 = getelementptr double, ptr %340, i64 %.5222.09182
+  %.5777 = load double, ptr %.5776, align 8
+  %.5778 = fcmp oeq double %.5722, %.5777
+  br i1 %.5778, label %B3898, label %B3940
 
-B3856:                                            ; preds = %B3792
-  %.246.i4469 = load i64, ptr %.5325, align 8, !noalias !138
-  %.264.i4481 = icmp slt i64 %.246.i4469, 0
-  %.265.i4482 = select i1 %.264.i4481, i64 %arg.runs.2.5.0, i64 0
-  %234 = getelementptr i64, ptr %arg.runs.2.4, i64 %.246.i4469
-  %.279.i4496 = getelementptr i64, ptr %234, i64 %.265.i4482
-  %.280.i4497 = load i64, ptr %.279.i4496, align 8, !noalias !138
-  %.337.i4545 = getelementptr i64, ptr %328, i64 %.5164.08627
-  %.338.i4546 = load i64, ptr %.337.i4545, align 8, !noalias !138
-  %.339.i4547 = add nsw i64 %.338.i4546, 1
-  store i64 %.339.i4547, ptr %.337.i4545, align 8, !noalias !138
-  %.460.i4652 = icmp slt i64 %.280.i4497, 0
-  %.461.i4653 = select i1 %.460.i4652, i64 %arg.schedule.1.5.0, i64 0
-  %235 = getelementptr i64, ptr %arg.schedule.1.4, i64 %.280.i4497
-  %.475.i4667 = getelementptr i64, ptr %235, i64 %.461.i4653
-  %.476.i4668 = load i64, ptr %.475.i4667, align 8, !noalias !138
-  %.477.i4669 = icmp eq i64 %.339.i4547, %.476.i4668
-  br i1 %.477.i4669, label %B186.i, label %B244.i
+B3898:                                            ; preds = %B3834
+  %.246.i5386 = load i64, ptr %.5383, align 8, !noalias !142
+  %.264.i5398 = icmp slt i64 %.246.i5386, 0
+  %.265.i5399 = select i1 %.264.i5398, i64 %arg.runs.2.5.0, i64 0
+  %237 = getelementptr i64, ptr %arg.runs.2.4, i64 %.246.i5386
+  %.279.i5413 = getelementptr i64, ptr %237, i64 %.265.i5399
+  %.280.i5414 = load i64, ptr %.279.i5413, align 8, !noalias !142
+  %.337.i5462 = getelementptr i64, ptr %341, i64 %.5222.09182
+  %.338.i5463 = load i64, ptr %.337.i5462, align 8, !noalias !142
+  %.339.i5464 = add nsw i64 %.338.i5463, 1
+  store i64 %.339.i5464, ptr %.337.i5462, align 8, !noalias !142
+  %.460.i5569 = icmp slt i64 %.280.i5414, 0
+  %.461.i5570 = select i1 %.460.i5569, i64 %arg.schedule.1.5.0, i64 0
+  %238 = getelementptr i64, ptr %arg.schedule.1.4, i64 %.280.i5414
+  %.475.i5584 = getelementptr i64, ptr %238, i64 %.461.i5570
+  %.476.i5585 = load i64, ptr %.475.i5584, align 8, !noalias !142
+  %.477.i5586 = icmp eq i64 %.339.i5464, %.476.i5585
+  br i1 %.477.i5586, label %B186.i, label %B244.i
 
-B186.i:                                           ; preds = %B3856
-  %.516.i5040 = select i1 %.264.i4481, i64 %arg.results.1.5.0, i64 0
-  %236 = getelementptr i64, ptr %arg.results.1.4, i64 %.246.i4469
-  %.530.i5054 = getelementptr i64, ptr %236, i64 %.516.i5040
-  %.531.i5055 = load i64, ptr %.530.i5054, align 8, !noalias !138
-  %.532.i5056 = icmp eq i64 %.531.i5055, 0
-  br i1 %.532.i5056, label %B220.i, label %B3898
+B186.i:                                           ; preds = %B3898
+  %.516.i6102 = select i1 %.264.i5398, i64 %arg.results.1.5.0, i64 0
+  %239 = getelementptr i64, ptr %arg.results.1.4, i64 %.246.i5386
+  %.530.i6116 = getelementptr i64, ptr %239, i64 %.516.i6102
+  %.531.i6117 = load i64, ptr %.530.i6116, align 8, !noalias !142
+  %.532.i6118 = icmp eq i64 %.531.i6117, 0
+  br i1 %.532.i6118, label %B220.i, label %B3940
 
 B220.i:                                           ; preds = %B186.i
-  store i64 1, ptr %.530.i5054, align 8, !noalias !138
-  br label %B3898
+  store i64 1, ptr %.530.i6116, align 8, !noalias !142
+  br label %B3940
 
-B244.i:                                           ; preds = %B3856
-  %.659.i4741 = select i1 %.460.i4652, i64 %arg.schedule.0.5.0, i64 0
-  %.660.i4742 = add i64 %.659.i4741, %.280.i4497
-  %.661.i4743 = icmp slt i64 %.338.i4546, -1
-  %.662.i4744 = select i1 %.661.i4743, i64 %arg.schedule.0.5.1, i64 0
-  %.680.i4761 = mul i64 %.660.i4742, %arg.schedule.0.5.1
-  %237 = getelementptr double, ptr %arg.schedule.0.4, i64 %.680.i4761
-  %238 = getelementptr double, ptr %237, i64 %.339.i4547
-  %.684.i4765 = getelementptr double, ptr %238, i64 %.662.i4744
-  %.685.i4766 = load double, ptr %.684.i4765, align 8, !noalias !138
-  store double %.685.i4766, ptr %.5718, align 8, !noalias !138
-  %.797.i4862 = load i64, ptr %.337.i4545, align 8, !noalias !138
-  %.822.i4882 = select i1 %.460.i4652, i64 %arg.schedule.4.5.0, i64 0
-  %.823.i4883 = add i64 %.822.i4882, %.280.i4497
-  %.824.i4884 = icmp slt i64 %.797.i4862, 0
-  %.825.i4885 = select i1 %.824.i4884, i64 %arg.schedule.4.5.1, i64 0
-  %.843.i4903 = mul i64 %.823.i4883, %arg.schedule.4.5.1
-  %239 = getelementptr i64, ptr %arg.schedule.4.4, i64 %.843.i4903
-  %240 = getelementptr i64, ptr %239, i64 %.797.i4862
-  %.847.i4907 = getelementptr i64, ptr %240, i64 %.825.i4885
-  %.848.i4908 = load i64, ptr %.847.i4907, align 8, !noalias !138
-  %.851.i = icmp eq i64 %.848.i4908, 0
-  br i1 %.851.i, label %B364.i, label %B412.i
+B244.i:                                           ; preds = %B3898
+  %.659.i5658 = select i1 %.460.i5569, i64 %arg.schedule.0.5.0, i64 0
+  %.660.i5659 = add i64 %.659.i5658, %.280.i5414
+  %.661.i5660 = icmp slt i64 %.338.i5463, -1
+  %.662.i5661 = select i1 %.661.i5660, i64 %arg.schedule.0.5.1, i64 0
+  %.680.i5679 = mul i64 %.660.i5659, %arg.schedule.0.5.1
+  %240 = getelementptr double, ptr %arg.schedule.0.4, i64 %.680.i5679
+  %241 = getelementptr double, ptr %240, i64 %.339.i5464
+  %.684.i5683 = getelementptr double, ptr %241, i64 %.662.i5661
+  %.685.i5684 = load double, ptr %.684.i5683, align 8, !noalias !142
+  store double %.685.i5684, ptr %.5776, align 8, !noalias !142
+  %.797.i5782 = load i64, ptr %.337.i5462, align 8, !noalias !142
+  %.822.i5802 = select i1 %.460.i5569, i64 %arg.schedule.4.5.0, i64 0
+  %.823.i5803 = add i64 %.822.i5802, %.280.i5414
+  %.824.i5804 = icmp slt i64 %.797.i5782, 0
+  %.825.i5805 = select i1 %.824.i5804, i64 %arg.schedule.4.5.1, i64 0
+  %.843.i5823 = mul i64 %.823.i5803, %arg.schedule.4.5.1
+  %242 = getelementptr i64, ptr %arg.schedule.4.4, i64 %.843.i5823
+  %243 = getelementptr i64, ptr %242, i64 %.797.i5782
+  %.847.i5827 = getelementptr i64, ptr %243, i64 %.825.i5805
+  %.848.i5828 = load i64, ptr %.847.i5827, align 8, !noalias !142
+  %.851.i5830 = icmp eq i64 %.848.i5828, 0
+  br i1 %.851.i5830, label %B364.i, label %B412.i
 
 B364.i:                                           ; preds = %B244.i
-  %.906.i4999 = getelementptr double, ptr %329, i64 %.5164.08627
-  store double 1.000000e+00, ptr %.906.i4999, align 8, !noalias !138
+  %.906.i6054 = getelementptr double, ptr %342, i64 %.5222.09182
+  store double 1.000000e+00, ptr %.906.i6054, align 8, !noalias !142
   br label %B456.i.sink.split
 
 B412.i:                                           ; preds = %B244.i
-  %.974.i4917 = load i64, ptr %.722, align 8, !noalias !138
-  %.975.i4918 = icmp eq i64 %.974.i4917, 0
-  br i1 %.975.i4918, label %B456.i.sink.split, label %B456.i
+  %.974.i5848 = load i64, ptr %.722, align 8, !noalias !142
+  %.975.i5849 = icmp eq i64 %.974.i5848, 0
+  br i1 %.975.i5849, label %B456.i.sink.split, label %B456.i
 
 B456.i.sink.split:                                ; preds = %B412.i, %B364.i
   %.sink = phi i64 [ 1, %B364.i ], [ 2, %B412.i ]
-  store i64 %.sink, ptr %.722, align 8, !noalias !138
+  store i64 %.sink, ptr %.722, align 8, !noalias !142
   br label %B456.i
 
 B456.i:                                           ; preds = %B456.i.sink.split, %B412.i
-  br i1 %.1103.i8620.not, label %B3898, label %B512.if.i.lr.ph
+  br i1 %.1103.i9175.not, label %B3940, label %B512.if.i.lr.ph
 
 B512.if.i.lr.ph:                                  ; preds = %B456.i
-  %.1227.i = select i1 %.460.i4652, i64 %arg.schedule.3.5.0, i64 0
-  %.1228.i = add i64 %.1227.i, %.280.i4497
-  %.1258.i = mul i64 %.1256.i, %.1228.i
-  %241 = getelementptr double, ptr %arg.schedule.3.4, i64 %.1258.i
+  %.1227.i = select i1 %.460.i5569, i64 %arg.schedule.3.5.0, i64 0
+  %.1228.i5943 = add i64 %.1227.i, %.280.i5414
+  %.1258.i = mul i64 %.1256.i5962, %.1228.i5943
+  %244 = getelementptr double, ptr %arg.schedule.3.4, i64 %.1258.i
   br label %B512.if.i
 
 B512.if.i:                                        ; preds = %B512.if.i.lr.ph, %B512.if.i
-  %.1045.i4403.08622 = phi i64 [ 0, %B512.if.i.lr.ph ], [ %.1116.i, %B512.if.i ]
-  %.1116.i = add nsw i64 %.1045.i4403.08622, 1
-  %.1195.i = load i64, ptr %.337.i4545, align 8, !noalias !138
+  %.1045.i5315.09177 = phi i64 [ 0, %B512.if.i.lr.ph ], [ %.1116.i, %B512.if.i ]
+  %.1116.i = add nsw i64 %.1045.i5315.09177, 1
+  %.1195.i = load i64, ptr %.337.i5462, align 8, !noalias !142
   %.1229.i = icmp slt i64 %.1195.i, 0
   %.1230.i = select i1 %.1229.i, i64 %arg.schedule.3.5.1, i64 0
   %.1231.i = add i64 %.1230.i, %.1195.i
-  %.1260.i = mul i64 %.1231.i, %arg.schedule.3.5.2
-  %242 = getelementptr double, ptr %241, i64 %.1260.i
-  %243 = getelementptr double, ptr %242, i64 %.1045.i4403.08622
-  %.1265.i = load double, ptr %243, align 8, !noalias !138
-  %244 = getelementptr i64, ptr %arg.schedule.2.4, i64 %.1045.i4403.08622
-  %.1295.i = load i64, ptr %244, align 8, !noalias !138
+  %.1260.i5964 = mul i64 %.1231.i, %arg.schedule.3.5.2
+  %245 = getelementptr double, ptr %244, i64 %.1260.i5964
+  %246 = getelementptr double, ptr %245, i64 %.1045.i5315.09177
+  %.1265.i5969 = load double, ptr %246, align 8, !noalias !142
+  %247 = getelementptr i64, ptr %arg.schedule.2.4, i64 %.1045.i5315.09177
+  %.1295.i = load i64, ptr %247, align 8, !noalias !142
   %.1297.i = mul nsw i64 %.1295.i, %arg.shape.0
-  %.1299.i = add nsw i64 %.1297.i, %.5164.08627
+  %.1299.i = add nsw i64 %.1297.i, %.5222.09182
   %.1313.i = icmp slt i64 %.1299.i, 0
   %.1314.i = select i1 %.1313.i, i64 %arg.arrays.1.5.0, i64 0
-  %245 = getelementptr double, ptr %arg.arrays.1.4, i64 %.1299.i
-  %.1328.i = getelementptr double, ptr %245, i64 %.1314.i
-  store double %.1265.i, ptr %.1328.i, align 8, !noalias !138
-  %exitcond8653.not = icmp eq i64 %arg.schedule.2.5.0, %.1116.i
-  br i1 %exitcond8653.not, label %B3898, label %B512.if.i
+  %248 = getelementptr double, ptr %arg.arrays.1.4, i64 %.1299.i
+  %.1328.i = getelementptr double, ptr %248, i64 %.1314.i
+  store double %.1265.i5969, ptr %.1328.i, align 8, !noalias !142
+  %exitcond9209.not = icmp eq i64 %arg.schedule.2.5.0, %.1116.i
+  br i1 %exitcond9209.not, label %B3940, label %B512.if.i
 
-B3898:                                            ; preds = %B512.if.i, %B456.i, %B220.i, %B186.i, %B3792, %B3754
-  %.5826 = getelementptr i64, ptr %arg.results.1.4, i64 %.5326
-  %.5827 = load i64, ptr %.5826, align 8
-  %.5828.not = icmp eq i64 %.5827, 0
-  br i1 %.5828.not, label %B4056, label %B3932
+B3940:                                            ; preds = %B512.if.i, %B456.i, %B220.i, %B186.i, %B3834, %B3796
+  %.5884 = getelementptr i64, ptr %arg.results.1.4, i64 %.5384
+  %.5885 = load i64, ptr %.5884, align 8
+  %.5886.not = icmp eq i64 %.5885, 0
+  br i1 %.5886.not, label %B4098, label %B3974
 
-B3932:                                            ; preds = %B3898
-  %.5889 = getelementptr i64, ptr %330, i64 %.5164.08627
-  %.5890 = load i64, ptr %.5889, align 8
-  %.5920 = getelementptr i64, ptr %arg.results.2.4, i64 %.5326
-  store i64 %.5890, ptr %.5920, align 8
-  store i64 -1, ptr %.5325, align 8
-  %.314.i8351 = load i64, ptr %arg.lane.2.4, align 8, !noalias !142
-  %.374.i8353 = load i64, ptr %.373.i8352, align 8, !noalias !142
-  %.375.i8354 = icmp slt i64 %.314.i8351, %.374.i8353
-  br i1 %.375.i8354, label %B130.i8482, label %B316.i8355
+B3974:                                            ; preds = %B3940
+  %.5947 = getelementptr i64, ptr %343, i64 %.5222.09182
+  %.5948 = load i64, ptr %.5947, align 8
+  %.5978 = getelementptr i64, ptr %arg.results.2.4, i64 %.5384
+  store i64 %.5948, ptr %.5978, align 8
+  store i64 -1, ptr %.5383, align 8
+  %.314.i8899 = load i64, ptr %arg.lane.2.4, align 8, !noalias !146
+  %.374.i8901 = load i64, ptr %.373.i8900, align 8, !noalias !146
+  %.375.i8902 = icmp slt i64 %.314.i8899, %.374.i8901
+  br i1 %.375.i8902, label %B130.i9034, label %B316.i8903
 
-B130.i8482:                                       ; preds = %B3932
-  %.385.i8483 = add nsw i64 %.314.i8351, 1
-  store i64 %.385.i8483, ptr %arg.lane.2.4, align 8, !noalias !142
-  store i64 1, ptr %.722, align 8, !noalias !142
-  store i64 %.314.i8351, ptr %.5325, align 8, !noalias !142
-  %.557.i8488 = getelementptr i64, ptr %331, i64 %.5164.08627
-  store i64 0, ptr %.557.i8488, align 8, !noalias !142
-  store i64 1, ptr %.5889, align 8, !noalias !142
-  br i1 %.6961521.not.i8491, label %B316.i8355, label %B272.if.lr.ph.i8492
+B130.i9034:                                       ; preds = %B3974
+  %.385.i9035 = add nsw i64 %.314.i8899, 1
+  store i64 %.385.i9035, ptr %arg.lane.2.4, align 8, !noalias !146
+  store i64 1, ptr %.722, align 8, !noalias !146
+  store i64 %.314.i8899, ptr %.5383, align 8, !noalias !146
+  %.557.i9040 = getelementptr i64, ptr %344, i64 %.5222.09182
+  store i64 0, ptr %.557.i9040, align 8, !noalias !146
+  store i64 1, ptr %.5947, align 8, !noalias !146
+  br i1 %.6961563.not.i9043, label %B316.i8903, label %B272.if.lr.ph.i9044
 
-B272.if.lr.ph.i8492:                              ; preds = %B130.i8482
-  %.757.i8493 = icmp slt i64 %.314.i8351, 0
-  %.758.i8494 = select i1 %.757.i8493, i64 %arg.runs.0.5.0, i64 0
-  %.759.i8495 = add i64 %.758.i8494, %.314.i8351
-  %.779.i8496 = mul i64 %.759.i8495, %arg.runs.0.5.1
-  %246 = getelementptr double, ptr %arg.runs.0.4, i64 %.779.i8496
-  %.822.i8497 = select i1 %.757.i8493, i64 %arg.results.0.5.0, i64 0
-  %.823.i8498 = add i64 %.822.i8497, %.314.i8351
-  %.853.i8500 = mul i64 %.851.i8499, %.823.i8498
-  %247 = getelementptr double, ptr %arg.results.0.4, i64 %.853.i8500
-  br i1 %min.iters.check8666, label %B272.if.i8501.preheader, label %vector.memcheck8661
+B272.if.lr.ph.i9044:                              ; preds = %B130.i9034
+  %.757.i9045 = icmp slt i64 %.314.i8899, 0
+  %.758.i9046 = select i1 %.757.i9045, i64 %arg.runs.0.5.0, i64 0
+  %.759.i9047 = add i64 %.758.i9046, %.314.i8899
+  %.779.i9048 = mul i64 %.759.i9047, %arg.runs.0.5.1
+  %249 = getelementptr double, ptr %arg.runs.0.4, i64 %.779.i9048
+  %.822.i9049 = select i1 %.757.i9045, i64 %arg.results.0.5.0, i64 0
+  %.823.i9050 = add i64 %.822.i9049, %.314.i8899
+  %.853.i9052 = mul i64 %.851.i9051, %.823.i9050
+  %250 = getelementptr double, ptr %arg.results.0.4, i64 %.853.i9052
+  br i1 %min.iters.check9222, label %B272.if.i9053.preheader, label %vector.memcheck9217
 
-vector.memcheck8661:                              ; preds = %B272.if.lr.ph.i8492
-  %248 = mul i64 %362, %.823.i8498
-  %249 = mul i64 %363, %.759.i8495
-  %250 = add i64 %248, %arg.results.0.48662
-  %251 = add i64 %249, %arg.runs.0.48663
-  %252 = sub i64 %250, %251
-  %diff.check8664 = icmp ult i64 %252, 32
-  br i1 %diff.check8664, label %B272.if.i8501.preheader, label %vector.body8670
+vector.memcheck9217:                              ; preds = %B272.if.lr.ph.i9044
+  %251 = mul i64 %378, %.823.i9050
+  %252 = mul i64 %379, %.759.i9047
+  %253 = add i64 %251, %arg.results.0.49218
+  %254 = add i64 %252, %arg.runs.0.49219
+  %255 = sub i64 %253, %254
+  %diff.check9220 = icmp ult i64 %255, 32
+  br i1 %diff.check9220, label %B272.if.i9053.preheader, label %vector.body9226
 
-vector.body8670:                                  ; preds = %vector.memcheck8661, %vector.body8670
-  %index8671 = phi i64 [ %index.next8674, %vector.body8670 ], [ 0, %vector.memcheck8661 ]
-  %253 = getelementptr double, ptr %246, i64 %index8671
-  %254 = getelementptr i8, ptr %253, i64 16
-  %wide.load8672 = load <2 x double>, ptr %253, align 8, !noalias !142
-  %wide.load8673 = load <2 x double>, ptr %254, align 8, !noalias !142
-  %255 = getelementptr double, ptr %247, i64 %index8671
-  %256 = getelementptr i8, ptr %255, i64 16
-  store <2 x double> %wide.load8672, ptr %255, align 8, !noalias !142
-  store <2 x double> %wide.load8673, ptr %256, align 8, !noalias !142
-  %index.next8674 = add i64 %index8671, 4
-  %257 = icmp eq i64 %index.next8674, %n.vec8669
-  br i1 %257, label %middle.block8675, label %vector.body8670, !llvm.loop !145
+vector.body9226:                                  ; preds = %vector.memcheck9217, %vector.body9226
+  %index9227 = phi i64 [ %index.next9230, %vector.body9226 ], [ 0, %vector.memcheck9217 ]
+  %256 = getelementptr double, ptr %249, i64 %index9227
+  %257 = getelementptr i8, ptr %256, i64 16
+  %wide.load9228 = load <2 x double>, ptr %256, align 8, !noalias !146
+  %wide.load9229 = load <2 x double>, ptr %257, align 8, !noalias !146
+  %258 = getelementptr double, ptr %250, i64 %index9227
+  %259 = getelementptr i8, ptr %258, i64 16
+  store <2 x double> %wide.load9228, ptr %258, align 8, !noalias !146
+  store <2 x double> %wide.load9229, ptr %259, align 8, !noalias !146
+  %index.next9230 = add i64 %index9227, 4
+  %260 = icmp eq i64 %index.next9230, %n.vec9225
+  br i1 %260, label %middle.block9231, label %vector.body9226, !llvm.loop !149
 
-middle.block8675:                                 ; preds = %vector.body8670
-  br i1 %cmp.n8676, label %B316.i8355, label %B272.if.i8501.preheader
+middle.block9231:                                 ; preds = %vector.body9226
+  br i1 %cmp.n9232, label %B316.i8903, label %B272.if.i9053.preheader
 
-B272.if.i8501.preheader:                          ; preds = %vector.memcheck8661, %B272.if.lr.ph.i8492, %middle.block8675
-  %.638.01522.i8502.ph = phi i64 [ 0, %vector.memcheck8661 ], [ 0, %B272.if.lr.ph.i8492 ], [ %n.vec8669, %middle.block8675 ]
-  br label %B272.if.i8501
+B272.if.i9053.preheader:                          ; preds = %vector.memcheck9217, %B272.if.lr.ph.i9044, %middle.block9231
+  %.638.01564.i9054.ph = phi i64 [ 0, %vector.memcheck9217 ], [ 0, %B272.if.lr.ph.i9044 ], [ %n.vec9225, %middle.block9231 ]
+  br label %B272.if.i9053
 
-B316.i8355:                                       ; preds = %B272.if.i8501, %middle.block8675, %B130.i8482, %B3932
-  %m.2.0.i8356 = phi i64 [ 0, %B3932 ], [ %.314.i8351, %B130.i8482 ], [ %.314.i8351, %middle.block8675 ], [ %.314.i8351, %B272.if.i8501 ]
-  br i1 %.9661524.not.i8357, label %B390.i8373, label %B346.if.lr.ph.i8358
+B316.i8903:                                       ; preds = %B272.if.i9053, %middle.block9231, %B130.i9034, %B3974
+  %m.2.0.i8904 = phi i64 [ 0, %B3974 ], [ %.314.i8899, %B130.i9034 ], [ %.314.i8899, %middle.block9231 ], [ %.314.i8899, %B272.if.i9053 ]
+  br i1 %.9661566.not.i8905, label %B390.i8921, label %B346.if.lr.ph.i8906
 
-B346.if.lr.ph.i8358:                              ; preds = %B316.i8355
-  %.1027.i8359 = icmp slt i64 %m.2.0.i8356, 0
-  %.1028.i8360 = select i1 %.1027.i8359, i64 %arg.runs.1.5.0, i64 0
-  %.1029.i8361 = add i64 %.1028.i8360, %m.2.0.i8356
-  %.1049.i8362 = mul i64 %.1029.i8361, %arg.runs.1.5.1
-  %258 = getelementptr double, ptr %arg.runs.1.4, i64 %.1049.i8362
-  %invariant.gep8865 = getelementptr double, ptr %arg.arrays.1.4, i64 %.5164.08627
-  br label %B346.if.i8363
+B346.if.lr.ph.i8906:                              ; preds = %B316.i8903
+  %.1027.i8907 = icmp slt i64 %m.2.0.i8904, 0
+  %.1028.i8908 = select i1 %.1027.i8907, i64 %arg.runs.1.5.0, i64 0
+  %.1029.i8909 = add i64 %.1028.i8908, %m.2.0.i8904
+  %.1049.i8910 = mul i64 %.1029.i8909, %arg.runs.1.5.1
+  %261 = getelementptr double, ptr %arg.runs.1.4, i64 %.1049.i8910
+  %invariant.gep9421 = getelementptr double, ptr %arg.arrays.1.4, i64 %.5222.09182
+  br label %B346.if.i8911
 
-B390.i8373:                                       ; preds = %B346.if.i8363, %B316.i8355
-  br i1 %.11851527.not.i8374, label %B516.i8396, label %B446.if.lr.ph.i8375
+B390.i8921:                                       ; preds = %B346.if.i8911, %B316.i8903
+  br i1 %.11851569.not.i8922, label %B516.i8944, label %B446.if.lr.ph.i8923
 
-B446.if.lr.ph.i8375:                              ; preds = %B390.i8373
-  %.1237.i8376 = icmp slt i64 %m.2.0.i8356, 0
-  %.1238.i8377 = select i1 %.1237.i8376, i64 %arg.runs.2.5.0, i64 0
-  %259 = getelementptr i64, ptr %arg.runs.2.4, i64 %m.2.0.i8356
-  %.1252.i8378 = getelementptr i64, ptr %259, i64 %.1238.i8377
-  br label %B446.if.i8380
+B446.if.lr.ph.i8923:                              ; preds = %B390.i8921
+  %.1237.i8924 = icmp slt i64 %m.2.0.i8904, 0
+  %.1238.i8925 = select i1 %.1237.i8924, i64 %arg.runs.2.5.0, i64 0
+  %262 = getelementptr i64, ptr %arg.runs.2.4, i64 %m.2.0.i8904
+  %.1252.i8926 = getelementptr i64, ptr %262, i64 %.1238.i8925
+  br label %B446.if.i8928
 
-B516.i8396:                                       ; preds = %B446.if.i8380, %B390.i8373
-  br i1 %.375.i8354, label %B574.i8426, label %B520.i8397
+B516.i8944:                                       ; preds = %B446.if.i8928, %B390.i8921
+  br i1 %.375.i8902, label %B574.i8976, label %B520.i8945
 
-B520.i8397:                                       ; preds = %B516.i8396
-  br i1 %.1423.i8398, label %B532.i8400, label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit8506
+B520.i8945:                                       ; preds = %B516.i8944
+  br i1 %.1423.i8946, label %B532.i8948, label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9058
 
-B532.i8400:                                       ; preds = %B520.i8397
-  br i1 %.163.i1530.not.i8401, label %B102.i.i8412, label %B46.if.i.i8402.preheader
+B532.i8948:                                       ; preds = %B520.i8945
+  br i1 %.163.i1572.not.i8949, label %B102.i.i8960, label %B46.if.i.i8950.preheader
 
-B46.if.i.i8402.preheader:                         ; preds = %B532.i8400
-  %invariant.gep8867 = getelementptr double, ptr %arg.arrays.0.4, i64 %.5164.08627
-  br label %B46.if.i.i8402
+B46.if.i.i8950.preheader:                         ; preds = %B532.i8948
+  %invariant.gep9423 = getelementptr double, ptr %arg.arrays.0.4, i64 %.5222.09182
+  br label %B46.if.i.i8950
 
-B102.i.i8412:                                     ; preds = %B46.if.i.i8402, %B532.i8400
-  %.360.i.i8416 = getelementptr double, ptr %arg.lane.0.4, i64 %.5164.08627
-  store double 0.000000e+00, ptr %.360.i.i8416, align 8, !noalias !146
-  %.415.i.i8417 = getelementptr double, ptr %332, i64 %.5164.08627
-  store double 5.000000e-01, ptr %.415.i.i8417, align 8, !noalias !146
-  %.470.i.i8419 = getelementptr double, ptr %333, i64 %.5164.08627
-  store double 1.000000e+00, ptr %.470.i.i8419, align 8, !noalias !146
-  %.526.i.i8421 = getelementptr double, ptr %334, i64 %.5164.08627
-  store double 0.000000e+00, ptr %.526.i.i8421, align 8, !noalias !146
-  %.581.i.i8423 = getelementptr double, ptr %335, i64 %.5164.08627
-  store double 0.000000e+00, ptr %.581.i.i8423, align 8, !noalias !146
-  %.638.i.i8425 = getelementptr double, ptr %336, i64 %.5164.08627
-  store double 0xFFF0000000000000, ptr %.638.i.i8425, align 8, !noalias !146
-  br label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit8506
+B102.i.i8960:                                     ; preds = %B46.if.i.i8950, %B532.i8948
+  %.360.i.i8964 = getelementptr double, ptr %arg.lane.0.4, i64 %.5222.09182
+  store double 0.000000e+00, ptr %.360.i.i8964, align 8, !noalias !150
+  %.415.i.i8965 = getelementptr double, ptr %345, i64 %.5222.09182
+  store double 5.000000e-01, ptr %.415.i.i8965, align 8, !noalias !150
+  %.470.i.i8967 = getelementptr double, ptr %346, i64 %.5222.09182
+  store double 1.000000e+00, ptr %.470.i.i8967, align 8, !noalias !150
+  %.526.i.i8969 = getelementptr double, ptr %347, i64 %.5222.09182
+  store double 0.000000e+00, ptr %.526.i.i8969, align 8, !noalias !150
+  %.581.i.i8971 = getelementptr double, ptr %348, i64 %.5222.09182
+  store double 0.000000e+00, ptr %.581.i.i8971, align 8, !noalias !150
+  %.636.i.i8973 = getelementptr double, ptr %349, i64 %.5222.09182
+  store double 0xFFF0000000000000, ptr %.636.i.i8973, align 8, !noalias !150
+  %.693.i.i8975 = getelementptr double, ptr %350, i64 %.5222.09182
+  store double 0x7FF0000000000000, ptr %.693.i.i8975, align 8, !noalias !150
+  br label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9058
 
-B46.if.i.i8402:                                   ; preds = %B46.if.i.i8402.preheader, %B46.if.i.i8402
-  %.105.i.01531.i8403 = phi i64 [ %.176.i.i8404, %B46.if.i.i8402 ], [ 0, %B46.if.i.i8402.preheader ]
-  %.176.i.i8404 = add nsw i64 %.105.i.01531.i8403, 1
-  %260 = getelementptr double, ptr %arg.runs.0.4, i64 %.105.i.01531.i8403
-  %.255.i.i8405 = load double, ptr %260, align 8, !noalias !146
-  %.257.i.i8406 = mul nsw i64 %.105.i.01531.i8403, %arg.shape.0
-  %gep8868 = getelementptr double, ptr %invariant.gep8867, i64 %.257.i.i8406
-  store double %.255.i.i8405, ptr %gep8868, align 8, !noalias !146
-  %exitcond1538.not.i8411 = icmp eq i64 %arg.shape.1, %.176.i.i8404
-  br i1 %exitcond1538.not.i8411, label %B102.i.i8412, label %B46.if.i.i8402
+B46.if.i.i8950:                                   ; preds = %B46.if.i.i8950.preheader, %B46.if.i.i8950
+  %.105.i.01573.i8951 = phi i64 [ %.176.i.i8952, %B46.if.i.i8950 ], [ 0, %B46.if.i.i8950.preheader ]
+  %.176.i.i8952 = add nsw i64 %.105.i.01573.i8951, 1
+  %263 = getelementptr double, ptr %arg.runs.0.4, i64 %.105.i.01573.i8951
+  %.255.i.i8953 = load double, ptr %263, align 8, !noalias !150
+  %.257.i.i8954 = mul nsw i64 %.105.i.01573.i8951, %arg.shape.0
+  %gep9424 = getelementptr double, ptr %invariant.gep9423, i64 %.257.i.i8954
+  store double %.255.i.i8953, ptr %gep9424, align 8, !noalias !150
+  %exitcond1580.not.i8959 = icmp eq i64 %arg.shape.1, %.176.i.i8952
+  br i1 %exitcond1580.not.i8959, label %B102.i.i8960, label %B46.if.i.i8950
 
-B574.i8426:                                       ; preds = %B516.i8396
-  br i1 %.15851533.not.i8427, label %B648.i8443, label %B604.if.lr.ph.i8428
+B574.i8976:                                       ; preds = %B516.i8944
+  br i1 %.15851575.not.i8977, label %B648.i8993, label %B604.if.lr.ph.i8978
 
-B604.if.lr.ph.i8428:                              ; preds = %B574.i8426
-  %.1646.i8429 = icmp slt i64 %m.2.0.i8356, 0
-  %.1647.i8430 = select i1 %.1646.i8429, i64 %arg.runs.0.5.0, i64 0
-  %.1648.i8431 = add i64 %.1647.i8430, %m.2.0.i8356
-  %.1668.i8432 = mul i64 %.1648.i8431, %arg.runs.0.5.1
-  %261 = getelementptr double, ptr %arg.runs.0.4, i64 %.1668.i8432
-  %invariant.gep8869 = getelementptr double, ptr %arg.arrays.0.4, i64 %.5164.08627
-  br label %B604.if.i8433
+B604.if.lr.ph.i8978:                              ; preds = %B574.i8976
+  %.1646.i8979 = icmp slt i64 %m.2.0.i8904, 0
+  %.1647.i8980 = select i1 %.1646.i8979, i64 %arg.runs.0.5.0, i64 0
+  %.1648.i8981 = add i64 %.1647.i8980, %m.2.0.i8904
+  %.1668.i8982 = mul i64 %.1648.i8981, %arg.runs.0.5.1
+  %264 = getelementptr double, ptr %arg.runs.0.4, i64 %.1668.i8982
+  %invariant.gep9425 = getelementptr double, ptr %arg.arrays.0.4, i64 %.5222.09182
+  br label %B604.if.i8983
 
-B648.i8443:                                       ; preds = %B604.if.i8433, %B574.i8426
-  %.1748.i8444 = load double, ptr %arg.times.4, align 8, !noalias !142
-  %.1765.i8445 = icmp slt i64 %m.2.0.i8356, 0
-  %.1766.i8446 = select i1 %.1765.i8445, i64 %arg.runs.2.5.0, i64 0
-  %262 = getelementptr i64, ptr %arg.runs.2.4, i64 %m.2.0.i8356
-  %.1780.i8447 = getelementptr i64, ptr %262, i64 %.1766.i8446
-  %.1781.i8448 = load i64, ptr %.1780.i8447, align 8, !noalias !142
-  %.1812.i8449 = icmp slt i64 %.1781.i8448, 0
-  %.1813.i8450 = select i1 %.1812.i8449, i64 %arg.schedule.0.5.0, i64 0
-  %.1814.i8451 = add i64 %.1813.i8450, %.1781.i8448
-  %.1834.i8452 = mul i64 %.1814.i8451, %arg.schedule.0.5.1
-  %.1838.i8453 = getelementptr double, ptr %arg.schedule.0.4, i64 %.1834.i8452
-  %.1839.i8454 = load double, ptr %.1838.i8453, align 8, !noalias !142
-  %.1895.i8458 = getelementptr double, ptr %arg.lane.0.4, i64 %.5164.08627
-  store double %.1748.i8444, ptr %.1895.i8458, align 8, !noalias !142
-  %.1950.i8460 = getelementptr double, ptr %337, i64 %.5164.08627
-  store double %.1839.i8454, ptr %.1950.i8460, align 8, !noalias !142
-  %.2005.i8461 = getelementptr double, ptr %338, i64 %.5164.08627
-  store double 0.000000e+00, ptr %.2005.i8461, align 8, !noalias !142
-  %.2064.i8463 = getelementptr double, ptr %339, i64 %.5164.08627
-  store double 1.000000e+00, ptr %.2064.i8463, align 8, !noalias !142
-  %.2119.i8465 = getelementptr double, ptr %340, i64 %.5164.08627
-  store double 0.000000e+00, ptr %.2119.i8465, align 8, !noalias !142
-  %.2175.i8467 = getelementptr double, ptr %341, i64 %.5164.08627
-  store double 0xFFF0000000000000, ptr %.2175.i8467, align 8, !noalias !142
-  %263 = getelementptr i64, ptr %342, i64 %.5164.08627
-  store i64 0, ptr %263, align 8, !noalias !142
-  %.2293.i8472 = getelementptr double, ptr %343, i64 %.5164.08627
-  store double 0.000000e+00, ptr %.2293.i8472, align 8, !noalias !142
-  %.2348.i8474 = getelementptr double, ptr %344, i64 %.5164.08627
-  store double 0.000000e+00, ptr %.2348.i8474, align 8, !noalias !142
-  %.2403.i8476 = getelementptr double, ptr %345, i64 %.5164.08627
-  store double 0.000000e+00, ptr %.2403.i8476, align 8, !noalias !142
-  %.2458.i8478 = getelementptr double, ptr %346, i64 %.5164.08627
-  %.2459.i8479 = load double, ptr %.2458.i8478, align 8, !noalias !142
-  %.2461.i8480 = fcmp ueq double %.2459.i8479, 0xFFF0000000000000
-  br i1 %.2461.i8480, label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit8506, label %B1016.i8481
+B648.i8993:                                       ; preds = %B604.if.i8983, %B574.i8976
+  %.1748.i8994 = load double, ptr %arg.times.4, align 8, !noalias !146
+  %.1765.i8995 = icmp slt i64 %m.2.0.i8904, 0
+  %.1766.i8996 = select i1 %.1765.i8995, i64 %arg.runs.2.5.0, i64 0
+  %265 = getelementptr i64, ptr %arg.runs.2.4, i64 %m.2.0.i8904
+  %.1780.i8997 = getelementptr i64, ptr %265, i64 %.1766.i8996
+  %.1781.i8998 = load i64, ptr %.1780.i8997, align 8, !noalias !146
+  %.1812.i8999 = icmp slt i64 %.1781.i8998, 0
+  %.1813.i9000 = select i1 %.1812.i8999, i64 %arg.schedule.0.5.0, i64 0
+  %.1814.i9001 = add i64 %.1813.i9000, %.1781.i8998
+  %.1834.i9002 = mul i64 %.1814.i9001, %arg.schedule.0.5.1
+  %.1838.i9003 = getelementptr double, ptr %arg.schedule.0.4, i64 %.1834.i9002
+  %.1839.i9004 = load double, ptr %.1838.i9003, align 8, !noalias !146
+  %.1895.i9008 = getelementptr double, ptr %arg.lane.0.4, i64 %.5222.09182
+  store double %.1748.i8994, ptr %.1895.i9008, align 8, !noalias !146
+  %.1950.i9010 = getelementptr double, ptr %351, i64 %.5222.09182
+  store double %.1839.i9004, ptr %.1950.i9010, align 8, !noalias !146
+  %.2005.i9011 = getelementptr double, ptr %352, i64 %.5222.09182
+  store double 0.000000e+00, ptr %.2005.i9011, align 8, !noalias !146
+  %.2064.i9013 = getelementptr double, ptr %353, i64 %.5222.09182
+  store double 1.000000e+00, ptr %.2064.i9013, align 8, !noalias !146
+  %.2119.i9015 = getelementptr double, ptr %354, i64 %.5222.09182
+  store double 0.000000e+00, ptr %.2119.i9015, align 8, !noalias !146
+  %.2175.i9017 = getelementptr double, ptr %355, i64 %.5222.09182
+  store double 0xFFF0000000000000, ptr %.2175.i9017, align 8, !noalias !146
+  %266 = getelementptr i64, ptr %356, i64 %.5222.09182
+  store i64 0, ptr %266, align 8, !noalias !146
+  %.2287.i9022 = getelementptr double, ptr %357, i64 %.5222.09182
+  store double 0x7FF0000000000000, ptr %.2287.i9022, align 8, !noalias !146
+  %.2348.i9024 = getelementptr double, ptr %358, i64 %.5222.09182
+  store double 0.000000e+00, ptr %.2348.i9024, align 8, !noalias !146
+  %.2403.i9026 = getelementptr double, ptr %359, i64 %.5222.09182
+  store double 0.000000e+00, ptr %.2403.i9026, align 8, !noalias !146
+  %.2458.i9028 = getelementptr double, ptr %360, i64 %.5222.09182
+  store double 0.000000e+00, ptr %.2458.i9028, align 8, !noalias !146
+  %.2513.i9030 = getelementptr double, ptr %361, i64 %.5222.09182
+  %.2514.i9031 = load double, ptr %.2513.i9030, align 8, !noalias !146
+  %.2516.i9032 = fcmp ueq double %.2514.i9031, 0xFFF0000000000000
+  br i1 %.2516.i9032, label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9058, label %B1060.i9033
 
-B1016.i8481:                                      ; preds = %B648.i8443
-  store double 0.000000e+00, ptr %.2458.i8478, align 8, !noalias !142
-  br label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit8506
+B1060.i9033:                                      ; preds = %B648.i8993
+  store double 0.000000e+00, ptr %.2513.i9030, align 8, !noalias !146
+  br label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9058
 
-B272.if.i8501:                                    ; preds = %B272.if.i8501.preheader, %B272.if.i8501
-  %.638.01522.i8502 = phi i64 [ %.709.i8503, %B272.if.i8501 ], [ %.638.01522.i8502.ph, %B272.if.i8501.preheader ]
-  %.709.i8503 = add nsw i64 %.638.01522.i8502, 1
-  %264 = getelementptr double, ptr %246, i64 %.638.01522.i8502
-  %.784.i8504 = load double, ptr %264, align 8, !noalias !142
-  %265 = getelementptr double, ptr %247, i64 %.638.01522.i8502
-  store double %.784.i8504, ptr %265, align 8, !noalias !142
-  %exitcond.not.i8505 = icmp eq i64 %.709.i8503, %arg.shape.1
-  br i1 %exitcond.not.i8505, label %B316.i8355, label %B272.if.i8501, !llvm.loop !150
+B272.if.i9053:                                    ; preds = %B272.if.i9053.preheader, %B272.if.i9053
+  %.638.01564.i9054 = phi i64 [ %.709.i9055, %B272.if.i9053 ], [ %.638.01564.i9054.ph, %B272.if.i9053.preheader ]
+  %.709.i9055 = add nsw i64 %.638.01564.i9054, 1
+  %267 = getelementptr double, ptr %249, i64 %.638.01564.i9054
+  %.784.i9056 = load double, ptr %267, align 8, !noalias !146
+  %268 = getelementptr double, ptr %250, i64 %.638.01564.i9054
+  store double %.784.i9056, ptr %268, align 8, !noalias !146
+  %exitcond.not.i9057 = icmp eq i64 %.709.i9055, %arg.shape.1
+  br i1 %exitcond.not.i9057, label %B316.i8903, label %B272.if.i9053, !llvm.loop !154
 
-B346.if.i8363:                                    ; preds = %B346.if.i8363, %B346.if.lr.ph.i8358
-  %.910.01525.i8364 = phi i64 [ 0, %B346.if.lr.ph.i8358 ], [ %.979.i8365, %B346.if.i8363 ]
-  %.979.i8365 = add nsw i64 %.910.01525.i8364, 1
-  %266 = getelementptr double, ptr %258, i64 %.910.01525.i8364
-  %.1054.i8366 = load double, ptr %266, align 8, !noalias !142
-  %.1056.i8367 = mul nsw i64 %.910.01525.i8364, %arg.shape.0
-  %gep8866 = getelementptr double, ptr %invariant.gep8865, i64 %.1056.i8367
-  store double %.1054.i8366, ptr %gep8866, align 8, !noalias !142
-  %exitcond1536.not.i8372 = icmp eq i64 %.979.i8365, %arg.shape.2
-  br i1 %exitcond1536.not.i8372, label %B390.i8373, label %B346.if.i8363
+B346.if.i8911:                                    ; preds = %B346.if.i8911, %B346.if.lr.ph.i8906
+  %.910.01567.i8912 = phi i64 [ 0, %B346.if.lr.ph.i8906 ], [ %.979.i8913, %B346.if.i8911 ]
+  %.979.i8913 = add nsw i64 %.910.01567.i8912, 1
+  %269 = getelementptr double, ptr %261, i64 %.910.01567.i8912
+  %.1054.i8914 = load double, ptr %269, align 8, !noalias !146
+  %.1056.i8915 = mul nsw i64 %.910.01567.i8912, %arg.shape.0
+  %gep9422 = getelementptr double, ptr %invariant.gep9421, i64 %.1056.i8915
+  store double %.1054.i8914, ptr %gep9422, align 8, !noalias !146
+  %exitcond1578.not.i8920 = icmp eq i64 %.979.i8913, %arg.shape.2
+  br i1 %exitcond1578.not.i8920, label %B390.i8921, label %B346.if.i8911
 
-B446.if.i8380:                                    ; preds = %B446.if.i8380, %B446.if.lr.ph.i8375
-  %.1129.01528.i8381 = phi i64 [ 0, %B446.if.lr.ph.i8375 ], [ %.1198.i8382, %B446.if.i8380 ]
-  %.1198.i8382 = add nsw i64 %.1129.01528.i8381, 1
-  %.1253.i8383 = load i64, ptr %.1252.i8378, align 8, !noalias !142
-  %.1289.i8384 = icmp slt i64 %.1253.i8383, 0
-  %.1290.i8385 = select i1 %.1289.i8384, i64 %arg.schedule.3.5.0, i64 0
-  %.1291.i8386 = add i64 %.1290.i8385, %.1253.i8383
-  %.1321.i8387 = mul i64 %.1319.i8379, %.1291.i8386
-  %267 = getelementptr double, ptr %arg.schedule.3.4, i64 %.1321.i8387
-  %268 = getelementptr double, ptr %267, i64 %.1129.01528.i8381
-  %.1328.i8388 = load double, ptr %268, align 8, !noalias !142
-  %269 = getelementptr i64, ptr %arg.schedule.2.4, i64 %.1129.01528.i8381
-  %.1358.i8389 = load i64, ptr %269, align 8, !noalias !142
-  %.1360.i8390 = mul nsw i64 %.1358.i8389, %arg.shape.0
-  %.1362.i8391 = add nsw i64 %.1360.i8390, %.5164.08627
-  %.1376.i8392 = icmp slt i64 %.1362.i8391, 0
-  %.1377.i8393 = select i1 %.1376.i8392, i64 %arg.arrays.1.5.0, i64 0
-  %270 = getelementptr double, ptr %arg.arrays.1.4, i64 %.1362.i8391
-  %.1391.i8394 = getelementptr double, ptr %270, i64 %.1377.i8393
-  store double %.1328.i8388, ptr %.1391.i8394, align 8, !noalias !142
-  %exitcond1537.not.i8395 = icmp eq i64 %.1198.i8382, %arg.schedule.2.5.0
-  br i1 %exitcond1537.not.i8395, label %B516.i8396, label %B446.if.i8380
+B446.if.i8928:                                    ; preds = %B446.if.i8928, %B446.if.lr.ph.i8923
+  %.1129.01570.i8929 = phi i64 [ 0, %B446.if.lr.ph.i8923 ], [ %.1198.i8930, %B446.if.i8928 ]
+  %.1198.i8930 = add nsw i64 %.1129.01570.i8929, 1
+  %.1253.i8931 = load i64, ptr %.1252.i8926, align 8, !noalias !146
+  %.1289.i8932 = icmp slt i64 %.1253.i8931, 0
+  %.1290.i8933 = select i1 %.1289.i8932, i64 %arg.schedule.3.5.0, i64 0
+  %.1291.i8934 = add i64 %.1290.i8933, %.1253.i8931
+  %.1321.i8935 = mul i64 %.1319.i8927, %.1291.i8934
+  %270 = getelementptr double, ptr %arg.schedule.3.4, i64 %.1321.i8935
+  %271 = getelementptr double, ptr %270, i64 %.1129.01570.i8929
+  %.1328.i8936 = load double, ptr %271, align 8, !noalias !146
+  %272 = getelementptr i64, ptr %arg.schedule.2.4, i64 %.1129.01570.i8929
+  %.1358.i8937 = load i64, ptr %272, align 8, !noalias !146
+  %.1360.i8938 = mul nsw i64 %.1358.i8937, %arg.shape.0
+  %.1362.i8939 = add nsw i64 %.1360.i8938, %.5222.09182
+  %.1376.i8940 = icmp slt i64 %.1362.i8939, 0
+  %.1377.i8941 = select i1 %.1376.i8940, i64 %arg.arrays.1.5.0, i64 0
+  %273 = getelementptr double, ptr %arg.arrays.1.4, i64 %.1362.i8939
+  %.1391.i8942 = getelementptr double, ptr %273, i64 %.1377.i8941
+  store double %.1328.i8936, ptr %.1391.i8942, align 8, !noalias !146
+  %exitcond1579.not.i8943 = icmp eq i64 %.1198.i8930, %arg.schedule.2.5.0
+  br i1 %exitcond1579.not.i8943, label %B516.i8944, label %B446.if.i8928
 
-B604.if.i8433:                                    ; preds = %B604.if.i8433, %B604.if.lr.ph.i8428
-  %.1529.01534.i8434 = phi i64 [ 0, %B604.if.lr.ph.i8428 ], [ %.1598.i8435, %B604.if.i8433 ]
-  %.1598.i8435 = add nsw i64 %.1529.01534.i8434, 1
-  %271 = getelementptr double, ptr %261, i64 %.1529.01534.i8434
-  %.1673.i8436 = load double, ptr %271, align 8, !noalias !142
-  %.1675.i8437 = mul nsw i64 %.1529.01534.i8434, %arg.shape.0
-  %gep8870 = getelementptr double, ptr %invariant.gep8869, i64 %.1675.i8437
-  store double %.1673.i8436, ptr %gep8870, align 8, !noalias !142
-  %exitcond1539.not.i8442 = icmp eq i64 %.1598.i8435, %arg.shape.1
-  br i1 %exitcond1539.not.i8442, label %B648.i8443, label %B604.if.i8433
+B604.if.i8983:                                    ; preds = %B604.if.i8983, %B604.if.lr.ph.i8978
+  %.1529.01576.i8984 = phi i64 [ 0, %B604.if.lr.ph.i8978 ], [ %.1598.i8985, %B604.if.i8983 ]
+  %.1598.i8985 = add nsw i64 %.1529.01576.i8984, 1
+  %274 = getelementptr double, ptr %264, i64 %.1529.01576.i8984
+  %.1673.i8986 = load double, ptr %274, align 8, !noalias !146
+  %.1675.i8987 = mul nsw i64 %.1529.01576.i8984, %arg.shape.0
+  %gep9426 = getelementptr double, ptr %invariant.gep9425, i64 %.1675.i8987
+  store double %.1673.i8986, ptr %gep9426, align 8, !noalias !146
+  %exitcond1581.not.i8992 = icmp eq i64 %.1598.i8985, %arg.shape.1
+  br i1 %exitcond1581.not.i8992, label %B648.i8993, label %B604.if.i8983
 
-_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit8506: ; preds = %B520.i8397, %B102.i.i8412, %B648.i8443, %B1016.i8481
-  %storemerge1510.i8399 = phi i64 [ 0, %B520.i8397 ], [ 0, %B102.i.i8412 ], [ 1, %B1016.i8481 ], [ 1, %B648.i8443 ]
-  %.5980 = add nsw i64 %active.3.28630, -1
-  %.6078 = add nsw i64 %.5980, %storemerge1510.i8399
-  br label %B4264
+_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9058: ; preds = %B520.i8945, %B102.i.i8960, %B648.i8993, %B1060.i9033
+  %storemerge1551.i8947 = phi i64 [ 0, %B520.i8945 ], [ 0, %B102.i.i8960 ], [ 1, %B1060.i9033 ], [ 1, %B648.i8993 ]
+  %.6038 = add nsw i64 %active.3.29185, -1
+  %.6136 = add nsw i64 %.6038, %storemerge1551.i8947
+  br label %B4306
 
-B4056:                                            ; preds = %B3898
-  %.6144 = getelementptr double, ptr %347, i64 %.5164.08627
-  %.6145 = load double, ptr %.6144, align 8
-  %.6147 = fcmp ult double %.6145, 1.500000e+01
-  br i1 %.6147, label %B4264, label %B4104
+B4098:                                            ; preds = %B3940
+  %.6202 = getelementptr double, ptr %362, i64 %.5222.09182
+  %.6203 = load double, ptr %.6202, align 8
+  %.6205 = fcmp ult double %.6203, 1.500000e+01
+  br i1 %.6205, label %B4306, label %B4146
 
-B4104:                                            ; preds = %B4056
-  %.6193 = load double, ptr %.6192, align 8
-  %.6247 = getelementptr double, ptr %arg.lane.0.4, i64 %.5164.08627
-  %.6248 = load double, ptr %.6247, align 8
-  %.6249 = fsub double %.6193, %.6248
-  %.6303 = getelementptr double, ptr %350, i64 %.5164.08627
-  %.6304 = load double, ptr %.6303, align 8
-  %.6306 = fmul double %.6304, 5.000000e+03
-  %.6307 = fcmp ogt double %.6249, %.6306
-  br i1 %.6307, label %B4264, label %B4240
+B4146:                                            ; preds = %B4098
+  %.6251 = load double, ptr %.6250, align 8
+  %.6305 = getelementptr double, ptr %arg.lane.0.4, i64 %.5222.09182
+  %.6306 = load double, ptr %.6305, align 8
+  %.6307 = fsub double %.6251, %.6306
+  %.6361 = getelementptr double, ptr %365, i64 %.5222.09182
+  %.6362 = load double, ptr %.6361, align 8
+  %.6364 = fmul double %.6362, 5.000000e+03
+  %.6365 = fcmp ogt double %.6307, %.6364
+  br i1 %.6365, label %B4306, label %B4282
 
-B4240:                                            ; preds = %B4104
-  store double 0.000000e+00, ptr %.6144, align 8
-  br label %B4264
+B4282:                                            ; preds = %B4146
+  store double 0.000000e+00, ptr %.6202, align 8
+  br label %B4306
 
-B4264:                                            ; preds = %B4104, %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit8506, %B4240, %B4056
-  %budget.7.3 = phi i64 [ %budget.5.28629, %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit8506 ], [ %budget.5.28629, %B4056 ], [ %budget.5.28629, %B4240 ], [ 0, %B4104 ]
-  %active.5.3 = phi i64 [ %.6078, %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit8506 ], [ %active.3.28630, %B4056 ], [ %active.3.28630, %B4240 ], [ %active.3.28630, %B4104 ]
-  %.130.i5215 = load i64, ptr %.5325, align 8, !noalias !151
-  %.183.i5262 = getelementptr i64, ptr %351, i64 %.5164.08627
-  %.184.i5263 = load i64, ptr %.183.i5262, align 8, !noalias !151
-  %.192.i5267 = icmp sgt i64 %.130.i5215, -1
-  br i1 %.192.i5267, label %B88.i, label %B4333
+B4306:                                            ; preds = %B4146, %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9058, %B4282, %B4098
+  %budget.7.3 = phi i64 [ %budget.5.29184, %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9058 ], [ %budget.5.29184, %B4098 ], [ %budget.5.29184, %B4282 ], [ 0, %B4146 ]
+  %active.7.3 = phi i64 [ %.6136, %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9058 ], [ %active.3.29185, %B4098 ], [ %active.3.29185, %B4282 ], [ %active.3.29185, %B4146 ]
+  %.130.i6278 = load i64, ptr %.5383, align 8, !noalias !155
+  %.183.i6325 = getelementptr i64, ptr %366, i64 %.5222.09182
+  %.184.i6326 = load i64, ptr %.183.i6325, align 8, !noalias !155
+  %.192.i6330 = icmp sgt i64 %.130.i6278, -1
+  br i1 %.192.i6330, label %B88.i, label %B4375
 
-B88.i:                                            ; preds = %B4264
-  %.383.i5392 = getelementptr double, ptr %352, i64 %.5164.08627
-  %.384.i5393 = load double, ptr %.383.i5392, align 8, !noalias !151
-  %.386.i5394 = fcmp ogt double %.384.i5393, 0.000000e+00
-  br i1 %.386.i5394, label %B222.i, label %B220.i5395
+B88.i:                                            ; preds = %B4306
+  %.383.i6455 = getelementptr double, ptr %367, i64 %.5222.09182
+  %.384.i6456 = load double, ptr %.383.i6455, align 8, !noalias !155
+  %.386.i6457 = fcmp ogt double %.384.i6456, 0.000000e+00
+  br i1 %.386.i6457, label %B222.i, label %B220.i6458
 
-B220.i5395:                                       ; preds = %B88.i
-  %.245.i5321 = mul i64 %.130.i5215, %arg.results.3.5.1
-  %.249.i5325 = getelementptr i64, ptr %arg.results.3.4, i64 %.245.i5321
-  %.250.i5326 = load i64, ptr %.249.i5325, align 8, !noalias !151
-  %.263.i5151.0 = and i64 %.250.i5326, 127
-  %.293.i5334 = sub nsw i64 128, %.263.i5151.0
-  %.11.i.i = tail call i64 @llvm.smin.i64(i64 %.293.i5334, i64 %.5511)
-  %.397.i5398 = sitofp i64 %.11.i.i to double
+B220.i6458:                                       ; preds = %B88.i
+  %.245.i6384 = mul i64 %.130.i6278, %arg.results.3.5.1
+  %.249.i6388 = getelementptr i64, ptr %arg.results.3.4, i64 %.245.i6384
+  %.250.i6389 = load i64, ptr %.249.i6388, align 8, !noalias !155
+  %.263.i6214.0 = and i64 %.250.i6389, 127
+  %.293.i6397 = sub nsw i64 128, %.263.i6214.0
+  %.11.i.i = tail call i64 @llvm.smin.i64(i64 %.293.i6397, i64 %.5569)
+  %.397.i6461 = sitofp i64 %.11.i.i to double
   br label %B222.i
 
-B222.i:                                           ; preds = %B88.i, %B220.i5395
-  %"$phi222.0.2.i.0" = phi double [ %.397.i5398, %B220.i5395 ], [ 1.000000e+00, %B88.i ]
-  %.455.i5448 = getelementptr double, ptr %353, i64 %.5164.08627
-  store double %"$phi222.0.2.i.0", ptr %.455.i5448, align 8, !noalias !151
-  %.512.i5497 = getelementptr double, ptr %354, i64 %.5164.08627
-  %.513.i5498 = load double, ptr %.512.i5497, align 8, !noalias !151
-  %.567.i5546 = getelementptr double, ptr %355, i64 %.5164.08627
-  store double %.513.i5498, ptr %.567.i5546, align 8, !noalias !151
-  %.580.i5554 = icmp slt i64 %.184.i5263, %arg.times.5.0
-  br i1 %.580.i5554, label %B332.i, label %B4333
+B222.i:                                           ; preds = %B88.i, %B220.i6458
+  %"$phi222.0.2.i.0" = phi double [ %.397.i6461, %B220.i6458 ], [ 1.000000e+00, %B88.i ]
+  %.455.i6511 = getelementptr double, ptr %368, i64 %.5222.09182
+  store double %"$phi222.0.2.i.0", ptr %.455.i6511, align 8, !noalias !155
+  %.512.i6560 = getelementptr double, ptr %369, i64 %.5222.09182
+  %.513.i6561 = load double, ptr %.512.i6560, align 8, !noalias !155
+  %.567.i6609 = getelementptr double, ptr %370, i64 %.5222.09182
+  store double %.513.i6561, ptr %.567.i6609, align 8, !noalias !155
+  %.580.i6617 = icmp slt i64 %.184.i6326, %arg.times.5.0
+  br i1 %.580.i6617, label %B332.i, label %B4375
 
 B332.i:                                           ; preds = %B222.i
-  %.596.i5569 = icmp slt i64 %.184.i5263, 0
-  %.597.i5570 = select i1 %.596.i5569, i64 %arg.times.5.0, i64 0
-  %272 = getelementptr double, ptr %arg.times.4, i64 %.184.i5263
-  %.611.i5584 = getelementptr double, ptr %272, i64 %.597.i5570
-  %.612.i5585 = load double, ptr %.611.i5584, align 8, !noalias !151
-  %.671.i5636 = load double, ptr %.512.i5497, align 8, !noalias !151
-  %.10.i3.i = fcmp olt double %.671.i5636, %.612.i5585
-  %.11.i4.i = select i1 %.10.i3.i, double %.671.i5636, double %.612.i5585
-  store double %.11.i4.i, ptr %.567.i5546, align 8, !noalias !151
-  br label %B4333
+  %.596.i6632 = icmp slt i64 %.184.i6326, 0
+  %.597.i6633 = select i1 %.596.i6632, i64 %arg.times.5.0, i64 0
+  %275 = getelementptr double, ptr %arg.times.4, i64 %.184.i6326
+  %.611.i6647 = getelementptr double, ptr %275, i64 %.597.i6633
+  %.612.i6648 = load double, ptr %.611.i6647, align 8, !noalias !155
+  %.671.i6699 = load double, ptr %.512.i6560, align 8, !noalias !155
+  %.10.i3.i = fcmp olt double %.671.i6699, %.612.i6648
+  %.11.i4.i = select i1 %.10.i3.i, double %.671.i6699, double %.612.i6648
+  store double %.11.i4.i, ptr %.567.i6609, align 8, !noalias !155
+  br label %B4375
 
-B4306:                                            ; preds = %B4333, %B3504
-  %budget.4.2 = phi i64 [ %.688, %B3504 ], [ %budget.6.3, %B4333 ]
-  %active.7.2 = phi i64 [ %active.6.0, %B3504 ], [ %active.4.3, %B4333 ]
-  %.6466 = icmp sgt i64 %active.7.2, 0
-  %.6480 = icmp sgt i64 %budget.4.2, 0
-  %or.cond8164 = select i1 %.6466, i1 %.6480, i1 false
-  br i1 %or.cond8164, label %B276, label %B4332
+B4348:                                            ; preds = %B4375, %B3546
+  %budget.4.2 = phi i64 [ %.688, %B3546 ], [ %budget.6.3, %B4375 ]
+  %active.5.2 = phi i64 [ %active.4.0, %B3546 ], [ %active.6.3, %B4375 ]
+  %.6524 = icmp sgt i64 %active.5.2, 0
+  %.6538 = icmp sgt i64 %budget.4.2, 0
+  %or.cond8711 = select i1 %.6524, i1 %.6538, i1 false
+  br i1 %or.cond8711, label %B276, label %B4374
 
-B4332:                                            ; preds = %B4306, %B202.endif
-  %active.8.1 = phi i64 [ %active.3.i.0.lcssa, %B202.endif ], [ %active.7.2, %B4306 ]
-  br i1 %.274.i, label %B4332.endif, label %B46.if.i2005.lr.ph
+B4374:                                            ; preds = %B4348, %B202.endif
+  %active.8.1 = phi i64 [ %active.3.i.0.lcssa, %B202.endif ], [ %active.5.2, %B4348 ]
+  br i1 %.274.i, label %B4374.endif, label %B46.if.i2014.lr.ph
 
-B46.if.i2005.lr.ph:                               ; preds = %B4332
-  %.idx = mul i64 %arg.lane.0.5.1, 200
-  %273 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx
-  %.idx8112 = mul i64 %arg.lane.0.5.1, 208
-  %274 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8112
-  br label %B46.if.i2005
+B46.if.i2014.lr.ph:                               ; preds = %B4374
+  %.idx8656 = mul i64 %arg.lane.0.5.1, 200
+  %276 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8656
+  %.idx8657 = mul i64 %arg.lane.0.5.1, 208
+  %277 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8657
+  br label %B46.if.i2014
 
-B92.i1515:                                        ; preds = %B46.if.i2005
-  %.303.i1561 = getelementptr double, ptr %273, i64 %.90.i1377.08635
-  %.304.i1562 = load double, ptr %.303.i1561, align 8, !noalias !155
-  %.5.i.i1563 = fptosi double %.304.i1562 to i64
-  %.382.i1613 = getelementptr double, ptr %274, i64 %.90.i1377.08635
-  %.383.i1614 = load double, ptr %.382.i1613, align 8, !noalias !155
-  %.5.i1.i1615 = fptosi double %.383.i1614 to i64
-  %.457.i1664 = mul i64 %.243.i1508, %arg.results.3.5.1
-  %.461.i1668 = getelementptr i64, ptr %arg.results.3.4, i64 %.457.i1664
-  %.462.i1669 = load i64, ptr %.461.i1668, align 8, !noalias !155
-  %.463.i1670 = add nsw i64 %.462.i1669, %.5.i.i1563
-  store i64 %.463.i1670, ptr %.461.i1668, align 8, !noalias !155
-  %.569.i1766 = getelementptr i8, ptr %.461.i1668, i64 24
-  %.570.i1767 = load i64, ptr %.569.i1766, align 8, !noalias !155
-  %.571.i1768 = add nsw i64 %.570.i1767, %.5.i1.i1615
-  store i64 %.571.i1768, ptr %.569.i1766, align 8, !noalias !155
-  %.679.i1862 = getelementptr i8, ptr %.461.i1668, i64 8
-  %.680.i1863 = load i64, ptr %.679.i1862, align 8, !noalias !155
-  %.683.i1866 = add nsw i64 %.5.i1.i1615, %.5.i.i1563
-  %.684.i1867 = mul nsw i64 %.683.i1866, %.
-  %.685.i1868 = add nsw i64 %.684.i1867, %.5.i.i1563
-  %.686.i1869 = add nsw i64 %.685.i1868, %.680.i1863
-  store i64 %.686.i1869, ptr %.679.i1862, align 8, !noalias !155
-  store double 0.000000e+00, ptr %.303.i1561, align 8, !noalias !155
-  store double 0.000000e+00, ptr %.382.i1613, align 8, !noalias !155
-  br label %B416.i1512
+B92.i1524:                                        ; preds = %B46.if.i2014
+  %.303.i1570 = getelementptr double, ptr %276, i64 %.90.i1386.09190
+  %.304.i1571 = load double, ptr %.303.i1570, align 8, !noalias !159
+  %.5.i.i1572 = fptosi double %.304.i1571 to i64
+  %.382.i1622 = getelementptr double, ptr %277, i64 %.90.i1386.09190
+  %.383.i1623 = load double, ptr %.382.i1622, align 8, !noalias !159
+  %.5.i1.i1624 = fptosi double %.383.i1623 to i64
+  %.457.i1673 = mul i64 %.243.i1517, %arg.results.3.5.1
+  %.461.i1677 = getelementptr i64, ptr %arg.results.3.4, i64 %.457.i1673
+  %.462.i1678 = load i64, ptr %.461.i1677, align 8, !noalias !159
+  %.463.i1679 = add nsw i64 %.462.i1678, %.5.i.i1572
+  store i64 %.463.i1679, ptr %.461.i1677, align 8, !noalias !159
+  %.569.i1775 = getelementptr i8, ptr %.461.i1677, i64 24
+  %.570.i1776 = load i64, ptr %.569.i1775, align 8, !noalias !159
+  %.571.i1777 = add nsw i64 %.570.i1776, %.5.i1.i1624
+  store i64 %.571.i1777, ptr %.569.i1775, align 8, !noalias !159
+  %.679.i1871 = getelementptr i8, ptr %.461.i1677, i64 8
+  %.680.i1872 = load i64, ptr %.679.i1871, align 8, !noalias !159
+  %.683.i1875 = add nsw i64 %.5.i1.i1624, %.5.i.i1572
+  %.684.i1876 = mul nsw i64 %.683.i1875, %.
+  %.685.i1877 = add nsw i64 %.684.i1876, %.5.i.i1572
+  %.686.i1878 = add nsw i64 %.685.i1877, %.680.i1872
+  store i64 %.686.i1878, ptr %.679.i1871, align 8, !noalias !159
+  store double 0.000000e+00, ptr %.303.i1570, align 8, !noalias !159
+  store double 0.000000e+00, ptr %.382.i1622, align 8, !noalias !159
+  br label %B416.i1521
 
-B416.i1512:                                       ; preds = %B92.i1515, %B46.if.i2005
-  %.148.i1443 = icmp sgt i64 %.93.i1378.08636, 1
-  br i1 %.148.i1443, label %B46.if.i2005, label %B4332.endif
+B416.i1521:                                       ; preds = %B92.i1524, %B46.if.i2014
+  %.148.i1452 = icmp sgt i64 %.93.i1387.09191, 1
+  br i1 %.148.i1452, label %B46.if.i2014, label %B4374.endif
 
-B46.if.i2005:                                     ; preds = %B46.if.i2005.lr.ph, %B416.i1512
-  %.93.i1378.08636 = phi i64 [ %storemerge, %B46.if.i2005.lr.ph ], [ %.157.i2010, %B416.i1512 ]
-  %.90.i1377.08635 = phi i64 [ 0, %B46.if.i2005.lr.ph ], [ %.161.i2013, %B416.i1512 ]
-  %.157.i2010 = add nsw i64 %.93.i1378.08636, -1
-  %.161.i2013 = add nsw i64 %.90.i1377.08635, 1
-  %275 = getelementptr i64, ptr %arg.lane.1.4, i64 %.90.i1377.08635
-  %.243.i1508 = load i64, ptr %275, align 8, !noalias !155
-  %.248.i1511 = icmp sgt i64 %.243.i1508, -1
-  br i1 %.248.i1511, label %B92.i1515, label %B416.i1512
+B46.if.i2014:                                     ; preds = %B46.if.i2014.lr.ph, %B416.i1521
+  %.93.i1387.09191 = phi i64 [ %storemerge, %B46.if.i2014.lr.ph ], [ %.157.i2019, %B416.i1521 ]
+  %.90.i1386.09190 = phi i64 [ 0, %B46.if.i2014.lr.ph ], [ %.161.i2022, %B416.i1521 ]
+  %.157.i2019 = add nsw i64 %.93.i1387.09191, -1
+  %.161.i2022 = add nsw i64 %.90.i1386.09190, 1
+  %278 = getelementptr i64, ptr %arg.lane.1.4, i64 %.90.i1386.09190
+  %.243.i1517 = load i64, ptr %278, align 8, !noalias !159
+  %.248.i1520 = icmp sgt i64 %.243.i1517, -1
+  br i1 %.248.i1520, label %B92.i1524, label %B416.i1521
 
-B4333:                                            ; preds = %B222.i, %B4264, %B332.i, %B102.i
-  %budget.6.3 = phi i64 [ %budget.5.28629, %B102.i ], [ %budget.7.3, %B332.i ], [ %budget.7.3, %B4264 ], [ %budget.7.3, %B222.i ]
-  %active.4.3 = phi i64 [ %active.3.28630, %B102.i ], [ %active.5.3, %B332.i ], [ %active.5.3, %B4264 ], [ %active.5.3, %B222.i ]
-  %.5227 = icmp sgt i64 %.5167.08628, 1
-  br i1 %.5227, label %B3542.if, label %B4306
+B4375:                                            ; preds = %B222.i, %B4306, %B332.i, %B102.i
+  %budget.6.3 = phi i64 [ %budget.5.29184, %B102.i ], [ %budget.7.3, %B332.i ], [ %budget.7.3, %B4306 ], [ %budget.7.3, %B222.i ]
+  %active.6.3 = phi i64 [ %active.3.29185, %B102.i ], [ %active.7.3, %B332.i ], [ %active.7.3, %B4306 ], [ %active.7.3, %B222.i ]
+  %.5285 = icmp sgt i64 %.5225.09183, 1
+  br i1 %.5285, label %B3584.if, label %B4348
 
 B202.endif:                                       ; preds = %B171.i, %entry
   %active.3.i.0.lcssa = phi i64 [ 0, %entry ], [ %active.4.i.1, %B171.i ]
   %.662 = icmp sgt i64 %active.3.i.0.lcssa, 0
   %.678 = icmp sgt i64 %arg.budget, 0
   %or.cond = select i1 %.662, i1 %.678, i1 false
-  br i1 %or.cond, label %B276.preheader, label %B4332
+  br i1 %or.cond, label %B276.preheader, label %B4374
 
 B276.preheader:                                   ; preds = %B202.endif
   %.722 = getelementptr i8, ptr %arg.lane.2.4, i64 16
   %factor.op.mul = mul i64 %arg.shape.0, %arg.shape.1
-  %factor.op.mul8633 = mul i64 %arg.shape.0, %arg.shape.1
+  %factor.op.mul9188 = mul i64 %arg.shape.0, %arg.shape.1
   %.818 = getelementptr i8, ptr %arg.code.4, i64 8
   %.873 = icmp sgt i64 %arg.decided, 0
   %.149.i = getelementptr i8, ptr %arg.code.4, i64 40
-  %.idx8155 = mul i64 %arg.lane.0.5.1, 24
-  %276 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8155
-  %.457.i1788514 = icmp slt i64 %arg.decided, 1
+  %.idx8701 = mul i64 %arg.lane.0.5.1, 24
+  %279 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8701
+  %.457.i1879066 = icmp slt i64 %arg.decided, 1
   %.613.i = getelementptr i8, ptr %arg.code.4, i64 8
   %.1007.idx = shl i64 %.382, 4
   %.1007 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.1007.idx
@@ -3468,16 +3556,16 @@ B276.preheader:                                   ; preds = %B202.endif
   %.1320.idx = mul i64 %.382, 24
   %.1320 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.1320.idx
   %.1351 = getelementptr i8, ptr %arg.code.4, i64 88
-  %.idx8150 = mul i64 %arg.lane.0.5.1, 24
-  %277 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8150
-  %.idx8151 = shl i64 %arg.lane.0.5.1, 5
-  %278 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8151
-  %.idx8152 = mul i64 %arg.lane.0.5.1, 136
-  %279 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8152
-  %.idx8153 = mul i64 %arg.lane.0.5.1, 88
-  %280 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8153
-  %.idx8154 = shl i64 %arg.lane.0.5.1, 4
-  %281 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8154
+  %.idx8696 = mul i64 %arg.lane.0.5.1, 24
+  %280 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8696
+  %.idx8697 = shl i64 %arg.lane.0.5.1, 5
+  %281 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8697
+  %.idx8698 = mul i64 %arg.lane.0.5.1, 136
+  %282 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8698
+  %.idx8699 = mul i64 %arg.lane.0.5.1, 88
+  %283 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8699
+  %.idx8700 = shl i64 %arg.lane.0.5.1, 4
+  %284 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8700
   %.1656.c = getelementptr i8, ptr %arg.code.4, i64 56
   %.1510.idx = shl i64 %arg.lane.1.5.1, 4
   %.1510 = getelementptr i8, ptr %arg.lane.1.4, i64 %.1510.idx
@@ -3491,8 +3579,8 @@ B276.preheader:                                   ; preds = %B202.endif
   %.524.i = getelementptr i8, ptr %arg.lane.0.4, i64 %.524.idx.i
   %.123.i.i = shl nsw i64 %arg.shape.1, 1
   %.124.i.i = add nsw i64 %.123.i.i, 5
-  %.153.i.i8179 = getelementptr i8, ptr %arg.linear.1.4, i64 24
-  %.183.i.i8181 = getelementptr i8, ptr %arg.linear.1.4, i64 32
+  %.153.i.i8725 = getelementptr i8, ptr %arg.linear.1.4, i64 24
+  %.183.i.i8727 = getelementptr i8, ptr %arg.linear.1.4, i64 32
   %.186.i.i = add nsw i64 %.124.i.i, %arg.shape.1
   %.187.i.i = add nsw i64 %.186.i.i, 1
   %.224.i.i = icmp slt i64 %arg.shape.1, -2
@@ -3500,14 +3588,14 @@ B276.preheader:                                   ; preds = %B202.endif
   %.226.i.i = add i64 %.225.i.i, %.124.i.i
   %.229.i.i = icmp slt i64 %.226.i.i, 0
   %.234.i.i = icmp sge i64 %.226.i.i, %arg.linear.1.5.0
-  %282 = or i1 %.229.i.i, %.234.i.i
+  %285 = or i1 %.229.i.i, %.234.i.i
   %.241.i.i = icmp slt i64 %.186.i.i, -1
   %.242.i.i = select i1 %.241.i.i, i64 %arg.linear.1.5.0, i64 0
   %.243.i.i = add i64 %.242.i.i, %.187.i.i
   %.246.i.i = icmp slt i64 %.243.i.i, 0
   %.251.i.not.i = icmp slt i64 %.243.i.i, %arg.linear.1.5.0
   %.409.i.i = icmp sge i64 %.243.i.i, %arg.linear.1.5.0
-  %283 = or i1 %.246.i.i, %.409.i.i
+  %286 = or i1 %.246.i.i, %.409.i.i
   %.538.i.i = add i64 %arg.shape.1, 1
   %.539.i.i = add i64 %.124.i.i, %.538.i.i
   %.1162.i2379.not.i = icmp slt i64 %arg.shape.1, 1
@@ -3526,9 +3614,9 @@ B276.preheader:                                   ; preds = %B202.endif
   %.499.i.i.i = getelementptr i8, ptr %arg.lane.0.4, i64 %.499.i.i.idx.i
   %.503.i.i.i = mul nsw i64 %arg.shape.1, 18
   %.520.i.i.i = select i1 %.1556.i2382.not.i, i64 %arg.arrays.0.5.0, i64 0
-  %.idx.i8184 = mul i64 %arg.shape.1, 152
-  %284 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx.i8184
-  %.534.i.i.i = getelementptr double, ptr %284, i64 %.520.i.i.i
+  %.idx.i8730 = mul i64 %arg.shape.1, 152
+  %287 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx.i8730
+  %.534.i.i.i = getelementptr double, ptr %287, i64 %.520.i.i.i
   %.897.i.i.i = mul nsw i64 %arg.shape.1, 17
   %.1279.i.i.idx.i = mul i64 %arg.shape.1, 96
   %.1279.i.i.i = getelementptr i8, ptr %arg.arrays.0.4, i64 %.1279.i.i.idx.i
@@ -3536,8 +3624,8 @@ B276.preheader:                                   ; preds = %B202.endif
   %.idx2423.i = mul i64 %arg.shape.1, 144
   %invariant.gep = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx2423.i
   %.idx2424.i = mul i64 %arg.shape.1, 144
-  %invariant.gep8523 = getelementptr double, ptr %arg.arrays.0.4, i64 %.503.i.i.i
-  %invariant.gep8525 = getelementptr double, ptr %arg.arrays.0.4, i64 %.503.i.i.i
+  %invariant.gep9075 = getelementptr double, ptr %arg.arrays.0.4, i64 %.503.i.i.i
+  %invariant.gep9077 = getelementptr double, ptr %arg.arrays.0.4, i64 %.503.i.i.i
   %.663.i = getelementptr i8, ptr %arg.linear.1.4, i64 8
   %.711.i = icmp sgt i64 %arg.shape.1, 0
   %.743.sroa.0.02358.i = add i64 %arg.shape.1, 1
@@ -3551,45 +3639,45 @@ B276.preheader:                                   ; preds = %B202.endif
   %.265.i = icmp slt i64 %arg.linear.1.5.0, 6
   %.272.i = icmp slt i64 %arg.shape.1, -5
   %.273.i = select i1 %.272.i, i64 %arg.linear.1.5.0, i64 0
-  %.274.i8188 = add i64 %.218.i, %.273.i
-  %.277.i = icmp slt i64 %.274.i8188, 0
-  %.282.not.i = icmp slt i64 %.274.i8188, %arg.linear.1.5.0
+  %.274.i8734 = add i64 %.218.i, %.273.i
+  %.277.i = icmp slt i64 %.274.i8734, 0
+  %.282.not.i = icmp slt i64 %.274.i8734, %arg.linear.1.5.0
   %.648747.not.i = icmp slt i64 %arg.shape.1, 1
   %.756.i = mul nsw i64 %arg.shape.1, 17
-  %.idx.i8191 = mul i64 %arg.shape.1, 80
-  %invariant.gep8527 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx.i8191
+  %.idx.i8737 = mul i64 %arg.shape.1, 80
+  %invariant.gep9079 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx.i8737
   %.882.i = getelementptr i8, ptr %arg.linear.1.4, i64 8
   %.887.i = mul nsw i64 %arg.shape.1, 17
-  %invariant.gep8529 = getelementptr double, ptr %arg.arrays.0.4, i64 %.887.i
+  %invariant.gep9081 = getelementptr double, ptr %arg.arrays.0.4, i64 %.887.i
   %.2121 = getelementptr i8, ptr %arg.code.4, i64 64
   %.2203 = icmp sgt i64 %arg.guarded, 0
   %.2208 = icmp sgt i64 %arg.decided, 0
-  %.idx8148 = mul i64 %arg.lane.0.5.1, 40
-  %285 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8148
-  %.idx8149 = mul i64 %arg.lane.0.5.1, 192
-  %286 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8149
+  %.idx8694 = mul i64 %arg.lane.0.5.1, 40
+  %288 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8694
+  %.idx8695 = mul i64 %arg.lane.0.5.1, 192
+  %289 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8695
   %.2558.idx = mul i64 %arg.lane.0.5.1, 40
   %.2558 = getelementptr i8, ptr %arg.lane.0.4, i64 %.2558.idx
   %.2667.idx = mul i64 %arg.lane.0.5.1, 200
   %.2667 = getelementptr i8, ptr %arg.lane.0.4, i64 %.2667.idx
   %.2721.idx = mul i64 %arg.lane.0.5.1, 208
   %.2721 = getelementptr i8, ptr %arg.lane.0.4, i64 %.2721.idx
-  %.idx8146 = mul i64 %arg.lane.0.5.1, 200
-  %287 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8146
-  %.idx8147 = mul i64 %arg.lane.0.5.1, 208
-  %288 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8147
-  %.idx8140 = shl i64 %arg.lane.1.5.1, 4
-  %289 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8140
-  %.idx8141 = mul i64 %arg.lane.0.5.1, 216
-  %290 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8141
-  %.idx8142 = mul i64 %arg.lane.0.5.1, 72
-  %291 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8142
-  %.idx8143 = mul i64 %arg.lane.0.5.1, 40
-  %292 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8143
-  %.idx8144 = mul i64 %arg.lane.0.5.1, 144
-  %293 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8144
-  %.idx8145 = mul i64 %arg.lane.0.5.1, 56
-  %294 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8145
+  %.idx8692 = mul i64 %arg.lane.0.5.1, 200
+  %290 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8692
+  %.idx8693 = mul i64 %arg.lane.0.5.1, 208
+  %291 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8693
+  %.idx8686 = shl i64 %arg.lane.1.5.1, 4
+  %292 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8686
+  %.idx8687 = mul i64 %arg.lane.0.5.1, 216
+  %293 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8687
+  %.idx8688 = mul i64 %arg.lane.0.5.1, 72
+  %294 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8688
+  %.idx8689 = mul i64 %arg.lane.0.5.1, 40
+  %295 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8689
+  %.idx8690 = mul i64 %arg.lane.0.5.1, 144
+  %296 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8690
+  %.idx8691 = mul i64 %arg.lane.0.5.1, 56
+  %297 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8691
   %.3890.idx = mul i64 %.382, 136
   %.3890 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.3890.idx
   %.3915.idx = mul i64 %.382, 104
@@ -3598,31 +3686,49 @@ B276.preheader:                                   ; preds = %B202.endif
   %.4049 = getelementptr i8, ptr %arg.code.4, i64 40
   %.4071.idx = mul i64 %.382, 136
   %.4071 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.4071.idx
-  %.idx8135 = mul i64 %arg.lane.0.5.1, 96
-  %295 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8135
-  %.idx8136 = mul i64 %arg.lane.0.5.1, 40
-  %296 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8136
-  %.idx8137 = mul i64 %arg.lane.0.5.1, 104
-  %297 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8137
-  %.idx8138 = mul i64 %arg.lane.0.5.1, 112
-  %298 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8138
-  %.idx8139 = shl i64 %arg.lane.1.5.1, 5
-  %299 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8139
+  %.idx8681 = mul i64 %arg.lane.0.5.1, 96
+  %298 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8681
+  %.idx8682 = mul i64 %arg.lane.0.5.1, 40
+  %299 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8682
+  %.idx8683 = mul i64 %arg.lane.0.5.1, 104
+  %300 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8683
+  %.idx8684 = mul i64 %arg.lane.0.5.1, 112
+  %301 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8684
+  %.idx8685 = shl i64 %arg.lane.1.5.1, 5
+  %302 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8685
   %.4410.idx = mul i64 %.382, 136
   %.4410 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.4410.idx
   %.4472 = getelementptr i8, ptr %arg.code.4, i64 200
   %.4549 = getelementptr i8, ptr %arg.code.4, i64 104
+  %.idx = shl i64 %arg.lane.1.5.1, 4
+  %303 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx
+  %.idx8646 = mul i64 %arg.lane.0.5.1, 40
+  %304 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8646
+  %.idx8647 = mul i64 %arg.lane.0.5.1, 56
+  %305 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8647
+  %.idx8648 = mul i64 %arg.lane.0.5.1, 224
+  %306 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8648
+  %.idx8649 = shl i64 %arg.lane.0.5.1, 5
+  %307 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8649
+  %.idx8650 = mul i64 %arg.lane.0.5.1, 96
+  %308 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8650
+  %.idx8651 = mul i64 %arg.lane.0.5.1, 48
+  %309 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8651
+  %310 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
+  %.idx8652 = mul i64 %arg.lane.0.5.1, 168
+  %311 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8652
+  %.4549.c = getelementptr i8, ptr %arg.code.4, i64 104
   %.1013.i = getelementptr i8, ptr %arg.code.4, i64 40
-  %.1105.i8206.idx = shl i64 %factor.op.mul, 4
-  %.1105.i8206 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.1105.i8206.idx
+  %.1105.i8754.idx = shl i64 %factor.op.mul, 4
+  %.1105.i8754 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.1105.i8754.idx
   %.idx1174.i = mul i64 %arg.lane.0.5.1, 104
-  %300 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1174.i
+  %312 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1174.i
   %.idx1175.i = mul i64 %arg.lane.0.5.1, 112
-  %301 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1175.i
+  %313 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1175.i
   %.idx1176.i = mul i64 %arg.lane.0.5.1, 96
-  %302 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1176.i
+  %314 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1176.i
   %.idx1177.i = mul i64 %arg.lane.0.5.1, 48
-  %303 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1177.i
+  %315 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1177.i
   %.8631184.not.i = icmp slt i64 %arg.shape.1, 1
   %.935.i = shl nsw i64 %arg.shape.1, 1
   %storemerge1173.i = tail call i64 @llvm.smax.i64(i64 %arg.decided, i64 0)
@@ -3633,258 +3739,266 @@ B276.preheader:                                   ; preds = %B202.endif
   %.155.i.4.i = mul nsw i64 %arg.shape.1, 20
   %.155.i.5.i = mul nsw i64 %arg.shape.1, 19
   %.155.i.6.i = mul nsw i64 %arg.shape.1, 18
-  %.idx.i8210 = mul i64 %arg.lane.0.5.1, 56
-  %304 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx.i8210
+  %.idx.i8758 = mul i64 %arg.lane.0.5.1, 56
+  %316 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx.i8758
   %.idx1165.i = mul i64 %arg.lane.0.5.1, 40
-  %305 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1165.i
+  %317 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1165.i
   %.idx1166.i = shl i64 %arg.lane.0.5.1, 5
-  %306 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1166.i
-  %307 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
-  %.4676.not = icmp eq i64 %arg.guarded, 0
+  %318 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1166.i
+  %319 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
+  %.4734.not = icmp eq i64 %arg.guarded, 0
   %.845.i = getelementptr i8, ptr %arg.code.4, i64 16
-  %.937.i.idx = shl i64 %factor.op.mul8633, 4
+  %.937.i.idx = shl i64 %factor.op.mul9188, 4
   %.937.i = getelementptr i8, ptr %arg.arrays.0.4, i64 %.937.i.idx
   %.idx652.i = mul i64 %arg.lane.0.5.1, 48
-  %308 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx652.i
+  %320 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx652.i
   %.695658.not.i = icmp slt i64 %arg.shape.1, 1
   %.767.i = shl nsw i64 %arg.shape.1, 1
-  %.idx.i8217 = mul i64 %arg.lane.0.5.1, 40
-  %309 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx.i8217
-  %.155.i.i8220 = mul nsw i64 %arg.shape.1, 24
-  %.155.i.1.i8226 = mul nsw i64 %arg.shape.1, 23
-  %.155.i.2.i8232 = mul nsw i64 %arg.shape.1, 22
-  %.155.i.3.i8238 = mul nsw i64 %arg.shape.1, 21
-  %.155.i.4.i8244 = mul nsw i64 %arg.shape.1, 20
-  %.155.i.5.i8250 = mul nsw i64 %arg.shape.1, 19
-  %.155.i.6.i8256 = mul nsw i64 %arg.shape.1, 18
-  %factor.op.mul631.i = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
-  %.idx.i8273 = shl i64 %arg.lane.1.5.1, 4
-  %310 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx.i8273
-  %.idx620.i = mul i64 %arg.lane.0.5.1, 40
-  %311 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx620.i
-  %.idx621.i = mul i64 %arg.lane.0.5.1, 48
-  %312 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx621.i
-  %.idx622.i = mul i64 %arg.lane.0.5.1, 56
-  %313 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx622.i
-  %.917628.not.i = icmp slt i64 %arg.shape.1, 1
+  %.idx.i8765 = mul i64 %arg.lane.0.5.1, 40
+  %321 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx.i8765
+  %.155.i.i8768 = mul nsw i64 %arg.shape.1, 24
+  %.155.i.1.i8774 = mul nsw i64 %arg.shape.1, 23
+  %.155.i.2.i8780 = mul nsw i64 %arg.shape.1, 22
+  %.155.i.3.i8786 = mul nsw i64 %arg.shape.1, 21
+  %.155.i.4.i8792 = mul nsw i64 %arg.shape.1, 20
+  %.155.i.5.i8798 = mul nsw i64 %arg.shape.1, 19
+  %.155.i.6.i8804 = mul nsw i64 %arg.shape.1, 18
+  %factor.op.mul652.i = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
+  %.idx.i8821 = shl i64 %arg.lane.1.5.1, 4
+  %322 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx.i8821
+  %.idx640.i = mul i64 %arg.lane.0.5.1, 40
+  %323 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx640.i
+  %.idx641.i = mul i64 %arg.lane.0.5.1, 48
+  %324 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx641.i
+  %.idx642.i = mul i64 %arg.lane.0.5.1, 56
+  %325 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx642.i
+  %.917649.not.i = icmp slt i64 %arg.shape.1, 1
+  %.idx644.i = mul i64 %arg.lane.0.5.1, 168
+  %326 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx644.i
   %.993.i = mul nsw i64 %arg.shape.1, 17
-  %314 = add i64 %arg.times.5.0, -1
-  %.155.i.i8286 = mul nsw i64 %arg.shape.1, 24
-  %.155.i.1.i8292 = mul nsw i64 %arg.shape.1, 23
-  %.155.i.2.i8298 = mul nsw i64 %arg.shape.1, 22
-  %.155.i.3.i8304 = mul nsw i64 %arg.shape.1, 21
-  %.155.i.4.i8310 = mul nsw i64 %arg.shape.1, 20
-  %.155.i.5.i8316 = mul nsw i64 %arg.shape.1, 19
-  %.155.i.6.i8322 = mul nsw i64 %arg.shape.1, 18
-  %.4902 = getelementptr i8, ptr %arg.code.4, i64 96
-  %.idx8129 = mul i64 %arg.lane.0.5.1, 96
-  %315 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8129
-  %.idx8130 = mul i64 %arg.lane.0.5.1, 40
-  %316 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8130
-  %.idx8131 = mul i64 %arg.lane.0.5.1, 120
-  %317 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8131
-  %318 = getelementptr double, ptr %arg.times.4, i64 %arg.times.5.0
-  %.449.i3072 = getelementptr i8, ptr %318, i64 -8
-  %.idx8132 = mul i64 %arg.lane.1.5.1, 24
-  %319 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8132
-  %.idx8133 = mul i64 %arg.lane.1.5.1, 24
-  %320 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8133
-  %.idx8134 = mul i64 %arg.lane.0.5.1, 24
-  %321 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8134
-  %.4999.not = icmp ne i64 %arg.jumping, 0
+  %327 = add i64 %arg.times.5.0, -1
+  %.155.i.i8834 = mul nsw i64 %arg.shape.1, 24
+  %.155.i.1.i8840 = mul nsw i64 %arg.shape.1, 23
+  %.155.i.2.i8846 = mul nsw i64 %arg.shape.1, 22
+  %.155.i.3.i8852 = mul nsw i64 %arg.shape.1, 21
+  %.155.i.4.i8858 = mul nsw i64 %arg.shape.1, 20
+  %.155.i.5.i8864 = mul nsw i64 %arg.shape.1, 19
+  %.155.i.6.i8870 = mul nsw i64 %arg.shape.1, 18
+  %.4960 = getelementptr i8, ptr %arg.code.4, i64 96
+  %.idx8675 = mul i64 %arg.lane.0.5.1, 96
+  %328 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8675
+  %.idx8676 = mul i64 %arg.lane.0.5.1, 40
+  %329 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8676
+  %.idx8677 = mul i64 %arg.lane.0.5.1, 120
+  %330 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8677
+  %331 = getelementptr double, ptr %arg.times.4, i64 %arg.times.5.0
+  %.449.i3915 = getelementptr i8, ptr %331, i64 -8
+  %.idx8678 = mul i64 %arg.lane.1.5.1, 24
+  %332 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8678
+  %.idx8679 = mul i64 %arg.lane.1.5.1, 24
+  %333 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8679
+  %.idx8680 = mul i64 %arg.lane.0.5.1, 24
+  %334 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8680
+  %.5057.not = icmp ne i64 %arg.jumping, 0
   %.idx1848.i = mul i64 %arg.lane.0.5.1, 40
-  %322 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1848.i
+  %335 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1848.i
   %.idx1849.i = shl i64 %arg.lane.0.5.1, 4
-  %323 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1849.i
-  %324 = getelementptr i64, ptr %arg.lane.1.4, i64 %arg.lane.1.5.1
+  %336 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1849.i
+  %337 = getelementptr i64, ptr %arg.lane.1.4, i64 %arg.lane.1.5.1
   %.7511852.not.i = icmp slt i64 %arg.schedule.2.5.0, 1
   %.852.i = mul i64 %arg.schedule.3.5.2, %arg.schedule.3.5.1
   %.1017.i = getelementptr i8, ptr %arg.code.4, i64 8
   %.1160.i = getelementptr i8, ptr %arg.code.4, i64 32
-  %.1231.i8339 = mul nsw i64 %arg.shape.1, 17
-  %.1233.i8340 = mul nsw i64 %.1231.i8339, %arg.shape.0
-  %.1276.i = getelementptr double, ptr %arg.arrays.0.4, i64 %.1233.i8340
+  %.1231.i8885 = mul nsw i64 %arg.shape.1, 17
+  %.1233.i8886 = mul nsw i64 %.1231.i8885, %arg.shape.0
+  %.1276.i = getelementptr double, ptr %arg.arrays.0.4, i64 %.1233.i8886
   %.idx1846.i = shl i64 %arg.lane.1.5.1, 4
-  %325 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx1846.i
+  %338 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx1846.i
   %.17571859.not.i = icmp slt i64 %arg.shape.1, 1
   %.1952.i = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
   %.2041.not.i = icmp eq i64 %arg.guarded, 0
   %.2073.i = getelementptr i8, ptr %arg.code.4, i64 16
-  %.idx8113 = mul i64 %arg.lane.0.5.1, 40
-  %326 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8113
-  %.idx8114 = shl i64 %arg.lane.0.5.1, 4
-  %327 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8114
-  %328 = getelementptr i64, ptr %arg.lane.1.4, i64 %arg.lane.1.5.1
-  %.idx8115 = mul i64 %arg.lane.0.5.1, 24
-  %329 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8115
-  %.1103.i8620.not = icmp slt i64 %arg.schedule.2.5.0, 1
-  %.1256.i = mul i64 %arg.schedule.3.5.2, %arg.schedule.3.5.1
-  %.idx8118 = shl i64 %arg.lane.1.5.1, 4
-  %330 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8118
-  %.373.i8352 = getelementptr i8, ptr %arg.lane.2.4, i64 8
-  %331 = getelementptr i64, ptr %arg.lane.1.4, i64 %arg.lane.1.5.1
-  %.6961521.not.i8491 = icmp slt i64 %arg.shape.1, 1
-  %.851.i8499 = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
-  %.9661524.not.i8357 = icmp slt i64 %arg.shape.2, 1
-  %.11851527.not.i8374 = icmp slt i64 %arg.schedule.2.5.0, 1
-  %.1319.i8379 = mul i64 %arg.schedule.3.5.2, %arg.schedule.3.5.1
-  %.1423.i8398 = icmp sgt i64 %arg.shape.0, 1
-  %.163.i1530.not.i8401 = icmp slt i64 %arg.shape.1, 1
-  %332 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
-  %.idx1506.i8418 = shl i64 %arg.lane.0.5.1, 4
-  %333 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1506.i8418
-  %.idx1507.i8420 = mul i64 %arg.lane.0.5.1, 24
-  %334 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1507.i8420
-  %.idx1508.i8422 = shl i64 %arg.lane.0.5.1, 5
-  %335 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1508.i8422
-  %.idx1509.i8424 = mul i64 %arg.lane.0.5.1, 176
-  %336 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1509.i8424
-  %.15851533.not.i8427 = icmp slt i64 %arg.shape.1, 1
-  %.idx1512.i8459 = shl i64 %arg.lane.0.5.1, 4
-  %337 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1512.i8459
-  %338 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
-  %.idx1513.i8462 = mul i64 %arg.lane.0.5.1, 24
-  %339 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1513.i8462
-  %.idx1514.i8464 = shl i64 %arg.lane.0.5.1, 5
-  %340 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1514.i8464
-  %.idx1515.i8466 = mul i64 %arg.lane.0.5.1, 120
-  %341 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1515.i8466
-  %.idx1516.i8469 = mul i64 %arg.lane.1.5.1, 24
-  %342 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx1516.i8469
-  %.idx1517.i8471 = mul i64 %arg.lane.0.5.1, 200
-  %343 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1517.i8471
-  %.idx1518.i8473 = mul i64 %arg.lane.0.5.1, 208
-  %344 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1518.i8473
-  %.idx1519.i8475 = mul i64 %arg.lane.0.5.1, 152
-  %345 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1519.i8475
-  %.idx1520.i8477 = mul i64 %arg.lane.0.5.1, 144
-  %346 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1520.i8477
-  %.idx8117 = mul i64 %arg.lane.0.5.1, 144
-  %347 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8117
-  %.6178 = tail call i64 @llvm.smin.i64(i64 %arg.times.5.0, i64 0)
-  %348 = getelementptr double, ptr %arg.times.4, i64 %arg.times.5.0
-  %349 = getelementptr i8, ptr %348, i64 -8
-  %.6192 = getelementptr double, ptr %349, i64 %.6178
-  %350 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
-  %.idx8119 = shl i64 %arg.lane.1.5.1, 4
-  %351 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8119
-  %.idx8120 = mul i64 %arg.lane.0.5.1, 144
-  %352 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8120
-  %.idx8121 = mul i64 %arg.lane.0.5.1, 184
-  %353 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8121
-  %.idx8122 = shl i64 %arg.lane.0.5.1, 4
-  %354 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8122
-  %.idx8123 = mul i64 %arg.lane.0.5.1, 176
-  %355 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8123
-  %.163.i36858623.not = icmp slt i64 %arg.shape.1, 1
-  %356 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
-  %.idx8125 = shl i64 %arg.lane.0.5.1, 4
-  %357 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8125
-  %.idx8126 = mul i64 %arg.lane.0.5.1, 24
-  %358 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8126
-  %.idx8127 = shl i64 %arg.lane.0.5.1, 5
-  %359 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8127
-  %.idx8128 = mul i64 %arg.lane.0.5.1, 176
-  %360 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8128
-  %361 = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
-  %362 = shl i64 %361, 3
-  %363 = shl i64 %arg.runs.0.5.1, 3
-  %364 = mul i64 %arg.shape.1, -176
-  %365 = mul i64 %arg.shape.1, -168
-  %366 = mul i64 %arg.shape.1, -160
-  %367 = mul i64 %arg.shape.1, -152
-  %368 = mul i64 %arg.shape.1, -144
-  %369 = mul i64 %arg.shape.1, -136
-  %370 = mul i64 %arg.shape.1, -128
-  %371 = mul i64 %arg.shape.1, -176
-  %372 = mul i64 %arg.shape.1, -168
-  %373 = mul i64 %arg.shape.1, -160
-  %374 = mul i64 %arg.shape.1, -152
-  %375 = mul i64 %arg.shape.1, -144
-  %376 = mul i64 %arg.shape.1, -136
-  %377 = mul i64 %arg.shape.1, -128
-  %378 = add i64 %.idx2424.i, %arg.arrays.0.48773
-  %379 = tail call i64 @llvm.smax.i64(i64 %.538.i.i, i64 1)
-  %380 = mul i64 %arg.shape.1, -48
-  %min.iters.check8799 = icmp ult i64 %arg.shape.1, 4
-  %diff.check8793 = icmp ult i64 %380, 32
-  %diff.check8794 = icmp ult i64 %.1807.i.idx.i, 32
-  %conflict.rdx8795 = or i1 %diff.check8793, %diff.check8794
-  %diff.check8796 = icmp ult i64 %.idx2422.i, 32
-  %conflict.rdx8797 = or i1 %conflict.rdx8795, %diff.check8796
-  %n.vec8802 = and i64 %arg.shape.1, 9223372036854775804
-  %cmp.n8809 = icmp eq i64 %arg.shape.1, %n.vec8802
-  %min.iters.check8777 = icmp slt i64 %.538.i.i, 4
-  %n.vec8780 = and i64 %379, 9223372036854775804
-  %381 = sub nsw i64 %storemerge2359.i, %n.vec8780
-  %cmp.n8789 = icmp eq i64 %379, %n.vec8780
-  %min.iters.check8758 = icmp ult i64 %arg.shape.1, 4
-  %diff.check8756 = icmp ult i64 %.idx2424.i, 32
-  %or.cond8813 = or i1 %min.iters.check8758, %diff.check8756
-  %n.vec8761 = and i64 %arg.shape.1, 9223372036854775804
-  %cmp.n8770 = icmp eq i64 %arg.shape.1, %n.vec8761
-  %382 = getelementptr i8, ptr %arg.code.4, i64 208
+  %.idx8658 = mul i64 %arg.lane.0.5.1, 40
+  %339 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8658
+  %.idx8659 = shl i64 %arg.lane.0.5.1, 4
+  %340 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8659
+  %341 = getelementptr i64, ptr %arg.lane.1.4, i64 %arg.lane.1.5.1
+  %.idx8660 = mul i64 %arg.lane.0.5.1, 24
+  %342 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8660
+  %.1103.i9175.not = icmp slt i64 %arg.schedule.2.5.0, 1
+  %.1256.i5962 = mul i64 %arg.schedule.3.5.2, %arg.schedule.3.5.1
+  %.idx8663 = shl i64 %arg.lane.1.5.1, 4
+  %343 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8663
+  %.373.i8900 = getelementptr i8, ptr %arg.lane.2.4, i64 8
+  %344 = getelementptr i64, ptr %arg.lane.1.4, i64 %arg.lane.1.5.1
+  %.6961563.not.i9043 = icmp slt i64 %arg.shape.1, 1
+  %.851.i9051 = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
+  %.9661566.not.i8905 = icmp slt i64 %arg.shape.2, 1
+  %.11851569.not.i8922 = icmp slt i64 %arg.schedule.2.5.0, 1
+  %.1319.i8927 = mul i64 %arg.schedule.3.5.2, %arg.schedule.3.5.1
+  %.1423.i8946 = icmp sgt i64 %arg.shape.0, 1
+  %.163.i1572.not.i8949 = icmp slt i64 %arg.shape.1, 1
+  %345 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
+  %.idx1546.i8966 = shl i64 %arg.lane.0.5.1, 4
+  %346 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1546.i8966
+  %.idx1547.i8968 = mul i64 %arg.lane.0.5.1, 24
+  %347 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1547.i8968
+  %.idx1548.i8970 = shl i64 %arg.lane.0.5.1, 5
+  %348 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1548.i8970
+  %.idx1549.i8972 = mul i64 %arg.lane.0.5.1, 176
+  %349 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1549.i8972
+  %.idx1550.i8974 = mul i64 %arg.lane.0.5.1, 168
+  %350 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1550.i8974
+  %.15851575.not.i8977 = icmp slt i64 %arg.shape.1, 1
+  %.idx1553.i9009 = shl i64 %arg.lane.0.5.1, 4
+  %351 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1553.i9009
+  %352 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
+  %.idx1554.i9012 = mul i64 %arg.lane.0.5.1, 24
+  %353 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1554.i9012
+  %.idx1555.i9014 = shl i64 %arg.lane.0.5.1, 5
+  %354 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1555.i9014
+  %.idx1556.i9016 = mul i64 %arg.lane.0.5.1, 120
+  %355 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1556.i9016
+  %.idx1557.i9019 = mul i64 %arg.lane.1.5.1, 24
+  %356 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx1557.i9019
+  %.idx1558.i9021 = mul i64 %arg.lane.0.5.1, 168
+  %357 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1558.i9021
+  %.idx1559.i9023 = mul i64 %arg.lane.0.5.1, 200
+  %358 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1559.i9023
+  %.idx1560.i9025 = mul i64 %arg.lane.0.5.1, 208
+  %359 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1560.i9025
+  %.idx1561.i9027 = mul i64 %arg.lane.0.5.1, 152
+  %360 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1561.i9027
+  %.idx1562.i9029 = mul i64 %arg.lane.0.5.1, 144
+  %361 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1562.i9029
+  %.idx8662 = mul i64 %arg.lane.0.5.1, 144
+  %362 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8662
+  %.6236 = tail call i64 @llvm.smin.i64(i64 %arg.times.5.0, i64 0)
+  %363 = getelementptr double, ptr %arg.times.4, i64 %arg.times.5.0
+  %364 = getelementptr i8, ptr %363, i64 -8
+  %.6250 = getelementptr double, ptr %364, i64 %.6236
+  %365 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
+  %.idx8664 = shl i64 %arg.lane.1.5.1, 4
+  %366 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8664
+  %.idx8665 = mul i64 %arg.lane.0.5.1, 144
+  %367 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8665
+  %.idx8666 = mul i64 %arg.lane.0.5.1, 184
+  %368 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8666
+  %.idx8667 = shl i64 %arg.lane.0.5.1, 4
+  %369 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8667
+  %.idx8668 = mul i64 %arg.lane.0.5.1, 176
+  %370 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8668
+  %.163.i45479178.not = icmp slt i64 %arg.shape.1, 1
+  %371 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
+  %.idx8670 = shl i64 %arg.lane.0.5.1, 4
+  %372 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8670
+  %.idx8671 = mul i64 %arg.lane.0.5.1, 24
+  %373 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8671
+  %.idx8672 = shl i64 %arg.lane.0.5.1, 5
+  %374 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8672
+  %.idx8673 = mul i64 %arg.lane.0.5.1, 176
+  %375 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8673
+  %.idx8674 = mul i64 %arg.lane.0.5.1, 168
+  %376 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8674
+  %377 = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
+  %378 = shl i64 %377, 3
+  %379 = shl i64 %arg.runs.0.5.1, 3
+  %380 = mul i64 %arg.shape.1, -176
+  %381 = mul i64 %arg.shape.1, -168
+  %382 = mul i64 %arg.shape.1, -160
+  %383 = mul i64 %arg.shape.1, -152
+  %384 = mul i64 %arg.shape.1, -144
+  %385 = mul i64 %arg.shape.1, -136
+  %386 = mul i64 %arg.shape.1, -128
+  %387 = mul i64 %arg.shape.1, -176
+  %388 = mul i64 %arg.shape.1, -168
+  %389 = mul i64 %arg.shape.1, -160
+  %390 = mul i64 %arg.shape.1, -152
+  %391 = mul i64 %arg.shape.1, -144
+  %392 = mul i64 %arg.shape.1, -136
+  %393 = mul i64 %arg.shape.1, -128
+  %394 = add i64 %.idx2424.i, %arg.arrays.0.49329
+  %395 = tail call i64 @llvm.smax.i64(i64 %.538.i.i, i64 1)
+  %396 = mul i64 %arg.shape.1, -48
+  %min.iters.check9355 = icmp ult i64 %arg.shape.1, 4
+  %diff.check9349 = icmp ult i64 %396, 32
+  %diff.check9350 = icmp ult i64 %.1807.i.idx.i, 32
+  %conflict.rdx9351 = or i1 %diff.check9349, %diff.check9350
+  %diff.check9352 = icmp ult i64 %.idx2422.i, 32
+  %conflict.rdx9353 = or i1 %conflict.rdx9351, %diff.check9352
+  %n.vec9358 = and i64 %arg.shape.1, 9223372036854775804
+  %cmp.n9365 = icmp eq i64 %arg.shape.1, %n.vec9358
+  %min.iters.check9333 = icmp slt i64 %.538.i.i, 4
+  %n.vec9336 = and i64 %395, 9223372036854775804
+  %397 = sub nsw i64 %storemerge2359.i, %n.vec9336
+  %cmp.n9345 = icmp eq i64 %395, %n.vec9336
+  %min.iters.check9314 = icmp ult i64 %arg.shape.1, 4
+  %diff.check9312 = icmp ult i64 %.idx2424.i, 32
+  %or.cond9369 = or i1 %min.iters.check9314, %diff.check9312
+  %n.vec9317 = and i64 %arg.shape.1, 9223372036854775804
+  %cmp.n9326 = icmp eq i64 %arg.shape.1, %n.vec9317
+  %398 = getelementptr i8, ptr %arg.code.4, i64 208
   %.4435.idx = mul i64 %.382, 112
   %.4435 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.4435.idx
-  %383 = getelementptr i8, ptr %arg.code.4, i64 216
+  %399 = getelementptr i8, ptr %arg.code.4, i64 216
   %.4435.1.idx = mul i64 %.382, 120
   %.4435.1 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.4435.1.idx
-  %384 = getelementptr i8, ptr %arg.code.4, i64 224
+  %400 = getelementptr i8, ptr %arg.code.4, i64 224
   %.4435.2.idx = shl i64 %.382, 7
   %.4435.2 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.4435.2.idx
-  %min.iters.check8733 = icmp ne i64 %arg.shape.1, 1
-  %ident.check8715.not = icmp eq i64 %arg.shape.0, 1
-  %or.cond8814 = and i1 %min.iters.check8733, %ident.check8715.not
-  %diff.check8717 = icmp eq i64 %371, 0
-  %diff.check8718 = icmp ult i64 %372, 16
-  %conflict.rdx8719 = or i1 %diff.check8717, %diff.check8718
-  %diff.check8720 = icmp eq i64 %373, 0
-  %conflict.rdx8721 = or i1 %conflict.rdx8719, %diff.check8720
-  %diff.check8722 = icmp ult i64 %374, 16
-  %conflict.rdx8723 = or i1 %conflict.rdx8721, %diff.check8722
-  %diff.check8724 = icmp eq i64 %375, 0
-  %conflict.rdx8725 = or i1 %conflict.rdx8723, %diff.check8724
-  %diff.check8726 = icmp ult i64 %376, 16
-  %conflict.rdx8727 = or i1 %conflict.rdx8725, %diff.check8726
-  %diff.check8728 = icmp eq i64 %377, 0
-  %conflict.rdx8729 = or i1 %conflict.rdx8727, %diff.check8728
+  %min.iters.check9289 = icmp ne i64 %arg.shape.1, 1
+  %ident.check9271.not = icmp eq i64 %arg.shape.0, 1
+  %or.cond9370 = and i1 %min.iters.check9289, %ident.check9271.not
+  %diff.check9273 = icmp eq i64 %387, 0
+  %diff.check9274 = icmp ult i64 %388, 16
+  %conflict.rdx9275 = or i1 %diff.check9273, %diff.check9274
+  %diff.check9276 = icmp eq i64 %389, 0
+  %conflict.rdx9277 = or i1 %conflict.rdx9275, %diff.check9276
+  %diff.check9278 = icmp ult i64 %390, 16
+  %conflict.rdx9279 = or i1 %conflict.rdx9277, %diff.check9278
+  %diff.check9280 = icmp eq i64 %391, 0
+  %conflict.rdx9281 = or i1 %conflict.rdx9279, %diff.check9280
+  %diff.check9282 = icmp ult i64 %392, 16
+  %conflict.rdx9283 = or i1 %conflict.rdx9281, %diff.check9282
+  %diff.check9284 = icmp eq i64 %393, 0
+  %conflict.rdx9285 = or i1 %conflict.rdx9283, %diff.check9284
   %.mask = and i64 %arg.shape.1, 1152921504606846975
-  %diff.check8730 = icmp eq i64 %.mask, 0
-  %conflict.rdx8731 = or i1 %conflict.rdx8729, %diff.check8730
-  %n.vec8736 = and i64 %arg.shape.1, 9223372036854775806
-  %cmp.n8753 = icmp eq i64 %arg.shape.1, %n.vec8736
-  %min.iters.check8694 = icmp ne i64 %arg.shape.1, 1
+  %diff.check9286 = icmp eq i64 %.mask, 0
+  %conflict.rdx9287 = or i1 %conflict.rdx9285, %diff.check9286
+  %n.vec9292 = and i64 %arg.shape.1, 9223372036854775806
+  %cmp.n9309 = icmp eq i64 %arg.shape.1, %n.vec9292
+  %min.iters.check9250 = icmp ne i64 %arg.shape.1, 1
   %ident.check.not = icmp eq i64 %arg.shape.0, 1
-  %or.cond8815 = and i1 %min.iters.check8694, %ident.check.not
-  %diff.check8679 = icmp eq i64 %364, 0
-  %diff.check8680 = icmp ult i64 %365, 16
-  %conflict.rdx = or i1 %diff.check8679, %diff.check8680
-  %diff.check8681 = icmp eq i64 %366, 0
-  %conflict.rdx8682 = or i1 %conflict.rdx, %diff.check8681
-  %diff.check8683 = icmp ult i64 %367, 16
-  %conflict.rdx8684 = or i1 %conflict.rdx8682, %diff.check8683
-  %diff.check8685 = icmp eq i64 %368, 0
-  %conflict.rdx8686 = or i1 %conflict.rdx8684, %diff.check8685
-  %diff.check8687 = icmp ult i64 %369, 16
-  %conflict.rdx8688 = or i1 %conflict.rdx8686, %diff.check8687
-  %diff.check8689 = icmp eq i64 %370, 0
-  %conflict.rdx8690 = or i1 %conflict.rdx8688, %diff.check8689
-  %.mask8811 = and i64 %arg.shape.1, 1152921504606846975
-  %diff.check8691 = icmp eq i64 %.mask8811, 0
-  %conflict.rdx8692 = or i1 %conflict.rdx8690, %diff.check8691
-  %n.vec8697 = and i64 %arg.shape.1, 9223372036854775806
-  %cmp.n8712 = icmp eq i64 %arg.shape.1, %n.vec8697
-  %min.iters.check8666 = icmp ult i64 %arg.shape.1, 8
-  %n.vec8669 = and i64 %arg.shape.1, 9223372036854775804
-  %cmp.n8676 = icmp eq i64 %arg.shape.1, %n.vec8669
+  %or.cond9371 = and i1 %min.iters.check9250, %ident.check.not
+  %diff.check9235 = icmp eq i64 %380, 0
+  %diff.check9236 = icmp ult i64 %381, 16
+  %conflict.rdx = or i1 %diff.check9235, %diff.check9236
+  %diff.check9237 = icmp eq i64 %382, 0
+  %conflict.rdx9238 = or i1 %conflict.rdx, %diff.check9237
+  %diff.check9239 = icmp ult i64 %383, 16
+  %conflict.rdx9240 = or i1 %conflict.rdx9238, %diff.check9239
+  %diff.check9241 = icmp eq i64 %384, 0
+  %conflict.rdx9242 = or i1 %conflict.rdx9240, %diff.check9241
+  %diff.check9243 = icmp ult i64 %385, 16
+  %conflict.rdx9244 = or i1 %conflict.rdx9242, %diff.check9243
+  %diff.check9245 = icmp eq i64 %386, 0
+  %conflict.rdx9246 = or i1 %conflict.rdx9244, %diff.check9245
+  %.mask9367 = and i64 %arg.shape.1, 1152921504606846975
+  %diff.check9247 = icmp eq i64 %.mask9367, 0
+  %conflict.rdx9248 = or i1 %conflict.rdx9246, %diff.check9247
+  %n.vec9253 = and i64 %arg.shape.1, 9223372036854775806
+  %cmp.n9268 = icmp eq i64 %arg.shape.1, %n.vec9253
+  %min.iters.check9222 = icmp ult i64 %arg.shape.1, 8
+  %n.vec9225 = and i64 %arg.shape.1, 9223372036854775804
+  %cmp.n9232 = icmp eq i64 %arg.shape.1, %n.vec9225
   br label %B276
 
 B1276.if:                                         ; preds = %B1276.if.preheader, %B1500
-  %.1789.08531 = phi i64 [ %.1858, %B1500 ], [ 1, %B1276.if.preheader ]
-  %.1858 = add nsw i64 %.1789.08531, 1
-  %385 = getelementptr i64, ptr %arg.code.4, i64 %.1789.08531
-  %386 = getelementptr i8, ptr %385, i64 104
-  %.1917 = load i64, ptr %386, align 8
+  %.1789.09083 = phi i64 [ %.1858, %B1500 ], [ 1, %B1276.if.preheader ]
+  %.1858 = add nsw i64 %.1789.09083, 1
+  %401 = getelementptr i64, ptr %arg.code.4, i64 %.1789.09083
+  %402 = getelementptr i8, ptr %401, i64 104
+  %.1917 = load i64, ptr %402, align 8
   %.1962 = inttoptr i64 %.1917 to ptr
   tail call void %.1962(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
   %.1993 = load i64, ptr %arg.code.4, align 8
@@ -3895,45 +4009,45 @@ B1276.if:                                         ; preds = %B1276.if.preheader,
   br i1 %.539, label %B1464, label %B1500
 
 B1646.if:                                         ; preds = %B1502, %B1732
-  %looked.2.18537 = phi i1 [ %"$phi1732.1.2.2", %B1732 ], [ %spec.select8165, %B1502 ]
-  %good.2.18536 = phi i1 [ %"$phi1690.1.2.2", %B1732 ], [ false, %B1502 ]
-  %.2251.08535 = phi i64 [ %.2313, %B1732 ], [ %storemerge, %B1502 ]
-  %.2248.08534 = phi i64 [ %.2317, %B1732 ], [ 0, %B1502 ]
-  %.2313 = add nsw i64 %.2251.08535, -1
-  %.2317 = add nsw i64 %.2248.08534, 1
-  br i1 %good.2.18536, label %B1690, label %B1654
+  %looked.2.19089 = phi i1 [ %"$phi1732.1.2.2", %B1732 ], [ %spec.select8712, %B1502 ]
+  %good.2.19088 = phi i1 [ %"$phi1690.1.2.2", %B1732 ], [ false, %B1502 ]
+  %.2251.09087 = phi i64 [ %.2313, %B1732 ], [ %storemerge, %B1502 ]
+  %.2248.09086 = phi i64 [ %.2317, %B1732 ], [ 0, %B1502 ]
+  %.2313 = add nsw i64 %.2251.09087, -1
+  %.2317 = add nsw i64 %.2248.09086, 1
+  br i1 %good.2.19088, label %B1690, label %B1654
 
 B1922.if:                                         ; preds = %B1920.preheader, %B2440
-  %doubted.3.28548 = phi i1 [ %doubted.4.3, %B2440 ], [ false, %B1920.preheader ]
-  %within.3.28547 = phi i1 [ %within.4.3, %B2440 ], [ false, %B1920.preheader ]
-  %wanted.3.28546 = phi i1 [ %wanted.4.3, %B2440 ], [ false, %B1920.preheader ]
-  %.2832.08545 = phi i64 [ %.2904, %B2440 ], [ %storemerge, %B1920.preheader ]
-  %.2829.08544 = phi i64 [ %.2908, %B2440 ], [ 0, %B1920.preheader ]
-  %.2904 = add nsw i64 %.2832.08545, -1
-  %.2908 = add nsw i64 %.2829.08544, 1
-  %.2995 = getelementptr i64, ptr %arg.lane.1.4, i64 %.2829.08544
+  %doubted.3.29100 = phi i1 [ %doubted.4.3, %B2440 ], [ false, %B1920.preheader ]
+  %within.3.29099 = phi i1 [ %within.4.3, %B2440 ], [ false, %B1920.preheader ]
+  %wanted.3.29098 = phi i1 [ %wanted.4.3, %B2440 ], [ false, %B1920.preheader ]
+  %.2832.09097 = phi i64 [ %.2904, %B2440 ], [ %storemerge, %B1920.preheader ]
+  %.2829.09096 = phi i64 [ %.2908, %B2440 ], [ 0, %B1920.preheader ]
+  %.2904 = add nsw i64 %.2832.09097, -1
+  %.2908 = add nsw i64 %.2829.09096, 1
+  %.2995 = getelementptr i64, ptr %arg.lane.1.4, i64 %.2829.09096
   %.2996 = load i64, ptr %.2995, align 8
-  %.3050 = getelementptr i64, ptr %289, i64 %.2829.08544
+  %.3050 = getelementptr i64, ptr %292, i64 %.2829.09096
   %.3051 = load i64, ptr %.3050, align 8
-  %.3111 = getelementptr double, ptr %290, i64 %.2829.08544
+  %.3111 = getelementptr double, ptr %293, i64 %.2829.09096
   store double 0.000000e+00, ptr %.3111, align 8
   %.3114 = icmp sgt i64 %.2996, -1
   br i1 %.3114, label %B2022, label %B2440
 
-B2858.if:                                         ; preds = %B2790
-  %.4310 = load i64, ptr %382, align 8
+B2860.if:                                         ; preds = %B2792
+  %.4310 = load i64, ptr %398, align 8
   %.4355 = inttoptr i64 %.4310 to ptr
   tail call void %.4355(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
   %.4386 = load i64, ptr %arg.code.4, align 8
   %.4436 = inttoptr i64 %.4386 to ptr
   tail call void %.4436(ptr %.490, ptr %.4410, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.4435)
-  %.4310.1 = load i64, ptr %383, align 8
+  %.4310.1 = load i64, ptr %399, align 8
   %.4355.1 = inttoptr i64 %.4310.1 to ptr
   tail call void %.4355.1(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
   %.4386.1 = load i64, ptr %arg.code.4, align 8
   %.4436.1 = inttoptr i64 %.4386.1 to ptr
   tail call void %.4436.1(ptr %.490, ptr %.4410, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.4435.1)
-  %.4310.2 = load i64, ptr %384, align 8
+  %.4310.2 = load i64, ptr %400, align 8
   %.4355.2 = inttoptr i64 %.4310.2 to ptr
   tail call void %.4355.2(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
   %.4386.2 = load i64, ptr %arg.code.4, align 8
@@ -3942,21 +4056,24 @@ B2858.if:                                         ; preds = %B2790
   %.4473 = load i64, ptr %.4472, align 8
   %.4518 = inttoptr i64 %.4473 to ptr
   tail call void %.4518(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
-  br label %B3128
+  %.4550 = load i64, ptr %.4549, align 8
+  %.4595 = inttoptr i64 %.4550 to ptr
+  tail call void %.4595(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.tolerances.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
+  br i1 %.274.i, label %B3238, label %B66.if.i
 
-B3542.if:                                         ; preds = %B3504, %B4333
-  %active.3.28630 = phi i64 [ %active.4.3, %B4333 ], [ %active.6.0, %B3504 ]
-  %budget.5.28629 = phi i64 [ %budget.6.3, %B4333 ], [ %.688, %B3504 ]
-  %.5167.08628 = phi i64 [ %.5236, %B4333 ], [ %storemerge, %B3504 ]
-  %.5164.08627 = phi i64 [ %.5240, %B4333 ], [ 0, %B3504 ]
-  %.5236 = add nsw i64 %.5167.08628, -1
-  %.5240 = add nsw i64 %.5164.08627, 1
-  %.5325 = getelementptr i64, ptr %arg.lane.1.4, i64 %.5164.08627
-  %.5326 = load i64, ptr %.5325, align 8
-  %.5331 = icmp slt i64 %.5326, 0
-  br i1 %.5331, label %B3588, label %B3628
+B3584.if:                                         ; preds = %B3546, %B4375
+  %active.3.29185 = phi i64 [ %active.6.3, %B4375 ], [ %active.4.0, %B3546 ]
+  %budget.5.29184 = phi i64 [ %budget.6.3, %B4375 ], [ %.688, %B3546 ]
+  %.5225.09183 = phi i64 [ %.5294, %B4375 ], [ %storemerge, %B3546 ]
+  %.5222.09182 = phi i64 [ %.5298, %B4375 ], [ 0, %B3546 ]
+  %.5294 = add nsw i64 %.5225.09183, -1
+  %.5298 = add nsw i64 %.5222.09182, 1
+  %.5383 = getelementptr i64, ptr %arg.lane.1.4, i64 %.5222.09182
+  %.5384 = load i64, ptr %.5383, align 8
+  %.5389 = icmp slt i64 %.5384, 0
+  br i1 %.5389, label %B3630, label %B3670
 
-B4332.endif:                                      ; preds = %B416.i1512, %B4332
+B4374.endif:                                      ; preds = %B416.i1521, %B4374
   store i64 %active.8.1, ptr %retptr, align 8
   ret i32 0
 }
@@ -4102,7 +4219,7 @@ B1380:                                            ; preds = %B1228.i, %B360.i, %
   br i1 %.4537, label %B1404, label %B1452
 
 B1404:                                            ; preds = %B1380
-  br i1 %.191230.not.i, label %_ZN12clpt_control6native9for_numba4keepB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B60.if.lr.ph.i
+  br i1 %.191230.not.i, label %_ZN12clpt_control6native9for_numba4keepB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B60.if.lr.ph.i
 
 B60.if.lr.ph.i:                                   ; preds = %B1404
   %.513.i = select i1 %.2358, i64 %arg.results.0.5.1, i64 0
@@ -4115,7 +4232,7 @@ B60.if.lr.ph.i:                                   ; preds = %B1404
 
 B106.i:                                           ; preds = %B60.if.i
   %.322.i3688 = getelementptr i64, ptr %arg.results.1.4, i64 %.286.i
-  %.323.i = load i64, ptr %.322.i3688, align 8, !noalias !159
+  %.323.i = load i64, ptr %.322.i3688, align 8, !noalias !163
   %.324.i = icmp eq i64 %.323.i, 0
   br i1 %.324.i, label %B140.i, label %B232.i
 
@@ -4140,15 +4257,15 @@ vector.body:                                      ; preds = %vector.memcheck, %v
   %index = phi i64 [ %index.next, %vector.body ], [ 0, %vector.memcheck ]
   %13 = getelementptr double, ptr %invariant.gep3753, i64 %index
   %14 = getelementptr i8, ptr %13, i64 16
-  %wide.load = load <2 x double>, ptr %13, align 8, !noalias !159
-  %wide.load3792 = load <2 x double>, ptr %14, align 8, !noalias !159
+  %wide.load = load <2 x double>, ptr %13, align 8, !noalias !163
+  %wide.load3792 = load <2 x double>, ptr %14, align 8, !noalias !163
   %15 = getelementptr double, ptr %gep.i, i64 %index
   %16 = getelementptr i8, ptr %15, i64 16
-  store <2 x double> %wide.load, ptr %15, align 8, !noalias !159
-  store <2 x double> %wide.load3792, ptr %16, align 8, !noalias !159
+  store <2 x double> %wide.load, ptr %15, align 8, !noalias !163
+  store <2 x double> %wide.load3792, ptr %16, align 8, !noalias !163
   %index.next = add i64 %index, 4
   %17 = icmp eq i64 %index.next, %n.vec
-  br i1 %17, label %middle.block, label %vector.body, !llvm.loop !162
+  br i1 %17, label %middle.block, label %vector.body, !llvm.loop !166
 
 middle.block:                                     ; preds = %vector.body
   br i1 %cmp.n, label %B216.i, label %B170.if.i.preheader
@@ -4159,12 +4276,12 @@ B170.if.i.preheader:                              ; preds = %vector.memcheck, %B
 
 B216.i:                                           ; preds = %B170.if.i, %middle.block, %B140.i
   %.587.i = getelementptr i64, ptr %arg.results.2.4, i64 %.286.i
-  store i64 %.557.i, ptr %.587.i, align 8, !noalias !159
+  store i64 %.557.i, ptr %.587.i, align 8, !noalias !163
   br label %B232.i
 
 B232.i:                                           ; preds = %B60.if.i, %B216.i, %B106.i
   %exitcond233.not.i = icmp eq i64 %arg.shape.0, %.204.i
-  br i1 %exitcond233.not.i, label %_ZN12clpt_control6native9for_numba4keepB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B60.if.i
+  br i1 %exitcond233.not.i, label %_ZN12clpt_control6native9for_numba4keepB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B60.if.i
 
 B60.if.i:                                         ; preds = %B232.i, %B60.if.lr.ph.i
   %.133.0231.i = phi i64 [ 0, %B60.if.lr.ph.i ], [ %.204.i, %B232.i ]
@@ -4173,7 +4290,7 @@ B60.if.i:                                         ; preds = %B232.i, %B60.if.lr.
   %20 = sub i64 %arg.results.0.43790, %19
   %.204.i = add nsw i64 %.133.0231.i, 1
   %21 = getelementptr i64, ptr %arg.lane.1.4, i64 %.133.0231.i
-  %.286.i = load i64, ptr %21, align 8, !noalias !159
+  %.286.i = load i64, ptr %21, align 8, !noalias !163
   %.291.i = icmp sgt i64 %.286.i, -1
   br i1 %.291.i, label %B106.i, label %B232.i
 
@@ -4182,18 +4299,18 @@ B170.if.i:                                        ; preds = %B170.if.i.preheader
   %.419.i = add nsw i64 %.350.0227.i, 1
   %.445.i = mul nsw i64 %.350.0227.i, %arg.shape.0
   %gep3754 = getelementptr double, ptr %invariant.gep3753, i64 %.445.i
-  %.477.i = load double, ptr %gep3754, align 8, !noalias !159
+  %.477.i = load double, ptr %gep3754, align 8, !noalias !163
   %22 = getelementptr double, ptr %gep.i, i64 %.350.0227.i
-  store double %.477.i, ptr %22, align 8, !noalias !159
+  store double %.477.i, ptr %22, align 8, !noalias !163
   %exitcond.not.i = icmp eq i64 %arg.shape.1, %.419.i
-  br i1 %exitcond.not.i, label %B216.i, label %B170.if.i, !llvm.loop !163
+  br i1 %exitcond.not.i, label %B216.i, label %B170.if.i, !llvm.loop !167
 
-_ZN12clpt_control6native9for_numba4keepB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B232.i, %B1404
+_ZN12clpt_control6native9for_numba4keepB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B232.i, %B1404
   %.4595 = add nsw i64 %done.6.3, 1
   br label %B1452
 
-B1452:                                            ; preds = %_ZN12clpt_control6native9for_numba4keepB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B1380
-  %done.5.5 = phi i64 [ %.4595, %_ZN12clpt_control6native9for_numba4keepB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %done.6.3, %B1380 ]
+B1452:                                            ; preds = %_ZN12clpt_control6native9for_numba4keepB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B1380
+  %done.5.5 = phi i64 [ %.4595, %_ZN12clpt_control6native9for_numba4keepB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %done.6.3, %B1380 ]
   %.4654 = load double, ptr %.2425, align 8
   %.4656 = fcmp oeq double %.11.i3686, %.4654
   br i1 %.4656, label %B1480, label %B1492
@@ -4235,7 +4352,7 @@ B1708:                                            ; preds = %B148.loopexit, %B0.
   br label %common.ret
 
 B0.if:                                            ; preds = %entry
-  store ptr @.const.picklebuf.ca8efb3a72d614fe872032cce3ac326007a30727, ptr %excinfo, align 8, !numba_exception_output !164
+  store ptr @.const.picklebuf.ca8efb3a72d614fe872032cce3ac326007a30727, ptr %excinfo, align 8, !numba_exception_output !168
   br label %common.ret
 
 B0.endif:                                         ; preds = %entry
@@ -4440,12 +4557,12 @@ B748.endif.else.endif.if:                         ; preds = %B748.else.endif
 B748.endif.else.endif.endif.endif.if:             ; preds = %B748.endif.else.endif.if, %B748.else.endif
   %.2031.sroa.0.3 = phi i64 [ %arg.lane.0.5.1, %B748.endif.else.endif.if ], [ 0, %B748.else.endif ]
   %.2155.not3714 = icmp slt i64 %.2031.sroa.0.3, %arg.lane.0.5.1
-  br i1 %.2155.not3714, label %.2125.endif.preheader, label %.2125.if, !prof !165
+  br i1 %.2155.not3714, label %.2125.endif.preheader, label %.2125.if, !prof !169
 
 .2125.endif.preheader:                            ; preds = %B748.endif.else.endif.endif.endif.if
   %51 = sub i64 %arg.lane.0.5.1, %.2031.sroa.0.3
   %min.iters.check3921 = icmp ult i64 %51, 4
-  br i1 %min.iters.check3921, label %.2125.endif.preheader3945, label %vector.ph3922, !prof !166
+  br i1 %min.iters.check3921, label %.2125.endif.preheader3945, label %vector.ph3922, !prof !170
 
 vector.ph3922:                                    ; preds = %.2125.endif.preheader
   %n.vec3924 = and i64 %51, -4
@@ -4463,11 +4580,11 @@ vector.body3927:                                  ; preds = %vector.body3927, %v
   store <2 x double> %broadcast.splat3926, ptr %55, align 8
   %index.next3930 = add i64 %index3928, 4
   %56 = icmp eq i64 %index.next3930, %n.vec3924
-  br i1 %56, label %middle.block3931, label %vector.body3927, !prof !167, !llvm.loop !168
+  br i1 %56, label %middle.block3931, label %vector.body3927, !prof !171, !llvm.loop !172
 
 middle.block3931:                                 ; preds = %vector.body3927
   %cmp.n3932 = icmp eq i64 %51, %n.vec3924
-  br i1 %cmp.n3932, label %.2125.if, label %.2125.endif.preheader3945, !prof !170
+  br i1 %cmp.n3932, label %.2125.if, label %.2125.endif.preheader3945, !prof !174
 
 .2125.endif.preheader3945:                        ; preds = %.2125.endif.preheader, %middle.block3931
   %.2121.03715.ph = phi i64 [ %.2031.sroa.0.3, %.2125.endif.preheader ], [ %52, %middle.block3931 ]
@@ -4495,39 +4612,39 @@ B906.preheader:                                   ; preds = %.2125.if
   store double %t.2.1, ptr %.2164, align 8
   %.2169 = add nsw i64 %.2121.03715, 1
   %exitcond3771.not = icmp eq i64 %.2169, %arg.lane.0.5.1
-  br i1 %exitcond3771.not, label %.2125.if, label %.2125.endif, !prof !171, !llvm.loop !172
+  br i1 %exitcond3771.not, label %.2125.if, label %.2125.endif, !prof !175, !llvm.loop !176
 
 B358.i:                                           ; preds = %B308.if.i, %middle.block3875, %.1482.if.i
-  %.1747.i = load i64, ptr %arg.code.4, align 8, !noalias !174
+  %.1747.i = load i64, ptr %arg.code.4, align 8, !noalias !178
   %.1794.i = inttoptr i64 %.1747.i to ptr
-  tail call void %.1794.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.1793.i), !noalias !174
-  %.1943.i = load i64, ptr %39, align 8, !noalias !174
+  tail call void %.1794.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.1793.i), !noalias !178
+  %.1943.i = load i64, ptr %39, align 8, !noalias !178
   %.1988.i = inttoptr i64 %.1943.i to ptr
-  tail call void %.1988.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !174
-  %.2019.i = load i64, ptr %arg.code.4, align 8, !noalias !174
+  tail call void %.1988.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !178
+  %.2019.i = load i64, ptr %arg.code.4, align 8, !noalias !178
   %.2069.i = inttoptr i64 %.2019.i to ptr
-  tail call void %.2069.i(ptr %.322.i, ptr %.2043.i, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.2068.i), !noalias !174
-  %.1943.i.1 = load i64, ptr %40, align 8, !noalias !174
+  tail call void %.2069.i(ptr %.322.i, ptr %.2043.i, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.2068.i), !noalias !178
+  %.1943.i.1 = load i64, ptr %40, align 8, !noalias !178
   %.1988.i.1 = inttoptr i64 %.1943.i.1 to ptr
-  tail call void %.1988.i.1(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !174
-  %.2019.i.1 = load i64, ptr %arg.code.4, align 8, !noalias !174
+  tail call void %.1988.i.1(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !178
+  %.2019.i.1 = load i64, ptr %arg.code.4, align 8, !noalias !178
   %.2069.i.1 = inttoptr i64 %.2019.i.1 to ptr
-  tail call void %.2069.i.1(ptr %.322.i, ptr %.2043.i, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.2068.i.1), !noalias !174
-  %.1943.i.2 = load i64, ptr %41, align 8, !noalias !174
+  tail call void %.2069.i.1(ptr %.322.i, ptr %.2043.i, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.2068.i.1), !noalias !178
+  %.1943.i.2 = load i64, ptr %41, align 8, !noalias !178
   %.1988.i.2 = inttoptr i64 %.1943.i.2 to ptr
-  tail call void %.1988.i.2(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !174
-  %.2019.i.2 = load i64, ptr %arg.code.4, align 8, !noalias !174
+  tail call void %.1988.i.2(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !178
+  %.2019.i.2 = load i64, ptr %arg.code.4, align 8, !noalias !178
   %.2069.i.2 = inttoptr i64 %.2019.i.2 to ptr
-  tail call void %.2069.i.2(ptr %.322.i, ptr %.2043.i, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.2068.i.2), !noalias !174
-  %.2106.i = load i64, ptr %.2105.i, align 8, !noalias !174
+  tail call void %.2069.i.2(ptr %.322.i, ptr %.2043.i, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.2068.i.2), !noalias !178
+  %.2106.i = load i64, ptr %.2105.i, align 8, !noalias !178
   %.2151.i = inttoptr i64 %.2106.i to ptr
-  tail call void %.2151.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !174
+  tail call void %.2151.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !178
   br i1 %.2154.i.not, label %B806.i, label %B738.i
 
 B738.i:                                           ; preds = %B358.i
-  %.2185.i = load i64, ptr %.2184.i, align 8, !noalias !174
+  %.2185.i = load i64, ptr %.2184.i, align 8, !noalias !178
   %.2230.i = inttoptr i64 %.2185.i to ptr
-  tail call void %.2230.i(ptr %.322.i, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !174
+  tail call void %.2230.i(ptr %.322.i, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !178
   br label %B806.i
 
 B806.i:                                           ; preds = %B738.i, %B358.i
@@ -4535,20 +4652,20 @@ B806.i:                                           ; preds = %B738.i, %B358.i
 
 B890.i:                                           ; preds = %B840.if.i
   %.2450.i = getelementptr i64, ptr %arg.results.1.4, i64 %.2411.i
-  %.2451.i = load i64, ptr %.2450.i, align 8, !noalias !174
+  %.2451.i = load i64, ptr %.2450.i, align 8, !noalias !178
   %.2452.i.not = icmp eq i64 %.2451.i, 0
   br i1 %.2452.i.not, label %B926.i, label %B1465.i
 
 B926.i:                                           ; preds = %B890.i
   %.2522.i = mul i64 %.2411.i, %arg.results.3.5.1
   %.2526.i = getelementptr i64, ptr %arg.results.3.4, i64 %.2522.i
-  %.2527.i = load i64, ptr %.2526.i, align 8, !noalias !174
+  %.2527.i = load i64, ptr %.2526.i, align 8, !noalias !178
   %.2528.i = add nsw i64 %.2527.i, 1
-  store i64 %.2528.i, ptr %.2526.i, align 8, !noalias !174
+  store i64 %.2528.i, ptr %.2526.i, align 8, !noalias !178
   %.2636.i = getelementptr i8, ptr %.2526.i, i64 8
-  %.2637.i = load i64, ptr %.2636.i, align 8, !noalias !174
+  %.2637.i = load i64, ptr %.2636.i, align 8, !noalias !178
   %.2638.i = add nsw i64 %.2637.i, 4
-  store i64 %.2638.i, ptr %.2636.i, align 8, !noalias !174
+  store i64 %.2638.i, ptr %.2636.i, align 8, !noalias !178
   br i1 %.2771.i3727.not, label %B1154.i, label %B1048.if.i.preheader
 
 B1048.if.i.preheader:                             ; preds = %B926.i
@@ -4560,18 +4677,18 @@ B1094.i.loopexit:                                 ; preds = %B1048.if.i
   br i1 %58, label %B1106.i, label %B1154.i
 
 B1106.i:                                          ; preds = %B1094.i.loopexit
-  %.84.i.i = load i64, ptr %92, align 8, !noalias !178
+  %.84.i.i = load i64, ptr %92, align 8, !noalias !182
   %.89.i.i = icmp sgt i64 %.84.i.i, -1
   br i1 %.89.i.i, label %B46.i.i, label %B1465.i
 
 B46.i.i:                                          ; preds = %B1106.i
   %.120.i.i = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i.i
-  %.121.i.i = load i64, ptr %.120.i.i, align 8, !noalias !178
+  %.121.i.i = load i64, ptr %.120.i.i, align 8, !noalias !182
   %.122.i.i = icmp eq i64 %.121.i.i, 0
   br i1 %.122.i.i, label %B80.i.i, label %B1465.i
 
 B80.i.i:                                          ; preds = %B46.i.i
-  store i64 3, ptr %.120.i.i, align 8, !noalias !178
+  store i64 3, ptr %.120.i.i, align 8, !noalias !182
   br label %B1465.i
 
 B1154.i:                                          ; preds = %B926.i, %B1094.i.loopexit
@@ -4579,23 +4696,23 @@ B1154.i:                                          ; preds = %B926.i, %B1094.i.lo
 
 B1158.i:                                          ; preds = %B1154.i
   %59 = getelementptr double, ptr %arg.arrays.4.4, i64 %.2260.i.03732
-  %.2933.i = load double, ptr %59, align 8, !noalias !174
+  %.2933.i = load double, ptr %59, align 8, !noalias !178
   %.2935.i = fcmp olt double %.2933.i, -1.000000e-09
   br i1 %.2935.i, label %B1194.i, label %B1242.i
 
 B1194.i:                                          ; preds = %B1158.i
-  %.84.i63.i = load i64, ptr %92, align 8, !noalias !181
+  %.84.i63.i = load i64, ptr %92, align 8, !noalias !185
   %.89.i66.i = icmp sgt i64 %.84.i63.i, -1
   br i1 %.89.i66.i, label %B46.i71.i, label %B1465.i
 
 B46.i71.i:                                        ; preds = %B1194.i
   %.120.i91.i = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i63.i
-  %.121.i92.i = load i64, ptr %.120.i91.i, align 8, !noalias !181
+  %.121.i92.i = load i64, ptr %.120.i91.i, align 8, !noalias !185
   %.122.i93.i = icmp eq i64 %.121.i92.i, 0
   br i1 %.122.i93.i, label %B80.i98.i, label %B1465.i
 
 B80.i98.i:                                        ; preds = %B46.i71.i
-  store i64 4, ptr %.120.i91.i, align 8, !noalias !181
+  store i64 4, ptr %.120.i91.i, align 8, !noalias !185
   br label %B1465.i
 
 B1242.i:                                          ; preds = %B1158.i, %B1154.i
@@ -4626,20 +4743,20 @@ vector.body3853:                                  ; preds = %B1328.if.i.preheade
   %61 = getelementptr double, ptr %arg.arrays.0.4, i64 %index3854
   %62 = getelementptr i8, ptr %61, i64 %42
   %63 = getelementptr i8, ptr %62, i64 16
-  %wide.load3855 = load <2 x double>, ptr %62, align 8, !alias.scope !184, !noalias !174
-  %wide.load3856 = load <2 x double>, ptr %63, align 8, !alias.scope !184, !noalias !174
+  %wide.load3855 = load <2 x double>, ptr %62, align 8, !alias.scope !188, !noalias !178
+  %wide.load3856 = load <2 x double>, ptr %63, align 8, !alias.scope !188, !noalias !178
   %64 = getelementptr i8, ptr %61, i64 16
-  %wide.load3857 = load <2 x double>, ptr %61, align 8, !alias.scope !187, !noalias !189
-  %wide.load3858 = load <2 x double>, ptr %64, align 8, !alias.scope !187, !noalias !189
+  %wide.load3857 = load <2 x double>, ptr %61, align 8, !alias.scope !191, !noalias !193
+  %wide.load3858 = load <2 x double>, ptr %64, align 8, !alias.scope !191, !noalias !193
   %65 = fsub <2 x double> %wide.load3857, %wide.load3855
   %66 = fsub <2 x double> %wide.load3858, %wide.load3856
-  store <2 x double> %wide.load3855, ptr %61, align 8, !alias.scope !187, !noalias !189
-  store <2 x double> %wide.load3856, ptr %64, align 8, !alias.scope !187, !noalias !189
-  store <2 x double> %65, ptr %62, align 8, !alias.scope !184, !noalias !174
-  store <2 x double> %66, ptr %63, align 8, !alias.scope !184, !noalias !174
+  store <2 x double> %wide.load3855, ptr %61, align 8, !alias.scope !191, !noalias !193
+  store <2 x double> %wide.load3856, ptr %64, align 8, !alias.scope !191, !noalias !193
+  store <2 x double> %65, ptr %62, align 8, !alias.scope !188, !noalias !178
+  store <2 x double> %66, ptr %63, align 8, !alias.scope !188, !noalias !178
   %index.next3859 = add i64 %index3854, 4
   %67 = icmp eq i64 %index.next3859, %n.vec3852
-  br i1 %67, label %middle.block3860, label %vector.body3853, !llvm.loop !190
+  br i1 %67, label %middle.block3860, label %vector.body3853, !llvm.loop !194
 
 middle.block3860:                                 ; preds = %vector.body3853
   br i1 %cmp.n3861, label %B906.endif.endif.endif.endif.endif, label %B1328.if.i.preheader3943
@@ -4659,12 +4776,12 @@ B0.endif.else.endif.if.i:                         ; preds = %B906
 B0.endif.else.endif.endif.i:                      ; preds = %B0.endif.else.endif.if.i, %B906
   %spec.select = phi i64 [ %arg.lane.0.5.1, %B0.endif.else.endif.if.i ], [ 0, %B906 ]
   %.684.i.not3716 = icmp slt i64 %spec.select, %arg.lane.0.5.1
-  br i1 %.684.i.not3716, label %.654.endif.i.preheader, label %B186.if.i.preheader, !prof !165
+  br i1 %.684.i.not3716, label %.654.endif.i.preheader, label %B186.if.i.preheader, !prof !169
 
 .654.endif.i.preheader:                           ; preds = %B0.endif.else.endif.endif.i
   %68 = sub i64 %arg.lane.0.5.1, %spec.select
   %min.iters.check3907 = icmp ult i64 %68, 4
-  br i1 %min.iters.check3907, label %.654.endif.i.preheader3944, label %vector.ph3908, !prof !166
+  br i1 %min.iters.check3907, label %.654.endif.i.preheader3944, label %vector.ph3908, !prof !170
 
 vector.ph3908:                                    ; preds = %.654.endif.i.preheader
   %n.vec3910 = and i64 %68, -4
@@ -4678,15 +4795,15 @@ vector.body3913:                                  ; preds = %vector.body3913, %v
   %index3914 = phi i64 [ 0, %vector.ph3908 ], [ %index.next3916, %vector.body3913 ]
   %71 = getelementptr double, ptr %70, i64 %index3914
   %72 = getelementptr i8, ptr %71, i64 16
-  store <2 x double> %broadcast.splat3912, ptr %71, align 8, !noalias !174
-  store <2 x double> %broadcast.splat3912, ptr %72, align 8, !noalias !174
+  store <2 x double> %broadcast.splat3912, ptr %71, align 8, !noalias !178
+  store <2 x double> %broadcast.splat3912, ptr %72, align 8, !noalias !178
   %index.next3916 = add i64 %index3914, 4
   %73 = icmp eq i64 %index.next3916, %n.vec3910
-  br i1 %73, label %middle.block3917, label %vector.body3913, !prof !167, !llvm.loop !191
+  br i1 %73, label %middle.block3917, label %vector.body3913, !prof !171, !llvm.loop !195
 
 middle.block3917:                                 ; preds = %vector.body3913
   %cmp.n3918 = icmp eq i64 %68, %n.vec3910
-  br i1 %cmp.n3918, label %B186.if.i.preheader, label %.654.endif.i.preheader3944, !prof !170
+  br i1 %cmp.n3918, label %B186.if.i.preheader, label %.654.endif.i.preheader3944, !prof !174
 
 .654.endif.i.preheader3944:                       ; preds = %.654.endif.i.preheader, %middle.block3917
   %.650.i.03717.ph = phi i64 [ %spec.select, %.654.endif.i.preheader ], [ %69, %middle.block3917 ]
@@ -4695,10 +4812,10 @@ middle.block3917:                                 ; preds = %vector.body3913
 .654.endif.i:                                     ; preds = %.654.endif.i.preheader3944, %.654.endif.i
   %.650.i.03717 = phi i64 [ %.698.i, %.654.endif.i ], [ %.650.i.03717.ph, %.654.endif.i.preheader3944 ]
   %.693.i = getelementptr double, ptr %24, i64 %.650.i.03717
-  store double %.2504, ptr %.693.i, align 8, !noalias !174
+  store double %.2504, ptr %.693.i, align 8, !noalias !178
   %.698.i = add nsw i64 %.650.i.03717, 1
   %exitcond3772.not = icmp eq i64 %.698.i, %arg.lane.0.5.1
-  br i1 %exitcond3772.not, label %B186.if.i.preheader, label %.654.endif.i, !prof !171, !llvm.loop !192
+  br i1 %exitcond3772.not, label %B186.if.i.preheader, label %.654.endif.i, !prof !175, !llvm.loop !196
 
 B186.if.i.preheader:                              ; preds = %.654.endif.i, %middle.block3917, %B0.endif.else.endif.endif.i
   br label %B186.if.i
@@ -4722,12 +4839,12 @@ B188.endif.else.endif.if.i:                       ; preds = %B186.if.i
 B188.endif.else.endif.endif.i:                    ; preds = %B188.endif.else.endif.if.i, %B186.if.i
   %spec.select3684 = phi i64 [ %arg.lane.0.5.1, %B188.endif.else.endif.if.i ], [ 0, %B186.if.i ]
   %.1169.i.not3718 = icmp slt i64 %spec.select3684, %arg.lane.0.5.1
-  br i1 %.1169.i.not3718, label %.1139.endif.i.preheader, label %.1140.else.i, !prof !165
+  br i1 %.1169.i.not3718, label %.1139.endif.i.preheader, label %.1140.else.i, !prof !169
 
 .1139.endif.i.preheader:                          ; preds = %B188.endif.else.endif.endif.i
   %74 = sub i64 %arg.lane.0.5.1, %spec.select3684
   %min.iters.check3893 = icmp ult i64 %74, 4
-  br i1 %min.iters.check3893, label %.1139.endif.i.preheader3938, label %vector.ph3894, !prof !166
+  br i1 %min.iters.check3893, label %.1139.endif.i.preheader3938, label %vector.ph3894, !prof !170
 
 vector.ph3894:                                    ; preds = %.1139.endif.i.preheader
   %n.vec3896 = and i64 %74, -4
@@ -4741,15 +4858,15 @@ vector.body3899:                                  ; preds = %vector.body3899, %v
   %index3900 = phi i64 [ 0, %vector.ph3894 ], [ %index.next3902, %vector.body3899 ]
   %77 = getelementptr double, ptr %76, i64 %index3900
   %78 = getelementptr i8, ptr %77, i64 16
-  store <2 x double> %broadcast.splat3898, ptr %77, align 8, !noalias !174
-  store <2 x double> %broadcast.splat3898, ptr %78, align 8, !noalias !174
+  store <2 x double> %broadcast.splat3898, ptr %77, align 8, !noalias !178
+  store <2 x double> %broadcast.splat3898, ptr %78, align 8, !noalias !178
   %index.next3902 = add i64 %index3900, 4
   %79 = icmp eq i64 %index.next3902, %n.vec3896
-  br i1 %79, label %middle.block3903, label %vector.body3899, !prof !167, !llvm.loop !193
+  br i1 %79, label %middle.block3903, label %vector.body3899, !prof !171, !llvm.loop !197
 
 middle.block3903:                                 ; preds = %vector.body3899
   %cmp.n3904 = icmp eq i64 %74, %n.vec3896
-  br i1 %cmp.n3904, label %.1140.else.i, label %.1139.endif.i.preheader3938, !prof !170
+  br i1 %cmp.n3904, label %.1140.else.i, label %.1139.endif.i.preheader3938, !prof !174
 
 .1139.endif.i.preheader3938:                      ; preds = %.1139.endif.i.preheader, %middle.block3903
   %.1135.i.03719.ph = phi i64 [ %spec.select3684, %.1139.endif.i.preheader ], [ %75, %middle.block3903 ]
@@ -4758,10 +4875,10 @@ middle.block3903:                                 ; preds = %vector.body3899
 .1139.endif.i:                                    ; preds = %.1139.endif.i.preheader3938, %.1139.endif.i
   %.1135.i.03719 = phi i64 [ %.1183.i, %.1139.endif.i ], [ %.1135.i.03719.ph, %.1139.endif.i.preheader3938 ]
   %.1178.i = getelementptr double, ptr %arg.lane.0.4, i64 %.1135.i.03719
-  store double %.839.i, ptr %.1178.i, align 8, !noalias !174
+  store double %.839.i, ptr %.1178.i, align 8, !noalias !178
   %.1183.i = add nsw i64 %.1135.i.03719, 1
   %exitcond3773.not = icmp eq i64 %.1183.i, %arg.lane.0.5.1
-  br i1 %exitcond3773.not, label %.1140.else.i, label %.1139.endif.i, !prof !171, !llvm.loop !194
+  br i1 %exitcond3773.not, label %.1140.else.i, label %.1139.endif.i, !prof !175, !llvm.loop !198
 
 .1140.else.i:                                     ; preds = %.1139.endif.i, %middle.block3903, %B188.endif.else.endif.endif.i
   br i1 %.2059, label %.1140.endif.else.endif.if.i, label %.1140.endif.else.endif.endif.i, !prof !36
@@ -4772,12 +4889,12 @@ middle.block3903:                                 ; preds = %vector.body3899
 .1140.endif.else.endif.endif.i:                   ; preds = %.1140.endif.else.endif.if.i, %.1140.else.i
   %spec.select3685 = phi i64 [ %arg.lane.0.5.1, %.1140.endif.else.endif.if.i ], [ 0, %.1140.else.i ]
   %.1512.i.not3720 = icmp slt i64 %spec.select3685, %arg.lane.0.5.1
-  br i1 %.1512.i.not3720, label %.1482.endif.i.preheader, label %.1482.if.i, !prof !165
+  br i1 %.1512.i.not3720, label %.1482.endif.i.preheader, label %.1482.if.i, !prof !169
 
 .1482.endif.i.preheader:                          ; preds = %.1140.endif.else.endif.endif.i
   %80 = sub i64 %arg.lane.0.5.1, %spec.select3685
   %min.iters.check3879 = icmp ult i64 %80, 4
-  br i1 %min.iters.check3879, label %.1482.endif.i.preheader3937, label %vector.ph3880, !prof !166
+  br i1 %min.iters.check3879, label %.1482.endif.i.preheader3937, label %vector.ph3880, !prof !170
 
 vector.ph3880:                                    ; preds = %.1482.endif.i.preheader
   %n.vec3882 = and i64 %80, -4
@@ -4791,15 +4908,15 @@ vector.body3885:                                  ; preds = %vector.body3885, %v
   %index3886 = phi i64 [ 0, %vector.ph3880 ], [ %index.next3888, %vector.body3885 ]
   %83 = getelementptr double, ptr %82, i64 %index3886
   %84 = getelementptr i8, ptr %83, i64 16
-  store <2 x double> %broadcast.splat3884, ptr %83, align 8, !noalias !174
-  store <2 x double> %broadcast.splat3884, ptr %84, align 8, !noalias !174
+  store <2 x double> %broadcast.splat3884, ptr %83, align 8, !noalias !178
+  store <2 x double> %broadcast.splat3884, ptr %84, align 8, !noalias !178
   %index.next3888 = add i64 %index3886, 4
   %85 = icmp eq i64 %index.next3888, %n.vec3882
-  br i1 %85, label %middle.block3889, label %vector.body3885, !prof !167, !llvm.loop !195
+  br i1 %85, label %middle.block3889, label %vector.body3885, !prof !171, !llvm.loop !199
 
 middle.block3889:                                 ; preds = %vector.body3885
   %cmp.n3890 = icmp eq i64 %80, %n.vec3882
-  br i1 %cmp.n3890, label %.1482.if.i, label %.1482.endif.i.preheader3937, !prof !170
+  br i1 %cmp.n3890, label %.1482.if.i, label %.1482.endif.i.preheader3937, !prof !174
 
 .1482.endif.i.preheader3937:                      ; preds = %.1482.endif.i.preheader, %middle.block3889
   %.1478.i.03721.ph = phi i64 [ %spec.select3685, %.1482.endif.i.preheader ], [ %81, %middle.block3889 ]
@@ -4815,15 +4932,15 @@ vector.body3870:                                  ; preds = %B308.if.i.preheader
   %index3871 = phi i64 [ %index.next3874, %vector.body3870 ], [ 0, %B308.if.i.preheader ]
   %86 = getelementptr double, ptr %arg.arrays.0.4, i64 %index3871
   %87 = getelementptr i8, ptr %86, i64 16
-  %wide.load3872 = load <2 x double>, ptr %86, align 8, !noalias !174
-  %wide.load3873 = load <2 x double>, ptr %87, align 8, !noalias !174
+  %wide.load3872 = load <2 x double>, ptr %86, align 8, !noalias !178
+  %wide.load3873 = load <2 x double>, ptr %87, align 8, !noalias !178
   %88 = getelementptr i8, ptr %86, i64 %38
   %89 = getelementptr i8, ptr %88, i64 16
-  store <2 x double> %wide.load3872, ptr %88, align 8, !noalias !174
-  store <2 x double> %wide.load3873, ptr %89, align 8, !noalias !174
+  store <2 x double> %wide.load3872, ptr %88, align 8, !noalias !178
+  store <2 x double> %wide.load3873, ptr %89, align 8, !noalias !178
   %index.next3874 = add i64 %index3871, 4
   %90 = icmp eq i64 %index.next3874, %n.vec3869
-  br i1 %90, label %middle.block3875, label %vector.body3870, !llvm.loop !196
+  br i1 %90, label %middle.block3875, label %vector.body3870, !llvm.loop !200
 
 middle.block3875:                                 ; preds = %vector.body3870
   br i1 %cmp.n3876, label %B358.i, label %B308.if.i.preheader3936
@@ -4835,27 +4952,27 @@ B308.if.i.preheader3936:                          ; preds = %B308.if.i.preheader
 .1482.endif.i:                                    ; preds = %.1482.endif.i.preheader3937, %.1482.endif.i
   %.1478.i.03721 = phi i64 [ %.1526.i, %.1482.endif.i ], [ %.1478.i.03721.ph, %.1482.endif.i.preheader3937 ]
   %.1521.i = getelementptr double, ptr %23, i64 %.1478.i.03721
-  store double %.845.i, ptr %.1521.i, align 8, !noalias !174
+  store double %.845.i, ptr %.1521.i, align 8, !noalias !178
   %.1526.i = add nsw i64 %.1478.i.03721, 1
   %exitcond3774.not = icmp eq i64 %.1526.i, %arg.lane.0.5.1
-  br i1 %exitcond3774.not, label %.1482.if.i, label %.1482.endif.i, !prof !171, !llvm.loop !197
+  br i1 %exitcond3774.not, label %.1482.if.i, label %.1482.endif.i, !prof !175, !llvm.loop !201
 
 B308.if.i:                                        ; preds = %B308.if.i.preheader3936, %B308.if.i
   %.1556.i.03724 = phi i64 [ %.1625.i, %B308.if.i ], [ %.1556.i.03724.ph, %B308.if.i.preheader3936 ]
   %.1625.i = add nsw i64 %.1556.i.03724, 1
   %91 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1556.i.03724
-  %.1679.i = load double, ptr %91, align 8, !noalias !174
+  %.1679.i = load double, ptr %91, align 8, !noalias !178
   %gep3953 = getelementptr double, ptr %invariant.gep3952, i64 %.1556.i.03724
-  store double %.1679.i, ptr %gep3953, align 8, !noalias !174
+  store double %.1679.i, ptr %gep3953, align 8, !noalias !178
   %exitcond3775.not = icmp eq i64 %.214.i, %.1625.i
-  br i1 %exitcond3775.not, label %B358.i, label %B308.if.i, !llvm.loop !198
+  br i1 %exitcond3775.not, label %B358.i, label %B308.if.i, !llvm.loop !202
 
 B840.if.i:                                        ; preds = %B806.i, %B1465.i
   %active.3.i.13734 = phi i64 [ %active.4.i.2, %B1465.i ], [ 0, %B806.i ]
   %.2260.i.03732 = phi i64 [ %.2329.i, %B1465.i ], [ 0, %B806.i ]
   %.2329.i = add nsw i64 %.2260.i.03732, 1
   %92 = getelementptr i64, ptr %arg.lane.1.4, i64 %.2260.i.03732
-  %.2411.i = load i64, ptr %92, align 8, !noalias !174
+  %.2411.i = load i64, ptr %92, align 8, !noalias !178
   %.2419.i = icmp slt i64 %.2411.i, 0
   br i1 %.2419.i, label %B1465.i, label %B890.i
 
@@ -4865,7 +4982,7 @@ B1048.if.i:                                       ; preds = %B1048.if.i.preheade
   %.2784.i = add nsw i64 %.2715.i.03728, 1
   %93 = mul nsw i64 %.2715.i.03728, %arg.shape.0
   %gep3955 = getelementptr double, ptr %invariant.gep3954, i64 %93
-  %.2842.i = load double, ptr %gep3955, align 8, !noalias !174
+  %.2842.i = load double, ptr %gep3955, align 8, !noalias !178
   %.2843.i = fmul double %.2842.i, 0.000000e+00
   %.2845.i = fadd double %trouble.2.i.33730, %.2843.i
   %exitcond3777.not = icmp eq i64 %arg.shape.1, %.2784.i
@@ -4875,14 +4992,14 @@ B1328.if.i:                                       ; preds = %B1328.if.i.preheade
   %.3105.i.03739 = phi i64 [ %.3174.i, %B1328.if.i ], [ %.3105.i.03739.ph, %B1328.if.i.preheader3943 ]
   %.3174.i = add nsw i64 %.3105.i.03739, 1
   %gep3957 = getelementptr double, ptr %invariant.gep3956, i64 %.3105.i.03739
-  %.3231.i = load double, ptr %gep3957, align 8, !noalias !174
+  %.3231.i = load double, ptr %gep3957, align 8, !noalias !178
   %94 = getelementptr double, ptr %arg.arrays.0.4, i64 %.3105.i.03739
-  %.3261.i = load double, ptr %94, align 8, !noalias !174
+  %.3261.i = load double, ptr %94, align 8, !noalias !178
   %.3295.i = fsub double %.3261.i, %.3231.i
-  store double %.3231.i, ptr %94, align 8, !noalias !174
-  store double %.3295.i, ptr %gep3957, align 8, !noalias !174
+  store double %.3231.i, ptr %94, align 8, !noalias !178
+  store double %.3295.i, ptr %gep3957, align 8, !noalias !178
   %exitcond3779.not = icmp eq i64 %arg.shape.1, %.3174.i
-  br i1 %exitcond3779.not, label %B906.endif.endif.endif.endif.endif, label %B1328.if.i, !llvm.loop !199
+  br i1 %exitcond3779.not, label %B906.endif.endif.endif.endif.endif, label %B1328.if.i, !llvm.loop !203
 
 B906.endif.endif.endif.endif.endif:               ; preds = %B1328.if.i, %middle.block3860, %B1274.i
   br i1 %active.3.i.1.lcssa, label %B1154, label %B1532
@@ -4896,12 +5013,12 @@ B1190.endif.else.endif.if:                        ; preds = %B1190.else.endif
 B1190.endif.else.endif.endif.endif.if:            ; preds = %B1190.endif.else.endif.if, %B1190.else.endif
   %.2874.sroa.0.3 = phi i64 [ %arg.lane.0.5.1, %B1190.endif.else.endif.if ], [ 0, %B1190.else.endif ]
   %.2998.not3741 = icmp slt i64 %.2874.sroa.0.3, %arg.lane.0.5.1
-  br i1 %.2998.not3741, label %.2968.endif.preheader, label %.2969.else.endif, !prof !165
+  br i1 %.2998.not3741, label %.2968.endif.preheader, label %.2969.else.endif, !prof !169
 
 .2968.endif.preheader:                            ; preds = %B1190.endif.else.endif.endif.endif.if
   %95 = sub i64 %arg.lane.0.5.1, %.2874.sroa.0.3
   %min.iters.check3831 = icmp ult i64 %95, 4
-  br i1 %min.iters.check3831, label %.2968.endif.preheader3942, label %vector.ph3832, !prof !166
+  br i1 %min.iters.check3831, label %.2968.endif.preheader3942, label %vector.ph3832, !prof !170
 
 vector.ph3832:                                    ; preds = %.2968.endif.preheader
   %n.vec3834 = and i64 %95, -4
@@ -4919,11 +5036,11 @@ vector.body3837:                                  ; preds = %vector.body3837, %v
   store <2 x double> %broadcast.splat3836, ptr %99, align 8
   %index.next3840 = add i64 %index3838, 4
   %100 = icmp eq i64 %index.next3840, %n.vec3834
-  br i1 %100, label %middle.block3841, label %vector.body3837, !prof !167, !llvm.loop !200
+  br i1 %100, label %middle.block3841, label %vector.body3837, !prof !171, !llvm.loop !204
 
 middle.block3841:                                 ; preds = %vector.body3837
   %cmp.n3842 = icmp eq i64 %95, %n.vec3834
-  br i1 %cmp.n3842, label %.2969.else.endif, label %.2968.endif.preheader3942, !prof !170
+  br i1 %cmp.n3842, label %.2969.else.endif, label %.2968.endif.preheader3942, !prof !174
 
 .2968.endif.preheader3942:                        ; preds = %.2968.endif.preheader, %middle.block3841
   %.2964.03742.ph = phi i64 [ %.2874.sroa.0.3, %.2968.endif.preheader ], [ %96, %middle.block3841 ]
@@ -4935,7 +5052,7 @@ middle.block3841:                                 ; preds = %vector.body3837
   store double %.11.i3686, ptr %.3007, align 8
   %.3012 = add nsw i64 %.2964.03742, 1
   %exitcond3780.not = icmp eq i64 %.3012, %arg.lane.0.5.1
-  br i1 %exitcond3780.not, label %.2969.else.endif, label %.2968.endif, !prof !171, !llvm.loop !201
+  br i1 %exitcond3780.not, label %.2969.else.endif, label %.2968.endif, !prof !175, !llvm.loop !205
 
 .2969.else.endif:                                 ; preds = %.2968.endif, %middle.block3841, %B1190.endif.else.endif.endif.endif.if
   br i1 %.2059, label %.2969.endif.else.endif.if, label %.2969.endif.else.endif.endif.endif.if, !prof !36
@@ -4946,12 +5063,12 @@ middle.block3841:                                 ; preds = %vector.body3837
 .2969.endif.else.endif.endif.endif.if:            ; preds = %.2969.endif.else.endif.if, %.2969.else.endif
   %.3218.sroa.0.3 = phi i64 [ %arg.lane.0.5.1, %.2969.endif.else.endif.if ], [ 0, %.2969.else.endif ]
   %.3342.not3743 = icmp slt i64 %.3218.sroa.0.3, %arg.lane.0.5.1
-  br i1 %.3342.not3743, label %.3312.endif.preheader, label %.3313.else.endif, !prof !165
+  br i1 %.3342.not3743, label %.3312.endif.preheader, label %.3313.else.endif, !prof !169
 
 .3312.endif.preheader:                            ; preds = %.2969.endif.else.endif.endif.endif.if
   %101 = sub i64 %arg.lane.0.5.1, %.3218.sroa.0.3
   %min.iters.check3817 = icmp ult i64 %101, 4
-  br i1 %min.iters.check3817, label %.3312.endif.preheader3941, label %vector.ph3818, !prof !166
+  br i1 %min.iters.check3817, label %.3312.endif.preheader3941, label %vector.ph3818, !prof !170
 
 vector.ph3818:                                    ; preds = %.3312.endif.preheader
   %n.vec3820 = and i64 %101, -4
@@ -4969,11 +5086,11 @@ vector.body3823:                                  ; preds = %vector.body3823, %v
   store <2 x double> %broadcast.splat3822, ptr %105, align 8
   %index.next3826 = add i64 %index3824, 4
   %106 = icmp eq i64 %index.next3826, %n.vec3820
-  br i1 %106, label %middle.block3827, label %vector.body3823, !prof !167, !llvm.loop !202
+  br i1 %106, label %middle.block3827, label %vector.body3823, !prof !171, !llvm.loop !206
 
 middle.block3827:                                 ; preds = %vector.body3823
   %cmp.n3828 = icmp eq i64 %101, %n.vec3820
-  br i1 %cmp.n3828, label %.3313.else.endif, label %.3312.endif.preheader3941, !prof !170
+  br i1 %cmp.n3828, label %.3313.else.endif, label %.3312.endif.preheader3941, !prof !174
 
 .3312.endif.preheader3941:                        ; preds = %.3312.endif.preheader, %middle.block3827
   %.3308.03744.ph = phi i64 [ %.3218.sroa.0.3, %.3312.endif.preheader ], [ %102, %middle.block3827 ]
@@ -4985,7 +5102,7 @@ middle.block3827:                                 ; preds = %vector.body3823
   store double %.11.i3686, ptr %.3351, align 8
   %.3356 = add nsw i64 %.3308.03744, 1
   %exitcond3781.not = icmp eq i64 %.3356, %arg.lane.0.5.1
-  br i1 %exitcond3781.not, label %.3313.else.endif, label %.3312.endif, !prof !171, !llvm.loop !203
+  br i1 %exitcond3781.not, label %.3313.else.endif, label %.3312.endif, !prof !175, !llvm.loop !207
 
 .3313.else.endif:                                 ; preds = %.3312.endif, %middle.block3827, %.2969.endif.else.endif.endif.endif.if
   br i1 %.2059, label %.3313.endif.else.endif.if, label %.3313.endif.else.endif.endif.endif.if, !prof !36
@@ -4996,12 +5113,12 @@ middle.block3827:                                 ; preds = %vector.body3823
 .3313.endif.else.endif.endif.endif.if:            ; preds = %.3313.endif.else.endif.if, %.3313.else.endif
   %.3561.sroa.0.3 = phi i64 [ %arg.lane.0.5.1, %.3313.endif.else.endif.if ], [ 0, %.3313.else.endif ]
   %.3685.not3745 = icmp slt i64 %.3561.sroa.0.3, %arg.lane.0.5.1
-  br i1 %.3685.not3745, label %.3655.endif.preheader, label %.3656.else.endif, !prof !165
+  br i1 %.3685.not3745, label %.3655.endif.preheader, label %.3656.else.endif, !prof !169
 
 .3655.endif.preheader:                            ; preds = %.3313.endif.else.endif.endif.endif.if
   %107 = sub i64 %arg.lane.0.5.1, %.3561.sroa.0.3
   %min.iters.check3805 = icmp ult i64 %107, 4
-  br i1 %min.iters.check3805, label %.3655.endif.preheader3940, label %vector.ph3806, !prof !166
+  br i1 %min.iters.check3805, label %.3655.endif.preheader3940, label %vector.ph3806, !prof !170
 
 vector.ph3806:                                    ; preds = %.3655.endif.preheader
   %n.vec3808 = and i64 %107, -4
@@ -5017,11 +5134,11 @@ vector.body3809:                                  ; preds = %vector.body3809, %v
   store <2 x double> splat (double 1.000000e+00), ptr %111, align 8
   %index.next3812 = add i64 %index3810, 4
   %112 = icmp eq i64 %index.next3812, %n.vec3808
-  br i1 %112, label %middle.block3813, label %vector.body3809, !prof !167, !llvm.loop !204
+  br i1 %112, label %middle.block3813, label %vector.body3809, !prof !171, !llvm.loop !208
 
 middle.block3813:                                 ; preds = %vector.body3809
   %cmp.n3814 = icmp eq i64 %107, %n.vec3808
-  br i1 %cmp.n3814, label %.3656.else.endif, label %.3655.endif.preheader3940, !prof !170
+  br i1 %cmp.n3814, label %.3656.else.endif, label %.3655.endif.preheader3940, !prof !174
 
 .3655.endif.preheader3940:                        ; preds = %.3655.endif.preheader, %middle.block3813
   %.3651.03746.ph = phi i64 [ %.3561.sroa.0.3, %.3655.endif.preheader ], [ %108, %middle.block3813 ]
@@ -5033,7 +5150,7 @@ middle.block3813:                                 ; preds = %vector.body3809
   store double 1.000000e+00, ptr %.3694, align 8
   %.3699 = add nsw i64 %.3651.03746, 1
   %exitcond3782.not = icmp eq i64 %.3699, %arg.lane.0.5.1
-  br i1 %exitcond3782.not, label %.3656.else.endif, label %.3655.endif, !prof !171, !llvm.loop !205
+  br i1 %exitcond3782.not, label %.3656.else.endif, label %.3655.endif, !prof !175, !llvm.loop !209
 
 .3656.else.endif:                                 ; preds = %.3655.endif, %middle.block3813, %.3313.endif.else.endif.endif.endif.if
   br i1 %.3933, label %.3656.endif.else.endif.if, label %.3656.endif.else.endif.endif.endif.if, !prof !36
@@ -5044,12 +5161,12 @@ middle.block3813:                                 ; preds = %vector.body3809
 .3656.endif.else.endif.endif.endif.if:            ; preds = %.3656.endif.else.endif.if, %.3656.else.endif
   %.3905.sroa.0.3 = phi i64 [ %arg.lane.1.5.1, %.3656.endif.else.endif.if ], [ 0, %.3656.else.endif ]
   %.4029.not3747 = icmp slt i64 %.3905.sroa.0.3, %arg.lane.1.5.1
-  br i1 %.4029.not3747, label %.3999.endif.preheader, label %.4000.else.endif, !prof !165
+  br i1 %.4029.not3747, label %.3999.endif.preheader, label %.4000.else.endif, !prof !169
 
 .3999.endif.preheader:                            ; preds = %.3656.endif.else.endif.endif.endif.if
   %113 = sub i64 %arg.lane.1.5.1, %.3905.sroa.0.3
   %min.iters.check3794 = icmp ult i64 %113, 4
-  br i1 %min.iters.check3794, label %.3999.endif.preheader3939, label %vector.ph3795, !prof !166
+  br i1 %min.iters.check3794, label %.3999.endif.preheader3939, label %vector.ph3795, !prof !170
 
 vector.ph3795:                                    ; preds = %.3999.endif.preheader
   %n.vec3797 = and i64 %113, -4
@@ -5065,11 +5182,11 @@ vector.body3798:                                  ; preds = %vector.body3798, %v
   store <2 x i64> %broadcast.splat, ptr %117, align 8
   %index.next3800 = add i64 %index3799, 4
   %118 = icmp eq i64 %index.next3800, %n.vec3797
-  br i1 %118, label %middle.block3801, label %vector.body3798, !prof !167, !llvm.loop !206
+  br i1 %118, label %middle.block3801, label %vector.body3798, !prof !171, !llvm.loop !210
 
 middle.block3801:                                 ; preds = %vector.body3798
   %cmp.n3802 = icmp eq i64 %113, %n.vec3797
-  br i1 %cmp.n3802, label %.4000.else.endif, label %.3999.endif.preheader3939, !prof !170
+  br i1 %cmp.n3802, label %.4000.else.endif, label %.3999.endif.preheader3939, !prof !174
 
 .3999.endif.preheader3939:                        ; preds = %.3999.endif.preheader, %middle.block3801
   %.3995.03748.ph = phi i64 [ %.3905.sroa.0.3, %.3999.endif.preheader ], [ %114, %middle.block3801 ]
@@ -5081,7 +5198,7 @@ middle.block3801:                                 ; preds = %vector.body3798
   store i64 %edge.2.1, ptr %.4038, align 8
   %.4043 = add nsw i64 %.3995.03748, 1
   %exitcond3783.not = icmp eq i64 %.4043, %arg.lane.1.5.1
-  br i1 %exitcond3783.not, label %.4000.else.endif, label %.3999.endif, !prof !171, !llvm.loop !207
+  br i1 %exitcond3783.not, label %.4000.else.endif, label %.3999.endif, !prof !175, !llvm.loop !211
 
 .4000.else.endif:                                 ; preds = %.3999.endif, %middle.block3801, %.3656.endif.else.endif.endif.endif.if
   br i1 %.3933, label %.4000.endif.else.endif.if, label %.4000.endif.else.endif.endif.endif.if, !prof !36
@@ -5092,7 +5209,7 @@ middle.block3801:                                 ; preds = %vector.body3798
 .4000.endif.else.endif.endif.endif.if:            ; preds = %.4000.endif.else.endif.if, %.4000.else.endif
   %.4248.sroa.0.3 = phi i64 [ %arg.lane.1.5.1, %.4000.endif.else.endif.if ], [ 0, %.4000.else.endif ]
   %.4372.not3749 = icmp slt i64 %.4248.sroa.0.3, %arg.lane.1.5.1
-  br i1 %.4372.not3749, label %.4342.endif.preheader, label %.4342.if, !prof !165
+  br i1 %.4372.not3749, label %.4342.endif.preheader, label %.4342.if, !prof !169
 
 .4342.endif.preheader:                            ; preds = %.4000.endif.else.endif.endif.endif.if
   %119 = shl i64 %.4248.sroa.0.3, 3
@@ -5107,21 +5224,21 @@ middle.block3801:                                 ; preds = %vector.body3798
 
 B46.i.i3692:                                      ; preds = %B110.if.i
   %.135.i.i = getelementptr i64, ptr %arg.results.1.4, i64 %.99.i.i
-  %.136.i.i = load i64, ptr %.135.i.i, align 8, !noalias !208
+  %.136.i.i = load i64, ptr %.135.i.i, align 8, !noalias !212
   %.141.i.not.i = icmp eq i64 %.136.i.i, 0
   br i1 %.141.i.not.i, label %B80.i.i3696, label %B358.i3693
 
 B80.i.i3696:                                      ; preds = %B46.i.i3692
   %.196.i.i = getelementptr double, ptr %28, i64 %.352.01856.i
-  %.197.i.i = load double, ptr %.196.i.i, align 8, !noalias !208
+  %.197.i.i = load double, ptr %.196.i.i, align 8, !noalias !212
   %.198.i.i = fcmp olt double %.197.i.i, 5.000000e-01
   br i1 %.198.i.i, label %B358.i3693, label %B122.i.i
 
 B122.i.i:                                         ; preds = %B80.i.i3696
   %.264.i.i = getelementptr double, ptr %arg.lane.0.4, i64 %.352.01856.i
-  %.265.i.i = load double, ptr %.264.i.i, align 8, !noalias !208
+  %.265.i.i = load double, ptr %.264.i.i, align 8, !noalias !212
   %.321.i.i = getelementptr double, ptr %29, i64 %.352.01856.i
-  %.322.i.i = load double, ptr %.321.i.i, align 8, !noalias !208
+  %.322.i.i = load double, ptr %.321.i.i, align 8, !noalias !212
   %.325.i.i = fcmp une double %.265.i.i, %.322.i.i
   %brmerge.i = select i1 %.325.i.i, i1 true, i1 %.1462
   %not..325.i.i = xor i1 %.325.i.i, true
@@ -5130,10 +5247,10 @@ B122.i.i:                                         ; preds = %B80.i.i3696
 
 B300.if.lr.ph.i:                                  ; preds = %B122.i.i
   %.650.i = getelementptr i64, ptr %30, i64 %.352.01856.i
-  %.651.i = load i64, ptr %.650.i, align 8, !noalias !213
+  %.651.i = load i64, ptr %.650.i, align 8, !noalias !217
   %.652.i = add nsw i64 %.651.i, 1
   %122 = getelementptr i64, ptr %arg.runs.2.4, i64 %.99.i.i
-  %.596.i = load i64, ptr %122, align 8, !noalias !213
+  %.596.i = load i64, ptr %122, align 8, !noalias !217
   %.822.i = icmp slt i64 %.596.i, 0
   %.823.i = select i1 %.822.i, i64 %arg.schedule.3.5.0, i64 0
   %.824.i = add i64 %.823.i, %.596.i
@@ -5155,44 +5272,44 @@ B360.i:                                           ; preds = %B358.i3693
   br i1 %some.3.2.i, label %B368.i, label %B1380
 
 B368.i:                                           ; preds = %B360.i
-  %.1018.i = load i64, ptr %.2205, align 8, !noalias !213
+  %.1018.i = load i64, ptr %.2205, align 8, !noalias !217
   %.1130.i = inttoptr i64 %.1018.i to ptr
-  tail call void %.1130.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !213
-  %.1161.i = load i64, ptr %.1160.i, align 8, !noalias !213
+  tail call void %.1130.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !217
+  %.1161.i = load i64, ptr %.1160.i, align 8, !noalias !217
   %.1277.i = inttoptr i64 %.1161.i to ptr
-  tail call void %.1277.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.1276.i), !noalias !213
+  tail call void %.1277.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.1276.i), !noalias !217
   br label %B600.if.i
 
 B46.i82.i:                                        ; preds = %B600.if.i
   %.135.i102.i = getelementptr i64, ptr %arg.results.1.4, i64 %.99.i78.i
-  %.136.i103.i = load i64, ptr %.135.i102.i, align 8, !noalias !214
+  %.136.i103.i = load i64, ptr %.135.i102.i, align 8, !noalias !218
   %.141.i106.not.i = icmp eq i64 %.136.i103.i, 0
   br i1 %.141.i106.not.i, label %B80.i107.i, label %B980.i
 
 B80.i107.i:                                       ; preds = %B46.i82.i
   %.196.i144.i = getelementptr double, ptr %28, i64 %.1303.01865.i
-  %.197.i145.i = load double, ptr %.196.i144.i, align 8, !noalias !214
+  %.197.i145.i = load double, ptr %.196.i144.i, align 8, !noalias !218
   %.198.i146.i = fcmp olt double %.197.i145.i, 5.000000e-01
   br i1 %.198.i146.i, label %B980.i, label %B122.i147.i
 
 B122.i147.i:                                      ; preds = %B80.i107.i
   %.264.i184.i = getelementptr double, ptr %arg.lane.0.4, i64 %.1303.01865.i
-  %.265.i185.i = load double, ptr %.264.i184.i, align 8, !noalias !214
+  %.265.i185.i = load double, ptr %.264.i184.i, align 8, !noalias !218
   %.321.i223.i = getelementptr double, ptr %29, i64 %.1303.01865.i
-  %.322.i224.i = load double, ptr %.321.i223.i, align 8, !noalias !214
+  %.322.i224.i = load double, ptr %.321.i223.i, align 8, !noalias !218
   %.325.i226.i = fcmp une double %.265.i185.i, %.322.i224.i
   br i1 %.325.i226.i, label %B980.i, label %B640.i
 
 B640.i:                                           ; preds = %B122.i147.i
   %.1557.i = getelementptr i64, ptr %31, i64 %.1303.01865.i
-  %.1558.i = load i64, ptr %.1557.i, align 8, !noalias !213
+  %.1558.i = load i64, ptr %.1557.i, align 8, !noalias !217
   %.1569.i = icmp sgt i64 %.1558.i, 0
   br i1 %.1569.i, label %B716.i, label %B770.i
 
 B716.i:                                           ; preds = %B640.i
   %125 = getelementptr double, ptr %arg.times.4, i64 %.1558.i
   %.1604.i = getelementptr i8, ptr %125, i64 -8
-  %.1605.i = load double, ptr %.1604.i, align 8, !noalias !213
+  %.1605.i = load double, ptr %.1604.i, align 8, !noalias !217
   %.1661.i = fcmp oeq double %.1605.i, %.265.i185.i
   br label %B770.i
 
@@ -5214,7 +5331,7 @@ B802.if.lr.ph.i:                                  ; preds = %B770.i
 
 B898.i:                                           ; preds = %B802.if.i
   %128 = getelementptr double, ptr %127, i64 %.1701.01860.i
-  store double %.1835.i, ptr %128, align 8, !noalias !213
+  store double %.1835.i, ptr %128, align 8, !noalias !217
   br label %B920.i
 
 B920.i:                                           ; preds = %B802.if.i, %B898.i
@@ -5226,18 +5343,18 @@ B922.loopexit.i:                                  ; preds = %B920.i
   br i1 %129, label %B934.i, label %B980.i
 
 B934.i:                                           ; preds = %B922.loopexit.i
-  %.84.i516.i = load i64, ptr %135, align 8, !noalias !217
+  %.84.i516.i = load i64, ptr %135, align 8, !noalias !221
   %.89.i518.i = icmp sgt i64 %.84.i516.i, -1
   br i1 %.89.i518.i, label %B46.i521.i, label %B980.i
 
 B46.i521.i:                                       ; preds = %B934.i
   %.120.i539.i = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i516.i
-  %.121.i540.i = load i64, ptr %.120.i539.i, align 8, !noalias !217
+  %.121.i540.i = load i64, ptr %.120.i539.i, align 8, !noalias !221
   %.122.i541.i = icmp eq i64 %.121.i540.i, 0
   br i1 %.122.i541.i, label %B80.i545.i, label %B980.i
 
 B80.i545.i:                                       ; preds = %B46.i521.i
-  store i64 3, ptr %.120.i539.i, align 8, !noalias !217
+  store i64 3, ptr %.120.i539.i, align 8, !noalias !221
   br label %B980.i
 
 B980.i:                                           ; preds = %B600.if.i, %B80.i545.i, %B46.i521.i, %B934.i, %B922.loopexit.i, %B770.i, %B122.i147.i, %B80.i107.i, %B46.i82.i
@@ -5248,39 +5365,39 @@ B982.i:                                           ; preds = %B980.i
   br i1 %.2041.not.i, label %B1380, label %B986.i
 
 B986.i:                                           ; preds = %B982.i
-  %.2074.i = load i64, ptr %.2073.i, align 8, !noalias !213
+  %.2074.i = load i64, ptr %.2073.i, align 8, !noalias !217
   %.2188.i = inttoptr i64 %.2074.i to ptr
-  tail call void %.2188.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !213
+  tail call void %.2188.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !217
   br label %B1106.if.i
 
 B46.i315.i:                                       ; preds = %B1106.if.i
   %.135.i335.i = getelementptr i64, ptr %arg.results.1.4, i64 %.99.i311.i
-  %.136.i336.i = load i64, ptr %.135.i335.i, align 8, !noalias !220
+  %.136.i336.i = load i64, ptr %.135.i335.i, align 8, !noalias !224
   %.141.i339.not.i = icmp eq i64 %.136.i336.i, 0
   br i1 %.141.i339.not.i, label %B80.i340.i, label %B1228.i
 
 B80.i340.i:                                       ; preds = %B46.i315.i
   %.196.i377.i = getelementptr double, ptr %28, i64 %.2224.01868.i
-  %.197.i378.i = load double, ptr %.196.i377.i, align 8, !noalias !220
+  %.197.i378.i = load double, ptr %.196.i377.i, align 8, !noalias !224
   %.198.i379.i = fcmp olt double %.197.i378.i, 5.000000e-01
   br i1 %.198.i379.i, label %B1228.i, label %B122.i380.i
 
 B122.i380.i:                                      ; preds = %B80.i340.i
   %.264.i417.i = getelementptr double, ptr %arg.lane.0.4, i64 %.2224.01868.i
-  %.265.i418.i = load double, ptr %.264.i417.i, align 8, !noalias !220
+  %.265.i418.i = load double, ptr %.264.i417.i, align 8, !noalias !224
   %.321.i456.i = getelementptr double, ptr %29, i64 %.2224.01868.i
-  %.322.i457.i = load double, ptr %.321.i456.i, align 8, !noalias !220
+  %.322.i457.i = load double, ptr %.321.i456.i, align 8, !noalias !224
   %.325.i459.i = fcmp une double %.265.i418.i, %.322.i457.i
   br i1 %.325.i459.i, label %B1228.i, label %B1146.i
 
 B1146.i:                                          ; preds = %B122.i380.i
   %130 = getelementptr double, ptr %arg.arrays.4.4, i64 %.2224.01868.i
-  %.2400.i = load double, ptr %130, align 8, !noalias !213
+  %.2400.i = load double, ptr %130, align 8, !noalias !217
   %.2402.i = fcmp olt double %.2400.i, -1.000000e-09
   br i1 %.2402.i, label %B80.i672.i, label %B1228.i
 
 B80.i672.i:                                       ; preds = %B1146.i
-  store i64 4, ptr %.135.i335.i, align 8, !noalias !223
+  store i64 4, ptr %.135.i335.i, align 8, !noalias !227
   br label %B1228.i
 
 B1228.i:                                          ; preds = %B1106.if.i, %B80.i672.i, %B1146.i, %B122.i380.i, %B80.i340.i, %B46.i315.i
@@ -5292,7 +5409,7 @@ B110.if.i:                                        ; preds = %.4342.if, %B358.i36
   %.352.01856.i = phi i64 [ %.423.i3691, %B358.i3693 ], [ 0, %.4342.if ]
   %.423.i3691 = add nsw i64 %.352.01856.i, 1
   %131 = getelementptr i64, ptr %arg.lane.1.4, i64 %.352.01856.i
-  %.99.i.i = load i64, ptr %131, align 8, !noalias !208
+  %.99.i.i = load i64, ptr %131, align 8, !noalias !212
   %.104.i.i = icmp slt i64 %.99.i.i, 0
   br i1 %.104.i.i, label %B358.i3693, label %B46.i.i3692
 
@@ -5300,16 +5417,16 @@ B300.if.i:                                        ; preds = %B300.if.i, %B300.if
   %.692.01853.i = phi i64 [ 0, %B300.if.lr.ph.i ], [ %.764.i, %B300.if.i ]
   %.764.i = add nsw i64 %.692.01853.i, 1
   %132 = getelementptr double, ptr %124, i64 %.692.01853.i
-  %.861.i = load double, ptr %132, align 8, !noalias !213
+  %.861.i = load double, ptr %132, align 8, !noalias !217
   %133 = getelementptr i64, ptr %arg.schedule.2.4, i64 %.692.01853.i
-  %.891.i = load i64, ptr %133, align 8, !noalias !213
+  %.891.i = load i64, ptr %133, align 8, !noalias !217
   %.893.i = mul nsw i64 %.891.i, %arg.shape.0
   %.895.i = add nsw i64 %.893.i, %.352.01856.i
   %.909.i = icmp slt i64 %.895.i, 0
   %.910.i = select i1 %.909.i, i64 %arg.arrays.1.5.0, i64 0
   %134 = getelementptr double, ptr %arg.arrays.1.4, i64 %.895.i
   %.924.i = getelementptr double, ptr %134, i64 %.910.i
-  store double %.861.i, ptr %.924.i, align 8, !noalias !213
+  store double %.861.i, ptr %.924.i, align 8, !noalias !217
   %exitcond.not.i3697 = icmp eq i64 %arg.schedule.2.5.0, %.764.i
   br i1 %exitcond.not.i3697, label %B358.i3693, label %B300.if.i
 
@@ -5317,7 +5434,7 @@ B600.if.i:                                        ; preds = %B980.i, %B368.i
   %.1303.01865.i = phi i64 [ 0, %B368.i ], [ %.1372.i, %B980.i ]
   %.1372.i = add nsw i64 %.1303.01865.i, 1
   %135 = getelementptr i64, ptr %arg.lane.1.4, i64 %.1303.01865.i
-  %.99.i78.i = load i64, ptr %135, align 8, !noalias !214
+  %.99.i78.i = load i64, ptr %135, align 8, !noalias !218
   %.104.i81.i = icmp slt i64 %.99.i78.i, 0
   br i1 %.104.i81.i, label %B980.i, label %B46.i82.i
 
@@ -5328,19 +5445,19 @@ B802.if.i:                                        ; preds = %B920.i, %B802.if.lr
   %.1801.i = add nsw i64 %.1701.01860.i, %.1231.i
   %.1803.i = mul nsw i64 %.1801.i, %arg.shape.0
   %gep = getelementptr double, ptr %invariant.gep, i64 %.1803.i
-  %.1835.i = load double, ptr %gep, align 8, !noalias !213
+  %.1835.i = load double, ptr %gep, align 8, !noalias !217
   %.1840.i = fmul double %.1835.i, 0.000000e+00
   %.1842.i = fadd double %trouble.2.11862.i, %.1840.i
   %.1850.i = mul nsw i64 %.1701.01860.i, %arg.shape.0
   %gep3752 = getelementptr double, ptr %invariant.gep3751, i64 %.1850.i
-  store double %.1835.i, ptr %gep3752, align 8, !noalias !213
+  store double %.1835.i, ptr %gep3752, align 8, !noalias !217
   br i1 %"$phi770.1.2.1.i", label %B898.i, label %B920.i
 
 B1106.if.i:                                       ; preds = %B1228.i, %B986.i
   %.2224.01868.i = phi i64 [ 0, %B986.i ], [ %.2293.i, %B1228.i ]
   %.2293.i = add nsw i64 %.2224.01868.i, 1
   %136 = getelementptr i64, ptr %arg.lane.1.4, i64 %.2224.01868.i
-  %.99.i311.i = load i64, ptr %136, align 8, !noalias !220
+  %.99.i311.i = load i64, ptr %136, align 8, !noalias !224
   %.104.i314.i = icmp slt i64 %.99.i311.i, 0
   br i1 %.104.i314.i, label %B1228.i, label %B46.i315.i
 
@@ -5439,7 +5556,7 @@ vector.body:                                      ; preds = %B430.if.lr.ph, %vec
   store <2 x double> %wide.load544, ptr %7, align 8
   %index.next = add i64 %index, 4
   %8 = icmp eq i64 %index.next, %n.vec
-  br i1 %8, label %middle.block, label %vector.body, !llvm.loop !226
+  br i1 %8, label %middle.block, label %vector.body, !llvm.loop !230
 
 middle.block:                                     ; preds = %vector.body
   br i1 %cmp.n, label %B64.loopexit, label %B430.if.preheader
@@ -5489,7 +5606,7 @@ B430.if:                                          ; preds = %B430.if.preheader, 
   %17 = getelementptr double, ptr %3, i64 %.851.0534
   store double %.974, ptr %17, align 8
   %exitcond540.not = icmp eq i64 %arg.out.5.1, %.920
-  br i1 %exitcond540.not, label %B64.loopexit, label %B430.if, !llvm.loop !227
+  br i1 %exitcond540.not, label %B64.loopexit, label %B430.if, !llvm.loop !231
 }
 
 
@@ -5567,157 +5684,161 @@ B430.if:                                          ; preds = %B430.if.preheader, 
 !71 = distinct !{!71, !72, !"_ZN12clpt_control6native9for_numba6passedB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !72 = distinct !{!72, !"_ZN12clpt_control6native9for_numba6passedB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE"}
 !73 = distinct !{!73, !72, !"_ZN12clpt_control6native9for_numba6passedB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!74 = !{!75}
-!75 = distinct !{!75, !76, !"_ZN12clpt_control6native9for_numba5crossB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
-!76 = distinct !{!76, !"_ZN12clpt_control6native9for_numba5crossB3v25B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
-!77 = !{!78, !80, !75}
-!78 = distinct !{!78, !79, !"_ZN12clpt_control6native9for_numba6passedB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!79 = distinct !{!79, !"_ZN12clpt_control6native9for_numba6passedB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE"}
-!80 = distinct !{!80, !79, !"_ZN12clpt_control6native9for_numba6passedB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!81 = !{!82, !84, !75}
-!82 = distinct !{!82, !83, !"_ZN12clpt_control6native9for_numba7betweenB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
-!83 = distinct !{!83, !"_ZN12clpt_control6native9for_numba7betweenB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
-!84 = distinct !{!84, !83, !"_ZN12clpt_control6native9for_numba7betweenB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
-!85 = distinct !{!85, !7, !8}
-!86 = distinct !{!86, !7}
-!87 = !{!88}
-!88 = distinct !{!88, !89, !"_ZN12clpt_control6native9for_numba5watchB3v28B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
-!89 = distinct !{!89, !"_ZN12clpt_control6native9for_numba5watchB3v28B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
-!90 = !{!91, !88}
-!91 = distinct !{!91, !92, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
-!92 = distinct !{!92, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
-!93 = !{!94, !96, !88}
-!94 = distinct !{!94, !95, !"_ZN12clpt_control6native9for_numba7betweenB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
-!95 = distinct !{!95, !"_ZN12clpt_control6native9for_numba7betweenB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
-!96 = distinct !{!96, !95, !"_ZN12clpt_control6native9for_numba7betweenB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
-!97 = distinct !{!97, !7, !8}
-!98 = distinct !{!98, !7}
-!99 = !{!100}
-!100 = distinct !{!100, !101, !"_ZN12clpt_control6native9for_numba6sampleB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!101 = distinct !{!101, !"_ZN12clpt_control6native9for_numba6sampleB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx"}
-!102 = !{!103, !105, !100}
-!103 = distinct !{!103, !104, !"_ZN12clpt_control6native9for_numba7betweenB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
-!104 = distinct !{!104, !"_ZN12clpt_control6native9for_numba7betweenB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
-!105 = distinct !{!105, !104, !"_ZN12clpt_control6native9for_numba7betweenB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
-!106 = !{!107, !109}
-!107 = distinct !{!107, !108, !"_ZN12clpt_control6native9for_numba11decide_anewB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
-!108 = distinct !{!108, !"_ZN12clpt_control6native9for_numba11decide_anewB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
-!109 = distinct !{!109, !108, !"_ZN12clpt_control6native9for_numba11decide_anewB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
-!110 = !{!111, !107, !109}
-!111 = distinct !{!111, !112, !"_ZN12clpt_control6native9for_numba4failB3v31B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_286_29: %retptr"}
-!112 = distinct !{!112, !"_ZN12clpt_control6native9for_numba4failB3v31B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_286_29"}
-!113 = !{!114, !116}
-!114 = distinct !{!114, !115, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
-!115 = distinct !{!115, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
-!116 = distinct !{!116, !117, !"_ZN12clpt_control6native9for_numba4leapB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx: %retptr"}
-!117 = distinct !{!117, !"_ZN12clpt_control6native9for_numba4leapB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx"}
-!118 = !{!116}
-!119 = !{!120, !116}
-!120 = distinct !{!120, !121, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
-!121 = distinct !{!121, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
-!122 = !{!123, !116}
-!123 = distinct !{!123, !124, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29: %retptr"}
-!124 = distinct !{!124, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29"}
-!125 = !{!126, !116}
-!126 = distinct !{!126, !127, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
-!127 = distinct !{!127, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
-!128 = !{!129, !116}
-!129 = distinct !{!129, !130, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
-!130 = distinct !{!130, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
-!131 = !{!132, !134}
-!132 = distinct !{!132, !133, !"_ZN12clpt_control6native9for_numba4restB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!133 = distinct !{!133, !"_ZN12clpt_control6native9for_numba4restB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!134 = distinct !{!134, !133, !"_ZN12clpt_control6native9for_numba4restB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!135 = !{!136}
-!136 = distinct !{!136, !137, !"_ZN12clpt_control6native9for_numba4failB3v34B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_285_29: %retptr"}
-!137 = distinct !{!137, !"_ZN12clpt_control6native9for_numba4failB3v34B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_285_29"}
-!138 = !{!139, !141}
-!139 = distinct !{!139, !140, !"_ZN12clpt_control6native9for_numba5enterB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!140 = distinct !{!140, !"_ZN12clpt_control6native9for_numba5enterB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE"}
-!141 = distinct !{!141, !140, !"_ZN12clpt_control6native9for_numba5enterB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!142 = !{!143}
-!143 = distinct !{!143, !144, !"_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!144 = distinct !{!144, !"_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!145 = distinct !{!145, !7, !8}
-!146 = !{!147, !149, !143}
-!147 = distinct !{!147, !148, !"_ZN12clpt_control6native9for_numba4restB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!148 = distinct !{!148, !"_ZN12clpt_control6native9for_numba4restB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!149 = distinct !{!149, !148, !"_ZN12clpt_control6native9for_numba4restB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!150 = distinct !{!150, !7}
-!151 = !{!152, !154}
-!152 = distinct !{!152, !153, !"_ZN12clpt_control6native9for_numba10look_againB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
-!153 = distinct !{!153, !"_ZN12clpt_control6native9for_numba10look_againB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
-!154 = distinct !{!154, !153, !"_ZN12clpt_control6native9for_numba10look_againB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
+!74 = !{!75, !77}
+!75 = distinct !{!75, !76, !"_ZN12clpt_control6native9for_numba5doubtB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
+!76 = distinct !{!76, !"_ZN12clpt_control6native9for_numba5doubtB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
+!77 = distinct !{!77, !76, !"_ZN12clpt_control6native9for_numba5doubtB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
+!78 = !{!79}
+!79 = distinct !{!79, !80, !"_ZN12clpt_control6native9for_numba5crossB3v26B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
+!80 = distinct !{!80, !"_ZN12clpt_control6native9for_numba5crossB3v26B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
+!81 = !{!82, !84, !79}
+!82 = distinct !{!82, !83, !"_ZN12clpt_control6native9for_numba6passedB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!83 = distinct !{!83, !"_ZN12clpt_control6native9for_numba6passedB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE"}
+!84 = distinct !{!84, !83, !"_ZN12clpt_control6native9for_numba6passedB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!85 = !{!86, !88, !79}
+!86 = distinct !{!86, !87, !"_ZN12clpt_control6native9for_numba7betweenB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
+!87 = distinct !{!87, !"_ZN12clpt_control6native9for_numba7betweenB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
+!88 = distinct !{!88, !87, !"_ZN12clpt_control6native9for_numba7betweenB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
+!89 = distinct !{!89, !7, !8}
+!90 = distinct !{!90, !7}
+!91 = !{!92}
+!92 = distinct !{!92, !93, !"_ZN12clpt_control6native9for_numba5watchB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
+!93 = distinct !{!93, !"_ZN12clpt_control6native9for_numba5watchB3v29B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
+!94 = !{!95, !92}
+!95 = distinct !{!95, !96, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
+!96 = distinct !{!96, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
+!97 = !{!98, !100, !92}
+!98 = distinct !{!98, !99, !"_ZN12clpt_control6native9for_numba7betweenB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
+!99 = distinct !{!99, !"_ZN12clpt_control6native9for_numba7betweenB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
+!100 = distinct !{!100, !99, !"_ZN12clpt_control6native9for_numba7betweenB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
+!101 = distinct !{!101, !7, !8}
+!102 = distinct !{!102, !7}
+!103 = !{!104}
+!104 = distinct !{!104, !105, !"_ZN12clpt_control6native9for_numba6sampleB3v30B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!105 = distinct !{!105, !"_ZN12clpt_control6native9for_numba6sampleB3v30B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx"}
+!106 = !{!107, !109, !104}
+!107 = distinct !{!107, !108, !"_ZN12clpt_control6native9for_numba7betweenB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
+!108 = distinct !{!108, !"_ZN12clpt_control6native9for_numba7betweenB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
+!109 = distinct !{!109, !108, !"_ZN12clpt_control6native9for_numba7betweenB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
+!110 = !{!111, !113}
+!111 = distinct !{!111, !112, !"_ZN12clpt_control6native9for_numba11decide_anewB3v31B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
+!112 = distinct !{!112, !"_ZN12clpt_control6native9for_numba11decide_anewB3v31B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
+!113 = distinct !{!113, !112, !"_ZN12clpt_control6native9for_numba11decide_anewB3v31B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
+!114 = !{!115, !111, !113}
+!115 = distinct !{!115, !116, !"_ZN12clpt_control6native9for_numba4failB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_286_29: %retptr"}
+!116 = distinct !{!116, !"_ZN12clpt_control6native9for_numba4failB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_286_29"}
+!117 = !{!118, !120}
+!118 = distinct !{!118, !119, !"_ZN12clpt_control6native9for_numba6at_endB3v34B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
+!119 = distinct !{!119, !"_ZN12clpt_control6native9for_numba6at_endB3v34B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
+!120 = distinct !{!120, !121, !"_ZN12clpt_control6native9for_numba4leapB3v33B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx: %retptr"}
+!121 = distinct !{!121, !"_ZN12clpt_control6native9for_numba4leapB3v33B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx"}
+!122 = !{!120}
+!123 = !{!124, !120}
+!124 = distinct !{!124, !125, !"_ZN12clpt_control6native9for_numba6at_endB3v34B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
+!125 = distinct !{!125, !"_ZN12clpt_control6native9for_numba6at_endB3v34B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
+!126 = !{!127, !120}
+!127 = distinct !{!127, !128, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29: %retptr"}
+!128 = distinct !{!128, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29"}
+!129 = !{!130, !120}
+!130 = distinct !{!130, !131, !"_ZN12clpt_control6native9for_numba6at_endB3v34B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
+!131 = distinct !{!131, !"_ZN12clpt_control6native9for_numba6at_endB3v34B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
+!132 = !{!133, !120}
+!133 = distinct !{!133, !134, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
+!134 = distinct !{!134, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
+!135 = !{!136, !138}
+!136 = distinct !{!136, !137, !"_ZN12clpt_control6native9for_numba4restB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!137 = distinct !{!137, !"_ZN12clpt_control6native9for_numba4restB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!138 = distinct !{!138, !137, !"_ZN12clpt_control6native9for_numba4restB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!139 = !{!140}
+!140 = distinct !{!140, !141, !"_ZN12clpt_control6native9for_numba4failB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_285_29: %retptr"}
+!141 = distinct !{!141, !"_ZN12clpt_control6native9for_numba4failB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_285_29"}
+!142 = !{!143, !145}
+!143 = distinct !{!143, !144, !"_ZN12clpt_control6native9for_numba5enterB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!144 = distinct !{!144, !"_ZN12clpt_control6native9for_numba5enterB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE"}
+!145 = distinct !{!145, !144, !"_ZN12clpt_control6native9for_numba5enterB3v36B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!146 = !{!147}
+!147 = distinct !{!147, !148, !"_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!148 = distinct !{!148, !"_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!149 = distinct !{!149, !7, !8}
+!150 = !{!151, !153, !147}
+!151 = distinct !{!151, !152, !"_ZN12clpt_control6native9for_numba4restB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!152 = distinct !{!152, !"_ZN12clpt_control6native9for_numba4restB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!153 = distinct !{!153, !152, !"_ZN12clpt_control6native9for_numba4restB2v4B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!154 = distinct !{!154, !7}
 !155 = !{!156, !158}
-!156 = distinct !{!156, !157, !"_ZN12clpt_control6native9for_numba5countB3v20B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
-!157 = distinct !{!157, !"_ZN12clpt_control6native9for_numba5countB3v20B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
-!158 = distinct !{!158, !157, !"_ZN12clpt_control6native9for_numba5countB3v20B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
-!159 = !{!160}
-!160 = distinct !{!160, !161, !"_ZN12clpt_control6native9for_numba4keepB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!161 = distinct !{!161, !"_ZN12clpt_control6native9for_numba4keepB3v42B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!162 = distinct !{!162, !7, !8}
-!163 = distinct !{!163, !7}
-!164 = !{i1 true}
-!165 = !{!"branch_weights", i32 127, i32 1}
-!166 = !{!"branch_weights", i32 1, i32 127}
-!167 = !{!"branch_weights", i32 127, i32 3048}
-!168 = distinct !{!168, !7, !8, !169}
-!169 = !{!"llvm.loop.estimated_trip_count", i32 25}
-!170 = !{!"branch_weights", i32 1, i32 3}
-!171 = !{!"branch_weights", i32 1, i32 0}
-!172 = distinct !{!172, !8, !7, !173}
-!173 = !{!"llvm.loop.estimated_trip_count", i32 0}
-!174 = !{!175, !177}
-!175 = distinct !{!175, !176, !"_ZN12clpt_control6native9for_numba5marchB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEddx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx: %retptr"}
-!176 = distinct !{!176, !"_ZN12clpt_control6native9for_numba5marchB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEddx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx"}
-!177 = distinct !{!177, !176, !"_ZN12clpt_control6native9for_numba5marchB3v40B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEddx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx: %excinfo"}
-!178 = !{!179, !175, !177}
-!179 = distinct !{!179, !180, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29: %retptr"}
-!180 = distinct !{!180, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29"}
-!181 = !{!182, !175, !177}
-!182 = distinct !{!182, !183, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
-!183 = distinct !{!183, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
-!184 = !{!185}
-!185 = distinct !{!185, !186}
-!186 = distinct !{!186, !"LVerDomain"}
-!187 = !{!188}
-!188 = distinct !{!188, !186}
-!189 = !{!175, !177, !185}
-!190 = distinct !{!190, !7, !8}
-!191 = distinct !{!191, !7, !8, !169}
-!192 = distinct !{!192, !8, !7, !173}
-!193 = distinct !{!193, !7, !8, !169}
-!194 = distinct !{!194, !8, !7, !173}
-!195 = distinct !{!195, !7, !8, !169}
-!196 = distinct !{!196, !7, !8}
-!197 = distinct !{!197, !8, !7, !173}
-!198 = distinct !{!198, !7}
-!199 = distinct !{!199, !7}
-!200 = distinct !{!200, !7, !8, !169}
-!201 = distinct !{!201, !8, !7, !173}
-!202 = distinct !{!202, !7, !8, !169}
-!203 = distinct !{!203, !8, !7, !173}
-!204 = distinct !{!204, !7, !8, !169}
-!205 = distinct !{!205, !8, !7, !173}
-!206 = distinct !{!206, !7, !8, !169}
-!207 = distinct !{!207, !8, !7, !173}
-!208 = !{!209, !211}
-!209 = distinct !{!209, !210, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
-!210 = distinct !{!210, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
-!211 = distinct !{!211, !212, !"_ZN12clpt_control6native9for_numba4leapB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx: %retptr"}
-!212 = distinct !{!212, !"_ZN12clpt_control6native9for_numba4leapB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx"}
-!213 = !{!211}
-!214 = !{!215, !211}
-!215 = distinct !{!215, !216, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
-!216 = distinct !{!216, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
-!217 = !{!218, !211}
-!218 = distinct !{!218, !219, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29: %retptr"}
-!219 = distinct !{!219, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29"}
-!220 = !{!221, !211}
-!221 = distinct !{!221, !222, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
-!222 = distinct !{!222, !"_ZN12clpt_control6native9for_numba6at_endB3v33B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
-!223 = !{!224, !211}
-!224 = distinct !{!224, !225, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
-!225 = distinct !{!225, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
-!226 = distinct !{!226, !7, !8}
-!227 = distinct !{!227, !7}
+!156 = distinct !{!156, !157, !"_ZN12clpt_control6native9for_numba10look_againB3v37B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
+!157 = distinct !{!157, !"_ZN12clpt_control6native9for_numba10look_againB3v37B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
+!158 = distinct !{!158, !157, !"_ZN12clpt_control6native9for_numba10look_againB3v37B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
+!159 = !{!160, !162}
+!160 = distinct !{!160, !161, !"_ZN12clpt_control6native9for_numba5countB3v20B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
+!161 = distinct !{!161, !"_ZN12clpt_control6native9for_numba5countB3v20B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
+!162 = distinct !{!162, !161, !"_ZN12clpt_control6native9for_numba5countB3v20B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
+!163 = !{!164}
+!164 = distinct !{!164, !165, !"_ZN12clpt_control6native9for_numba4keepB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!165 = distinct !{!165, !"_ZN12clpt_control6native9for_numba4keepB3v43B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi3EEx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!166 = distinct !{!166, !7, !8}
+!167 = distinct !{!167, !7}
+!168 = !{i1 true}
+!169 = !{!"branch_weights", i32 127, i32 1}
+!170 = !{!"branch_weights", i32 1, i32 127}
+!171 = !{!"branch_weights", i32 127, i32 3048}
+!172 = distinct !{!172, !7, !8, !173}
+!173 = !{!"llvm.loop.estimated_trip_count", i32 25}
+!174 = !{!"branch_weights", i32 1, i32 3}
+!175 = !{!"branch_weights", i32 1, i32 0}
+!176 = distinct !{!176, !8, !7, !177}
+!177 = !{!"llvm.loop.estimated_trip_count", i32 0}
+!178 = !{!179, !181}
+!179 = distinct !{!179, !180, !"_ZN12clpt_control6native9for_numba5marchB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEddx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx: %retptr"}
+!180 = distinct !{!180, !"_ZN12clpt_control6native9for_numba5marchB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEddx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx"}
+!181 = distinct !{!181, !180, !"_ZN12clpt_control6native9for_numba5marchB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEddx5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx: %excinfo"}
+!182 = !{!183, !179, !181}
+!183 = distinct !{!183, !184, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29: %retptr"}
+!184 = distinct !{!184, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29"}
+!185 = !{!186, !179, !181}
+!186 = distinct !{!186, !187, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
+!187 = distinct !{!187, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
+!188 = !{!189}
+!189 = distinct !{!189, !190}
+!190 = distinct !{!190, !"LVerDomain"}
+!191 = !{!192}
+!192 = distinct !{!192, !190}
+!193 = !{!179, !181, !189}
+!194 = distinct !{!194, !7, !8}
+!195 = distinct !{!195, !7, !8, !173}
+!196 = distinct !{!196, !8, !7, !177}
+!197 = distinct !{!197, !7, !8, !173}
+!198 = distinct !{!198, !8, !7, !177}
+!199 = distinct !{!199, !7, !8, !173}
+!200 = distinct !{!200, !7, !8}
+!201 = distinct !{!201, !8, !7, !177}
+!202 = distinct !{!202, !7}
+!203 = distinct !{!203, !7}
+!204 = distinct !{!204, !7, !8, !173}
+!205 = distinct !{!205, !8, !7, !177}
+!206 = distinct !{!206, !7, !8, !173}
+!207 = distinct !{!207, !8, !7, !177}
+!208 = distinct !{!208, !7, !8, !173}
+!209 = distinct !{!209, !8, !7, !177}
+!210 = distinct !{!210, !7, !8, !173}
+!211 = distinct !{!211, !8, !7, !177}
+!212 = !{!213, !215}
+!213 = distinct !{!213, !214, !"_ZN12clpt_control6native9for_numba6at_endB3v34B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
+!214 = distinct !{!214, !"_ZN12clpt_control6native9for_numba6at_endB3v34B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
+!215 = distinct !{!215, !216, !"_ZN12clpt_control6native9for_numba4leapB3v33B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx: %retptr"}
+!216 = distinct !{!216, !"_ZN12clpt_control6native9for_numba4leapB3v33B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EEx"}
+!217 = !{!215}
+!218 = !{!219, !215}
+!219 = distinct !{!219, !220, !"_ZN12clpt_control6native9for_numba6at_endB3v34B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
+!220 = distinct !{!220, !"_ZN12clpt_control6native9for_numba6at_endB3v34B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
+!221 = !{!222, !215}
+!222 = distinct !{!222, !223, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29: %retptr"}
+!223 = distinct !{!223, !"_ZN12clpt_control6native9for_numba4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_283_29"}
+!224 = !{!225, !215}
+!225 = distinct !{!225, !226, !"_ZN12clpt_control6native9for_numba6at_endB3v34B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
+!226 = distinct !{!226, !"_ZN12clpt_control6native9for_numba6at_endB3v34B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
+!227 = !{!228, !215}
+!228 = distinct !{!228, !229, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29: %retptr"}
+!229 = distinct !{!229, !"_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29"}
+!230 = distinct !{!230, !7, !8}
+!231 = distinct !{!231, !7}

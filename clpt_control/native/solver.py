@@ -48,7 +48,8 @@ LONGEST, OPENING, STIFF_STEPS, OTHER_STEPS, DIAGONAL, WANTED = range(16, 22)
 # when a lane is looked at next, or after how many tries; whether it is; steps since, good and not
 NEXT, SPARE, LOOK, GOOD_ONES, BAD_ONES = range(22, 27)
 ASKED = 27  # whether a lane's own step is looked at for stiffness
-NUMBERS = 28  # rows of numbers
+WITHIN = 28  # how wrong states between a step's ends may be: above 1 no sample is taken there
+NUMBERS = 29  # rows of numbers
 MEMBER, EDGE, DONE, BURST, WHICH = range(5)  # rows of whole numbers
 STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of the counts
 # places of `code`: the diagram's functions, then the formulas; stage s stands at STAGE + s
@@ -169,7 +170,9 @@ def advance(
                     call(code[STAGE + s], numbers, Z, 0, P, T, W, D, 0)
                     call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + s) * span)
                 call(code[STAGE + STAGES], numbers, Z, 0, P, T, W, D, 0)
-            call(code[DENSE], numbers, Z, 0, P, T, W, D, 0)
+            call(code[DENSE], numbers, Z, 0, P, tolerances, W, D, 0)
+            if not implicit:
+                doubt(lanes, times, results, lane)
             if beyond:
                 cross(code, shape, decided, results, lane, arrays)
             if guarded:
@@ -361,7 +364,7 @@ def take(k, shape, runs, schedule, times, results, lane, Z, P):
         Z[i * lanes + k] = X0[m, i]
     numbers[TIME, k], numbers[END, k], numbers[STEP, k] = times[0], edges[group[m], 0], 0.0
     numbers[FRESH, k], numbers[REJECTED, k] = 1.0, 0.0
-    numbers[LAST, k], whole[BURST, k] = -math.inf, 0
+    numbers[LAST, k], whole[BURST, k], numbers[WANTED, k] = -math.inf, 0, math.inf
     numbers[GOOD_ONES, k], numbers[BAD_ONES, k], numbers[OTHER_STEPS, k] = 0.0, 0.0, 0.0
     if numbers[STIFF_STEPS, k] > -math.inf:
         numbers[STIFF_STEPS, k] = 0.0
@@ -375,6 +378,7 @@ def rest(k, shape, runs, numbers, Z):
         Z[i * lanes + k] = runs[0][0, i]
     numbers[TIME, k], numbers[STEP, k], numbers[END, k] = 0.0, 0.5, 1.0
     numbers[FRESH, k], numbers[REJECTED, k], numbers[NEXT, k] = 0.0, 0.0, -math.inf
+    numbers[WANTED, k] = math.inf
 
 
 def begin(lanes, results, lane, D, guarded):
@@ -488,7 +492,23 @@ def sample(shape, times, results, lane, Z, more):
                 else:
                     out[m, done, i] = between(Z, n, lanes, k, i, (times[done] - t) / h)
             done += 1
+            numbers[WANTED, k] = math.inf
         whole[DONE, k] = done
+
+
+def doubt(lanes, times, results, lane):
+    """Take a step again, up to its first sample, where states within it are not exact enough."""
+    counts, (numbers, whole, _) = results[3], lane
+    for k in range(lanes):
+        m, done = whole[MEMBER, k], whole[DONE, k]
+        if m < 0 or numbers[GOOD, k] < 0.5 or done >= len(times) or times[done] >= numbers[NEW, k]:
+            continue
+        if numbers[WITHIN, k] > 1.0:
+            numbers[GOOD, k], numbers[REJECTED, k], numbers[KINK, k] = 0.0, 0.0, 0.0
+            numbers[STEP, k], numbers[WANTED, k] = numbers[TAKEN, k], times[done]
+            counts[m, STEPS] -= 1
+            counts[m, REJECTIONS] += 1
+            counts[m, EVALUATIONS] += 3
 
 
 def watch(code, shape, results, lane, arrays):
