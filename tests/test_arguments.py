@@ -50,12 +50,13 @@ def test_a_scenario_refuses_what_it_does_not_know():
         clpt.Scenario(**SCENARIO.model_dump(exclude_none=True), duration=3)
 
 
+NAN, INF = float("nan"), float("inf")
 WRONG = {
-    "timepts": ("abc", ["a", "b"], [1.0, 0.0], [0.0, float("inf")]),
-    "initial_state": ("a", ["one"]),
+    "timepts": ("abc", ["a", "b"], [1.0, 0.0], [1.0], [0.0, 0.0], [0.0, NAN], [0.0, INF]),
+    "initial_state": ("a", ["one"], [1.0] * 15),
     "inputs": ("ab", [[1.0, 2.0]], [[1.0], [1.0, 2.0, 3.0]], lambda t: [t], lambda t: ["a"]),
-    "rtol": (-1.0, float("nan"), "small"),
-    "atol": (-1.0, float("nan"), "a"),
+    "rtol": (-1.0, NAN, "small"),
+    "atol": (-1.0, NAN, "a"),
     "params": ([1.0], "a", {"adaptation.gan": 1.0}),
 }
 

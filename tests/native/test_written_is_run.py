@@ -10,7 +10,6 @@ from typing import NamedTuple
 import control
 import numpy as np
 import pytest
-from responses import response
 
 import clpt_control as clpt
 from clpt_control.diagrams.interconnection import connect
@@ -237,22 +236,6 @@ def test_powers_of_a_counter():
 def test_a_table_from_its_end():
     p = Matrix(np.zeros((1, 1)), np.array([3.0, 5.0, 7.0]))
     alike(static(looks_from_the_end, 1, 3, p), u=[0.3], outputs=[7.0, 5.0, 5.0])
-
-
-def around(system):
-    return control.interconnect(
-        [system],
-        inplist=[f"{system.name}.u[0]"],
-        outlist=[f"{system.name}.y[0]"],
-        connections=False,
-        name="around",
-    )
-
-
-def test_continuous_systems_of_python_control_are_run():
-    system = around(control.ss([[-2.0]], [[1.0]], [[1.0]], 0, name="lag"))
-    found = response(system, [0.0, 1.0], 1.0)
-    assert found.outputs[0, -1] == pytest.approx((1 - math.exp(-2)) / 2, abs=1e-9)
 
 
 # --- what nobody writes twice ------------------------------------------------------------------

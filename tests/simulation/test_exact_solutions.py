@@ -136,19 +136,6 @@ def test_inputs_that_do_not_fit():
         clpt.simulate(PAPER, [0, 1], inputs=1.0)
 
 
-def test_initial_state_that_does_not_fit():
-    for model in (clpt.closed_loop(PAPER), PAPER):
-        with pytest.raises(SimulationError, match="initial_state"):
-            clpt.simulate(model, [0, 1], initial_state=np.ones(15))
-
-
-def test_a_short_initial_state_is_filled_as_python_control_fills_it():
-    loop = clpt.closed_loop(PAPER)
-    with pytest.warns(UserWarning, match="initial_state is too short: filled with zeros"):
-        run = clpt.simulate(loop, [0, 1], initial_state=[1.0, 2.0, 3.0])
-    np.testing.assert_array_equal(run.states[0], [1.0, 2.0, 3.0, *np.zeros(11)])
-
-
 def test_nan_input_of_a_callable_is_an_error():
     with pytest.raises(SimulationError, match="not finite"):
         clpt.simulate(decaying(), [0.0, 1.0], lambda t: [math.nan])
