@@ -188,20 +188,9 @@ def counting(t, x, u, p):
     return x * COUNT
 
 
-def remembering(t, x, u, p, seen=[]):  # noqa: B006
-    seen.append(x[0])
-    return [sum(seen), x[1]]
-
-
 UNREAD = {
-    "draws by chance": lambda t, x, u, p: x + np.random.default_rng().normal(),
     "update keeps": Relay().update,
     "changes the global 'COUNT'": counting,
-    "remembering keeps": remembering,
-    "counts with a signal": lambda t, x, u, p: [sum(1.0 for _ in range(int(x[0]))), 0.0],
-    "scipy": lambda t, x, u, p: (
-        __import__("scipy.optimize").optimize.brentq(lambda s: s**3 - x[0], -9.0, 9.0) * x
-    ),
     "more than 64 questions": lambda t, x, u, p: [_newton(x[0]), 0.0],
     "256 ways": lambda t, x, u, p: [sum(1.0 if x[0] > k else 2.0 for k in range(9)), 0.0],
 }
@@ -240,11 +229,3 @@ def test_a_global_changed_afterwards_counts_at_the_next_reading():
     assert "2.0" in str(record_of(space["rate"]).record)
     space["gain"] = 5.0
     assert "5.0" in str(record_of(space["rate"]).record)
-
-
-def test_the_order_of_operations_is_the_authors():
-    def quantised(t, x, u, p):
-        return [(x[0] + 1e16) - 1e16, (x[1] + u[0]) + u[1]]
-
-    kinds = [o.kind for o in record_of(quantised).record.operations if o.kind in ("add", "sub")]
-    assert kinds == ["add", "sub", "add", "add"]

@@ -164,24 +164,13 @@ def unknown_name(t, x, u, p):
     return wibble(u[0])  # noqa: F821
 
 
-def five(t, x, u, p):
-    return [1.0] * 5
-
-
-def none(t, x, u, p):
-    return None
-
-
 @pytest.mark.parametrize(
     ("function", "words"),
     [
         (beyond, r"line \d+: cannot be run: IndexError"),
         (unknown_port, r"line \d+: cannot be run: .*no port 'speed'; there are u"),
         (unknown_name, r"line \d+: cannot be run: NameError.*wibble"),
-        (five, "returns 5 numbers; must return 1"),
-        (none, r"returns nothing; must return \['y'\]"),
         (lambda t, x, u: u, "cannot be run: TypeError"),
-        (lambda t, x, u, p: {"z": u}, r"returns \['z'\]; must return \['y'\]"),
     ],
 )
 def test_a_mistake_is_told_where_the_block_is_made(function, words):

@@ -143,29 +143,6 @@ def test_terms_of_different_blocks_cancel_and_those_of_one_do_not():
             )
 
 
-def quantiser(t, x, u, p):
-    """Round to steps, in numbers and within a sum over an axis."""
-    big = 3.0 * 2.0**51
-    return {"x": (x.x + big) - big, "s": np.sum(((x.x + p.big) - p.big) * x.x)}
-
-
-def test_the_order_of_operations_within_a_function_is_kept():
-    block = Block(
-        "quantiser",
-        update=quantiser,
-        states={"x": "N", "s": 1},
-        parameters={"big": 3.0 * 2.0**51},
-        sizes={"N": 9},
-    )
-    x = np.append(np.linspace(-4.0, 4.3, 9), 0.0)
-    whole = np.rint(x[:9])
-    for name, ask in readings(block).items():
-        if name != "symbolic":
-            np.testing.assert_allclose(
-                ask(0.0, x, [])[0], [*whole, np.sum(whole * x[:9])], rtol=1e-14, err_msg=name
-            )
-
-
 def test_a_large_matrix_is_a_loop():
     import control
 
