@@ -157,6 +157,7 @@ print(clpt.simulate(scenario, engine="native").attrs["status"])
 """
 
 
+@pytest.mark.processes
 def test_two_processes_fill_it_at_once(folder):
     def start():
         return subprocess.Popen([sys.executable, "-c", RUN], stdout=-1, stderr=-1, text=True)

@@ -307,6 +307,7 @@ sys.stdout.write(repr(native.run_many(starts, [0.0, 45.0])[:, -1].tolist()))
 """
 
 
+@pytest.mark.slow
 def test_another_processor_gives_the_same_numbers():
     found = []
     for processor in ({}, {"CLPT_CONTROL_PROCESSOR": "generic"}):

@@ -199,7 +199,7 @@ def test_many_runs_begin_with_what_is_held():
 
 
 def test_a_part_of_one_signal_stands_for_two_in_a_scenario():
-    scenario = clpt.paper_scenario().with_values({"run.duration": 20})
+    scenario = clpt.paper_scenario().with_values({"run.duration": 2})
     lag = control.tf([0.5], [1, -0.5], 0.1, name="slow")
     loop = clpt.closed_loop(scenario, insert={("v_x", "vehicle"): lag})
     own = clpt.simulate(clpt.closed_loop(scenario, insert={("v_x", "vehicle"): lag}))
@@ -304,10 +304,10 @@ def held(t, x, u, p):
 @every_engine
 def test_the_law_of_the_paper_sampled_is_euler(engine):
     """Run by hand: the loop with alpha, K and Gamma as constants, from one sample to the next."""
-    scenario = clpt.paper_scenario().with_values({"run.duration": 12})
+    scenario = clpt.paper_scenario().with_values({"run.duration": 3})
     own = law_of(scenario)
     run = clpt.simulate(
-        clpt.closed_loop(scenario, law=Sampled(own, 1.0)), np.arange(13.0), engine=engine
+        clpt.closed_loop(scenario, law=Sampled(own, 1.0)), np.arange(4.0), engine=engine
     )
     values = {"alpha": np.zeros((2, 3)), "K": np.zeros(2), "Gamma": np.zeros(2)}
     constant = Block(
@@ -318,7 +318,7 @@ def test_the_law_of_the_paper_sampled_is_euler(engine):
         parameters=values,
     )
     loop, state = clpt.closed_loop(scenario, law=constant), np.zeros(4)
-    for k in range(12):
+    for k in range(3):
         given = {f"adaptation.{name}": value for name, value in values.items()}
         piece = clpt.simulate(loop, [k, k + 1.0], initial_state=state, params=given)
         np.testing.assert_allclose(run.alpha[k], values["alpha"], atol=1e-7)

@@ -240,8 +240,15 @@ def times_of(p, t0, t1):
     return every[(every > t0) & (every <= t1)]
 
 
-@pytest.mark.parametrize("engine", [NativeDiagram, PythonDiagram])
-@pytest.mark.parametrize("method", ["auto", "rodas5p"])
+@pytest.mark.parametrize(
+    ("engine", "method"),
+    [
+        (NativeDiagram, "auto"),
+        (NativeDiagram, "rodas5p"),
+        (PythonDiagram, "rodas5p"),
+        pytest.param(PythonDiagram, "auto", marks=pytest.mark.slow),
+    ],
+)
 def test_jumps_of_stiff_states(engine, method):
     """s falls to cos t at once, and is doubled each second."""
     block = Block(
