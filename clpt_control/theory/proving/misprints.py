@@ -18,6 +18,8 @@ from ...simulation.loops import error_loop
 from .symbolic_loop import symbolic_loop
 from .theorem_loop import theorem_loop, theorem_scenario
 
+Check = Callable[[bool], bool]
+
 
 @dataclass(frozen=True)
 class Misprint:
@@ -27,7 +29,7 @@ class Misprint:
     printed: str
     corrected: str
     check: str  # what tells them apart
-    holds: Callable[[bool], bool]  # holds(printed): whether the check passes on that form
+    holds: Check  # holds(printed): whether the check passes on that form
 
     @property
     def confirmed(self) -> bool:
@@ -62,11 +64,11 @@ def misprints() -> tuple[Misprint, ...]:
     return tuple(MISPRINTS)
 
 
-def misprint(*row: str) -> Callable[[Callable[[bool], bool]], Callable[[bool], bool]]:
-    """Return what lists a check as a misprint: equation, print, correction, what tells apart."""
+def misprint(equation: str, printed: str, corrected: str, check: str) -> Callable[[Check], Check]:
+    """Return what lists a check as a misprint."""
 
-    def listed(holds: Callable[[bool], bool]) -> Callable[[bool], bool]:
-        MISPRINTS.append(Misprint(*row, holds))
+    def listed(holds: Check) -> Check:
+        MISPRINTS.append(Misprint(equation, printed, corrected, check, holds))
         return holds
 
     return listed
