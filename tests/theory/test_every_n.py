@@ -10,9 +10,8 @@ from clpt_control.equations.block import Block
 from clpt_control.equations.derivative import derivative
 from clpt_control.equations.every_n import SUM, EveryN, base_and_term
 from clpt_control.theory.proving.array_loop import array_loop
-from clpt_control.theory.proving.lyapunov import rate_of_V, vanish
 from clpt_control.theory.proving.symbolic_loop import symbolic_loop
-from clpt_control.theory.proving.theorem_loop import theorem_loop
+from clpt_control.theory.proving.theorem_loop import rate_of_V, theorem_loop, vanish
 
 
 def reader(**shapes):

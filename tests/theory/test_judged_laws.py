@@ -4,8 +4,8 @@ import pytest
 import sympy
 
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.theory.proving import judged_laws
-from clpt_control.theory.proving.judged_laws import judged
+from clpt_control.theory.proving import judgement
+from clpt_control.theory.proving.judgement import judged_law
 from clpt_control.theory.proving.own_law import prove
 
 POINTS = 200
@@ -13,19 +13,19 @@ POINTS = 200
 
 @pytest.fixture(autouse=True)
 def few_points(monkeypatch):
-    monkeypatch.setattr(judged_laws, "POINTS", POINTS)
+    monkeypatch.setattr(judgement, "POINTS", POINTS)
 
 
 @pytest.mark.parametrize("name", LAWS)
 def test_every_law_may_stand_in_the_table(name):
-    found = judged(LAWS[name])
+    found = judged_law(LAWS[name])
     assert found.holds, found.claim
     assert any(step.how == "sampled" and step.holds for step in found.steps)
 
 
 def test_the_papers_laws_are_proved_for_every_N():
     for name, status in (("learned-flow", "proved"), ("known-flow", "bounded")):
-        found = judged(LAWS[name])
+        found = judged_law(LAWS[name])
         assert (found.status, found.for_every_N) == (status, True)
 
 
@@ -52,7 +52,7 @@ def test_a_wrong_law_would_not_stand_in_the_table():
     def backwards(t, x, u, p):
         return {port: -rate for port, rate in law.rates(t, x, u, p).items()}
 
-    found = judged(law._replace(rates=backwards))
+    found = judged_law(law._replace(rates=backwards))
     assert not found.holds
     assert "V' " in found.claim
 
@@ -61,6 +61,6 @@ def test_equations_that_cannot_be_read_leave_a_law_open():
     def unread(t, x, u, p):
         raise ValueError("no such equation")
 
-    found = judged(LAWS["learned-flow"]._replace(rates=unread))
+    found = judged_law(LAWS["learned-flow"]._replace(rates=unread))
     assert (found.status, found.holds) == ("open", False)
     assert "no such equation" in found.claim

@@ -3,12 +3,12 @@
 import pytest
 
 from clpt_control.blocks.laws.concurrent import LAW, take_in
-from clpt_control.theory.proving import judged_laws, kept_loop
+from clpt_control.theory.proving import judgement, kept_loop
 
 
 @pytest.fixture(autouse=True)
 def few_points(monkeypatch):
-    monkeypatch.setattr(judged_laws, "POINTS", 100)
+    monkeypatch.setattr(judgement, "POINTS", 100)
     monkeypatch.setattr(kept_loop, "SIZES", (1, 2))
 
 
@@ -42,16 +42,16 @@ def the_same(t, x, u, p):
     ],
 )
 def test_a_jump_that_breaks_the_proof_leaves_the_law_open(jump, said):
-    found = judged_laws.judged(LAW._replace(jump=jump))
+    found = judgement.judged_law(LAW._replace(jump=jump))
     assert found.status == "open"
     assert found.claim.startswith(said)
 
 
 def test_the_same_jump_is_proved():
-    assert judged_laws.judged(LAW._replace(jump=the_same)).status == "proved"
+    assert judgement.judged_law(LAW._replace(jump=the_same)).status == "proved"
 
 
 def test_of_a_law_of_which_errors_shrink_jumps_are_not_judged():
-    found = judged_laws.judged(LAW._replace(shrinking="sigma", says=""))
+    found = judgement.judged_law(LAW._replace(shrinking="sigma", says=""))
     assert found.status == "open"
     assert any("its states jump" in step.detail for step in found.steps)

@@ -8,7 +8,7 @@ import clpt_control as clpt
 from clpt_control.blocks.laws import covariance
 from clpt_control.blocks.laws.known import Truth
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.theory.proving import judged_laws, kept_loop
+from clpt_control.theory.proving import judgement, kept_loop
 
 KEEPING = [law for law in LAWS.values() if law.keeps is not None]
 NEEDED = {
@@ -28,7 +28,7 @@ DROPPED = [(law, port) for law in KEEPING for port in NEEDED[law.name]]
 
 @pytest.fixture(autouse=True)
 def few_points(monkeypatch):
-    monkeypatch.setattr(judged_laws, "POINTS", 100)
+    monkeypatch.setattr(judgement, "POINTS", 100)
     monkeypatch.setattr(kept_loop, "SIZES", (1, 2))  # all three in test_judged_laws
 
 
@@ -37,7 +37,7 @@ def test_without_a_relation_nothing_is_proved(law, port):
     def fewer(s, p, truth):
         return {key: value for key, value in law.keeps(s, p, truth).items() if key != port}
 
-    assert judged_laws.judged(law._replace(keeps=fewer)).status == "open"
+    assert judgement.judged_law(law._replace(keeps=fewer)).status == "open"
 
 
 @pytest.mark.parametrize("law", SHRINKING, ids=lambda law: law.name)
@@ -47,10 +47,10 @@ def test_a_law_is_bounded_only_where_every_error_shrinks(law):
         first = np.ravel(kept["alpha"])
         return {**kept, "alpha": [first[0], *s["alpha"][1:]]}
 
-    assert judged_laws.judged(law).status == "bounded"
-    assert judged_laws.judged(law._replace(keeps=fewer)).status == "open"
-    assert judged_laws.judged(law._replace(shrinking="q")).status == "open"
-    assert judged_laws.judged(law._replace(readout="b")).status == "open"
+    assert judgement.judged_law(law).status == "bounded"
+    assert judgement.judged_law(law._replace(keeps=fewer)).status == "open"
+    assert judgement.judged_law(law._replace(shrinking="q")).status == "open"
+    assert judgement.judged_law(law._replace(readout="b")).status == "open"
 
 
 @pytest.mark.parametrize("law", FALLING, ids=lambda law: law.name)
@@ -63,7 +63,7 @@ def test_a_wrong_rate_of_V_is_not_proved(law):
         return 2 * law.gains(s, p, truth)
 
     wrong = {"gains": twice_gained} if law.makes_estimate else {"losses": twice}
-    found = judged_laws.judged(law._replace(**wrong))
+    found = judgement.judged_law(law._replace(**wrong))
     assert found.status == "open"
     assert "left over" in found.claim
 
@@ -100,7 +100,7 @@ WITH_P = [law for law in KEEPING if law.over is not None]
 
 @pytest.mark.parametrize("law", WITH_P, ids=lambda law: law.name)
 def test_the_bounds_of_the_covariance_are_steps_of_the_proof(law):
-    said = [step.claim for step in judged_laws.judged(law).steps if step.holds]
+    said = [step.claim for step in judgement.judged_law(law).steps if step.holds]
     for bound in (
         "tr P <= k_0 is kept",
         "P^-1 >= rho P(0)^-1",
@@ -116,6 +116,6 @@ def test_a_covariance_that_may_pass_its_bound_is_not_proved(law, monkeypatch):
         return p.forgetting
 
     monkeypatch.setattr(covariance.forgetting, "__code__", unbounded.__code__)
-    found = judged_laws.judged(law)
+    found = judgement.judged_law(law)
     assert found.status == "open"
     assert any("tr P <= k_0" in step.claim and not step.holds for step in found.steps)

@@ -14,8 +14,7 @@ from clpt_control.simulation.loops import paper_blocks
 from clpt_control.theory.proving import limited_speed
 from clpt_control.theory.proving.limited_speed import LIMITS
 from clpt_control.theory.proving.proof import judged
-from clpt_control.theory.proving.running_blocks import RunningBlocks
-from clpt_control.theory.proving.running_rate import rate_along
+from clpt_control.theory.proving.running_rate import RunningBlocks, rate_along
 
 PAPER = clpt.paper_scenario()
 ESTIMATE = {"learning.theta_estimate": [[0.9, 0.5, 0.7], [1.0, 0.3, 0.9]]}

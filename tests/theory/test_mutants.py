@@ -19,10 +19,9 @@ from source_checks import CHECKS
 
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory.proving import (
-    judged_laws,
+    judgement,
     kept_loop,
     limited_speed,
-    team,
     theorem_loop,
     theorems,
 )
@@ -63,7 +62,7 @@ def reached(blocks):
 @cache
 def functions():
     """Every function that a block of the package runs."""
-    laws = [b for law in LAWS.values() for b in theorem_loop.law_and_V(law, judged_laws.N)]
+    laws = [b for law in LAWS.values() for b in theorem_loop.law_and_V(law, judgement.N)]
     return reached([*(block for _, block in package_blocks()), *laws])
 
 
@@ -115,13 +114,13 @@ def laws_of(function):
     """Name the laws whose equations or V have this function of a law's page."""
     if ".laws." not in function.__module__:
         return ()
-    made = {name: theorem_loop.law_and_V(law, judged_laws.N) for name, law in LAWS.items()}
+    made = {name: theorem_loop.law_and_V(law, judgement.N) for name, law in LAWS.items()}
     return tuple(name for name, two in made.items() if function in reached(two).values())
 
 
 @cache
 def judged_unaltered():
-    return {name: judged_laws.judged(law) for name, law in LAWS.items()}
+    return {name: judgement.judged_law(law) for name, law in LAWS.items()}
 
 
 def said(found):
@@ -139,14 +138,14 @@ def caught_by(function, which, first):
                 check()
             except Exception:  # whatever a wrong equation does
                 return check.__name__
-        for step in team.team_steps() if function.__module__.endswith(".team") else ():
+        for step in judgement.team_steps() if function.__module__.endswith(".team") else ():
             if not step.holds:
                 return f"team: {step.claim}"
         for sizes in (kept_loop.SIZES, ALL_SIZES):  # the largest only for what is left
             with pytest.MonkeyPatch.context() as patch:
                 patch.setattr(kept_loop, "SIZES", sizes)
                 for law in laws_of(function):
-                    found = judged_laws.judged(LAWS[law])
+                    found = judgement.judged_law(LAWS[law])
                     if said(found) != said(unaltered[law]):
                         return f"{law}: {found.claim}"
         for number in sorted(THEOREMS, key=lambda n: n != first):
@@ -185,9 +184,8 @@ def few_points(monkeypatch):
     """The exact steps come first; blocks are called at a few points only."""
     monkeypatch.setattr(theorems, "POINTS", 100)
     monkeypatch.setattr(theorems, "FEWER", 100)
-    monkeypatch.setattr(judged_laws, "POINTS", 100)
+    monkeypatch.setattr(judgement, "POINTS", 100)
     monkeypatch.setattr(limited_speed, "POINTS", 100)
-    monkeypatch.setattr(team, "POINTS", 100)
     monkeypatch.setattr(kept_loop, "SIZES", (1, 2))  # all three in test_judged_laws
 
 

@@ -23,7 +23,7 @@ from clpt_control.blocks.laws.table import LAWS as TABLE
 from clpt_control.simulation.loops import paper_blocks
 from clpt_control.theory.counterexamples.paper_system import with_square_wave
 from clpt_control.theory.counterexamples.scalar import burst_counterexample
-from clpt_control.theory.proving import refutation
+from clpt_control.theory.proving import verdict
 from clpt_control.theory.proving.own_law import prove
 from clpt_control.theory.proving.theorem_loop import theorem_candidate, theorem_scenario
 
@@ -201,7 +201,7 @@ def altered(function, which):
 @pytest.mark.parametrize("name", LAWS)
 def test_no_altered_law_passes_for_it(name, monkeypatch):
     """Every sign flipped and every term dropped: refuted, open, refused, or another set."""
-    monkeypatch.setattr(refutation, "DRAWS", 2)  # refuted or open, both are not bounded
+    monkeypatch.setattr(verdict, "DRAWS", 2)  # refuted or open, both are not bounded
     right = judged(name)
     passed, tried = [], 0
     for function in FUNCTIONS[name]:

@@ -6,7 +6,7 @@ from strait import DIFFERENT, ROW, team, vehicle
 
 import clpt_control as clpt
 from clpt_control.blocks import team as blocks
-from clpt_control.theory.proving.team import GRAPHS, judged_team, team_steps
+from clpt_control.theory.proving.judgement import GRAPHS, judged_team, team_steps
 
 
 def test_the_team_is_proved_for_every_N():

@@ -5,7 +5,7 @@ import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from clpt_control.theory.proving.vanishing import vanishes
+from clpt_control.theory.proving.signs import vanishes
 
 x, y, z = sympy.symbols("x y z", real=True)
 f = sympy.Function("f")(x)

@@ -25,8 +25,15 @@ from ...equations.elements import Index
 from ...equations.every_n import EveryN
 from ...equations.record import Shape
 from ...errors import DiagramError
-from .paper_symbols import SCALARS, element_name, parameter_names, parameter_symbol, state_names
-from .undefined import extent, undefined
+from .symbols import (
+    SCALARS,
+    element_name,
+    extent,
+    parameter_names,
+    parameter_symbol,
+    state_names,
+    undefined,
+)
 
 LONGEST, DEEPEST = 5_000, 30  # parts and levels of an expression
 TIME = sympy.Symbol("t", real=True)

@@ -21,9 +21,9 @@ from ...diagrams.interconnection import connect
 from ...simulation.loops import paper_blocks
 from .kept_loop import exact_step
 from .proof import Step, checked
+from .signs import vanishes
 from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import law_and_V, theorem_scenario
-from .vanishing import vanishes
 
 SIZES = (1, 2)  # numbers of functions; 3 takes half a minute, in a slow test
 SEND, ARRIVE = 1, 2  # intervals that begin with a fix, and with its arrival

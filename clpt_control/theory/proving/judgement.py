@@ -1,4 +1,16 @@
-"""All that `clpt prove` judges, part by part, and what the same prover said of it before.
+"""All that `clpt prove` judges, part by part: theorems, laws, a team; and what was said before.
+
+Every law of the table is judged with its own V on the equations that run.  One with
+V' <= -e^T KD e is proved; one with V' <= -e^T KD e + what is bounded is bounded, and the set that V
+comes to is said.  A law that is given an estimate of the flow has the V' of Theorem 3.1, and is
+bounded in the mean square by the error of the estimate.  A law that learns at fixes keeps V from
+rising there.  Of a team V is the sum of the vehicles' V,
+
+    V' = -sum_i e_i^T KD_i e_i - (kappa/gamma) sum |alpha_i - alpha_j|^2    over the edges (i, j)
+
+Each vehicle has its own phi, zc, KD, GammaD and alpha_M; theta, gamma and kappa are one.  Shown
+for two vehicles, three in a row and three in a circle, exactly for every N.  As V
+never rises, e goes to zero by the lemma of Theorem 3.2 and neighbours agree likewise.
 
 Verdicts are kept in the user's cache.  The file's name is a digest of all that a verdict depends
 on: the package's own files, the versions of what they stand on, the processor and the engine, by
@@ -9,6 +21,7 @@ on other equations is never found.
 import hashlib
 import os
 import platform
+from collections.abc import Iterator
 from contextlib import suppress
 from datetime import UTC, datetime
 from functools import cache
@@ -16,27 +29,166 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import numpy as np
+
+from ...blocks.laws.law import Law
 from ...blocks.laws.table import LAWS
+from ...blocks.lyapunov import lyapunov_candidate, one_gain
+from ...blocks.team import total_candidate
+from ...diagrams.interconnection import Diagram, connect
 from ...equations.block import Block
+from ...equations.namespaces import named, split, within
 from ...errors import ClptError, DataError
 from ...files import write_text
 from ...files.user_cache import cache_folder, trusted
 from ...native.engines import VARIABLE
 from ...native.processor import processor
+from ...scenario.team import LAW, Team
 from ...simulation.loops import error_loop, paper_blocks
 from ...simulation.teams import team_blocks
-from .judged_laws import judged as judged_law
+from .fixes import fix_steps
+from .kept_relations import GIVEN, kept_steps, shrinking_steps
 from .limited_speed import LIMITS
 from .misprints import misprints
-from .proof import Proof, judged
-from .team import GRAPHS, judged_team, team_of
-from .theorem_loop import law_and_V, theorem_scenario
+from .own_law import prove
+from .proof import Proof, Step, first_failure, judged, where_all_hold
+from .running_rate import running_step
+from .symbolic_loop import symbolic_loop
+from .theorem_loop import (
+    SOURCES,
+    Loop,
+    decay_and_known_error,
+    identity_steps,
+    law_and_V,
+    rate_of_V,
+    theorem_scenario,
+    zero_step,
+)
 from .theorems import THEOREMS
+
+POINTS = 1_000  # at which the running blocks are called
+N = 2  # functions; a proof for every N says so
+MEAN = f"{GIVEN}: in the mean |e| <= |(theta - theta_hat) phi| over the least of KD"
+
+
+def judged_law(law: Law) -> Proof:
+    """Judge one law; equations that cannot be read leave it open."""
+    return judged("open", lambda: _of_law(law))
+
+
+def _of_law(law: Law) -> Proof:
+    if law.shrinking:
+        claim = f"V' = {law.says}: in the mean |e| <= |eta phi| over the least of KD"
+        return where_all_hold("bounded", claim, shrinking_steps(law, POINTS))
+    if law.at_fixes:  # V does not rise, but CLPE is only what fixes leave
+        claim = f"V' = {law.says}; |eta_k| <= (2 V(0) P_kk)^(1/2)/r"
+        return where_all_hold("bounded", claim, fix_steps(law, POINTS))
+    if law.keeps is not None:
+        status, claim = "proved", f"V' <= {law.says}, so CLPE goes to zero"
+        if law.makes_estimate:
+            status, claim = "bounded", f"{MEAN}, and {law.says}"
+        elif law.push is not None:
+            status, claim = "bounded", f"V' <= {law.says}: {law.comes_to}"
+        return where_all_hold(status, claim, kept_steps(law, POINTS))
+    if law.given_estimate:
+        steps = identity_steps(GIVEN, law.name, decay_and_known_error, POINTS)
+        return where_all_hold("bounded", MEAN, steps)
+    verdict = prove(*law_and_V(law, N), points=POINTS)
+    sign = "=" if verdict.residual == 0 else "<="
+    claim = verdict.reached or f"V' {sign} -e^T KD e, so CLPE goes to zero"
+    if verdict.status not in ("proved", "bounded"):
+        claim = first_failure(verdict.steps) or "V' is not known to fall"
+    return Proof(verdict.status, claim, verdict.for_every_N, verdict.steps)
+
+
+GRAPHS = {
+    "two vehicles": (("a", "b"),),
+    "three in a row": (("a", "b"), ("b", "c")),
+    "three in a circle": (("a", "b"), ("b", "c"), ("a", "c")),
+}
+CITED = (
+    "where the pooled Gramian is positive definite in every window alike, the flow parameters of "
+    "all vehicles go to theta exponentially (Chen, Wen, Hua and Sun 2014, IEEE Transactions on "
+    "Automatic Control 59(1))"
+)
+COUPLING = 0.6  # stands for any kappa > 0
+CLAIM = "V' = -sum e^T KD e - (kappa/gamma) sum over edges |alpha_i - alpha_j|^2"
+
+
+def judged_team() -> Proof:
+    """Judge the law of a team; equations that cannot be read leave it open."""
+    claim = f"{CLAIM}, so CLPE goes to zero and the vehicles agree"
+    return where_all_hold("proved", claim, team_steps(), CITED)
+
+
+def team_steps() -> Iterator[Step]:
+    """Yield the steps of the proof one by one."""
+    for name, edges in GRAPHS.items():
+        yield zero_step(
+            f"{CLAIM}, {name}, every N",
+            lambda edges=edges: team_diagram(edges, N),  # type: ignore[misc]
+            lambda loop, edges=edges: [rate_of_V(loop) - claimed_rate(loop, edges)],  # type: ignore[misc]
+        )
+    yield same_rate_step("three in a row")
+
+
+def same_rate_step(graph: str) -> Step:
+    """Check that the running blocks give the same V'."""
+
+    def read() -> tuple:
+        loop = symbolic_loop(diagram := team_diagram(GRAPHS[graph], N))
+        return diagram, loop, claimed_rate(loop, GRAPHS[graph])
+
+    return running_step(read, POINTS, f", {graph}")
+
+
+def team_of(edges: tuple[tuple[str, str], ...], N: int) -> Team:
+    """Return a team on a graph whose vehicles differ in all that may differ."""
+    names = sorted({name for edge in edges for name in edge})
+    members = {
+        name: theorem_scenario(N, LAW).with_values(
+            {
+                "vehicle.feedback": [1.0 + 0.3 * k, 0.7 + 0.2 * k],
+                "vehicle.feedforward": [1.2 - 0.4 * k, -0.5 - 0.1 * k],
+            }
+        )
+        for k, name in enumerate(names)
+    }
+    return Team(members=members, edges=edges, coupling=COUPLING)
+
+
+def team_diagram(edges: tuple[tuple[str, str], ...], N: int) -> Diagram:
+    """Wire a team with its V; phi_x, phi_z and zc of each vehicle are inputs."""
+    team = team_of(edges, N)
+    blocks = team_blocks(team)
+    sources = [block for block in blocks if split(block.name)[1] in SOURCES]
+    external = [port for block in sources for port in block.output_ports]
+    blocks = [block for block in blocks if block not in sources]
+    for name, scenario in team.members.items():
+        truth = (scenario.flow.parameters, scenario.vehicle.feedback, scenario.vehicle.feedforward)
+        p = one_gain(scenario.learning.used_gains.parameters, *map(np.array, truth))
+        blocks.append(within(lyapunov_candidate(LAW, p), name))
+    return connect([*blocks, total_candidate(list(team.members))], external, name="team")
+
+
+def claimed_rate(loop: Loop, edges: tuple[tuple[str, str], ...]) -> Any:
+    """Return what is claimed of V'."""
+    p, signals = loop.parameters, loop.signals
+    kappa, gamma = p[named("a", "consensus")].coupling, p[named("a", "adaptation")].gain
+    falls = [
+        np.sum(p[named(name, "vehicle_controller")].KD * signals[named(name, "e")] ** 2)
+        for name in sorted({name for edge in edges for name in edge})
+    ]
+    apart = [
+        np.sum((signals[named(one, "alpha")] - signals[named(other, "alpha")]) ** 2)
+        for one, other in edges
+    ]
+    return -sum(falls) - kappa / gamma * sum(apart)
+
 
 PACKAGE = Path(__file__).parents[2]
 STOOD_ON = ("clpt-control", "control", "numpy", "scipy", "sympy", "llvmlite")
 KEPT = 4  # files of other versions that stay
-N = 2  # functions of the equations that are looked at
 Verdict = Proof | list[dict[str, Any]]  # of misprints the rows of a table
 
 

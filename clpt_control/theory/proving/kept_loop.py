@@ -2,7 +2,7 @@
 
 A row of the table says which relations the states `keep` (state = expression of the others), which
 matrices, its `cones`, are not negative, what V' `losses` are and what is a `push`.  `Kept` answers
-what is asked of them for one N; `kept_relations` and `shrinking_errors` put the answers together.
+what is asked of them for one N; `kept_relations` puts the answers together.
 """
 
 from collections.abc import Callable, Iterable, Set
@@ -16,14 +16,12 @@ from sympy.core.function import AppliedUndef
 from ...blocks.laws.law import Law, Truth
 from ...equations.block import Block
 from .array_loop import TIME
-from .lyapunov import Claim
 from .proof import Step, checked, short
-from .quadratic_forms import nonpositive, positive_maximum
 from .running_rate import running_step
+from .signs import left_over, nonpositive, positive_maximum, vanishes
 from .symbolic_loop import SymbolicLoop, symbolic_loop
-from .theorem_loop import Hedging, law_and_V, law_loop, theorem_scenario
-from .undefined import extent
-from .vanishing import left_over, vanishes
+from .symbols import extent
+from .theorem_loop import Claim, Hedging, law_and_V, law_loop, theorem_scenario
 
 SIZES = (1, 2, 3)  # numbers of functions
 
@@ -210,7 +208,7 @@ class Kept:
         return all(nonpositive(-part, self.apart | more, {}) for part in parts)
 
     def within(self, expression: sympy.Expr) -> bool:
-        """Return whether an expression is 1 - tr P/k_0, which `covariance_bounds` keeps."""
+        """Return whether an expression is 1 - tr P/k_0, which the covariance keeps."""
         if self.held is None:
             return False
         trace = sum(self.cones["P"].diagonal())

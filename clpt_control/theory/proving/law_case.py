@@ -16,16 +16,12 @@ from ...equations.elements import Index
 from ...equations.every_n import base_and_term, renamed
 from ...errors import DiagramError
 from .array_loop import TIME, array_loop
-from .dead_zones import DeadZones
-from .law_gains import own_values, refuse_no_value
-from .leaks import Bound, Leaking, delta_bounds, leaks_of, pull_bound
-from .lyapunov import decay, rate_of_V
-from .own_states import faster_than_linear
+from .leaks import Bound, DeadZones, Leaking, delta_bounds, leaks_of, pull_bound
 from .proof import Step, checked, short
-from .quadratic_forms import nonpositive, pulled, tidied
-from .running_rate import numeric, running_step
-from .symbolic_loop import SymbolicLoop, symbolic_loop
-from .theorem_loop import theorem_loop
+from .running_rate import running_step
+from .signs import faster_than_linear, nonpositive, pulled, tidied
+from .symbolic_loop import SymbolicLoop, numeric, own_values, refuse_no_value, symbolic_loop
+from .theorem_loop import decay, rate_of_V, theorem_loop
 
 TRIED = 100  # points at which a sign is looked at before it is proved
 SMALL = 1e-6  # of the largest value there; less may be rounding

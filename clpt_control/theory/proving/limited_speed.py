@@ -25,13 +25,22 @@ from ...diagrams.interconnection import Diagram, connect
 from ...equations.arrays import Unread
 from ..counterexamples.paper_system import limited_speed_counterexample
 from .array_loop import ArrayLoop, array_loop
-from .boundedness import definite_step, dissipation_step, wanted_rates, young_step
 from .kept_loop import Kept
-from .lyapunov import WIRED, decay, identity_steps, rate_of_V, zero_step
+from .lemmas import definite_step, dissipation_step, wanted_rates, young_step
 from .proof import Proof, checked, theorem
+from .signs import left_over, vanishes
 from .symbolic_loop import symbolic_loop
-from .theorem_loop import Hedging, law_and_V, law_loop, theorem_loop
-from .vanishing import left_over, vanishes
+from .theorem_loop import (
+    WIRED,
+    Hedging,
+    decay,
+    identity_steps,
+    law_and_V,
+    law_loop,
+    rate_of_V,
+    theorem_loop,
+    zero_step,
+)
 
 POINTS = 1_000  # at which the running blocks are called
 N = 2  # functions, for each law of the table

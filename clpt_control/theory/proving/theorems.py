@@ -19,11 +19,16 @@ from ..counterexamples.paper_system import (
     unlearned_counterexample,
 )
 from ..counterexamples.scalar import square_wave_counterexample
-from .boundedness import convergence_steps, definite_step, dissipation_step, young_step
-from .circle import circle_step
-from .lyapunov import decay, decay_and_disturbance, decay_and_known_error, identity_steps
-from .observability import observability_steps
+from .lemmas import (
+    circle_step,
+    convergence_steps,
+    definite_step,
+    dissipation_step,
+    observability_steps,
+    young_step,
+)
 from .proof import Proof, Step, checked, cited, judged, theorem
+from .theorem_loop import decay, decay_and_disturbance, decay_and_known_error, identity_steps
 
 POINTS = 10_000  # at which the running blocks are called for Theorem 3.2
 FEWER = 1_000  # for 3.1 and 3.4, whose blocks are the same but for one

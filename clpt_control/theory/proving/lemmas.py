@@ -1,0 +1,308 @@
+"""The steps behind the theorems: signals are bounded, the errors observable, a circle excites.
+
+Theorem 3.2:
+
+    x' = (theta - alpha_M) phi - KD x + GammaD zc              Eq. (9)
+    z  = x - e
+    e' = -KD e + W^T eta,    V'' = -2 e^T KD e'
+    g = -V' >= 0,  int g dt <= V(0),  |g'| <= B                so g -> 0
+
+V of Eq. (24) bounds e and eta; x is bounded by Eq. (9), stable and linear in x but for
+the bounded phi; z = x - e then is bounded, and so are e' and V''.  The print bounds z by
+calling Eq. (8) "linear with sinusoidal inputs", which is no argument: its gains adapt.
+The last line is what Barbalat's lemma says: wherever g = eps, it stays above
+eps - B s for the time eps/B, which takes eps^2/(2 B) out of int g dt <= V(0).
+
+Theorem 3.3, X' = A(t) X of Eq. (28):
+
+    A(t) = [[-KD, W^T], [-gamma W, 0]],  X = (e, eta),  Y = e
+    P = diag(I, I/gamma)/2:   (X^T P X)' = -e^T KD e
+    L = [0; gamma W]:         A + L C = [[-KD, W^T], [0, 0]]
+
+Output injection by L keeps -KD in the first block.  Then e is W^T eta filtered by
+(s I + KD)^{-1}, and (C, A) is uniformly completely observable where the JOINT regressor,
+of Eq. (31), is persistently exciting (Ioannou and Sun, Robust Adaptive Control, 1996,
+lemmas 4.8.1 to 4.8.4 and theorem 3.4.8, as the paper cites them).  Exponential stability
+follows.
+
+Waypoints on a circle, section IV:
+
+    int zc zc^T dt = (n tau r^2 / 2) I            n >= 3 waypoints, one cycle
+
+The sums go through roots of unity: cos^2 a = (1 + cos 2a)/2, and the sum of
+exp(4 pi i j / n) over j vanishes exactly where its ratio is not 1, n >= 3.
+"""
+
+from typing import Any
+
+import numpy as np
+import sympy
+
+from ...diagrams.interconnection import Diagram
+from ...equations.arrays import operand
+from ...equations.derivative import derivative
+from ...simulation.loops import error_loop
+from .array_loop import ArrayLoop, array_loop
+from .proof import Step, checked, cited
+from .theorem_loop import (
+    WIRED,
+    decay,
+    known_positive,
+    rate_of_V,
+    theorem_loop,
+    theorem_scenario,
+    vanish,
+    zero_step,
+)
+
+Errors = dict[str, Any]
+
+
+def learned() -> Diagram:
+    """Return the learned-flow law's loop."""
+    return theorem_loop(WIRED, "learned-flow")
+
+
+def errors(loop: ArrayLoop) -> Errors:
+    """Return e and eta: theta + alpha, K - KD and GammaD - Gamma."""
+    p, s, car = loop.parameters, loop.states, loop.parameters["vehicle_controller"]
+    found = {"e": s["x"] - s["z"], "eta_3": s["K"] - car.KD, "eta_4": car.GammaD - s["Gamma"]}
+    return {**found, "eta": p["true_flow"].theta + s["alpha"]} if "alpha" in s else found
+
+
+def definite_step(law: str) -> Step:
+    """Check that V is positive definite in e and the errors, every N."""
+    equation = "(17)" if law == "known-flow" else "(24)"
+
+    def rest(loop: ArrayLoop) -> list[Any]:
+        p, own = loop.parameters["lyapunov"], errors(loop)
+        gains = {"e": 1.0, "eta": p.gain, "eta_3": p.gain_K, "eta_4": p.gain_Gamma}
+        for name in own:
+            known_positive(loop, "a gain", gains[name])
+        squares = (np.sum(error**2 / gains[name]) for name, error in own.items())
+        return [loop.signals["V"][0] - sum(squares) / 2]
+
+    return zero_step(
+        f"V of Eq. {equation} is positive definite in e and the parameter errors, and radially "
+        "unbounded: half the sum of their squares, each with a positive weight",
+        lambda: theorem_loop(WIRED, law),
+        rest,
+    )
+
+
+def dissipation_step() -> Step:
+    """Check that -e^T KD e is not positive where KD > 0."""
+
+    def rest(loop: ArrayLoop) -> list[Any]:
+        known_positive(loop, "KD", loop.parameters["vehicle_controller"].KD)
+        return [rate_of_V(loop) - decay(loop)]
+
+    return zero_step("V' <= 0: -e^T KD e is negative definite in e for KD > 0", learned, rest)
+
+
+def young_step() -> Step:
+    """Check e d <= k e^2/2 + d^2/(2k), for the mean square."""
+    k = sympy.Symbol("k", positive=True)
+    e, d = sympy.symbols("e d", real=True)
+    rest = k * e**2 / 2 + d**2 / (2 * k) - e * d
+    return checked(
+        "-k e^2 + e d <= -k e^2/2 + d^2/(2k): what is left is (k/2)(e - d/k)^2; its integral "
+        "bounds the mean square",
+        "exact",
+        lambda: sympy.expand(rest - k * (e - d / k) ** 2 / 2) == 0,
+    )
+
+
+def error_rates(own: Errors, KD: Any, gamma: Any, phi: Any, z: Any, zc: Any) -> Errors:
+    """Return e' = -KD e + W^T eta, Eq. (27) with z eta_3, and eta' = -gamma W e, Eq. (28)."""
+    e = own["e"]
+    return {
+        "e": -KD * e + own["eta"] @ phi + z * own["eta_3"] + zc * own["eta_4"],
+        "eta": -gamma * np.outer(e, phi),
+        "eta_3": -gamma * z * e,
+        "eta_4": -gamma * zc * e,
+    }
+
+
+def wanted_rates(loop: ArrayLoop) -> Errors:
+    """Return the rates of the closed loop's errors as the paper has them."""
+    p, inputs = loop.parameters, loop.inputs
+    given = inputs["phi_x"], loop.states["z"], inputs["zc"]
+    return error_rates(errors(loop), p["vehicle_controller"].KD, p["adaptation"].gain, *given)
+
+
+def convergence_steps() -> list[Step]:
+    """Check the chain of Theorem 3.2 after V' = -e^T KD e."""
+
+    def vehicle_stable(loop: ArrayLoop) -> list[Any]:
+        car, theta = loop.parameters["vehicle_controller"], loop.parameters["true_flow"].theta
+        known_positive(loop, "KD", car.KD)
+        driven = (theta - car.alpha_M) @ loop.inputs["phi_x"] + car.GammaD * loop.inputs["zc"]
+        return [loop.rates["x"] - (driven - car.KD * loop.states["x"])]
+
+    def second(loop: ArrayLoop) -> list[Any]:
+        KD, e = loop.parameters["vehicle_controller"].KD, loop.signals["e"]
+        slope = -2 * np.sum(KD * e * loop.derivative(e))
+        return [loop.derivative(rate_of_V(loop)) - slope]
+
+    def squeezed() -> bool:
+        eps, B, s = sympy.symbols("epsilon B s", positive=True)
+        taken = sympy.integrate(eps - B * s, (s, 0, eps / B))
+        return sympy.simplify(taken - eps**2 / (2 * B)) == 0 and bool(taken.is_positive)
+
+    return [
+        zero_step(
+            "Eq. (9): x' + KD x holds only phi and zc, so x is bounded", learned, vehicle_stable
+        ),
+        zero_step(
+            "z = x - e, so z is bounded where x and e are",
+            learned,
+            lambda loop: [loop.signals["e"] - errors(loop)["e"]],
+        ),
+        zero_step(
+            "e' = -KD e + W^T eta, products of bounded signals",
+            learned,
+            lambda loop: [loop.derivative(loop.signals["e"]) - wanted_rates(loop)["e"]],
+        ),
+        zero_step(
+            "V'' = -2 e^T KD e' holds no derivative of phi or zc, so it is bounded by some B",
+            learned,
+            second,
+        ),
+        checked(
+            "where g = -V' reaches eps, V loses int_0^(eps/B) (eps - B s) ds = eps^2/(2B) > 0: "
+            "that can happen finitely often only, so V' -> 0",
+            "exact",
+            squeezed,
+        ),
+    ]
+
+
+def error_diagram() -> Diagram:
+    """Return the error and parameter systems, Eqs. (27)-(28)."""
+    return error_loop(theorem_scenario(WIRED, "learned-flow"))
+
+
+def own_rates(parts: ArrayLoop) -> Errors:
+    """Return what Eqs. (27)-(28) say of the states of the error system."""
+    p, inputs = parts.parameters, parts.inputs
+    given = inputs["phi_x"], inputs["z"], inputs["zc"]
+    return error_rates(parts.states, p["error_system"].KD, p["parameter_system"].gain, *given)
+
+
+def same_dynamics() -> tuple[bool, str]:
+    """Return whether Eqs. (27)-(28) are the closed loop's own, and the error system's, every N."""
+    loop, parts = array_loop(learned()), array_loop(error_diagram())
+    wanted, own = wanted_rates(loop), own_rates(parts)
+    pairs = (loop.derivative(error) - wanted[name] for name, error in errors(loop).items())
+    holds, said = vanish(loop, pairs)
+    if not holds or own.keys() != parts.rates.keys():
+        return False, said
+    return vanish(parts, (parts.rates[name] - rate for name, rate in own.items()))
+
+
+def observability_steps() -> list[Step]:
+    """Check the algebra of Theorem 3.3."""
+
+    def decays(parts: ArrayLoop) -> list[Any]:
+        KD, gamma = parts.parameters["error_system"].KD, parts.parameters["parameter_system"].gain
+        squares = {name: np.sum(state**2) for name, state in parts.states.items()}
+        e = squares.pop("e")
+        V = (e + sum(squares.values()) / gamma) / 2
+        return [parts.derivative(V) + np.sum(KD * parts.states["e"] ** 2)]
+
+    def injection(parts: ArrayLoop) -> list[Any]:
+        """Return eta' + gamma W e along any d, W^T d read off e': e^T W^T d = (W e)^T d."""
+        gamma, e = parts.parameters["parameter_system"].gain, parts.states["e"]
+        along = {name: parts.direction(name) for name in parts.states if name != "e"}
+        seen = {operand(parts.states[name]): d for name, d in along.items()}
+        We = e @ derivative(parts.tape, parts.rates["e"], seen)
+        return [sum(np.sum(parts.rates[name] * d) for name, d in along.items()) + gamma * We]
+
+    def filtered() -> bool:
+        """Return whether variation of constants solves one axis of the injected system."""
+        k, s, t, c = sympy.symbols("k s t c", positive=True)
+        w, eta, e0 = sympy.Function("w"), sympy.Symbol("eta"), sympy.Symbol("e_0")
+        response = sympy.Integral(sympy.exp(-k * (s - c)) * w(c), (c, t, s))
+        Y = sympy.exp(-k * (s - t)) * e0 + response * eta
+        rate = sympy.diff(Y, s)
+        return (
+            sympy.simplify((rate + k * Y - w(s) * eta).expand()) == 0 and Y.subs(s, t).doit() == e0
+        )
+
+    return [
+        checked(
+            "Eqs. (27)-(28) with z eta_3 are the closed loop's e' and eta'", "exact", same_dynamics
+        ),
+        zero_step("(X^T P X)' = -e^T KD e with P = diag(I, I/gamma)/2", error_diagram, decays),
+        zero_step(
+            "L = [0; gamma W] gives A + L C = [[-KD, W^T], [0, 0]]", error_diagram, injection
+        ),
+        checked(
+            "the injected output is [exp(-k(s-t)) I, filtered W^T] X: the observability "
+            "Gramian is int R^T R with R that row",
+            "exact",
+            filtered,
+        ),
+        cited(
+            "a filtered regressor is exciting where W is, output injection keeps observability, "
+            "and a V that falls with an observable output falls exponentially",
+            "Ioannou and Sun 1996, lemmas 4.8.1 to 4.8.4, theorem 3.4.8",
+        ),
+    ]
+
+
+def _zero(expression: sympy.Expr) -> bool:
+    """Return whether trigonometric terms cancel, as sums of exponentials."""
+    return sympy.simplify(sympy.expand(sympy.expand(expression).rewrite(sympy.exp))) == 0
+
+
+def telescopes() -> bool:
+    """Return whether sum_{j<n} q^j = (1 - q^n)/(1 - q), by induction."""
+    n, q = sympy.Symbol("n", integer=True, positive=True), sympy.Symbol("q")
+
+    def partial(count: sympy.Expr) -> sympy.Expr:
+        return (1 - q**count) / (1 - q)
+
+    step = partial(n + 1) - partial(n) - q**n
+    return _zero(partial(sympy.Integer(1)) - 1) and sympy.simplify(step) == 0
+
+
+def root_of_unity() -> bool:
+    """Return whether q = exp(4 pi i/n) is a root of 1, not 1, n > 2."""
+    n = sympy.Symbol("n", integer=True, positive=True)
+    m = sympy.Symbol("m", integer=True, nonnegative=True)
+    q = sympy.exp(4 * sympy.pi * sympy.I / n)
+    angle = 2 * sympy.pi / (m + 3)  # n = m + 3: between 0 and pi, where the sine is not zero
+    below_pi = sympy.factor(sympy.together(sympy.pi - angle))
+    distance = sympy.expand((1 - sympy.cos(2 * angle)) ** 2 + sympy.sin(2 * angle) ** 2)
+    return (
+        sympy.powsimp(q**n, force=True).equals(1) is True
+        and bool(angle.is_positive and below_pi.is_positive)
+        and _zero(distance - 4 * sympy.sin(angle) ** 2)
+        and q.subs(n, 2) == 1
+    )
+
+
+def entries() -> bool:
+    """Return whether cos^2, sin^2, cos sin are parts of exp(2 i a)."""
+    a = sympy.Symbol("a", real=True)
+    re, im = sympy.re(sympy.exp(2 * sympy.I * a)), sympy.im(sympy.exp(2 * sympy.I * a))
+    cosine, sine = sympy.cos(a), sympy.sin(a)
+    return (
+        _zero(cosine**2 - (1 + re) / 2)
+        and _zero(sine**2 - (1 - re) / 2)
+        and _zero(cosine * sine - im / 2)
+    )
+
+
+def circle_step() -> Step:
+    """Prove the Gramian (n tau r^2/2) I of points on a circle."""
+    return checked(
+        "n >= 3 waypoints on a circle excite: int zc zc^T dt = (n tau r^2/2) I over a cycle",
+        "exact",
+        lambda: (
+            telescopes() and root_of_unity() and entries(),
+            "cos^2 a = (1 + Re q^j)/2 and so on, a = 2 pi j/n; q^n = 1 and q != 1, so sum q^j = 0",
+        ),
+    )
