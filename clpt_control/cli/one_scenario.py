@@ -7,7 +7,6 @@ from typing import Annotated
 import typer
 
 from ..errors import ClptError
-from ..html.text import Result
 from .help_pages import arg, one_of, opt
 from .printing import Formats, Json, ScenarioFile, finish
 
@@ -61,6 +60,7 @@ def paper(
     """
     from ..figures import checked_formats
     from ..files import make_folder
+    from ..pages.run_words import claims_result
     from ..progress import progress_bar
     from ..scenario.file import paper_scenario
     from ..simulation.report import claims, run_and_report
@@ -74,10 +74,8 @@ def paper(
     save_run(run, folder / "run.nc")
     drawn = save_figures(fine, folder, kinds)
     summary["claims"] = claims(summary)
-    rows = [list(claim.values()) for claim in summary["claims"]]
     said = [f"{folder}: {drawn[0].name} to {drawn[-1].name}, run.nc"]
-    columns = ["claim", "criterion", "measured", "verdict"]
-    finish(Result("Claims of section IV", columns, rows, said), summary, as_json)
+    finish(claims_result(summary["claims"])._replace(sentences=said), summary, as_json)
 
 
 def run(

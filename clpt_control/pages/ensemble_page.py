@@ -9,9 +9,8 @@ from ..ensemble.spread import ensemble_plot, ensemble_summary
 from ..ensemble.varied_keys import Vary, read_vary
 from ..figures import figure_of
 from ..html.text import Result, folded, listing, paragraphs, table
-from .page import Beside, Card, Drawn, Page, Section, narrow
+from .page import Beside, Card, Drawn, Page, Section, again_section, narrow
 from .run_words import number
-from .versions import again_section
 
 if TYPE_CHECKING:
     import xarray

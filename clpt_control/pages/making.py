@@ -86,6 +86,7 @@ def check_page(file: str | Path) -> Path:
 def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
     """Return the page of a run, of a team's run or of an ensemble."""
     from ..scenario.file import TEAM, scenario_from_text
+    from ..scenario.team_file import team_of_run
     from .kinds import checked_run, is_ensemble
 
     if not hasattr(data, "attrs") or not hasattr(data, "dims"):
@@ -97,12 +98,10 @@ def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
 
         return ensemble_page(data, title)
     checked_run(data)
-    if TEAM in data.attrs:
-        from .team_page import team_page
-
-        return team_page(data, title)
     from .run_page import run_page
 
+    if TEAM in data.attrs:
+        return run_page(data, team_of_run(data), title)
     folder = Path(data.encoding.get("folder", "."))
     text = str(data.attrs["scenario"])
     return run_page(data, scenario_from_text(text, "the run's scenario", folder), title)

@@ -1,23 +1,25 @@
 """What a page to send is made of, and how it is written as HTML.
 
 Sentences first, then numbers, then sections with figures.  The figures stay figures until the
-page is written, so that they can be written as files of their own too.
+page is written, so that they can be written as files of their own too.  At its end a page says
+with what it was made, and how it is made again.
 """
 
-from collections.abc import Iterator, Sequence
+import platform
+from collections.abc import Iterator, Mapping, Sequence
 from datetime import UTC, datetime
 from importlib.metadata import version
 from textwrap import fill
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..html.document import document
 from ..html.svg import inline_svg
-from ..html.text import paragraphs, safe
+from ..html.text import listing, paragraphs, safe, table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-VERSION = version("clpt-control")
+PACKAGES = ("clpt-control", "control", "numpy", "scipy", "llvmlite", "xarray", "matplotlib")
 WIDTH = 4.8  # inches, of a figure that a telephone shows with letters of their size
 LETTERS = 50  # of a title's line there
 
@@ -90,7 +92,7 @@ def page_html(page: Page, now: datetime | None = None) -> str:
             f'<nav aria-label="Contents"><ul>{links}</ul></nav><main>',
             *map(_section, page.sections),
             '</main><footer class="soft">',
-            f"<p>Written by clpt-control {VERSION}, {written}.</p></footer>",
+            f"<p>Written by clpt-control {version('clpt-control')}, {written}.</p></footer>",
         ]
     )
     return document(page.title, body, "report.css")
@@ -129,3 +131,31 @@ def _figure(drawn: Drawn) -> str:
         said = safe(drawn.caption)
         svg = f'<div class="wide" role="region" aria-label="{said}" tabindex="0">{svg}</div>'
     return f"<figure>{svg}<figcaption>{safe(drawn.caption)}</figcaption></figure>"
+
+
+def again_section(said: str, commands: list[str], ran_with: str, facts: dict[str, str]) -> Section:
+    """Return how to make a page again, with what it was made, and facts of the run."""
+    here = ", ".join(f"{name} {version(name)}" for name in PACKAGES)
+    rows = [
+        ["run with", ran_with or "not recorded"],
+        ["page made with", f"Python {platform.python_version()}, {here}"],
+        *([what, value] for what, value in facts.items()),
+    ]
+    parts = [f"<p>{said}</p>"]
+    if commands:
+        parts.append(listing("\n".join(commands)))
+    return Section("again", "Make it again", [*parts, table("Versions", ["", ""], rows)])
+
+
+def solver_facts(attributes: Mapping[Any, Any]) -> dict[str, str]:
+    """Return how a run ended, and the numbers of its solver."""
+    counts = [
+        f"{value} {str(name).removeprefix('solver_')}"
+        for name, value in attributes.items()
+        if str(name).startswith("solver_")
+    ]
+    return {
+        "engine": str(attributes.get("engine", "not recorded")),
+        "ended": str(attributes.get("message", "not recorded")),
+        "solver": ", ".join(counts) or "not recorded",
+    }

@@ -1,18 +1,167 @@
-"""Two figures that only pages have: the flow beside what was learned of it, and V along a run."""
+"""Sections of a run's page that are drawn: the loop, the way, CLPE, what was learned; a team."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..figures import BLUE, GREY, RED, new_figure
+from ..diagrams.drawing.figure import block_figure
+from ..figures import BLUE, GREY, RED, figure_of, new_figure
+from ..html.text import folded, paragraphs, table
 from ..scenario.experiment import Scenario
+from ..scenario.file import OWN_LAW
+from ..scenario.team import Team
 from ..simulation.flows import flow_velocity
+from ..simulation.loops import closed_loop
+from ..simulation.plots import clpe_plot, learning_plot, track_plot
+from ..simulation.team_plots import team_plot
+from ..simulation.teams import team_loop
+from .page import Beside, Drawn, Section, narrow
+from .run_words import number, run_result
 
 if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
 PLACES = 9  # arrows on a side
+MOST_SAMPLES = 6000  # in a figure
+MOST_ROWS = 12  # of a table that is not folded
+MOST_DRAWN = 3  # vehicles in a drawing of the loop
+ONE_SAMPLE = "The run has one sample: nothing can be drawn over time."
+
+
+def team_section(run: "xarray.Dataset", numbers: dict[str, Any]) -> Section:
+    """Return a team's figure and what each vehicle achieved."""
+    found = run_result(numbers, "What the vehicles achieved", len(numbers["vehicles"]))
+    parts: list[str | Drawn] = [table(*found[:3])]
+    if run.sizes["time"] > 1:
+        few, thin = shown_samples(run)
+        caption = (
+            "Tracks and waypoints over the flow at the start; the size of each prediction error; "
+            "the largest error of what each vehicle learned." + thin
+        )
+        parts.insert(0, Drawn("team", narrow(figure_of(team_plot, few), 7.6), caption))
+    else:
+        parts.append(paragraphs([ONE_SAMPLE]))
+    return Section("team", "Tracks, errors, what was learned", parts)
+
+
+def loop_section(system: Scenario | Team, own: str | None) -> list[Section]:
+    """Return the diagram that ran; nothing of a team that is too large to be drawn."""
+    parts: list[str | Drawn] = []
+    if own:
+        said = f"The law that ran, {own}, was given in Python and takes the place of adaptation."
+        parts.append(paragraphs([said]))
+    if isinstance(system, Team):
+        if len(system.members) > MOST_DRAWN:
+            return []
+        caption = "The team's loop: the blocks of each vehicle, and the pull of its neighbours."
+        figure = block_figure(team_loop(system))
+    else:
+        caption = (
+            "The closed loop as it ran: the vehicle above, the prediction and what it learns "
+            "below. The number under a name is the equation of the paper."
+        )
+        figure = block_figure(closed_loop(system))
+    drawn = Drawn("loop", figure, caption, wide=True)
+    return [Section("loop", "The loop", [*parts, drawn])]
+
+
+def figure_sections(
+    run: "xarray.Dataset", scenario: Scenario, numbers: dict[str, Any]
+) -> list[Section]:
+    """Return what is drawn along the run."""
+    if run.sizes["time"] < 2:
+        return [
+            Section("clpe", "Prediction error", [paragraphs([ONE_SAMPLE])]),
+            _learned(run, scenario, []),
+        ]
+    few, thin = shown_samples(run)
+    track = [
+        Drawn(
+            "track",
+            narrow(figure_of(track_plot, few), 4.9),
+            "Waypoints in their order, the track, and the true flow at the start." + thin,
+        ),
+        Drawn(
+            "flows",
+            narrow(flows_figure(few, scenario), 4.9),
+            "The true flow and what was learned of it by the end. Where the vehicle never was, "
+            "what is learned is a guess.",
+        ),
+    ]
+    unit = scenario.units
+    clpe = Drawn(
+        "clpe",
+        narrow(figure_of(clpe_plot, few), 4.9),
+        f"The prediction error by waypoint intervals of {scenario.reference.dwell:g} {unit.time}; "
+        "below, its size and its root mean square in each interval, logarithmic." + thin,
+    )
+    rms = numbers["clpe_rms_per_cycle"]
+    rows = [[str(k + 1), number(value)] for k, value in enumerate(rms)]
+    listed = table(f"CLPE, root mean square in each round ({unit.length})", ["round", "rms"], rows)
+    clpe_parts: list[str | Drawn] = [clpe]
+    if rows:
+        shown = listed if len(rows) <= MOST_ROWS else folded("Each round", listed)
+        clpe_parts.append(Beside(shown))
+    learned = [
+        Drawn(
+            f"learning-{axis}",
+            narrow(figure_of(learning_plot, few, axis), 4.9),
+            f"What was learned of the flow along x{axis}, and the gains of that axis." + thin,
+        )
+        for axis in (1, 2)
+    ]
+    if "lyapunov" in few and np.any(few.lyapunov.values > 0):
+        V = run.lyapunov.values
+        said = (
+            f"V, a weighted sum of all squared errors: {number(V[0])} at the start, "
+            f"{number(V[-1])} at the end."
+        )
+        learned.append(Drawn("lyapunov", narrow(lyapunov_figure(few), 2.8), said + thin))
+    return [
+        Section("track", "Track and flow", track),
+        Section("clpe", "Prediction error", clpe_parts),
+        _learned(run, scenario, learned),
+    ]
+
+
+def _learned(run: "xarray.Dataset", scenario: Scenario, drawn: list[Drawn]) -> Section:
+    """Return figures and table of what was learned."""
+    unit, last = scenario.units, run.isel(time=-1)
+    row = scenario.learning.row
+    promise = (
+        ""
+        if run.attrs.get(OWN_LAW)
+        else f"What {row.name} promises, where its theorem holds: {row.promise}."
+    )
+    estimate = last.flow_parameters_estimate.values
+    true = np.full_like(estimate, np.nan)
+    if "flow_parameters" in run:
+        true = run.flow_parameters.values
+    per = f"{unit.length}/{unit.time}"
+    rows = [
+        _row(f"theta_{i + 1}[{k + 1}] ({per})", estimate[i, k], true[i, k])
+        for i, k in np.ndindex(estimate.shape)
+    ]
+    rows += [
+        _row(f"{symbol}_{i + 1} (1/{unit.time})", last[name].values[i], right[i])
+        for name, symbol, right in (
+            ("feedback_gain", "K", scenario.vehicle.feedback),
+            ("feedforward_gain", "Gamma", scenario.vehicle.feedforward),
+        )
+        for i in range(2)
+    ]
+    listed = table(
+        f"Learned by t = {float(last.time):g} {unit.time}", ["", "learned", "true", "error"], rows
+    )
+    said = [paragraphs([promise])] if promise else []
+    shown = listed if len(rows) <= MOST_ROWS else folded(f"All {len(rows)} values", listed)
+    return Section("learning", "What was learned", [*said, *drawn, Beside(shown)])
+
+
+def _row(name: str, learned: float, true: float) -> list[str]:
+    known = [f"{true:.4g}", f"{learned - true:+.2g}"] if np.isfinite(true) else ["not known", "-"]
+    return [name, f"{learned:.4g}", *known]
 
 
 def flows_figure(run: "xarray.Dataset", scenario: Scenario) -> "Figure":
@@ -55,3 +204,14 @@ def lyapunov_figure(run: "xarray.Dataset") -> "Figure":
     ax.set_ylabel(f"$V$ ({run.lyapunov.attrs['units'].rstrip('2')}$^2$)")
     ax.set_title("Lyapunov candidate of the law's proof", loc="left", fontsize=10)
     return figure
+
+
+def shown_samples(run: "xarray.Dataset") -> "tuple[xarray.Dataset, str]":
+    """Return as many samples of a run as a figure shows, and a sentence if they are not all."""
+    count = run.sizes["time"]
+    step = -(-count // MOST_SAMPLES)
+    if step == 1:
+        return run, ""
+    few = run.isel(time=np.unique([*range(0, count, step), count - 1]))
+    few.encoding.update(run.encoding)
+    return few, f" Drawn from 1 in {step} of {count} samples."

@@ -1,57 +1,83 @@
-"""The page of a scenario's run; of the paper's, with the table of its claims."""
+"""The page of a run, of one vehicle or a team; of the paper's, with the table of its claims."""
 
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from ..figures import figure_of
 from ..html.text import folded, listing, paragraphs, safe, table
 from ..scenario.experiment import Scenario
-from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS, paper_scenario
-from ..simulation.plots import clpe_plot, learning_plot, track_plot
+from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS, TEAM, paper_scenario
+from ..scenario.team import Team
 from ..simulation.report import claims
 from .excitation_section import excitation_section
-from .page import Beside, Card, Drawn, Page, Section, narrow
-from .pictures import flows_figure, lyapunov_figure
-from .run_numbers import at_end, numbers_of, shown_samples
-from .run_words import asked, found_of_clpe, found_of_flow, number
-from .versions import again_section, solver_facts
+from .page import Card, Page, Section, again_section, solver_facts
+from .pictures import figure_sections, loop_section, team_section
+from .run_words import (
+    asked,
+    asked_of_team,
+    at_end,
+    claims_result,
+    found_of_clpe,
+    found_of_clpes,
+    found_of_flow,
+    number,
+    numbers_of,
+    of_the_worst,
+)
 
 if TYPE_CHECKING:
     import xarray
 
 KINDS = ("Run of a scenario", "Run of a diagram")
 GIVEN = {OWN_LAW: "law", CHANGED: "parameters", OWN_PARTS: "parts"}
-MOST_ROWS = 12  # of a table that is not folded
+ALL = "All that was asked, as a file for <code>clpt run</code>:"
 
 
-def run_page(run: "xarray.Dataset", scenario: Scenario, title: str | None = None) -> Page:
-    """Return the page of a run that carries this scenario."""
-    numbers = numbers_of(run, scenario)
+def run_page(run: "xarray.Dataset", system: Scenario | Team, title: str | None = None) -> Page:
+    """Return the page of a run that carries this scenario, or this team."""
+    numbers = numbers_of(run, system)
     own, changed, parts = (run.attrs.get(name) for name in (OWN_LAW, CHANGED, OWN_PARTS))
-    law = f"{own}, given in Python," if own else scenario.learning.law
-    unit, paper = scenario.units, scenario == paper_scenario() and not (own or changed or parts)
-    sections = [*_claims(numbers)] if paper else []
-    sections += [] if parts else [_loop(scenario, own)]
-    sections += _figures(run, scenario, numbers)
-    if changed or parts:
-        said = "Not measured: the run had what its scenario does not hold."
-        sections.append(Section("excitation", "What the track can teach", [paragraphs([said])]))
+    paper = system == paper_scenario() and not (own or changed or parts)
+    text = listing(str(run.attrs.get(TEAM, run.attrs.get("scenario"))))
+    if isinstance(system, Team):
+        kind, scenario, alone = "Run of a team", system.first, of_the_worst(numbers)
+        said = [asked_of_team(system), found_of_clpes(numbers, scenario.units.length)]
+        cards = [_vehicles(system)]
+        sections = [team_section(run, numbers)]
     else:
-        sections.append(excitation_section(run))
-    sections += [_scenario(run), _again(run, scenario, paper)]
+        kind, scenario, alone = KINDS[parts is not None], system, numbers
+        law = f"{own}, given in Python," if own else scenario.learning.law
+        begin = "Asked, as far as the scenario says" if parts else "Asked"
+        said = [asked(scenario, law, begin), found_of_clpe(numbers, scenario.units.length)]
+        cards, sections = [], figure_sections(run, scenario, numbers)
+    claimed = []
+    if paper and not numbers["of_samples"]:  # else the run does not carry its figures
+        judged = claims_result(claims(numbers))
+        claimed = [Section("claims", judged.title, [table(*judged[:3])])]
+    loop = [] if parts else loop_section(system, own)
+    if changed or parts:
+        why = paragraphs(["Not measured: the run had what its scenario does not hold."])
+        taught = Section("excitation", "What the track can teach", [why])
+    else:
+        taught = excitation_section(run)
     return Page(
-        "Section IV of the paper" if paper else KINDS[parts is not None],
-        title or scenario.title or "A run without a title",
-        [
-            asked(scenario, law, "Asked, as far as the scenario says" if parts else "Asked"),
-            found_of_clpe(numbers, unit.length),
-            found_of_flow(numbers, scenario),
-        ],
+        "Section IV of the paper" if paper else kind,
+        title or str(run.attrs.get("title") or "A run without a title"),
+        [*said, found_of_flow(alone, scenario)],
         _warnings(run, scenario, numbers),
-        _cards(numbers, scenario),
-        sections,
+        [*cards, *_cards(alone, scenario)],
+        [
+            *claimed,
+            *loop,
+            *sections,
+            taught,
+            Section("scenario", "Scenario", [f"<p>{ALL}</p>", folded("The scenario, TOML", text)]),
+            _again(run, scenario, paper),
+        ],
     )
+
+
+def _vehicles(team: Team) -> Card:
+    coupling = f"coupling {team.coupling:g} 1/{team.first.units.time}; below, of the worst"
+    return Card("Vehicles", str(len(team.members)), coupling)
 
 
 def _warnings(run: "xarray.Dataset", scenario: Scenario, numbers: dict[str, Any]) -> list[str]:
@@ -112,135 +138,6 @@ def _cards(numbers: dict[str, Any], scenario: Scenario) -> list[Card]:
             where += "; worse than no flow" if share < 0 else ""
             cards.append(Card("Current's variance explained", f"{100 * share:.0f} %", where))
     return cards
-
-
-def _claims(numbers: dict[str, Any]) -> list[Section]:
-    """Return the table of claims of section IV; none where the run does not carry its figures."""
-    if numbers["of_samples"]:
-        return []
-    rows = [list(one.values()) for one in claims(numbers)]
-    columns = ["claim", "criterion", "measured", "verdict"]
-    return [
-        Section(
-            "claims",
-            "Claims of section IV",
-            [table("Each claim and what was measured", columns, rows)],
-        )
-    ]
-
-
-def _loop(scenario: Scenario, own: str | None) -> Section:
-    from ..diagrams.drawing.figure import block_figure
-    from ..simulation.loops import closed_loop
-
-    caption = (
-        "The closed loop as it ran: the vehicle above, the prediction and what it learns below. "
-        "The number under a name is the equation of the paper."
-    )
-    said = f"The law that ran, {own}, was given in Python and takes the place of adaptation."
-    parts: list[str | Drawn] = [paragraphs([said])] if own else []
-    drawn = Drawn("loop", block_figure(closed_loop(scenario)), caption, wide=True)
-    return Section("loop", "The loop", [*parts, drawn])
-
-
-def _figures(run: "xarray.Dataset", scenario: Scenario, numbers: dict[str, Any]) -> list[Section]:
-    """Return what is drawn along the run."""
-    if run.sizes["time"] < 2:
-        said = paragraphs(["The run has one sample: nothing can be drawn over time."])
-        return [Section("clpe", "Prediction error", [said]), _learned(run, scenario, [])]
-    few, thin = shown_samples(run)
-    track = [
-        Drawn(
-            "track",
-            narrow(figure_of(track_plot, few), 4.9),
-            "Waypoints in their order, the track, and the true flow at the start." + thin,
-        ),
-        Drawn(
-            "flows",
-            narrow(flows_figure(few, scenario), 4.9),
-            "The true flow and what was learned of it by the end. Where the vehicle never was, "
-            "what is learned is a guess.",
-        ),
-    ]
-    unit = scenario.units
-    clpe = Drawn(
-        "clpe",
-        narrow(figure_of(clpe_plot, few), 4.9),
-        f"The prediction error by waypoint intervals of {scenario.reference.dwell:g} {unit.time}; "
-        "below, its size and its root mean square in each interval, logarithmic." + thin,
-    )
-    rms = numbers["clpe_rms_per_cycle"]
-    rows = [[str(k + 1), number(value)] for k, value in enumerate(rms)]
-    listed = table(f"CLPE, root mean square in each round ({unit.length})", ["round", "rms"], rows)
-    clpe_parts: list[str | Drawn] = [clpe]
-    if rows:
-        shown = listed if len(rows) <= MOST_ROWS else folded("Each round", listed)
-        clpe_parts.append(Beside(shown))
-    learned = [
-        Drawn(
-            f"learning-{axis}",
-            narrow(figure_of(learning_plot, few, axis), 4.9),
-            f"What was learned of the flow along x{axis}, and the gains of that axis." + thin,
-        )
-        for axis in (1, 2)
-    ]
-    if "lyapunov" in few and np.any(few.lyapunov.values > 0):
-        V = run.lyapunov.values
-        said = (
-            f"V, a weighted sum of all squared errors: {number(V[0])} at the start, "
-            f"{number(V[-1])} at the end."
-        )
-        learned.append(Drawn("lyapunov", narrow(lyapunov_figure(few), 2.8), said + thin))
-    return [
-        Section("track", "Track and flow", track),
-        Section("clpe", "Prediction error", clpe_parts),
-        _learned(run, scenario, learned),
-    ]
-
-
-def _learned(run: "xarray.Dataset", scenario: Scenario, drawn: list[Drawn]) -> Section:
-    """Return figures and table of what was learned."""
-    unit, last = scenario.units, run.isel(time=-1)
-    row = scenario.learning.row
-    promise = (
-        ""
-        if run.attrs.get(OWN_LAW)
-        else f"What {row.name} promises, where its theorem holds: {row.promise}."
-    )
-    estimate = last.flow_parameters_estimate.values
-    true = np.full_like(estimate, np.nan)
-    if "flow_parameters" in run:
-        true = run.flow_parameters.values
-    per = f"{unit.length}/{unit.time}"
-    rows = [
-        _row(f"theta_{i + 1}[{k + 1}] ({per})", estimate[i, k], true[i, k])
-        for i, k in np.ndindex(estimate.shape)
-    ]
-    rows += [
-        _row(f"{symbol}_{i + 1} (1/{unit.time})", last[name].values[i], right[i])
-        for name, symbol, right in (
-            ("feedback_gain", "K", scenario.vehicle.feedback),
-            ("feedforward_gain", "Gamma", scenario.vehicle.feedforward),
-        )
-        for i in range(2)
-    ]
-    listed = table(
-        f"Learned by t = {float(last.time):g} {unit.time}", ["", "learned", "true", "error"], rows
-    )
-    said = [paragraphs([promise])] if promise else []
-    shown = listed if len(rows) <= MOST_ROWS else folded(f"All {len(rows)} values", listed)
-    return Section("learning", "What was learned", [*said, *drawn, Beside(shown)])
-
-
-def _row(name: str, learned: float, true: float) -> list[str]:
-    known = [f"{true:.4g}", f"{learned - true:+.2g}"] if np.isfinite(true) else ["not known", "-"]
-    return [name, f"{learned:.4g}", *known]
-
-
-def _scenario(run: "xarray.Dataset") -> Section:
-    said = "All that was asked, as a file for <code>clpt run</code>:"
-    text = listing(str(run.attrs["scenario"]))
-    return Section("scenario", "Scenario", [f"<p>{said}</p>", folded("The scenario, TOML", text)])
 
 
 def _again(run: "xarray.Dataset", scenario: Scenario, paper: bool) -> Section:

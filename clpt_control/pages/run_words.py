@@ -1,14 +1,24 @@
-"""What was asked of a run, and what was found, in sentences with numbers and units."""
+"""What was asked of a run, and what was found, in sentences and rows with numbers and units.
 
-from typing import Any
+A run carries its figures, or they are those of its samples: nothing is run again.  `clpt run` and
+`clpt paper` leave mean squares over 2000 samples a cycle in the run.
+"""
+
+import json
+from typing import TYPE_CHECKING, Any
 
 from ..html.text import Result
 from ..scenario.experiment import Scenario
-from .run_numbers import at_end
+from ..scenario.team import Team
+from ..simulation.report import SUMMARY, clpe_of_samples, errors, team_summary
+
+if TYPE_CHECKING:
+    import xarray
 
 LEAST_SHARE = 0.01  # percent, that is said
 MOST_VEHICLES = 8  # in the table; the summary has all
 MOST_CYCLES = 10
+MOST_NAMED = 4  # vehicles in a sentence
 
 
 def number(value: float) -> str:
@@ -19,6 +29,43 @@ def number(value: float) -> str:
     """
     shown = f"{value:.3g}"
     return f"{float(shown):.0f}" if "e+" in shown and abs(value) < 1e6 else shown
+
+
+def numbers_of(run: "xarray.Dataset", system: Scenario | Team) -> dict[str, Any]:
+    """Return a run's figures by the names of `run_and_report`; `of_samples` if they are less."""
+    if isinstance(system, Team):
+        return {"of_samples": False, **team_summary(system, run, run)}
+    try:
+        found = json.loads(str(run.attrs.get(SUMMARY, "null")))
+    except ValueError:
+        found = None
+    end = float(run.time[-1])
+    known = isinstance(found, dict) and found.get("end") == end
+    if known and f"{end:g}" in found.get("max_gain_error", {}):
+        return {**found, "of_samples": False}
+    at = {f"{end:g}": run.isel(time=-1)}
+    clpe = clpe_of_samples(system, run)
+    return {"of_samples": True, "end": end, **clpe, **errors(system, run, at)}
+
+
+def of_the_worst(numbers: dict[str, Any]) -> dict[str, Any]:
+    """Return the figures of a team as those of one vehicle, each of the vehicle that is worst."""
+    found = {**numbers, "clpe_rms_per_cycle": []}
+    for key in ("clpe_rms", "clpe_rms_last_quarter"):
+        found[key] = max(numbers[key].values())
+    for key in ("max_flow_parameter_error", "max_gain_error"):
+        if key in numbers:
+            each = list(numbers[key].values())
+            found[key] = {time: max(one[time] for one in each) for time in each[0]}
+    if "explained_variance" in numbers:
+        each = list(numbers["explained_variance"].values())
+        found["explained_variance"] = {p: min(one[p] for one in each) for p in ("track", "box")}
+    return found
+
+
+def at_end(by_time: dict[str, float]) -> float:
+    """Return the last of values by time."""
+    return list(by_time.values())[-1]
 
 
 def asked(scenario: Scenario, law: str, begin: str = "Asked") -> str:
@@ -32,6 +79,32 @@ def asked(scenario: Scenario, law: str, begin: str = "Asked") -> str:
         f"({rounds:.3g} round{'s'[: rounds != 1]}) in {_water(scenario)}; it predicts where it "
         f"will be, and from the error of that prediction (CLPE) the law {law} "
         + ("is to adapt its gains." if scenario.learning.row.given_estimate else "is to learn it.")
+    )
+
+
+def asked_of_team(team: Team) -> str:
+    """Return what was asked of a team's run."""
+    unit, names = team.first.units, list(team.members)
+    water = "a measured current" if team.first.flow.field is not None else "one flow"
+    named = f"{', '.join(names[:-1])} and {names[-1]}"
+    if len(names) > MOST_NAMED:
+        named = f"{names[0]} to {names[-1]}"
+    return (
+        f"Asked: {len(names)} vehicles, {named}, each visit their own waypoints for "
+        f"{team.run.duration:g} {unit.time} in {water} that none of them knows; each learns it "
+        "from its own prediction error (CLPE) and, with a coupling of "
+        f"{team.coupling:g} 1/{unit.time}, from its neighbours."
+    )
+
+
+def found_of_clpes(numbers: dict[str, Any], length: str) -> str:
+    """Return what became of the prediction errors of a team."""
+    late = numbers["clpe_rms_last_quarter"]
+    worst = max(late, key=late.__getitem__)
+    return (
+        f"Found: over the last quarter the CLPE, root mean square, is at most "
+        f"{number(late[worst])} {length}, that of {worst}; over the whole run it was at most "
+        f"{number(max(numbers['clpe_rms'].values()))} {length}."
     )
 
 
@@ -86,11 +159,14 @@ def found_of_flow(numbers: dict[str, Any], scenario: Scenario) -> str:
             )
     if errors := numbers.get("max_gain_error"):
         parts.append(f"the largest error of a gain is {number(at_end(errors))} 1/{unit.time}")
+    if apart := numbers.get("max_disagreement"):
+        per = f"{unit.length}/{unit.time}"
+        parts.append(f"two vehicles differ by at most {number(at_end(apart))} {per}")
     return said + "; ".join(parts) + "."
 
 
-def run_result(summary: dict[str, Any], title: str) -> Result:
-    """Return what a vehicle achieved in its run, or each of a team's."""
+def run_result(summary: dict[str, Any], title: str, most: int = MOST_VEHICLES) -> Result:
+    """Return what a vehicle achieved in its run, or each of a team's, up to the most."""
     length, time = summary["units"]["length"], summary["units"]["time"]
     rows = [["status", summary["message"]]]
     if "vehicles" not in summary:
@@ -99,10 +175,10 @@ def run_result(summary: dict[str, Any], title: str) -> Result:
     graph = f"{summary['coupling']:g}, {summary['connectivity']:.3g}"
     apart = f"{at_end(summary['max_disagreement']):.3g} at t = {summary['end']:g} {time}"
     rows += [["coupling kappa, connectivity lambda_2", graph], ["largest disagreement", apart]]
-    for name in summary["vehicles"][:MOST_VEHICLES]:
+    for name in summary["vehicles"][:most]:
         own = {key: of[name] for key, of in summary.items() if isinstance(of, dict) and name in of}
         rows += [[f"{name}: {what}", value] for what, value in _achieved(own, length, time)]
-    if left := summary["vehicles"][MOST_VEHICLES:]:
+    if left := summary["vehicles"][most:]:
         rows.append(["...", f"{len(left)} more vehicles in --json"])
     return Result(title, ["", ""], rows)
 
@@ -133,3 +209,9 @@ def _achieved(numbers: dict[str, Any], length: str, time: str) -> list[list[str]
             worse = "; negative: worse than no flow" if share < 0 else ""
             rows.append([f"share of the flow's variance learned, {place}", f"{share:.3f}{worse}"])
     return rows
+
+
+def claims_result(found: list[dict[str, str]]) -> Result:
+    """Return the claims of section IV, judged."""
+    rows = [list(one.values()) for one in found]
+    return Result("Claims of section IV", ["claim", "criterion", "measured", "verdict"], rows)
