@@ -1,23 +1,28 @@
 """One record of a diagram: the records of its blocks, joined at their ports as arrays.
 
-Each block's record is written down again on one tape, on what feeds it.  What feeds a port is a sum
-of gains times whole ports; where the wires take ports apart it is put together element by element.
-A size that has a name, and the same value in all blocks, stays open unless `closed`.
+Each block's record is written down again on what feeds it.  A port whose signals come whole from
+one port is that array; gains and sums of wires are arithmetic on arrays; what permutes is put
+together piece by piece.  `Joining` does so for both who ask: the engine, whose sizes are numbers
+(`native.diagram_record`), and the proofs, which take a tape on which a size that has a name, and
+the same value in all blocks, stays open unless `closed`.
 """
 
-from collections.abc import Callable
+from bisect import bisect
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from math import prod
 from typing import Any
 
 import control
 import numpy as np
 
-from ..equations.arrays import Tape, Unread, lifted, objects, operand
+from ..equations.arrays import Array, Tape, Unread, lifted, objects, operand
 from ..equations.block import Block
 from ..equations.declaration import ports_of
-from ..equations.record import Record, Shape
-from .wiring import Node, Wiring
+from ..equations.ports import places
+from ..equations.record import Operation, Record, Ref, Shape
+from .wiring import Node, Wire, Wiring
 
 Values = dict[tuple[str, str], Any]  # (block, port) -> Array or number
 # what makes the values with which a record begins
@@ -31,9 +36,7 @@ StandIn = Callable[[Node, dict[str, Any], dict[str, Shape]], dict[str, Any] | No
 class Joined:
     """The values of a diagram on one tape, by block and port."""
 
-    tape: Tape
     inputs: dict[str, Any] = field(default_factory=dict)  # of the diagram, by port
-    fed: Values = field(default_factory=dict)  # what feeds the blocks
     signals: Values = field(default_factory=dict)  # what they put out
     rates: Values = field(default_factory=dict)
     jumps: Values = field(default_factory=dict)  # what states jump to
@@ -51,57 +54,146 @@ def open_sizes(wiring: Wiring) -> dict[str, int]:
     return {name: values.pop() for name, values in found.items() if len(values) == 1}
 
 
-def external_ports(diagram: control.NonlinearIOSystem) -> dict[str, int]:
-    """Return the diagram's input ports and their numbers of signals."""
-    return {port: len(own) for port, own in ports_of(diagram.input_labels).items()}
-
-
 class Joining:
-    """A diagram's blocks, put on one tape."""
+    """A diagram's blocks, written down one after the other on what feeds them."""
 
-    def __init__(self, wiring: Wiring, tape: Tape, leaf: Leaf, closed: bool = False):
-        self.wiring, self.tape, self.leaf = wiring, tape, leaf
-        self.open = {} if closed else open_sizes(wiring)
-        self.found = Joined(tape)
-        self.places = [  # of each signal of the bus: block, port, place in it
-            (node, port, k)
+    def __init__(self, wiring: Wiring, outside: Mapping[int, int]):
+        """Join what is wired; `outside` has the sizes of the diagram's inputs by first signal."""
+        self.wiring = wiring
+        self.given: dict[int, Ref] = {}  # the diagram's inputs, by first signal
+        self.made: dict[int, Ref] = {}  # what blocks put out so far, by first signal
+        sizes = {
+            part.start + node.outputs.start: part.stop - part.start
             for node in wiring.nodes
-            for port, size in node.system.output_ports.items()
-            for k in range(size)
+            for part, _ in places(node.system.output_shapes).values()
+        }
+        self._ports = [  # of blocks, and of the diagram: first signals, and sizes
+            ([at for at, size in own.items() if size], own) for own in (sizes, outside)
         ]
-        self.outside: list[tuple[str, int]] = []
+
+    # --- what is written down, as who asks has it ---------------------------------------------
+
+    def add(self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None) -> Ref:
+        """Write down an operation of no block."""
+        raise NotImplementedError
+
+    def put(self, k: int, role: str, record: Record, operation: Operation, own: list[Ref]) -> Ref:
+        """Write down an operation of a block's record on these arguments."""
+        raise NotImplementedError
+
+    def leaf(self, k: int, group: str, name: str, shape: Shape) -> Ref:
+        """Return time, a state or a parameter of a block."""
+        raise NotImplementedError
+
+    def part(self, ref: Ref, first: int, shape: Shape) -> Ref:
+        """Return elements of a value from a place on, row by row, in a shape."""
+        raise NotImplementedError
 
     def shape(self, block: Block, shape: Shape) -> Shape:
-        """Return a shape in which only the diagram's open sizes have names."""
-        return tuple(n if isinstance(n, int) or n in self.open else block.sizes[n] for n in shape)
+        """Return a block's shape as it has it here."""
+        raise NotImplementedError
 
-    def joined(
-        self,
-        external: dict[str, int],
-        given: Given,
-        stand_in: StandIn,
-    ) -> Joined:
-        """Put the blocks on the tape in their order."""
-        self.outside = [(port, k) for port, size in external.items() for k in range(size)]
-        found = self.found
+    # --- a block ------------------------------------------------------------------------------
+
+    def run(self, k: int, role: str, fed: Mapping[str, Ref]) -> list[Ref]:
+        """Write down a block's record on what feeds it; return what each port is."""
+        record = self.wiring.nodes[k].system.array_record(role)
+        values: list[Ref] = []
+        for operation in record.operations:
+            kind, arguments, shape, at = operation
+            if kind == "leaf":
+                values.append(fed[at[1]] if at[0] == "u" else self.leaf(k, at[0], at[1], shape))
+            else:
+                own = [values[a] if type(a) is int else a for a in arguments]
+                values.append(self.put(k, role, record, operation, own))
+        return [values[ref] if type(ref) is int else ref for ref in record.outputs]
+
+    def fed(self, k: int) -> dict[str, Ref]:
+        """Return what feeds each input port of a block."""
+        node, found, first = self.wiring.nodes[k], {}, 0
+        for port, shape in node.system.declared["inputs"].items():
+            size = prod(node.system.input_shapes[port])
+            found[port] = self.brought(node, port, first, size, self.shape(node.system, shape))
+            first += size
+        return found
+
+    def brought(self, node: Node, port: str, first: int, size: int, shape: Shape) -> Ref:
+        """Return what wires bring to a port: arrays where they lie whole, else pieces joined."""
+        terms = [t for wire in node.wires for t in self._terms(wire, first, first + size)]
+        cuts = sorted({0, size, *(at for t in terms for at in (t[0], t[0] + t[1]))})
+        pieces: list[Ref] = []
+        for start, stop in pairwise(cuts):
+            own = shape if stop - start == size else (stop - start,)
+            total: Ref | None = None
+            for to, n, gain, ref, at in terms:
+                if to <= start and stop <= to + n:
+                    value = self.part(ref, at + start - to, own)
+                    value = value if gain == 1.0 else self.add("mul", (value, gain), own)
+                    total = value if total is None else self.add("add", (total, value), own)
+            if len(cuts) > 2 and type(total) is not int:
+                total = self.add("fill", (0.0 if total is None else total,), own)
+            pieces.append(0.0 if total is None else total)
+        if len(pieces) == 1:
+            return pieces[0]
+        return self.part(self.add("join", pieces, (size,)), 0, shape) if pieces else 0.0
+
+    def _terms(self, wire: Wire, first: int, last: int) -> list[tuple[int, int, float, Ref, int]]:
+        """Return (place, count, gain, source port, place in it) of a wire within [first, last)."""
+        found = []
+        known = self.given if wire.external else self.made
+        starts, sizes = self._ports[wire.external]
+        at, stop = max(wire.to, first), min(wire.to + wire.size, last)
+        while at < stop:
+            source = wire.source + at - wire.to
+            start = starts[bisect(starts, source) - 1]
+            n = min(stop - at, start + sizes[start] - source)
+            if start in known:  # else its block is run twice, and now for what does not need it
+                ref = known[start]
+                ref = ref if type(ref) is int else self.add("fill", (ref,), (sizes[start],))
+                found.append((at - first, n, wire.gain, ref, source - start))
+            at += n
+        return found
+
+
+class _OnTape(Joining):
+    """A diagram's blocks on a tape, with open sizes."""
+
+    def __init__(
+        self, wiring: Wiring, external: dict[str, int], tape: Tape, leaf: Leaf, closed: bool
+    ):
+        self.external, at = {}, 0
         for port, size in external.items():
-            found.inputs[port] = given(port, *self.outside_shape(port, size))
+            self.external[port] = at, size
+            at += size
+        super().__init__(wiring, dict(self.external.values()))
+        self.tape, self.own_leaf = tape, leaf
+        self.open = {} if closed else open_sizes(wiring)
+        self.found = Joined()
+
+    def joined(self, given: Given, stand_in: StandIn) -> Joined:
+        """Put the blocks on the tape in their order."""
+        found, nodes = self.found, self.wiring.nodes
+        for port, (first, size) in self.external.items():
+            found.inputs[port] = given(port, *self.outside_shape(first, size))
+            self.given[first] = operand(found.inputs[port])
         for k in self.wiring.order:
-            node = self.wiring.nodes[k]
-            u = self.fed(node) if node.system.feedthrough or node.system.opaque else {}
+            node, at = nodes[k], nodes[k].outputs.start
+            u = self.arrays(k) if node.system.feedthrough or node.system.opaque else {}
             declared = node.system.declared["outputs"]
             shapes = {port: self.shape(node.system, shape) for port, shape in declared.items()}
             made = stand_in(node, u, shapes)
             if made is None:
-                made = self.run(node, "output", u)
-            found.signals.update({(node.name, port): value for port, value in made.items()})
-        for node in self.wiring.nodes:
+                made = self.ports(k, "output", u)
+            for port, value in made.items():
+                found.signals[node.name, port] = value
+                self.made[at] = operand(value)
+                at += prod(node.system.output_shapes[port])
+        for k, node in enumerate(nodes):
             found.fields[node.name] = self.fields(node.system)
-            u = self.fed(node)
-            found.fed.update({(node.name, port): value for port, value in u.items()})
+            u = self.arrays(k)
             for role, into in (("update", found.rates), ("jump", found.jumps)):
                 if getattr(node.system, f"{role}_function") is not None:
-                    made = self.run(node, role, u)
+                    made = self.ports(k, role, u)
                     into.update({(node.name, port): value for port, value in made.items()})
         return found
 
@@ -113,9 +205,8 @@ class Joining:
             for own, value in block.parameters._asdict().items()
         }
 
-    def outside_shape(self, port: str, size: int) -> tuple[Shape, Shape]:
+    def outside_shape(self, first: int, size: int) -> tuple[Shape, Shape]:
         """Return the shape of an input of the diagram, and as the port that it feeds has it."""
-        first = self.outside.index((port, 0))
         for node in self.wiring.nodes:
             for wire in node.wires:
                 if wire.external and wire.source <= first < wire.source + wire.size:
@@ -127,106 +218,78 @@ class Joining:
                         start += n
         return (size,), (size,)
 
-    # --- what feeds a block -----------------------------------------------------------------
+    def shape(self, block: Block, shape: Shape) -> Shape:
+        """Return a shape in which only the diagram's open sizes have names."""
+        return tuple(n if isinstance(n, int) or n in self.open else block.sizes[n] for n in shape)
 
-    def fed(self, node: Node) -> dict[str, Any]:
-        """Return what feeds each input port of a block."""
-        block, found, at = node.system, {}, 0
-        for port, size in block.input_ports.items():
-            shape = self.shape(block, block.declared["inputs"][port])
-            found[port] = self.port(node, port, slice(at, at := at + size), shape)
-        return found
+    # --- on the tape ----------------------------------------------------------------------------
 
-    def port(self, node: Node, port: str, places: slice, shape: Shape) -> Any:
-        """Return the sum of what feeds a port."""
-        parts: list[tuple[Any, list[tuple[int, int]], float]] = []
-        for wire in node.wires:
-            pairs: dict[tuple[str, str], list[tuple[int, int]]] = {}
-            for j in range(max(wire.to, places.start), min(wire.to + wire.size, places.stop)):
-                source = wire.source + j - wire.to
-                if wire.external:
-                    name, k = self.outside[source]
-                    key = ("", name)
-                else:
-                    other, name, k = self.places[source]
-                    key = (other.name, name)
-                pairs.setdefault(key, []).append((j - places.start, k))
-            for (owner, name), pair in pairs.items():
-                known: Any = self.found.inputs if not owner else self.found.signals
-                place: Any = (owner, name) if owner else name
-                if place in known:  # else its block is run twice, and now for what does not need it
-                    parts.append((known[place], pair, wire.gain))
-        size = places.stop - places.start
-        total: Any = None
-        whole = [(k, k) for k in range(size)]
-        if all(pair == whole and self.fits(value, shape) for value, pair, _ in parts):
-            for value, _, gain in parts:
-                gained = value if gain == 1.0 else value * gain
-                total = gained if total is None else total + gained
-            return self.filled(0.0, shape) if total is None else total
-        return self.gathered(node, port, parts, shape)
+    def add(self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None) -> Ref:
+        """Write down an operation."""
+        return self.tape.add(kind, arguments, shape, at)._node
 
-    def fits(self, value: Any, shape: Shape) -> bool:
-        """Return whether a value has a shape."""
-        return getattr(value, "shape", ()) == shape
+    def put(self, k: int, role: str, record: Record, operation: Operation, own: list[Ref]) -> Ref:
+        """Write down an operation of a block."""
+        shape = self.shape(self.wiring.nodes[k].system, operation.shape)
+        return self.add(operation.kind, own, shape, operation.at)
 
-    def gathered(self, node: Node, port: str, parts: list, shape: Shape) -> Any:
-        """Return a port that is fed signal by signal."""
-        if any(isinstance(n, str) for v, *_ in parts for n in (*shape, *getattr(v, "shape", ()))):
-            raise Unread(f"{node.name}.{port} is not fed function by function, whole ports alike")
-        flat = np.full(prod(shape), 0.0, dtype=object)
-        fresh = np.ones(len(flat), dtype=bool)
-        for value, pairs, gain in parts:
-            own = objects(value).ravel()
-            for to, k in pairs:
-                gained = own[k] if gain == 1.0 else own[k] * gain
-                flat[to] = gained if fresh[to] else flat[to] + gained
-                fresh[to] = False
-        return lifted(self.tape, flat.reshape(shape))
+    def leaf(self, k: int, group: str, name: str, shape: Shape) -> Ref:
+        """Return time, or what was given for a state or a parameter."""
+        if group == "t":
+            return self.add("leaf", (), (), ("t", "t"))
+        node = self.wiring.nodes[k]
+        return operand(self.own_leaf(group, node, name, self.shape(node.system, shape)))
 
-    # --- a block's record --------------------------------------------------------------------
+    def part(self, ref: Ref, first: int, shape: Shape) -> Ref:
+        """Return elements of a value from a place on; of an open size there are no parts."""
+        value = self.array(ref)
+        if first == 0 and value.shape == shape:
+            return ref
+        if any(isinstance(n, str) for n in (*shape, *value.shape)):
+            raise Unread("is not fed function by function, whole ports alike")
+        own = objects(value).ravel()[first : first + prod(shape)]
+        return operand(lifted(self.tape, own.reshape(shape)))
 
-    def run(self, node: Node, role: str, u: dict[str, Any]) -> dict[str, Any]:
+    def array(self, ref: Ref) -> Any:
+        """Return a value as an array; a constant as it is."""
+        return Array(self.tape, ref, self.tape.operations[ref].shape) if type(ref) is int else ref
+
+    def brought(self, node: Node, port: str, first: int, size: int, shape: Shape) -> Ref:
+        """Return what wires bring to a port, in all of its shape."""
+        try:
+            return operand(self.filled(super().brought(node, port, first, size, shape), shape))
+        except Unread as error:
+            raise Unread(f"{node.name}.{port} {error}") from None
+
+    def arrays(self, k: int) -> dict[str, Any]:
+        """Return what feeds each input port of a block, as arrays."""
+        return {port: self.array(ref) for port, ref in self.fed(k).items()}
+
+    def ports(self, k: int, role: str, u: dict[str, Any]) -> dict[str, Any]:
         """Return what a block's function returns on this tape, by port."""
-        block = node.system
-        kind = "outputs" if role == "output" else "states"
-        record, first = block.array_record(role), len(self.tape.operations)
-        self.check_open(node, role, record)
+        node = self.wiring.nodes[k]
+        block, first = node.system, len(self.tape.operations)
+        self.check_open(node, role, block.array_record(role))
         pinned, _ = block.read_with.get(role, ((), ""))
         self.found.pinned |= {(node.name, own) for own in pinned}
-
-        def leaf(group: str, name: str, shape: Shape) -> Any:
-            if group == "t":
-                return self.tape.add("leaf", (), (), ("t", "t"))
-            return u[name] if group == "u" else self.leaf(group, node, name, shape)
-
-        values = self.replayed(block, record, leaf)
-        made = {}
-        for port, value in zip(block.declared[kind], values, strict=True):
-            made[port] = self.filled(value, self.shape(block, block.declared[kind][port]))
-        for k in range(first, len(self.tape.operations)):
-            self.found.owners[k] = f"{node.name}.{role}"
+        values = self.run(k, role, {port: operand(value) for port, value in u.items()})
+        declared = block.declared["outputs" if role == "output" else "states"]
+        made = {
+            port: self.filled(value, self.shape(block, shape))
+            for (port, shape), value in zip(declared.items(), values, strict=True)
+        }
+        for place in range(first, len(self.tape.operations)):
+            self.found.owners[place] = f"{node.name}.{role}"
         return made
 
-    def replayed(self, block: Block, record: Record, leaf: Callable[..., Any]) -> list[Any]:
-        """Write a record down again; return its outputs."""
-        values: list[Any] = []
-        for kind, arguments, shape, at in record.operations:
-            own = self.shape(block, shape)
-            if kind == "leaf":
-                values.append(leaf(*at, own))
-            else:
-                refs = [operand(values[a]) if type(a) is int else a for a in arguments]
-                values.append(self.tape.add(kind, refs, own, at))
-        return [values[ref] if type(ref) is int else ref for ref in record.outputs]
-
-    def filled(self, value: Any, shape: Shape) -> Any:
+    def filled(self, ref: Ref, shape: Shape) -> Any:
         """Return a value of fewer axes in all of its shape."""
+        value = self.array(ref)
         if getattr(value, "shape", ()) == shape:
             return value
         if getattr(value, "shape", ()) == ():
-            return self.tape.add("fill", (operand(value),), shape)
-        return self.tape.add("add", (operand(value), operand(self.filled(0.0, shape))), shape)
+            return self.tape.add("fill", (ref,), shape)
+        return self.tape.add("add", (ref, operand(self.filled(0.0, shape))), shape)
 
     def check_open(self, node: Node, role: str, record: Record) -> None:
         """Refuse a record for one size where the block's sizes shall stay open."""
@@ -251,5 +314,5 @@ def joined(
     closed: bool = False,
 ) -> Joined:
     """Return a diagram's record; `leaf`, `given` and `stand_in` make what it begins with."""
-    joining = Joining(wiring, tape or Tape(), leaf, closed)
-    return joining.joined(external_ports(diagram), given, stand_in)
+    external = {port: len(own) for port, own in ports_of(diagram.input_labels).items()}
+    return _OnTape(wiring, external, tape or Tape(), leaf, closed).joined(given, stand_in)

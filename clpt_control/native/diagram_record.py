@@ -1,22 +1,20 @@
-"""One record of a diagram: its blocks' records, joined at their ports as arrays.
+"""One record of a diagram (`diagrams.joined`), with all that its program stores.
 
     v0 = load X[0:2]            v1 = add(v0, v7)            v2 = sum(v1 over 0)
 
-A port whose signals come whole from one port is that array; gains and sums of wires are arithmetic
-on arrays; what permutes is put together piece by piece.  An axis is long, and loops, where a size
-has a name or the number is beyond `SHORT`.  Every entry knows the block it comes from, so that
-terms of different blocks can be told apart (`joined_sums`); wires belong to none.
+An axis is long, and loops, where a size has a name or the number is beyond `SHORT`.  Every entry
+knows the block it comes from, so that terms of different blocks can be told apart (`joined_sums`);
+wires belong to none.
 """
 
-import itertools
-from bisect import bisect
 from collections.abc import Sequence
 from math import prod
 from typing import Any, NamedTuple
 
+from ..diagrams.joined import Joining
 from ..diagrams.wiring import Node, Wiring
 from ..equations.block import Block
-from ..equations.record import reached
+from ..equations.record import Operation, Record, reached
 from .decisions import Decisions
 from .layout import Layout
 
@@ -53,7 +51,7 @@ def _places(node: Node) -> range:
     return range(node.outputs.start, node.outputs.stop)
 
 
-class DiagramRecord:
+class DiagramRecord(Joining):
     """All entries of a diagram, and what its functions store.
 
     Axes loop from the length `long` on, where they have a name from `named` on.
@@ -67,34 +65,26 @@ class DiagramRecord:
         named: int = NAMED,
         locking: bool = True,
     ):
-        self.wiring, self.layout, self.long, self.named = wiring, layout, long, named
+        super().__init__(wiring, {0: wiring.ninputs})
+        self.layout, self.long, self.named = layout, long, named
         self.entries: list[Entry] = []
         self.moving: list[bool] = []  # of each entry: whether it changes along a run
         self.rates: list[Port] = []
         self.signals: list[Port] = []
         self.margins: list[Ref] = []
         self._known: dict[Entry, int] = {}
-        self._ports: dict[int, Ref] = {}
         self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
         self._jumped: dict[int, dict[str, Ref]] = {}  # states of a block after jumps, once known
-        self._external = self._inputs()
-        self._sizes: dict[int, int] = {}  # of output ports, by their first signal
-        for node in wiring.nodes:
-            at = node.outputs.start
-            for shape in node.system.output_shapes.values():
-                if prod(shape):
-                    self._sizes[at] = prod(shape)
-                at += prod(shape)
-        self._firsts = list(self._sizes)
+        self.given[0] = self._inputs()
         self._rates()
-        exact, ports, rates = self.signals, self._ports, self.rates
+        exact, ports, rates = self.signals, self.made, self.rates
         self.margins = [m for k in range(len(wiring.nodes)) for m in self._margins(k)]
         self.decided = 0  # numbers that are decided, of rates that are locked
         if locking and not wiring.dt and self.decisions.lock():
-            self._ports, self.signals, self.rates = {}, [], []
+            self.made, self.signals, self.rates = {}, [], []
             self._rates()
             self.decided = self.decisions.kept([port.ref for port in self.rates])
-            self._ports, self.signals = ports, exact
+            self.made, self.signals = ports, exact
         if not self.decided:
             self.rates = rates
         self._jumped = {k: self._leap(k) for k in range(len(wiring.nodes))}
@@ -126,12 +116,11 @@ class DiagramRecord:
 
     # --- blocks ---------------------------------------------------------------------------
 
-    def _output(self, k: int, deciding: bool = True) -> list[Port]:
+    def _output(self, k: int) -> list[Port]:
         node = self.wiring.nodes[k]
-        fed = self._fed(node) if node.system.feedthrough else {}
-        values = self._run(k, "output", fed, deciding)
+        values = self.run(k, "output", self.fed(k) if node.system.feedthrough else {})
         ports = self._stored(node.system, "outputs", node.outputs.start, values)
-        self._ports.update({port.first: port.ref for port in ports if prod(port.shape)})
+        self.made.update({port.first: port.ref for port in ports if prod(port.shape)})
         return ports
 
     def _rates(self) -> None:
@@ -142,40 +131,40 @@ class DiagramRecord:
             self.signals = before + self._output(k)
         for k, node in enumerate(self.wiring.nodes):
             if node.system.update_function is not None:
-                values = self._run(k, "update", self._fed(node), True)
+                values = self.run(k, "update", self.fed(k))
                 self.rates += self._stored(node.system, "states", node.states.start, values)
 
     def _margins(self, k: int) -> list[Ref]:
         node = self.wiring.nodes[k]
-        return self._run(k, "guard", self._fed(node)) if node.system.guard is not None else []
+        return self.run(k, "guard", self.fed(k)) if node.system.guard is not None else []
 
     def _leap(self, k: int) -> dict[str, Ref]:
         """Return the states of a block after the jumps that P asks for."""
         node, place = self.wiring.nodes[k], self.layout.jumps.get(k)
         shapes = node.system.state_shapes
-        states = {name: self._leaf(k, "x", name, shape, {}) for name, shape in shapes.items()}
+        states = {name: self.leaf(k, "x", name, shape) for name, shape in shapes.items()}
         if place is not None:
             asked = self.add("gt", (self.load("P", place, ()), 0.5), ())
-            new = self._run(k, "jump", self._fed(node))
+            new = self.run(k, "jump", self.fed(k))
             for (name, shape), value in zip(shapes.items(), new, strict=True):
                 states[name] = self.add("where", (asked, value, states[name]), shape)
         return states
 
     def _sample(self) -> None:
         """Hold what feeds the blocks that sample, signals being those of the states jumped to."""
-        nodes, self._ports = self.wiring.nodes, {}
+        nodes, self.made = self.wiring.nodes, {}
         sampling = [k for k, node in enumerate(nodes) if node.system.kept is not None]
         for k in self.wiring.order if sampling else ():
             if k in sampling:
                 self._hold(k)
-            self._output(k, deciding=False)
+            self._output(k)
         for k in sampling:  # what feeds it may have come after it
             self._hold(k)
 
     def _hold(self, k: int) -> None:
         node, P = self.wiring.nodes[k], self.load("P", self.layout.jumps[k], ())
         sampled = self.add("ne", (P, 0.0), ())
-        fed, states = self._fed(node).values(), self._jumped[k]
+        fed, states = self.fed(k).values(), self._jumped[k]
         for name, value in zip([*states][-len(fed) :], fed, strict=True):
             shape = node.system.state_shapes[name]
             states[name] = self.add("where", (sampled, value, states[name]), shape)
@@ -195,47 +184,39 @@ class DiagramRecord:
             n >= self.long or (isinstance(name, str) and n >= self.named) for n, name in long
         )
 
-    def _run(self, k: int, role: str, fed: dict[str, Ref], deciding: bool = False) -> list[Ref]:
-        """Write down a block's record on what feeds it; return what each port is."""
-        node = self.wiring.nodes[k]
-        record = node.system.array_record(role)
-        values: list[Ref] = []
-        axes = [self._axes(node.system, o.shape) for o in record.operations]
-        deciding = deciding and not (node.system.opaque and node.system.of_package)
-        deciding = deciding and node.system.kept is None  # what is sampled stays for a step
-        for (kind, arguments, _, at), (shape, looping) in zip(record.operations, axes, strict=True):
-            if kind == "leaf":
-                values.append(self._leaf(k, at[0], at[1], shape, fed))
-                continue
-            own = [values[a] if type(a) is int else a for a in arguments]
-            if kind == "opaque":
-                values.append(own[0])
-                continue
-            if deciding:
-                locked = self.decisions.read(kind, own, (shape, looping), k, role)
-                if locked is not None:
-                    values.append(locked)
-                    continue
-            if kind == "sum":
-                length, long = axes[arguments[0]] if type(arguments[0]) is int else ((), ())
-                at = at, length[at], long[at]
-            values.append(self.add(kind, own, shape, at, k))
-        return [values[ref] if type(ref) is int else ref for ref in record.outputs]
+    def shape(self, block: Block, shape: tuple) -> tuple[int, ...]:
+        """Return lengths of axes."""
+        return self._axes(block, shape)[0]
 
-    def _leaf(self, k: int, group: str, name: str, shape: tuple, fed: dict[str, Ref]) -> Ref:
-        if group == "u":
-            return fed[name]
-        array, first = "t", 0
+    def put(self, k: int, role: str, record: Record, operation: Operation, own: list[Ref]) -> Ref:
+        """Write down an operation of a block, or what of it is locked."""
+        block, (kind, arguments, shape, at) = self.wiring.nodes[k].system, operation
+        if kind == "opaque":
+            return own[0]
+        axes = self._axes(block, shape)
+        deciding = role in ("output", "update") and not self._jumped
+        smooth = block.opaque and block.of_package
+        if deciding and not smooth and block.kept is None:  # what is sampled stays for a step
+            locked = self.decisions.read(kind, own, axes, k, role)
+            if locked is not None:
+                return locked
+        if kind == "sum":
+            length, long = self._axes(block, record.operations[arguments[0]].shape)
+            at = at, length[at], long[at]
+        return self.add(kind, own, axes[0], at, k)
+
+    def leaf(self, k: int, group: str, name: str, shape: tuple) -> Ref:
+        """Return time, a parameter, or a state, after jumps where these are known."""
+        block, array, first = self.wiring.nodes[k].system, "t", 0
         if group == "p":
             array, first = self.layout.slots[k, name]
         elif group == "x" and name in self._jumped.get(k, {}):
             return self._jumped[k][name]
         elif group == "x":
-            block = self.wiring.nodes[k].system
             before = list(block.state_shapes)
             sizes = [prod(block.state_shapes[port]) for port in before[: before.index(name)]]
             array, first = "X", self.wiring.nodes[k].states.start + sum(sizes)
-        return self.load(array, first, shape)
+        return self.load(array, first, self.shape(block, shape))
 
     def load(self, array: str, first: int, shape: tuple) -> int:
         """Return the numbers of an array from a place, row by row; the same once."""
@@ -254,16 +235,13 @@ class DiagramRecord:
         rise = self.add("mul", (since, self.load("P", ramp + 1 + n, (n,))), (n,))
         return self.add("add", (self.load("P", ramp + 1, (n,)), rise), (n,))
 
-    def _fed(self, node: Node) -> dict[str, Ref]:
+    def fed(self, k: int) -> dict[str, Ref]:
         """Return what feeds each input port of a block."""
-        found, first = {}, 0
-        signed = self._signed(node.system)
-        for port, shape in node.system.input_shapes.items():
-            ref = self._brought(node, first, shape)
-            if signed and type(ref) is int:  # sums in Python begin at 0.0, are never -0.0
-                ref = self.add("add", (ref, 0.0), shape)
-            found[port] = ref
-            first += prod(shape)
+        found = super().fed(k)
+        if self._signed(self.wiring.nodes[k].system):
+            for port, ref in found.items():
+                if type(ref) is int:  # sums in Python begin at 0.0, are never -0.0
+                    found[port] = self.add("add", (ref, 0.0), self.shape_of(ref))
         return found
 
     def _signed(self, block: Block) -> bool:
@@ -275,44 +253,6 @@ class DiagramRecord:
                 if kind in SIGNED or any(_moves(lines, a) for a in divisor):
                     return True
         return False
-
-    def _brought(self, node: Node, first: int, shape: tuple) -> Ref:
-        """Return what wires bring to a port: arrays where they lie whole, else pieces joined."""
-        size = prod(shape)
-        terms = [t for wire in node.wires for t in self._terms(wire, first, first + size)]
-        cuts = sorted({0, size, *(at for t in terms for at in (t[0], t[0] + t[1]))})
-        pieces: list[Ref] = []
-        for start, stop in itertools.pairwise(cuts):
-            own = shape if stop - start == size else (stop - start,)
-            total: Ref | None = None
-            for to, n, gain, ref, at in terms:
-                if to <= start and stop <= to + n:
-                    value = self.part(ref, at + start - to, own)
-                    value = value if gain == 1.0 else self.add("mul", (value, gain), own)
-                    total = value if total is None else self.add("add", (total, value), own)
-            if len(cuts) > 2 and type(total) is not int:
-                total = self.add("fill", (0.0 if total is None else total,), own)
-            pieces.append(0.0 if total is None else total)
-        if len(pieces) == 1:
-            return pieces[0]
-        return self.part(self.add("join", pieces, (size,)), 0, shape) if pieces else 0.0
-
-    def _terms(self, wire: Any, first: int, last: int) -> list[tuple[int, int, float, Ref, int]]:
-        """Return (place, count, gain, source port, place in it) of a wire within [first, last)."""
-        found = []
-        at, stop = max(wire.to, first), min(wire.to + wire.size, last)
-        while at < stop:
-            source, n = wire.source + at - wire.to, stop - at
-            ref: Ref = self._external
-            if not wire.external:
-                start = self._firsts[bisect(self._firsts, source) - 1]
-                n, source = min(n, start + self._sizes[start] - source), source - start
-                ref = self._ports.get(start, 0.0)  # none yet, where only half of a block is run
-                shape = (self._sizes[start],)
-                ref = ref if type(ref) is int else self.add("fill", (ref,), shape)
-            found.append((at - first, n, wire.gain, ref, source))
-            at += n
-        return found
 
     def part(self, ref: int, first: int, shape: tuple) -> int:
         """Return elements of a value from a place on, row by row, in a shape."""
