@@ -1,4 +1,8 @@
-"""Places on charts: rings and lines, whole or cut at 180 degrees east, and Mercator charts.
+"""Places on charts: layers of a replay, whole or cut at 180 degrees east, and Mercator charts.
+
+What is drawn of a replay is a list of layers, made of what `clpt replay --json` prints.  A layer
+is a point, a line or a ring, by the name of a GeoJSON geometry; its kind says what it is.  Four
+writers take them: the map of the page, map.png, GeoJSON and KML.
 
 The ring of a forecast, with half axes a and b and the bearing B of the long one, is
 
@@ -16,10 +20,10 @@ that no chart is cut at 180 degrees.
 from collections.abc import Sequence
 from itertools import pairwise
 from math import ceil, cos, floor, pi, radians, sin
-from typing import Any
+from typing import Any, NamedTuple
 
 from ..geodesy import displacement, place_from
-from .wording import east_of
+from .wording import compass, east_of, velocity
 
 Place = tuple[float, float]  # degrees north, degrees east
 DIVE, NEXT, AIMED = ("start_", "forecast_"), ("from_", ""), ("from_", "end_")  # start, centre
@@ -199,3 +203,74 @@ def mark(angle: float, names: str, step: float) -> str:
     if step >= 60:
         return f"{whole:.0f}°{letter}"
     return f"{whole:.0f}°{minutes:0{2 + bool(decimals) + decimals}.{decimals}f}'{letter}"
+
+
+class Layer(NamedTuple):
+    """Places, the row, next dive or leg that they are `of`, what is said of it, and its time."""
+
+    kind: str
+    shape: str
+    places: list[Place]
+    of: dict[str, Any]
+    said: str = ""
+    when: str = ""
+
+
+def said_of_next(ahead: dict[str, Any]) -> str:
+    """Return what a popup says of the next surfacing."""
+    half = f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
+    bearing = compass(ahead["ellipse_90_bearing"])
+    return f"{ahead['time']}, {ahead['place']}; 90 % within {half}, the long axis to {bearing}"
+
+
+def said_of_dive(row: dict[str, Any]) -> str:
+    """Return what a popup says of a dive."""
+    miss = row["clpe"]["adaptive"]
+    return (
+        f"surfaced {row['end']}, {miss:.0f} m from the forecast, "
+        f"{'in' if row['inside_90'] else 'outside'} its 90 % ellipse; current "
+        f"{velocity(row['current_east'], row['current_north'])}"
+    )
+
+
+def dive_layers(rows: Sequence[dict[str, Any]]) -> list[list[Layer]]:
+    """Return what is drawn of each dive; the first has no forecast."""
+    found, before = [], None
+    for row in rows:
+        start, end, reckoned, forecast = (
+            place_in(row, which) for which in ("start_", "end_", "reckoned_", "forecast_")
+        )
+        each = [
+            Layer("miss", "LineString", [reckoned, end], row),
+            Layer("track", "LineString", [start, end], row),
+            Layer("reckoned", "Point", [reckoned], row),
+            Layer("fix", "Point", [end], row, said_of_dive(row), row["end"]),
+        ]
+        if before is not None:
+            each.insert(0, Layer("drift", "LineString", [before, start], row))
+            each.insert(0, Layer("ring", "Polygon", ring_of(row), row))
+            each.insert(-1, Layer("forecast", "Point", [forecast], row))
+        found.append(each)
+        before = end
+    return found
+
+
+def layers_ahead(ahead: dict[str, Any] | None, legs: Sequence[dict[str, Any]]) -> list[Layer]:
+    """Return what is drawn of the next dive and of each leg to a waypoint."""
+    found = []
+    if ahead is not None:
+        last, goal = (place_in(ahead, which) for which in NEXT)
+        found = [
+            Layer("way", "LineString", [last, goal], ahead),
+            Layer("next", "Point", [goal], ahead, said_of_next(ahead), ahead["time"]),
+            Layer("ring next", "Polygon", ring_of(ahead, NEXT), ahead, when=ahead["time"]),
+        ]
+    for leg in legs:
+        target, (begin, end) = place_in(leg, ""), (place_in(leg, which) for which in AIMED)
+        found += [
+            Layer("target", "Point", [target], leg, leg["place"]),
+            Layer("aim", "LineString", [begin, target], leg),
+            Layer("made", "LineString", [begin, end], leg),
+            Layer("ring aimed", "Polygon", ring_of(leg, AIMED), leg, when=leg["end"]),
+        ]
+    return found

@@ -11,8 +11,7 @@ from typing import Any
 
 from ..geodesy import displacement
 from ..html.text import safe
-from .chart import AIMED, NEXT, Chart, Place, length_of, mark, place_in, ring_of
-from .exchange import said_of_dive, said_of_next
+from .chart import Chart, Layer, Place, dive_layers, layers_ahead, length_of, mark, place_in
 from .wording import compass
 
 WIDTH = 1000.0
@@ -24,11 +23,17 @@ CORNER = 60.0  # units above the lower edge, where meridians have their names
 LARGER = 1.6  # times, that a waypoint may make the chart
 EDGE = 26.0  # units, of an arrow from the edge
 LAST = 12  # dives whose ellipses are always drawn
-STAR = "M0-10 2.4-3.2 9.5-3.1 3.8 1.2 5.9 8.1 0 4 -5.9 8.1 -3.8 1.2 -9.5-3.1 -2.4-3.2Z"
-CROSS = "M-4-4 4 4M-4 4 4-4"
-PLUS = "M-5.5 0H5.5M0-5.5V5.5"
 ARROW = "M0-11 7 6 0 2-7 6Z"
-TARGET = "M0-9A9 9 0 1 1-.01-9ZM-13 0H13M0-13V13"
+STAR = "M0-10 2.4-3.2 9.5-3.1 3.8 1.2 5.9 8.1 0 4 -5.9 8.1 -3.8 1.2 -9.5-3.1 -2.4-3.2Z"
+MARKS = {  # kind of a point: its style and its shape
+    "reckoned": ("reckoned", "M-4-4 4 4M-4 4 4-4"),
+    "forecast": ("forecast", "M-5.5 0H5.5M0-5.5V5.5"),
+    "next": (
+        "star",
+        STAR,
+    ),
+    "target": ("target", "M0-9A9 9 0 1 1-.01-9ZM-13 0H13M0-13V13"),
+}
 
 
 class Drawing:
@@ -49,10 +54,6 @@ class Drawing:
         points = "L".join(_numbers(*self.at(place)) for place in places)
         return f'<path class="{style}" d="M{points}{"Z" if closed else ""}"/>'
 
-    def mark(self, place: Place, style: str, shape: str) -> str:
-        """Return a mark of a constant size."""
-        return self.group(place, "m", f'<path class="{style}" d="{shape}"/>')
-
     def group(self, place: Place, style: str, inner: str) -> str:
         """Return a group at a place."""
         return f'<g class="{style}" transform="translate({_numbers(*self.at(place))})">{inner}</g>'
@@ -64,38 +65,27 @@ def _numbers(x: float, y: float) -> str:
 
 def replay_map(found: dict[str, Any]) -> str:
     """Return the map of what `clpt replay --json` prints, with one dive at least."""
-    rows, ahead, legs = found["each_dive"], found["next_dive"], found.get("aim") or []
-    rings = [ring_of(row) for row in rows[1:][-LAST:]]  # the first dive has no forecast
-    targets = [place_in(leg, "") for leg in legs]
-    last, goal = (place_in(ahead, which) for which in NEXT)
-    everything = [place for row in rows for place in _places(row)]
-    everything += [place for ring in [*rings, ring_of(ahead, NEXT)] for place in ring]
-    drawing = Drawing([*everything, *_in_reach(everything, targets)])
+    rows, legs = found["each_dive"], found.get("aim") or []
+    dives, ahead = dive_layers(rows), layers_ahead(found["next_dive"], legs)
+    targets = [layer for layer in ahead if layer.kind == "target"]
+    near = [*(layer for each in dives for layer in each if layer.kind != "ring")]
+    near += [layer for each in dives[-LAST:] for layer in each if layer.kind == "ring"]
+    near += [layer for layer in ahead if layer.of is found["next_dive"]]
+    places = [place for layer in near for place in layer.places]
+    drawing = Drawing([*places, *_in_reach(places, [layer.places[0] for layer in targets])])
     drawn = [*_grid(drawing), '<g id="dives">']
-    drawn += [
-        _dive(drawing, row, rows[k - 1] if k else None, k >= len(rows) - LAST)
-        for k, row in enumerate(rows)
-    ]
+    for k, each in enumerate(dives):
+        number, recent = safe(rows[k]["dive"]), k >= len(rows) - LAST
+        title = f"<title>dive {number}: {safe(each[-1].said)}</title>"
+        inside = "".join(_drawn(drawing, layer, recent=recent) for layer in each)
+        drawn.append(f'<g class="dive" data-dive="{number}">{title}{inside}</g>')
     drawn += ["</g>", *_numbered(drawing, rows)]
-    for k, (leg, target) in enumerate(zip(legs, targets, strict=True)):
-        begin, end = (place_in(leg, which) for which in AIMED)
-        drawn += [drawing.line([begin, target], "aim"), drawing.line([begin, end], "made")]
-        drawn.append(drawing.line(ring_of(leg, AIMED), "ring aimed", closed=True))
-        title = f"<title>waypoint {k + 1}: {safe(leg['place'])}</title>"
-        target_mark = f'<path class="target" d="{TARGET}"/>'
-        drawn.append(drawing.group(target, "m", title + target_mark))
-        drawn.append(_beyond(drawing, k + 1, begin, target))
-    drawn += [
-        drawing.line([last, goal], "way"),
-        drawing.line(ring_of(ahead, NEXT), "ring next", closed=True),
-        drawing.group(
-            goal,
-            "m",
-            f"<title>next surfacing: {safe(said_of_next(ahead))}</title>"
-            f'<path class="star" d="{STAR}"/>',
-        ),
-        _scale(drawing),
-    ]
+    for k, leg in enumerate(legs):
+        own = [layer for layer in ahead if layer.of is leg]
+        drawn += _painted(drawing, own, f"waypoint {k + 1}: ")
+        drawn.append(_beyond(drawing, k + 1, own[1].places))
+    own = [layer for layer in ahead if layer.of is found["next_dive"]]
+    drawn += [*_painted(drawing, own, "next surfacing: "), _scale(drawing)]
     return (
         f'<svg id="map" viewBox="0 0 {WIDTH:.0f} {drawing.height:.0f}" role="img" '
         f'aria-label="map of the track and of the next surfacing" {_facts(drawing)}>'
@@ -104,8 +94,22 @@ def replay_map(found: dict[str, Any]) -> str:
     )
 
 
-def _places(row: dict[str, Any]) -> list[Place]:
-    return [place_in(row, which) for which in ("start_", "end_", "reckoned_", "forecast_")]
+def _painted(drawing: Drawing, layers: list[Layer], name: str) -> list[str]:
+    """Return layers, points above lines and with their name."""
+    points = sorted(layers, key=lambda layer: layer.shape == "Point")
+    return [_drawn(drawing, layer, f"<title>{name}{safe(layer.said)}</title>") for layer in points]
+
+
+def _drawn(drawing: Drawing, layer: Layer, title: str = "", recent: bool = True) -> str:
+    if layer.shape != "Point":
+        style = layer.kind if recent or layer.kind != "ring" else "ring old"
+        return drawing.line(layer.places, style, closed=layer.shape == "Polygon")
+    if layer.kind == "fix":
+        mark = f'<circle class="{"fix" if layer.of["inside_90"] else "fix out"}" r="3.6"/>'
+    else:
+        style, shape = MARKS[layer.kind]
+        mark = f'<path class="{style}" d="{shape}"/>'
+    return drawing.group(layer.places[0], "m", title + mark)
 
 
 def _in_reach(places: Sequence[Place], targets: Sequence[Place]) -> list[Place]:
@@ -119,9 +123,9 @@ def _in_reach(places: Sequence[Place], targets: Sequence[Place]) -> list[Place]:
     return [target for target in targets if size([*places, target]) <= most]
 
 
-def _beyond(drawing: Drawing, number: int, begin: Place, target: Place) -> str:
+def _beyond(drawing: Drawing, number: int, aim: list[Place]) -> str:
     """Return the arrow at the chart's edge towards a waypoint off it, with how far and where to."""
-    (x0, y0), (x1, y1) = drawing.at(begin), drawing.at(target)
+    (x0, y0), (x1, y1) = map(drawing.at, aim)
     right, low = WIDTH - EDGE, drawing.height - EDGE
     inside = EDGE < x0 < right and EDGE < y0 < low
     if not inside or (EDGE <= x1 <= right and EDGE <= y1 <= low):
@@ -129,7 +133,7 @@ def _beyond(drawing: Drawing, number: int, begin: Place, target: Place) -> str:
     shares = [((right if x1 > x0 else EDGE) - x0) / (x1 - x0)] if x1 != x0 else []
     shares += [((low if y1 > y0 else EDGE) - y0) / (y1 - y0)] if y1 != y0 else []
     x, y = (a + min(shares) * (b - a) for a, b in ((x0, x1), (y0, y1)))
-    east, north = displacement(*begin, *target)
+    east, north = displacement(*aim[0], *aim[1])
     said = f"waypoint {number}, {hypot(east, north) / 1000:.0f} km to "
     said += compass(degrees(atan2(east, north)))
     turn, left = degrees(atan2(x1 - x0, y0 - y1)), x < WIDTH / 2
@@ -141,29 +145,10 @@ def _beyond(drawing: Drawing, number: int, begin: Place, target: Place) -> str:
     )
 
 
-def _dive(drawing: Drawing, row: dict[str, Any], before: dict | None, recent: bool) -> str:
-    start, end, reckoned, forecast = _places(row)
-    number = safe(row["dive"])
-    parts = [f"<title>dive {number}: {safe(said_of_dive(row))}</title>"]
-    if before is not None:
-        style = "ring" if recent else "ring old"
-        parts.append(drawing.line(ring_of(row), style, closed=True))
-        parts.append(drawing.line([_places(before)[1], start], "drift"))
-    parts += [
-        drawing.line([reckoned, end], "miss"),
-        drawing.line([start, end], "track"),
-        drawing.mark(reckoned, "reckoned", CROSS),
-    ]
-    if before is not None:
-        parts.append(drawing.mark(forecast, "forecast", PLUS))
-    style = "fix" if row["inside_90"] else "fix out"
-    parts.append(drawing.group(end, "m", f'<circle class="{style}" r="3.6"/>'))
-    return f'<g class="dive" data-dive="{number}">{"".join(parts)}</g>'
-
-
 def _numbered(drawing: Drawing, rows: list[dict[str, Any]]) -> list[str]:
     """Return the numbers of dives, each with the least zoom at which it has room."""
-    points = [drawing.at(_places(row)[1]) for row in rows]
+    ends = [place_in(row, "end_") for row in rows]
+    points = [drawing.at(end) for end in ends]
     free = list(range(len(rows) - 1, -1, -1))  # the last dive first
     drawn: list[str] = []
     placed: list[int] = []
@@ -180,7 +165,7 @@ def _numbered(drawing: Drawing, rows: list[dict[str, Any]]) -> list[str]:
                 free.remove(k)
                 number = safe(rows[k]["dive"])
                 text = f'<text class="n{level}" x="7" y="-5">{number}</text>'
-                drawn.append(drawing.group(_places(rows[k])[1], "m number", text))
+                drawn.append(drawing.group(ends[k], "m number", text))
     return ['<g id="numbers">', *drawn, "</g>"]
 
 

@@ -3,7 +3,9 @@
 The map is Mercator, in degrees and minutes, with the same places as that of the page.
 """
 
+from collections import defaultdict
 from collections.abc import Sequence
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +14,7 @@ import numpy as np
 from ..arguments import public
 from ..figures import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, axes_for, figure_of, legend_below
 from ..files import write_together
-from .chart import AIMED, NEXT, Chart, Place, length_of, mark, place_in, ring_of
+from .chart import Chart, Place, dive_layers, layers_ahead, length_of, mark
 from .dataset import Source, plotted
 from .outcome import rms_of
 from .replay import Replay
@@ -26,6 +28,19 @@ FEW = 20  # dives, whose marks are large
 LAST = 12  # dives whose ellipses are drawn
 SIZE = 6.5  # inches of the longer side
 ROOM = (0.34, 0.14)  # inches of a number
+DRAWN: tuple[tuple[str, str, float, float, dict[str, Any]], ...] = (
+    # kind of a layer, mark or line, its size, that of a mark for many dives, style
+    ("track", "-", 1.3, 0, {"color": BLUE, "label": "fix to fix"}),
+    ("drift", ":", 0.8, 0, {"color": BLUE, "label": "drift at the surface"}),
+    ("miss", "--", 0.6, 0, {"color": RED, "label": "miss"}),
+    ("reckoned", "x", 6, 2.5, {"color": RED, "label": "dead-reckoned end"}),
+    ("forecast", "+", 8, 3.5, {"color": GREEN, "label": "forecast", "mew": 1.2}),
+    ("fix", "o", 4.5, 2, {"color": "black", "label": "fix", "zorder": 4}),
+    ("ring next", "--", 1.2, 0, {"color": PURPLE}),
+    ("next", "*", 11, 11, {"color": PURPLE, "label": "next surfacing", "zorder": 5}),
+    ("ring aimed", "-.", 1.2, 0, {"color": ORANGE}),
+    ("made", "-", 1.8, 0, {"color": ORANGE, "label": "aimed at the waypoint"}),
+)
 LINES = {
     "no_flow": (GREY, "s", ":"),
     "previous_dive": (ORANGE, "^", "--"),
@@ -75,48 +90,31 @@ def map_plot(
     >>> ax = clpt.replay.map_plot(replay, clpt.replay.next_dive(replay))
     """
     vehicle, _, _, found = plotted(replay)
-    start, end, reckoned, forecast = (
-        [place_in(row, which) for row in found]
-        for which in ("start_", "end_", "reckoned_", "forecast_")
-    )
-    rings = [ring_of(row) for row in found[1:][-LAST:]]  # the first dive has no forecast
-    next_row = None if ahead is None else ahead.as_dict()
-    star = [] if next_row is None else [ring_of(next_row, NEXT)]
-    aimed = [ring_of(leg, AIMED) for leg in legs[:1]]
-    far = [place for ring in [*rings, *star, *aimed] for place in ring]
-    chart = Chart([*start, *end, *reckoned, *far])
+    rest = layers_ahead(None if ahead is None else ahead.as_dict(), legs[:1])
+    of: dict[str, list[list[Place]]] = defaultdict(list)
+    for layer in (*chain(*dive_layers(found)), *rest):
+        of[layer.kind].append(layer.places)
+    rings = of.pop("ring", [])[-LAST:]
+    far = [*of["track"], *of["miss"], *rings, *of["ring next"], *of["ring aimed"]]
+    chart = Chart([place for places in far for place in places])
     wide, high = chart.east - chart.west, chart.north - chart.south
     inch = SIZE / max(wide, high)
     ax = axes_for(ax, max(wide * inch, 4.2) + 0.9, high * inch + 1.7)
 
-    def at(places: Sequence[Place]) -> np.ndarray:
-        return np.array([chart.xy(*place) for place in places]).T
+    def at(several: Sequence[Sequence[Place]]) -> np.ndarray:
+        """Return lines as one, broken by NaN, m, shape (2, n)."""
+        each = [[*(chart.xy(*place) for place in places), (np.nan, np.nan)] for places in several]
+        return np.concatenate(each).T
 
     for k, ring in enumerate(rings):
         label = None if k else f"90 % ellipse{' (last dives)' if len(found) > LAST + 1 else ''}"
-        ax.plot(*at(ring), color=GREEN, lw=0.6, alpha=0.6, label=label)
-    for first, last, colour, width, style, name in (
-        (start, end, BLUE, 1.3, "-", "fix to fix"),
-        (end[:-1], start[1:], BLUE, 0.8, ":", "drift at the surface"),
-        (reckoned, end, RED, 0.6, "--", "miss"),
-    ):
-        if first:
-            ax.plot(*_pieces(at(first), at(last)), color=colour, lw=width, ls=style, label=name)
-    small = len(found) > FEW
-    ax.plot(*at(reckoned), "x", color=RED, ms=2.5 if small else 6, label="dead-reckoned end")
-    if forecast[1:]:
-        ms = 3.5 if small else 8
-        ax.plot(*at(forecast[1:]), "+", color=GREEN, ms=ms, mew=1.2, label="forecast")
-    ax.plot(*at(end), "o", color="black", ms=2 if small else 4.5, label="fix", zorder=4)
-    if next_row is not None:
-        ax.plot(*at(star[0]), color=PURPLE, lw=1.2, ls="--")
-        goal = at([place_in(next_row, "")])
-        ax.plot(*goal, "*", color=PURPLE, ms=11, label="next surfacing", zorder=5)
-    for leg in legs[:1]:
-        ax.plot(*at(aimed[0]), color=ORANGE, lw=1.2, ls="-.")
-        way = at([place_in(leg, which) for which in AIMED])
-        ax.plot(*way, color=ORANGE, lw=1.8, label="aimed at the waypoint")
-    _number(ax, at(end), [str(row["dive"]) for row in found], inch)
+        ax.plot(*at([ring]), color=GREEN, lw=0.6, alpha=0.6, label=label)
+    for kind, mark_or_line, size, small, style in DRAWN:
+        if of[kind]:
+            mark_size = small if len(found) > FEW else size
+            width: dict[str, Any] = {"ms": mark_size} if small else {"lw": size}
+            ax.plot(*at(of[kind]), mark_or_line, **width, **style)
+    _number(ax, at(of["fix"])[:, ::2], [str(row["dive"]) for row in found], inch)
     _degrees(ax, chart)
     _scale_bar(ax, chart)
     last_row = found[-1]
@@ -124,11 +122,6 @@ def map_plot(
     ax.set_title(f"{vehicle}: dive {last_row['dive']} surfaced {when}", loc="left", fontsize=10)
     legend_below(ax, 3)
     return ax
-
-
-def _pieces(first: np.ndarray, last: np.ndarray) -> np.ndarray:
-    """Return n lines as one, broken by NaN, shape (2, 3 n)."""
-    return np.stack([first, last, np.full_like(first, np.nan)], axis=2).reshape(2, -1)
 
 
 def _number(ax: "Axes", points: np.ndarray, names: list[str], inch: float) -> None:
