@@ -148,29 +148,20 @@ def test_one_sample_is_said(run):
     assert "Not measured" in text
 
 
-def test_two_samples_are_drawn(run):
-    checked(page_html(page_of(run.isel(time=[0, -1]))))
-
-
-def test_a_vehicle_at_rest_in_still_water_has_its_page():
+def test_two_samples_of_a_vehicle_at_rest_in_still_water_are_drawn():
     calm = {"flow.parameters": np.zeros((2, 3)), "run.duration": 40}
     still = {"kind": "waypoints", "points": [[0, 0]], "dwell": 20}
     run = clpt.simulate(clpt.paper_scenario().with_values({**calm, "reference": still}))
     assert float(np.abs(run.position).max()) == 0
-    checked(page_html(page_of(run)))
+    checked(page_html(page_of(run.isel(time=[0, -1]))))
 
 
-def test_fifty_functions_fit():
-    text = page_html(page_of(clpt.simulate(many(50))))
+def test_fifty_functions_and_many_samples_stay_small():
+    run = clpt.simulate(many(50))
+    long = run.interp(time=np.linspace(0, 60, 60_001)).assign(flow_parameters=run.flow_parameters)
+    text = page_html(page_of(long))
     checked(text)
     assert "All 104 values" in text
-    assert len(text) < 2_000_000
-
-
-def test_many_samples_stay_small(run):
-    times = np.linspace(0, 40, 60_001)
-    long = run.interp(time=times).assign(flow_parameters=run.flow_parameters)
-    text = page_html(page_of(long))
     assert "Drawn from 1 in 11 of 60001 samples" in text
     assert len(text) < 2_000_000
 
