@@ -1,6 +1,7 @@
 """Imports run downhill: the rooms of the package, row by row."""
 
 import ast
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -57,8 +58,11 @@ def imports(name, path, tree):
         yield from (one for one in found if one in FILES and one != name)
 
 
-TREES = {name: ast.parse(path.read_text()) for name, path in FILES.items()}
-EDGES = {(n, used) for n, path in FILES.items() for used in imports(n, path, TREES[n])}
+@cache
+def edges():
+    """Which module imports which."""
+    read = ((n, path, ast.parse(path.read_text())) for n, path in FILES.items())
+    return sorted({(n, used) for n, path, tree in read for used in imports(n, path, tree)})
 
 
 def test_the_top_holds_few_files():
@@ -74,7 +78,7 @@ def test_every_module_has_a_room():
 def test_imports_run_downhill():
     uphill = [
         f"{name} imports {used}"
-        for name, used in sorted(EDGES)
+        for name, used in edges()
         if name not in DOORS and ROW[name.split(".")[0]] > ROW.get(used.split(".")[0], -1)
     ]
     assert uphill == []
@@ -84,7 +88,7 @@ def test_imports_run_downhill():
 def test_there_are_no_circles(level):
     short = (lambda m: m) if level == "files" else (lambda m: m.split(".")[0])
     below = {}
-    for name, used in EDGES:
+    for name, used in edges():
         if name not in DOORS and short(name) != short(used):
             below.setdefault(short(name), set()).add(short(used))
     done, path = set(), []
