@@ -211,12 +211,14 @@ def test_an_ensemble_has_its_page(tmp_path):
 
 def test_an_ensemble_that_failed_has_its_page(tmp_path):
     long = SHORT.with_values({"run.duration": 250})
-    failed = clpt.run_ensemble(long, "learning.gain=[1e9,2e9]", 2, out=tmp_path / "e.zarr")
+    failed = clpt.run_ensemble(
+        long, "vehicle.position=[[1e200,0],[1e201,0]]", 2, out=tmp_path / "e.zarr"
+    )
     text = page_html(page_of(failed))
     checked(text)
     assert "no run came to the end of a round" in text
     assert "2 of 2 runs did not come to their end" in text
-    assert "too many steps" in text
+    assert "step too small" in text
 
 
 @pytest.mark.parametrize("done", [0, 1])

@@ -180,6 +180,17 @@ def test_strange_names_in_the_state_are_left_alone(inbox, tmp_path):
     assert sorted(Follower(inbox, state).files) == ["dive304.csv", "dive305.csv", "dive306.csv"]
 
 
+def test_one_follows_at_a_time(inbox, tmp_path):
+    with (
+        following(inbox, tmp_path / "out") as follower,
+        pytest.raises(DataError, match="another clpt follows here"),
+        following(inbox, tmp_path / "out"),
+    ):
+        pass
+    assert len(follower.files) == 3
+
+
+@pytest.mark.processes
 def test_one_process_follows_at_a_time(inbox, tmp_path):
     out = tmp_path / "out"
     start = [*CLPT, "replay", "--follow", inbox, "--out", out]
@@ -197,10 +208,3 @@ def test_one_process_follows_at_a_time(inbox, tmp_path):
     )
     assert json.loads(third.stdout)["used"] == 3
     assert not left.exists()
-    with (
-        following(inbox, out) as follower,
-        pytest.raises(DataError, match="another clpt follows here"),
-        following(inbox, out),
-    ):
-        pass
-    assert len(follower.files) == 3
