@@ -187,7 +187,7 @@ def test_one_follows_at_a_time(inbox, tmp_path):
         following(inbox, tmp_path / "out"),
     ):
         pass
-    assert len(follower.files) == 3
+    assert len(follower.look()) == 3
 
 
 @pytest.mark.processes
