@@ -16,7 +16,7 @@ import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 
 from .numbers import UFUNCS
-from .record import Operation, Ref, Shape, key_of
+from .record import Operation, Record, Ref, Shape, key_of
 
 MOST_OPERATIONS = 200_000  # a longer record is given up
 LOGICAL = frozenset({"and", "or", "not"})  # of conditions
@@ -92,6 +92,15 @@ class Tape:
             kind in CONDITIONS
             or (kind in MOVED and len(own) == len(arguments) and all(self.truth[a] for a in own))
         )
+
+    def replayed(self, record: Record, leaf: Callable[[str, str, Shape], Any]) -> list[Any]:
+        """Write a record down again on other leaves; return its outputs."""
+        values: list[Any] = []
+        for kind, arguments, shape, at in record.operations:
+            refs = [operand(values[a]) if type(a) is int else a for a in arguments]
+            made = leaf(at[0], at[1], shape) if kind == "leaf" else self.add(kind, refs, shape, at)
+            values.append(made)
+        return [values[ref] if type(ref) is int else ref for ref in record.outputs]
 
     def question(self, ref: Any) -> Any:
         """Answer where Python asks a condition, numbers or a whole number."""

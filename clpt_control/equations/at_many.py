@@ -68,7 +68,7 @@ def on_arrays(block: Block, role: str, t: Any, x: Any, u: Any, p: Any = None) ->
 
 def rows(record: Record, leaf: Callable, sizes: Mapping[str, int], count: int) -> np.ndarray:
     """Return the outputs of a record, whose leaves have one more axis, as rows of so many."""
-    found = computed(record, leaf, sizes, many=True)
+    found = computed(record, leaf, sizes)
     flat = [np.broadcast_to(f, (*f.shape[:-1], count)).reshape(-1, count) for f in found]
     return np.concatenate([np.zeros((0, count)), *flat])
 

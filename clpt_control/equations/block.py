@@ -363,15 +363,12 @@ class Block(control.NonlinearIOSystem):
 
     def _outside(self, record: ArrayRecord) -> ArrayRecord:
         """Return a record whose leaves have the names of the ports."""
-        if not self._inner:
-            return record
         names = {
             (group, inner): (group, outer)
             for group, kind in (("x", "states"), ("u", "inputs"))
             for outer, inner in self._inner.get(kind, {}).items()
         }
-        moved = (o._replace(at=names.get(o.at, o.at)) for o in record.operations)
-        return ArrayRecord(tuple(moved), record.outputs, record.shapes)
+        return record.renamed(names) if names else record
 
     @property
     def records(self) -> dict[str, ArrayRecord]:

@@ -121,6 +121,9 @@ class Parameters(tuple):
     def __getitem__(self, name: Any) -> Any:
         return getattr(self, name) if isinstance(name, str) else super().__getitem__(name)
 
+    def __contains__(self, name: Any) -> bool:
+        return name in self._fields
+
     def get(self, name: str, default: Any = None) -> Any:
         """Return a parameter, or the default where there is none."""
         return getattr(self, name) if name in self._fields else default

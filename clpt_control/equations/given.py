@@ -188,24 +188,3 @@ class Ports(Array):
 def _rows(array: Any) -> list[Array]:
     """Return the rows of an array of any number of axes."""
     return [array] if array.ndim == 1 else [row for part in array for row in _rows(part)]
-
-
-class Fields:
-    """Parameters without values, as a function asks for them: p.gain, p["gain"], p.get."""
-
-    def __init__(self, values: dict[str, Any]) -> None:
-        self.__dict__.update(values)
-
-    def __getitem__(self, name: Any) -> Any:
-        return self.__dict__[name]
-
-    def get(self, name: str, default: Any = None) -> Any:
-        """Return a parameter, or the default where there is none."""
-        return self.__dict__.get(name, default)
-
-    def __contains__(self, name: str) -> bool:
-        return name in self.__dict__
-
-    def keys(self) -> Any:
-        """Return the names."""
-        return self.__dict__.keys()

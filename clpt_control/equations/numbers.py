@@ -97,26 +97,23 @@ def viewed(array: np.ndarray, mapped: tuple, shape: tuple[int, ...]) -> np.ndarr
     return np.lib.stride_tricks.as_strided(first, shape, strides, writeable=False)
 
 
-def sized(shape: tuple[Any, ...], sizes: Mapping[str, int]) -> tuple[int, ...]:
-    """Return a shape with its open sizes filled in."""
-    return tuple([n if isinstance(n, int) else sizes[n] for n in shape])
-
-
 def computed(
-    record: Any, leaf: Callable[[str, str], Any], sizes: Mapping[str, int], many: bool = False
+    record: Any, leaf: Callable[[str, str], Any], sizes: Mapping[str, int]
 ) -> list[np.ndarray]:
     """Compute the outputs of a record; `leaf` gives the array of a group and name.
 
-    If `many`, all arrays have one more axis, the last: what is computed for each, or 1.
+    All arrays have one more axis, the last: what is computed for each, or 1.
     """
     values: list[np.ndarray] = []
 
+    def sized(shape: tuple, value: Any) -> tuple[int, ...]:
+        """Return a shape with its open sizes filled in, and the last axis of a value."""
+        known = [n if isinstance(n, int) else sizes[n] for n in shape]
+        return *known, *(np.shape(value)[-1:] or (1,))
+
     def full(value: Any, shape: tuple) -> np.ndarray:
         """Return a value in all of its shape."""
-        own = sized(shape, sizes)
-        if not many:
-            return np.broadcast_to(value, own)
-        return np.broadcast_to(value, (*own, *(np.shape(value)[-1:] or (1,))))
+        return np.broadcast_to(value, sized(shape, value))
 
     with np.errstate(all="ignore"):
         for kind, arguments, shape, at in record.operations:
@@ -125,23 +122,18 @@ def computed(
             if kind == "leaf":
                 value = np.asarray(leaf(*at))
             elif kind == "constant":
-                value = np.frombuffer(at).reshape((*shape, 1) if many else shape)
+                value = np.frombuffer(at).reshape((*shape, 1))
             elif kind == "sum":
                 value = np.sum(own[0], axis=at)
             elif kind == "view":
-                mapped = (*at, (len(shape), 0, 1)) if many else at
-                tail = own[0].shape[-1:] if many else ()
-                value = viewed(np.asarray(own[0]), mapped, (*sized(shape, sizes), *tail))
+                value = viewed(own[0], (*at, (len(shape), 0, 1)), sized(shape, own[0]))
             elif kind == "stack":
                 value = np.stack(np.broadcast_arrays(*own))
             elif kind == "join":
-                parts = own
-                if many:
-                    count = max(a.shape[-1] for a in own)
-                    parts = [np.broadcast_to(a, (*a.shape[:-1], count)) for a in own]
-                value = np.concatenate(parts)
+                count = max(a.shape[-1] for a in own)
+                value = np.concatenate([np.broadcast_to(a, (*a.shape[:-1], count)) for a in own])
             elif kind == "pick":
-                value = picked(own[0], own[1], many)
+                value = picked(own[0], own[1], many=True)
             elif kind in ("opaque", "fill"):
                 value = own[0]
             else:

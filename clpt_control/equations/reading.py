@@ -28,7 +28,8 @@ from .arrays import (
     where,
 )
 from .copies import Copies, borrowed
-from .given import Borrowed, Fields, Outside, Ports, Reading, located
+from .declaration import parameters_of
+from .given import Borrowed, Outside, Ports, Reading, located
 from .ports import places
 from .record import Record, Shape, compact
 
@@ -55,7 +56,7 @@ class Asked(NamedTuple):
     parameters: Mapping[str, Any]
     shapes: Mapping[str, Shape]  # of the parameters that stay open; others are given as they are
     out: Mapping[str, Shape]
-    given_as: Callable[[dict[str, Any]], Any] = Fields
+    given_as: Callable[[dict[str, Any]], Any] = parameters_of
 
     @property
     def name(self) -> str:
@@ -115,7 +116,7 @@ class _Ways:
             name: self._leaf(name) if name in asked.shapes else self.copies.of(value)
             for name, value in asked.parameters.items()
         }
-        named = asked.given_as is Fields  # else x and u are the function's own
+        named = asked.given_as is parameters_of  # else x and u are the function's own
         while True:
             tape.answers, tape.asked = {}, None
             if self.before is not None:

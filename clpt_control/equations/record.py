@@ -61,7 +61,15 @@ class Record:
 
     def values(self, leaf: Callable[[str, str], Any], sizes: dict[str, int]) -> list[np.ndarray]:
         """Compute the outputs in NumPy; ``leaf("x", "alpha")`` is an array."""
-        return computed(self, leaf, sizes)
+        found = computed(self, lambda *at: np.asarray(leaf(*at))[..., None], sizes)
+        return [value[..., 0] for value in found]
+
+    def renamed(self, names: dict[tuple[str, str], tuple[str, str]]) -> "Record":
+        """Return the record with other leaves: {(group, name): (group, name)}."""
+        moved = [
+            o._replace(at=names.get(o.at, o.at)) if o.kind == "leaf" else o for o in self.operations
+        ]
+        return Record(tuple(moved), self.outputs, self.shapes)
 
 
 def key_of(ref: Ref) -> Any:

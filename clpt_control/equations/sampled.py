@@ -17,9 +17,10 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import DiagramError
+from .arrays import Tape, operand
 from .block import Block
 from .declaration import parameters_of
-from .record import Operation, Record, compact
+from .record import Shape, compact
 
 HELD = "held_"  # with the name of an input port: the state that keeps it
 ROUNDING = 1e-12  # of a time, or of 1: times that differ by less are one
@@ -145,46 +146,33 @@ class Sampled(Block):
         return np.append(new * self.period + states if self.stepped else new, u)
 
     def _read(self, role: str) -> Any:
-        if role == "update":
-            shapes = tuple(self.declared["states"].values())
-            return Record((), (0.0,) * len(shapes), shapes)
-        if role == "output":
-            return self._outside(self._with_held(self.inner.array_record("output"), 0.0))
-        if self.inner.nstates:
-            record = self._with_held(self.inner.array_record("update"), 1.0)
-        else:
-            record = Record((), (), ())
-        lines, outputs = list(record.operations), list(record.outputs)
-        ports = list(record.shapes)
-        for k, (port, shape) in enumerate(self.inner.declared["states"].items()):
-            if self.stepped:
-                lines.append(Operation("mul", (outputs[k], self.period), shape))
-                lines.append(Operation("leaf", (), shape, ("x", port)))
-                lines.append(Operation("add", (len(lines) - 2, len(lines) - 1), shape))
-                outputs[k], ports[k] = len(lines) - 1, shape
-        for port, shape in self.inner.declared["inputs"].items():
-            lines.append(Operation("leaf", (), shape, ("u", port)))
-            outputs.append(len(lines) - 1)
-            ports.append(shape)
-        return self._outside(Record(tuple(lines), tuple(outputs), tuple(ports)))
+        tape, inner = Tape(), self.inner
+        states, inputs = inner.declared["states"], inner.declared["inputs"]
 
-    def _with_held(self, record: Record, ago: float) -> Record:
-        """Return a record of the inner block on what is held, at a sample or the one before."""
-        lines = [
-            Operation("leaf", (), (), ("p", "interval")),
-            Operation("sub", (0, ago), ()),
-            Operation("mul", (1, self.period), ()),
-        ]
-        place: dict[int, int] = {}
-        for k, one in enumerate(record.operations):
-            if one.kind == "leaf" and one.at[0] == "t":
-                place[k] = 2
-                continue
-            moved = tuple(place[a] if type(a) is int else a for a in one.arguments)
-            at = one.at
-            if one.kind == "leaf" and at[0] == "u":
-                at = ("x", HELD + at[1])
-            place[k] = len(lines)
-            lines.append(one._replace(arguments=moved, at=at))
-        outputs = [place[ref] if type(ref) is int else ref for ref in record.outputs]
-        return compact(lines, outputs, record.shapes)
+        def leaf(group: str, name: str, shape: Shape = ()) -> Any:
+            return tape.add("leaf", (), shape, (group, name))
+
+        def asked(role: str, ago: float) -> list[Any]:
+            """Return what the inner block does with what is held, at a sample or one before."""
+            t = (leaf("p", "interval") - ago) * self.period
+
+            def held(group: str, name: str, shape: Shape) -> Any:
+                if group == "t":
+                    return t
+                return leaf(*(("x", HELD + name) if group == "u" else (group, name)), shape)
+
+            return tape.replayed(inner.array_record(role), held)
+
+        if role == "update":
+            shapes = [*self.declared["states"].values()]
+            return compact([], [0.0] * len(shapes), shapes)
+        if role == "output":
+            found, shapes = asked("output", 0.0), [*inner.array_record("output").shapes]
+        else:
+            found = asked("update", 1.0) if inner.nstates else []
+            if self.stepped:
+                moved = zip(found, states.items(), strict=True)
+                found = [rate * self.period + leaf("x", *state) for rate, state in moved]
+            found += [leaf("u", *port) for port in inputs.items()]
+            shapes = [*states.values(), *inputs.values()]
+        return self._outside(compact(tape.operations, [operand(one) for one in found], shapes))

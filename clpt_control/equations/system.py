@@ -138,12 +138,7 @@ class System(Block):
             found = read_once(function, role, *ports, self.given, shapes, out)
         except (Unread, BlockError) as error:
             return Unread(f"{self.name}.{role}: {error}")
-        record = found.record
-        lines = (
-            o._replace(at=("p", self._names[o.at[1]])) if o.kind == "leaf" and o.at[0] == "p" else o
-            for o in record.operations
-        )
-        return Record(tuple(lines), record.outputs, record.shapes)
+        return found.record.renamed({("p", key): ("p", own) for key, own in self._names.items()})
 
     def _tried(self) -> None:
         """Leave it to the run, as python-control does."""

@@ -250,3 +250,14 @@ def test_a_port_has_any_name(port):
     exec(f"def f(t, x, u, p):\n    return 2.0 * u.{port} + u.b", space)
     block = static(space["f"], {"b": 1, port: 1})
     as_it_runs(block, "output", 0.0, [], [3.0, 5.0])
+
+
+def test_a_parameter_is_found_by_name_in_python_and_in_the_record():
+    def rate(t, x, u, p):
+        return -p.gain * x.x if "gain" in p and "leak" not in p else x.x
+
+    block = Block("lag", update=rate, states={"x": 1}, parameters={"gain": 2.0})
+    assert block.dynamics(0, [3.0], []).tolist() == [-6.0]
+    given = {"x": np.array([3.0]), "gain": 2.0}
+    (found,) = block.array_record("update").values(lambda group, name: given[name], {})
+    assert found.tolist() == [-6.0]
