@@ -204,7 +204,7 @@ def run_segments(
 
 def run_scenario(run: "xarray.Dataset") -> Scenario:
     """Return the scenario that a run carries."""
-    from ..scenario.file import CHANGED, OWN_PARTS, folder_of, scenario_from_text
+    from ..scenario.file import CHANGED, OWN_PARTS, scenario_of_run
 
     attributes = run.attrs
     if CHANGED in attributes:
@@ -217,12 +217,10 @@ def run_scenario(run: "xarray.Dataset") -> Scenario:
             f"the run was made with parts given in Python, {attributes[OWN_PARTS]}, so its vehicle "
             "is not known; estimate from a run without them"
         )
-    text = attributes.get("scenario")
-    if not isinstance(text, str) or "position" not in run:
-        raise DataError("the run carries no scenario; clpt.simulate gives runs that do")
+    scenario = scenario_of_run(run)
     if run.sizes.get("time", 0) < 2:
         raise DataError("the run has fewer than two samples; run it with a smaller output_step")
     for name in ("time", "position", "reference"):
         if name not in run or not np.all(np.isfinite(run[name].values)):
             raise DataError(f"the run has no whole {name}; clpt.simulate gives runs that do")
-    return scenario_from_text(text, "scenario", folder_of(run))
+    return scenario

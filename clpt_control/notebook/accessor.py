@@ -5,6 +5,7 @@ Each of them says by its attributes what it is.  Nothing is imported before it i
 
 from typing import TYPE_CHECKING, Any
 
+from .. import ensemble, pages, replay, simulation, theory
 from ..errors import DataError
 from ..html.fragment import facts, fragment
 
@@ -47,13 +48,9 @@ class ClptAccessor:
     @property
     def scenario(self) -> "Scenario | Team":
         """The scenario that a run or an ensemble carries; the team of a team's run."""
-        if self.kind == "team":
-            from ..scenario.team_file import team_of_run
+        from ..scenario.team_file import system_of_run
 
-            return team_of_run(self._data)
-        from ..scenario.file import scenario_of_run
-
-        return scenario_of_run(self._data)
+        return system_of_run(self._data)
 
     @property
     def plot(self) -> "Plots":
@@ -62,27 +59,15 @@ class ClptAccessor:
 
     def state_at(self, t: float) -> Any:
         """Return the state of a run at a time, as `clpt_control.state_at`."""
-        from ..simulation import state_at
-
-        return state_at(self._data, t)
+        return simulation.state_at(self._data, t)
 
     def animate(self, path: Any = None, **options: Any) -> Any:
         """Make a film of a run, as `clpt_control.animate`."""
-        from ..simulation import animate
-
-        return animate(self._data, path, **options)
+        return simulation.animate(self._data, path, **options)
 
     def report(self, file: Any, **options: Any) -> dict[str, Any]:
         """Write a page to send, as `clpt_control.report`."""
-        from ..pages import report
-
-        if self.kind != "replay":
-            return report(self._data, file, **options)
-        from ..pages.kinds import checked_replay
-        from ..replay.dataset import carried
-
-        found: Any = checked_replay(carried(self._data, "the replay"), "the replay")
-        return report(found, file, **options)
+        return pages.report(self._data, file, **options)
 
     def __repr__(self) -> str:
         return f"<clpt of a dataset: {_said(self._data)}>"
@@ -98,6 +83,14 @@ def _said(data: "xarray.Dataset") -> str:
         return "none of clpt's"
 
 
+ROOMS = {"ensemble": ensemble, "replay": replay}
+WHOLE = {  # the plot that shows most
+    "run": "run_plot",
+    "team": "team_plot",
+    "diagram": "response_plot",
+    "ensemble": "ensemble_plot",
+    "replay": "replay_plot",
+}
 PARTS = {
     "run": ("track", "clpe", "learning", "excitation"),
     "team": (),
@@ -127,64 +120,32 @@ class Plots:
     def __call__(self, *, ax: Any = None) -> Any:
         """Draw a run's track, CLPE and learning; a team; a diagram's ports; percentiles; dives."""
         kind = kind_of(self._data)
-        if kind == "diagram":
-            from ..simulation import response_plot
-
-            return response_plot(self._data, ax=ax)
-        if kind == "team":
-            from ..simulation import team_plot
-
-            return team_plot(self._data, ax=ax)
-        if kind == "ensemble":
-            from ..ensemble import ensemble_plot
-
-            return ensemble_plot(self._data, ax=ax)
-        if kind == "replay":
-            from ..replay import replay_plot
-
-            return replay_plot(self._data, ax=ax)
-        from ..simulation import run_plot
-
-        return run_plot(self._data, ax=ax)
+        return getattr(ROOMS.get(kind, simulation), WHOLE[kind])(self._data, ax=ax)
 
     def track(self, *, ax: Any = None) -> Any:
         """Draw a run's waypoints, track and flow."""
-        from ..simulation import track_plot
-
-        return track_plot(self._data, ax=ax)
+        return simulation.track_plot(self._data, ax=ax)
 
     def clpe(self, *, ax: Any = None) -> Any:
         """Draw the CLPE of a run, or of a replay's dives."""
         if kind_of(self._data) == "replay":
-            from ..replay import dive_clpe_plot
-
-            return dive_clpe_plot(self._data, ax=ax)
-        from ..simulation import clpe_plot
-
-        return clpe_plot(self._data, ax=ax)
+            return replay.dive_clpe_plot(self._data, ax=ax)
+        return simulation.clpe_plot(self._data, ax=ax)
 
     def learning(self, axis: int = 1, *, ax: Any = None) -> Any:
         """Draw a run's flow parameters and gains of one axis."""
-        from ..simulation import learning_plot
-
-        return learning_plot(self._data, axis, ax=ax)
+        return simulation.learning_plot(self._data, axis, ax=ax)
 
     def excitation(
         self, window: float | None = None, start: float | None = None, *, ax: Any = None
     ) -> Any:
         """Draw what can be learned along a run."""
-        from ..theory import excitation_plot
-
-        return excitation_plot(self._data, window, start, ax=ax)
+        return theory.excitation_plot(self._data, window, start, ax=ax)
 
     def map(self, *, ax: Any = None) -> Any:
         """Draw a replay's fixes, dead reckoning and forecasts."""
-        from ..replay import map_plot
-
-        return map_plot(self._data, ax=ax)
+        return replay.map_plot(self._data, ax=ax)
 
     def current(self, *, ax: Any = None) -> Any:
         """Draw a replay's learned current."""
-        from ..replay import current_plot
-
-        return current_plot(self._data, ax=ax)
+        return replay.current_plot(self._data, ax=ax)

@@ -64,10 +64,13 @@ def report(
     >>> made["kind"], made["title"]
     ('Run of a scenario', 'A first minute')
     """
-    from .kinds import read
+    from ..replay.dataset import carried
+    from .kinds import checked_replay, read
 
     path, kinds = check_page(file), checked_formats(formats)
     found: Any = read(Path(run)) if isinstance(run, str | Path) else run
+    if "dive" in getattr(found, "dims", ()):
+        found = checked_replay(carried(found, "the replay"), "the replay")
     if hasattr(found, "steps") or isinstance(found, dict):
         return _replay(found, path, title, figures)
     folder = None if figures is None else make_folder(figures)
@@ -85,8 +88,7 @@ def check_page(file: str | Path) -> Path:
 
 def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
     """Return the page of a run, of a team's run or of an ensemble."""
-    from ..scenario.file import TEAM, scenario_from_text
-    from ..scenario.team_file import team_of_run
+    from ..scenario.team_file import system_of_run
     from .kinds import checked_run, is_ensemble
 
     if not hasattr(data, "attrs") or not hasattr(data, "dims"):
@@ -100,11 +102,7 @@ def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
     checked_run(data)
     from .run_page import run_page
 
-    if TEAM in data.attrs:
-        return run_page(data, team_of_run(data), title)
-    folder = Path(data.encoding.get("folder", "."))
-    text = str(data.attrs["scenario"])
-    return run_page(data, scenario_from_text(text, "the run's scenario", folder), title)
+    return run_page(data, system_of_run(data), title)
 
 
 def _written(page: "Page", path: Path, folder: Path | None, kinds: Sequence[str]) -> dict[str, Any]:

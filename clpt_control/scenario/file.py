@@ -59,7 +59,7 @@ def load_scenario(path: str | Path) -> Scenario:
     True
     """
     path = Path(path)
-    text = scenario_text(path) if path.suffix == ".nc" else read_text(path)
+    text = run_text(path) if path.suffix == ".nc" else read_text(path)
     return scenario_from_text(text, str(path), path.parent)
 
 
@@ -82,7 +82,7 @@ def scenario_from_text(text: str, name: str, folder: Path) -> Scenario:
     tables = tables_of(text, name)
     if "team" in tables:
         raise ScenarioError(
-            f"{name}: has a table [team], so it is a team's file; `clpt run`, `clpt excitation` "
+            f"{name}: has a table [team], so it is a team's; `clpt run`, `clpt excitation` "
             "and clpt.load_team read it"
         )
     return checked_scenario(tables, name, folder)
@@ -114,9 +114,9 @@ def scenario_of_run(run: Any) -> Scenario:
         )
     if TEAM in run.attrs:
         raise DataError("the run is a team's; clpt.simulation.team_plot draws a team")
-    if (text := run.attrs.get("scenario")) is None:
+    if not isinstance(text := run.attrs.get("scenario"), str):
         raise DataError("the run carries no scenario in its attributes; clpt.simulate writes one")
-    return scenario_from_text(str(text), "the run", folder_of(run))
+    return scenario_from_text(text, "the run", folder_of(run))
 
 
 def scenario_to_text(scenario: Scenario, folder: Path | None = None) -> str:
@@ -187,16 +187,8 @@ def save_scenario(scenario: Scenario, path: str | Path) -> None:
     write_text(path, scenario_to_text(scenario, path.parent))
 
 
-def scenario_text(path: str | Path) -> str:
-    """Return the scenario that a run's file carries, as TOML text."""
-    text, team = run_text(path)
-    if team:
-        raise DataError(f"{path}: is a team's run; clpt.load_team reads its team")
-    return text
-
-
-def run_text(path: str | Path) -> tuple[str, bool]:
-    """Return the TOML text that a run's file carries, and whether it is a team's."""
+def run_text(path: str | Path) -> str:
+    """Return the TOML text that a run's file carries, of a scenario or a team."""
     with open_netcdf(Path(path)) as data:
         check_form(data.attrs, path)
         if "scenario" not in data.attrs and TEAM not in data.attrs:
@@ -214,7 +206,7 @@ def run_text(path: str | Path) -> tuple[str, bool]:
                     "file holds, so it cannot be repeated; give the scenario itself, and the rest "
                     "to closed_loop(replace=..., insert=...)"
                 )
-        return str(data.attrs.get(TEAM, data.attrs.get("scenario"))), TEAM in data.attrs
+        return str(data.attrs.get(TEAM, data.attrs.get("scenario")))
 
 
 def check_form(attributes: Mapping[str, Any], path: str | Path) -> None:

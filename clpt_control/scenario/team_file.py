@@ -24,6 +24,7 @@ from .file import (
     read_text,
     run_text,
     scenario_from_text,
+    scenario_of_run,
     tables_of,
     toml,
 )
@@ -64,7 +65,7 @@ def load_team(path: str | Path) -> Team:
 def load_either(path: str | Path) -> Scenario | Team:
     """Read a scenario or a team from a TOML file or a run's NetCDF file."""
     path = Path(path)
-    text = run_text(path)[0] if path.suffix == ".nc" else read_text(path)
+    text = run_text(path) if path.suffix == ".nc" else read_text(path)
     if "team" in tables_of(text, str(path)):
         return team_from_text(text, str(path), path.parent)
     return scenario_from_text(text, str(path), path.parent)
@@ -139,3 +140,8 @@ def team_of_run(run: Any) -> Team:
             "them"
         )
     return team_from_text(str(text), "the run", folder_of(run))
+
+
+def system_of_run(run: Any) -> Scenario | Team:
+    """Return the scenario or the team that a run carries in its attributes."""
+    return team_of_run(run) if TEAM in getattr(run, "attrs", {}) else scenario_of_run(run)

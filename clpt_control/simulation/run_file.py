@@ -39,21 +39,22 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     >>> clpt.load_scenario(file) == scenario
     True
     """
-    from ..scenario.file import FORM, LATEST, TEAM, folder_of, scenario_from_text, scenario_to_text
-    from ..scenario.team_file import team_from_text, team_to_text
+    from ..scenario.file import FORM, LATEST, TEAM, scenario_to_text
+    from ..scenario.team import Team
+    from ..scenario.team_file import system_of_run, team_to_text
 
     if "clpe" not in run.variables:
         raise DataError(
             f"{path}: {run.attrs.get('title', 'the dataset')} has no variable clpe, without which "
             "load_run reads nothing; write it by run.to_netcdf, read it by xarray.load_dataset"
         )
-    path, folder = Path(path), folder_of(run)
-    if (text := run.attrs.get("scenario")) is not None:
-        scenario = scenario_from_text(text, "scenario", folder)
-        run = run.assign_attrs(scenario=scenario_to_text(scenario, path.parent))
-    if (text := run.attrs.get(TEAM)) is not None:
-        team = team_from_text(text, TEAM, folder)
-        run = run.assign_attrs({TEAM: team_to_text(team, path.parent)})
+    path = Path(path)
+    if {"scenario", TEAM} & run.attrs.keys():
+        system = system_of_run(run)
+        if isinstance(system, Team):
+            run = run.assign_attrs({TEAM: team_to_text(system, path.parent)})
+        else:
+            run = run.assign_attrs(scenario=scenario_to_text(system, path.parent))
     write_netcdf(run.assign_attrs({FORM: LATEST}), path)
 
 

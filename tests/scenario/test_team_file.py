@@ -34,7 +34,7 @@ def test_a_team_comes_back_from_its_run(tmp_path):
     again = clpt.load_run(tmp_path / "run.nc")
     np.testing.assert_array_equal(again.alpha, run.alpha)
     assert list(again.vehicle.values) == ["a", "b", "c"]
-    with pytest.raises(clpt.ClptError, match="is a team's run"):
+    with pytest.raises(clpt.ClptError, match="it is a team's"):
         clpt.load_scenario(tmp_path / "run.nc")
 
 
