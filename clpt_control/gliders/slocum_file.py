@@ -3,20 +3,19 @@
 Its bytes are a header of ASCII lines; the list of all sensors, or where that is `factored`
 the check sum that names the `.cac` file with it; known bytes; then cycles of b"d", two
 bits for each sensor (0 no value, 1 as before, 2 a new one) and the new values; b"X" ends it.
-
-`dbdreader` reads them, but does not return from a file that is cut short (0.6.3), so the
-cycles are counted here first: whole ones are given to it, in a folder of its own, as it
-looks for a `.cac` in lower case and may write one.  A list is looked for beside the
-file, in `cac` and `cache` there and one folder up, and in the folder that the environment
-variable `CLPT_CAC` names.
+The first cycle has what was known before the segment, and is left out.  Whole cycles of a
+file that is cut short are read.  A list of sensors is looked for beside the file, in `cac` and
+`cache` there and one folder up, and in the folder that the environment variable `CLPT_CAC`
+names.
 """
 
 import os
 import re
 from functools import lru_cache
+from math import nan
 from pathlib import Path
-from tempfile import TemporaryDirectory
-from typing import Any, NamedTuple
+from struct import unpack_from
+from typing import NamedTuple
 
 import numpy as np
 
@@ -27,7 +26,9 @@ SUFFIXES = (".sbd", ".mbd", ".dbd")
 MAGIC = b"dbd_"  # first bytes of `dbd_label:`
 FOLDERS = ("cac", "cache")
 KNOWN = 16  # bytes: b"sa", 4660 in 2, 123.456 in 4, 123456789.12345 in 8
-HOMES = ("HOME", "USERPROFILE")
+ORDERS = {b"sa\x34\x12": "<", b"sa\x12\x34": ">"}  # as `KNOWN` has it: how bytes are ordered
+KINDS = {1: "b", 2: "h", 4: "f", 8: "d"}  # of a value, by its bytes
+TIME = "m_present_time"
 LARGEST = 2 * 10**8  # bytes
 WHOLE = ("num_ascii_tags", "total_num_sensors", "state_bytes_per_cycle", "sensor_list_factored")
 Series = tuple[np.ndarray, np.ndarray]  # s since 1970 UTC, values
@@ -52,10 +53,9 @@ def read_segment(path: Path, names: tuple[str, ...]) -> Segment:
     if len(raw) > LARGEST:
         raise DataError(f"{path}: is larger than {LARGEST // 10**6} MB; give its .sbd")
     tags, at = _header(raw, path)
-    words, at, listed = _sensors(raw, at, tags, path)
+    sensors, at = _sensors(raw, at, tags, path)
     number = _number(tags.get("the8x3_filename", ""), path)
-    end, why = _whole(raw, at, words, int(tags["state_bytes_per_cycle"]), path)
-    of = _read(raw[:end] + b"X", tags, listed, names, path)
+    of, why = _cycles(raw, at, sensors, int(tags["state_bytes_per_cycle"]), names, path)
     return Segment(tags.get("full_filename", path.stem), number, of, (why,) if why else ())
 
 
@@ -90,21 +90,21 @@ def _header(raw: bytes, path: Path) -> tuple[dict[str, str], int]:
 
 def _sensors(
     raw: bytes, at: int, tags: dict[str, str], path: Path
-) -> tuple[list[int], int, bytes | None]:
-    """Return the bytes of each sensor in a cycle, where the list ends, and the .cac that has it."""
+) -> tuple[list[tuple[str, int]], int]:
+    """Return name and bytes of each sensor in a cycle, and where the list ends."""
     total = int(tags["total_num_sensors"])
     if tags["sensor_list_factored"] != "0":
         check_sum = tags.get("sensor_list_crc", "").lower()
         if not re.fullmatch("[0-9a-f]{1,8}", check_sum):
             raise DataError(f"{path}: the Slocum file names no list of sensors: sensor_list_crc")
         place, listed = _list_of(path, check_sum)
-        return _sizes(listed, total, place), at, listed
+        return _listed(listed, total, place), at
     end = at
     for _ in range(total):
         end = raw.find(b"\n", end) + 1
         if end == 0:
             raise DataError(f"{path}: the list of sensors in the Slocum file is cut short")
-    return _sizes(raw[at:end], total, path), end, None
+    return _listed(raw[at:end], total, path), end
 
 
 def _list_of(path: Path, check_sum: str) -> tuple[Path, bytes]:
@@ -129,9 +129,9 @@ def _list_of(path: Path, check_sum: str) -> tuple[Path, bytes]:
 
 
 @lru_cache(maxsize=64)
-def _sizes(listed: bytes, total: int, path: Path) -> list[int]:
-    """Return how many bytes each sensor of a cycle takes, in their order."""
-    sizes: dict[int, int] = {}
+def _listed(listed: bytes, total: int, path: Path) -> list[tuple[str, int]]:
+    """Return name and bytes of each sensor of a cycle, in their order."""
+    sensors: dict[int, tuple[str, int]] = {}
     lines = [line.split() for line in listed.splitlines() if line.strip()]
     for words in lines[:total]:
         try:
@@ -141,94 +141,56 @@ def _sizes(listed: bytes, total: int, path: Path) -> list[int]:
         if len(words) < 7 or words[0] != b"s:" or size not in (1, 2, 4, 8):
             break
         if place >= 0:
-            sizes[place] = size
+            sensors[place] = words[5].decode("ascii", "replace"), size
     else:
-        if len(lines) >= total and sorted(sizes) == list(range(len(sizes))):
-            return [sizes[place] for place in range(len(sizes))]
+        if len(lines) >= total and sorted(sensors) == list(range(len(sensors))):
+            return [sensors[place] for place in range(len(sensors))]
     raise NotYet(
         f"{path}: is no list of {total} sensors of a Slocum; get it again from the glider or its "
         "dockserver"
     )
 
 
-def _whole(raw: bytes, at: int, sizes: list[int], states: int, path: Path) -> tuple[int, str]:
-    """Return where the last whole cycle ends, and what is wrong behind it."""
-    if len(raw) < at + KNOWN or raw[at : at + 4] not in (b"sa\x34\x12", b"sa\x12\x34"):
+def _cycles(
+    raw: bytes,
+    at: int,
+    sensors: list[tuple[str, int]],
+    states: int,
+    names: tuple[str, ...],
+    path: Path,
+) -> tuple[dict[str, Series], str]:
+    """Return what sensors said in whole cycles, and what is wrong behind these."""
+    order = ORDERS.get(raw[at : at + 4])
+    if len(raw) < at + KNOWN or order is None:
         raise DataError(f"{path}: the Slocum file has no cycles behind its header, or is damaged")
-    if states != (len(sizes) + 3) // 4:
+    if states != (len(sensors) + 3) // 4:
         raise DataError(
-            f"{path}: has {states} state bytes in a cycle, its list of sensors {len(sizes)} "
+            f"{path}: has {states} state bytes in a cycle, its list of sensors {len(sensors)} "
             "sensors: the list is of another file; get the right one from the glider"
         )
+    wanted = {name: k for k, (name, _) in enumerate(sensors) if name in (TIME, *names)}
+    if TIME not in wanted:
+        raise DataError(f"{path}: the Slocum file has no {TIME}, the times of its cycles")
+    sizes = np.array([size for _, size in sensors])
     codes = (np.arange(256)[:, None] >> np.array([6, 4, 2, 0])) & 3
-    cost = np.zeros((states, 256), np.int64)
-    for k, size in enumerate(sizes):
-        code = codes[:, k % 4]
-        cost[k // 4] += np.where(code == 3, LARGEST, size * (code == 2))
-    place = np.arange(states)
+    last, rows = dict.fromkeys(wanted, nan), []
     at += KNOWN
     while raw[at : at + 1] == b"d" and at + 1 + states <= len(raw):
-        state = np.frombuffer(raw, np.uint8, states, at + 1)
-        step = 1 + states + int(cost[place, state].sum())
-        if at + step > len(raw):
+        code = codes[np.frombuffer(raw, np.uint8, states, at + 1)].ravel()[: len(sizes)]
+        ends = at + 1 + states + np.cumsum(np.where(code == 2, sizes, 0))
+        if np.any(code == 3) or ends[-1] > len(raw):
             break
-        at += step
+        for name, k in wanted.items():
+            if code[k] == 2:
+                (last[name],) = unpack_from(f"{order}{KINDS[sizes[k]]}", raw, ends[k] - sizes[k])
+        rows.append([last[name] if code[k] else nan for name, k in wanted.items()])
+        at = int(ends[-1])
+    columns = dict(zip(wanted, np.array(rows[1:], float).reshape(-1, len(wanted)).T, strict=True))
+    said = {name: np.isfinite(columns[name]) for name in names if name in columns}
+    of = {name: (columns[TIME][rows], columns[name][rows]) for name, rows in said.items()}
     if raw[at : at + 1] == b"X":
-        return at, ""
-    return at, f"{path.name} is cut short or damaged at byte {at} of {len(raw)}: read up to there"
-
-
-def _read(
-    raw: bytes, tags: dict[str, str], listed: bytes | None, names: tuple[str, ...], path: Path
-) -> dict[str, Series]:
-    """Read whole cycles by dbdreader."""
-    try:
-        dbdreader = _dbdreader()
-    except ImportError:
-        raise NotYet(
-            f"{path}: is a Slocum file, which dbdreader reads; install it: "
-            "pip install 'clpt-control[slocum]'"
-        ) from None
-    with TemporaryDirectory() as folder:
-        copy = Path(folder) / f"segment{path.suffix.lower()}"
-        copy.write_bytes(raw)
-        if listed is not None:
-            Path(folder, f"{tags['sensor_list_crc'].lower()}.cac").write_bytes(listed)
-        try:
-            file = dbdreader.DBD(str(copy), cacheDir=folder)
-            try:
-                known = [name for name in names if name in file.parameterNames]
-                columns = [
-                    file.get(name, decimalLatLon=False, discardBadLatLon=False) for name in known
-                ]
-            finally:
-                file.close()
-        except Exception as error:  # whatever damage makes of it
-            raise DataError(
-                f"{path}: dbdreader does not read the Slocum file ({type(error).__name__}): damaged"
-            ) from None
-    return {
-        name: (np.asarray(time, float), np.asarray(value, float))
-        for name, (time, value) in zip(known, columns, strict=True)
-    }
-
-
-def _dbdreader() -> Any:
-    """Return dbdreader, which makes a folder in the home of who imports it first: elsewhere."""
-    homes = {name: os.environ.get(name) for name in HOMES}
-    with TemporaryDirectory() as folder:
-        os.environ.update(dict.fromkeys(HOMES, folder))
-        try:
-            import dbdreader
-        finally:
-            for name, home in homes.items():
-                if home is None:
-                    del os.environ[name]
-                else:
-                    os.environ[name] = home
-    if (dbdreader.DBDCache.CACHEDIR or "").startswith(folder):
-        dbdreader.DBDCache.CACHEDIR = None  # it looks for one again when it needs one
-    return dbdreader
+        return of, ""
+    return of, f"{path.name} is cut short or damaged at byte {at} of {len(raw)}: read up to there"
 
 
 def _number(short: str, path: Path) -> int:

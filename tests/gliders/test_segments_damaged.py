@@ -10,7 +10,6 @@ from slocum_bytes import CRC, cac, segment
 
 from clpt_control.gliders import read_dives, usable
 
-pytest.importorskip("dbdreader", reason="dbdreader reads Slocum files (extra slocum)")
 DAMAGED = "rosie_713-2019-170-0-2.sbd"
 GOOD = [970157, 970159, 970161, 980000, 980003]
 HEADER = 354  # bytes of the header of that file, more or less

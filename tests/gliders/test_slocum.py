@@ -1,9 +1,6 @@
 """Slocum files: real ones against plain arithmetic, made ones against the sea they were made in."""
 
-import os
 import shutil
-import subprocess
-import sys
 from itertools import permutations
 
 import numpy as np
@@ -17,7 +14,6 @@ from clpt_control.gliders.dives import files_before
 from clpt_control.gliders.slocum import dives_of
 from clpt_control.replay.follow import Follower
 
-pytest.importorskip("dbdreader", reason="dbdreader reads Slocum files (extra slocum)")
 WGS84 = Geod(ellps="WGS84")
 SENSORS = (
     "m_present_time",
@@ -182,30 +178,6 @@ def test_followed_files_come_in_any_order(tmp_path, order):
     again = Follower(inbox, tmp_path / "state")
     again.look()
     assert again.dives()[0] == read_dives(source)[0]
-
-
-def test_without_dbdreader_it_says_what_to_install(clpt, facts, monkeypatch):
-    monkeypatch.setitem(sys.modules, "dbdreader", None)
-    ended = clpt("replay", facts / "glider/slocum_rosie/sbd")
-    assert ended.status == 2
-    assert "pip install 'clpt-control[slocum]'" in " ".join(ended.err.split())
-
-
-def test_no_folder_is_made_in_a_home(facts, tmp_path):
-    sbd = facts / "glider/slocum_rosie/sbd"
-    code = "import os, sys; from clpt_control.gliders import read_dives; "
-    code += "print(len(read_dives(sys.argv[1])[0]), os.environ['HOME'])"
-    (tmp_path / "file").touch()
-    for home in (tmp_path / "home", tmp_path / "file"):  # a file can hold no folder
-        done = subprocess.run(
-            [sys.executable, "-c", code, sbd],
-            env={**os.environ, "HOME": str(home), "USERPROFILE": str(home)},
-            capture_output=True,
-            text=True,
-            check=True,
-        )
-        assert done.stdout.split() == [str(len(read_dives(sbd)[0])), str(home)]
-        assert not list(home.glob("**/dbdreader"))
 
 
 def test_the_folder_of_lists_can_be_named(facts, tmp_path, monkeypatch):
