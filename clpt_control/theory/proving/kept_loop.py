@@ -156,7 +156,7 @@ class Kept:
         With M = M^T and d = c M, whatever c is: 2 d' c^T - c M' c^T.
         """
         (port,) = self.cones
-        M, c = self.symmetric(port), self.weighed
+        M, c = self.symmetric[port], self.weighed
         if np.any(M != M.T):
             return f"left over: {short(M[0, 1] - M[1, 0])}"
         theta = self.loop.parameters["true_flow"].theta
@@ -170,7 +170,7 @@ class Kept:
 
         As c^T M' c has the sign of c^T M' c/c_n^2, c_n is 1; where it is 0, turn M and c a little.
         """
-        M, n = self.symmetric(port), len(self.cones[port])
+        M, n = self.symmetric[port].copy(), len(self.cones[port])
         c = np.array([*sympy.symbols(f"c_1:{n}", real=True), sympy.Integer(1)], dtype=object)
         M[:-1, -1] = M[-1, :-1] = -(M[:-1, :-1] @ c[:-1])
         M[-1, -1] = -np.dot(M[-1, :-1], c[:-1])
@@ -178,9 +178,11 @@ class Kept:
         form = sympy.sympify(c @ self.slopes[port] @ c).xreplace(at)
         return bool(sympy.factor(sympy.expand(form)).is_nonnegative)
 
-    def symmetric(self, port: str) -> np.ndarray:
-        """Return a cone's matrix with its relations, shape (n, n)."""
-        return np.array([[self.here(s) for s in row] for row in self.cones[port]], dtype=object)
+    @cached_property
+    def symmetric(self) -> dict[str, np.ndarray]:
+        """Each cone's matrix with its relations, shape (n, n)."""
+        here = np.vectorize(self.here, otypes=[object])
+        return {port: here(symbols) for port, symbols in self.cones.items()}
 
     def not_negative(self, expression: Any, more: Set[Any] = frozenset()) -> bool:
         """Return whether F = F(M = 0) + sum tr(M S) is known not to be negative for M >= 0.
@@ -194,7 +196,7 @@ class Kept:
             return True
         found, parts = self.here(expression), []
         found = sympy.expand(found.xreplace(self.over))
-        own = {port: self.symmetric(port) for port in self.cones}
+        own = self.symmetric
         symbols = sorted({s for M in own.values() for s in M.ravel()}, key=str)
         if not found.is_polynomial(*symbols) or sympy.Poly(found, *symbols).total_degree() > 1:
             return False

@@ -221,7 +221,7 @@ def covariance_steps(cases: list[Kept], driven: bool) -> list[Step]:
 
 def _parts(case: Kept) -> tuple[Any, Any, Any]:
     """Return P, P' and (P phi_f) (P phi_f)^T/r^2, symmetric."""
-    P = case.symmetric("P")
+    P = case.symmetric["P"]
     slope = np.vectorize(case.put, otypes=[object])(case.slopes["P"])
     seen = P @ case.states["phi_f"]
     return P, slope, np.outer(seen, seen) / case.parameters.noise**2
@@ -256,7 +256,7 @@ def _below(case: Kept) -> bool:
 
 def _falls(case: Kept) -> bool:
     """Return whether tr(eta P^-1 eta^T) falls by what is seen and what is forgotten."""
-    P, p = case.symmetric("P"), case.parameters
+    P, p = case.symmetric["P"], case.parameters
     size = np.sum((case.held @ P) * case.held)
     share = p.forgetting * (1 - np.trace(P) / p.largest)
     seen = sum((case.held @ P @ case.states["phi_f"]) ** 2) / p.noise**2

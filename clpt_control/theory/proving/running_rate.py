@@ -62,10 +62,13 @@ class Functions:
     def __init__(self, diagram: control.NonlinearIOSystem, wiring: Wiring, V: int):
         self.diagram, self.wiring, self.V = diagram, wiring, V
         self.left = THROUGH_CONTROL
+        self.counts = any(node.system.breakpoints_function for node in wiring.nodes)
 
     def set(self, params: Mapping[str, Any], found: list[Any]) -> None:
         """Set parameters: as python-control takes them, and those of each block."""
         self.params, self.sweep = dict(params), Sweep(self.wiring, found)
+        if self.left > 0:
+            self.diagram._update_params(self.params)
 
     def rates(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
         """Return the rates of all states, (n, nx); NaN where there are none."""
@@ -76,7 +79,8 @@ class Functions:
         if self.left < 0:
             self.sweep.enter(t)
             return self.sweep.derivative(t, x, u)
-        self.diagram._update_params(self.params)  # anew, for the interval
+        if self.counts:
+            self.diagram._update_params(self.params)  # anew, for the interval
         try:
             return self.diagram._rhs(t, x, u)
         except RuntimeError:  # python-control's word for a NaN on its way
@@ -92,35 +96,30 @@ class Functions:
 
 
 class Records:
-    """The blocks' records on arrays, those alone that are needed, in the order of the wiring."""
+    """The blocks' records on arrays, in the order of the wiring."""
 
     def __init__(self, wiring: Wiring, V: int):
         self.wiring, self.V = wiring, V
         self.given: list[Any] = []  # parameters of each block
-        nodes = wiring.nodes
-        self.moving = [k for k, node in enumerate(nodes) if node.system.nstates]
-        level = [k for k, node in enumerate(nodes) if node.outputs.start == V]
-        self.for_rates, self.for_V = (_ancestors(wiring, own) for own in (self.moving, level))
 
     def rates(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
         """Return the rates of all states, (n, nx); NaN where there are none."""
-        signals, found = self._signals(self.for_rates, t, x, u), np.empty(x.shape)
-        for node, p in self._of(self.moving):
-            given = t, x.T[node.states], _fed(node, signals, u), _at_times(node.system, p, t)
-            found.T[node.states] = on_arrays(node.system, "update", *given)
+        signals, found = self._signals(t, x, u), np.empty(x.shape)
+        for node, p in zip(self.wiring.nodes, self.given, strict=True):
+            if node.system.nstates:
+                given = t, x.T[node.states], _fed(node, signals, u), _at_times(node.system, p, t)
+                found.T[node.states] = on_arrays(node.system, "update", *given)
         return found
 
     def values(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
         """Return V, (n,)."""
-        return self._signals(self.for_V, t, x, u)[self.V]
+        return self._signals(t, x, u)[self.V]
 
-    def _of(self, blocks: Any) -> Any:
-        return ((self.wiring.nodes[k], self.given[k]) for k in blocks)
-
-    def _signals(self, needed: set[int], t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
-        """Return all that is put out, of the blocks that are needed."""
+    def _signals(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
+        """Return all that is put out."""
         signals = np.zeros((self.wiring.nodes[-1].outputs.stop, len(t)))
-        for node, p in self._of(k for k in self.wiring.order if k in needed):
+        for k in self.wiring.order:
+            node, p = self.wiring.nodes[k], self.given[k]
             block, own = node.system, x.T[node.states]
             if not block.states_are_outputs:
                 given = t, own, _fed(node, signals, u), _at_times(block, p, t)
@@ -146,23 +145,6 @@ def _at_times(block: Block, p: Any, t: np.ndarray) -> Any:
     if block.breakpoints_function is None or p.interval >= 0:
         return p
     return p._replace(interval=np.array([block.interval_at(one, p) for one in t]))
-
-
-def _ancestors(wiring: Wiring, own: list[int]) -> set[int]:
-    """Return blocks and all that what they put out, and their rates, are made of."""
-    made = np.repeat(
-        np.arange(len(wiring.nodes)), [node.system.noutputs for node in wiring.nodes]
-    ).tolist()
-    found, stack = set(own), list(own)
-    while stack:
-        k = stack.pop()
-        read = k in own or wiring.nodes[k].system.feedthrough
-        for wire in wiring.nodes[k].wires if read else ():
-            for other in set(made[wire.source : wire.source + wire.size]) - found:
-                if not wire.external:
-                    found.add(other)
-                    stack.append(other)
-    return found
 
 
 PER_DRAW = 100  # points for each draw of the parameters
@@ -217,13 +199,13 @@ def rate_along(
     fastest = np.max(np.abs(rates), axis=1, keepdims=True)
     largest = np.maximum(np.max(np.abs(x), axis=1, keepdims=True), 1e-3)
     h = (0.1 if degree <= 4 else 2e-3) * largest / fastest
-    step, h = h * rates, h[:, 0]
-    ahead, behind = asked.values(t, x + step, u), asked.values(t, x - step, u)
-    rate, scale = (ahead - behind) / (2 * h), np.maximum(np.abs(ahead), np.abs(behind)) / h
+    ways = [1.0, -1.0] + [0.5, -0.5] * (degree > 2)
+    beside = np.vstack([x + way * h * rates for way in ways])
+    V = asked.values(np.tile(t, len(ways)), beside, np.tile(u, (len(ways), 1)))
+    V, h = V.reshape(len(ways), -1), h[:, 0]
+    rate, scale = (V[0] - V[1]) / (2 * h), np.max(np.abs(V[:2]), axis=0) / h
     if degree > 2:
-        step *= 0.5
-        near = (asked.values(t, x + step, u) - asked.values(t, x - step, u)) / h
-        rate = (4 * near - rate) / 3
+        rate = (4 * (V[2] - V[3]) / h - rate) / 3
     still, moving = fastest[:, 0] == 0.0, np.isfinite(fastest[:, 0])
     unknown = np.where(still, 1.0, np.nan)
     return (
