@@ -2,8 +2,7 @@ from .counterexamples.paper_system import disturbance_counterexample
 from .counterexamples.printed_bounds import printed_bound
 from .designing.design import design_track
 from .designing.plot import design_plot
-from .excitation.bounds import ultimate_bound
-from .excitation.certificates import certificate
+from .excitation.certificates import certificate, ultimate_bound
 from .excitation.gramian import gramian, started_true
 from .excitation.plot import excitation_plot
 from .excitation.pooled import team_gramian

@@ -7,8 +7,12 @@ from pictures import inked
 import clpt_control as clpt
 from analysis.mean_square import mean_square_bound, mean_square_sides
 from clpt_control.theory.counterexamples.paper_system import with_square_wave
-from clpt_control.theory.counterexamples.printed_bounds import residual
-from clpt_control.theory.counterexamples.scalar import Piece, exact_run, scalar_matrix
+from clpt_control.theory.counterexamples.printed_bounds import (
+    Piece,
+    exact_run,
+    residual,
+    scalar_matrix,
+)
 from clpt_control.theory.excitation.transition import error_matrices
 
 

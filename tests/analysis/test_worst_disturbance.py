@@ -12,7 +12,7 @@ from analysis.worst_disturbance import (
     worst_disturbance,
 )
 from clpt_control.theory.counterexamples.paper_system import with_square_wave
-from clpt_control.theory.counterexamples.scalar import scalar_matrix
+from clpt_control.theory.counterexamples.printed_bounds import scalar_matrix
 
 
 def test_peak_gain_in_closed_form():

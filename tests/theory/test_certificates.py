@@ -6,8 +6,12 @@ import pytest
 import clpt_control as clpt
 from clpt_control.errors import ClptError
 from clpt_control.theory.excitation import certificates
-from clpt_control.theory.excitation.bounds import time_to_error, ultimate_bound
-from clpt_control.theory.excitation.certificates import certificate, window_drops
+from clpt_control.theory.excitation.certificates import (
+    certificate,
+    time_to_error,
+    ultimate_bound,
+    window_drops,
+)
 from clpt_control.theory.excitation.gramian import started_true
 from clpt_control.theory.excitation.regressor import joint_regressor
 from clpt_control.theory.excitation.transition import (

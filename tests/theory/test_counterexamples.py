@@ -12,11 +12,12 @@ from clpt_control.theory.counterexamples.paper_system import (
     unlearned_counterexample,
     with_square_wave,
 )
-from clpt_control.theory.counterexamples.printed_bounds import printed_bound, residual
-from clpt_control.theory.counterexamples.scalar import (
+from clpt_control.theory.counterexamples.printed_bounds import (
     Piece,
     burst_counterexample,
     exact_run,
+    printed_bound,
+    residual,
     scalar_matrix,
     square_wave_counterexample,
 )

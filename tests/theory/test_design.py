@@ -14,9 +14,14 @@ from clpt_control.errors import ClptError, ScenarioError
 from clpt_control.figures import figure_of
 from clpt_control.files import write_figure
 from clpt_control.theory import design_track
-from clpt_control.theory.designing.area import area_of_degrees, field_area
-from clpt_control.theory.designing.learned import time_below
-from clpt_control.theory.designing.limits import around, closed_length, shortened
+from clpt_control.theory.designing.design import time_below
+from clpt_control.theory.designing.limits import (
+    area_of_degrees,
+    around,
+    closed_length,
+    field_area,
+    shortened,
+)
 from clpt_control.theory.designing.plot import design_plot
 from clpt_control.theory.designing.tracks import Tracks
 from clpt_control.theory.excitation.gramian import gramian, started_true

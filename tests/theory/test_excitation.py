@@ -9,11 +9,15 @@ from pictures import inked
 import clpt_control as clpt_package
 from clpt_control.blocks.reference import circle
 from clpt_control.errors import DataError, ScenarioError
-from clpt_control.theory.excitation.gramian import gramian, parameter_names, started_true
+from clpt_control.theory.excitation.gramian import (
+    gramian,
+    parameter_names,
+    sliding_excitation,
+    started_true,
+)
 from clpt_control.theory.excitation.plot import excitation_plot
 from clpt_control.theory.excitation.regressor import quadrature
 from clpt_control.theory.excitation.report import excitation_report
-from clpt_control.theory.excitation.sliding import sliding_excitation
 from clpt_control.theory.proving.lemmas import circle_step
 
 KERNELS = {"exponential": (4.3331, 4.6692), "gaussian": (0.19002, 0.19353)}

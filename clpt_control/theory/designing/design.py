@@ -2,13 +2,17 @@
 
 Waypoints maximise kappa_1, the smallest eigenvalue over both axes of the joint Gramian of
 Definition 3.1 where e = 0 (`tracks`), within limits (`limits`) that are kept over the whole run
-(`rounds`).  What is reported of both tracks beside kappa_1 comes from `gramian` and `simulate` of
+(`search`).  What is reported of both tracks beside kappa_1 comes from `gramian` and `simulate` of
 the two scenarios with their own law.
+
+What the scenario's own law learns on a track: how soon, or how much of a measured current.
+
+learning time   the first time from which on every flow parameter is within a level of theta
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -16,13 +20,70 @@ from ...arguments import Seed, public
 from ...errors import ScenarioError
 from ...html.fragment import facts, fragment
 from ...scenario.experiment import Scenario
+from ...simulation.flows import explained_variance
+from ...simulation.integrate import sample_times, simulate
 from ..excitation.gramian import gramian
 from ..excitation.regressor import checked_window
-from .area import area_of_degrees, field_area
-from .learned import Learned, learned
-from .limits import Box, Limits, around, check_area, check_numbers, closed_length, own_area
-from .rounds import CLOSE, best_waypoints
+from .limits import (
+    Box,
+    Limits,
+    area_of_degrees,
+    around,
+    check_area,
+    check_numbers,
+    closed_length,
+    field_area,
+    own_area,
+)
+from .search import CLOSE, best_waypoints
 from .tracks import Tracks
+
+if TYPE_CHECKING:
+    import xarray
+
+LOOKS, MOST = 50, 20_000  # samples a waypoint for a smooth picture, and in all
+TENTH = 0.1  # of the first error: the level without another
+
+
+class Learned(NamedTuple):
+    """A run, its largest flow-parameter error in time (None with a field), and a summary."""
+
+    scenario: Scenario
+    run: "xarray.Dataset"
+    error: np.ndarray | None
+    summary: dict[str, Any]
+
+
+def learned(scenario: Scenario, level: float | None) -> Learned:
+    """Run a scenario with its own law and say what it learned."""
+    step = max(scenario.reference.dwell / LOOKS, scenario.run.duration / MOST)
+    own = min(scenario.run.output_step, step)
+    run = simulate(scenario, sample_times(scenario.run.duration, own))
+    size = np.sum(run.clpe.values**2, axis=1)
+    late = run.time.values >= 0.75 * scenario.run.duration
+    summary: dict[str, Any] = {"clpe_rms_last_quarter": float(np.sqrt(size[late].mean()))}
+    if scenario.flow.parameters is None:
+        shares = explained_variance(scenario, run)
+        summary["explained_variance"] = {key: shares[key] for key in ("track", "box")}
+        return Learned(scenario, run, None, summary)
+    theta = np.array(scenario.flow.parameters)
+    error = np.abs(run.flow_parameters_estimate.values - theta).max(axis=(1, 2))
+    level = TENTH * float(error[0]) if level is None else float(level)
+    summary |= {
+        "level": level,
+        "learning_time": time_below(run.time.values, error, level),
+        "error_at_end": float(error[-1]),
+    }
+    return Learned(scenario, run, error, summary)
+
+
+def time_below(times: np.ndarray, values: np.ndarray, level: float) -> float | None:
+    """Return the first sample from which on all values are at most a level; None: there is none."""
+    above = np.flatnonzero(~(values <= level))
+    if len(above) and above[-1] == len(values) - 1:
+        return None
+    return float(times[above[-1] + 1 if len(above) else 0])
+
 
 MOST_GENERATIONS = 100_000
 TRAJECTORY = "the vehicle alone in the scenario's flow, without CLPE (e = 0, z = x) and disturbance"

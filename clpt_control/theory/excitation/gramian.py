@@ -11,6 +11,9 @@ A Gramian is kept as a triangular factor R, Gramian = R^T R, R from the QR facto
 sqrt(weight) w^T.  Factors of pieces stack and factor again to that of the whole, so a sliding
 window adds pieces and never subtracts, and an eigenvalue of 1e-21 keeps its digits beside one
 of 1e3.
+
+Persistent excitation asks for kappa_1 > 0 for all t; `sliding_excitation` takes a window along a
+run, and where the smallest eigenvalue falls to zero, the track stops teaching.
 """
 
 from dataclasses import dataclass
@@ -23,8 +26,7 @@ from ...errors import ScenarioError
 from ...html.fragment import facts, fragment
 from ...html.text import paragraphs
 from ...scenario.experiment import Scenario
-from .between_samples import Source
-from .regressor import Regressor, joint_regressor
+from .regressor import Regressor, Source, checked_window, joint_regressor, scenario_of, span_of
 
 NOT_LEARNABLE = 1e-9  # eigenvalues below this share of the largest say: not learnable
 INVOLVED = 0.05  # a parameter belongs to a subspace if its unit vector has this length in it
@@ -253,3 +255,46 @@ def gramian(
     first, last = float(along.cuts[0]), float(along.cuts[-1])
     unit = along.scenario.units.time
     return Excitation(first, last - first, along.trajectory, unit, names, factors, tolerance)
+
+
+@dataclass(frozen=True)
+class SlidingExcitation:
+    """One Excitation per start of the window."""
+
+    window: float  # its length T, units.time
+    starts: np.ndarray  # (count,), units.time
+    at: tuple[Excitation, ...]  # one per start
+
+    @property
+    def eigenvalues(self) -> dict[str, np.ndarray]:
+        """Eigenvalues in time, each axis (count, N + 2), ascending."""
+        return {
+            axis: np.array([found.eigenvalues[axis] for found in self.at])
+            for axis in self.at[0].names
+        }
+
+    @property
+    def weakest(self) -> Excitation:
+        """The window with the smallest eigenvalue of all."""
+        least = [min(v[0] for v in found.eigenvalues.values()) for found in self.at]
+        return self.at[int(np.argmin(least))]
+
+
+def sliding_excitation(
+    source: Source, window: float | None = None, count: int = 100, tolerance: float = NOT_LEARNABLE
+) -> SlidingExcitation:
+    """Measure the excitation in a window that slides over a run, `count` starts evenly."""
+    scenario = scenario_of(source)
+    first, last = span_of(source)
+    window, _ = checked_window(source, window, first)
+    starts = np.unique(np.linspace(first, max(first, last - window), max(1, count)))
+    along = joint_regressor(source, last - first, first, np.concatenate([starts, starts + window]))
+    pieces, names = piece_factors(along), parameter_names(scenario.basis.N)
+    left = np.searchsorted(along.cuts, starts - 1e-9 * window)
+    right = np.searchsorted(along.cuts, starts + window * (1 - 1e-9))
+    unit = scenario.units.time
+    found = []
+    for start, a, b in zip(starts.tolist(), left, right, strict=True):
+        factors = {axis: joined(pieces[i, a:b]) for i, axis in enumerate(names)}
+        found.append(Excitation(start, window, along.trajectory, unit, names, factors, tolerance))
+    return SlidingExcitation(window, starts, tuple(found))

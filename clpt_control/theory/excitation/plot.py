@@ -12,9 +12,8 @@ import numpy as np
 
 from ...arguments import public
 from ...figures import BLUE, GREY, RED, axes_for
-from .between_samples import Source
-from .gramian import Excitation, gramian
-from .sliding import SlidingExcitation, sliding_excitation
+from .gramian import Excitation, SlidingExcitation, gramian, sliding_excitation
+from .regressor import Source
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

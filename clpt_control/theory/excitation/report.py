@@ -10,11 +10,9 @@ import numpy as np
 
 from ...errors import ScenarioError
 from ...scenario.experiment import Scenario
-from .between_samples import Source, thinned
-from .bounds import time_to_error
-from .certificates import certificate
+from .certificates import certificate, time_to_error
 from .gramian import gramian
-from .regressor import joint_regressor
+from .regressor import Source, joint_regressor, thinned
 
 
 def excitation_report(

@@ -18,7 +18,7 @@ from ..counterexamples.paper_system import (
     known_flow_counterexample,
     unlearned_counterexample,
 )
-from ..counterexamples.scalar import square_wave_counterexample
+from ..counterexamples.printed_bounds import square_wave_counterexample
 from .lemmas import (
     circle_step,
     convergence_steps,
