@@ -153,6 +153,7 @@ def test_a_full_standard_output_is_one_sentence(words):
     assert said == "clpt: standard output: no space left; give it a place with more\n"
 
 
+@pytest.mark.processes
 def test_a_reader_that_goes_away_is_no_fault():
     with started([*CLPT, "replay", "--sample"]) as process:
         process.stdout.close()

@@ -76,7 +76,7 @@ def survey(seed, count=48, speed=0.3, T=14400.0):
     return dives
 
 
-@pytest.mark.parametrize("estimator", ESTIMATORS)
+@pytest.mark.parametrize("estimator", ["kalman", pytest.param("gradient", marks=pytest.mark.slow)])
 def test_a_map_learned_helps_where_the_flow_stays(estimator):
     gains = []
     for seed in range(4):

@@ -156,6 +156,7 @@ def test_tides_need_a_record(command, tmp_path):
     assert found["clpe_rms_all"]["no_flow"] > 0
 
 
+@pytest.mark.processes
 def test_a_killed_command_loses_nothing(command, forecast, tmp_path):
     """Kill -9 at random moments while files arrive; a restart gives what reading all gives."""
     inbox, out = tmp_path / "in", tmp_path / "out"
