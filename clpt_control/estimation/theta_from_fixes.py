@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import public
-from ..blocks.laws.scales import PRIOR, reach
+from ..blocks.laws.known import PRIOR, reach
 from ..equations.block import Block
 from ..errors import DataError, ScenarioError
 from ..progress.interrupt import check

@@ -2,8 +2,7 @@
 
 from typing import Any
 
-from ..blocks.laws.known import Fixes, Gains
-from ..blocks.laws.law import Setting
+from ..blocks.laws.known import Fixes, Gains, Setting
 
 # what is known -> the keys of the scenario that say it
 SAID_BY = {

@@ -20,10 +20,9 @@ from typing import Any
 
 import numpy as np
 
-from .known import Truth
+from .known import Truth, mean_feedback
 from .law import MOVING, Part, State, adapt_gains
-from .memory import remembered
-from .scales import mean_feedback
+from .regressions import remembered
 
 
 def gain_rates(x, u, p):

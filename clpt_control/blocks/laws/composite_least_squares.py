@@ -3,7 +3,7 @@
     theta_hat' = P (gamma phi e^T + phi_f eps^T / r^2),    theta_hat = -alpha^T
     s'         = -gamma e phi^T - lambda s
 
-phi_f and eps = F_f - theta_hat phi_f are those of `filtered_flow`, P, lambda and rho those of
+phi_f and eps = F_f - theta_hat phi_f are those of `regressions`, P, lambda and rho those of
 `covariance`, gamma = w/r^2 with a weight w.  P^-1 is never formed: s, the impulse of CLPE, with
 s(0) = alpha(0) P(0)^-1 keeps s + rho theta P(0)^-1 = eta P^-1, eta = theta + alpha.  K and Gamma
 are those of `commanded_gains`, or are held.
@@ -14,7 +14,7 @@ Source: Slotine and Li 1989, Automatica 25(4), Composite adaptive control of rob
          - what K and Gamma lose,    where each held parameter is true
 
 Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> alpha[2N] (length
-per time), K[2], Gamma[2] (per time), the states of `filtered_flow` and of `covariance`, and
+per time), K[2], Gamma[2] (per time), the states of `regressions` and of `covariance`, and
 impulse[2N] (s, time per length).
 """
 
@@ -24,10 +24,9 @@ import numpy as np
 
 from .commanded_gains import COMMANDED_GAINS, gain_rates
 from .covariance import covariance, covariance_rates, forgetting, level_over_P
-from .filtered_flow import FILTERED_FLOW, filter_rates, unexplained
-from .known import Truth
-from .law import HELD, Law, Setting, State
-from .scales import scaled
+from .known import Setting, Truth, scaled
+from .law import HELD, Law, State
+from .regressions import FILTERED_FLOW, filter_rates, unexplained
 
 
 def composite_least_squares(t, x, u, p):

@@ -4,7 +4,7 @@
     Q'         = -m Q + phi_f phi_f^T / (1 + |phi_f|^2)
     b'         = -m b + F_f phi_f^T / (1 + |phi_f|^2)
 
-phi_f and F_f are those of `filtered_flow`.  From Q = 0, b = 0 on, b = theta Q, and Q is N x N,
+phi_f and F_f are those of `regressions`.  From Q = 0, b = 0 on, b = theta Q, and Q is N x N,
 symmetric, not negative and at most 1/m.  K and Gamma are those of `commanded_gains`, or are held.
 Source: Kreisselmeier 1977, IEEE Transactions on Automatic Control 22(1), Adaptive observers
 with exponential rate of convergence.
@@ -13,17 +13,16 @@ V of Eq. (24), each error weighed by its own gain, has with eta = theta + alpha
     V' = -e^T KD e - gamma_c tr(eta Q eta^T)/gamma - what K and Gamma lose
 
 Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> alpha[2N] (length
-per time), K[2], Gamma[2] (per time), the states of `filtered_flow`, Q[N*N] (time), b[2N]
+per time), K[2], Gamma[2] (per time), the states of `regressions`, Q[N*N] (time), b[2N]
 (length).
 """
 
 import numpy as np
 
 from .commanded_gains import COMMANDED_GAINS, gain_rates
-from .filtered_flow import FILTERED_FLOW, filter_rates, filtered_flow
-from .law import GAINS, Law, Setting
-from .memory import memory, pulled, remembered
-from .scales import MEMORY, scaled
+from .known import MEMORY, Setting, scaled
+from .law import GAINS, Law
+from .regressions import FILTERED_FLOW, filter_rates, filtered_flow, memory, pulled, remembered
 
 
 def memory_rates(x, u, p):

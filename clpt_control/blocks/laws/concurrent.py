@@ -33,9 +33,9 @@ from typing import Any
 import numpy as np
 
 from ..reference import multiples
-from .law import GAINS, Law, Part, Setting, State, adapt_gains
-from .memory import memory, pulled
-from .scales import scaled
+from .known import Setting, scaled
+from .law import GAINS, Law, Part, State, adapt_gains
+from .regressions import memory, pulled
 
 
 def concurrent(t, x, u, p):

@@ -21,10 +21,9 @@ import numpy as np
 
 from ...errors import ScenarioError
 from ..lyapunov import level
-from .filtered_flow import unexplained_square
-from .known import Known, Truth
-from .law import Law, Part, Setting, State
-from .scales import NOISE, PRIOR, prior
+from .known import NOISE, PRIOR, Known, Setting, Truth, prior
+from .law import Law, Part, State
+from .regressions import unexplained_square
 
 
 def forgetting(x, p):

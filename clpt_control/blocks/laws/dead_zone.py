@@ -19,7 +19,8 @@ Gamma[2] (per time), the states; of V: e[2], alpha[2N], K[2], Gamma[2] -> V[1].
 import numpy as np
 
 from .. import lyapunov
-from .law import GAINS, Law, Setting
+from .known import Setting
+from .law import GAINS, Law
 from .learned_flow import driven_by
 
 

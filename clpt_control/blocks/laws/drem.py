@@ -33,11 +33,9 @@ import numpy as np
 
 from ...errors import ScenarioError
 from .composite_memory import memory_rates
-from .filtered_flow import FILTERED_FLOW, filter_rates
-from .known import Known
-from .law import HELD, Law, Setting, State, adapt_gains
-from .memory import memory
-from .scales import MEMORY, mean_feedback
+from .known import MEMORY, Known, Setting, mean_feedback
+from .law import HELD, Law, State, adapt_gains
+from .regressions import FILTERED_FLOW, filter_rates, memory
 
 MOST = 6  # functions
 

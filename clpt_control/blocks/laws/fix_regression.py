@@ -31,8 +31,8 @@ from typing import Any
 import numpy as np
 
 from ..reference import multiples
-from .law import Law, Setting, State
-from .scales import PRIOR, prior, reach
+from .known import PRIOR, Setting, prior, reach
+from .law import Law, State
 
 
 def predict(t, x, u, p):

@@ -4,7 +4,7 @@
     P'         = w^2 I - P phi_f phi_f^T P / r^2
     alpha = alpha_M,  K' = -gamma z e,  Gamma' = gamma zc e         Eqs. (14)-(15)
 
-phi_f and F_f are phi and the flow through one filter (`filtered_flow`), made of positions and the
+phi_f and F_f are phi and the flow through one filter (`regressions`), made of positions and the
 commanded velocity.  theta_hat goes to the injection, Eq. (13).  P is N x N, symmetric, one for
 both axes: it starts at the prior variance, and w is the walk of each parameter, 0 for a flow
 whose parameters stay.  The filter never sees CLPE.
@@ -24,11 +24,10 @@ from typing import Any
 
 import numpy as np
 
-from .filtered_flow import FILTERED_FLOW, filter_rates, filtered_flow
-from .known import Truth
+from .known import NOISE, PRIOR, Setting, Truth, mean_feedback, prior
 from .known_flow import known_flow_output
-from .law import HELD, Law, Setting, State, adapt_gains
-from .scales import NOISE, PRIOR, mean_feedback, prior
+from .law import HELD, Law, State, adapt_gains
+from .regressions import FILTERED_FLOW, filter_rates, filtered_flow
 
 
 def kalman_flow(t, x, u, p):

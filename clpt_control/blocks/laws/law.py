@@ -13,33 +13,14 @@ parameters, V's block and starts follow from it.
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from operator import attrgetter
-from typing import Any, Literal, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ...equations.block import Block
 from ...equations.declaration import Parameters, parameters_of
 from ..lyapunov import SHAPES, known_flow, learned_flow, weighed
-from .known import Known, Truth
-
-
-class Setting(NamedTuple):
-    """A key of a law's own table of the scenario."""
-
-    meaning: str  # what it is, with its unit
-    usual: Any  # where it is left out: a number, or what makes it of what is known
-    # "below 1" and "at most 1" are positive too
-    allowed: Literal["positive", "not negative", "below 1", "at most 1", "row"] = "positive"
-
-    @property
-    def default(self) -> Any:
-        """A number; None where it is made of what is known."""
-        return None if callable(self.usual) else self.usual
-
-    def of(self, known: Known, key: str) -> Any:
-        """Return what the scenario gives for a key, or what is usual."""
-        given = known.settings[key]
-        return self.usual(known) if given is None and callable(self.usual) else given
+from .known import Known, Setting, Truth
 
 
 class State(NamedTuple):

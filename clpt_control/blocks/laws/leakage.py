@@ -29,7 +29,8 @@ Gamma[2] (per time), the states.
 
 import numpy as np
 
-from .law import GAINS, Known, Law, Setting
+from .known import Known, Setting
+from .law import GAINS, Law
 from .learned_flow import learned_flow
 
 

@@ -2,7 +2,7 @@
 
     theta_hat' = P phi_f eps^T / r^2,    theta_hat = -alpha^T
 
-phi_f and eps are those of `filtered_flow`, P that of `covariance`.  The flow is learned from
+phi_f and eps are those of `regressions`, P that of `covariance`.  The flow is learned from
 where the vehicle was carried, not from CLPE; K and Gamma, of `commanded_gains`, or held, bring
 CLPE down beside it.  With eta = theta + alpha and theta, alpha at t = 0 in eta(0),
 
@@ -16,7 +16,7 @@ the least of KD: CLPE is as small as the flow is well learned.
 Source: Slotine and Li 1991, Applied Nonlinear Control, section 8.7.
 
 Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> alpha[2N] (length
-per time), K[2], Gamma[2] (per time), the states of `filtered_flow` and of `covariance`.
+per time), K[2], Gamma[2] (per time), the states of `regressions` and of `covariance`.
 """
 
 from typing import Any
@@ -25,10 +25,9 @@ import numpy as np
 
 from .commanded_gains import COMMANDED_GAINS, gain_rates
 from .covariance import covariance, covariance_rates, level_over_P
-from .filtered_flow import FILTERED_FLOW, filter_rates, unexplained
-from .known import Truth
-from .law import HELD, Law, Setting
-from .scales import scaled
+from .known import Setting, Truth, scaled
+from .law import HELD, Law
+from .regressions import FILTERED_FLOW, filter_rates, unexplained
 
 
 def least_squares(t, x, u, p):

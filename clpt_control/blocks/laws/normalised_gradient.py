@@ -2,7 +2,7 @@
 
     theta_hat' = gamma phi e^T + gamma_n phi_f eps^T / (1 + |phi_f|^2),    theta_hat = -alpha^T
 
-phi_f and eps are those of `filtered_flow`.  However large the regressor, the second term takes
+phi_f and eps are those of `regressions`.  However large the regressor, the second term takes
 eps away at a rate of at most gamma_n.  It remembers nothing: what the track does not show now is
 not learned now.  K and Gamma are those of `commanded_gains`, or are held.
 Sources: Ioannou and Sun 1996, section 4.3; beside CLPE, Slotine and Li 1989.
@@ -11,7 +11,7 @@ V of Eq. (24), each error weighed by its own gain, has with eta = theta + alpha
     V' = -e^T KD e - gamma_n |eta phi_f|^2/(gamma (1 + |phi_f|^2)) - what K and Gamma lose
 
 Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> alpha[2N] (length
-per time), K[2], Gamma[2] (per time) and the states of `filtered_flow`.
+per time), K[2], Gamma[2] (per time) and the states of `regressions`.
 """
 
 from typing import Any
@@ -19,10 +19,9 @@ from typing import Any
 import numpy as np
 
 from .commanded_gains import COMMANDED_GAINS, gain_rates
-from .filtered_flow import FILTERED_FLOW, filter_rates, unexplained, unexplained_square
-from .known import Truth
-from .law import GAINS, Law, Setting
-from .scales import scaled
+from .known import Setting, Truth, scaled
+from .law import GAINS, Law
+from .regressions import FILTERED_FLOW, filter_rates, unexplained, unexplained_square
 
 
 def normalised_gradient(t, x, u, p):

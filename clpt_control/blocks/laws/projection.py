@@ -19,7 +19,8 @@ Gamma[2] (per time), the states.
 
 import numpy as np
 
-from .law import GAINS, Law, Setting
+from .known import Setting
+from .law import GAINS, Law
 from .leakage import LIMITS
 from .learned_flow import learned_flow
 

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...blocks.laws.scales import PRIOR
+from ...blocks.laws.known import PRIOR
 from ...errors import ScenarioError
 from ...scenario.experiment import Scenario
 from ..varied_keys import Vary

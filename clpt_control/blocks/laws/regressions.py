@@ -1,4 +1,6 @@
-"""The flow and the basis through one filter l/(s + l): a regression with no derivative measured.
+"""Regressions y = kappa w that need no derivative: the flow through a filter, and a memory of any.
+
+The flow and the basis go through one filter l/(s + l):
 
     phi_f' = l (phi(x) - phi_f),    q' = l (l x + v - q),    F_f = l x - q
 
@@ -6,8 +8,16 @@ By Eq. (1), x' - v = F, so F_f' = l (F - F_f): F_f is the flow through the filte
 position x and the velocity v through the water alone.  With phi_f(0) = 0 and q(0) = l x(0) it is
 theta phi_f at all times, whatever theta is, and eps = F_f - theta_hat phi_f = (theta + alpha)
 phi_f.  The laws that learn by it have K and Gamma of `commanded_gains`.
-
 Source: Slotine and Li 1989, Automatica 25(4), composite adaptive control.
+
+A memory keeps what w has shown:
+
+    Q' = -m Q + w w^T / size,    b' = -m b + y w^T / size
+
+From Q = 0, b = 0 on, b = kappa Q: Q is symmetric, not negative.  A law that adds gamma_c
+(b - kappa_hat Q) to the rate of kappa_hat pulls it to kappa.
+Source: Kreisselmeier 1977, IEEE Transactions on Automatic Control 22(1), Adaptive observers
+with exponential rate of convergence.
 
 Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2], and v_c[2] where the speed is limited
 (length per time); states phi_f[N], q[2] (length per time).
@@ -17,9 +27,8 @@ from typing import Any
 
 import numpy as np
 
-from .known import Truth
+from .known import FILTER, Truth
 from .law import MOVING, Part, State
-from .scales import FILTER
 
 
 def filter_rates(x, u, p):
@@ -48,3 +57,24 @@ FILTERED_FLOW: Part = {
     "parameters": {"filter": FILTER},
     "keeps": lambda s, p, truth: {"q": p.filter * s["x"] - truth.theta @ s["phi_f"]},  # F_f
 }
+
+
+def remembered(b, y, w, size, forgetting):
+    """Return b' = -m b + y w^T/size, and Q' where y is w."""
+    return np.outer(y, w) / size - forgetting * b
+
+
+def memory(Q: str, b: str) -> Part:
+    """Make a memory of the flow, b = theta Q, of states with these names."""
+    return {
+        "states": {Q: State(("N", "N")), b: State((2, "N"))},  # empty at first
+        "takes": MOVING,
+        "keeps": lambda s, p, truth: {b: truth.theta @ s[Q]},
+        "cones": (Q,),
+    }
+
+
+def pulled(s: Any, p: Any, truth: Truth, Q: str) -> tuple:
+    """Return what V' loses by the pull, gamma_c tr(eta Q eta^T)/gamma, eta = theta + alpha."""
+    eta = truth.theta + s["alpha"]
+    return p.memory_gain / p.gain, np.sum((eta @ s[Q]) * eta)
