@@ -60,6 +60,8 @@ try-wheel: dist  ## the wheel alone, in a new environment and an empty folder
 	$(PYTHON) -m venv --clear $(DIST)/alone
 	$(DIST)/alone/bin/python -m pip install --quiet --disable-pip-version-check dist/*.whl
 	PATH="$(CURDIR)/$(DIST)/alone/bin:$$PATH" .ci/try_wheel
+	$(DIST)/alone/bin/python -m pip install --quiet --disable-pip-version-check "$$(echo dist/*.whl)[sea]"
+	PATH="$(CURDIR)/$(DIST)/alone/bin:$$PATH" .ci/try_wheel sea
 
 bench: $(BENCH)/.ready  ## time the engines against each other: docs/performance.md
 	$(BENCH)/bin/python -m benchmarks.bench
@@ -88,7 +90,7 @@ clean:
 $(BENCH)/.ready: pyproject.toml constraints.txt benchmarks/requirements.txt
 	test -x $(BENCH)/bin/python || $(PYTHON) -m venv $(BENCH)
 	$(BENCH)/bin/python -m pip install --quiet --disable-pip-version-check \
-		--constraint constraints.txt --editable .
+		--constraint constraints.txt --editable ".[all]"
 	-$(BENCH)/bin/python -m pip install --quiet --disable-pip-version-check \
 		--constraint constraints.txt --requirement benchmarks/requirements.txt
 	touch $@

@@ -5,6 +5,11 @@ given, where, what is allowed and what to try.  The command line prints that
 sentence and ends with status 2, or with 1 where a run was under way.
 """
 
+from importlib import import_module
+from typing import Any
+
+EXTRA = {"dask": "ensemble", "distributed": "ensemble", "zarr": "ensemble"}  # all others: sea
+
 
 class ClptError(Exception):
     """Base of every error this package raises on purpose."""
@@ -31,8 +36,20 @@ class ScenarioError(ClptError, ValueError):
 
 
 class DataError(ClptError, ValueError):
-    """A data file is missing, damaged or holds something else."""
+    """A data file is missing, damaged or holds something else; or a package is that it needs."""
 
 
 class SimulationError(ClptError, RuntimeError):
     """A run that was under way could not go on."""
+
+
+def needed(module: str) -> Any:
+    """Import a module of a package that is not always there, or say what installs it."""
+    try:
+        return import_module(module)
+    except ImportError:
+        package = module.partition(".")[0]
+        extra = EXTRA.get(package, "sea")
+        raise DataError(
+            f"{package}: is not installed; pip install 'clpt-control[{extra}]' installs it"
+        ) from None

@@ -11,12 +11,12 @@ from functools import cache
 from math import atan2, cos, degrees, hypot, isfinite, nan, radians, sin
 from typing import Any
 
+from .errors import needed
+
 
 @cache
 def _ellipsoid() -> Any:
-    from pyproj import Geod
-
-    return Geod(ellps="WGS84")
+    return needed("pyproj").Geod(ellps="WGS84")
 
 
 def is_place(lat: float, lon: float) -> bool:

@@ -44,7 +44,7 @@ def test_the_conda_recipe_takes_what_pip_takes():
     extras = PROJECT["project"]["optional-dependencies"]
     needs = RECIPE["requirements"]
     assert conda_bounds(needs["run"]) == bounds(PROJECT["project"]["dependencies"])
-    assert conda_bounds(needs["run_constraints"]) == bounds(extras["dask"] + extras["ocean"])
+    assert conda_bounds(needs["run_constraints"]) == bounds(extras["sea"] + extras["ensemble"])
     builds = bounds(PROJECT["build-system"]["requires"])
     assert builds.items() <= dict(t.split(" ", 1) for t in needs["host"] if " " in t).items()
     [(name, target)] = PROJECT["project"]["scripts"].items()

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..arguments import shown
-from ..errors import DataError, ScenarioError
+from ..errors import DataError, ScenarioError, needed
 
 OTHER_NAMES = {"M1": "NO1"}  # Schureman's name and UTide's, where they differ
 DAYS_TO_1970 = 719163  # of the proleptic calendar whose first day is 0001-01-01
@@ -31,21 +31,9 @@ class NodalCorrections(NamedTuple):
     V: np.ndarray  # astronomical argument at Greenwich, degrees, 0 to 360
 
 
-def load_utide() -> Any:
-    """Import UTide, or say what to install."""
-    try:
-        import utide
-    except ImportError:
-        raise DataError(
-            "tides and nodal corrections need UTide, which is not installed; "
-            "pip install 'clpt-control[ocean]'"
-        ) from None
-    return utide
-
-
 def utide_names(constituents: Sequence[str]) -> list[str]:
     """Return UTide's names of constituents, which may be those of `tides.SPEEDS`."""
-    known = load_utide().constit_index_dict
+    known = needed("utide").constit_index_dict
     names = [OTHER_NAMES.get(name, name) for name in constituents]
     for name in names:
         if name not in known or name == "Z0":
@@ -65,13 +53,11 @@ def nodal_corrections(constituents: Sequence[str], time: Any, latitude: float) -
     (array([[0.965]]), array([[-0.6]]))
     """
     names = utide_names(constituents)
-    utide = load_utide()
-    from utide.harmonics import FUV
-
+    utide = needed("utide")
     which = np.array([utide.constit_index_dict[name] for name in names])
     days = checked_times(time).astype(float) / 86400e3 + DAYS_TO_1970
     exact = [False] * 4  # nodal corrections and arguments at each time, none linearized
-    f, u, V = FUV(days, days[0], which, checked_latitude(latitude), exact)
+    f, u, V = utide.harmonics.FUV(days, days[0], which, checked_latitude(latitude), exact)
     return NodalCorrections(f, (360.0 * u + 180.0) % 360.0 - 180.0, 360.0 * V % 360.0)
 
 

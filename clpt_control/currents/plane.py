@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import DataError
+from ..errors import DataError, needed
 
 WIDEST = 1000.0  # km from the origin; beyond, lengths across are off by more than 0.4 %
 
@@ -43,9 +43,9 @@ class LocalPlane:
 
     @cached_property
     def _projection(self) -> Any:
-        from pyproj import Proj
-
-        return Proj(proj="aeqd", ellps="WGS84", lat_0=self.lat, lon_0=self.lon, units="km")
+        return needed("pyproj").Proj(
+            proj="aeqd", ellps="WGS84", lat_0=self.lat, lon_0=self.lon, units="km"
+        )
 
     def to_plane(self, lat: Any, lon: Any) -> tuple[np.ndarray, np.ndarray]:
         """Return x1 and x2 in km of places in degrees, 1000 km from the origin at most."""

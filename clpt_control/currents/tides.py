@@ -20,8 +20,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arguments import public
-from ..errors import DataError, ScenarioError
-from .nodal import checked_latitude, checked_times, load_utide, utide_names
+from ..errors import DataError, ScenarioError, needed
+from .nodal import checked_latitude, checked_times, utide_names
 from .rayleigh import (
     check_increasing,
     check_nyquist,
@@ -83,7 +83,7 @@ def fit_tides(
     >>> tide.name, round(tide.east, 3), round(tide.north, 3), round(tide.inclination, 1)
     ('S2', 0.5, 0.2, 21.8)
     """
-    utide = load_utide()
+    utide = needed("utide")
     times, flow = _measured(time, u, v, where)
     hours = (times - times[0]).astype(float) / 3.6e6
     names = _names(constituents, hours, where)
@@ -161,7 +161,7 @@ def predict(fit: TidalFit, time: ArrayLike) -> np.ndarray:
 
 
 def _predicted(coefficients: Any, times: np.ndarray) -> np.ndarray:
-    out = load_utide().reconstruct(times, coefficients, min_SNR=0, verbose=False)
+    out = needed("utide").reconstruct(times, coefficients, min_SNR=0, verbose=False)
     return out.u + 1j * out.v
 
 
@@ -192,7 +192,7 @@ def _measured(time: Any, u: Any, v: Any, where: str) -> tuple[np.ndarray, np.nda
 
 def _names(constituents: Sequence[str] | str, hours: np.ndarray, where: str) -> tuple[str, ...]:
     if constituents in ("auto", ["auto"], ("auto",)):
-        const = load_utide().ut_constants.const  # df: cycles per hour to the next greater tide
+        const = needed("utide").ut_constants.const  # df: cycles per hour to the next greater tide
         fastest = nyquist(hours)
         names = tuple(
             str(name)

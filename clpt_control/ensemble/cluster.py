@@ -11,7 +11,6 @@ import sys
 import uuid
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from importlib.util import find_spec
 from itertools import islice
 from multiprocessing import resource_tracker
 from pathlib import Path
@@ -25,12 +24,6 @@ from .worker import Recipe, worker_of
 
 PATIENCE = 30  # seconds to wait for a scheduler and its first worker
 RETRIES = 3  # times a chunk is given to a worker again
-
-
-def check_dask() -> None:
-    """Refuse a cluster where Dask is not installed."""
-    if find_spec("distributed") is None:
-        raise ClptError("dask: is not installed; install it with: pip install 'clpt-control[dask]'")
 
 
 @contextmanager

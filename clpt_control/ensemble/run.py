@@ -15,7 +15,7 @@ import numpy as np
 
 from ..arguments import Seed, public
 from ..diagrams.interconnection import Diagram
-from ..errors import ScenarioError
+from ..errors import ScenarioError, needed
 from ..progress.interrupt import SLICE, check
 from ..scenario.experiment import Scenario
 from ..simulation.loops import loop_of
@@ -112,10 +112,8 @@ def run_ensemble(
         raise ScenarioError(f"threads = {threads}: must be a whole number, at least 1")
     if dask is not None and out is None:
         raise ScenarioError("dask: needs out, a folder that all workers can reach")
-    if dask is not None:
-        from .cluster import check_dask
-
-        check_dask()
+    for module in ("zarr", *(["distributed"] if dask is not None else [])):
+        needed(module)
     loop = loop_of(system)
     plan = make_plan(
         loop.scenario,

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from ..errors import DataError
+from ..errors import DataError, needed
 from ..files import beside
 from .summaries import Variable
 
@@ -168,11 +168,11 @@ def create_store(
     `arguments` are what the ensemble is; chunks fill the arrays of `kept`; `fixed` are
     coordinates and the members' values, name -> (dims, values, attributes).
     """
-    import zarr
-    from zarr.storage import MemoryStore
-
+    zarr = needed("zarr")
     if path is None:
-        return Store(_filled(zarr.create_group(MemoryStore()), arguments, kept, fixed, attrs))
+        return Store(
+            _filled(zarr.create_group(zarr.storage.MemoryStore()), arguments, kept, fixed, attrs)
+        )
     with beside(path, folder=True) as made:
         _filled(zarr.create_group(made), arguments, kept, fixed, attrs)
     return Store(zarr.open_group(path, mode="r+"), path)
@@ -199,8 +199,7 @@ def remove_empty(store: Store) -> None:
 
 def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
     """Open a store to go on with, or with "r" to read."""
-    import zarr
-
+    zarr = needed("zarr")
     if not path.exists():
         raise DataError(f"{path}: no such folder; `clpt ensemble` writes one")
     if not path.is_dir():

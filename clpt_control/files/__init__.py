@@ -13,10 +13,11 @@ import warnings
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from fnmatch import fnmatch
+from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
-from ..errors import ClptError, DataError
+from ..errors import ClptError, DataError, needed
 from ..progress.interrupt import check, remove, unfinished
 
 if TYPE_CHECKING:
@@ -42,8 +43,8 @@ def open_netcdf(path: str | Path) -> "Iterator[xarray.Dataset]":
         if not Path(path).is_file():
             raise DataError(f"{path}: is not a file; must be a NetCDF file")
         _check_classic(Path(path))
-        data = xarray.open_dataset(path, decode_times=False, engine="netcdf4")
-    except DataError:
+        data = xarray.open_dataset(path, decode_times=False, engine=netcdf_engine())
+    except ClptError:
         raise
     except (OSError, ValueError, TypeError, RuntimeError) as error:
         raise DataError(f"{path}: cannot be read as NetCDF: {_reason(error)}") from None
@@ -55,6 +56,11 @@ def open_netcdf(path: str | Path) -> "Iterator[xarray.Dataset]":
         except (OSError, RuntimeError) as error:
             reason = _reason(error)
             raise DataError(f"{path}: damaged: a variable cannot be read: {reason}") from None
+
+
+def netcdf_engine() -> Literal["netcdf4", "scipy"]:
+    """Return what reads and writes NetCDF: netCDF4, or without it SciPy, in classic files alone."""
+    return "netcdf4" if find_spec("netCDF4") else "scipy"
 
 
 def _reason(error: Exception) -> str:
@@ -72,6 +78,7 @@ def _check_classic(path: Path) -> None:
                 "unseen; `nccopy -k nc4 FILE NEW` writes it as NetCDF-4"
             )
         if start[:3] != b"CDF":
+            needed("netCDF4")
             return
         from scipy.io import netcdf_file
 
@@ -156,7 +163,7 @@ def _put(result: Any, made: Path, path: Path) -> None:
     }
     try:
         with _no_cluster():
-            result.to_netcdf(made, engine="netcdf4", encoding=fill)
+            result.to_netcdf(made, engine=netcdf_engine(), encoding=fill)
     except (RuntimeError, PermissionError, UnicodeError) as error:  # of a full disk, too
         full = shutil.disk_usage(made.parent).free < 2**20
         reason = getattr(error, "strerror", None) or str(error)

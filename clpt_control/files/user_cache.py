@@ -2,6 +2,7 @@
 
 import os
 import stat
+import sys
 from pathlib import Path
 
 FOLDER = "CLPT_CONTROL_CACHE"  # environment variable that names another folder
@@ -12,15 +13,21 @@ def cache_folder() -> Path | None:
 
     None where it cannot be written to, or where another user could have put something there.
     """
-    import platformdirs
-
     try:
-        wanted = os.environ.get(FOLDER) or platformdirs.user_cache_dir("clpt-control")
-        folder = Path(wanted)
+        folder = Path(os.environ.get(FOLDER) or usual() / "clpt-control")
         folder.mkdir(parents=True, exist_ok=True, mode=0o700)
         return folder if trusted(folder) and os.access(folder, os.W_OK) else None
     except (OSError, RuntimeError):  # RuntimeError: a user without a home
         return None
+
+
+def usual() -> Path:
+    """Return where a user's programs keep what can be made again."""
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
+    caches = "Library/Caches" if sys.platform == "darwin" else ".cache"
+    named = os.environ.get("XDG_CACHE_HOME", "")
+    return Path(named) if Path(named).is_absolute() else Path.home() / caches
 
 
 def trusted(place: Path) -> bool:

@@ -13,7 +13,7 @@ from datetime import UTC, datetime
 
 import numpy as np
 
-from ..errors import DataError
+from ..errors import needed
 from .dives import Dive
 from .dives import make_dive as make_dive
 
@@ -49,13 +49,7 @@ def variation(
 
 def _declination(year: int, share: np.ndarray, lat: np.ndarray, lon: np.ndarray) -> np.ndarray:
     """Return D at places (n,), each at a share of the epoch that begins with a year."""
-    try:
-        from ppigrf import igrf  # reads pandas
-    except ImportError:
-        raise DataError(
-            "the variation of a magnetic heading is by ppigrf, which is not installed: "
-            "pip install ppigrf"
-        ) from None
+    igrf = needed("ppigrf").igrf  # it reads pandas
     ends = [datetime(year, 1, 1), datetime(year + EPOCH, 1, 1)]
     east, north, _ = igrf(lon, np.clip(lat, -NEAREST, NEAREST), 0.0, ends)
     east, north = ((1 - share) * b[0] + share * b[1] for b in (east, north))

@@ -22,6 +22,7 @@ from itertools import pairwise
 from math import ceil, cos, floor, pi, radians, sin
 from typing import Any, NamedTuple
 
+from ..errors import needed
 from ..geodesy import displacement, place_from
 from .wording import compass, east_of, velocity
 
@@ -125,12 +126,10 @@ class Chart:
     """
 
     def __init__(self, places: Sequence[Place]) -> None:
-        from pyproj import Proj
-
         lats = [_shown(lat) for lat, _ in places]
         self.middle = (min(lats) + max(lats)) / 2
         self.first = places[0][1]
-        self._proj: Any = Proj(proj="merc", ellps="WGS84", lat_ts=self.middle)
+        self._proj = needed("pyproj").Proj(proj="merc", ellps="WGS84", lat_ts=self.middle)
         self._zero = self._proj(0.0, self.middle)[1]
         points = [self.xy(*place) for place in places]
         spans = [(min(values), max(values)) for values in zip(*points, strict=True)]

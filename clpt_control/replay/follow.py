@@ -20,9 +20,8 @@ from typing import Annotated, Any, Literal, get_type_hints
 
 import numpy as np
 import pydantic
-from filelock import FileLock, Timeout
 
-from ..errors import DataError
+from ..errors import DataError, needed
 from ..files import make_folder, remove_left, write_text
 from ..gliders.dive_files import may_hold_dives, read_dive_file
 from ..gliders.dives import Dive, NotYet, Skipped, files_before, is_segment
@@ -206,11 +205,12 @@ def following(folder: Path, out: Path) -> Iterator[Follower]:
                 f"--out {out}: results would lie in the followed folder {folder} and count as new "
                 "files there; give another folder, or leave --out away"
             )
+    filelock = needed("filelock")
     state = make_folder(out / "state")
     with ExitStack() as locked:
         try:  # the lock of a killed process is free
-            locked.enter_context(FileLock(state / LOCK, timeout=0))
-        except Timeout:
+            locked.enter_context(filelock.FileLock(state / LOCK, timeout=0))
+        except filelock.Timeout:
             other = f"{state}: another clpt follows here; end it, or give another --out"
             raise DataError(other) from None
         except OSError as error:

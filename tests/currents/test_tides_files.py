@@ -182,7 +182,7 @@ def test_without_utide_one_sentence_and_fits_of_grids_go_on(clpt, tmp_path, monk
     monkeypatch.setitem(sys.modules, "utide", None)
     status, _, err = clpt("tides", path, "--constituents", "M2")
     assert status == 2
-    assert "pip install 'clpt-control[ocean]'" in err
+    assert "pip install 'clpt-control[sea]'" in err
     assert nodal_report(["M2"], "2019-01-01", 41.0) is None
 
 

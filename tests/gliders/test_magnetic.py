@@ -57,6 +57,6 @@ def test_where_the_field_does_not_reach_there_is_no_number(capsys):
 
 def test_without_ppigrf_it_says_what_to_install(clpt, monkeypatch):
     monkeypatch.setitem(sys.modules, "ppigrf", None)
-    with pytest.raises(DataError, match="pip install ppigrf"):
+    with pytest.raises(DataError, match=r"pip install 'clpt-control\[sea\]'"):
         variation(1.0e9, 60.0, 5.0)
     assert clpt("replay", "--sample").status == 0

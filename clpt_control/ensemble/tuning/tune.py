@@ -12,7 +12,7 @@ import numpy as np
 
 from ...arguments import public
 from ...blocks.laws.table import LAWS
-from ...errors import ClptError, ScenarioError
+from ...errors import ClptError, ScenarioError, needed
 from ...scenario.experiment import Scenario
 from .candidates import Candidate, about, as_they_come, laws_to_try
 from .reason import because, listed, seen
@@ -98,6 +98,7 @@ def tune_law(
     for word, value, least, most in (("members", members, 3, 10**5), ("seed", seed, 0, 2**31)):
         if not isinstance(value, int) or not least <= value <= most:
             raise ScenarioError(f"{word} = {value}: must be a whole number, {least} to {most}")
+    needed("zarr")
     unknown = unknown_of(scenario, prior, unmodelled, members)
     tried, skipped = laws_to_try(names)
     if not tried:

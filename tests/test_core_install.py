@@ -1,0 +1,136 @@
+"""What `pip install clpt-control` does without its extras: their packages cannot be imported."""
+
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+from packaging.requirements import Requirement
+
+HOUSE = Path(__file__).parent.parent
+PROJECT = tomllib.loads((HOUSE / "pyproject.toml").read_text())["project"]
+EXTRAS = PROJECT["optional-dependencies"]
+MODULES = {Requirement(one).name for extra in ("sea", "ensemble") for one in EXTRAS[extra]}
+BLOCKED = f"""
+import os, sys
+from importlib.machinery import PathFinder
+
+class Lacking(PathFinder):
+    @classmethod
+    def find_spec(cls, name, path=None, target=None):
+        absent = name.partition(".")[0] in {MODULES - {"pandas"}}  # xarray brings pandas
+        return None if absent else super().find_spec(name, path, target)
+
+sys.meta_path[sys.meta_path.index(PathFinder)] = Lacking
+os.environ["MPLBACKEND"] = "agg"
+"""
+CORE = """
+import clpt_control as clpt
+import numpy as np
+
+law = clpt.Block(
+    "leaky",
+    update=rates,
+    inputs={"e": 2, "phi_x": "N", "z": 2, "zc": 2},
+    states={"alpha": (2, "N"), "K": 2, "Gamma": 2},
+    sizes={"N": 3},
+    parameters={"gain": 0.8},
+)
+assert clpt.theory.prove(law, points=100).status == "proved"
+short = scenario.with_values({"run.duration": 40})
+own = clpt.simulate(clpt.closed_loop(short, law=law))
+clpt.report(own, "page.html")
+clpt.save_run(own, "own.nc")
+clpt.save_run(clpt.simulate(short), "run.nc")
+assert clpt.load_run("own.nc").alpha.equals(own.alpha)
+assert clpt.load_scenario("run.nc") == short
+"""
+LAW = '''
+import numpy as np
+
+def rates(t, x, u, p):
+    """Eqs. (21)-(23)."""
+    alpha = -p.gain * np.outer(u.e, u.phi_x)
+    return {"alpha": alpha, "K": -p.gain * u.z * u.e, "Gamma": p.gain * u.zc * u.e}
+'''
+
+
+def without_extras(text, folder):
+    (folder / "mine.py").write_text(text)
+    return subprocess.run(
+        [sys.executable, "mine.py"], cwd=folder, capture_output=True, text=True, timeout=300
+    )
+
+
+def test_the_core_is_at_most_eleven_packages():
+    assert len(PROJECT["dependencies"]) <= 11
+    reasons = (HOUSE / "CONTRIBUTING.md").read_text().replace("-", "_")
+    for one in PROJECT["dependencies"]:
+        assert re.search(rf"^\|.*\b{Requirement(one).name.replace('-', '_')}\b", reasons, re.M)
+
+
+def test_the_ten_lines_a_proof_a_law_and_a_page_need_no_extra(tmp_path):
+    [lines] = re.findall(
+        r"## Ten lines.*?```python\n(.*?)```", (HOUSE / "README.md").read_text(), re.S
+    )
+    done = without_extras(BLOCKED + lines + LAW + CORE, tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "page.html").stat().st_size > 10_000
+
+
+COMMANDS = {
+    "replay --sample": "pyproj",
+    "ensemble mine.toml --vary learning.gain=0.2:2.0 --members 3 --out e.zarr": "zarr",
+    "tune mine.toml": "zarr",
+    "tides record.csv --constituents M2 --latitude 41.2": "utide",
+    "fit current.nc --out fit.toml": "netCDF4",
+}
+
+
+@pytest.fixture(scope="module")
+def said(tmp_path_factory):
+    """What each command says, and its status, one process for all."""
+    folder = tmp_path_factory.mktemp("core")
+    (folder / "current.nc").write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(100))
+    record = [
+        "time,u (m/s),v (m/s)",
+        *(f"2024-01-{1 + k // 24:02d}T{k % 24:02d}:00,1.0,0.{k % 9}" for k in range(700)),
+    ]
+    (folder / "record.csv").write_text("\n".join(record))
+    text = f"""{BLOCKED}
+from clpt_control.cli import main
+for words in {["init mine.toml", "laws", *COMMANDS]}:
+    print("\\0" + words, file=sys.stderr)
+    try:
+        sys.argv = ["clpt", *words.split()]
+        status = main()
+    except SystemExit as ended:
+        status = ended.code
+    print("\\0" + str(status), file=sys.stderr)
+"""
+    done = without_extras(text, folder)
+    assert done.returncode == 0, done.stderr
+    parts = done.stderr.split("\0")[1:]
+    words, statuses = parts[::2], (part.strip() for part in parts[1::2])
+    told = (part.partition("\n") for part in words)
+    return {
+        one: (status, " ".join(more.split()))
+        for (one, _, more), status in zip(told, statuses, strict=True)
+    }
+
+
+def test_commands_of_the_core_run(said):
+    assert said["init mine.toml"][0] == said["laws"][0] == "0"
+
+
+@pytest.mark.parametrize("words", COMMANDS)
+def test_what_is_missing_is_said_by_name_with_the_command(said, words):
+    package = COMMANDS[words]
+    extra = "ensemble" if package == "zarr" else "sea"
+    status, complaint = said[words]
+    assert status == "2"
+    assert (
+        f"{package}: is not installed; pip install 'clpt-control[{extra}]' installs it" in complaint
+    )
