@@ -20,8 +20,8 @@ def test_laws_are_listed(clpt):
         assert list(listed[name]["settings"]) == list(law.settings)
 
 
-@pytest.mark.parametrize("name", LAWS)
-def test_every_law_runs_and_runs_again(clpt, tmp_path, name):
+@pytest.mark.parametrize("name", ["known-flow", "least-squares", "fix-regression"])
+def test_a_law_runs_and_runs_again(clpt, tmp_path, name):
     given = LAWS[name].given_estimate
     values = {
         "run.duration": 40,

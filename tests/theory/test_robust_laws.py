@@ -240,22 +240,3 @@ def test_nothing_points_out_of_the_ball():
             s *= R * random.uniform(1.0, 3.0) / np.linalg.norm(s)
             rate = own.dynamics(0.0, state, random.normal(size=8) * 10)
             assert s @ rate[first:last] <= 1e-10
-
-
-@pytest.mark.parametrize("name", LAWS)
-def test_a_gain_of_zero_holds(name):
-    own = law_of(name, gains=Gains(0.5, 0.0, 0.0, one=False))
-    rate = own.dynamics(0.0, np.full(8, 5.0), np.full(8, 2.0))
-    assert np.all(rate[:4] != 0)
-    assert np.all(rate[4:] == 0)
-
-
-@pytest.mark.parametrize("name", LAWS)
-def test_a_scenario_runs_with_the_defaults(name):
-    paper = clpt.paper_scenario().with_values({"learning.law": name, "run.duration": 40})
-    run = clpt.simulate(paper)
-    assert run.attrs["status"] == "finished"
-    assert run.lyapunov[-1] < run.lyapunov[0]
-    key = {"leak", "largest_flow", "zone"}.intersection(TABLE[name].settings)
-    other = paper.with_values({f"learning.{TABLE[name].table}.{k}": 0.5 for k in key})
-    assert not np.array_equal(clpt.simulate(other).alpha, run.alpha)
