@@ -1,4 +1,4 @@
-"""Every law of the table is proved or bounded with its own V; gains of their own, gains held."""
+"""Laws judged with their own V: gains of their own, gains held, wrong laws and unread ones."""
 
 import pytest
 import sympy
@@ -14,19 +14,6 @@ POINTS = 200
 @pytest.fixture(autouse=True)
 def few_points(monkeypatch):
     monkeypatch.setattr(judgement, "POINTS", POINTS)
-
-
-@pytest.mark.parametrize("name", LAWS)
-def test_every_law_may_stand_in_the_table(name):
-    found = judged_law(LAWS[name])
-    assert found.holds, found.claim
-    assert any(step.how == "sampled" and step.holds for step in found.steps)
-
-
-def test_the_papers_laws_are_proved_for_every_N():
-    for name, status in (("learned-flow", "proved"), ("known-flow", "bounded")):
-        found = judged_law(LAWS[name])
-        assert (found.status, found.for_every_N) == (status, True)
 
 
 def gains(parameters, feedback, feedforward):

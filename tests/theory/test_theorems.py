@@ -85,6 +85,16 @@ def test_prove_prints_json(clpt):
     limited = printed["limited_speed"]
     assert limited["with hedging"]["status"] == "proved"
     assert limited["without hedging"]["corrected"].startswith("int |e|^2")
+    assert (printed["team"]["status"], printed["team"]["for_every_N"]) == ("proved", True)
+    assert list(printed["laws"]) == list(LAWS)
+    for found in printed["laws"].values():
+        assert found["status"] in ("proved", "bounded")
+        assert found["claim"]
+        assert any(step["how"] == "sampled" and step["holds"] for step in found["steps"])
+        assert found["status"] == "bounded" or all(step["holds"] for step in found["steps"])
+    for name, status in (("learned-flow", "proved"), ("known-flow", "bounded")):
+        law = printed["laws"][name]
+        assert (law["status"], law["for_every_N"]) == (status, True)
 
 
 def test_prove_one_theorem_and_refuse_another(clpt):
