@@ -15,12 +15,11 @@ Ports: none -> delta[2] (length per time).
 """
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
 from ..equations.block import Block
-from .reference import multiples
+from ..equations.declaration import Each
 
 MODULUS = 67108859.0  # the largest prime below 2^26: products stay exact in a double
 AXES = np.arange(2.0)
@@ -71,21 +70,11 @@ def noise(t, x, u, p):
     return p.amplitude * normal(p.seed, p.interval, AXES)
 
 
-def half_periods(p: Any, t0: float, t1: float) -> np.ndarray:
-    """Return the times in (t0, t1] where the square wave turns."""
-    return multiples(0.5 * p.period, t0, t1)
-
-
-def periods(p: Any, t0: float, t1: float) -> np.ndarray:
-    """Return the times in (t0, t1] where the noise changes."""
-    return multiples(p.period, t0, t1)
-
-
 KINDS = {
     "constant": (constant, None),
     "sine": (sine, None),
-    "square": (square, half_periods),
-    "noise": (noise, periods),
+    "square": (square, Each("period", 0.5)),
+    "noise": (noise, Each("period")),
 }
 
 

@@ -15,13 +15,11 @@ same hash.  Between fixes nobody reads these ports.
 Ports: x_true[2] (length) -> x[2] (length), x_m; x[2] -> fix[2] (length), taken[1] (1 or 0).
 """
 
-from typing import Any
-
 import numpy as np
 
 from ..equations.block import Block
-from .disturbance import AXES, hash_fraction, normal, periods
-from .reference import multiples
+from ..equations.declaration import Each
+from .disturbance import AXES, hash_fraction, normal
 
 TRUE = "x_true"  # the port of the true position
 MISSING = 4  # the number of dropouts in the hash
@@ -47,11 +45,6 @@ def fix(t, x, u, p):
     return {"fix": u.x + position_noise(p), "taken": np.where(missing, 0.0, 1.0)}
 
 
-def fix_times(p: Any, t0: float, t1: float) -> np.ndarray:
-    """Return the times of fixes in (t0, t1]."""
-    return multiples(p.between, t0, t1)
-
-
 def fixes(noise: float, between: float, dropouts: float = 0.0, seed: float = 0.0) -> Block:
     """Make the block of the fixes: s, the time between two, the share that is missing."""
     return Block(
@@ -61,7 +54,7 @@ def fixes(noise: float, between: float, dropouts: float = 0.0, seed: float = 0.0
         outputs={"fix": 2, "taken": 1},
         parameters=_numbers(noise=noise, between=between, dropouts=dropouts, seed=seed),
         opaque=True,
-        breakpoints=fix_times,
+        breakpoints=Each("between"),
     )
 
 
@@ -74,7 +67,7 @@ def measurement(noise: float, period: float, seed: float = 0.0) -> Block:
         outputs={"x": 2},
         parameters=_numbers(noise=noise, period=period, seed=seed),
         opaque=True,
-        breakpoints=periods,
+        breakpoints=Each("period"),
     )
 
 

@@ -10,35 +10,13 @@ never from t.
 Ports: none -> zc[2] (length).
 """
 
-import math
 from typing import Any
 
 import numpy as np
 
 from ..equations.block import Block
+from ..equations.declaration import Each
 from ..equations.words import lookup
-from ..errors import BlockError
-
-MOST_JUMPS = 2 * 10**7  # times of jumps that are listed
-
-
-def multiples(period: float, t0: float, t1: float) -> np.ndarray:
-    """Return the multiples k * period, k >= 1, in (t0, t1]: sorted, each rounded once."""
-    count = abs(t1 - t0) / period if period > 0 else math.inf
-    if not count <= MOST_JUMPS:
-        raise BlockError(
-            f"a period of {period:g} has {count:.3g} multiples from {t0:g} to {t1:g}; at most "
-            f"{MOST_JUMPS:.0e} are allowed"
-        )
-    first = max(1, math.floor(t0 / period) - 1)
-    last = math.floor(t1 / period) + 1
-    times = period * np.arange(first, last + 1)
-    return times[(times > t0) & (times <= t1)]
-
-
-def dwell_ends(p: Any, t0: float, t1: float) -> np.ndarray:
-    """Return the times in (t0, t1] at which the next waypoint is taken."""
-    return multiples(p.dwell, t0, t1)
 
 
 def waypoint(t, x, u, p):
@@ -62,5 +40,5 @@ def reference(points: Any, dwell: float) -> Block:
         outputs={"zc": 2},
         parameters={"x1": x1, "x2": x2, "dwell": float(dwell), "interval": -1.0},
         opaque=True,
-        breakpoints=dwell_ends,
+        breakpoints=Each("dwell"),
     )

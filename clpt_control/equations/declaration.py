@@ -5,8 +5,9 @@ the number of turns of a loop: every reading keeps them as they are.  All else i
 float or an array of floats: symbols to SymPy, and it may differ per run.
 """
 
+import math
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import fields, is_dataclass
+from dataclasses import dataclass, fields, is_dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -15,6 +16,7 @@ import numpy as np
 from ..arguments import public, shown
 from ..errors import BlockError
 
+MOST_JUMPS = 2 * 10**7  # times of jumps that are listed
 Equations = Callable[[float, Any, Any, Any], Any]
 
 
@@ -78,6 +80,33 @@ def check_names(name: str, *ports: Mapping[str, Any]) -> None:
                     f"{name}.{port}: size {shown(size)} must be a whole number, 0 or more, or a "
                     "name"
                 )
+
+
+def multiples(period: float, t0: float, t1: float) -> np.ndarray:
+    """Return the multiples k * period, k >= 1, in (t0, t1]: sorted, each rounded once."""
+    count = abs(t1 - t0) / period if period > 0 else math.inf
+    if not count <= MOST_JUMPS:
+        raise BlockError(
+            f"a period of {period:g} has {count:.3g} multiples from {t0:g} to {t1:g}; at most "
+            f"{MOST_JUMPS:.0e} are allowed"
+        )
+    first = max(1, math.floor(t0 / period) - 1)
+    last = math.floor(t1 / period) + 1
+    times = period * np.arange(first, last + 1)
+    return times[(times > t0) & (times <= t1)]
+
+
+@dataclass(frozen=True)
+class Each:
+    """Breakpoints at the multiples of a time: a number, or a parameter by name, or a part of it."""
+
+    period: str | float
+    part: float = 1.0
+
+    def __call__(self, p: Any, t0: float, t1: float) -> np.ndarray:
+        """Return the breakpoints in (t0, t1]."""
+        period = getattr(p, self.period) if isinstance(self.period, str) else self.period
+        return multiples(self.part * period, t0, t1)
 
 
 def labels(ports: Mapping[str, int] | None) -> list[str]:

@@ -10,7 +10,6 @@ diagram of blocks sampled alike is, at its samples, the diagram of discrete time
 two has it in its initial state.
 """
 
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -19,7 +18,7 @@ from ..arguments import public
 from ..errors import DiagramError
 from .arrays import Tape, operand
 from .block import Block
-from .declaration import parameters_of
+from .declaration import Each, parameters_of
 from .record import Shape, compact
 
 HELD = "held_"  # with the name of an input port: the state that keeps it
@@ -29,12 +28,6 @@ ROUNDING = 1e-12  # of a time, or of 1: times that differ by less are one
 def asked_inside(*arguments: Any) -> Any:
     """Stand for the equations, which are those of the inner block."""
     raise NotImplementedError
-
-
-def multiples(period: float, p: Any, t0: float, t1: float) -> np.ndarray:
-    """Return the times k period in (t0, t1], k = 1, 2, ..."""
-    times = period * np.arange(max(np.floor(t0 / period), 1.0), np.floor(t1 / period) + 2.0)
-    return times[(times > t0) & (times <= t1)]
 
 
 @public
@@ -88,7 +81,7 @@ class Sampled(Block):
             parameters={**inner.parameters._asdict(), "interval": -1.0},
             shapes=inner.parameter_shapes,
             sizes=inner.sizes,
-            breakpoints=partial(multiples, self.period),
+            breakpoints=Each(self.period),
             jump=asked_inside if states else None,
         )
         self.kept, self.raised = inner.nstates if inner.ninputs else None, inner.raised

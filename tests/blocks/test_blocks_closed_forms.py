@@ -23,6 +23,7 @@ from clpt_control.blocks import (
 from clpt_control.blocks.laws import known_flow, learned_flow
 from clpt_control.currents.field_file import GriddedField
 from clpt_control.equations import evaluate
+from clpt_control.equations.declaration import multiples
 from clpt_control.errors import ScenarioError
 
 # --- basis functions, Eq. (5) -----------------------------------------------------------------
@@ -302,12 +303,12 @@ def test_pinned_interval_stands():
 
 
 def test_multiples_are_single_rounded_products():
-    times = reference.multiples(0.1, 0.0, 1000.0)
+    times = multiples(0.1, 0.0, 1000.0)
     np.testing.assert_array_equal(times, [0.1 * k for k in range(1, len(times) + 1)])
     assert times[-1] <= 1000.0 < 0.1 * (len(times) + 1)
-    assert reference.multiples(2.0, 4.0, 8.0).tolist() == [6.0, 8.0]
-    assert reference.multiples(2.0, 4.5, 5.5).tolist() == []
-    assert reference.multiples(2.0, -9.0, 1.0).tolist() == []
+    assert multiples(2.0, 4.0, 8.0).tolist() == [6.0, 8.0]
+    assert multiples(2.0, 4.5, 5.5).tolist() == []
+    assert multiples(2.0, -9.0, 1.0).tolist() == []
 
 
 # --- disturbances, Eq. (32) -------------------------------------------------------------------

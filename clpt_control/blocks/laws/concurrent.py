@@ -28,11 +28,9 @@ per time), K[2], Gamma[2] (per time), S[N*N], B[2N] (length per time), sigma[1] 
 (time), origin[2] (length), the states.
 """
 
-from typing import Any
-
 import numpy as np
 
-from ..reference import multiples
+from ...equations.declaration import Each
 from .known import Setting, scaled
 from .law import GAINS, Law, Part, State, adapt_gains
 from .regressions import memory, pulled
@@ -69,11 +67,6 @@ def take_in(t, x, u, p):
     }
 
 
-def windows(p: Any, t0: float, t1: float) -> np.ndarray:
-    """Return the times in (t0, t1] at which a window ends."""
-    return multiples(p.window, t0, t1)
-
-
 WINDOW: Part = {
     "states": {
         "sigma": State(1, lambda known, p: np.full(1, p.window)),
@@ -94,7 +87,7 @@ LAW = Law(
         "window": Setting("T over which flow and basis are summed, time; 1/k", scaled(1, k=-1)),
     },
     jump=take_in,
-    breakpoints=windows,
+    breakpoints=Each("window"),
     losses=lambda s, p, truth: [pulled(s, p, truth, "S")],
     says="-e^T KD e - gamma_c tr(eta S eta^T)/gamma",
 ).with_parts(memory("S", "B"), WINDOW)

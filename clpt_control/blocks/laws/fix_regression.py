@@ -30,7 +30,7 @@ from typing import Any
 
 import numpy as np
 
-from ..reference import multiples
+from ...equations.declaration import multiples
 from .known import PRIOR, Setting, prior, reach
 from .law import Law, State
 

@@ -17,8 +17,9 @@ from typing import TYPE_CHECKING, NamedTuple, Union
 
 import numpy as np
 
-from ...blocks.reference import multiples, reference
+from ...blocks.reference import reference
 from ...equations.at_many import evaluate
+from ...equations.declaration import multiples
 from ...errors import DataError, ScenarioError
 from ...scenario.experiment import Scenario
 from ...scenario.file import OWN_LAW, OWN_PARTS
