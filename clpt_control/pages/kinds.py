@@ -67,19 +67,27 @@ def _folder(path: Path) -> "xarray.Dataset":
 
 
 def _netcdf(path: Path) -> Any:
-    from ..replay.dataset import carried
     from ..simulation.run_file import load_run
 
     with open_netcdf(path) as data:
         if "dive" in data.dims:
-            return checked_replay(carried(data, str(path)), str(path))
+            return checked_replay(data, str(path))
         if "clpe" not in data.variables:
             raise DataError(f"{path}: is NetCDF, but no run and no replay; {KNOWN}")
     return load_run(path)
 
 
 def checked_replay(found: Any, name: str) -> dict[str, Any]:
-    """Return a replay's JSON; refuse other JSON, and a replay without a dive."""
+    """Return the JSON of a replay or of its dataset; refuse other JSON, and one without a dive."""
+    from ..replay.dataset import carried
+    from ..replay.outcome import summary
+    from ..replay.surfacing import next_dive
+
+    if "dive" in getattr(found, "dims", ()):
+        found = carried(found, name)
+    elif hasattr(found, "steps"):
+        ahead = next_dive(found).as_dict() if found.steps else None
+        found = {**summary(found), "next_dive": ahead}
     if not (isinstance(found, dict) and "each_dive" in found and "next_dive" in found):
         raise DataError(f"{name}: is JSON, but not what `clpt replay --json` prints; {KNOWN}")
     if not found["each_dive"] or found["next_dive"] is None:

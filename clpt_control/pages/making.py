@@ -64,17 +64,34 @@ def report(
     >>> made["kind"], made["title"]
     ('Run of a scenario', 'A first minute')
     """
-    from ..replay.dataset import carried
     from .kinds import checked_replay, read
+    from .page import page_html
 
     path, kinds = check_page(file), checked_formats(formats)
     found: Any = read(Path(run)) if isinstance(run, str | Path) else run
-    if "dive" in getattr(found, "dims", ()):
-        found = checked_replay(carried(found, "the replay"), "the replay")
-    if hasattr(found, "steps") or isinstance(found, dict):
-        return _replay(found, path, title, figures)
-    folder = None if figures is None else make_folder(figures)
-    return _written(page_of(found, title), path, folder, kinds)
+    results: dict[Path, Any] = {}
+    if hasattr(found, "steps") or isinstance(found, dict) or "dive" in getattr(found, "dims", ()):
+        if figures is not None:
+            raise DataError("figures: a replay's are written by `clpt replay --out`; leave it out")
+        found = checked_replay(found, "the replay")
+        kind, named = "Replay of a glider's dives", f"{found['vehicle']}: where it comes up next"
+        text, said = _replay(found, title)
+    else:
+        folder = None if figures is None else make_folder(figures)
+        page = page_of(found, title)
+        kind, named, said, text = page.kind, page.title, list(page.sentences), page_html(page)
+        if folder is not None:
+            drawn = list(page.figures())
+            results = {folder / f"{one.name}.{end}": one.figure for one in drawn for end in kinds}
+    write_together({path: text, **results})
+    return {
+        "file": str(path),
+        "bytes": len(text.encode()),
+        "kind": kind,
+        "title": title or named,
+        "sentences": said,
+        "figures": [str(one) for one in results],
+    }
 
 
 def check_page(file: str | Path) -> Path:
@@ -105,56 +122,16 @@ def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
     return run_page(data, system_of_run(data), title)
 
 
-def _written(page: "Page", path: Path, folder: Path | None, kinds: Sequence[str]) -> dict[str, Any]:
-    """Write a page and its figures, all or none."""
-    from .page import page_html
-
-    text = page_html(page)
-    results: dict[Path, Any] = {path: text}
-    if folder is not None:
-        for one in page.figures():
-            results |= {folder / f"{one.name}.{kind}": one.figure for kind in kinds}
-    write_together(results)
-    return {
-        "file": str(path),
-        "bytes": len(text.encode()),
-        "kind": page.kind,
-        "title": page.title,
-        "sentences": list(page.sentences),
-        "figures": [str(one) for one in results if one != path],
-    }
-
-
-def _replay(
-    found: Any, path: Path, title: str | None, figures: str | Path | None
-) -> dict[str, Any]:
-    """Write the page for one on watch with a glider."""
-    from ..replay.outcome import summary
+def _replay(found: dict[str, Any], title: str | None) -> tuple[str, list[str]]:
+    """Return the page for one on watch with a glider, and its sentence."""
     from ..replay.page import replay_page
     from ..replay.sentences import next_surfacing
-    from ..replay.surfacing import next_dive
-    from .kinds import checked_replay
 
-    if figures is not None:
-        raise DataError("figures: a replay's are written by `clpt replay --out`; leave it away")
-    if hasattr(found, "steps"):
-        ahead = next_dive(found).as_dict() if found.steps else None
-        found = checked_replay({**summary(found), "next_dive": ahead}, "the replay")
     try:
-        text = replay_page(found, title=title)
-        said = next_surfacing(found["next_dive"])
+        return replay_page(found, title=title), [next_surfacing(found["next_dive"])]
     except (KeyError, TypeError, ValueError, IndexError, AttributeError) as error:
         what = f"{type(error).__name__}: {error}"
         raise DataError(
             f"the replay's JSON is damaged or of another version, {what[:80]}; run `clpt replay` "
             "again"
         ) from None
-    write_together({path: text})
-    return {
-        "file": str(path),
-        "bytes": len(text.encode()),
-        "kind": "Replay of a glider's dives",
-        "title": title or f"{found['vehicle']}: where it comes up next",
-        "sentences": [said],
-        "figures": [],
-    }

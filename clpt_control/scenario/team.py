@@ -102,6 +102,8 @@ class Team(Table):
 
     @model_validator(mode="after")
     def _connected(self) -> "Team":
+        from scipy.sparse.csgraph import connected_components
+
         names, seen = list(self.members), set[frozenset[str]]()
         for k, edge in enumerate(self.edges):
             for name in edge:
@@ -115,12 +117,13 @@ class Team(Table):
                     f"edges[{k}] = {list(edge)}: must join two vehicles, each pair once"
                 )
             seen.add(frozenset(edge))
-        apart = [name for name in names if name not in self._reached(names[0])]
-        if apart:
-            raise ValueError(
-                f"edges: no path joins {apart[0]} to {names[0]}; join every vehicle to the others, "
-                "or run it alone"
-            )
+        _, groups = connected_components(self._laplacian)
+        for name, group in zip(names, groups, strict=True):
+            if group != groups[0]:
+                raise ValueError(
+                    f"edges: no path joins {name} to {names[0]}; join every vehicle to the others, "
+                    "or run it alone"
+                )
         return self
 
     def __repr__(self) -> str:
@@ -131,14 +134,6 @@ class Team(Table):
 
     def _repr_html_(self) -> str:
         return team_html(self)
-
-    def _reached(self, start: str) -> set[str]:
-        """Return the vehicles that a path joins to one."""
-        found, new = {start}, [start]
-        while new:
-            new = [one for name in new for one in self.neighbours(name) if one not in found]
-            found.update(new)
-        return found
 
     @public
     def neighbours(self, name: str) -> list[str]:
@@ -156,15 +151,19 @@ class Team(Table):
         return self.first.run
 
     @property
-    def connectivity(self) -> float:
-        """Second eigenvalue lambda_2 of the graph's Laplacian."""
+    def _laplacian(self) -> np.ndarray:
         place = {name: k for k, name in enumerate(self.members)}
         laplacian = np.zeros((len(place), len(place)))
         for edge in self.edges:
             a, b = (place[name] for name in edge)
             laplacian[[a, b], [a, b]] += 1
             laplacian[[a, b], [b, a]] -= 1
-        return float(np.linalg.eigvalsh(laplacian)[1])
+        return laplacian
+
+    @property
+    def connectivity(self) -> float:
+        """Second eigenvalue lambda_2 of the graph's Laplacian."""
+        return float(np.linalg.eigvalsh(self._laplacian)[1])
 
 
 def shared_tables(scenario: Scenario) -> dict[str, Any]:

@@ -51,7 +51,7 @@ class Columns(NamedTuple):
     """Where a vehicle's signals stand, and with what its blocks ran."""
 
     column: dict[str, int]  # label -> column of the signals
-    ran: Mapping[str, Any]  # block -> its parameters
+    ran: dict[str, Any]  # block -> its parameters
 
 
 def columns_of(labels: Sequence[str], wiring: Wiring, given: Sequence[Any]) -> Columns:

@@ -150,7 +150,7 @@ def simulate(
         if times[0] != 0:
             solution.t, solution.x = solution.t[1:], solution.x[1:]
         found = run.dataset(solution, run.signals(solution))
-    if isinstance(run, ScenarioRun) and run.max_speed is not None:
+    if run.max_speed is not None:
         note_speeds(found, speeds_of(found, run.max_speed), run.scenario.units)
     return found
 
