@@ -16,19 +16,7 @@ from ..arguments import public
 from ..errors import DataError
 from ..files import open_netcdf
 from ..units import length_in_metres
-from .cf import (
-    DEPTH_NAMES,
-    REAL,
-    VELOCITY,
-    check_places,
-    check_speed,
-    dates_of,
-    find_axis,
-    find_variable,
-    is_depth,
-    numbers_of,
-    velocity_values,
-)
+from . import cf
 
 if TYPE_CHECKING:
     import xarray
@@ -135,12 +123,14 @@ def read_currents(
                 f"{path}: is the field of a `clpt fit`; give the .toml file beside it as a flow "
                 "model, or the file that was fitted"
             )
-        names = [find_variable(data, VELOCITY, what, path) for what in ("eastward", "northward")]
+        names = [
+            cf.find_variable(data, cf.VELOCITY, what, path) for what in ("eastward", "northward")
+        ]
         lat, lon, when = (
-            find_axis(data, names[0], what, path) for what in ("latitude", "longitude", "time")
+            cf.find_axis(data, names[0], what, path) for what in ("latitude", "longitude", "time")
         )
-        check_places(lat, lon, path)
-        hours, start = _since_first(dates_of(when, path, real=column))
+        cf.check_places(lat, lon, path)
+        hours, start = _since_first(cf.dates_of(when, path, real=column))
         latitudes, longitudes = lat.values.astype(float), lon.values.astype(float)
         span = None if box is None else _checked_box(box)
         longitudes = _unwrapped(longitudes, span)
@@ -169,7 +159,7 @@ def read_currents(
                 f"{path}: {names[0]} has {size:.3g} values; at most {MOST:.0g} can be held, cut "
                 "the file to the area and days that are needed"
             )
-        u, v = (velocity_values(data, name, kept, path, units) for name in names)
+        u, v = (cf.velocity_values(data, name, kept, path, units) for name in names)
     gap = ~(np.isfinite(u) & np.isfinite(v))
     if gap.all():
         raise DataError(
@@ -178,7 +168,7 @@ def read_currents(
         )
     u[gap] = v[gap] = np.nan
     for name, values in zip(names, (u, v), strict=True):
-        check_speed(values, name, path)
+        cf.check_speed(values, name, path)
     if column and u.ndim == 3:
         u, v = u[:, None], v[:, None]
     lat0, lat1, lon0, lon1 = map(float, wanted)
@@ -202,7 +192,7 @@ def _since_first(dates: np.ndarray) -> tuple[np.ndarray, str]:
         nearest = (first + np.timedelta64(500, "us")).astype("datetime64[ms]")
         return (dates - first) / np.timedelta64(1, "h"), nearest.item().isoformat()
     start = first.isoformat()
-    if first.calendar not in REAL:
+    if first.calendar not in cf.REAL:
         start += f" in the calendar {first.calendar}"
     return np.array([(date - first).total_seconds() / 3600.0 for date in dates]), start
 
@@ -260,16 +250,16 @@ def _levels(
     others = [dim for dim in data[name].dims if dim not in axes]
     dims = [dim for dim in others if data[name].sizes[dim] != 1]
     if not dims:
-        single = [d for d in others if str(d).lower() in DEPTH_NAMES and d in data.variables]
+        single = [d for d in others if str(d).lower() in cf.DEPTH_NAMES and d in data.variables]
         alone = np.abs(data[single[0]].values.astype(float)) if single else np.zeros(1)
         return None, np.nan_to_num(alone)
-    if len(dims) > 1 or not is_depth(data, dims[0]):
+    if len(dims) > 1 or not cf.is_depth(data, dims[0]):
         raise DataError(
             f"{path}: {name} has the dimensions ({', '.join(map(str, data[name].dims))}); allowed "
             "are time, latitude, longitude and a depth"
         )
     where = f"{path}: {dims[0]}"
-    depth = np.abs(numbers_of(data[dims[0]], where))
+    depth = np.abs(cf.numbers_of(data[dims[0]], where))
     unit = str(data[dims[0]].attrs.get("units", "")).strip()
     if unit or not str(dims[0]).lower().startswith(("depth", "z")):  # else taken as m
         depth *= length_in_metres(unit, where)

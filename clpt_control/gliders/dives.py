@@ -21,6 +21,7 @@ same vehicle in the same folder, are joined to it.
 
 import re
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import hypot, isfinite
@@ -46,6 +47,8 @@ FILES = (
 )
 DATED = re.compile(r"(.+?)_\d{8}")  # SG015_20040929T140907_delayed
 Part = TypeVar("Part")
+Joined = TypeVar("Joined")
+LEAST_GAP = 300.0  # s between two fixes with a dive between them
 BACK = 6  # files before one that are joined to it at most
 SLOCUM = re.compile(r"(?P<who>.*?)-?(?P<order>\d+-\d+-\d+-\d+|\d{8})(?P<kind>\.[smd]bd)", re.I)
 SEAEXPLORER = re.compile(r"(?P<who>.*)(?P<kind>\.gli\.(?:sub|raw))\.(?P<order>\d+)(?:\.gz)?", re.I)
@@ -79,11 +82,6 @@ def whole_number(value: float | str | None) -> int | None:
 def is_fix(lat: float, lon: float) -> bool:
     """Whether two numbers, degrees, can be a fix; 0 N 0 E is what a receiver without one gives."""
     return is_place(lat, lon) and not lat == lon == 0.0
-
-
-def has_start(fixes: Sequence[Fix], wet: np.ndarray) -> bool:
-    """Whether a fix stands before the first time under water."""
-    return bool(fixes) and (wet.size == 0 or fixes[0][0] <= wet[0])
 
 
 def cut_dives(fixes: Sequence[Fix], wet: np.ndarray | None, least_gap: float) -> list[Three]:
@@ -216,19 +214,27 @@ def files_before(path: Path) -> list[Path]:
     return [file for order, file in known if order < place][-BACK:]
 
 
-def with_those_before(
-    path: Path, own: Part, read: Callable[[Path], Part], whole: Callable[[list[Part]], bool]
-) -> list[Part]:
-    """Return what a file holds behind what those before it do, until the parts are `whole`."""
+def joined_dives(
+    path: Path,
+    own: Part,
+    read: Callable[[Path], Part],
+    join: Callable[[list[Part]], Joined],
+    seen: Callable[[Joined], tuple[list[Fix], np.ndarray]],
+) -> tuple[Joined, list[Three]]:
+    """Return what a file holds behind what those before it do, and the fixes of its dives.
+
+    It goes back until a fix stands before the first time under water; `seen` returns the fixes
+    and the times under water.
+    """
     parts = [own]
     for before in reversed(files_before(path)):
-        if whole(parts):
+        fixes, wet = seen(join(parts))
+        if fixes and (wet.size == 0 or fixes[0][0] <= wet[0]):
             break
-        try:
+        with suppress(DataError):  # named where it is read for itself
             parts.insert(0, read(before))
-        except DataError:  # named where it is read for itself
-            continue
-    return parts
+    whole = join(parts)
+    return whole, cut_dives(*seen(whole), LEAST_GAP)
 
 
 def _order(path: Path) -> tuple[str, list[int]]:

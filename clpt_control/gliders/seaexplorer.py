@@ -23,18 +23,7 @@ import numpy as np
 
 from ..errors import DataError
 from ..files.reading import LARGEST, read_bytes, text_of
-from .dives import (
-    LEAST_DEPTH,
-    Dive,
-    Fix,
-    Skipped,
-    Three,
-    cut_dives,
-    dive_between,
-    has_start,
-    is_fix,
-    with_those_before,
-)
+from .dives import LEAST_DEPTH, Dive, Fix, Skipped, Three, dive_between, is_fix, joined_dives
 from .samples import deepest, hole_under_water, track_of
 from .slocum import degrees
 
@@ -43,7 +32,6 @@ FIRST = "Timestamp;"
 NEEDED = ("NavState", "Heading", "Declination", "Pitch", "Depth", "Lat", "Lon")
 ESTIMATED = "DeadReckoning"  # in some files: 1 where Lat, Lon are no fix
 AT_SURFACE = 116
-LEAST_GAP = 300.0  # s between two fixes with a dive between them
 LEAST_PITCH = 10.0  # degrees
 FASTEST = 1.5  # m/s
 Rows = np.ndarray  # a row each: time, NEEDED, whether Lat, Lon are estimated
@@ -73,17 +61,12 @@ def dives_of(text: str, path: Path) -> tuple[list[Dive], list[Skipped]]:
         known = unzipped(raw, before) if raw[:2] == GZIP else text_of(raw, before, "no text")
         return _rows(known, before)
 
-    def whole(parts: list[Rows]) -> bool:
-        rows = np.concatenate(parts)
-        return has_start(_fixes(rows), _wet(rows))
-
-    rows = np.concatenate(with_those_before(path, own, read, whole))
-    rows = rows[np.unique(rows[:, 0], return_index=True)[1]]
+    rows, found = joined_dives(path, own, read, _joined, _seen)
     digits = [part for part in path.name.split(".") if part.isdecimal()]
     number = int(digits[-1]) if digits else 0
     return [
         _dive(rows[(rows[:, 0] >= three[1][0]) & (rows[:, 0] <= three[2][0])], three, number)
-        for three in cut_dives(_fixes(rows), _wet(rows), LEAST_GAP)
+        for three in found
         if three[2][0] >= own[:, 0].min()
     ], []
 
@@ -123,8 +106,14 @@ def _number(cell: str) -> float:
         return nan
 
 
-def _fixes(rows: Rows) -> list[Fix]:
-    """Return the fixes by time: places that are new, at the surface."""
+def _joined(parts: list[Rows]) -> Rows:
+    """Return rows by time."""
+    rows = np.concatenate(parts)
+    return rows[np.unique(rows[:, 0], return_index=True)[1]]
+
+
+def _seen(rows: Rows) -> tuple[list[Fix], np.ndarray]:
+    """Return the fixes, places that are new at the surface, and times under water."""
     fixes: list[Fix] = []
     lat, lon = degrees(rows[:, 6]), degrees(rows[:, 7])
     for k in range(1, len(rows)):
@@ -133,11 +122,7 @@ def _fixes(rows: Rows) -> list[Fix]:
         own = rows[k, 1] == AT_SURFACE and not rows[k, 8] > 0
         if new and own and is_fix(*fix[1:]):
             fixes.append(fix)
-    return fixes
-
-
-def _wet(rows: Rows) -> np.ndarray:
-    return rows[rows[:, 5] > LEAST_DEPTH, 0]
+    return fixes, rows[rows[:, 5] > LEAST_DEPTH, 0]
 
 
 def _dive(rows: Rows, fixes: Three, number: int) -> Dive:

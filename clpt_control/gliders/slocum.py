@@ -32,18 +32,7 @@ from pathlib import Path
 import numpy as np
 
 from ..geodesy import displacement
-from .dives import (
-    LEAST_DEPTH,
-    Dive,
-    Fix,
-    Skipped,
-    Three,
-    cut_dives,
-    dive_between,
-    has_start,
-    is_fix,
-    with_those_before,
-)
+from .dives import LEAST_DEPTH, Dive, Fix, Skipped, Three, dive_between, is_fix, joined_dives
 from .magnetic import variation
 from .samples import deepest, hole_under_water
 from .slocum_file import MAGIC as MAGIC
@@ -53,7 +42,6 @@ from .slocum_file import Segment, Series, read_segment
 SHORT = 60.0  # s of a dive's end without a place that are left alone
 CLEAR = 0.03  # m/s: from here on it is seen whether a current was added
 Of = dict[str, Series]
-LEAST_GAP = 300.0  # s between two fixes with a dive between them
 OWN_CURRENT = 1800.0  # s after the fix in which the glider has worked its current out
 YEARS = (0.0, 7.3e9)  # s since 1970: to 2200
 NAMES = (
@@ -191,19 +179,9 @@ def was_added(
 def dives_of(path: Path) -> tuple[list[Dive], list[Skipped]]:
     """Return the dives that end in a file."""
     own = read_segment(path, NAMES)
-
-    def whole(parts: list[Segment]) -> bool:
-        of = _joined(parts)
-        return has_start(_fixes(of), _wet(of))
-
-    parts = with_those_before(path, own, lambda before: read_segment(before, NAMES), whole)
-    of = _joined(parts)
+    of, found = joined_dives(path, own, lambda one: read_segment(one, NAMES), _joined, _seen)
     own_fixes = set(own.of["m_gps_lat"][0].tolist()) if "m_gps_lat" in own.of else set()
-    return [
-        _dive(of, own, three)
-        for three in cut_dives(_fixes(of), _wet(of), LEAST_GAP)
-        if three[2][0] in own_fixes
-    ], []
+    return [_dive(of, own, three) for three in found if three[2][0] in own_fixes], []
 
 
 def _joined(parts: list[Segment]) -> Of:
@@ -221,31 +199,27 @@ def _joined(parts: list[Segment]) -> Of:
     return of
 
 
-def _wet(of: Of) -> np.ndarray:
-    time, depth = of["m_depth"]
-    return time[depth > LEAST_DEPTH]
-
-
-def _fixes(of: Of) -> list[Fix]:
-    """Return the valid fixes by time."""
+def _seen(of: Of) -> tuple[list[Fix], np.ndarray]:
+    """Return the valid fixes and the times under water."""
     time, at, other = np.intersect1d(of["m_gps_lat"][0], of["m_gps_lon"][0], return_indices=True)
     lat, lon = degrees(of["m_gps_lat"][1][at]), degrees(of["m_gps_lon"][1][other])
     failed = set(of["m_gps_status"][0][of["m_gps_status"][1] != 0].tolist())
-    return [
+    fixes = [
         (t, a, b)
         for t, a, b in zip(time.tolist(), lat.tolist(), lon.tolist(), strict=True)
         if is_fix(a, b) and t not in failed
     ]
+    when, depth = of["m_depth"]
+    return fixes, when[depth > LEAST_DEPTH]
 
 
 def _dive(of: Of, own: Segment, fixes: Three) -> Dive:
     """Make the dive between two fixes that is under water at some times."""
     _, start, end = fixes
-    wet = _wet(of)
-    wet = wet[(wet > start[0]) & (wet <= end[0])]
     notes = list(own.notes)
     east_of_north = _variation(of, start)
     time, depth = between(of["m_depth"], start[0], end[0])
+    wet = time[depth > LEAST_DEPTH]
     duration = end[0] - start[0]
     track, why = dead_reckoning(of, start, wet, east_of_north)
     hole = hole_under_water(time - start[0], depth, duration)
