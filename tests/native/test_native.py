@@ -2,9 +2,7 @@
 
 import math
 import re
-from typing import NamedTuple
 
-import control
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -15,7 +13,7 @@ import clpt_control as clpt
 from clpt_control.blocks import reference, vehicle
 from clpt_control.currents.field_file import GriddedField
 from clpt_control.diagrams.interconnection import connect
-from clpt_control.equations import Block, lookup
+from clpt_control.equations import Block
 from clpt_control.errors import ClptError, DiagramError, SimulationError
 from clpt_control.native import readings
 from clpt_control.native.inputs import read_inputs
@@ -128,22 +126,6 @@ def test_dense_output_is_as_exact_as_steps():
     np.testing.assert_array_equal(fine.alpha[-1], coarse.alpha[-1])
 
 
-def test_sampled_inputs_are_straight_between_samples():
-    scenario = clpt.paper_scenario()
-    loop = clpt.closed_loop(scenario, external=("zc",))
-    times = np.array([0.0, 1.0, 2.5, 4.0, 8.0])
-    zc = np.array([[0.0, 3.0, 3.0, -1.0, 2.0], [1.0, 0.0, 2.0, 2.0, 2.0]])
-    state = initial_state(scenario)
-    native, python = (
-        response(loop, times, zc, initial_state=state, engine=e) for e in ("native", "python")
-    )
-    np.testing.assert_allclose(native.outputs, python.outputs, rtol=1e-8, atol=1e-9)
-    np.testing.assert_array_equal(native.inputs, zc)
-    held = response(loop, times, [1.0, 2.0], initial_state=state)
-    by_hand = response(loop, times, np.tile([[1.0], [2.0]], 5), initial_state=state)
-    np.testing.assert_allclose(held.outputs, by_hand.outputs, rtol=1e-7, atol=1e-7)
-
-
 def test_call_time_parameters_reach_the_machine_code():
     loop, state = clpt.closed_loop(clpt.paper_scenario()), initial_state(clpt.paper_scenario())
     changes = {"adaptation.gain": 2.0, "basis_x.widths": [4.0, 5.0, 6.0], "reference.interval": 3.0}
@@ -153,52 +135,6 @@ def test_call_time_parameters_reach_the_machine_code():
     )
     np.testing.assert_allclose(native.states, python.states, rtol=1e-9, atol=1e-10)
     assert native.outputs[0, -1] == pytest.approx(3 * math.cos(2 * math.pi * 3 / 10))
-
-
-def test_two_vehicles_in_one_diagram():
-    first = clpt.closed_loop(clpt.paper_scenario())
-    second = clpt.closed_loop(clpt.paper_scenario().with_values({"learning.gain": 2.0}))
-    first.name, second.name = "near", "far"
-    both = control.interconnect(
-        [first, second],
-        connections=False,
-        inplist=[],
-        inputs=0,
-        check_unused=False,
-        outlist=["near.e[0]", "far.e[0]"],
-        outputs=["near", "far"],
-    )
-    state = np.tile(initial_state(clpt.paper_scenario()), 2)
-    together = response(both, [0.0, 30.0], initial_state=state)
-    apart = [response(loop, [0.0, 30.0], initial_state=state[:14]) for loop in (first, second)]
-    alone = [run.outputs[run.output_labels.index("e[0]"), -1] for run in apart]
-    np.testing.assert_allclose(together.outputs[:, -1], alone, rtol=0, atol=1e-8)
-
-
-class WordParameters(NamedTuple):
-    table: np.ndarray
-    gain: float
-
-
-def wordy(t, x, u, p):
-    """All the words at once, section II: u = none, state s[3]."""
-    a, b, c = x[0], x[1], x[2]
-    return [
-        np.where(a > b, p.gain, -p.gain) + np.minimum(a, 1.0) - np.maximum(b, c) / 7,
-        np.clip(3 * a, -1.0, 1.0) + np.sign(b) * 0.1 + np.floor(c) / 3 + math.tanh(a) - b,
-        lookup(p.table, np.clip(np.floor(t), 0.0, 4.0)) - c**3 + a % 1.7,
-    ]
-
-
-def test_every_word_in_a_diagram():
-    parameters = WordParameters(np.array([0.3, -0.2, 0.5, 0.1, -0.4]), 0.7)
-    block = Block("words", update=wordy, states={"s": 3}, parameters=parameters)
-    asked, random = readings(connect([block])), np.random.default_rng(0)
-    for _ in range(50):
-        t, x = random.uniform(0, 6), random.normal(0, 2, 3)
-        for name, ask in asked.items():
-            found, wanted = ask(t, x, [])[0], block.dynamics(t, x, [])
-            np.testing.assert_allclose(found, wanted, rtol=1e-14, atol=1e-14, err_msg=name)
 
 
 @settings(max_examples=4, deadline=None, derandomize=True)
@@ -243,31 +179,6 @@ def test_a_run_of_a_fixed_step_stops_where_it_leaves_a_field():
         fixed = made(field()).run([0.0, 0.0], [0.0, 1.0, 2.0, 10.0], step=0.05)
         np.testing.assert_allclose(fixed.t, [0, 1, 2, 2 / 0.7], rtol=1e-9)
         np.testing.assert_allclose(fixed.x[:, 0], 0.7 * fixed.t, rtol=1e-9)
-
-
-def test_algebraic_loops_name_the_blocks():
-    blocks = [
-        Block("one", output=still, inputs={"b": 2}, outputs={"a": 2}),
-        Block("two", output=still, inputs={"a": 2}, outputs={"b": 2}),
-    ]
-    with pytest.raises(DiagramError, match="one <- two"):
-        clpt.native.compile(connect(blocks))
-
-
-def rounds(t, x, u, params):
-    """A state's digits, as text, which no record holds."""
-    return -float(f"{x[0]}") * np.ones(1)
-
-
-def test_what_cannot_be_compiled_runs_in_python_with_one_warning():
-    lag = control.nlsys(rounds, None, states=1, outputs=1, inputs=0, name="lag")
-    loop = control.interconnect(
-        [lag], outlist=["lag.y[0]"], inputs=0, connections=False, check_unused=False
-    )
-    with pytest.warns(UserWarning, match=r"lag.*rounds, line \d+") as caught:
-        found = response(loop, [0.0, 1.0], initial_state=[1.0])
-    assert len(caught) == 1
-    assert found.states[0, -1] == pytest.approx(math.exp(-1), abs=1e-9)
 
 
 def test_code_is_made_once_for_diagrams_that_differ_in_numbers():
