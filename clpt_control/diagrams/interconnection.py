@@ -16,7 +16,7 @@ from ..equations.declaration import check_names, labels, whole_labels
 from ..equations.linear import is_linear
 from ..equations.system import System
 from ..errors import BlockError, DiagramError
-from ..scenario.keys import call_time_name_of
+from ..scenario.quantities import call_time_name_of
 from .parts import as_part, input_ports, is_discrete, output_ports
 from .wiring import Wiring, ordered_wiring, wiring_of
 

@@ -1,7 +1,7 @@
 """Many runs of one scenario that differ in numbers, not in shape.
 
 A member is the scenario with some values changed.  Where a key's value lies in P and in the
-initial state is declared (`scenario.keys`), so members are filled in whole columns; what is
+initial state is declared (`scenario.quantities`), so members are filled in whole columns; what is
 computed from values, such as frequencies from periods, is made member by member.
 """
 
@@ -23,8 +23,7 @@ from ..native.schedule import Schedule, make_schedule
 from ..native.stiffness import finish
 from ..native.sweep import Sweep
 from ..scenario.experiment import Scenario, scenario_tables
-from ..scenario.keys import CALL_TIME_NAMES, JUMPS, STARTS, names_held
-from ..scenario.made_of import made_of
+from ..scenario.quantities import QUANTITIES, made_of, names_held
 from ..simulation.loops import changed_blocks
 from ..simulation.starts import state_columns, state_of
 
@@ -69,7 +68,7 @@ class Ensemble:
         """Return where in P and in the initial state a value begins; None if it is computed."""
         made = made_of(self.scenario) if self.changes.law is None else ()
         own = self.changes.names
-        if key in (*JUMPS, *made) or key not in {**CALL_TIME_NAMES, **STARTS}:
+        if key not in QUANTITIES or key in made or QUANTITIES[key].jumps:
             return None
         places = {
             f"{self.blocks[k].name}.{field}": place
@@ -82,7 +81,7 @@ class Ensemble:
                 raise ScenarioError(f"{key}: has too many numbers to vary")
             if places[name].offset not in in_P:
                 in_P.append(places[name].offset)
-        column = self.columns.get(STARTS.get(key, ""))
+        column = self.columns.get(QUANTITIES[key].state)
         in_x = [] if column is None else [column.start]
         return (in_P, in_x) if in_P or in_x else None
 

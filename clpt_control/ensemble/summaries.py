@@ -17,6 +17,8 @@ import numpy as np
 
 from ..errors import ScenarioError
 from ..scenario.experiment import Scenario
+from ..scenario.quantities import QUANTITIES
+from ..simulation.dataset import VARIABLES
 from ..simulation.integrate import sample_times
 from ..simulation.pieces import SAMPLES_PER_CYCLE, nearest
 from .members import States
@@ -27,24 +29,7 @@ FEWEST = 20  # samples a cycle that may be asked for
 MOST_TIMES = 10**8  # samples of a run
 MOST_SAMPLES = 20_000  # a member, unless asked for; at least 200 a cycle
 MARKS = 41  # times at which errors are kept, unless asked for
-AXES = {  # names of the dimensions of arrays; all others have one number per axis
-    "basis.centers": ("basis", "axis"),
-    "basis.widths": ("basis",),
-    "basis.periods": ("basis",),
-    "basis.phases": ("basis",),
-    "flow.parameters": ("axis", "basis"),
-    "model.parameters": ("axis", "basis"),
-    "learning.parameters": ("axis", "basis"),
-    "learning.theta_estimate": ("axis", "basis"),
-    "reference.points": ("waypoint", "axis"),
-}
-TRAJECTORIES = {  # name -> the state
-    "position": "x",
-    "predicted_position": "z",
-    "alpha": "alpha",
-    "feedback_gain": "K",
-    "feedforward_gain": "Gamma",
-}
+TRAJECTORIES = ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain")
 STATUS = ("not_run", "finished", "step_too_small", "not_finite", "left_the_field", "too_many_steps")
 
 
@@ -140,20 +125,19 @@ def kept_variables(
             keep(name, "", long_name, units=scenario.units.time if power else "1")
     keep("status", "", "how the run ended", "int8", **flags)
     keep("end", "", "last sample reached", units=scenario.units.time)
-    if trajectories:
-        keep("position", "time axis", "true position", units=length)
-        keep("predicted_position", "time axis", "predicted position", units=length)
-        if not scenario.learning.row.keeps_alpha:
-            keep("alpha", "time axis basis", "adapted parameter alpha", units=speed)
-        if adapted:
-            keep("feedback_gain", "time axis", "adapted feedback gain", units=rate)
-            keep("feedforward_gain", "time axis", "adapted feedforward gain", units=rate)
+    for name in TRAJECTORIES if trajectories else ():
+        port, long_name, lengths, rates = VARIABLES[name]
+        idle = port in ("K", "Gamma") and not adapted
+        if not idle and not (port == "alpha" and scenario.learning.row.keeps_alpha):
+            dims = "time axis basis" if port == "alpha" else "time axis"
+            keep(name, dims, long_name, units=" ".join([length] * lengths + [rate] * rates))
     return found
 
 
 def dims_of(key: str, ndim: int) -> tuple[str, ...]:
-    """Return the names of the dimensions of a key's value."""
-    return AXES.get(key, ("axis", "basis")[:ndim]) if ndim else ()
+    """Return the names of the dimensions of a key's value; of one number per axis without."""
+    named = QUANTITIES[key].axes if key in QUANTITIES else ""
+    return tuple(named.split()) or ("axis", "basis")[:ndim]
 
 
 def summarise_members(
@@ -210,8 +194,8 @@ def _summaries(scenario, times, values, run, trajectories) -> dict[str, np.ndarr
     kept["status"] = run.status.astype("int8")
     kept["end"] = times.all[np.clip(run.reached - 1, 0, None)]
     if trajectories:
-        for name in kept_variables(scenario, times, m, True).keys() & TRAJECTORIES.keys():
-            kept[name] = at[TRAJECTORIES[name]][:, times.own]
+        for name in kept_variables(scenario, times, m, True).keys() & set(TRAJECTORIES):
+            kept[name] = at[VARIABLES[name][0]][:, times.own]
         if not row.keeps_alpha:
             kept["alpha"] = kept["alpha"].reshape(m, -1, 2, N)
     return {name: np.ascontiguousarray(array) for name, array in kept.items()}

@@ -20,8 +20,8 @@ import numpy as np
 from ..arguments import public
 from ..errors import ScenarioError
 from ..scenario.experiment import Scenario
-from ..scenario.keys import key_of
 from ..scenario.mistakes import Table
+from ..scenario.quantities import key_of
 
 FORMS = "KEY=LOW:HIGH, KEY~normal:DEVIATION or KEY=[VALUE, ...]"
 

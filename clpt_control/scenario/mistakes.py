@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Self, get_args
 from pydantic import BaseModel, ConfigDict, ValidationError
 
 from ..errors import ScenarioError
-from .keys import key_of
+from .quantities import key_of
 
 if TYPE_CHECKING:
     from pydantic._internal._model_construction import ModelMetaclass

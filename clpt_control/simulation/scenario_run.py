@@ -15,7 +15,7 @@ from ..native.ending import Solution
 from ..native.engines import chosen
 from ..native.inputs import stacked_state
 from ..scenario.experiment import Scenario
-from ..scenario.keys import STARTS, keys_alone, keys_of
+from ..scenario.quantities import STARTS, keys_alone, keys_of
 from .dataset import columns_of, run_frame
 from .frame import Frame
 from .loops import paper_blocks

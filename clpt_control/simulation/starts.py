@@ -16,7 +16,7 @@ from ..equations.linear import is_linear
 from ..errors import DataError, DiagramError
 from ..native.inputs import numbers
 from ..scenario.experiment import Scenario
-from ..scenario.keys import STARTS
+from ..scenario.quantities import STARTS
 from .loops import paper_blocks
 
 if TYPE_CHECKING:

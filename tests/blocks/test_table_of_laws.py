@@ -10,8 +10,7 @@ from clpt_control.blocks.laws.known import Gains, Truth
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.diagrams.parts import functions_of
 from clpt_control.errors import ScenarioError
-from clpt_control.scenario.keys import names_held
-from clpt_control.scenario.made_of import made_of
+from clpt_control.scenario.quantities import made_of, names_held
 from clpt_control.theory.proving.theorem_loop import theorem_scenario
 
 N = 2

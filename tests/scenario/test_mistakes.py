@@ -8,8 +8,8 @@ import pytest
 
 import clpt_control as clpt
 from clpt_control.errors import BlockError, ScenarioError
-from clpt_control.scenario.keys import CALL_TIME_NAMES
 from clpt_control.scenario.learning import Learning
+from clpt_control.scenario.quantities import CALL_TIME_NAMES
 from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
 PAPER = clpt.paper_scenario()

@@ -21,27 +21,12 @@ from ...equations.block import Block
 from ...equations.elements import Index
 from ...equations.namespaces import named, split
 from ...equations.record import Shape
-from ...scenario.keys import CALL_TIME_NAMES
+from ...scenario.quantities import QUANTITIES
 from .signs import positive_maximum
 
-# fields that stand for one thing, and its name in the paper
-ONE = {
-    "alpha_M": CALL_TIME_NAMES["model.parameters"],
-    "theta": ("true_flow.theta", "lyapunov.theta"),
-    "theta_hat": ("injection.theta_hat",),
-    "KD": ("vehicle_controller.KD", "lyapunov.KD", "error_system.KD"),
-    "GammaD": ("vehicle_controller.GammaD", "lyapunov.GammaD"),
-    "gamma": (
-        "adaptation.gain",
-        "adaptation.gain_K",
-        "adaptation.gain_Gamma",
-        "parameter_system.gain",
-        "lyapunov.gain",
-        "lyapunov.gain_K",
-        "lyapunov.gain_Gamma",
-    ),
-    "kappa": ("consensus.coupling",),
-}
+# fields that stand for one thing, by its name in the paper
+ONE = {one.symbol: one.held.split() for one in QUANTITIES.values() if one.symbol}
+ONE["kappa"] = ["consensus.coupling"]
 SHARED = ("theta", "gamma", "kappa")  # by all vehicles of a team
 SCALARS = ("gamma",)  # one number in the paper, whatever shape a block keeps it in
 _NAMES = {field: name for name, fields in ONE.items() for field in fields}
