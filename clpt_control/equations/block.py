@@ -36,6 +36,8 @@ from .record import Record as ArrayRecord
 from .record import Shape
 from .shown import block_html, block_line
 
+READ = ("_read_records", "feedthrough")  # attributes that hold what was read
+
 
 def line_of(error: Exception, function: Callable) -> str:
     """Return the line of a user's function at which it raised, for a message."""
@@ -180,8 +182,7 @@ class Block(control.NonlinearIOSystem):
             for point in (0.0, 0.3, 1.7, -0.6):  # a logarithm may be asked of some
                 x, u = np.full(self.nstates, point), np.full(self.ninputs, point)
                 try:
-                    with np.errstate(all="ignore"):
-                        self._asked(role, size, abs(point), x, u, p)
+                    self._asked(role, size, abs(point), x, u, p)
                     break
                 except BlockError:
                     raise
@@ -313,36 +314,32 @@ class Block(control.NonlinearIOSystem):
         return found
 
     def _read(self, role: str) -> ArrayRecord | Unread:
-        kinds = ("states", "inputs", "outputs")
-        states, inputs, outputs = (self._called(k, self.declared[k]) for k in kinds)
+        """Read a function with open sizes; where that cannot be, with those that are bound."""
         if role == "output" and self.output_function is None:
             return record_of_states(self.declared["outputs"])
-        if role not in self._roles:
-            raise KeyError(role)
         function, bound_out = self._roles[role]
-        values = self._parameters._asdict()
+        name, values, why = f"{self.name}.{role}", self._parameters._asdict(), ""
         shapes = {f: np.shape(v) for f, v in values.items() if not isinstance(v, int)}
-        name = f"{self.name}.{role}"
-        own = (
-            self._called("states", self.state_shapes),
-            self._called("inputs", self.input_shapes),
-        )
-        why = ""
-        if self.sizes:
-            out = {"update": states, "output": outputs, "jump": states}.get(role, bound_out)
-            open_shapes = {**shapes, **self.parameter_shapes}
+        ports = {
+            "states": self.state_shapes,
+            "inputs": self.input_shapes,
+            "outputs": self.output_shapes,
+        }
+        for stay_open in (True, False) if self.sizes else (False,):
+            asked = self.declared if stay_open else ports
+            x, u, y = (self._called(kind, asked[kind]) for kind in ports)
+            out = {"guard": bound_out, "output": y}.get(role, x)
+            given = {**shapes, **self.parameter_shapes} if stay_open else shapes
             try:
-                found = read(function, name, states, inputs, values, open_shapes, out)
-                self.read_with[role] = found.pinned, ""
-                return self._outside(found.record)
+                found = read(function, name, x, u, values, given, out)
             except (Unread, BlockError) as error:
+                if not stay_open and isinstance(error, BlockError):
+                    raise
                 why = str(error)
-        try:
-            found = read(function, name, *own, values, shapes, bound_out)
-        except Unread as error:
-            return Unread(f"{name}: {error}")
-        self.read_with[role] = found.pinned, why
-        return self._outside(found.record)
+                continue
+            self.read_with[role] = found.pinned, why
+            return self._outside(found.record)
+        return Unread(f"{name}: {why}")
 
     @property
     def of_package(self) -> bool:
@@ -357,9 +354,13 @@ class Block(control.NonlinearIOSystem):
         for role, old in list(self._records.items()):
             new = self._read(role)
             if new != old and str(new) != str(old):
-                for kept in ("_read_records", "feedthrough"):
-                    self.__dict__.pop(kept, None)
+                self._forget()
                 return
+
+    def _forget(self) -> None:
+        """Forget what was read."""
+        for known in READ:
+            self.__dict__.pop(known, None)
 
     def _outside(self, record: ArrayRecord) -> ArrayRecord:
         """Return a record whose leaves have the names of the ports."""
@@ -376,8 +377,7 @@ class Block(control.NonlinearIOSystem):
         return {role: self.array_record(role) for role in {**self._roles, "output": None}}
 
     def __getstate__(self) -> dict[str, Any]:
-        own = ("_read_records", "feedthrough")
-        return {name: value for name, value in self.__dict__.items() if name not in own}
+        return {name: value for name, value in self.__dict__.items() if name not in READ}
 
     @property
     def _records(self) -> dict[str, ArrayRecord | Unread]:
@@ -397,13 +397,15 @@ class Block(control.NonlinearIOSystem):
 
     @parameters.setter
     def parameters(self, value: Any) -> None:
-        self._parameters = checked_parameters(self.name, value)
-        for kept in ("_read_records", "feedthrough"):
-            self.__dict__.pop(kept, None)
+        self._parameters = self._checked(value)
+        self._forget()
         self._bind()
         self._current = self._parameters
         self._jumps, self._jumps_until = np.zeros(0), 0.0
         self._seen: tuple[float, float] | None = None  # time and interval of the first rate
+
+    def _checked(self, value: Any) -> Any:
+        return checked_parameters(self.name, value)
 
     @property
     def params(self) -> dict[str, Any]:
@@ -489,7 +491,6 @@ class Block(control.NonlinearIOSystem):
 
     # --- the reading that python-control runs -------------------------------------------
 
-    @np.errstate(all="ignore")
     def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
         """Return what equations return; NaN where they raise."""
         try:
@@ -502,6 +503,7 @@ class Block(control.NonlinearIOSystem):
         """Return arrays that are filled again and again as states and inputs with ports."""
         return kept_vector(x, self._x), kept_vector(u, self._u)
 
+    @np.errstate(all="ignore")
     def _asked(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
         function, where = self._plan[role]
         given = function(np.float64(t), vector(x, self._x), vector(u, self._u), p)

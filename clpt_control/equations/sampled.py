@@ -110,7 +110,7 @@ class Sampled(Block):
         """Read the functions again: what they use may have changed."""
         if not self.of_package:
             self.inner.read_anew()
-            self.__dict__.pop("_read_records", None)
+            self._forget()
 
     def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
         """Return what the inner block does with what is held."""

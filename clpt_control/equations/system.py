@@ -18,7 +18,7 @@ from .arrays import Unread
 from .block import Block
 from .declaration import Parameters, parameters_of
 from .ports import sizes_of
-from .reading import RAISED, Read, read, record_of_states
+from .reading import Read, read, record_of_states
 from .record import Record
 from .unchanged import Keys, Unkeyed
 
@@ -74,17 +74,8 @@ class System(Block):
 
     # --- parameters -------------------------------------------------------------------------
 
-    @property
-    def parameters(self) -> Any:
-        """Return the numbers among the system's params."""
-        return self._parameters
-
-    @parameters.setter
-    def parameters(self, value: Any) -> None:
-        self._parameters = self._current = value
-        for kept in ("_read_records", "feedthrough"):
-            self.__dict__.pop(kept, None)
-        self._bind()
+    def _checked(self, value: Any) -> Any:
+        return value  # of the numbers among the system's params
 
     @property
     def params(self) -> dict[str, Any]:
@@ -116,15 +107,9 @@ class System(Block):
 
     # --- ports ------------------------------------------------------------------------------
 
-    @property
-    def input_ports(self) -> dict[str, int]:
-        """Return the input ports and their numbers of signals."""
-        return sizes_of(self.input_shapes)
-
-    @property
-    def output_ports(self) -> dict[str, int]:
-        """Return the output ports and their numbers of signals."""
-        return sizes_of(self.output_shapes)
+    def _ports(self, kind: str) -> dict[str, int]:
+        """Return ports, which are one of inputs and one of outputs whatever the labels are."""
+        return sizes_of(getattr(self, f"{kind}_shapes"))
 
     # --- readings ---------------------------------------------------------------------------
 
@@ -143,16 +128,10 @@ class System(Block):
     def _tried(self) -> None:
         """Leave it to the run, as python-control does."""
 
-    def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
-        """Return what a function returns, as one vector; NaN where it raises."""
+    def _asked(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
         function: Any = self._update if role == "update" else self._output
-        given = self._asked_with(p)
-        try:
-            made: Any = function(t, np.array(x), np.array(u), given)
-            found = np.asarray(made, dtype=float).reshape(-1)
-        except RAISED as error:
-            self.raised[role] = f"{type(error).__name__}: {error}"
-            return np.full(size, np.nan)
+        found: Any = function(t, np.array(x), np.array(u), self._asked_with(p))
+        found = np.asarray(found, dtype=float).reshape(-1)
         if len(found) != size:
             raise BlockError(
                 f"{self.name}.{role}: returns {len(found)} numbers; must return {size}"
