@@ -120,7 +120,9 @@ def often(case):
     if not N.isdigit() or kind == "reference":
         return True
     way = kind.rpartition("-")[2]
-    return int(N) == SIZE_OF_WAY[way] if way in SIZE_OF_WAY else int(N) in (1, 3)
+    if way in SIZE_OF_WAY:
+        return int(N) == SIZE_OF_WAY[way]
+    return int(N) == 3 or (int(N) == 1 and not kind.startswith(("V-", "basis_")))
 
 
 EACH = [pytest.param(name, marks=() if often(name) else pytest.mark.slow) for name in BLOCKS]

@@ -161,6 +161,7 @@ def test_a_reader_that_goes_away_is_no_fault():
         assert process.wait() == 0
 
 
+@pytest.mark.processes
 def test_without_a_home_and_a_cache_the_work_goes_on(tmp_path):
     """A folder inside a file can be made by nobody."""
     (tmp_path / "file").write_text("")

@@ -33,6 +33,7 @@ def test_excitation_finds_the_eigenvalue_of_the_design(clpt, paper, tmp_path):
         assert min(v[0] for v in values) == pytest.approx(report[key]["of_the_run"], rel=1e-9)
 
 
+@pytest.mark.slow
 def test_the_table_says_what_was_reached(clpt, paper, tmp_path):
     outcome = clpt("design", paper, "--out", tmp_path / "new.toml", *QUICK)
     assert outcome.status == 0, outcome.err

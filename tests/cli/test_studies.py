@@ -47,6 +47,7 @@ def test_forecasts_of_flow_estimators(tmp_path):
     assert inked(tmp_path / "flow_estimators.png") > 0.01
 
 
+@pytest.mark.slow
 def test_aiming_off_more_than_halves_the_distance_to_the_waypoint(tmp_path):
     run("-m", "analysis.aiming", ROOT / "tests/data/glider/sea035m10_dives.csv", "--out", tmp_path)
     text = (tmp_path / "aiming.md").read_text()
@@ -101,6 +102,7 @@ def test_priors_matter_little(tmp_path):
     assert inked(tmp_path / "prior_sensitivity.png") > 0.01
 
 
+@pytest.mark.slow
 def test_limited_speed_costs_nothing_with_hedging(tmp_path):
     run("-m", "analysis.limited_speed", "--out", tmp_path)
     lines = (tmp_path / "limited_speed.md").read_text().splitlines()[2:]

@@ -46,7 +46,7 @@ def test_quantiles_and_crossings_count_what_never_came():
 
 def test_the_answer_is_not_seen(paper):
     other = paper.with_values({"flow.parameters": [[5, 6, 7], [8, 9, 10]]})
-    found = [tune_law(one, members=3, laws=ROBUST) for one in (paper, other)]
+    found = [tune_law(one, members=3, laws=ROBUST[:1]) for one in (paper, other)]
     assert found[0].report == found[1].report
     assert found[0].scenario.learning == found[1].scenario.learning
     assert found[1].scenario.flow == other.flow  # it comes back with the choice

@@ -58,6 +58,7 @@ def test_traced_equations_are_the_diagram():
     np.testing.assert_allclose(found, loop.dynamics(3.0, x, []), rtol=1e-13, atol=1e-14)
 
 
+@pytest.mark.slow
 def test_the_quick_run_leaves_its_tables(tmp_path):
     subprocess.run(
         [
