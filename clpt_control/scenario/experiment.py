@@ -6,7 +6,7 @@ in here integrates: `simulation.closed_loop` makes blocks of it.
 """
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -18,10 +18,20 @@ from ..blocks.laws.known import Known
 from ..blocks.laws.table import LAWS
 from ..errors import ScenarioError
 from .learning import Learning
-from .localization import Localization
 from .mistakes import Table
 from .shown import scenario_html, scenario_line
-from .tables import Basis, Circle, Flow, Model, Run, TwoRows, Units, Vehicle, Waypoints
+from .tables import (
+    Basis,
+    Circle,
+    Flow,
+    Localization,
+    Model,
+    Run,
+    TwoRows,
+    Units,
+    Vehicle,
+    Waypoints,
+)
 from .tides import period
 
 EXAMPLE = "{'learning.gain': 2.0}"
@@ -55,8 +65,7 @@ class Scenario(Table):
     run: Run
     _folder: Path = PrivateAttr(default_factory=Path)
 
-    @model_validator(mode="after")
-    def _two_rows_of_N(self) -> "Scenario":
+    def _mistakes(self) -> Iterator[str]:
         for table, key in (
             ("flow", "parameters"),
             ("model", "parameters"),
@@ -65,63 +74,45 @@ class Scenario(Table):
         ):
             rows = getattr(getattr(self, table), key)
             if rows is not None and any(len(row) != self.basis.N for row in rows):
-                raise ValueError(
+                yield (
                     f"{table}.{key}: must be 2 rows of {self.basis.N} numbers, one per basis "
                     f"function; the rows have {len(rows[0])} and {len(rows[1])}"
                 )
-        return self
-
-    @model_validator(mode="after")
-    def _hedging_has_a_limit(self) -> "Scenario":
         if self.learning.hedging is not None and self.vehicle.max_speed is None:
-            raise ValueError(
+            yield (
                 f"learning.hedging = {str(self.learning.hedging).lower()}: is allowed only with "
                 "vehicle.max_speed, which it tells the learner of; remove the key or give the limit"
             )
-        return self
-
-    @model_validator(mode="after")
-    def _fixes_for_the_law_of_fixes(self) -> "Scenario":
         row, seen = self.learning.row, self.localization
         if row.at_fixes and (seen is None or seen.interval == 0):
-            raise ValueError(
+            yield (
                 f'learning.law = "{row.name}": learns at fixes; give localization.interval, the '
                 "time from one fix to the next, above 0"
             )
         if seen is not None and seen.interval > 0 and not row.at_fixes:
-            raise ValueError(
+            yield (
                 f'localization.interval = {seen.interval}: law = "{row.name}" reads the position '
                 f'at all times; take learning.law = "{AT_FIXES}", or interval = 0'
             )
-        return self
-
-    @model_validator(mode="after")
-    def _a_fix_within_the_run(self) -> "Scenario":
-        seen = self.localization
         if seen is not None and seen.interval + seen.latency > self.run.duration:
             late = f" and latency = {seen.latency}" if seen.latency else ""
-            raise ValueError(
+            yield (
                 f"localization.interval = {seen.interval}{late}: no fix arrives within "
                 f"run.duration, {self.run.duration}; must be at most that"
             )
-        return self
-
-    @model_validator(mode="after")
-    def _countable_jumps(self) -> "Scenario":
         disturbance = self.flow.disturbance
         spans = {"reference.dwell": self.reference.dwell}
         if disturbance is not None and disturbance.kind in ("square", "noise"):
             spans["flow.disturbance.period"] = disturbance.period or 1.0
-        if self.localization is not None:
-            spans.update(self.localization.spans)
+        if seen is not None:
+            spans |= seen.spans
+        least = self.run.duration / MOST_JUMPS
         for key, span in spans.items():
-            least = self.run.duration / MOST_JUMPS
             if span < least:
-                raise ValueError(
+                yield (
                     f"{key} = {span}: more than {MOST_JUMPS:.0e} times in run.duration; must be at "
                     f"least {least:.3g}"
                 )
-        return self
 
     @model_validator(mode="after")
     def _field_is_there(self, info: ValidationInfo) -> "Scenario":

@@ -1,8 +1,9 @@
 """The table [learning] of a scenario: the law, its gains, its own table, where it starts."""
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, Any
 
-from pydantic import AfterValidator, Field, Strict, create_model, model_validator
+from pydantic import AfterValidator, Field, Strict, create_model
 from pydantic_core import PydanticCustomError
 
 from ..blocks.laws.known import Gains
@@ -104,64 +105,52 @@ class Learning(OwnTables):
             K, Gamma = 0.0, 0.0
         return Gains(alpha, K, Gamma, one=self.gains is None and self.adapt_gains)
 
-    @model_validator(mode="after")
-    def _what_the_law_needs(self) -> "Learning":
+    def _mistakes(self) -> Iterator[str]:
         own = f'law = "{self.law}"'
         if self.row.keeps_alpha:
             if self.theta_estimate is None and self.row.given_estimate:
-                raise ValueError(f"learning.theta_estimate: is required by {own}")
+                yield f"learning.theta_estimate: is required by {own}"
             if self.parameters is not None:
-                raise ValueError(
-                    f"learning.parameters: {own} keeps alpha = alpha_M; remove the key"
-                )
+                yield f"learning.parameters: {own} keeps alpha = alpha_M; remove the key"
         elif self.theta_estimate is not None:
             allowed = [f'"{law.name}"' for law in LAWS.values() if law.keeps_alpha]
-            raise ValueError(
+            yield (
                 f"learning.theta_estimate: is allowed only with law = {' or '.join(allowed)}; "
                 "remove the key"
             )
         for law in LAWS.values():
             if law.name != self.law and getattr(self, law.table, None) is not None:
-                raise ValueError(
+                yield (
                     f'learning.{law.table}: belongs to law = "{law.name}", not to {own}; remove '
                     "the table"
                 )
-        return self
-
-    @model_validator(mode="after")
-    def _nothing_idle_at_fixes(self) -> "Learning":
         idle = ("gain", "gains", "adapt_gains", "hedging", "feedback", "feedforward")
         for key in idle if self.row.at_fixes else ():
             if key in self.model_fields_set:
-                raise ValueError(
+                yield (
                     f'learning.{key}: law = "{self.law}" adapts by no gain and holds the gains of '
                     "the vehicle; remove the key"
                 )
-        return self
-
-    @model_validator(mode="after")
-    def _gain_or_gains(self) -> "Learning":
         if self.row.at_fixes:
-            return self
+            return
         needed = ["parameters"] if self.row.alpha_by_gain else []
         needed += ["feedback", "feedforward"] if self.adapt_gains else []
         if self.gain is not None and self.gains is not None:
-            raise ValueError("learning.gains: give either gain or gains, one of the two")
+            yield "learning.gains: give either gain or gains, one of the two"
         if self.gains is None:
             if self.gain is None and self.row.gain is None and needed:
-                raise ValueError(f'learning.gain: is required by law = "{self.law}"')
+                yield f'learning.gain: is required by law = "{self.law}"'
         else:
             for key in LearningGains.model_fields:
                 given = getattr(self.gains, key) is not None
                 if key in needed and not given:
-                    raise ValueError(f"learning.gains.{key}: is required; or give one gain for all")
+                    yield f"learning.gains.{key}: is required; or give one gain for all"
                 if given and key not in needed:
                     why = "alpha does not adapt by it" if key == "parameters" else "it is held"
-                    raise ValueError(f"learning.gains.{key}: {why} here; remove the key")
+                    yield f"learning.gains.{key}: {why} here; remove the key"
         for key in ("feedback", "feedforward"):
             if not self.adapt_gains and key not in self.model_fields_set:
-                raise ValueError(
+                yield (
                     f"learning.{key}: is required with adapt_gains = false, which holds it; to "
                     f"hold the vehicle's own give the value of vehicle.{key}"
                 )
-        return self

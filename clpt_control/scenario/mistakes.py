@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Self, get_args
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
 
 from ..errors import ScenarioError
 from .quantities import key_of
@@ -41,6 +41,16 @@ class Table(BaseModel, metaclass=_Checked):
     """A table of the scenario; unknown keys are errors."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
+
+    def _mistakes(self) -> Iterator[str]:
+        """Yield a sentence for each way in which keys do not fit together."""
+        yield from ()
+
+    @model_validator(mode="after")
+    def _fits_together(self) -> Self:
+        for mistake in self._mistakes():
+            raise ValueError(mistake)
+        return self
 
     @classmethod
     def model_validate(cls, obj: Any, **options: Any) -> Self:

@@ -5,10 +5,12 @@ table needs of another is checked in `experiment`.
 """
 
 import math
+from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, BeforeValidator, Field, Strict, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field, Strict
 
+from ..blocks.laws.known import Fixes
 from .mistakes import Table
 from .tides import period
 
@@ -40,6 +42,7 @@ Pair = tuple[Number, Number]
 PositivePair = tuple[Positive, Positive]
 Row = tuple[Number, ...]
 TwoRows = tuple[Row, Row]
+SHORT = 1e-6  # of the interval: times that are nearer count as one
 Kernel = Literal["exponential", "gaussian", "gaussian-sigma"]
 
 
@@ -65,19 +68,15 @@ class Basis(Table):
         """Number of basis functions."""
         return len(self.centers)
 
-    @model_validator(mode="after")
-    def _one_entry_per_function(self) -> "Basis":
+    def _mistakes(self) -> Iterator[str]:
         if (self.periods is None) == (self.constituents is None):
-            raise ValueError("basis.periods: give either periods or constituents, one of the two")
+            yield "basis.periods: give either periods or constituents, one of the two"
         for key in ("widths", "periods", "constituents", "phases"):
             value = getattr(self, key)
             if value is not None and len(value) != self.N:
-                raise ValueError(
-                    f"basis.{key} = {list(value)}: must have {self.N} entries, one per center"
-                )
+                yield f"basis.{key} = {list(value)}: must have {self.N} entries, one per center"
         for name in self.constituents or ():
             period(name)
-        return self
 
 
 class Disturbance(Table):
@@ -88,14 +87,12 @@ class Disturbance(Table):
     period: Positive | None = None
     seed: Seed | None = None
 
-    @model_validator(mode="after")
-    def _what_the_kind_needs(self) -> "Disturbance":
+    def _mistakes(self) -> Iterator[str]:
         where = "flow.disturbance"
         if self.kind != "constant" and self.period is None:
-            raise ValueError(f'{where}.period: is required for kind = "{self.kind}"')
+            yield f'{where}.period: is required for kind = "{self.kind}"'
         if self.kind != "noise" and self.seed is not None:
-            raise ValueError(f'{where}.seed = {self.seed}: is allowed only for kind = "noise"')
-        return self
+            yield f'{where}.seed = {self.seed}: is allowed only for kind = "noise"'
 
 
 class Flow(Table):
@@ -106,13 +103,11 @@ class Flow(Table):
     outside: Literal["raise", "clip", "stop"] = "raise"
     disturbance: Disturbance | None = None
 
-    @model_validator(mode="after")
-    def _one_truth(self) -> "Flow":
+    def _mistakes(self) -> Iterator[str]:
         if (self.parameters is None) == (self.field is None):
-            raise ValueError("flow.parameters: give either parameters or field, one of the two")
+            yield "flow.parameters: give either parameters or field, one of the two"
         if self.field is None and "outside" in self.model_fields_set:
-            raise ValueError(f'flow.outside = "{self.outside}": is allowed only with flow.field')
-        return self
+            yield f'flow.outside = "{self.outside}": is allowed only with flow.field'
 
 
 class Model(Table):
@@ -147,6 +142,59 @@ class Waypoints(Table):
     dwell: Positive
 
 
+class Localization(Table):
+    """How the vehicle comes to know where it is: fixes of its position, and their noise.
+
+    Without the table it reads its true position at all times; with interval = 0 with noise, and
+    with an interval above 0 it has fixes and steers on its own prediction in between.
+    """
+
+    interval: NotNegative = 0.0
+    noise: NotNegative = 0.0
+    noise_period: Positive | None = None
+    dropouts: Annotated[Number, Field(ge=0, lt=1)] = 0.0
+    latency: NotNegative = 0.0
+    seed: Seed | None = None
+
+    @property
+    def spans(self) -> dict[str, float]:
+        """Times between breakpoints, by key."""
+        if self.noise_period is not None:
+            return {"localization.noise_period": self.noise_period}
+        return {"localization.interval": self.interval}
+
+    @property
+    def fixes(self) -> Fixes | None:
+        """What a law may know of the fixes; None where the position is read at all times."""
+        return Fixes(self.interval, self.latency, self.noise) if self.interval > 0 else None
+
+    def _mistakes(self) -> Iterator[str]:
+        if self.interval == 0:
+            if self.noise_period is None:
+                yield (
+                    "localization.noise_period: is required where interval is 0; give how long a "
+                    "value of the noise is held, or an interval above 0 for fixes"
+                )
+            for key in ("dropouts", "latency"):
+                if getattr(self, key) > 0:
+                    yield (
+                        f"localization.{key} = {getattr(self, key)}: is of fixes; give an interval "
+                        "above 0, or remove the key"
+                    )
+        elif self.noise_period is not None:
+            yield (
+                f"localization.noise_period = {self.noise_period}: is allowed only with interval = "
+                "0; each fix has a noise of its own"
+            )
+        else:
+            few = SHORT * self.interval
+            if self.latency != 0 and not few <= self.latency <= self.interval - few:
+                yield (
+                    f"localization.latency = {self.latency}: must be 0 or below the interval, "
+                    f"{self.interval}, and not within {few:.1g} of either"
+                )
+
+
 class Run(Table):
     """How long, how often recorded, how exact."""
 
@@ -155,11 +203,9 @@ class Run(Table):
     rtol: Annotated[Positive, Field(ge=1e-13, lt=1)] = 1e-8
     atol: Positive = 1e-10
 
-    @model_validator(mode="after")
-    def _not_endless(self) -> "Run":
+    def _mistakes(self) -> Iterator[str]:
         if self.duration / self.output_step > 1e8:
-            raise ValueError(
+            yield (
                 f"run.output_step = {self.output_step}: would record "
                 f"{self.duration / self.output_step:.0e} samples; at most 1e8 are allowed"
             )
-        return self
