@@ -34,7 +34,7 @@ def tune(
     Example:
         clpt tune mine.toml --law learned-flow --law sigma --out tuned.toml
     """
-    from ..ensemble.tuning.tune import tune_law
+    from ..ensemble.tune import tune_law
     from ..files import write_text
     from ..progress import progress_bar
     from ..scenario.file import load_scenario, scenario_to_text

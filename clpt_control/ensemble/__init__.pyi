@@ -1,6 +1,6 @@
 from .run import run_ensemble
 from .spread import ensemble_plot, ensemble_summary, percentiles
-from .tuning.tune import tune_law
+from .tune import tune_law
 from .varied_keys import Vary
 
 __all__ = [

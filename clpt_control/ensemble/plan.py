@@ -1,7 +1,5 @@
 """An ensemble before it runs: all arguments checked, its store made or opened."""
 
-import hashlib
-import json
 from collections.abc import Iterable, Mapping, Sequence
 from importlib.metadata import version
 from pathlib import Path
@@ -9,23 +7,36 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..diagrams.changes import LAW, UNCHANGED, Changes
-from ..diagrams.parts import functions_of
-from ..equations.block import Block
-from ..errors import DataError, DiagramError, ScenarioError
+from ..diagrams.changes import UNCHANGED
+from ..errors import DataError, ScenarioError
 from ..files import check_name, check_writable
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_to_text
-from ..simulation.loops import changed_blocks
-from ..simulation.starts import state_columns
+from ..simulation.loops import LoopOf
 from .drawn_values import draw_members
 from .store import CODE, Store, check_store, create_store, open_store
 from .summaries import dims_of, kept_variables, marks_of, samples_per_cycle
 from .varied_keys import Vary, read_varies
-from .worker import Recipe, Worker, pickled
+from .worker import Recipe, Worker, checked, named, pickled
 
 CHUNK = 1000  # members, where no trajectories are kept
 CHUNK_BYTES = 64_000_000  # trajectories of a chunk
+
+
+class Request(NamedTuple):
+    """What `run_ensemble` is asked for."""
+
+    loop: LoopOf
+    vary: "str | Vary | Iterable[str | Vary]"
+    members: int
+    design: str = "lhs"
+    seed: int = 0
+    out: str | Path | None = None
+    trajectories: bool = False
+    chunk: int | None = None
+    samples: int | None = None
+    times: Sequence[float] | None = None
+    cluster: bool = False
 
 
 class Plan(NamedTuple):
@@ -35,31 +46,19 @@ class Plan(NamedTuple):
     store: Store
 
 
-def make_plan(
-    scenario: Scenario,
-    vary: "str | Vary | Iterable[str | Vary]",
-    members: int,
-    design: str = "lhs",
-    seed: int = 0,
-    out: str | Path | None = None,
-    *,
-    trajectories: bool = False,
-    chunk: int | None = None,
-    samples: int | None = None,
-    times: Sequence[float] | None = None,
-    changes: Changes = UNCHANGED,
-    cluster: bool = False,
-) -> Plan:
-    """Check the arguments of `run_ensemble`; make the store, or open one that holds a part."""
-    changes = _checked(changes, scenario)
-    varies = read_varies(scenario, vary)
-    marks, per_cycle = marks_of(scenario, times), samples_per_cycle(scenario, samples)
-    path = None if out is None else Path(out).absolute()
+def make_plan(asked: Request) -> Plan:
+    """Check what is asked for; make the store, or open one that holds a part."""
+    scenario, chunk = asked.loop.scenario, asked.chunk
+    changes = checked(asked.loop.changes, scenario)
+    varies = read_varies(scenario, asked.vary)
+    marks, per_cycle = marks_of(scenario, asked.times), samples_per_cycle(scenario, asked.samples)
+    path = None if asked.out is None else Path(asked.out).absolute()
     if path is not None:
         check_name(path)
     if path is not None and not path.exists():
         check_writable(path)
-    values = draw_members(scenario, varies, members, design, seed)
+    values = draw_members(scenario, varies, asked.members, asked.design, asked.seed)
+    members, trajectories = int(asked.members), bool(asked.trajectories)
     shapes = tuple((key, array.shape[1:]) for key, array in values.items())
     folder = scenario._folder.absolute()
     recipe = Recipe(
@@ -68,11 +67,11 @@ def make_plan(
         shapes,
         per_cycle,
         marks,
-        bool(trajectories),
-        b"" if changes == UNCHANGED else pickled(changes, cluster),
+        trajectories,
+        b"" if changes == UNCHANGED else pickled(changes, asked.cluster),
     )
     worker = Worker(recipe)
-    kept = kept_variables(worker.scenario, worker.times, int(members), bool(trajectories))
+    kept = kept_variables(worker.scenario, worker.times, members, trajectories)
     own = sum(8 * int(np.prod(v.shape[1:])) for v in kept.values() if "time" in v.dims)
     if chunk is None:
         chunk = max(1, min(CHUNK, CHUNK_BYTES // own)) if own else CHUNK
@@ -82,16 +81,16 @@ def make_plan(
         "scenario": scenario_to_text(scenario, None if path is None else path.parent),
         "vary": [one.text for one in varies],
         "keys": [one.key for one in varies],
-        "members": int(members),
-        "design": design,
-        "seed": int(seed),
-        "chunk": min(chunk, int(members)),
-        "trajectories": bool(trajectories),
+        "members": members,
+        "design": asked.design,
+        "seed": int(asked.seed),
+        "chunk": min(chunk, members),
+        "trajectories": trajectories,
         "samples": per_cycle,
         "times": list(marks),
-        "law": _named(changes),
+        "law": named(changes),
     }
-    fixed = _fixed(worker, values, int(members), kept)
+    fixed = _fixed(worker, values, members, kept)
     if path is not None and path.exists() and not (path.is_dir() and not any(path.iterdir())):
         store = open_store(path)
         check_same(store, arguments)
@@ -104,39 +103,6 @@ def make_plan(
         return Plan(worker, store)
     attrs = {**_attributes(scenario, arguments), CODE: worker.code}
     return Plan(worker, create_store(path, arguments, kept, fixed, attrs))
-
-
-def _named(changes: Changes) -> str | None:
-    """Return a name for blocks of the user's own, their numbers and their equations."""
-    places = [name if name != LAW else "" for name in changes.replace]
-    places += [str(where) for where in changes.insert]
-    blocks = (*changes.replace.values(), *changes.insert.values())
-    return "; ".join(map(_of_block, places, blocks)) or None
-
-
-def _of_block(place: str, block: Block) -> str:
-    fields = block.parameters._asdict().items()
-    numbers = json.dumps({field: np.asarray(value).tolist() for field, value in fields})
-    equations = hashlib.sha256(repr(block.records).encode()).hexdigest()
-    return f"{place} {block.name} {equations[:8]} {numbers}".lstrip()
-
-
-def _checked(changes: Changes, scenario: Scenario) -> Changes:
-    """Return blocks; refuse those whose states do not hold what summaries are made of."""
-    changes, row = changes.of_blocks("an ensemble"), scenario.learning.row
-    if changes.law is not None:
-        functions_of(changes.law)
-    columns = state_columns(changed_blocks(scenario, changes)) if changes != UNCHANGED else {}
-    learned = ["theta_hat"] if row.makes_estimate else [] if row.given_estimate else ["alpha"]
-    for name, states in ((LAW, [*learned, "K", "Gamma"]), ("vehicle", ["x"])):
-        for port in states if name in changes.replace else ():
-            if port not in columns:
-                own = changes.replace[name].name
-                raise DiagramError(
-                    f"{own}: {port} is no state of it; members are summarised from the states "
-                    f"{', '.join(states)}"
-                )
-    return changes
 
 
 def _fixed(

@@ -19,7 +19,7 @@ from ..errors import ScenarioError, needed
 from ..progress.interrupt import SLICE, check
 from ..scenario.experiment import Scenario
 from ..simulation.loops import loop_of
-from .plan import Plan, make_plan
+from .plan import Plan, Request, make_plan
 from .store import remove_empty
 from .varied_keys import Vary
 from .worker import joined, rows
@@ -114,21 +114,9 @@ def run_ensemble(
         raise ScenarioError("dask: needs out, a folder that all workers can reach")
     for module in ("zarr", *(["distributed"] if dask is not None else [])):
         needed(module)
-    loop = loop_of(system)
-    plan = make_plan(
-        loop.scenario,
-        vary,
-        members,
-        design,
-        seed,
-        out,
-        trajectories=trajectories,
-        chunk=chunk,
-        samples=samples,
-        times=times,
-        changes=loop.changes,
-        cluster=dask is not None,
-    )
+    loop, cluster = loop_of(system), dask is not None
+    asked = (design, seed, out, trajectories, chunk, samples, times, cluster)
+    plan = make_plan(Request(loop, vary, members, *asked))
     report = progress or (lambda done: None)
     count = threads or available_threads()
     if dask is not None:

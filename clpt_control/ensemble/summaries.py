@@ -4,7 +4,7 @@
     clpe_rms_whole          the same over the whole run
     flow_parameter_error    max |estimate - theta| at the marks
     gain_error              max |gain - true gain| at the marks, where gains adapt
-    share_at_speed_limit    and two more of a vehicle whose speed is limited (`speeds`)
+    share_at_speed_limit    and two more of a vehicle whose speed is limited (`members`)
     status, end             how the run ended and the last time it reached
 
 All members of a chunk at once, from their states.
@@ -21,8 +21,7 @@ from ..scenario.quantities import QUANTITIES
 from ..simulation.dataset import VARIABLES
 from ..simulation.integrate import sample_times
 from ..simulation.pieces import SAMPLES_PER_CYCLE, nearest
-from .members import States
-from .speeds import SPEEDS
+from .members import SPEEDS, States
 from .varied_keys import variable_values
 
 FEWEST = 20  # samples a cycle that may be asked for

@@ -6,6 +6,7 @@ it is given.
 """
 
 import hashlib
+import json
 import pickle
 import threading
 from collections.abc import Mapping
@@ -16,11 +17,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..diagrams.changes import UNCHANGED, Changes
+from ..diagrams.changes import LAW, UNCHANGED, Changes
+from ..diagrams.parts import functions_of
+from ..equations.block import Block
 from ..errors import DiagramError
+from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_from_text
-from .members import Ensemble
-from .speeds import speeds_of_members
+from ..simulation.loops import changed_blocks
+from ..simulation.starts import state_columns
+from .members import Ensemble, speeds_of_members
 from .summaries import sample_times_of, summarise_members
 
 BATCH_BYTES = 64_000_000  # states in flight, a thread
@@ -52,6 +57,39 @@ def pickled(changes: Changes, cluster: bool) -> bytes:
             f"{', '.join(changes.names)}: cannot be sent to workers; define equations and "
             "parameters at the top of a module"
         ) from None
+
+
+def named(changes: Changes) -> str | None:
+    """Return a name for blocks of the user's own, their numbers and their equations."""
+    places = [name if name != LAW else "" for name in changes.replace]
+    places += [str(where) for where in changes.insert]
+    blocks = (*changes.replace.values(), *changes.insert.values())
+    return "; ".join(map(_of_block, places, blocks)) or None
+
+
+def _of_block(place: str, block: Block) -> str:
+    fields = block.parameters._asdict().items()
+    numbers = json.dumps({field: np.asarray(value).tolist() for field, value in fields})
+    equations = hashlib.sha256(repr(block.records).encode()).hexdigest()
+    return f"{place} {block.name} {equations[:8]} {numbers}".lstrip()
+
+
+def checked(changes: Changes, scenario: Scenario) -> Changes:
+    """Return blocks; refuse those whose states do not hold what summaries are made of."""
+    changes, row = changes.of_blocks("an ensemble"), scenario.learning.row
+    if changes.law is not None:
+        functions_of(changes.law)
+    columns = state_columns(changed_blocks(scenario, changes)) if changes != UNCHANGED else {}
+    learned = ["theta_hat"] if row.makes_estimate else [] if row.given_estimate else ["alpha"]
+    for name, states in ((LAW, [*learned, "K", "Gamma"]), ("vehicle", ["x"])):
+        for port in states if name in changes.replace else ():
+            if port not in columns:
+                own = changes.replace[name].name
+                raise DiagramError(
+                    f"{own}: {port} is no state of it; members are summarised from the states "
+                    f"{', '.join(states)}"
+                )
+    return changes
 
 
 class Worker:

@@ -15,11 +15,12 @@ from ensemble_stores import VARY, assert_identical, files
 from processes import await_line, started
 
 import clpt_control
-from clpt_control.ensemble.plan import make_plan
+from clpt_control.ensemble.plan import Request, make_plan
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.ensemble.store import open_store
 from clpt_control.ensemble.worker import Worker
 from clpt_control.errors import ClptError, DataError, ScenarioError
+from clpt_control.simulation.loops import LoopOf
 
 
 @pytest.mark.parametrize(("threads", "chunk"), [(1, 7), (2, 1), (2, 16), (3, 1000)])
@@ -39,7 +40,7 @@ def test_threads_and_chunks_do_not_matter(scenario, whole, tmp_path, threads, ch
 
 
 def test_order_and_company_do_not_matter(scenario, whole):
-    plan = make_plan(scenario, VARY, 40, seed=3, samples=100, trajectories=True)
+    plan = make_plan(Request(LoopOf(scenario), VARY, 40, seed=3, samples=100, trajectories=True))
     values = plan.store.values(0)
     order = np.random.default_rng(0).permutation(40)
     mixed = plan.worker.summaries({key: array[order] for key, array in values.items()})
@@ -239,7 +240,7 @@ def test_a_dask_worker_is_killed(scenario, tmp_path):
 
 def test_dask_that_is_not_installed(quick, tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
-    with pytest.raises(ClptError, match="not installed; install it with"):
+    with pytest.raises(ClptError, match="distributed: is not installed; pip install"):
         run_ensemble(quick, VARY, 4, out=tmp_path / "e.zarr", dask="local")
     assert not (tmp_path / "e.zarr").exists()
 

@@ -97,16 +97,16 @@ def test_the_first_member_that_is_not_allowed_is_named(quick):
         ({"trajectories": True}, "holds an ensemble of trajectories = False, not True"),
         ({"chunk": 7}, "holds an ensemble of chunk = 20, not 7"),
         ({"samples": 50}, "holds an ensemble of samples = 2000, not 50"),
-        ({"scenario": 1}, "holds an ensemble of another scenario"),
+        ({"system": 1}, "holds an ensemble of another scenario"),
     ],
 )
 def test_another_ensemble_is_refused(quick, tmp_path, given, sentence):
     out = tmp_path / "e.zarr"
     run_ensemble(quick, VARY, 20, out=out)
     before = files(out)
-    arguments = {"scenario": quick, "vary": VARY, "members": 20, **given}
-    if given == {"scenario": 1}:
-        arguments["scenario"] = quick.with_values({"learning.gain": 0.9})
+    arguments = {"system": quick, "vary": VARY, "members": 20, **given}
+    if given == {"system": 1}:
+        arguments["system"] = quick.with_values({"learning.gain": 0.9})
     with pytest.raises(DataError) as error:
         run_ensemble(out=out, **arguments)
     assert sentence in str(error.value)

@@ -8,10 +8,16 @@ import pytest
 import clpt_control
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.ensemble import tune_law
-from clpt_control.ensemble.tuning.candidates import Candidate, about, as_they_come, laws_to_try
-from clpt_control.ensemble.tuning.scores import Score, _below, _middle
-from clpt_control.ensemble.tuning.tune import ranked
-from clpt_control.ensemble.tuning.unknown import belief, unknown_of
+from clpt_control.ensemble.candidates import (
+    Candidate,
+    about,
+    as_they_come,
+    belief,
+    laws_to_try,
+    unknown_of,
+)
+from clpt_control.ensemble.scores import Score, _below, _middle
+from clpt_control.ensemble.tune import ranked
 from clpt_control.errors import ScenarioError
 
 ROBUST = ["learned-flow", "sigma", "e-modification"]

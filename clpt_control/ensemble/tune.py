@@ -10,14 +10,12 @@ from typing import Any
 
 import numpy as np
 
-from ...arguments import public
-from ...blocks.laws.table import LAWS
-from ...errors import ClptError, ScenarioError, needed
-from ...scenario.experiment import Scenario
-from .candidates import Candidate, about, as_they_come, laws_to_try
-from .reason import because, listed, seen
-from .scores import Score, score_of
-from .unknown import Unknown, belief, unknown_of
+from ..arguments import public
+from ..blocks.laws.table import LAWS
+from ..errors import ClptError, ScenarioError, needed
+from ..scenario.experiment import Scenario
+from .candidates import Candidate, Unknown, about, as_they_come, belief, laws_to_try, unknown_of
+from .scores import Score, because, listed, score_of, seen
 
 NEAR = 1.2  # times the best score: as good
 FINALISTS = 3  # laws whose gain and filter are varied
