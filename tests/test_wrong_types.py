@@ -85,7 +85,7 @@ OF_THE_ENGINE = (  # called at each step, and checked by no one
     *("Block.values", "Block.array_record", "Block.parameters_at", "Block.interval_at"),
     "Block.with_params",
     *("FixModel.regressor", "FixModel.noise", "FixModel.turning", "FixModel.faded"),
-    *("FixModel.reached", "FixModel.kept"),
+    *("FixModel.reached", "FixModel.matched"),
     *("NativeDiagram.schedule", "NativeDiagram.callee", "NativeDiagram.lanes"),
     *("NativeDiagram.parameters", "NativeDiagram.breaks"),
     *("Sampled.samples_at", "Sampled.values"),

@@ -80,10 +80,10 @@ def show(report: dict[str, Any]) -> None:
         for key, error in each["standard_errors"].items():
             digits = 4 if key in ("east", "north", "major", "minor") else 1
             if error is None or (digits == 1 and error > 90.0):
-                shown = "any"  # an angle as good as unknown
+                words = "any"  # an angle as good as unknown
             else:
-                shown = f"{error:.{digits}f}"
-            row.append(f"{each[key]:.{digits}f} ({shown})")
+                words = f"{error:.{digits}f}"
+            row.append(f"{each[key]:.{digits}f} ({words})")
         rows.append(row)
     print_table(
         f"Tides of {report['source']}: amplitudes and axes in m/s, Greenwich phases and "

@@ -199,11 +199,11 @@ def check_places(lat: "xarray.DataArray", lon: "xarray.DataArray", path: Path) -
 def velocity_values(
     data: "xarray.Dataset",
     name: str,
-    kept: dict[Any, np.ndarray],
+    index: dict[Any, np.ndarray],
     path: Path,
     units: str | None = None,
 ) -> np.ndarray:
-    """Return a velocity in m/s, NaN where missing, at the indices kept of each dimension.
+    """Return a velocity in m/s, NaN where missing, at the `index` of each dimension.
 
     Of a depth that is not among them the level nearest the surface is taken.  `units` are those
     of a variable that says none.
@@ -218,7 +218,7 @@ def velocity_values(
     size = speed_in_metres_per_second(str(units if own is None else own), f"{path}: {name}")
     if own and units and speed_in_metres_per_second(units, "--units") != size:
         raise DataError(f"{path}: {name} is in '{own}'; units = '{units}' is for a file without")
-    for dim in set(values.dims) - set(kept):
+    for dim in set(values.dims) - set(index):
         level = 0
         if values.sizes[dim] != 1:
             if not is_depth(data, dim):
@@ -229,12 +229,12 @@ def velocity_values(
             depth = data[dim].values.astype(float)
             level = int(np.argmin(np.nan_to_num(np.abs(depth), nan=np.inf)))
         values = values.isel({dim: level})
-    if set(values.dims) != set(kept):
+    if set(values.dims) != set(index):
         raise DataError(
             f"{path}: {name} has the dimensions ({', '.join(map(str, values.dims))}); must have "
-            f"({', '.join(map(str, kept))})"
+            f"({', '.join(map(str, index))})"
         )
-    chosen = values.isel(kept).transpose(*kept)
+    chosen = values.isel(index).transpose(*index)
     numbers = numbers_of(chosen, f"{path}: {name}")
     _check_packing(chosen, numbers, f"{path}: {name}")
     return numbers * size

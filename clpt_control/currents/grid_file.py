@@ -144,26 +144,26 @@ def read_currents(
         steps = np.argsort(hours)
         if not np.all(np.diff(hours[steps]) > 0):
             raise DataError(f"{path}: {when.name} has a step twice; keep each time once")
-        kept = {when.dims[0]: steps, lat.dims[0]: rows, lon.dims[0]: columns}
+        index = {when.dims[0]: steps, lat.dims[0]: rows, lon.dims[0]: columns}
         depth = np.zeros(1)
         if column:
-            level, depth = _levels(data, names[0], set(kept), path)
+            level, depth = _levels(data, names[0], set(index), path)
             order = np.argsort(depth)
             order = order[: int(np.searchsorted(depth[order], DEEPEST)) + 1]
             depth = depth[order]
             if level is not None:
-                kept = {when.dims[0]: steps, level: order, lat.dims[0]: rows, lon.dims[0]: columns}
-        size = np.prod([len(index) for index in kept.values()], dtype=float)
+                index = {when.dims[0]: steps, level: order, lat.dims[0]: rows, lon.dims[0]: columns}
+        size = np.prod([len(places) for places in index.values()], dtype=float)
         if size > MOST:
             raise DataError(
                 f"{path}: {names[0]} has {size:.3g} values; at most {MOST:.0g} can be held, cut "
                 "the file to the area and days that are needed"
             )
-        u, v = (cf.velocity_values(data, name, kept, path, units) for name in names)
+        u, v = (cf.velocity_values(data, name, index, path, units) for name in names)
     gap = ~(np.isfinite(u) & np.isfinite(v))
     if gap.all():
         raise DataError(
-            f"{path}: {names[0]} and {names[1]} have no finite value in the box {_shown(wanted)}; "
+            f"{path}: {names[0]} and {names[1]} have no finite value in the box {_edges(wanted)}; "
             "choose a box where the current was measured"
         )
     u[gap] = v[gap] = np.nan
@@ -205,7 +205,7 @@ def _checked_box(box: Any) -> tuple[float, float, float, float]:
     width = (lon1 - lon0) % 360.0
     if not -90 <= lat0 < lat1 <= 90 or not 0 < width <= 180:
         raise DataError(
-            f"box = {_shown(box)}: must be LAT0 LAT1 LON0 LON1 in degrees, south before north "
+            f"box = {_edges(box)}: must be LAT0 LAT1 LON0 LON1 in degrees, south before north "
             "and west before east, at most 180 degrees wide"
         )
     return lat0, lat1, lon0, lon0 + width
@@ -230,17 +230,17 @@ def _inside(axis: np.ndarray, span: tuple, where: str, whole: bool) -> np.ndarra
     """Return the indices of the axis inside the span, in increasing order."""
     slack = 1e-9
     order = np.argsort(axis)
-    kept = order[(axis[order] >= span[0] - slack) & (axis[order] <= span[1] + slack)]
-    if len(kept) < 2 and whole:
+    inside = order[(axis[order] >= span[0] - slack) & (axis[order] <= span[1] + slack)]
+    if len(inside) < 2 and whole:
         raise DataError(f"{where} has 1 value; at least 2 are needed")
-    if len(kept) < 2:
+    if len(inside) < 2:
         raise DataError(
-            f"{where} holds {len(kept)} cells of the box, {span[0]:g} to {span[1]:g}; at least 2 "
+            f"{where} holds {len(inside)} cells of the box, {span[0]:g} to {span[1]:g}; at least 2 "
             f"are needed, the file covers {axis.min():.6g} to {axis.max():.6g}"
         )
-    if not np.all(np.diff(axis[kept]) > 0):
+    if not np.all(np.diff(axis[inside]) > 0):
         raise DataError(f"{where} has a value twice; keep each cell once")
-    return kept
+    return inside
 
 
 def _levels(
@@ -268,5 +268,5 @@ def _levels(
     return dims[0], depth
 
 
-def _shown(box: Any) -> str:
+def _edges(box: Any) -> str:
     return " ".join(f"{value:g}" for value in box)

@@ -95,10 +95,10 @@ def check_separable(
         return
     if len(pairs) == 1:
         a, b, needed = pairs[0]
-        said = f"{a} and {b} cannot be told apart: {_shown(needed)} are needed"
+        said = f"{a} and {b} cannot be told apart: {_in_hours(needed)} are needed"
         which = "them"
     else:
-        listed = ", ".join(f"{a} and {b} ({_shown(needed)})" for a, b, needed in pairs)
+        listed = ", ".join(f"{a} and {b} ({_in_hours(needed)})" for a, b, needed in pairs)
         said = f"these pairs cannot be told apart (hours needed): {listed}"
         which = "each pair"
     raise DataError(
@@ -106,7 +106,7 @@ def check_separable(
     )
 
 
-def _shown(hours: float) -> str:
+def _in_hours(hours: float) -> str:
     """Return hours to four digits, rounded up, so that the number suffices."""
     if math.isinf(hours):
         return "endless h"

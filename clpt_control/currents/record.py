@@ -121,16 +121,16 @@ def _from_netcdf(
     north = find_variable(data, VELOCITY, "northward", path)
     when = find_axis(data, east, "time", path)
     times = (dates_of(when, path) + np.timedelta64(500, "us")).astype("datetime64[ms]")
-    kept: dict[Any, np.ndarray] = {when.dims[0]: np.arange(len(times))}
+    index: dict[Any, np.ndarray] = {when.dims[0]: np.arange(len(times))}
     place = _own_place(data)
     if at is not None:
         place = []
         for what, wanted in zip(("latitude", "longitude"), at, strict=True):
             axis = find_axis(data, east, what, path)
             k = _nearest(axis.values.astype(float), wanted, what, path)
-            kept[axis.dims[0]] = np.array([k])
+            index[axis.dims[0]] = np.array([k])
             place.append(float(axis.values[k]))
-    others = {dim: data[east].sizes[dim] for dim in data[east].dims if dim not in kept}
+    others = {dim: data[east].sizes[dim] for dim in data[east].dims if dim not in index}
     horizontal = AXES["latitude"][1] + AXES["longitude"][1]
     grid = [n for n, size in others.items() if size > 1 and str(n).lower() in horizontal]
     if at is None and grid:
@@ -138,7 +138,7 @@ def _from_netcdf(
             f"{path}: is a grid of {' x '.join(str(others[n]) for n in grid)} places; --at LAT LON "
             "takes the nearest"
         )
-    u, v = (velocity_values(data, name, kept, path, units).ravel() for name in (east, north))
+    u, v = (velocity_values(data, name, index, path, units).ravel() for name in (east, north))
     return times, u, v, tuple(place)
 
 
@@ -211,5 +211,5 @@ def of_profiler(data: "xarray.Dataset", path: Path) -> "xarray.Dataset":
             part = part.where(held).mean(others[0], skipna=True)
         said = {key: value for key, value in data["vel"].attrs.items() if key == "units"}
         parts[name] = part.assign_attrs(said)
-    kept = data.drop_vars([n for n in data.variables if n != "time" and data[n].ndim])
-    return kept.assign(parts)
+    rest = data.drop_vars([n for n in data.variables if n != "time" and data[n].ndim])
+    return rest.assign(parts)

@@ -63,13 +63,13 @@ def tides_plot(fit: TidalFit, record: CurrentRecord, *, ax: Any = None) -> Any:
     _draw(axes[0], ellipses, inch)
     begin = max(fit.start, fit.middle - SPAN // 2)
     end = min(fit.end, fit.middle + SPAN // 2)
-    kept = (record.time >= begin) & (record.time <= end)
+    near = (record.time >= begin) & (record.time <= end)
     fine = begin + np.linspace(0, 1, 1500) * (end - begin)
     model = predict(fit, fine)
     origin = fit.start.astype("datetime64[D]")
-    days = [(t - origin) / DAY for t in (record.time[kept], fine)]
+    days = [(t - origin) / DAY for t in (record.time[near], fine)]
     for one, name, measured, tide in zip(
-        axes[1:], ("east", "north"), (record.u[kept], record.v[kept]), model, strict=True
+        axes[1:], ("east", "north"), (record.u[near], record.v[near]), model, strict=True
     ):
         one.plot(days[0], measured, ".", color=GREY, ms=3.5, label="measured")
         one.plot(days[1], tide, color=BLUE, lw=1.1, label="mean and tides")
@@ -98,10 +98,10 @@ class _Ellipse(NamedTuple):
 
 def _chosen(fit: TidalFit) -> list[_Ellipse]:
     """Return the greatest tides in the order of the fit."""
-    shown = sorted(fit.constituents, key=lambda each: -each.major)[:MOST]
+    largest = sorted(fit.constituents, key=lambda each: -each.major)[:MOST]
     ellipses = []
-    for each in (tide for tide in fit.constituents if tide in shown):
-        larger = LARGER if each.major < SMALL * shown[0].major else 1
+    for each in (tide for tide in fit.constituents if tide in largest):
+        larger = LARGER if each.major < SMALL * largest[0].major else 1
         c, s = (larger * part(np.radians(each.inclination)) for part in (np.cos, np.sin))
         wide = float(np.hypot(each.major * c, each.minor * s))
         high = float(np.hypot(each.major * s, each.minor * c))

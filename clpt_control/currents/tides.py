@@ -174,20 +174,20 @@ def _measured(time: Any, u: Any, v: Any, where: str) -> tuple[np.ndarray, np.nda
             f"{where}: time {times.shape}, u {u.shape} and v {v.shape}: must be one row, as long"
         )
     check_increasing(times, where)
-    kept = np.isfinite(u) & np.isfinite(v)
-    if kept.sum() < 2:
+    whole = np.isfinite(u) & np.isfinite(v)
+    if whole.sum() < 2:
         raise DataError(
-            f"{where}: {kept.sum()} of {len(u)} times have both components; a record of at least "
+            f"{where}: {whole.sum()} of {len(u)} times have both components; a record of at least "
             "one period of each tide is needed"
         )
-    change = max(np.ptp(u[kept]), np.ptp(v[kept]))
+    change = max(np.ptp(u[whole]), np.ptp(v[whole]))
     if change < LEAST_CHANGE:
         how = f"change by {change:.2g} m/s only: check their units" if change else "never change"
         raise DataError(
-            f"{where}: {kept.sum()} measurements of both components, which {how}; a record of a "
+            f"{where}: {whole.sum()} measurements of both components, which {how}; a record of a "
             "tide is needed"
         )
-    return times[kept], u[kept] + 1j * v[kept]
+    return times[whole], u[whole] + 1j * v[whole]
 
 
 def _names(constituents: Sequence[str] | str, hours: np.ndarray, where: str) -> tuple[str, ...]:

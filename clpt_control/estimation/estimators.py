@@ -47,7 +47,7 @@ class Gradient:
     def ahead(self, dive: Dive) -> tuple[FixModel, np.ndarray, np.ndarray]:
         """Return model, parameters and covariance at a dive, before its end."""
         model = self.model.reached(dive)
-        old, new = model.kept(self.model)
+        old, new = model.matched(self.model)
         prior = model.prior_sd**2
         p, P = np.zeros(len(prior)), np.diag(prior)
         p[new], P[np.ix_(new, new)] = self.mean[old], self.covariance[np.ix_(old, old)]

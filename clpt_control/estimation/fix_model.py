@@ -165,7 +165,7 @@ class FixModel:
         places = near(self.places, dive, self.width)
         return self if places is self.places else replace(self, places=places)
 
-    def kept(self, before: "FixModel") -> tuple[np.ndarray, np.ndarray]:
+    def matched(self, before: "FixModel") -> tuple[np.ndarray, np.ndarray]:
         """Return where parameters stood in a model before, and now."""
         here = {name: k for k, name in enumerate(self.names)}
         pairs = [(k, here[name]) for k, name in enumerate(before.names) if name in here]

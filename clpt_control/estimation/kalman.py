@@ -80,13 +80,13 @@ HIDDEN = 4  # states before the parameters: trend and eddies
 class Seen(NamedTuple):
     """What the bank saw at its last dive, for who watches it.
 
-    `kept` is where the state before stands in the one that `F` (m, n, n) turned,
+    `matched` is where the state before stands in the one that `F` (m, n, n) turned,
     `H` (2, n) is the regressor, `innovation` (m, 2) the
     miss less what was expected, `inverse` (m, 2, 2) of its covariance, `rest`
     (m, n, n) is I - K H, `weights` and `mean` were before the dive.
     """
 
-    kept: tuple[np.ndarray, np.ndarray]
+    matched: tuple[np.ndarray, np.ndarray]
     F: np.ndarray
     H: np.ndarray
     innovation: np.ndarray
@@ -144,7 +144,7 @@ class KalmanBank:
         sd = self.prior_sd(model)
         n = len(sd[0])
         mean, P = np.zeros(sd.shape), sd[:, :, None] ** 2 * np.eye(n)
-        old, new = with_hidden_kept(*model.kept(self.model))
+        old, new = with_hidden_matched(*model.matched(self.model))
         mean[:, new] = self.mean[:, old]
         P[np.ix_(np.arange(len(P)), new, new)] = self.covariance[:, old[:, None], old]
         fade = model.faded(dt)
@@ -179,7 +179,7 @@ class KalmanBank:
         weights, before, model = self.weights, self.mean, self.model
         dt = self.since(dive)
         self.model, F, mean, P = self.ahead(dive)
-        kept = with_hidden_kept(*self.model.kept(model))
+        matched = with_hidden_matched(*self.model.matched(model))
         H, R = with_hidden(self.model.regressor(dive, ended=True)), self.noise(dive)
         innovation = miss(dive) - mean @ H.T
         S = H @ P @ H.T + R
@@ -198,7 +198,7 @@ class KalmanBank:
         P = rest @ P @ rest.transpose(0, 2, 1) + gain @ R @ gain.transpose(0, 2, 1)
         self.covariance = 0.5 * (P + P.transpose(0, 2, 1))
         self.time = mid_time(dive)
-        self.seen = Seen(kept, F, H, innovation, inverse, rest, weights, before)
+        self.seen = Seen(matched, F, H, innovation, inverse, rest, weights, before)
 
     def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return mean (n,), covariance (n, n) and how much of the prior's error is left (n,).
@@ -252,7 +252,7 @@ def with_hidden(H: np.ndarray) -> np.ndarray:
     return np.hstack([np.zeros((len(H), 2)), H[:, :2], H])
 
 
-def with_hidden_kept(old: np.ndarray, new: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def with_hidden_matched(old: np.ndarray, new: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return where states stand, from where parameters do."""
     hidden = np.arange(HIDDEN)
     return np.concatenate([hidden, HIDDEN + old]), np.concatenate([hidden, HIDDEN + new])

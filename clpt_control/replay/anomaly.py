@@ -95,7 +95,7 @@ class SpeedWatch:
         speed = HIDDEN + self.bank.model.names.index("speed")
         start = np.zeros((n, 3))
         start[speed, 0] = start[HIDDEN, 1] = start[HIDDEN + 1, 2] = 1.0
-        old, new = seen.kept
+        old, new = seen.matched
         for window in self.windows:  # places reached since then have no part in it
             e = np.zeros((m, n, 3))
             e[:, new] = window["e"][:, old]

@@ -101,22 +101,22 @@ def ring_pieces(ring: Sequence[Place]) -> list[list[Place]]:
     pieces = []
     for turns in (-360.0, 0.0, 360.0):
         part = [(lat, lon + turns) for lat, lon in whole]
-        part = _kept(_kept(part, HALF, 1.0), -HALF, -1.0)
+        part = _clipped(_clipped(part, HALF, 1.0), -HALF, -1.0)
         if len(part) > 2:
             pieces.append([*part, part[0]])
     return pieces
 
 
-def _kept(ring: list[Place], edge: float, sign: float) -> list[Place]:
+def _clipped(ring: list[Place], edge: float, sign: float) -> list[Place]:
     """Return what a meridian leaves of a ring: sign * (longitude - edge) <= 0."""
-    kept: list[Place] = []
+    clipped: list[Place] = []
     for (lat1, lon1), (lat2, lon2) in zip(ring, [*ring[1:], *ring[:1]], strict=True):
         inside, next_inside = sign * (lon1 - edge) <= 0, sign * (lon2 - edge) <= 0
         if inside:
-            kept.append((lat1, lon1))
+            clipped.append((lat1, lon1))
         if inside != next_inside and edge not in (lon1, lon2):
-            kept.append((lat1 + (lat2 - lat1) * (edge - lon1) / (lon2 - lon1), edge))
-    return kept
+            clipped.append((lat1 + (lat2 - lat1) * (edge - lon1) / (lon2 - lon1), edge))
+    return clipped
 
 
 class Chart:
@@ -126,7 +126,7 @@ class Chart:
     """
 
     def __init__(self, places: Sequence[Place]) -> None:
-        lats = [_shown(lat) for lat, _ in places]
+        lats = [_below_the_poles(lat) for lat, _ in places]
         self.middle = (min(lats) + max(lats)) / 2
         self.first = places[0][1]
         self._proj = needed("pyproj").Proj(proj="merc", ellps="WGS84", lat_ts=self.middle)
@@ -147,7 +147,7 @@ class Chart:
     def xy(self, lat: float, lon: float) -> tuple[float, float]:
         """Return where a place (degrees) lies, m."""
         x = self._proj(1.0, 0.0)[0] * (near(lon, self.first) - self.first)
-        return x, self._proj(0.0, _shown(lat))[1] - self._zero
+        return x, self._proj(0.0, _below_the_poles(lat))[1] - self._zero
 
     def place(self, x: float, y: float) -> Place:
         """Return what place lies there; longitude as counted from the first place."""
@@ -162,7 +162,7 @@ class Chart:
         return up, _marks(south, north, up), along, _marks(west, east, along)
 
 
-def _shown(lat: float) -> float:
+def _below_the_poles(lat: float) -> float:
     return min(max(lat, -MOST), MOST)
 
 
@@ -205,24 +205,24 @@ def mark(angle: float, names: str, step: float) -> str:
 
 
 class Layer(NamedTuple):
-    """Places, the row, next dive or leg that they are `of`, what is said of it, and its time."""
+    """Places, the row, next dive or leg that they are `of`, words on it, and its time."""
 
     kind: str
     shape: str
     places: list[Place]
     of: dict[str, Any]
-    said: str = ""
+    words: str = ""
     when: str = ""
 
 
-def said_of_next(ahead: dict[str, Any]) -> str:
+def words_of_next(ahead: dict[str, Any]) -> str:
     """Return what a popup says of the next surfacing."""
     half = f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
     bearing = compass(ahead["ellipse_90_bearing"])
     return f"{ahead['time']}, {ahead['place']}; 90 % within {half}, the long axis to {bearing}"
 
 
-def said_of_dive(row: dict[str, Any]) -> str:
+def words_of_dive(row: dict[str, Any]) -> str:
     """Return what a popup says of a dive."""
     miss = row["clpe"]["adaptive"]
     return (
@@ -243,7 +243,7 @@ def dive_layers(rows: Sequence[dict[str, Any]]) -> list[list[Layer]]:
             Layer("miss", "LineString", [reckoned, end], row),
             Layer("track", "LineString", [start, end], row),
             Layer("reckoned", "Point", [reckoned], row),
-            Layer("fix", "Point", [end], row, said_of_dive(row), row["end"]),
+            Layer("fix", "Point", [end], row, words_of_dive(row), row["end"]),
         ]
         if before is not None:
             each.insert(0, Layer("drift", "LineString", [before, start], row))
@@ -261,7 +261,7 @@ def layers_ahead(ahead: dict[str, Any] | None, legs: Sequence[dict[str, Any]]) -
         last, goal = (place_in(ahead, which) for which in NEXT)
         found = [
             Layer("way", "LineString", [last, goal], ahead),
-            Layer("next", "Point", [goal], ahead, said_of_next(ahead), ahead["time"]),
+            Layer("next", "Point", [goal], ahead, words_of_next(ahead), ahead["time"]),
             Layer("ring next", "Polygon", ring_of(ahead, NEXT), ahead, when=ahead["time"]),
         ]
     for leg in legs:

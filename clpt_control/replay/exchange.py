@@ -62,7 +62,7 @@ def next_geojson(found: dict[str, Any]) -> str:
 def _feature(layer: Layer) -> dict[str, Any]:
     more: dict[str, Any] = {"time": layer.when} if layer.when else {}
     if layer.shape == "Point":
-        more = {"description": layer.said} if layer.kind == "next" else {}
+        more = {"description": layer.words} if layer.kind == "next" else {}
         more |= {key: value for key, value in layer.of.items() if value is not None}
     pieces: list[Any] = _pieces(layer)
     shapes = {"Point": [piece[0] for piece in pieces], "Polygon": [[piece] for piece in pieces]}
@@ -111,7 +111,7 @@ def _within(parent: Any, tag: str, **texts: str) -> Any:
 
 
 def _placemark(parent: Any, name: str, style: str, layer: Layer, hidden: bool = False) -> None:
-    texts = {"name": name, "visibility": "0" if hidden else "", "description": layer.said}
+    texts = {"name": name, "visibility": "0" if hidden else "", "description": layer.words}
     made = _within(parent, "Placemark", **{key: text for key, text in texts.items() if text})
     if layer.when and layer.shape == "Point":
         _within(made, "TimeStamp", when=layer.when)

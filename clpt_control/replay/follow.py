@@ -41,7 +41,7 @@ TYPES: dict[str, Any] = get_type_hints(Dive) | {
     "track": Track | None,
 }
 REQUIRED: dict[str, Any] = {name: (kind, ...) for name, kind in TYPES.items()}
-KeptDive: Any = pydantic.create_model("KeptDive", __config__=STRICT, **REQUIRED)
+StoredDive: Any = pydantic.create_model("StoredDive", __config__=STRICT, **REQUIRED)
 
 
 class Record(pydantic.BaseModel):
@@ -54,7 +54,7 @@ class Record(pydantic.BaseModel):
     format: Literal[4]
     folder: str
     stamp: tuple[int, int, int] | None
-    dives: list[KeptDive]
+    dives: list[StoredDive]
     skipped: list[Skipped]
 
 
@@ -67,10 +67,10 @@ class Follower:
         self.files: dict[str, Record] = {}
         for path in _inside(self.state, "cannot be read"):
             if not path.name.startswith("."):
-                self.files[path.name.removesuffix(".json")] = self._kept(path)
+                self.files[path.name.removesuffix(".json")] = self._stored(path)
         self.here = set(self.files)
 
-    def _kept(self, path: Path) -> Record:
+    def _stored(self, path: Path) -> Record:
         """Return a record of the state, or refuse the state."""
         away = f"move the folder {self.state} away to read all files again"
         try:
@@ -135,7 +135,7 @@ class Follower:
             return self._record(None, known.dives if known else [], [Skipped(None, why)])
         except DataError as error:
             dives, skipped = [], [Skipped(None, str(error))]
-        return self._record(stamp, map(_kept_dive, dives), skipped)
+        return self._record(stamp, map(_stored_dive, dives), skipped)
 
     def _record(self, stamp: Any, dives: Iterable[Dive], skipped: list[Skipped]) -> Record:
         where = self._where
@@ -147,13 +147,13 @@ class Follower:
         dives: list[Dive] = []
         skipped: list[Skipped] = []
         for name, record in sorted(self.files.items()):
-            kept = record.dives
+            own = record.dives
             if name not in self.here:
-                kept = [dive for dive in kept if _fixes(dive) not in seen]
-                seen.update(map(_fixes, kept))
-                if not kept:
+                own = [dive for dive in own if _fixes(dive) not in seen]
+                seen.update(map(_fixes, own))
+                if not own:
                     continue  # nothing is lost with it
-            dives += [Dive(**dict(dive)) for dive in kept]
+            dives += [Dive(**dict(dive)) for dive in own]
             skipped += record.skipped
         return dives, skipped
 
@@ -175,10 +175,10 @@ def _with_those_before(path: Path, stamp: tuple[int, int, int]) -> tuple[int, in
     return size, times[0], times[1]
 
 
-def _kept_dive(dive: Dive) -> Any:
+def _stored_dive(dive: Dive) -> Any:
     """Return a dive as its record keeps it."""
     track = dive.track and tuple(np.asarray(column, float).tolist() for column in dive.track)
-    return KeptDive(**{**vars(dive), "track": track})
+    return StoredDive(**{**vars(dive), "track": track})
 
 
 def _fixes(dive: Dive) -> str:

@@ -222,7 +222,7 @@ def learned(replay: Replay) -> dict[str, Any]:
         unit = " m/s" if size and part != "model" else ""
         words.append(f"{part}{size}{unit}" + ("" if p is None else f" (odds {odds(p)})"))
     if replay.model.learn_speed:
-        words += [speed_said(step), compass_said(step)]
+        words += [speed_words(step), compass_words(step)]
     return {
         "sentence": "; ".join(words),
         "strengths": sizes,
@@ -230,7 +230,7 @@ def learned(replay: Replay) -> dict[str, Any]:
     }
 
 
-def speed_said(step: Step) -> str:
+def speed_words(step: Step) -> str:
     """Return the factor on speed, and what it means where it is far from 1."""
     said = f"speed {step.speed:.2f} +- {step.speed_error:.2f}"
     if abs(step.speed - 1) <= FAR * step.speed_error:
@@ -239,7 +239,7 @@ def speed_said(step: Step) -> str:
     return f"{said}: your flight model is too {slow}"
 
 
-def compass_said(step: Step) -> str:
+def compass_words(step: Step) -> str:
     """Return the error of the compass, and what it means where it is far from 0."""
     said = f"compass {step.compass:+.1f} +- {step.compass_error:.1f} degrees"
     if abs(step.compass) <= FAR * step.compass_error:

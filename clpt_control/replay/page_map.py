@@ -76,7 +76,7 @@ def replay_map(found: dict[str, Any]) -> str:
     drawn = [*_grid(drawing), '<g id="dives">']
     for k, each in enumerate(dives):
         number, recent = safe(rows[k]["dive"]), k >= len(rows) - LAST
-        title = f"<title>dive {number}: {safe(each[-1].said)}</title>"
+        title = f"<title>dive {number}: {safe(each[-1].words)}</title>"
         inside = "".join(_drawn(drawing, layer, recent=recent) for layer in each)
         drawn.append(f'<g class="dive" data-dive="{number}">{title}{inside}</g>')
     drawn += ["</g>", *_numbered(drawing, rows)]
@@ -97,7 +97,7 @@ def replay_map(found: dict[str, Any]) -> str:
 def _painted(drawing: Drawing, layers: list[Layer], name: str) -> list[str]:
     """Return layers, points above lines and with their name."""
     points = sorted(layers, key=lambda layer: layer.shape == "Point")
-    return [_drawn(drawing, layer, f"<title>{name}{safe(layer.said)}</title>") for layer in points]
+    return [_drawn(drawing, layer, f"<title>{name}{safe(layer.words)}</title>") for layer in points]
 
 
 def _drawn(drawing: Drawing, layer: Layer, title: str = "", recent: bool = True) -> str:

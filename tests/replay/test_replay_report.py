@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 from clpt_control.estimation.fix_model import FixModel
 from clpt_control.gliders.dive_table import sample_dives
-from clpt_control.replay.outcome import learned, odds, speed_said, strengths, summary
+from clpt_control.replay.outcome import learned, odds, speed_words, strengths, summary
 from clpt_control.replay.replay import replay_dives
 
 
@@ -132,11 +132,11 @@ def test_odds_are_of_whole_numbers():
 
 def test_a_speed_far_from_one_is_a_sentence():
     fast = replay_dives(vehicle(4, 30, factor=1.5)).steps[-1]
-    assert speed_said(fast).endswith(": your flight model is too slow")
+    assert speed_words(fast).endswith(": your flight model is too slow")
     slow = replay_dives(vehicle(4, 30, factor=0.6)).steps[-1]
-    assert speed_said(slow).endswith(": your flight model is too fast")
+    assert speed_words(slow).endswith(": your flight model is too fast")
     edge = replace(slow, speed=1 - 2.99 * slow.speed_error)
-    assert "flight model" not in speed_said(edge)
+    assert "flight model" not in speed_words(edge)
 
 
 def test_aiming_by_the_command(command, sg542):
