@@ -211,11 +211,11 @@ class _OnTape(Joining):
             for wire in node.wires:
                 if wire.external and wire.source <= first < wire.source + wire.size:
                     at, start = first - wire.source + wire.to, 0
-                    for own, n in node.system.input_ports.items():
-                        if start == at and n == size:
+                    for own, bound in node.system.input_shapes.items():
+                        if start == at and prod(bound) == size:
                             declared = node.system.declared["inputs"][own]
                             return self.shape(node.system, declared), declared
-                        start += n
+                        start += prod(bound)
         return (size,), (size,)
 
     def shape(self, block: Block, shape: Shape) -> Shape:

@@ -88,24 +88,12 @@ def variance(a: Any, axis: Any = None, dtype: Any = None, ddof: float = 0, **mor
     return found / (a.size // found.size - ddof)
 
 
-@reads(np.std)
-def deviation(a: Any, *more: Any, **named: Any) -> Any:
-    """Return the root of the variance."""
-    return np.sqrt(np.var(a, *more, **named))
-
-
 @reads(np.diagonal)
 def diagonal(a: Array, offset: int = 0, **more: Any) -> Any:
     """Return the diagonal of a matrix."""
     if a.ndim != 2 or offset or a.shape[0] != a.shape[1] or a._written() is not None:
         return lifted(a._tape, objects(a).diagonal(offset))
     return tape_viewed(a._tape, a._node, ((0, 0, 1), (0, 0, 1)), a.shape[:1])
-
-
-@reads(np.trace)
-def trace(a: Any, *more: Any, **named: Any) -> Any:
-    """Return the sum of the diagonal."""
-    return np.sum(diagonal(a, *more, **named))
 
 
 @reads(np.diag)
@@ -156,12 +144,6 @@ def solve(A: Any, b: Any) -> Any:
         found[k] = rest / rows[k][k]
     x = np.stack(found)
     return x[:, 0] if b.ndim == 1 else x
-
-
-@reads(np.linalg.inv)
-def inverse(A: Any) -> Any:
-    """Return the inverse of a square matrix."""
-    return solve(A, np.eye(A.shape[0]))
 
 
 @reads(np.linalg.det)
@@ -267,12 +249,17 @@ joins(np.maximum, np.max, np.amax)
 joins(np.minimum, np.min, np.amin)
 joins(np.logical_or, np.any)
 joins(np.logical_and, np.all)
+reads(np.std)(lambda a, *more, **named: np.sqrt(np.var(a, *more, **named)))
+reads(np.trace)(lambda a, *more, **named: np.sum(diagonal(a, *more, **named)))
+reads(np.linalg.inv)(lambda A: solve(A, np.eye(A.shape[0])))
 reads(np.cumsum)(lambda a, axis=None, **more: accumulated(np.add, a, axis))
 reads(np.cumprod)(lambda a, axis=None, **more: accumulated(np.multiply, a, axis))
 reads(np.allclose, arrays=2)(lambda *given, **more: np.all(close(*given, **more)))
 reads(np.interp)(tables.interpolated)
 reads(np.searchsorted, arrays=0)(tables.searched)
-reads(np.digitize, arrays=0)(tables.digitized)
+reads(np.digitize, arrays=0)(
+    lambda x, points, right=False: tables.searched(points, x, "left" if right else "right")
+)
 reads(np.stack, arrays=0)(views.stack)
 reads(np.concatenate, arrays=0)(views.join)
 reads(np.round, np.around)(rounded)

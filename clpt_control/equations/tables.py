@@ -39,11 +39,6 @@ def searched(points: Any, x: Any, side: str = "left", **more: Any) -> Any:
     return place_in(np.asarray(points, dtype=float), x, side)
 
 
-def digitized(x: Any, points: Any, right: bool = False) -> Any:
-    """Return np.digitize(x, points)."""
-    return searched(points, x, "left" if right else "right")
-
-
 def interpolated(x: Any, xp: Any, fp: Any, left: Any = None, right: Any = None) -> Any:
     """Return np.interp(x, xp, fp)."""
     xp = np.asarray(xp, dtype=float)

@@ -32,6 +32,18 @@ def test_symbols_agree_with_python_control(N, law):
     np.testing.assert_allclose(found, diagram.dynamics(t, state, []), rtol=1e-10, atol=1e-12)
 
 
+def test_a_linear_part_is_wired_by_its_own_labels():
+    plant = control.tf(1, [1, 0], inputs="e", outputs="v", name="plant")
+    twice = clpt.Block(
+        "twice", output=lambda t, x, u, p: 2 * u.v, inputs={"v": 1}, outputs={"w": 1}
+    )
+    loop = symbolic_loop(clpt.connect([plant, twice], external="e"))
+    ((x, rate),) = loop.motion.items()
+    p = loop.parameters["plant"]
+    assert loop.signals["w"] == [2 * p.C[0, 0] * x]
+    assert rate == p.B[0, 0] * loop.inputs["e"][0]
+
+
 def test_python_controls_own_systems_are_read():
     plant = control.nlsys(lambda t, x, u, params: -(x**3), inputs=1, states=1, name="plant")
     loop = symbolic_loop(control.interconnect([plant], inplist=["plant.u[0]"], outlist=["plant"]))
