@@ -49,7 +49,7 @@ addEventListener("load", () => {
 """
 SECTIONS = {
     "run": ["loop", "track", "clpe", "learning", "excitation", "scenario", "again"],
-    "team": ["team", "loop", "excitation", "scenario", "again"],
+    "team": ["loop", "team", "excitation", "scenario", "again"],
     "ensemble": ["spread", "varied", "scenario", "again"],
 }
 pytestmark = [
