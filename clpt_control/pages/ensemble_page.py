@@ -150,10 +150,10 @@ def ensemble_result(
             rows.append([f"CLPE rms, cycle {k} ({length})", *_cells(column)])
     rows.append([f"CLPE rms, whole run ({length})", *_cells(summary["clpe_rms"])])
     end = f"t = {float(data['mark'][-1]):g} {time}"
-    for key, name in (("flow_parameter_error", "flow parameter"), ("gain_error", "gain")):
+    for key, what in (("flow_parameter_error", "flow parameter"), ("gain_error", "gain")):
         if f"{key}_at_end" in summary:
-            rows.append([f"largest {name} error, {end}", *_cells(summary[f"{key}_at_end"])])
-    ended = ", ".join(f"{n} {name.replace('_', ' ')}" for name, n in summary["ended"].items())
+            rows.append([f"largest {what} error, {end}", *_cells(summary[f"{key}_at_end"])])
+    ended = ", ".join(f"{n} {how.replace('_', ' ')}" for how, n in summary["ended"].items())
     said = []
     if "faster_flow" in summary and summary["faster_flow"]["members"]:
         faster = summary["faster_flow"]

@@ -184,7 +184,7 @@ def test_the_command(ensemble, quick, tmp_path):
     assert inked(figure) > 0.01
     table = ensemble(file, *many)
     assert table.status == 0
-    assert "12 finished" in table.out
+    assert f"{quick.title or file}: 12 finished" in table.out
     wrong = ensemble(file, "--members", 3, "--vary", "x=1:2", "--out", tmp_path / "f.zarr")
     assert wrong.status == 2
     assert wrong.err.count("\n") == 1
