@@ -64,8 +64,8 @@ def without_extras(text, folder):
     )
 
 
-def test_the_core_is_at_most_eleven_packages():
-    assert len(PROJECT["dependencies"]) <= 11
+def test_the_core_is_at_most_ten_packages():
+    assert len(PROJECT["dependencies"]) <= 10
     reasons = (HOUSE / "CONTRIBUTING.md").read_text().replace("-", "_")
     for one in PROJECT["dependencies"]:
         assert re.search(rf"^\|.*\b{Requirement(one).name.replace('-', '_')}\b", reasons, re.M)

@@ -34,7 +34,6 @@ from .tables import (
 )
 from .tides import period
 
-EXAMPLE = "{'learning.gain': 2.0}"
 MOST_JUMPS = 10**7  # of one block in a run
 AT_FIXES = " or ".join(law.name for law in LAWS.values() if law.at_fixes)
 

@@ -6,12 +6,11 @@ is allowed.  The scenario of section IV ships as a commented file, the one that
 """
 
 import errno
+import json
 import os
-import pickle
 import re
 import tomllib
 from collections.abc import Mapping
-from functools import lru_cache
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -133,31 +132,34 @@ def placed_tables(scenario: Scenario, folder: Path | None) -> dict[str, Any]:
     return tables
 
 
-def toml(tables: dict[str, Any]) -> str:
-    """Return nested dicts as TOML text."""
-    return _dumped(pickle.dumps(tables))
+def toml(tables: dict[str, Any], name: str = "") -> str:
+    """Return nested dicts as TOML text; `name` ends with a point where they are no whole file."""
+    values = "".join(
+        f"{_key(key)} = {_value(value)}\n"
+        for key, value in tables.items()
+        if not isinstance(value, dict)
+    )
+    inner = [
+        toml(table, f"{name}{_key(key)}.")
+        for key, table in tables.items()
+        if isinstance(table, dict)
+    ]
+    head = f"[{name[:-1]}]\n" if name and (values or not inner) else ""
+    return "\n".join(filter(None, [head + values, *inner]))
 
 
-@lru_cache(maxsize=64)
-def _dumped(tables: bytes) -> str:
-    """Return tables as TOML; kept, as the same scenario is run again and again."""
-    import tomlkit
-
-    return tomlkit.dumps(_with_long_rows(pickle.loads(tables)))
+def _key(key: str) -> str:
+    return key if re.fullmatch(r"[\w-]+", key, re.ASCII) else _value(key)
 
 
-def _with_long_rows(tables: dict[str, Any]) -> dict[str, Any]:
-    """Replace rows of numbers by text: tomlkit's time for a row grows with its square."""
-    from tomlkit.items import Float, Trivia
-
-    def item(value: Any) -> Any:
-        if isinstance(value, dict):
-            return {key: item(inner) for key, inner in value.items()}
-        if isinstance(value, list | tuple) and value and not isinstance(value[0], str):
-            return Float(0.0, Trivia(), re.sub(r",?\)", "]", repr(value).replace("(", "[")))
-        return value
-
-    return item(tables)
+def _value(value: Any) -> str:
+    if isinstance(value, list | tuple):
+        return f"[{', '.join(map(_value, value))}]"
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, bool):
+        return str(value).lower()
+    return repr(float(value)) if isinstance(value, float) else str(value)
 
 
 @public

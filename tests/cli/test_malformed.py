@@ -8,14 +8,19 @@ import tomllib
 
 import numpy as np
 import pytest
-import tomlkit
 import xarray
 
 from clpt_control.blocks.disturbance import disturbance
 from clpt_control.diagrams import interconnection
 from clpt_control.equations.declaration import multiples
 from clpt_control.errors import BlockError
-from clpt_control.scenario.file import load_scenario, paper_scenario, paper_text, save_scenario
+from clpt_control.scenario.file import (
+    load_scenario,
+    paper_scenario,
+    paper_text,
+    save_scenario,
+    toml,
+)
 from clpt_control.simulation.integrate import simulate
 from clpt_control.simulation.run_file import save_run
 
@@ -111,7 +116,7 @@ def write(path, changes):
             del table[last]
         else:
             table[last] = value
-    path.write_text(tomlkit.dumps(tables))
+    path.write_text(toml(tables))
 
 
 def assert_refused(outcome, folder, before, words):
