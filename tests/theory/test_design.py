@@ -68,7 +68,9 @@ def per_amplitude(dwells):
     return dwells * np.linalg.eigvalsh([[own, both], [both, DWELL]])[0], c
 
 
-@pytest.mark.parametrize("limit", ["area", "length", "max_speed"])
+@pytest.mark.parametrize(
+    "limit", ["area", "length", pytest.param("max_speed", marks=pytest.mark.slow)]
+)
 def test_the_best_track_between_two_places(two_places, limit):
     mu, c = per_amplitude(4)
     best, given = {
@@ -149,6 +151,7 @@ def test_fixes_and_noise_leave_the_design_as_it_is(paper):
         assert other.report["after"]["smallest_eigenvalue"] == first["smallest_eigenvalue"]
 
 
+@pytest.mark.slow
 def test_the_papers_track_can_be_2_3_times_better(paper):
     found = design_track(paper, window=200, start=200, generations=40)
     after = found.report["after"]
@@ -174,7 +177,11 @@ def test_the_papers_track_can_be_2_3_times_better(paper):
         ({"generations": 0}, "generations = 0"),
         ({"level": 0.0}, "level = 0"),
         ({"seed": -1}, "seed = -1"),
-        ({"max_speed": 0.05, "generations": 1, "window": 60.0}, "no track was found that keeps"),
+        pytest.param(
+            {"max_speed": 0.05, "generations": 1, "window": 60.0},
+            "no track was found that keeps",
+            marks=pytest.mark.slow,
+        ),
     ],
     ids=str,
 )
@@ -243,6 +250,7 @@ def test_a_picture_shows_both_tracks(paper, tmp_path):
     assert inked(tmp_path / "both.png") > 0.01
 
 
+@pytest.mark.slow
 def test_a_track_in_a_measured_current(facts, tmp_path):
     from clpt_control.currents import fit_scenario, save_fit
 
