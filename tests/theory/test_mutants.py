@@ -186,7 +186,7 @@ def few_points(monkeypatch):
     monkeypatch.setattr(theorems, "FEWER", 100)
     monkeypatch.setattr(judgement, "POINTS", 100)
     monkeypatch.setattr(limited_speed, "POINTS", 100)
-    monkeypatch.setattr(kept_loop, "SIZES", (1, 2))  # all three in test_judged_laws
+    monkeypatch.setattr(kept_loop, "SIZES", (1, 2))  # `clpt prove` asks all three
 
 
 @pytest.mark.parametrize(
@@ -194,7 +194,7 @@ def few_points(monkeypatch):
 )
 def test_altered_signs_fail_the_proof(room):
     listed = [mutant for mutant in mutants() if mutant[0].startswith(f"{room}.")]
-    chosen = random.Random(1).sample(listed, min(3, len(listed)))
+    chosen = random.Random(1).sample(listed, 1)
     assert survivors(chosen) == []
 
 
