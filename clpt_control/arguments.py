@@ -106,6 +106,9 @@ def _checked(function: Any, name: str) -> Any:
         kinds = allowed.get(argument, (Any,))
         if Any in kinds or (type(value) in SIMPLE and type(value) in kinds and value == value):
             return value  # at once: a dive has 25 numbers
+        own = type(value)
+        if own in kinds and (is_array(value) if own is np.ndarray else own not in SIMPLE):
+            return value
         value = plain(value, kinds)
         if not fits(value, kinds):
             such = f", such as {EXAMPLES[argument]}" if argument in EXAMPLES else ""
@@ -145,6 +148,11 @@ def kinds_of(kind: Any, names: Mapping[str, Any]) -> Kinds:
     return (NoneType if kind is None else kind,)
 
 
+def is_array(value: Any) -> bool:
+    """Return whether a value is an array of numbers."""
+    return isinstance(value, np.ndarray) and value.ndim > 0 and value.dtype.kind in "iuf"
+
+
 def plain(value: Any, kinds: Kinds) -> Any:
     """Return a value, made plain where one of the kinds asks for it."""
     if getattr(value, "ndim", None) == 0 and getattr(value, "dtype", EMPTY).kind in "iufb":
@@ -177,7 +185,7 @@ def _is(value: Any, kind: Any) -> bool:
     if own in (float, int):
         return isinstance(value, Real if own is float else Integral) and not isinstance(value, bool)
     if own is np.ndarray:
-        return isinstance(value, np.ndarray) and value.ndim > 0 and value.dtype.kind in "iuf"
+        return is_array(value)
     if isinstance(own, str):  # such as "xarray.Dataset", of a module that may not be imported
         *module, name = own.split(".")
         same = [one.__module__.split(".") for one in type(value).__mro__ if one.__name__ == name]

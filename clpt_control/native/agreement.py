@@ -34,9 +34,14 @@ def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None)
         return None
     n = len(solution.t)
     at = sorted({0, n // 3, 2 * n // 3, n - 1}) if n else []
-    machine = _Machine(runner, solution, inputs)
-    for k in at:
-        t, x, found = float(solution.t[k]), solution.x[k], None
+    machine = _Machine(runner, solution, inputs, at)
+    samples = [(k, float(solution.t[k]), solution.x[k]) for k in at]
+    asked = zip(*[_python(runner, t, x, inputs) for _, t, x in samples], strict=True)
+    own = zip(*[machine.ask(*one) for one in samples], strict=True)
+    if all(_same(np.array(a), np.array(b)) for a, b in zip(asked, own, strict=False)):
+        return None
+    for k, t, x in samples:
+        found = None
         for apart in APART:
             moved = x + apart * (1.0 + np.abs(x))
             found = _differs(runner, machine, k, t, moved, inputs)
@@ -50,9 +55,12 @@ def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None)
 class _Machine:
     """Signals, rates and jumps by machine code at single points."""
 
-    def __init__(self, runner: NativeDiagram, solution: Solution, inputs: Inputs | None):
+    def __init__(
+        self, runner: NativeDiagram, solution: Solution, inputs: Inputs | None, at: list[int]
+    ):
         self.pieces = runner.pieces_of(solution, inputs)
-        self.number = np.searchsorted(self.pieces.edges, solution.t, side="right")
+        number = np.searchsorted(self.pieces.edges, solution.t[at], side="right")
+        self.number = dict(zip(at, number.tolist(), strict=True))
         self.P, self.T = np.append(runner.parameters(), 0.0), np.append(runner.layout.T, 0.0)
         program, self.held = runner.code.program, runner.held
         self.decided = program.decided
@@ -85,30 +93,38 @@ class _Machine:
         return found
 
 
-def _differs(
-    runner: NativeDiagram, machine: _Machine, k: int, t: float, x: np.ndarray, inputs: Any
-) -> str | None:
+def _python(
+    runner: NativeDiagram, t: float, x: np.ndarray, inputs: Inputs | None
+) -> list[np.ndarray]:
+    """Return signals, rates and what every jump leaves, by the functions themselves."""
     sweep, u = runner.sweep, None if inputs is None else inputs.at(t)
     sweep.enter(t)
     rates = sweep.derivative(t, x, u)
-    asked = [sweep.signals.copy(), rates]
+    found = [sweep.signals.copy(), rates]
     if sweep.leaping:
-        asked.append(sweep.leap(t, x, u, sweep.leaping))
-    if all(map(_same, asked, machine.ask(k, t, x))):
+        found.append(sweep.leap(t, x, u, sweep.leaping))
+    return found
+
+
+def _differs(
+    runner: NativeDiagram, machine: _Machine, k: int, t: float, x: np.ndarray, inputs: Any
+) -> str | None:
+    if all(map(_same, _python(runner, t, x, inputs), machine.ask(k, t, x))):
         return None
-    sweep.derivative(t, x, u)
+    runner.sweep.derivative(t, x, None if inputs is None else inputs.at(t))
     for node, role, sentence in _blocks(runner, t, x):
         return f"{node}.{role}{sentence}"
     return f"at t = {t:.6g} its rates are not those of its functions"
 
 
 def _same(a: np.ndarray, b: np.ndarray) -> bool:
-    if not len(a) or np.array_equal(a, b):
+    """Whether numbers are the same but for rounding, beside the largest of their row."""
+    if not a.size or np.array_equal(a, b):
         return True
     size = np.abs(a)
-    largest = size[size < np.inf].max(initial=1e-300)
+    largest = np.where(size < np.inf, size, 0.0).max(axis=-1, initial=1e-300, keepdims=True)
     near = np.abs(a - b) <= CLOSE * (size + 1e-3 * largest)
-    return bool(np.all(near | (a == b) | (np.isnan(a) & np.isnan(b))))
+    return bool((near | (a == b) | (np.isnan(a) & np.isnan(b))).all())
 
 
 def _blocks(runner: NativeDiagram, t: float, x: np.ndarray) -> Iterator[tuple[str, str, str]]:

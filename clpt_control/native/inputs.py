@@ -20,25 +20,48 @@ class Inputs:
     """The inputs of a diagram: ``at(t)`` of shape (ninputs,).
 
     `samples` holds times and values (ninputs, nt), joined by straight lines; it is None for
-    a function of the user's.
+    `function`, the user's own.
     """
 
-    at: Callable[[float], np.ndarray]
     samples: tuple[np.ndarray, np.ndarray] | None
+    function: Callable[[float], np.ndarray] | None = None
+
+    def at(self, t: float) -> np.ndarray:
+        """Return the inputs at a time."""
+        if self.function is not None:
+            return self.function(t)
+        begins, rows, slopes = self._straight
+        k = min(max(bisect_right(begins, t) - 1, 0), len(slopes) - 1)
+        return rows[k] + (t - begins[k]) * slopes[k]
+
+    @cached_property
+    def _straight(self) -> tuple[list[float], np.ndarray, np.ndarray]:
+        assert self.samples is not None
+        at, u = self.samples
+        return at.tolist(), np.ascontiguousarray(u.T), np.ascontiguousarray(self.slopes.T)
+
+    @cached_property
+    def slopes(self) -> np.ndarray:
+        """The slopes between samples, shape (ninputs, nt - 1); 0 of inputs that are held."""
+        assert self.samples is not None
+        at, u = self.samples
+        return (u[:, 1:] - u[:, :-1]) / (at[1:] - at[:-1]) if len(at) > 1 else np.zeros_like(u)
 
     @cached_property
     def kinks(self) -> np.ndarray | None:
         """Times at which the inputs bend: samples on one straight line are one piece."""
         if self.samples is None or len(self.samples[0]) < 3:
             return None if self.samples is None else self.samples[0]
-        at, u = self.samples
-        slopes = np.diff(u, axis=1) / np.diff(at)
-        size = STRAIGHT * np.max(np.abs(u), axis=1, initial=1e-300, keepdims=True)
-        bend = np.any(np.abs(np.diff(slopes, axis=1)) * np.diff(at)[1:] > size, axis=0)
+        (at, u), slopes = self.samples, self.slopes
+        size = STRAIGHT * np.abs(u).max(axis=1, initial=1e-300, keepdims=True)
+        steps = at[1:] - at[:-1]
+        bend = (np.abs(slopes[:, 1:] - slopes[:, :-1]) * steps[1:] > size).any(axis=0)
+        if bend.all():
+            return at
         kept = np.flatnonzero(np.concatenate([[True], bend, [True]]))
         ends = np.repeat(kept[:-1], np.diff(kept))  # the beginning of each sample's piece
         line = u[:, ends] + slopes[:, ends] * (at[:-1] - at[ends])
-        return at[kept] if np.all(np.abs(line - u[:, :-1]) <= 1e3 * size) else at
+        return at[kept] if (np.abs(line - u[:, :-1]) <= 1e3 * size).all() else at
 
     def along(self, times: np.ndarray) -> np.ndarray:
         """Return the inputs at times, shape (ninputs, nt)."""
@@ -51,9 +74,9 @@ class Inputs:
 def checked_times(name: str, timepts: Any) -> np.ndarray:
     """Return times as an array: at least two, increasing and finite."""
     times = np.atleast_1d(numbers(name, timepts))
-    if times.ndim != 1 or len(times) < 2 or not np.all(np.diff(times) > 0):
+    if times.ndim != 1 or len(times) < 2 or not (times[1:] > times[:-1]).all():
         raise SimulationError(f"{name}: must be at least two increasing times")
-    if not np.all(np.isfinite(times)):
+    if not np.isfinite(times[[0, -1]]).all():
         raise SimulationError(f"{name}: must be finite")
     return times
 
@@ -133,11 +156,11 @@ def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
             return u
 
         given(times[0])
-        return Inputs(given, None)
+        return Inputs(None, given)
     if isinstance(inputs, list | tuple) and any(hasattr(one, "__len__") for one in inputs):
         inputs = _stacked(inputs, times)
     values = np.zeros(count) if inputs is None else numbers("inputs", inputs)
-    if not np.all(np.isfinite(values)):
+    if not np.isfinite(values).all():
         raise SimulationError("inputs: must be finite; fill the gaps before the run")
     if values.ndim <= 1 and not (count == 1 and values.shape == times.shape and len(times) > 1):
         try:
@@ -146,18 +169,10 @@ def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
             raise SimulationError(
                 f"inputs: shape {values.shape} does not fit {count} inputs at {len(times)} times"
             ) from None
-        return Inputs(lambda t: held, (times[:1], held[:, None]))
+        return Inputs((times[:1], held[:, None]))
     values = np.atleast_2d(values)
     if values.shape != (count, len(times)):
         raise SimulationError(
             f"inputs: shape {values.shape} must be ({count}, {len(times)}): inputs x timepts"
         )
-
-    begins, last, slopes = times.tolist(), len(times) - 2, np.diff(values, axis=1) / np.diff(times)
-    rows, slopes = np.ascontiguousarray(values.T), np.ascontiguousarray(slopes.T)
-
-    def straight(t: float) -> np.ndarray:
-        k = min(max(bisect_right(begins, t) - 1, 0), last)
-        return rows[k] + (t - begins[k]) * slopes[k]
-
-    return Inputs(straight, (times, values))
+    return Inputs((times, values))

@@ -75,6 +75,7 @@ class NativeDiagram(PythonDiagram):
         self._form, self.code = form, code_of(self.wiring, self.layout, form)
         self.ramp = len(self.layout.P)  # place in P of the diagram's inputs
         self.held = self.layout.inputs(self.wiring.ninputs) + 1  # and of what is decided
+        self._callees: dict[int, Callee] = {}  # of the explicit method, by lanes
 
     def parameters(self, implicit: bool = False) -> np.ndarray:
         """Return P, with room for inputs and for what is prepared."""
@@ -97,6 +98,7 @@ class NativeDiagram(PythonDiagram):
     def _free(self) -> "NativeDiagram":
         made = copy(self)
         made._form, made.code = "free", code_of(self.wiring, self.layout, "free")
+        made._callees = {}
         return made
 
     def schedule(
@@ -106,10 +108,10 @@ class NativeDiagram(PythonDiagram):
         own = self.sweep, self.layout.intervals, self.layout.jumps
         if inputs is None or not self.wiring.ninputs:
             return make_schedule(*own, t0, t1, None, breaks)
-        if inputs.samples is None or inputs.kinks is None:
+        if inputs.samples is None:
             raise SimulationError("inputs: machine code takes no function; give samples")
         pieces = make_schedule(*own, t0, t1, inputs.kinks, breaks)
-        return with_inputs(pieces, t0, inputs.samples, self.ramp)
+        return with_inputs(pieces, t0, inputs, self.ramp)
 
     def breaks(self, t0: float, t1: float) -> Any:
         """Return times at which time alone decides, also for a moment."""
@@ -128,6 +130,13 @@ class NativeDiagram(PythonDiagram):
         self, lanes: int = 1, inputs: Inputs | None = None, implicit: bool = False
     ) -> Callee:
         """Return what the solver calls, for one of its methods."""
+        if implicit:
+            return self._callee(lanes, True)
+        if lanes not in self._callees:
+            self._callees[lanes] = self._callee(lanes, False)
+        return self._callees[lanes]
+
+    def _callee(self, lanes: int, implicit: bool) -> Callee:
         guarded, jumping, n = int(self.sweep.guarded), int(bool(self.layout.jumps)), self.nstates
         code = self._code(implicit)
         program = code.program

@@ -10,10 +10,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from .inputs import Inputs
 from .sweep import Sweep
 
 JUMPS, BEGINS = 1.0, -1.0  # in P: a block jumps, or holds what feeds it where a run begins
-Samples = tuple[np.ndarray, np.ndarray]  # times, and values of shape (ninputs, ntimes)
 
 
 class Schedule(NamedTuple):
@@ -51,8 +51,8 @@ def make_schedule(
     """
     jumping = edges = _united(sweep.breakpoints(t0, t1), breaks)
     edges = _united(edges, () if kinks is None else kinks)
-    edges = np.append(edges[(edges > t0) & (edges < t1)], t1)
-    starts = np.append(t0, edges)
+    edges = np.concatenate([edges[(edges > t0) & (edges < t1)], [t1]])
+    starts = np.concatenate([[t0], edges])
     smooth = np.ones(len(starts), dtype=bool)
     if len(jumping):
         smooth = ~np.isin(starts, jumping)
@@ -83,17 +83,16 @@ def _united(times: np.ndarray, more: Any) -> np.ndarray:
     return np.asarray(more if len(more) else times, dtype=float)
 
 
-def with_inputs(pieces: Schedule, t0: float, samples: Samples, ramp: int) -> Schedule:
+def with_inputs(pieces: Schedule, t0: float, inputs: Inputs, ramp: int) -> Schedule:
     """Add the diagram's inputs, straight within pieces that stop at every sample.
 
     `ramp` is their place in P: time, values, slopes.
     """
-    at, u = samples
-    starts = np.append(t0, pieces.edges)
+    assert inputs.samples is not None
+    (at, u), slopes = inputs.samples, inputs.slopes
+    starts = np.concatenate([[t0], pieces.edges])
     k = np.searchsorted(at, starts, side="right") - 1
-    k = np.minimum(np.maximum(k, 0), max(len(at) - 2, 0))
-    slopes = (u[:, 1:] - u[:, :-1]) / (at[1:] - at[:-1]) if len(at) > 1 else np.zeros((len(u), 1))
-    rows = np.column_stack([at[k], u[:, k].T, slopes[:, k].T])
-    more = np.arange(ramp, ramp + 1 + 2 * len(u))
-    places, values = np.append(pieces.places, more), np.hstack([pieces.values, rows])
-    return pieces._replace(places=places, values=values)
+    k = np.minimum(np.maximum(k, 0), slopes.shape[1] - 1)
+    rows = [pieces.values, at[k, None], u[:, k].T, slopes[:, k].T]
+    places = np.concatenate([pieces.places, np.arange(ramp, ramp + 1 + 2 * len(u))])
+    return pieces._replace(places=places, values=np.concatenate(rows, axis=1))

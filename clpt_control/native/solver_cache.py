@@ -8,7 +8,7 @@ arguments one by one; of an array these are two references that it does not own,
 an item, address, shape and strides.
 """
 
-from ctypes import CFUNCTYPE, byref, c_double, c_int32, c_int64, c_void_p
+from ctypes import CFUNCTYPE, addressof, byref, c_char, c_double, c_int32, c_int64, c_void_p
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -45,24 +45,23 @@ class Entry:
         return result.value
 
 
-def numbers(value: Any) -> list[Any]:
-    """Return the numbers that stand for an argument, or for several."""
+def numbers(arguments: tuple) -> list[Any]:
+    """Return the numbers that stand for arguments, one after the other."""
     found: list[Any] = []
-    _put(value, found)
+    for one in arguments:
+        if type(one) is tuple:
+            found += numbers(one)
+        elif type(one) is np.ndarray:
+            if not one.flags.c_contiguous or one.dtype.char not in "dl":
+                raise TypeError(f"the solver takes no array of {one.dtype}, {one.strides}")
+            if one.flags.writeable and one.size:
+                address = addressof(c_char.from_buffer(one))
+            else:
+                address = one.__array_interface__["data"][0]
+            found += (0, 0, one.size, one.itemsize, address, *one.shape, *one.strides)
+        else:
+            found.append(one)
     return found
-
-
-def _put(value: Any, found: list[Any]) -> None:
-    if type(value) is tuple:
-        for one in value:
-            _put(one, found)
-    elif type(value) is np.ndarray:
-        if not value.flags.c_contiguous or value.dtype.char not in "dl":
-            raise TypeError(f"the solver takes no array of {value.dtype}, {value.strides}")
-        address = value.__array_interface__["data"][0]
-        found += (0, 0, value.size, value.itemsize, address, *value.shape, *value.strides)
-    else:
-        found.append(value)
 
 
 class CompiledSolver:

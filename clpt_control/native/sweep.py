@@ -119,16 +119,18 @@ class Sweep:
         Inputs of the diagram that are not given are zero.  Blocks that are `sampling` hold what
         feeds them, before their outputs follow.
         """
-        self._external[:] = 0.0 if u is None else u
-        t = np.float64(t)
         with np.errstate(all="ignore"):
-            self._states[:] = x
-            for (k, _), out in zip(self._plan, self._outputs, strict=True):
-                inputs = self._gather(k)
-                if k in sampling:
-                    self._hold(k)
-                self._call("output", k, t, self._x[k], inputs, out)
+            self._pass(np.float64(t), x, u, sampling)
         return self.signals
+
+    def _pass(self, t: Any, x: np.ndarray, u: Any, sampling: Collection[int] = ()) -> None:
+        self._external[:] = 0.0 if u is None else u
+        self._states[:] = x
+        for (k, _), out in zip(self._plan, self._outputs, strict=True):
+            inputs = self._gather(k)
+            if k in sampling:
+                self._hold(k)
+            self._call("output", k, t, self._x[k], inputs, out)
 
     def _hold(self, k: int) -> None:
         node = self.nodes[k]
@@ -137,13 +139,12 @@ class Sweep:
 
     def derivative(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
         """Return the state derivative; NaN where a system could not compute it."""
-        self.evaluate(t, x, u)
         dx, t = np.zeros(self.nstates), np.float64(t)
-        # a block without feedthrough may come before its inputs are known
         with np.errstate(all="ignore"):
-            for k, node in self._plan:
-                if node.system.nstates:
-                    self._call("update", k, t, self._x[k], self._gather(k), dx[node.states])
+            self._pass(t, x, u)
+            # a block without feedthrough may come before its inputs are known
+            for k, states in self._moving:
+                self._call("update", k, t, self._x[k], self._gather(k), dx[states])
         return dx
 
     def rates(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:

@@ -61,9 +61,18 @@ class DiagramRun:
         state = stacked_state("initial_state", 0.0 if x0 is None else x0, self.runner.nstates)
         name = self.diagram.name
         found, ran = run_as_read(self.runner, name, state, times, self.params, inputs=u, **given)
-        every = np.vstack([ran.signals(found, u).T, u.along(found.t)])
-        outside = every[len(every) - self.wiring.ninputs :]
-        return self.frame.filled(found, np.hstack([(self.wiring.output_map @ every).T, outside.T]))
+        every = np.concatenate([ran.signals(found, u).T, u.along(found.t)])
+        return self.frame.filled(found, (self._shown @ every).T)
+
+    @cached_property
+    def _shown(self) -> Any:
+        """What a run shows, outputs and then inputs, of all block outputs and inputs."""
+        made, n = self.wiring.output_map, self.wiring.ninputs
+        if isinstance(made, np.ndarray):
+            return np.vstack([made, np.eye(n, made.shape[1], made.shape[1] - n)])
+        from scipy.sparse import eye_array, vstack
+
+        return vstack([made, eye_array(n, made.shape[1], k=made.shape[1] - n)], format="csr")
 
     @cached_property
     def frame(self) -> Frame:

@@ -15,7 +15,6 @@ if TYPE_CHECKING:
 
 STATE = {"long_name": "state of the diagram"}
 STATES = {"long_name": "states of the diagram, each in its own unit"}
-MOST = 10_000  # samples of a Dataset that is kept to be filled again
 
 
 class Part(NamedTuple):
@@ -43,40 +42,42 @@ class Frame:
         folder: str | None = None,
     ):
         self.parts, self.attributes, self.since = parts, attributes, since
-        self.states, self.folder = states, folder
+        self.folder, self.states = folder, states
         self.axes = {name: _index(name, *one) for name, one in axes.items()}
         if states is not None:
             self.axes["state"] = _index("state", np.array(states, dtype=object), STATE)
-        self._last: tuple[np.ndarray, Any] | None = None  # times, and a Dataset with them
+        self._last: tuple[np.ndarray, Any] | None = None  # times, and their index
 
     def filled(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
-        """Return a Dataset of a run's signals and states."""
-        times = solution.t
-        numbers = {name: part.of(signals) for name, part in self.parts.items()}
+        """Return a Dataset of a run's signals and states; each has attributes of its own."""
+        from xarray import Dataset, Variable
+
+        variables: dict[str, Any] = {
+            name: Variable(part.dims, part.of(signals), part.attributes, fastpath=True)
+            for name, part in self.parts.items()
+        }
         if self.states is not None:
-            numbers["states"] = solution.x
-        last = self._last  # threads may share it
-        if last is None or not np.array_equal(last[0], times):
-            last = times.copy(), self._made(times.copy(), numbers)
-        self._last = last if len(times) <= MOST else None
-        run = last[1].copy(data=numbers)
+            variables["states"] = Variable(("time", "state"), solution.x, STATES, fastpath=True)
+        axes = {"time": self._times(solution.t), **self.axes}
+        variables |= {name: variable.copy(deep=False) for name, (_, variable) in axes.items()}
+        attributes = {**self.attributes, **how_it_ran(solution)}
+        indexes = {name: index for name, (index, _) in axes.items()}
+        # what Dataset(...) comes to, which would look for indexes and join them
+        run = Dataset._construct_direct(
+            variables, set(axes), attrs=attributes, indexes=indexes, encoding={}
+        )
         if self.folder is not None:
             run.encoding["folder"] = self.folder
-        run.attrs = {**self.attributes, **how_it_ran(solution)}
         return run
 
-    def _made(self, times: np.ndarray, numbers: Mapping[str, Any]) -> "xarray.Dataset":
-        from xarray import Coordinates, Dataset, Variable
-
-        times.flags.writeable = False  # several Datasets share them
-        parts = {name: (one.dims, one.attributes) for name, one in self.parts.items()}
-        if self.states is not None:
-            parts["states"] = ("time", "state"), STATES
-        data = {name: Variable(dims, numbers[name], more) for name, (dims, more) in parts.items()}
-        axes = {"time": _index("time", times, self.since), **self.axes}
-        indexes = {name: index for name, (index, _) in axes.items()}
-        variables = {name: variable for name, (_, variable) in axes.items()}
-        return Dataset(data, Coordinates(variables, indexes=indexes))
+    def _times(self, times: np.ndarray) -> tuple[Any, Any]:
+        """Return the index of times, the same for a run at the times of the one before."""
+        last = self._last  # threads may share it
+        if last is None or not np.array_equal(last[0], times):
+            own = times.copy()
+            own.flags.writeable = False  # several Datasets share them
+            last = self._last = own, _index("time", own, self.since)
+        return last[1]
 
 
 def _index(name: str, values: Any, attributes: Any) -> tuple[Any, Any]:

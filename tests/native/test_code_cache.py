@@ -143,11 +143,11 @@ def test_the_solver_is_made_for_other_processors(triple):
 
 def test_numbers_of_arrays_are_those_that_the_solver_takes():
     table = np.zeros((3, 2))
-    found = list(solver_cache.numbers((1, 2.5, (table,))))
+    found = solver_cache.numbers((1, 2.5, (table,)))
     assert found == [1, 2.5, 0, 0, 6, 8, table.ctypes.data, 3, 2, 16, 8]
     for wrong in (table[:, :1], table.astype(np.float32)):
         with pytest.raises(TypeError, match="the solver takes no array"):
-            list(solver_cache.numbers(wrong))
+            solver_cache.numbers((wrong,))
 
 
 RUN = """
