@@ -57,6 +57,11 @@ class Ensemble:
         for key, shape in self.keys.items():
             _check(scenario, key, tuple(shape))
         self.blocks = changed_blocks(scenario, changes)
+        if scenario.run.method != "auto":
+            raise ScenarioError(
+                f'run.method = "{scenario.run.method}": members begin with DOP853 and go on with '
+                "Rodas5P where they are stiff; remove the key"
+            )
         self.columns = state_columns(self.blocks)
         self.native = NativeDiagram(wiring_of_blocks(self.blocks))
         self.lanes = self.native.lanes(LANES) if lanes else 1

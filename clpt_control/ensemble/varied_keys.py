@@ -166,6 +166,7 @@ def variable_values(scenario: Scenario) -> dict[str, np.ndarray]:
     kind = None if scenario.flow.disturbance is None else scenario.flow.disturbance.kind
     if kind == "constant":
         found.pop("flow.disturbance.period", None)
+    found.pop("learning.sample", None)
     if kind != "noise":
         found.pop("flow.disturbance.seed", None)
     return found
@@ -189,6 +190,8 @@ def _why_not(scenario: Scenario, key: str, allowed: list[str]) -> str:
             break
     if key.split(".")[0] == "run":
         return f"vary: {key} cannot vary: members share duration, samples and tolerances"
+    if key == "learning.sample":
+        return f"vary: {key} cannot vary: members share the times at which their law runs"
     if isinstance(place, int):
         return f"vary: {key} = {place} cannot vary: counts are whole numbers"
     if isinstance(place, Table):

@@ -55,7 +55,7 @@ def numbers(arguments: tuple) -> list[Any]:
             if not one.flags.c_contiguous or one.dtype.char not in "dl":
                 raise TypeError(f"the solver takes no array of {one.dtype}, {one.strides}")
             if one.flags.writeable and one.size:
-                address = addressof(c_char.from_buffer(one))
+                address = addressof(c_char.from_buffer(one.data))
             else:
                 address = one.__array_interface__["data"][0]
             found += (0, 0, one.size, one.itemsize, address, *one.shape, *one.strides)

@@ -16,6 +16,8 @@ from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 from ..arguments import public
 from ..blocks.laws.known import Known
 from ..blocks.laws.table import LAWS
+from ..equations.block import Block
+from ..equations.sampled import Sampled
 from ..errors import ScenarioError
 from .learning import Learning
 from .mistakes import Table
@@ -103,6 +105,8 @@ class Scenario(Table):
         spans = {"reference.dwell": self.reference.dwell}
         if disturbance is not None and disturbance.kind in ("square", "noise"):
             spans["flow.disturbance.period"] = disturbance.period or 1.0
+        if self.learning.sample is not None:
+            spans["learning.sample"] = self.learning.sample
         if seen is not None:
             spans |= seen.spans
         least = self.run.duration / MOST_JUMPS
@@ -194,6 +198,12 @@ class Scenario(Table):
             None if self.localization is None else self.localization.fixes,
             self.vehicle.max_speed is not None,
         )
+
+    @property
+    def law_block(self) -> Block:
+        """The law as a block; one that is sampled where ``learning.sample`` says how often."""
+        law, sample = self.learning.row.block(self.known_to_law), self.learning.sample
+        return law if sample is None else Sampled(law, sample)
 
     @property
     def waypoints(self) -> np.ndarray:

@@ -74,6 +74,7 @@ class Learning(OwnTables):
     gains: LearningGains | None = None
     adapt_gains: Annotated[bool, Strict()] = True
     hedging: Annotated[bool, Strict()] | None = None
+    sample: Positive | None = None
     theta_estimate: TwoRows | None = None
     position: Pair = (0.0, 0.0)
     feedback: Pair = (0.0, 0.0)
@@ -131,6 +132,8 @@ class Learning(OwnTables):
                     f'learning.{key}: law = "{self.law}" adapts by no gain and holds the gains of '
                     "the vehicle; remove the key"
                 )
+        if self.row.at_fixes and self.sample is not None:
+            yield f'learning.sample: law = "{self.law}" runs at fixes alone; remove the key'
         if self.row.at_fixes:
             return
         needed = ["parameters"] if self.row.alpha_by_gain else []

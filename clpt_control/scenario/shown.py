@@ -74,7 +74,8 @@ def _facts(scenario: Any) -> Iterator[tuple[str, str]]:
     yield "waypoints", f"{_waypoints(scenario)}; a cycle lasts {scenario.cycle:g} {units.time}"
     used = learning.used_gains
     one = f", gain {used.parameters:g}" if used.one else ", a gain each"
-    yield "law", f"{learning.law}{'' if learning.row.at_fixes else one}"
+    sample = "" if learning.sample is None else f", sampled each {learning.sample:g} {units.time}"
+    yield "law", f"{learning.law}{'' if learning.row.at_fixes else one}{sample}"
     if (seen := scenario.localization) is not None:
         fixes = f"fixes each {seen.interval:g} {units.time}, " if seen.interval else ""
         yield "position", f"{fixes}noise {seen.noise:g} {units.length}"

@@ -202,6 +202,12 @@ class Run(Table):
     output_step: Positive = 1.0
     rtol: Annotated[Positive, Field(ge=1e-13, lt=1)] = 1e-8
     atol: Positive = 1e-10
+    method: Literal["auto", "dop853", "rodas5p"] = "auto"
+
+    @property
+    def solver(self) -> dict[str, Any]:
+        """What the solver is told: tolerances and method."""
+        return {"rtol": self.rtol, "atol": self.atol, "method": self.method}
 
     def _mistakes(self) -> Iterator[str]:
         if self.duration / self.output_step > 1e8:

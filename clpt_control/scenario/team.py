@@ -84,6 +84,8 @@ class Team(Table):
                     )
         if (law := self.members[first].learning.law) != LAW:
             raise ValueError(f'learning.law = "{law}": must be "{LAW}", the law of a team')
+        if self.members[first].learning.sample is not None:
+            raise ValueError("learning.sample: a team learns at all times; remove the key")
         return self
 
     @model_validator(mode="after")

@@ -109,9 +109,9 @@ def simulate_diagram(
     alone = loop is not None and inputs is x0 is stop is None
     if loop is not None:
         x0 = initial_state(diagram) if x0 is None else x0
-        alone = alone and given["rtol"] is given["atol"] is None
-        for name in ("rtol", "atol"):
-            given[name] = getattr(loop.scenario.run, name) if given[name] is None else given[name]
+        for name, own_value in loop.scenario.run.solver.items():
+            alone = alone and given[name] is None
+            given[name] = own_value if given[name] is None else given[name]
     own = open_sizes(diagram, inputs, x0, times), callable(inputs), engine
     key = None if stop is not None else key_of(diagram, params, *own)
     with ready(key, lambda: DiagramRun(diagram, params, *own, stop)) as run:

@@ -13,6 +13,7 @@ import numpy as np
 from ..arguments import public
 from ..errors import SimulationError
 from ..native.inputs import checked_times
+from ..native.stiffness import checked_method
 from ..scenario.experiment import Scenario
 from ..scenario.team import Team
 from .diagram_run import simulate_diagram
@@ -76,8 +77,8 @@ def simulate(
         it falls to 0.
     method : str, optional
         ``"dop853"``, explicit, of order 8; ``"rodas5p"``, for stiff equations, of order 5; or
-        ``"auto"``, as without: DOP853, and Rodas5P from where the equations are stiff. The
-        attribute ``method`` says what ran, and from when.
+        ``"auto"``: DOP853, and Rodas5P from where the equations are stiff. The scenario's own, or
+        ``"auto"`` for a diagram. The attribute ``method`` says what ran, and from when.
     max_step, first_step : float, optional
         The longest step, and the first that is tried. What happens for a short time and is not
         announced, such as a pulse of an input by a function, may lie within a step.
@@ -107,7 +108,8 @@ def simulate(
     >>> float(run.clpe[-1, 0].round(3)), run.attrs["status"]
     (0.027, 'finished')
     """
-    how = {"method": method, "max_step": max_step, "first_step": first_step}
+    limits: dict[str, Any] = {"max_step": max_step, "first_step": first_step}
+    solver = {"rtol": rtol, "atol": atol, "method": method and checked_method(method)}
     loop = getattr(system, "made_of", None)
     experiment = system if loop is None else loop.scenario
     if timepts is not None:
@@ -118,7 +120,7 @@ def simulate(
         raise SimulationError("timepts: is required to simulate a diagram")
     from_zero = times if times[0] == 0 else np.concatenate([[0.0], times])
     if not isinstance(system, Scenario | Team):
-        given: dict[str, Any] = {"rtol": rtol, "atol": atol, "progress": progress, **how}
+        given: dict[str, Any] = {**solver, **limits, "progress": progress}
         own_start = loop is not None and inputs is initial_state is None
         found = simulate_diagram(
             system,
@@ -141,12 +143,13 @@ def simulate(
                 raise SimulationError(
                     f"{name}: a team has its own; change its scenarios, or simulate team_loop(team)"
                 )
-        made: Any = partial(TeamRun, system, rtol, atol, engine)
+        made: Any = partial(TeamRun, system, solver, engine)
     else:
-        made = partial(ScenarioRun, system, params, initial_state, rtol, atol, engine)
+        made = partial(ScenarioRun, system, params, initial_state, solver, engine)
     alone = params is initial_state is None
-    with ready(_key(system, rtol, atol, engine) if alone else None, made) as run:
-        solution = run.integrate(run.start, from_zero, progress, **how)
+    key = _key(system, *solver.values(), engine) if alone else None
+    with ready(key, made) as run:
+        solution = run.integrate(run.start, from_zero, progress, **limits)
         if times[0] != 0:
             solution.t, solution.x = solution.t[1:], solution.x[1:]
         found = run.dataset(solution, run.signals(solution))

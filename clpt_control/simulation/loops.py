@@ -99,6 +99,11 @@ def changed_blocks(
             f"{law.name}: a law of your own reads the position at all times; set "
             "localization.interval to 0, or leave the law out"
         )
+    if learning.sample is not None and law is not None:
+        raise DiagramError(
+            f"{law.name}: learning.sample is of the scenario's own law; sample yours by "
+            "clpt.equations.Sampled(law, period), and leave the key out"
+        )
     localized = _localized(scenario)
     true = TRUE if any(block.name == "measurement" for block in localized) else "x"
     modeled = [flow.modeled_flow(alpha_M)]
@@ -122,7 +127,7 @@ def changed_blocks(
         vehicle.vehicle(true),
         *predicting,
         clpe.clpe(),
-        learning.row.block(scenario.known_to_law),
+        scenario.law_block,
     ]
     return inserted(replaced(blocks, changes.replace), changes.insert)
 

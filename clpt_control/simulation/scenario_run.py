@@ -32,12 +32,15 @@ class ScenarioRun:
     """A scenario's closed loop, ready to run: integrate, ask its signals, make a Dataset."""
 
     def __init__(
-        self, scenario, params=None, initial_state=None, rtol=None, atol=None, engine=None
+        self,
+        scenario: Scenario,
+        params: Any = None,
+        initial_state: Any = None,
+        solver: Mapping[str, Any] = {},
+        engine: str | None = None,
     ):
         scenario, self.left = _into_keys(scenario, params, initial_state)
-        tolerances = {"run.rtol": rtol, "run.atol": atol}
-        given = {key: value for key, value in tolerances.items() if value is not None}
-        self.scenario: Scenario = scenario.with_values(given) if given else scenario
+        self.scenario = with_solver(scenario, solver)
         self.parts = paper_blocks(self.scenario)
         self.wiring = wiring_of_blocks(self.parts)
         self.start = state_of(self.scenario, self.parts)
@@ -52,7 +55,7 @@ class ScenarioRun:
         self, state: np.ndarray, times: np.ndarray, progress: Progress | None = None, **how: Any
     ) -> Solution:
         """Integrate from a state at the first time to the last."""
-        own: dict[str, Any] = {"rtol": self.scenario.run.rtol, "atol": self.scenario.run.atol}
+        own = self.scenario.run.solver
         return self.runner.run(state, times, **own, progress=progress, **how)
 
     def signals(self, solution: Solution) -> np.ndarray:
@@ -82,6 +85,12 @@ class ScenarioRun:
     def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
         """Return a solution and its signals with names, units and attributes."""
         return self.frame.filled(solution, signals)
+
+
+def with_solver(scenario: Scenario, solver: Mapping[str, Any]) -> Scenario:
+    """Return a scenario with the tolerances and the method that were asked for."""
+    given = {f"run.{key}": value for key, value in solver.items() if value is not None}
+    return scenario.with_values(given) if given else scenario
 
 
 def _checked(scenario: Scenario, name: str, value: Any) -> Scenario:

@@ -22,7 +22,7 @@ from ..scenario.team import LAW, Team
 from ..scenario.team_file import team_to_text
 from .dataset import Columns, run_frame, with_states
 from .loops import changed_blocks, paper_blocks
-from .scenario_run import ScenarioRun
+from .scenario_run import ScenarioRun, with_solver
 from .speeds import faster_flow, speeds_of
 from .starts import state_labels, state_of
 
@@ -84,13 +84,10 @@ class TeamRun(ScenarioRun):
     def __init__(
         self,
         team: Team,
-        rtol: float | None = None,
-        atol: float | None = None,
+        solver: Mapping[str, Any],
         engine: str | None = None,
     ):
-        tolerances = {"run.rtol": rtol, "run.atol": atol}
-        given = {key: value for key, value in tolerances.items() if value is not None}
-        members = {name: one.with_values(given) for name, one in team.members.items()}
+        members = {name: with_solver(one, solver) for name, one in team.members.items()}
         self.scenario: Any = Team(members=members, edges=team.edges, coupling=team.coupling)
         self.parts = team_blocks(team)
         self.wiring, self.start = wiring_of_blocks(self.parts), team_state(team)

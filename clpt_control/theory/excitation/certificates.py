@@ -172,6 +172,11 @@ def certificate(
             "no certificate: localization.noise is read with the position and adds to V'; without "
             "it V falls as certified"
         )
+    if scenario.learning.sample is not None:
+        raise ScenarioError(
+            "no certificate: learning.sample makes the law run at samples, between which V' is "
+            "not what the theorems say; without it V falls as certified"
+        )
     if scenario.vehicle.max_speed is not None and not scenario.hedged:
         raise ScenarioError(
             "no certificate: learning.hedging = false, so what the vehicle cannot fly adds to V'; "

@@ -144,7 +144,7 @@ def prove(
                 f"{law_block.name}: has parts of your own, {made.changes.in_words}; a law is "
                 "judged in the paper's own diagram, with no other part replaced or inserted"
             )
-        law_block = made.changes.law or made.scenario.learning.row.block(made.scenario.known_to_law)
+        law_block = made.changes.law or made.scenario.law_block
     if isinstance(law_block, control.InputOutputSystem) and not isinstance(law_block, Block):
         raise DiagramError(
             f"{law_block.name}: is a {type(law_block).__name__}; a law is judged in the paper's "
