@@ -163,9 +163,10 @@ class Sampled(Block):
             found, shapes = asked("output", 0.0), [*inner.array_record("output").shapes]
         else:
             found = asked("update", 1.0) if inner.nstates else []
+            own = [*inner.array_record("update").shapes] if inner.nstates else []  # N may be bound
             if self.stepped:
-                moved = zip(found, states.items(), strict=True)
-                found = [rate * self.period + leaf("x", *state) for rate, state in moved]
+                before = [leaf("x", port, shape) for port, shape in zip(states, own, strict=True)]
+                found = [r * self.period + x for r, x in zip(found, before, strict=True)]
             found += [leaf("u", *port) for port in inputs.items()]
-            shapes = [*states.values(), *inputs.values()]
+            shapes = [*own, *inputs.values()]
         return self._outside(compact(tape.operations, [operand(one) for one in found], shapes))

@@ -1,4 +1,4 @@
-; sha256 150beeb240cec15c2e34fc0efb1250186293725af2dd33c3b66703d6529be6f8
+; sha256 a627d59fe05dfb8efb562bd537910a5ceae8079989c8a4ab13bd3a938b05056c
 
 @.const.pickledata.ca8efb3a72d614fe872032cce3ac326007a30727 = internal constant [76 x i8] c"\80\04\95A\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AValueError\94\93\94\8C\1Erange() arg 3 must not be zero\94\85\94N\87\94."
 @.const.pickledata.ca8efb3a72d614fe872032cce3ac326007a30727.sha1 = internal constant [20 x i8] c"\CA\8E\FB:r\D6\14\FE\87 2\CC\E3\AC2`\07\A3\07'"
@@ -6,10 +6,10 @@
 
 define dso_local noundef i32 @advance(ptr noalias %retptr, ptr noalias readnone %excinfo, ptr readnone %arg.code.0, ptr readnone %arg.code.1, i64 %arg.code.2, i64 %arg.code.3, ptr readonly %arg.code.4, i64 %arg.code.5.0, i64 %arg.code.6.0, i64 %arg.shape.0, i64 %arg.shape.1, i64 %arg.shape.2, ptr readnone %arg.tolerances.0, ptr readnone %arg.tolerances.1, i64 %arg.tolerances.2, i64 %arg.tolerances.3, ptr %arg.tolerances.4, i64 %arg.tolerances.5.0, i64 %arg.tolerances.6.0, ptr readnone %arg.runs.0.0, ptr readnone %arg.runs.0.1, i64 %arg.runs.0.2, i64 %arg.runs.0.3, ptr readonly %arg.runs.0.4, i64 %arg.runs.0.5.0, i64 %arg.runs.0.5.1, i64 %arg.runs.0.6.0, i64 %arg.runs.0.6.1, ptr readnone %arg.runs.1.0, ptr readnone %arg.runs.1.1, i64 %arg.runs.1.2, i64 %arg.runs.1.3, ptr readonly %arg.runs.1.4, i64 %arg.runs.1.5.0, i64 %arg.runs.1.5.1, i64 %arg.runs.1.6.0, i64 %arg.runs.1.6.1, ptr readnone %arg.runs.2.0, ptr readnone %arg.runs.2.1, i64 %arg.runs.2.2, i64 %arg.runs.2.3, ptr readonly %arg.runs.2.4, i64 %arg.runs.2.5.0, i64 %arg.runs.2.6.0, ptr readnone %arg.schedule.0.0, ptr readnone %arg.schedule.0.1, i64 %arg.schedule.0.2, i64 %arg.schedule.0.3, ptr readonly %arg.schedule.0.4, i64 %arg.schedule.0.5.0, i64 %arg.schedule.0.5.1, i64 %arg.schedule.0.6.0, i64 %arg.schedule.0.6.1, ptr readnone %arg.schedule.1.0, ptr readnone %arg.schedule.1.1, i64 %arg.schedule.1.2, i64 %arg.schedule.1.3, ptr readonly %arg.schedule.1.4, i64 %arg.schedule.1.5.0, i64 %arg.schedule.1.6.0, ptr readnone %arg.schedule.2.0, ptr readnone %arg.schedule.2.1, i64 %arg.schedule.2.2, i64 %arg.schedule.2.3, ptr readonly %arg.schedule.2.4, i64 %arg.schedule.2.5.0, i64 %arg.schedule.2.6.0, ptr readnone %arg.schedule.3.0, ptr readnone %arg.schedule.3.1, i64 %arg.schedule.3.2, i64 %arg.schedule.3.3, ptr readonly %arg.schedule.3.4, i64 %arg.schedule.3.5.0, i64 %arg.schedule.3.5.1, i64 %arg.schedule.3.5.2, i64 %arg.schedule.3.6.0, i64 %arg.schedule.3.6.1, i64 %arg.schedule.3.6.2, ptr readnone %arg.schedule.4.0, ptr readnone %arg.schedule.4.1, i64 %arg.schedule.4.2, i64 %arg.schedule.4.3, ptr readonly %arg.schedule.4.4, i64 %arg.schedule.4.5.0, i64 %arg.schedule.4.5.1, i64 %arg.schedule.4.6.0, i64 %arg.schedule.4.6.1, ptr readnone %arg.times.0, ptr readnone %arg.times.1, i64 %arg.times.2, i64 %arg.times.3, ptr readonly %arg.times.4, i64 %arg.times.5.0, i64 %arg.times.6.0, ptr readnone %arg.results.0.0, ptr readnone %arg.results.0.1, i64 %arg.results.0.2, i64 %arg.results.0.3, ptr %arg.results.0.4, i64 %arg.results.0.5.0, i64 %arg.results.0.5.1, i64 %arg.results.0.5.2, i64 %arg.results.0.6.0, i64 %arg.results.0.6.1, i64 %arg.results.0.6.2, ptr readnone %arg.results.1.0, ptr readnone %arg.results.1.1, i64 %arg.results.1.2, i64 %arg.results.1.3, ptr %arg.results.1.4, i64 %arg.results.1.5.0, i64 %arg.results.1.6.0, ptr readnone %arg.results.2.0, ptr readnone %arg.results.2.1, i64 %arg.results.2.2, i64 %arg.results.2.3, ptr %arg.results.2.4, i64 %arg.results.2.5.0, i64 %arg.results.2.6.0, ptr readnone %arg.results.3.0, ptr readnone %arg.results.3.1, i64 %arg.results.3.2, i64 %arg.results.3.3, ptr %arg.results.3.4, i64 %arg.results.3.5.0, i64 %arg.results.3.5.1, i64 %arg.results.3.6.0, i64 %arg.results.3.6.1, ptr readnone %arg.lane.0.0, ptr readnone %arg.lane.0.1, i64 %arg.lane.0.2, i64 %arg.lane.0.3, ptr %arg.lane.0.4, i64 %arg.lane.0.5.0, i64 %arg.lane.0.5.1, i64 %arg.lane.0.6.0, i64 %arg.lane.0.6.1, ptr readnone %arg.lane.1.0, ptr readnone %arg.lane.1.1, i64 %arg.lane.1.2, i64 %arg.lane.1.3, ptr %arg.lane.1.4, i64 %arg.lane.1.5.0, i64 %arg.lane.1.5.1, i64 %arg.lane.1.6.0, i64 %arg.lane.1.6.1, ptr readnone %arg.lane.2.0, ptr readnone %arg.lane.2.1, i64 %arg.lane.2.2, i64 %arg.lane.2.3, ptr %arg.lane.2.4, i64 %arg.lane.2.5.0, i64 %arg.lane.2.6.0, ptr readnone %arg.arrays.0.0, ptr readnone %arg.arrays.0.1, i64 %arg.arrays.0.2, i64 %arg.arrays.0.3, ptr %arg.arrays.0.4, i64 %arg.arrays.0.5.0, i64 %arg.arrays.0.6.0, ptr readnone %arg.arrays.1.0, ptr readnone %arg.arrays.1.1, i64 %arg.arrays.1.2, i64 %arg.arrays.1.3, ptr %arg.arrays.1.4, i64 %arg.arrays.1.5.0, i64 %arg.arrays.1.6.0, ptr readnone %arg.arrays.2.0, ptr readnone %arg.arrays.2.1, i64 %arg.arrays.2.2, i64 %arg.arrays.2.3, ptr %arg.arrays.2.4, i64 %arg.arrays.2.5.0, i64 %arg.arrays.2.6.0, ptr readnone %arg.arrays.3.0, ptr readnone %arg.arrays.3.1, i64 %arg.arrays.3.2, i64 %arg.arrays.3.3, ptr %arg.arrays.3.4, i64 %arg.arrays.3.5.0, i64 %arg.arrays.3.6.0, ptr readnone %arg.arrays.4.0, ptr readnone %arg.arrays.4.1, i64 %arg.arrays.4.2, i64 %arg.arrays.4.3, ptr %arg.arrays.4.4, i64 %arg.arrays.4.5.0, i64 %arg.arrays.4.6.0, ptr readnone %arg.linear.0.0, ptr readnone %arg.linear.0.1, i64 %arg.linear.0.2, i64 %arg.linear.0.3, ptr %arg.linear.0.4, i64 %arg.linear.0.5.0, i64 %arg.linear.0.6.0, ptr readnone %arg.linear.1.0, ptr readnone %arg.linear.1.1, i64 %arg.linear.1.2, i64 %arg.linear.1.3, ptr %arg.linear.1.4, i64 %arg.linear.1.5.0, i64 %arg.linear.1.6.0, i64 %arg.budget, i64 %arg.most, i64 %arg.guarded, i64 %arg.jumping, i64 %arg.held, i64 %arg.decided) local_unnamed_addr {
 entry:
-  %arg.linear.1.49330 = ptrtoint ptr %arg.linear.1.4 to i64
-  %arg.arrays.0.49329 = ptrtoint ptr %arg.arrays.0.4 to i64
-  %arg.runs.0.49219 = ptrtoint ptr %arg.runs.0.4 to i64
-  %arg.results.0.49218 = ptrtoint ptr %arg.results.0.4 to i64
+  %arg.linear.1.49433 = ptrtoint ptr %arg.linear.1.4 to i64
+  %arg.arrays.0.49432 = ptrtoint ptr %arg.arrays.0.4 to i64
+  %arg.runs.0.49322 = ptrtoint ptr %arg.runs.0.4 to i64
+  %arg.results.0.49321 = ptrtoint ptr %arg.results.0.4 to i64
   %.382 = mul nsw i64 %arg.shape.1, %arg.shape.0
   %.490.idx = shl i64 %arg.lane.0.5.1, 6
   %.490 = getelementptr i8, ptr %arg.lane.0.4, i64 %.490.idx
@@ -20,9 +20,9 @@ entry:
   br i1 %.274.i, label %B202.endif, label %B50.if.i.lr.ph
 
 B50.if.i.lr.ph:                                   ; preds = %entry
-  %arg.results.0.49214 = ptrtoint ptr %arg.results.0.4 to i64
-  %arg.runs.0.49215 = ptrtoint ptr %arg.runs.0.4 to i64
-  %.373.i8713 = getelementptr i8, ptr %arg.lane.2.4, i64 8
+  %arg.results.0.49317 = ptrtoint ptr %arg.results.0.4 to i64
+  %arg.runs.0.49318 = ptrtoint ptr %arg.runs.0.4 to i64
+  %.373.i8806 = getelementptr i8, ptr %arg.lane.2.4, i64 8
   %.444.i = getelementptr i8, ptr %arg.lane.2.4, i64 16
   %0 = getelementptr i64, ptr %arg.lane.1.4, i64 %arg.lane.1.5.1
   %.idx.i = shl i64 %arg.lane.1.5.1, 4
@@ -76,24 +76,24 @@ B50.if.i.lr.ph:                                   ; preds = %entry
   br label %B50.if.i
 
 B104.i:                                           ; preds = %B50.if.i
-  %.420.i = add nsw i64 %active.3.i.09065, 1
+  %.420.i = add nsw i64 %active.3.i.09162, 1
   br label %B171.i
 
 B116.i:                                           ; preds = %B50.if.i
   %.314.i = load i64, ptr %arg.lane.2.4, align 8, !noalias !0
-  %.374.i = load i64, ptr %.373.i8713, align 8, !noalias !0
-  %.375.i8714 = icmp slt i64 %.314.i, %.374.i
-  br i1 %.375.i8714, label %B130.i, label %B316.i
+  %.374.i = load i64, ptr %.373.i8806, align 8, !noalias !0
+  %.375.i8807 = icmp slt i64 %.314.i, %.374.i
+  br i1 %.375.i8807, label %B130.i, label %B316.i
 
 B130.i:                                           ; preds = %B116.i
   %.385.i = add nsw i64 %.314.i, 1
   store i64 %.385.i, ptr %arg.lane.2.4, align 8, !noalias !0
   store i64 1, ptr %.444.i, align 8, !noalias !0
-  %.502.i8716 = getelementptr i64, ptr %arg.lane.1.4, i64 %.260.i.09063
-  store i64 %.314.i, ptr %.502.i8716, align 8, !noalias !0
-  %.557.i = getelementptr i64, ptr %0, i64 %.260.i.09063
+  %.502.i8809 = getelementptr i64, ptr %arg.lane.1.4, i64 %.260.i.09160
+  store i64 %.314.i, ptr %.502.i8809, align 8, !noalias !0
+  %.557.i = getelementptr i64, ptr %0, i64 %.260.i.09160
   store i64 0, ptr %.557.i, align 8, !noalias !0
-  %.612.i = getelementptr i64, ptr %1, i64 %.260.i.09063
+  %.612.i = getelementptr i64, ptr %1, i64 %.260.i.09160
   store i64 1, ptr %.612.i, align 8, !noalias !0
   br i1 %.6961563.not.i, label %B316.i, label %B272.if.lr.ph.i
 
@@ -112,8 +112,8 @@ B272.if.lr.ph.i:                                  ; preds = %B130.i
 vector.memcheck:                                  ; preds = %B272.if.lr.ph.i
   %24 = mul i64 %20, %.823.i
   %25 = mul i64 %21, %.759.i
-  %26 = add i64 %24, %arg.results.0.49214
-  %27 = add i64 %25, %arg.runs.0.49215
+  %26 = add i64 %24, %arg.results.0.49317
+  %27 = add i64 %25, %arg.runs.0.49318
   %28 = sub i64 %26, %27
   %diff.check = icmp ult i64 %28, 32
   br i1 %diff.check, label %B272.if.i.preheader, label %vector.body
@@ -123,11 +123,11 @@ vector.body:                                      ; preds = %vector.memcheck, %v
   %29 = getelementptr double, ptr %22, i64 %index
   %30 = getelementptr i8, ptr %29, i64 16
   %wide.load = load <2 x double>, ptr %29, align 8, !noalias !0
-  %wide.load9216 = load <2 x double>, ptr %30, align 8, !noalias !0
+  %wide.load9319 = load <2 x double>, ptr %30, align 8, !noalias !0
   %31 = getelementptr double, ptr %23, i64 %index
   %32 = getelementptr i8, ptr %31, i64 16
   store <2 x double> %wide.load, ptr %31, align 8, !noalias !0
-  store <2 x double> %wide.load9216, ptr %32, align 8, !noalias !0
+  store <2 x double> %wide.load9319, ptr %32, align 8, !noalias !0
   %index.next = add i64 %index, 4
   %33 = icmp eq i64 %index.next, %n.vec
   br i1 %33, label %middle.block, label %vector.body, !llvm.loop !6
@@ -149,7 +149,7 @@ B346.if.lr.ph.i:                                  ; preds = %B316.i
   %.1029.i = add i64 %.1028.i, %m.2.0.i
   %.1049.i = mul i64 %.1029.i, %arg.runs.1.5.1
   %34 = getelementptr double, ptr %arg.runs.1.4, i64 %.1049.i
-  %invariant.gep9377 = getelementptr double, ptr %arg.arrays.1.4, i64 %.260.i.09063
+  %invariant.gep9480 = getelementptr double, ptr %arg.arrays.1.4, i64 %.260.i.09160
   br label %B346.if.i
 
 B390.i:                                           ; preds = %B346.if.i, %B316.i
@@ -163,7 +163,7 @@ B446.if.lr.ph.i:                                  ; preds = %B390.i
   br label %B446.if.i
 
 B516.i:                                           ; preds = %B446.if.i, %B390.i
-  br i1 %.375.i8714, label %B574.i, label %B520.i
+  br i1 %.375.i8807, label %B574.i, label %B520.i
 
 B520.i:                                           ; preds = %B516.i
   br i1 %.1423.i.not, label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B532.i
@@ -172,23 +172,23 @@ B532.i:                                           ; preds = %B520.i
   br i1 %.163.i1572.not.i, label %B102.i.i, label %B46.if.i.i.preheader
 
 B46.if.i.i.preheader:                             ; preds = %B532.i
-  %invariant.gep9379 = getelementptr double, ptr %arg.arrays.0.4, i64 %.260.i.09063
+  %invariant.gep9482 = getelementptr double, ptr %arg.arrays.0.4, i64 %.260.i.09160
   br label %B46.if.i.i
 
 B102.i.i:                                         ; preds = %B46.if.i.i, %B532.i
-  %.360.i.i = getelementptr double, ptr %arg.lane.0.4, i64 %.260.i.09063
+  %.360.i.i = getelementptr double, ptr %arg.lane.0.4, i64 %.260.i.09160
   store double 0.000000e+00, ptr %.360.i.i, align 8, !noalias !9
-  %.415.i.i = getelementptr double, ptr %2, i64 %.260.i.09063
+  %.415.i.i = getelementptr double, ptr %2, i64 %.260.i.09160
   store double 5.000000e-01, ptr %.415.i.i, align 8, !noalias !9
-  %.470.i.i = getelementptr double, ptr %3, i64 %.260.i.09063
+  %.470.i.i = getelementptr double, ptr %3, i64 %.260.i.09160
   store double 1.000000e+00, ptr %.470.i.i, align 8, !noalias !9
-  %.526.i.i = getelementptr double, ptr %4, i64 %.260.i.09063
+  %.526.i.i = getelementptr double, ptr %4, i64 %.260.i.09160
   store double 0.000000e+00, ptr %.526.i.i, align 8, !noalias !9
-  %.581.i.i = getelementptr double, ptr %5, i64 %.260.i.09063
+  %.581.i.i = getelementptr double, ptr %5, i64 %.260.i.09160
   store double 0.000000e+00, ptr %.581.i.i, align 8, !noalias !9
-  %.636.i.i = getelementptr double, ptr %6, i64 %.260.i.09063
+  %.636.i.i = getelementptr double, ptr %6, i64 %.260.i.09160
   store double 0xFFF0000000000000, ptr %.636.i.i, align 8, !noalias !9
-  %.693.i.i = getelementptr double, ptr %7, i64 %.260.i.09063
+  %.693.i.i = getelementptr double, ptr %7, i64 %.260.i.09160
   store double 0x7FF0000000000000, ptr %.693.i.i, align 8, !noalias !9
   br label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
@@ -198,8 +198,8 @@ B46.if.i.i:                                       ; preds = %B46.if.i.i.preheade
   %36 = getelementptr double, ptr %arg.runs.0.4, i64 %.105.i.01573.i
   %.255.i.i = load double, ptr %36, align 8, !noalias !9
   %.257.i.i = mul nsw i64 %.105.i.01573.i, %arg.shape.0
-  %gep9380 = getelementptr double, ptr %invariant.gep9379, i64 %.257.i.i
-  store double %.255.i.i, ptr %gep9380, align 8, !noalias !9
+  %gep9483 = getelementptr double, ptr %invariant.gep9482, i64 %.257.i.i
+  store double %.255.i.i, ptr %gep9483, align 8, !noalias !9
   %exitcond1580.not.i = icmp eq i64 %arg.shape.1, %.176.i.i
   br i1 %exitcond1580.not.i, label %B102.i.i, label %B46.if.i.i
 
@@ -212,7 +212,7 @@ B604.if.lr.ph.i:                                  ; preds = %B574.i
   %.1648.i = add i64 %.1647.i, %m.2.0.i
   %.1668.i = mul i64 %.1648.i, %arg.runs.0.5.1
   %37 = getelementptr double, ptr %arg.runs.0.4, i64 %.1668.i
-  %invariant.gep9381 = getelementptr double, ptr %arg.arrays.0.4, i64 %.260.i.09063
+  %invariant.gep9484 = getelementptr double, ptr %arg.arrays.0.4, i64 %.260.i.09160
   br label %B604.if.i
 
 B648.i:                                           ; preds = %B604.if.i, %B574.i
@@ -228,29 +228,29 @@ B648.i:                                           ; preds = %B604.if.i, %B574.i
   %.1834.i = mul i64 %.1814.i, %arg.schedule.0.5.1
   %.1838.i = getelementptr double, ptr %arg.schedule.0.4, i64 %.1834.i
   %.1839.i = load double, ptr %.1838.i, align 8, !noalias !0
-  %.1895.i = getelementptr double, ptr %arg.lane.0.4, i64 %.260.i.09063
+  %.1895.i = getelementptr double, ptr %arg.lane.0.4, i64 %.260.i.09160
   store double %.1748.i, ptr %.1895.i, align 8, !noalias !0
-  %.1950.i = getelementptr double, ptr %8, i64 %.260.i.09063
+  %.1950.i = getelementptr double, ptr %8, i64 %.260.i.09160
   store double %.1839.i, ptr %.1950.i, align 8, !noalias !0
-  %.2005.i = getelementptr double, ptr %9, i64 %.260.i.09063
+  %.2005.i = getelementptr double, ptr %9, i64 %.260.i.09160
   store double 0.000000e+00, ptr %.2005.i, align 8, !noalias !0
-  %.2064.i = getelementptr double, ptr %10, i64 %.260.i.09063
+  %.2064.i = getelementptr double, ptr %10, i64 %.260.i.09160
   store double 1.000000e+00, ptr %.2064.i, align 8, !noalias !0
-  %.2119.i = getelementptr double, ptr %11, i64 %.260.i.09063
+  %.2119.i = getelementptr double, ptr %11, i64 %.260.i.09160
   store double 0.000000e+00, ptr %.2119.i, align 8, !noalias !0
-  %.2175.i = getelementptr double, ptr %12, i64 %.260.i.09063
+  %.2175.i = getelementptr double, ptr %12, i64 %.260.i.09160
   store double 0xFFF0000000000000, ptr %.2175.i, align 8, !noalias !0
-  %39 = getelementptr i64, ptr %13, i64 %.260.i.09063
+  %39 = getelementptr i64, ptr %13, i64 %.260.i.09160
   store i64 0, ptr %39, align 8, !noalias !0
-  %.2287.i = getelementptr double, ptr %14, i64 %.260.i.09063
+  %.2287.i = getelementptr double, ptr %14, i64 %.260.i.09160
   store double 0x7FF0000000000000, ptr %.2287.i, align 8, !noalias !0
-  %.2348.i = getelementptr double, ptr %15, i64 %.260.i.09063
+  %.2348.i = getelementptr double, ptr %15, i64 %.260.i.09160
   store double 0.000000e+00, ptr %.2348.i, align 8, !noalias !0
-  %.2403.i = getelementptr double, ptr %16, i64 %.260.i.09063
+  %.2403.i = getelementptr double, ptr %16, i64 %.260.i.09160
   store double 0.000000e+00, ptr %.2403.i, align 8, !noalias !0
-  %.2458.i = getelementptr double, ptr %17, i64 %.260.i.09063
+  %.2458.i = getelementptr double, ptr %17, i64 %.260.i.09160
   store double 0.000000e+00, ptr %.2458.i, align 8, !noalias !0
-  %.2513.i = getelementptr double, ptr %18, i64 %.260.i.09063
+  %.2513.i = getelementptr double, ptr %18, i64 %.260.i.09160
   %.2514.i = load double, ptr %.2513.i, align 8, !noalias !0
   %.2516.i = fcmp ueq double %.2514.i, 0xFFF0000000000000
   br i1 %.2516.i, label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B1060.i
@@ -275,8 +275,8 @@ B346.if.i:                                        ; preds = %B346.if.i, %B346.if
   %42 = getelementptr double, ptr %34, i64 %.910.01567.i
   %.1054.i = load double, ptr %42, align 8, !noalias !0
   %.1056.i = mul nsw i64 %.910.01567.i, %arg.shape.0
-  %gep9378 = getelementptr double, ptr %invariant.gep9377, i64 %.1056.i
-  store double %.1054.i, ptr %gep9378, align 8, !noalias !0
+  %gep9481 = getelementptr double, ptr %invariant.gep9480, i64 %.1056.i
+  store double %.1054.i, ptr %gep9481, align 8, !noalias !0
   %exitcond1578.not.i = icmp eq i64 %.979.i, %arg.shape.2
   br i1 %exitcond1578.not.i, label %B390.i, label %B346.if.i
 
@@ -290,16 +290,16 @@ B446.if.i:                                        ; preds = %B446.if.i, %B446.if
   %.1321.i = mul i64 %.1319.i, %.1291.i
   %43 = getelementptr double, ptr %arg.schedule.3.4, i64 %.1321.i
   %44 = getelementptr double, ptr %43, i64 %.1129.01570.i
-  %.1328.i8715 = load double, ptr %44, align 8, !noalias !0
+  %.1328.i8808 = load double, ptr %44, align 8, !noalias !0
   %45 = getelementptr i64, ptr %arg.schedule.2.4, i64 %.1129.01570.i
   %.1358.i = load i64, ptr %45, align 8, !noalias !0
   %.1360.i = mul nsw i64 %.1358.i, %arg.shape.0
-  %.1362.i = add nsw i64 %.1360.i, %.260.i.09063
+  %.1362.i = add nsw i64 %.1360.i, %.260.i.09160
   %.1376.i = icmp slt i64 %.1362.i, 0
   %.1377.i = select i1 %.1376.i, i64 %arg.arrays.1.5.0, i64 0
   %46 = getelementptr double, ptr %arg.arrays.1.4, i64 %.1362.i
   %.1391.i = getelementptr double, ptr %46, i64 %.1377.i
-  store double %.1328.i8715, ptr %.1391.i, align 8, !noalias !0
+  store double %.1328.i8808, ptr %.1391.i, align 8, !noalias !0
   %exitcond1579.not.i = icmp eq i64 %.1198.i, %arg.schedule.2.5.0
   br i1 %exitcond1579.not.i, label %B516.i, label %B446.if.i
 
@@ -309,35 +309,35 @@ B604.if.i:                                        ; preds = %B604.if.i, %B604.if
   %47 = getelementptr double, ptr %37, i64 %.1529.01576.i
   %.1673.i = load double, ptr %47, align 8, !noalias !0
   %.1675.i = mul nsw i64 %.1529.01576.i, %arg.shape.0
-  %gep9382 = getelementptr double, ptr %invariant.gep9381, i64 %.1675.i
-  store double %.1673.i, ptr %gep9382, align 8, !noalias !0
+  %gep9485 = getelementptr double, ptr %invariant.gep9484, i64 %.1675.i
+  store double %.1673.i, ptr %gep9485, align 8, !noalias !0
   %exitcond1581.not.i = icmp eq i64 %.1598.i, %arg.shape.1
   br i1 %exitcond1581.not.i, label %B648.i, label %B604.if.i
 
 _ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B520.i, %B102.i.i, %B648.i, %B1060.i
   %storemerge1551.i = phi i64 [ 0, %B520.i ], [ 0, %B102.i.i ], [ 1, %B1060.i ], [ 1, %B648.i ]
-  %.525.i = add nsw i64 %storemerge1551.i, %active.3.i.09065
+  %.525.i = add nsw i64 %storemerge1551.i, %active.3.i.09162
   br label %B171.i
 
 B171.i:                                           ; preds = %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B104.i
   %active.4.i.1 = phi i64 [ %.420.i, %B104.i ], [ %.525.i, %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
-  %.318.i = icmp sgt i64 %.263.i.09064, 1
+  %.318.i = icmp sgt i64 %.263.i.09161, 1
   br i1 %.318.i, label %B50.if.i, label %B202.endif
 
 B50.if.i:                                         ; preds = %B50.if.i.lr.ph, %B171.i
-  %active.3.i.09065 = phi i64 [ 0, %B50.if.i.lr.ph ], [ %active.4.i.1, %B171.i ]
-  %.263.i.09064 = phi i64 [ %storemerge, %B50.if.i.lr.ph ], [ %.327.i, %B171.i ]
-  %.260.i.09063 = phi i64 [ 0, %B50.if.i.lr.ph ], [ %.331.i, %B171.i ]
-  %.327.i = add nsw i64 %.263.i.09064, -1
-  %.331.i = add nsw i64 %.260.i.09063, 1
-  %48 = getelementptr i64, ptr %arg.lane.1.4, i64 %.260.i.09063
+  %active.3.i.09162 = phi i64 [ 0, %B50.if.i.lr.ph ], [ %active.4.i.1, %B171.i ]
+  %.263.i.09161 = phi i64 [ %storemerge, %B50.if.i.lr.ph ], [ %.327.i, %B171.i ]
+  %.260.i.09160 = phi i64 [ 0, %B50.if.i.lr.ph ], [ %.331.i, %B171.i ]
+  %.327.i = add nsw i64 %.263.i.09161, -1
+  %.331.i = add nsw i64 %.260.i.09160, 1
+  %48 = getelementptr i64, ptr %arg.lane.1.4, i64 %.260.i.09160
   %.414.i = load i64, ptr %48, align 8, !noalias !14
   %.415.i = icmp sgt i64 %.414.i, -1
   br i1 %.415.i, label %B104.i, label %B116.i
 
-B276:                                             ; preds = %B276.preheader, %B4348
-  %budget.3.0 = phi i64 [ %budget.4.2, %B4348 ], [ %arg.budget, %B276.preheader ]
-  %active.4.0 = phi i64 [ %active.5.2, %B4348 ], [ %active.3.i.0.lcssa, %B276.preheader ]
+B276:                                             ; preds = %B276.preheader, %B4352
+  %budget.3.0 = phi i64 [ %budget.4.2, %B4352 ], [ %arg.budget, %B276.preheader ]
+  %active.6.0 = phi i64 [ %active.7.2, %B4352 ], [ %active.3.i.0.lcssa, %B276.preheader ]
   %.688 = add nsw i64 %budget.3.0, -1
   %.723 = load i64, ptr %.722, align 8
   %.724 = icmp sgt i64 %.723, 0
@@ -360,12 +360,12 @@ B434:                                             ; preds = %B428
 
 B446:                                             ; preds = %B434
   %.150.i = load i64, ptr %.149.i, align 8, !noalias !15
-  %.195.i108 = inttoptr i64 %.150.i to ptr
-  tail call void %.195.i108(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !15
+  %.195.i104 = inttoptr i64 %.150.i to ptr
+  tail call void %.195.i104(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !15
   br i1 %.274.i, label %B250.i, label %B118.if.i
 
 B248.i:                                           ; preds = %B190.if.i, %B118.if.i
-  %.279.i = icmp sgt i64 %.224.i.09071, 1
+  %.279.i = icmp sgt i64 %.224.i.09168, 1
   br i1 %.279.i, label %B118.if.i, label %B250.i
 
 B250.i:                                           ; preds = %B248.i, %B446
@@ -375,35 +375,35 @@ B250.i:                                           ; preds = %B248.i, %B446
   br label %B490
 
 B118.if.i:                                        ; preds = %B446, %B248.i
-  %.224.i.09071 = phi i64 [ %.288.i247, %B248.i ], [ %storemerge, %B446 ]
-  %.221.i.09070 = phi i64 [ %.292.i249, %B248.i ], [ 0, %B446 ]
-  %.288.i247 = add nsw i64 %.224.i.09071, -1
-  %.292.i249 = add nsw i64 %.221.i.09070, 1
-  %49 = getelementptr double, ptr %279, i64 %.221.i.09070
-  %.374.i158 = load double, ptr %49, align 8, !noalias !15
-  %.375.i = fcmp ule double %.374.i158, 5.000000e-01
-  %brmerge9192 = select i1 %.375.i, i1 true, i1 %.457.i1879066
-  br i1 %brmerge9192, label %B248.i, label %B190.if.i.preheader
+  %.224.i.09168 = phi i64 [ %.288.i243, %B248.i ], [ %storemerge, %B446 ]
+  %.221.i.09167 = phi i64 [ %.292.i245, %B248.i ], [ 0, %B446 ]
+  %.288.i243 = add nsw i64 %.224.i.09168, -1
+  %.292.i245 = add nsw i64 %.221.i.09167, 1
+  %49 = getelementptr double, ptr %279, i64 %.221.i.09167
+  %.374.i154 = load double, ptr %49, align 8, !noalias !15
+  %.375.i = fcmp ule double %.374.i154, 5.000000e-01
+  %brmerge9294 = select i1 %.375.i, i1 true, i1 %.457.i1839163
+  br i1 %brmerge9294, label %B248.i, label %B190.if.i.preheader
 
 B190.if.i.preheader:                              ; preds = %B118.if.i
-  %invariant.gep9383 = getelementptr double, ptr %arg.arrays.4.4, i64 %.221.i.09070
+  %invariant.gep9486 = getelementptr double, ptr %arg.arrays.4.4, i64 %.221.i.09167
   br label %B190.if.i
 
 B190.if.i:                                        ; preds = %B190.if.i.preheader, %B190.if.i
-  %.401.i.09067 = phi i64 [ %.470.i240, %B190.if.i ], [ 0, %B190.if.i.preheader ]
-  %.470.i240 = add nsw i64 %.401.i.09067, 1
-  %.496.i198 = mul nsw i64 %.401.i.09067, %arg.shape.0
-  %gep9384 = getelementptr double, ptr %invariant.gep9383, i64 %.496.i198
-  %.528.i219 = load double, ptr %gep9384, align 8, !noalias !15
-  %.530.i = add nsw i64 %.401.i.09067, %arg.held
+  %.401.i.09164 = phi i64 [ %.470.i236, %B190.if.i ], [ 0, %B190.if.i.preheader ]
+  %.470.i236 = add nsw i64 %.401.i.09164, 1
+  %.496.i194 = mul nsw i64 %.401.i.09164, %arg.shape.0
+  %gep9487 = getelementptr double, ptr %invariant.gep9486, i64 %.496.i194
+  %.528.i215 = load double, ptr %gep9487, align 8, !noalias !15
+  %.530.i = add nsw i64 %.401.i.09164, %arg.held
   %.532.i = mul nsw i64 %.530.i, %arg.shape.0
-  %.534.i = add nsw i64 %.532.i, %.221.i.09070
+  %.534.i = add nsw i64 %.532.i, %.221.i.09167
   %.548.i = icmp slt i64 %.534.i, 0
-  %.549.i227 = select i1 %.548.i, i64 %arg.arrays.1.5.0, i64 0
+  %.549.i223 = select i1 %.548.i, i64 %arg.arrays.1.5.0, i64 0
   %50 = getelementptr double, ptr %arg.arrays.1.4, i64 %.534.i
-  %.563.i = getelementptr double, ptr %50, i64 %.549.i227
-  store double %.528.i219, ptr %.563.i, align 8, !noalias !15
-  %exitcond.not = icmp eq i64 %.470.i240, %arg.decided
+  %.563.i = getelementptr double, ptr %50, i64 %.549.i223
+  store double %.528.i215, ptr %.563.i, align 8, !noalias !15
+  %exitcond.not = icmp eq i64 %.470.i236, %arg.decided
   br i1 %exitcond.not, label %B248.i, label %B190.if.i
 
 B490:                                             ; preds = %B250.i, %B434
@@ -433,22 +433,22 @@ B652:                                             ; preds = %B584, %B490
   tail call void %.1397(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.tolerances.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
   br i1 %.274.i, label %B1000, label %B62.if.i
 
-B104.i439:                                        ; preds = %B62.if.i
-  store double 0.000000e+00, ptr %.296.i436, align 8, !noalias !19
-  %.414.i521 = getelementptr double, ptr %281, i64 %.144.i341.09073
-  store double 0.000000e+00, ptr %.414.i521, align 8, !noalias !19
-  %.469.i566 = getelementptr double, ptr %282, i64 %.144.i341.09073
-  store double 0.000000e+00, ptr %.469.i566, align 8, !noalias !19
-  %51 = getelementptr i64, ptr %arg.lane.1.4, i64 %.144.i341.09073
-  %.525.i614 = load i64, ptr %51, align 8, !noalias !19
-  %.552.i635 = icmp slt i64 %.525.i614, 0
-  %.553.i636 = select i1 %.552.i635, i64 %arg.results.3.5.0, i64 0
-  %.554.i637 = add i64 %.553.i636, %.525.i614
-  %.574.i = mul i64 %.554.i637, %arg.results.3.5.1
+B104.i435:                                        ; preds = %B62.if.i
+  store double 0.000000e+00, ptr %.296.i432, align 8, !noalias !19
+  %.414.i517 = getelementptr double, ptr %281, i64 %.144.i337.09170
+  store double 0.000000e+00, ptr %.414.i517, align 8, !noalias !19
+  %.469.i562 = getelementptr double, ptr %282, i64 %.144.i337.09170
+  store double 0.000000e+00, ptr %.469.i562, align 8, !noalias !19
+  %51 = getelementptr i64, ptr %arg.lane.1.4, i64 %.144.i337.09170
+  %.525.i610 = load i64, ptr %51, align 8, !noalias !19
+  %.552.i631 = icmp slt i64 %.525.i610, 0
+  %.553.i632 = select i1 %.552.i631, i64 %arg.results.3.5.0, i64 0
+  %.554.i633 = add i64 %.553.i632, %.525.i610
+  %.574.i = mul i64 %.554.i633, %arg.results.3.5.1
   %52 = getelementptr i64, ptr %arg.results.3.4, i64 %.574.i
   %.578.i = getelementptr i8, ptr %52, i64 8
-  %.579.i650 = load i64, ptr %.578.i, align 8, !noalias !19
-  %.580.i = add nsw i64 %.579.i650, 2
+  %.579.i646 = load i64, ptr %.578.i, align 8, !noalias !19
+  %.580.i = add nsw i64 %.579.i646, 2
   store i64 %.580.i, ptr %.578.i, align 8, !noalias !19
   %.687.i = load i64, ptr %51, align 8, !noalias !19
   %.714.i = icmp slt i64 %.687.i, 0
@@ -460,12 +460,12 @@ B104.i439:                                        ; preds = %B62.if.i
   %.741.i = load i64, ptr %.740.i, align 8, !noalias !19
   %.742.i = add nsw i64 %.741.i, 1
   store i64 %.742.i, ptr %.740.i, align 8, !noalias !19
-  %.848.i = getelementptr double, ptr %283, i64 %.144.i341.09073
+  %.848.i = getelementptr double, ptr %283, i64 %.144.i337.09170
   %.849.i = load double, ptr %.848.i, align 8, !noalias !19
   %.850.i = fcmp une double %.849.i, 0.000000e+00
   br i1 %.850.i, label %B358.i, label %B404.i
 
-B358.i:                                           ; preds = %B104.i439
+B358.i:                                           ; preds = %B104.i435
   %.84.i.i = load i64, ptr %51, align 8, !noalias !23
   %.89.i.i = icmp sgt i64 %.84.i.i, -1
   br i1 %.89.i.i, label %B46.i.i, label %B404.i
@@ -480,11 +480,11 @@ B80.i.i:                                          ; preds = %B46.i.i
   store i64 3, ptr %.120.i.i, align 8, !noalias !23
   br label %B404.i
 
-B404.i:                                           ; preds = %B80.i.i, %B358.i, %B46.i.i, %B104.i439
+B404.i:                                           ; preds = %B80.i.i, %B358.i, %B46.i.i, %B104.i435
   br i1 %.1011.not, label %B540.i, label %B408.i
 
 B408.i:                                           ; preds = %B404.i
-  %54 = getelementptr double, ptr %arg.arrays.4.4, i64 %.144.i341.09073
+  %54 = getelementptr double, ptr %arg.arrays.4.4, i64 %.144.i337.09170
   %.920.i = load double, ptr %54, align 8, !noalias !19
   %.922.i = fcmp olt double %.920.i, -1.000000e-09
   br i1 %.922.i, label %B444.i, label %B540.i
@@ -505,25 +505,25 @@ B80.i98.i:                                        ; preds = %B46.i71.i
   br label %_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i
 
 _ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i: ; preds = %B46.i71.i, %B444.i, %B80.i98.i
-  %.1011.i = getelementptr double, ptr %arg.lane.0.4, i64 %.144.i341.09073
+  %.1011.i = getelementptr double, ptr %arg.lane.0.4, i64 %.144.i337.09170
   %.1012.i = load double, ptr %.1011.i, align 8, !noalias !19
-  %.1068.i = getelementptr double, ptr %284, i64 %.144.i341.09073
+  %.1068.i = getelementptr double, ptr %284, i64 %.144.i337.09170
   store double %.1012.i, ptr %.1068.i, align 8, !noalias !19
   br label %B540.i
 
 B540.i:                                           ; preds = %_ZN12clpt_control6native9for_numba4failB2v8B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_284_29.exit.i, %B408.i, %B404.i, %B62.if.i
-  %.202.i392 = icmp sgt i64 %.147.i.09074, 1
-  br i1 %.202.i392, label %B62.if.i, label %B1000
+  %.202.i388 = icmp sgt i64 %.147.i.09171, 1
+  br i1 %.202.i388, label %B62.if.i, label %B1000
 
 B62.if.i:                                         ; preds = %B652, %B540.i
-  %.147.i.09074 = phi i64 [ %.211.i732, %B540.i ], [ %storemerge, %B652 ]
-  %.144.i341.09073 = phi i64 [ %.215.i735, %B540.i ], [ 0, %B652 ]
-  %.211.i732 = add nsw i64 %.147.i.09074, -1
-  %.215.i735 = add nsw i64 %.144.i341.09073, 1
-  %.296.i436 = getelementptr double, ptr %280, i64 %.144.i341.09073
-  %.297.i437 = load double, ptr %.296.i436, align 8, !noalias !19
-  %.298.i438 = fcmp ogt double %.297.i437, 5.000000e-01
-  br i1 %.298.i438, label %B104.i439, label %B540.i
+  %.147.i.09171 = phi i64 [ %.211.i728, %B540.i ], [ %storemerge, %B652 ]
+  %.144.i337.09170 = phi i64 [ %.215.i731, %B540.i ], [ 0, %B652 ]
+  %.211.i728 = add nsw i64 %.147.i.09171, -1
+  %.215.i731 = add nsw i64 %.144.i337.09170, 1
+  %.296.i432 = getelementptr double, ptr %280, i64 %.144.i337.09170
+  %.297.i433 = load double, ptr %.296.i432, align 8, !noalias !19
+  %.298.i434 = fcmp ogt double %.297.i433, 5.000000e-01
+  br i1 %.298.i434, label %B104.i435, label %B540.i
 
 B1000:                                            ; preds = %B540.i, %B652, %B428
   br i1 %.539, label %B1004, label %B1244.critedge
@@ -550,11 +550,11 @@ B1110:                                            ; preds = %B1004, %B1072
   br i1 %.174.not.i, label %B0.else.endif.endif.endif.if.i, label %B0.else.endif.if.i, !prof !29
 
 B124.i:                                           ; preds = %B0.endif.else.endif.endif.i
-  %.154.i.i8726 = load i64, ptr %.153.i.i8725, align 8, !noalias !30
-  %.184.i.i8728 = load i64, ptr %.183.i.i8727, align 8, !noalias !30
+  %.154.i.i8820 = load i64, ptr %.153.i.i8819, align 8, !noalias !30
+  %.184.i.i8822 = load i64, ptr %.183.i.i8821, align 8, !noalias !30
   br i1 %.234.i.i, label %B0.else.endif.if.i.i, label %B0.else.endif.endif.i.i, !prof !36
 
-B412.i.i:                                         ; preds = %B330.if.i.i, %middle.block9364, %B0.endif.endif.endif.endif.endif.i.i
+B412.i.i:                                         ; preds = %B330.if.i.i, %middle.block9467, %B0.endif.endif.endif.endif.endif.i.i
   %.1311.i.i = add nsw i64 %.486.i.i, -1
   %.1349.i.i = icmp slt i64 %.477.i.i, 2
   %storemerge2355.i = select i1 %.1349.i.i, i64 0, i64 %.1311.i.i
@@ -567,10 +567,10 @@ B478.i.lr.ph.i:                                   ; preds = %B412.i.i
   %56 = getelementptr i64, ptr %.327.i.i, i64 %arg.shape.1
   %.966.i.i.i = getelementptr i64, ptr %56, i64 %.952.i.i.i
   %57 = shl i64 %spec.select.i, 3
-  %58 = add i64 %57, %arg.linear.1.49330
+  %58 = add i64 %57, %arg.linear.1.49433
   %59 = sub i64 %394, %58
-  %diff.check9331 = icmp ult i64 %59, 32
-  %or.cond9368 = select i1 %min.iters.check9333, i1 true, i1 %diff.check9331
+  %diff.check9434 = icmp ult i64 %59, 32
+  %or.cond9471 = select i1 %min.iters.check9436, i1 true, i1 %diff.check9434
   br label %B478.i.i
 
 B474.i.loopexit.i:                                ; preds = %B1261.i.i, %B960.i.i
@@ -594,40 +594,40 @@ B508.i.i:                                         ; preds = %B478.i.i
   br i1 %.1556.i2382.not.i, label %B610.i.i, label %B544.if.i.i.preheader
 
 B544.if.i.i.preheader:                            ; preds = %B508.i.i
-  br i1 %or.cond9368, label %B544.if.i.i.preheader9373, label %vector.ph9334
+  br i1 %or.cond9471, label %B544.if.i.i.preheader9476, label %vector.ph9437
 
-vector.ph9334:                                    ; preds = %B544.if.i.i.preheader
-  %broadcast.splatinsert9337 = insertelement <2 x i64> poison, i64 %.1382.i.sroa.0.02409.i, i64 0
-  %broadcast.splat9338 = shufflevector <2 x i64> %broadcast.splatinsert9337, <2 x i64> poison, <2 x i32> zeroinitializer
-  br label %vector.body9339
+vector.ph9437:                                    ; preds = %B544.if.i.i.preheader
+  %broadcast.splatinsert9440 = insertelement <2 x i64> poison, i64 %.1382.i.sroa.0.02409.i, i64 0
+  %broadcast.splat9441 = shufflevector <2 x i64> %broadcast.splatinsert9440, <2 x i64> poison, <2 x i32> zeroinitializer
+  br label %vector.body9442
 
-vector.body9339:                                  ; preds = %vector.body9339, %vector.ph9334
-  %index9340 = phi i64 [ 0, %vector.ph9334 ], [ %index.next9343, %vector.body9339 ]
-  %60 = getelementptr i64, ptr %.327.i.i, i64 %index9340
+vector.body9442:                                  ; preds = %vector.body9442, %vector.ph9437
+  %index9443 = phi i64 [ 0, %vector.ph9437 ], [ %index.next9446, %vector.body9442 ]
+  %60 = getelementptr i64, ptr %.327.i.i, i64 %index9443
   %61 = getelementptr i8, ptr %60, i64 16
-  %wide.load9341 = load <2 x i64>, ptr %60, align 8, !noalias !30
-  %wide.load9342 = load <2 x i64>, ptr %61, align 8, !noalias !30
-  %62 = icmp eq <2 x i64> %wide.load9341, %broadcast.splat9338
-  %63 = icmp eq <2 x i64> %wide.load9342, %broadcast.splat9338
+  %wide.load9444 = load <2 x i64>, ptr %60, align 8, !noalias !30
+  %wide.load9445 = load <2 x i64>, ptr %61, align 8, !noalias !30
+  %62 = icmp eq <2 x i64> %wide.load9444, %broadcast.splat9441
+  %63 = icmp eq <2 x i64> %wide.load9445, %broadcast.splat9441
   %64 = select <2 x i1> %62, <2 x double> splat (double 1.000000e+00), <2 x double> zeroinitializer
   %65 = select <2 x i1> %63, <2 x double> splat (double 1.000000e+00), <2 x double> zeroinitializer
-  %66 = getelementptr double, ptr %invariant.gep, i64 %index9340
+  %66 = getelementptr double, ptr %invariant.gep, i64 %index9443
   %67 = getelementptr i8, ptr %66, i64 16
   store <2 x double> %64, ptr %66, align 8, !noalias !30
   store <2 x double> %65, ptr %67, align 8, !noalias !30
-  %index.next9343 = add i64 %index9340, 4
-  %68 = icmp eq i64 %index.next9343, %n.vec9336
-  br i1 %68, label %middle.block9344, label %vector.body9339, !llvm.loop !37
+  %index.next9446 = add i64 %index9443, 4
+  %68 = icmp eq i64 %index.next9446, %n.vec9439
+  br i1 %68, label %middle.block9447, label %vector.body9442, !llvm.loop !37
 
-middle.block9344:                                 ; preds = %vector.body9339
-  br i1 %cmp.n9345, label %B610.i.i, label %B544.if.i.i.preheader9373
+middle.block9447:                                 ; preds = %vector.body9442
+  br i1 %cmp.n9448, label %B610.i.i, label %B544.if.i.i.preheader9476
 
-B544.if.i.i.preheader9373:                        ; preds = %B544.if.i.i.preheader, %middle.block9344
-  %.1503.i.02384.i.ph = phi i64 [ %storemerge2359.i, %B544.if.i.i.preheader ], [ %397, %middle.block9344 ]
-  %.1500.i.02383.i.ph = phi i64 [ 0, %B544.if.i.i.preheader ], [ %n.vec9336, %middle.block9344 ]
+B544.if.i.i.preheader9476:                        ; preds = %B544.if.i.i.preheader, %middle.block9447
+  %.1503.i.02384.i.ph = phi i64 [ %storemerge2359.i, %B544.if.i.i.preheader ], [ %397, %middle.block9447 ]
+  %.1500.i.02383.i.ph = phi i64 [ 0, %B544.if.i.i.preheader ], [ %n.vec9439, %middle.block9447 ]
   br label %B544.if.i.i
 
-B610.i.i:                                         ; preds = %B544.if.i.i, %middle.block9344, %B508.i.i
+B610.i.i:                                         ; preds = %B544.if.i.i, %middle.block9447, %B508.i.i
   %.1717.i.i = load i64, ptr %.1716.i.i, align 8, !noalias !30
   %.1833.i.i = inttoptr i64 %.1717.i.i to ptr
   tail call void %.1833.i.i(ptr %arg.lane.0.4, ptr %.1807.i.i, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.1832.i.i), !noalias !30
@@ -677,25 +677,25 @@ B918.i.i:                                         ; preds = %B914.i.i
   br i1 %.1162.i2379.not.i, label %B498.i.i.i.critedge, label %B84.if.i.i.i.preheader
 
 B84.if.i.i.i.preheader:                           ; preds = %B918.i.i
-  br i1 %or.cond9369, label %B84.if.i.i.i.preheader9372, label %vector.ph9315
+  br i1 %or.cond9472, label %B84.if.i.i.i.preheader9475, label %vector.ph9418
 
-vector.ph9315:                                    ; preds = %B84.if.i.i.i.preheader
-  %broadcast.splatinsert9318 = insertelement <2 x double> poison, double %.187.i.i.i, i64 0
-  %broadcast.splat9319 = shufflevector <2 x double> %broadcast.splatinsert9318, <2 x double> poison, <2 x i32> zeroinitializer
-  br label %vector.body9320
+vector.ph9418:                                    ; preds = %B84.if.i.i.i.preheader
+  %broadcast.splatinsert9421 = insertelement <2 x double> poison, double %.187.i.i.i, i64 0
+  %broadcast.splat9422 = shufflevector <2 x double> %broadcast.splatinsert9421, <2 x double> poison, <2 x i32> zeroinitializer
+  br label %vector.body9423
 
-vector.body9320:                                  ; preds = %vector.body9320, %vector.ph9315
-  %index9321 = phi i64 [ 0, %vector.ph9315 ], [ %index.next9324, %vector.body9320 ]
-  %73 = getelementptr double, ptr %arg.arrays.0.4, i64 %index9321
+vector.body9423:                                  ; preds = %vector.body9423, %vector.ph9418
+  %index9424 = phi i64 [ 0, %vector.ph9418 ], [ %index.next9427, %vector.body9423 ]
+  %73 = getelementptr double, ptr %arg.arrays.0.4, i64 %index9424
   %74 = getelementptr i8, ptr %73, i64 16
-  %wide.load9322 = load <2 x double>, ptr %73, align 8, !noalias !38
-  %wide.load9323 = load <2 x double>, ptr %74, align 8, !noalias !38
-  %75 = tail call <2 x double> @llvm.fabs.v2f64(<2 x double> %wide.load9322)
-  %76 = tail call <2 x double> @llvm.fabs.v2f64(<2 x double> %wide.load9323)
-  %77 = fcmp ogt <2 x double> %broadcast.splat9319, %75
-  %78 = fcmp ogt <2 x double> %broadcast.splat9319, %76
-  %79 = select <2 x i1> %77, <2 x double> %broadcast.splat9319, <2 x double> %75
-  %80 = select <2 x i1> %78, <2 x double> %broadcast.splat9319, <2 x double> %76
+  %wide.load9425 = load <2 x double>, ptr %73, align 8, !noalias !38
+  %wide.load9426 = load <2 x double>, ptr %74, align 8, !noalias !38
+  %75 = tail call <2 x double> @llvm.fabs.v2f64(<2 x double> %wide.load9425)
+  %76 = tail call <2 x double> @llvm.fabs.v2f64(<2 x double> %wide.load9426)
+  %77 = fcmp ogt <2 x double> %broadcast.splat9422, %75
+  %78 = fcmp ogt <2 x double> %broadcast.splat9422, %76
+  %79 = select <2 x i1> %77, <2 x double> %broadcast.splat9422, <2 x double> %75
+  %80 = select <2 x i1> %78, <2 x double> %broadcast.splat9422, <2 x double> %76
   %81 = fcmp ogt <2 x double> %79, zeroinitializer
   %82 = fcmp ogt <2 x double> %80, zeroinitializer
   %83 = fmul <2 x double> %79, splat (double 1.200000e-05)
@@ -706,26 +706,26 @@ vector.body9320:                                  ; preds = %vector.body9320, %v
   %88 = getelementptr i8, ptr %87, i64 16
   store <2 x double> %85, ptr %87, align 8, !noalias !38
   store <2 x double> %86, ptr %88, align 8, !noalias !38
-  %index.next9324 = add i64 %index9321, 4
-  %89 = icmp eq i64 %index.next9324, %n.vec9317
-  br i1 %89, label %middle.block9325, label %vector.body9320, !llvm.loop !42
+  %index.next9427 = add i64 %index9424, 4
+  %89 = icmp eq i64 %index.next9427, %n.vec9420
+  br i1 %89, label %middle.block9428, label %vector.body9423, !llvm.loop !42
 
-middle.block9325:                                 ; preds = %vector.body9320
-  br i1 %cmp.n9326, label %B230.i.i.i, label %B84.if.i.i.i.preheader9372
+middle.block9428:                                 ; preds = %vector.body9423
+  br i1 %cmp.n9429, label %B230.i.i.i, label %B84.if.i.i.i.preheader9475
 
-B84.if.i.i.i.preheader9372:                       ; preds = %B84.if.i.i.i.preheader, %middle.block9325
-  %.215.i.i.02391.i.ph = phi i64 [ 0, %B84.if.i.i.i.preheader ], [ %n.vec9317, %middle.block9325 ]
+B84.if.i.i.i.preheader9475:                       ; preds = %B84.if.i.i.i.preheader, %middle.block9428
+  %.215.i.i.02391.i.ph = phi i64 [ 0, %B84.if.i.i.i.preheader ], [ %n.vec9420, %middle.block9428 ]
   br label %B84.if.i.i.i
 
-B230.i.i.i:                                       ; preds = %B84.if.i.i.i, %middle.block9325
+B230.i.i.i:                                       ; preds = %B84.if.i.i.i, %middle.block9428
   %.500.i.i.i = load double, ptr %.499.i.i.i, align 8, !noalias !38
   %.501.i.i.i = fmul double %.500.i.i.i, 1.000000e-03
   store double %.501.i.i.i, ptr %.534.i.i.i, align 8, !noalias !38
   br label %B370.if.i.i.i
 
 B398.i.i.i:                                       ; preds = %B370.if.i.i.i
-  %gep9076 = getelementptr double, ptr %invariant.gep9075, i64 %.687.i.i.02393.i
-  %.851.i.i.i = load double, ptr %gep9076, align 8, !noalias !38
+  %gep9173 = getelementptr double, ptr %invariant.gep9172, i64 %.687.i.i.02393.i
+  %.851.i.i.i = load double, ptr %gep9173, align 8, !noalias !38
   %.853.i.i.i = fmul double %.851.i.i.i, 5.000000e-01
   br label %B444.i.i.i
 
@@ -785,8 +785,8 @@ B370.if.i.i.1.i:                                  ; preds = %B568.i.i.i, %B444.i
   br i1 %.816.i.i.1.i, label %B398.i.i.1.i, label %B444.i.i.1.i
 
 B398.i.i.1.i:                                     ; preds = %B370.if.i.i.1.i
-  %gep9078 = getelementptr double, ptr %invariant.gep9077, i64 %.687.i.i.02393.1.i
-  %.851.i.i.1.i = load double, ptr %gep9078, align 8, !noalias !38
+  %gep9175 = getelementptr double, ptr %invariant.gep9174, i64 %.687.i.i.02393.1.i
+  %.851.i.i.1.i = load double, ptr %gep9175, align 8, !noalias !38
   %.853.i.i.1.i = fmul double %.851.i.i.1.i, -5.000000e-01
   br label %B444.i.i.1.i
 
@@ -826,8 +826,8 @@ B1148.i.i.i:                                      ; preds = %B1100.i.i.i, %B1060
   %exitcond2419.not.i = icmp eq i64 %arg.shape.1, %.1540.i.i.i
   br i1 %exitcond2419.not.i, label %B960.i.i, label %B902.if.i.i.i
 
-B84.if.i.i.i:                                     ; preds = %B84.if.i.i.i.preheader9372, %B84.if.i.i.i
-  %.215.i.i.02391.i = phi i64 [ %.286.i.i.i, %B84.if.i.i.i ], [ %.215.i.i.02391.i.ph, %B84.if.i.i.i.preheader9372 ]
+B84.if.i.i.i:                                     ; preds = %B84.if.i.i.i.preheader9475, %B84.if.i.i.i
+  %.215.i.i.02391.i = phi i64 [ %.286.i.i.i, %B84.if.i.i.i ], [ %.215.i.i.02391.i.ph, %B84.if.i.i.i.preheader9475 ]
   %.286.i.i.i = add nsw i64 %.215.i.i.02391.i, 1
   %96 = getelementptr double, ptr %arg.arrays.0.4, i64 %.215.i.i.02391.i
   %.344.i.i.i = load double, ptr %96, align 8, !noalias !38
@@ -936,7 +936,7 @@ B0.endif.i.i:                                     ; preds = %B0.else.endif.endif
   %.302.i.i = sub i64 %.214.i.sroa.11.0.i, %spec.select.i
   %.311.i.i = tail call i64 @llvm.smax.i64(i64 %.302.i.i, i64 0)
   %.327.i.i = getelementptr i64, ptr %arg.linear.1.4, i64 %spec.select.i
-  %.362.i.i = add nsw i64 %.154.i.i8726, %.187.i.i
+  %.362.i.i = add nsw i64 %.154.i.i8820, %.187.i.i
   br i1 %.409.i.i, label %B0.endif.else.endif.if.i.i, label %B0.endif.else.endif.endif.i.i, !prof !36
 
 B0.else.endif.if.i.i:                             ; preds = %B124.i
@@ -962,8 +962,8 @@ B0.endif.endif.i.i:                               ; preds = %B0.endif.else.endif
   %.477.i.i = sub i64 %.389.i.sroa.11.0.i, %spec.select2366.i
   %.486.i.i = tail call i64 @llvm.smax.i64(i64 %.477.i.i, i64 0)
   %.502.i.i = getelementptr i64, ptr %arg.linear.1.4, i64 %spec.select2366.i
-  %.540.i.i = add i64 %.539.i.i, %.154.i.i8726
-  %.541.i.i = add nsw i64 %.540.i.i, %.184.i.i8728
+  %.540.i.i = add i64 %.539.i.i, %.154.i.i8820
+  %.541.i.i = add nsw i64 %.540.i.i, %.184.i.i8822
   %.578.i.i = icmp slt i64 %.540.i.i, 0
   %.579.i.i = select i1 %.578.i.i, i64 %arg.linear.1.5.0, i64 0
   %.580.i.i = add i64 %.579.i.i, %.540.i.i
@@ -999,7 +999,7 @@ B0.endif.endif.endif.i.i:                         ; preds = %B0.endif.endif.else
   %.656.i.i = sub i64 %.568.i.sroa.11.0.i, %spec.select2367.i
   %.665.i.i = tail call i64 @llvm.smax.i64(i64 %.656.i.i, i64 0)
   %.681.i.i = getelementptr i64, ptr %arg.linear.1.4, i64 %spec.select2367.i
-  %.711.i.i = shl nsw i64 %.184.i.i8728, 1
+  %.711.i.i = shl nsw i64 %.184.i.i8822, 1
   %.712.i.i = add nsw i64 %.711.i.i, %.540.i.i
   %.759.i.i = icmp sge i64 %.597.i.i, %arg.linear.1.5.0
   br i1 %.759.i.i, label %B0.endif.endif.endif.else.endif.if.i.i, label %B0.endif.endif.endif.else.endif.endif.i.i, !prof !36
@@ -1033,7 +1033,7 @@ B0.endif.endif.endif.endif.i.i:                   ; preds = %B0.endif.endif.endi
   %.827.i.i = sub i64 %.739.i.sroa.11.0.i, %spec.select2368.i
   %.836.i.i = tail call i64 @llvm.smax.i64(i64 %.827.i.i, i64 0)
   %.852.i.i = getelementptr i64, ptr %arg.linear.1.4, i64 %spec.select2368.i
-  %.889.i.i = mul nsw i64 %.184.i.i8728, 3
+  %.889.i.i = mul nsw i64 %.184.i.i8822, 3
   %.890.i.i = add nsw i64 %.889.i.i, %.540.i.i
   %.937.i.i = icmp sge i64 %.768.i.i, %arg.linear.1.5.0
   br i1 %.937.i.i, label %B0.endif.endif.endif.endif.else.endif.if.i.i, label %B0.endif.endif.endif.endif.else.endif.endif.i.i, !prof !36
@@ -1070,32 +1070,32 @@ B0.endif.endif.endif.endif.endif.i.i:             ; preds = %B0.endif.endif.endi
   br i1 %.1162.i2379.not.i, label %B412.i.i, label %B330.if.i.i.preheader
 
 B330.if.i.i.preheader:                            ; preds = %B0.endif.endif.endif.endif.endif.i.i
-  %brmerge9429 = select i1 %min.iters.check9355, i1 true, i1 %conflict.rdx9353
-  br i1 %brmerge9429, label %B330.if.i.i.preheader9374, label %vector.body9359
+  %brmerge9534 = select i1 %min.iters.check9458, i1 true, i1 %conflict.rdx9456
+  br i1 %brmerge9534, label %B330.if.i.i.preheader9477, label %vector.body9462
 
-vector.body9359:                                  ; preds = %B330.if.i.i.preheader, %vector.body9359
-  %index9360 = phi i64 [ %index.next9363, %vector.body9359 ], [ 0, %B330.if.i.i.preheader ]
-  %114 = getelementptr double, ptr %arg.arrays.0.4, i64 %index9360
+vector.body9462:                                  ; preds = %B330.if.i.i.preheader, %vector.body9462
+  %index9463 = phi i64 [ %index.next9466, %vector.body9462 ], [ 0, %B330.if.i.i.preheader ]
+  %114 = getelementptr double, ptr %arg.arrays.0.4, i64 %index9463
   %115 = getelementptr i8, ptr %114, i64 16
-  %wide.load9361 = load <2 x double>, ptr %114, align 8, !noalias !30
-  %wide.load9362 = load <2 x double>, ptr %115, align 8, !noalias !30
+  %wide.load9464 = load <2 x double>, ptr %114, align 8, !noalias !30
+  %wide.load9465 = load <2 x double>, ptr %115, align 8, !noalias !30
   %116 = getelementptr i8, ptr %114, i64 %.idx2421.i
   %117 = getelementptr i8, ptr %116, i64 16
-  store <2 x double> %wide.load9361, ptr %116, align 8, !noalias !30
-  store <2 x double> %wide.load9362, ptr %117, align 8, !noalias !30
+  store <2 x double> %wide.load9464, ptr %116, align 8, !noalias !30
+  store <2 x double> %wide.load9465, ptr %117, align 8, !noalias !30
   %118 = getelementptr i8, ptr %114, i64 %.idx2422.i
   %119 = getelementptr i8, ptr %118, i64 16
   store <2 x double> zeroinitializer, ptr %118, align 8, !noalias !30
   store <2 x double> zeroinitializer, ptr %119, align 8, !noalias !30
-  %index.next9363 = add i64 %index9360, 4
-  %120 = icmp eq i64 %index.next9363, %n.vec9358
-  br i1 %120, label %middle.block9364, label %vector.body9359, !llvm.loop !45
+  %index.next9466 = add i64 %index9463, 4
+  %120 = icmp eq i64 %index.next9466, %n.vec9461
+  br i1 %120, label %middle.block9467, label %vector.body9462, !llvm.loop !45
 
-middle.block9364:                                 ; preds = %vector.body9359
-  br i1 %cmp.n9365, label %B412.i.i, label %B330.if.i.i.preheader9374
+middle.block9467:                                 ; preds = %vector.body9462
+  br i1 %cmp.n9468, label %B412.i.i, label %B330.if.i.i.preheader9477
 
-B330.if.i.i.preheader9374:                        ; preds = %B330.if.i.i.preheader, %middle.block9364
-  %.1104.i.02380.i.ph = phi i64 [ %n.vec9358, %middle.block9364 ], [ 0, %B330.if.i.i.preheader ]
+B330.if.i.i.preheader9477:                        ; preds = %B330.if.i.i.preheader, %middle.block9467
+  %.1104.i.02380.i.ph = phi i64 [ %n.vec9461, %middle.block9467 ], [ 0, %B330.if.i.i.preheader ]
   br label %B330.if.i.i
 
 B0.endif.endif.endif.endif.else.endif.if.i.i:     ; preds = %B0.endif.endif.endif.endif.i.i
@@ -1122,8 +1122,8 @@ B0.endif.endif.endif.endif.else.endif.endif.endif.i.i: ; preds = %B0.endif.endif
 B0.endif.endif.endif.endif.else.endif.endif.endif.if.i.i: ; preds = %B0.endif.endif.endif.endif.else.endif.endif.endif.i.i
   br label %B0.endif.endif.endif.endif.endif.i.i
 
-B330.if.i.i:                                      ; preds = %B330.if.i.i.preheader9374, %B330.if.i.i
-  %.1104.i.02380.i = phi i64 [ %.1175.i.i, %B330.if.i.i ], [ %.1104.i.02380.i.ph, %B330.if.i.i.preheader9374 ]
+B330.if.i.i:                                      ; preds = %B330.if.i.i.preheader9477, %B330.if.i.i
+  %.1104.i.02380.i = phi i64 [ %.1175.i.i, %B330.if.i.i ], [ %.1104.i.02380.i.ph, %B330.if.i.i.preheader9477 ]
   %.1175.i.i = add nsw i64 %.1104.i.02380.i, 1
   %122 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1104.i.02380.i
   %.1229.i.i = load double, ptr %122, align 8, !noalias !30
@@ -1131,12 +1131,12 @@ B330.if.i.i:                                      ; preds = %B330.if.i.i.prehead
   store double %.1229.i.i, ptr %123, align 8, !noalias !30
   %124 = getelementptr i8, ptr %122, i64 %.idx2422.i
   store double 0.000000e+00, ptr %124, align 8, !noalias !30
-  %exitcond.not.i8729 = icmp eq i64 %arg.shape.1, %.1175.i.i
-  br i1 %exitcond.not.i8729, label %B412.i.i, label %B330.if.i.i, !llvm.loop !46
+  %exitcond.not.i8823 = icmp eq i64 %arg.shape.1, %.1175.i.i
+  br i1 %exitcond.not.i8823, label %B412.i.i, label %B330.if.i.i, !llvm.loop !46
 
-B544.if.i.i:                                      ; preds = %B544.if.i.i.preheader9373, %B544.if.i.i
-  %.1503.i.02384.i = phi i64 [ %.1565.i.i, %B544.if.i.i ], [ %.1503.i.02384.i.ph, %B544.if.i.i.preheader9373 ]
-  %.1500.i.02383.i = phi i64 [ %.1569.i.i, %B544.if.i.i ], [ %.1500.i.02383.i.ph, %B544.if.i.i.preheader9373 ]
+B544.if.i.i:                                      ; preds = %B544.if.i.i.preheader9476, %B544.if.i.i
+  %.1503.i.02384.i = phi i64 [ %.1565.i.i, %B544.if.i.i ], [ %.1503.i.02384.i.ph, %B544.if.i.i.preheader9476 ]
+  %.1500.i.02383.i = phi i64 [ %.1569.i.i, %B544.if.i.i ], [ %.1500.i.02383.i.ph, %B544.if.i.i.preheader9476 ]
   %.1565.i.i = add nsw i64 %.1503.i.02384.i, -1
   %.1569.i.i = add nsw i64 %.1500.i.02383.i, 1
   %125 = getelementptr i64, ptr %.327.i.i, i64 %.1500.i.02383.i
@@ -1187,12 +1187,12 @@ B226.if.lr.ph.i:                                  ; preds = %B164.i
 B396.i:                                           ; preds = %B342.if.i, %B226.if.i
   %.1055.i = mul i64 %.697.02414.i, %.743.sroa.0.02358.i
   %.1071.i = icmp slt i64 %.1055.i, 0
-  %.1072.i8722 = select i1 %.1071.i, i64 %.251.i, i64 0
+  %.1072.i8816 = select i1 %.1071.i, i64 %.251.i, i64 0
   %129 = getelementptr double, ptr %.267.i, i64 %.1055.i
-  %.1086.i = getelementptr double, ptr %129, i64 %.1072.i8722
-  %.1087.i8723 = load double, ptr %.1086.i, align 8, !noalias !48
+  %.1086.i = getelementptr double, ptr %129, i64 %.1072.i8816
+  %.1087.i8817 = load double, ptr %.1086.i, align 8, !noalias !48
   %.1141.i = load double, ptr %.1140.i, align 8, !noalias !48
-  %.1142.i = fadd double %.1087.i8723, %.1141.i
+  %.1142.i = fadd double %.1087.i8817, %.1141.i
   store double %.1142.i, ptr %.1086.i, align 8, !noalias !48
   %exitcond2420.not.i = icmp eq i64 %.766.i, %arg.shape.1
   br i1 %exitcond2420.not.i, label %B468.i, label %B226.if.i
@@ -1207,7 +1207,7 @@ B34.loopexit.i.i:                                 ; preds = %B790.i.i, %B528.i.i
 
 B348.i.i:                                         ; preds = %B234.if.i.i, %B36.if.i.i
   %p.2.1.lcssa.i.i = phi i64 [ %.59.0509.i.i, %B36.if.i.i ], [ %p.3.2.i.i, %B234.if.i.i ]
-  %130 = getelementptr i64, ptr %.437.i8717, i64 %.59.0509.i.i
+  %130 = getelementptr i64, ptr %.437.i8810, i64 %.59.0509.i.i
   store i64 %p.2.1.lcssa.i.i, ptr %130, align 8, !noalias !49
   %.547.i.i = add nsw i64 %p.2.1.lcssa.i.i, %.161.i.i
   %.561.i.i = icmp slt i64 %.547.i.i, 0
@@ -1257,10 +1257,10 @@ B234.if.i.i:                                      ; preds = %B234.if.i.i, %B234.
   %.306.0494.i.i = phi i64 [ %.375.i.i, %B234.if.i.i ], [ %.131.i.i, %B234.if.preheader.i.i ]
   %.371.i.i = add nsw i64 %.309.0495.i.i, -1
   %.375.i.i = add i64 %.306.0494.i.i, 1
-  %.415.i.i8724 = add nsw i64 %.306.0494.i.i, %.161.i.i
-  %.429.i.i = icmp slt i64 %.415.i.i8724, 0
+  %.415.i.i8818 = add nsw i64 %.306.0494.i.i, %.161.i.i
+  %.429.i.i = icmp slt i64 %.415.i.i8818, 0
   %.430.i.i = select i1 %.429.i.i, i64 %.251.i, i64 0
-  %134 = getelementptr double, ptr %.267.i, i64 %.415.i.i8724
+  %134 = getelementptr double, ptr %.267.i, i64 %.415.i.i8818
   %.444.i.i = getelementptr double, ptr %134, i64 %.430.i.i
   %.445.i.i = load double, ptr %.444.i.i, align 8, !noalias !49
   %.446.i.i = tail call double @llvm.fabs.f64(double %.445.i.i)
@@ -1349,42 +1349,42 @@ B0.endif.else.endif.if.i:                         ; preds = %B0.else.endif.endif
 
 B0.endif.else.endif.endif.i:                      ; preds = %B0.endif.else.endif.if.i, %B0.else.endif.endif.endif.if.i
   %.324.sroa.0.3.i = phi i64 [ %arg.linear.1.5.0, %B0.endif.else.endif.if.i ], [ 5, %B0.else.endif.endif.endif.if.i ]
-  %.437.i8717 = getelementptr i64, ptr %arg.linear.1.4, i64 %.324.sroa.0.3.i
-  %.525.i8718 = load double, ptr %.524.i, align 8, !noalias !48
-  %.526.i = fcmp olt double %.525.i8718, 5.000000e-01
+  %.437.i8810 = getelementptr i64, ptr %arg.linear.1.4, i64 %.324.sroa.0.3.i
+  %.525.i8811 = load double, ptr %.524.i, align 8, !noalias !48
+  %.526.i = fcmp olt double %.525.i8811, 5.000000e-01
   br i1 %.526.i, label %B124.i, label %B164.i
 
 B226.if.i:                                        ; preds = %B396.i, %B226.if.lr.ph.i
   %.697.02414.i = phi i64 [ 0, %B226.if.lr.ph.i ], [ %.766.i, %B396.i ]
   %.766.i = add nsw i64 %.697.02414.i, 1
   %.798.i = sub i64 %.697.02414.i, %128
-  %.11.i.i8719 = tail call i64 @llvm.smax.i64(i64 %.798.i, i64 0)
+  %.11.i.i8812 = tail call i64 @llvm.smax.i64(i64 %.798.i, i64 0)
   %.830.i = add i64 %.829.i, %.697.02414.i
   %.11.i2378.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.830.i, i64 %arg.shape.1)
-  %.896.i = sub i64 %.11.i2378.i, %.11.i.i8719
+  %.896.i = sub i64 %.11.i2378.i, %.11.i.i8812
   %.9392410.not.i = icmp slt i64 %.896.i, 1
   br i1 %.9392410.not.i, label %B396.i, label %B342.if.lr.ph.i
 
 B342.if.lr.ph.i:                                  ; preds = %B226.if.i
-  %.979.i8720 = mul nsw i64 %.697.02414.i, %arg.shape.1
+  %.979.i8813 = mul nsw i64 %.697.02414.i, %arg.shape.1
   br label %B342.if.i
 
 B342.if.i:                                        ; preds = %B342.if.i, %B342.if.lr.ph.i
   %.886.02412.i = phi i64 [ %.896.i, %B342.if.lr.ph.i ], [ %.948.i, %B342.if.i ]
-  %.883.02411.i = phi i64 [ %.11.i.i8719, %B342.if.lr.ph.i ], [ %.952.i, %B342.if.i ]
+  %.883.02411.i = phi i64 [ %.11.i.i8812, %B342.if.lr.ph.i ], [ %.952.i8814, %B342.if.i ]
   %.948.i = add nsw i64 %.886.02412.i, -1
-  %.952.i = add i64 %.883.02411.i, 1
-  %.980.i = add nsw i64 %.883.02411.i, %.979.i8720
+  %.952.i8814 = add i64 %.883.02411.i, 1
+  %.980.i = add nsw i64 %.883.02411.i, %.979.i8813
   %.994.i = icmp slt i64 %.980.i, 0
   %.995.i = select i1 %.994.i, i64 %arg.linear.0.5.0, i64 0
   %141 = getelementptr double, ptr %arg.linear.0.4, i64 %.980.i
   %.1009.i = getelementptr double, ptr %141, i64 %.995.i
   %.1010.i = load double, ptr %.1009.i, align 8, !noalias !48
-  %.1011.i8721 = fneg double %.1010.i
+  %.1011.i8815 = fneg double %.1010.i
   %.1030.i = select i1 %.994.i, i64 %.251.i, i64 0
   %142 = getelementptr double, ptr %.267.i, i64 %.980.i
   %.1044.i = getelementptr double, ptr %142, i64 %.1030.i
-  store double %.1011.i8721, ptr %.1044.i, align 8, !noalias !48
+  store double %.1011.i8815, ptr %.1044.i, align 8, !noalias !48
   %.939.i = icmp sgt i64 %.886.02412.i, 1
   br i1 %.939.i, label %B342.if.i, label %B396.i
 
@@ -1398,20 +1398,20 @@ B1276.if.preheader:                               ; preds = %B34.loopexit.i.i, %
   br label %B1276.if
 
 B1464:                                            ; preds = %B1276.if
-  br i1 %.88.not.i, label %B0.else.endif.endif.endif.if.i8732, label %B0.else.endif.if.i8731, !prof !29
+  br i1 %.88.not.i, label %B0.else.endif.endif.endif.if.i8826, label %B0.else.endif.if.i8825, !prof !29
 
 B322.i:                                           ; preds = %B192.if.i
-  %.853.i8739 = load i64, ptr %arg.linear.1.4, align 8, !noalias !52
+  %.853.i8833 = load i64, ptr %arg.linear.1.4, align 8, !noalias !52
   %.883.i = load i64, ptr %.882.i, align 8, !noalias !52
-  %.339.i.i8740 = add i64 %.853.i8739, 1
-  br label %B34.if.i.i8741
+  %.339.i.i8834 = add i64 %.853.i8833, 1
+  br label %B34.if.i.i8835
 
-B34.i.loopexit.i:                                 ; preds = %B198.if.i.i, %B34.if.i.i8741
+B34.i.loopexit.i:                                 ; preds = %B198.if.i.i, %B34.if.i.i8835
   %exitcond766.not.i = icmp eq i64 %arg.shape.1, %.144.i.i
-  br i1 %exitcond766.not.i, label %B314.if.i.lr.ph.i, label %B34.if.i.i8741
+  br i1 %exitcond766.not.i, label %B314.if.i.lr.ph.i, label %B34.if.i.i8835
 
 B314.if.i.lr.ph.i:                                ; preds = %B34.i.loopexit.i
-  %143 = add i64 %.883.i, %.853.i8739
+  %143 = add i64 %.883.i, %.853.i8833
   br label %B314.if.i.i
 
 B314.i.loopexit.i:                                ; preds = %B474.if.i.i, %B314.if.i.i
@@ -1419,11 +1419,11 @@ B314.i.loopexit.i:                                ; preds = %B474.if.i.i, %B314.
   br i1 %.683.i.i, label %B314.if.i.i, label %B434.if.lr.ph.i
 
 B434.if.lr.ph.i:                                  ; preds = %B314.i.loopexit.i
-  %.1110.i8749 = mul nsw i64 %.1858, %arg.shape.1
-  %invariant.gep9387 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1110.i8749
+  %.1110.i8843 = mul nsw i64 %.1858, %arg.shape.1
+  %invariant.gep9490 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1110.i8843
   br label %B434.if.i
 
-B34.if.i.i8741:                                   ; preds = %B34.i.loopexit.i, %B322.i
+B34.if.i.i8835:                                   ; preds = %B34.i.loopexit.i, %B322.i
   %.73.i.0754.i = phi i64 [ 0, %B322.i ], [ %.144.i.i, %B34.i.loopexit.i ]
   %.144.i.i = add nsw i64 %.73.i.0754.i, 1
   %144 = getelementptr i64, ptr %.358.i, i64 %.73.i.0754.i
@@ -1433,18 +1433,18 @@ B34.if.i.i8741:                                   ; preds = %B34.i.loopexit.i, %
   %.219.i.i = select i1 %.218.i.i, i64 %arg.arrays.0.5.0, i64 0
   %145 = getelementptr double, ptr %arg.arrays.0.4, i64 %.204.i.i
   %.233.i.i = getelementptr double, ptr %145, i64 %.219.i.i
-  %.234.i.i8742 = load double, ptr %.233.i.i, align 8, !noalias !55
-  %gep9082 = getelementptr double, ptr %invariant.gep9081, i64 %.73.i.0754.i
-  %.270.i.i = load double, ptr %gep9082, align 8, !noalias !55
+  %.234.i.i8836 = load double, ptr %.233.i.i, align 8, !noalias !55
+  %gep9179 = getelementptr double, ptr %invariant.gep9178, i64 %.73.i.0754.i
+  %.270.i.i = load double, ptr %gep9179, align 8, !noalias !55
   store double %.270.i.i, ptr %.233.i.i, align 8, !noalias !55
-  store double %.234.i.i8742, ptr %gep9082, align 8, !noalias !55
-  %.340.i.i = add i64 %.339.i.i8740, %.73.i.0754.i
-  %.11.i.i.i8743 = tail call i64 @llvm.smin.i64(i64 %.340.i.i, i64 %arg.shape.1)
-  %.406.i.i = sub i64 %.11.i.i.i8743, %.144.i.i
+  store double %.234.i.i8836, ptr %gep9179, align 8, !noalias !55
+  %.340.i.i = add i64 %.339.i.i8834, %.73.i.0754.i
+  %.11.i.i.i8837 = tail call i64 @llvm.smin.i64(i64 %.340.i.i, i64 %arg.shape.1)
+  %.406.i.i = sub i64 %.11.i.i.i8837, %.144.i.i
   %.449.i750.not.i = icmp slt i64 %.406.i.i, 1
   br i1 %.449.i750.not.i, label %B34.i.loopexit.i, label %B198.if.i.lr.ph.i
 
-B198.if.i.lr.ph.i:                                ; preds = %B34.if.i.i8741
+B198.if.i.lr.ph.i:                                ; preds = %B34.if.i.i8835
   %.521.i.i = mul nsw i64 %.73.i.0754.i, %arg.shape.1
   br label %B198.if.i.i
 
@@ -1454,8 +1454,8 @@ B198.if.i.i:                                      ; preds = %B198.if.i.i, %B198.
   %.458.i.i = add nsw i64 %.396.i.0752.i, -1
   %.462.i.i = add i64 %.393.i.0751.i, 1
   %.488.i.i = add nsw i64 %.393.i.0751.i, %.887.i
-  %.502.i.i8744 = icmp slt i64 %.488.i.i, 0
-  %.503.i.i = select i1 %.502.i.i8744, i64 %arg.arrays.0.5.0, i64 0
+  %.502.i.i8838 = icmp slt i64 %.488.i.i, 0
+  %.503.i.i = select i1 %.502.i.i8838, i64 %arg.arrays.0.5.0, i64 0
   %146 = getelementptr double, ptr %arg.arrays.0.4, i64 %.488.i.i
   %.517.i.i = getelementptr double, ptr %146, i64 %.503.i.i
   %.518.i.i = load double, ptr %.517.i.i, align 8, !noalias !55
@@ -1465,7 +1465,7 @@ B198.if.i.i:                                      ; preds = %B198.if.i.i, %B198.
   %147 = getelementptr double, ptr %.181.i, i64 %.522.i.i
   %.551.i.i = getelementptr double, ptr %147, i64 %.537.i.i
   %.552.i.i = load double, ptr %.551.i.i, align 8, !noalias !55
-  %.554.i.i = fmul double %.234.i.i8742, %.552.i.i
+  %.554.i.i = fmul double %.234.i.i8836, %.552.i.i
   %.555.i.i = fsub double %.518.i.i, %.554.i.i
   store double %.555.i.i, ptr %.517.i.i, align 8, !noalias !55
   %.449.i.i = icmp sgt i64 %.396.i.0752.i, 1
@@ -1480,8 +1480,8 @@ B314.if.i.i:                                      ; preds = %B314.i.loopexit.i, 
   %148 = getelementptr double, ptr %arg.arrays.0.4, i64 %.726.i.i
   %.755.i.i = getelementptr double, ptr %148, i64 %.741.i.i
   %.756.i.i = load double, ptr %.755.i.i, align 8, !noalias !55
-  %.759.i.i8745 = mul nsw i64 %.627.i.0762.i, %arg.shape.1
-  %.761.i.i = add nsw i64 %.759.i.i8745, %.627.i.0762.i
+  %.759.i.i8839 = mul nsw i64 %.627.i.0762.i, %arg.shape.1
+  %.761.i.i = add nsw i64 %.759.i.i8839, %.627.i.0762.i
   %.775.i.i = icmp slt i64 %.761.i.i, 0
   %.776.i.i = select i1 %.775.i.i, i64 %.165.i, i64 0
   %149 = getelementptr double, ptr %.181.i, i64 %.761.i.i
@@ -1500,52 +1500,52 @@ B474.if.i.i:                                      ; preds = %B314.if.i.i, %B474.
   %.919.i.0757.i = phi i64 [ %.988.i.i, %B474.if.i.i ], [ %.11.i4.i.i, %B314.if.i.i ]
   %.984.i.i = add nsw i64 %.922.i.0758.i, -1
   %.988.i.i = add i64 %.919.i.0757.i, 1
-  %.1014.i.i8746 = add nsw i64 %.919.i.0757.i, %.887.i
-  %.1028.i.i = icmp slt i64 %.1014.i.i8746, 0
+  %.1014.i.i8840 = add nsw i64 %.919.i.0757.i, %.887.i
+  %.1028.i.i = icmp slt i64 %.1014.i.i8840, 0
   %.1029.i.i = select i1 %.1028.i.i, i64 %arg.arrays.0.5.0, i64 0
-  %150 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1014.i.i8746
+  %150 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1014.i.i8840
   %.1043.i.i = getelementptr double, ptr %150, i64 %.1029.i.i
-  %.1044.i.i8747 = load double, ptr %.1043.i.i, align 8, !noalias !55
-  %.1048.i.i = add nsw i64 %.919.i.0757.i, %.759.i.i8745
+  %.1044.i.i8841 = load double, ptr %.1043.i.i, align 8, !noalias !55
+  %.1048.i.i = add nsw i64 %.919.i.0757.i, %.759.i.i8839
   %.1062.i.i = icmp slt i64 %.1048.i.i, 0
   %.1063.i.i = select i1 %.1062.i.i, i64 %.165.i, i64 0
   %151 = getelementptr double, ptr %.181.i, i64 %.1048.i.i
   %.1077.i.i = getelementptr double, ptr %151, i64 %.1063.i.i
   %.1078.i.i = load double, ptr %.1077.i.i, align 8, !noalias !55
   %.1080.i.i = fmul double %.795.i.i, %.1078.i.i
-  %.1081.i.i = fsub double %.1044.i.i8747, %.1080.i.i
+  %.1081.i.i = fsub double %.1044.i.i8841, %.1080.i.i
   store double %.1081.i.i, ptr %.1043.i.i, align 8, !noalias !55
   %.975.i.i = icmp sgt i64 %.922.i.0758.i, 1
   br i1 %.975.i.i, label %B474.if.i.i, label %B314.i.loopexit.i
 
-B0.else.endif.if.i8731:                           ; preds = %B1464
-  br label %B0.else.endif.endif.endif.if.i8732
+B0.else.endif.if.i8825:                           ; preds = %B1464
+  br label %B0.else.endif.endif.endif.if.i8826
 
-B0.else.endif.endif.endif.if.i8732:               ; preds = %B0.else.endif.if.i8731, %B1464
-  %.68.sroa.0.3.i = phi i64 [ %arg.linear.0.5.0, %B0.else.endif.if.i8731 ], [ %.42.i, %B1464 ]
+B0.else.endif.endif.endif.if.i8826:               ; preds = %B0.else.endif.if.i8825, %B1464
+  %.68.sroa.0.3.i = phi i64 [ %arg.linear.0.5.0, %B0.else.endif.if.i8825 ], [ %.42.i, %B1464 ]
   %.156.i = sub nsw i64 %arg.linear.0.5.0, %.68.sroa.0.3.i
   %.165.i = tail call i64 @llvm.smax.i64(i64 %.156.i, i64 0)
   %.181.i = getelementptr double, ptr %arg.linear.0.4, i64 %.68.sroa.0.3.i
-  br i1 %.265.i, label %B0.endif.else.endif.if.i8751, label %B0.endif.else.endif.endif.i8733, !prof !36
+  br i1 %.265.i, label %B0.endif.else.endif.if.i8845, label %B0.endif.else.endif.endif.i8827, !prof !36
 
-B0.endif.else.endif.if.i8751:                     ; preds = %B0.else.endif.endif.endif.if.i8732
-  br label %B0.endif.else.endif.endif.i8733
+B0.endif.else.endif.if.i8845:                     ; preds = %B0.else.endif.endif.endif.if.i8826
+  br label %B0.endif.else.endif.endif.i8827
 
-B0.endif.else.endif.endif.i8733:                  ; preds = %B0.endif.else.endif.if.i8751, %B0.else.endif.endif.endif.if.i8732
-  %.245.sroa.0.3.i = phi i64 [ %arg.linear.1.5.0, %B0.endif.else.endif.if.i8751 ], [ 5, %B0.else.endif.endif.endif.if.i8732 ]
+B0.endif.else.endif.endif.i8827:                  ; preds = %B0.endif.else.endif.if.i8845, %B0.else.endif.endif.endif.if.i8826
+  %.245.sroa.0.3.i = phi i64 [ %arg.linear.1.5.0, %B0.endif.else.endif.if.i8845 ], [ 5, %B0.else.endif.endif.endif.if.i8826 ]
   %.358.i = getelementptr i64, ptr %arg.linear.1.4, i64 %.245.sroa.0.3.i
   br i1 %.277.i, label %B0.endif.endif.else.if.i, label %B0.endif.endif.else.endif.i, !prof !36
 
 B192.if.lr.ph.i:                                  ; preds = %B0.endif.endif.else.endif.endif.endif.i
   %.689.i = mul nsw i64 %.1858, %arg.shape.1
-  %invariant.gep9385 = getelementptr double, ptr %arg.arrays.0.4, i64 %.689.i
+  %invariant.gep9488 = getelementptr double, ptr %arg.arrays.0.4, i64 %.689.i
   br label %B192.if.i
 
-B0.endif.endif.else.if.i:                         ; preds = %B0.endif.else.endif.endif.i8733
+B0.endif.endif.else.if.i:                         ; preds = %B0.endif.else.endif.endif.i8827
   br label %B0.endif.endif.else.endif.i
 
-B0.endif.endif.else.endif.i:                      ; preds = %B0.endif.endif.else.if.i, %B0.endif.else.endif.endif.i8733
-  %.418.sroa.0.1.i = phi i64 [ 0, %B0.endif.endif.else.if.i ], [ %.274.i8734, %B0.endif.else.endif.endif.i8733 ]
+B0.endif.endif.else.endif.i:                      ; preds = %B0.endif.endif.else.if.i, %B0.endif.else.endif.endif.i8827
+  %.418.sroa.0.1.i = phi i64 [ 0, %B0.endif.endif.else.if.i ], [ %.274.i8828, %B0.endif.else.endif.endif.i8827 ]
   br i1 %.282.not.i, label %B0.endif.endif.else.endif.endif.endif.i, label %B0.endif.endif.else.endif.if.i, !prof !29
 
 B0.endif.endif.else.endif.if.i:                   ; preds = %B0.endif.endif.else.endif.i
@@ -1557,12 +1557,12 @@ B0.endif.endif.else.endif.endif.endif.i:          ; preds = %B0.endif.endif.else
   br i1 %.648747.not.i, label %B1500, label %B192.if.lr.ph.i
 
 B192.if.i:                                        ; preds = %B192.if.i, %B192.if.lr.ph.i
-  %.590.0748.i = phi i64 [ 0, %B192.if.lr.ph.i ], [ %.661.i8736, %B192.if.i ]
-  %.661.i8736 = add nsw i64 %.590.0748.i, 1
-  %gep9386 = getelementptr double, ptr %invariant.gep9385, i64 %.590.0748.i
-  %.720.i = load double, ptr %gep9386, align 8, !noalias !52
-  %gep9080 = getelementptr double, ptr %invariant.gep9079, i64 %.590.0748.i
-  %.753.i = load double, ptr %gep9080, align 8, !noalias !52
+  %.590.0748.i = phi i64 [ 0, %B192.if.lr.ph.i ], [ %.661.i8830, %B192.if.i ]
+  %.661.i8830 = add nsw i64 %.590.0748.i, 1
+  %gep9489 = getelementptr double, ptr %invariant.gep9488, i64 %.590.0748.i
+  %.720.i = load double, ptr %gep9489, align 8, !noalias !52
+  %gep9177 = getelementptr double, ptr %invariant.gep9176, i64 %.590.0748.i
+  %.753.i = load double, ptr %gep9177, align 8, !noalias !52
   %.754.i = fadd double %.720.i, %.753.i
   %152 = getelementptr i64, ptr %.531.i, i64 %.590.0748.i
   %.786.i = load i64, ptr %152, align 8, !noalias !52
@@ -1572,8 +1572,8 @@ B192.if.i:                                        ; preds = %B192.if.i, %B192.if
   %153 = getelementptr double, ptr %arg.arrays.0.4, i64 %.787.i
   %.816.i = getelementptr double, ptr %153, i64 %.802.i
   store double %.754.i, ptr %.816.i, align 8, !noalias !52
-  %exitcond.not.i8738 = icmp eq i64 %arg.shape.1, %.661.i8736
-  br i1 %exitcond.not.i8738, label %B322.i, label %B192.if.i
+  %exitcond.not.i8832 = icmp eq i64 %arg.shape.1, %.661.i8830
+  br i1 %exitcond.not.i8832, label %B322.i, label %B192.if.i
 
 B434.if.i:                                        ; preds = %B434.if.i, %B434.if.lr.ph.i
   %.950.0764.i = phi i64 [ 0, %B434.if.lr.ph.i ], [ %.1019.i, %B434.if.i ]
@@ -1586,48 +1586,48 @@ B434.if.i:                                        ; preds = %B434.if.i, %B434.if
   %155 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1076.i
   %.1105.i = getelementptr double, ptr %155, i64 %.1091.i
   %.1106.i = load double, ptr %.1105.i, align 8, !noalias !52
-  %gep9388 = getelementptr double, ptr %invariant.gep9387, i64 %.950.0764.i
-  store double %.1106.i, ptr %gep9388, align 8, !noalias !52
+  %gep9491 = getelementptr double, ptr %invariant.gep9490, i64 %.950.0764.i
+  store double %.1106.i, ptr %gep9491, align 8, !noalias !52
   %exitcond767.not.i = icmp eq i64 %arg.shape.1, %.1019.i
   br i1 %exitcond767.not.i, label %B1500, label %B434.if.i
 
 B1500:                                            ; preds = %B434.if.i, %B0.endif.endif.else.endif.endif.endif.i, %B1276.if
-  %exitcond9205.not = icmp eq i64 %.1789.09083, %.
-  br i1 %exitcond9205.not, label %B1502, label %B1276.if
+  %exitcond9307.not = icmp eq i64 %.1789.09180, %.
+  br i1 %exitcond9307.not, label %B1502, label %B1276.if
 
 B1502:                                            ; preds = %B1500
   %.2122 = load i64, ptr %.2121, align 8
   %.2167 = inttoptr i64 %.2122 to ptr
   tail call void %.2167(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.tolerances.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
   %brmerge = select i1 %anew.2.1, i1 true, i1 %.539
-  %or.cond8702 = select i1 %brmerge, i1 true, i1 %.2203
-  %spec.select8712 = select i1 %or.cond8702, i1 true, i1 %.2208
+  %or.cond8794 = select i1 %brmerge, i1 true, i1 %.2203
+  %spec.select8805 = select i1 %or.cond8794, i1 true, i1 %.2208
   br i1 %.274.i, label %B1736, label %B1646.if
 
 B1654:                                            ; preds = %B1646.if
-  %156 = getelementptr double, ptr %288, i64 %.2248.09086
+  %156 = getelementptr double, ptr %288, i64 %.2248.09183
   %.2407 = load double, ptr %156, align 8
   %.2408 = fcmp ogt double %.2407, 5.000000e-01
   br label %B1690
 
 B1690:                                            ; preds = %B1654, %B1646.if
   %"$phi1690.1.2.2" = phi i1 [ true, %B1646.if ], [ %.2408, %B1654 ]
-  br i1 %looked.2.19089, label %B1732, label %B1696
+  br i1 %looked.2.19186, label %B1732, label %B1696
 
 B1696:                                            ; preds = %B1690
-  %157 = getelementptr double, ptr %289, i64 %.2248.09086
+  %157 = getelementptr double, ptr %289, i64 %.2248.09183
   %.2482 = load double, ptr %157, align 8
   %.2483 = fcmp ogt double %.2482, 5.000000e-01
   br label %B1732
 
 B1732:                                            ; preds = %B1696, %B1690
   %"$phi1732.1.2.2" = phi i1 [ true, %B1690 ], [ %.2483, %B1696 ]
-  %.2304 = icmp sgt i64 %.2251.09087, 1
+  %.2304 = icmp sgt i64 %.2251.09184, 1
   br i1 %.2304, label %B1646.if, label %B1736
 
 B1736:                                            ; preds = %B1732, %B1502
   %good.2.1.lcssa = phi i1 [ false, %B1502 ], [ %"$phi1690.1.2.2", %B1732 ]
-  %looked.2.1.lcssa = phi i1 [ %spec.select8712, %B1502 ], [ %"$phi1732.1.2.2", %B1732 ]
+  %looked.2.1.lcssa = phi i1 [ %spec.select8805, %B1502 ], [ %"$phi1732.1.2.2", %B1732 ]
   br i1 %.539, label %B1740, label %B1848
 
 B1740:                                            ; preds = %B1736
@@ -1638,84 +1638,84 @@ B1740:                                            ; preds = %B1736
   br label %B1848
 
 B1848:                                            ; preds = %B1740, %B1736
-  %looked.2.1.lcssa.not9211 = xor i1 %looked.2.1.lcssa, true
-  %brmerge9212 = or i1 %.274.i, %looked.2.1.lcssa.not9211
-  br i1 %brmerge9212, label %B2444, label %B46.if.i
+  %looked.2.1.lcssa.not9314 = xor i1 %looked.2.1.lcssa, true
+  %brmerge9315 = or i1 %.274.i, %looked.2.1.lcssa.not9314
+  br i1 %brmerge9315, label %B2444, label %B46.if.i
 
 B1920.preheader:                                  ; preds = %B416.i
   br i1 %.274.i, label %B2444, label %B1922.if
 
 B92.i:                                            ; preds = %B46.if.i
-  %.303.i934 = getelementptr double, ptr %290, i64 %.90.i783.09093
-  %.304.i935 = load double, ptr %.303.i934, align 8, !noalias !59
-  %.5.i.i = fptosi double %.304.i935 to i64
-  %.382.i = getelementptr double, ptr %291, i64 %.90.i783.09093
-  %.383.i984 = load double, ptr %.382.i, align 8, !noalias !59
-  %.5.i1.i = fptosi double %.383.i984 to i64
-  %.457.i1031 = mul i64 %.243.i885, %arg.results.3.5.1
-  %.461.i1035 = getelementptr i64, ptr %arg.results.3.4, i64 %.457.i1031
-  %.462.i1036 = load i64, ptr %.461.i1035, align 8, !noalias !59
-  %.463.i1037 = add nsw i64 %.462.i1036, %.5.i.i
-  store i64 %.463.i1037, ptr %.461.i1035, align 8, !noalias !59
-  %.569.i1130 = getelementptr i8, ptr %.461.i1035, i64 24
-  %.570.i1131 = load i64, ptr %.569.i1130, align 8, !noalias !59
-  %.571.i1132 = add nsw i64 %.570.i1131, %.5.i1.i
-  store i64 %.571.i1132, ptr %.569.i1130, align 8, !noalias !59
-  %.679.i1216 = getelementptr i8, ptr %.461.i1035, i64 8
-  %.680.i1217 = load i64, ptr %.679.i1216, align 8, !noalias !59
+  %.303.i930 = getelementptr double, ptr %290, i64 %.90.i779.09190
+  %.304.i931 = load double, ptr %.303.i930, align 8, !noalias !59
+  %.5.i.i = fptosi double %.304.i931 to i64
+  %.382.i = getelementptr double, ptr %291, i64 %.90.i779.09190
+  %.383.i980 = load double, ptr %.382.i, align 8, !noalias !59
+  %.5.i1.i = fptosi double %.383.i980 to i64
+  %.457.i1027 = mul i64 %.243.i881, %arg.results.3.5.1
+  %.461.i1031 = getelementptr i64, ptr %arg.results.3.4, i64 %.457.i1027
+  %.462.i1032 = load i64, ptr %.461.i1031, align 8, !noalias !59
+  %.463.i1033 = add nsw i64 %.462.i1032, %.5.i.i
+  store i64 %.463.i1033, ptr %.461.i1031, align 8, !noalias !59
+  %.569.i1126 = getelementptr i8, ptr %.461.i1031, i64 24
+  %.570.i1127 = load i64, ptr %.569.i1126, align 8, !noalias !59
+  %.571.i1128 = add nsw i64 %.570.i1127, %.5.i1.i
+  store i64 %.571.i1128, ptr %.569.i1126, align 8, !noalias !59
+  %.679.i1212 = getelementptr i8, ptr %.461.i1031, i64 8
+  %.680.i1213 = load i64, ptr %.679.i1212, align 8, !noalias !59
   %.683.i = add nsw i64 %.5.i1.i, %.5.i.i
   %.684.i = mul nsw i64 %.683.i, %.
-  %.685.i1219 = add nsw i64 %.684.i, %.5.i.i
-  %.686.i1220 = add nsw i64 %.685.i1219, %.680.i1217
-  store i64 %.686.i1220, ptr %.679.i1216, align 8, !noalias !59
-  store double 0.000000e+00, ptr %.303.i934, align 8, !noalias !59
+  %.685.i1215 = add nsw i64 %.684.i, %.5.i.i
+  %.686.i1216 = add nsw i64 %.685.i1215, %.680.i1213
+  store i64 %.686.i1216, ptr %.679.i1212, align 8, !noalias !59
+  store double 0.000000e+00, ptr %.303.i930, align 8, !noalias !59
   store double 0.000000e+00, ptr %.382.i, align 8, !noalias !59
   br label %B416.i
 
 B416.i:                                           ; preds = %B92.i, %B46.if.i
-  %.148.i = icmp sgt i64 %.93.i784.09094, 1
+  %.148.i = icmp sgt i64 %.93.i780.09191, 1
   br i1 %.148.i, label %B46.if.i, label %B1920.preheader
 
 B46.if.i:                                         ; preds = %B1848, %B416.i
-  %.93.i784.09094 = phi i64 [ %.157.i1324, %B416.i ], [ %storemerge, %B1848 ]
-  %.90.i783.09093 = phi i64 [ %.161.i1327, %B416.i ], [ 0, %B1848 ]
-  %.157.i1324 = add nsw i64 %.93.i784.09094, -1
-  %.161.i1327 = add nsw i64 %.90.i783.09093, 1
-  %158 = getelementptr i64, ptr %arg.lane.1.4, i64 %.90.i783.09093
-  %.243.i885 = load i64, ptr %158, align 8, !noalias !59
-  %.248.i888 = icmp sgt i64 %.243.i885, -1
-  br i1 %.248.i888, label %B92.i, label %B416.i
+  %.93.i780.09191 = phi i64 [ %.157.i1320, %B416.i ], [ %storemerge, %B1848 ]
+  %.90.i779.09190 = phi i64 [ %.161.i1323, %B416.i ], [ 0, %B1848 ]
+  %.157.i1320 = add nsw i64 %.93.i780.09191, -1
+  %.161.i1323 = add nsw i64 %.90.i779.09190, 1
+  %158 = getelementptr i64, ptr %arg.lane.1.4, i64 %.90.i779.09190
+  %.243.i881 = load i64, ptr %158, align 8, !noalias !59
+  %.248.i884 = icmp sgt i64 %.243.i881, -1
+  br i1 %.248.i884, label %B92.i, label %B416.i
 
 B2022:                                            ; preds = %B1922.if
-  %.3169 = getelementptr double, ptr %294, i64 %.2829.09096
+  %.3169 = getelementptr double, ptr %294, i64 %.2829.09193
   %.3170 = load double, ptr %.3169, align 8
   %.3171 = fcmp ogt double %.3170, 5.000000e-01
   br i1 %.3171, label %B2060, label %B2118
 
 B2060:                                            ; preds = %B2022
-  %159 = getelementptr i64, ptr %arg.lane.1.4, i64 %.2829.09096
-  %.84.i2084 = load i64, ptr %159, align 8, !noalias !63
-  %.89.i2087 = icmp sgt i64 %.84.i2084, -1
-  br i1 %.89.i2087, label %B46.i2091, label %B2118
+  %159 = getelementptr i64, ptr %arg.lane.1.4, i64 %.2829.09193
+  %.84.i2080 = load i64, ptr %159, align 8, !noalias !63
+  %.89.i2083 = icmp sgt i64 %.84.i2080, -1
+  br i1 %.89.i2083, label %B46.i2087, label %B2118
 
-B46.i2091:                                        ; preds = %B2060
-  %.120.i = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i2084
-  %.121.i2110 = load i64, ptr %.120.i, align 8, !noalias !63
-  %.122.i2111 = icmp eq i64 %.121.i2110, 0
-  br i1 %.122.i2111, label %B80.i, label %B2118
+B46.i2087:                                        ; preds = %B2060
+  %.120.i = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i2080
+  %.121.i2106 = load i64, ptr %.120.i, align 8, !noalias !63
+  %.122.i2107 = icmp eq i64 %.121.i2106, 0
+  br i1 %.122.i2107, label %B80.i, label %B2118
 
-B80.i:                                            ; preds = %B46.i2091
+B80.i:                                            ; preds = %B46.i2087
   store i64 2, ptr %.120.i, align 8, !noalias !63
   br label %B2118
 
-B2118:                                            ; preds = %B2022, %B46.i2091, %B2060, %B80.i
-  %.3285 = getelementptr double, ptr %295, i64 %.2829.09096
+B2118:                                            ; preds = %B2022, %B46.i2087, %B2060, %B80.i
+  %.3285 = getelementptr double, ptr %295, i64 %.2829.09193
   %.3286 = load double, ptr %.3285, align 8
   %.3287 = fcmp ogt double %.3286, 5.000000e-01
   br i1 %.3287, label %B2156, label %B2440
 
 B2156:                                            ; preds = %B2118
-  %spec.select = select i1 %within.3.29099, i1 true, i1 %.2203
+  %spec.select = select i1 %within.3.29196, i1 true, i1 %.2203
   %.3365 = mul i64 %.2996, %arg.results.3.5.1
   %.3369 = getelementptr i64, ptr %arg.results.3.4, i64 %.3365
   %.3370 = load i64, ptr %.3369, align 8
@@ -1724,7 +1724,7 @@ B2156:                                            ; preds = %B2118
   br i1 %.3411, label %B2264, label %B2226
 
 B2226:                                            ; preds = %B2156
-  %.3472 = getelementptr double, ptr %296, i64 %.2829.09096
+  %.3472 = getelementptr double, ptr %296, i64 %.2829.09193
   %.3473 = load double, ptr %.3472, align 8
   %.3475 = fcmp ogt double %.3473, 0.000000e+00
   br i1 %.3475, label %B2264, label %B2294
@@ -1734,7 +1734,7 @@ B2264:                                            ; preds = %B2156, %B2226
   br label %B2294
 
 B2294:                                            ; preds = %B2264, %B2226
-  %doubted.5.5 = phi i1 [ true, %B2264 ], [ %doubted.3.29100, %B2226 ]
+  %doubted.5.5 = phi i1 [ true, %B2264 ], [ %doubted.3.29197, %B2226 ]
   %.3561 = icmp slt i64 %.3051, %arg.times.5.0
   br i1 %.3561, label %B2332, label %B2440
 
@@ -1744,21 +1744,21 @@ B2332:                                            ; preds = %B2294
   %160 = getelementptr double, ptr %arg.times.4, i64 %.3051
   %.3603 = getelementptr double, ptr %160, i64 %.3589
   %.3604 = load double, ptr %.3603, align 8
-  %.3658 = getelementptr double, ptr %297, i64 %.2829.09096
+  %.3658 = getelementptr double, ptr %297, i64 %.2829.09193
   %.3659 = load double, ptr %.3658, align 8
   %.3660 = fcmp ugt double %.3604, %.3659
   br i1 %.3660, label %B2440, label %B2382
 
 B2382:                                            ; preds = %B2332
   %.3769 = fcmp olt double %.3604, %.3659
-  %spec.select8703 = or i1 %spec.select, %.3769
+  %spec.select8795 = or i1 %spec.select, %.3769
   br label %B2440
 
 B2440:                                            ; preds = %B1922.if, %B2382, %B2332, %B2294, %B2118
-  %wanted.4.3 = phi i1 [ true, %B2382 ], [ %wanted.3.29098, %B2332 ], [ %wanted.3.29098, %B2294 ], [ %wanted.3.29098, %B2118 ], [ %wanted.3.29098, %B1922.if ]
-  %within.4.3 = phi i1 [ %spec.select8703, %B2382 ], [ %spec.select, %B2332 ], [ %spec.select, %B2294 ], [ %within.3.29099, %B2118 ], [ %within.3.29099, %B1922.if ]
-  %doubted.4.3 = phi i1 [ %doubted.5.5, %B2382 ], [ %doubted.5.5, %B2332 ], [ %doubted.5.5, %B2294 ], [ %doubted.3.29100, %B2118 ], [ %doubted.3.29100, %B1922.if ]
-  %.2895 = icmp sgt i64 %.2832.09097, 1
+  %wanted.4.3 = phi i1 [ true, %B2382 ], [ %wanted.3.29195, %B2332 ], [ %wanted.3.29195, %B2294 ], [ %wanted.3.29195, %B2118 ], [ %wanted.3.29195, %B1922.if ]
+  %within.4.3 = phi i1 [ %spec.select8795, %B2382 ], [ %spec.select, %B2332 ], [ %spec.select, %B2294 ], [ %within.3.29196, %B2118 ], [ %within.3.29196, %B1922.if ]
+  %doubted.4.3 = phi i1 [ %doubted.5.5, %B2382 ], [ %doubted.5.5, %B2332 ], [ %doubted.5.5, %B2294 ], [ %doubted.3.29197, %B2118 ], [ %doubted.3.29197, %B1922.if ]
+  %.2895 = icmp sgt i64 %.2832.09194, 1
   br i1 %.2895, label %B1922.if, label %B2444.loopexit
 
 B2444.loopexit:                                   ; preds = %B2440
@@ -1798,139 +1798,139 @@ B2660:                                            ; preds = %B2640
   tail call void %.4097(ptr %.490, ptr %.4071, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
   br i1 %.274.i, label %B2782, label %B38.if.i
 
-B104.i2360:                                       ; preds = %B38.if.i
-  %.349.i2406 = getelementptr double, ptr %299, i64 %.78.i2184.09105
-  %.350.i2407 = load double, ptr %.349.i2406, align 8, !noalias !66
-  %.351.i2408 = fcmp ogt double %.350.i2407, 5.000000e-01
-  br i1 %.351.i2408, label %B34.i.i, label %B304.i
+B104.i2356:                                       ; preds = %B38.if.i
+  %.349.i2402 = getelementptr double, ptr %299, i64 %.78.i2180.09202
+  %.350.i2403 = load double, ptr %.349.i2402, align 8, !noalias !66
+  %.351.i2404 = fcmp ogt double %.350.i2403, 5.000000e-01
+  br i1 %.351.i2404, label %B34.i.i, label %B304.i
 
-B34.i.i:                                          ; preds = %B104.i2360, %B36.i.i
-  %.48.i.i2146.0 = phi i64 [ %.119.i.i, %B36.i.i ], [ 0, %B104.i2360 ]
-  %exitcond9206.not = icmp eq i64 %.48.i.i2146.0, %arg.decided
-  br i1 %exitcond9206.not, label %B142.endif.i, label %B36.i.i
+B34.i.i:                                          ; preds = %B104.i2356, %B36.i.i
+  %.48.i.i2142.0 = phi i64 [ %.119.i.i, %B36.i.i ], [ 0, %B104.i2356 ]
+  %exitcond9308.not = icmp eq i64 %.48.i.i2142.0, %arg.decided
+  br i1 %exitcond9308.not, label %B142.endif.i, label %B36.i.i
 
 B36.i.i:                                          ; preds = %B34.i.i
-  %.119.i.i = add i64 %.48.i.i2146.0, 1
-  %.149.i.i2673 = add nsw i64 %.48.i.i2146.0, %arg.decided
-  %.151.i.i2675 = mul nsw i64 %.149.i.i2673, %arg.shape.0
-  %.153.i.i = add nsw i64 %.151.i.i2675, %.78.i2184.09105
+  %.119.i.i = add i64 %.48.i.i2142.0, 1
+  %.149.i.i2669 = add nsw i64 %.48.i.i2142.0, %arg.decided
+  %.151.i.i2671 = mul nsw i64 %.149.i.i2669, %arg.shape.0
+  %.153.i.i = add nsw i64 %.151.i.i2671, %.78.i2180.09202
   %.167.i.i = icmp slt i64 %.153.i.i, 0
-  %.168.i.i2679 = select i1 %.167.i.i, i64 %arg.arrays.4.5.0, i64 0
+  %.168.i.i2675 = select i1 %.167.i.i, i64 %arg.arrays.4.5.0, i64 0
   %165 = getelementptr double, ptr %arg.arrays.4.4, i64 %.153.i.i
-  %.182.i.i = getelementptr double, ptr %165, i64 %.168.i.i2679
+  %.182.i.i = getelementptr double, ptr %165, i64 %.168.i.i2675
   %.183.i.i = load double, ptr %.182.i.i, align 8, !noalias !70
   %.184.i.i = fcmp ogt double %.183.i.i, 5.000000e-01
   br i1 %.184.i.i, label %B142.endif.i, label %B34.i.i
 
-B190.i2471:                                       ; preds = %B142.endif.i
-  store double 1.000000e+00, ptr %.234.i2305, align 8, !noalias !66
-  %.503.i2567 = getelementptr double, ptr %300, i64 %.78.i2184.09105
-  store double 0.000000e+00, ptr %.503.i2567, align 8, !noalias !66
-  %.558.i2614 = getelementptr double, ptr %301, i64 %.78.i2184.09105
-  store double 1.000000e+00, ptr %.558.i2614, align 8, !noalias !66
-  %.616.i2662 = getelementptr i64, ptr %302, i64 %.78.i2184.09105
-  store i64 %.363.i2195.0, ptr %.616.i2662, align 8, !noalias !66
+B190.i2467:                                       ; preds = %B142.endif.i
+  store double 1.000000e+00, ptr %.234.i2301, align 8, !noalias !66
+  %.503.i2563 = getelementptr double, ptr %300, i64 %.78.i2180.09202
+  store double 0.000000e+00, ptr %.503.i2563, align 8, !noalias !66
+  %.558.i2610 = getelementptr double, ptr %301, i64 %.78.i2180.09202
+  store double 1.000000e+00, ptr %.558.i2610, align 8, !noalias !66
+  %.616.i2658 = getelementptr i64, ptr %302, i64 %.78.i2180.09202
+  store i64 %.363.i2191.0, ptr %.616.i2658, align 8, !noalias !66
   br label %B304.i
 
-B304.i:                                           ; preds = %B142.endif.i, %B190.i2471, %B104.i2360, %B38.if.i
-  %some.3.i.1 = phi i1 [ true, %B190.i2471 ], [ %some.2.i.09107, %B142.endif.i ], [ %some.2.i.09107, %B104.i2360 ], [ %some.2.i.09107, %B38.if.i ]
-  %.136.i2238 = icmp sgt i64 %.81.i2185.09106, 1
-  br i1 %.136.i2238, label %B38.if.i, label %B2782
+B304.i:                                           ; preds = %B142.endif.i, %B190.i2467, %B104.i2356, %B38.if.i
+  %some.3.i.1 = phi i1 [ true, %B190.i2467 ], [ %some.2.i.09204, %B142.endif.i ], [ %some.2.i.09204, %B104.i2356 ], [ %some.2.i.09204, %B38.if.i ]
+  %.136.i2234 = icmp sgt i64 %.81.i2181.09203, 1
+  br i1 %.136.i2234, label %B38.if.i, label %B2782
 
 B38.if.i:                                         ; preds = %B2660, %B304.i
-  %some.2.i.09107 = phi i1 [ %some.3.i.1, %B304.i ], [ false, %B2660 ]
-  %.81.i2185.09106 = phi i64 [ %.145.i2694, %B304.i ], [ %storemerge, %B2660 ]
-  %.78.i2184.09105 = phi i64 [ %.149.i2697, %B304.i ], [ 0, %B2660 ]
-  %.145.i2694 = add nsw i64 %.81.i2185.09106, -1
-  %.149.i2697 = add nsw i64 %.78.i2184.09105, 1
-  %.234.i2305 = getelementptr double, ptr %298, i64 %.78.i2184.09105
-  store double 0.000000e+00, ptr %.234.i2305, align 8, !noalias !66
-  %.289.i2352 = getelementptr i64, ptr %arg.lane.1.4, i64 %.78.i2184.09105
-  %.290.i2353 = load i64, ptr %.289.i2352, align 8, !noalias !66
-  %.291.i2354 = icmp sgt i64 %.290.i2353, -1
-  br i1 %.291.i2354, label %B104.i2360, label %B304.i
+  %some.2.i.09204 = phi i1 [ %some.3.i.1, %B304.i ], [ false, %B2660 ]
+  %.81.i2181.09203 = phi i64 [ %.145.i2690, %B304.i ], [ %storemerge, %B2660 ]
+  %.78.i2180.09202 = phi i64 [ %.149.i2693, %B304.i ], [ 0, %B2660 ]
+  %.145.i2690 = add nsw i64 %.81.i2181.09203, -1
+  %.149.i2693 = add nsw i64 %.78.i2180.09202, 1
+  %.234.i2301 = getelementptr double, ptr %298, i64 %.78.i2180.09202
+  store double 0.000000e+00, ptr %.234.i2301, align 8, !noalias !66
+  %.289.i2348 = getelementptr i64, ptr %arg.lane.1.4, i64 %.78.i2180.09202
+  %.290.i2349 = load i64, ptr %.289.i2348, align 8, !noalias !66
+  %.291.i2350 = icmp sgt i64 %.290.i2349, -1
+  br i1 %.291.i2350, label %B104.i2356, label %B304.i
 
 B142.endif.i:                                     ; preds = %B36.i.i, %B34.i.i
-  %.363.i2195.0 = phi i64 [ %.48.i.i2146.0, %B36.i.i ], [ -1, %B34.i.i ]
-  %.393.i2470 = icmp sgt i64 %.363.i2195.0, -1
-  br i1 %.393.i2470, label %B190.i2471, label %B304.i
+  %.363.i2191.0 = phi i64 [ %.48.i.i2142.0, %B36.i.i ], [ -1, %B34.i.i ]
+  %.393.i2466 = icmp sgt i64 %.363.i2191.0, -1
+  br i1 %.393.i2466, label %B190.i2467, label %B304.i
 
 B2782:                                            ; preds = %B304.i, %B2660, %B2640
   %beyond.2.1 = phi i1 [ false, %B2640 ], [ false, %B2660 ], [ %some.3.i.1, %B304.i ]
-  %brmerge8706 = select i1 %within.5.1, i1 true, i1 %beyond.2.1
-  br i1 %brmerge8706, label %B2792, label %B3324
+  %brmerge8798 = select i1 %within.5.1, i1 true, i1 %beyond.2.1
+  br i1 %brmerge8798, label %B2792, label %B3324
 
 B2792:                                            ; preds = %B2782
   br i1 %.539, label %B3238.critedge, label %B2860.if
 
-B142.i2984:                                       ; preds = %B66.if.i
-  %.407.i3032 = getelementptr double, ptr %304, i64 %.135.i2804.09113
-  %.408.i3033 = load double, ptr %.407.i3032, align 8, !noalias !74
-  %.409.i3034 = fcmp uge double %.408.i3033, 5.000000e-01
-  %.422.i3042.not = icmp slt i64 %.344.i2979, %arg.times.5.0
-  %or.cond8707 = select i1 %.409.i3034, i1 %.422.i3042.not, i1 false
-  br i1 %or.cond8707, label %B218.i, label %B611.i
+B142.i2980:                                       ; preds = %B66.if.i
+  %.407.i3028 = getelementptr double, ptr %304, i64 %.135.i2800.09209
+  %.408.i3029 = load double, ptr %.407.i3028, align 8, !noalias !74
+  %.409.i3030 = fcmp uge double %.408.i3029, 5.000000e-01
+  %.422.i3038.not = icmp slt i64 %.344.i2975, %arg.times.5.0
+  %or.cond8799 = select i1 %.409.i3030, i1 %.422.i3038.not, i1 false
+  br i1 %or.cond8799, label %B218.i, label %B611.i
 
-B218.i:                                           ; preds = %B142.i2984
-  %.438.i3053 = icmp slt i64 %.344.i2979, 0
-  %.439.i3054 = select i1 %.438.i3053, i64 %arg.times.5.0, i64 0
-  %166 = getelementptr double, ptr %arg.times.4, i64 %.344.i2979
-  %.453.i3068 = getelementptr double, ptr %166, i64 %.439.i3054
-  %.454.i3069 = load double, ptr %.453.i3068, align 8, !noalias !74
-  %.508.i3117 = getelementptr double, ptr %305, i64 %.135.i2804.09113
-  %.509.i3118 = load double, ptr %.508.i3117, align 8, !noalias !74
-  %.510.i3119 = fcmp ult double %.454.i3069, %.509.i3118
-  br i1 %.510.i3119, label %B270.i, label %B611.i
+B218.i:                                           ; preds = %B142.i2980
+  %.438.i3049 = icmp slt i64 %.344.i2975, 0
+  %.439.i3050 = select i1 %.438.i3049, i64 %arg.times.5.0, i64 0
+  %166 = getelementptr double, ptr %arg.times.4, i64 %.344.i2975
+  %.453.i3064 = getelementptr double, ptr %166, i64 %.439.i3050
+  %.454.i3065 = load double, ptr %.453.i3064, align 8, !noalias !74
+  %.508.i3113 = getelementptr double, ptr %305, i64 %.135.i2800.09209
+  %.509.i3114 = load double, ptr %.508.i3113, align 8, !noalias !74
+  %.510.i3115 = fcmp ult double %.454.i3065, %.509.i3114
+  br i1 %.510.i3115, label %B270.i, label %B611.i
 
 B270.i:                                           ; preds = %B218.i
-  %.572.i3167 = getelementptr double, ptr %306, i64 %.135.i2804.09113
-  %.573.i3168 = load double, ptr %.572.i3167, align 8, !noalias !74
-  %.574.i3169 = fcmp ogt double %.573.i3168, 1.000000e+00
-  br i1 %.574.i3169, label %B308.i, label %B611.i
+  %.572.i3163 = getelementptr double, ptr %306, i64 %.135.i2800.09209
+  %.573.i3164 = load double, ptr %.572.i3163, align 8, !noalias !74
+  %.574.i3165 = fcmp ogt double %.573.i3164, 1.000000e+00
+  br i1 %.574.i3165, label %B308.i, label %B611.i
 
 B308.i:                                           ; preds = %B270.i
-  store double 0.000000e+00, ptr %.407.i3032, align 8, !noalias !74
-  %.690.i3264 = getelementptr double, ptr %307, i64 %.135.i2804.09113
-  store double 0.000000e+00, ptr %.690.i3264, align 8, !noalias !74
-  %.745.i3305 = getelementptr double, ptr %308, i64 %.135.i2804.09113
-  store double 0.000000e+00, ptr %.745.i3305, align 8, !noalias !74
-  %.800.i3349 = getelementptr double, ptr %309, i64 %.135.i2804.09113
-  %.801.i3350 = load double, ptr %.800.i3349, align 8, !noalias !74
-  %.832.i3377 = load double, ptr %.453.i3068, align 8, !noalias !74
-  %.888.i3406 = getelementptr double, ptr %310, i64 %.135.i2804.09113
-  store double %.801.i3350, ptr %.888.i3406, align 8, !noalias !74
-  %.945.i = getelementptr double, ptr %311, i64 %.135.i2804.09113
-  store double %.832.i3377, ptr %.945.i, align 8, !noalias !74
-  %.996.i3463 = mul i64 %.289.i2930, %arg.results.3.5.1
-  %.1000.i3465 = getelementptr i64, ptr %arg.results.3.4, i64 %.996.i3463
-  %.1001.i3466 = load i64, ptr %.1000.i3465, align 8, !noalias !74
-  %.1002.i3467 = add nsw i64 %.1001.i3466, -1
-  store i64 %.1002.i3467, ptr %.1000.i3465, align 8, !noalias !74
-  %.1108.i = getelementptr i8, ptr %.1000.i3465, i64 24
+  store double 0.000000e+00, ptr %.407.i3028, align 8, !noalias !74
+  %.690.i3260 = getelementptr double, ptr %307, i64 %.135.i2800.09209
+  store double 0.000000e+00, ptr %.690.i3260, align 8, !noalias !74
+  %.745.i3301 = getelementptr double, ptr %308, i64 %.135.i2800.09209
+  store double 0.000000e+00, ptr %.745.i3301, align 8, !noalias !74
+  %.800.i3345 = getelementptr double, ptr %309, i64 %.135.i2800.09209
+  %.801.i3346 = load double, ptr %.800.i3345, align 8, !noalias !74
+  %.832.i3373 = load double, ptr %.453.i3064, align 8, !noalias !74
+  %.888.i3402 = getelementptr double, ptr %310, i64 %.135.i2800.09209
+  store double %.801.i3346, ptr %.888.i3402, align 8, !noalias !74
+  %.945.i = getelementptr double, ptr %311, i64 %.135.i2800.09209
+  store double %.832.i3373, ptr %.945.i, align 8, !noalias !74
+  %.996.i3459 = mul i64 %.289.i2926, %arg.results.3.5.1
+  %.1000.i3461 = getelementptr i64, ptr %arg.results.3.4, i64 %.996.i3459
+  %.1001.i3462 = load i64, ptr %.1000.i3461, align 8, !noalias !74
+  %.1002.i3463 = add nsw i64 %.1001.i3462, -1
+  store i64 %.1002.i3463, ptr %.1000.i3461, align 8, !noalias !74
+  %.1108.i = getelementptr i8, ptr %.1000.i3461, i64 24
   %.1109.i = load i64, ptr %.1108.i, align 8, !noalias !74
   %.1110.i = add nsw i64 %.1109.i, 1
   store i64 %.1110.i, ptr %.1108.i, align 8, !noalias !74
-  %.1218.i = getelementptr i8, ptr %.1000.i3465, i64 8
+  %.1218.i = getelementptr i8, ptr %.1000.i3461, i64 8
   %.1219.i = load i64, ptr %.1218.i, align 8, !noalias !74
   %.1220.i = add nsw i64 %.1219.i, 3
   store i64 %.1220.i, ptr %.1218.i, align 8, !noalias !74
   br label %B611.i
 
-B611.i:                                           ; preds = %B270.i, %B308.i, %B66.if.i, %B142.i2984, %B218.i
-  %.194.i2872 = icmp sgt i64 %.138.i2805.09112, 1
-  br i1 %.194.i2872, label %B66.if.i, label %B3238
+B611.i:                                           ; preds = %B270.i, %B308.i, %B66.if.i, %B142.i2980, %B218.i
+  %.194.i2868 = icmp sgt i64 %.138.i2801.09210, 1
+  br i1 %.194.i2868, label %B66.if.i, label %B3238
 
 B66.if.i:                                         ; preds = %B2860.if, %B611.i
-  %.135.i2804.09113 = phi i64 [ %.207.i3527, %B611.i ], [ 0, %B2860.if ]
-  %.138.i2805.09112 = phi i64 [ %.203.i3524, %B611.i ], [ %storemerge, %B2860.if ]
-  %.203.i3524 = add nsw i64 %.138.i2805.09112, -1
-  %.207.i3527 = add nsw i64 %.135.i2804.09113, 1
-  %.288.i2929 = getelementptr i64, ptr %arg.lane.1.4, i64 %.135.i2804.09113
-  %.289.i2930 = load i64, ptr %.288.i2929, align 8, !noalias !74
-  %.343.i2978 = getelementptr i64, ptr %303, i64 %.135.i2804.09113
-  %.344.i2979 = load i64, ptr %.343.i2978, align 8, !noalias !74
-  %.352.i2983 = icmp slt i64 %.289.i2930, 0
-  br i1 %.352.i2983, label %B611.i, label %B142.i2984
+  %.138.i2801.09210 = phi i64 [ %.203.i3520, %B611.i ], [ %storemerge, %B2860.if ]
+  %.135.i2800.09209 = phi i64 [ %.207.i3523, %B611.i ], [ 0, %B2860.if ]
+  %.203.i3520 = add nsw i64 %.138.i2801.09210, -1
+  %.207.i3523 = add nsw i64 %.135.i2800.09209, 1
+  %.288.i2925 = getelementptr i64, ptr %arg.lane.1.4, i64 %.135.i2800.09209
+  %.289.i2926 = load i64, ptr %.288.i2925, align 8, !noalias !74
+  %.343.i2974 = getelementptr i64, ptr %303, i64 %.135.i2800.09209
+  %.344.i2975 = load i64, ptr %.343.i2974, align 8, !noalias !74
+  %.352.i2979 = icmp slt i64 %.289.i2926, 0
+  br i1 %.352.i2979, label %B611.i, label %B142.i2980
 
 B3238.critedge:                                   ; preds = %B2792
   %.4550.c = load i64, ptr %.4549.c, align 8
@@ -1944,42 +1944,42 @@ B3238:                                            ; preds = %B611.i, %B2860.if, 
 B102.loopexit.i.critedge:                         ; preds = %B104.if.i
   %.1014.i.c = load i64, ptr %.1013.i, align 8, !noalias !78
   %.1131.i.c = inttoptr i64 %.1014.i.c to ptr
-  tail call void %.1131.i.c(ptr %.490, ptr %.1105.i8754, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !78
+  tail call void %.1131.i.c(ptr %.490, ptr %.1105.i8848, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !78
   br label %B102.loopexit.i
 
 B102.loopexit.i:                                  ; preds = %B1498.i, %B102.loopexit.i.critedge
   %.281.i = icmp ugt i64 %.225.01193.i, 1
   br i1 %.281.i, label %B104.if.i, label %B842.i
 
-B138.loopexit.i:                                  ; preds = %B380.if.i, %middle.block9308, %B138.if.i
+B138.loopexit.i:                                  ; preds = %B380.if.i, %middle.block9411, %B138.if.i
   %exitcond1198.not.i = icmp eq i64 %arg.shape.0, %.412.i
   br i1 %exitcond1198.not.i, label %B474.i, label %B138.if.i
 
 B474.i:                                           ; preds = %B138.loopexit.i
   %.1014.i = load i64, ptr %.1013.i, align 8, !noalias !78
   %.1131.i = inttoptr i64 %.1014.i to ptr
-  tail call void %.1131.i(ptr %.490, ptr %.1105.i8754, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !78
+  tail call void %.1131.i(ptr %.490, ptr %.1105.i8848, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !78
   br label %B622.if.i
 
-B674.i:                                           ; preds = %B622.if.i
+B674.i8855:                                       ; preds = %B622.if.i
   %.1364.i = getelementptr double, ptr %312, i64 %.1157.01191.i
   %.1365.i = load double, ptr %.1364.i, align 8, !noalias !78
   %.1419.i = getelementptr double, ptr %313, i64 %.1157.01191.i
   %.1420.i = load double, ptr %.1419.i, align 8, !noalias !78
   %.1421.i = fadd double %.1365.i, %.1420.i
   %.1422.i = fmul double %.1421.i, 5.000000e-01
-  br label %B34.i.i8760
+  br label %B34.i.i8856
 
-B34.i.i8760:                                      ; preds = %B34.if.i.i8761, %B674.i
-  %.48.i.0.i = phi i64 [ 0, %B674.i ], [ %.119.i73.i, %B34.if.i.i8761 ]
+B34.i.i8856:                                      ; preds = %B34.if.i.i8857, %B674.i8855
+  %.48.i.0.i = phi i64 [ 0, %B674.i8855 ], [ %.119.i73.i, %B34.if.i.i8857 ]
   %exitcond1199.not.i = icmp eq i64 %.48.i.0.i, %storemerge1173.i
-  br i1 %exitcond1199.not.i, label %B812.i, label %B34.if.i.i8761
+  br i1 %exitcond1199.not.i, label %B812.i, label %B34.if.i.i8857
 
-B80.i.i8763:                                      ; preds = %B34.if.i.i8761
+B80.i.i8859:                                      ; preds = %B34.if.i.i8857
   %167 = icmp sgt i64 %.48.i.0.i, -1
   br i1 %167, label %B786.i, label %B812.i
 
-B34.if.i.i8761:                                   ; preds = %B34.i.i8760
+B34.if.i.i8857:                                   ; preds = %B34.i.i8856
   %.119.i73.i = add i64 %.48.i.0.i, 1
   %.149.i42.i = add nsw i64 %.48.i.0.i, %arg.decided
   %.151.i.i = mul nsw i64 %.149.i42.i, %arg.shape.0
@@ -1987,16 +1987,16 @@ B34.if.i.i8761:                                   ; preds = %B34.i.i8760
   %.167.i51.i = icmp slt i64 %.153.i44.i, 0
   %.168.i.i = select i1 %.167.i51.i, i64 %arg.arrays.4.5.0, i64 0
   %168 = getelementptr double, ptr %arg.arrays.4.4, i64 %.153.i44.i
-  %.182.i.i8762 = getelementptr double, ptr %168, i64 %.168.i.i
-  %.183.i63.i = load double, ptr %.182.i.i8762, align 8, !noalias !81
+  %.182.i.i8858 = getelementptr double, ptr %168, i64 %.168.i.i
+  %.183.i63.i = load double, ptr %.182.i.i8858, align 8, !noalias !81
   %.184.i64.i = fcmp ogt double %.183.i63.i, 5.000000e-01
-  br i1 %.184.i64.i, label %B80.i.i8763, label %B34.i.i8760
+  br i1 %.184.i64.i, label %B80.i.i8859, label %B34.i.i8856
 
-B786.i:                                           ; preds = %B80.i.i8763
+B786.i:                                           ; preds = %B80.i.i8859
   store double %.1422.i, ptr %.1419.i, align 8, !noalias !78
   br label %B1498.i
 
-B812.i:                                           ; preds = %B34.i.i8760, %B80.i.i8763
+B812.i:                                           ; preds = %B34.i.i8856, %B80.i.i8859
   store double %.1422.i, ptr %.1364.i, align 8, !noalias !78
   br label %B1498.i
 
@@ -2012,11 +2012,11 @@ B978.i:                                           ; preds = %B874.if.i
   %.2125.i = getelementptr double, ptr %315, i64 %.1635.01195.i
   %.2126.i = load double, ptr %.2125.i, align 8, !noalias !78
   %.2183.i = fmul double %.2126.i, 0x3D719799812DEA11
-  %.10.i.i = fcmp ogt double %.2012.i, %.2183.i
-  %.11.i.i8759 = select i1 %.10.i.i, double %.2012.i, double %.2183.i
+  %.10.i.i8853 = fcmp ogt double %.2012.i, %.2183.i
+  %.11.i.i8854 = select i1 %.10.i.i8853, double %.2012.i, double %.2183.i
   %.2071.i = fsub double 1.000000e+00, %.2070.i
   %.2127.i = fmul double %.2071.i, %.2126.i
-  %.2212.i = fcmp ugt double %.2127.i, %.11.i.i8759
+  %.2212.i = fcmp ugt double %.2127.i, %.11.i.i8854
   br i1 %.2212.i, label %B1268.i, label %B1232.i
 
 B1232.i:                                          ; preds = %B978.i
@@ -2068,8 +2068,8 @@ B138.if.i:                                        ; preds = %B104.if.i, %B138.lo
   %.412.i = add nsw i64 %.343.01188.i, 1
   %.493.i = getelementptr double, ptr %312, i64 %.343.01188.i
   %.494.i = load double, ptr %.493.i, align 8, !noalias !78
-  %.548.i8755 = getelementptr double, ptr %313, i64 %.343.01188.i
-  %.549.i = load double, ptr %.548.i8755, align 8, !noalias !78
+  %.548.i8849 = getelementptr double, ptr %313, i64 %.343.01188.i
+  %.549.i = load double, ptr %.548.i8849, align 8, !noalias !78
   %.550.i = fadd double %.494.i, %.549.i
   %.551.i = fmul double %.550.i, 5.000000e-01
   %.608.i = getelementptr double, ptr %314, i64 %.343.01188.i
@@ -2088,135 +2088,135 @@ B138.if.i:                                        ; preds = %B104.if.i, %B138.lo
 
 B380.if.lr.ph.i:                                  ; preds = %B138.if.i
   %.247.i.i = fsub double 1.000000e+00, %share.3.2.i
-  %invariant.gep9114 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
-  %invariant.gep9116 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
-  %invariant.gep9118 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
-  %invariant.gep9120 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
-  %invariant.gep9122 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
-  %invariant.gep9124 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
-  %invariant.gep9126 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
-  %invariant.gep9128 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
-  %invariant.gep9130 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
-  %or.cond9370.not = xor i1 %or.cond9370, true
-  %brmerge9430 = select i1 %or.cond9370.not, i1 true, i1 %conflict.rdx9287
-  br i1 %brmerge9430, label %B380.if.i.preheader, label %vector.ph9290
+  %invariant.gep9211 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
+  %invariant.gep9213 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
+  %invariant.gep9215 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
+  %invariant.gep9217 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
+  %invariant.gep9219 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
+  %invariant.gep9221 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
+  %invariant.gep9223 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
+  %invariant.gep9225 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
+  %invariant.gep9227 = getelementptr double, ptr %arg.arrays.0.4, i64 %.343.01188.i
+  %or.cond9473.not = xor i1 %or.cond9473, true
+  %brmerge9535 = select i1 %or.cond9473.not, i1 true, i1 %conflict.rdx9390
+  br i1 %brmerge9535, label %B380.if.i.preheader, label %vector.ph9393
 
-vector.ph9290:                                    ; preds = %B380.if.lr.ph.i
-  %broadcast.splatinsert9293 = insertelement <2 x double> poison, double %.247.i.i, i64 0
-  %broadcast.splat9294 = shufflevector <2 x double> %broadcast.splatinsert9293, <2 x double> poison, <2 x i32> zeroinitializer
-  %broadcast.splatinsert9295 = insertelement <2 x double> poison, double %share.3.2.i, i64 0
-  %broadcast.splat9296 = shufflevector <2 x double> %broadcast.splatinsert9295, <2 x double> poison, <2 x i32> zeroinitializer
-  %invariant.gep9389 = getelementptr double, ptr %invariant.gep9114, i64 %.155.i.i
-  %invariant.gep9391 = getelementptr double, ptr %invariant.gep9116, i64 %.155.i.1.i
-  %invariant.gep9393 = getelementptr double, ptr %invariant.gep9118, i64 %.155.i.2.i
-  %invariant.gep9395 = getelementptr double, ptr %invariant.gep9120, i64 %.155.i.3.i
-  %invariant.gep9397 = getelementptr double, ptr %invariant.gep9122, i64 %.155.i.4.i
-  %invariant.gep9399 = getelementptr double, ptr %invariant.gep9124, i64 %.155.i.5.i
-  %invariant.gep9401 = getelementptr double, ptr %invariant.gep9126, i64 %.155.i.6.i
-  %invariant.gep9403 = getelementptr double, ptr %invariant.gep9130, i64 %.935.i
-  br label %vector.body9297
+vector.ph9393:                                    ; preds = %B380.if.lr.ph.i
+  %broadcast.splatinsert9396 = insertelement <2 x double> poison, double %.247.i.i, i64 0
+  %broadcast.splat9397 = shufflevector <2 x double> %broadcast.splatinsert9396, <2 x double> poison, <2 x i32> zeroinitializer
+  %broadcast.splatinsert9398 = insertelement <2 x double> poison, double %share.3.2.i, i64 0
+  %broadcast.splat9399 = shufflevector <2 x double> %broadcast.splatinsert9398, <2 x double> poison, <2 x i32> zeroinitializer
+  %invariant.gep9492 = getelementptr double, ptr %invariant.gep9211, i64 %.155.i.i
+  %invariant.gep9494 = getelementptr double, ptr %invariant.gep9213, i64 %.155.i.1.i
+  %invariant.gep9496 = getelementptr double, ptr %invariant.gep9215, i64 %.155.i.2.i
+  %invariant.gep9498 = getelementptr double, ptr %invariant.gep9217, i64 %.155.i.3.i
+  %invariant.gep9500 = getelementptr double, ptr %invariant.gep9219, i64 %.155.i.4.i
+  %invariant.gep9502 = getelementptr double, ptr %invariant.gep9221, i64 %.155.i.5.i
+  %invariant.gep9504 = getelementptr double, ptr %invariant.gep9223, i64 %.155.i.6.i
+  %invariant.gep9506 = getelementptr double, ptr %invariant.gep9227, i64 %.935.i
+  br label %vector.body9400
 
-vector.body9297:                                  ; preds = %vector.body9297, %vector.ph9290
-  %index9298 = phi i64 [ 0, %vector.ph9290 ], [ %index.next9307, %vector.body9297 ]
-  %gep9390 = getelementptr double, ptr %invariant.gep9389, i64 %index9298
-  %wide.load9299 = load <2 x double>, ptr %gep9390, align 8, !noalias !85
-  %170 = fadd <2 x double> %wide.load9299, zeroinitializer
-  %171 = fmul <2 x double> %broadcast.splat9296, %170
-  %gep9392 = getelementptr double, ptr %invariant.gep9391, i64 %index9298
-  %wide.load9300 = load <2 x double>, ptr %gep9392, align 8, !noalias !85
-  %172 = fadd <2 x double> %wide.load9300, %171
-  %173 = fmul <2 x double> %broadcast.splat9294, %172
-  %gep9394 = getelementptr double, ptr %invariant.gep9393, i64 %index9298
-  %wide.load9301 = load <2 x double>, ptr %gep9394, align 8, !noalias !85
-  %174 = fadd <2 x double> %wide.load9301, %173
-  %175 = fmul <2 x double> %broadcast.splat9296, %174
-  %gep9396 = getelementptr double, ptr %invariant.gep9395, i64 %index9298
-  %wide.load9302 = load <2 x double>, ptr %gep9396, align 8, !noalias !85
-  %176 = fadd <2 x double> %wide.load9302, %175
-  %177 = fmul <2 x double> %broadcast.splat9294, %176
-  %gep9398 = getelementptr double, ptr %invariant.gep9397, i64 %index9298
-  %wide.load9303 = load <2 x double>, ptr %gep9398, align 8, !noalias !85
-  %178 = fadd <2 x double> %wide.load9303, %177
-  %179 = fmul <2 x double> %broadcast.splat9296, %178
-  %gep9400 = getelementptr double, ptr %invariant.gep9399, i64 %index9298
-  %wide.load9304 = load <2 x double>, ptr %gep9400, align 8, !noalias !85
-  %180 = fadd <2 x double> %wide.load9304, %179
-  %181 = fmul <2 x double> %broadcast.splat9294, %180
-  %gep9402 = getelementptr double, ptr %invariant.gep9401, i64 %index9298
-  %wide.load9305 = load <2 x double>, ptr %gep9402, align 8, !noalias !85
-  %182 = fadd <2 x double> %wide.load9305, %181
-  %183 = fmul <2 x double> %broadcast.splat9296, %182
-  %184 = getelementptr double, ptr %invariant.gep9128, i64 %index9298
-  %wide.load9306 = load <2 x double>, ptr %184, align 8, !noalias !85
-  %185 = fadd <2 x double> %wide.load9306, %183
-  %gep9404 = getelementptr double, ptr %invariant.gep9403, i64 %index9298
-  store <2 x double> %185, ptr %gep9404, align 8, !noalias !78
-  %index.next9307 = add i64 %index9298, 2
-  %186 = icmp eq i64 %index.next9307, %n.vec9292
-  br i1 %186, label %middle.block9308, label %vector.body9297, !llvm.loop !89
+vector.body9400:                                  ; preds = %vector.body9400, %vector.ph9393
+  %index9401 = phi i64 [ 0, %vector.ph9393 ], [ %index.next9410, %vector.body9400 ]
+  %gep9493 = getelementptr double, ptr %invariant.gep9492, i64 %index9401
+  %wide.load9402 = load <2 x double>, ptr %gep9493, align 8, !noalias !85
+  %170 = fadd <2 x double> %wide.load9402, zeroinitializer
+  %171 = fmul <2 x double> %broadcast.splat9399, %170
+  %gep9495 = getelementptr double, ptr %invariant.gep9494, i64 %index9401
+  %wide.load9403 = load <2 x double>, ptr %gep9495, align 8, !noalias !85
+  %172 = fadd <2 x double> %wide.load9403, %171
+  %173 = fmul <2 x double> %broadcast.splat9397, %172
+  %gep9497 = getelementptr double, ptr %invariant.gep9496, i64 %index9401
+  %wide.load9404 = load <2 x double>, ptr %gep9497, align 8, !noalias !85
+  %174 = fadd <2 x double> %wide.load9404, %173
+  %175 = fmul <2 x double> %broadcast.splat9399, %174
+  %gep9499 = getelementptr double, ptr %invariant.gep9498, i64 %index9401
+  %wide.load9405 = load <2 x double>, ptr %gep9499, align 8, !noalias !85
+  %176 = fadd <2 x double> %wide.load9405, %175
+  %177 = fmul <2 x double> %broadcast.splat9397, %176
+  %gep9501 = getelementptr double, ptr %invariant.gep9500, i64 %index9401
+  %wide.load9406 = load <2 x double>, ptr %gep9501, align 8, !noalias !85
+  %178 = fadd <2 x double> %wide.load9406, %177
+  %179 = fmul <2 x double> %broadcast.splat9399, %178
+  %gep9503 = getelementptr double, ptr %invariant.gep9502, i64 %index9401
+  %wide.load9407 = load <2 x double>, ptr %gep9503, align 8, !noalias !85
+  %180 = fadd <2 x double> %wide.load9407, %179
+  %181 = fmul <2 x double> %broadcast.splat9397, %180
+  %gep9505 = getelementptr double, ptr %invariant.gep9504, i64 %index9401
+  %wide.load9408 = load <2 x double>, ptr %gep9505, align 8, !noalias !85
+  %182 = fadd <2 x double> %wide.load9408, %181
+  %183 = fmul <2 x double> %broadcast.splat9399, %182
+  %184 = getelementptr double, ptr %invariant.gep9225, i64 %index9401
+  %wide.load9409 = load <2 x double>, ptr %184, align 8, !noalias !85
+  %185 = fadd <2 x double> %wide.load9409, %183
+  %gep9507 = getelementptr double, ptr %invariant.gep9506, i64 %index9401
+  store <2 x double> %185, ptr %gep9507, align 8, !noalias !78
+  %index.next9410 = add i64 %index9401, 2
+  %186 = icmp eq i64 %index.next9410, %n.vec9395
+  br i1 %186, label %middle.block9411, label %vector.body9400, !llvm.loop !89
 
-middle.block9308:                                 ; preds = %vector.body9297
-  br i1 %cmp.n9309, label %B138.loopexit.i, label %B380.if.i.preheader
+middle.block9411:                                 ; preds = %vector.body9400
+  br i1 %cmp.n9412, label %B138.loopexit.i, label %B380.if.i.preheader
 
-B380.if.i.preheader:                              ; preds = %B380.if.lr.ph.i, %middle.block9308
-  %.807.01185.i.ph = phi i64 [ %n.vec9292, %middle.block9308 ], [ 0, %B380.if.lr.ph.i ]
+B380.if.i.preheader:                              ; preds = %B380.if.lr.ph.i, %middle.block9411
+  %.807.01185.i.ph = phi i64 [ %n.vec9395, %middle.block9411 ], [ 0, %B380.if.lr.ph.i ]
   br label %B380.if.i
 
 B380.if.i:                                        ; preds = %B380.if.i.preheader, %B380.if.i
   %.807.01185.i = phi i64 [ %.876.i, %B380.if.i ], [ %.807.01185.i.ph, %B380.if.i.preheader ]
   %.157.i.i = add nsw i64 %.807.01185.i, %.155.i.i
   %.159.i.i = mul nsw i64 %.157.i.i, %arg.shape.0
-  %gep9115 = getelementptr double, ptr %invariant.gep9114, i64 %.159.i.i
-  %.191.i.i = load double, ptr %gep9115, align 8, !noalias !85
+  %gep9212 = getelementptr double, ptr %invariant.gep9211, i64 %.159.i.i
+  %.191.i.i = load double, ptr %gep9212, align 8, !noalias !85
   %.193.i.i = fadd double %.191.i.i, 0.000000e+00
   %.253.i.i = fmul double %share.3.2.i, %.193.i.i
   %.157.i.1.i = add nsw i64 %.807.01185.i, %.155.i.1.i
   %.159.i.1.i = mul nsw i64 %.157.i.1.i, %arg.shape.0
-  %gep9117 = getelementptr double, ptr %invariant.gep9116, i64 %.159.i.1.i
-  %.191.i.1.i = load double, ptr %gep9117, align 8, !noalias !85
+  %gep9214 = getelementptr double, ptr %invariant.gep9213, i64 %.159.i.1.i
+  %.191.i.1.i = load double, ptr %gep9214, align 8, !noalias !85
   %.193.i.1.i = fadd double %.191.i.1.i, %.253.i.i
   %.253.i.1.i = fmul double %.247.i.i, %.193.i.1.i
   %.157.i.2.i = add nsw i64 %.807.01185.i, %.155.i.2.i
   %.159.i.2.i = mul nsw i64 %.157.i.2.i, %arg.shape.0
-  %gep9119 = getelementptr double, ptr %invariant.gep9118, i64 %.159.i.2.i
-  %.191.i.2.i = load double, ptr %gep9119, align 8, !noalias !85
+  %gep9216 = getelementptr double, ptr %invariant.gep9215, i64 %.159.i.2.i
+  %.191.i.2.i = load double, ptr %gep9216, align 8, !noalias !85
   %.193.i.2.i = fadd double %.191.i.2.i, %.253.i.1.i
   %.253.i.2.i = fmul double %share.3.2.i, %.193.i.2.i
   %.157.i.3.i = add nsw i64 %.807.01185.i, %.155.i.3.i
   %.159.i.3.i = mul nsw i64 %.157.i.3.i, %arg.shape.0
-  %gep9121 = getelementptr double, ptr %invariant.gep9120, i64 %.159.i.3.i
-  %.191.i.3.i = load double, ptr %gep9121, align 8, !noalias !85
+  %gep9218 = getelementptr double, ptr %invariant.gep9217, i64 %.159.i.3.i
+  %.191.i.3.i = load double, ptr %gep9218, align 8, !noalias !85
   %.193.i.3.i = fadd double %.191.i.3.i, %.253.i.2.i
   %.253.i.3.i = fmul double %.247.i.i, %.193.i.3.i
   %.157.i.4.i = add nsw i64 %.807.01185.i, %.155.i.4.i
   %.159.i.4.i = mul nsw i64 %.157.i.4.i, %arg.shape.0
-  %gep9123 = getelementptr double, ptr %invariant.gep9122, i64 %.159.i.4.i
-  %.191.i.4.i = load double, ptr %gep9123, align 8, !noalias !85
+  %gep9220 = getelementptr double, ptr %invariant.gep9219, i64 %.159.i.4.i
+  %.191.i.4.i = load double, ptr %gep9220, align 8, !noalias !85
   %.193.i.4.i = fadd double %.191.i.4.i, %.253.i.3.i
   %.253.i.4.i = fmul double %share.3.2.i, %.193.i.4.i
   %.157.i.5.i = add nsw i64 %.807.01185.i, %.155.i.5.i
   %.159.i.5.i = mul nsw i64 %.157.i.5.i, %arg.shape.0
-  %gep9125 = getelementptr double, ptr %invariant.gep9124, i64 %.159.i.5.i
-  %.191.i.5.i = load double, ptr %gep9125, align 8, !noalias !85
+  %gep9222 = getelementptr double, ptr %invariant.gep9221, i64 %.159.i.5.i
+  %.191.i.5.i = load double, ptr %gep9222, align 8, !noalias !85
   %.193.i.5.i = fadd double %.191.i.5.i, %.253.i.4.i
   %.253.i.5.i = fmul double %.247.i.i, %.193.i.5.i
   %.157.i.6.i = add nsw i64 %.807.01185.i, %.155.i.6.i
   %.159.i.6.i = mul nsw i64 %.157.i.6.i, %arg.shape.0
-  %gep9127 = getelementptr double, ptr %invariant.gep9126, i64 %.159.i.6.i
-  %.191.i.6.i = load double, ptr %gep9127, align 8, !noalias !85
+  %gep9224 = getelementptr double, ptr %invariant.gep9223, i64 %.159.i.6.i
+  %.191.i.6.i = load double, ptr %gep9224, align 8, !noalias !85
   %.193.i.6.i = fadd double %.191.i.6.i, %.253.i.5.i
   %.253.i.6.i = fmul double %share.3.2.i, %.193.i.6.i
   %.876.i = add nsw i64 %.807.01185.i, 1
-  %.271.i.i8756 = mul nsw i64 %.807.01185.i, %arg.shape.0
-  %gep9129 = getelementptr double, ptr %invariant.gep9128, i64 %.271.i.i8756
-  %.309.i.i = load double, ptr %gep9129, align 8, !noalias !85
+  %.271.i.i8850 = mul nsw i64 %.807.01185.i, %arg.shape.0
+  %gep9226 = getelementptr double, ptr %invariant.gep9225, i64 %.271.i.i8850
+  %.309.i.i = load double, ptr %gep9226, align 8, !noalias !85
   %.313.i.i = fadd double %.309.i.i, %.253.i.6.i
   %.936.i = add nsw i64 %.807.01185.i, %.935.i
   %.938.i = mul nsw i64 %.936.i, %arg.shape.0
-  %gep9131 = getelementptr double, ptr %invariant.gep9130, i64 %.938.i
-  store double %.313.i.i, ptr %gep9131, align 8, !noalias !78
-  %exitcond.not.i8757 = icmp eq i64 %arg.shape.1, %.876.i
-  br i1 %exitcond.not.i8757, label %B138.loopexit.i, label %B380.if.i, !llvm.loop !90
+  %gep9228 = getelementptr double, ptr %invariant.gep9227, i64 %.938.i
+  store double %.313.i.i, ptr %gep9228, align 8, !noalias !78
+  %exitcond.not.i8851 = icmp eq i64 %arg.shape.1, %.876.i
+  br i1 %exitcond.not.i8851, label %B138.loopexit.i, label %B380.if.i, !llvm.loop !90
 
 B622.if.i:                                        ; preds = %B474.i, %B1498.i
   %.1157.01191.i = phi i64 [ %.1226.i, %B1498.i ], [ 0, %B474.i ]
@@ -2224,7 +2224,7 @@ B622.if.i:                                        ; preds = %B474.i, %B1498.i
   %.1307.i = getelementptr double, ptr %314, i64 %.1157.01191.i
   %.1308.i = load double, ptr %.1307.i, align 8, !noalias !78
   %.1309.i = fcmp oeq double %.1308.i, 1.000000e+00
-  br i1 %.1309.i, label %B674.i, label %B1498.i
+  br i1 %.1309.i, label %B674.i8855, label %B1498.i
 
 B874.if.i:                                        ; preds = %B842.i, %B1497.i
   %.1635.01195.i = phi i64 [ %.1705.i, %B1497.i ], [ 0, %B842.i ]
@@ -2251,7 +2251,7 @@ B110.loopexit.i:                                  ; preds = %B678.i, %B110.loope
   %exitcond671.not.i = icmp eq i64 %.292.i, 17
   br i1 %exitcond671.not.i, label %B3324, label %B112.if.i
 
-B166.loopexit.i:                                  ; preds = %B288.if.i, %middle.block9267, %B166.if.i
+B166.loopexit.i:                                  ; preds = %B288.if.i, %middle.block9370, %B166.if.i
   %exitcond669.not.i = icmp eq i64 %arg.shape.0, %.419.i
   br i1 %exitcond669.not.i, label %B382.i, label %B166.if.i
 
@@ -2271,20 +2271,20 @@ B608.i:                                           ; preds = %B572.i
   %188 = getelementptr i64, ptr %arg.lane.1.4, i64 %.989.0665.i
   %.84.i35.i = load i64, ptr %188, align 8, !noalias !94
   %.89.i37.i = icmp sgt i64 %.84.i35.i, -1
-  br i1 %.89.i37.i, label %B46.i.i8817, label %B608.endif.i
+  br i1 %.89.i37.i, label %B46.i.i8913, label %B608.endif.i
 
-B46.i.i8817:                                      ; preds = %B608.i
+B46.i.i8913:                                      ; preds = %B608.i
   %.120.i51.i = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i35.i
-  %.121.i.i8818 = load i64, ptr %.120.i51.i, align 8, !noalias !94
-  %.122.i.i8819 = icmp eq i64 %.121.i.i8818, 0
-  br i1 %.122.i.i8819, label %B80.i.i8820, label %B608.endif.i
+  %.121.i.i8914 = load i64, ptr %.120.i51.i, align 8, !noalias !94
+  %.122.i.i8915 = icmp eq i64 %.121.i.i8914, 0
+  br i1 %.122.i.i8915, label %B80.i.i8916, label %B608.endif.i
 
-B80.i.i8820:                                      ; preds = %B46.i.i8817
+B80.i.i8916:                                      ; preds = %B46.i.i8913
   store i64 4, ptr %.120.i51.i, align 8, !noalias !94
   br label %B608.endif.i
 
 B678.i:                                           ; preds = %B608.endif.i, %B530.if.i, %B572.i
-  %exitcond670.not.i = icmp eq i64 %arg.shape.0, %.1058.i8814
+  %exitcond670.not.i = icmp eq i64 %arg.shape.0, %.1058.i8910
   br i1 %exitcond670.not.i, label %B110.loopexit.i, label %B530.if.i
 
 B112.if.i:                                        ; preds = %B3282, %B110.loopexit.i
@@ -2295,11 +2295,11 @@ B112.if.i:                                        ; preds = %B3282, %B110.loopex
   br i1 %.274.i, label %B110.loopexit.i.critedge, label %B166.if.lr.ph.i
 
 B166.if.lr.ph.i:                                  ; preds = %B112.if.i
-  %.247.i.i8766 = fsub double 1.000000e+00, %190
+  %.247.i.i8862 = fsub double 1.000000e+00, %190
   %broadcast.splatinsert = insertelement <2 x double> poison, double %190, i64 0
   %broadcast.splat = shufflevector <2 x double> %broadcast.splatinsert, <2 x double> poison, <2 x i32> zeroinitializer
-  %broadcast.splatinsert9254 = insertelement <2 x double> poison, double %.247.i.i8766, i64 0
-  %broadcast.splat9255 = shufflevector <2 x double> %broadcast.splatinsert9254, <2 x double> poison, <2 x i32> zeroinitializer
+  %broadcast.splatinsert9357 = insertelement <2 x double> poison, double %.247.i.i8862, i64 0
+  %broadcast.splat9358 = shufflevector <2 x double> %broadcast.splatinsert9357, <2 x double> poison, <2 x i32> zeroinitializer
   br label %B166.if.i
 
 B166.if.i:                                        ; preds = %B166.if.lr.ph.i, %B166.loopexit.i
@@ -2311,146 +2311,146 @@ B166.if.i:                                        ; preds = %B166.if.lr.ph.i, %B
   %.556.i = load double, ptr %.555.i, align 8, !noalias !91
   %.558.i = fmul double %190, %.556.i
   %.559.i = fadd double %.501.i, %.558.i
-  %.613.i8767 = getelementptr double, ptr %.490, i64 %.350.0662.i
-  store double %.559.i, ptr %.613.i8767, align 8, !noalias !91
+  %.613.i8863 = getelementptr double, ptr %.490, i64 %.350.0662.i
+  store double %.559.i, ptr %.613.i8863, align 8, !noalias !91
   br i1 %.695658.not.i, label %B166.loopexit.i, label %B288.if.preheader.i
 
 B288.if.preheader.i:                              ; preds = %B166.if.i
-  %invariant.gep9132 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
-  %invariant.gep9134 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
-  %invariant.gep9136 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
-  %invariant.gep9138 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
-  %invariant.gep9140 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
-  %invariant.gep9142 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
-  %invariant.gep9144 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
-  %invariant.gep9146 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
-  %invariant.gep9148 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
-  %or.cond9371.not = xor i1 %or.cond9371, true
-  %brmerge9431 = select i1 %or.cond9371.not, i1 true, i1 %conflict.rdx9248
-  br i1 %brmerge9431, label %B288.if.i.preheader, label %vector.ph9251
+  %invariant.gep9229 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
+  %invariant.gep9231 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
+  %invariant.gep9233 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
+  %invariant.gep9235 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
+  %invariant.gep9237 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
+  %invariant.gep9239 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
+  %invariant.gep9241 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
+  %invariant.gep9243 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
+  %invariant.gep9245 = getelementptr double, ptr %arg.arrays.0.4, i64 %.350.0662.i
+  %or.cond9474.not = xor i1 %or.cond9474, true
+  %brmerge9536 = select i1 %or.cond9474.not, i1 true, i1 %conflict.rdx9351
+  br i1 %brmerge9536, label %B288.if.i.preheader, label %vector.ph9354
 
-vector.ph9251:                                    ; preds = %B288.if.preheader.i
-  %invariant.gep9405 = getelementptr double, ptr %invariant.gep9132, i64 %.155.i.i8768
-  %invariant.gep9407 = getelementptr double, ptr %invariant.gep9134, i64 %.155.i.1.i8774
-  %invariant.gep9409 = getelementptr double, ptr %invariant.gep9136, i64 %.155.i.2.i8780
-  %invariant.gep9411 = getelementptr double, ptr %invariant.gep9138, i64 %.155.i.3.i8786
-  %invariant.gep9413 = getelementptr double, ptr %invariant.gep9140, i64 %.155.i.4.i8792
-  %invariant.gep9415 = getelementptr double, ptr %invariant.gep9142, i64 %.155.i.5.i8798
-  %invariant.gep9417 = getelementptr double, ptr %invariant.gep9144, i64 %.155.i.6.i8804
-  %invariant.gep9419 = getelementptr double, ptr %invariant.gep9148, i64 %.767.i
-  br label %vector.body9256
+vector.ph9354:                                    ; preds = %B288.if.preheader.i
+  %invariant.gep9508 = getelementptr double, ptr %invariant.gep9229, i64 %.155.i.i8864
+  %invariant.gep9510 = getelementptr double, ptr %invariant.gep9231, i64 %.155.i.1.i8870
+  %invariant.gep9512 = getelementptr double, ptr %invariant.gep9233, i64 %.155.i.2.i8876
+  %invariant.gep9514 = getelementptr double, ptr %invariant.gep9235, i64 %.155.i.3.i8882
+  %invariant.gep9516 = getelementptr double, ptr %invariant.gep9237, i64 %.155.i.4.i8888
+  %invariant.gep9518 = getelementptr double, ptr %invariant.gep9239, i64 %.155.i.5.i8894
+  %invariant.gep9520 = getelementptr double, ptr %invariant.gep9241, i64 %.155.i.6.i8900
+  %invariant.gep9522 = getelementptr double, ptr %invariant.gep9245, i64 %.767.i
+  br label %vector.body9359
 
-vector.body9256:                                  ; preds = %vector.body9256, %vector.ph9251
-  %index9257 = phi i64 [ 0, %vector.ph9251 ], [ %index.next9266, %vector.body9256 ]
-  %gep9406 = getelementptr double, ptr %invariant.gep9405, i64 %index9257
-  %wide.load9258 = load <2 x double>, ptr %gep9406, align 8, !noalias !97
-  %191 = fadd <2 x double> %wide.load9258, zeroinitializer
+vector.body9359:                                  ; preds = %vector.body9359, %vector.ph9354
+  %index9360 = phi i64 [ 0, %vector.ph9354 ], [ %index.next9369, %vector.body9359 ]
+  %gep9509 = getelementptr double, ptr %invariant.gep9508, i64 %index9360
+  %wide.load9361 = load <2 x double>, ptr %gep9509, align 8, !noalias !97
+  %191 = fadd <2 x double> %wide.load9361, zeroinitializer
   %192 = fmul <2 x double> %broadcast.splat, %191
-  %gep9408 = getelementptr double, ptr %invariant.gep9407, i64 %index9257
-  %wide.load9259 = load <2 x double>, ptr %gep9408, align 8, !noalias !97
-  %193 = fadd <2 x double> %wide.load9259, %192
-  %194 = fmul <2 x double> %broadcast.splat9255, %193
-  %gep9410 = getelementptr double, ptr %invariant.gep9409, i64 %index9257
-  %wide.load9260 = load <2 x double>, ptr %gep9410, align 8, !noalias !97
-  %195 = fadd <2 x double> %wide.load9260, %194
+  %gep9511 = getelementptr double, ptr %invariant.gep9510, i64 %index9360
+  %wide.load9362 = load <2 x double>, ptr %gep9511, align 8, !noalias !97
+  %193 = fadd <2 x double> %wide.load9362, %192
+  %194 = fmul <2 x double> %broadcast.splat9358, %193
+  %gep9513 = getelementptr double, ptr %invariant.gep9512, i64 %index9360
+  %wide.load9363 = load <2 x double>, ptr %gep9513, align 8, !noalias !97
+  %195 = fadd <2 x double> %wide.load9363, %194
   %196 = fmul <2 x double> %broadcast.splat, %195
-  %gep9412 = getelementptr double, ptr %invariant.gep9411, i64 %index9257
-  %wide.load9261 = load <2 x double>, ptr %gep9412, align 8, !noalias !97
-  %197 = fadd <2 x double> %wide.load9261, %196
-  %198 = fmul <2 x double> %broadcast.splat9255, %197
-  %gep9414 = getelementptr double, ptr %invariant.gep9413, i64 %index9257
-  %wide.load9262 = load <2 x double>, ptr %gep9414, align 8, !noalias !97
-  %199 = fadd <2 x double> %wide.load9262, %198
+  %gep9515 = getelementptr double, ptr %invariant.gep9514, i64 %index9360
+  %wide.load9364 = load <2 x double>, ptr %gep9515, align 8, !noalias !97
+  %197 = fadd <2 x double> %wide.load9364, %196
+  %198 = fmul <2 x double> %broadcast.splat9358, %197
+  %gep9517 = getelementptr double, ptr %invariant.gep9516, i64 %index9360
+  %wide.load9365 = load <2 x double>, ptr %gep9517, align 8, !noalias !97
+  %199 = fadd <2 x double> %wide.load9365, %198
   %200 = fmul <2 x double> %broadcast.splat, %199
-  %gep9416 = getelementptr double, ptr %invariant.gep9415, i64 %index9257
-  %wide.load9263 = load <2 x double>, ptr %gep9416, align 8, !noalias !97
-  %201 = fadd <2 x double> %wide.load9263, %200
-  %202 = fmul <2 x double> %broadcast.splat9255, %201
-  %gep9418 = getelementptr double, ptr %invariant.gep9417, i64 %index9257
-  %wide.load9264 = load <2 x double>, ptr %gep9418, align 8, !noalias !97
-  %203 = fadd <2 x double> %wide.load9264, %202
+  %gep9519 = getelementptr double, ptr %invariant.gep9518, i64 %index9360
+  %wide.load9366 = load <2 x double>, ptr %gep9519, align 8, !noalias !97
+  %201 = fadd <2 x double> %wide.load9366, %200
+  %202 = fmul <2 x double> %broadcast.splat9358, %201
+  %gep9521 = getelementptr double, ptr %invariant.gep9520, i64 %index9360
+  %wide.load9367 = load <2 x double>, ptr %gep9521, align 8, !noalias !97
+  %203 = fadd <2 x double> %wide.load9367, %202
   %204 = fmul <2 x double> %broadcast.splat, %203
-  %205 = getelementptr double, ptr %invariant.gep9146, i64 %index9257
-  %wide.load9265 = load <2 x double>, ptr %205, align 8, !noalias !97
-  %206 = fadd <2 x double> %wide.load9265, %204
-  %gep9420 = getelementptr double, ptr %invariant.gep9419, i64 %index9257
-  store <2 x double> %206, ptr %gep9420, align 8, !noalias !91
-  %index.next9266 = add i64 %index9257, 2
-  %207 = icmp eq i64 %index.next9266, %n.vec9253
-  br i1 %207, label %middle.block9267, label %vector.body9256, !llvm.loop !101
+  %205 = getelementptr double, ptr %invariant.gep9243, i64 %index9360
+  %wide.load9368 = load <2 x double>, ptr %205, align 8, !noalias !97
+  %206 = fadd <2 x double> %wide.load9368, %204
+  %gep9523 = getelementptr double, ptr %invariant.gep9522, i64 %index9360
+  store <2 x double> %206, ptr %gep9523, align 8, !noalias !91
+  %index.next9369 = add i64 %index9360, 2
+  %207 = icmp eq i64 %index.next9369, %n.vec9356
+  br i1 %207, label %middle.block9370, label %vector.body9359, !llvm.loop !101
 
-middle.block9267:                                 ; preds = %vector.body9256
-  br i1 %cmp.n9268, label %B166.loopexit.i, label %B288.if.i.preheader
+middle.block9370:                                 ; preds = %vector.body9359
+  br i1 %cmp.n9371, label %B166.loopexit.i, label %B288.if.i.preheader
 
-B288.if.i.preheader:                              ; preds = %B288.if.preheader.i, %middle.block9267
-  %.639.0659.i.ph = phi i64 [ %n.vec9253, %middle.block9267 ], [ 0, %B288.if.preheader.i ]
+B288.if.i.preheader:                              ; preds = %B288.if.preheader.i, %middle.block9370
+  %.639.0659.i.ph = phi i64 [ %n.vec9356, %middle.block9370 ], [ 0, %B288.if.preheader.i ]
   br label %B288.if.i
 
 B288.if.i:                                        ; preds = %B288.if.i.preheader, %B288.if.i
   %.639.0659.i = phi i64 [ %.708.i, %B288.if.i ], [ %.639.0659.i.ph, %B288.if.i.preheader ]
-  %.157.i.i8769 = add nsw i64 %.639.0659.i, %.155.i.i8768
-  %.159.i.i8770 = mul nsw i64 %.157.i.i8769, %arg.shape.0
-  %gep9133 = getelementptr double, ptr %invariant.gep9132, i64 %.159.i.i8770
-  %.191.i.i8771 = load double, ptr %gep9133, align 8, !noalias !97
-  %.193.i.i8772 = fadd double %.191.i.i8771, 0.000000e+00
-  %.253.i.i8773 = fmul double %190, %.193.i.i8772
-  %.157.i.1.i8775 = add nsw i64 %.639.0659.i, %.155.i.1.i8774
-  %.159.i.1.i8776 = mul nsw i64 %.157.i.1.i8775, %arg.shape.0
-  %gep9135 = getelementptr double, ptr %invariant.gep9134, i64 %.159.i.1.i8776
-  %.191.i.1.i8777 = load double, ptr %gep9135, align 8, !noalias !97
-  %.193.i.1.i8778 = fadd double %.191.i.1.i8777, %.253.i.i8773
-  %.253.i.1.i8779 = fmul double %.247.i.i8766, %.193.i.1.i8778
-  %.157.i.2.i8781 = add nsw i64 %.639.0659.i, %.155.i.2.i8780
-  %.159.i.2.i8782 = mul nsw i64 %.157.i.2.i8781, %arg.shape.0
-  %gep9137 = getelementptr double, ptr %invariant.gep9136, i64 %.159.i.2.i8782
-  %.191.i.2.i8783 = load double, ptr %gep9137, align 8, !noalias !97
-  %.193.i.2.i8784 = fadd double %.191.i.2.i8783, %.253.i.1.i8779
-  %.253.i.2.i8785 = fmul double %190, %.193.i.2.i8784
-  %.157.i.3.i8787 = add nsw i64 %.639.0659.i, %.155.i.3.i8786
-  %.159.i.3.i8788 = mul nsw i64 %.157.i.3.i8787, %arg.shape.0
-  %gep9139 = getelementptr double, ptr %invariant.gep9138, i64 %.159.i.3.i8788
-  %.191.i.3.i8789 = load double, ptr %gep9139, align 8, !noalias !97
-  %.193.i.3.i8790 = fadd double %.191.i.3.i8789, %.253.i.2.i8785
-  %.253.i.3.i8791 = fmul double %.247.i.i8766, %.193.i.3.i8790
-  %.157.i.4.i8793 = add nsw i64 %.639.0659.i, %.155.i.4.i8792
-  %.159.i.4.i8794 = mul nsw i64 %.157.i.4.i8793, %arg.shape.0
-  %gep9141 = getelementptr double, ptr %invariant.gep9140, i64 %.159.i.4.i8794
-  %.191.i.4.i8795 = load double, ptr %gep9141, align 8, !noalias !97
-  %.193.i.4.i8796 = fadd double %.191.i.4.i8795, %.253.i.3.i8791
-  %.253.i.4.i8797 = fmul double %190, %.193.i.4.i8796
-  %.157.i.5.i8799 = add nsw i64 %.639.0659.i, %.155.i.5.i8798
-  %.159.i.5.i8800 = mul nsw i64 %.157.i.5.i8799, %arg.shape.0
-  %gep9143 = getelementptr double, ptr %invariant.gep9142, i64 %.159.i.5.i8800
-  %.191.i.5.i8801 = load double, ptr %gep9143, align 8, !noalias !97
-  %.193.i.5.i8802 = fadd double %.191.i.5.i8801, %.253.i.4.i8797
-  %.253.i.5.i8803 = fmul double %.247.i.i8766, %.193.i.5.i8802
-  %.157.i.6.i8805 = add nsw i64 %.639.0659.i, %.155.i.6.i8804
-  %.159.i.6.i8806 = mul nsw i64 %.157.i.6.i8805, %arg.shape.0
-  %gep9145 = getelementptr double, ptr %invariant.gep9144, i64 %.159.i.6.i8806
-  %.191.i.6.i8807 = load double, ptr %gep9145, align 8, !noalias !97
-  %.193.i.6.i8808 = fadd double %.191.i.6.i8807, %.253.i.5.i8803
-  %.253.i.6.i8809 = fmul double %190, %.193.i.6.i8808
+  %.157.i.i8865 = add nsw i64 %.639.0659.i, %.155.i.i8864
+  %.159.i.i8866 = mul nsw i64 %.157.i.i8865, %arg.shape.0
+  %gep9230 = getelementptr double, ptr %invariant.gep9229, i64 %.159.i.i8866
+  %.191.i.i8867 = load double, ptr %gep9230, align 8, !noalias !97
+  %.193.i.i8868 = fadd double %.191.i.i8867, 0.000000e+00
+  %.253.i.i8869 = fmul double %190, %.193.i.i8868
+  %.157.i.1.i8871 = add nsw i64 %.639.0659.i, %.155.i.1.i8870
+  %.159.i.1.i8872 = mul nsw i64 %.157.i.1.i8871, %arg.shape.0
+  %gep9232 = getelementptr double, ptr %invariant.gep9231, i64 %.159.i.1.i8872
+  %.191.i.1.i8873 = load double, ptr %gep9232, align 8, !noalias !97
+  %.193.i.1.i8874 = fadd double %.191.i.1.i8873, %.253.i.i8869
+  %.253.i.1.i8875 = fmul double %.247.i.i8862, %.193.i.1.i8874
+  %.157.i.2.i8877 = add nsw i64 %.639.0659.i, %.155.i.2.i8876
+  %.159.i.2.i8878 = mul nsw i64 %.157.i.2.i8877, %arg.shape.0
+  %gep9234 = getelementptr double, ptr %invariant.gep9233, i64 %.159.i.2.i8878
+  %.191.i.2.i8879 = load double, ptr %gep9234, align 8, !noalias !97
+  %.193.i.2.i8880 = fadd double %.191.i.2.i8879, %.253.i.1.i8875
+  %.253.i.2.i8881 = fmul double %190, %.193.i.2.i8880
+  %.157.i.3.i8883 = add nsw i64 %.639.0659.i, %.155.i.3.i8882
+  %.159.i.3.i8884 = mul nsw i64 %.157.i.3.i8883, %arg.shape.0
+  %gep9236 = getelementptr double, ptr %invariant.gep9235, i64 %.159.i.3.i8884
+  %.191.i.3.i8885 = load double, ptr %gep9236, align 8, !noalias !97
+  %.193.i.3.i8886 = fadd double %.191.i.3.i8885, %.253.i.2.i8881
+  %.253.i.3.i8887 = fmul double %.247.i.i8862, %.193.i.3.i8886
+  %.157.i.4.i8889 = add nsw i64 %.639.0659.i, %.155.i.4.i8888
+  %.159.i.4.i8890 = mul nsw i64 %.157.i.4.i8889, %arg.shape.0
+  %gep9238 = getelementptr double, ptr %invariant.gep9237, i64 %.159.i.4.i8890
+  %.191.i.4.i8891 = load double, ptr %gep9238, align 8, !noalias !97
+  %.193.i.4.i8892 = fadd double %.191.i.4.i8891, %.253.i.3.i8887
+  %.253.i.4.i8893 = fmul double %190, %.193.i.4.i8892
+  %.157.i.5.i8895 = add nsw i64 %.639.0659.i, %.155.i.5.i8894
+  %.159.i.5.i8896 = mul nsw i64 %.157.i.5.i8895, %arg.shape.0
+  %gep9240 = getelementptr double, ptr %invariant.gep9239, i64 %.159.i.5.i8896
+  %.191.i.5.i8897 = load double, ptr %gep9240, align 8, !noalias !97
+  %.193.i.5.i8898 = fadd double %.191.i.5.i8897, %.253.i.4.i8893
+  %.253.i.5.i8899 = fmul double %.247.i.i8862, %.193.i.5.i8898
+  %.157.i.6.i8901 = add nsw i64 %.639.0659.i, %.155.i.6.i8900
+  %.159.i.6.i8902 = mul nsw i64 %.157.i.6.i8901, %arg.shape.0
+  %gep9242 = getelementptr double, ptr %invariant.gep9241, i64 %.159.i.6.i8902
+  %.191.i.6.i8903 = load double, ptr %gep9242, align 8, !noalias !97
+  %.193.i.6.i8904 = fadd double %.191.i.6.i8903, %.253.i.5.i8899
+  %.253.i.6.i8905 = fmul double %190, %.193.i.6.i8904
   %.708.i = add nsw i64 %.639.0659.i, 1
-  %.271.i.i8810 = mul nsw i64 %.639.0659.i, %arg.shape.0
-  %gep9147 = getelementptr double, ptr %invariant.gep9146, i64 %.271.i.i8810
-  %.309.i.i8811 = load double, ptr %gep9147, align 8, !noalias !97
-  %.313.i.i8812 = fadd double %.309.i.i8811, %.253.i.6.i8809
+  %.271.i.i8906 = mul nsw i64 %.639.0659.i, %arg.shape.0
+  %gep9244 = getelementptr double, ptr %invariant.gep9243, i64 %.271.i.i8906
+  %.309.i.i8907 = load double, ptr %gep9244, align 8, !noalias !97
+  %.313.i.i8908 = fadd double %.309.i.i8907, %.253.i.6.i8905
   %.768.i = add nsw i64 %.639.0659.i, %.767.i
   %.770.i = mul nsw i64 %.768.i, %arg.shape.0
-  %gep9149 = getelementptr double, ptr %invariant.gep9148, i64 %.770.i
-  store double %.313.i.i8812, ptr %gep9149, align 8, !noalias !91
-  %exitcond.not.i8813 = icmp eq i64 %arg.shape.1, %.708.i
-  br i1 %exitcond.not.i8813, label %B166.loopexit.i, label %B288.if.i, !llvm.loop !102
+  %gep9246 = getelementptr double, ptr %invariant.gep9245, i64 %.770.i
+  store double %.313.i.i8908, ptr %gep9246, align 8, !noalias !91
+  %exitcond.not.i8909 = icmp eq i64 %arg.shape.1, %.708.i
+  br i1 %exitcond.not.i8909, label %B166.loopexit.i, label %B288.if.i, !llvm.loop !102
 
 B530.if.i:                                        ; preds = %B382.i, %B678.i
-  %.989.0665.i = phi i64 [ %.1058.i8814, %B678.i ], [ 0, %B382.i ]
-  %.1058.i8814 = add nsw i64 %.989.0665.i, 1
+  %.989.0665.i = phi i64 [ %.1058.i8910, %B678.i ], [ 0, %B382.i ]
+  %.1058.i8910 = add nsw i64 %.989.0665.i, 1
   %208 = getelementptr double, ptr %321, i64 %.989.0665.i
-  %.1140.i8815 = load double, ptr %208, align 8, !noalias !91
-  %.1141.i8816 = fcmp ogt double %.1140.i8815, 5.000000e-01
-  br i1 %.1141.i8816, label %B572.i, label %B678.i
+  %.1140.i8911 = load double, ptr %208, align 8, !noalias !91
+  %.1141.i8912 = fcmp ogt double %.1140.i8911, 5.000000e-01
+  br i1 %.1141.i8912, label %B572.i, label %B678.i
 
-B608.endif.i:                                     ; preds = %B80.i.i8820, %B46.i.i8817, %B608.i
+B608.endif.i:                                     ; preds = %B80.i.i8916, %B46.i.i8913, %B608.i
   store double 0.000000e+00, ptr %208, align 8, !noalias !91
   br label %B678.i
 
@@ -2459,64 +2459,64 @@ B3324:                                            ; preds = %B110.loopexit.i, %B
 
 B3332:                                            ; preds = %B3324
   %within.5.1.not = xor i1 %within.5.1, true
-  %brmerge8709 = select i1 %within.5.1.not, i1 true, i1 %.539
-  %"$phi3368.7.2.2" = select i1 %brmerge8709, i64 0, i64 3
+  %brmerge8801 = select i1 %within.5.1.not, i1 true, i1 %.539
+  %"$phi3368.7.2.2" = select i1 %brmerge8801, i64 0, i64 3
   br i1 %.274.i, label %B3384, label %B76.if.i
 
 B152.i:                                           ; preds = %B76.if.i
   %.445.i = getelementptr double, ptr %323, i64 %.173.0654.i
   %.446.i = load double, ptr %.445.i, align 8, !noalias !103
   %.447.i = fcmp olt double %.446.i, 5.000000e-01
-  br i1 %.447.i, label %B769.i, label %B190.i8825
+  br i1 %.447.i, label %B769.i, label %B190.i8921
 
-B190.i8825:                                       ; preds = %B152.i
-  %.478.i = getelementptr i64, ptr %arg.results.1.4, i64 %.327.i8822
-  %.479.i8826 = load i64, ptr %.478.i, align 8, !noalias !103
-  %.480.not.i = icmp eq i64 %.479.i8826, 0
+B190.i8921:                                       ; preds = %B152.i
+  %.478.i = getelementptr i64, ptr %arg.results.1.4, i64 %.327.i8918
+  %.479.i8922 = load i64, ptr %.478.i, align 8, !noalias !103
+  %.480.not.i = icmp eq i64 %.479.i8922, 0
   br i1 %.480.not.i, label %B226.i, label %B769.i
 
-B226.i:                                           ; preds = %B190.i8825
-  %.542.i = mul i64 %.327.i8822, %arg.results.3.5.1
+B226.i:                                           ; preds = %B190.i8921
+  %.542.i = mul i64 %.327.i8918, %arg.results.3.5.1
   %209 = getelementptr i64, ptr %arg.results.3.4, i64 %.542.i
   %.546.i = getelementptr i8, ptr %209, i64 8
   %.547.i = load i64, ptr %.546.i, align 8, !noalias !103
-  %.549.i8827 = add nsw i64 %.547.i, %"$phi3368.7.2.2"
-  store i64 %.549.i8827, ptr %.546.i, align 8, !noalias !103
+  %.549.i8923 = add nsw i64 %.547.i, %"$phi3368.7.2.2"
+  store i64 %.549.i8923, ptr %.546.i, align 8, !noalias !103
   %.655.i = getelementptr double, ptr %arg.lane.0.4, i64 %.173.0654.i
   %.656.i = load double, ptr %.655.i, align 8, !noalias !103
   %.710.i = getelementptr double, ptr %324, i64 %.173.0654.i
-  %.711.i8828 = load double, ptr %.710.i, align 8, !noalias !103
+  %.711.i8924 = load double, ptr %.710.i, align 8, !noalias !103
   %.765.i = getelementptr double, ptr %325, i64 %.173.0654.i
-  %.766.i8829 = load double, ptr %.765.i, align 8, !noalias !103
-  %.787.i8830 = icmp slt i64 %.382.i8823, %arg.times.5.0
-  br i1 %.787.i8830, label %B400.i, label %B740.i
+  %.766.i8925 = load double, ptr %.765.i, align 8, !noalias !103
+  %.787.i8926 = icmp slt i64 %.382.i8919, %arg.times.5.0
+  br i1 %.787.i8926, label %B400.i, label %B740.i
 
 B400.i:                                           ; preds = %B226.i
-  %.810.i = icmp slt i64 %.382.i8823, 0
+  %.810.i = icmp slt i64 %.382.i8919, 0
   %.811.i = select i1 %.810.i, i64 %arg.times.5.0, i64 0
-  %210 = getelementptr double, ptr %arg.times.4, i64 %.382.i8823
+  %210 = getelementptr double, ptr %arg.times.4, i64 %.382.i8919
   %.825.i = getelementptr double, ptr %210, i64 %.811.i
   %.826.i = load double, ptr %.825.i, align 8, !noalias !103
-  %.830.i8831 = fcmp ugt double %.826.i, %.766.i8829
-  br i1 %.830.i8831, label %B740.i, label %B424.preheader.i
+  %.830.i8927 = fcmp ugt double %.826.i, %.766.i8925
+  br i1 %.830.i8927, label %B740.i, label %B424.preheader.i
 
 B424.preheader.i:                                 ; preds = %B400.i
-  %factor.op.mul.reass.i = mul i64 %factor.op.mul652.i, %.327.i8822
+  %factor.op.mul.reass.i = mul i64 %factor.op.mul652.i, %.327.i8918
   %.1317.i = getelementptr double, ptr %326, i64 %.173.0654.i
   %211 = getelementptr double, ptr %arg.results.0.4, i64 %factor.op.mul.reass.i
-  %invariant.gep9150 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
-  %invariant.gep9152 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
-  %invariant.gep9154 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
-  %invariant.gep9156 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
-  %invariant.gep9158 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
-  %invariant.gep9160 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
-  %invariant.gep9162 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
-  %invariant.gep9164 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
-  %invariant.gep9166 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
+  %invariant.gep9247 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
+  %invariant.gep9249 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
+  %invariant.gep9251 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
+  %invariant.gep9253 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
+  %invariant.gep9255 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
+  %invariant.gep9257 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
+  %invariant.gep9259 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
+  %invariant.gep9261 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
+  %invariant.gep9263 = getelementptr double, ptr %arg.arrays.0.4, i64 %.173.0654.i
   br label %B424.i
 
 B424.i:                                           ; preds = %B716.i, %B424.preheader.i
-  %done.2.3.i = phi i64 [ %.1255.i, %B716.i ], [ %.382.i8823, %B424.preheader.i ]
+  %done.2.3.i = phi i64 [ %.1255.i, %B716.i ], [ %.382.i8919, %B424.preheader.i ]
   br i1 %.917649.not.i, label %B624.i, label %B454.if.lr.ph.i
 
 B454.if.lr.ph.i:                                  ; preds = %B424.i
@@ -2531,10 +2531,10 @@ B454.if.lr.ph.i:                                  ; preds = %B424.i
   br label %B454.if.i
 
 B482.i:                                           ; preds = %B454.if.i
-  %.995.i8880 = add nsw i64 %.861.0650.i, %.993.i
-  %.997.i = mul nsw i64 %.995.i8880, %arg.shape.0
-  %gep9167 = getelementptr double, ptr %invariant.gep9166, i64 %.997.i
-  %.1029.i8881 = load double, ptr %gep9167, align 8, !noalias !103
+  %.995.i8976 = add nsw i64 %.861.0650.i, %.993.i
+  %.997.i = mul nsw i64 %.995.i8976, %arg.shape.0
+  %gep9264 = getelementptr double, ptr %invariant.gep9263, i64 %.997.i
+  %.1029.i8977 = load double, ptr %gep9264, align 8, !noalias !103
   br label %B770.i
 
 B624.i:                                           ; preds = %B770.i, %B424.i
@@ -2549,92 +2549,92 @@ B716.i:                                           ; preds = %B624.i
   %214 = getelementptr double, ptr %arg.times.4, i64 %.1255.i
   %.1367.i = getelementptr double, ptr %214, i64 %.1353.i
   %.1368.i = load double, ptr %.1367.i, align 8, !noalias !103
-  %.1372.i = fcmp ugt double %.1368.i, %.766.i8829
+  %.1372.i = fcmp ugt double %.1368.i, %.766.i8925
   br i1 %.1372.i, label %B740.i, label %B424.i
 
 B740.i:                                           ; preds = %B716.i, %B624.i, %B400.i, %B226.i
-  %done.3.2.i = phi i64 [ %.382.i8823, %B400.i ], [ %.382.i8823, %B226.i ], [ %arg.times.5.0, %B624.i ], [ %.1255.i, %B716.i ]
+  %done.3.2.i = phi i64 [ %.382.i8919, %B400.i ], [ %.382.i8919, %B226.i ], [ %arg.times.5.0, %B624.i ], [ %.1255.i, %B716.i ]
   store i64 %done.3.2.i, ptr %.381.i, align 8, !noalias !103
   br label %B769.i
 
-B769.i:                                           ; preds = %B76.if.i, %B740.i, %B190.i8825, %B152.i
+B769.i:                                           ; preds = %B76.if.i, %B740.i, %B190.i8921, %B152.i
   %exitcond657.not.i = icmp eq i64 %.245.i, %arg.shape.0
   br i1 %exitcond657.not.i, label %B3384, label %B76.if.i
 
 B770.i:                                           ; preds = %B38.if.i.i, %B482.i
-  %.313.i.i8878.sink = phi double [ %.313.i.i8878, %B38.if.i.i ], [ %.1029.i8881, %B482.i ]
+  %.313.i.i8974.sink = phi double [ %.313.i.i8974, %B38.if.i.i ], [ %.1029.i8977, %B482.i ]
   %215 = getelementptr double, ptr %213, i64 %.861.0650.i
-  store double %.313.i.i8878.sink, ptr %215, align 8, !noalias !103
-  %exitcond.not.i8879 = icmp eq i64 %arg.shape.1, %.930.i
-  br i1 %exitcond.not.i8879, label %B624.i, label %B454.if.i
+  store double %.313.i.i8974.sink, ptr %215, align 8, !noalias !103
+  %exitcond.not.i8975 = icmp eq i64 %arg.shape.1, %.930.i
+  br i1 %exitcond.not.i8975, label %B624.i, label %B454.if.i
 
 B76.if.i:                                         ; preds = %B3332, %B769.i
   %.173.0654.i = phi i64 [ %.245.i, %B769.i ], [ 0, %B3332 ]
   %.245.i = add nsw i64 %.173.0654.i, 1
   %.326.i = getelementptr i64, ptr %arg.lane.1.4, i64 %.173.0654.i
-  %.327.i8822 = load i64, ptr %.326.i, align 8, !noalias !103
+  %.327.i8918 = load i64, ptr %.326.i, align 8, !noalias !103
   %.381.i = getelementptr i64, ptr %322, i64 %.173.0654.i
-  %.382.i8823 = load i64, ptr %.381.i, align 8, !noalias !103
-  %.390.i8824 = icmp slt i64 %.327.i8822, 0
-  br i1 %.390.i8824, label %B769.i, label %B152.i
+  %.382.i8919 = load i64, ptr %.381.i, align 8, !noalias !103
+  %.390.i8920 = icmp slt i64 %.327.i8918, 0
+  br i1 %.390.i8920, label %B769.i, label %B152.i
 
 B454.if.i:                                        ; preds = %B770.i, %B454.if.lr.ph.i
   %.861.0650.i = phi i64 [ 0, %B454.if.lr.ph.i ], [ %.930.i, %B770.i ]
   %.930.i = add nsw i64 %.861.0650.i, 1
   %.988.i = load double, ptr %.987.i, align 8, !noalias !103
-  %.990.i = fcmp oeq double %.988.i, %.766.i8829
+  %.990.i = fcmp oeq double %.988.i, %.766.i8925
   br i1 %.990.i, label %B482.i, label %B38.if.i.i
 
 B38.if.i.i:                                       ; preds = %B454.if.i
   %.1138.i = fsub double %.988.i, %.656.i
-  %.1143.i = fdiv double %.1138.i, %.711.i8828
-  %.247.i.i8833 = fsub double 1.000000e+00, %.1143.i
-  %.157.i.i8835 = add nsw i64 %.861.0650.i, %.155.i.i8834
-  %.159.i.i8836 = mul nsw i64 %.157.i.i8835, %arg.shape.0
-  %gep9151 = getelementptr double, ptr %invariant.gep9150, i64 %.159.i.i8836
-  %.191.i.i8837 = load double, ptr %gep9151, align 8, !noalias !106
-  %.193.i.i8838 = fadd double %.191.i.i8837, 0.000000e+00
-  %.253.i.i8839 = fmul double %.1143.i, %.193.i.i8838
-  %.157.i.1.i8841 = add nsw i64 %.861.0650.i, %.155.i.1.i8840
-  %.159.i.1.i8842 = mul nsw i64 %.157.i.1.i8841, %arg.shape.0
-  %gep9153 = getelementptr double, ptr %invariant.gep9152, i64 %.159.i.1.i8842
-  %.191.i.1.i8843 = load double, ptr %gep9153, align 8, !noalias !106
-  %.193.i.1.i8844 = fadd double %.191.i.1.i8843, %.253.i.i8839
-  %.253.i.1.i8845 = fmul double %.247.i.i8833, %.193.i.1.i8844
-  %.157.i.2.i8847 = add nsw i64 %.861.0650.i, %.155.i.2.i8846
-  %.159.i.2.i8848 = mul nsw i64 %.157.i.2.i8847, %arg.shape.0
-  %gep9155 = getelementptr double, ptr %invariant.gep9154, i64 %.159.i.2.i8848
-  %.191.i.2.i8849 = load double, ptr %gep9155, align 8, !noalias !106
-  %.193.i.2.i8850 = fadd double %.191.i.2.i8849, %.253.i.1.i8845
-  %.253.i.2.i8851 = fmul double %.1143.i, %.193.i.2.i8850
-  %.157.i.3.i8853 = add nsw i64 %.861.0650.i, %.155.i.3.i8852
-  %.159.i.3.i8854 = mul nsw i64 %.157.i.3.i8853, %arg.shape.0
-  %gep9157 = getelementptr double, ptr %invariant.gep9156, i64 %.159.i.3.i8854
-  %.191.i.3.i8855 = load double, ptr %gep9157, align 8, !noalias !106
-  %.193.i.3.i8856 = fadd double %.191.i.3.i8855, %.253.i.2.i8851
-  %.253.i.3.i8857 = fmul double %.247.i.i8833, %.193.i.3.i8856
-  %.157.i.4.i8859 = add nsw i64 %.861.0650.i, %.155.i.4.i8858
-  %.159.i.4.i8860 = mul nsw i64 %.157.i.4.i8859, %arg.shape.0
-  %gep9159 = getelementptr double, ptr %invariant.gep9158, i64 %.159.i.4.i8860
-  %.191.i.4.i8861 = load double, ptr %gep9159, align 8, !noalias !106
-  %.193.i.4.i8862 = fadd double %.191.i.4.i8861, %.253.i.3.i8857
-  %.253.i.4.i8863 = fmul double %.1143.i, %.193.i.4.i8862
-  %.157.i.5.i8865 = add nsw i64 %.861.0650.i, %.155.i.5.i8864
-  %.159.i.5.i8866 = mul nsw i64 %.157.i.5.i8865, %arg.shape.0
-  %gep9161 = getelementptr double, ptr %invariant.gep9160, i64 %.159.i.5.i8866
-  %.191.i.5.i8867 = load double, ptr %gep9161, align 8, !noalias !106
-  %.193.i.5.i8868 = fadd double %.191.i.5.i8867, %.253.i.4.i8863
-  %.253.i.5.i8869 = fmul double %.247.i.i8833, %.193.i.5.i8868
-  %.157.i.6.i8871 = add nsw i64 %.861.0650.i, %.155.i.6.i8870
-  %.159.i.6.i8872 = mul nsw i64 %.157.i.6.i8871, %arg.shape.0
-  %gep9163 = getelementptr double, ptr %invariant.gep9162, i64 %.159.i.6.i8872
-  %.191.i.6.i8873 = load double, ptr %gep9163, align 8, !noalias !106
-  %.193.i.6.i8874 = fadd double %.191.i.6.i8873, %.253.i.5.i8869
-  %.253.i.6.i8875 = fmul double %.1143.i, %.193.i.6.i8874
-  %.271.i.i8876 = mul nsw i64 %.861.0650.i, %arg.shape.0
-  %gep9165 = getelementptr double, ptr %invariant.gep9164, i64 %.271.i.i8876
-  %.309.i.i8877 = load double, ptr %gep9165, align 8, !noalias !106
-  %.313.i.i8878 = fadd double %.309.i.i8877, %.253.i.6.i8875
+  %.1143.i = fdiv double %.1138.i, %.711.i8924
+  %.247.i.i8929 = fsub double 1.000000e+00, %.1143.i
+  %.157.i.i8931 = add nsw i64 %.861.0650.i, %.155.i.i8930
+  %.159.i.i8932 = mul nsw i64 %.157.i.i8931, %arg.shape.0
+  %gep9248 = getelementptr double, ptr %invariant.gep9247, i64 %.159.i.i8932
+  %.191.i.i8933 = load double, ptr %gep9248, align 8, !noalias !106
+  %.193.i.i8934 = fadd double %.191.i.i8933, 0.000000e+00
+  %.253.i.i8935 = fmul double %.1143.i, %.193.i.i8934
+  %.157.i.1.i8937 = add nsw i64 %.861.0650.i, %.155.i.1.i8936
+  %.159.i.1.i8938 = mul nsw i64 %.157.i.1.i8937, %arg.shape.0
+  %gep9250 = getelementptr double, ptr %invariant.gep9249, i64 %.159.i.1.i8938
+  %.191.i.1.i8939 = load double, ptr %gep9250, align 8, !noalias !106
+  %.193.i.1.i8940 = fadd double %.191.i.1.i8939, %.253.i.i8935
+  %.253.i.1.i8941 = fmul double %.247.i.i8929, %.193.i.1.i8940
+  %.157.i.2.i8943 = add nsw i64 %.861.0650.i, %.155.i.2.i8942
+  %.159.i.2.i8944 = mul nsw i64 %.157.i.2.i8943, %arg.shape.0
+  %gep9252 = getelementptr double, ptr %invariant.gep9251, i64 %.159.i.2.i8944
+  %.191.i.2.i8945 = load double, ptr %gep9252, align 8, !noalias !106
+  %.193.i.2.i8946 = fadd double %.191.i.2.i8945, %.253.i.1.i8941
+  %.253.i.2.i8947 = fmul double %.1143.i, %.193.i.2.i8946
+  %.157.i.3.i8949 = add nsw i64 %.861.0650.i, %.155.i.3.i8948
+  %.159.i.3.i8950 = mul nsw i64 %.157.i.3.i8949, %arg.shape.0
+  %gep9254 = getelementptr double, ptr %invariant.gep9253, i64 %.159.i.3.i8950
+  %.191.i.3.i8951 = load double, ptr %gep9254, align 8, !noalias !106
+  %.193.i.3.i8952 = fadd double %.191.i.3.i8951, %.253.i.2.i8947
+  %.253.i.3.i8953 = fmul double %.247.i.i8929, %.193.i.3.i8952
+  %.157.i.4.i8955 = add nsw i64 %.861.0650.i, %.155.i.4.i8954
+  %.159.i.4.i8956 = mul nsw i64 %.157.i.4.i8955, %arg.shape.0
+  %gep9256 = getelementptr double, ptr %invariant.gep9255, i64 %.159.i.4.i8956
+  %.191.i.4.i8957 = load double, ptr %gep9256, align 8, !noalias !106
+  %.193.i.4.i8958 = fadd double %.191.i.4.i8957, %.253.i.3.i8953
+  %.253.i.4.i8959 = fmul double %.1143.i, %.193.i.4.i8958
+  %.157.i.5.i8961 = add nsw i64 %.861.0650.i, %.155.i.5.i8960
+  %.159.i.5.i8962 = mul nsw i64 %.157.i.5.i8961, %arg.shape.0
+  %gep9258 = getelementptr double, ptr %invariant.gep9257, i64 %.159.i.5.i8962
+  %.191.i.5.i8963 = load double, ptr %gep9258, align 8, !noalias !106
+  %.193.i.5.i8964 = fadd double %.191.i.5.i8963, %.253.i.4.i8959
+  %.253.i.5.i8965 = fmul double %.247.i.i8929, %.193.i.5.i8964
+  %.157.i.6.i8967 = add nsw i64 %.861.0650.i, %.155.i.6.i8966
+  %.159.i.6.i8968 = mul nsw i64 %.157.i.6.i8967, %arg.shape.0
+  %gep9260 = getelementptr double, ptr %invariant.gep9259, i64 %.159.i.6.i8968
+  %.191.i.6.i8969 = load double, ptr %gep9260, align 8, !noalias !106
+  %.193.i.6.i8970 = fadd double %.191.i.6.i8969, %.253.i.5.i8965
+  %.253.i.6.i8971 = fmul double %.1143.i, %.193.i.6.i8970
+  %.271.i.i8972 = mul nsw i64 %.861.0650.i, %arg.shape.0
+  %gep9262 = getelementptr double, ptr %invariant.gep9261, i64 %.271.i.i8972
+  %.309.i.i8973 = load double, ptr %gep9262, align 8, !noalias !106
+  %.313.i.i8974 = fadd double %.309.i.i8973, %.253.i.6.i8971
   br label %B770.i
 
 B3384:                                            ; preds = %B769.i, %B3332, %B3324
@@ -2642,96 +2642,122 @@ B3384:                                            ; preds = %B769.i, %B3332, %B3
   %.5006 = inttoptr i64 %.4961 to ptr
   tail call void %.5006(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
   %beyond.2.1.not = xor i1 %beyond.2.1, true
-  %brmerge9194 = or i1 %.274.i, %beyond.2.1.not
-  br i1 %brmerge9194, label %B3492, label %B46.if.i4403
+  %brmerge9296 = or i1 %.274.i, %beyond.2.1.not
+  br i1 %brmerge9296, label %B3496, label %B60.if.i
 
-B98.i3743:                                        ; preds = %B46.if.i4403
-  %.306.i3790 = getelementptr double, ptr %329, i64 %.97.i3603.09170
-  %.307.i3791 = load double, ptr %.306.i3790, align 8, !noalias !110
-  %.308.i3792 = fcmp ogt double %.307.i3791, 5.000000e-01
-  br i1 %.308.i3792, label %B136.i, label %B506.i
+B114.i:                                           ; preds = %B60.if.i
+  %.344.i3825 = getelementptr double, ptr %329, i64 %.134.i3622.09272
+  %.345.i3826 = load double, ptr %.344.i3825, align 8, !noalias !110
+  %.346.i3827 = fcmp ogt double %.345.i3826, 5.000000e-01
+  br i1 %.346.i3827, label %B154.i, label %B720.i
 
-B136.i:                                           ; preds = %B98.i3743
-  %.363.i3840 = getelementptr double, ptr %arg.lane.0.4, i64 %.97.i3603.09170
-  %.364.i3841 = load double, ptr %.363.i3840, align 8, !noalias !110
-  %.418.i3889 = getelementptr double, ptr %330, i64 %.97.i3603.09170
-  %.419.i3890 = load double, ptr %.418.i3889, align 8, !noalias !110
-  %.420.i3891 = fsub double %.364.i3841, %.419.i3890
-  %.450.i3916 = load double, ptr %.449.i3915, align 8, !noalias !110
-  %.480.i3941 = load double, ptr %arg.times.4, align 8, !noalias !110
-  %.481.i3942 = fsub double %.450.i3916, %.480.i3941
-  %.482.i3943 = fmul double %.481.i3942, 0x3E7AD7F29ABCAF48
-  %.483.i3944 = fcmp olt double %.420.i3891, %.482.i3943
-  br i1 %.483.i3944, label %B256.i, label %B294.i
+B154.i:                                           ; preds = %B114.i
+  %.401.i3875 = getelementptr double, ptr %arg.lane.0.4, i64 %.134.i3622.09272
+  %.402.i3876 = load double, ptr %.401.i3875, align 8, !noalias !110
+  %.456.i3924 = getelementptr double, ptr %330, i64 %.134.i3622.09272
+  %.457.i3925 = load double, ptr %.456.i3924, align 8, !noalias !110
+  %.458.i3926 = fsub double %.402.i3876, %.457.i3925
+  br i1 %.545.i39659265.not, label %B360.i, label %B250.if.i.preheader
 
-B256.i:                                           ; preds = %B136.i
-  %216 = getelementptr i64, ptr %332, i64 %.97.i3603.09170
-  %.539.i4400 = load i64, ptr %216, align 8, !noalias !110
-  %.540.i4401 = add nsw i64 %.539.i4400, 1
-  br label %B294.i
+B250.if.i.preheader:                              ; preds = %B154.i
+  %invariant.gep9524 = getelementptr double, ptr %arg.arrays.0.4, i64 %.134.i3622.09272
+  br label %B250.if.i
 
-B294.i:                                           ; preds = %B136.i, %B256.i
-  %"$phi294.1.2.i.2" = phi i64 [ %.540.i4401, %B256.i ], [ 0, %B136.i ]
-  %217 = getelementptr i64, ptr %333, i64 %.97.i3603.09170
-  store i64 %"$phi294.1.2.i.2", ptr %217, align 8, !noalias !110
-  %.660.i4043 = load double, ptr %.363.i3840, align 8, !noalias !110
-  store double %.660.i4043, ptr %.418.i3889, align 8, !noalias !110
-  %.769.i4136 = getelementptr double, ptr %334, i64 %.97.i3603.09170
-  store double 1.000000e+00, ptr %.769.i4136, align 8, !noalias !110
+B360.i:                                           ; preds = %B250.if.i, %B154.i
+  %fastest.2.i.2.lcssa = phi double [ 0.000000e+00, %B154.i ], [ %.11.i.i, %B250.if.i ]
+  %.659.i3977 = fmul double %.458.i3926, %fastest.2.i.2.lcssa
+  %.691.i4003 = load double, ptr %.690.i4002, align 8, !noalias !110
+  %.692.i4004 = fcmp ogt double %.659.i3977, %.691.i4003
+  %.8802 = select i1 %.692.i4004, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
+  %.736.i4032 = load double, ptr %.735.i4031, align 8, !noalias !110
+  %.766.i4055 = load double, ptr %arg.times.4, align 8, !noalias !110
+  %.767.i4056 = fsub double %.736.i4032, %.766.i4055
+  %.769.i4058 = fmul double %.8802, %.767.i4056
+  %.773.i4061 = fcmp olt double %.458.i3926, %.769.i4058
+  br i1 %.773.i4061, label %B470.i, label %B508.i
+
+B470.i:                                           ; preds = %B360.i
+  %216 = getelementptr i64, ptr %332, i64 %.134.i3622.09272
+  %.831.i4473 = load i64, ptr %216, align 8, !noalias !110
+  %.832.i4474 = add nsw i64 %.831.i4473, 1
+  br label %B508.i
+
+B508.i:                                           ; preds = %B360.i, %B470.i
+  %"$phi508.1.2.i.2" = phi i64 [ %.832.i4474, %B470.i ], [ 0, %B360.i ]
+  %217 = getelementptr i64, ptr %333, i64 %.134.i3622.09272
+  store i64 %"$phi508.1.2.i.2", ptr %217, align 8, !noalias !110
+  %.952.i = load double, ptr %.401.i3875, align 8, !noalias !110
+  store double %.952.i, ptr %.456.i3924, align 8, !noalias !110
+  %.1061.i4236 = getelementptr double, ptr %334, i64 %.134.i3622.09272
+  store double 1.000000e+00, ptr %.1061.i4236, align 8, !noalias !110
   store i64 1, ptr %.722, align 8, !noalias !110
-  %.855.i4207 = load i64, ptr %217, align 8, !noalias !110
-  %.856.i4208 = icmp sgt i64 %.855.i4207, 1000
-  br i1 %.856.i4208, label %B460.i, label %B506.i
+  %.1147.i4287 = load i64, ptr %217, align 8, !noalias !110
+  %.1148.i = icmp sgt i64 %.1147.i4287, 1000
+  br i1 %.1148.i, label %B674.i, label %B720.i
 
-B460.i:                                           ; preds = %B294.i
-  %218 = getelementptr i64, ptr %arg.lane.1.4, i64 %.97.i3603.09170
-  %.84.i.i4288 = load i64, ptr %218, align 8, !noalias !114
-  %.89.i.i4291 = icmp sgt i64 %.84.i.i4288, -1
-  br i1 %.89.i.i4291, label %B46.i.i4300, label %B506.i
+B674.i:                                           ; preds = %B508.i
+  %218 = getelementptr i64, ptr %arg.lane.1.4, i64 %.134.i3622.09272
+  %.84.i.i4364 = load i64, ptr %218, align 8, !noalias !114
+  %.89.i.i4367 = icmp sgt i64 %.84.i.i4364, -1
+  br i1 %.89.i.i4367, label %B46.i.i4375, label %B720.i
 
-B46.i.i4300:                                      ; preds = %B460.i
-  %.120.i.i4320 = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i.i4288
-  %.121.i.i4321 = load i64, ptr %.120.i.i4320, align 8, !noalias !114
-  %.122.i.i4322 = icmp eq i64 %.121.i.i4321, 0
-  br i1 %.122.i.i4322, label %B80.i.i4327, label %B506.i
+B46.i.i4375:                                      ; preds = %B674.i
+  %.120.i.i4395 = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i.i4364
+  %.121.i.i4396 = load i64, ptr %.120.i.i4395, align 8, !noalias !114
+  %.122.i.i4397 = icmp eq i64 %.121.i.i4396, 0
+  br i1 %.122.i.i4397, label %B80.i.i4402, label %B720.i
 
-B80.i.i4327:                                      ; preds = %B46.i.i4300
-  store i64 6, ptr %.120.i.i4320, align 8, !noalias !114
-  br label %B506.i
+B80.i.i4402:                                      ; preds = %B46.i.i4375
+  store i64 6, ptr %.120.i.i4395, align 8, !noalias !114
+  br label %B720.i
 
-B506.i:                                           ; preds = %B80.i.i4327, %B460.i, %B46.i.i4300, %B294.i, %B98.i3743, %B46.if.i4403
-  %.155.i3672 = icmp sgt i64 %.100.i3604.09169, 1
-  br i1 %.155.i3672, label %B46.if.i4403, label %B3492
+B720.i:                                           ; preds = %B80.i.i4402, %B674.i, %B46.i.i4375, %B508.i, %B114.i, %B60.if.i
+  %.193.i3706 = icmp sgt i64 %.137.i3623.09271, 1
+  br i1 %.193.i3706, label %B60.if.i, label %B3496
 
-B46.if.i4403:                                     ; preds = %B3384, %B506.i
-  %.97.i3603.09170 = phi i64 [ %.168.i4411, %B506.i ], [ 0, %B3384 ]
-  %.100.i3604.09169 = phi i64 [ %.164.i4408, %B506.i ], [ %storemerge, %B3384 ]
-  %.164.i4408 = add nsw i64 %.100.i3604.09169, -1
-  %.168.i4411 = add nsw i64 %.97.i3603.09170, 1
-  %.249.i3739 = getelementptr double, ptr %328, i64 %.97.i3603.09170
-  %.250.i3740 = load double, ptr %.249.i3739, align 8, !noalias !110
-  %.251.i3741 = fcmp oeq double %.250.i3740, 2.000000e+00
-  br i1 %.251.i3741, label %B98.i3743, label %B506.i
+B60.if.i:                                         ; preds = %B3384, %B720.i
+  %.134.i3622.09272 = phi i64 [ %.206.i4544, %B720.i ], [ 0, %B3384 ]
+  %.137.i3623.09271 = phi i64 [ %.202.i4541, %B720.i ], [ %storemerge, %B3384 ]
+  %.202.i4541 = add nsw i64 %.137.i3623.09271, -1
+  %.206.i4544 = add nsw i64 %.134.i3622.09272, 1
+  %.287.i3775 = getelementptr double, ptr %328, i64 %.134.i3622.09272
+  %.288.i3776 = load double, ptr %.287.i3775, align 8, !noalias !110
+  %.289.i3777 = fcmp oeq double %.288.i3776, 2.000000e+00
+  br i1 %.289.i3777, label %B114.i, label %B720.i
 
-B3492:                                            ; preds = %B506.i, %B3384
-  %brmerge8710.not = select i1 %.5057.not, i1 %looked.2.1.lcssa, i1 false
-  %brmerge8710.not.not = xor i1 %brmerge8710.not, true
-  %brmerge9193 = or i1 %.274.i, %brmerge8710.not.not
-  br i1 %brmerge9193, label %B3546, label %B110.if.i
+B250.if.i:                                        ; preds = %B250.if.i.preheader, %B250.if.i
+  %fastest.2.i.29268 = phi double [ %.11.i.i, %B250.if.i ], [ 0.000000e+00, %B250.if.i.preheader ]
+  %.489.i3637.09267 = phi i64 [ %.558.i4529, %B250.if.i ], [ 0, %B250.if.i.preheader ]
+  %.558.i4529 = add nsw i64 %.489.i3637.09267, 1
+  %.585.i4481 = add nsw i64 %.489.i3637.09267, %arg.shape.1
+  %.587.i4483 = mul nsw i64 %.585.i4481, %arg.shape.0
+  %gep9525 = getelementptr double, ptr %invariant.gep9524, i64 %.587.i4483
+  %.619.i4511 = load double, ptr %gep9525, align 8, !noalias !110
+  %.620.i4512 = tail call double @llvm.fabs.f64(double %.619.i4511)
+  %.10.i.i = fcmp ogt double %.620.i4512, %fastest.2.i.29268
+  %.11.i.i = select i1 %.10.i.i, double %.620.i4512, double %fastest.2.i.29268
+  %exitcond9310.not = icmp eq i64 %arg.shape.1, %.558.i4529
+  br i1 %exitcond9310.not, label %B360.i, label %B250.if.i
 
-B46.i.i8882:                                      ; preds = %B110.if.i
+B3496:                                            ; preds = %B720.i, %B3384
+  %brmerge8803.not = select i1 %.5066.not, i1 %looked.2.1.lcssa, i1 false
+  %brmerge8803.not.not = xor i1 %brmerge8803.not, true
+  %brmerge9295 = or i1 %.274.i, %brmerge8803.not.not
+  br i1 %brmerge9295, label %B3550, label %B110.if.i
+
+B46.i.i8978:                                      ; preds = %B110.if.i
   %.135.i.i = getelementptr i64, ptr %arg.results.1.4, i64 %.99.i.i
   %.136.i.i = load i64, ptr %.135.i.i, align 8, !noalias !117
   %.141.i.not.i = icmp eq i64 %.136.i.i, 0
-  br i1 %.141.i.not.i, label %B80.i.i8892, label %B358.i8883
+  br i1 %.141.i.not.i, label %B80.i.i8989, label %B358.i8979
 
-B80.i.i8892:                                      ; preds = %B46.i.i8882
+B80.i.i8989:                                      ; preds = %B46.i.i8978
   %.196.i.i = getelementptr double, ptr %335, i64 %.352.01856.i
   %.197.i.i = load double, ptr %.196.i.i, align 8, !noalias !117
   %.198.i.i = fcmp olt double %.197.i.i, 5.000000e-01
-  br i1 %.198.i.i, label %B358.i8883, label %B122.i.i
+  br i1 %.198.i.i, label %B358.i8979, label %B122.i.i
 
-B122.i.i:                                         ; preds = %B80.i.i8892
+B122.i.i:                                         ; preds = %B80.i.i8989
   %.264.i.i = getelementptr double, ptr %arg.lane.0.4, i64 %.352.01856.i
   %.265.i.i = load double, ptr %.264.i.i, align 8, !noalias !117
   %.321.i.i = getelementptr double, ptr %336, i64 %.352.01856.i
@@ -2740,7 +2766,7 @@ B122.i.i:                                         ; preds = %B80.i.i8892
   %brmerge.i = select i1 %.325.i.i, i1 true, i1 %.7511852.not.i
   %not..325.i.i = xor i1 %.325.i.i, true
   %some.2.01858.mux.i = select i1 %not..325.i.i, i1 true, i1 %some.2.01858.i
-  br i1 %brmerge.i, label %B358.i8883, label %B300.if.lr.ph.i
+  br i1 %brmerge.i, label %B358.i8979, label %B300.if.lr.ph.i
 
 B300.if.lr.ph.i:                                  ; preds = %B122.i.i
   %.650.i = getelementptr i64, ptr %337, i64 %.352.01856.i
@@ -2748,27 +2774,27 @@ B300.if.lr.ph.i:                                  ; preds = %B122.i.i
   %.652.i = add nsw i64 %.651.i, 1
   %219 = getelementptr i64, ptr %arg.runs.2.4, i64 %.99.i.i
   %.596.i = load i64, ptr %219, align 8, !noalias !122
-  %.822.i8894 = icmp slt i64 %.596.i, 0
-  %.823.i8895 = select i1 %.822.i8894, i64 %arg.schedule.3.5.0, i64 0
-  %.824.i = add i64 %.823.i8895, %.596.i
-  %.825.i8896 = icmp slt i64 %.651.i, -1
-  %.826.i8897 = select i1 %.825.i8896, i64 %arg.schedule.3.5.1, i64 0
-  %.827.i = add i64 %.652.i, %.826.i8897
+  %.822.i8991 = icmp slt i64 %.596.i, 0
+  %.823.i8992 = select i1 %.822.i8991, i64 %arg.schedule.3.5.0, i64 0
+  %.824.i = add i64 %.823.i8992, %.596.i
+  %.825.i8993 = icmp slt i64 %.651.i, -1
+  %.826.i8994 = select i1 %.825.i8993, i64 %arg.schedule.3.5.1, i64 0
+  %.827.i = add i64 %.652.i, %.826.i8994
   %.854.i = mul i64 %.852.i, %.824.i
   %.856.i = mul i64 %.827.i, %arg.schedule.3.5.2
   %220 = getelementptr double, ptr %arg.schedule.3.4, i64 %.854.i
   %221 = getelementptr double, ptr %220, i64 %.856.i
   br label %B300.if.i
 
-B358.i8883:                                       ; preds = %B300.if.i, %B110.if.i, %B122.i.i, %B80.i.i8892, %B46.i.i8882
-  %some.3.2.i = phi i1 [ %some.2.01858.i, %B80.i.i8892 ], [ %some.2.01858.mux.i, %B122.i.i ], [ %some.2.01858.i, %B46.i.i8882 ], [ %some.2.01858.i, %B110.if.i ], [ true, %B300.if.i ]
+B358.i8979:                                       ; preds = %B300.if.i, %B110.if.i, %B122.i.i, %B80.i.i8989, %B46.i.i8978
+  %some.3.2.i = phi i1 [ %some.2.01858.i, %B80.i.i8989 ], [ %some.2.01858.mux.i, %B122.i.i ], [ %some.2.01858.i, %B46.i.i8978 ], [ %some.2.01858.i, %B110.if.i ], [ true, %B300.if.i ]
   %exitcond1870.not.i = icmp eq i64 %arg.shape.0, %.423.i
-  br i1 %exitcond1870.not.i, label %B360.i, label %B110.if.i
+  br i1 %exitcond1870.not.i, label %B360.i8980, label %B110.if.i
 
-B360.i:                                           ; preds = %B358.i8883
-  br i1 %some.3.2.i, label %B368.i, label %B3546
+B360.i8980:                                       ; preds = %B358.i8979
+  br i1 %some.3.2.i, label %B368.i, label %B3550
 
-B368.i:                                           ; preds = %B360.i
+B368.i:                                           ; preds = %B360.i8980
   %.1018.i = load i64, ptr %.1017.i, align 8, !noalias !122
   %.1130.i = inttoptr i64 %.1018.i to ptr
   tail call void %.1130.i(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4), !noalias !122
@@ -2801,29 +2827,29 @@ B640.i:                                           ; preds = %B122.i147.i
   %.1557.i = getelementptr i64, ptr %338, i64 %.1303.01865.i
   %.1558.i = load i64, ptr %.1557.i, align 8, !noalias !122
   %.1569.i = icmp sgt i64 %.1558.i, 0
-  br i1 %.1569.i, label %B716.i8891, label %B770.i8889
+  br i1 %.1569.i, label %B716.i8988, label %B770.i8986
 
-B716.i8891:                                       ; preds = %B640.i
+B716.i8988:                                       ; preds = %B640.i
   %222 = getelementptr double, ptr %arg.times.4, i64 %.1558.i
   %.1604.i = getelementptr i8, ptr %222, i64 -8
   %.1605.i = load double, ptr %.1604.i, align 8, !noalias !122
   %.1661.i = fcmp oeq double %.1605.i, %.265.i185.i
-  br label %B770.i8889
+  br label %B770.i8986
 
-B770.i8889:                                       ; preds = %B716.i8891, %B640.i
-  %"$phi770.1.2.1.i" = phi i1 [ %.1661.i, %B716.i8891 ], [ false, %B640.i ]
+B770.i8986:                                       ; preds = %B716.i8988, %B640.i
+  %"$phi770.1.2.1.i" = phi i1 [ %.1661.i, %B716.i8988 ], [ false, %B640.i ]
   br i1 %.17571859.not.i, label %B980.i, label %B802.if.lr.ph.i
 
-B802.if.lr.ph.i:                                  ; preds = %B770.i8889
+B802.if.lr.ph.i:                                  ; preds = %B770.i8986
   %.1887.i = add nsw i64 %.1558.i, -1
   %.1926.i = select i1 %.1569.i, i64 0, i64 %arg.results.0.5.1
   %.1927.i = add i64 %.1887.i, %.1926.i
-  %.1954.i8890 = mul i64 %.1952.i, %.99.i78.i
+  %.1954.i8987 = mul i64 %.1952.i, %.99.i78.i
   %.1956.i = mul i64 %.1927.i, %arg.results.0.5.2
-  %223 = getelementptr double, ptr %arg.results.0.4, i64 %.1954.i8890
+  %223 = getelementptr double, ptr %arg.results.0.4, i64 %.1954.i8987
   %224 = getelementptr double, ptr %223, i64 %.1956.i
-  %invariant.gep9171 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1303.01865.i
-  %invariant.gep9173 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1303.01865.i
+  %invariant.gep9273 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1303.01865.i
+  %invariant.gep9275 = getelementptr double, ptr %arg.arrays.0.4, i64 %.1303.01865.i
   br label %B802.if.i
 
 B898.i:                                           ; preds = %B802.if.i
@@ -2854,12 +2880,12 @@ B80.i545.i:                                       ; preds = %B46.i521.i
   store i64 3, ptr %.120.i539.i, align 8, !noalias !126
   br label %B980.i
 
-B980.i:                                           ; preds = %B600.if.i, %B80.i545.i, %B46.i521.i, %B934.i, %B922.loopexit.i, %B770.i8889, %B122.i147.i, %B80.i107.i, %B46.i82.i
-  %exitcond1872.not.i = icmp eq i64 %arg.shape.0, %.1372.i8887
+B980.i:                                           ; preds = %B600.if.i, %B80.i545.i, %B46.i521.i, %B934.i, %B922.loopexit.i, %B770.i8986, %B122.i147.i, %B80.i107.i, %B46.i82.i
+  %exitcond1872.not.i = icmp eq i64 %arg.shape.0, %.1372.i8984
   br i1 %exitcond1872.not.i, label %B982.i, label %B600.if.i
 
 B982.i:                                           ; preds = %B980.i
-  br i1 %.2041.not.i, label %B3546, label %B986.i
+  br i1 %.2041.not.i, label %B3550, label %B986.i
 
 B986.i:                                           ; preds = %B982.i
   %.2074.i = load i64, ptr %.2073.i, align 8, !noalias !122
@@ -2898,17 +2924,17 @@ B80.i672.i:                                       ; preds = %B1146.i
   br label %B1228.i
 
 B1228.i:                                          ; preds = %B1106.if.i, %B80.i672.i, %B1146.i, %B122.i380.i, %B80.i340.i, %B46.i315.i
-  %exitcond9208.not = icmp eq i64 %arg.shape.0, %.2293.i
-  br i1 %exitcond9208.not, label %B3546, label %B1106.if.i
+  %exitcond9311.not = icmp eq i64 %arg.shape.0, %.2293.i
+  br i1 %exitcond9311.not, label %B3550, label %B1106.if.i
 
-B110.if.i:                                        ; preds = %B3492, %B358.i8883
-  %some.2.01858.i = phi i1 [ %some.3.2.i, %B358.i8883 ], [ false, %B3492 ]
-  %.352.01856.i = phi i64 [ %.423.i, %B358.i8883 ], [ 0, %B3492 ]
+B110.if.i:                                        ; preds = %B3496, %B358.i8979
+  %some.2.01858.i = phi i1 [ %some.3.2.i, %B358.i8979 ], [ false, %B3496 ]
+  %.352.01856.i = phi i64 [ %.423.i, %B358.i8979 ], [ 0, %B3496 ]
   %.423.i = add nsw i64 %.352.01856.i, 1
   %228 = getelementptr i64, ptr %arg.lane.1.4, i64 %.352.01856.i
   %.99.i.i = load i64, ptr %228, align 8, !noalias !117
   %.104.i.i = icmp slt i64 %.99.i.i, 0
-  br i1 %.104.i.i, label %B358.i8883, label %B46.i.i8882
+  br i1 %.104.i.i, label %B358.i8979, label %B46.i.i8978
 
 B300.if.i:                                        ; preds = %B300.if.i, %B300.if.lr.ph.i
   %.692.01853.i = phi i64 [ 0, %B300.if.lr.ph.i ], [ %.764.i, %B300.if.i ]
@@ -2924,12 +2950,12 @@ B300.if.i:                                        ; preds = %B300.if.i, %B300.if
   %231 = getelementptr double, ptr %arg.arrays.1.4, i64 %.895.i
   %.924.i = getelementptr double, ptr %231, i64 %.910.i
   store double %.861.i, ptr %.924.i, align 8, !noalias !122
-  %exitcond.not.i8898 = icmp eq i64 %arg.schedule.2.5.0, %.764.i
-  br i1 %exitcond.not.i8898, label %B358.i8883, label %B300.if.i
+  %exitcond.not.i8995 = icmp eq i64 %arg.schedule.2.5.0, %.764.i
+  br i1 %exitcond.not.i8995, label %B358.i8979, label %B300.if.i
 
 B600.if.i:                                        ; preds = %B980.i, %B368.i
-  %.1303.01865.i = phi i64 [ 0, %B368.i ], [ %.1372.i8887, %B980.i ]
-  %.1372.i8887 = add nsw i64 %.1303.01865.i, 1
+  %.1303.01865.i = phi i64 [ 0, %B368.i ], [ %.1372.i8984, %B980.i ]
+  %.1372.i8984 = add nsw i64 %.1303.01865.i, 1
   %232 = getelementptr i64, ptr %arg.lane.1.4, i64 %.1303.01865.i
   %.99.i78.i = load i64, ptr %232, align 8, !noalias !123
   %.104.i81.i = icmp slt i64 %.99.i78.i, 0
@@ -2939,15 +2965,15 @@ B802.if.i:                                        ; preds = %B920.i, %B802.if.lr
   %trouble.2.11862.i = phi double [ 0.000000e+00, %B802.if.lr.ph.i ], [ %.1842.i, %B920.i ]
   %.1701.01860.i = phi i64 [ 0, %B802.if.lr.ph.i ], [ %.1770.i, %B920.i ]
   %.1770.i = add nsw i64 %.1701.01860.i, 1
-  %.1801.i = add nsw i64 %.1701.01860.i, %.1231.i8885
+  %.1801.i = add nsw i64 %.1701.01860.i, %.1231.i8982
   %.1803.i = mul nsw i64 %.1801.i, %arg.shape.0
-  %gep9172 = getelementptr double, ptr %invariant.gep9171, i64 %.1803.i
-  %.1835.i = load double, ptr %gep9172, align 8, !noalias !122
+  %gep9274 = getelementptr double, ptr %invariant.gep9273, i64 %.1803.i
+  %.1835.i = load double, ptr %gep9274, align 8, !noalias !122
   %.1840.i = fmul double %.1835.i, 0.000000e+00
   %.1842.i = fadd double %trouble.2.11862.i, %.1840.i
   %.1850.i = mul nsw i64 %.1701.01860.i, %arg.shape.0
-  %gep9174 = getelementptr double, ptr %invariant.gep9173, i64 %.1850.i
-  store double %.1835.i, ptr %gep9174, align 8, !noalias !122
+  %gep9276 = getelementptr double, ptr %invariant.gep9275, i64 %.1850.i
+  store double %.1835.i, ptr %gep9276, align 8, !noalias !122
   br i1 %"$phi770.1.2.1.i", label %B898.i, label %B920.i
 
 B1106.if.i:                                       ; preds = %B1228.i, %B986.i
@@ -2958,151 +2984,151 @@ B1106.if.i:                                       ; preds = %B1228.i, %B986.i
   %.104.i314.i = icmp slt i64 %.99.i311.i, 0
   br i1 %.104.i314.i, label %B1228.i, label %B46.i315.i
 
-B3546:                                            ; preds = %B1228.i, %B3492, %B360.i, %B982.i
+B3550:                                            ; preds = %B1228.i, %B3496, %B360.i8980, %B982.i
   %looked.2.1.lcssa.not = xor i1 %looked.2.1.lcssa, true
-  %brmerge9195 = or i1 %.274.i, %looked.2.1.lcssa.not
-  br i1 %brmerge9195, label %B4348, label %B3584.if
+  %brmerge9297 = or i1 %.274.i, %looked.2.1.lcssa.not
+  br i1 %brmerge9297, label %B4352, label %B3588.if
 
-B3630:                                            ; preds = %B3584.if
-  br i1 %.163.i45479178.not, label %B102.i, label %B46.if.i4980.preheader
+B3634:                                            ; preds = %B3588.if
+  br i1 %.163.i46809280.not, label %B102.i, label %B46.if.i5112.preheader
 
-B46.if.i4980.preheader:                           ; preds = %B3630
-  %invariant.gep9427 = getelementptr double, ptr %arg.arrays.0.4, i64 %.5222.09182
-  br label %B46.if.i4980
+B46.if.i5112.preheader:                           ; preds = %B3634
+  %invariant.gep9532 = getelementptr double, ptr %arg.arrays.0.4, i64 %.5231.09284
+  br label %B46.if.i5112
 
-B102.i:                                           ; preds = %B46.if.i4980, %B3630
-  %.360.i4608 = getelementptr double, ptr %arg.lane.0.4, i64 %.5222.09182
-  store double 0.000000e+00, ptr %.360.i4608, align 8, !noalias !135
-  %.415.i4656 = getelementptr double, ptr %371, i64 %.5222.09182
-  store double 5.000000e-01, ptr %.415.i4656, align 8, !noalias !135
-  %.470.i4704 = getelementptr double, ptr %372, i64 %.5222.09182
-  store double 1.000000e+00, ptr %.470.i4704, align 8, !noalias !135
-  %.526.i4752 = getelementptr double, ptr %373, i64 %.5222.09182
-  store double 0.000000e+00, ptr %.526.i4752, align 8, !noalias !135
-  %.581.i4800 = getelementptr double, ptr %374, i64 %.5222.09182
-  store double 0.000000e+00, ptr %.581.i4800, align 8, !noalias !135
-  %.636.i4848 = getelementptr double, ptr %375, i64 %.5222.09182
-  store double 0xFFF0000000000000, ptr %.636.i4848, align 8, !noalias !135
-  %.693.i4897 = getelementptr double, ptr %376, i64 %.5222.09182
-  store double 0x7FF0000000000000, ptr %.693.i4897, align 8, !noalias !135
-  br label %B4375
+B102.i:                                           ; preds = %B46.if.i5112, %B3634
+  %.360.i4741 = getelementptr double, ptr %arg.lane.0.4, i64 %.5231.09284
+  store double 0.000000e+00, ptr %.360.i4741, align 8, !noalias !135
+  %.415.i4789 = getelementptr double, ptr %371, i64 %.5231.09284
+  store double 5.000000e-01, ptr %.415.i4789, align 8, !noalias !135
+  %.470.i4837 = getelementptr double, ptr %372, i64 %.5231.09284
+  store double 1.000000e+00, ptr %.470.i4837, align 8, !noalias !135
+  %.526.i4885 = getelementptr double, ptr %373, i64 %.5231.09284
+  store double 0.000000e+00, ptr %.526.i4885, align 8, !noalias !135
+  %.581.i4933 = getelementptr double, ptr %374, i64 %.5231.09284
+  store double 0.000000e+00, ptr %.581.i4933, align 8, !noalias !135
+  %.636.i4981 = getelementptr double, ptr %375, i64 %.5231.09284
+  store double 0xFFF0000000000000, ptr %.636.i4981, align 8, !noalias !135
+  %.693.i5029 = getelementptr double, ptr %376, i64 %.5231.09284
+  store double 0x7FF0000000000000, ptr %.693.i5029, align 8, !noalias !135
+  br label %B4379
 
-B46.if.i4980:                                     ; preds = %B46.if.i4980.preheader, %B46.if.i4980
-  %.105.i4487.09180 = phi i64 [ %.176.i4988, %B46.if.i4980 ], [ 0, %B46.if.i4980.preheader ]
-  %.176.i4988 = add nsw i64 %.105.i4487.09180, 1
-  %234 = getelementptr double, ptr %arg.runs.0.4, i64 %.105.i4487.09180
-  %.255.i4950 = load double, ptr %234, align 8, !noalias !135
-  %.257.i4952 = mul nsw i64 %.105.i4487.09180, %arg.shape.0
-  %gep9428 = getelementptr double, ptr %invariant.gep9427, i64 %.257.i4952
-  store double %.255.i4950, ptr %gep9428, align 8, !noalias !135
-  %exitcond9210.not = icmp eq i64 %arg.shape.1, %.176.i4988
-  br i1 %exitcond9210.not, label %B102.i, label %B46.if.i4980
+B46.if.i5112:                                     ; preds = %B46.if.i5112.preheader, %B46.if.i5112
+  %.105.i4620.09282 = phi i64 [ %.176.i5120, %B46.if.i5112 ], [ 0, %B46.if.i5112.preheader ]
+  %.176.i5120 = add nsw i64 %.105.i4620.09282, 1
+  %234 = getelementptr double, ptr %arg.runs.0.4, i64 %.105.i4620.09282
+  %.255.i5082 = load double, ptr %234, align 8, !noalias !135
+  %.257.i5084 = mul nsw i64 %.105.i4620.09282, %arg.shape.0
+  %gep9533 = getelementptr double, ptr %invariant.gep9532, i64 %.257.i5084
+  store double %.255.i5082, ptr %gep9533, align 8, !noalias !135
+  %exitcond9313.not = icmp eq i64 %arg.shape.1, %.176.i5120
+  br i1 %exitcond9313.not, label %B102.i, label %B46.if.i5112
 
-B3670:                                            ; preds = %B3584.if
-  %.5506 = mul i64 %.5384, %arg.results.3.5.1
-  %.5510 = getelementptr i64, ptr %arg.results.3.4, i64 %.5506
-  %.5511 = load i64, ptr %.5510, align 8
-  %.5567 = getelementptr i8, ptr %.5510, i64 24
-  %.5568 = load i64, ptr %.5567, align 8
-  %235 = add i64 %.5511, %.5568
-  %.5569 = sub i64 %arg.most, %235
-  %.5574 = icmp slt i64 %.5569, 1
-  br i1 %.5574, label %B3750, label %B3796
+B3674:                                            ; preds = %B3588.if
+  %.5515 = mul i64 %.5393, %arg.results.3.5.1
+  %.5519 = getelementptr i64, ptr %arg.results.3.4, i64 %.5515
+  %.5520 = load i64, ptr %.5519, align 8
+  %.5576 = getelementptr i8, ptr %.5519, i64 24
+  %.5577 = load i64, ptr %.5576, align 8
+  %235 = add i64 %.5520, %.5577
+  %.5578 = sub i64 %arg.most, %235
+  %.5583 = icmp slt i64 %.5578, 1
+  br i1 %.5583, label %B3754, label %B3800
 
-B3750:                                            ; preds = %B3670
-  %236 = getelementptr i64, ptr %arg.lane.1.4, i64 %.5222.09182
-  %.84.i5071 = load i64, ptr %236, align 8, !noalias !139
-  %.89.i5074 = icmp sgt i64 %.84.i5071, -1
-  br i1 %.89.i5074, label %B46.i5079, label %B3796
+B3754:                                            ; preds = %B3674
+  %236 = getelementptr i64, ptr %arg.lane.1.4, i64 %.5231.09284
+  %.84.i5203 = load i64, ptr %236, align 8, !noalias !139
+  %.89.i5206 = icmp sgt i64 %.84.i5203, -1
+  br i1 %.89.i5206, label %B46.i5211, label %B3800
 
-B46.i5079:                                        ; preds = %B3750
-  %.120.i5104 = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i5071
-  %.121.i5105 = load i64, ptr %.120.i5104, align 8, !noalias !139
-  %.122.i5106 = icmp eq i64 %.121.i5105, 0
-  br i1 %.122.i5106, label %B80.i5111, label %B3796
+B46.i5211:                                        ; preds = %B3754
+  %.120.i5236 = getelementptr i64, ptr %arg.results.1.4, i64 %.84.i5203
+  %.121.i5237 = load i64, ptr %.120.i5236, align 8, !noalias !139
+  %.122.i5238 = icmp eq i64 %.121.i5237, 0
+  br i1 %.122.i5238, label %B80.i5243, label %B3800
 
-B80.i5111:                                        ; preds = %B46.i5079
-  store i64 5, ptr %.120.i5104, align 8, !noalias !139
-  br label %B3796
+B80.i5243:                                        ; preds = %B46.i5211
+  store i64 5, ptr %.120.i5236, align 8, !noalias !139
+  br label %B3800
 
-B3796:                                            ; preds = %B80.i5111, %B3750, %B46.i5079, %B3670
-  %.5664 = getelementptr double, ptr %339, i64 %.5222.09182
-  %.5665 = load double, ptr %.5664, align 8
-  %.5666 = fcmp ogt double %.5665, 5.000000e-01
-  br i1 %.5666, label %B3834, label %B3940
+B3800:                                            ; preds = %B80.i5243, %B3754, %B46.i5211, %B3674
+  %.5673 = getelementptr double, ptr %339, i64 %.5231.09284
+  %.5674 = load double, ptr %.5673, align 8
+  %.5675 = fcmp ogt double %.5674, 5.000000e-01
+  br i1 %.5675, label %B3838, label %B3944
 
-B3834:                                            ; preds = %B3796
-  %.5721 = getelementptr double, ptr %arg.lane.0.4, i64 %.5222.09182
-  %.5722 = load double, ptr %.5721, align 8
-  %.5776 = getelementptr double, ptr %340, i64 %.5222.09182
-  %.5777 = load double, ptr %.5776, align 8
-  %.5778 = fcmp oeq double %.5722, %.5777
-  br i1 %.5778, label %B3898, label %B3940
+B3838:                                            ; preds = %B3800
+  %.5730 = getelementptr double, ptr %arg.lane.0.4, i64 %.5231.09284
+  %.5731 = load double, ptr %.5730, align 8
+  %.5785 = getelementptr double, ptr %340, i64 %.5231.09284
+  %.5786 = load double, ptr %.5785, align 8
+  %.5787 = fcmp oeq double %.5731, %.5786
+  br i1 %.5787, label %B3902, label %B3944
 
-B3898:                                            ; preds = %B3834
-  %.246.i5386 = load i64, ptr %.5383, align 8, !noalias !142
-  %.264.i5398 = icmp slt i64 %.246.i5386, 0
-  %.265.i5399 = select i1 %.264.i5398, i64 %arg.runs.2.5.0, i64 0
-  %237 = getelementptr i64, ptr %arg.runs.2.4, i64 %.246.i5386
-  %.279.i5413 = getelementptr i64, ptr %237, i64 %.265.i5399
-  %.280.i5414 = load i64, ptr %.279.i5413, align 8, !noalias !142
-  %.337.i5462 = getelementptr i64, ptr %341, i64 %.5222.09182
-  %.338.i5463 = load i64, ptr %.337.i5462, align 8, !noalias !142
-  %.339.i5464 = add nsw i64 %.338.i5463, 1
-  store i64 %.339.i5464, ptr %.337.i5462, align 8, !noalias !142
-  %.460.i5569 = icmp slt i64 %.280.i5414, 0
-  %.461.i5570 = select i1 %.460.i5569, i64 %arg.schedule.1.5.0, i64 0
-  %238 = getelementptr i64, ptr %arg.schedule.1.4, i64 %.280.i5414
-  %.475.i5584 = getelementptr i64, ptr %238, i64 %.461.i5570
-  %.476.i5585 = load i64, ptr %.475.i5584, align 8, !noalias !142
-  %.477.i5586 = icmp eq i64 %.339.i5464, %.476.i5585
-  br i1 %.477.i5586, label %B186.i, label %B244.i
+B3902:                                            ; preds = %B3838
+  %.246.i5519 = load i64, ptr %.5392, align 8, !noalias !142
+  %.264.i5531 = icmp slt i64 %.246.i5519, 0
+  %.265.i5532 = select i1 %.264.i5531, i64 %arg.runs.2.5.0, i64 0
+  %237 = getelementptr i64, ptr %arg.runs.2.4, i64 %.246.i5519
+  %.279.i5546 = getelementptr i64, ptr %237, i64 %.265.i5532
+  %.280.i5547 = load i64, ptr %.279.i5546, align 8, !noalias !142
+  %.337.i5595 = getelementptr i64, ptr %341, i64 %.5231.09284
+  %.338.i5596 = load i64, ptr %.337.i5595, align 8, !noalias !142
+  %.339.i5597 = add nsw i64 %.338.i5596, 1
+  store i64 %.339.i5597, ptr %.337.i5595, align 8, !noalias !142
+  %.460.i5702 = icmp slt i64 %.280.i5547, 0
+  %.461.i5703 = select i1 %.460.i5702, i64 %arg.schedule.1.5.0, i64 0
+  %238 = getelementptr i64, ptr %arg.schedule.1.4, i64 %.280.i5547
+  %.475.i5717 = getelementptr i64, ptr %238, i64 %.461.i5703
+  %.476.i5718 = load i64, ptr %.475.i5717, align 8, !noalias !142
+  %.477.i5719 = icmp eq i64 %.339.i5597, %.476.i5718
+  br i1 %.477.i5719, label %B186.i, label %B244.i
 
-B186.i:                                           ; preds = %B3898
-  %.516.i6102 = select i1 %.264.i5398, i64 %arg.results.1.5.0, i64 0
-  %239 = getelementptr i64, ptr %arg.results.1.4, i64 %.246.i5386
-  %.530.i6116 = getelementptr i64, ptr %239, i64 %.516.i6102
-  %.531.i6117 = load i64, ptr %.530.i6116, align 8, !noalias !142
-  %.532.i6118 = icmp eq i64 %.531.i6117, 0
-  br i1 %.532.i6118, label %B220.i, label %B3940
+B186.i:                                           ; preds = %B3902
+  %.516.i6264 = select i1 %.264.i5531, i64 %arg.results.1.5.0, i64 0
+  %239 = getelementptr i64, ptr %arg.results.1.4, i64 %.246.i5519
+  %.530.i6278 = getelementptr i64, ptr %239, i64 %.516.i6264
+  %.531.i6279 = load i64, ptr %.530.i6278, align 8, !noalias !142
+  %.532.i6280 = icmp eq i64 %.531.i6279, 0
+  br i1 %.532.i6280, label %B220.i, label %B3944
 
 B220.i:                                           ; preds = %B186.i
-  store i64 1, ptr %.530.i6116, align 8, !noalias !142
-  br label %B3940
+  store i64 1, ptr %.530.i6278, align 8, !noalias !142
+  br label %B3944
 
-B244.i:                                           ; preds = %B3898
-  %.659.i5658 = select i1 %.460.i5569, i64 %arg.schedule.0.5.0, i64 0
-  %.660.i5659 = add i64 %.659.i5658, %.280.i5414
-  %.661.i5660 = icmp slt i64 %.338.i5463, -1
-  %.662.i5661 = select i1 %.661.i5660, i64 %arg.schedule.0.5.1, i64 0
-  %.680.i5679 = mul i64 %.660.i5659, %arg.schedule.0.5.1
-  %240 = getelementptr double, ptr %arg.schedule.0.4, i64 %.680.i5679
-  %241 = getelementptr double, ptr %240, i64 %.339.i5464
-  %.684.i5683 = getelementptr double, ptr %241, i64 %.662.i5661
-  %.685.i5684 = load double, ptr %.684.i5683, align 8, !noalias !142
-  store double %.685.i5684, ptr %.5776, align 8, !noalias !142
-  %.797.i5782 = load i64, ptr %.337.i5462, align 8, !noalias !142
-  %.822.i5802 = select i1 %.460.i5569, i64 %arg.schedule.4.5.0, i64 0
-  %.823.i5803 = add i64 %.822.i5802, %.280.i5414
-  %.824.i5804 = icmp slt i64 %.797.i5782, 0
-  %.825.i5805 = select i1 %.824.i5804, i64 %arg.schedule.4.5.1, i64 0
-  %.843.i5823 = mul i64 %.823.i5803, %arg.schedule.4.5.1
-  %242 = getelementptr i64, ptr %arg.schedule.4.4, i64 %.843.i5823
-  %243 = getelementptr i64, ptr %242, i64 %.797.i5782
-  %.847.i5827 = getelementptr i64, ptr %243, i64 %.825.i5805
-  %.848.i5828 = load i64, ptr %.847.i5827, align 8, !noalias !142
-  %.851.i5830 = icmp eq i64 %.848.i5828, 0
-  br i1 %.851.i5830, label %B364.i, label %B412.i
+B244.i:                                           ; preds = %B3902
+  %.659.i5791 = select i1 %.460.i5702, i64 %arg.schedule.0.5.0, i64 0
+  %.660.i5792 = add i64 %.659.i5791, %.280.i5547
+  %.661.i5793 = icmp slt i64 %.338.i5596, -1
+  %.662.i5794 = select i1 %.661.i5793, i64 %arg.schedule.0.5.1, i64 0
+  %.680.i5812 = mul i64 %.660.i5792, %arg.schedule.0.5.1
+  %240 = getelementptr double, ptr %arg.schedule.0.4, i64 %.680.i5812
+  %241 = getelementptr double, ptr %240, i64 %.339.i5597
+  %.684.i5816 = getelementptr double, ptr %241, i64 %.662.i5794
+  %.685.i5817 = load double, ptr %.684.i5816, align 8, !noalias !142
+  store double %.685.i5817, ptr %.5785, align 8, !noalias !142
+  %.797.i5915 = load i64, ptr %.337.i5595, align 8, !noalias !142
+  %.822.i5936 = select i1 %.460.i5702, i64 %arg.schedule.4.5.0, i64 0
+  %.823.i5937 = add i64 %.822.i5936, %.280.i5547
+  %.824.i5938 = icmp slt i64 %.797.i5915, 0
+  %.825.i5939 = select i1 %.824.i5938, i64 %arg.schedule.4.5.1, i64 0
+  %.843.i5957 = mul i64 %.823.i5937, %arg.schedule.4.5.1
+  %242 = getelementptr i64, ptr %arg.schedule.4.4, i64 %.843.i5957
+  %243 = getelementptr i64, ptr %242, i64 %.797.i5915
+  %.847.i5961 = getelementptr i64, ptr %243, i64 %.825.i5939
+  %.848.i5962 = load i64, ptr %.847.i5961, align 8, !noalias !142
+  %.851.i5964 = icmp eq i64 %.848.i5962, 0
+  br i1 %.851.i5964, label %B364.i, label %B412.i
 
 B364.i:                                           ; preds = %B244.i
-  %.906.i6054 = getelementptr double, ptr %342, i64 %.5222.09182
-  store double 1.000000e+00, ptr %.906.i6054, align 8, !noalias !142
+  %.906.i6215 = getelementptr double, ptr %342, i64 %.5231.09284
+  store double 1.000000e+00, ptr %.906.i6215, align 8, !noalias !142
   br label %B456.i.sink.split
 
 B412.i:                                           ; preds = %B244.i
-  %.974.i5848 = load i64, ptr %.722, align 8, !noalias !142
-  %.975.i5849 = icmp eq i64 %.974.i5848, 0
-  br i1 %.975.i5849, label %B456.i.sink.split, label %B456.i
+  %.974.i5988 = load i64, ptr %.722, align 8, !noalias !142
+  %.975.i5989 = icmp eq i64 %.974.i5988, 0
+  br i1 %.975.i5989, label %B456.i.sink.split, label %B456.i
 
 B456.i.sink.split:                                ; preds = %B412.i, %B364.i
   %.sink = phi i64 [ 1, %B364.i ], [ 2, %B412.i ]
@@ -3110,440 +3136,440 @@ B456.i.sink.split:                                ; preds = %B412.i, %B364.i
   br label %B456.i
 
 B456.i:                                           ; preds = %B456.i.sink.split, %B412.i
-  br i1 %.1103.i9175.not, label %B3940, label %B512.if.i.lr.ph
+  br i1 %.1103.i9277.not, label %B3944, label %B512.if.i.lr.ph
 
 B512.if.i.lr.ph:                                  ; preds = %B456.i
-  %.1227.i = select i1 %.460.i5569, i64 %arg.schedule.3.5.0, i64 0
-  %.1228.i5943 = add i64 %.1227.i, %.280.i5414
-  %.1258.i = mul i64 %.1256.i5962, %.1228.i5943
+  %.1227.i = select i1 %.460.i5702, i64 %arg.schedule.3.5.0, i64 0
+  %.1228.i6094 = add i64 %.1227.i, %.280.i5547
+  %.1258.i = mul i64 %.1256.i6113, %.1228.i6094
   %244 = getelementptr double, ptr %arg.schedule.3.4, i64 %.1258.i
   br label %B512.if.i
 
 B512.if.i:                                        ; preds = %B512.if.i.lr.ph, %B512.if.i
-  %.1045.i5315.09177 = phi i64 [ 0, %B512.if.i.lr.ph ], [ %.1116.i, %B512.if.i ]
-  %.1116.i = add nsw i64 %.1045.i5315.09177, 1
-  %.1195.i = load i64, ptr %.337.i5462, align 8, !noalias !142
+  %.1045.i5447.09279 = phi i64 [ 0, %B512.if.i.lr.ph ], [ %.1116.i6138, %B512.if.i ]
+  %.1116.i6138 = add nsw i64 %.1045.i5447.09279, 1
+  %.1195.i = load i64, ptr %.337.i5595, align 8, !noalias !142
   %.1229.i = icmp slt i64 %.1195.i, 0
   %.1230.i = select i1 %.1229.i, i64 %arg.schedule.3.5.1, i64 0
   %.1231.i = add i64 %.1230.i, %.1195.i
-  %.1260.i5964 = mul i64 %.1231.i, %arg.schedule.3.5.2
-  %245 = getelementptr double, ptr %244, i64 %.1260.i5964
-  %246 = getelementptr double, ptr %245, i64 %.1045.i5315.09177
-  %.1265.i5969 = load double, ptr %246, align 8, !noalias !142
-  %247 = getelementptr i64, ptr %arg.schedule.2.4, i64 %.1045.i5315.09177
+  %.1260.i6115 = mul i64 %.1231.i, %arg.schedule.3.5.2
+  %245 = getelementptr double, ptr %244, i64 %.1260.i6115
+  %246 = getelementptr double, ptr %245, i64 %.1045.i5447.09279
+  %.1265.i6120 = load double, ptr %246, align 8, !noalias !142
+  %247 = getelementptr i64, ptr %arg.schedule.2.4, i64 %.1045.i5447.09279
   %.1295.i = load i64, ptr %247, align 8, !noalias !142
   %.1297.i = mul nsw i64 %.1295.i, %arg.shape.0
-  %.1299.i = add nsw i64 %.1297.i, %.5222.09182
+  %.1299.i = add nsw i64 %.1297.i, %.5231.09284
   %.1313.i = icmp slt i64 %.1299.i, 0
   %.1314.i = select i1 %.1313.i, i64 %arg.arrays.1.5.0, i64 0
   %248 = getelementptr double, ptr %arg.arrays.1.4, i64 %.1299.i
   %.1328.i = getelementptr double, ptr %248, i64 %.1314.i
-  store double %.1265.i5969, ptr %.1328.i, align 8, !noalias !142
-  %exitcond9209.not = icmp eq i64 %arg.schedule.2.5.0, %.1116.i
-  br i1 %exitcond9209.not, label %B3940, label %B512.if.i
+  store double %.1265.i6120, ptr %.1328.i, align 8, !noalias !142
+  %exitcond9312.not = icmp eq i64 %arg.schedule.2.5.0, %.1116.i6138
+  br i1 %exitcond9312.not, label %B3944, label %B512.if.i
 
-B3940:                                            ; preds = %B512.if.i, %B456.i, %B220.i, %B186.i, %B3834, %B3796
-  %.5884 = getelementptr i64, ptr %arg.results.1.4, i64 %.5384
-  %.5885 = load i64, ptr %.5884, align 8
-  %.5886.not = icmp eq i64 %.5885, 0
-  br i1 %.5886.not, label %B4098, label %B3974
+B3944:                                            ; preds = %B512.if.i, %B456.i, %B220.i, %B186.i, %B3838, %B3800
+  %.5893 = getelementptr i64, ptr %arg.results.1.4, i64 %.5393
+  %.5894 = load i64, ptr %.5893, align 8
+  %.5895.not = icmp eq i64 %.5894, 0
+  br i1 %.5895.not, label %B4102, label %B3978
 
-B3974:                                            ; preds = %B3940
-  %.5947 = getelementptr i64, ptr %343, i64 %.5222.09182
-  %.5948 = load i64, ptr %.5947, align 8
-  %.5978 = getelementptr i64, ptr %arg.results.2.4, i64 %.5384
-  store i64 %.5948, ptr %.5978, align 8
-  store i64 -1, ptr %.5383, align 8
-  %.314.i8899 = load i64, ptr %arg.lane.2.4, align 8, !noalias !146
-  %.374.i8901 = load i64, ptr %.373.i8900, align 8, !noalias !146
-  %.375.i8902 = icmp slt i64 %.314.i8899, %.374.i8901
-  br i1 %.375.i8902, label %B130.i9034, label %B316.i8903
+B3978:                                            ; preds = %B3944
+  %.5956 = getelementptr i64, ptr %343, i64 %.5231.09284
+  %.5957 = load i64, ptr %.5956, align 8
+  %.5987 = getelementptr i64, ptr %arg.results.2.4, i64 %.5393
+  store i64 %.5957, ptr %.5987, align 8
+  store i64 -1, ptr %.5392, align 8
+  %.314.i8996 = load i64, ptr %arg.lane.2.4, align 8, !noalias !146
+  %.374.i8998 = load i64, ptr %.373.i8997, align 8, !noalias !146
+  %.375.i8999 = icmp slt i64 %.314.i8996, %.374.i8998
+  br i1 %.375.i8999, label %B130.i9131, label %B316.i9000
 
-B130.i9034:                                       ; preds = %B3974
-  %.385.i9035 = add nsw i64 %.314.i8899, 1
-  store i64 %.385.i9035, ptr %arg.lane.2.4, align 8, !noalias !146
+B130.i9131:                                       ; preds = %B3978
+  %.385.i9132 = add nsw i64 %.314.i8996, 1
+  store i64 %.385.i9132, ptr %arg.lane.2.4, align 8, !noalias !146
   store i64 1, ptr %.722, align 8, !noalias !146
-  store i64 %.314.i8899, ptr %.5383, align 8, !noalias !146
-  %.557.i9040 = getelementptr i64, ptr %344, i64 %.5222.09182
-  store i64 0, ptr %.557.i9040, align 8, !noalias !146
-  store i64 1, ptr %.5947, align 8, !noalias !146
-  br i1 %.6961563.not.i9043, label %B316.i8903, label %B272.if.lr.ph.i9044
+  store i64 %.314.i8996, ptr %.5392, align 8, !noalias !146
+  %.557.i9137 = getelementptr i64, ptr %344, i64 %.5231.09284
+  store i64 0, ptr %.557.i9137, align 8, !noalias !146
+  store i64 1, ptr %.5956, align 8, !noalias !146
+  br i1 %.6961563.not.i9140, label %B316.i9000, label %B272.if.lr.ph.i9141
 
-B272.if.lr.ph.i9044:                              ; preds = %B130.i9034
-  %.757.i9045 = icmp slt i64 %.314.i8899, 0
-  %.758.i9046 = select i1 %.757.i9045, i64 %arg.runs.0.5.0, i64 0
-  %.759.i9047 = add i64 %.758.i9046, %.314.i8899
-  %.779.i9048 = mul i64 %.759.i9047, %arg.runs.0.5.1
-  %249 = getelementptr double, ptr %arg.runs.0.4, i64 %.779.i9048
-  %.822.i9049 = select i1 %.757.i9045, i64 %arg.results.0.5.0, i64 0
-  %.823.i9050 = add i64 %.822.i9049, %.314.i8899
-  %.853.i9052 = mul i64 %.851.i9051, %.823.i9050
-  %250 = getelementptr double, ptr %arg.results.0.4, i64 %.853.i9052
-  br i1 %min.iters.check9222, label %B272.if.i9053.preheader, label %vector.memcheck9217
+B272.if.lr.ph.i9141:                              ; preds = %B130.i9131
+  %.757.i9142 = icmp slt i64 %.314.i8996, 0
+  %.758.i9143 = select i1 %.757.i9142, i64 %arg.runs.0.5.0, i64 0
+  %.759.i9144 = add i64 %.758.i9143, %.314.i8996
+  %.779.i9145 = mul i64 %.759.i9144, %arg.runs.0.5.1
+  %249 = getelementptr double, ptr %arg.runs.0.4, i64 %.779.i9145
+  %.822.i9146 = select i1 %.757.i9142, i64 %arg.results.0.5.0, i64 0
+  %.823.i9147 = add i64 %.822.i9146, %.314.i8996
+  %.853.i9149 = mul i64 %.851.i9148, %.823.i9147
+  %250 = getelementptr double, ptr %arg.results.0.4, i64 %.853.i9149
+  br i1 %min.iters.check9325, label %B272.if.i9150.preheader, label %vector.memcheck9320
 
-vector.memcheck9217:                              ; preds = %B272.if.lr.ph.i9044
-  %251 = mul i64 %378, %.823.i9050
-  %252 = mul i64 %379, %.759.i9047
-  %253 = add i64 %251, %arg.results.0.49218
-  %254 = add i64 %252, %arg.runs.0.49219
+vector.memcheck9320:                              ; preds = %B272.if.lr.ph.i9141
+  %251 = mul i64 %378, %.823.i9147
+  %252 = mul i64 %379, %.759.i9144
+  %253 = add i64 %251, %arg.results.0.49321
+  %254 = add i64 %252, %arg.runs.0.49322
   %255 = sub i64 %253, %254
-  %diff.check9220 = icmp ult i64 %255, 32
-  br i1 %diff.check9220, label %B272.if.i9053.preheader, label %vector.body9226
+  %diff.check9323 = icmp ult i64 %255, 32
+  br i1 %diff.check9323, label %B272.if.i9150.preheader, label %vector.body9329
 
-vector.body9226:                                  ; preds = %vector.memcheck9217, %vector.body9226
-  %index9227 = phi i64 [ %index.next9230, %vector.body9226 ], [ 0, %vector.memcheck9217 ]
-  %256 = getelementptr double, ptr %249, i64 %index9227
+vector.body9329:                                  ; preds = %vector.memcheck9320, %vector.body9329
+  %index9330 = phi i64 [ %index.next9333, %vector.body9329 ], [ 0, %vector.memcheck9320 ]
+  %256 = getelementptr double, ptr %249, i64 %index9330
   %257 = getelementptr i8, ptr %256, i64 16
-  %wide.load9228 = load <2 x double>, ptr %256, align 8, !noalias !146
-  %wide.load9229 = load <2 x double>, ptr %257, align 8, !noalias !146
-  %258 = getelementptr double, ptr %250, i64 %index9227
+  %wide.load9331 = load <2 x double>, ptr %256, align 8, !noalias !146
+  %wide.load9332 = load <2 x double>, ptr %257, align 8, !noalias !146
+  %258 = getelementptr double, ptr %250, i64 %index9330
   %259 = getelementptr i8, ptr %258, i64 16
-  store <2 x double> %wide.load9228, ptr %258, align 8, !noalias !146
-  store <2 x double> %wide.load9229, ptr %259, align 8, !noalias !146
-  %index.next9230 = add i64 %index9227, 4
-  %260 = icmp eq i64 %index.next9230, %n.vec9225
-  br i1 %260, label %middle.block9231, label %vector.body9226, !llvm.loop !149
+  store <2 x double> %wide.load9331, ptr %258, align 8, !noalias !146
+  store <2 x double> %wide.load9332, ptr %259, align 8, !noalias !146
+  %index.next9333 = add i64 %index9330, 4
+  %260 = icmp eq i64 %index.next9333, %n.vec9328
+  br i1 %260, label %middle.block9334, label %vector.body9329, !llvm.loop !149
 
-middle.block9231:                                 ; preds = %vector.body9226
-  br i1 %cmp.n9232, label %B316.i8903, label %B272.if.i9053.preheader
+middle.block9334:                                 ; preds = %vector.body9329
+  br i1 %cmp.n9335, label %B316.i9000, label %B272.if.i9150.preheader
 
-B272.if.i9053.preheader:                          ; preds = %vector.memcheck9217, %B272.if.lr.ph.i9044, %middle.block9231
-  %.638.01564.i9054.ph = phi i64 [ 0, %vector.memcheck9217 ], [ 0, %B272.if.lr.ph.i9044 ], [ %n.vec9225, %middle.block9231 ]
-  br label %B272.if.i9053
+B272.if.i9150.preheader:                          ; preds = %vector.memcheck9320, %B272.if.lr.ph.i9141, %middle.block9334
+  %.638.01564.i9151.ph = phi i64 [ 0, %vector.memcheck9320 ], [ 0, %B272.if.lr.ph.i9141 ], [ %n.vec9328, %middle.block9334 ]
+  br label %B272.if.i9150
 
-B316.i8903:                                       ; preds = %B272.if.i9053, %middle.block9231, %B130.i9034, %B3974
-  %m.2.0.i8904 = phi i64 [ 0, %B3974 ], [ %.314.i8899, %B130.i9034 ], [ %.314.i8899, %middle.block9231 ], [ %.314.i8899, %B272.if.i9053 ]
-  br i1 %.9661566.not.i8905, label %B390.i8921, label %B346.if.lr.ph.i8906
+B316.i9000:                                       ; preds = %B272.if.i9150, %middle.block9334, %B130.i9131, %B3978
+  %m.2.0.i9001 = phi i64 [ 0, %B3978 ], [ %.314.i8996, %B130.i9131 ], [ %.314.i8996, %middle.block9334 ], [ %.314.i8996, %B272.if.i9150 ]
+  br i1 %.9661566.not.i9002, label %B390.i9018, label %B346.if.lr.ph.i9003
 
-B346.if.lr.ph.i8906:                              ; preds = %B316.i8903
-  %.1027.i8907 = icmp slt i64 %m.2.0.i8904, 0
-  %.1028.i8908 = select i1 %.1027.i8907, i64 %arg.runs.1.5.0, i64 0
-  %.1029.i8909 = add i64 %.1028.i8908, %m.2.0.i8904
-  %.1049.i8910 = mul i64 %.1029.i8909, %arg.runs.1.5.1
-  %261 = getelementptr double, ptr %arg.runs.1.4, i64 %.1049.i8910
-  %invariant.gep9421 = getelementptr double, ptr %arg.arrays.1.4, i64 %.5222.09182
-  br label %B346.if.i8911
+B346.if.lr.ph.i9003:                              ; preds = %B316.i9000
+  %.1027.i9004 = icmp slt i64 %m.2.0.i9001, 0
+  %.1028.i9005 = select i1 %.1027.i9004, i64 %arg.runs.1.5.0, i64 0
+  %.1029.i9006 = add i64 %.1028.i9005, %m.2.0.i9001
+  %.1049.i9007 = mul i64 %.1029.i9006, %arg.runs.1.5.1
+  %261 = getelementptr double, ptr %arg.runs.1.4, i64 %.1049.i9007
+  %invariant.gep9526 = getelementptr double, ptr %arg.arrays.1.4, i64 %.5231.09284
+  br label %B346.if.i9008
 
-B390.i8921:                                       ; preds = %B346.if.i8911, %B316.i8903
-  br i1 %.11851569.not.i8922, label %B516.i8944, label %B446.if.lr.ph.i8923
+B390.i9018:                                       ; preds = %B346.if.i9008, %B316.i9000
+  br i1 %.11851569.not.i9019, label %B516.i9041, label %B446.if.lr.ph.i9020
 
-B446.if.lr.ph.i8923:                              ; preds = %B390.i8921
-  %.1237.i8924 = icmp slt i64 %m.2.0.i8904, 0
-  %.1238.i8925 = select i1 %.1237.i8924, i64 %arg.runs.2.5.0, i64 0
-  %262 = getelementptr i64, ptr %arg.runs.2.4, i64 %m.2.0.i8904
-  %.1252.i8926 = getelementptr i64, ptr %262, i64 %.1238.i8925
-  br label %B446.if.i8928
+B446.if.lr.ph.i9020:                              ; preds = %B390.i9018
+  %.1237.i9021 = icmp slt i64 %m.2.0.i9001, 0
+  %.1238.i9022 = select i1 %.1237.i9021, i64 %arg.runs.2.5.0, i64 0
+  %262 = getelementptr i64, ptr %arg.runs.2.4, i64 %m.2.0.i9001
+  %.1252.i9023 = getelementptr i64, ptr %262, i64 %.1238.i9022
+  br label %B446.if.i9025
 
-B516.i8944:                                       ; preds = %B446.if.i8928, %B390.i8921
-  br i1 %.375.i8902, label %B574.i8976, label %B520.i8945
+B516.i9041:                                       ; preds = %B446.if.i9025, %B390.i9018
+  br i1 %.375.i8999, label %B574.i9073, label %B520.i9042
 
-B520.i8945:                                       ; preds = %B516.i8944
-  br i1 %.1423.i8946, label %B532.i8948, label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9058
+B520.i9042:                                       ; preds = %B516.i9041
+  br i1 %.1423.i9043, label %B532.i9045, label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9155
 
-B532.i8948:                                       ; preds = %B520.i8945
-  br i1 %.163.i1572.not.i8949, label %B102.i.i8960, label %B46.if.i.i8950.preheader
+B532.i9045:                                       ; preds = %B520.i9042
+  br i1 %.163.i1572.not.i9046, label %B102.i.i9057, label %B46.if.i.i9047.preheader
 
-B46.if.i.i8950.preheader:                         ; preds = %B532.i8948
-  %invariant.gep9423 = getelementptr double, ptr %arg.arrays.0.4, i64 %.5222.09182
-  br label %B46.if.i.i8950
+B46.if.i.i9047.preheader:                         ; preds = %B532.i9045
+  %invariant.gep9528 = getelementptr double, ptr %arg.arrays.0.4, i64 %.5231.09284
+  br label %B46.if.i.i9047
 
-B102.i.i8960:                                     ; preds = %B46.if.i.i8950, %B532.i8948
-  %.360.i.i8964 = getelementptr double, ptr %arg.lane.0.4, i64 %.5222.09182
-  store double 0.000000e+00, ptr %.360.i.i8964, align 8, !noalias !150
-  %.415.i.i8965 = getelementptr double, ptr %345, i64 %.5222.09182
-  store double 5.000000e-01, ptr %.415.i.i8965, align 8, !noalias !150
-  %.470.i.i8967 = getelementptr double, ptr %346, i64 %.5222.09182
-  store double 1.000000e+00, ptr %.470.i.i8967, align 8, !noalias !150
-  %.526.i.i8969 = getelementptr double, ptr %347, i64 %.5222.09182
-  store double 0.000000e+00, ptr %.526.i.i8969, align 8, !noalias !150
-  %.581.i.i8971 = getelementptr double, ptr %348, i64 %.5222.09182
-  store double 0.000000e+00, ptr %.581.i.i8971, align 8, !noalias !150
-  %.636.i.i8973 = getelementptr double, ptr %349, i64 %.5222.09182
-  store double 0xFFF0000000000000, ptr %.636.i.i8973, align 8, !noalias !150
-  %.693.i.i8975 = getelementptr double, ptr %350, i64 %.5222.09182
-  store double 0x7FF0000000000000, ptr %.693.i.i8975, align 8, !noalias !150
-  br label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9058
+B102.i.i9057:                                     ; preds = %B46.if.i.i9047, %B532.i9045
+  %.360.i.i9061 = getelementptr double, ptr %arg.lane.0.4, i64 %.5231.09284
+  store double 0.000000e+00, ptr %.360.i.i9061, align 8, !noalias !150
+  %.415.i.i9062 = getelementptr double, ptr %345, i64 %.5231.09284
+  store double 5.000000e-01, ptr %.415.i.i9062, align 8, !noalias !150
+  %.470.i.i9064 = getelementptr double, ptr %346, i64 %.5231.09284
+  store double 1.000000e+00, ptr %.470.i.i9064, align 8, !noalias !150
+  %.526.i.i9066 = getelementptr double, ptr %347, i64 %.5231.09284
+  store double 0.000000e+00, ptr %.526.i.i9066, align 8, !noalias !150
+  %.581.i.i9068 = getelementptr double, ptr %348, i64 %.5231.09284
+  store double 0.000000e+00, ptr %.581.i.i9068, align 8, !noalias !150
+  %.636.i.i9070 = getelementptr double, ptr %349, i64 %.5231.09284
+  store double 0xFFF0000000000000, ptr %.636.i.i9070, align 8, !noalias !150
+  %.693.i.i9072 = getelementptr double, ptr %350, i64 %.5231.09284
+  store double 0x7FF0000000000000, ptr %.693.i.i9072, align 8, !noalias !150
+  br label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9155
 
-B46.if.i.i8950:                                   ; preds = %B46.if.i.i8950.preheader, %B46.if.i.i8950
-  %.105.i.01573.i8951 = phi i64 [ %.176.i.i8952, %B46.if.i.i8950 ], [ 0, %B46.if.i.i8950.preheader ]
-  %.176.i.i8952 = add nsw i64 %.105.i.01573.i8951, 1
-  %263 = getelementptr double, ptr %arg.runs.0.4, i64 %.105.i.01573.i8951
-  %.255.i.i8953 = load double, ptr %263, align 8, !noalias !150
-  %.257.i.i8954 = mul nsw i64 %.105.i.01573.i8951, %arg.shape.0
-  %gep9424 = getelementptr double, ptr %invariant.gep9423, i64 %.257.i.i8954
-  store double %.255.i.i8953, ptr %gep9424, align 8, !noalias !150
-  %exitcond1580.not.i8959 = icmp eq i64 %arg.shape.1, %.176.i.i8952
-  br i1 %exitcond1580.not.i8959, label %B102.i.i8960, label %B46.if.i.i8950
+B46.if.i.i9047:                                   ; preds = %B46.if.i.i9047.preheader, %B46.if.i.i9047
+  %.105.i.01573.i9048 = phi i64 [ %.176.i.i9049, %B46.if.i.i9047 ], [ 0, %B46.if.i.i9047.preheader ]
+  %.176.i.i9049 = add nsw i64 %.105.i.01573.i9048, 1
+  %263 = getelementptr double, ptr %arg.runs.0.4, i64 %.105.i.01573.i9048
+  %.255.i.i9050 = load double, ptr %263, align 8, !noalias !150
+  %.257.i.i9051 = mul nsw i64 %.105.i.01573.i9048, %arg.shape.0
+  %gep9529 = getelementptr double, ptr %invariant.gep9528, i64 %.257.i.i9051
+  store double %.255.i.i9050, ptr %gep9529, align 8, !noalias !150
+  %exitcond1580.not.i9056 = icmp eq i64 %arg.shape.1, %.176.i.i9049
+  br i1 %exitcond1580.not.i9056, label %B102.i.i9057, label %B46.if.i.i9047
 
-B574.i8976:                                       ; preds = %B516.i8944
-  br i1 %.15851575.not.i8977, label %B648.i8993, label %B604.if.lr.ph.i8978
+B574.i9073:                                       ; preds = %B516.i9041
+  br i1 %.15851575.not.i9074, label %B648.i9090, label %B604.if.lr.ph.i9075
 
-B604.if.lr.ph.i8978:                              ; preds = %B574.i8976
-  %.1646.i8979 = icmp slt i64 %m.2.0.i8904, 0
-  %.1647.i8980 = select i1 %.1646.i8979, i64 %arg.runs.0.5.0, i64 0
-  %.1648.i8981 = add i64 %.1647.i8980, %m.2.0.i8904
-  %.1668.i8982 = mul i64 %.1648.i8981, %arg.runs.0.5.1
-  %264 = getelementptr double, ptr %arg.runs.0.4, i64 %.1668.i8982
-  %invariant.gep9425 = getelementptr double, ptr %arg.arrays.0.4, i64 %.5222.09182
-  br label %B604.if.i8983
+B604.if.lr.ph.i9075:                              ; preds = %B574.i9073
+  %.1646.i9076 = icmp slt i64 %m.2.0.i9001, 0
+  %.1647.i9077 = select i1 %.1646.i9076, i64 %arg.runs.0.5.0, i64 0
+  %.1648.i9078 = add i64 %.1647.i9077, %m.2.0.i9001
+  %.1668.i9079 = mul i64 %.1648.i9078, %arg.runs.0.5.1
+  %264 = getelementptr double, ptr %arg.runs.0.4, i64 %.1668.i9079
+  %invariant.gep9530 = getelementptr double, ptr %arg.arrays.0.4, i64 %.5231.09284
+  br label %B604.if.i9080
 
-B648.i8993:                                       ; preds = %B604.if.i8983, %B574.i8976
-  %.1748.i8994 = load double, ptr %arg.times.4, align 8, !noalias !146
-  %.1765.i8995 = icmp slt i64 %m.2.0.i8904, 0
-  %.1766.i8996 = select i1 %.1765.i8995, i64 %arg.runs.2.5.0, i64 0
-  %265 = getelementptr i64, ptr %arg.runs.2.4, i64 %m.2.0.i8904
-  %.1780.i8997 = getelementptr i64, ptr %265, i64 %.1766.i8996
-  %.1781.i8998 = load i64, ptr %.1780.i8997, align 8, !noalias !146
-  %.1812.i8999 = icmp slt i64 %.1781.i8998, 0
-  %.1813.i9000 = select i1 %.1812.i8999, i64 %arg.schedule.0.5.0, i64 0
-  %.1814.i9001 = add i64 %.1813.i9000, %.1781.i8998
-  %.1834.i9002 = mul i64 %.1814.i9001, %arg.schedule.0.5.1
-  %.1838.i9003 = getelementptr double, ptr %arg.schedule.0.4, i64 %.1834.i9002
-  %.1839.i9004 = load double, ptr %.1838.i9003, align 8, !noalias !146
-  %.1895.i9008 = getelementptr double, ptr %arg.lane.0.4, i64 %.5222.09182
-  store double %.1748.i8994, ptr %.1895.i9008, align 8, !noalias !146
-  %.1950.i9010 = getelementptr double, ptr %351, i64 %.5222.09182
-  store double %.1839.i9004, ptr %.1950.i9010, align 8, !noalias !146
-  %.2005.i9011 = getelementptr double, ptr %352, i64 %.5222.09182
-  store double 0.000000e+00, ptr %.2005.i9011, align 8, !noalias !146
-  %.2064.i9013 = getelementptr double, ptr %353, i64 %.5222.09182
-  store double 1.000000e+00, ptr %.2064.i9013, align 8, !noalias !146
-  %.2119.i9015 = getelementptr double, ptr %354, i64 %.5222.09182
-  store double 0.000000e+00, ptr %.2119.i9015, align 8, !noalias !146
-  %.2175.i9017 = getelementptr double, ptr %355, i64 %.5222.09182
-  store double 0xFFF0000000000000, ptr %.2175.i9017, align 8, !noalias !146
-  %266 = getelementptr i64, ptr %356, i64 %.5222.09182
+B648.i9090:                                       ; preds = %B604.if.i9080, %B574.i9073
+  %.1748.i9091 = load double, ptr %arg.times.4, align 8, !noalias !146
+  %.1765.i9092 = icmp slt i64 %m.2.0.i9001, 0
+  %.1766.i9093 = select i1 %.1765.i9092, i64 %arg.runs.2.5.0, i64 0
+  %265 = getelementptr i64, ptr %arg.runs.2.4, i64 %m.2.0.i9001
+  %.1780.i9094 = getelementptr i64, ptr %265, i64 %.1766.i9093
+  %.1781.i9095 = load i64, ptr %.1780.i9094, align 8, !noalias !146
+  %.1812.i9096 = icmp slt i64 %.1781.i9095, 0
+  %.1813.i9097 = select i1 %.1812.i9096, i64 %arg.schedule.0.5.0, i64 0
+  %.1814.i9098 = add i64 %.1813.i9097, %.1781.i9095
+  %.1834.i9099 = mul i64 %.1814.i9098, %arg.schedule.0.5.1
+  %.1838.i9100 = getelementptr double, ptr %arg.schedule.0.4, i64 %.1834.i9099
+  %.1839.i9101 = load double, ptr %.1838.i9100, align 8, !noalias !146
+  %.1895.i9105 = getelementptr double, ptr %arg.lane.0.4, i64 %.5231.09284
+  store double %.1748.i9091, ptr %.1895.i9105, align 8, !noalias !146
+  %.1950.i9107 = getelementptr double, ptr %351, i64 %.5231.09284
+  store double %.1839.i9101, ptr %.1950.i9107, align 8, !noalias !146
+  %.2005.i9108 = getelementptr double, ptr %352, i64 %.5231.09284
+  store double 0.000000e+00, ptr %.2005.i9108, align 8, !noalias !146
+  %.2064.i9110 = getelementptr double, ptr %353, i64 %.5231.09284
+  store double 1.000000e+00, ptr %.2064.i9110, align 8, !noalias !146
+  %.2119.i9112 = getelementptr double, ptr %354, i64 %.5231.09284
+  store double 0.000000e+00, ptr %.2119.i9112, align 8, !noalias !146
+  %.2175.i9114 = getelementptr double, ptr %355, i64 %.5231.09284
+  store double 0xFFF0000000000000, ptr %.2175.i9114, align 8, !noalias !146
+  %266 = getelementptr i64, ptr %356, i64 %.5231.09284
   store i64 0, ptr %266, align 8, !noalias !146
-  %.2287.i9022 = getelementptr double, ptr %357, i64 %.5222.09182
-  store double 0x7FF0000000000000, ptr %.2287.i9022, align 8, !noalias !146
-  %.2348.i9024 = getelementptr double, ptr %358, i64 %.5222.09182
-  store double 0.000000e+00, ptr %.2348.i9024, align 8, !noalias !146
-  %.2403.i9026 = getelementptr double, ptr %359, i64 %.5222.09182
-  store double 0.000000e+00, ptr %.2403.i9026, align 8, !noalias !146
-  %.2458.i9028 = getelementptr double, ptr %360, i64 %.5222.09182
-  store double 0.000000e+00, ptr %.2458.i9028, align 8, !noalias !146
-  %.2513.i9030 = getelementptr double, ptr %361, i64 %.5222.09182
-  %.2514.i9031 = load double, ptr %.2513.i9030, align 8, !noalias !146
-  %.2516.i9032 = fcmp ueq double %.2514.i9031, 0xFFF0000000000000
-  br i1 %.2516.i9032, label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9058, label %B1060.i9033
+  %.2287.i9119 = getelementptr double, ptr %357, i64 %.5231.09284
+  store double 0x7FF0000000000000, ptr %.2287.i9119, align 8, !noalias !146
+  %.2348.i9121 = getelementptr double, ptr %358, i64 %.5231.09284
+  store double 0.000000e+00, ptr %.2348.i9121, align 8, !noalias !146
+  %.2403.i9123 = getelementptr double, ptr %359, i64 %.5231.09284
+  store double 0.000000e+00, ptr %.2403.i9123, align 8, !noalias !146
+  %.2458.i9125 = getelementptr double, ptr %360, i64 %.5231.09284
+  store double 0.000000e+00, ptr %.2458.i9125, align 8, !noalias !146
+  %.2513.i9127 = getelementptr double, ptr %361, i64 %.5231.09284
+  %.2514.i9128 = load double, ptr %.2513.i9127, align 8, !noalias !146
+  %.2516.i9129 = fcmp ueq double %.2514.i9128, 0xFFF0000000000000
+  br i1 %.2516.i9129, label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9155, label %B1060.i9130
 
-B1060.i9033:                                      ; preds = %B648.i8993
-  store double 0.000000e+00, ptr %.2513.i9030, align 8, !noalias !146
-  br label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9058
+B1060.i9130:                                      ; preds = %B648.i9090
+  store double 0.000000e+00, ptr %.2513.i9127, align 8, !noalias !146
+  br label %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9155
 
-B272.if.i9053:                                    ; preds = %B272.if.i9053.preheader, %B272.if.i9053
-  %.638.01564.i9054 = phi i64 [ %.709.i9055, %B272.if.i9053 ], [ %.638.01564.i9054.ph, %B272.if.i9053.preheader ]
-  %.709.i9055 = add nsw i64 %.638.01564.i9054, 1
-  %267 = getelementptr double, ptr %249, i64 %.638.01564.i9054
-  %.784.i9056 = load double, ptr %267, align 8, !noalias !146
-  %268 = getelementptr double, ptr %250, i64 %.638.01564.i9054
-  store double %.784.i9056, ptr %268, align 8, !noalias !146
-  %exitcond.not.i9057 = icmp eq i64 %.709.i9055, %arg.shape.1
-  br i1 %exitcond.not.i9057, label %B316.i8903, label %B272.if.i9053, !llvm.loop !154
+B272.if.i9150:                                    ; preds = %B272.if.i9150.preheader, %B272.if.i9150
+  %.638.01564.i9151 = phi i64 [ %.709.i9152, %B272.if.i9150 ], [ %.638.01564.i9151.ph, %B272.if.i9150.preheader ]
+  %.709.i9152 = add nsw i64 %.638.01564.i9151, 1
+  %267 = getelementptr double, ptr %249, i64 %.638.01564.i9151
+  %.784.i9153 = load double, ptr %267, align 8, !noalias !146
+  %268 = getelementptr double, ptr %250, i64 %.638.01564.i9151
+  store double %.784.i9153, ptr %268, align 8, !noalias !146
+  %exitcond.not.i9154 = icmp eq i64 %.709.i9152, %arg.shape.1
+  br i1 %exitcond.not.i9154, label %B316.i9000, label %B272.if.i9150, !llvm.loop !154
 
-B346.if.i8911:                                    ; preds = %B346.if.i8911, %B346.if.lr.ph.i8906
-  %.910.01567.i8912 = phi i64 [ 0, %B346.if.lr.ph.i8906 ], [ %.979.i8913, %B346.if.i8911 ]
-  %.979.i8913 = add nsw i64 %.910.01567.i8912, 1
-  %269 = getelementptr double, ptr %261, i64 %.910.01567.i8912
-  %.1054.i8914 = load double, ptr %269, align 8, !noalias !146
-  %.1056.i8915 = mul nsw i64 %.910.01567.i8912, %arg.shape.0
-  %gep9422 = getelementptr double, ptr %invariant.gep9421, i64 %.1056.i8915
-  store double %.1054.i8914, ptr %gep9422, align 8, !noalias !146
-  %exitcond1578.not.i8920 = icmp eq i64 %.979.i8913, %arg.shape.2
-  br i1 %exitcond1578.not.i8920, label %B390.i8921, label %B346.if.i8911
+B346.if.i9008:                                    ; preds = %B346.if.i9008, %B346.if.lr.ph.i9003
+  %.910.01567.i9009 = phi i64 [ 0, %B346.if.lr.ph.i9003 ], [ %.979.i9010, %B346.if.i9008 ]
+  %.979.i9010 = add nsw i64 %.910.01567.i9009, 1
+  %269 = getelementptr double, ptr %261, i64 %.910.01567.i9009
+  %.1054.i9011 = load double, ptr %269, align 8, !noalias !146
+  %.1056.i9012 = mul nsw i64 %.910.01567.i9009, %arg.shape.0
+  %gep9527 = getelementptr double, ptr %invariant.gep9526, i64 %.1056.i9012
+  store double %.1054.i9011, ptr %gep9527, align 8, !noalias !146
+  %exitcond1578.not.i9017 = icmp eq i64 %.979.i9010, %arg.shape.2
+  br i1 %exitcond1578.not.i9017, label %B390.i9018, label %B346.if.i9008
 
-B446.if.i8928:                                    ; preds = %B446.if.i8928, %B446.if.lr.ph.i8923
-  %.1129.01570.i8929 = phi i64 [ 0, %B446.if.lr.ph.i8923 ], [ %.1198.i8930, %B446.if.i8928 ]
-  %.1198.i8930 = add nsw i64 %.1129.01570.i8929, 1
-  %.1253.i8931 = load i64, ptr %.1252.i8926, align 8, !noalias !146
-  %.1289.i8932 = icmp slt i64 %.1253.i8931, 0
-  %.1290.i8933 = select i1 %.1289.i8932, i64 %arg.schedule.3.5.0, i64 0
-  %.1291.i8934 = add i64 %.1290.i8933, %.1253.i8931
-  %.1321.i8935 = mul i64 %.1319.i8927, %.1291.i8934
-  %270 = getelementptr double, ptr %arg.schedule.3.4, i64 %.1321.i8935
-  %271 = getelementptr double, ptr %270, i64 %.1129.01570.i8929
-  %.1328.i8936 = load double, ptr %271, align 8, !noalias !146
-  %272 = getelementptr i64, ptr %arg.schedule.2.4, i64 %.1129.01570.i8929
-  %.1358.i8937 = load i64, ptr %272, align 8, !noalias !146
-  %.1360.i8938 = mul nsw i64 %.1358.i8937, %arg.shape.0
-  %.1362.i8939 = add nsw i64 %.1360.i8938, %.5222.09182
-  %.1376.i8940 = icmp slt i64 %.1362.i8939, 0
-  %.1377.i8941 = select i1 %.1376.i8940, i64 %arg.arrays.1.5.0, i64 0
-  %273 = getelementptr double, ptr %arg.arrays.1.4, i64 %.1362.i8939
-  %.1391.i8942 = getelementptr double, ptr %273, i64 %.1377.i8941
-  store double %.1328.i8936, ptr %.1391.i8942, align 8, !noalias !146
-  %exitcond1579.not.i8943 = icmp eq i64 %.1198.i8930, %arg.schedule.2.5.0
-  br i1 %exitcond1579.not.i8943, label %B516.i8944, label %B446.if.i8928
+B446.if.i9025:                                    ; preds = %B446.if.i9025, %B446.if.lr.ph.i9020
+  %.1129.01570.i9026 = phi i64 [ 0, %B446.if.lr.ph.i9020 ], [ %.1198.i9027, %B446.if.i9025 ]
+  %.1198.i9027 = add nsw i64 %.1129.01570.i9026, 1
+  %.1253.i9028 = load i64, ptr %.1252.i9023, align 8, !noalias !146
+  %.1289.i9029 = icmp slt i64 %.1253.i9028, 0
+  %.1290.i9030 = select i1 %.1289.i9029, i64 %arg.schedule.3.5.0, i64 0
+  %.1291.i9031 = add i64 %.1290.i9030, %.1253.i9028
+  %.1321.i9032 = mul i64 %.1319.i9024, %.1291.i9031
+  %270 = getelementptr double, ptr %arg.schedule.3.4, i64 %.1321.i9032
+  %271 = getelementptr double, ptr %270, i64 %.1129.01570.i9026
+  %.1328.i9033 = load double, ptr %271, align 8, !noalias !146
+  %272 = getelementptr i64, ptr %arg.schedule.2.4, i64 %.1129.01570.i9026
+  %.1358.i9034 = load i64, ptr %272, align 8, !noalias !146
+  %.1360.i9035 = mul nsw i64 %.1358.i9034, %arg.shape.0
+  %.1362.i9036 = add nsw i64 %.1360.i9035, %.5231.09284
+  %.1376.i9037 = icmp slt i64 %.1362.i9036, 0
+  %.1377.i9038 = select i1 %.1376.i9037, i64 %arg.arrays.1.5.0, i64 0
+  %273 = getelementptr double, ptr %arg.arrays.1.4, i64 %.1362.i9036
+  %.1391.i9039 = getelementptr double, ptr %273, i64 %.1377.i9038
+  store double %.1328.i9033, ptr %.1391.i9039, align 8, !noalias !146
+  %exitcond1579.not.i9040 = icmp eq i64 %.1198.i9027, %arg.schedule.2.5.0
+  br i1 %exitcond1579.not.i9040, label %B516.i9041, label %B446.if.i9025
 
-B604.if.i8983:                                    ; preds = %B604.if.i8983, %B604.if.lr.ph.i8978
-  %.1529.01576.i8984 = phi i64 [ 0, %B604.if.lr.ph.i8978 ], [ %.1598.i8985, %B604.if.i8983 ]
-  %.1598.i8985 = add nsw i64 %.1529.01576.i8984, 1
-  %274 = getelementptr double, ptr %264, i64 %.1529.01576.i8984
-  %.1673.i8986 = load double, ptr %274, align 8, !noalias !146
-  %.1675.i8987 = mul nsw i64 %.1529.01576.i8984, %arg.shape.0
-  %gep9426 = getelementptr double, ptr %invariant.gep9425, i64 %.1675.i8987
-  store double %.1673.i8986, ptr %gep9426, align 8, !noalias !146
-  %exitcond1581.not.i8992 = icmp eq i64 %.1598.i8985, %arg.shape.1
-  br i1 %exitcond1581.not.i8992, label %B648.i8993, label %B604.if.i8983
+B604.if.i9080:                                    ; preds = %B604.if.i9080, %B604.if.lr.ph.i9075
+  %.1529.01576.i9081 = phi i64 [ 0, %B604.if.lr.ph.i9075 ], [ %.1598.i9082, %B604.if.i9080 ]
+  %.1598.i9082 = add nsw i64 %.1529.01576.i9081, 1
+  %274 = getelementptr double, ptr %264, i64 %.1529.01576.i9081
+  %.1673.i9083 = load double, ptr %274, align 8, !noalias !146
+  %.1675.i9084 = mul nsw i64 %.1529.01576.i9081, %arg.shape.0
+  %gep9531 = getelementptr double, ptr %invariant.gep9530, i64 %.1675.i9084
+  store double %.1673.i9083, ptr %gep9531, align 8, !noalias !146
+  %exitcond1581.not.i9089 = icmp eq i64 %.1598.i9082, %arg.shape.1
+  br i1 %exitcond1581.not.i9089, label %B648.i9090, label %B604.if.i9080
 
-_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9058: ; preds = %B520.i8945, %B102.i.i8960, %B648.i8993, %B1060.i9033
-  %storemerge1551.i8947 = phi i64 [ 0, %B520.i8945 ], [ 0, %B102.i.i8960 ], [ 1, %B1060.i9033 ], [ 1, %B648.i8993 ]
-  %.6038 = add nsw i64 %active.3.29185, -1
-  %.6136 = add nsw i64 %.6038, %storemerge1551.i8947
-  br label %B4306
+_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9155: ; preds = %B520.i9042, %B102.i.i9057, %B648.i9090, %B1060.i9130
+  %storemerge1551.i9044 = phi i64 [ 0, %B520.i9042 ], [ 0, %B102.i.i9057 ], [ 1, %B1060.i9130 ], [ 1, %B648.i9090 ]
+  %.6047 = add nsw i64 %active.3.29287, -1
+  %.6145 = add nsw i64 %.6047, %storemerge1551.i9044
+  br label %B4310
 
-B4098:                                            ; preds = %B3940
-  %.6202 = getelementptr double, ptr %362, i64 %.5222.09182
-  %.6203 = load double, ptr %.6202, align 8
-  %.6205 = fcmp ult double %.6203, 1.500000e+01
-  br i1 %.6205, label %B4306, label %B4146
+B4102:                                            ; preds = %B3944
+  %.6211 = getelementptr double, ptr %362, i64 %.5231.09284
+  %.6212 = load double, ptr %.6211, align 8
+  %.6214 = fcmp ult double %.6212, 1.500000e+01
+  br i1 %.6214, label %B4310, label %B4150
 
-B4146:                                            ; preds = %B4098
-  %.6251 = load double, ptr %.6250, align 8
-  %.6305 = getelementptr double, ptr %arg.lane.0.4, i64 %.5222.09182
-  %.6306 = load double, ptr %.6305, align 8
-  %.6307 = fsub double %.6251, %.6306
-  %.6361 = getelementptr double, ptr %365, i64 %.5222.09182
-  %.6362 = load double, ptr %.6361, align 8
-  %.6364 = fmul double %.6362, 5.000000e+03
-  %.6365 = fcmp ogt double %.6307, %.6364
-  br i1 %.6365, label %B4306, label %B4282
+B4150:                                            ; preds = %B4102
+  %.6260 = load double, ptr %.6259, align 8
+  %.6314 = getelementptr double, ptr %arg.lane.0.4, i64 %.5231.09284
+  %.6315 = load double, ptr %.6314, align 8
+  %.6316 = fsub double %.6260, %.6315
+  %.6370 = getelementptr double, ptr %365, i64 %.5231.09284
+  %.6371 = load double, ptr %.6370, align 8
+  %.6373 = fmul double %.6371, 5.000000e+03
+  %.6374 = fcmp ogt double %.6316, %.6373
+  br i1 %.6374, label %B4310, label %B4286
 
-B4282:                                            ; preds = %B4146
-  store double 0.000000e+00, ptr %.6202, align 8
-  br label %B4306
+B4286:                                            ; preds = %B4150
+  store double 0.000000e+00, ptr %.6211, align 8
+  br label %B4310
 
-B4306:                                            ; preds = %B4146, %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9058, %B4282, %B4098
-  %budget.7.3 = phi i64 [ %budget.5.29184, %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9058 ], [ %budget.5.29184, %B4098 ], [ %budget.5.29184, %B4282 ], [ 0, %B4146 ]
-  %active.7.3 = phi i64 [ %.6136, %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9058 ], [ %active.3.29185, %B4098 ], [ %active.3.29185, %B4282 ], [ %active.3.29185, %B4146 ]
-  %.130.i6278 = load i64, ptr %.5383, align 8, !noalias !155
-  %.183.i6325 = getelementptr i64, ptr %366, i64 %.5222.09182
-  %.184.i6326 = load i64, ptr %.183.i6325, align 8, !noalias !155
-  %.192.i6330 = icmp sgt i64 %.130.i6278, -1
-  br i1 %.192.i6330, label %B88.i, label %B4375
+B4310:                                            ; preds = %B4150, %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9155, %B4286, %B4102
+  %budget.7.3 = phi i64 [ %budget.5.29286, %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9155 ], [ %budget.5.29286, %B4102 ], [ %budget.5.29286, %B4286 ], [ 0, %B4150 ]
+  %active.5.3 = phi i64 [ %.6145, %_ZN12clpt_control6native9for_numba4takeB2v3B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEx8UniTupleIxLi3EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit9155 ], [ %active.3.29287, %B4102 ], [ %active.3.29287, %B4286 ], [ %active.3.29287, %B4150 ]
+  %.130.i6440 = load i64, ptr %.5392, align 8, !noalias !155
+  %.183.i6487 = getelementptr i64, ptr %366, i64 %.5231.09284
+  %.184.i6488 = load i64, ptr %.183.i6487, align 8, !noalias !155
+  %.192.i6492 = icmp sgt i64 %.130.i6440, -1
+  br i1 %.192.i6492, label %B88.i, label %B4379
 
-B88.i:                                            ; preds = %B4306
-  %.383.i6455 = getelementptr double, ptr %367, i64 %.5222.09182
-  %.384.i6456 = load double, ptr %.383.i6455, align 8, !noalias !155
-  %.386.i6457 = fcmp ogt double %.384.i6456, 0.000000e+00
-  br i1 %.386.i6457, label %B222.i, label %B220.i6458
+B88.i:                                            ; preds = %B4310
+  %.383.i6621 = getelementptr double, ptr %367, i64 %.5231.09284
+  %.384.i6622 = load double, ptr %.383.i6621, align 8, !noalias !155
+  %.386.i6623 = fcmp ogt double %.384.i6622, 0.000000e+00
+  br i1 %.386.i6623, label %B222.i, label %B220.i6624
 
-B220.i6458:                                       ; preds = %B88.i
-  %.245.i6384 = mul i64 %.130.i6278, %arg.results.3.5.1
-  %.249.i6388 = getelementptr i64, ptr %arg.results.3.4, i64 %.245.i6384
-  %.250.i6389 = load i64, ptr %.249.i6388, align 8, !noalias !155
-  %.263.i6214.0 = and i64 %.250.i6389, 127
-  %.293.i6397 = sub nsw i64 128, %.263.i6214.0
-  %.11.i.i = tail call i64 @llvm.smin.i64(i64 %.293.i6397, i64 %.5569)
-  %.397.i6461 = sitofp i64 %.11.i.i to double
+B220.i6624:                                       ; preds = %B88.i
+  %.245.i6546 = mul i64 %.130.i6440, %arg.results.3.5.1
+  %.249.i6550 = getelementptr i64, ptr %arg.results.3.4, i64 %.245.i6546
+  %.250.i6551 = load i64, ptr %.249.i6550, align 8, !noalias !155
+  %.263.i6376.0 = and i64 %.250.i6551, 127
+  %.293.i6559 = sub nsw i64 128, %.263.i6376.0
+  %.11.i.i6568 = tail call i64 @llvm.smin.i64(i64 %.293.i6559, i64 %.5578)
+  %.397.i6627 = sitofp i64 %.11.i.i6568 to double
   br label %B222.i
 
-B222.i:                                           ; preds = %B88.i, %B220.i6458
-  %"$phi222.0.2.i.0" = phi double [ %.397.i6461, %B220.i6458 ], [ 1.000000e+00, %B88.i ]
-  %.455.i6511 = getelementptr double, ptr %368, i64 %.5222.09182
-  store double %"$phi222.0.2.i.0", ptr %.455.i6511, align 8, !noalias !155
-  %.512.i6560 = getelementptr double, ptr %369, i64 %.5222.09182
-  %.513.i6561 = load double, ptr %.512.i6560, align 8, !noalias !155
-  %.567.i6609 = getelementptr double, ptr %370, i64 %.5222.09182
-  store double %.513.i6561, ptr %.567.i6609, align 8, !noalias !155
-  %.580.i6617 = icmp slt i64 %.184.i6326, %arg.times.5.0
-  br i1 %.580.i6617, label %B332.i, label %B4375
+B222.i:                                           ; preds = %B88.i, %B220.i6624
+  %"$phi222.0.2.i.0" = phi double [ %.397.i6627, %B220.i6624 ], [ 1.000000e+00, %B88.i ]
+  %.455.i6677 = getelementptr double, ptr %368, i64 %.5231.09284
+  store double %"$phi222.0.2.i.0", ptr %.455.i6677, align 8, !noalias !155
+  %.512.i6726 = getelementptr double, ptr %369, i64 %.5231.09284
+  %.513.i6727 = load double, ptr %.512.i6726, align 8, !noalias !155
+  %.567.i6775 = getelementptr double, ptr %370, i64 %.5231.09284
+  store double %.513.i6727, ptr %.567.i6775, align 8, !noalias !155
+  %.580.i6783 = icmp slt i64 %.184.i6488, %arg.times.5.0
+  br i1 %.580.i6783, label %B332.i, label %B4379
 
 B332.i:                                           ; preds = %B222.i
-  %.596.i6632 = icmp slt i64 %.184.i6326, 0
-  %.597.i6633 = select i1 %.596.i6632, i64 %arg.times.5.0, i64 0
-  %275 = getelementptr double, ptr %arg.times.4, i64 %.184.i6326
-  %.611.i6647 = getelementptr double, ptr %275, i64 %.597.i6633
-  %.612.i6648 = load double, ptr %.611.i6647, align 8, !noalias !155
-  %.671.i6699 = load double, ptr %.512.i6560, align 8, !noalias !155
-  %.10.i3.i = fcmp olt double %.671.i6699, %.612.i6648
-  %.11.i4.i = select i1 %.10.i3.i, double %.671.i6699, double %.612.i6648
-  store double %.11.i4.i, ptr %.567.i6609, align 8, !noalias !155
-  br label %B4375
+  %.596.i6798 = icmp slt i64 %.184.i6488, 0
+  %.597.i6799 = select i1 %.596.i6798, i64 %arg.times.5.0, i64 0
+  %275 = getelementptr double, ptr %arg.times.4, i64 %.184.i6488
+  %.611.i6813 = getelementptr double, ptr %275, i64 %.597.i6799
+  %.612.i6814 = load double, ptr %.611.i6813, align 8, !noalias !155
+  %.671.i6865 = load double, ptr %.512.i6726, align 8, !noalias !155
+  %.10.i3.i = fcmp olt double %.671.i6865, %.612.i6814
+  %.11.i4.i = select i1 %.10.i3.i, double %.671.i6865, double %.612.i6814
+  store double %.11.i4.i, ptr %.567.i6775, align 8, !noalias !155
+  br label %B4379
 
-B4348:                                            ; preds = %B4375, %B3546
-  %budget.4.2 = phi i64 [ %.688, %B3546 ], [ %budget.6.3, %B4375 ]
-  %active.5.2 = phi i64 [ %active.4.0, %B3546 ], [ %active.6.3, %B4375 ]
-  %.6524 = icmp sgt i64 %active.5.2, 0
-  %.6538 = icmp sgt i64 %budget.4.2, 0
-  %or.cond8711 = select i1 %.6524, i1 %.6538, i1 false
-  br i1 %or.cond8711, label %B276, label %B4374
+B4352:                                            ; preds = %B4379, %B3550
+  %budget.4.2 = phi i64 [ %.688, %B3550 ], [ %budget.6.3, %B4379 ]
+  %active.7.2 = phi i64 [ %active.6.0, %B3550 ], [ %active.4.3, %B4379 ]
+  %.6533 = icmp sgt i64 %active.7.2, 0
+  %.6547 = icmp sgt i64 %budget.4.2, 0
+  %or.cond8804 = select i1 %.6533, i1 %.6547, i1 false
+  br i1 %or.cond8804, label %B276, label %B4378
 
-B4374:                                            ; preds = %B4348, %B202.endif
-  %active.8.1 = phi i64 [ %active.3.i.0.lcssa, %B202.endif ], [ %active.5.2, %B4348 ]
-  br i1 %.274.i, label %B4374.endif, label %B46.if.i2014.lr.ph
+B4378:                                            ; preds = %B4352, %B202.endif
+  %active.8.1 = phi i64 [ %active.3.i.0.lcssa, %B202.endif ], [ %active.7.2, %B4352 ]
+  br i1 %.274.i, label %B4378.endif, label %B46.if.i2010.lr.ph
 
-B46.if.i2014.lr.ph:                               ; preds = %B4374
-  %.idx8656 = mul i64 %arg.lane.0.5.1, 200
-  %276 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8656
-  %.idx8657 = mul i64 %arg.lane.0.5.1, 208
-  %277 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8657
-  br label %B46.if.i2014
+B46.if.i2010.lr.ph:                               ; preds = %B4378
+  %.idx8747 = mul i64 %arg.lane.0.5.1, 200
+  %276 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8747
+  %.idx8748 = mul i64 %arg.lane.0.5.1, 208
+  %277 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8748
+  br label %B46.if.i2010
 
-B92.i1524:                                        ; preds = %B46.if.i2014
-  %.303.i1570 = getelementptr double, ptr %276, i64 %.90.i1386.09190
-  %.304.i1571 = load double, ptr %.303.i1570, align 8, !noalias !159
-  %.5.i.i1572 = fptosi double %.304.i1571 to i64
-  %.382.i1622 = getelementptr double, ptr %277, i64 %.90.i1386.09190
-  %.383.i1623 = load double, ptr %.382.i1622, align 8, !noalias !159
-  %.5.i1.i1624 = fptosi double %.383.i1623 to i64
-  %.457.i1673 = mul i64 %.243.i1517, %arg.results.3.5.1
-  %.461.i1677 = getelementptr i64, ptr %arg.results.3.4, i64 %.457.i1673
-  %.462.i1678 = load i64, ptr %.461.i1677, align 8, !noalias !159
-  %.463.i1679 = add nsw i64 %.462.i1678, %.5.i.i1572
-  store i64 %.463.i1679, ptr %.461.i1677, align 8, !noalias !159
-  %.569.i1775 = getelementptr i8, ptr %.461.i1677, i64 24
-  %.570.i1776 = load i64, ptr %.569.i1775, align 8, !noalias !159
-  %.571.i1777 = add nsw i64 %.570.i1776, %.5.i1.i1624
-  store i64 %.571.i1777, ptr %.569.i1775, align 8, !noalias !159
-  %.679.i1871 = getelementptr i8, ptr %.461.i1677, i64 8
-  %.680.i1872 = load i64, ptr %.679.i1871, align 8, !noalias !159
-  %.683.i1875 = add nsw i64 %.5.i1.i1624, %.5.i.i1572
-  %.684.i1876 = mul nsw i64 %.683.i1875, %.
-  %.685.i1877 = add nsw i64 %.684.i1876, %.5.i.i1572
-  %.686.i1878 = add nsw i64 %.685.i1877, %.680.i1872
-  store i64 %.686.i1878, ptr %.679.i1871, align 8, !noalias !159
-  store double 0.000000e+00, ptr %.303.i1570, align 8, !noalias !159
-  store double 0.000000e+00, ptr %.382.i1622, align 8, !noalias !159
-  br label %B416.i1521
+B92.i1520:                                        ; preds = %B46.if.i2010
+  %.303.i1566 = getelementptr double, ptr %276, i64 %.90.i1382.09292
+  %.304.i1567 = load double, ptr %.303.i1566, align 8, !noalias !159
+  %.5.i.i1568 = fptosi double %.304.i1567 to i64
+  %.382.i1618 = getelementptr double, ptr %277, i64 %.90.i1382.09292
+  %.383.i1619 = load double, ptr %.382.i1618, align 8, !noalias !159
+  %.5.i1.i1620 = fptosi double %.383.i1619 to i64
+  %.457.i1669 = mul i64 %.243.i1513, %arg.results.3.5.1
+  %.461.i1673 = getelementptr i64, ptr %arg.results.3.4, i64 %.457.i1669
+  %.462.i1674 = load i64, ptr %.461.i1673, align 8, !noalias !159
+  %.463.i1675 = add nsw i64 %.462.i1674, %.5.i.i1568
+  store i64 %.463.i1675, ptr %.461.i1673, align 8, !noalias !159
+  %.569.i1771 = getelementptr i8, ptr %.461.i1673, i64 24
+  %.570.i1772 = load i64, ptr %.569.i1771, align 8, !noalias !159
+  %.571.i1773 = add nsw i64 %.570.i1772, %.5.i1.i1620
+  store i64 %.571.i1773, ptr %.569.i1771, align 8, !noalias !159
+  %.679.i1867 = getelementptr i8, ptr %.461.i1673, i64 8
+  %.680.i1868 = load i64, ptr %.679.i1867, align 8, !noalias !159
+  %.683.i1871 = add nsw i64 %.5.i1.i1620, %.5.i.i1568
+  %.684.i1872 = mul nsw i64 %.683.i1871, %.
+  %.685.i1873 = add nsw i64 %.684.i1872, %.5.i.i1568
+  %.686.i1874 = add nsw i64 %.685.i1873, %.680.i1868
+  store i64 %.686.i1874, ptr %.679.i1867, align 8, !noalias !159
+  store double 0.000000e+00, ptr %.303.i1566, align 8, !noalias !159
+  store double 0.000000e+00, ptr %.382.i1618, align 8, !noalias !159
+  br label %B416.i1517
 
-B416.i1521:                                       ; preds = %B92.i1524, %B46.if.i2014
-  %.148.i1452 = icmp sgt i64 %.93.i1387.09191, 1
-  br i1 %.148.i1452, label %B46.if.i2014, label %B4374.endif
+B416.i1517:                                       ; preds = %B92.i1520, %B46.if.i2010
+  %.148.i1448 = icmp sgt i64 %.93.i1383.09293, 1
+  br i1 %.148.i1448, label %B46.if.i2010, label %B4378.endif
 
-B46.if.i2014:                                     ; preds = %B46.if.i2014.lr.ph, %B416.i1521
-  %.93.i1387.09191 = phi i64 [ %storemerge, %B46.if.i2014.lr.ph ], [ %.157.i2019, %B416.i1521 ]
-  %.90.i1386.09190 = phi i64 [ 0, %B46.if.i2014.lr.ph ], [ %.161.i2022, %B416.i1521 ]
-  %.157.i2019 = add nsw i64 %.93.i1387.09191, -1
-  %.161.i2022 = add nsw i64 %.90.i1386.09190, 1
-  %278 = getelementptr i64, ptr %arg.lane.1.4, i64 %.90.i1386.09190
-  %.243.i1517 = load i64, ptr %278, align 8, !noalias !159
-  %.248.i1520 = icmp sgt i64 %.243.i1517, -1
-  br i1 %.248.i1520, label %B92.i1524, label %B416.i1521
+B46.if.i2010:                                     ; preds = %B46.if.i2010.lr.ph, %B416.i1517
+  %.93.i1383.09293 = phi i64 [ %storemerge, %B46.if.i2010.lr.ph ], [ %.157.i2015, %B416.i1517 ]
+  %.90.i1382.09292 = phi i64 [ 0, %B46.if.i2010.lr.ph ], [ %.161.i2018, %B416.i1517 ]
+  %.157.i2015 = add nsw i64 %.93.i1383.09293, -1
+  %.161.i2018 = add nsw i64 %.90.i1382.09292, 1
+  %278 = getelementptr i64, ptr %arg.lane.1.4, i64 %.90.i1382.09292
+  %.243.i1513 = load i64, ptr %278, align 8, !noalias !159
+  %.248.i1516 = icmp sgt i64 %.243.i1513, -1
+  br i1 %.248.i1516, label %B92.i1520, label %B416.i1517
 
-B4375:                                            ; preds = %B222.i, %B4306, %B332.i, %B102.i
-  %budget.6.3 = phi i64 [ %budget.5.29184, %B102.i ], [ %budget.7.3, %B332.i ], [ %budget.7.3, %B4306 ], [ %budget.7.3, %B222.i ]
-  %active.6.3 = phi i64 [ %active.3.29185, %B102.i ], [ %active.7.3, %B332.i ], [ %active.7.3, %B4306 ], [ %active.7.3, %B222.i ]
-  %.5285 = icmp sgt i64 %.5225.09183, 1
-  br i1 %.5285, label %B3584.if, label %B4348
+B4379:                                            ; preds = %B222.i, %B4310, %B332.i, %B102.i
+  %budget.6.3 = phi i64 [ %budget.5.29286, %B102.i ], [ %budget.7.3, %B332.i ], [ %budget.7.3, %B4310 ], [ %budget.7.3, %B222.i ]
+  %active.4.3 = phi i64 [ %active.3.29287, %B102.i ], [ %active.5.3, %B332.i ], [ %active.5.3, %B4310 ], [ %active.5.3, %B222.i ]
+  %.5294 = icmp sgt i64 %.5234.09285, 1
+  br i1 %.5294, label %B3588.if, label %B4352
 
 B202.endif:                                       ; preds = %B171.i, %entry
   %active.3.i.0.lcssa = phi i64 [ 0, %entry ], [ %active.4.i.1, %B171.i ]
   %.662 = icmp sgt i64 %active.3.i.0.lcssa, 0
   %.678 = icmp sgt i64 %arg.budget, 0
   %or.cond = select i1 %.662, i1 %.678, i1 false
-  br i1 %or.cond, label %B276.preheader, label %B4374
+  br i1 %or.cond, label %B276.preheader, label %B4378
 
 B276.preheader:                                   ; preds = %B202.endif
   %.722 = getelementptr i8, ptr %arg.lane.2.4, i64 16
   %factor.op.mul = mul i64 %arg.shape.0, %arg.shape.1
-  %factor.op.mul9188 = mul i64 %arg.shape.0, %arg.shape.1
+  %factor.op.mul9290 = mul i64 %arg.shape.0, %arg.shape.1
   %.818 = getelementptr i8, ptr %arg.code.4, i64 8
   %.873 = icmp sgt i64 %arg.decided, 0
   %.149.i = getelementptr i8, ptr %arg.code.4, i64 40
-  %.idx8701 = mul i64 %arg.lane.0.5.1, 24
-  %279 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8701
-  %.457.i1879066 = icmp slt i64 %arg.decided, 1
+  %.idx8793 = mul i64 %arg.lane.0.5.1, 24
+  %279 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8793
+  %.457.i1839163 = icmp slt i64 %arg.decided, 1
   %.613.i = getelementptr i8, ptr %arg.code.4, i64 8
   %.1007.idx = shl i64 %.382, 4
   %.1007 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.1007.idx
@@ -3556,16 +3582,16 @@ B276.preheader:                                   ; preds = %B202.endif
   %.1320.idx = mul i64 %.382, 24
   %.1320 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.1320.idx
   %.1351 = getelementptr i8, ptr %arg.code.4, i64 88
-  %.idx8696 = mul i64 %arg.lane.0.5.1, 24
-  %280 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8696
-  %.idx8697 = shl i64 %arg.lane.0.5.1, 5
-  %281 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8697
-  %.idx8698 = mul i64 %arg.lane.0.5.1, 136
-  %282 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8698
-  %.idx8699 = mul i64 %arg.lane.0.5.1, 88
-  %283 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8699
-  %.idx8700 = shl i64 %arg.lane.0.5.1, 4
-  %284 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8700
+  %.idx8788 = mul i64 %arg.lane.0.5.1, 24
+  %280 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8788
+  %.idx8789 = shl i64 %arg.lane.0.5.1, 5
+  %281 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8789
+  %.idx8790 = mul i64 %arg.lane.0.5.1, 136
+  %282 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8790
+  %.idx8791 = mul i64 %arg.lane.0.5.1, 88
+  %283 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8791
+  %.idx8792 = shl i64 %arg.lane.0.5.1, 4
+  %284 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8792
   %.1656.c = getelementptr i8, ptr %arg.code.4, i64 56
   %.1510.idx = shl i64 %arg.lane.1.5.1, 4
   %.1510 = getelementptr i8, ptr %arg.lane.1.4, i64 %.1510.idx
@@ -3579,8 +3605,8 @@ B276.preheader:                                   ; preds = %B202.endif
   %.524.i = getelementptr i8, ptr %arg.lane.0.4, i64 %.524.idx.i
   %.123.i.i = shl nsw i64 %arg.shape.1, 1
   %.124.i.i = add nsw i64 %.123.i.i, 5
-  %.153.i.i8725 = getelementptr i8, ptr %arg.linear.1.4, i64 24
-  %.183.i.i8727 = getelementptr i8, ptr %arg.linear.1.4, i64 32
+  %.153.i.i8819 = getelementptr i8, ptr %arg.linear.1.4, i64 24
+  %.183.i.i8821 = getelementptr i8, ptr %arg.linear.1.4, i64 32
   %.186.i.i = add nsw i64 %.124.i.i, %arg.shape.1
   %.187.i.i = add nsw i64 %.186.i.i, 1
   %.224.i.i = icmp slt i64 %arg.shape.1, -2
@@ -3614,8 +3640,8 @@ B276.preheader:                                   ; preds = %B202.endif
   %.499.i.i.i = getelementptr i8, ptr %arg.lane.0.4, i64 %.499.i.i.idx.i
   %.503.i.i.i = mul nsw i64 %arg.shape.1, 18
   %.520.i.i.i = select i1 %.1556.i2382.not.i, i64 %arg.arrays.0.5.0, i64 0
-  %.idx.i8730 = mul i64 %arg.shape.1, 152
-  %287 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx.i8730
+  %.idx.i8824 = mul i64 %arg.shape.1, 152
+  %287 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx.i8824
   %.534.i.i.i = getelementptr double, ptr %287, i64 %.520.i.i.i
   %.897.i.i.i = mul nsw i64 %arg.shape.1, 17
   %.1279.i.i.idx.i = mul i64 %arg.shape.1, 96
@@ -3624,8 +3650,8 @@ B276.preheader:                                   ; preds = %B202.endif
   %.idx2423.i = mul i64 %arg.shape.1, 144
   %invariant.gep = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx2423.i
   %.idx2424.i = mul i64 %arg.shape.1, 144
-  %invariant.gep9075 = getelementptr double, ptr %arg.arrays.0.4, i64 %.503.i.i.i
-  %invariant.gep9077 = getelementptr double, ptr %arg.arrays.0.4, i64 %.503.i.i.i
+  %invariant.gep9172 = getelementptr double, ptr %arg.arrays.0.4, i64 %.503.i.i.i
+  %invariant.gep9174 = getelementptr double, ptr %arg.arrays.0.4, i64 %.503.i.i.i
   %.663.i = getelementptr i8, ptr %arg.linear.1.4, i64 8
   %.711.i = icmp sgt i64 %arg.shape.1, 0
   %.743.sroa.0.02358.i = add i64 %arg.shape.1, 1
@@ -3639,45 +3665,45 @@ B276.preheader:                                   ; preds = %B202.endif
   %.265.i = icmp slt i64 %arg.linear.1.5.0, 6
   %.272.i = icmp slt i64 %arg.shape.1, -5
   %.273.i = select i1 %.272.i, i64 %arg.linear.1.5.0, i64 0
-  %.274.i8734 = add i64 %.218.i, %.273.i
-  %.277.i = icmp slt i64 %.274.i8734, 0
-  %.282.not.i = icmp slt i64 %.274.i8734, %arg.linear.1.5.0
+  %.274.i8828 = add i64 %.218.i, %.273.i
+  %.277.i = icmp slt i64 %.274.i8828, 0
+  %.282.not.i = icmp slt i64 %.274.i8828, %arg.linear.1.5.0
   %.648747.not.i = icmp slt i64 %arg.shape.1, 1
   %.756.i = mul nsw i64 %arg.shape.1, 17
-  %.idx.i8737 = mul i64 %arg.shape.1, 80
-  %invariant.gep9079 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx.i8737
+  %.idx.i8831 = mul i64 %arg.shape.1, 80
+  %invariant.gep9176 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx.i8831
   %.882.i = getelementptr i8, ptr %arg.linear.1.4, i64 8
   %.887.i = mul nsw i64 %arg.shape.1, 17
-  %invariant.gep9081 = getelementptr double, ptr %arg.arrays.0.4, i64 %.887.i
+  %invariant.gep9178 = getelementptr double, ptr %arg.arrays.0.4, i64 %.887.i
   %.2121 = getelementptr i8, ptr %arg.code.4, i64 64
   %.2203 = icmp sgt i64 %arg.guarded, 0
   %.2208 = icmp sgt i64 %arg.decided, 0
-  %.idx8694 = mul i64 %arg.lane.0.5.1, 40
-  %288 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8694
-  %.idx8695 = mul i64 %arg.lane.0.5.1, 192
-  %289 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8695
+  %.idx8786 = mul i64 %arg.lane.0.5.1, 40
+  %288 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8786
+  %.idx8787 = mul i64 %arg.lane.0.5.1, 192
+  %289 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8787
   %.2558.idx = mul i64 %arg.lane.0.5.1, 40
   %.2558 = getelementptr i8, ptr %arg.lane.0.4, i64 %.2558.idx
   %.2667.idx = mul i64 %arg.lane.0.5.1, 200
   %.2667 = getelementptr i8, ptr %arg.lane.0.4, i64 %.2667.idx
   %.2721.idx = mul i64 %arg.lane.0.5.1, 208
   %.2721 = getelementptr i8, ptr %arg.lane.0.4, i64 %.2721.idx
-  %.idx8692 = mul i64 %arg.lane.0.5.1, 200
-  %290 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8692
-  %.idx8693 = mul i64 %arg.lane.0.5.1, 208
-  %291 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8693
-  %.idx8686 = shl i64 %arg.lane.1.5.1, 4
-  %292 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8686
-  %.idx8687 = mul i64 %arg.lane.0.5.1, 216
-  %293 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8687
-  %.idx8688 = mul i64 %arg.lane.0.5.1, 72
-  %294 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8688
-  %.idx8689 = mul i64 %arg.lane.0.5.1, 40
-  %295 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8689
-  %.idx8690 = mul i64 %arg.lane.0.5.1, 144
-  %296 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8690
-  %.idx8691 = mul i64 %arg.lane.0.5.1, 56
-  %297 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8691
+  %.idx8784 = mul i64 %arg.lane.0.5.1, 200
+  %290 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8784
+  %.idx8785 = mul i64 %arg.lane.0.5.1, 208
+  %291 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8785
+  %.idx8778 = shl i64 %arg.lane.1.5.1, 4
+  %292 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8778
+  %.idx8779 = mul i64 %arg.lane.0.5.1, 216
+  %293 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8779
+  %.idx8780 = mul i64 %arg.lane.0.5.1, 72
+  %294 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8780
+  %.idx8781 = mul i64 %arg.lane.0.5.1, 40
+  %295 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8781
+  %.idx8782 = mul i64 %arg.lane.0.5.1, 144
+  %296 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8782
+  %.idx8783 = mul i64 %arg.lane.0.5.1, 56
+  %297 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8783
   %.3890.idx = mul i64 %.382, 136
   %.3890 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.3890.idx
   %.3915.idx = mul i64 %.382, 104
@@ -3686,41 +3712,41 @@ B276.preheader:                                   ; preds = %B202.endif
   %.4049 = getelementptr i8, ptr %arg.code.4, i64 40
   %.4071.idx = mul i64 %.382, 136
   %.4071 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.4071.idx
-  %.idx8681 = mul i64 %arg.lane.0.5.1, 96
-  %298 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8681
-  %.idx8682 = mul i64 %arg.lane.0.5.1, 40
-  %299 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8682
-  %.idx8683 = mul i64 %arg.lane.0.5.1, 104
-  %300 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8683
-  %.idx8684 = mul i64 %arg.lane.0.5.1, 112
-  %301 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8684
-  %.idx8685 = shl i64 %arg.lane.1.5.1, 5
-  %302 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8685
+  %.idx8773 = mul i64 %arg.lane.0.5.1, 96
+  %298 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8773
+  %.idx8774 = mul i64 %arg.lane.0.5.1, 40
+  %299 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8774
+  %.idx8775 = mul i64 %arg.lane.0.5.1, 104
+  %300 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8775
+  %.idx8776 = mul i64 %arg.lane.0.5.1, 112
+  %301 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8776
+  %.idx8777 = shl i64 %arg.lane.1.5.1, 5
+  %302 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8777
   %.4410.idx = mul i64 %.382, 136
   %.4410 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.4410.idx
   %.4472 = getelementptr i8, ptr %arg.code.4, i64 200
   %.4549 = getelementptr i8, ptr %arg.code.4, i64 104
   %.idx = shl i64 %arg.lane.1.5.1, 4
   %303 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx
-  %.idx8646 = mul i64 %arg.lane.0.5.1, 40
-  %304 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8646
-  %.idx8647 = mul i64 %arg.lane.0.5.1, 56
-  %305 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8647
-  %.idx8648 = mul i64 %arg.lane.0.5.1, 224
-  %306 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8648
-  %.idx8649 = shl i64 %arg.lane.0.5.1, 5
-  %307 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8649
-  %.idx8650 = mul i64 %arg.lane.0.5.1, 96
-  %308 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8650
-  %.idx8651 = mul i64 %arg.lane.0.5.1, 48
-  %309 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8651
+  %.idx8737 = mul i64 %arg.lane.0.5.1, 40
+  %304 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8737
+  %.idx8738 = mul i64 %arg.lane.0.5.1, 56
+  %305 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8738
+  %.idx8739 = mul i64 %arg.lane.0.5.1, 224
+  %306 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8739
+  %.idx8740 = shl i64 %arg.lane.0.5.1, 5
+  %307 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8740
+  %.idx8741 = mul i64 %arg.lane.0.5.1, 96
+  %308 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8741
+  %.idx8742 = mul i64 %arg.lane.0.5.1, 48
+  %309 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8742
   %310 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
-  %.idx8652 = mul i64 %arg.lane.0.5.1, 168
-  %311 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8652
+  %.idx8743 = mul i64 %arg.lane.0.5.1, 168
+  %311 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8743
   %.4549.c = getelementptr i8, ptr %arg.code.4, i64 104
   %.1013.i = getelementptr i8, ptr %arg.code.4, i64 40
-  %.1105.i8754.idx = shl i64 %factor.op.mul, 4
-  %.1105.i8754 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.1105.i8754.idx
+  %.1105.i8848.idx = shl i64 %factor.op.mul, 4
+  %.1105.i8848 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.1105.i8848.idx
   %.idx1174.i = mul i64 %arg.lane.0.5.1, 104
   %312 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1174.i
   %.idx1175.i = mul i64 %arg.lane.0.5.1, 112
@@ -3739,8 +3765,8 @@ B276.preheader:                                   ; preds = %B202.endif
   %.155.i.4.i = mul nsw i64 %arg.shape.1, 20
   %.155.i.5.i = mul nsw i64 %arg.shape.1, 19
   %.155.i.6.i = mul nsw i64 %arg.shape.1, 18
-  %.idx.i8758 = mul i64 %arg.lane.0.5.1, 56
-  %316 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx.i8758
+  %.idx.i8852 = mul i64 %arg.lane.0.5.1, 56
+  %316 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx.i8852
   %.idx1165.i = mul i64 %arg.lane.0.5.1, 40
   %317 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1165.i
   %.idx1166.i = shl i64 %arg.lane.0.5.1, 5
@@ -3748,24 +3774,24 @@ B276.preheader:                                   ; preds = %B202.endif
   %319 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
   %.4734.not = icmp eq i64 %arg.guarded, 0
   %.845.i = getelementptr i8, ptr %arg.code.4, i64 16
-  %.937.i.idx = shl i64 %factor.op.mul9188, 4
+  %.937.i.idx = shl i64 %factor.op.mul9290, 4
   %.937.i = getelementptr i8, ptr %arg.arrays.0.4, i64 %.937.i.idx
   %.idx652.i = mul i64 %arg.lane.0.5.1, 48
   %320 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx652.i
   %.695658.not.i = icmp slt i64 %arg.shape.1, 1
   %.767.i = shl nsw i64 %arg.shape.1, 1
-  %.idx.i8765 = mul i64 %arg.lane.0.5.1, 40
-  %321 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx.i8765
-  %.155.i.i8768 = mul nsw i64 %arg.shape.1, 24
-  %.155.i.1.i8774 = mul nsw i64 %arg.shape.1, 23
-  %.155.i.2.i8780 = mul nsw i64 %arg.shape.1, 22
-  %.155.i.3.i8786 = mul nsw i64 %arg.shape.1, 21
-  %.155.i.4.i8792 = mul nsw i64 %arg.shape.1, 20
-  %.155.i.5.i8798 = mul nsw i64 %arg.shape.1, 19
-  %.155.i.6.i8804 = mul nsw i64 %arg.shape.1, 18
+  %.idx.i8861 = mul i64 %arg.lane.0.5.1, 40
+  %321 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx.i8861
+  %.155.i.i8864 = mul nsw i64 %arg.shape.1, 24
+  %.155.i.1.i8870 = mul nsw i64 %arg.shape.1, 23
+  %.155.i.2.i8876 = mul nsw i64 %arg.shape.1, 22
+  %.155.i.3.i8882 = mul nsw i64 %arg.shape.1, 21
+  %.155.i.4.i8888 = mul nsw i64 %arg.shape.1, 20
+  %.155.i.5.i8894 = mul nsw i64 %arg.shape.1, 19
+  %.155.i.6.i8900 = mul nsw i64 %arg.shape.1, 18
   %factor.op.mul652.i = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
-  %.idx.i8821 = shl i64 %arg.lane.1.5.1, 4
-  %322 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx.i8821
+  %.idx.i8917 = shl i64 %arg.lane.1.5.1, 4
+  %322 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx.i8917
   %.idx640.i = mul i64 %arg.lane.0.5.1, 40
   %323 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx640.i
   %.idx641.i = mul i64 %arg.lane.0.5.1, 48
@@ -3777,29 +3803,31 @@ B276.preheader:                                   ; preds = %B202.endif
   %326 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx644.i
   %.993.i = mul nsw i64 %arg.shape.1, 17
   %327 = add i64 %arg.times.5.0, -1
-  %.155.i.i8834 = mul nsw i64 %arg.shape.1, 24
-  %.155.i.1.i8840 = mul nsw i64 %arg.shape.1, 23
-  %.155.i.2.i8846 = mul nsw i64 %arg.shape.1, 22
-  %.155.i.3.i8852 = mul nsw i64 %arg.shape.1, 21
-  %.155.i.4.i8858 = mul nsw i64 %arg.shape.1, 20
-  %.155.i.5.i8864 = mul nsw i64 %arg.shape.1, 19
-  %.155.i.6.i8870 = mul nsw i64 %arg.shape.1, 18
+  %.155.i.i8930 = mul nsw i64 %arg.shape.1, 24
+  %.155.i.1.i8936 = mul nsw i64 %arg.shape.1, 23
+  %.155.i.2.i8942 = mul nsw i64 %arg.shape.1, 22
+  %.155.i.3.i8948 = mul nsw i64 %arg.shape.1, 21
+  %.155.i.4.i8954 = mul nsw i64 %arg.shape.1, 20
+  %.155.i.5.i8960 = mul nsw i64 %arg.shape.1, 19
+  %.155.i.6.i8966 = mul nsw i64 %arg.shape.1, 18
   %.4960 = getelementptr i8, ptr %arg.code.4, i64 96
-  %.idx8675 = mul i64 %arg.lane.0.5.1, 96
-  %328 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8675
-  %.idx8676 = mul i64 %arg.lane.0.5.1, 40
-  %329 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8676
-  %.idx8677 = mul i64 %arg.lane.0.5.1, 120
-  %330 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8677
+  %.idx8766 = mul i64 %arg.lane.0.5.1, 96
+  %328 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8766
+  %.idx8767 = mul i64 %arg.lane.0.5.1, 40
+  %329 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8767
+  %.idx8768 = mul i64 %arg.lane.0.5.1, 120
+  %330 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8768
+  %.545.i39659265.not = icmp slt i64 %arg.shape.1, 1
+  %.690.i4002 = getelementptr i8, ptr %arg.tolerances.4, i64 8
   %331 = getelementptr double, ptr %arg.times.4, i64 %arg.times.5.0
-  %.449.i3915 = getelementptr i8, ptr %331, i64 -8
-  %.idx8678 = mul i64 %arg.lane.1.5.1, 24
-  %332 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8678
-  %.idx8679 = mul i64 %arg.lane.1.5.1, 24
-  %333 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8679
-  %.idx8680 = mul i64 %arg.lane.0.5.1, 24
-  %334 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8680
-  %.5057.not = icmp ne i64 %arg.jumping, 0
+  %.735.i4031 = getelementptr i8, ptr %331, i64 -8
+  %.idx8770 = mul i64 %arg.lane.1.5.1, 24
+  %332 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8770
+  %.idx8771 = mul i64 %arg.lane.1.5.1, 24
+  %333 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8771
+  %.idx8772 = mul i64 %arg.lane.0.5.1, 24
+  %334 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8772
+  %.5066.not = icmp ne i64 %arg.jumping, 0
   %.idx1848.i = mul i64 %arg.lane.0.5.1, 40
   %335 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1848.i
   %.idx1849.i = shl i64 %arg.lane.0.5.1, 4
@@ -3809,97 +3837,97 @@ B276.preheader:                                   ; preds = %B202.endif
   %.852.i = mul i64 %arg.schedule.3.5.2, %arg.schedule.3.5.1
   %.1017.i = getelementptr i8, ptr %arg.code.4, i64 8
   %.1160.i = getelementptr i8, ptr %arg.code.4, i64 32
-  %.1231.i8885 = mul nsw i64 %arg.shape.1, 17
-  %.1233.i8886 = mul nsw i64 %.1231.i8885, %arg.shape.0
-  %.1276.i = getelementptr double, ptr %arg.arrays.0.4, i64 %.1233.i8886
+  %.1231.i8982 = mul nsw i64 %arg.shape.1, 17
+  %.1233.i8983 = mul nsw i64 %.1231.i8982, %arg.shape.0
+  %.1276.i = getelementptr double, ptr %arg.arrays.0.4, i64 %.1233.i8983
   %.idx1846.i = shl i64 %arg.lane.1.5.1, 4
   %338 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx1846.i
   %.17571859.not.i = icmp slt i64 %arg.shape.1, 1
   %.1952.i = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
   %.2041.not.i = icmp eq i64 %arg.guarded, 0
   %.2073.i = getelementptr i8, ptr %arg.code.4, i64 16
-  %.idx8658 = mul i64 %arg.lane.0.5.1, 40
-  %339 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8658
-  %.idx8659 = shl i64 %arg.lane.0.5.1, 4
-  %340 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8659
+  %.idx8749 = mul i64 %arg.lane.0.5.1, 40
+  %339 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8749
+  %.idx8750 = shl i64 %arg.lane.0.5.1, 4
+  %340 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8750
   %341 = getelementptr i64, ptr %arg.lane.1.4, i64 %arg.lane.1.5.1
-  %.idx8660 = mul i64 %arg.lane.0.5.1, 24
-  %342 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8660
-  %.1103.i9175.not = icmp slt i64 %arg.schedule.2.5.0, 1
-  %.1256.i5962 = mul i64 %arg.schedule.3.5.2, %arg.schedule.3.5.1
-  %.idx8663 = shl i64 %arg.lane.1.5.1, 4
-  %343 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8663
-  %.373.i8900 = getelementptr i8, ptr %arg.lane.2.4, i64 8
+  %.idx8751 = mul i64 %arg.lane.0.5.1, 24
+  %342 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8751
+  %.1103.i9277.not = icmp slt i64 %arg.schedule.2.5.0, 1
+  %.1256.i6113 = mul i64 %arg.schedule.3.5.2, %arg.schedule.3.5.1
+  %.idx8754 = shl i64 %arg.lane.1.5.1, 4
+  %343 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8754
+  %.373.i8997 = getelementptr i8, ptr %arg.lane.2.4, i64 8
   %344 = getelementptr i64, ptr %arg.lane.1.4, i64 %arg.lane.1.5.1
-  %.6961563.not.i9043 = icmp slt i64 %arg.shape.1, 1
-  %.851.i9051 = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
-  %.9661566.not.i8905 = icmp slt i64 %arg.shape.2, 1
-  %.11851569.not.i8922 = icmp slt i64 %arg.schedule.2.5.0, 1
-  %.1319.i8927 = mul i64 %arg.schedule.3.5.2, %arg.schedule.3.5.1
-  %.1423.i8946 = icmp sgt i64 %arg.shape.0, 1
-  %.163.i1572.not.i8949 = icmp slt i64 %arg.shape.1, 1
+  %.6961563.not.i9140 = icmp slt i64 %arg.shape.1, 1
+  %.851.i9148 = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
+  %.9661566.not.i9002 = icmp slt i64 %arg.shape.2, 1
+  %.11851569.not.i9019 = icmp slt i64 %arg.schedule.2.5.0, 1
+  %.1319.i9024 = mul i64 %arg.schedule.3.5.2, %arg.schedule.3.5.1
+  %.1423.i9043 = icmp sgt i64 %arg.shape.0, 1
+  %.163.i1572.not.i9046 = icmp slt i64 %arg.shape.1, 1
   %345 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
-  %.idx1546.i8966 = shl i64 %arg.lane.0.5.1, 4
-  %346 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1546.i8966
-  %.idx1547.i8968 = mul i64 %arg.lane.0.5.1, 24
-  %347 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1547.i8968
-  %.idx1548.i8970 = shl i64 %arg.lane.0.5.1, 5
-  %348 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1548.i8970
-  %.idx1549.i8972 = mul i64 %arg.lane.0.5.1, 176
-  %349 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1549.i8972
-  %.idx1550.i8974 = mul i64 %arg.lane.0.5.1, 168
-  %350 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1550.i8974
-  %.15851575.not.i8977 = icmp slt i64 %arg.shape.1, 1
-  %.idx1553.i9009 = shl i64 %arg.lane.0.5.1, 4
-  %351 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1553.i9009
+  %.idx1546.i9063 = shl i64 %arg.lane.0.5.1, 4
+  %346 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1546.i9063
+  %.idx1547.i9065 = mul i64 %arg.lane.0.5.1, 24
+  %347 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1547.i9065
+  %.idx1548.i9067 = shl i64 %arg.lane.0.5.1, 5
+  %348 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1548.i9067
+  %.idx1549.i9069 = mul i64 %arg.lane.0.5.1, 176
+  %349 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1549.i9069
+  %.idx1550.i9071 = mul i64 %arg.lane.0.5.1, 168
+  %350 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1550.i9071
+  %.15851575.not.i9074 = icmp slt i64 %arg.shape.1, 1
+  %.idx1553.i9106 = shl i64 %arg.lane.0.5.1, 4
+  %351 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1553.i9106
   %352 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
-  %.idx1554.i9012 = mul i64 %arg.lane.0.5.1, 24
-  %353 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1554.i9012
-  %.idx1555.i9014 = shl i64 %arg.lane.0.5.1, 5
-  %354 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1555.i9014
-  %.idx1556.i9016 = mul i64 %arg.lane.0.5.1, 120
-  %355 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1556.i9016
-  %.idx1557.i9019 = mul i64 %arg.lane.1.5.1, 24
-  %356 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx1557.i9019
-  %.idx1558.i9021 = mul i64 %arg.lane.0.5.1, 168
-  %357 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1558.i9021
-  %.idx1559.i9023 = mul i64 %arg.lane.0.5.1, 200
-  %358 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1559.i9023
-  %.idx1560.i9025 = mul i64 %arg.lane.0.5.1, 208
-  %359 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1560.i9025
-  %.idx1561.i9027 = mul i64 %arg.lane.0.5.1, 152
-  %360 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1561.i9027
-  %.idx1562.i9029 = mul i64 %arg.lane.0.5.1, 144
-  %361 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1562.i9029
-  %.idx8662 = mul i64 %arg.lane.0.5.1, 144
-  %362 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8662
-  %.6236 = tail call i64 @llvm.smin.i64(i64 %arg.times.5.0, i64 0)
+  %.idx1554.i9109 = mul i64 %arg.lane.0.5.1, 24
+  %353 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1554.i9109
+  %.idx1555.i9111 = shl i64 %arg.lane.0.5.1, 5
+  %354 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1555.i9111
+  %.idx1556.i9113 = mul i64 %arg.lane.0.5.1, 120
+  %355 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1556.i9113
+  %.idx1557.i9116 = mul i64 %arg.lane.1.5.1, 24
+  %356 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx1557.i9116
+  %.idx1558.i9118 = mul i64 %arg.lane.0.5.1, 168
+  %357 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1558.i9118
+  %.idx1559.i9120 = mul i64 %arg.lane.0.5.1, 200
+  %358 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1559.i9120
+  %.idx1560.i9122 = mul i64 %arg.lane.0.5.1, 208
+  %359 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1560.i9122
+  %.idx1561.i9124 = mul i64 %arg.lane.0.5.1, 152
+  %360 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1561.i9124
+  %.idx1562.i9126 = mul i64 %arg.lane.0.5.1, 144
+  %361 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1562.i9126
+  %.idx8753 = mul i64 %arg.lane.0.5.1, 144
+  %362 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8753
+  %.6245 = tail call i64 @llvm.smin.i64(i64 %arg.times.5.0, i64 0)
   %363 = getelementptr double, ptr %arg.times.4, i64 %arg.times.5.0
   %364 = getelementptr i8, ptr %363, i64 -8
-  %.6250 = getelementptr double, ptr %364, i64 %.6236
+  %.6259 = getelementptr double, ptr %364, i64 %.6245
   %365 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
-  %.idx8664 = shl i64 %arg.lane.1.5.1, 4
-  %366 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8664
-  %.idx8665 = mul i64 %arg.lane.0.5.1, 144
-  %367 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8665
-  %.idx8666 = mul i64 %arg.lane.0.5.1, 184
-  %368 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8666
-  %.idx8667 = shl i64 %arg.lane.0.5.1, 4
-  %369 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8667
-  %.idx8668 = mul i64 %arg.lane.0.5.1, 176
-  %370 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8668
-  %.163.i45479178.not = icmp slt i64 %arg.shape.1, 1
+  %.idx8755 = shl i64 %arg.lane.1.5.1, 4
+  %366 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx8755
+  %.idx8756 = mul i64 %arg.lane.0.5.1, 144
+  %367 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8756
+  %.idx8757 = mul i64 %arg.lane.0.5.1, 184
+  %368 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8757
+  %.idx8758 = shl i64 %arg.lane.0.5.1, 4
+  %369 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8758
+  %.idx8759 = mul i64 %arg.lane.0.5.1, 176
+  %370 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8759
+  %.163.i46809280.not = icmp slt i64 %arg.shape.1, 1
   %371 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
-  %.idx8670 = shl i64 %arg.lane.0.5.1, 4
-  %372 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8670
-  %.idx8671 = mul i64 %arg.lane.0.5.1, 24
-  %373 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8671
-  %.idx8672 = shl i64 %arg.lane.0.5.1, 5
-  %374 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8672
-  %.idx8673 = mul i64 %arg.lane.0.5.1, 176
-  %375 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8673
-  %.idx8674 = mul i64 %arg.lane.0.5.1, 168
-  %376 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8674
+  %.idx8761 = shl i64 %arg.lane.0.5.1, 4
+  %372 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8761
+  %.idx8762 = mul i64 %arg.lane.0.5.1, 24
+  %373 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8762
+  %.idx8763 = shl i64 %arg.lane.0.5.1, 5
+  %374 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8763
+  %.idx8764 = mul i64 %arg.lane.0.5.1, 176
+  %375 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8764
+  %.idx8765 = mul i64 %arg.lane.0.5.1, 168
+  %376 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx8765
   %377 = mul i64 %arg.results.0.5.2, %arg.results.0.5.1
   %378 = shl i64 %377, 3
   %379 = shl i64 %arg.runs.0.5.1, 3
@@ -3917,26 +3945,26 @@ B276.preheader:                                   ; preds = %B202.endif
   %391 = mul i64 %arg.shape.1, -144
   %392 = mul i64 %arg.shape.1, -136
   %393 = mul i64 %arg.shape.1, -128
-  %394 = add i64 %.idx2424.i, %arg.arrays.0.49329
+  %394 = add i64 %.idx2424.i, %arg.arrays.0.49432
   %395 = tail call i64 @llvm.smax.i64(i64 %.538.i.i, i64 1)
   %396 = mul i64 %arg.shape.1, -48
-  %min.iters.check9355 = icmp ult i64 %arg.shape.1, 4
-  %diff.check9349 = icmp ult i64 %396, 32
-  %diff.check9350 = icmp ult i64 %.1807.i.idx.i, 32
-  %conflict.rdx9351 = or i1 %diff.check9349, %diff.check9350
-  %diff.check9352 = icmp ult i64 %.idx2422.i, 32
-  %conflict.rdx9353 = or i1 %conflict.rdx9351, %diff.check9352
-  %n.vec9358 = and i64 %arg.shape.1, 9223372036854775804
-  %cmp.n9365 = icmp eq i64 %arg.shape.1, %n.vec9358
-  %min.iters.check9333 = icmp slt i64 %.538.i.i, 4
-  %n.vec9336 = and i64 %395, 9223372036854775804
-  %397 = sub nsw i64 %storemerge2359.i, %n.vec9336
-  %cmp.n9345 = icmp eq i64 %395, %n.vec9336
-  %min.iters.check9314 = icmp ult i64 %arg.shape.1, 4
-  %diff.check9312 = icmp ult i64 %.idx2424.i, 32
-  %or.cond9369 = or i1 %min.iters.check9314, %diff.check9312
-  %n.vec9317 = and i64 %arg.shape.1, 9223372036854775804
-  %cmp.n9326 = icmp eq i64 %arg.shape.1, %n.vec9317
+  %min.iters.check9458 = icmp ult i64 %arg.shape.1, 4
+  %diff.check9452 = icmp ult i64 %396, 32
+  %diff.check9453 = icmp ult i64 %.1807.i.idx.i, 32
+  %conflict.rdx9454 = or i1 %diff.check9452, %diff.check9453
+  %diff.check9455 = icmp ult i64 %.idx2422.i, 32
+  %conflict.rdx9456 = or i1 %conflict.rdx9454, %diff.check9455
+  %n.vec9461 = and i64 %arg.shape.1, 9223372036854775804
+  %cmp.n9468 = icmp eq i64 %arg.shape.1, %n.vec9461
+  %min.iters.check9436 = icmp slt i64 %.538.i.i, 4
+  %n.vec9439 = and i64 %395, 9223372036854775804
+  %397 = sub nsw i64 %storemerge2359.i, %n.vec9439
+  %cmp.n9448 = icmp eq i64 %395, %n.vec9439
+  %min.iters.check9417 = icmp ult i64 %arg.shape.1, 4
+  %diff.check9415 = icmp ult i64 %.idx2424.i, 32
+  %or.cond9472 = or i1 %min.iters.check9417, %diff.check9415
+  %n.vec9420 = and i64 %arg.shape.1, 9223372036854775804
+  %cmp.n9429 = icmp eq i64 %arg.shape.1, %n.vec9420
   %398 = getelementptr i8, ptr %arg.code.4, i64 208
   %.4435.idx = mul i64 %.382, 112
   %.4435 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.4435.idx
@@ -3946,57 +3974,57 @@ B276.preheader:                                   ; preds = %B202.endif
   %400 = getelementptr i8, ptr %arg.code.4, i64 224
   %.4435.2.idx = shl i64 %.382, 7
   %.4435.2 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.4435.2.idx
-  %min.iters.check9289 = icmp ne i64 %arg.shape.1, 1
-  %ident.check9271.not = icmp eq i64 %arg.shape.0, 1
-  %or.cond9370 = and i1 %min.iters.check9289, %ident.check9271.not
-  %diff.check9273 = icmp eq i64 %387, 0
-  %diff.check9274 = icmp ult i64 %388, 16
-  %conflict.rdx9275 = or i1 %diff.check9273, %diff.check9274
-  %diff.check9276 = icmp eq i64 %389, 0
-  %conflict.rdx9277 = or i1 %conflict.rdx9275, %diff.check9276
-  %diff.check9278 = icmp ult i64 %390, 16
-  %conflict.rdx9279 = or i1 %conflict.rdx9277, %diff.check9278
-  %diff.check9280 = icmp eq i64 %391, 0
-  %conflict.rdx9281 = or i1 %conflict.rdx9279, %diff.check9280
-  %diff.check9282 = icmp ult i64 %392, 16
-  %conflict.rdx9283 = or i1 %conflict.rdx9281, %diff.check9282
-  %diff.check9284 = icmp eq i64 %393, 0
-  %conflict.rdx9285 = or i1 %conflict.rdx9283, %diff.check9284
+  %min.iters.check9392 = icmp ne i64 %arg.shape.1, 1
+  %ident.check9374.not = icmp eq i64 %arg.shape.0, 1
+  %or.cond9473 = and i1 %min.iters.check9392, %ident.check9374.not
+  %diff.check9376 = icmp eq i64 %387, 0
+  %diff.check9377 = icmp ult i64 %388, 16
+  %conflict.rdx9378 = or i1 %diff.check9376, %diff.check9377
+  %diff.check9379 = icmp eq i64 %389, 0
+  %conflict.rdx9380 = or i1 %conflict.rdx9378, %diff.check9379
+  %diff.check9381 = icmp ult i64 %390, 16
+  %conflict.rdx9382 = or i1 %conflict.rdx9380, %diff.check9381
+  %diff.check9383 = icmp eq i64 %391, 0
+  %conflict.rdx9384 = or i1 %conflict.rdx9382, %diff.check9383
+  %diff.check9385 = icmp ult i64 %392, 16
+  %conflict.rdx9386 = or i1 %conflict.rdx9384, %diff.check9385
+  %diff.check9387 = icmp eq i64 %393, 0
+  %conflict.rdx9388 = or i1 %conflict.rdx9386, %diff.check9387
   %.mask = and i64 %arg.shape.1, 1152921504606846975
-  %diff.check9286 = icmp eq i64 %.mask, 0
-  %conflict.rdx9287 = or i1 %conflict.rdx9285, %diff.check9286
-  %n.vec9292 = and i64 %arg.shape.1, 9223372036854775806
-  %cmp.n9309 = icmp eq i64 %arg.shape.1, %n.vec9292
-  %min.iters.check9250 = icmp ne i64 %arg.shape.1, 1
+  %diff.check9389 = icmp eq i64 %.mask, 0
+  %conflict.rdx9390 = or i1 %conflict.rdx9388, %diff.check9389
+  %n.vec9395 = and i64 %arg.shape.1, 9223372036854775806
+  %cmp.n9412 = icmp eq i64 %arg.shape.1, %n.vec9395
+  %min.iters.check9353 = icmp ne i64 %arg.shape.1, 1
   %ident.check.not = icmp eq i64 %arg.shape.0, 1
-  %or.cond9371 = and i1 %min.iters.check9250, %ident.check.not
-  %diff.check9235 = icmp eq i64 %380, 0
-  %diff.check9236 = icmp ult i64 %381, 16
-  %conflict.rdx = or i1 %diff.check9235, %diff.check9236
-  %diff.check9237 = icmp eq i64 %382, 0
-  %conflict.rdx9238 = or i1 %conflict.rdx, %diff.check9237
-  %diff.check9239 = icmp ult i64 %383, 16
-  %conflict.rdx9240 = or i1 %conflict.rdx9238, %diff.check9239
-  %diff.check9241 = icmp eq i64 %384, 0
-  %conflict.rdx9242 = or i1 %conflict.rdx9240, %diff.check9241
-  %diff.check9243 = icmp ult i64 %385, 16
-  %conflict.rdx9244 = or i1 %conflict.rdx9242, %diff.check9243
-  %diff.check9245 = icmp eq i64 %386, 0
-  %conflict.rdx9246 = or i1 %conflict.rdx9244, %diff.check9245
-  %.mask9367 = and i64 %arg.shape.1, 1152921504606846975
-  %diff.check9247 = icmp eq i64 %.mask9367, 0
-  %conflict.rdx9248 = or i1 %conflict.rdx9246, %diff.check9247
-  %n.vec9253 = and i64 %arg.shape.1, 9223372036854775806
-  %cmp.n9268 = icmp eq i64 %arg.shape.1, %n.vec9253
-  %min.iters.check9222 = icmp ult i64 %arg.shape.1, 8
-  %n.vec9225 = and i64 %arg.shape.1, 9223372036854775804
-  %cmp.n9232 = icmp eq i64 %arg.shape.1, %n.vec9225
+  %or.cond9474 = and i1 %min.iters.check9353, %ident.check.not
+  %diff.check9338 = icmp eq i64 %380, 0
+  %diff.check9339 = icmp ult i64 %381, 16
+  %conflict.rdx = or i1 %diff.check9338, %diff.check9339
+  %diff.check9340 = icmp eq i64 %382, 0
+  %conflict.rdx9341 = or i1 %conflict.rdx, %diff.check9340
+  %diff.check9342 = icmp ult i64 %383, 16
+  %conflict.rdx9343 = or i1 %conflict.rdx9341, %diff.check9342
+  %diff.check9344 = icmp eq i64 %384, 0
+  %conflict.rdx9345 = or i1 %conflict.rdx9343, %diff.check9344
+  %diff.check9346 = icmp ult i64 %385, 16
+  %conflict.rdx9347 = or i1 %conflict.rdx9345, %diff.check9346
+  %diff.check9348 = icmp eq i64 %386, 0
+  %conflict.rdx9349 = or i1 %conflict.rdx9347, %diff.check9348
+  %.mask9470 = and i64 %arg.shape.1, 1152921504606846975
+  %diff.check9350 = icmp eq i64 %.mask9470, 0
+  %conflict.rdx9351 = or i1 %conflict.rdx9349, %diff.check9350
+  %n.vec9356 = and i64 %arg.shape.1, 9223372036854775806
+  %cmp.n9371 = icmp eq i64 %arg.shape.1, %n.vec9356
+  %min.iters.check9325 = icmp ult i64 %arg.shape.1, 8
+  %n.vec9328 = and i64 %arg.shape.1, 9223372036854775804
+  %cmp.n9335 = icmp eq i64 %arg.shape.1, %n.vec9328
   br label %B276
 
 B1276.if:                                         ; preds = %B1276.if.preheader, %B1500
-  %.1789.09083 = phi i64 [ %.1858, %B1500 ], [ 1, %B1276.if.preheader ]
-  %.1858 = add nsw i64 %.1789.09083, 1
-  %401 = getelementptr i64, ptr %arg.code.4, i64 %.1789.09083
+  %.1789.09180 = phi i64 [ %.1858, %B1500 ], [ 1, %B1276.if.preheader ]
+  %.1858 = add nsw i64 %.1789.09180, 1
+  %401 = getelementptr i64, ptr %arg.code.4, i64 %.1789.09180
   %402 = getelementptr i8, ptr %401, i64 104
   %.1917 = load i64, ptr %402, align 8
   %.1962 = inttoptr i64 %.1917 to ptr
@@ -4009,27 +4037,27 @@ B1276.if:                                         ; preds = %B1276.if.preheader,
   br i1 %.539, label %B1464, label %B1500
 
 B1646.if:                                         ; preds = %B1502, %B1732
-  %looked.2.19089 = phi i1 [ %"$phi1732.1.2.2", %B1732 ], [ %spec.select8712, %B1502 ]
-  %good.2.19088 = phi i1 [ %"$phi1690.1.2.2", %B1732 ], [ false, %B1502 ]
-  %.2251.09087 = phi i64 [ %.2313, %B1732 ], [ %storemerge, %B1502 ]
-  %.2248.09086 = phi i64 [ %.2317, %B1732 ], [ 0, %B1502 ]
-  %.2313 = add nsw i64 %.2251.09087, -1
-  %.2317 = add nsw i64 %.2248.09086, 1
-  br i1 %good.2.19088, label %B1690, label %B1654
+  %looked.2.19186 = phi i1 [ %"$phi1732.1.2.2", %B1732 ], [ %spec.select8805, %B1502 ]
+  %good.2.19185 = phi i1 [ %"$phi1690.1.2.2", %B1732 ], [ false, %B1502 ]
+  %.2251.09184 = phi i64 [ %.2313, %B1732 ], [ %storemerge, %B1502 ]
+  %.2248.09183 = phi i64 [ %.2317, %B1732 ], [ 0, %B1502 ]
+  %.2313 = add nsw i64 %.2251.09184, -1
+  %.2317 = add nsw i64 %.2248.09183, 1
+  br i1 %good.2.19185, label %B1690, label %B1654
 
 B1922.if:                                         ; preds = %B1920.preheader, %B2440
-  %doubted.3.29100 = phi i1 [ %doubted.4.3, %B2440 ], [ false, %B1920.preheader ]
-  %within.3.29099 = phi i1 [ %within.4.3, %B2440 ], [ false, %B1920.preheader ]
-  %wanted.3.29098 = phi i1 [ %wanted.4.3, %B2440 ], [ false, %B1920.preheader ]
-  %.2832.09097 = phi i64 [ %.2904, %B2440 ], [ %storemerge, %B1920.preheader ]
-  %.2829.09096 = phi i64 [ %.2908, %B2440 ], [ 0, %B1920.preheader ]
-  %.2904 = add nsw i64 %.2832.09097, -1
-  %.2908 = add nsw i64 %.2829.09096, 1
-  %.2995 = getelementptr i64, ptr %arg.lane.1.4, i64 %.2829.09096
+  %doubted.3.29197 = phi i1 [ %doubted.4.3, %B2440 ], [ false, %B1920.preheader ]
+  %within.3.29196 = phi i1 [ %within.4.3, %B2440 ], [ false, %B1920.preheader ]
+  %wanted.3.29195 = phi i1 [ %wanted.4.3, %B2440 ], [ false, %B1920.preheader ]
+  %.2832.09194 = phi i64 [ %.2904, %B2440 ], [ %storemerge, %B1920.preheader ]
+  %.2829.09193 = phi i64 [ %.2908, %B2440 ], [ 0, %B1920.preheader ]
+  %.2904 = add nsw i64 %.2832.09194, -1
+  %.2908 = add nsw i64 %.2829.09193, 1
+  %.2995 = getelementptr i64, ptr %arg.lane.1.4, i64 %.2829.09193
   %.2996 = load i64, ptr %.2995, align 8
-  %.3050 = getelementptr i64, ptr %292, i64 %.2829.09096
+  %.3050 = getelementptr i64, ptr %292, i64 %.2829.09193
   %.3051 = load i64, ptr %.3050, align 8
-  %.3111 = getelementptr double, ptr %293, i64 %.2829.09096
+  %.3111 = getelementptr double, ptr %293, i64 %.2829.09193
   store double 0.000000e+00, ptr %.3111, align 8
   %.3114 = icmp sgt i64 %.2996, -1
   br i1 %.3114, label %B2022, label %B2440
@@ -4061,19 +4089,19 @@ B2860.if:                                         ; preds = %B2792
   tail call void %.4595(ptr %arg.lane.0.4, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.tolerances.4, ptr %arg.arrays.3.4, ptr %arg.arrays.4.4)
   br i1 %.274.i, label %B3238, label %B66.if.i
 
-B3584.if:                                         ; preds = %B3546, %B4375
-  %active.3.29185 = phi i64 [ %active.6.3, %B4375 ], [ %active.4.0, %B3546 ]
-  %budget.5.29184 = phi i64 [ %budget.6.3, %B4375 ], [ %.688, %B3546 ]
-  %.5225.09183 = phi i64 [ %.5294, %B4375 ], [ %storemerge, %B3546 ]
-  %.5222.09182 = phi i64 [ %.5298, %B4375 ], [ 0, %B3546 ]
-  %.5294 = add nsw i64 %.5225.09183, -1
-  %.5298 = add nsw i64 %.5222.09182, 1
-  %.5383 = getelementptr i64, ptr %arg.lane.1.4, i64 %.5222.09182
-  %.5384 = load i64, ptr %.5383, align 8
-  %.5389 = icmp slt i64 %.5384, 0
-  br i1 %.5389, label %B3630, label %B3670
+B3588.if:                                         ; preds = %B3550, %B4379
+  %active.3.29287 = phi i64 [ %active.4.3, %B4379 ], [ %active.6.0, %B3550 ]
+  %budget.5.29286 = phi i64 [ %budget.6.3, %B4379 ], [ %.688, %B3550 ]
+  %.5234.09285 = phi i64 [ %.5303, %B4379 ], [ %storemerge, %B3550 ]
+  %.5231.09284 = phi i64 [ %.5307, %B4379 ], [ 0, %B3550 ]
+  %.5303 = add nsw i64 %.5234.09285, -1
+  %.5307 = add nsw i64 %.5231.09284, 1
+  %.5392 = getelementptr i64, ptr %arg.lane.1.4, i64 %.5231.09284
+  %.5393 = load i64, ptr %.5392, align 8
+  %.5398 = icmp slt i64 %.5393, 0
+  br i1 %.5398, label %B3634, label %B3674
 
-B4374.endif:                                      ; preds = %B416.i1521, %B4374
+B4378.endif:                                      ; preds = %B416.i1517, %B4378
   store i64 %active.8.1, ptr %retptr, align 8
   ret i32 0
 }
@@ -5721,9 +5749,9 @@ B430.if:                                          ; preds = %B430.if.preheader, 
 !108 = distinct !{!108, !"_ZN12clpt_control6native9for_numba7betweenB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
 !109 = distinct !{!109, !108, !"_ZN12clpt_control6native9for_numba7betweenB3v27B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
 !110 = !{!111, !113}
-!111 = distinct !{!111, !112, !"_ZN12clpt_control6native9for_numba11decide_anewB3v31B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
-!112 = distinct !{!112, !"_ZN12clpt_control6native9for_numba11decide_anewB3v31B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
-!113 = distinct !{!113, !112, !"_ZN12clpt_control6native9for_numba11decide_anewB3v31B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
+!111 = distinct !{!111, !112, !"_ZN12clpt_control6native9for_numba11decide_anewB3v31B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi3EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!112 = distinct !{!112, !"_ZN12clpt_control6native9for_numba11decide_anewB3v31B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi3EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE"}
+!113 = distinct !{!113, !112, !"_ZN12clpt_control6native9for_numba11decide_anewB3v31B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi3EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !114 = !{!115, !111, !113}
 !115 = distinct !{!115, !116, !"_ZN12clpt_control6native9for_numba4failB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_286_29: %retptr"}
 !116 = distinct !{!116, !"_ZN12clpt_control6native9for_numba4failB3v32B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx23Literal_5bint_5d_286_29"}

@@ -62,6 +62,7 @@ LOOKS = 16  # places within a step at which guards are looked at
 PASSED, CROSSED = 1.0, 2.0  # a step goes beyond a kink; it ends right behind it
 HALVINGS, RESOLVED = 50, 1e-12  # of a step; how close to a kink one ends, of the step or the time
 MOST_KINKS, NEAR = 1000, 1e-7  # one upon the other, within that share of a run
+UNFELT = 5e-6  # or within this one, where states hardly move from one to the next
 # steps from one look for stiffness to the next, of those that show it, and ahead for it to matter
 OFTEN, MANY, AHEAD = 128, 15, 5_000
 LISTS = 5  # where the lists of `linear` begin
@@ -181,7 +182,7 @@ def advance(
             sample(shape, times, results, lane, Z, 3 if within and not implicit else 0)
         call(code[ACCEPT], numbers, Z, 0, P, T, W, D, 0)
         if beyond:
-            decide_anew(lanes, times, status, lane)
+            decide_anew(shape, tolerances, times, status, lane, Z)
         if jumping and looked:
             leap(code, shape, runs, schedule, times, results, lane, arrays, guarded)
         if looked:
@@ -280,12 +281,17 @@ def cross(code, shape, decided, results, lane, arrays):
                 counts[m, REJECTIONS] += 1
 
 
-def decide_anew(lanes, times, status, lane):
+def decide_anew(shape, tolerances, times, status, lane, Z):
     """Begin anew behind a kink; end a run that crosses them ever again without going on."""
+    lanes, n, _ = shape
     numbers, whole, queue = lane
     for k in range(lanes):
         if numbers[KINK, k] == CROSSED and numbers[GOOD, k] > 0.5:
-            near = numbers[TIME, k] - numbers[LAST, k] < NEAR * (times[-1] - times[0])
+            passed, fastest = numbers[TIME, k] - numbers[LAST, k], 0.0
+            for i in range(n):
+                fastest = max(fastest, abs(Z[(RATE * n + i) * lanes + k]))
+            felt = fastest * passed > tolerances[1]  # else no state moves by what is asked for
+            near = passed < (NEAR if felt else UNFELT) * (times[-1] - times[0])
             whole[BURST, k] = whole[BURST, k] + 1 if near else 0
             numbers[LAST, k], numbers[FRESH, k], queue[2] = numbers[TIME, k], 1.0, ANEW
             if whole[BURST, k] > MOST_KINKS:

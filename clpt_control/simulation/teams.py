@@ -3,6 +3,7 @@
 Every vehicle's blocks stand in a namespace of its name: `west/adaptation` makes `west/alpha`.
 """
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Runs over kinks and switches, against closed forms."""
 
+import time
+
 import control
 import numpy as np
 import pytest
@@ -9,6 +11,31 @@ from clpt_control.errors import SimulationError
 
 RTOL, ATOL = 1e-10, 1e-12
 T = np.linspace(0.0, 10.0, 101)
+
+
+def thermostat(t, x, u, p):
+    """A relay with hysteresis, as it is at a sample: on below 19, off above 21."""
+    return [1.0 if u[0] < 19.0 else 0.0 if u[0] > 21.0 else x[0]]
+
+
+def test_a_relay_with_hysteresis_is_its_closed_form():
+    """A room of 10 degrees outside, 20 more with the heating on, its relay sampled each 0.05."""
+    relay = control.nlsys(thermostat, inputs="T", outputs="on", states=1, dt=0.05, name="relay")
+    room = control.ss([[-1.0]], [[20.0]], [[1.0]], 0, inputs="on", outputs="heat", name="room")
+    outside = control.nlsys(
+        None, lambda t, x, u, p: u[0] + 10.0, inputs="heat", outputs="T", name="outside"
+    )
+    loop = clpt.connect([room, relay, outside])
+    found = clpt.simulate(loop, 0.05 * np.arange(201), rtol=RTOL, atol=ATOL)
+    heat, on, wanted = 0.0, 0.0, []
+    for _ in range(201):
+        wanted.append(heat)
+        seen = heat + 10
+        heat = 20 * on + (heat - 20 * on) * np.exp(-0.05)
+        on = 1.0 if seen < 19 else 0.0 if seen > 21 else on  # what a sample says counts at the next
+    assert found.attrs["engine"] == "native"
+    np.testing.assert_allclose(found.heat, wanted, rtol=0, atol=1e-9)
+    assert 3 < np.abs(np.diff(found.on.values)).sum() < 60
 
 
 def system(f, n):
@@ -58,6 +85,37 @@ def tracked(t, x, u, p):  # |x|' = -sign(x) until it lies at zero's other side
     return [1.0, min(x[0], 3.0) ** 2]
 
 
+def played(t, x, u, p):
+    """Backlash: the driven side moves only where the gap is used up and the driving one goes on."""
+    speed, gap = 2.0 * np.cos(t), 2.0 * np.sin(t) - x[0]
+    pushed = (gap >= 0.5 and speed > 0) or (gap <= -0.5 and speed < 0)
+    return [speed if pushed else 0.0]
+
+
+def behind(t):
+    """The driving side less half the gap, or what was reached last: 1.5, then -1.5 and so on."""
+    wave, half = 2.0 * np.sin(t), (t - np.pi / 2) // np.pi  # turns of the driving side so far
+    first = np.maximum(wave - 0.5, 0.0)
+    down = np.minimum(wave + 0.5, 1.5)
+    return np.where(half < 0, first, np.where(half % 2 == 0, down, np.maximum(wave - 0.5, -1.5)))
+
+
+def geared(t, x, u, p):
+    """A mass between springs, with a gap of 2: nothing acts on it within."""
+    return [x[1], -4.0 * (x[0] - np.clip(x[0], -1.0, 1.0))]
+
+
+def swung(t):
+    """From rest at 2: a quarter of a swing, the gap at speed 2, half a swing, and back."""
+    quarter, gap = np.pi / 4, 1.0
+    t = t % (4 * quarter + 2 * gap)
+    side, t = np.where(t < 2 * quarter + gap, 1.0, -1.0), t % (2 * quarter + gap)
+    falls, far = 1 + np.cos(2 * t), -1 + np.sin(-2 * (t - quarter - gap))
+    return side * np.where(
+        t < quarter, falls, np.where(t < quarter + gap, 1 - 2 * (t - quarter), far)
+    )
+
+
 def bang(t):
     phase = t % 4.0
     first, second = 0.5 - phase**2 / 2, (phase - 1) ** 2 / 2 - (phase - 1)
@@ -77,6 +135,8 @@ FORMS = {  # rates, start, which state, what it is at t
     "|sin t|": (rectified, [0.0], lambda t: 2 * np.floor(t / np.pi) + 1 - np.cos(t % np.pi)),
     "bang-bang": (bang_bang, [0.5, 0.0], bang),
     "dead zone": (dead_zone, [3.0], lambda t: 1 + 2 * np.exp(-t)),
+    "backlash": (played, [0.0], behind),
+    "a gap between springs": (geared, [2.0, 0.0], swung),
     "floor": (stairs, [0.0, 0.0], whole, 1),
     "mod": (sawtooth, [0.0, 0.0], lambda t: (np.floor(2 * t) + (2 * t % 1.0) ** 2) / 4, 1),
     "a pulse of time": (pulse, [0.0], lambda t: np.clip(t - 5.0, 0.0, 0.05)),
@@ -128,6 +188,27 @@ def test_a_switch_that_chatters_slides_at_loose_tolerances_and_is_said_at_tight_
         SimulationError, match=r"t = 0\.54.* `sign` in s.update switches to and fro"
     ):
         run(sliding, [0.5])
+
+
+def to_a_line(t, x, u, p):
+    return [x[1], -2.0 if x[0] + x[1] > 0 else 2.0]
+
+
+@pytest.mark.parametrize("rtol", [1e-1, 1e-2, 3e-3, 1e-4, 1e-6, 1e-9, 1e-12])
+@pytest.mark.parametrize(("f", "x0"), [(sliding, [0.5]), (to_a_line, [1.0, 0.0])])
+def test_a_sliding_mode_is_told_or_run_within_two_seconds(f, x0, rtol):
+    made = system(f, len(x0))
+    clpt.native.compile(made).callee()
+    begin, said = time.process_time(), ""
+    try:
+        found = clpt.simulate(made, T, None, x0, rtol=rtol, atol=1e-2 * rtol)
+    except SimulationError as error:
+        said = str(error)
+    assert time.process_time() - begin < 2.0
+    if said:
+        assert "switches to and fro without going on; give the switch a hysteresis" in said
+    else:
+        assert np.all(np.abs(found.states.values[-1]) < rtol)
 
 
 def endless(t, x, u, p):
