@@ -25,7 +25,7 @@ from ..native.sweep import Sweep
 from ..scenario.experiment import Scenario, scenario_tables
 from ..scenario.quantities import QUANTITIES, made_of, names_held
 from ..simulation.loops import changed_blocks
-from ..simulation.speeds import SpeedWatch
+from ..simulation.scenario_run import SpeedWatch
 from ..simulation.starts import state_columns, state_of
 
 
@@ -195,7 +195,7 @@ def _check(scenario: Scenario, key: str, shape: tuple[int, ...]) -> None:
         raise ScenarioError(f"{key}: has shape {np.shape(place)}, not {shape}")
 
 
-# --- how fast members were: as in a run (`simulation.speeds`), at their samples -------------------
+# --- how fast members were: as in a run (`simulation.scenario_run`), at their samples -------------
 
 SPEEDS = {  # name -> (long name, whether it is a time)
     "share_at_speed_limit": ("share of time at the speed limit", False),

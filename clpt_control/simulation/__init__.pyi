@@ -2,9 +2,8 @@ from .film import animate
 from .flows import explained_variance, flow_velocity
 from .integrate import sample_times, simulate
 from .loops import closed_loop, error_loop, paper_blocks
-from .plots import clpe_plot, learning_plot, run_plot, track_plot
+from .plots import clpe_plot, learning_plot, response_plot, run_plot, track_plot
 from .report import claims, run_and_report
-from .responses import response_plot
 from .run_file import load_run, save_run
 from .starts import initial_state, state_at
 from .team_plots import team_plot

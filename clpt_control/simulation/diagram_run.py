@@ -1,6 +1,11 @@
-"""A diagram of any blocks, ready to run: python-control's systems as they stand."""
+"""A diagram of any blocks, ready to run: python-control's systems as they stand.
 
-from collections.abc import Callable, Mapping
+A second call of the same need not wire, read and lay out again: runs are kept `ready`.
+"""
+
+import os
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -12,18 +17,19 @@ from ..diagrams.unchanged import key_of
 from ..diagrams.wiring import read_anew, wiring_of
 from ..equations.declaration import ports_of, whole_labels
 from ..equations.linear import linear
-from ..native.engines import chosen, run_as_read
+from ..native.engines import VARIABLE, chosen, run_as_read
 from ..native.inputs import open_sizes, read_inputs, stacked_state
 from ..scenario.file import OWN_PARTS
-from .dataset import columns_of, diagram_frame, run_frame
-from .frame import Frame
+from .dataset import Frame, columns_of, diagram_frame, run_frame
 from .loops import LoopOf
-from .ready import ready
-from .speeds import limit_of, note_speeds, speeds_of
+from .scenario_run import limit_of, note_speeds, speeds_of
 from .starts import initial_state
 
 if TYPE_CHECKING:
     import xarray
+
+MOST = 16  # runs that are ready
+_READY: dict[Any, Any] = {}
 
 
 class DiagramRun:
@@ -90,6 +96,24 @@ class DiagramRun:
         """Whether a closed loop of a scenario is as it was made, with nothing from outside."""
         made = self.made_of
         return made is not None and not made.external and made.is_still(self.wiring)
+
+
+@contextmanager
+def ready(found: tuple[Any, Any] | None, make: Callable[[], Any]) -> Iterator[Any]:
+    """Yield the run of a key, made where there is none; until it is given back it is one's own.
+
+    `found` is a key, with the objects whose places are in it.  Without one a run is made each time,
+    and so is what runs in Python, of which a warning tells each time.
+    """
+    key = found and (found[0], os.environ.get(VARIABLE))
+    held, run = _READY.pop(key, (None, None))
+    if run is None:
+        held, run = found, make()
+    yield run
+    if found and run.runner.engine == "native":
+        _READY[key] = held, run
+        for oldest in list(_READY)[:-MOST]:
+            _READY.pop(oldest, None)
 
 
 def simulate_diagram(

@@ -16,10 +16,8 @@ from ..native.inputs import checked_times
 from ..native.stiffness import checked_method
 from ..scenario.experiment import Scenario
 from ..scenario.team import Team
-from .diagram_run import simulate_diagram
-from .ready import ready
-from .scenario_run import Progress, ScenarioRun
-from .speeds import note_speeds, speeds_of
+from .diagram_run import ready, simulate_diagram
+from .scenario_run import Progress, ScenarioRun, note_speeds, speeds_of
 from .teams import TeamRun
 
 if TYPE_CHECKING:

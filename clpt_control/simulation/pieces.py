@@ -13,8 +13,7 @@ import numpy as np
 
 from ..native.ending import Solution
 from ..scenario.experiment import Scenario
-from .scenario_run import ScenarioRun
-from .speeds import SpeedWatch
+from .scenario_run import ScenarioRun, SpeedWatch
 
 if TYPE_CHECKING:
     import xarray

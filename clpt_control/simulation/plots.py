@@ -1,4 +1,4 @@
-"""Pictures of a run, which carries its scenario: each returns the Axes that it drew on.
+"""Pictures of a run: each returns the Axes that it drew on.
 
 Nothing here integrates.
 """
@@ -15,6 +15,8 @@ from ..scenario.file import scenario_of_run
 
 TITLE: dict[str, Any] = {"loc": "left", "fontsize": 10}
 MANY = 100  # samples an interval, for its mean square
+PORTS = 16  # of a picture of any diagram
+STATES = "states"
 
 if TYPE_CHECKING:
     import xarray
@@ -271,3 +273,58 @@ def run_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     for axis in (1, 2):
         learning_plot(run, axis, ax=axes[[2 + axis, 4 + axis]])
     return axes
+
+
+@public
+def response_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
+    """Draw each port of a diagram's run over time.
+
+    Parameters
+    ----------
+    run : xarray.Dataset
+        As `simulate` gives it for a diagram.
+    ax : array of Axes, optional
+        Where to draw, one for each port; by default a new figure of pyplot's.
+
+    Returns
+    -------
+    Axes or ndarray of Axes, shape (n,)
+        One for each of the n ports, in the order of the run's variables.
+
+    Raises
+    ------
+    DataError
+        If the dataset has no signal along time, or more than 16: choose some, ``run[["x", "e"]]``.
+    ClptError
+        If `ax` are fewer or more Axes.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> loop = clpt.closed_loop(clpt.paper_scenario())
+    >>> run = clpt.simulate(loop, [0.0, 1.0, 2.0])
+    >>> x, e = clpt.simulation.response_plot(run[["position", "clpe"]])
+    """
+    signals = getattr(run, "data_vars", {}).items()
+    ports = [str(n) for n, one in signals if "time" in one.dims and n != STATES]
+    if not 0 < len(ports) <= PORTS:
+        raise DataError(
+            f"the run has {len(ports)} signals along time; one picture shows 1 to {PORTS}: choose "
+            "some, as run[['x', 'e']]"
+        )
+    axes = axes_for(ax, 6.4, 1.2 + 1.3 * len(ports), nrows=len(ports), sharex=True)
+    for one, port in zip([axes] if len(ports) == 1 else axes, ports, strict=True):
+        values = run[port].values.reshape(run.sizes["time"], -1)
+        for k, column in enumerate(values.T):
+            line: Any = {"color": COLOURS[k % 6], "linestyle": STYLES[k % 6], "linewidth": 1.1}
+            one.plot(run.time.values, column, label=f"{k + 1}", **line)
+        one.set_ylabel(_named(port, run[port].attrs.get("units")))
+        if 1 < values.shape[1] <= 6:
+            one.legend(frameon=False, fontsize=8, ncols=6, loc="upper right")
+    last = axes if len(ports) == 1 else axes[-1]
+    last.set_xlabel(_named("time", run.time.attrs.get("units")))
+    return axes
+
+
+def _named(name: str, units: str | None) -> str:
+    return f"{name} ({units})" if units else name

@@ -23,7 +23,7 @@ from ..scenario.tables import Units
 from ..scenario.team import Team
 from .integrate import sample_times, simulate
 from .pieces import SAMPLES_PER_CYCLE, Grid, Squares, nearest, run_in_pieces, union
-from .speeds import note_speeds, speeds_of
+from .scenario_run import note_speeds, speeds_of
 
 if TYPE_CHECKING:
     import xarray

@@ -23,8 +23,7 @@ from ..scenario.team import LAW, Team
 from ..scenario.team_file import team_to_text
 from .dataset import Columns, run_frame, with_states
 from .loops import changed_blocks, paper_blocks
-from .scenario_run import ScenarioRun, with_solver
-from .speeds import faster_flow, speeds_of
+from .scenario_run import ScenarioRun, faster_flow, speeds_of, with_solver
 from .starts import state_labels, state_of
 
 if TYPE_CHECKING:

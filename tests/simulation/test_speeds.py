@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import clpt_control as clpt
 from clpt_control.scenario.tables import Units
-from clpt_control.simulation.speeds import SpeedWatch, faster_flow, speeds_of
+from clpt_control.simulation.scenario_run import SpeedWatch, faster_flow, speeds_of
 
 PAPER = clpt.paper_scenario()
 
