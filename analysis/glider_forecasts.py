@@ -22,7 +22,7 @@ from clpt_control.files import make_folder, write_figure, write_text
 from clpt_control.gliders import sample_dives, usable
 from clpt_control.progress import progress_bar
 from clpt_control.replay import Replay, clpe_rms, replay_dives, summary
-from clpt_control.replay.anomaly import SETTLED
+from clpt_control.replay.doubts import SETTLED
 
 from .made_seas import DAY, QUARTER_DAY, Sea, made_dives
 

@@ -8,8 +8,7 @@ import typer
 
 from .help_pages import arg, one_of, opt
 from .printing import Formats, Json, print_json
-from .replay_report import Ahead, show, summary_with_next, waypoint, write
-from .replay_watch import check_pace, watch
+from .replay_report import Ahead, check_pace, show, summary_with_next, watch, waypoint, write
 
 
 def folder_named(text: str) -> Path:

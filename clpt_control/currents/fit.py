@@ -35,10 +35,9 @@ from ..scenario.file import load_scenario, scenario_to_text
 from ..scenario.scenario_basis import scenario_basis
 from ..units import seconds_since_1970
 from .field_file import GriddedField, field_dataset
-from .gaps import fill_gaps, regular_grid
 from .grid_file import Currents, read_currents
 from .nodal import nodal_report
-from .plane import LocalPlane
+from .plane import LocalPlane, fill_gaps, regular_grid
 from .rayleigh import check_nyquist, check_separable
 
 SINE = -np.pi / 2

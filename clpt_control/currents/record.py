@@ -1,4 +1,4 @@
-"""Read a current record at one place: NetCDF, or a table (`record_table`).
+"""Read a current record at one place: NetCDF, or a table (`text_table`).
 
 NetCDF: a time and two velocities, found by CF standard name or as u and v, of
 the one dimension time; dimensions of one value and a depth beside it are
@@ -25,7 +25,7 @@ from ..errors import DataError
 from ..files import open_netcdf
 from .cf import AXES, VELOCITY, check_speed, dates_of, find_axis, find_variable, velocity_values
 from .rayleigh import check_increasing
-from .record_table import is_table, read_table
+from .text_table import is_table, read_table
 
 if TYPE_CHECKING:
     import xarray

@@ -1,4 +1,4 @@
-"""Cells of a CSV table under a header, with comments, by pandas.
+"""CSV tables: cells under a header with comments, by pandas, and a current at one place.
 
     # latitude: 41.2
     time,u (m/s),v (m/s)
@@ -6,6 +6,20 @@
 
 Blank lines and lines that begin with `#` are left out; of `# NAME: TEXT` or
 `# NAME = TEXT` the text is kept.
+
+A current at one place is such a table:
+
+    # latitude: 41.2
+    time,u (cm/s),v (cm/s)
+    2019-01-01T00:00:00Z,12.3,-4.5
+    2019-01-01T01:00:00Z,,
+
+Columns `time`, `u` (to the east) and `v` (to the north), in any order, others
+are left alone; in place of u and v `speed` and `direction`, the one to which it flows, degrees
+from true north.  Units stand behind the names, in () or [], or for both in a
+comment `# units: cm/s`; a table without units is refused.  Times are ISO 8601
+(UTC unless they say) or seconds since 1970 UTC.  An empty cell or nan is a gap.
+Lines that begin with `#` are comments; `# latitude: DEG` is read.
 """
 
 import re
@@ -13,7 +27,13 @@ from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
+
 from ..errors import DataError
+from ..files.reading import read_text
+from ..units import speed_in_metres_per_second
+from .cf import VELOCITY
+from .nodal import checked_times
 
 if TYPE_CHECKING:
     import pandas
@@ -21,6 +41,18 @@ if TYPE_CHECKING:
 COMMENT = re.compile(r"#\s*(\w+)\s*[:=]\s*(.+?)\s*")
 OPENS = re.compile(r'(^|,)\s*"')  # a quoted cell
 OTHER_MARKS = {";": "semicolons", "\t": "tabs", "|": "bars"}
+NAMES = {
+    "time": ("time", "date", "datetime"),
+    "u": VELOCITY["eastward"][1],
+    "v": VELOCITY["northward"][1],
+}
+POLAR = {
+    "time": NAMES["time"],
+    "speed": ("speed", "current_speed", "velocity", "spd", "magnitude", "mag"),
+    "direction": ("direction", "current_direction", "dir", "heading"),
+}
+SUFFIXES = (".csv", ".txt", ".dat")
+HEADER = re.compile(r"\s*([^([]*?)\s*(?:[(\[]\s*([^)\]]*?)\s*[)\]])?\s*")
 
 
 class TextTable(NamedTuple):
@@ -90,3 +122,127 @@ def other_marks(header: str, name: str) -> str:
         if len(cells) > 1 and name in cells:
             return f"columns are separated by {marks}; use commas, and points in numbers"
     return ""
+
+
+def is_table(path: Path) -> bool:
+    """Return whether a file is named as a table is.
+
+    Examples
+    --------
+    >>> is_table(Path("mooring.csv")), is_table(Path("mooring.nc"))
+    (True, False)
+    """
+    return path.suffix.lower() in SUFFIXES
+
+
+def read_table(
+    path: Path, units: str | None = None
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, float | None]:
+    """Return times (datetime64[ms], UTC), u, v (m/s, NaN in gaps) and latitude of a table.
+
+    Rows stay in the file's order; the latitude, degrees north, is that of the comment or None.
+    """
+    text = read_text(path, "is no text; must be a table of time, u and v, or NetCDF (.nc)")
+    cells, said = table_of(text, path, "a table of time, u and v")
+    header = list(cells.columns)
+    polar = _is_polar(header)
+    columns, sizes = _header(header, said.get("units") or units, path, POLAR if polar else NAMES)
+    if cells.empty:
+        raise DataError(f"{path}: has a header and no rows; must be a table of time, u and v")
+    time, *flow = (cells.iloc[:, k] for k in columns)
+    times = _times(time, path)
+    u, v = (
+        size * _numbers(each, name, path)
+        for each, name, size in zip(flow, list(POLAR)[1:] if polar else "uv", sizes, strict=True)
+    )
+    if polar:
+        u, v = u * np.sin(np.radians(v)), u * np.cos(np.radians(v))
+    latitude = None
+    if "latitude" in said:
+        try:
+            latitude = float(said["latitude"].split()[0])
+        except ValueError:
+            raise DataError(
+                f"{path}: the comment latitude is {said['latitude'][:20]!r}; must begin with "
+                "degrees north"
+            ) from None
+    return times, u, v, latitude
+
+
+def _is_polar(header: list[str]) -> bool:
+    """Whether a table has a speed and a direction, and no u."""
+    names = [cell[1].lower() for cell in map(HEADER.fullmatch, header) if cell]
+    return any(name in POLAR["speed"] for name in names) and not set(names) & set(NAMES["u"])
+
+
+def _header(
+    header: list[str], units: str | None, path: Path, wanted: dict[str, tuple[str, ...]]
+) -> tuple[list[int], list[float]]:
+    """Return the columns of time and flow, and what one unit of each is in m/s or degrees."""
+    cells = [HEADER.fullmatch(cell) for cell in header]
+    names = [cell[1].lower() if cell else "" for cell in cells]
+    columns, sizes = [], []
+    for what, allowed in wanted.items():
+        found = [k for k, name in enumerate(names) if name in allowed]
+        if not found and (marks := other_marks(",".join(header), NAMES["time"][0])):
+            raise DataError(f"{path}: {marks}")
+        if len(found) != 1:
+            raise DataError(
+                f"{path}: {'no column' if not found else 'more than one column'} {what}; the table "
+                f"must begin with a line such as 'time,u (m/s),v (m/s)', this one does with "
+                f"{','.join(header)[:60]!r}"
+            )
+        columns.append(found[0])
+        if what == "time":
+            continue
+        if what == "direction":
+            sizes.append(1.0)
+            continue
+        cell = cells[found[0]]
+        unit = (cell[2] if cell else None) or units
+        if unit is None:
+            raise DataError(
+                f"{path}: {what} has no units; write them behind the name, such as 'u (m/s)', or "
+                "in a line '# units: m/s'"
+            )
+        sizes.append(speed_in_metres_per_second(unit, f"{path}: {what}"))
+    return columns, sizes
+
+
+def _times(cells: "pandas.Series", path: Path) -> np.ndarray:
+    """Return times of ISO 8601, or seconds since 1970, as datetime64 in ms."""
+    import pandas
+
+    seconds = pandas.to_numeric(cells, errors="coerce")
+    dates = pandas.to_datetime(
+        cells.where(seconds.isna(), "1970"), utc=True, format="ISO8601", errors="coerce"
+    )
+    _refuse(
+        dates.isna(), cells, "time", "such as 2019-01-01T06:00:00Z, or seconds since 1970", path
+    )
+    _refuse(seconds.abs() >= 1e11, cells, "time", "seconds since 1970", path)
+    counted = np.round(1000 * seconds.fillna(0.0)).to_numpy("datetime64[ms]")
+    read = dates.dt.tz_localize(None).dt.round("ms").to_numpy("datetime64[ms]")
+    try:
+        return checked_times(np.where(seconds.isna(), read, counted))
+    except DataError as error:
+        raise DataError(f"{path}: {error}") from None
+
+
+def _numbers(cells: "pandas.Series", what: str, path: Path) -> np.ndarray:
+    """Return a column's numbers, NaN in gaps."""
+    import pandas
+
+    numbers = pandas.to_numeric(cells, errors="coerce")
+    wrong = numbers.isna() & ~cells.str.lower().isin(("", "nan"))
+    _refuse(wrong, cells, what, "a number; a gap is an empty cell or nan", path)
+    return numbers.to_numpy(float)
+
+
+def _refuse(
+    wrong: "pandas.Series", cells: "pandas.Series", what: str, must_be: str, path: Path
+) -> None:
+    """Raise an error that names the first line with a wrong cell."""
+    if wrong.any():
+        line = wrong.idxmax()
+        raise DataError(f"{path}, line {line}: {what} is {cells[line][:30]!r}; must be {must_be}")

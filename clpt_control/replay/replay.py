@@ -11,7 +11,7 @@ the dead reckoning carried by a modelled flow:
 d is the dead-reckoned displacement, y = fix - dead reckoning and T the duration
 of a dive.  Duration and d of the dive are taken as known, its end fix is not.
 The first used dive is forecast with no flow.  Where a dive starts too far from the end of
-the last one, one of the two fixes is wrong (`doubtful_fixes`): before the dive is forecast
+the last one, one of the two fixes is wrong (`doubts`): before the dive is forecast
 the last one is learned again, its own forecast as it was.  A given flow model is no part of
 the state: each dive brings its q, or None where the model does not cover it.
 The state moves by `Replay.step` alone, so that feeding dives one by one is feeding
@@ -43,8 +43,7 @@ from ..gliders.dives import Dive
 from ..html.fragment import facts, fragment
 from ..html.text import paragraphs
 from ..progress.interrupt import check
-from .anomaly import Anomaly, SpeedWatch
-from .doubtful_fixes import weighed
+from .doubts import Anomaly, SpeedWatch, weighed
 from .flow_models import FlowModel, carried
 
 MODELS = ("no_flow", "previous_dive", "adaptive")

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from .aim import AGAINST, REACHED
-from .anomaly import Anomaly
+from .doubts import Anomaly
 from .wording import compass, from_now, place, velocity
 
 

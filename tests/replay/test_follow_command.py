@@ -11,7 +11,7 @@ import pytest
 from processes import CLPT, GUARD, await_line, started, without_progress
 from synthetic_vehicle import one_file_each
 
-from clpt_control.cli import replay_watch
+from clpt_control.cli import replay_report
 from clpt_control.gliders.dive_table import sample_dives
 
 RESULTS = (
@@ -141,8 +141,8 @@ def test_patience_is_time(clpt, tmp_path, monkeypatch):
         waits.append(seconds)
         now[0] += seconds
 
-    monkeypatch.setattr(replay_watch, "time", SimpleNamespace(monotonic=lambda: now[0]))
-    monkeypatch.setattr(replay_watch.interrupt, "wait", wait)
+    monkeypatch.setattr(replay_report, "time", SimpleNamespace(monotonic=lambda: now[0]))
+    monkeypatch.setattr(replay_report.interrupt, "wait", wait)
     for every, expected in (("1000", [25.0]), ("10", [10.0, 10.0, 5.0])):
         waits.clear()
         words = ("--every", every, "--patience", "25")

@@ -7,7 +7,7 @@ import pytest
 from synthetic_vehicle import vehicle
 
 from clpt_control.estimation.fix_model import FixModel
-from clpt_control.replay.anomaly import SpeedWatch
+from clpt_control.replay.doubts import SpeedWatch
 
 
 @pytest.mark.parametrize("case", [{}, {"noise": 0.01}, {"walk": 0.01}, {"flow": "M2"}])
