@@ -11,16 +11,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from math import hypot, isfinite
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import typer
 
 from ..progress import interrupt
 from .help_pages import Command
 from .printing import print_table, terminal_width
-
-if TYPE_CHECKING:
-    from ..replay.sentences import Column
 
 PAIR = re.compile(r"\s*[-+.\d]+\s+[-+.\d]+\s*")  # both numbers quoted as one word
 CLOSE = 1000.0  # m; who is so close to a waypoint goes on to the next one
@@ -135,34 +132,32 @@ class Ahead:
             return []
 
 
-def fitting(table: "list[Column]", cells: list[list[str]], width: int) -> list[int]:
-    """Return which columns of a table fit into a width, in letters; `cells` are its rows."""
-    size = [
-        EDGES + max(len(column.title), *(len(row[k]) for row in cells))
-        for k, column in enumerate(table)
-    ]
-    chosen: list[int] = []
-    for k in sorted(range(len(table)), key=lambda k: table[k].rank):
-        if table[k].rank == 0 or EDGE + size[k] + sum(size[j] for j in chosen) <= width:
-            chosen.append(k)
-    return sorted(chosen)
+def fitting(rows: list[dict[str, str]], width: int) -> list[str]:
+    """Return the titles of the columns that fit into a width, in letters."""
+    from ..replay.sentences import RANKS
+
+    size = {title: EDGES + max(len(title), *(len(row[title]) for row in rows)) for title in rows[0]}
+    chosen: list[str] = []
+    for title in sorted(size, key=lambda title: RANKS[title]):
+        if RANKS[title] == 0 or EDGE + size[title] + sum(size[one] for one in chosen) <= width:
+            chosen.append(title)
+    return [title for title in size if title in chosen]
 
 
 def show_tables(summary: dict[str, Any], width: int | None = None) -> None:
     """Print a row per dive, then the rms of misses, into a width; by default the terminal's."""
-    from ..replay.sentences import ahead_cell, columns, metres
+    from ..replay.sentences import cells, cells_ahead, metres
 
     width = terminal_width() if width is None else width
     each = summary["each_dive"]
-    table = columns(each[0])
-    cells = [[column.cell(row) for column in table] for row in each]
+    dives = [cells(row) for row in each]
     if summary.get("next_dive"):
-        cells.append([ahead_cell(column.title, summary["next_dive"]) for column in table])
-    chosen = fitting(table, cells, width)
+        dives.append(cells_ahead(summary["next_dive"]))
+    titles = fitting(dives, width)
     print_table(
         "Miss (CLPE, m) one dive ahead; currents in m/s",
-        [table[k].title for k in chosen],
-        [[row[k] for k in chosen] for row in cells],
+        titles,
+        [[row[title] for title in titles] for row in dives],
         width,
     )
     means = {name: summary[key] for key, name in ROWS.items()}

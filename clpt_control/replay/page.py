@@ -14,8 +14,8 @@ from ..html.svg import inline_svg
 from ..html.text import paragraphs, safe
 from .page_map import replay_map
 from .plots import current_plot, dive_clpe_plot
-from .sentences import aimed, columns, next_surfacing, remarks
-from .wording import compass, in_degrees, velocity
+from .sentences import RANKS, aimed, cells, next_surfacing, remarks
+from .wording import clock, compass, in_degrees, velocity
 
 ALARM = ' class="alarm"'
 AGAIN = 60  # s, until a page of a folder that is followed is loaded again
@@ -61,7 +61,7 @@ def _card(title: str, value: str, below: str, style: str = "") -> str:
 def _cards(found: dict[str, Any]) -> list[str]:
     """Return the headline: when, where, aim, current, speed, how good, marks."""
     ahead, last = found["next_dive"], found["each_dive"][-1]
-    time = f"{ahead['time'][:10]} {ahead['time'][11:16]} UTC"
+    time = clock(ahead["time"])
     if ahead["now_is"] == "clock":
         since = f'<span data-time="{safe(ahead["time"])}">{ahead["hours_from_now"]:+.1f} h</span>'
         since += f"; written {safe(ahead['now'][11:16])} UTC"
@@ -136,24 +136,23 @@ def _keys(found: dict[str, Any]) -> str:
 
 def _table(found: dict[str, Any]) -> list[str]:
     """Return the table, the last dive first, columns of rank 0 before others."""
-    shown = sorted(columns(found["each_dive"][0]), key=lambda column: column.rank > 0)
-    styles = [_shown_on(column.rank) for column in shown]
-    names = [f"<th{style}>{safe(c.title)}</th>" for c, style in zip(shown, styles, strict=True)]
+    titles = sorted(cells(found["each_dive"][0]), key=lambda title: RANKS[title] > 0)
+    styles = {title: _style(RANKS[title]) for title in titles}
+    names = [f"<th{styles[title]}>{safe(title)}</th>" for title in titles]
     lines = [
         "<h2>Dives, the last one first: miss (CLPE, m) one dive ahead, currents in m/s</h2>",
         f'<div class="table"><table><thead><tr>{"".join(names)}</tr></thead><tbody>',
     ]
     for row in found["each_dive"][::-1]:
-        made = []
-        for column, style in zip(shown, styles, strict=True):
-            cell = column.cell(row)
-            loud = cell == "OUT" or cell.startswith("SPEED")
-            made.append(f"<td{ALARM if loud else style}>{safe(cell)}</td>")
+        made, own = [], cells(row)
+        for title in titles:
+            loud = own[title] == "OUT" or own[title].startswith("SPEED")
+            made.append(f"<td{ALARM if loud else styles[title]}>{safe(own[title])}</td>")
         lines.append(f'<tr data-dive="{safe(row["dive"])}">{"".join(made)}</tr>')
     return [*lines, "</tbody></table></div>"]
 
 
-def _shown_on(rank: int) -> str:
+def _style(rank: int) -> str:
     """Return the class of a column: not on a telephone, nor on paper."""
     return "" if rank <= PHONE else f' class="wide{" most" if rank > PAPER else ""}"'
 

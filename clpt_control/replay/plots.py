@@ -19,6 +19,7 @@ from .dataset import Source, plotted
 from .outcome import rms_of
 from .replay import Replay
 from .surfacing import NextDive
+from .wording import clock
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -118,7 +119,7 @@ def map_plot(
     _degrees(ax, chart)
     _scale_bar(ax, chart)
     last_row = found[-1]
-    when = f"{last_row['end'][:10]} {last_row['end'][11:16]} UTC"
+    when = clock(last_row["end"])
     ax.set_title(f"{vehicle}: dive {last_row['dive']} surfaced {when}", loc="left", fontsize=10)
     legend_below(ax, 3)
     return ax

@@ -4,53 +4,71 @@ The table has a row for each dive, on terminals and pages.  A column of a lower 
 before others where there is no room for all; those of rank 0 always stand.
 """
 
-from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
 from .aim import AGAINST, REACHED
 from .doubts import Anomaly
-from .wording import compass, from_now, place, velocity
+from .wording import clock, compass, from_now, place, velocity
+
+RANKS = {  # title of a column: its rank
+    "dive": 0,
+    "ended (UTC)": 1,
+    "no flow": 4,
+    "previous": 0,
+    "adaptive": 0,
+    "model": 1,
+    "current to": 2,
+    "current E N (m/s)": 6,
+    "speed": 3,
+    "over ground": 7,
+    "drift (m) to": 8,
+    "E N of DR (m)": 9,
+    "90 % ellipse (m, deg)": 5,
+    "90 %": 0,
+    "mark": 0,
+}
 
 
-class Column(NamedTuple):
-    """Title, rank and cell of a column; the cell is made of a row of `--json`."""
-
-    title: str
-    rank: int
-    cell: Callable[[dict[str, Any]], str]
-
-
-def columns(row: dict[str, Any]) -> list[Column]:
-    """Return all columns for rows such as this, in their order."""
-    found = [
-        Column("dive", 0, lambda row: str(row["dive"])),
-        Column("ended (UTC)", 1, lambda row: _date(row["end"])),
-        Column("no flow", 4, lambda row: metres(row["clpe"]["no_flow"])),
-        Column("previous", 0, lambda row: metres(row["clpe"]["previous_dive"])),
-        Column("adaptive", 0, lambda row: metres(row["clpe"]["adaptive"])),
-        Column("current to", 2, lambda row: _toward(row, "current")),
-        Column("current E N (m/s)", 6, _east_north),
-        Column("speed", 3, _factor),
-        Column("over ground", 7, lambda row: _way(row["over_ground"])),
-        Column("drift (m) to", 8, lambda row: _drift(row["drift"])),
-        Column(
-            "E N of DR (m)",
-            9,
-            lambda row: f"{row['forecast_east']:+.0f} {row['forecast_north']:+.0f}",
-        ),
-        Column("90 % ellipse (m, deg)", 5, _ellipse),
-        Column("90 %", 0, lambda row: "in" if row["inside_90"] else "OUT"),
-        Column("mark", 0, _mark),
+def cells(row: dict[str, Any]) -> dict[str, str]:
+    """Return the cells of a row of `--json` by the titles of their columns, in their order."""
+    clpe, drift, anomaly = row["clpe"], row["drift"], row["anomaly"]
+    current = [
+        f"{row[f'current_{axis}']:+.3f}({1000 * row[f'current_{axis}_error']:.0f})"
+        for axis in ("east", "north")
     ]
-    if "flow_model" in row["clpe"]:
-        found.insert(5, Column("model", 1, lambda row: metres(row["clpe"]["flow_model"])))
-    return found if row["speed_factor"] is not None else [c for c in found if c.title != "speed"]
+    found = {
+        "dive": str(row["dive"]),
+        "ended (UTC)": _date(row["end"]),
+        "no flow": metres(clpe["no_flow"]),
+        "previous": metres(clpe["previous_dive"]),
+        "adaptive": metres(clpe["adaptive"]),
+        "model": metres(clpe.get("flow_model")),
+        "current to": _toward(row["current_speed"], row["current_direction"]),
+        "current E N (m/s)": " ".join(current),
+        "speed": "",
+        "over ground": _toward(row["over_ground"]["speed"], row["over_ground"]["direction"]),
+        "drift (m) to": "-",
+        "E N of DR (m)": f"{row['forecast_east']:+.0f} {row['forecast_north']:+.0f}",
+        "90 % ellipse (m, deg)": _ellipse(row),
+        "90 %": "in" if row["inside_90"] else "OUT",
+        "mark": "" if anomaly is None else "SPEED" if anomaly["certain"] else "SPEED?",
+    }
+    if drift is not None:
+        way = _toward(drift["speed"], drift["direction"])
+        found["drift (m) to"] = f"{drift['distance']:.0f}, {way}"
+    if "flow_model" not in clpe:
+        del found["model"]
+    if row["speed_factor"] is None:
+        del found["speed"]
+    else:
+        found["speed"] = f"{row['speed_factor']:.3f}({1000 * row['speed_factor_error']:.0f})"
+    return found
 
 
-def ahead_cell(title: str, ahead: dict[str, Any]) -> str:
-    """Return what is known of the next dive in a column: when and how near it ends."""
+def cells_ahead(ahead: dict[str, Any]) -> dict[str, str]:
+    """Return what is known of the next dive: when and how near it ends."""
     known = {"dive": "next", "ended (UTC)": _date(ahead["time"])}
-    return {**known, "90 % ellipse (m, deg)": _ellipse(ahead)}.get(title, "")
+    return {**dict.fromkeys(RANKS, ""), **known, "90 % ellipse (m, deg)": _ellipse(ahead)}
 
 
 def metres(size: float | None) -> str:
@@ -58,35 +76,10 @@ def metres(size: float | None) -> str:
     return "-" if size is None else f"{size:.0f}"
 
 
-def _toward(row: dict[str, Any], name: str) -> str:
-    return _speed_to(row[f"{name}_speed"], row[f"{name}_direction"])
-
-
-def _speed_to(speed: float | None, direction: float | None) -> str:
+def _toward(speed: float | None, direction: float | None) -> str:
     """Return a speed, m/s, and where to, degrees."""
     known = "-" if speed is None else f"{speed:.2f}"
     return known if direction is None else f"{known} {compass(direction)}"
-
-
-def _way(way: dict[str, Any]) -> str:
-    return _speed_to(way["speed"], way["direction"])
-
-
-def _drift(way: dict[str, Any] | None) -> str:
-    if way is None:
-        return "-"
-    return f"{way['distance']:.0f}, {_way(way)}"
-
-
-def _east_north(row: dict[str, Any]) -> str:
-    return " ".join(
-        f"{row[f'current_{axis}']:+.3f}({1000 * row[f'current_{axis}_error']:.0f})"
-        for axis in ("east", "north")
-    )
-
-
-def _factor(row: dict[str, Any]) -> str:
-    return f"{row['speed_factor']:.3f}({1000 * row['speed_factor_error']:.0f})"
 
 
 def _ellipse(row: dict[str, Any]) -> str:
@@ -97,11 +90,6 @@ def _ellipse(row: dict[str, Any]) -> str:
 def _date(time: str) -> str:
     """Return month, day, hour and minute of an ISO time."""
     return time[5:16].replace("T", " ")
-
-
-def _mark(row: dict[str, Any]) -> str:
-    anomaly = row["anomaly"]
-    return "" if anomaly is None else "SPEED" if anomaly["certain"] else "SPEED?"
 
 
 def next_surfacing(ahead: dict[str, Any]) -> str:
@@ -123,7 +111,7 @@ def when(ahead: dict[str, Any]) -> str:
     >>> when({"time": "2016-02-03T14:19:59Z", "hours_from_now": 4.5, "now_is": "clock"})
     '2016-02-03 14:19 UTC, in 4.5 h'
     """
-    said = f"{ahead['time'][:10]} {ahead['time'][11:16]} UTC, {from_now(ahead['hours_from_now'])}"
+    said = f"{clock(ahead['time'])}, {from_now(ahead['hours_from_now'])}"
     return said if ahead["now_is"] == "clock" else f"{said} from the {ahead['now_is']}"
 
 
@@ -151,7 +139,8 @@ def aimed(leg: dict[str, Any]) -> str:
             said += f", crab {leg['crab']:+.0f}"
     full = f"{leg['through_water_full']:.0f} m"
     if leg["state"] == REACHED:
-        said += f", {leg['through_water']:.0f} of {full} through the water; there at {_end(leg)}"
+        end = clock(leg["end"])
+        said += f", {leg['through_water']:.0f} of {full} through the water; there at {end}"
     else:
         made = leg["made_good"]
         said += f", {made:.0f} m made good of {full}" if made >= 0 else f", {-made:.0f} m are lost"
@@ -161,10 +150,6 @@ def aimed(leg: dict[str, Any]) -> str:
         f"{said}; expected miss {leg['expected_miss']:.0f} m, 90 % within "
         f"{leg['ellipse_90_long']:.0f} x {leg['ellipse_90_short']:.0f} m"
     )
-
-
-def _end(leg: dict[str, Any]) -> str:
-    return f"{leg['end'][:10]} {leg['end'][11:16]} UTC"
 
 
 def remarks(summary: dict[str, Any]) -> list[str]:

@@ -18,13 +18,13 @@ def utc(time: float) -> str:
     return datetime.fromtimestamp(round(time), UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
 
 
-def clock(time: float) -> str:
-    """Return a time, s since 1970 UTC, to the minute, as a sentence has it.
+def clock(time: str) -> str:
+    """Return an ISO 8601 time to the minute, as a sentence has it.
 
-    >>> clock(1454292746.0)
+    >>> clock("2016-02-01T02:12:26Z")
     '2016-02-01 02:12 UTC'
     """
-    return datetime.fromtimestamp(60 * round(time / 60), UTC).strftime("%Y-%m-%d %H:%M UTC")
+    return f"{time[:10]} {time[11:16]} UTC"
 
 
 def direction(east: float, north: float) -> float | None:

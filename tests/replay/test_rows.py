@@ -51,7 +51,7 @@ def test_minutes_at_the_edges(lat, lon, says):
 
 def test_times_carry():
     assert wording.utc(1451606399.7) == "2016-01-01T00:00:00Z"
-    assert wording.clock(1451606399.0) == "2016-01-01 00:00 UTC"
+    assert wording.clock(wording.utc(1451606399.7)) == "2016-01-01 00:00 UTC"
     assert wording.from_now(-0.02) == "in 0.0 h"
 
 
