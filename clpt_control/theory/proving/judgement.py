@@ -47,7 +47,7 @@ from ...scenario.team import LAW, Team
 from ...simulation.loops import error_loop, paper_blocks
 from ...simulation.teams import team_blocks
 from .fixes import fix_steps
-from .kept_relations import GIVEN, kept_steps, shrinking_steps
+from .kept_relations import GIVEN, kept_steps
 from .limited_speed import LIMITS
 from .misprints import misprints
 from .own_law import prove
@@ -77,18 +77,17 @@ def judged_law(law: Law) -> Proof:
 
 
 def _of_law(law: Law) -> Proof:
-    if law.shrinking:
-        claim = f"V' = {law.says}: in the mean |e| <= |eta phi| over the least of KD"
-        return where_all_hold("bounded", claim, shrinking_steps(law, POINTS))
     if law.at_fixes:  # V does not rise, but CLPE is only what fixes leave
         claim = f"V' = {law.says}; |eta_k| <= (2 V(0) P_kk)^(1/2)/r"
         return where_all_hold("bounded", claim, fix_steps(law, POINTS))
-    if law.keeps is not None:
-        status, claim = "proved", f"V' <= {law.says}, so CLPE goes to zero"
-        if law.makes_estimate:
-            status, claim = "bounded", f"{MEAN}, and {law.says}"
-        elif law.push is not None:
-            status, claim = "bounded", f"V' <= {law.says}: {law.comes_to}"
+    if law.keeps is not None or law.shrinking:
+        status, claim = "bounded", f"V' <= {law.says}: {law.comes_to}"
+        if law.shrinking:
+            claim = f"V' = {law.says}: in the mean |e| <= |eta phi| over the least of KD"
+        elif law.makes_estimate:
+            claim = f"{MEAN}, and {law.says}"
+        elif law.push is None:
+            status, claim = "proved", f"V' <= {law.says}, so CLPE goes to zero"
         return where_all_hold(status, claim, kept_steps(law, POINTS))
     if law.given_estimate:
         steps = identity_steps(GIVEN, law.name, decay_and_known_error, POINTS)

@@ -5,6 +5,7 @@ matrices, its `cones`, are not negative, what V' `losses` are and what is a `pus
 what is asked of them for one N; `kept_relations` puts the answers together.
 """
 
+import math
 from collections.abc import Callable, Iterable, Set
 from functools import cached_property
 from typing import Any
@@ -17,7 +18,6 @@ from ...blocks.laws.law import Law, Truth
 from ...equations.block import Block
 from .array_loop import TIME
 from .proof import Step, checked, short
-from .running_rate import running_step
 from .signs import left_over, nonpositive, positive_maximum, vanishes
 from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .symbols import extent
@@ -56,7 +56,8 @@ class Kept:
         self.weighed = np.array(c, dtype=object).reshape(2, n)  # d P^-1, d = theta_hat - theta
         every["d P^-1"] = self.weighed
         self.gains = sympy.sympify(law.gains(every, p, truth))
-        self.push = sympy.sympify(law.push(every, p, truth) if law.push else 0)
+        push = law.push(every, p, truth) if law.push else 0
+        self.more = push - sum(map(math.prod, self.losses))  # that V' has
         self.cones = {port: self.states[port] for port in law.cones}
         self.slopes = {port: self.rates[port] for port in law.cones}
         self.tied = _tied(self.loop, made, V)
@@ -279,18 +280,3 @@ def exact_step(cases: Iterable[Any], claim: str, check: Callable[[Any], bool | s
         return True, ""
 
     return checked(claim, "exact", holds, False)
-
-
-def kept_step(cases: list[Kept]) -> Step:
-    """Check that what the states keep is kept."""
-    return exact_step(
-        cases,
-        "what the law's states keep is kept",
-        lambda case: case.left() or case.apart_at_the_start,
-    )
-
-
-def same_running(cases: list[Kept], points: int) -> Step:
-    """Check that the running blocks give the same V', for N = 2."""
-    case = cases[1]
-    return running_step(lambda: (case.diagram, case.loop, case.untied), points)

@@ -40,7 +40,7 @@ and where CLPE does not drive alpha, tr(eta P^-1 eta^T)' = -|eta phi_f|^2/r^2 - 
 With lambda_0 = 0 rho is 1 at all times, and the second is P^-1 >= P(0)^-1.
 """
 
-import math
+from collections.abc import Callable
 from itertools import combinations
 from typing import Any
 
@@ -49,129 +49,126 @@ import sympy
 
 from ...blocks.laws.law import Law
 from ...equations.symbolic import UNEXPANDED
-from .kept_loop import Kept, cases_of, exact_step, kept_step, same_running
+from .kept_loop import Kept, cases_of, exact_step
 from .lemmas import young_step
 from .proof import Step, short
+from .running_rate import running_step
 from .signs import vanishes
-from .theorem_loop import Claim, decay, decay_and_known_error
+from .theorem_loop import decay, decay_and_known_error
 
 GIVEN = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
 
 
-def jump_steps(cases: list[Kept], law: Law) -> list[Step]:
-    """Check what the states keep, and V, where they jump; nothing where they do not."""
-    if not any(case.loop.jumps for case in cases):
-        return []
-    left = f"{', '.join(law.cones)} >= 0 is not left where they jump"
-    return [
-        exact_step(cases, "and is kept where they jump", Kept.left_at_a_jump),
-        exact_step(cases, left, Kept.cone_is_kept_at_a_jump),
-        exact_step(cases, "V does not rise where they jump", Kept.V_rises_by),
-    ]
+MAXIMUM = sympy.Function(UNEXPANDED["maximum"], real=True)
+WHERE = sympy.Function(UNEXPANDED["where"], real=True)
+Claims = dict[str, Callable[[Kept], bool | str]]
 
 
 def kept_steps(law: Law, points: int) -> list[Step]:
     """Check a law whose row states what its states keep, for N = 1, 2, 3."""
-    cases, names = cases_of(law), ", ".join(law.cones)
-    claim: Claim = decay_and_known_error if law.makes_estimate else decay
+    cases = cases_of(law)
+    claims: Claims = {
+        "what the law's states keep is kept": lambda case: case.left() or case.apart_at_the_start
+    }
+    if law.shrinking:
+        claims |= shrinking_claims(law)
+    else:
+        claims |= jump_claims(law) if cases[0].loop.jumps else {}
+        claims |= estimate_claims(law) if law.makes_estimate else falling_claims(law)
+    steps = [exact_step(cases, claim, check) for claim, check in claims.items()]
+    steps += [young_step()] if law.shrinking else []
+    two = cases[1]
+    return [*steps, running_step(lambda: (two.diagram, two.loop, two.untied), points)]
 
-    def rest(case: Kept) -> str:
-        return case.left_over(claim, case.push - sum(map(math.prod, case.losses)))
+
+def jump_claims(law: Law) -> Claims:
+    """Return what is to be shown of what the states keep, and of V, where they jump."""
+    return {
+        "and is kept where they jump": Kept.left_at_a_jump,
+        f"{', '.join(law.cones)} >= 0 is not left where they jump": Kept.cone_is_kept_at_a_jump,
+        "V does not rise where they jump": Kept.V_rises_by,
+    }
+
+
+def cone_claims(law: Law) -> Claims:
+    """Return what is to be shown of the cones between jumps."""
+    return {
+        f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {', '.join(law.cones)}": (
+            lambda case: ", ".join(port for port in law.cones if not case.cone_is_kept(port))
+        )
+    }
+
+
+def falling_claims(law: Law) -> Claims:
+    """Return what is to be shown of V' of a law without an estimate."""
+    names = ", ".join(law.cones)
+    return {
+        **cone_claims(law),
+        f"V' as claimed, N = 1, 2, 3: {law.says}": lambda case: case.left_over(decay, case.more),
+        **(covariance_claims(law.push is None) if law.over else {}),
+        f"with {names} >= 0 V and what V' loses are not negative": (
+            lambda case: case.not_negative(case.V) and case.loses()
+        ),
+    }
+
+
+def estimate_claims(law: Law) -> Claims:
+    """Return what is to be shown of a law that makes an estimate."""
 
     def grows(case: Kept) -> str:
         jumps = "its states jump, and what its error does there is not judged"
         return jumps if case.loop.jumps else case.estimate_grows()
 
-    def cones_left(case: Kept) -> str:
-        return ", ".join(port for port in law.cones if not case.cone_is_kept(port))
-
-    def not_negative(case: Kept) -> bool:
-        return case.not_negative(case.V) and case.loses()
-
-    if law.makes_estimate:
-        third = [
-            exact_step(cases, f"{GIVEN}, N = 1, 2, 3", rest),
-            exact_step(cases, f"the error of the estimate never grows: {law.says}", grows),
-        ]
-    else:
-        third = [
-            exact_step(cases, f"V' as claimed, N = 1, 2, 3: {law.says}", rest),
-            *(covariance_steps(cases, law.push is None) if law.over else []),
-            exact_step(
-                cases, f"with {names} >= 0 V and what V' loses are not negative", not_negative
-            ),
-        ]
-    inner = f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {names}"
-    return [
-        kept_step(cases),
-        *jump_steps(cases, law),
-        exact_step(cases, inner, cones_left),
-        *third,
-        same_running(cases, points),
-    ]
+    return {
+        **cone_claims(law),
+        f"{GIVEN}, N = 1, 2, 3": lambda case: case.left_over(decay_and_known_error, case.more),
+        f"the error of the estimate never grows: {law.says}": grows,
+    }
 
 
-MAXIMUM = sympy.Function(UNEXPANDED["maximum"], real=True)
-WHERE = sympy.Function(UNEXPANDED["where"], real=True)
-
-
-def shrinking_steps(law: Law, points: int) -> list[Step]:
-    """Check a law whose row names the state with which every parameter's error shrinks."""
-    cases, w = cases_of(law), law.shrinking
-
-    def rest(case: Kept) -> str:
-        return case.left_over(decay, driven(case, law))
-
-    steps = [
-        kept_step(cases),
-        exact_step(
-            cases, f"eta = {w} eta(0) for every parameter", lambda case: _is_all_of_alpha(case, law)
-        ),
-        exact_step(
-            cases,
-            f"{w}' = -f {w}, f >= 0, so no parameter's error rises",
-            lambda case: _rises(case, law),
-        ),
-        exact_step(cases, f"V' = {law.says}, N = 1, 2, 3", rest),
-        exact_step(cases, "V is not negative", lambda case: case.not_negative(case.V)),
-        young_step(),
-        same_running(cases, points),
-    ]
+def shrinking_claims(law: Law) -> Claims:
+    """Return what is to be shown of a law with whose state w every parameter's error shrinks."""
+    w, read = law.shrinking, {}
     if law.readout:
-        claim = f"{law.readout} is theta where its condition holds, and -alpha elsewhere"
-        steps.insert(3, exact_step(cases, claim, lambda case: _reads(case, law)))
-    return steps
+        read = {f"{law.readout} is theta where its condition holds, and -alpha elsewhere": _reads}
+    return {
+        f"eta = {w} eta(0) for every parameter": _is_all_of_alpha,
+        f"{w}' = -f {w}, f >= 0, so no parameter's error rises": _rises,
+        **read,
+        f"V' = {law.says}, N = 1, 2, 3": lambda case: case.left_over(decay, driven(case)),
+        "V is not negative": lambda case: case.not_negative(case.V),
+    }
 
 
-def _rises(case: Kept, law: Law) -> str:
+def _rises(case: Kept) -> str:
     """Return why w is not known to fall, or nothing."""
     if case.loop.jumps:
         return "its states jump, and what its errors do there is not judged"
-    f = rate_of_shrinking(case, law)
+    f = rate_of_shrinking(case)
     if not f.is_nonnegative or sympy.expand(f) == 0:
-        return f"{law.shrinking}' = {short(case.rates[law.shrinking][0])}"
+        return f"{case.law.shrinking}' = {short(case.rates[case.law.shrinking][0])}"
     return ""
 
 
-def rate_of_shrinking(case: Kept, law: Law) -> sympy.Expr:
+def rate_of_shrinking(case: Kept) -> sympy.Expr:
     """Return f of w' = -f w, each maximum(a, b) with a positive one a positive symbol."""
-    (w,), (rate,) = case.states[law.shrinking], case.rates[law.shrinking]
+    (w,), (rate,) = case.states[case.law.shrinking], case.rates[case.law.shrinking]
     f = -case.veiled(rate) / w
     return sympy.nan if f.has(w) else f
 
 
-def driven(case: Kept, law: Law) -> sympy.Expr:
+def driven(case: Kept) -> sympy.Expr:
     """Return e^T eta phi - f |eta|^2/gamma, gamma those of V."""
     p, loop = case.loop.parameters, case.loop
     eta = p["true_flow"].theta + case.states["alpha"]
-    w, rate = case.states[law.shrinking][0], case.rates[law.shrinking][0]
+    w, rate = case.states[case.law.shrinking][0], case.rates[case.law.shrinking][0]
     pushed = loop.signals["e"] @ (eta @ loop.inputs["phi_x"])
     return pushed + rate / w * np.sum(eta**2 / p["lyapunov"].gain)
 
 
-def _is_all_of_alpha(case: Kept, law: Law) -> bool:
+def _is_all_of_alpha(case: Kept) -> bool:
     """Return whether each alpha is kept at w times what does not move, less theta."""
-    (w,) = case.states[law.shrinking]
+    (w,) = case.states[case.law.shrinking]
     theta = case.loop.parameters["true_flow"].theta
     for alpha, own in zip(case.states["alpha"].flat, theta.flat, strict=True):
         eta = sympy.expand(case.relations.get(alpha, alpha) + own)
@@ -181,10 +178,10 @@ def _is_all_of_alpha(case: Kept, law: Law) -> bool:
     return True
 
 
-def _reads(case: Kept, law: Law) -> bool:
+def _reads(case: Kept) -> bool:
     """Return whether a readout where(1 - w >= m, a, -alpha) is theta in its first branch."""
-    (w,) = case.states[law.shrinking]
-    read, theta = case.loop.signals[law.readout], case.loop.parameters["true_flow"].theta
+    (w,) = case.states[case.law.shrinking]
+    read, theta = case.loop.signals[case.law.readout], case.loop.parameters["true_flow"].theta
     triples = zip(read.flat, case.states["alpha"].flat, theta.flat, strict=True)
     return all(_is_readout(case, *triple, w) for triple in triples)
 
@@ -201,12 +198,9 @@ def _is_readout(case: Kept, found: Any, alpha: Any, theta: Any, w: Any) -> bool:
     return bool(margin.is_positive) and right and sympy.expand(before + alpha) == 0
 
 
-def covariance_steps(cases: list[Kept], driven: bool) -> list[Step]:
-    """Check the bounds for each case, whose states hold P and rho.
-
-    `driven` is whether CLPE drives alpha.
-    """
-    claims = {
+def covariance_claims(driven: bool) -> Claims:
+    """Return the bounds of P and eta; `driven` is whether CLPE drives alpha."""
+    claims: Claims = {
         "tr(eta P^-1 eta^T)' = -|eta phi_f|^2/r^2 - lambda tr(eta P^-1 eta^T): it never "
         "rises": _falls,
         "(k_0 - tr P)' >= 0 where tr P = k_0: tr P <= k_0 is kept": _top,
@@ -215,8 +209,7 @@ def covariance_steps(cases: list[Kept], driven: bool) -> list[Step]:
         "|eta|^2 <= tr P tr(eta P^-1 eta^T) <= k_0 tr(eta P^-1 eta^T): eta is bounded by "
         "V": _cauchy,
     }
-    checks = list(claims.items())[driven:]
-    return [exact_step(cases, claim, check) for claim, check in checks]
+    return dict(list(claims.items())[driven:])
 
 
 def _parts(case: Kept) -> tuple[Any, Any, Any]:
