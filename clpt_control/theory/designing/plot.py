@@ -76,21 +76,12 @@ def _track(ax: "Axes", design: Design, k: int, size: float) -> None:
     corners = np.array([[x1, x2], [x1_end, x2], [x1_end, x2_end], [x1, x2_end], [x1, x2]])
     ax.plot(*corners.T, color=GREY, linewidth=1.0, linestyle=":", label="area")
     points = one.scenario.waypoints
-    ax.plot(
-        *np.vstack([points, points[:1]]).T,
-        color=ORANGE,
-        linewidth=1.0,
-        linestyle="--",
-        label="closed polygon",
-    )
+    closed = np.vstack([points, points[:1]])
+    ax.plot(*closed.T, "--", color=ORANGE, linewidth=1.0, label="closed polygon")
     t = one.run.time.values
     inside = (t >= report["start"]) & (t <= report["start"] + report["window"])
-    ax.plot(
-        *one.run.position.values[inside].T,
-        color=BLUE,
-        linewidth=1.0,
-        label="vehicle, in the window",
-    )
+    path = one.run.position.values[inside]
+    ax.plot(*path.T, color=BLUE, linewidth=1.0, label="vehicle, in the window")
     ax.plot(*points.T, "o", color=RED, markersize=6, label="waypoints, numbered")
     ax.plot(*one.run.position.values[0], "s", color="black", markersize=5, label="start")
     for place, numbers in _groups(points, SAME * size):

@@ -90,32 +90,14 @@ def _eigenvalues(ax: "Axes", sliding: SlidingExcitation, at: Excitation, axis: s
     values = sliding.eigenvalues[axis]
     values = np.maximum(values, LOWEST * values.max())
     mark = "." if len(sliding.starts) < 3 else None
-    for k in range(1, values.shape[1] - 1):
-        ax.semilogy(
-            sliding.starts,
-            values[:, k],
-            color=GREY,
-            linewidth=0.7,
-            marker=mark,
-            label="between" if k == 1 else None,
-        )
-    ax.semilogy(
-        sliding.starts,
-        values[:, -1],
-        color=RED,
-        linestyle="--",
-        linewidth=1.3,
-        marker=mark,
-        label=r"$\kappa_2$, largest",
-    )
-    ax.semilogy(
-        sliding.starts,
-        values[:, 0],
-        color=BLUE,
-        linewidth=1.8,
-        marker=mark,
-        label=r"$\kappa_1$, smallest",
-    )
+    lines: dict[int, tuple[Any, ...]] = {
+        k: (GREY, "-", 0.7, "between" if k == 1 else None) for k in range(1, values.shape[1] - 1)
+    }
+    lines[-1] = (RED, "--", 1.3, r"$\kappa_2$, largest")
+    lines[0] = (BLUE, "-", 1.8, r"$\kappa_1$, smallest")
+    for k, (color, style, width, label) in lines.items():
+        how: dict[str, Any] = {"color": color, "linewidth": width, "marker": mark, "label": label}
+        ax.semilogy(sliding.starts, values[:, k], style, **how)
     ax.axvline(at.start, color="black", linestyle=":", linewidth=1.0, label="window below")
     ax.set_xlabel(f"start of the window ({at.time_unit})")
     ax.set_title(f"{axis}: window of {sliding.window:g} {at.time_unit}", loc="left", fontsize=10)
@@ -128,25 +110,10 @@ def _direction(ax: "Axes", at: Excitation, axis: str) -> None:
     shares = np.linalg.norm(at.identifiable[axis], axis=1)
     shown = np.sort(np.argsort(-np.abs(components))[:MOST_BARS])
     places = np.arange(len(shown))
-    ax.bar(
-        places,
-        components[shown],
-        width=0.55,
-        color=BLUE,
-        edgecolor="black",
-        linewidth=0.6,
-        label="least excited direction",
-    )
-    ax.plot(
-        places,
-        shares[shown],
-        linestyle="none",
-        marker="D",
-        markersize=5,
-        color=RED,
-        markerfacecolor="white",
-        label="learnable share",
-    )
+    bars: dict[str, Any] = {"width": 0.55, "color": BLUE, "edgecolor": "black", "linewidth": 0.6}
+    ax.bar(places, components[shown], label="least excited direction", **bars)
+    marks: dict[str, Any] = {"markersize": 5, "color": RED, "markerfacecolor": "white"}
+    ax.plot(places, shares[shown], "D", label="learnable share", **marks)
     ax.axhline(0, color="black", linewidth=0.7)
     ax.set_xticks(places, [_symbol(names[k]) for k in shown], fontsize=9)
     some = "" if len(shown) == len(names) else f"\n{len(shown)} of {len(names)} parameters"

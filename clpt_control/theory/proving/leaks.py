@@ -28,6 +28,7 @@ is -D^T KD e the dead zone does what it should: D_i e_i = |D_i| (|D_i| + d) wher
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -124,29 +125,27 @@ def _radial(leak: Leak) -> Radial | None:
     return None
 
 
+@dataclass
 class Leaking:
     """V' of a law with leaks, at the numbers of its parameters."""
 
-    def __init__(
-        self,
-        rate: sympy.Expr,
-        leaks: list[Leak],
-        V: sympy.Expr,
-        truth: dict,
-        moving: set,
-        rates: dict,
-        KD: list[sympy.Expr],
-        disturbed: bool,
-    ):
-        self.rate, self.leaks, self.V, self.truth, self.moving = rate, leaks, V, truth, moving
-        self.rates, self.KD, self.k = rates, KD, sympy.Min(*KD)
-        H = sympy.hessian(V, list(truth))
+    rate: sympy.Expr
+    leaks: list[Leak]
+    V: sympy.Expr
+    truth: dict
+    moving: set
+    rates: dict
+    KD: list[sympy.Expr]
+    disturbed: bool
+
+    def __post_init__(self) -> None:
+        H, truth, self.k = sympy.hessian(self.V, list(self.truth)), self.truth, sympy.Min(*self.KD)
         self.weights = {s: H[j, j] for j, s in enumerate(truth)}
         self.errors = list(truth)[:2]  # x, whose truth is z
         square = all(self.weights[s] == 1 for s in self.errors) and H.is_diagonal()
-        one_each = [s for leak in leaks for s in leak.states]
+        one_each = [s for leak in self.leaks for s in leak.states]
         self.all_leak = square and sorted(one_each, key=str) == sorted(list(truth)[2:], key=str)
-        self.delta = delta_bounds(disturbed)
+        self.delta = delta_bounds(self.disturbed)
         self.push = sympy.sqrt(sympy.Add(*(d**2 for d in self.delta)))
 
     def bound(self) -> Bound | None:
