@@ -17,7 +17,7 @@ from ...equations.every_n import base_and_term, renamed
 from ...errors import DiagramError
 from .array_loop import TIME, array_loop
 from .leaks import Bound, DeadZones, Leaking, delta_bounds, leaks_of, pull_bound
-from .proof import Step, checked, short
+from .proof import Step, checked, exact, short
 from .running_rate import running_step
 from .signs import faster_than_linear, nonpositive, pulled, tidied
 from .symbolic_loop import SymbolicLoop, numeric, own_values, refuse_no_value, symbolic_loop
@@ -89,13 +89,8 @@ class Case:
 
     def valued(self) -> Step:
         """Return the step that the equations have a value everywhere."""
-        return Step(
-            "the equations have a value everywhere",
-            not self.loop.undefined,
-            "exact",
-            self.loop.undefined[0] if self.loop.undefined else "",
-            False,
-        )
+        said = "".join(self.loop.undefined[:1])
+        return exact("the equations have a value everywhere", not said, said)
 
     def bound(self, truth: dict) -> Bound | None:
         """Return what V comes to where V' pulls back, or where leaks do."""
@@ -186,7 +181,7 @@ class Case:
         at = {what: [m.xreplace(self.values) for m in np.ravel(own)] for what, own in moves.items()}
         detail = faster_than_linear(at, {port: loop.states[port] for port in self.others})
         claim = f"{', '.join(self.others)}: not in V, may grow, and exist for all t"
-        return Step(claim, not detail, "exact", detail, False)
+        return exact(claim, not detail, detail)
 
     def running(self) -> Step:
         """Return the step that the running blocks have the same V'."""

@@ -21,7 +21,7 @@ from ...errors import DiagramError
 from ...html.fragment import facts, fragment
 from ...progress.interrupt import check
 from .law_case import Case
-from .proof import Step, checked, short
+from .proof import Step, checked, exact, short
 from .running_rate import Functions, RunningBlocks, rate_along
 from .signs import positive_definite, tidied
 from .symbolic_loop import Draw, Point, SymbolicLoop, degree_of, numbers_at, numeric
@@ -197,7 +197,7 @@ def judge(case: Case, fitted: bool) -> Verdict:
     at = " and the parameters as they are" if case.kept else ""
     claim = f"V' {'=' if case.rest == 0 else '<='} -e^T KD e, N = {case.loop.N}{at}"
     left = "" if case.rest == 0 else f"left over: {short(case.rest)}"
-    steps = [definite, total, Step(claim, falls, "exact", left, False)]
+    steps = [definite, total, exact(claim, falls, left)]
     bound = None
     if definite.holds and not falls:
         bound = case.bound(truth)
@@ -208,7 +208,7 @@ def judge(case: Case, fitted: bool) -> Verdict:
             every = case.every()
             return _found(case, "proved", [*steps, every], for_every_N=every.holds)
         if running.holds and bound is not None:
-            steps.append(Step(bound.says, True, "exact", "", False))
+            steps.append(exact(bound.says, True))
             return _found(case, "bounded", steps, reached=bound.says, level=bound.level)
     if definite.holds and fitted:
         kept = (case.law.name, case.V.name)
@@ -230,20 +230,15 @@ def _beyond_a_zone(case: Case, truth: dict, zone: str) -> Verdict:
     pushed = zones.beyond(case.disturbed, KD)
     kept = (case.law.name, case.V.name)
     steps = [
-        Step(
+        exact(
             "V = |D|^2/2 + a positive definite form of the parameter errors, D = e - clip(e)",
             zones.definite(truth),
-            "exact",
-            "",
-            False,
         ),
         case.valued(),
-        Step(
+        exact(
             "V' = -D^T KD e + D^T Delta",
             case.rest == 0 and sympy.expand(pushed - sum(map(sympy.Mul, zones.D, delta))) == 0,
-            "exact",
             "" if case.rest == 0 else f"left over: {short(case.rest)}",
-            False,
         ),
     ]
     if not all(step.holds for step in steps):
@@ -267,7 +262,7 @@ def _found(case: Case, status: str, steps: list[Step], **more: Any) -> Verdict:
     known = status in ("proved", "bounded")
     if "flow_x" in case.law.input_ports:
         claim = "the law reads flow_x, the true flow, which no vehicle measures by itself"
-        steps = [*steps, Step(claim, True, "exact", "", False)]
+        steps = [*steps, exact(claim, True)]
     if known and case.others:
         steps = [*steps, case.existing()]
         if not steps[-1].holds:
