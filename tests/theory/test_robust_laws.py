@@ -25,7 +25,7 @@ from clpt_control.theory.counterexamples.paper_system import with_square_wave
 from clpt_control.theory.counterexamples.printed_bounds import burst_counterexample
 from clpt_control.theory.proving import verdict
 from clpt_control.theory.proving.own_law import prove
-from clpt_control.theory.proving.theorem_loop import theorem_candidate, theorem_scenario
+from clpt_control.theory.proving.theorem_loop import theorem_scenario, truth_of
 
 LIMITS = {"largest_flow": 2.0, "largest_feedback": 3.0, "largest_feedforward": 3.0}
 LAWS = {
@@ -48,8 +48,8 @@ def law_of(name, N=2, gain=0.5, gains=None):
 
 def candidate_of(name, N=2, gain=0.5):
     """Return the law's V at the truth of the theorems' scenario."""
-    p = theorem_candidate(N, "learned-flow", gain).parameters
-    return TABLE[name].V(law_of(name, N, gain).parameters, Truth(p.theta, p.KD, p.GammaD))
+    truth = truth_of(theorem_scenario(N, "learned-flow"))
+    return TABLE[name].V(law_of(name, N, gain).parameters, truth)
 
 
 def judged(name, N=2, gain=0.5):

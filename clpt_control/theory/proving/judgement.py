@@ -33,7 +33,6 @@ import numpy as np
 
 from ...blocks.laws.law import Law
 from ...blocks.laws.table import LAWS
-from ...blocks.lyapunov import lyapunov_candidate, one_gain
 from ...blocks.team import total_candidate
 from ...diagrams.interconnection import Diagram, connect
 from ...equations.block import Block
@@ -61,6 +60,7 @@ from .theorem_loop import (
     identity_steps,
     law_and_V,
     rate_of_V,
+    theorem_candidate,
     theorem_scenario,
     zero_step,
 )
@@ -164,9 +164,7 @@ def team_diagram(edges: tuple[tuple[str, str], ...], N: int) -> Diagram:
     external = [port for block in sources for port in block.output_ports]
     blocks = [block for block in blocks if block not in sources]
     for name, scenario in team.members.items():
-        truth = (scenario.flow.parameters, scenario.vehicle.feedback, scenario.vehicle.feedforward)
-        p = one_gain(scenario.learning.used_gains.parameters, *map(np.array, truth))
-        blocks.append(within(lyapunov_candidate(LAW, p), name))
+        blocks.append(within(theorem_candidate(scenario), name))
     return connect([*blocks, total_candidate(list(team.members))], external, name="team")
 
 

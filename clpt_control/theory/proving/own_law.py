@@ -26,7 +26,7 @@ from .law_case import Case, flat
 from .signs import tidied
 from .symbolic_loop import SymbolicLoop, own_values, refuse_no_value, symbolic_loop
 from .symbols import paper_name
-from .theorem_loop import theorem_candidate, theorem_loop
+from .theorem_loop import theorem_candidate, theorem_loop, theorem_scenario
 from .verdict import Verdict, judge
 
 
@@ -179,8 +179,9 @@ def _judged(
         own = own_values(alone, [law])
         gains, fitted = law_gains(law, N)
         numbers = [float(gain.subs(own)) for gain in gains]
-        parts = (np.reshape(numbers[: 2 * N], (2, N)), *np.split(np.array(numbers[2 * N :]), 2))
-        candidate = theorem_candidate(N, "learned-flow", 1.0, parts)
+        alpha, (K, Gamma) = np.reshape(numbers[:-4], (2, N)), np.reshape(numbers[-4:], (2, 2))
+        scenario = theorem_scenario(N, "learned-flow")
+        candidate = theorem_candidate(scenario, gain=alpha, gain_K=K, gain_Gamma=Gamma)
         diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=candidate)
     loop = symbolic_loop(diagram, jumps=True)
     if gains:  # in the names of the whole diagram

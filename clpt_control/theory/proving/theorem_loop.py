@@ -84,11 +84,10 @@ def law_and_V(law: Law, N: int, speed: Hedging = "no limit") -> tuple[Block, Blo
     A default of 0 is 0.1 instead: what is 0 would be no symbol.
     """
     scenario = theorem_scenario(N, law.name, speed=speed)
-    known, car = scenario.known_to_law, scenario.vehicle
+    known = scenario.known_to_law
     settings = {key: 0.1 if value == 0 else value for key, value in known.settings.items()}
     made = law.block(known._replace(settings=settings))
-    truth = map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward))
-    return made, law.V(made.parameters, Truth(*truth))
+    return made, law.V(made.parameters, truth_of(scenario))
 
 
 def theorem_loop(
@@ -111,8 +110,7 @@ def theorem_loop(
     if law_block is not None:
         blocks = [law_block if block.name == "adaptation" else block for block in blocks]
     if candidate is None:
-        gain = scenario.learning.used_gains.parameters
-        candidate = theorem_candidate(N, law, gain)
+        candidate = theorem_candidate(scenario)
     return connect(
         [*blocks, candidate], sorted(external, key=list(SOURCES.values()).index), name="theorem"
     )
@@ -124,19 +122,19 @@ def law_loop(law: Law, block: Block, V: Block, speed: Hedging = "no limit") -> D
     return theorem_loop(block.sizes["N"], known, law_block=block, candidate=V, speed=speed)
 
 
-def theorem_candidate(N: int, law: str, gain: float, weights: tuple = ()) -> Block:
+def truth_of(scenario: Scenario) -> Truth:
+    """Return theta, KD and GammaD of a scenario."""
+    car = scenario.vehicle
+    return Truth(*map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward)))
+
+
+def theorem_candidate(scenario: Scenario, **gains: Any) -> Block:
     """Return V of Eq. (17) or (24) with the scenario's truth.
 
-    The weights, gains of alpha (2, N), K and Gamma (2,), take the place of the one gain.
+    `gain` of alpha (2, N), `gain_K` and `gain_Gamma` (2,) take the place of the one gain.
     """
-    scenario = theorem_scenario(N, law)
-    car = scenario.vehicle
-    truth = map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward))
-    p = one_gain(gain, *truth)
-    if weights:
-        alpha, K, Gamma = weights
-        p = p._replace(gain=alpha, gain_K=K, gain_Gamma=Gamma)
-    return lyapunov_candidate(law, p)
+    p = one_gain(scenario.learning.used_gains.parameters, *truth_of(scenario))
+    return lyapunov_candidate(scenario.learning.law, p._replace(**gains))
 
 
 Loop = ArrayLoop | SymbolicLoop
