@@ -5,8 +5,9 @@ from typing import Annotated
 
 import typer
 
+from ..html.text import Result
 from .help_pages import TIDES, arg, one_of, opt
-from .printing import Json, print_json, print_table, shown
+from .printing import Json, finish, shown
 
 
 def fit(
@@ -53,15 +54,13 @@ def fit(
         units=units,
     )
     save_fit(fitted, out)
-    if as_json:
-        print_json(fitted.report)
-        return
     lines = [
         [key.replace("_", " "), shown(value)]
         for key, value in fitted.report.items()
         if key not in ("theta", "nodal")
     ]
-    for name, found in (fitted.report["nodal"] or {}).items():
-        f, u, V = (shown(found[key]) for key in "fuV")
+    for name, tide in (fitted.report["nodal"] or {}).items():
+        f, u, V = (shown(tide[key]) for key in "fuV")
         lines.append([f"{name} at the middle", f"f {f}, u {u} degrees, V {V} degrees"])
-    print_table(f"{out}: written, with the field beside it", ["", ""], lines)
+    found = Result(f"{out}: written, with the field beside it", ["", ""], lines)
+    finish(found, fitted.report, as_json)

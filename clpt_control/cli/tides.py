@@ -3,10 +3,9 @@
 from pathlib import Path
 from typing import Annotated, Any
 
-import typer
-
+from ..html.text import Result
 from .help_pages import TIDES, arg, one_of, opt
-from .printing import Formats, Json, print_json, print_table
+from .printing import Formats, Json, finish
 
 
 def tides(
@@ -64,16 +63,11 @@ def tides(
         results |= {out / f"tides.{kind}": figure for kind in kinds}
         write_together(results)
         written = list(results)
-    if as_json:
-        print_json(report)
-        return
-    show(report)
-    for path in written:
-        typer.echo(f"{path}: written")
+    finish(tides_result(report), report, as_json, *written)
 
 
-def show(report: dict[str, Any]) -> None:
-    """Print tidal constants: a row per constituent, then the whole."""
+def tides_result(report: dict[str, Any]) -> Result:
+    """Return tidal constants: a row per constituent, then the whole."""
     rows = []
     for name, each in report["constituents"].items():
         row = [name]
@@ -85,19 +79,17 @@ def show(report: dict[str, Any]) -> None:
                 words = f"{error:.{digits}f}"
             row.append(f"{each[key]:.{digits}f} ({words})")
         rows.append(row)
-    print_table(
+    title = (
         f"Tides of {report['source']}: amplitudes and axes in m/s, Greenwich phases and "
-        "inclination in degrees (standard error)",
-        ["", "east", "phase", "north", "phase", "major", "minor", "incl.", "phase"],
-        rows,
+        "inclination in degrees (standard error)"
     )
     east, north = report["mean"]
-    typer.echo(
+    said = [
         f"{report['samples']} measurements over {report['hours']:.6g} h from "
-        f"{report['start'][:16]} UTC, latitude {report['latitude']:g}"
-    )
-    typer.echo(f"mean current: {east:+.4f} east, {north:+.4f} north (m/s)")
-    typer.echo(
+        f"{report['start'][:16]} UTC, latitude {report['latitude']:g}",
+        f"mean current: {east:+.4f} east, {north:+.4f} north (m/s)",
         f"explained: {report['explained_variance']:.1%} of the variance; residual rms "
-        f"{report['residual_rms']:.4f} m/s"
-    )
+        f"{report['residual_rms']:.4f} m/s",
+    ]
+    columns = ["", "east", "phase", "north", "phase", "major", "minor", "incl.", "phase"]
+    return Result(title, columns, rows, said)

@@ -1,8 +1,15 @@
-"""Text as HTML and XML may hold it, and the few elements that pages are made of."""
+"""A page as one HTML file, text as it may hold it, and the few elements that pages are made of.
+
+Nothing is fetched: style and script are in the file, and its Content-Security-Policy allows these
+alone.
+"""
 
 import re
+from base64 import b64encode
 from collections.abc import Sequence
+from hashlib import sha256
 from html import escape
+from importlib import resources
 from typing import NamedTuple
 
 NO_TEXT = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -76,3 +83,34 @@ def folded(title: str, inner: str) -> str:
 def listing(text: str) -> str:
     """Return a text as it is typed."""
     return f"<pre><code>{safe(text)}</code></pre>"
+
+
+def document(title: str, body: str, style: str, script: str = "", head: str = "") -> str:
+    """Return a page; `style` and `script` name files of the package, beside `page.css`."""
+    styles = _asset("page.css") + _asset(style)
+    policy = f"default-src 'none'; style-src {_hash(styles)}"
+    ending = ""
+    if script:
+        code = _asset(script)
+        policy += f"; script-src {_hash(code)}"
+        ending = f"<script>{code}</script>"
+    return "\n".join(
+        [
+            "<!DOCTYPE html>",
+            '<html lang="en"><head><meta charset="utf-8">',
+            f'<meta http-equiv="Content-Security-Policy" content="{policy}">',
+            '<meta name="viewport" content="width=device-width, initial-scale=1">',
+            f"{head}<title>{safe(title)}</title>",
+            f"<style>{styles}</style></head><body>",
+            f"{body}{ending}</body></html>",
+            "",
+        ]
+    )
+
+
+def _asset(name: str) -> str:
+    return (resources.files("clpt_control") / "data" / name).read_text(encoding="utf-8")
+
+
+def _hash(text: str) -> str:
+    return f"'sha256-{b64encode(sha256(text.encode()).digest()).decode()}'"

@@ -12,9 +12,8 @@ from importlib.metadata import version
 from textwrap import fill
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ..html.document import document
 from ..html.svg import inline_svg
-from ..html.text import listing, paragraphs, safe, table
+from ..html.text import document, listing, paragraphs, safe, table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -77,9 +76,9 @@ def narrow(figure: "Figure", height: float) -> "Figure":
     return figure
 
 
-def page_html(page: Page, now: datetime | None = None) -> str:
+def page_html(page: Page) -> str:
     """Return a page as HTML."""
-    written = (datetime.now(UTC) if now is None else now).strftime("%Y-%m-%d %H:%M UTC")
+    written = datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")
     links = "".join(
         f'<li><a href="#{one.name}">{safe(one.heading)}</a></li>' for one in page.sections
     )
