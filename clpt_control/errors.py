@@ -5,8 +5,8 @@ given, where, what is allowed and what to try.  The command line prints that
 sentence and ends with status 2, or with 1 where a run was under way.
 """
 
+import types
 from importlib import import_module
-from typing import Any
 
 EXTRA = {"dask": "ensemble", "distributed": "ensemble", "zarr": "ensemble"}  # all others: sea
 
@@ -36,14 +36,14 @@ class ScenarioError(ClptError, ValueError):
 
 
 class DataError(ClptError, ValueError):
-    """A data file is missing, damaged or holds something else; or a package is that it needs."""
+    """A data file is missing, damaged or holds something else."""
 
 
 class SimulationError(ClptError, RuntimeError):
     """A run that was under way could not go on."""
 
 
-def needed(module: str) -> Any:
+def needed(module: str) -> types.ModuleType:
     """Import a module of a package that is not always there, or say what installs it."""
     try:
         return import_module(module)

@@ -104,7 +104,7 @@ def test_external_track_is_the_learner_alone():
         *("reference", "basis_x", "basis_z", "modeled_flow", "learning_controller"),
         *("learning_model", "injection", "clpe", "adaptation"),
     ]
-    assert len(initial_state(PAPER, external=("x",))) == loop.nstates == 12
+    assert len(initial_state(loop)) == loop.nstates == 12
 
 
 def test_external_of_two_ports():
