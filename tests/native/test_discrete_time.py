@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
+from clpt_control.conformance import readings
 from clpt_control.errors import ClptError, SimulationError
-from clpt_control.native import readings
 
 DT, STEPS = 0.5, 60
 TIMES = DT * np.arange(STEPS)

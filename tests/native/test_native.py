@@ -11,11 +11,11 @@ from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks import reference, vehicle
+from clpt_control.conformance import readings
 from clpt_control.currents.field_file import GriddedField
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.equations import Block
 from clpt_control.errors import ClptError, DiagramError, SimulationError
-from clpt_control.native import readings
 from clpt_control.native.inputs import read_inputs
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram

@@ -10,9 +10,9 @@ from random_diagrams import random_diagram
 from rounding import rounding_of
 from sympy import Rational, sin
 
+from clpt_control.conformance import readings
 from clpt_control.equations import Block
 from clpt_control.errors import ClptError
-from clpt_control.native import readings
 from clpt_control.native.batch import Batch
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.processor import LANES

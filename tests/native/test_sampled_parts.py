@@ -8,9 +8,9 @@ import pytest
 from scipy.linalg import expm
 
 import clpt_control as clpt
+from clpt_control.conformance import readings
 from clpt_control.equations import Block, Sampled
 from clpt_control.errors import ClptError, DiagramError
-from clpt_control.native import readings
 
 DT = 0.5
 TIMES = DT * np.arange(41)

@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
+from clpt_control.conformance import readings
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.equations import Block, lookup
 from clpt_control.errors import BlockError, ClptError, DiagramError
-from clpt_control.native import readings
 
 
 def alike(diagram, x=(), u=(), t=0.0, rate=None, outputs=None):
