@@ -344,7 +344,7 @@ class Block(control.NonlinearIOSystem):
     @property
     def of_package(self) -> bool:
         """Whether the functions are the package's own."""
-        own = (getattr(f, "__module__", None) or "" for f, _ in self._roles.values())
+        own = (getattr(f, "__module__", None) or "" for f, _ in self._plan.values())
         return all(name.startswith(f"{__package__.partition('.')[0]}.") for name in own)
 
     def read_anew(self) -> None:

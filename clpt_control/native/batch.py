@@ -6,6 +6,7 @@ in between calls: at the time reached, and whether the end can be reached at all
 
 import time
 from collections.abc import Callable
+from itertools import accumulate
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -75,19 +76,15 @@ class Batch:
         self.status, self.reached = (np.zeros(m, dtype=np.int64) for _ in range(2))
         self.counts = np.zeros((m, 4), dtype=np.int64)
         self.results = self.out, self.status, self.reached, self.counts
-        self.numbers = aligned(solver.NUMBERS * lanes).reshape(-1, lanes)
+        rooms = (solver.NUMBERS, solver.ROWS * n, max(size, 1), max(callee.room, 1))
+        sizes = [lanes * room for room in (*rooms, max(n, 2, 2 * callee.decided))]
+        row, self.Z, P, W, D = aligned(*sizes)
+        self.numbers = row.reshape(-1, lanes)
         self._linear = callee.linear.given
         self.numbers[solver.LONGEST], self.numbers[solver.OPENING] = longest, opening
         whole = np.full((5, lanes), -1, dtype=np.int64)
         self.lane = self.numbers, whole, np.array([0, m, 0], dtype=np.int64)
-        self.Z = aligned(solver.ROWS * n * lanes)
-        self.arrays = (
-            self.Z,
-            aligned(max(size, 1) * lanes),
-            np.append(callee.tables, 0.0),
-            aligned(max(callee.room, 1) * lanes),
-            aligned(max(n, 2, 2 * callee.decided) * lanes),
-        )
+        self.arrays = self.Z, P, np.append(callee.tables, 0.0), W, D
 
     @property
     def now(self) -> float:
@@ -174,11 +171,12 @@ class Batch:
         return self.runs, self.schedule, self.times, self.results, self.lane, self.arrays
 
 
-def aligned(size: int) -> np.ndarray:
-    """Return zeros that begin where a line of the cache does: eight runs are one line."""
-    room = np.zeros(size + LANES)
+def aligned(*sizes: int) -> list[np.ndarray]:
+    """Return zeros that each begin where a line of the cache does: eight runs are one line."""
+    places = list(accumulate((-(-size // LANES) * LANES for size in sizes), initial=0))
+    room = np.zeros(places[-1] + LANES)
     first = -(room.ctypes.data // room.itemsize) % LANES
-    return room[first : first + size]
+    return [room[first + k : first + k + size] for k, size in zip(places, sizes, strict=False)]
 
 
 def _together(schedules: list[Schedule]) -> tuple[np.ndarray, ...]:

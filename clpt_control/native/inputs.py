@@ -86,7 +86,7 @@ def stacked_state(name: str, state: Any, count: int, padded: bool = True) -> np.
 
     A list, ``[x0, 0]``, holds numbers and arrays that follow each other; zeros follow a last zero.
     """
-    if isinstance(state, list | tuple) and len(state):
+    if isinstance(state, list | tuple) and state and not all(map(np.isscalar, state)):
         state = np.concatenate([numbers(name, part).ravel() for part in state])
     else:
         state = numbers(name, state)

@@ -340,7 +340,8 @@ def _tolerances(step: float | None, rtol: float | None, atol: float | None) -> t
     for name, given, value in zip(("rtol", "atol"), (rtol, atol), found, strict=True):
         if step is not None and given is not None:
             raise SimulationError(f"step and {name}: a fixed step has no tolerance; leave one out")
-        if numbers(name, value).ndim or not numbers(name, value) >= 0.0:
+        number: Any = value if type(value) is float else numbers(name, value)
+        if getattr(number, "ndim", 0) or not number >= 0.0:
             raise SimulationError(f"{name} = {value}: must be a number, 0 or more")
     if found == [0.0, 0.0]:
         raise SimulationError("rtol = atol = 0: one of them must be above 0")

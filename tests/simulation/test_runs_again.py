@@ -195,3 +195,18 @@ def test_a_table_or_a_system_that_a_function_asks_counts_as_it_is():
     table.y[:] = 3.0
     ends.append(float(clpt.simulate(plant, [0.0, 0.1]).states[-1, 0]))
     np.testing.assert_allclose(ends, [1.0, 1.0, 0.6], rtol=1e-9)
+
+
+def test_runs_of_one_diagram_share_no_attributes_and_no_numbers():
+    """They share what is made once: names, units, the index of times."""
+    lag = control.ss([[-1.0]], [[1.0]], [[1.0]], 0, inputs="u", outputs="y", name="lag")
+    times = np.linspace(0.0, 1.0, 5)
+    one = clpt.simulate(lag, times, 1.0)
+    wanted = one.copy(deep=True)
+    two = clpt.simulate(lag, times, 1.0)
+    two.time.attrs["units"] = two.states.attrs["long_name"] = two.attrs["title"] = "changed"
+    two.y.values[:] = two.states.values[:] = 0.0
+    three = clpt.simulate(lag, times, 1.0)
+    for run in (one, three):
+        assert run.identical(wanted)
+    assert clpt.simulate(lag, times + 1.0, 1.0).time[0] == 1.0
