@@ -201,7 +201,7 @@ class Scenario(Table):
 
     @property
     def law_block(self) -> Block:
-        """The law as a block; one that is sampled where ``learning.sample`` says how often."""
+        """The law as a block; sampled where ``learning.sample`` is set."""
         law, sample = self.learning.row.block(self.known_to_law), self.learning.sample
         return law if sample is None else Sampled(law, sample)
 

@@ -86,7 +86,7 @@ class AtAFix:
         self.before = {port: self.put(symbols) for port, symbols in own.items()}
 
     def know(self, ports: States, given: dict[str, Any]) -> None:
-        """Let ports have values."""
+        """Set the values of ports."""
         for port, values in given.items():
             flat = map(sympy.sympify, np.ravel(values))
             self.known |= zip(ports[port].flat, flat, strict=True)

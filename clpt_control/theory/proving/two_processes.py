@@ -84,7 +84,7 @@ def judge(
     left, asked, found = deque(parts), dict["Part", Future](), dict["Part", "Verdict"]()
 
     def ask(done: Future | None = None) -> None:
-        """Ask the pool for the last part that is left, and again when it is done."""
+        """Hand the last part that is left to the pool, and again when it is done."""
         with suppress(IndexError, RuntimeError):  # nothing is left, or the pool is broken
             if pool is not None and digest:
                 part = left.pop()
