@@ -23,7 +23,7 @@ import pytest
 from processes import GUARD
 
 ROOT = Path(__file__).parent.parent
-# `clpt tune` and `clpt design` look for minutes; a cluster, a watch and a film take a quarter of one
+# `clpt tune` and `clpt design` look for minutes; cluster, watch and film take a quarter of one
 SLOW = {"laws.md", "theory.md", "ensembles.md", "gliders.md", "measured_current.md"}
 FENCE = re.compile(r"^(`{3,})([^\n`]*)\n(.*?)^\1[ ]*$", re.M | re.S)
 FILE = re.compile(r"# ([\w.-]+\.(?:py|toml|csv))\n")
