@@ -194,7 +194,7 @@ def few_points(monkeypatch):
 )
 def test_altered_signs_fail_the_proof(room):
     listed = [mutant for mutant in mutants() if mutant[0].startswith(f"{room}.")]
-    chosen = random.Random(1).sample(listed, 1)
+    chosen = random.Random(1).sample(listed, min(1, len(listed)))
     assert survivors(chosen) == []
 
 
