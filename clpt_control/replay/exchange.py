@@ -51,10 +51,12 @@ def _pair(place: Place) -> list[float]:
 
 def next_geojson(found: dict[str, Any]) -> str:
     """Return the next surfacing as GeoJSON: last fix, way, forecast, 90 % ellipse, waypoints."""
-    ahead = layers_ahead(found["next_dive"], found.get("aim") or [])
+    way, goal, ring, *legs = layers_ahead(found["next_dive"], found.get("aim") or [])
     end = found["each_dive"][-1]
-    last = Layer("last", "Point", ahead[0].places[:1], {"dive": end["dive"], "time": end["end"]})
-    features = [_feature(layer) for layer in (last, *ahead) if layer.kind in FEATURES]
+    last = Layer("last", "Point", way.places[:1], {"dive": end["dive"], "time": end["end"]})
+    features = [
+        _feature(layer) for layer in (last, way, ring, goal, *legs) if layer.kind in FEATURES
+    ]
     lines = ",\n".join(json.dumps(feature, allow_nan=False) for feature in features)
     return f'{{"type": "FeatureCollection", "features": [\n{lines}\n]}}\n'
 
