@@ -30,6 +30,7 @@ Seed = Annotated[int, "0 or more"]
 LISTS = (Sequence, Iterable, list)
 PLAIN = (str, bytes, bool, int, float, complex, list, tuple, set, dict)
 SIMPLE = {float, int, str, bool, NoneType}
+LOOKED_INTO = {*SIMPLE, np.ndarray}  # the class of a value is not all that counts
 EMPTY = np.dtype("V")
 SHORT = reprlib.Repr()
 SHORT.maxstring = SHORT.maxother = 60
@@ -106,8 +107,12 @@ def _checked(function: Any, name: str) -> Any:
         kinds = allowed.get(argument, (Any,))
         if Any in kinds or (type(value) in SIMPLE and type(value) in kinds and value == value):
             return value  # at once: a dive has 25 numbers
-        own = type(value)
-        if own in kinds and (is_array(value) if own is np.ndarray else own not in SIMPLE):
+        if type(value) is np.ndarray:
+            at_once = np.ndarray in kinds and is_array(value)
+        else:
+            classes = (kind for kind in kinds if type(kind) is type and kind not in LOOKED_INTO)
+            at_once = type(value) not in SIMPLE and any(isinstance(value, one) for one in classes)
+        if at_once:
             return value
         value = plain(value, kinds)
         if not fits(value, kinds):
