@@ -57,9 +57,10 @@ def simulate(
         between `timepts`; a number or one number per input is held; a list
         of both, ``[u1, 0]``; a callable gives the inputs at any time.
     initial_state : array_like, optional
-        State at ``timepts[0]``; without, the scenario's own at t = 0, and zero for a diagram that
-        knows none. A list holds numbers and arrays that follow each other; one that ends with 0,
-        ``[x0, 0]``, is filled with zeros. A team takes neither this nor `params`.
+        State of a diagram at ``timepts[0]``, of a scenario at t = 0; without, the scenario's own at
+        t = 0, and zero for a diagram that knows none. A list holds numbers and arrays that follow
+        each other; one that ends with 0, ``[x0, 0]``, is filled with zeros. A team takes neither
+        this nor `params`.
     params : mapping, optional
         Call-time parameters, ``{"adaptation.gain": 2.0}``.
     rtol, atol : float, optional

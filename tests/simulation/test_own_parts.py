@@ -179,6 +179,13 @@ def test_a_loop_that_knows_its_scenario_is_its_scenario():
     assert run.attrs == plain.attrs
     from_ten = clpt.simulate(loop(later), [10.0, 12.0])
     np.testing.assert_array_equal(from_ten.states, clpt.simulate(later, [10.0, 12.0]).states)
+    moved = clpt.initial_state(later) + 0.25  # a scenario's is at t = 0, a diagram's at once
+    run = clpt.simulate(loop(later), [10.0, 12.0], initial_state=moved)
+    np.testing.assert_array_equal(clpt.state_at(run, 10.0), moved)
+    run = clpt.simulate(later, [10.0, 12.0], initial_state=moved)
+    np.testing.assert_allclose(
+        run.states[0], clpt.simulate(later, [0.0, 10.0], initial_state=moved).states[-1], atol=1e-6
+    )
     fast = clpt.simulate(loop(LIMITED))
     assert fast.attrs["message"] == clpt.simulate(LIMITED).attrs["message"]
     for change in (rewired, renumbered):
