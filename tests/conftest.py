@@ -65,7 +65,7 @@ def shared():
 
 def pytest_sessionstart(session):
     """Make the solver's machine code first, so that no test depends on the cache."""
-    from clpt_control.native.solver_cache import compiled_solver
+    from clpt_control.native.machine import compiled_solver
 
     if not getattr(session.config.option, "collectonly", False):
         compiled_solver()

@@ -39,13 +39,11 @@ OPTIONS: dict[str, Any] = {
 # called by their names; the rest is put in where it is called
 APART = (
     "advance",
-    "advance_fixed",
-    "signals_at",
+    "ask",
     "watch",
     "take",
     "sample",
     "leap",
-    "keep",
     "cross",
     "factor",
     "linearise",
@@ -117,12 +115,11 @@ def arguments() -> dict[str, tuple]:
         (real(1),) * 5,  # arrays
     )
     linear = (real(1), whole(1))
-    code, shape = whole(1), (1, 1, 1)
-    states = (real(1), real(1), 1, whole(1), whole(1), real(2), *(real(1),) * 4, real(2))
+    code, shape = whole(1), (1, 1, 1, 1)
+    states = (real(1), real(1), 1, whole(1), whole(1), real(2), *(real(1),) * 5, real(2))
     return {
         "advance": (code, shape, real(1), *shared, linear, 1, 1, 0, 0, 0, 0),
-        "advance_fixed": (code, shape, 1.0, *shared, 0, 0),
-        "signals_at": (code, *states),
+        "ask": (code, 1, *states),
     }
 
 
@@ -138,6 +135,7 @@ def printed(function: Any, given: tuple, name: str) -> Any:
     entry.linkage, entry.name = "external", name
     machine = llvm.Target.from_default_triple().create_target_machine()
     options = llvm.create_pipeline_tuning_options(speed_level=1)  # to drop what is not called
+    options.loop_vectorization = options.slp_vectorization = False  # each machine has its own
     passes = llvm.create_pass_builder(machine, options)
     passes.getModulePassManager().run(parsed, passes)
     asked = [one.name for one in parsed.functions if one.is_declaration]

@@ -24,8 +24,8 @@ from ..arguments import public
 from ..equations.at_many import leaf_values
 from ..equations.block import Block
 from ..errors import DiagramError
+from ..native.machine import LANES
 from ..native.native_diagram import NativeDiagram
-from ..native.processor import LANES
 from ..native.python_diagram import PythonDiagram
 from ..native.schedule import JUMPS
 from ..native.sweep import Sweep

@@ -15,13 +15,13 @@ import numpy as np
 from ..diagrams.changes import UNCHANGED, Changes
 from ..diagrams.interconnection import wiring_of_blocks
 from ..errors import ScenarioError
+from ..native import solver
 from ..native.batch import Batch
-from ..native.discrete import begun
+from ..native.machine import LANES
 from ..native.native_diagram import NativeDiagram
-from ..native.processor import LANES
 from ..native.schedule import Schedule, make_schedule
-from ..native.stiffness import finish
 from ..native.sweep import Sweep
+from ..native.ways import begun, finish
 from ..scenario.experiment import Scenario, scenario_tables
 from ..scenario.quantities import QUANTITIES, made_of, names_held
 from ..simulation.loops import changed_blocks
@@ -141,19 +141,16 @@ class Ensemble:
         `times` increase from 0; the last is the duration that the members were made for.
         """
         lanes = self.lanes if step is None or len(members.schedules) == 1 else 1
-        native = self.native if step is None else self.native.free
         batch = Batch(
-            native.callee(lanes),
+            self.native.callee(lanes, None, solver.DOP853 if step is None else solver.RK4),
             members.x0,
             members.P,
             np.asarray(times, dtype=float),
             members.schedules,
             members.group,
+            np.inf if step is None else step,
         )
-        if step is None:
-            finish(batch, (rtol, atol), self.native.implicit)
-        else:
-            batch.fixed(step)
+        finish(batch, (rtol, atol), self.native.implicit if step is None else None)
         return States(self.columns, batch.out, batch.status, batch.reached, batch.counts)
 
     def signals(
@@ -161,9 +158,9 @@ class Ensemble:
     ) -> list[np.ndarray]:
         """Return some ports of one member at the times of its states that it reached."""
         reached, pieces = int(run.reached[m]), members.schedules[members.group[m]]
-        callee, native = self.native.callee(1), self.native
-        found = native.signals_of(
-            callee, times[:reached], run.states[m, :reached], pieces, members.P[m]
+        x, count = run.states[m, :reached].ravel(), self.native.nsignals
+        found = self.native.callee().ask(
+            solver.SIGNALS, times[:reached], x, pieces, members.P[m], count
         )
         made = [(label, k) for k, label in enumerate(self._labels)]
         columns = [[k for label, k in made if label.partition("[")[0] == port] for port in ports]

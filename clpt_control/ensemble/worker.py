@@ -112,7 +112,7 @@ class Worker:
     @cached_property
     def code(self) -> str:
         """A short name of the code and the versions that make the numbers."""
-        from ..native.processor import processor
+        from ..native.machine import processor
 
         native = self.ensemble.native
         made_of = [version(name) for name in ("clpt-control", "llvmlite", "numpy")]

@@ -15,14 +15,16 @@ from ..errors import SimulationError
 from ..progress.interrupt import check
 from . import solver
 from .jacobian import EXPLICIT, Jacobian
-from .processor import LANES
+from .machine import LANES
 from .schedule import Schedule
 
 PAUSE = 0.05  # seconds of a call
 BEGIN = 40_000  # numbers, times tries, of the first call of machine code
 GRAIN = 0.01  # of atol: what decisions differ by counts beyond
 LATER = 64  # looks for stiffness until the next that counts, where a run was found not to be stiff
+ANY = 2**62
 MEMBER_STEPS = 5_000_000  # tries of a run among many
+METHODS = {solver.DOP853: "DOP853", solver.RODAS5P: "Rodas5P", solver.RK4: "RK4"}
 
 
 class Callee(NamedTuple):
@@ -32,14 +34,54 @@ class Callee(NamedTuple):
     functions: Any  # in the solver's order: functions, or their addresses
     lanes: int  # runs that are taken at once
     nstates: int
+    method: int  # as the solver numbers it
+    size: int  # length of P
     room: int  # length of W
-    tables: np.ndarray  # T
+    tables: np.ndarray  # T, which is not empty
     guarded: int  # 1 if guards are watched
     jumping: int  # 1 if states jump
     held: int = 0  # first place in P of what is decided
     decided: int = 0  # how many numbers are
     code: tuple = ()  # what must live for as long as addresses are used
-    linear: Jacobian = EXPLICIT  # of an implicit method
+    linear: Jacobian = EXPLICIT  # of Rodas5P
+
+    def ask(
+        self,
+        role: int,
+        times: np.ndarray,
+        states: np.ndarray,
+        pieces: Schedule,
+        own: np.ndarray,
+        signals: int = 0,
+        into: np.ndarray | None = None,
+    ) -> np.ndarray:
+        """Ask a function at times; return so many signals of each, (nt, signals).
+
+        `states` holds the state for each, one after the other; what the function makes of it is
+        written behind it, or there `into` another array.  `own` is P, or the beginning of it.
+        """
+        P, W = np.zeros(max(self.size, len(own), 1)), np.zeros(max(self.room, 1))
+        P[: len(own)] = own
+        number = np.searchsorted(pieces.edges, times, side="right")
+        out = np.empty((len(times), signals))
+        with np.errstate(all="ignore"):
+            self.solver.ask(
+                self.functions,
+                role,
+                np.ascontiguousarray(times),
+                states,
+                self.nstates,
+                number,
+                pieces.places,
+                pieces.values,
+                np.zeros(1),
+                P,
+                self.tables,
+                W,
+                states if into is None else into,
+                out,
+            )
+        return out
 
 
 class Batch:
@@ -49,7 +91,7 @@ class Batch:
     ``schedules[group[k]]`` or the first.  In the end `out` (m, nt, n) holds states, NaN
     where a run did not come, `status` how runs ended (`Status`), `reached` how many
     samples are done, and `counts` (m, 4) steps, evaluations, restarts, rejected steps.
-    No step is longer than `longest`; the first tried is `opening`, unless it is 0.
+    No step is longer than `longest`, the step of RK4; the first tried is `opening`, unless it is 0.
     """
 
     def __init__(
@@ -64,19 +106,26 @@ class Batch:
         opening: float = 0.0,
     ):
         self.callee, self.times = callee, np.ascontiguousarray(times)
-        self.method = "Rodas5P" if len(callee.linear.matrices) else "DOP853"
+        self.method = METHODS[callee.method]
+        if callee.method == solver.RK4 and not longest > 0:
+            raise SimulationError(f"step = {longest}: must be positive")
         m, n = starts.shape
-        lanes, size = callee.lanes, parameters.shape[1]
-        self.shape = (lanes, n, size)
+        lanes, given = callee.lanes, parameters.shape[1]
+        size = max(callee.size, given, 1)
+        if given < size:
+            parameters = np.pad(parameters, ((0, 0), (0, size - given)))
+        self.shape = (lanes, n, size, callee.method)
         group = np.zeros(m, dtype=np.int64) if group is None else group
         own = (starts, parameters, group)
         self.runs = tuple(map(np.ascontiguousarray, own))
         self.pieces, self.schedule = schedules, _together(schedules)
+        if callee.method == solver.RK4:
+            self.schedule[4][:] = False  # every piece begins anew
         self.out = np.full((m, len(times), n), np.nan)
         self.status, self.reached = (np.zeros(m, dtype=np.int64) for _ in range(2))
         self.counts = np.zeros((m, 4), dtype=np.int64)
         self.results = self.out, self.status, self.reached, self.counts
-        rooms = (solver.NUMBERS, solver.ROWS * n, max(size, 1), max(callee.room, 1))
+        rooms = (solver.NUMBERS, solver.ROWS * n, size, max(callee.room, 1))
         sizes = [lanes * room for room in (*rooms, max(n, 2, 2 * callee.decided))]
         row, self.Z, P, W, D = aligned(*sizes)
         self.numbers = row.reshape(-1, lanes)
@@ -84,7 +133,7 @@ class Batch:
         self.numbers[solver.LONGEST], self.numbers[solver.OPENING] = longest, opening
         whole = np.full((5, lanes), -1, dtype=np.int64)
         self.lane = self.numbers, whole, np.array([0, m, 0], dtype=np.int64)
-        self.arrays = self.Z, P, np.append(callee.tables, 0.0), W, D
+        self.arrays = self.Z, P, callee.tables, W, D
 
     @property
     def now(self) -> float:
@@ -102,21 +151,24 @@ class Batch:
     ) -> None:
         """Run to the end with steps chosen by tolerance, a run for at most so many tries.
 
-        `watch` is called between the solver's calls, each of so many `tries`, or of about `PAUSE`.
-        `stiff` is asked of lanes whose steps look so; the run of one that is ends as `STIFF`.
+        Steps of one length are as many as they are.  `watch` is called between the solver's calls,
+        each of so many `tries`, or of about `PAUSE`.  `stiff` is asked of lanes whose steps look
+        so; the run of one that is ends as `STIFF`.
         """
         self.numbers[solver.STIFF_STEPS] = -np.inf if stiff is None else 0.0
         first = BEGIN // self.shape[1] if self.callee.solver is not solver else 0
         active, budget = 1, tries or max(64, first)
+        most = ANY if self.callee.method == solver.RK4 else most
         if self.callee.decided:
             self.runs[1][:, self.callee.held - 1] = GRAIN * atol
         while active:
             check()
             begin = time.perf_counter()
             active = self.advance(rtol, atol, budget, most)
-            for k in np.flatnonzero(self.numbers[solver.STIFF_STEPS] >= solver.MANY):
+            looked = np.flatnonzero(self.numbers[solver.STIFF_STEPS] >= solver.MANY)
+            for k in looked:
                 self._look(int(k), stiff)
-                budget //= 4  # it was not used up
+            budget = max(budget // 4, 1) if len(looked) else budget  # it was not used up
             if tries is None:
                 share = PAUSE / max(time.perf_counter() - begin, 1e-6)
                 budget = int(np.clip(budget * share, budget / 2 + 1, 4 * budget))
@@ -130,7 +182,12 @@ class Batch:
                 self.callee.functions,
                 self.shape,
                 tolerances,
-                *self._shared,
+                self.runs,
+                self.schedule,
+                self.times,
+                self.results,
+                self.lane,
+                self.arrays,
                 self._linear,
                 budget,
                 most,
@@ -148,27 +205,6 @@ class Batch:
         if m >= 0 and stiff(self, k):
             self.status[m], self.reached[m] = solver.STIFF, whole[solver.DONE, k]
             whole[solver.MEMBER, k] = -1
-
-    def fixed(self, step: float) -> None:
-        """Run to the end with steps of one length, of order 4."""
-        if not step > 0:
-            raise SimulationError(f"step = {step}: must be positive")
-        check()
-        self.method = "RK4"
-        with np.errstate(all="ignore"):
-            self.callee.solver.advance_fixed(
-                self.callee.functions,
-                self.shape,
-                float(step),
-                *self._shared,
-                self.callee.guarded,
-                self.callee.jumping,
-            )
-
-    @property
-    def _shared(self) -> tuple:
-        """What both methods of the solver are given."""
-        return self.runs, self.schedule, self.times, self.results, self.lane, self.arrays
 
 
 def aligned(*sizes: int) -> list[np.ndarray]:

@@ -8,14 +8,12 @@ from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
 from ..equations.block import Block
 from ..errors import DiagramError, Uncompiled
-from . import method, rosenbrock
 from .diagram_record import NAMED, SHORT, DiagramRecord
-from .jacobian import Jacobian, jacobian, reach_of
+from .jacobian import Jacobian, jacobian, reach_of, slopes_of
 from .layout import Layout
-from .machine import Machine
-from .object_code import one_at_a_time
+from .machine import Machine, one_at_a_time
+from .method import formulas
 from .plan import Program, program_of
-from .slopes import slopes_of
 
 ROLES = ("update", "output", "guard", "jump")
 # how long an axis without and with a name is that loops; the others are there to be compared
@@ -132,13 +130,13 @@ def _code(structure: Structure, form: str | None, implicit: bool, hidden: _Hidde
 @lru_cache(maxsize=16)
 @one_at_a_time
 @lru_cache(maxsize=16)
-def kernels(n: int, lanes: int, implicit: bool = False) -> Machine:
+def kernels(n: int, lanes: int, method: int) -> Machine:
     """Return the formulas of a method for n states as machine code."""
-    formulas = (rosenbrock if implicit else method).formulas(n)
+    own = formulas(method, n)
 
     def printed() -> object:
-        from .kernels import print_formulas
+        from .printing import print_formulas
 
-        return print_formulas(formulas, n, lanes)
+        return print_formulas(own, n, lanes)
 
-    return Machine(formulas, f"formulas {n} {lanes} {implicit}", printed)
+    return Machine(own, f"formulas {n} {lanes} {method}", printed)

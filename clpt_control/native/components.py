@@ -23,11 +23,13 @@ from .diagram_record import DiagramRecord, Ref
 MOST = 60_000  # components; more are left to Python
 BOUND = -1
 CONDITIONS = frozenset({"lt", "le", "gt", "ge", "eq", "ne", "and", "or", "not"})
-LONG = frozenset(  # functions that are computed once, not again
-    {"exp", "expm1", "log", "log1p", "log2", "log10", "pow", "sin", "cos", "tan", "hypot", "div"}
-    | {"asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "sqrt"}
-    | {"mod", "floordiv", "erf", "erfc", "lookup"}
+FUNCTIONS = (  # polynomials of our own (`transcendental`)
+    *("exp", "expm1", "log", "log1p", "log2", "log10", "hypot"),
+    *("sinh", "cosh", "tanh", "asinh", "acosh", "atanh"),
+    *("sin", "cos", "tan", "asin", "acos", "atan", "atan2"),
 )
+# computed once, not again
+LONG = frozenset({*FUNCTIONS, "pow", "mod", "floordiv", "div", "sqrt", "erf", "erfc", "lookup"})
 Symbol = tuple[int, int]
 Index = Any  # a whole number, or (symbol, start, step)
 Value = Any  # a constant, or (component, symbols)

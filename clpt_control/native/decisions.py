@@ -15,6 +15,7 @@ Kofman, Continuous System Simulation, 2006, chapter 9.
 """
 
 from collections.abc import Sequence
+from math import prod
 from typing import Any, NamedTuple
 
 from ..equations.record import reached
@@ -71,46 +72,38 @@ class Decisions:
         """Note what an operation decides; return its locked value, or None."""
         if kind not in LOCKED or not any(map(self.record.is_moving, own)):
             return None
-        add, (shape, long) = self.record.add, axes
-        held = []
+        (shape, long), held = axes, []
+
+        def add(kind: str, *given: Ref) -> Ref:
+            return self.record.add(kind, given, shape, None, owner)
+
         for name, a, b in questions(kind, own):
-            place, size = self._next, 1
-            for n in shape:
-                size *= n
-            self._next += size
+            place = self._next
+            self._next += prod(shape)
             given = (a, b) if name in COMPARED or name == "floordiv" else (a,)
             if not self.locking:
-                found = add(name, given, shape, None, owner)
+                found = add(name, *given)
                 if name in COMPARED:
-                    found = add("where", (found, 1.0, -1.0), shape, None, owner)
+                    found = add("where", found, 1.0, -1.0)
                 self.now.append(Decision(place, shape, long, found, (owner, role, kind)))
                 continue
             H = self.record.load("P", self.first + place, shape)
             beyond = self._passed(name, given, H, shape)
             self.passed.append(Decision(place, shape, long, beyond, (owner, role, kind)))
-            held.append(add("gt", (H, 0.0), shape, None, owner) if name in COMPARED else H)
+            held.append(add("gt", H, 0.0) if name in COMPARED else H)
         if not self.locking:
             return None
         if kind in COMPARED or kind in WHOLE:
             return held[0]
         if kind == "sign":
-            less = add("where", (held[1], -1.0, 0.0), shape, None, owner)
-            return add("where", (held[0], 1.0, less), shape, None, owner)
+            return add("where", held[0], 1.0, add("where", held[1], -1.0, 0.0))
         if kind == "fabs":
-            minus = add("neg", own, shape, None, owner)
-            return add("where", (held[0], own[0], minus), shape, None, owner)
+            return add("where", held[0], own[0], add("neg", own[0]))
         if kind == "mod":
-            whole = add("mul", (own[1], held[0]), shape, None, owner)
-            beyond = add("sub", (own[0], whole), shape, None, owner)
-            same = add(
-                "eq", (add("floordiv", own, shape, None, owner), held[0]), shape, None, owner
-            )
-            return add(
-                "where", (same, add("mod", own, shape, None, owner), beyond), shape, None, owner
-            )
-        if kind == "pick":
-            return add("pick", (own[0], held[0]), shape, None, owner)
-        return add("where", (held[0], *own), shape, None, owner)
+            beyond = add("sub", own[0], add("mul", own[1], held[0]))
+            same = add("eq", add("floordiv", *own), held[0])
+            return add("where", same, add("mod", *own), beyond)
+        return add("pick", own[0], held[0]) if kind == "pick" else add("where", held[0], *own)
 
     def _passed(self, name: str, given: tuple, H: Ref, shape: tuple) -> Ref:
         """Return whether a step has passed a decision, as 1 or 0."""

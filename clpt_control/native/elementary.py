@@ -9,11 +9,10 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from . import circular, exponentials
+from . import transcendental
+from .components import FUNCTIONS
 from .vectors import (
-    Mask,
     Number,
-    absolute,
     copysign,
     round_down,
     round_to_zero,
@@ -29,7 +28,7 @@ def _fmod(a: Number, b: Number) -> Number:
 def remainder(a: Number, b: Number) -> Number:
     """Return a % b, with the sign of b."""
     left = _fmod(a, b)
-    turned = select((left < 0.0) != (b < 0.0), left + b, left)
+    turned = select((left < 0.0) ^ (b < 0.0), left + b, left)
     return select(left == 0.0, copysign(a.kind.number(0.0), b), turned)
 
 
@@ -37,7 +36,7 @@ def quotient(a: Number, b: Number) -> Number:
     """Return a // b."""
     left = _fmod(a, b)
     ratio = (a - left) / b
-    ratio = select((left != 0.0) & ((left < 0.0) != (b < 0.0)), ratio - 1.0, ratio)
+    ratio = select((left != 0.0) & ((left < 0.0) ^ (b < 0.0)), ratio - 1.0, ratio)
     whole = round_down(ratio)
     whole = select(ratio - whole > 0.5, whole + 1.0, whole)
     whole = select(ratio == 0.0, copysign(a.kind.number(0.0), a / b), whole)
@@ -81,7 +80,7 @@ OPERATIONS: dict[str, Callable[..., Any]] = {
     "div": lambda a, b: a / b,
     "mod": remainder,
     "floordiv": quotient,
-    "pow": exponentials.power,
+    "pow": transcendental.power,
     "neg": lambda a: -a,
     "fmuladd": lambda a, b, c: a.kind.call("fmuladd", a, b, c),
     "lt": lambda a, b: a < b,
@@ -101,21 +100,9 @@ OPERATIONS: dict[str, Callable[..., Any]] = {
     "trunc": lambda a: round_to_zero(a) + 0.0,
     "ceil": lambda a: 0.0 - round_down(-a),
     "pick": pick,
-    "fabs": absolute,
+    "fabs": abs,
     "sqrt": square_root,
     "erf": _each("erf"),
     "erfc": _each("erfc"),
-    **{
-        name: getattr(exponentials, name)
-        for name in (
-            *("exp", "expm1", "log", "log1p", "log2", "log10", "hypot"),
-            *("sinh", "cosh", "tanh", "asinh", "acosh", "atanh"),
-        )
-    },
-    **{
-        name: getattr(circular, name)
-        for name in ("sin", "cos", "tan", "asin", "acos", "atan", "atan2")
-    },
+    **{name: getattr(transcendental, name) for name in FUNCTIONS},
 }
-
-__all__ = ["OPERATIONS", "Mask"]

@@ -13,7 +13,7 @@ import numpy as np
 from ..errors import SimulationError
 from . import solver
 from .batch import Batch
-from .inputs import Inputs
+from .schedule import Inputs
 from .sweep import Sweep
 
 

@@ -1,19 +1,29 @@
-"""Choose the engine: machine code, or Python for what cannot be compiled.
+"""Choose the engine: machine code, or Python for what cannot be compiled, or was read otherwise.
 
-The model alone decides, never what a cache holds: the same script gives the same numbers.
+The model alone decides, never what a cache holds: the same script gives the same numbers.  What was
+read is compared with the functions where the run begins and at three of its own samples: rates,
+signals and jumps; points chosen by chance do not reach every way through a function.
 """
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import control
+import numpy as np
 
 from ..diagrams.wiring import Wiring, wiring_of
+from ..equations.arrays import Unread
+from ..equations.at_many import leaf_values
+from ..equations.block import Block
 from ..errors import SimulationError, Uncompiled
 from ..progress import warn
+from . import solver
+from .batch import Callee
 from .ending import Solution, Status
+from .native_diagram import NativeDiagram
 from .python_diagram import PythonDiagram
+from .schedule import JUMPS, Inputs, Schedule
 
 ENGINES = ("native", "python")
 VARIABLE = "CLPT_CONTROL_ENGINE"  # environment variable that names another default
@@ -48,8 +58,6 @@ def chosen(
 
 def compiled(wiring: Wiring, params: Mapping[str, Any] | None, name: str) -> PythonDiagram:
     """Return a diagram as machine code; in Python, with a warning, what cannot be compiled."""
-    from .native_diagram import NativeDiagram
-
     try:
         return NativeDiagram(wiring, params)
     except Uncompiled as error:
@@ -64,9 +72,6 @@ def run_as_read(
 
     Returns the solution and what ran.
     """
-    from .agreement import difference
-    from .native_diagram import NativeDiagram
-
     if not isinstance(runner, NativeDiagram):
         return runner.run(start, times, **given), runner
     try:
@@ -87,3 +92,105 @@ def run_as_read(
 def in_python(name: str, why: str) -> None:
     """Warn that a diagram runs in Python."""
     warn(f"{name} runs in Python, not as machine code: {why}")
+
+
+# --- whether what was read does what the functions do -----------------------------------------
+
+SAMPLES = 4
+CLOSE = 1e-7  # relative: rounding of terms that cancel, not another way through a function
+APART = 1e-6, -1e-6  # where a sample lies on a kink, rounding decides; beside it nothing does
+
+
+def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None) -> str | None:
+    """Return what was read otherwise than Python runs it, in words; None where all agrees."""
+    if all(node.system.of_package for node in runner.wiring.nodes):
+        return None
+    n = len(solution.t)
+    at = sorted({0, n // 3, 2 * n // 3, n - 1}) if n else []
+    callee, pieces = runner.callee(1, inputs), runner.pieces_of(solution, inputs)
+    for group in [[k] for k in at] if callee.decided else [at]:
+        machine = _asked(runner, callee, pieces, solution.t[group], solution.x[group])
+        for k, *own in zip(group, *machine, strict=True):
+            t, x = float(solution.t[k]), solution.x[k]
+            found = _differs(runner, own, t, x, inputs)
+            for apart in APART if found else ():
+                moved = x + apart * (1.0 + np.abs(x))
+                own = [one[0] for one in _asked(runner, callee, pieces, [t], moved[None])]
+                found = found and _differs(runner, own, t, moved, inputs)
+            if found:
+                return found
+    return None
+
+
+def _asked(
+    runner: NativeDiagram, callee: Callee, pieces: Schedule, times: Any, x: np.ndarray
+) -> list[np.ndarray]:
+    """Return signals, rates and what every jump leaves, by machine code; for decisions of one."""
+    own, at, (count, n) = runner.parameters(), np.array(times), x.shape
+
+    def ask(role: int, pieces: Schedule = pieces) -> np.ndarray:
+        into = np.zeros((count + 1) * n + 2 * callee.decided)
+        callee.ask(role, at, np.append(x, 0.0), pieces, own, 0, into)
+        return into[n:]
+
+    found = [callee.ask(solver.SIGNALS, at, np.append(x, 0.0), pieces, own, runner.nsignals)]
+    if callee.decided:
+        own[callee.held :][: callee.decided] = ask(solver.DECIDE)[: callee.decided]
+    if n:
+        found.append(ask(solver.DERIVATIVE)[: x.size].reshape(x.shape))
+    if callee.jumping:
+        values, jumps = pieces.values.copy(), list(runner.layout.jumps.values())
+        values[:, np.isin(pieces.places, jumps)] = JUMPS
+        jumped = ask(solver.JUMP, pieces._replace(values=values))
+        found.append(jumped[: x.size].reshape(x.shape))
+    return found
+
+
+def _differs(
+    runner: NativeDiagram, machine: list[np.ndarray], t: float, x: np.ndarray, inputs: Any
+) -> str | None:
+    sweep, u = runner.sweep, None if inputs is None else inputs.at(t)
+    sweep.enter(t)
+    rates = sweep.derivative(t, x, u)
+    asked = [sweep.signals.copy(), rates][: len(machine)]
+    if sweep.leaping:
+        asked.append(sweep.leap(t, x, u, sweep.leaping))
+    if all(map(_same, asked, machine)):
+        return None
+    sweep.derivative(t, x, u)
+    for node, role, sentence in _blocks(runner, t, x):
+        return f"{node}.{role}{sentence}"
+    return f"at t = {t:.6g} its rates are not those of its functions"
+
+
+def _same(a: np.ndarray, b: np.ndarray) -> bool:
+    if not len(a) or np.array_equal(a, b):
+        return True
+    size = np.abs(a)
+    largest = size[size < np.inf].max(initial=1e-300)
+    near = np.abs(a - b) <= CLOSE * (size + 1e-3 * largest)
+    return bool(np.all(near | (a == b) | (np.isnan(a) & np.isnan(b))))
+
+
+def _blocks(runner: NativeDiagram, t: float, x: np.ndarray) -> Iterator[tuple[str, str, str]]:
+    """Yield the blocks whose records differ from their functions, on the last pass's inputs."""
+    sweep = runner.sweep
+    for k, node in enumerate(runner.wiring.nodes):
+        block, p = node.system, sweep.given[k]
+        for role in ("output", "update", "jump"):
+            if getattr(block, f"{role}_function") is None:
+                continue
+            states, u = x[node.states], sweep.fed(k)
+            try:
+                values = _of_record(block, role, t, states, u, p)
+            except Unread:
+                continue
+            asked = block.values(role, len(values), t, states, u, p)
+            if not _same(asked, values):
+                yield node.name, role, " was read otherwise than Python runs it"
+
+
+def _of_record(block: Block, role: str, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+    """Return what a block's record gives."""
+    found = block.array_record(role).values(leaf_values(block, t, x, u, p), block.sizes)
+    return np.concatenate([np.zeros(0), *(one.ravel() for one in found)])

@@ -42,6 +42,7 @@ joined = _word("fmuladd", lambda a, b, c: a * b + c)  # rounded once where the p
 where = _word("where", np.where)
 minimum, maximum = _word("minimum", np.minimum), _word("maximum", np.maximum)
 sqrt, power = _word("sqrt", np.sqrt), _word("pow", np.power)
+ceil = _word("ceil", np.ceil)
 
 
 def on_rows(formula: Formula, n: int) -> Callable:

@@ -1,8 +1,11 @@
-"""Which states reach which rates, and what an implicit method needs of it.
+"""Which states reach which rates, how rates change along a direction, and what Rodas5P needs of it.
 
 States whose rates have nothing in common are differentiated along together (Curtis, Powell and
 Reid, On the estimation of sparse Jacobian matrices, 1974): a chain of any length takes three
 derivatives.  The matrix is put in the order that makes its band narrow (Cuthill and McKee).
+
+The record of a diagram is a record as any other, so its rates are differentiated as a whole, wires
+and all, along a direction (v, s) that lies behind the states: X = x, v, s.
 """
 
 from math import prod
@@ -10,10 +13,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..equations.derivative import CONDITIONS, JUMPS
+from ..equations.arrays import Array, Tape, operand
+from ..equations.derivative import CONDITIONS, JUMPS, Direction
 from ..equations.numbers import viewed
-from ..equations.record import reached
-from .diagram_record import DiagramRecord
+from ..equations.record import Operation, reached
+from .diagram_record import WIRE, DiagramRecord, Entry, Port
 
 LARGEST = 20_000_000  # numbers; of a larger value all elements are taken to be reached by the same
 FULL = 0.3  # share of a matrix from which on it is taken as full
@@ -112,7 +116,7 @@ def _ordered(reach: np.ndarray) -> tuple[np.ndarray, int, int]:
     return min(found, key=lambda one: one[1] * (one[1] + one[2]))
 
 
-# --- which states reach which rates ---------------------------------------------------------
+# --- which states reach which rates -----------------------------------------------------------
 
 
 def reach_of(record: DiagramRecord, n: int) -> np.ndarray:
@@ -167,3 +171,34 @@ def _reached(record: DiagramRecord, k: int, found: dict[int, Any], n: int) -> An
     for one in some[1:]:
         reached = reached | one
     return np.broadcast_to(reached, size)
+
+
+# --- the derivative along a direction ---------------------------------------------------------
+
+
+def slopes_of(record: DiagramRecord, n: int) -> list[Port]:
+    """Return what the rates of n states do along a direction; the record grows by it.
+
+    Where a function has no derivative, as the derivative reading knows it, it is `Unread`.
+    """
+    tape, along = Tape(), dict[int, Any]()
+    roots = [port.ref for port in record.rates]
+    loads = [k for k in sorted(reached(record.entries, roots)) if record.entries[k].kind == "load"]
+    for k in loads:
+        array, first = record.entries[k].at
+        moved = {"X": n + first, "t": 2 * n}.get(array)
+        along[k] = None if moved is None else record.load("X", moved, record.entries[k].shape)
+    for entry in record.entries:
+        tape.append(Operation(*entry[:4]))
+    known = {
+        k: None if ref is None else Array(tape, ref, record.entries[ref].shape)
+        for k, ref in along.items()
+    }
+    direction = Direction(tape, known)
+    found = []
+    for port in record.rates:
+        whole = port.ref if type(port.ref) is float else Array(tape, port.ref, port.shape)
+        slope = direction.of(whole)
+        found.append(port._replace(ref=operand(slope)))
+    record.entries += [Entry(*one, WIRE) for one in tape.operations[len(record.entries) :]]
+    return found

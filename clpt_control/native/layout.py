@@ -35,7 +35,7 @@ class Layout:
     intervals: dict[int, int] = field(default_factory=dict)  # block -> its `interval` in P
     jumps: dict[int, int] = field(default_factory=dict)  # block -> place in P: 1 where it jumps
     P: np.ndarray = field(default_factory=lambda: np.zeros(0))
-    T: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    T: np.ndarray = field(default_factory=lambda: np.zeros(1))  # never empty
     pattern: str = ""  # which fields share a slot: part of the key of compiled code
 
     def inputs(self, count: int) -> int:
@@ -89,6 +89,6 @@ def lay_out(wiring: Wiring, parameters: Sequence[Any]) -> Layout:
             own.append(np.zeros(1))
             names.append(f"{k} jumps:P{layout.jumps[k]}")
     layout.P = np.concatenate([np.zeros(0), *own])
-    layout.T = np.concatenate([np.zeros(0), *tables])
+    layout.T = np.concatenate([*tables, np.zeros(1)])
     layout.pattern = " ".join(names)
     return layout

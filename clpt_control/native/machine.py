@@ -1,16 +1,166 @@
-"""Machine code of functions of arrays, made by LLVM for this processor or found in the cache."""
+"""Machine code: LLVM's text made for this processor, kept in the user's cache, and loaded.
 
+A file is named by a hash of what it is made of, the versions and the processor, so what lies there
+is never stale; it begins with the hash of what follows, so one cut short is made again.  LLVM is
+asked by one thread at a time.
+
+The solver's text, `solver.ll`, is that of `solver.py` as Numba reads it, for no processor in
+particular (`tools/print_solver.py`).  Its functions are called as Numba lays down: where result and
+error go, then the numbers of the arguments one by one; of an array these are two references that
+it does not own, count, size of an item, address, shape and strides.
+"""
+
+import hashlib
+import os
 from collections.abc import Callable, Iterable
-from functools import cache
+from contextlib import suppress
+from ctypes import CFUNCTYPE, addressof, byref, c_char, c_double, c_int32, c_int64, c_void_p
+from functools import cache, wraps
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
+from threading import RLock
+from typing import Any, ParamSpec, TypeVar
 
 import llvmlite.binding as llvm
+import numpy as np
 
-from .object_code import keep, kept, loaded, name_of, one_at_a_time, target_machine
+from ..errors import DataError
+from ..files import beside
+from ..files.user_cache import cache_folder, trusted
+from ..progress import note
 
-PRINTED_BY = ("printing", "nests", "kernels", "elementary", "vectors", "exponentials", "circular")
+VARIABLE = "CLPT_CONTROL_PROCESSOR"
+LANES = 8  # runs side by side, or turns of a loop at once
+KEPT = 200  # files of a family, "solver-" or none; the least recently used go
+HASH = hashlib.sha256().digest_size
+LOCK = RLock()
+HERE = Path(__file__).parent
+TEXT = HERE / "solver.ll"
+PRINTED_BY = (
+    *("printing", "nests", "elementary", "vectors", "transcendental", "formula"),
+    *("method", "rosenbrock", "solver", "machine"),
+)
+P = ParamSpec("P")
+R = TypeVar("R")
+
+
+def one_at_a_time(function: Callable[P, R]) -> Callable[P, R]:
+    """Return a function that one thread at a time may run."""
+
+    @wraps(function)
+    def locked(*arguments: P.args, **named: P.kwargs) -> R:
+        with LOCK:
+            return function(*arguments, **named)
+
+    return locked
+
+
+# --- the processor --------------------------------------------------------------------------
+
+
+@cache
+def _host() -> tuple[str, str]:
+    return llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten()
+
+
+def processor() -> tuple[str, str]:
+    """Return its name and features; CLPT_CONTROL_PROCESSOR names another, such as ``generic``."""
+    name = os.environ.get(VARIABLE)
+    return (name, "") if name else _host()
+
+
+def fuses() -> bool:
+    """Whether a product and a sum are one instruction."""
+    return "+fma" in processor()[1] or "+neon" in processor()[1]
+
+
+@cache
+def _prepare() -> None:
+    with suppress(RuntimeError):  # of new versions, which need it not
+        llvm.initialize()
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+
+
+def target_machine() -> Any:
+    """Return LLVM's description of the processor."""
+    _prepare()
+    name, features = processor()
+    target = llvm.Target.from_default_triple()
+    return target.create_target_machine(cpu=name, features=features, opt=3, jit=True)
+
+
+# --- the cache ------------------------------------------------------------------------------
+
+
+def name_of(*made_of: str) -> str:
+    """Return the name of code that is made of these texts, here."""
+    known = (*made_of, *processor(), llvm.get_default_triple(), version("llvmlite"))
+    return hashlib.sha256("\n".join(known).encode()).hexdigest()[:32]
+
+
+def kept(name: str) -> bytes | None:
+    """Return code from the cache, if it is whole and nobody else could have put it there."""
+    folder = _folder()
+    if folder is None:
+        return None
+    path = folder / f"{name}.o"
+    with suppress(OSError):
+        if trusted(path):
+            found = path.read_bytes()
+            if found[:HASH] == hashlib.sha256(found[HASH:]).digest():
+                os.utime(path)
+                return found[HASH:]
+    return None
+
+
+def keep(name: str, code: bytes) -> None:
+    """Put code into the cache, where there is one; diagrams do not push out the solver."""
+    folder = _folder()
+    if folder is None:
+        return
+    with suppress(DataError, OSError):
+        with beside(folder / f"{name}.o") as made:
+            made.write_bytes(hashlib.sha256(code).digest() + code)
+        family = name.rpartition("-")[0]
+        files = [one for one in folder.glob("*.o") if one.stem.rpartition("-")[0] == family]
+        files.sort(key=lambda one: one.stat().st_mtime, reverse=True)
+        for one in files[KEPT:]:
+            one.unlink(missing_ok=True)
+
+
+def _folder() -> Path | None:
+    above = cache_folder()
+    if above is None:
+        return None
+    with suppress(OSError):
+        folder = above / "code"
+        folder.mkdir(exist_ok=True, mode=0o700)
+        return folder if trusted(folder) else None
+    return None
+
+
+# --- code -----------------------------------------------------------------------------------
+
+
+def _loaded(name: str, text: Callable[[], str]) -> Any:
+    """Return an engine that holds code, from the cache or made, and knows its addresses."""
+    code = kept(name)
+    if code is None:
+        machine, parsed = target_machine(), llvm.parse_assembly(text())
+        parsed.triple, parsed.data_layout = machine.triple, str(machine.target_data)
+        options = llvm.create_pipeline_tuning_options(speed_level=3)
+        # vectors are printed as such
+        options.loop_vectorization = options.slp_vectorization = False
+        options.loop_unrolling = options.loop_interleaving = False
+        passes = llvm.create_pass_builder(machine, options)
+        passes.getModulePassManager().run(parsed, passes)
+        code = bytes(machine.emit_object(parsed))
+        keep(name, code)
+    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), target_machine())
+    engine.add_object_file(llvm.ObjectFileRef.from_data(code))
+    engine.finalize_object()
+    return engine
 
 
 class Machine:
@@ -22,32 +172,79 @@ class Machine:
 
     @one_at_a_time
     def __init__(self, names: Iterable[str], made_of: str, printed: Callable[[], Any]):
-        name = name_of(made_of, *_printed_by())
-        code = kept(name)
-        if code is None:
-            code = _optimised(str(printed()))
-            keep(name, code)
-        self._engine: Any = loaded(code)
+        self._engine = _loaded(name_of(made_of, *_printed_by()), lambda: str(printed()))
         self.addresses = {name: self._engine.get_function_address(name) for name in names}
 
 
 @cache
 def _printed_by() -> list[str]:
     """Return what LLVM's text of a program depends on beside the program."""
-    files = (*PRINTED_BY, "method", "rosenbrock", "machine")
-    texts = [Path(__file__).with_name(f"{name}.py").read_text("utf-8") for name in files]
+    texts = [(HERE / f"{name}.py").read_text("utf-8") for name in PRINTED_BY]
     return [*texts, version("numpy")]
 
 
-def _optimised(text: str) -> bytes:
-    """Return the object code of LLVM's text."""
-    machine = target_machine()
-    parsed = llvm.parse_assembly(text)
-    parsed.triple, parsed.data_layout = machine.triple, str(machine.target_data)
-    options = llvm.create_pipeline_tuning_options(speed_level=3)
-    # vectors are printed as such
-    options.loop_vectorization = options.slp_vectorization = False
-    options.loop_unrolling = options.loop_interleaving = False
-    passes = llvm.create_pass_builder(machine, options)
-    passes.getModulePassManager().run(parsed, passes)
-    return bytes(machine.emit_object(parsed))
+# --- the solver -----------------------------------------------------------------------------
+
+
+class Entry:
+    """A function of the solver as machine code, to be called with numbers and arrays."""
+
+    def __init__(self, engine: Any, name: str):
+        self.name = name
+        self._address = engine.get_function_address(name)
+        self._function: Any = None
+
+    def __call__(self, *arguments: Any) -> int:
+        """Call it; arrays are contiguous, of float64 or int64."""
+        given = numbers(arguments)
+        if self._function is None:
+            types = [c_double if type(one) is float else c_int64 for one in given]
+            made = CFUNCTYPE(c_int32, c_void_p, c_void_p, *types)
+            self._function = made(self._address)
+        result, error = c_int64(), c_void_p()
+        status = self._function(byref(result), byref(error), *given)
+        if status:
+            raise RuntimeError(f"{self.name}: machine code ended with {status}")
+        return result.value
+
+
+def numbers(arguments: tuple) -> list[Any]:
+    """Return the numbers that stand for arguments, one after the other."""
+    found: list[Any] = []
+    for one in arguments:
+        if type(one) is tuple:
+            found += numbers(one)
+        elif type(one) is np.ndarray:
+            if not one.flags.c_contiguous or one.dtype.char not in "dl":
+                raise TypeError(f"the solver takes no array of {one.dtype}, {one.strides}")
+            if one.flags.writeable and one.size:
+                address = addressof(c_char.from_buffer(one.data))
+            else:
+                address = one.__array_interface__["data"][0]
+            found += (0, 0, one.size, one.itemsize, address, *one.shape, *one.strides)
+        else:
+            found.append(one)
+    return found
+
+
+class CompiledSolver:
+    """The functions of `solver` that are called from Python, as machine code."""
+
+    def __init__(self) -> None:
+        text = TEXT.read_text("utf-8")
+
+        def told() -> str:
+            once = "once" if cache_folder() else "each time: there is no folder to keep it in"
+            note(f"making the solver's machine code for this processor, a few seconds, {once}")
+            return text
+
+        self._engine = engine = _loaded(f"solver-{name_of(text)}", told)
+        self.advance, self.ask = Entry(engine, "advance"), Entry(engine, "ask")
+
+
+@cache
+@one_at_a_time
+@cache
+def compiled_solver() -> CompiledSolver:
+    """Return the solver as machine code, found in the cache or made."""
+    return CompiledSolver()

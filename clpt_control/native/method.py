@@ -1,10 +1,11 @@
-"""Dormand and Prince's method of order 8, and Runge and Kutta's of order 4, as formulas.
+"""The methods as formulas: Dormand and Prince's of order 8, Rodas5P, Runge and Kutta's of order 4.
 
 The formulas compute each stage, judge a step and choose the next; `solver` decides nothing
 but what comes after what.  It names the rows of Z and of what a lane is doing.
 
-Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 1993, sections
-II.4, II.5 and II.10; the coefficients and the choice of steps are scipy's.
+DOP853: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 1993, sections
+II.4, II.5 and II.10; the coefficients and the choice of steps are scipy's.  Rodas5P, for stiff
+equations: `rosenbrock`.  RK4 takes steps of one length.
 """
 
 from collections.abc import Sequence
@@ -12,38 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from .formula import Formula, Row, Rows, joined, maximum, minimum, sqrt, where
-from .solver import (  # rows of Z
-    ARGUMENT,
-    ASKED,
-    AT,
-    BAD_ONES,
-    END,
-    FAILING,
-    FRESH,
-    GOOD,
-    GOOD_ONES,
-    LONGEST,
-    LOOK,
-    NEW,
-    NEXT,
-    OPENING,
-    OTHER_STEPS,
-    RATE,
-    REJECTED,
-    SIZE,
-    SPARE,
-    STAGES,
-    STATE,
-    STEP,
-    STIFF_STEPS,
-    TAKEN,
-    TERMS,
-    TIME,
-    TROUBLE,
-    WANTED,
-    WITHIN,
-)
+from . import rosenbrock as rodas
+from . import solver as row
+from .formula import Formula, Row, Rows, ceil, joined, maximum, minimum, power, sqrt, where
 
 LAST_TERM = 1.23e-3  # of the interpolant: what is wrong within a step that stability keeps short
 TRUSTED = 100.0  # tolerances that a state between a step's ends may be wrong by
@@ -59,148 +31,171 @@ def _table() -> Any:
 def _weighted(weights: Any, z: Row, begun: Any = None) -> Any:
     """What is `begun`, + a_0 K_0 + a_1 K_1 + ..., zeros left out."""
     used = weights.nonzero()[0]
-    first = z(RATE + int(used[0]))
+    first = z(row.RATE + int(used[0]))
     if not hasattr(first, "kind"):
-        total = np.add.reduce(weights[used, None] * z(RATE + used))  # in the order of the rows
+        total = np.add.reduce(weights[used, None] * z(row.RATE + used))  # in the order of the rows
         return total if begun is None else begun + total
     for j in used.tolist():
-        a, rate = float(weights[j]), z(RATE + j)
+        a, rate = float(weights[j]), z(row.RATE + j)
         begun = a * rate if begun is None else joined(a, rate, begun)
     return begun
 
 
-def _stage(s: int) -> Formula:
-    """argument = x + h sum_j a_sj K_j, at t + c_s h; stage 12 is the new state.
+def _stage(weights: Any, c: float, begun: Any = None) -> Formula:
+    """argument = x + h sum_j a_j K_j, at t + c h; some sums are `begun` in the rows of terms."""
+
+    def ahead(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
+        total = _weighted(weights, z, None if begun is None else z(begun))
+        return {row.ARGUMENT: joined(lane(row.TAKEN), total, z(row.STATE))}, ()
+
+    return Formula(ahead, _at(c))
+
+
+def _at(c: float) -> Any:
+    return lambda lane, sums: {row.AT: lane(row.TIME) + c * lane(row.TAKEN)}
+
+
+def _stages_of_dop853() -> list[Formula]:
+    """Stages 1 to 15, counted from 0; stage 12 is the new state.
 
     Stage 8 begins the sums of those behind it, as its own reads what they read.
     """
-    table = _table()
-    weights = table.B if s == STAGES else table.A[s, :s]
-    c = 1.0 if s == STAGES else float(table.C[s])
-    begun = {r: TERMS + r - BEGUN[0] for r in BEGUN}
+    table, last = _table(), BEGUN[0] - 1
+    begun = {r: row.TERMS + r - BEGUN[0] for r in BEGUN}
+    found = []
+    for s in range(1, row.DOP853 + 4):
+        weights = table.B if s == row.DOP853 else table.A[s, :s]
+        c = 1.0 if s == row.DOP853 else float(table.C[s])
+        if s in BEGUN:
+            weights = np.where(np.arange(s) < last, 0.0, weights)
+        found.append(_stage(weights, c, begun.get(s)))
+    plain = found[last - 1].each
+    assert plain is not None
 
     def ahead(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        rows: Rows = {}
-        if s == BEGUN[0] - 1:
-            rows = {place: _weighted(table.A[r, :s], z) for r, place in begun.items()}
-        if s in BEGUN:
-            late = np.where(np.arange(s) < BEGUN[0] - 1, 0.0, weights)
-            total = _weighted(late, z, z(begun[s]))
-        else:
-            total = _weighted(weights, z)
-        return {ARGUMENT: joined(lane(TAKEN), total, z(STATE)), **rows}, ()
+        sums = {place: _weighted(table.A[r, :last], z) for r, place in begun.items()}
+        return {**plain(z, lane, tolerance)[0], **sums}, ()
 
-    return Formula(ahead, lambda lane, sums: {AT: lane(TIME) + c * lane(TAKEN)})
+    found[last - 1] = found[last - 1]._replace(each=ahead)
+    return found
 
 
-def attempt() -> Formula:
+def _attempt() -> Formula:
     """The step to try, not below what time can tell: up to the end of the piece, or a sample."""
 
     def after(lane: Row, sums: Sequence[Any]) -> Rows:
-        t, h = lane(TIME), minimum(lane(STEP), lane(LONGEST))
+        t, h = lane(row.TIME), minimum(lane(row.STEP), lane(row.LONGEST))
         smallest = 2.3e-15 * abs(t) + 1e-300
         enough = h >= smallest
-        new = minimum(t + where(enough, h, smallest), minimum(lane(END), lane(WANTED)))
-        failing = where(enough, 0.0, where(h < smallest, lane(REJECTED), 1.0))
-        return {NEW: new, TAKEN: new - t, FAILING: failing}
+        end = minimum(lane(row.END), lane(row.WANTED))
+        new = minimum(t + where(enough, h, smallest), end)
+        failing = where(enough, 0.0, where(h < smallest, lane(row.REJECTED), 1.0))
+        failing = float(row.TOO_SMALL) * failing
+        return {row.NEW: new, row.TAKEN: new - t, row.FAILING: failing}
 
     return Formula(None, after)
+
+
+def _judged(lane: Row, good: Any, step: Any) -> Rows:
+    """Whether a step is good, the next one, and whether the lane is looked at."""
+    tried = lane(row.GOOD_ONES) + lane(row.BAD_ONES) + 1.0
+    look = where(lane(row.NEW) >= lane(row.NEXT), 1.0, lane(row.FAILING))
+    return {
+        row.STEP: step,
+        row.GOOD: where(good, 1.0, 0.0),
+        row.REJECTED: where(good, 0.0, 1.0),
+        row.AT: lane(row.TIME) + lane(row.TAKEN),
+        row.LOOK: where(tried >= lane(row.SPARE), 1.0, look),
+        row.GOOD_ONES: lane(row.GOOD_ONES) + where(good, 1.0, 0.0),
+        row.BAD_ONES: lane(row.BAD_ONES) + where(good, 0.0, 1.0),
+    }
 
 
 def _judge(n: int) -> Formula:
     """The new state, the estimate of its error, whether the step is good, and the next one."""
     table = _table()
-    beyond = table.E3[:STAGES] - table.B  # most of E3 is B
+    beyond = table.E3[: row.DOP853] - table.B  # most of E3 is B
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
         rate = _weighted(table.B, z)
-        state = joined(lane(TAKEN), rate, z(STATE))
-        largest = maximum(abs(z(STATE)), abs(state))
+        state = joined(lane(row.TAKEN), rate, z(row.STATE))
+        largest = maximum(abs(z(row.STATE)), abs(state))
         part = 1.0 / joined(tolerance(0), largest, tolerance(1))
         fifth, third = _weighted(table.E5, z) * part, _weighted(beyond, z, rate) * part
-        return {ARGUMENT: state}, (fifth * fifth, third * third)
+        return {row.ARGUMENT: state}, (fifth * fifth, third * third)
 
     def after(lane: Row, sums: Sequence[Any]) -> Rows:
         fifth, third = sums
         none = fifth + third <= 0.0
         whole = sqrt(where(none, 1.0, (fifth + 0.01 * third) * float(n)))
-        error = where(none, 1e-30, lane(TAKEN) * fifth / whole)
+        error = where(none, 1e-30, lane(row.TAKEN) * fifth / whole)
         factor = 0.9 / sqrt(sqrt(sqrt(maximum(error, 1e-30))))  # error^(-1/8)
-        most = where(lane(REJECTED) > 0.5, 1.0, 10.0)
+        most = where(lane(row.REJECTED) > 0.5, 1.0, 10.0)
         good = error < 1.0
-        tried = lane(GOOD_ONES) + lane(BAD_ONES) + 1.0
-        look = where(lane(NEW) >= lane(NEXT), 1.0, lane(FAILING))
         bad = where(error >= 1.0, maximum(0.2, factor), 0.2)  # not a number: 0.2
-        return {
-            STEP: lane(TAKEN) * where(good, minimum(most, factor), bad),
-            GOOD: where(good, 1.0, 0.0),
-            REJECTED: where(good, 0.0, 1.0),
-            AT: lane(TIME) + lane(TAKEN),
-            LOOK: where(tried >= lane(SPARE), 1.0, look),
-            GOOD_ONES: lane(GOOD_ONES) + where(good, 1.0, 0.0),
-            BAD_ONES: lane(BAD_ONES) + where(good, 0.0, 1.0),
-        }
+        step = lane(row.TAKEN) * where(good, minimum(most, factor), bad)
+        return _judged(lane, good, step)
 
     return Formula(each, after, 2)
 
 
-def sizes(n: int) -> Formula:
+def _sizes(n: int) -> Formula:
     """The length of a trial step, from the sizes of state and rate (row 2)."""
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        part = 1.0 / joined(tolerance(0), abs(z(STATE)), tolerance(1))
-        x, f = z(STATE) * part, z(RATE + 1) * part
-        return {}, (x * x, f * f, 0.0 * z(STATE) + 0.0 * z(RATE + 1))
+        part = 1.0 / joined(tolerance(0), abs(z(row.STATE)), tolerance(1))
+        x, f = z(row.STATE) * part, z(row.RATE + 1) * part
+        return {}, (x * x, f * f, 0.0 * z(row.STATE) + 0.0 * z(row.RATE + 1))
 
     def after(lane: Row, sums: Sequence[Any]) -> Rows:
         d0, d1 = sqrt(sums[0] / float(n)), sqrt(sums[1] / float(n))
         h = where(minimum(d0, d1) < 1e-5, 1e-6, 0.01 * d0 / d1)
-        h = minimum(h, lane(END) - lane(TIME))
-        return {TAKEN: h, AT: lane(TIME) + h, SIZE: d1, TROUBLE: sums[2]}
+        h = minimum(h, lane(row.END) - lane(row.TIME))
+        return {row.TAKEN: h, row.AT: lane(row.TIME) + h, row.SIZE: d1, row.TROUBLE: sums[2]}
 
     return Formula(each, after, 3)
 
 
-def trial() -> Formula:
+def _trial() -> Formula:
     """argument = x + h f, f in row 2."""
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        return {ARGUMENT: joined(lane(TAKEN), z(RATE + 1), z(STATE))}, ()
+        return {row.ARGUMENT: joined(lane(row.TAKEN), z(row.RATE + 1), z(row.STATE))}, ()
 
     return Formula(each)
 
 
-def first(n: int) -> Formula:
+def _first(n: int) -> Formula:
     """The first step, from how the rate bends over the trial step (row 3)."""
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        part = 1.0 / joined(tolerance(0), abs(z(STATE)), tolerance(1))
-        change = (z(RATE + 2) - z(RATE + 1)) * part
-        rate = where(lane(FRESH) > 0.5, z(RATE + 1), z(RATE))
-        return {RATE: rate}, (change * change,)
+        part = 1.0 / joined(tolerance(0), abs(z(row.STATE)), tolerance(1))
+        change = (z(row.RATE + 2) - z(row.RATE + 1)) * part
+        rate = where(lane(row.FRESH) > 0.5, z(row.RATE + 1), z(row.RATE))
+        return {row.RATE: rate}, (change * change,)
 
     def after(lane: Row, sums: Sequence[Any]) -> Rows:
-        h = lane(TAKEN)
-        d1, d2 = lane(SIZE), sqrt(sums[0] / float(n)) / h
+        h = lane(row.TAKEN)
+        d1, d2 = lane(row.SIZE), sqrt(sums[0] / float(n)) / h
         most = maximum(maximum(d1, d2), 1e-30)
         step = where(most <= 1e-15, maximum(1e-6, h * 1e-3), sqrt(sqrt(sqrt(0.01 / most))))
-        step = minimum(minimum(100.0 * h, step), lane(END) - lane(TIME))
-        step = where(lane(OPENING) > 0.0, lane(OPENING), step)
-        return {STEP: where(lane(FRESH) > 0.5, step, lane(STEP))}
+        step = minimum(minimum(100.0 * h, step), lane(row.END) - lane(row.TIME))
+        step = where(lane(row.OPENING) > 0.0, lane(row.OPENING), step)
+        return {row.STEP: where(lane(row.FRESH) > 0.5, step, lane(row.STEP))}
 
     return Formula(each, after, 1)
 
 
-def accept() -> Formula:
+def _accept() -> Formula:
     """The new state and its rate, taken where the step is good."""
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        good = lane(GOOD) > 0.5
-        state, rate = where(good, z(ARGUMENT), z(STATE)), where(good, z(RATE + STAGES), z(RATE))
-        return {STATE: state, RATE: rate}, ()
+        good = lane(row.GOOD) > 0.5
+        state = where(good, z(row.ARGUMENT), z(row.STATE))
+        return {row.STATE: state, row.RATE: where(good, z(row.RATE + row.DOP853), z(row.RATE))}, ()
 
     def after(lane: Row, sums: Sequence[Any]) -> Rows:
-        return {TIME: where(lane(GOOD) > 0.5, lane(NEW), lane(TIME))}
+        return {row.TIME: where(lane(row.GOOD) > 0.5, lane(row.NEW), lane(row.TIME))}
 
     return Formula(each, after)
 
@@ -214,15 +209,15 @@ def _dense() -> Formula:
     table = _table()
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        h, delta = lane(TAKEN), z(ARGUMENT) - z(STATE)
-        ends = z(RATE + STAGES) + z(RATE)
-        terms = [delta, h * z(RATE) - delta, 2.0 * delta - h * ends]
+        h, delta = lane(row.TAKEN), z(row.ARGUMENT) - z(row.STATE)
+        ends = z(row.RATE + row.DOP853) + z(row.RATE)
+        terms = [delta, h * z(row.RATE) - delta, 2.0 * delta - h * ends]
         terms += [h * _weighted(weights, z) for weights in table.D]
-        largest = maximum(abs(z(STATE)), abs(z(ARGUMENT)))
+        largest = maximum(abs(z(row.STATE)), abs(z(row.ARGUMENT)))
         part = (LAST_TERM / TRUSTED) * terms[-1] / joined(tolerance(0), largest, tolerance(1))
-        return {TERMS + k: term for k, term in enumerate(terms)}, (part * part,)
+        return {row.TERMS + k: term for k, term in enumerate(terms)}, (part * part,)
 
-    return Formula(each, lambda lane, sums: {WITHIN: sqrt(sums[0])}, 1)
+    return Formula(each, lambda lane, sums: {row.WITHIN: sqrt(sums[0])}, 1)
 
 
 def _stiffness() -> Formula:
@@ -231,56 +226,173 @@ def _stiffness() -> Formula:
     Both are at its end, the new state and the argument of the last stage (Hairer's test); it
     is forgotten after six steps that are not.
     """
-    last = _table().A[STAGES - 1, : STAGES - 1]
+    last = _table().A[row.DOP853 - 1, : row.DOP853 - 1]
 
     def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        rates = z(RATE + STAGES) - z(RATE + STAGES - 1)
-        states = z(ARGUMENT) - joined(lane(TAKEN), _weighted(last, z), z(STATE))
+        rates = z(row.RATE + row.DOP853) - z(row.RATE + row.DOP853 - 1)
+        states = z(row.ARGUMENT) - joined(lane(row.TAKEN), _weighted(last, z), z(row.STATE))
         return {}, (rates * rates, states * states)
 
     def after(lane: Row, sums: Sequence[Any]) -> Rows:
-        h, before, calm = lane(TAKEN), lane(STIFF_STEPS), lane(OTHER_STEPS) + 1.0
-        asked = lane(ASKED) > 0.5  # a run is what it is beside any others
+        h, before, calm = lane(row.TAKEN), lane(row.STIFF_STEPS), lane(row.OTHER_STEPS) + 1.0
+        asked = lane(row.ASKED) > 0.5  # a run is what it is beside any others
         stiff = h * h * sums[0] > 6.1 * 6.1 * sums[1]
         others = where(calm > 5.5, minimum(before, 0.0), before)
         found = where(before < 0.0, before + 1.0, where(stiff, before + 1.0, others))
         return {
-            STIFF_STEPS: where(asked, found, before),
-            OTHER_STEPS: where(asked, where(stiff, 0.0, calm), lane(OTHER_STEPS)),
+            row.STIFF_STEPS: where(asked, found, before),
+            row.OTHER_STEPS: where(asked, where(stiff, 0.0, calm), lane(row.OTHER_STEPS)),
         }
 
     return Formula(each, after, 2)
 
 
-def _fixed(s: int) -> Formula:
-    """Runge and Kutta's classical method of order 4: stages 1 to 3, then the new state."""
-    if s == 4:
+# --- Runge and Kutta's method of order 4 ----------------------------------------------------
 
-        def last(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-            outer, inner = z(RATE) + z(RATE + 3), z(RATE + 1) + z(RATE + 2)
-            rate = joined(2.0, inner, outer)
-            return {STATE: joined(lane(TAKEN) / 6.0, rate, z(STATE))}, ()
 
-        return Formula(last, lambda lane, sums: {AT: lane(TIME) + lane(TAKEN)})
-    part = 1.0 if s == 3 else 0.5
+def _attempt_fixed() -> Formula:
+    """Equal steps, so many as end at a sample, or the end of the piece."""
+
+    def after(lane: Row, sums: Sequence[Any]) -> Rows:
+        t, anew = lane(row.TIME), lane(row.TURN) >= lane(row.TURNS)
+        ahead = lane(row.NEXT) - t
+        turns = maximum(1.0, ceil(ahead / lane(row.LONGEST) * (1.0 - 1e-12)))
+        return {
+            row.BEGAN: where(anew, t, lane(row.BEGAN)),
+            row.TURN: where(anew, 0.0, lane(row.TURN)),
+            row.TURNS: where(anew, turns, lane(row.TURNS)),
+            row.TAKEN: where(anew, ahead / turns, lane(row.TAKEN)),
+        }
+
+    return Formula(None, after)
+
+
+def _judge_fixed() -> Formula:
+    """The new state, whether it is finite, and the end of one of so many equal steps."""
+
+    def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
+        outer, inner = z(row.RATE) + z(row.RATE + 3), z(row.RATE + 1) + z(row.RATE + 2)
+        new = joined(lane(row.TAKEN) / 6.0, joined(2.0, inner, outer), z(row.STATE))
+        return {row.ARGUMENT: new}, (0.0 * new,)
+
+    def after(lane: Row, sums: Sequence[Any]) -> Rows:
+        good = sums[0] <= 0.0
+        failing = where(good, 0.0, float(row.NOT_FINITE))
+        turn, tried = lane(row.TURN) + 1.0, lane(row.GOOD_ONES) + 1.0
+        equal = lane(row.BEGAN) + turn * lane(row.TAKEN)
+        new = where(turn >= lane(row.TURNS), lane(row.NEXT), equal)
+        look = where((new >= lane(row.NEXT)) | (tried >= lane(row.SPARE)), 1.0, failing)
+        rows = {row.NEW: new, row.TURN: turn, row.GOOD_ONES: tried, row.FAILING: failing}
+        rows |= {row.GOOD: where(good, 1.0, 0.0), row.LOOK: look}
+        return rows | {row.AT: lane(row.TIME) + lane(row.TAKEN)}
+
+    return Formula(each, after, 1)
+
+
+def _accept_fixed() -> Formula:
+    """The new state of steps that are all good."""
+    return Formula(
+        lambda z, lane, tolerance: ({row.STATE: z(row.ARGUMENT)}, ()),
+        lambda lane, sums: {row.TIME: lane(row.NEW)},
+    )
+
+
+def _straight() -> Formula:
+    """The terms of a straight line within the step."""
+    return Formula(lambda z, lane, tolerance: ({row.TERMS: z(row.ARGUMENT) - z(row.STATE)}, ()))
+
+
+# --- Rodas5P --------------------------------------------------------------------------------
+
+
+def _sum(own: Sequence[float], z: Row) -> Any:
+    total = own[0] * z(row.SOLVED)
+    for j, a in enumerate(own[1:], 1):
+        total = joined(a, z(row.SOLVED + j), total)
+    return total
+
+
+def _attempt_implicit() -> Formula:
+    """The step to try, not beyond a sample, and what stands on the matrix's diagonal."""
+    plain = _attempt()
+
+    def after(lane: Row, sums: Sequence[Any]) -> Rows:
+        assert plain.after is not None
+        rows = plain.after(lane, sums)
+        new = minimum(rows[row.NEW], lane(row.NEXT))
+        h = new - lane(row.TIME)
+        return {**rows, row.NEW: new, row.TAKEN: h, row.DIAGONAL: 1.0 / (rodas.GAMMA * h)}
+
+    return Formula(None, after)
+
+
+def _stage_implicit(s: int) -> Formula:
+    """The argument of a stage, counted from 0, and what the right-hand side has beside its rate."""
 
     def ahead(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        return {ARGUMENT: joined(part * lane(TAKEN), z(RATE + s - 1), z(STATE))}, ()
+        known = (rodas.OF_TIME[s] * lane(row.TAKEN)) * z(row.OVER_TIME)
+        if not s:
+            return {row.ARGUMENT: z(row.STATE), row.KNOWN: known}, ()
+        known = joined(1.0 / lane(row.TAKEN), _sum(rodas.C[s], z), known)
+        return {row.ARGUMENT: z(row.STATE) + _sum(rodas.weights(s), z), row.KNOWN: known}, ()
 
-    return Formula(ahead, lambda lane, sums: {AT: lane(TIME) + part * lane(TAKEN)})
+    return Formula(ahead, _at(rodas.TIMES[s]))
 
 
-def formulas(n: int) -> dict[str, Formula]:
-    """Return the formulas for n states, in the solver's order."""
-    return {
-        "attempt": attempt(),
-        "judge": _judge(n),
-        "sizes": sizes(n),
-        "trial": trial(),
-        "first": first(n),
-        "accept": accept(),
-        "dense": _dense(),
-        **{f"stage_{s}": _stage(s) for s in range(1, STAGES + 4)},
-        **{f"fixed_{s}": _fixed(s) for s in range(1, 5)},
-        "stiffness": _stiffness(),
-    }
+def _judge_implicit(n: int) -> Formula:
+    """The new state, the estimate of its error, whether the step is good, and the next one."""
+
+    def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
+        new = z(row.STATE) + _sum(rodas.weights(len(rodas.C)), z)
+        largest = maximum(abs(z(row.STATE)), abs(new))
+        part = z(row.SOLVED + len(rodas.C) - 1) / joined(tolerance(0), largest, tolerance(1))
+        return {row.ARGUMENT: new}, (part * part,)
+
+    def after(lane: Row, sums: Sequence[Any]) -> Rows:
+        square = sums[0] / float(n)
+        factor = 0.9 * power(maximum(square, 1e-30), -0.1)  # error^(-1/5)
+        h, most = lane(row.TAKEN), where(lane(row.REJECTED) > 0.5, 1.0, 6.0)
+        good = square < 1.0
+        bad = where(square >= 1.0, maximum(0.2, factor), 0.2)  # not a number: 0.2
+        cut = minimum(
+            h * factor, lane(row.STEP)
+        )  # short because of a sample, or the end of a piece
+        step = where(good, maximum(h * minimum(most, factor), cut), h * bad)
+        return _judged(lane, good, step)
+
+    return Formula(each, after, 1)
+
+
+def _dense_implicit() -> Formula:
+    """The terms of the interpolant, in the form in which `solver.between` sums them."""
+
+    def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
+        k1, k2, k3 = (_sum(own, z) for own in rodas.BETWEEN)
+        terms = [z(row.ARGUMENT) - z(row.STATE), k1, k2 + k3, -k3]
+        none = 0.0 * z(row.STATE)
+        return {row.TERMS + k: (terms[k] if k < len(terms) else none) for k in range(7)}, ()
+
+    return Formula(each)
+
+
+# --- each a table ---------------------------------------------------------------------------
+
+
+def formulas(method: int, n: int) -> dict[str, Formula]:
+    """Return the formulas of a method, by the solver's number, for n states, in its order."""
+    begun = {"sizes": _sizes(n), "trial": _trial(), "first": _first(n)}
+    if method == row.RODAS5P:
+        named = {"attempt": _attempt_implicit(), "judge": _judge_implicit(n), **begun}
+        named |= {"accept": _accept(), "dense": _dense_implicit()}
+        stages = [_stage_implicit(s) for s in range(row.RODAS5P - 1)]
+    elif method == row.RK4:
+        named = {"attempt": _attempt_fixed(), "judge": _judge_fixed(), **begun}
+        named |= {"accept": _accept_fixed(), "dense": _straight()}
+        halves = np.diag([0.5, 0.5, 1.0])
+        stages = [_stage(halves[s, : s + 1], halves[s, s]) for s in range(3)]
+    else:
+        named = {"attempt": _attempt(), "judge": _judge(n), **begun}
+        named |= {"accept": _accept(), "dense": _dense()}
+        stages = _stages_of_dop853()
+    named |= {f"stage_{s}": one for s, one in enumerate(stages, 1)}
+    return named | {"stiffness": _stiffness()} if method == row.DOP853 else named

@@ -1,7 +1,6 @@
 """A diagram as machine code."""
 
 from collections.abc import Mapping
-from copy import copy
 from functools import cached_property
 from typing import Any
 
@@ -12,15 +11,14 @@ from ..arguments import public
 from ..diagrams.wiring import Wiring
 from ..equations.at_many import decided_by_time, times_of_change
 from ..errors import SimulationError
+from . import solver
 from .batch import Callee
 from .code import Code, code_of, kernels
-from .inputs import Inputs
 from .jacobian import EXPLICIT, fresh
 from .layout import lay_out
-from .processor import LANES, fuses
+from .machine import LANES, compiled_solver, fuses
 from .python_diagram import PythonDiagram
-from .schedule import Schedule, make_schedule, with_inputs
-from .solver_cache import compiled_solver
+from .schedule import Inputs, Schedule, make_schedule, with_inputs
 
 ABREAST = 256  # states of runs that are taken side by side; more do not fit the first cache
 FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide", "slope")
@@ -75,31 +73,22 @@ class NativeDiagram(PythonDiagram):
         self._form, self.code = form, code_of(self.wiring, self.layout, form)
         self.ramp = len(self.layout.P)  # place in P of the diagram's inputs
         self.held = self.layout.inputs(self.wiring.ninputs) + 1  # and of what is decided
-        self._callees: dict[int, Callee] = {}  # of the explicit method, by lanes
+        self._callees: dict[tuple[int, int], Callee] = {}
 
-    def parameters(self, implicit: bool = False) -> np.ndarray:
+    def parameters(self) -> np.ndarray:
         """Return P, with room for inputs and for what is prepared."""
         P = self.layout.P
-        return np.append(P, np.zeros(self._code(implicit).program.parameters - len(P)))
+        return np.append(P, np.zeros(self.code.program.parameters - len(P)))
 
-    def _code(self, implicit: bool) -> Code:
-        return self._implicit if implicit else self.code
+    def _code(self, method: int) -> Code:
+        """Return the code for a method; in steps of one length decisions are not locked."""
+        if method == solver.RK4 and self.code.program.decided:
+            return code_of(self.wiring, self.layout, "free")
+        return self._implicit if method == solver.RODAS5P else self.code
 
     @cached_property
     def _implicit(self) -> Code:
         return code_of(self.wiring, self.layout, self._form, True)
-
-    @property
-    def free(self) -> "NativeDiagram":
-        """The same, decisions not locked: for steps of one length."""
-        return self._free if self.code.program.decided else self
-
-    @cached_property
-    def _free(self) -> "NativeDiagram":
-        made = copy(self)
-        made._form, made.code = "free", code_of(self.wiring, self.layout, "free")
-        made._callees = {}
-        return made
 
     def schedule(
         self, t0: float, t1: float, inputs: Inputs | None = None, breaks: Any = ()
@@ -127,30 +116,32 @@ class NativeDiagram(PythonDiagram):
         return {node.name: decided_by_time(node.system) for node in self.wiring.nodes}
 
     def callee(
-        self, lanes: int = 1, inputs: Inputs | None = None, implicit: bool = False
+        self, lanes: int = 1, inputs: Inputs | None = None, method: int = solver.DOP853
     ) -> Callee:
         """Return what the solver calls, for one of its methods."""
-        if implicit:
-            return self._callee(lanes, True)
-        if lanes not in self._callees:
-            self._callees[lanes] = self._callee(lanes, False)
-        return self._callees[lanes]
+        if method == solver.RODAS5P:  # whose matrices are a batch's own
+            return self._callee(lanes, method)
+        if (lanes, method) not in self._callees:
+            self._callees[lanes, method] = self._callee(lanes, method)
+        return self._callees[lanes, method]
 
-    def _callee(self, lanes: int, implicit: bool) -> Callee:
+    def _callee(self, lanes: int, method: int) -> Callee:
         guarded, jumping, n = int(self.sweep.guarded), int(bool(self.layout.jumps)), self.nstates
-        code = self._code(implicit)
+        code = self._code(method)
         program = code.program
         unused = {"margin": not guarded, "jump": not jumping, "decide": not program.decided}
         unused["slope"] = "slope" not in program.functions
         own = [0 if unused.get(name) else code.address(name, lanes) for name in FUNCTIONS]
-        formulas = kernels(n, lanes, implicit) if n else None
+        formulas = kernels(n, lanes, method) if n else None
         more = formulas.addresses.values() if formulas else ()
         return Callee(
             compiled_solver(),
             np.array([*own, *more], dtype=np.int64),
             lanes,
             n,
-            code.program.room,
+            method,
+            program.parameters,
+            program.room,
             self.layout.T,
             guarded,
             jumping,

@@ -186,9 +186,8 @@ class _Printer:
         if read is not None:
             array, first, strides = read
             moves = [(self.places[turn], s) for turn, s in zip(turns, strides, strict=True)]
-            if not wide:
-                return self.function.load(array, first, moves)
-            return self.function.load_turns(array, first, moves, self.stride(turns, strides))
+            apart = self.stride(turns, strides) if wide else None
+            return self.function.load(array, first, moves, apart)
         name, arguments, _ = self.all[c]
         if name == "lookup":
             index = _part(self.argument(arguments[0], turns, kind), k, kind)
@@ -210,11 +209,9 @@ class _Printer:
     def store(self, value: Number, array: str, first: int, strides: tuple[int, ...]) -> None:
         """Write what the outer loops have computed."""
         moves = [(place, s) for place, s in zip(self.places, strides, strict=False)]
-        if value.kind is self.function.wide and self.vector >= 0:
-            stride = self.stride(range(len(strides)), strides)
-            self.function.store_turns(value, array, first, moves, stride)
-        else:
-            self.function.store(value, array, first, moves)
+        wide = value.kind is self.function.wide and self.vector >= 0
+        apart = self.stride(range(len(strides)), strides) if wide else None
+        self.function.store(value, array, first, moves, apart)
 
     def lookup(self, index: Number, array: str, first: int, stride: int, count: int) -> Number:
         """Read array[first + stride * whole], NaN where there is no such entry."""

@@ -7,21 +7,20 @@ one turn at a time.  For one run a loop takes eight turns at once, the last of t
 sum over it is gathered in eight parts and then joined, in the same order on every processor.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from llvmlite import ir
 
+from .components import FUNCTIONS
 from .elementary import OPERATIONS
-from .processor import LANES
-from .vectors import BIT, DOUBLE, INT32, WORD, Abreast, Kind, Mask, Number, declared
+from .formula import Formula
+from .machine import LANES
+from .vectors import BIT, DOUBLE, INT32, WORD, Abreast, Kind, Number, declared, select
 
+Moves = Sequence[tuple[Any, int]]  # turns of loops, and by how much each moves on
 ARRAYS = ("t", "X", "P", "T", "W", "D")
-APART = frozenset(  # printed once a module, and called
-    {"exp", "expm1", "log", "log1p", "log2", "log10", "pow", "sin", "cos", "tan", "hypot"}
-    | {"asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh"}
-    | {"mod", "floordiv"}
-)
+APART = frozenset({*FUNCTIONS, "pow", "mod", "floordiv"})  # printed once a module, and called
 INLINE = frozenset({"exp", "sin", "cos"})  # always put in where they are called
 
 
@@ -49,7 +48,7 @@ class Function:
         """Return how many runs an array holds side by side."""
         return 1 if array in "TK" else self.lanes
 
-    def address(self, array: str, first: int, moves: Sequence[tuple[Any, int]] = ()) -> Any:
+    def address(self, array: str, first: int, moves: Moves = ()) -> Any:
         """Return where array[first + sum of turn * stride] lies."""
         builder, place = self.builder, None
         for turn, stride in moves:
@@ -66,71 +65,52 @@ class Function:
             place = builder.mul(place, ir.Constant(WORD, self.columns(array)))
         return builder.gep(self.arrays[array], [place])
 
-    def load(self, array: str, first: int, moves: Sequence[tuple[Any, int]] = ()) -> Number:
-        """Read a number, or one for each run."""
-        address = self.address(array, first, moves)
-        if self.columns(array) == 1:
-            return self.one.number(self.builder.load(address))
-        many = self.builder.bitcast(address, self.one.type().as_pointer())
-        return Number(self.one, self.builder.load(many, align=8))
-
-    def store(
-        self, value: Number, array: str, first: int, moves: Sequence[tuple[Any, int]] = ()
-    ) -> None:
-        """Write a number, or one for each run."""
-        address = self.address(array, first, moves)
-        if self.columns(array) > 1:
-            address = self.builder.bitcast(address, self.one.type().as_pointer())
-        self.builder.store(value.value, address, align=8)
-
-    def load_turns(self, array: str, first: int, moves: Sequence, stride: int) -> Number:
-        """Read the numbers of eight turns, which lie so far apart."""
-        builder, kind = self.builder, self.wide
-        if stride != 1:
-            places = [first + k * stride for k in range(self.turns)]
+    def load(self, array: str, first: int, moves: Moves = (), apart: int | None = None) -> Number:
+        """Read a number, or one for each run; or those of eight turns, which lie so `apart`."""
+        builder, kind = self.builder, self.one if apart is None else self.wide
+        if apart not in (None, 1):
+            places = [first + k * apart for k in range(self.turns)]
             ones = [builder.load(self.address(array, place, moves)) for place in places]
             return gathered(kind, ones + ones[:1] * (kind.width - self.turns))
         address = self.address(array, first, moves)
+        if apart is None and self.columns(array) == 1:
+            return kind.number(builder.load(address))
         many = builder.bitcast(address, kind.type().as_pointer())
-        if self.turns == kind.width:
+        if apart is None or self.turns == kind.width:
             return Number(kind, builder.load(many, align=8))
-        arguments = [many, ir.Constant(INT32, 8), self.valid().value, kind.constant(1.0)]
-        function = declared(
-            builder.module,
-            f"llvm.masked.load.v{kind.width}f64.p0v{kind.width}f64",
-            kind.type(),
-            [many.type, INT32, kind.type(BIT), kind.type()],
-        )
-        return Number(kind, builder.call(function, arguments))
+        given = [many, ir.Constant(INT32, 8), self.valid().value, kind.constant(1.0)]
+        return Number(kind, self._masked("load", kind.type(), given))
 
-    def store_turns(
-        self, value: Number, array: str, first: int, moves: Sequence, stride: int
+    def store(
+        self, value: Number, array: str, first: int, moves: Moves = (), apart: int | None = None
     ) -> None:
-        """Write the numbers of eight turns."""
-        builder, kind = self.builder, self.wide
-        if stride != 1:
+        """Write a number, or one for each run; or the numbers of eight turns."""
+        builder, kind = self.builder, self.one if apart is None else self.wide
+        if apart not in (None, 1):
             for k in range(self.turns):
                 one = builder.extract_element(value.value, ir.Constant(INT32, k))
-                builder.store(one, self.address(array, first + k * stride, moves))
+                builder.store(one, self.address(array, first + k * apart, moves))
             return
         address = self.address(array, first, moves)
-        many = builder.bitcast(address, kind.type().as_pointer())
-        if self.turns == kind.width:
-            builder.store(value.value, many, align=8)
+        if apart == 1 or self.columns(array) > 1:
+            address = builder.bitcast(address, kind.type().as_pointer())
+        if apart is None or self.turns == kind.width:
+            builder.store(value.value, address, align=8)
             return
-        arguments = [value.value, many, ir.Constant(INT32, 8), self.valid().value]
-        function = declared(
-            builder.module,
-            f"llvm.masked.store.v{kind.width}f64.p0v{kind.width}f64",
-            ir.VoidType(),
-            [kind.type(), many.type, INT32, kind.type(BIT)],
-        )
-        builder.call(function, arguments)
+        given = [value.value, address, ir.Constant(INT32, 8), self.valid().value]
+        self._masked("store", ir.VoidType(), given)
 
-    def valid(self) -> Mask:
+    def _masked(self, name: str, result: ir.Type, given: list[Any]) -> Any:
+        """Read or write the turns that there are."""
+        width = self.wide.width
+        own = f"llvm.masked.{name}.v{width}f64.p0v{width}f64"
+        types = [one.type for one in given]
+        return self.builder.call(declared(self.builder.module, own, result, types), given)
+
+    def valid(self) -> Number:
         """Return which turns of a round there are."""
         bits = [int(k < self.turns) for k in range(self.wide.width)]
-        return Mask(self.wide, ir.Constant(self.wide.type(BIT), bits))
+        return Number(self.wide, ir.Constant(self.wide.type(BIT), bits))
 
     # --- loops ----------------------------------------------------------------------------
 
@@ -233,3 +213,62 @@ def joined(part: Number, turns: int) -> Number:
         )
         value = builder.fadd(low, high) if turns > width else low
     return Number(Kind(builder, 1), builder.extract_element(value, ir.Constant(INT32, 0)))
+
+
+# --- formulas of a method: numbers of a lane are t, Z is X ----------------------------------
+
+
+def print_formulas(formulas: Mapping[str, Formula], n: int, lanes: int) -> ir.Module:
+    """Return a module of LLVM with formulas for n states, of 1 run or `LANES` side by side."""
+    module = ir.Module()
+    for name, formula in formulas.items():
+        function = Function(module, name, lanes)
+        sums = _each(function, formula, n) if formula.each is not None else []
+        if formula.after is not None:
+            found = formula.after(_rows(function, "t", function.one), sums)
+            for r, value in found.items():
+                function.store(function.one.number(value), "t", r)
+        function.builder.ret_void()
+    return module
+
+
+def _rows(function: Function, array: str, kind: Kind) -> Any:
+    """Return what reads a number of an array, each once."""
+    found: dict[int, Number] = {}
+
+    def row(r: int) -> Number:
+        if r not in found:
+            found[r] = kind.spread(function.load(array, r))
+        return found[r]
+
+    return row
+
+
+def _each(function: Function, formula: Formula, n: int) -> list[Number]:
+    """Print what is computed for each state; return what is summed over them."""
+    wide = function.lanes == 1 and n > 2
+    function.widen(n)
+    kind = function.wide if wide else function.one
+
+    def turn(place: Any, sums: list[Number]) -> list[Number]:
+        found: dict[int, Number] = {}
+
+        def z(r: int) -> Number:
+            if r not in found:
+                moves = [(place, 1)]
+                found[r] = function.load("X", r * n, moves, 1 if wide else None)
+            return found[r]
+
+        assert formula.each is not None
+        own = _rows(function, "t", kind), _rows(function, "T", kind)
+        rows, summed = formula.each(z, *own)
+        for r, value in rows.items():
+            function.store(value, "X", r * n, [(place, 1)], 1 if wide else None)
+        if wide and function.turns < kind.width:
+            summed = [select(function.valid(), value, 0.0) for value in summed]
+        return [a + b for a, b in zip(sums, summed, strict=True)]
+
+    zeros = [kind.number(0.0) for _ in range(formula.sums)]
+    if not wide:
+        return function.loop(range(n), 2, turn, zeros)
+    return [joined(value, n) for value in function.rounds(n, 1, turn, zeros)]

@@ -13,18 +13,25 @@ import numpy as np
 from ..diagrams.interconnection import changed_parameters
 from ..diagrams.wiring import Wiring, read_anew, wiring_of
 from ..errors import SimulationError
-from . import method as dop853
-from . import rosenbrock, solver
+from . import solver
 from .batch import Batch, Callee, pace
-from .discrete import begun, iterated
 from .ending import Solution, ended
 from .formula import on_rows
-from .inputs import Inputs, checked_state, checked_times, numbers, read_inputs
-from .jacobian import fresh, jacobian
-from .loose import LOOSE, loosely
-from .schedule import BEGINS, JUMPS, Schedule, make_schedule
-from .stiffness import checked_method, finish
+from .jacobian import EXPLICIT, fresh, jacobian
+from .method import formulas
+from .schedule import (
+    BEGINS,
+    JUMPS,
+    Inputs,
+    Schedule,
+    checked_state,
+    checked_times,
+    make_schedule,
+    numbers,
+    read_inputs,
+)
 from .sweep import Sweep, first_not_finite
+from .ways import LOOSE, METHODS, begun, checked_method, finish, iterated, loosely
 
 FREE = (np.inf, 0.0)  # no longest step, nor a first one
 
@@ -51,7 +58,7 @@ class PythonDiagram:
 
     # --- what machine code does otherwise -------------------------------------------------
 
-    def parameters(self, implicit: bool = False) -> np.ndarray:
+    def parameters(self) -> np.ndarray:
         """Return P, which the solver carries; in Python it says which blocks jump."""
         return np.zeros(len(self._jumps))
 
@@ -63,9 +70,9 @@ class PythonDiagram:
         return make_schedule(self.sweep, {}, self._jumps, t0, t1, kinks)
 
     def callee(
-        self, lanes: int = 1, inputs: Inputs | None = None, implicit: bool = False
+        self, lanes: int = 1, inputs: Inputs | None = None, method: int = solver.DOP853
     ) -> Callee:
-        """Return what the solver calls, of an implicit method or of the other."""
+        """Return what the solver calls, for one of its methods."""
         n, sweep = self.nstates, self.sweep
 
         def u(t: np.ndarray) -> np.ndarray | None:
@@ -90,22 +97,25 @@ class PythonDiagram:
             )
             D[to : to + n] = sweep.leap(t[0], X[first : first + n], u(t), jumping, beginning)
 
-        own = (rosenbrock if implicit else dop853).formulas(n) if n else {}
-        formulas = [on_rows(f, n) for f in own.values()]
-        functions = [derivative, prepare, margin, signals, jump, None, None, *formulas]
-        guarded, jumping = int(sweep.guarded), int(bool(self._jumps))
-        made = Callee(solver, functions, 1, n, self.nsignals, np.zeros(0), guarded, jumping)
+        own = [on_rows(f, n) for f in formulas(method, n).values()] if n else []
         every = np.ones((n, n + 1), dtype=bool)
-        return made._replace(linear=fresh(jacobian(every, False))) if implicit else made
+        return Callee(
+            solver,
+            [derivative, prepare, margin, signals, jump, None, None, *own],
+            1,
+            n,
+            method,
+            len(self._jumps),
+            self.nsignals,
+            np.zeros(1),
+            int(sweep.guarded),
+            int(bool(self._jumps)),
+            linear=fresh(jacobian(every, False)) if method == solver.RODAS5P else EXPLICIT,
+        )
 
-    def implicit(self, inputs: Inputs | None = None) -> tuple[Callee, int]:
-        """Return what the solver calls of an implicit method, and the length of P."""
-        return self.callee(1, inputs, True), len(self.parameters(True))
-
-    @property
-    def free(self) -> "PythonDiagram":
-        """The same, decisions not locked: for steps of one length."""
-        return self
+    def implicit(self, inputs: Inputs | None = None) -> Callee:
+        """Return what the solver calls of its implicit method."""
+        return self.callee(1, inputs, solver.RODAS5P)
 
     # --- runs -----------------------------------------------------------------------------
 
@@ -159,15 +169,11 @@ class PythonDiagram:
             step becomes too small, the end is out of reach, or a guard with
             the policy ``"raise"`` is crossed.
         """
-        if step is not None and self.free is not self:
-            return self.free.run(
-                x0, times, rtol=rtol, atol=atol, inputs=inputs, progress=progress, step=step,
-                method=method, max_step=max_step, first_step=first_step,
-            )  # fmt: skip
-        tolerances, limits = _tolerances(step, rtol, atol), _limits(step, max_step, first_step)
-        method = checked_method(method, step)
-        if step is not None and progress is not None:
-            raise SimulationError("step and progress: a fixed step reports none; leave one out")
+        found = _checked(
+            step, rtol=rtol, atol=atol, max_step=None if max_step == np.inf else max_step,
+            first_step=first_step, method=method, progress=progress,
+        )  # fmt: skip
+        tolerances, limits, method = (found[0], found[1]), found[2:], checked_method(method)
         times, start = checked_times("times", times), checked_state("x0", x0, (self.nstates,))
         times = self.sweep.at_jumps(times)
         t0, t1 = float(times[0]), float(times[-1])
@@ -182,27 +188,27 @@ class PythonDiagram:
                 )
             return iterated(self, start, times, inputs, progress)
         if method == "auto" and limits == FREE and step is None and tolerances[0] >= LOOSE:
-            found = self._loosely(start, times, tolerances, inputs, progress)
-            if found is not None:
-                return found
-        by_rodas = method == "rodas5p"
+            loose = self._loosely(start, times, tolerances, inputs, progress)
+            if loose is not None:
+                return loose
+        by = METHODS[method] if step is None else solver.RK4
         pieces = self.schedule(t0, t1, inputs, self.breaks(t0, t1))
-        callee, P = self.callee(1, inputs, by_rodas), self.parameters(by_rodas)[None]
-        start = begun(callee, start, t0, pieces, P[0])
-        made = Batch(callee, start[None], P, times, [pieces], None, *limits)
-        if step is not None:
-            made.fixed(step)
-            return self._ended(made, inputs, pieces)
+        callee, P = self.callee(1, inputs, by), self.parameters()
+        start = begun(callee, start, t0, pieces, P)
+        made = Batch(callee, start[None], P[None], times, [pieces], None, *limits)
         keeps_pace = pace(self.most, t0, t1)
 
         def watch(batch: Batch) -> None:
             if progress is not None:
                 progress(batch.now)
-            keeps_pace(batch)
+            if step is None:
+                keeps_pace(batch)
 
-        auto = partial(self.implicit, inputs) if method == "auto" else None
+        auto = partial(self.implicit, inputs) if method == "auto" and step is None else None
         rest = finish(made, tolerances, auto, watch, self.most)
-        return self._ended(made, inputs, pieces, rest.get(0))
+        done = ended(self.sweep, made, inputs, rest.get(0))
+        done.pieces = self, inputs, pieces
+        return done
 
     def _loosely(self, start: np.ndarray, times: np.ndarray, *given: Any) -> Solution | None:
         """Run at loose tolerances in Python what neither jumps nor has a guard."""
@@ -210,13 +216,6 @@ class PythonDiagram:
             return None
         made = loosely(self.sweep, start, times, *given)
         return made and Solution(times, made[0], statistics=made[1], method="RK45")
-
-    def _ended(
-        self, batch: Batch, inputs: Inputs | None, pieces: Schedule, rest: Batch | None = None
-    ) -> Solution:
-        found = ended(self.sweep, batch, inputs, rest)
-        found.pieces = self, inputs, pieces
-        return found
 
     def pieces_of(self, solution: Solution, inputs: Inputs | None) -> Schedule:
         """Return the pieces of time of a solution, of another's made again."""
@@ -252,21 +251,17 @@ class PythonDiagram:
         ndarray, shape (m, n, nstates)
             NaN from where a run could not go on.
         """
-        if step is not None and self.free is not self:
-            return self.free.run_many(starts, times, rtol=rtol, atol=atol, step=step)
-        tolerances = _tolerances(step, rtol, atol)
+        rtol, atol, longest, _ = _checked(step, rtol=rtol, atol=atol)
         times = checked_times("times", times)
         starts = checked_state("starts", starts, (len(starts), self.nstates))
         if self.wiring.dt:
             return np.array([self.run(one, times).x for one in starts])
-        P = np.tile(self.parameters(), (len(starts), 1))
-        pieces = [self.schedule(float(times[0]), float(times[-1]))]
-        starts = [begun(self.callee(), one, float(times[0]), pieces[0], P[0]) for one in starts]
-        batch = Batch(self.callee(self.lanes(len(starts))), np.array(starts), P, times, pieces)
-        if step is not None:
-            batch.fixed(step)
-        else:
-            batch.adaptive(*tolerances)
+        P, by = self.parameters(), solver.DOP853 if step is None else solver.RK4
+        pieces = self.schedule(float(times[0]), float(times[-1]))
+        starts = [begun(self.callee(), one, float(times[0]), pieces, P) for one in starts]
+        callee, every = self.callee(self.lanes(len(starts)), None, by), np.tile(P, (len(starts), 1))
+        batch = Batch(callee, np.array(starts), every, times, [pieces], None, longest)
+        batch.adaptive(rtol, atol)
         return batch.out
 
     def lanes(self, count: int) -> int:
@@ -286,8 +281,9 @@ class PythonDiagram:
         if not len(times):  # stopped before the first
             return np.zeros((0, self.nsignals))
         inputs = self._inputs(inputs, times)
-        own = self.pieces_of(solution, inputs), self.parameters()
-        out = self.signals_of(self.callee(1, inputs), times, solution.x, *own)
+        callee, pieces = self.callee(1, inputs), self.pieces_of(solution, inputs)
+        P = self.parameters()
+        out = callee.ask(solver.SIGNALS, times, solution.x.ravel(), pieces, P, self.nsignals)
         bad = np.flatnonzero(~np.all(np.isfinite(out), axis=1))
         if len(bad):
             raise SimulationError(
@@ -297,52 +293,31 @@ class PythonDiagram:
             )
         return out
 
-    def signals_of(
-        self, callee: Callee, times: np.ndarray, x: np.ndarray, pieces: Schedule, own: np.ndarray
-    ) -> np.ndarray:
-        """Return all block outputs at states x (nt, nstates), with the parameters `own`."""
-        number = np.searchsorted(pieces.edges, times, side="right")
-        P, W = np.append(own, 0.0), np.zeros(max(callee.room, 1))
-        out = np.empty((len(times), self.nsignals))
-        states = np.append(x.ravel(), 0.0)
-        callee.solver.signals_at(
-            callee.functions,
-            np.ascontiguousarray(times),
-            states,
-            self.nstates,
-            number,
-            pieces.places,
-            pieces.values,
-            np.zeros(1),
-            P,
-            np.append(callee.tables, 0.0),
-            W,
-            out,
-        )
-        return out
+
+BESIDE = {  # what a fixed step is told beside
+    **dict.fromkeys(("rtol", "atol"), "has no tolerance"),
+    **dict.fromkeys(("max_step", "first_step"), "is what it is"),
+    **{"method": "has a method", "progress": "reports none"},
+}
 
 
-def _limits(step: float | None, longest: float, opening: float | None) -> tuple[float, float]:
-    """Return the longest step, and the first or 0; refuse what is none, and both beside `step`."""
-    for name, value in (("max_step", longest), ("first_step", opening)):
-        if value is None or (name == "max_step" and value == np.inf):
+def _checked(step: float | None, **given: Any) -> tuple[float, ...]:
+    """Return rtol and atol, the longest step, and the first or 0.
+
+    What is none is refused, and what is given beside a fixed step.
+    """
+    for name, value in given.items():
+        if step is not None and value is not None:
+            raise SimulationError(f"step and {name}: a fixed step {BESIDE[name]}; leave one out")
+        if value is None or name in ("method", "progress"):
             continue
-        if step is not None:
-            raise SimulationError(f"step and {name}: a fixed step is what it is; leave one out")
-        if numbers(name, value).ndim or not numbers(name, value) > 0.0:
-            raise SimulationError(f"{name} = {value}: must be a number above 0")
-    return float(longest), 0.0 if opening is None else float(opening)
-
-
-def _tolerances(step: float | None, rtol: float | None, atol: float | None) -> tuple[float, float]:
-    """Return rtol and atol; refuse what is none, and both beside a fixed step."""
-    found = [1e-8 if rtol is None else rtol, 1e-10 if atol is None else atol]
-    for name, given, value in zip(("rtol", "atol"), (rtol, atol), found, strict=True):
-        if step is not None and given is not None:
-            raise SimulationError(f"step and {name}: a fixed step has no tolerance; leave one out")
-        number: Any = value if type(value) is float else numbers(name, value)
-        if getattr(number, "ndim", 0) or not number >= 0.0:
+        size = np.float64(value) if type(value) is float else numbers(name, value)
+        if name in ("rtol", "atol") and (size.ndim or not size >= 0.0):
             raise SimulationError(f"{name} = {value}: must be a number, 0 or more")
-    if found == [0.0, 0.0]:
+        if name in ("max_step", "first_step") and (size.ndim or not size > 0.0):
+            raise SimulationError(f"{name} = {value}: must be a number above 0")
+    own = {"rtol": 1e-8, "atol": 1e-10, "max_step": np.inf if step is None else step}
+    own |= {"first_step": 0.0} | {name: v for name, v in given.items() if v is not None}
+    if own["rtol"] == own["atol"] == 0.0:
         raise SimulationError("rtol = atol = 0: one of them must be above 0")
-    return found[0], found[1]
+    return tuple(float(own[name]) for name in ("rtol", "atol", "max_step", "first_step"))

@@ -1,4 +1,4 @@
-"""Rodas5P, the method for stiff equations, as formulas: a Rosenbrock method of order 5.
+"""The table of Rodas5P, the method for stiff equations: a Rosenbrock method of order 5.
 
     (I / (h g) - f_x) U_s = f(t + c_s h, x + sum_j a_sj U_j) + sum_j C_sj / h U_j + d_s h f_t
     new state = the last argument + U_8, whose error U_8 estimates
@@ -11,27 +11,6 @@ Steinebach, Construction of Rosenbrock-Wanner method Rodas5P and numerical bench
 Julia Differential Equations package, BIT Numerical Mathematics 63, 2023, 27; the form above is
 that of Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, section IV.7.
 """
-
-from collections.abc import Sequence
-from typing import Any
-
-from .formula import Formula, Row, Rows, joined, maximum, minimum, power, where
-from .method import accept, attempt, first, sizes, trial
-from .solver import (  # rows of Z
-    ARGUMENT,
-    AT,
-    DIAGONAL,
-    GOOD,
-    KNOWN,
-    OVER_TIME,
-    REJECTED,
-    SOLVED,
-    STATE,
-    STEP,
-    TAKEN,
-    TERMS,
-    TIME,
-)
 
 GAMMA = 0.21193756319429014
 A = (
@@ -91,87 +70,3 @@ BETWEEN = (  # terms of the interpolant: y0 + s (y1 - y0 + (1 - s) (k_1 + s (k_2
 def weights(s: int) -> tuple[float, ...]:
     """Return a_sj of a stage, counted from 0; of stage 8 they make the new state."""
     return A[s] if s < len(A) else (*A[-1], *(1.0,) * (s - len(A) + 1))
-
-
-def _sum(own: Sequence[float], z: Row) -> Any:
-    total = own[0] * z(SOLVED)
-    for j, a in enumerate(own[1:], 1):
-        total = joined(a, z(SOLVED + j), total)
-    return total
-
-
-def _attempt() -> Formula:
-    """The step to try, not beyond a sample, and what stands on the matrix's diagonal."""
-    plain = attempt()
-
-    def after(lane: Row, sums: Sequence[Any]) -> Rows:
-        assert plain.after is not None
-        rows = plain.after(lane, sums)
-        return {**rows, DIAGONAL: 1.0 / (GAMMA * rows[TAKEN])}
-
-    return Formula(None, after)
-
-
-def _stage(s: int) -> Formula:
-    """The argument of a stage, counted from 0, and what the right-hand side has beside its rate."""
-
-    def ahead(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        known = (OF_TIME[s] * lane(TAKEN)) * z(OVER_TIME)
-        if not s:
-            return {ARGUMENT: z(STATE), KNOWN: known}, ()
-        known = joined(1.0 / lane(TAKEN), _sum(C[s], z), known)
-        return {ARGUMENT: z(STATE) + _sum(weights(s), z), KNOWN: known}, ()
-
-    return Formula(ahead, lambda lane, sums: {AT: lane(TIME) + TIMES[s] * lane(TAKEN)})
-
-
-def _judge(n: int) -> Formula:
-    """The new state, the estimate of its error, whether the step is good, and the next one."""
-
-    def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        new = z(STATE) + _sum(weights(len(C)), z)
-        largest = maximum(abs(z(STATE)), abs(new))
-        part = z(SOLVED + len(C) - 1) / joined(tolerance(0), largest, tolerance(1))
-        return {ARGUMENT: new}, (part * part,)
-
-    def after(lane: Row, sums: Sequence[Any]) -> Rows:
-        square = sums[0] / float(n)
-        factor = 0.9 * power(maximum(square, 1e-30), -0.1)  # error^(-1/5)
-        h, most = lane(TAKEN), where(lane(REJECTED) > 0.5, 1.0, 6.0)
-        good = square < 1.0
-        bad = where(square >= 1.0, maximum(0.2, factor), 0.2)  # not a number: 0.2
-        cut = minimum(h * factor, lane(STEP))  # short because of a sample, or the end of a piece
-        return {
-            STEP: where(good, maximum(h * minimum(most, factor), cut), h * bad),
-            GOOD: where(good, 1.0, 0.0),
-            REJECTED: where(good, 0.0, 1.0),
-            AT: lane(TIME) + lane(TAKEN),
-        }
-
-    return Formula(each, after, 1)
-
-
-def _dense() -> Formula:
-    """The terms of the interpolant, in the form in which `solver.between` sums them."""
-
-    def each(z: Row, lane: Row, tolerance: Row) -> tuple[Rows, Sequence[Any]]:
-        k1, k2, k3 = (_sum(own, z) for own in BETWEEN)
-        terms = [z(ARGUMENT) - z(STATE), k1, k2 + k3, -k3]
-        none = 0.0 * z(STATE)
-        return {TERMS + k: (terms[k] if k < len(terms) else none) for k in range(7)}, ()
-
-    return Formula(each)
-
-
-def formulas(n: int) -> dict[str, Formula]:
-    """Return the formulas for n states, in the solver's order."""
-    return {
-        "attempt": _attempt(),
-        "judge": _judge(n),
-        "sizes": sizes(n),
-        "trial": trial(),
-        "first": first(n),
-        "accept": accept(),
-        "dense": _dense(),
-        **{f"stage_{s + 1}": _stage(s) for s in range(len(C))},
-    }

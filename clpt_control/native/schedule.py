@@ -1,17 +1,191 @@
-"""Pieces of time: where a run stops exactly, and what every piece sets in P.
+"""What a run is given: times, states, inputs as python-control gives them, and the pieces of time.
 
-A piece ends at a breakpoint of a block or at a sample of the diagram's inputs.  It
-sets the `interval` of blocks that jump, whether their states jump where it begins, and
-the straight line of each input.  States do not jump where a run begins: it begins after; but
-blocks that sample at that time hold what feeds them then.
+A run stops exactly where a piece ends: at a breakpoint of a block or at a sample of the diagram's
+inputs.  A piece sets in P the `interval` of blocks that jump, whether their states jump where it
+begins, and the straight line of each input.  States do not jump where a run begins: it begins
+after; but blocks that sample at that time hold what feeds them then.
 """
 
+from bisect import bisect_right
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from .inputs import Inputs
+from ..arguments import numbers
+from ..errors import SimulationError
+from ..progress import warn
 from .sweep import Sweep
+
+STRAIGHT = 1e-14  # of the largest value, off a straight line, is rounding
+
+
+@dataclass(frozen=True)
+class Inputs:
+    """The inputs of a diagram: ``at(t)`` of shape (ninputs,).
+
+    `samples` holds times and values (ninputs, nt), joined by straight lines; it is None for
+    `function`, the user's own.
+    """
+
+    samples: tuple[np.ndarray, np.ndarray] | None
+    function: Callable[[float], np.ndarray] | None = None
+
+    def at(self, t: float) -> np.ndarray:
+        """Return the inputs at a time."""
+        if self.function is not None:
+            return self.function(t)
+        begins, rows, slopes = self._straight
+        k = min(max(bisect_right(begins, t) - 1, 0), len(slopes) - 1)
+        return rows[k] + (t - begins[k]) * slopes[k]
+
+    @cached_property
+    def _straight(self) -> tuple[list[float], np.ndarray, np.ndarray]:
+        assert self.samples is not None
+        at, u = self.samples
+        return at.tolist(), np.ascontiguousarray(u.T), np.ascontiguousarray(self.slopes.T)
+
+    @cached_property
+    def slopes(self) -> np.ndarray:
+        """The slopes between samples, shape (ninputs, nt - 1); 0 of inputs that are held."""
+        assert self.samples is not None
+        at, u = self.samples
+        return (u[:, 1:] - u[:, :-1]) / (at[1:] - at[:-1]) if len(at) > 1 else np.zeros_like(u)
+
+    @cached_property
+    def kinks(self) -> np.ndarray | None:
+        """Times at which the inputs bend: samples on one straight line are one piece."""
+        if self.samples is None or len(self.samples[0]) < 3:
+            return None if self.samples is None else self.samples[0]
+        (at, u), slopes = self.samples, self.slopes
+        size = STRAIGHT * np.abs(u).max(axis=1, initial=1e-300, keepdims=True)
+        steps = at[1:] - at[:-1]
+        bend = (np.abs(slopes[:, 1:] - slopes[:, :-1]) * steps[1:] > size).any(axis=0)
+        if bend.all():
+            return at
+        kept = np.flatnonzero(np.concatenate([[True], bend, [True]]))
+        ends = np.repeat(kept[:-1], np.diff(kept))  # the beginning of each sample's piece
+        line = u[:, ends] + slopes[:, ends] * (at[:-1] - at[ends])
+        return at[kept] if (np.abs(line - u[:, :-1]) <= 1e3 * size).all() else at
+
+    def along(self, times: np.ndarray) -> np.ndarray:
+        """Return the inputs at times, shape (ninputs, nt)."""
+        if self.samples is None:
+            return np.array([self.at(t) for t in times]).reshape(len(times), -1).T
+        at, u = self.samples
+        return np.array([np.interp(times, at, row) for row in u]).reshape(len(u), len(times))
+
+
+def checked_times(name: str, timepts: Any) -> np.ndarray:
+    """Return times as an array: at least two, increasing and finite."""
+    times = np.atleast_1d(numbers(name, timepts))
+    if times.ndim != 1 or len(times) < 2 or not (times[1:] > times[:-1]).all():
+        raise SimulationError(f"{name}: must be at least two increasing times")
+    if not np.isfinite(times[[0, -1]]).all():
+        raise SimulationError(f"{name}: must be finite")
+    return times
+
+
+def stacked_state(name: str, state: Any, count: int, padded: bool = True) -> np.ndarray:
+    """Return `count` states as python-control takes them.
+
+    A list, ``[x0, 0]``, holds numbers and arrays that follow each other; zeros follow a last zero.
+    """
+    if isinstance(state, list | tuple) and state and not all(map(np.isscalar, state)):
+        state = np.concatenate([numbers(name, part).ravel() for part in state])
+    else:
+        state = numbers(name, state)
+        state = state.ravel() if state.ndim else state
+    if 0 < np.size(state) < count and np.ndim(state) == 1 and (padded or state[-1] == 0):
+        if state[-1] != 0:
+            warn(f"{name} is too short: filled with zeros")
+        state = np.pad(numbers(name, state), (0, count - len(state)))
+    return checked_state(name, state, (count,))
+
+
+def open_sizes(
+    diagram: Any, inputs: Any, x0: Any, times: np.ndarray
+) -> tuple[int | None, int | None]:
+    """Return how many states and inputs a run gives, where its system leaves that open."""
+    states = inputs_ = None
+    if diagram.nstates is None:
+        parts = x0 if isinstance(x0, list | tuple) else [0.0 if x0 is None else x0]
+        states = sum(np.size(part) for part in parts)
+    if diagram.ninputs is None:
+        given = np.asarray(inputs, dtype=float) if not callable(inputs) else np.zeros(0)
+        inputs_ = given.shape[0] if given.ndim == 2 else 1
+    return states, inputs_
+
+
+def checked_state(name: str, state: Any, shape: tuple[int, ...]) -> np.ndarray:
+    """Return states as an array of a shape; a single number stands for all."""
+    values = numbers(name, state)
+    if values.ndim == 0:
+        values = np.full(shape, float(values))
+    if values.shape != shape:
+        raise SimulationError(
+            f"{name}: must have {shape[-1]} numbers, one per state; it has shape {values.shape}"
+        )
+    return values.copy()
+
+
+def _stacked(inputs: Sequence[Any], times: np.ndarray) -> np.ndarray:
+    """Return a list of inputs as rows: samples at the times, numbers that are held."""
+    rows = []
+    for one in inputs:
+        values = numbers("inputs", one)
+        if values.ndim > 2 or (values.ndim == 2 and values.shape[1] != len(times)):
+            raise SimulationError(
+                f"inputs: a part of shape {values.shape} must have {len(times)} columns, one for "
+                "each of timepts"
+            )
+        sampled = values.ndim == 2 or values.shape == times.shape
+        rows.append(values if sampled else np.outer(values, np.ones(len(times))))
+    return np.vstack(rows)
+
+
+def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
+    """Read `count` inputs in python-control's forms.
+
+    Values of shape (count, nt) at `times` are joined by straight lines; a number, or one for
+    each input, is held; a list may hold both, ``[u1, 0]``; a function is called with the time.
+    """
+    if callable(inputs):
+
+        def given(t: float) -> np.ndarray:
+            u = np.atleast_1d(numbers("inputs", inputs(float(t))))
+            if u.shape != (count,):
+                raise SimulationError(
+                    f"inputs: the function gives shape {u.shape}, the diagram has {count} inputs"
+                )
+            return u
+
+        given(times[0])
+        return Inputs(None, given)
+    if isinstance(inputs, list | tuple) and any(hasattr(one, "__len__") for one in inputs):
+        inputs = _stacked(inputs, times)
+    values = np.zeros(count) if inputs is None else numbers("inputs", inputs)
+    if not np.isfinite(values).all():
+        raise SimulationError("inputs: must be finite; fill the gaps before the run")
+    if values.ndim <= 1 and not (count == 1 and values.shape == times.shape and len(times) > 1):
+        try:
+            held = np.broadcast_to(values, count).astype(float)
+        except ValueError:
+            raise SimulationError(
+                f"inputs: shape {values.shape} does not fit {count} inputs at {len(times)} times"
+            ) from None
+        return Inputs((times[:1], held[:, None]))
+    values = np.atleast_2d(values)
+    if values.shape != (count, len(times)):
+        raise SimulationError(
+            f"inputs: shape {values.shape} must be ({count}, {len(times)}): inputs x timepts"
+        )
+    return Inputs((times, values))
+
+
+# --- pieces of time ---------------------------------------------------------------------------
 
 JUMPS, BEGINS = 1.0, -1.0  # in P: a block jumps, or holds what feeds it where a run begins
 

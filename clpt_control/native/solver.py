@@ -9,7 +9,7 @@ All numbers are computed through `call`, by the diagram's functions and the form
 `method`.  Arguments that all functions share:
 
     code      functions or their addresses, in the order of the places below
-    shape     numbers of lanes, states and parameters
+    shape     numbers of lanes, states, parameters, and of the method's stages
     runs      initial states (m, n), parameters (m, nP) and schedule of each run (m,)
     schedule  ends of pieces of time (g, ne), how many there are (g,), the places in P
               that a piece sets, their values (g, ne, np), and 1 for a piece that is entered
@@ -20,7 +20,7 @@ All numbers are computed through `call`, by the diagram's functions and the form
     lane      of each lane: numbers (rows TIME ...), whole numbers (rows MEMBER ...);
               then the queue: next run, the one behind the last, ANEW or ON if a lane begins a piece
     arrays    Z (states and stages), P, T, W and D, as the functions take them
-    linear    of an implicit method, which takes one run at a time (empty without): df/dx and then
+    linear    of Rodas5P, which takes one run at a time (empty without): df/dx and then
               the factors of I/(h g) - df/dx, column by column; and whole numbers: how many
               diagonals lie below and above, whether there is `slope`, how many lists `begins` and
               `rows` hold; pivots; the place of each state in the matrix; the group of each state,
@@ -38,24 +38,30 @@ from .linear_equations import factor, solve
 RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT, TOO_MANY, CHATTERS, STIFF = range(8)
 # rows of Z: the state, rates of stages 0 to 15, argument of a stage, terms between samples
 STATE, RATE, ARGUMENT, TERMS, ROWS = 0, 1, 17, 18, 25
-STAGES = 12  # a step; three more for what lies within it
-# of an implicit method: its stages begin at SOLVED, then what each is solved for has beside its
-# rate, df/dt, and room
-SOLVED, KNOWN, OVER_TIME, ROOM, IMPLICIT_STAGES = 2, 10, 11, 12, 9
+# the methods, each known by the number of its stages, the new state's among them; of DOP853 three
+# more are for what lies within a step
+DOP853, RODAS5P, RK4 = 12, 9, 4
+# of Rodas5P: its stages begin at SOLVED, then what each is solved for has beside its rate, df/dt,
+# and room
+SOLVED, KNOWN, OVER_TIME, ROOM = 2, 10, 11, 12
 TIME, STEP, END, FRESH, REJECTED, GOOD, TAKEN, NEW, AT, FAILING, SIZE, TROUBLE = range(12)
 KINK, LOW, HIGH, LAST = range(12, 16)  # of a decision that a step has passed (`decisions`)
-LONGEST, OPENING, STIFF_STEPS, OTHER_STEPS, DIAGONAL, WANTED = range(16, 22)
+LONGEST, OPENING, STIFF_STEPS, OTHER_STEPS, DIAGONAL = range(16, 21)
 # when a lane is looked at next, or after how many tries; whether it is; steps since, good and not
-NEXT, SPARE, LOOK, GOOD_ONES, BAD_ONES = range(22, 27)
-ASKED = 27  # whether a lane's own step is looked at for stiffness
-WITHIN = 28  # how wrong states between a step's ends may be: above 1 no sample is taken there
-NUMBERS = 29  # rows of numbers
+NEXT, SPARE, LOOK, GOOD_ONES, BAD_ONES = range(21, 26)
+ASKED = 26  # whether a lane's own step is looked at for stiffness
+# of steps of one length, of which the longest is given: where they began, how many of how many
+BEGAN, TURN, TURNS = range(27, 30)
+# how wrong states between a step's ends may be, above 1 no sample is taken there; where the step is
+# then to end
+WITHIN, WANTED = 30, 31
+NUMBERS = 32  # rows of numbers
 MEMBER, EDGE, DONE, BURST, WHICH = range(5)  # rows of whole numbers
 STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of the counts
-# places of `code`: the diagram's functions, then the formulas; stage s stands at STAGE + s
+# places of `code`: the diagram's functions, then the method's; stage s stands at STAGE + s
 DERIVATIVE, PREPARE, MARGIN, SIGNALS, JUMP, DECIDE, SLOPE = range(7)
 ATTEMPT, JUDGE, SIZES, TRIAL, FIRST, ACCEPT, DENSE = range(7, 14)
-STAGE, FIXED, STIFFNESS = 13, 28, 33
+STAGE, STIFFNESS = 13, 29
 ANEW, ON = 1, 2  # a piece begins with rates and a step of its own, or goes on with those there are
 OUTSIDE = 1e-9  # grid steps beyond the edge that count as outside
 LOOKS = 16  # places within a step at which guards are looked at
@@ -98,36 +104,34 @@ def advance(
     if `jumping`; so many numbers are `decided`, kept in P from the place `held` on.  Where a lane
     is found to be stiff, no more are taken.
     """
-    lanes, n, _ = shape
+    lanes, n, _, stages = shape
     (_, status, reached, counts), (numbers, whole, queue) = results, lane
     Z, P, T, W, D = arrays
     span, now, at = n * lanes, numbers[TIME], numbers[AT]
-    implicit = len(linear[0]) > 0
-    stages = IMPLICIT_STAGES if implicit else STAGES
-    active = start(shape, runs, schedule, times, results, lane, Z, P)
+    implicit, fixed, dense = stages == RODAS5P, stages == RK4, stages == DOP853
+    active, looked = start(shape, runs, schedule, times, results, lane, Z, P), True
     while active > 0 and budget > 0:
         budget -= 1
+        anew = queue[2] == ANEW
         if queue[2] > 0:
-            anew = queue[2] == ANEW
             queue[2] = 0
             call(code[PREPARE], now, Z, 0, P, T, W, D, 0)
-        else:
-            anew = False
         if anew:
             if decided > 0:
                 decide(code, lanes, numbers, now, 0, held, decided, arrays)
-            call(code[DERIVATIVE], now, Z, 0, P, T, W, Z, (RATE + 1) * span)
             if guarded:
                 call(code[MARGIN], now, Z, 0, P, T, W, D, 0)
-            call(code[SIZES], numbers, Z, 0, P, tolerances, W, D, 0)
-            call(code[TRIAL], numbers, Z, 0, P, T, W, D, 0)
-            call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + 2) * span)
-            call(code[FIRST], numbers, Z, 0, P, tolerances, W, D, 0)
-            begin(lanes, results, lane, D, guarded)
-        if implicit:  # it ends a step at a sample: between ends it is not as exact
-            done = whole[DONE, 0]
-            numbers[WANTED, 0] = times[done] if done < len(times) else math.inf
-        call(code[ATTEMPT], numbers, Z, 0, P, T, W, D, 0)
+            if not fixed:
+                call(code[DERIVATIVE], now, Z, 0, P, T, W, Z, (RATE + 1) * span)
+                call(code[SIZES], numbers, Z, 0, P, tolerances, W, D, 0)
+                call(code[TRIAL], numbers, Z, 0, P, T, W, D, 0)
+                call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + 2) * span)
+                call(code[FIRST], numbers, Z, 0, P, tolerances, W, D, 0)
+            begin(lanes, fixed, times, results, lane, D, guarded)
+        if looked or not fixed:  # equal steps begin where a lane is looked at
+            call(code[ATTEMPT], numbers, Z, 0, P, T, W, D, 0)
+        if fixed:
+            call(code[DERIVATIVE], now, Z, 0, P, T, W, Z, RATE * span)
         if implicit:
             linearise(code, n, tolerances, numbers, linear, arrays)
         for s in range(1, stages):
@@ -141,15 +145,13 @@ def advance(
         for k in range(lanes):
             good = good or numbers[GOOD, k] > 0.5
             looked = looked or numbers[LOOK, k] > 0.5
-        if implicit:
-            numbers[GOOD_ONES, 0], numbers[BAD_ONES, 0] = numbers[GOOD, 0], 1.0 - numbers[GOOD, 0]
         if looked:
             count(lanes, stages, counts, lane)
             for k in range(lanes):
                 m, done = whole[MEMBER, k], whole[DONE, k]
                 numbers[ASKED, k] = 0.0
                 if m >= 0 and numbers[FAILING, k] > 0.5:
-                    fail(status, whole, k, TOO_SMALL)
+                    fail(status, whole, k, int(numbers[FAILING, k]))
                 if m >= 0 and numbers[GOOD, k] > 0.5:
                     within = within or guarded > 0
                     if counts[m, STEPS] % OFTEN == 0 or numbers[STIFF_STEPS, k] > 0:
@@ -157,30 +159,36 @@ def advance(
                     if done < len(times) and times[done] <= numbers[NEW, k]:
                         wanted = True
                         within = within or times[done] < numbers[NEW, k]
-        if good:
-            call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + STAGES) * span)
-        if doubted and not implicit:
+        if good and not fixed:
+            call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + DOP853) * span)
+        if doubted and dense:
             call(code[STIFFNESS], numbers, Z, 0, P, T, W, D, 0)
         beyond = False
         if decided > 0 and good:
             call(code[DECIDE], at, Z, ARGUMENT * span, P, T, W, D, 0)
             beyond = passes(lanes, decided, numbers, whole, D)
         if within or beyond:
-            if not implicit:
-                for s in range(STAGES + 1, STAGES + 4):
+            if dense:
+                for s in range(stages + 1, stages + 4):
                     call(code[STAGE + s], numbers, Z, 0, P, T, W, D, 0)
                     call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + s) * span)
-                call(code[STAGE + STAGES], numbers, Z, 0, P, T, W, D, 0)
+                call(code[STAGE + stages], numbers, Z, 0, P, T, W, D, 0)
             call(code[DENSE], numbers, Z, 0, P, tolerances, W, D, 0)
-            if not implicit:
+            if dense:
                 doubt(lanes, times, results, lane)
             if beyond:
                 cross(code, shape, decided, results, lane, arrays)
             if guarded:
-                watch(code, shape, results, lane, arrays)
+                watch(code, shape, 1 if fixed else LOOKS, results, lane, arrays)
         if wanted or within:
-            sample(shape, times, results, lane, Z, 3 if within and not implicit else 0)
-        call(code[ACCEPT], numbers, Z, 0, P, T, W, D, 0)
+            sample(shape, times, results, lane, Z, 3 if within and dense else 0)
+        taken = 0
+        for k in range(lanes):
+            taken += 1 if numbers[GOOD, k] > 0.5 else 0
+        if not fixed or taken == lanes:
+            call(code[ACCEPT], numbers, Z, 0, P, T, W, D, 0)
+        else:
+            accept(shape, numbers, Z)
         if beyond:
             decide_anew(shape, tolerances, times, status, lane, Z)
         if jumping and looked:
@@ -248,16 +256,14 @@ def passes(lanes, decided, numbers, whole, D):
 
 def cross(code, shape, decided, results, lane, arrays):
     """Find where steps cross a kink; one that goes well beyond is tried again, up to there."""
-    lanes, n, _ = shape
+    lanes, n, _, _ = shape
     counts, (numbers, whole, _), (Z, P, T, W, D) = results[3], lane, arrays
     for _ in range(HALVINGS):
         for k in range(lanes):
             share = 0.5 * (numbers[LOW, k] + numbers[HIGH, k])
             if numbers[KINK, k] != PASSED:
                 share = 1.0
-            numbers[AT, k] = numbers[TIME, k] + share * numbers[TAKEN, k]
-            for i in range(n):
-                Z[((RATE + 1) * n + i) * lanes + k] = between(Z, n, lanes, k, i, share)
+            look_within(n, lanes, k, numbers, Z, share)
         call(code[DECIDE], numbers[AT], Z, (RATE + 1) * n * lanes, P, T, W, D, 0)
         for k in range(lanes):
             if numbers[KINK, k] == PASSED:
@@ -283,7 +289,7 @@ def cross(code, shape, decided, results, lane, arrays):
 
 def decide_anew(shape, tolerances, times, status, lane, Z):
     """Begin anew behind a kink; end a run that crosses them ever again without going on."""
-    lanes, n, _ = shape
+    lanes, n, _, _ = shape
     numbers, whole, queue = lane
     for k in range(lanes):
         if numbers[KINK, k] == CROSSED and numbers[GOOD, k] > 0.5:
@@ -309,18 +315,36 @@ def count(lanes, stages, counts, lane):
             counts[m, REJECTIONS] += bad
             counts[m, EVALUATIONS] += (stages - 1) * (good + bad) + good
             numbers[GOOD_ONES, k], numbers[BAD_ONES, k] = 0.0, 0.0
+            numbers[SPARE, k] -= good + bad
 
 
 def look_again(k, times, spare, counts, lane):
     """Note when a lane is looked at next: at an end, a sample, or for stiffness."""
     numbers, whole, _ = lane
-    m, done = whole[MEMBER, k], whole[DONE, k]
+    m = whole[MEMBER, k]
     if m >= 0:
         tries = min(spare, OFTEN - counts[m, STEPS] % OFTEN)
         numbers[SPARE, k] = 1.0 if numbers[STIFF_STEPS, k] > 0 else tries
-        numbers[NEXT, k] = numbers[END, k]
-        if done < len(times):
-            numbers[NEXT, k] = min(times[done], numbers[END, k])
+        look_ahead(k, times, lane)
+
+
+def look_ahead(k, times, lane):
+    """Note the next sample of a lane, or the end of its piece of time."""
+    numbers, whole, _ = lane
+    done = whole[DONE, k]
+    numbers[NEXT, k] = numbers[END, k]
+    if done < len(times):
+        numbers[NEXT, k] = min(times[done], numbers[END, k])
+
+
+def accept(shape, numbers, Z):
+    """Take the steps that are good: where all are, it is quicker not to ask of each."""
+    lanes, n, _, _ = shape
+    for k in range(lanes):
+        if numbers[GOOD, k] > 0.5:
+            numbers[TIME, k] = numbers[NEW, k]
+            for i in range(n):
+                Z[i * lanes + k] = Z[(ARGUMENT * n + i) * lanes + k]
 
 
 def fail(status, whole, k, why):
@@ -346,9 +370,8 @@ def start(shape, runs, schedule, times, results, lane, Z, P):
 
 def take(k, shape, runs, schedule, times, results, lane, Z, P):
     """Begin the next run in a lane; return 0 where there is none."""
-    lanes, n, parameters = shape
+    lanes, n, parameters, _ = shape
     X0, Ps, group = runs
-    edges, _, places, values, _ = schedule
     out, (numbers, whole, queue) = results[0], lane
     m, more = queue[0], queue[0] < queue[1]
     if more:
@@ -360,51 +383,59 @@ def take(k, shape, runs, schedule, times, results, lane, Z, P):
         m = 0
     for j in range(parameters):
         P[j * lanes + k] = Ps[m, j]
-    for j in range(len(places)):
-        P[places[j] * lanes + k] = values[group[m], 0, j]
+    set_piece(k, lanes, schedule, group[m], 0, P)
     if not more:
         if lanes > 1:  # beside others; a run alone stays where it ended, to be looked at
             rest(k, shape, runs, numbers, Z)
         return 0
     for i in range(n):
         Z[i * lanes + k] = X0[m, i]
-    numbers[TIME, k], numbers[END, k], numbers[STEP, k] = times[0], edges[group[m], 0], 0.0
+    numbers[TIME, k], numbers[END, k], numbers[STEP, k] = times[0], schedule[0][group[m], 0], 0.0
     numbers[FRESH, k], numbers[REJECTED, k] = 1.0, 0.0
     numbers[LAST, k], whole[BURST, k], numbers[WANTED, k] = -math.inf, 0, math.inf
+    numbers[TURN, k], numbers[TURNS, k] = 0.0, 0.0
     numbers[GOOD_ONES, k], numbers[BAD_ONES, k], numbers[OTHER_STEPS, k] = 0.0, 0.0, 0.0
     if numbers[STIFF_STEPS, k] > -math.inf:
         numbers[STIFF_STEPS, k] = 0.0
     return 1
 
 
+def set_piece(k, lanes, schedule, g, piece, P):
+    """Set in P what a piece of time sets there."""
+    _, _, places, values, _ = schedule
+    for j in range(len(places)):
+        P[places[j] * lanes + k] = values[g, piece, j]
+
+
 def rest(k, shape, runs, numbers, Z):
     """Make an idle lane take the same harmless step again."""
-    lanes, n, _ = shape
+    lanes, n, _, _ = shape
     for i in range(n):
         Z[i * lanes + k] = runs[0][0, i]
     numbers[TIME, k], numbers[STEP, k], numbers[END, k] = 0.0, 0.5, 1.0
-    numbers[FRESH, k], numbers[REJECTED, k], numbers[NEXT, k] = 0.0, 0.0, -math.inf
+    numbers[FRESH, k], numbers[REJECTED, k], numbers[NEXT, k] = 0.0, 0.0, 0.0
     numbers[WANTED, k] = math.inf
 
 
-def begin(lanes, results, lane, D, guarded):
+def begin(lanes, fixed, times, results, lane, D, guarded):
     """Note that lanes have begun a piece of time."""
     (_, status, _, counts), (numbers, whole, _) = results, lane
     for k in range(lanes):
         if numbers[FRESH, k] > 0.5:
             numbers[FRESH, k], numbers[REJECTED, k], numbers[OPENING, k] = 0.0, 0.0, 0.0
-            counts[whole[MEMBER, k], EVALUATIONS] += 2
+            counts[whole[MEMBER, k], EVALUATIONS] += 0 if fixed else 2
             counts[whole[MEMBER, k], RESTARTS] += 1
             if numbers[TROUBLE, k] != 0.0:
                 fail(status, whole, k, NOT_FINITE)
             if guarded and D[k] < -OUTSIDE:
                 fail(status, whole, k, LEFT)
                 numbers[END, k] = numbers[TIME, k]
+            look_ahead(k, times, lane)
 
 
 def enter(k, lanes, runs, schedule, status, lane, P):
     """Enter the next piece of time, or end the run."""
-    edges, ends, places, values, smooth = schedule
+    edges, ends, _, _, smooth = schedule
     numbers, whole, queue = lane
     m = whole[MEMBER, k]
     g = runs[2][m]
@@ -418,8 +449,7 @@ def enter(k, lanes, runs, schedule, status, lane, P):
         numbers[FRESH, k], queue[2] = 1.0, ANEW
     elif queue[2] == 0:
         queue[2] = ON
-    for j in range(len(places)):
-        P[places[j] * lanes + k] = values[g, whole[EDGE, k], j]
+    set_piece(k, lanes, schedule, g, whole[EDGE, k], P)
 
 
 def leap(code, shape, runs, schedule, times, results, lane, arrays, guarded):
@@ -427,8 +457,7 @@ def leap(code, shape, runs, schedule, times, results, lane, arrays, guarded):
 
     The next piece, which says what jumps, is set in P; after the last it is the time of the end.
     """
-    lanes, n, _ = shape
-    _, _, places, values, _ = schedule
+    lanes, n, _, _ = shape
     (out, status, _, _), (numbers, whole, _) = results, lane
     Z, P, T, W, D = arrays
     some = False
@@ -436,8 +465,7 @@ def leap(code, shape, runs, schedule, times, results, lane, arrays, guarded):
         if at_end(k, status, numbers, whole):
             some = True
             g, piece = runs[2][whole[MEMBER, k]], whole[EDGE, k] + 1
-            for j in range(len(places)):
-                P[places[j] * lanes + k] = values[g, piece, j]
+            set_piece(k, lanes, schedule, g, piece, P)
     if not some:
         return
     call(code[PREPARE], numbers[TIME], Z, 0, P, T, W, D, 0)
@@ -483,7 +511,7 @@ def between(Z, n, lanes, k, i, share):
 
 def sample(shape, times, results, lane, Z, more):
     """Write the states at times within the step; so many more evaluations were made for them."""
-    lanes, n, _ = shape
+    lanes, n, _, _ = shape
     (out, status, _, counts), (numbers, whole, _) = results, lane
     for k in range(lanes):
         m, done = whole[MEMBER, k], whole[DONE, k]
@@ -517,16 +545,20 @@ def doubt(lanes, times, results, lane):
             counts[m, EVALUATIONS] += 3
 
 
-def watch(code, shape, results, lane, arrays):
+def look_within(n, lanes, k, numbers, Z, share):
+    """Put time and state of a lane at a share of the step where functions are asked."""
+    numbers[AT, k] = numbers[TIME, k] + share * numbers[TAKEN, k]
+    for i in range(n):
+        Z[((RATE + 1) * n + i) * lanes + k] = between(Z, n, lanes, k, i, share)
+
+
+def watch(code, shape, looks, results, lane, arrays):
     """End the run of a lane that leaves a guard within the step, which is not taken."""
-    lanes, n, _ = shape
+    lanes, n, _, _ = shape
     status, (numbers, whole, _), (Z, P, T, W, D) = results[1], lane, arrays
-    for look in range(1, LOOKS + 1):
-        share = look / LOOKS
+    for look in range(1, looks + 1):
         for k in range(lanes):
-            numbers[AT, k] = numbers[TIME, k] + share * numbers[TAKEN, k]
-            for i in range(n):
-                Z[((RATE + 1) * n + i) * lanes + k] = between(Z, n, lanes, k, i, share)
+            look_within(n, lanes, k, numbers, Z, look / looks)
         call(code[MARGIN], numbers[AT], Z, (RATE + 1) * n * lanes, P, T, W, D, 0)
         for k in range(lanes):
             if numbers[GOOD, k] > 0.5 and D[k] < -OUTSIDE:
@@ -623,128 +655,15 @@ def solve_stage(n, s, linear, Z):
         Z[(RATE + s) * n + i] = Z[ARGUMENT * n + places[i]]
 
 
-# --- steps of one length, and signals -------------------------------------------------------
+# --- at given states ------------------------------------------------------------------------
 
 
-def advance_fixed(
-    code,
-    shape,
-    step,
-    runs,
-    schedule,
-    times,
-    results,
-    lane,
-    arrays,
-    guarded,
-    jumping,
-):
-    """Run all to the end by Runge and Kutta's method of order 4.
+def ask(code, role, times, states, n, pieces, places, values, t, P, T, W, D, out):
+    """Ask a function at times; what it writes into W is put into the rows of `out`.
 
-    Runs that are taken together follow one schedule.
+    `states` holds n numbers for each time, `t` is room for one; D may be `states`, which then hold
+    what the function makes of those before them.
     """
-    lanes, n, parameters = shape
-    X0, Ps, group = runs
-    edges, _, places, values, _ = schedule
-    (out, status, reached, counts), (numbers, whole, _) = results, lane
-    Z, P, T, W, D = arrays
-    for base in range(0, len(X0), lanes):
-        count = min(lanes, len(X0) - base)
-        for k in range(lanes):
-            m = base + min(k, count - 1)
-            whole[MEMBER, k] = m if k < count else -1
-            for j in range(parameters):
-                P[j * lanes + k] = Ps[m, j]
-            for i in range(n):
-                Z[i * lanes + k] = out[m, 0, i] = X0[m, i]
-            reached[m] = 1
-        t, done, edge, g = times[0], 1, 0, group[base]
-        while done < len(times):
-            for j in range(len(places)):
-                for k in range(lanes):
-                    P[places[j] * lanes + k] = values[g, edge, j]
-            numbers[TIME, :] = t
-            call(code[PREPARE], numbers[TIME], Z, 0, P, T, W, D, 0)
-            while done < len(times):
-                stop = min(times[done], edges[g, edge])
-                steps = max(1, math.ceil((stop - t) / step * (1.0 - 1e-12)))
-                h = (stop - t) / steps
-                if march(code, shape, t, h, steps, results, lane, arrays, guarded) == 0:
-                    done = len(times)
-                    break
-                t = stop
-                if jumping and t == edges[g, edge]:
-                    numbers[TIME, :], numbers[END, :], numbers[GOOD, :] = t, t, 1.0
-                    whole[EDGE, :], whole[DONE, :] = edge, 0
-                    leap(code, shape, runs, schedule, times, results, lane, arrays, guarded)
-                if stop == times[done]:
-                    keep(shape, done, results, whole, Z)
-                    done += 1
-                if t == edges[g, edge]:
-                    edge += 1
-                    break
-        for k in range(count):
-            counts[base + k, RESTARTS] = edge
-            if status[base + k] == RUNNING:
-                status[base + k] = FINISHED
-
-
-def march(code, shape, first, h, steps, results, lane, arrays, guarded):
-    """Take steps of length h; return how many lanes are at work."""
-    lanes, n, _ = shape
-    (_, status, _, counts), (numbers, whole, _) = results, lane
-    Z, P, T, W, D = arrays
-    span, now, at = n * lanes, numbers[TIME], numbers[AT]
-    numbers[TAKEN, :] = h
-    active = 0
-    for number in range(steps):
-        numbers[TIME, :], numbers[END, :] = first + number * h, first + (number + 1) * h
-        for i in range(span):
-            Z[TERMS * span + i] = Z[i]
-        call(code[DERIVATIVE], now, Z, 0, P, T, W, Z, RATE * span)
-        for s in range(1, 4):
-            call(code[FIXED + s], numbers, Z, 0, P, T, W, D, 0)
-            call(code[DERIVATIVE], at, Z, ARGUMENT * span, P, T, W, Z, (RATE + s) * span)
-        call(code[FIXED + 4], numbers, Z, 0, P, T, W, D, 0)
-        if guarded:
-            call(code[MARGIN], at, Z, 0, P, T, W, D, 0)
-        active = 0
-        for k in range(lanes):
-            m, trouble = whole[MEMBER, k], 0.0
-            if m < 0 or status[m] != RUNNING:
-                continue
-            counts[m, STEPS] += 1
-            counts[m, EVALUATIONS] += 4
-            for i in range(n):
-                trouble += 0.0 * Z[i * lanes + k]
-            if trouble != 0.0:
-                fail(status, whole, k, NOT_FINITE)
-            elif guarded and D[k] < -OUTSIDE:
-                fail(status, whole, k, LEFT)
-            else:
-                active += 1
-        if active == 0:
-            break
-    if active == 0 and lanes == 1:  # a run alone goes back by that step, to be looked at
-        for i in range(n):
-            Z[i], Z[TERMS * n + i] = Z[TERMS * n + i], Z[i] - Z[TERMS * n + i]
-    return active
-
-
-def keep(shape, done, results, whole, Z):
-    """Keep the states of lanes at a sample."""
-    lanes, n, _ = shape
-    out, status, reached, _ = results
-    for k in range(lanes):
-        m = whole[MEMBER, k]
-        if m >= 0 and status[m] == RUNNING:
-            for i in range(n):
-                out[m, done, i] = Z[i * lanes + k]
-            reached[m] = done + 1
-
-
-def signals_at(code, times, states, n, pieces, places, values, t, P, T, W, out):
-    """Write all signals at times; `states` holds n numbers for each, `t` is room for one time."""
     piece = -1
     for k in range(len(times)):
         t[0] = times[k]
@@ -753,6 +672,6 @@ def signals_at(code, times, states, n, pieces, places, values, t, P, T, W, out):
             for j in range(len(places)):
                 P[places[j]] = values[piece, j]
             call(code[PREPARE], t, states, k * n, P, T, W, W, 0)
-        call(code[SIGNALS], t, states, k * n, P, T, W, W, 0)
+        call(code[role], t, states, k * n, P, T, W, D, (k + 1) * n)
         for j in range(out.shape[1]):
             out[k, j] = W[j]

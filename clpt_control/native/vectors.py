@@ -64,30 +64,21 @@ class Kind:
         return _constant(self.type(entry), value, math.copysign(1.0, value), self.width)
 
     def number(self, value: Any) -> "Number":
-        """Return a number of a constant, a double, or a vector."""
+        """Return a number of a constant, or of one value or several; one stands in every place."""
         if isinstance(value, Number):
             return value
         if isinstance(value, int | float):
             return Number(self, self.constant(float(value)))
-        if self.width > 1 and value.type == DOUBLE:
-            empty = ir.Constant(self.type(), ir.Undefined)
+        if self.width > 1 and not isinstance(value.type, ir.VectorType):
+            empty = ir.Constant(self.type(value.type), ir.Undefined)
             first = self.builder.insert_element(empty, value, ir.Constant(INT32, 0))
             zeros = ir.Constant(ir.VectorType(INT32, self.width), [0] * self.width)
             value = self.builder.shuffle_vector(first, empty, zeros)
         return Number(self, value)
 
-    def spread(self, value: Any) -> Any:
+    def spread(self, value: "Number") -> "Number":
         """Return one number or answer in every place."""
-        if value.kind.width == self.width:
-            return value
-        if isinstance(value, Number):
-            return self.number(value.value)
-        kind = self.type(BIT)
-        first = self.builder.insert_element(
-            ir.Constant(kind, ir.Undefined), value.value, ir.Constant(INT32, 0)
-        )
-        zeros = ir.Constant(ir.VectorType(INT32, self.width), [0] * self.width)
-        return Mask(self, self.builder.shuffle_vector(first, first, zeros))
+        return value if value.kind.width == self.width else self.number(value.value)
 
     def call(self, name: str, *arguments: "Number") -> "Number":
         """Call an intrinsic of LLVM, such as ``"fma"``."""
@@ -139,15 +130,15 @@ def _arithmetic(instruction: str, swapped: bool = False) -> Callable[["Number", 
 
 
 def _comparison(symbol: str, ordered: bool = True) -> Callable[["Number", Any], Any]:
-    def operator(a: "Number", b: Like) -> "Mask":
+    def operator(a: "Number", b: Like) -> "Number":
         compare = a.kind.builder.fcmp_ordered if ordered else a.kind.builder.fcmp_unordered
-        return Mask(a.kind, compare(symbol, a.value, a.kind.number(b).value))
+        return Number(a.kind, compare(symbol, a.value, a.kind.number(b).value))
 
     return operator
 
 
 class Number:
-    """One number, or several at once, as a value of LLVM."""
+    """One number or answer, or several at once, as a value of LLVM."""
 
     __slots__ = ("kind", "value")
 
@@ -161,10 +152,14 @@ class Number:
     __lt__, __le__ = _comparison("<"), _comparison("<=")
     __gt__, __ge__ = _comparison(">"), _comparison(">=")
     __eq__, __ne__ = _comparison("=="), _comparison("!=", False)
+    __and__, __or__, __xor__ = _arithmetic("and_"), _arithmetic("or_"), _arithmetic("xor")
     __hash__ = None  # type: ignore[assignment]
 
     def __neg__(self) -> "Number":
         return Number(self.kind, self.kind.builder.fneg(self.value))
+
+    def __invert__(self) -> "Number":
+        return Number(self.kind, self.kind.builder.xor(self.value, self.kind.constant(1, BIT)))
 
     def __abs__(self) -> "Number":
         return self.kind.call("fabs", self)
@@ -174,31 +169,7 @@ class Number:
         return self.kind.builder.bitcast(self.value, self.kind.type(WORD))
 
 
-class Mask:
-    """An answer, yes or no, for each number."""
-
-    __slots__ = ("kind", "value")
-
-    def __init__(self, kind: Kind, value: Any):
-        self.kind, self.value = kind, value
-
-    def __and__(self, other: "Mask") -> "Mask":
-        return Mask(self.kind, self.kind.builder.and_(self.value, other.value))
-
-    def __or__(self, other: "Mask") -> "Mask":
-        return Mask(self.kind, self.kind.builder.or_(self.value, other.value))
-
-    def __invert__(self) -> "Mask":
-        return Mask(self.kind, self.kind.builder.xor(self.value, self.kind.constant(1, BIT)))
-
-    def __ne__(self, other: object) -> "Mask":  # type: ignore[override]
-        assert isinstance(other, Mask)
-        return Mask(self.kind, self.kind.builder.xor(self.value, other.value))
-
-    __hash__ = None  # type: ignore[assignment]
-
-
-def select(mask: Mask, a: Like, b: Like) -> Number:
+def select(mask: Number, a: Like, b: Like) -> Number:
     """`a` where the mask holds, else `b`; both are computed."""
     kind = mask.kind
     chosen = kind.builder.select(mask.value, kind.number(a).value, kind.number(b).value)
@@ -219,7 +190,6 @@ def _intrinsic(name: str, meaning: str) -> Callable[..., Number]:
     return call
 
 
-absolute = _intrinsic("fabs", "the absolute value")
 square_root = _intrinsic("sqrt", "the square root, correctly rounded")
 round_down = _intrinsic("floor", "the largest whole number not above")
 round_to_zero = _intrinsic("trunc", "the whole number next towards zero")
@@ -231,16 +201,16 @@ def nearest(a: Number) -> Number:
     return (a + MAGIC) - MAGIC
 
 
-def odd(k: Number) -> Mask:
+def odd(k: Number) -> Number:
     """Whether whole numbers are odd, for |k| < 2^51."""
     kind = k.kind
     one = kind.builder.and_((k + MAGIC).bits(), kind.constant(1, WORD))
-    return Mask(kind, kind.builder.icmp_unsigned("!=", one, kind.constant(0, WORD)))
+    return Number(kind, kind.builder.icmp_unsigned("!=", one, kind.constant(0, WORD)))
 
 
-def negative_sign(a: Number) -> Mask:
+def negative_sign(a: Number) -> Number:
     """Whether the sign bit is set, of -0.0 and NaN too."""
-    return Mask(a.kind, a.kind.builder.icmp_signed("<", a.bits(), a.kind.constant(0, WORD)))
+    return Number(a.kind, a.kind.builder.icmp_signed("<", a.bits(), a.kind.constant(0, WORD)))
 
 
 def power_of_two(k: Number) -> Number:

@@ -18,7 +18,7 @@ from ..diagrams.wiring import read_anew, wiring_of
 from ..equations.declaration import ports_of, whole_labels
 from ..equations.linear import linear
 from ..native.engines import VARIABLE, chosen, run_as_read
-from ..native.inputs import open_sizes, read_inputs, stacked_state
+from ..native.schedule import open_sizes, read_inputs, stacked_state
 from ..scenario.file import OWN_PARTS
 from .dataset import Frame, columns_of, diagram_frame, run_frame
 from .loops import LoopOf

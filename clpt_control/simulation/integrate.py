@@ -12,8 +12,8 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import SimulationError
-from ..native.inputs import checked_times
-from ..native.stiffness import checked_method
+from ..native.schedule import checked_times
+from ..native.ways import checked_method
 from ..scenario.experiment import Scenario
 from ..scenario.team import Team
 from .diagram_run import ready, simulate_diagram

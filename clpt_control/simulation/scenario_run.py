@@ -14,7 +14,7 @@ from ..equations.declaration import labels
 from ..errors import BlockError, ScenarioError, SimulationError
 from ..native.ending import Solution
 from ..native.engines import chosen
-from ..native.inputs import stacked_state
+from ..native.schedule import stacked_state
 from ..scenario.experiment import Scenario
 from ..scenario.quantities import STARTS, keys_alone, keys_of
 from ..scenario.tables import Units

@@ -14,7 +14,7 @@ from ..diagrams.parts import output_ports
 from ..equations.block import Block
 from ..equations.linear import is_linear
 from ..errors import DataError, DiagramError
-from ..native.inputs import numbers
+from ..native.schedule import numbers
 from ..scenario.experiment import Scenario
 from ..scenario.quantities import STARTS
 from .loops import paper_blocks

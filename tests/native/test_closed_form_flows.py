@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 from clpt_control.equations import Block
+from clpt_control.native import solver
 from clpt_control.native.batch import Batch
 from clpt_control.native.ending import Status
+from clpt_control.native.machine import LANES
 from clpt_control.native.native_diagram import NativeDiagram
-from clpt_control.native.processor import LANES
 from clpt_control.native.python_diagram import PythonDiagram
 
 N = 6  # copies of a flow, each with its rate
@@ -89,12 +90,11 @@ def states(engine, block, x0, step):
         runner = NativeDiagram(block, form="looped" if engine == "looped" else "unrolled")
     count = LANES + 3 if engine == "lanes" else 1
     P, starts = np.tile(runner.parameters(), (count, 1)), np.tile(x0, (count, 1))
-    callee = runner.callee(LANES if engine == "lanes" else 1)
-    runs = Batch(callee, starts, P, TIMES, [runner.schedule(0.0, TIMES[-1])])
-    if step is None:
-        runs.adaptive(1e-11, 1e-12)
-    else:
-        runs.fixed(step)
+    method = solver.DOP853 if step is None else solver.RK4
+    callee = runner.callee(LANES if engine == "lanes" else 1, None, method)
+    pieces = [runner.schedule(0.0, TIMES[-1])]
+    runs = Batch(callee, starts, P, TIMES, pieces, None, np.inf if step is None else step)
+    runs.adaptive(1e-11, 1e-12)
     assert set(runs.status) == {Status.FINISHED}
     np.testing.assert_array_equal(runs.out, runs.out[:1].repeat(count, 0))
     return runs.out[0]

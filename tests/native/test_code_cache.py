@@ -13,9 +13,8 @@ import pytest
 from llvmlite import ir
 
 from clpt_control.files.user_cache import FOLDER, cache_folder, trusted
-from clpt_control.native import object_code, solver_cache
-from clpt_control.native.machine import Machine
-from clpt_control.native.object_code import keep, kept, name_of
+from clpt_control.native import machine
+from clpt_control.native.machine import Machine, keep, kept, name_of
 from clpt_control.native.printing import Function
 
 
@@ -91,7 +90,7 @@ def test_code_comes_back_whole_or_not_at_all(folder):
 
 
 def test_few_files_stay(folder, monkeypatch):
-    monkeypatch.setattr(object_code, "KEPT", 3)
+    monkeypatch.setattr(machine, "KEPT", 3)
     for k in range(5):
         keep(f"code-{k}", b"")
         os.utime(folder / "code" / f"code-{k}.o", (1000 + k, 1000 + k))
@@ -102,7 +101,7 @@ def test_few_files_stay(folder, monkeypatch):
 
 
 def test_nothing_can_be_kept_and_the_work_goes_on(monkeypatch):
-    monkeypatch.setattr(object_code, "cache_folder", lambda: None)
+    monkeypatch.setattr(machine, "cache_folder", lambda: None)
     keep("some", b"0123456789")
     assert kept("some") is None
     module = ir.Module()
@@ -112,9 +111,9 @@ def test_nothing_can_be_kept_and_the_work_goes_on(monkeypatch):
 
 def test_the_name_changes_with_what_is_compiled(monkeypatch):
     names = {name_of("text"), name_of("another")}
-    monkeypatch.setattr(object_code, "processor", lambda: ("another", "+fma"))
+    monkeypatch.setattr(machine, "processor", lambda: ("another", "+fma"))
     names.add(name_of("text"))
-    monkeypatch.setattr(object_code, "version", lambda name: "9")
+    monkeypatch.setattr(machine, "version", lambda name: "9")
     names.add(name_of("text"))
     assert len(names) == 4
 
@@ -124,7 +123,7 @@ def test_the_text_of_the_solver_is_of_its_source():
     root, native = Path(__file__).parents[2], "clpt_control/native/"
     sources = (native + "solver.py", native + "linear_equations.py", "tools/print_solver.py")
     wanted = hashlib.sha256(b"".join((root / one).read_bytes() for one in sources)).hexdigest()
-    first, text = solver_cache.TEXT.read_text("utf-8").split("\n", 1)
+    first, text = machine.TEXT.read_text("utf-8").split("\n", 1)
     assert first == f"; sha256 {wanted}"
     assert not re.search(r"target|\bx86|/home|/work|/root", text)
 
@@ -135,19 +134,19 @@ def test_the_text_of_the_solver_is_of_its_source():
 def test_the_solver_is_made_for_other_processors(triple):
     llvm.initialize_all_targets()
     llvm.initialize_all_asmprinters()
-    machine = llvm.Target.from_triple(triple).create_target_machine()
-    parsed = llvm.parse_assembly(solver_cache.TEXT.read_text("utf-8"))
-    parsed.triple, parsed.data_layout = triple, str(machine.target_data)
-    assert len(machine.emit_object(parsed)) > 10_000
+    target = llvm.Target.from_triple(triple).create_target_machine()
+    parsed = llvm.parse_assembly(machine.TEXT.read_text("utf-8"))
+    parsed.triple, parsed.data_layout = triple, str(target.target_data)
+    assert len(target.emit_object(parsed)) > 10_000
 
 
 def test_numbers_of_arrays_are_those_that_the_solver_takes():
     table = np.zeros((3, 2))
-    found = solver_cache.numbers((1, 2.5, (table,)))
+    found = machine.numbers((1, 2.5, (table,)))
     assert found == [1, 2.5, 0, 0, 6, 8, table.ctypes.data, 3, 2, 16, 8]
     for wrong in (table[:, :1], table.astype(np.float32)):
         with pytest.raises(TypeError, match="the solver takes no array"):
-            solver_cache.numbers((wrong,))
+            machine.numbers((wrong,))
 
 
 RUN = """

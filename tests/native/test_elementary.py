@@ -40,8 +40,8 @@ def printed(name, count, form):
 
     def turn(place, sums):
         at = [(place, 1)]
-        arguments = [function.load_turns("X", k * TURNS, at, 1) for k in range(count)]
-        function.store_turns(found(arguments), "D", 0, at, 1)
+        arguments = [function.load("X", k * TURNS, at, 1) for k in range(count)]
+        function.store(found(arguments), "D", 0, at, 1)
         return sums
 
     if form == "turns":

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control.native.loose import sharp
+from clpt_control.native.ways import sharp
 
 SINE = ctypes.PyDLL(None).sin  # no reading goes into it
 SINE.restype, SINE.argtypes = ctypes.c_double, [ctypes.c_double]

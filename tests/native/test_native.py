@@ -16,9 +16,9 @@ from clpt_control.currents.field_file import GriddedField
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.equations import Block
 from clpt_control.errors import ClptError, DiagramError, SimulationError
-from clpt_control.native.inputs import read_inputs
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
+from clpt_control.native.schedule import read_inputs
 from clpt_control.simulation.starts import initial_state
 
 

@@ -10,10 +10,11 @@ from clpt_control import simulate
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.equations import Block
 from clpt_control.errors import SimulationError
+from clpt_control.native import solver
 from clpt_control.native.batch import Batch
 from clpt_control.native.ending import Status
+from clpt_control.native.machine import LANES
 from clpt_control.native.native_diagram import NativeDiagram
-from clpt_control.native.processor import LANES
 from clpt_control.native.python_diagram import PythonDiagram
 
 
@@ -68,11 +69,10 @@ def test_beside_others_a_run_keeps_what_it_reached(lanes, step):
     starts = np.linspace(0.0, 1.0, 5)[:, None]  # they end at 1.5, 1.25, ..., 0.5
     P = np.tile(native.parameters(), (5, 1))
     times = np.array([0.0, 0.4, 1.1])
-    runs = Batch(native.callee(lanes), starts, P, times, [native.schedule(0.0, 1.1)])
-    if step is None:
-        runs.adaptive(1e-8, 1e-10)
-    else:
-        runs.fixed(step)
+    callee = native.callee(lanes, None, solver.DOP853 if step is None else solver.RK4)
+    pieces, longest = [native.schedule(0.0, 1.1)], np.inf if step is None else step
+    runs = Batch(callee, starts, P, times, pieces, None, longest)
+    runs.adaptive(1e-8, 1e-10)
     bad = (Status.NOT_FINITE, Status.TOO_SMALL)
     assert [status in bad for status in runs.status] == [False, False, True, True, True]
     assert list(runs.reached) == [3, 3, 2, 2, 2]

@@ -13,9 +13,10 @@ from sympy import Rational, sin
 from clpt_control.conformance import readings
 from clpt_control.equations import Block
 from clpt_control.errors import ClptError
+from clpt_control.native import solver
 from clpt_control.native.batch import Batch
+from clpt_control.native.machine import LANES
 from clpt_control.native.native_diagram import NativeDiagram
-from clpt_control.native.processor import LANES
 from clpt_control.native.python_diagram import PythonDiagram
 
 IN_A_TEST, TESTS, SLOW_TESTS = 10, 6, 200
@@ -79,11 +80,11 @@ def ask_all(seeds):
 
 def run(runner, lanes, x, times):
     """Return the states of one run, in lanes beside others."""
-    runner = runner.free
     starts = x * np.linspace(1.0, 1.1, LANES + 3 if lanes > 1 else 1)[:, None]
     P = np.tile(runner.parameters(), (len(starts), 1))
-    runs = Batch(runner.callee(lanes), starts, P, times, [runner.schedule(0.0, times[-1])])
-    runs.fixed(0.5)
+    callee, pieces = runner.callee(lanes, None, solver.RK4), [runner.schedule(0.0, times[-1])]
+    runs = Batch(callee, starts, P, times, pieces, None, 0.5)
+    runs.adaptive(0.0, 0.0)
     return runs.out[0]
 
 

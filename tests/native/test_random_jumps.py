@@ -12,8 +12,8 @@ import clpt_control as clpt
 from clpt_control.equations import Block
 from clpt_control.native.batch import Batch
 from clpt_control.native.ending import Status
+from clpt_control.native.machine import LANES
 from clpt_control.native.native_diagram import NativeDiagram
-from clpt_control.native.processor import LANES
 from clpt_control.native.python_diagram import PythonDiagram
 
 END, PERIODS = 2.0, (0.4, 0.5, 0.75, 1.0, 5.0)  # some breakpoints coincide, some at the end

@@ -10,9 +10,9 @@ from scipy.integrate import solve_ivp
 from clpt_control.equations import Block
 from clpt_control.native import method, solver
 from clpt_control.native.ending import Status
-from clpt_control.native.loose import LOOSE
 from clpt_control.native.native_diagram import FUNCTIONS, NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
+from clpt_control.native.ways import LOOSE
 
 START, TIMES = np.array([1.0, 0.4]), np.linspace(0.0, 9.0, 91)
 
@@ -35,13 +35,13 @@ def test_the_solver_finds_each_function_and_formula_in_its_place():
     for status in Status:
         assert getattr(solver, status.name) == status
         assert status.sentence
-    places = list(method.formulas(1))
-    for name in ("ATTEMPT", "JUDGE", "SIZES", "TRIAL", "FIRST", "ACCEPT", "DENSE"):
-        assert places[getattr(solver, name) - len(FUNCTIONS)] == name.lower()
-    for s in range(1, solver.STAGES + 4):
-        assert places[solver.STAGE + s - len(FUNCTIONS)] == f"stage_{s}"
-    for s in range(1, 5):
-        assert places[solver.FIXED + s - len(FUNCTIONS)] == f"fixed_{s}"
+    for number, more in ((solver.DOP853, 3), (solver.RODAS5P, 0), (solver.RK4, 0)):
+        places = list(method.formulas(number, 1))
+        for name in ("ATTEMPT", "JUDGE", "SIZES", "TRIAL", "FIRST", "ACCEPT", "DENSE"):
+            assert places[getattr(solver, name) - len(FUNCTIONS)] == name.lower()
+        for s in range(1, number + more):
+            assert places[solver.STAGE + s - len(FUNCTIONS)] == f"stage_{s}"
+    assert list(method.formulas(solver.DOP853, 1))[solver.STIFFNESS - len(FUNCTIONS)] == "stiffness"
     for k, name in enumerate(FUNCTIONS):
         assert getattr(solver, name.upper()) == k
 

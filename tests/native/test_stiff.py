@@ -13,12 +13,12 @@ from clpt_control.diagrams.wiring import wiring_of
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.equations import Block, Guard
 from clpt_control.errors import SimulationError
-from clpt_control.native import solver
+from clpt_control.native import batch, solver
 from clpt_control.native.batch import Batch
 from clpt_control.native.ending import Status
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
-from clpt_control.native.stiffness import radius
+from clpt_control.native.ways import radius
 
 sys.path.insert(0, str(Path(__file__).parents[2]))  # benchmarks/ is no installed package
 
@@ -79,6 +79,21 @@ def test_a_run_goes_on_from_where_it_is_stiff():
     assert run.attrs["solver_steps"] < 1_000
 
 
+def test_when_python_looks_in_changes_no_number(monkeypatch):
+    """How long a call of the solver is depends on the time it takes."""
+    problem = PROBLEMS["OREGO"]
+
+    def run():
+        found = runner_of(problem).run(problem.start, [0.0, problem.end], rtol=1e-4, atol=1e-4)
+        return found.method, found.x[-1].tolist(), found.statistics
+
+    before = run()
+    assert "Rodas5P" in before[0]
+    monkeypatch.setattr(batch, "BEGIN", 1)
+    monkeypatch.setattr(batch, "PAUSE", 0.0)
+    assert run() == before
+
+
 def coupled(t, x, u, p):
     """What has no derivative everywhere: tables, choices, roots, whole numbers."""
     return {
@@ -111,7 +126,7 @@ def test_slopes_are_exact(form):
     draw = np.random.default_rng(1)
     for _ in range(5):
         x, t = draw.normal(size=8), 0.7
-        callee, _ = runner.implicit()
+        callee = runner.implicit()
         assert callee.linear.band[2] == 1  # by the derivative reading
         found, over_time = slopes_of(runner, t, x)
         wanted = slopes_by_differences(runner, t, x)
@@ -121,10 +136,10 @@ def test_slopes_are_exact(form):
 
 def slopes_of(runner, t, x):
     """df/dx and df/dt as the solver has them at the first step of a run."""
-    callee, size = runner.implicit()
+    callee = runner.implicit()
     n, end = len(x), t + 1e-9
     pieces = [runner.schedule(t, end)]
-    P = np.resize(np.append(runner.parameters(True), 0.0), size)
+    P = runner.parameters()
     batch = Batch(callee, x[None], P[None], np.array([t, end]), pieces)
     batch.advance(1e-3, 1e-3, 1)
     places = callee.linear.places
@@ -153,7 +168,7 @@ def chained(t, x, u, p):
 
 def test_a_chain_takes_few_derivatives_and_a_narrow_band():
     runner = NativeDiagram(Block("chained", update=chained, states={"a": 50, "b": 50}))
-    linear = runner.implicit()[0].linear
+    linear = runner.implicit().linear
     assert len(linear.begins) - 1 <= 4
     assert linear.band[:2].max() <= 4
     draw = np.random.default_rng(2)
@@ -348,6 +363,6 @@ def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
 
 def test_a_wiring_knows_which_states_reach_which_rates():
     block = Block("heat", update=PROBLEMS["heat"].rates, states={"s": 400})
-    linear = NativeDiagram(wiring_of(block)).implicit()[0].linear
+    linear = NativeDiagram(wiring_of(block)).implicit().linear
     assert list(linear.band) == [1, 1, 1]
     assert len(linear.begins) == 4

@@ -19,8 +19,8 @@ from ...equations.at_many import evaluate
 from ...equations.block import Block
 from ...errors import ScenarioError
 from ...native.batch import Batch
+from ...native.machine import LANES
 from ...native.native_diagram import NativeDiagram
-from ...native.processor import LANES
 from ...scenario.experiment import Scenario
 from ...simulation.loops import paper_blocks
 from ...simulation.starts import state_of

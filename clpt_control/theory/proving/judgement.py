@@ -41,7 +41,7 @@ from ...errors import ClptError, DataError
 from ...files import write_text
 from ...files.user_cache import cache_folder, trusted
 from ...native.engines import VARIABLE
-from ...native.processor import processor
+from ...native.machine import processor
 from ...scenario.team import LAW, Team
 from ...simulation.loops import error_loop, paper_blocks
 from ...simulation.teams import team_blocks

@@ -1,0 +1,242 @@
+"""Ways of a run other than by DOP853 from one end to the other: stiff, of discrete time, loose.
+
+`finish` goes on by an implicit method where a run is stiff: DOP853 stops where its own steps look
+stiff (`method`, Hairer's test) and many are ahead.  They look so as well where rates jump; so it is
+asked how large the eigenvalues of df/dx are, which know of no jumps.
+
+`iterated` is of diagrams of discrete time, x[k+1] = derivative(t_k, x[k], u_k), signals of sample k
+from x[k].  The times are those that python-control takes: `dt` apart, or evenly spaced where dt is
+True.  What sampled parts hold where a run begins says `begun`.
+
+`loosely` runs in Python at loose tolerances by Dormand and Prince's method of order 5, as
+python-control does: there a step of order 8 costs more evaluations than it saves.  A run stops
+where a block jumps in time and where a sampled input turns sharply; smaller bends, as of a sampled
+sine, are smooth to the tolerance.
+"""
+
+from bisect import bisect_right
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from ..errors import SimulationError
+from ..progress.interrupt import check
+from . import solver
+from .batch import MEMBER_STEPS, Batch, Callee
+from .ending import Solution
+from .schedule import Inputs, Schedule
+from .sweep import Sweep
+
+# --- stiff ------------------------------------------------------------------------------------
+
+METHODS = {"auto": solver.DOP853, "dop853": solver.DOP853, "rodas5p": solver.RODAS5P}
+LARGE = 3.0  # of step times eigenvalue: DOP853 is stable up to 6
+ROUNDS = 60  # of the power method
+Implicit = Callable[[], Callee]  # what an implicit method calls
+
+
+def checked_method(method: str | None) -> str:
+    """Return the name of a method; refuse what is none."""
+    if method is not None and method not in METHODS:
+        raise SimulationError(f"method = {method!r}: must be one of {', '.join(METHODS)}")
+    return method or "auto"
+
+
+def finish(
+    batch: Batch,
+    tolerances: tuple[float, float],
+    implicit: Implicit | None,
+    watch: Callable[[Batch], None] = lambda batch: None,
+    most: int = MEMBER_STEPS,
+) -> dict[int, Batch]:
+    """Run a batch to the end: what is stiff by an implicit method, one after the other.
+
+    Returns the rests of those runs, which `batch` holds as well.
+    """
+    rest: dict[int, Batch] = {}
+
+    def stiff(batch: Batch, k: int) -> bool:
+        assert implicit is not None
+        one = rest[int(batch.lane[1][solver.MEMBER, k])] = _rest(batch, k, implicit())
+        one.advance(*tolerances, 1)
+        h = float(batch.numbers[solver.STEP, k])
+        return h * radius(one.callee.linear.slopes) > LARGE
+
+    batch.adaptive(*tolerances, watch, most, None, None if implicit is None else stiff)
+    found = {int(m): rest[int(m)] for m in np.flatnonzero(batch.status == solver.STIFF)}
+    for m, one in found.items():
+        one.adaptive(*tolerances, watch, most)
+        done = len(batch.times) - len(one.times) + 1
+        batch.out[m, done:] = one.out[0, 1:]
+        batch.status[m], batch.reached[m] = one.status[0], done + one.reached[0] - 1
+        batch.counts[m] += one.counts[0]
+    return found
+
+
+def _rest(batch: Batch, k: int, callee: Callee) -> Batch:
+    """Return the run of a lane from where it is."""
+    lanes, n, _, _ = batch.shape
+    member, _, done, *_ = batch.lane[1][:, k].tolist()
+    t, given = float(batch.numbers[solver.TIME, k]), batch.runs[1][member, : callee.size].copy()
+    state = batch.Z[: n * lanes].reshape(n, lanes)[:, k].copy()
+    times = np.append(t, batch.times[done:])
+    pieces = [batch.pieces[batch.runs[2][member]].after(t)]
+    longest = float(batch.numbers[solver.LONGEST, k])
+    return Batch(callee, state[None], given[None], times, pieces, None, longest)
+
+
+def radius(matrix: np.ndarray) -> float:
+    """Return the size of a matrix's largest eigenvalue, nearly; 0.0 where it has none."""
+    v = np.random.default_rng(0).standard_normal(len(matrix))
+    growth = []
+    for _ in range(ROUNDS):
+        v = matrix @ v
+        size = float(np.linalg.norm(v))
+        if not 0.0 < size < np.inf:
+            return 0.0
+        growth.append(np.log(size))
+        v /= size
+    return float(np.exp(np.mean(growth[ROUNDS // 2 :])))
+
+
+# --- of discrete time -------------------------------------------------------------------------
+
+TOGETHER = 4096  # steps of a call
+
+
+def check_spacing(times: np.ndarray, dt: Any) -> None:
+    """Refuse times that are not one step of a diagram of discrete time apart."""
+    apart = np.diff(times)
+    if not np.allclose(apart, apart[0] if dt is True else dt):
+        every = "evenly spaced" if dt is True else f"{dt:.9g} apart"
+        raise SimulationError(
+            f"timepts: a diagram of discrete time (dt = {dt}) takes times that are {every}; these "
+            f"are {apart.min():.9g} to {apart.max():.9g} apart"
+        )
+
+
+def iterated(
+    runner: Any,
+    start: np.ndarray,
+    times: np.ndarray,
+    inputs: Inputs | None,
+    progress: Callable[[float], None] | None,
+) -> Solution:
+    """Return the states of a diagram of discrete time, ready to run, at its times."""
+    check_spacing(times, runner.wiring.dt)
+    pieces = runner.schedule(float(times[0]), float(times[-1]), inputs)
+    callee, P = runner.callee(1, inputs), runner.parameters()
+    n, x = len(start), np.zeros((len(times), len(start)))
+    x[0] = start
+    for first in range(0, len(times) - 1, TOGETHER):
+        check()
+        last = min(first + TOGETHER, len(times) - 1)
+        callee.ask(solver.DERIVATIVE, times[first:last], x.ravel()[first * n :], pieces, P)
+        bad = np.flatnonzero(~np.all(np.isfinite(x[first + 1 : last + 1]), axis=1))
+        if len(bad):
+            k = first + int(bad[0])
+            t, u = float(times[k]), None if inputs is None else inputs.at(float(times[k]))
+            found = runner.sweep.first_trouble(t, x[k], u) or "a state"
+            raise SimulationError(
+                f"the run stopped at t = {t:.9g}: {found} is not finite; check the parameters of "
+                "that block"
+            )
+        if progress is not None:
+            progress(float(times[last]))
+    statistics = {"steps": len(times) - 1, "evaluations": len(times) - 1, "restarts": 0}
+    made = Solution(times, x, statistics=statistics, engine=runner.engine)
+    made.pieces = runner, inputs, pieces
+    return made
+
+
+def begun(callee: Callee, start: np.ndarray, t: float, pieces: Schedule, P: Any) -> np.ndarray:
+    """Return the state with which a run begins: blocks that sample there hold what feeds them."""
+    if not pieces.begins:
+        return start
+    states = np.append(start, np.zeros(len(start)))
+    callee.ask(solver.JUMP, np.array([t]), states, pieces, P)
+    return states[len(start) :]
+
+
+# --- loose, in Python -------------------------------------------------------------------------
+
+LOOSE = 1e-7  # rtol from which on it pays
+SHARP = 10.0  # a turn is sharp that is so many times as sharp as most
+FELT = 200.0  # and one that is so many tolerances of the input, off the line before it
+MOST = 100_000  # steps
+PAUSE = 50  # steps
+LATE, SHARE = 2_000, 0.05  # after so many steps a run that has come no further is left to others
+
+
+def loosely(
+    sweep: Sweep,
+    start: np.ndarray,
+    times: np.ndarray,
+    tolerances: tuple[float, float],
+    inputs: Inputs | None,
+    progress: Callable[[float], None] | None,
+) -> tuple[np.ndarray, dict[str, int]] | None:
+    """Return states at times, and the numbers of steps, evaluations and restarts.
+
+    None where it cannot go on: whoever finds out why begins again.
+    """
+    from scipy.integrate import RK45
+
+    out, done, wanted = np.empty((len(times), len(start))), 1, times.tolist()
+    counts = dict.fromkeys(("steps", "evaluations", "restarts"), 0)
+    t, x, at = wanted[0], start, None if inputs is None else inputs.at
+    out[0], step = start, None  # the first is found by trial
+
+    def rates(t: float, x: np.ndarray) -> np.ndarray:
+        return sweep.rates(t, x, None if at is None else at(t))
+
+    with np.errstate(all="ignore"):
+        for end in stops(sweep, wanted[0], wanted[-1], inputs, tolerances[0]):
+            sweep.enter(t)
+            first = None if step is None else min(step, end - t)
+            run = RK45(rates, t, x, end, first_step=first, rtol=tolerances[0], atol=tolerances[1])
+            while run.status == "running":
+                run.step()
+                counts["steps"] += 1
+                if counts["steps"] % PAUSE == 0:
+                    check()
+                    if counts["steps"] == LATE and run.t - wanted[0] < SHARE * (
+                        wanted[-1] - wanted[0]
+                    ):
+                        return None
+                    if progress is not None:
+                        progress(run.t)
+                reached = bisect_right(wanted, run.t)
+                if run.status == "failed" or counts["steps"] > MOST:
+                    return None
+                if reached > done:
+                    out[done:reached] = run.dense_output()(times[done:reached]).T
+                    done = reached
+            counts["evaluations"] += run.nfev
+            counts["restarts"] += 1
+            t, x, step = run.t, run.y, run.h_abs
+            if done and wanted[done - 1] == t:
+                out[done - 1] = x
+    return (out, counts) if np.all(np.isfinite(out)) else None
+
+
+def stops(sweep: Sweep, t0: float, t1: float, inputs: Inputs | None, rtol: float) -> list[float]:
+    """Return where a run stops, up to its end."""
+    found = set(sweep.breakpoints(t0, t1).tolist())
+    if inputs is not None and inputs.samples is not None:
+        found.update(sharp(*inputs.samples, rtol).tolist())
+    return [*sorted(t for t in found if t0 < t < t1), t1]
+
+
+def sharp(times: np.ndarray, values: np.ndarray, rtol: float) -> np.ndarray:
+    """Return the times at which samples, joined by straight lines, turn sharply."""
+    if len(times) < 3:
+        return times[:0]
+    spans, size = times[1:] - times[:-1], np.max(np.abs(values), axis=1, keepdims=True)
+    slopes = (values[:, 1:] - values[:, :-1]) / spans
+    turns = np.abs(slopes[:, 1:] - slopes[:, :-1])
+    rounding = 1e-12 * np.max(np.abs(slopes), axis=1, keepdims=True)
+    sharper = turns > SHARP * np.median(turns, axis=1, keepdims=True) + rounding
+    felt = turns * np.minimum(spans[1:], spans[:-1]) > FELT * rtol * size + 1e-12 * size
+    return times[1:-1][np.any(sharper | felt, axis=0)]
