@@ -353,6 +353,9 @@ def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
         ensemble.members({"learning.gain": beside}, 20.0), np.array([0.0, 10.0, 20.0]), 1e-6, 1e-8
     )
     np.testing.assert_array_equal(again.states[[-1, 0]], found.states[[1, 3]])
+    same = ensemble.members({"learning.gain": np.full(8, 1e6)}, 20.0)  # stiff all at once
+    again = ensemble.run(same, np.array([0.0, 10.0, 20.0]), 1e-6, 1e-8)
+    np.testing.assert_array_equal(again.states, np.tile(found.states[1], (8, 1, 1)))
     one = scenario.with_values({"learning.gain": 1e6})
     runner = NativeDiagram(clpt.closed_loop(one))
     whole = runner.run(clpt.initial_state(one), [0.0, 10.0, 20.0], rtol=1e-6, atol=1e-8)
