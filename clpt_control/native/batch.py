@@ -55,7 +55,7 @@ class Callee(NamedTuple):
         signals: int = 0,
         into: np.ndarray | None = None,
     ) -> np.ndarray:
-        """Ask a function at times; return so many signals of each, (nt, signals).
+        """Call a function at times; return so many signals of each, (nt, signals).
 
         `states` holds the state for each, one after the other; what the function makes of it is
         written behind it, or there `into` another array.  `own` is P, or the beginning of it.

@@ -659,7 +659,7 @@ def solve_stage(n, s, linear, Z):
 
 
 def ask(code, role, times, states, n, pieces, places, values, t, P, T, W, D, out):
-    """Ask a function at times; what it writes into W is put into the rows of `out`.
+    """Call a function at times; what it writes into W is put into the rows of `out`.
 
     `states` holds n numbers for each time, `t` is room for one; D may be `states`, which then hold
     what the function makes of those before them.

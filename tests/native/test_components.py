@@ -3,10 +3,11 @@
 import numpy as np
 import pytest
 
+from clpt_control.conformance import readings
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.diagrams.wiring import wiring_of
 from clpt_control.equations import Block, lookup
-from clpt_control.native import NativeDiagram, readings
+from clpt_control.native import NativeDiagram
 
 SIZES = {"N": 11, "M": 3}
 STATES = {"x": "N", "y": "M", "A": ("N", "N"), "B": (2, "N"), "c": 2, "d": 20, "s": 1}
