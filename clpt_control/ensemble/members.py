@@ -39,6 +39,15 @@ class Members:
     schedules: list[Schedule]
 
 
+def check_method(scenario: Scenario) -> None:
+    """Refuse a scenario that names the method of its runs."""
+    if scenario.run.method != "auto":
+        raise ScenarioError(
+            f'run.method = "{scenario.run.method}": members begin with DOP853 and go on with '
+            "Rodas5P where they are stiff; remove the key"
+        )
+
+
 class Ensemble:
     """One scenario, compiled, from which members are made.
 
@@ -57,11 +66,7 @@ class Ensemble:
         for key, shape in self.keys.items():
             _check(scenario, key, tuple(shape))
         self.blocks = changed_blocks(scenario, changes)
-        if scenario.run.method != "auto":
-            raise ScenarioError(
-                f'run.method = "{scenario.run.method}": members begin with DOP853 and go on with '
-                "Rodas5P where they are stiff; remove the key"
-            )
+        check_method(scenario)
         self.columns = state_columns(self.blocks)
         self.native = NativeDiagram(wiring_of_blocks(self.blocks))
         self.lanes = self.native.lanes(LANES) if lanes else 1

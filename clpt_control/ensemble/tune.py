@@ -15,6 +15,7 @@ from ..blocks.laws.table import LAWS
 from ..errors import ClptError, ScenarioError, needed
 from ..scenario.experiment import Scenario
 from .candidates import Candidate, Unknown, about, as_they_come, belief, laws_to_try, unknown_of
+from .members import check_method
 from .scores import Score, because, listed, score_of, seen
 
 NEAR = 1.2  # times the best score: as good
@@ -89,6 +90,7 @@ def tune_law(
             f'learning.law = "{scenario.learning.law}": is the only law that learns at fixes; '
             "nothing is to choose, and its settings vary in an ensemble"
         )
+    check_method(scenario)
     names = tuple([laws] if isinstance(laws, str) else laws)
     for name in names:
         if name not in LAWS:

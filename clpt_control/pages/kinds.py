@@ -59,7 +59,17 @@ def _folder(path: Path) -> "xarray.Dataset":
     from ..ensemble.store import open_store
 
     if (path / "zarr.json").is_file():
-        return open_store(path, mode="r").dataset()
+        store = open_store(path, mode="r")
+        try:
+            data = store.dataset()
+            for array in data.variables.values():
+                if "time" not in array.dims:  # a page shows no trajectory
+                    array.load()
+        except Exception:  # a damaged file can raise anything
+            raise DataError(
+                f"{path}: is damaged: a part of it cannot be read; run the ensemble again"
+            ) from None
+        return data
     inside = [path / name for name in ("run.nc", "replay.nc") if (path / name).is_file()]
     raise DataError(
         f"{path}: is a folder without an ensemble; " + (f"give {inside[0]}" if inside else KNOWN)

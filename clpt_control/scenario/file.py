@@ -65,7 +65,7 @@ def load_scenario(path: str | Path) -> Scenario:
 def read_text(path: Path) -> str:
     """Return the text of a scenario's file."""
     try:
-        return read_bytes(path).decode("utf-8")
+        return read_bytes(path).decode("utf-8-sig")
     except UnicodeDecodeError:
         raise ScenarioError(f"{path}: is not text; a scenario is a TOML file in UTF-8") from None
     except DataError as error:

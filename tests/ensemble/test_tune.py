@@ -156,6 +156,11 @@ def test_what_cannot_be_tuned_is_refused(paper, arguments, said):
     assert "\n" not in str(caught.value)
 
 
+def test_a_method_of_its_own_is_refused_before_any_law_is_tried(paper):
+    with pytest.raises(ScenarioError, match=r'^run.method = "rodas5p": members begin with'):
+        tune_law(paper.with_values({"run.method": "rodas5p"}), laws=["sigma"])
+
+
 def test_the_command_writes_the_choice(clpt, paper, tmp_path):
     clpt_control.save_scenario(paper, tmp_path / "mine.toml")
     words = (

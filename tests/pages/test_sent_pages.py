@@ -209,6 +209,16 @@ def test_an_ensemble_has_its_page(tmp_path):
     assert "learning.gain varies from 0.2 to 2" in text
 
 
+@pytest.mark.parametrize("name", ["member/c/0", "flow_parameter_error/c/0/0"])
+def test_a_damaged_ensemble_is_a_sentence(tmp_path, name):
+    out, page = tmp_path / "e.zarr", tmp_path / "e.html"
+    clpt.run_ensemble(SHORT, "learning.gain=0.2:2.0", 2, out=out)
+    (out / name).write_bytes((out / name).read_bytes()[:5])
+    with pytest.raises(DataError, match="is damaged: a part of it cannot be read"):
+        clpt.report(out, page)
+    assert not page.exists()
+
+
 def test_an_ensemble_that_failed_has_its_page(tmp_path):
     long = SHORT.with_values({"run.duration": 250})
     failed = clpt.run_ensemble(

@@ -125,3 +125,10 @@ def test_a_path_is_no_scenario(call):
     ) as caught:
         call("x.toml")
     assert "\n" not in str(caught.value)
+
+
+def test_a_byte_order_mark_is_no_mistake(tmp_path):
+    file = tmp_path / "mine.toml"
+    clpt.save_scenario(PAPER, file)
+    file.write_bytes(b"\xef\xbb\xbf" + file.read_bytes())
+    assert clpt.load_scenario(file) == PAPER
