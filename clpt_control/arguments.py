@@ -300,6 +300,8 @@ def cure(value: Any, kinds: Kinds) -> str:
 def numbers(argument: str, value: Any, *last: int | None) -> np.ndarray:
     """Return an array of numbers; its last dimensions have the sizes given, None is any."""
     with suppress(TypeError, ValueError):
+        if getattr(getattr(value, "dtype", None), "kind", "") == "c":
+            raise TypeError  # NumPy would drop what is imaginary
         found = np.asarray([] if value is None else value, dtype=float)
         sizes = found.shape[max(found.ndim - len(last), 0) :]
         if all(one in (None, size) for one, size in zip_longest(last, sizes, fillvalue=-1)):

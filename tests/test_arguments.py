@@ -5,6 +5,7 @@ import dataclasses
 import inspect
 import textwrap
 
+import numpy as np
 import pytest
 from responses import response
 from test_documentation import is_code, methods, rooms
@@ -53,8 +54,15 @@ def test_a_scenario_refuses_what_it_does_not_know():
 NAN, INF = float("nan"), float("inf")
 WRONG = {
     "timepts": ("abc", ["a", "b"], [1.0, 0.0], [1.0], [0.0, 0.0], [0.0, NAN], [0.0, INF]),
-    "initial_state": ("a", ["one"], [1.0] * 15),
-    "inputs": ("ab", [[1.0, 2.0]], [[1.0], [1.0, 2.0, 3.0]], lambda t: [t], lambda t: ["a"]),
+    "initial_state": ("a", ["one"], [1.0] * 15, np.full(14, 1j)),
+    "inputs": (
+        "ab",
+        np.full((2, 2), 1j),
+        [[1.0, 2.0]],
+        [[1.0], [1.0, 2.0, 3.0]],
+        lambda t: [t],
+        lambda t: ["a"],
+    ),
     "rtol": (-1.0, NAN, "small"),
     "atol": (-1.0, NAN, "a"),
     "params": ([1.0], "a", {"adaptation.gan": 1.0}),

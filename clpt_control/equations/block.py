@@ -13,6 +13,7 @@ tables that SymPy reads as an undefined function (`opaque`).
 from collections.abc import Callable, Mapping
 from functools import cached_property
 from traceback import walk_tb
+from types import MappingProxyType
 from typing import Any
 
 import control
@@ -408,13 +409,15 @@ class Block(control.NonlinearIOSystem):
         return checked_parameters(self.name, value)
 
     @property
-    def params(self) -> dict[str, Any]:
-        """Return the parameters under the name, for python-control."""
-        return {self.name: self.parameters}
+    def params(self) -> Mapping[str, Any]:
+        """Return the parameters under the name, for python-control; `parameters` sets them."""
+        return MappingProxyType({self.name: self.parameters})
 
     @params.setter
-    def params(self, value: dict[str, Any]) -> None:
-        """Ignore python-control's own empty default."""
+    def params(self, value: Mapping[str, Any]) -> None:
+        """Ignore python-control's own empty default; refuse what would be lost."""
+        if value:
+            raise BlockError(f"{self.name}.params: are read; set {self.name}.parameters")
 
     def with_params(self, params: Mapping[str, Any] | None) -> Any:
         """Return the parameters, changed by {"block.field": value}."""

@@ -78,7 +78,7 @@ class System(Block):
         return value  # of the numbers among the system's params
 
     @property
-    def params(self) -> dict[str, Any]:
+    def params(self) -> Mapping[str, Any]:
         """Return the system's params."""
         return self.given
 

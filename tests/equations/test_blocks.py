@@ -46,6 +46,16 @@ def made(parameters, **more):
     )
 
 
+def test_params_of_python_control_are_read_so_that_no_change_is_lost():
+    block = made(Tuple(0.5, THETA))
+    with pytest.raises(TypeError, match="assignment"):
+        block.params["mine.gain"] = 2.0
+    with pytest.raises(BlockError, match=r"set mine\.parameters"):
+        block.params = {"mine.gain": 2.0}
+    block.parameters = Tuple(2.0, THETA)
+    np.testing.assert_array_equal(block.output(0, [], [1, 0, 2]), 2 * THETA @ [1, 0, 2])
+
+
 @pytest.mark.parametrize("parameters", KINDS, ids=["dict", "lists", "NamedTuple", "dataclass"])
 def test_parameters_are_a_dict_a_named_tuple_or_a_dataclass(parameters):
     block = made(parameters)
