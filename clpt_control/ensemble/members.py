@@ -65,6 +65,12 @@ class Ensemble:
         self.scenario, self.keys, self.changes = scenario, dict(keys), changes
         for key, shape in self.keys.items():
             _check(scenario, key, tuple(shape))
+            own = ("learning.gain", f"learning.{scenario.learning.row.table}.")
+            if changes.law is not None and key.startswith(own):
+                raise ScenarioError(
+                    f"vary: {key} cannot vary: it is of the scenario's law, in whose place "
+                    f"{changes.law.name} is given in Python"
+                )
         self.blocks = changed_blocks(scenario, changes)
         check_method(scenario)
         self.columns = state_columns(self.blocks)

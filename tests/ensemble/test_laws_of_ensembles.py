@@ -79,6 +79,17 @@ def test_settings_vary(quick, name):
     assert_members_are_runs(data, scenario, key)
 
 
+@pytest.mark.parametrize(
+    ("law", "key"),
+    [("learned-flow", "learning.gain"), ("sigma", "learning.sigma.leak")],
+)
+def test_what_a_law_given_in_python_does_not_read_cannot_vary(quick, law, key):
+    scenario = quick.with_values({"learning.law": law, key: 0.5})
+    loop = clpt.closed_loop(scenario, law=law_blocks.remembering_law())
+    with pytest.raises(ScenarioError, match=f"^vary: {key} cannot vary: it is of the scenario's"):
+        run_ensemble(loop, f"{key}=0.2:2.0", 3)
+
+
 def test_a_block_takes_the_laws_place(quick, tmp_path):
     law, vary = law_blocks.remembering_law(), "flow.parameters~normal:0.1"
     data = run_ensemble(clpt.closed_loop(quick, law=law), vary, 12, samples=20, threads=2, chunk=4)
