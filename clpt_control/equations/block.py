@@ -410,7 +410,7 @@ class Block(control.NonlinearIOSystem):
 
     @property
     def params(self) -> Mapping[str, Any]:
-        """Return the parameters under the name, for python-control; `parameters` sets them."""
+        """Return the parameters by name; `parameters` sets them."""
         return MappingProxyType({self.name: self.parameters})
 
     @params.setter
