@@ -33,8 +33,8 @@ def design(
     level: Annotated[
         float | None, opt("ERROR", "Error that ends the learning time; default: a tenth.")
     ] = None,
-    seed: Annotated[int, opt("NUMBER", "Of the search.")] = 0,
-    generations: Annotated[int, opt("COUNT", "Of the search.")] = 60,
+    seed: Annotated[int, opt("NUMBER", "Seed of the search.")] = 0,
+    generations: Annotated[int, opt("COUNT", "Generations of the search.")] = 60,
     figure: Annotated[Path | None, opt("FILE", ".png, .pdf or .svg: old and new track.")] = None,
     as_json: Json = False,
 ) -> None:

@@ -15,7 +15,8 @@ def ensemble(
     scenario: ScenarioFile,
     members: Annotated[int, opt("COUNT", "How many runs.")],
     vary: Annotated[
-        list[str], opt("KEY=LOW:HIGH", "Or KEY~normal:DEVIATION, or KEY=[VALUE, ...]; repeat it.")
+        list[str],
+        opt("KEY=LOW:HIGH", "A range, KEY~normal:DEVIATION or KEY=[VALUE, ...]; repeat it."),
     ],
     out: Annotated[Path, opt("FOLDER", "Zarr folder; if it holds a part, go on from there.")],
     design: Annotated[
@@ -26,7 +27,7 @@ def ensemble(
             autocompletion=one_of("lhs", "grid", "random"),
         ),
     ] = "lhs",
-    seed: Annotated[int, opt("NUMBER", "Of the draws.")] = 0,
+    seed: Annotated[int, opt("NUMBER", "Seed of the draws.")] = 0,
     threads: Annotated[int | None, opt("COUNT", "Default: all processors.")] = None,
     trajectories: Annotated[
         bool, typer.Option("--trajectories", help="Keep the states too.")

@@ -28,7 +28,7 @@ Json = Annotated[
 ]
 
 Formats = Annotated[
-    list[str] | None, opt("FORMAT", "Of the figures: png, svg, pdf; repeat it.", "--format")
+    list[str] | None, opt("FORMAT", "Format of the figures: png, svg, pdf; repeat it.", "--format")
 ]
 
 

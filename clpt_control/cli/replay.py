@@ -149,7 +149,7 @@ def replay(
             if follow is None and all(dive.turned is None for dive in dives):
                 raise ScenarioError(
                     f"--variation {variation:g}: no dive here has its dead reckoning from a "
-                    "magnetic heading; leave it away"
+                    "magnetic heading; leave it out"
                 )
             dives = [turned(dive, variation) for dive in dives]
         used, unused = usable(dives, least)

@@ -26,7 +26,7 @@ def tune(
         list[str] | None,
         opt("NAME", "A law to compare; repeat it; default: all.", autocompletion=names_of_laws),
     ] = None,
-    seed: Annotated[int, opt("NUMBER", "Of the draws.")] = 0,
+    seed: Annotated[int, opt("NUMBER", "Seed of the draws.")] = 0,
     as_json: Json = False,
 ) -> None:
     """Choose law, gains and filter for a flow that is not known.
