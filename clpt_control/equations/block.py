@@ -12,6 +12,7 @@ tables that SymPy reads as an undefined function (`opaque`).
 
 from collections.abc import Callable, Mapping
 from functools import cached_property
+from threading import local
 from traceback import walk_tb
 from types import MappingProxyType
 from typing import Any
@@ -38,6 +39,14 @@ from .record import Shape
 from .shown import block_html, block_line
 
 READ = ("_read_records", "feedthrough")  # attributes that hold what was read
+
+
+class Call(local):
+    """What python-control's call runs with; threads that share a block have each their own."""
+
+    def __init__(self, parameters: Any) -> None:
+        self.parameters = parameters
+        self.seen: tuple[float, float] | None = None  # time and interval of the first rate
 
 
 def line_of(error: Exception, function: Callable) -> str:
@@ -378,7 +387,8 @@ class Block(control.NonlinearIOSystem):
         return {role: self.array_record(role) for role in {**self._roles, "output": None}}
 
     def __getstate__(self) -> dict[str, Any]:
-        return {name: value for name, value in self.__dict__.items() if name not in READ}
+        left_out = (*READ, "_call_of_thread")
+        return {name: value for name, value in self.__dict__.items() if name not in left_out}
 
     @property
     def _records(self) -> dict[str, ArrayRecord | Unread]:
@@ -401,9 +411,14 @@ class Block(control.NonlinearIOSystem):
         self._parameters = self._checked(value)
         self._forget()
         self._bind()
-        self._current = self._parameters
-        self._jumps, self._jumps_until = np.zeros(0), 0.0
-        self._seen: tuple[float, float] | None = None  # time and interval of the first rate
+        self.__dict__.pop("_call_of_thread", None)
+        self._jumps = np.zeros(0), 0.0  # and until when they are known
+
+    @property
+    def _call(self) -> Call:
+        if "_call_of_thread" not in self.__dict__:
+            self.__dict__.setdefault("_call_of_thread", Call(self._parameters))
+        return self._call_of_thread
 
     def _checked(self, value: Any) -> Any:
         return checked_parameters(self.name, value)
@@ -453,7 +468,7 @@ class Block(control.NonlinearIOSystem):
         return checked_parameters(self.name, self.parameters._replace(**changes), self.parameters)
 
     def _update_params(self, params: Mapping[str, Any] | None) -> None:
-        self._current, self._seen = self.with_params(params), None
+        self._call.parameters, self._call.seen = self.with_params(params), None
 
     # --- jumps in time ----------------------------------------------------------------
 
@@ -480,14 +495,15 @@ class Block(control.NonlinearIOSystem):
         """
         if p is not None and p is not self.parameters:
             return np.float64(len(self.breakpoints(0.0, t, p)))
-        if t >= self._jumps_until:
-            self._jumps_until = max(2.0 * t, t + 1.0)
-            self._jumps = self.breakpoints(0.0, self._jumps_until)
-        return np.float64(np.searchsorted(self._jumps, t, side="right"))
+        jumps, until = self._jumps
+        if t >= until:
+            until = max(2.0 * t, t + 1.0)
+            jumps, _ = self._jumps = self.breakpoints(0.0, until), until
+        return np.float64(np.searchsorted(jumps, t, side="right"))
 
     def parameters_at(self, t: float, p: Any = None) -> Any:
         """Return the parameters with `interval` filled in for time t."""
-        p = self._current if p is None else p
+        p = self._call.parameters if p is None else p
         if self.breakpoints_function is None or p.interval >= 0:
             return p
         return p._replace(interval=self.interval_at(t, p))
@@ -516,13 +532,13 @@ class Block(control.NonlinearIOSystem):
         if self.update_function is None:
             return np.zeros(0)
         p = self.parameters_at(t)
-        if self.jump_function is not None and not self._current.interval >= 0:
+        if self.jump_function is not None and not self._call.parameters.interval >= 0:
             self._refuse_jumps(float(t), float(p.interval))
         return self.values("update", self.nstates, t, x, u, p)
 
     def _refuse_jumps(self, t: float, interval: float) -> None:
         """Refuse rates on both sides of a jump, which is what an integration asks for."""
-        since, first = self._seen = self._seen or (t, interval)
+        since, first = self._call.seen = self._call.seen or (t, interval)
         if interval != first:
             raise BlockError(
                 f"{self.name}: its states jump between t = {since:.9g} and t = {t:.9g}, and "

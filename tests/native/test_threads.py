@@ -1,7 +1,13 @@
-"""Threads that compile at the same moment are given the same code, and keep it."""
+"""Threads that compile at the same moment share the code; those that call a block share no call."""
 
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
+
+import control
+import numpy as np
+
+from clpt_control import Block
 
 ASKED_AT_ONCE = """
 from concurrent.futures import ThreadPoolExecutor
@@ -31,3 +37,18 @@ for _, *states in found:
 def test_threads_that_compile_at_once():
     done = subprocess.run([sys.executable, "-c", ASKED_AT_ONCE], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
+
+
+def test_each_thread_runs_a_shared_block_with_its_own_params():
+    block = Block(
+        "plant", update=lambda t, x, u, p: -p.rate * x, states={"x": 1}, parameters={"rate": 1.0}
+    )
+    rates, times = 1.0 + 0.3 * (np.arange(48) % 8), np.linspace(0.0, 1.0, 20)
+
+    def run(rate):
+        asked = {"params": {"plant.rate": rate}, "solve_ivp_kwargs": {"rtol": 1e-8}}
+        return control.input_output_response(block, times, 0, [1.0], **asked).states[0]
+
+    with ThreadPoolExecutor(8) as pool:
+        found = np.array(list(pool.map(run, rates)))
+    np.testing.assert_allclose(found, np.exp(-np.outer(rates, times)), atol=1e-5)
