@@ -57,21 +57,15 @@ def application() -> "typer.Typer":
     """Return the command line with all its commands."""
     import typer
 
-    from .animate import animate
-    from .design import design
-    from .ensemble import ensemble
-    from .estimate import estimate
-    from .excitation import excitation
-    from .fit import fit
     from .help_pages import Command, Page, clpt
-    from .laws import laws
+    from .laws_and_proofs import laws, prove
+    from .many_runs import ensemble, tune
+    from .measurements import estimate, fit, tides
     from .one_scenario import diagram, init, paper, run
-    from .prove import prove
     from .replay import replay
     from .replay_report import WithPlaces
-    from .report import report
-    from .tides import tides
-    from .tune import tune
+    from .to_show import animate, report
+    from .tracks import design, excitation
 
     app = typer.Typer(
         name="clpt",

@@ -130,6 +130,11 @@ def opt(metavar: str, said: str, *names: str, **more: Any) -> Any:
     return typer.Option(*names, metavar=metavar, help=said, **more)
 
 
+def flag(said: str, *names: str) -> Any:
+    """Return an option without a value: its help, names other than the parameter's."""
+    return typer.Option(*names, help=said)
+
+
 def arg(metavar: str, said: str) -> Any:
     """Return an argument: its word and its help."""
     return typer.Argument(metavar=metavar, help=said)

@@ -6,7 +6,11 @@ from typing import Annotated
 
 import typer
 
+import clpt_control as clpt
+
 from ..errors import ClptError
+from ..files import beside, check_name, check_writable, make_folder
+from ..progress import progress_bar
 from .help_pages import arg, one_of, opt
 from .printing import Formats, Json, ScenarioFile, finish
 
@@ -34,8 +38,6 @@ def init(
     Example:
         clpt init mine.toml
     """
-    from ..files import beside, check_name
-
     if example not in EXAMPLES:
         raise ClptError(f"--example {example}: must be one of {', '.join(EXAMPLES)}")
     name, source, then = EXAMPLES[example]
@@ -59,23 +61,18 @@ def paper(
         clpt paper --out paper
     """
     from ..figures import checked_formats
-    from ..files import make_folder
     from ..pages.run_words import claims_result
-    from ..progress import progress_bar
-    from ..scenario.file import paper_scenario
-    from ..simulation.report import claims, run_and_report
-    from ..simulation.run_file import save_run
     from ..simulation.team_plots import save_figures
 
     kinds = checked_formats(formats or ["png"])
-    scenario, folder = paper_scenario(), make_folder(out)
+    scenario, folder = clpt.paper_scenario(), make_folder(out)
     with progress_bar("section IV", scenario.run.duration) as report:
-        run, fine, summary = run_and_report(scenario, report)
-    save_run(run, folder / "run.nc")
+        run, fine, summary = clpt.simulation.run_and_report(scenario, report)
+    clpt.save_run(run, folder / "run.nc")
     drawn = save_figures(fine, folder, kinds)
-    summary["claims"] = claims(summary)
+    summary["claims"] = clpt.simulation.claims(summary)
     said = [f"{folder}: {drawn[0].name} to {drawn[-1].name}, run.nc"]
-    finish(claims_result(summary["claims"])._replace(sentences=said), summary, as_json)
+    finish([claims_result(summary["claims"])._replace(sentences=said)], summary, as_json)
 
 
 def run(
@@ -91,25 +88,20 @@ def run(
         clpt run mine.toml --out run.nc --figures figures
     """
     from ..figures import checked_formats
-    from ..files import check_writable, make_folder
     from ..pages.run_words import run_result
-    from ..progress import progress_bar
     from ..scenario.team_file import load_either
-    from ..simulation.report import run_and_report
-    from ..simulation.run_file import save_run
+    from ..simulation.team_plots import save_figures
 
     kinds = checked_formats(formats or ["png"])
     experiment = load_either(scenario)
     check_writable(out)
     folder = None if figures is None else make_folder(figures)
     with progress_bar(f"running {scenario.name}", experiment.run.duration) as report:
-        result, fine, summary = run_and_report(experiment, report)
-    save_run(result, out)
+        result, fine, summary = clpt.simulation.run_and_report(experiment, report)
+    clpt.save_run(result, out)
     if folder is not None:
-        from ..simulation.team_plots import save_figures
-
         save_figures(fine, folder, kinds)
-    finish(run_result(summary, summary["title"] or str(scenario)), summary, as_json, out)
+    finish([run_result(summary, summary["title"] or str(scenario))], summary, as_json, out)
 
 
 def diagram(
@@ -126,13 +118,9 @@ def diagram(
     Example:
         clpt diagram mine.toml -o loop.svg
     """
-    from ..diagrams.drawing import draw, mermaid
-    from ..scenario.file import load_scenario
-    from ..simulation.loops import closed_loop
-
-    wired = closed_loop(load_scenario(scenario), external or ())
+    wired = clpt.closed_loop(clpt.load_scenario(scenario), external or ())
     if out is None:
-        typer.echo(mermaid(wired))
+        typer.echo(clpt.diagrams.mermaid(wired))
         return
-    draw(wired, out)
+    clpt.draw(wired, out)
     typer.echo(f"{out}: written")

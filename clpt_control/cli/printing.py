@@ -2,15 +2,16 @@
 
 import json
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 from ..errors import ClptError, SimulationError
+from ..files import check_writable, write_figure
 from ..html.text import Result
-from .help_pages import arg, opt
+from .help_pages import arg, flag, opt
 
 ScenarioFile = Annotated[Path, arg("SCENARIO", "A scenario's TOML file, or a run's NetCDF.")]
 Window = Annotated[
@@ -21,10 +22,7 @@ PIPED = 140  # letters of a line that goes to no terminal
 LONG = 40  # characters; longer cells are broken into lines
 Json = Annotated[
     bool,
-    typer.Option(
-        "--json",
-        help="Print one JSON object and nothing else; a mistake is told on standard error.",
-    ),
+    flag("Print one JSON object and nothing else; a mistake is told on standard error.", "--json"),
 ]
 
 Formats = Annotated[
@@ -34,24 +32,27 @@ Formats = Annotated[
 
 def check_figure(path: Path | None) -> None:
     """Refuse a figure that cannot be written, before work begins."""
-    from ..files import check_writable
-
-    if path is None:
-        return
-    check_writable(path)
-    if path.suffix not in (".png", ".pdf", ".svg"):
-        raise ClptError(f"{path}: a figure's name must end in .png, .pdf or .svg")
+    _check(path, (".png", ".pdf", ".svg"), "a figure's name must end in .png, .pdf or .svg")
 
 
 def check_scenario(path: Path | None) -> None:
     """Refuse a scenario's file that cannot be written, before work begins."""
-    from ..files import check_writable
+    _check(path, (".toml",), "must end in .toml; it becomes a scenario")
 
-    if path is None:
-        return
-    check_writable(path)
-    if path.suffix != ".toml":
-        raise ClptError(f"{path}: must end in .toml; it becomes a scenario")
+
+def _check(path: Path | None, endings: Sequence[str], wrong: str) -> None:
+    if path is not None:
+        check_writable(path)
+        if path.suffix not in endings:
+            raise ClptError(f"{path}: {wrong}")
+
+
+def draw_figure(path: Path | None, plot: Callable[..., Any], *given: Any) -> None:
+    """Write what a plot draws, where a figure is asked for."""
+    if path is not None:
+        from ..figures import figure_of
+
+        write_figure(figure_of(plot, *given), path)
 
 
 def print_json(value: dict[str, Any]) -> None:
@@ -65,14 +66,18 @@ def print_json(value: dict[str, Any]) -> None:
     typer.echo(text)
 
 
-def finish(found: Result, report: dict[str, Any], as_json: bool, *written: Path | None) -> None:
-    """Print what was found, as one JSON object or as table and sentences; name files written."""
+def finish(
+    found: Iterable[Result], report: dict[str, Any], as_json: bool, *written: Path | None
+) -> None:
+    """Print what was found, as one JSON object or as tables and sentences; name files written."""
     if as_json:
         print_json(report)
         return
-    print_table(found.title, found.columns, found.rows)
-    for sentence in found.sentences:
-        typer.echo(sentence)
+    for one in found:
+        if one.columns:
+            print_table(one.title, one.columns, one.rows)
+        for sentence in one.sentences:
+            typer.echo(sentence)
     for path in written:
         if path is not None:
             typer.echo(f"{path}: written")

@@ -1,13 +1,56 @@
-"""`clpt design`: waypoints from which most can be learned."""
+"""What a track teaches: `clpt excitation` measures it, `clpt design` finds a better track."""
 
 from pathlib import Path
 from typing import Annotated, Any
 
+import clpt_control as clpt
+
+from ..errors import ClptError
+from ..files import write_together
 from ..html.text import Result
+from ..progress import progress_bar
 from .help_pages import opt
-from .printing import Json, ScenarioFile, Start, Window, check_figure, check_scenario, finish, shown
+from .printing import (
+    Json,
+    ScenarioFile,
+    Start,
+    Window,
+    check_figure,
+    check_scenario,
+    draw_figure,
+    finish,
+    shown,
+)
 
 Four = tuple[float, float, float, float]
+
+
+def excitation(
+    scenario: ScenarioFile,
+    window: Window = None,
+    start: Start = None,
+    figure: Annotated[
+        Path | None, opt("FILE", ".png, .pdf or .svg: eigenvalues and directions.")
+    ] = None,
+    as_json: Json = False,
+) -> None:
+    """Measure what can be learned on a track, and how fast.
+
+    Of a team: by each vehicle alone, and by all together.
+
+    Example:
+        clpt excitation mine.toml --figure excitation.png
+    """
+    from ..pages.excitation_section import excitation_of, excitation_result, is_team
+    from ..scenario.team_file import load_either
+
+    source = clpt.load_run(scenario) if scenario.suffix == ".nc" else load_either(scenario)
+    if figure is not None and is_team(source):
+        raise ClptError("--figure: is for one vehicle; leave it out for a team")
+    check_figure(figure)
+    report = excitation_of(source, window, start)
+    draw_figure(figure, clpt.theory.excitation_plot, source, report["window"], report["start"])
+    finish([excitation_result(report)], report, as_json, figure)
 
 
 def design(
@@ -43,16 +86,13 @@ def design(
     Example:
         clpt design mine.toml --out better.toml --max-speed 1.5
     """
-    from ..files import write_together
-    from ..progress import progress_bar
-    from ..scenario.file import load_scenario, scenario_to_text
-    from ..theory.designing.design import design_track
+    from ..scenario.file import scenario_to_text
 
-    experiment = load_scenario(scenario)
+    experiment = clpt.load_scenario(scenario)
     check_scenario(out)
     check_figure(figure)
     with progress_bar(f"designing {scenario.name}", 1.0) as report:
-        found = design_track(
+        found = clpt.theory.design_track(
             experiment,
             length=length,
             max_speed=max_speed,
@@ -70,13 +110,12 @@ def design(
     results: dict[Path, Any] = {out: scenario_to_text(found.scenario, out.parent)}
     if figure is not None:
         from ..figures import figure_of
-        from ..theory.designing.plot import design_plot
 
-        results[figure] = figure_of(design_plot, found)
+        results[figure] = figure_of(clpt.theory.design_plot, found)
     write_together(results)
     columns = ["", "before", "after"]
     result = Result(_title(found.report), columns, _rows(found.report), _sentences(found.report))
-    finish(result, found.report, as_json, *results)
+    finish([result], found.report, as_json, *results)
 
 
 def _title(report: dict[str, Any]) -> str:

@@ -1,0 +1,154 @@
+"""`clpt laws`: their table; `clpt prove`: theorems and laws, on the equations that run."""
+
+from dataclasses import asdict
+from typing import Annotated, Any
+
+from ..errors import SimulationError
+from ..html.text import Result
+from ..progress import progress_bar
+from .help_pages import flag, one_of, opt
+from .printing import Json, finish
+
+OF_THEOREM = "status for_every_N printed assumptions steps conclusion corrected cited not_proved"
+OF_LAW = "law status claim for_every_N steps"
+FIELDS = {  # of each room's proofs, in JSON
+    "theorems": OF_THEOREM.split(),
+    "limited_speed": OF_THEOREM.split(),
+    "laws": OF_LAW.split(),
+    "team": [*OF_LAW.split()[1:], "cited"],
+}
+
+
+def laws(as_json: Json = False) -> None:
+    """List the adaptive laws: promises, needs and settings.
+
+    Example:
+        clpt laws
+    """
+    from ..blocks.laws.table import LAWS
+
+    listed = {}
+    for law in LAWS.values():
+        settings = {
+            key: {"default": one.default, "allowed": one.allowed, "meaning": one.meaning}
+            for key, one in law.settings.items()
+        }
+        listed[law.name] = {
+            "promise": law.promise,
+            "needs": law.needs,
+            "default_gain": law.gain,
+            "table": f"learning.{law.table}" if settings else None,
+            "settings": settings,
+        }
+    rows = [[law.name, law.promise, law.needs] for law in LAWS.values()]
+    keys = [
+        [
+            f"learning.{law.table}.{key}",
+            one.allowed,
+            "of the scenario" if one.default is None else f"{one.default:g}",
+            one.meaning,
+        ]
+        for law in LAWS.values()
+        for key, one in law.settings.items()
+    ]
+    found = [
+        Result("Laws (learning.law)", ["law", "promise", "needs"], rows, [""]),
+        Result("Settings", ["key", "allowed", "default", "what it is"], keys),
+    ]
+    finish(found, {"laws": listed}, as_json)
+
+
+def prove(
+    theorem: Annotated[
+        str | None,
+        opt(
+            "NUMBER",
+            "3.1 to 3.4; default: all, limits and every law.",
+            autocompletion=one_of("3.1", "3.2", "3.3", "3.4"),
+        ),
+    ] = None,
+    again: Annotated[bool, flag("Judge what was judged before.", "--again")] = False,
+    as_json: Json = False,
+) -> None:
+    """Check the paper's theorems, and every law, by symbols.
+
+    The equations are those that run, read from the same blocks.
+
+    Example:
+        clpt prove --theorem 3.2
+    """
+    from ..theory.proving.two_processes import judge, nothing_kept, own_digest, second_process
+
+    with second_process() as pool:
+        if pool is not None and theorem is None and (again or nothing_kept()):
+            pool.submit(own_digest)  # what it needs takes a while to be imported
+        from ..theory.proving.judgement import Kept, parts
+
+        wanted, kept = parts(theorem), Kept()
+        new = [part for part in wanted if again or part not in kept.verdicts]
+        if new:
+            with progress_bar("proving", len(new)) as report:
+                kept.keep(judge(new, kept.digest, report, pool))
+    judged: dict[Any, Any] = {part: kept.verdicts[part] for part in wanted}
+    rooms = {room: {p.name: v for p, v in judged.items() if p.room == room} for room in FIELDS}
+    listed = judged[wanted[-1]]
+    judged_at = max(kept.times[part] for part in wanted)
+    said: dict[str, Any] = {
+        room: {name: _said(one, room, name) for name, one in proofs.items()}
+        for room, proofs in rooms.items()
+    }
+    said |= {"team": said["team"].get(""), "misprints": listed}
+    said["judged"] = {"time": judged_at, "before": not new}
+    found = [_result(f"Theorem {name}", one) for name, one in rooms["theorems"].items()]
+    found += [
+        _result(f"Limited speed, {name}", one) for name, one in rooms["limited_speed"].items()
+    ]
+    if rooms["laws"]:
+        rows = [
+            [law, one.status + (", every N" if one.for_every_N else ""), one.claim]
+            for law, one in rooms["laws"].items()
+        ]
+        found.append(Result("Laws", ["law", "status", "V' along the closed loop"], rows, [""]))
+    found += [_result("A team that learns one flow", one) for one in rooms["team"].values()]
+    columns = ["equation", "printed", "should be", "confirmed"]
+    rows = [
+        [m["equation"], m["printed"], m["corrected"], "yes" if m["confirmed"] else "NO"]
+        for m in listed
+    ]
+    before = f"judged on {judged_at} of the same equations; --again judges anew"
+    found.append(Result("Misprints", columns, rows, [] if new else [before]))
+    finish(found, said, as_json)
+    wrong = [
+        f"{'limited speed, ' * (room == 'limited_speed')}{name} at step '{step.claim}'"
+        for room in ("theorems", "limited_speed")
+        for name, found in rooms[room].items()
+        for step in found.failed
+    ]
+    wrong += [
+        f"law {law}: {found.claim}" for law, found in rooms["laws"].items() if not found.holds
+    ]
+    wrong += [f"team: {found.claim}" for found in rooms["team"].values() if not found.holds]
+    wrong += [
+        f"the misprint of {m['equation']} is not confirmed" for m in listed if not m["confirmed"]
+    ]
+    if wrong:
+        more = f" (and {len(wrong) - 1} more)" if len(wrong) > 1 else ""
+        raise SimulationError(f"the proof fails: {wrong[0]}{more}")
+
+
+def _said(found: Any, room: str, name: str) -> dict[str, Any]:
+    """Return what is said of one thing in JSON."""
+    known = {**asdict(found), "law": name, "conclusion": found.claim}
+    return {field: known[field] for field in FIELDS[room]}
+
+
+def _result(name: str, found: Any) -> Result:
+    """Return the steps of a proof, and what is printed, holds, is cited or not shown."""
+    rows = [["yes" if s.holds else "NO", s.how, s.claim, s.detail] for s in found.steps]
+    every = ", for every N" if found.for_every_N else ""
+    sentences = [("printed", found.printed), ("holds", found.corrected), ("cited", found.cited)]
+    sentences += [("not shown", rest) for rest in found.not_proved]
+    said = [f"{what + ':':8} {sentence}" for what, sentence in sentences if sentence]
+    return Result(
+        f"{name}: {found.status}{every}", ["holds", "how", "claim", ""], rows, [*said, ""]
+    )

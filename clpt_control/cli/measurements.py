@@ -1,0 +1,225 @@
+"""Of measurements: `clpt fit` of a current, `clpt tides` of a record, `clpt estimate` of fixes."""
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import clpt_control as clpt
+
+from ..errors import DataError, ScenarioError
+from ..files import make_folder, write_together
+from ..html.text import Result
+from .help_pages import TIDES, arg, flag, one_of, opt
+from .printing import Formats, Json, finish, shown
+
+
+def fit(
+    currents: Annotated[Path, arg("FILE", "NetCDF file of a gridded current.")],
+    out: Annotated[Path, opt("SCENARIO", "Scenario file to write; the field lies beside it.")],
+    box: Annotated[
+        tuple[float, float, float, float] | None,
+        opt("LAT0 LAT1 LON0 LON1", "Degrees; default: the whole grid."),
+    ] = None,
+    rows: Annotated[int, opt("COUNT", "Places of functions, south to north.")] = 3,
+    columns: Annotated[int, opt("COUNT", "Places of functions, west to east.")] = 3,
+    width_km: Annotated[float, opt("KM", "Width of the Gaussians, km.")] = 15.0,
+    constituents: Annotated[
+        str,
+        opt(
+            "NAMES",
+            "steady and named tides, such as steady,M2.",
+            autocompletion=one_of("steady", *TIDES),
+        ),
+    ] = "steady,M2",
+    start_from_fit: Annotated[
+        bool, flag("Let the learner start with the fit.", "--start-from-fit")
+    ] = False,
+    units: Annotated[
+        str | None, opt("UNIT", "Of u and v, such as m/s, where the file has none.")
+    ] = None,
+    as_json: Json = False,
+) -> None:
+    """Make a scenario in a measured current, and fit its flow.
+
+    Example:
+        clpt fit currents.nc --box 40.9 41.55 -69.9 -69.0 --out mine.toml
+    """
+    fitted = clpt.currents.fit_scenario(
+        currents,
+        box,
+        rows=rows,
+        columns=columns,
+        width_km=width_km,
+        constituents=tuple(name.strip() for name in constituents.split(",")),
+        start_from_fit=start_from_fit,
+        units=units,
+    )
+    clpt.currents.save_fit(fitted, out)
+    lines = [
+        [key.replace("_", " "), shown(value)]
+        for key, value in fitted.report.items()
+        if key not in ("theta", "nodal")
+    ]
+    for name, tide in (fitted.report["nodal"] or {}).items():
+        f, u, V = (shown(tide[key]) for key in "fuV")
+        lines.append([f"{name} at the middle", f"f {f}, u {u} degrees, V {V} degrees"])
+    found = Result(f"{out}: written, with the field beside it", ["", ""], lines)
+    finish([found], fitted.report, as_json)
+
+
+def tides(
+    record: Annotated[Path, arg("FILE", "NetCDF, or CSV with time, u and v.")],
+    constituents: Annotated[
+        str,
+        opt(
+            "NAMES",
+            "Named tides, such as M2,S2,K1; auto: all that can be told apart.",
+            autocompletion=one_of("auto", *TIDES),
+        ),
+    ],
+    latitude: Annotated[
+        float | None, opt("DEGREES", "Degrees north; default: the file's own.")
+    ] = None,
+    at: Annotated[
+        tuple[float, float] | None, opt("LAT LON", "Degrees: the nearest cell of a grid.")
+    ] = None,
+    units: Annotated[
+        str | None, opt("UNIT", "Of u and v, such as m/s, where the file has none.")
+    ] = None,
+    out: Annotated[Path | None, opt("FOLDER", "Folder for tides.nc and its figure.")] = None,
+    formats: Formats = None,
+    as_json: Json = False,
+) -> None:
+    """Fit tidal constituents to a current record.
+
+    Example:
+        clpt tides record.nc --constituents M2,S2,K1 --out tides
+    """
+    from ..currents.tidal_constants import tides_dataset, tides_report
+    from ..figures import checked_formats, figure_of
+
+    kinds = checked_formats(formats or ["png"])
+    measured = clpt.currents.read_record(record, latitude, at, units)
+    names = [name.strip() for name in constituents.split(",")]
+    fit = clpt.currents.fit_tides(
+        measured.time,
+        measured.u,
+        measured.v,
+        measured.latitude,
+        "auto" if names == ["auto"] else names,
+        where=str(record),
+    )
+    report = {"source": measured.source, **tides_report(fit)}
+    written: list[Path] = []
+    if out is not None:
+        results: dict[Path, Any] = {make_folder(out) / "tides.nc": tides_dataset(fit, measured)}
+        figure = figure_of(clpt.currents.tides_plot, fit, measured)
+        results |= {out / f"tides.{kind}": figure for kind in kinds}
+        write_together(results)
+        written = list(results)
+    finish([tides_result(report)], report, as_json, *written)
+
+
+def tides_result(report: dict[str, Any]) -> Result:
+    """Return tidal constants: a row per constituent, then the whole."""
+    rows = []
+    for name, each in report["constituents"].items():
+        row = [name]
+        for key, error in each["standard_errors"].items():
+            digits = 4 if key in ("east", "north", "major", "minor") else 1
+            if error is None or (digits == 1 and error > 90.0):
+                words = "any"  # an angle as good as unknown
+            else:
+                words = f"{error:.{digits}f}"
+            row.append(f"{each[key]:.{digits}f} ({words})")
+        rows.append(row)
+    title = (
+        f"Tides of {report['source']}: amplitudes and axes in m/s, Greenwich phases and "
+        "inclination in degrees (standard error)"
+    )
+    east, north = report["mean"]
+    said = [
+        f"{report['samples']} measurements over {report['hours']:.6g} h from "
+        f"{report['start'][:16]} UTC, latitude {report['latitude']:g}",
+        f"mean current: {east:+.4f} east, {north:+.4f} north (m/s)",
+        f"explained: {report['explained_variance']:.1%} of the variance; residual rms "
+        f"{report['residual_rms']:.4f} m/s",
+    ]
+    columns = ["", "east", "phase", "north", "phase", "major", "minor", "incl.", "phase"]
+    return Result(title, columns, rows, said)
+
+
+def estimate(
+    run: Annotated[Path, arg("RUN", "A run's NetCDF, as clpt run writes it.")],
+    method: Annotated[
+        str,
+        opt(
+            "NAME",
+            "least-squares, kalman or tomography.",
+            autocompletion=one_of("least-squares", "kalman", "tomography"),
+        ),
+    ] = "least-squares",
+    every: Annotated[
+        float | None, opt("TIME", "Time between fixes; a tenth of reference.dwell.")
+    ] = None,
+    prior: Annotated[
+        float | None, opt("SPEED", "Standard deviation of each theta before any fix.")
+    ] = None,
+    noise: Annotated[
+        float | None, opt("LENGTH", "Standard deviation of a miss between fixes.")
+    ] = None,
+    until: Annotated[float | None, opt("TIME", "Use the run up to this time.")] = None,
+    out: Annotated[
+        Path | None, opt("FILE", "Scenario file to write: the run's, with the estimate given.")
+    ] = None,
+    as_json: Json = False,
+) -> None:
+    """Estimate the flow from fix to fix, for the known-flow law.
+
+    Example:
+        clpt estimate run.nc --method kalman --out known.toml
+    """
+    import numpy as np
+
+    from ..estimation.segments import run_scenario
+    from ..estimation.theta_from_fixes import METHODS
+
+    if method not in METHODS:
+        raise ScenarioError(f"--method {method}: must be one of {', '.join(METHODS)}")
+    if run.suffix != ".nc":
+        raise DataError(f"{run}: is no run; `clpt run {run} --out run.nc` makes one of a scenario")
+    data = clpt.load_run(run)
+    scenario = run_scenario(data)
+    if until is not None:
+        if not data.time.values[1] < until <= data.time.values[-1]:
+            raise ScenarioError(f"--until {until:g}: must lie within the run")
+        data = data.sel(time=slice(None, until * (1 + 1e-12)))
+    found = clpt.estimation.flow_estimate(data, method, every=every, prior=prior, noise=noise)
+    if out is not None:
+        known = clpt.estimation.known_flow_scenario(scenario, found.theta)
+        clpt.save_scenario(known, out)
+    sd, speed = found.standard_deviation, f"{scenario.units.length}/{scenario.units.time}"
+    condition = found.condition_number
+    report = {
+        "method": method,
+        "fixes": len(found.misses) + 1,
+        "theta": found.theta.tolist(),
+        "standard_deviation": sd.tolist(),
+        "condition_number": condition if np.isfinite(condition) else None,
+        "rms_of_misses_left": float(np.sqrt(np.mean(np.sum(found.misses**2, axis=1)))),
+        "steps": len(found.steps),
+    }
+    if scenario.flow.parameters is not None:
+        error = np.abs(found.theta - np.array(scenario.flow.parameters))
+        report["largest_error"] = float(error.max())
+    rows = [
+        [str(k + 1), *(f"{found.theta[i, k]:.4f}" for i in range(2)), f"{sd[k]:.1e}"]
+        for k in range(len(sd))
+    ]
+    columns = ["function", f"theta_1 ({speed})", f"theta_2 ({speed})", "standard deviation"]
+    keys = ("condition_number", "rms_of_misses_left", "largest_error")
+    given = [key for key in keys if report.get(key) is not None]
+    said = [f"{key.replace('_', ' ')}: {shown(report[key])}" for key in given]
+    if out is not None:
+        said.append(f"{out}: written, with law = known-flow and this estimate")
+    title = f"{run}: {method}, {report['fixes']} fixes"
+    finish([Result(title, columns, rows, said)], report, as_json)
