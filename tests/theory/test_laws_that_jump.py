@@ -95,3 +95,53 @@ def test_other_proofs_refuse_jumps(read):
     diagram = theorem_loop(N, "learned-flow", law_block=jumping(remember))
     with pytest.raises(DiagramError, match=r"^own: its states jump, and this proof speaks of no"):
         read(diagram)
+
+
+def turned(port):
+    def turn(t, x, u, p):
+        """A sign turned, section III."""
+        return kept(x) | {port: -getattr(x, port)}
+
+    return turn
+
+
+def all_turned(t, x, u, p):
+    """Every sign turned, section III."""
+    return {port: -own for port, own in kept(x).items()}
+
+
+def axes_swapped(t, x, u, p):
+    """What is learned of one axis is taken for the other's, section III."""
+    return kept(x) | {"alpha": x.alpha[::-1]}
+
+
+def nudged(t, x, u, p):
+    """0.1 more at each jump, section III."""
+    return kept(x) | {"K": x.K + 0.1}
+
+
+def turned_in_a_region(t, x, u, p):
+    """Turned in a region alone, section III."""
+    return kept(x) | {"alpha": np.where(np.abs(x.K[0]) > 1.0, x.alpha, -3.0 * x.alpha)}
+
+
+def one_halved(t, x, u, p):
+    """A leak at jumps of one function's flow, section III."""
+    return kept(x) | {"alpha": np.where(np.arange(N) == 0, 0.5, 1.0) * x.alpha}
+
+
+def test_a_jump_that_forgets_is_not_refuted():
+    assert prove(jumping(one_halved), points=200).status == "proved between jumps"
+
+
+WRONG = [*map(turned, LEARNED), all_turned, axes_swapped, nudged, turned_in_a_region]
+
+
+@pytest.mark.parametrize("jump", WRONG)
+def test_a_jump_at_which_V_rises_refutes(jump):
+    verdict = prove(jumping(jump), points=200)
+    assert verdict.status == "refuted at a jump"
+    before, after = (verdict.diagram.output(*one)[-1] for one in (verdict.point, verdict.after))
+    assert verdict.point.t == verdict.after.t == math.floor(verdict.point.t) > 0
+    assert after > before
+    assert not verdict.for_every_N

@@ -37,12 +37,13 @@ class Case:
         V: Block,
         law: Block,
         gains: list[sympy.Expr],
+        fitted: bool,
         points: int,
         seed: int,
     ):
         self.diagram, self.loop, self.V, self.law = diagram, loop, V, law
         refuse_no_value(loop, V.name)
-        self.points, self.seed = points, seed
+        self.fitted, self.points, self.seed = fitted, points, seed
         self.blocks = [node for node in diagram.syslist if isinstance(node, Block)]
         self.weights: dict[sympy.Expr, sympy.Expr] = {}
         if gains:

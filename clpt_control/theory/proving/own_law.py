@@ -187,4 +187,4 @@ def _judged(
     if gains:  # in the names of the whole diagram
         here, there = (flat(one.parameters[law.name]) for one in (alone, loop))
         gains = [gain.subs(dict(zip(here, there, strict=True))) for gain in gains]
-    return judge(Case(diagram, loop, candidate, law, gains, points, seed), fitted)
+    return judge(Case(diagram, loop, candidate, law, gains, fitted, points, seed))

@@ -28,6 +28,7 @@ from .symbolic_loop import Draw, Point, SymbolicLoop, degree_of, numbers_at, num
 
 DRAWS, PER_DRAW, TRIED = 100, 200, 3
 FARTHER = (1.0, 10.0, 100.0)
+JUMPS, UNTIL = 4, 1000.0  # draws for a law that jumps, and until when its jumps are looked for
 
 
 def refuting_point(
@@ -85,6 +86,41 @@ def _persists(
     return float(rate[0]) if rate[-1] / V[-1] >= 0.5 * rate[0] / V[0] else None
 
 
+def rising_jump(
+    diagram: control.NonlinearIOSystem, loop: SymbolicLoop, kept: tuple[str, ...], seed: int = 0
+) -> tuple[Point, Point, float] | None:
+    """Return where V of the running blocks rises at a jump, right before and right after, and how.
+
+    V rises there at all distances, farther off the more; so it does not at jumps that forget a
+    share of all, by which errors stay bounded.
+    """
+    running = RunningBlocks(diagram)
+    draw = Draw(running.blocks, loop, seed)
+    try:
+        for _ in range(JUMPS):
+            check()
+            values = draw.parameters(kept, largest=0.0)
+            params = draw.params(values)
+            running.set(params)
+            sweep = running.functions.sweep
+            times = sweep.breakpoints(0.0, UNTIL)[: len(FARTHER)]
+            x, far, u = _around_the_truth(draw, values)
+            for k in range(PER_DRAW if len(times) else 0):
+                t = float(times[k % len(times)])
+                sweep.enter(t)
+                before = np.array([x[k] + (off - 1) * far[k] for off in FARTHER])
+                after = np.array([sweep.leap(t, one, u[k], sweep.leaping) for one in before])
+                at = np.full(len(FARTHER), t), np.tile(u[k], (len(FARTHER), 1))
+                V = [running.functions.values(at[0], s, at[1]) for s in (before, after)]
+                rise = V[1] - V[0]
+                if np.all(rise > 1e-6 * np.abs(V[0])) and rise[-1] >= 10 * rise[0]:
+                    points = [Point(t, s[0], u[k], params) for s in (before, after)]
+                    return points[0], points[1], float(rise[0])
+    finally:
+        diagram._update_params({})
+    return None
+
+
 def _around_the_truth(draw: Draw, values: dict) -> tuple:
     """Return states, what of them is error, and inputs."""
     random, loop = draw.random, draw.loop
@@ -117,8 +153,9 @@ class Verdict:
         ``"proved"``: V' <= -e^T KD e; ``"bounded"``: V' <= -e^T KD e + a bounded term;
         ``"refuted"``: the running blocks give V' > 0 at `point`, however far from the
         truth; ``"open"``: none of these is known. ``"proved between jumps"`` and ``"bounded
-        between jumps"`` where states jump, and V is not known not to rise there; ``"proved as
-        long as s exist"`` where a state that V does not hold may grow without end.
+        between jumps"`` where states jump, and V is not known not to rise there; ``"refuted at a
+        jump"`` where the running blocks' V rises from `point`, right before it, to `after`;
+        ``"proved as long as s exist"`` where a state that V does not hold may grow without end.
     residual : sympy.Expr
         V' + e^T KD e, multiplied out.
     steps : tuple of Step
@@ -129,6 +166,8 @@ class Verdict:
         Whether it is proved for every number of basis functions.
     point : Point or None
         Where V' > 0: ``diagram.dynamics(*point)`` and ``diagram.output(*point)``.
+    after : Point or None
+        Of a law refuted at a jump: where it jumps to.
     rate : float or None
         V' there, length squared per time.
     reached : str
@@ -153,6 +192,7 @@ class Verdict:
     diagram: Diagram
     for_every_N: bool = False
     point: Point | None = None
+    after: Point | None = None
     rate: float | None = None
     reached: str = ""
     level: sympy.Expr | None = None
@@ -177,7 +217,7 @@ class Verdict:
         return ", for every number of basis functions" if self.for_every_N else ""
 
 
-def judge(case: Case, fitted: bool) -> Verdict:
+def judge(case: Case) -> Verdict:
     """Judge the law; a V that does not fit it refutes nothing."""
     truth = case.truth()
     zone = case.zones.zone
@@ -210,7 +250,7 @@ def judge(case: Case, fitted: bool) -> Verdict:
         if running.holds and bound is not None:
             steps.append(exact(bound.says, True))
             return _found(case, "bounded", steps, reached=bound.says, level=bound.level)
-    if definite.holds and fitted:
+    if definite.holds and case.fitted:
         kept = (case.law.name, case.V.name)
         point, rate = refuting_point(case.diagram, case.loop, case.rate, kept, case.seed)
         claim = "the running blocks give V' > 0, ten and a hundred times as far off as well"
@@ -270,5 +310,13 @@ def _found(case: Case, status: str, steps: list[Step], **more: Any) -> Verdict:
     if case.loop.jumps:
         steps = [*steps, case.across_jumps()]
         if known and not steps[-1].holds:
+            kept = (case.law.name, case.V.name)
+            found = None
+            if case.fitted:
+                found = rising_jump(case.diagram, case.loop, kept, case.seed)
             status = f"{status} between jumps"
+            if found is not None:
+                status, more = "refuted at a jump", {"point": found[0], "after": found[1]}
+                claim = "the running blocks' V rises at a jump, ten and a hundred times as far off"
+                steps += [Step(claim, True, "counterexample", f"by {found[2]:.3g}", False)]
     return Verdict(status, case.rest, tuple(steps), case.diagram, **more)
