@@ -89,7 +89,7 @@ def run(
     """
     from ..figures import checked_formats
     from ..pages.run_words import run_result
-    from ..scenario.team_file import load_either
+    from ..scenario.team import load_either
     from ..simulation.team_plots import save_figures
 
     kinds = checked_formats(formats or ["png"])

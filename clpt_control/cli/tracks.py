@@ -42,7 +42,7 @@ def excitation(
         clpt excitation mine.toml --figure excitation.png
     """
     from ..pages.excitation_section import excitation_of, excitation_result, is_team
-    from ..scenario.team_file import load_either
+    from ..scenario.team import load_either
 
     source = clpt.load_run(scenario) if scenario.suffix == ".nc" else load_either(scenario)
     if figure is not None and is_team(source):

@@ -32,7 +32,6 @@ from ..files import check_writable, write_together
 from ..scenario import tides
 from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario, scenario_to_text
-from ..scenario.scenario_basis import scenario_basis
 from ..units import seconds_since_1970
 from .field_file import GriddedField, field_dataset
 from .grid_file import Currents, read_currents
@@ -171,7 +170,7 @@ def fit_scenario(
             basis.constituents or (), basis.phases or (), basis.centers, strict=True
         )
     ]
-    phi = evaluate(scenario_basis(scenario), t, np.column_stack([s1, s2]))
+    phi = evaluate(scenario.basis_block(), t, np.column_stack([s1, s2]))
     try:
         fit = least_squares(phi, np.column_stack([u[measured], v[measured]]), names)
     except DataError as error:

@@ -29,7 +29,6 @@ from ..equations.block import Block
 from ..errors import DataError, ScenarioError
 from ..geodesy import displacement
 from ..scenario.experiment import Scenario
-from ..scenario.scenario_basis import scenario_basis
 from .dive import Dive, reckoned
 
 if TYPE_CHECKING:
@@ -118,7 +117,7 @@ class Way:
 
     def __init__(self, run: "xarray.Dataset", scenario: Scenario):
         self.time, places = run.time.values, run.position.values
-        self.scenario, self.basis = scenario, scenario_basis(scenario)
+        self.scenario, self.basis = scenario, scenario.basis_block()
         self.places, self.water = [], []  # splines, one a piece
         self.doubt = 0.0  # of the displacement over a piece, length
         dwell, last = scenario.reference.dwell, self.time[-1]

@@ -48,7 +48,7 @@ class ClptAccessor:
     @property
     def scenario(self) -> "Scenario | Team":
         """The scenario that a run or an ensemble carries; the team of a team's run."""
-        from ..scenario.team_file import system_of_run
+        from ..scenario.team import system_of_run
 
         return system_of_run(self._data)
 

@@ -105,7 +105,7 @@ def check_page(file: str | Path) -> Path:
 
 def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
     """Return the page of a run, of a team's run or of an ensemble."""
-    from ..scenario.team_file import system_of_run
+    from ..scenario.team import system_of_run
     from .kinds import checked_run, is_ensemble
 
     if not hasattr(data, "attrs") or not hasattr(data, "dims"):

@@ -43,7 +43,6 @@ from ..files import open_netcdf
 from ..gliders.dives import Dive
 from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario
-from ..scenario.scenario_basis import scenario_basis
 from ..units import METRES, SECONDS, seconds_since_1970
 from .flow_models import Flow, FlowModel, Uncovered
 
@@ -223,7 +222,7 @@ class Fitted(FlowModel):
     @cached_property
     def basis(self) -> Block:
         """The block phi(x, t), Eq. (5)."""
-        return scenario_basis(self.scenario)
+        return self.scenario.basis_block()
 
     def along(self, dive: Dive) -> Flow:
         """Return theta phi for one dive; `Uncovered` if it begins outside the fit's area."""

@@ -1,7 +1,6 @@
 from .experiment import Scenario
 from .file import load_scenario, paper_scenario, save_scenario
-from .team import Team
-from .team_file import load_team
+from .team import Team, load_team
 from .tides import period
 
 __all__ = [

@@ -14,6 +14,7 @@ import numpy as np
 from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
 from ..arguments import public
+from ..blocks.basis import flow_basis
 from ..blocks.laws.known import Known
 from ..blocks.laws.table import LAWS
 from ..equations.block import Block
@@ -107,6 +108,11 @@ class Scenario(Table):
             spans["flow.disturbance.period"] = disturbance.period or 1.0
         if self.learning.sample is not None:
             spans["learning.sample"] = self.learning.sample
+            if self.learning.sample > self.run.duration:
+                yield (
+                    f"learning.sample = {self.learning.sample}: the law runs at no time after t = "
+                    f"0; must be at most run.duration, {self.run.duration}"
+                )
         if seen is not None:
             spans |= seen.spans
         least = self.run.duration / MOST_JUMPS
@@ -198,6 +204,12 @@ class Scenario(Table):
             None if self.localization is None else self.localization.fixes,
             self.vehicle.max_speed is not None,
         )
+
+    def basis_block(self, position: str = "x") -> Block:
+        """Return phi(x, t), Eq. (5), which reads a position."""
+        own = self.basis
+        functions = (own.centers, own.widths, self.frequencies, self.phases)
+        return flow_basis(f"basis_{position}", position, own.kernel, *functions)
 
     @property
     def law_block(self) -> Block:

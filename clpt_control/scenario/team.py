@@ -1,18 +1,43 @@
-"""Several vehicles that learn one flow over a graph.
+"""Several vehicles that learn one flow over a graph, and their TOML file.
 
 A team is a scenario for each vehicle and who hears whom.  The vehicles share everything but
 themselves: each has its own [vehicle], [reference], [localization] and start of the learner.
+
+    [team]
+    coupling = 0.5                        # kappa, 1/time
+    edges = [["west", "east"]]            # who hears whom; left out: all
+
+    [team.members.west]                   # keys in place of those at the top
+    title = "west of the strait"
+    vehicle.position = [-15, 0]
+    reference = { kind = "circle", radius = 3, count = 8, dwell = 2 }
+
+A vehicle's [reference] with a kind takes the place of the common one; else key by key.
 """
 
 import re
+from collections.abc import Iterator
 from itertools import combinations
+from pathlib import Path
 from typing import Annotated, Any
 
 import numpy as np
 from pydantic import Field, Strict, model_validator
 
 from ..arguments import public, shown
-from .experiment import Scenario, scenario_tables
+from ..errors import DataError, ScenarioError
+from .experiment import Scenario, checked_scenario, scenario_tables
+from .file import (
+    TEAM,
+    folder_of,
+    placed_tables,
+    read_text,
+    run_text,
+    scenario_from_text,
+    scenario_of_run,
+    tables_of,
+    toml,
+)
 from .mistakes import Table
 from .shown import team_html, team_line
 from .tables import Run
@@ -56,77 +81,58 @@ class Team(Table):
                 raise ValueError(f"edges[{k}] = {shown(edge)}: must be the names of two vehicles")
         return values
 
-    @model_validator(mode="after")
-    def _named_vehicles(self) -> "Team":
+    def _mistakes(self) -> Iterator[str]:
         names = list(self.members)
         if not FEWEST <= len(names) <= MOST:
-            raise ValueError(
+            yield (
                 f"members: has {len(names)} vehicles; must have {FEWEST} to {MOST}, a scenario each"
             )
         for name in names:
             if not re.fullmatch(r"\w[\w-]*", name):
-                raise ValueError(
-                    f"members: the name {name!r} of a vehicle must be letters, digits, _ and -"
-                )
-        return self
-
-    @model_validator(mode="after")
-    def _one_flow(self) -> "Team":
-        first, *others = self.members
-        shared = shared_tables(self.members[first])
-        for name in others:
-            own = shared_tables(self.members[name])
+                yield f"members: the name {name!r} of a vehicle must be letters, digits, _ and -"
+        first, shared = self.first, shared_tables(self.first)
+        for name, scenario in self.members.items():
+            own = shared_tables(scenario)
             for table in sorted(shared.keys() | own.keys()):
                 if shared.get(table) != own.get(table):
-                    raise ValueError(
-                        f"members.{name}: its {table} is not that of {first}; the vehicles of a "
+                    yield (
+                        f"members.{name}: its {table} is not that of {names[0]}; the vehicles of a "
                         f"team share everything but {', '.join(OWN[:-1])} and the learner's start"
                     )
-        if (law := self.members[first].learning.law) != LAW:
-            raise ValueError(f'learning.law = "{law}": must be "{LAW}", the law of a team')
-        if self.members[first].learning.sample is not None:
-            raise ValueError("learning.sample: a team learns at all times; remove the key")
-        return self
-
-    @model_validator(mode="after")
-    def _noise_of_their_own(self) -> "Team":
+        if (law := first.learning.law) != LAW:
+            yield f'learning.law = "{law}": must be "{LAW}", the law of a team'
+        if first.learning.sample is not None:
+            yield "learning.sample: a team learns at all times; remove the key"
         seeds: dict[int, str] = {}
         for name, scenario in self.members.items():
             if (seen := scenario.localization) is None or not seen.noise:
                 continue
             other = seeds.setdefault(seen.seed or 0, name)
             if other != name:
-                raise ValueError(
+                yield (
                     f"members.{name}: localization.seed = {seen.seed or 0} is that of {other}, so "
                     "that both would have the same noise; give each its own"
                 )
-        return self
-
-    @model_validator(mode="after")
-    def _connected(self) -> "Team":
-        from scipy.sparse.csgraph import connected_components
-
-        names, seen = list(self.members), set[frozenset[str]]()
+        joined = set[frozenset[str]]()
         for k, edge in enumerate(self.edges):
             for name in edge:
                 if name not in self.members:
-                    raise ValueError(
+                    yield (
                         f"edges[{k}]: there is no vehicle {name!r}; must be among "
                         f"{', '.join(names)}"
                     )
-            if len(set(edge)) < 2 or set(edge) in seen:
-                raise ValueError(
-                    f"edges[{k}] = {list(edge)}: must join two vehicles, each pair once"
-                )
-            seen.add(frozenset(edge))
+            if len(set(edge)) < 2 or set(edge) in joined:
+                yield f"edges[{k}] = {list(edge)}: must join two vehicles, each pair once"
+            joined.add(frozenset(edge))
+        from scipy.sparse.csgraph import connected_components
+
         _, groups = connected_components(self._laplacian)
         for name, group in zip(names, groups, strict=True):
             if group != groups[0]:
-                raise ValueError(
+                yield (
                     f"edges: no path joins {name} to {names[0]}; join every vehicle to the others, "
                     "or run it alone"
                 )
-        return self
 
     def __repr__(self) -> str:
         return team_line(self)
@@ -178,9 +184,126 @@ def shared_tables(scenario: Scenario) -> dict[str, Any]:
     return shared
 
 
-def own_tables(scenario: Scenario) -> dict[str, Any]:
-    """Return what a vehicle of a team has for itself, with the keys it was given."""
+@public
+def load_team(path: str | Path) -> Team:
+    """Read a team from a TOML file or from its run's NetCDF file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A ``.toml`` file with a table ``[team]``, or a ``.nc`` file that `clpt run` wrote of it.
+
+    Returns
+    -------
+    Team
+        Checked; a relative ``flow.field`` is relative to the file.
+
+    Raises
+    ------
+    ScenarioError
+        If the file is missing, is no team's, or a key or value is not allowed.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> clpt.load_team("team.toml").connectivity  # doctest: +SKIP
+    2.0
+    """
+    found = load_either(path)
+    if not isinstance(found, Team):
+        raise ScenarioError(f"{path}: is a scenario of one vehicle; a team has a table [team]")
+    return found
+
+
+def load_either(path: str | Path) -> Scenario | Team:
+    """Read a scenario or a team from a TOML file or a run's NetCDF file."""
+    path = Path(path)
+    text = run_text(path) if path.suffix == ".nc" else read_text(path)
+    if "team" in tables_of(text, str(path)):
+        return team_from_text(text, str(path), path.parent)
+    return scenario_from_text(text, str(path), path.parent)
+
+
+def team_from_text(text: str, name: str, folder: Path) -> Team:
+    """Read a team of TOML text; `name` begins each error, `folder` holds its files."""
+    common = tables_of(text, name)
+    team = _table(common.pop("team", None), f"{name}: team")
+    given = _table(team.pop("members", None), f"{name}: team.members")
+    members = {
+        member: checked_scenario(
+            _merged(common, _table(own, f"{name}: team.members.{member}"), f"{name}, {member}"),
+            f"{name}, {member}",
+            folder,
+        )
+        for member, own in given.items()
+    }
+    whole = {"members": members, **team}
+    return Team.model_validate(whole, context={"name": f"{name}, team"})
+
+
+def team_to_text(team: Team, folder: Path | None = None) -> str:
+    """Return a team as TOML text to lie in `folder`, to which a relative field is turned."""
+    tables = placed_tables(team.first, folder)
+    for table in OWN[:-1]:
+        tables.pop(table, None)
+    tables["learning"] = {k: v for k, v in tables["learning"].items() if k not in STARTS}
+    members = {name: _own(scenario, team.first.title) for name, scenario in team.members.items()}
+    return toml(
+        {**tables, "team": {"coupling": team.coupling, "edges": team.edges, "members": members}}
+    )
+
+
+def _own(scenario: Scenario, title: str) -> dict[str, Any]:
+    """Return what a vehicle has for itself, with the keys it was given; `title` is the team's."""
     tables = scenario_tables(scenario)
     own = {table: tables[table] for table in OWN[:-1] if table in tables}
     starts = {key: value for key, value in tables["learning"].items() if key in STARTS}
-    return {**own, "learning": starts} if starts else own
+    named = {} if scenario.title == title else {"title": scenario.title}
+    return {**named, **own, **({"learning": starts} if starts else {})}
+
+
+def _merged(common: dict[str, Any], own: dict[str, Any], name: str) -> dict[str, Any]:
+    """Return the keys of all vehicles with those of one in their places."""
+    tables = dict(common)
+    for table, values in own.items():
+        if table not in ("title", *OWN):
+            raise ScenarioError(
+                f"{name}: {table} is no table of a vehicle's own, which are {', '.join(OWN)}; what "
+                "the team shares stands at the top"
+            )
+        for key in values if table == "learning" and isinstance(values, dict) else ():
+            if key not in STARTS:
+                raise ScenarioError(
+                    f"{name}: learning.{key} is shared by the team and stands at the top; a "
+                    f"vehicle's own are {', '.join(STARTS)}"
+                )
+        before = tables.get(table)
+        whole = table == "reference" and isinstance(values, dict) and "kind" in values
+        if isinstance(values, dict) and isinstance(before, dict) and not whole:
+            tables[table] = {**before, **values}
+        else:
+            tables[table] = values
+    return tables
+
+
+def _table(value: Any, where: str) -> dict[str, Any]:
+    """Return a table; refuse what is none."""
+    if not isinstance(value, dict):
+        raise ScenarioError(f"{where} = {shown(value)}: must be a table of keys")
+    return value
+
+
+def team_of_run(run: Any) -> Team:
+    """Return the team that a run carries in its attributes."""
+    text = getattr(run, "attrs", {}).get(TEAM)
+    if text is None:
+        raise DataError(
+            f"{shown(run)}: must be a Team or a team's run; clpt.load_team and clpt.load_run read "
+            "them"
+        )
+    return team_from_text(str(text), "the run", folder_of(run))
+
+
+def system_of_run(run: Any) -> Scenario | Team:
+    """Return the scenario or the team that a run carries in its attributes."""
+    return team_of_run(run) if TEAM in getattr(run, "attrs", {}) else scenario_of_run(run)

@@ -31,7 +31,6 @@ from ..equations.at_many import evaluate
 from ..errors import DataError
 from ..estimation.least_squares import explained_share
 from ..scenario.experiment import Scenario
-from ..scenario.scenario_basis import scenario_basis
 from .loops import paper_blocks
 
 if TYPE_CHECKING:
@@ -78,7 +77,7 @@ def flow_velocity(
         return evaluate(block, times, points)
     given = scenario.flow.parameters if parameters is None else parameters
     theta = numbers("parameters", given, 2, scenario.basis.N)
-    phi = evaluate(scenario_basis(scenario), times, points)
+    phi = evaluate(scenario.basis_block(), times, points)
     return np.einsum("...ik,...k->...i", theta, phi)
 
 
@@ -122,7 +121,7 @@ def explained_variance(
             "the scenario's true flow is no gridded field; shares of variance are for scenarios "
             "with flow.field, such as `clpt fit` writes"
         )
-    phi = scenario_basis(scenario)
+    phi = scenario.basis_block()
     if run.sizes.get("basis") != phi.noutputs:
         raise DataError(
             f"the run has {run.sizes.get('basis')} basis functions, the scenario {phi.noutputs}; "

@@ -34,7 +34,6 @@ from ..diagrams.wiring import Node, Wiring, read_anew, wiring_of
 from ..equations.block import Block
 from ..errors import DiagramError
 from ..scenario.experiment import Scenario
-from ..scenario.scenario_basis import scenario_basis
 
 
 @public
@@ -116,8 +115,8 @@ def changed_blocks(
         modeled, predicting = [], []
     blocks = [
         reference.reference(scenario.waypoints, scenario.reference.dwell),
-        scenario_basis(scenario, "x"),
-        scenario_basis(scenario, "z"),
+        scenario.basis_block("x"),
+        scenario.basis_block("z"),
         *localized,
         *disturbances,
         _true_flow(scenario, delta is not None or "delta" in external, true),
@@ -141,7 +140,7 @@ def _localized(scenario: Scenario) -> list[Block]:
     if seen.interval > 0:
         return [localization.fixes(seen.noise, seen.interval, seen.dropouts, seed)]
     held = localization.measurement(seen.noise, seen.noise_period or 1.0, seed)
-    return [held, scenario_basis(scenario, TRUE)]
+    return [held, scenario.basis_block(TRUE)]
 
 
 def _true_flow(scenario: Scenario, disturbed: bool, position: str) -> Block:

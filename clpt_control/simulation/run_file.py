@@ -40,8 +40,7 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     True
     """
     from ..scenario.file import FORM, LATEST, TEAM, scenario_to_text
-    from ..scenario.team import Team
-    from ..scenario.team_file import system_of_run, team_to_text
+    from ..scenario.team import Team, system_of_run, team_to_text
 
     if "clpe" not in run.variables:
         raise DataError(

@@ -11,8 +11,7 @@ from ..errors import DataError
 from ..figures import COLOURS, GREY, STYLES, axes_for, figure_of, legend_below
 from ..files import write_together
 from ..scenario.file import TEAM
-from ..scenario.team import Team
-from ..scenario.team_file import team_of_run
+from ..scenario.team import Team, team_of_run
 from .plots import TITLE, clpe_plot, learning_plot, track_plot
 
 if TYPE_CHECKING:

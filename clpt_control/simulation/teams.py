@@ -19,8 +19,7 @@ from ..equations.namespaces import split, within
 from ..native.ending import Solution
 from ..native.engines import chosen
 from ..scenario.file import TEAM
-from ..scenario.team import LAW, Team
-from ..scenario.team_file import team_to_text
+from ..scenario.team import LAW, Team, team_to_text
 from .dataset import Columns, run_frame, with_states
 from .loops import changed_blocks, paper_blocks
 from .scenario_run import ScenarioRun, faster_flow, speeds_of, with_solver

@@ -8,7 +8,6 @@ from clpt_control.blocks import localization
 from clpt_control.blocks.disturbance import disturbance
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.equations import evaluate
-from clpt_control.scenario.scenario_basis import scenario_basis
 
 COUNT = 6000
 NOISE = {"noise": 0.05, "noise_period": 0.5, "seed": 3}
@@ -61,7 +60,7 @@ def test_the_vehicle_steers_on_what_it_reads():
 
 def test_the_truth_is_without_noise():
     run = clpt.simulate(NOISY)
-    phi = evaluate(scenario_basis(NOISY), run.time.values, run.position.values)
+    phi = evaluate(NOISY.basis_block(), run.time.values, run.position.values)
     flow = np.einsum("ik,tk->ti", run.flow_parameters.values, phi)
     np.testing.assert_allclose(run.true_flow, flow, rtol=0, atol=1e-12)
     seen = run.measured_position - run.predicted_position

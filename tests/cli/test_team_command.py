@@ -8,7 +8,7 @@ from strait import FILE, team, vehicle
 
 import clpt_control
 from clpt_control.files import write_text
-from clpt_control.scenario.team_file import team_to_text
+from clpt_control.scenario.team import team_to_text
 
 
 @pytest.fixture

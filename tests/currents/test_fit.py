@@ -13,7 +13,6 @@ from clpt_control.currents.fit import fit_scenario, save_fit
 from clpt_control.currents.grid_file import sample_currents
 from clpt_control.errors import ArgumentError, ClptError, DataError, ScenarioError
 from clpt_control.replay.flow_model_file import read_flow_model
-from clpt_control.scenario.scenario_basis import scenario_basis
 from clpt_control.simulation.flows import explained_variance
 
 MARACOOS = sample_currents()
@@ -245,7 +244,7 @@ def test_shares_of_a_learner_that_knows_theta_and_of_one_that_knows_none(known, 
         explained_variance(paper, run)
     with pytest.raises(DataError, match="basis functions"):
         explained_variance(none, run.isel(basis=slice(0, 3)))
-    assert scenario_basis(none).noutputs == 12
+    assert none.basis_block().noutputs == 12
 
 
 def test_shares_are_what_their_definition_says(known, tmp_path):

@@ -5,7 +5,7 @@ import pytest
 from strait import DIFFERENT, FILE, PAPER, ROW, team, vehicle
 
 import clpt_control as clpt
-from clpt_control.scenario.team_file import team_from_text, team_to_text
+from clpt_control.scenario.team import team_from_text, team_to_text
 
 TEXT = FILE.read_text()
 
@@ -24,6 +24,14 @@ def test_a_team_comes_back_from_its_text(tmp_path):
     of = team(0.25, ROW, **DIFFERENT)
     assert team_from_text(team_to_text(of), "mine", tmp_path) == of
     assert clpt.load_team(FILE) == team_from_text(team_to_text(clpt.load_team(FILE)), "x", tmp_path)
+
+
+def test_each_vehicle_keeps_its_title():
+    named = {"title": "one"}
+    of = team(a=vehicle(**named), b=vehicle(title="two"), c=vehicle(title=""), d=vehicle(**named))
+    back = team_from_text(team_to_text(of), "mine", FILE.parent)
+    assert [one.title for one in back.members.values()] == ["one", "two", "", "one"]
+    assert back == of
 
 
 def test_a_team_comes_back_from_its_run(tmp_path):

@@ -8,7 +8,6 @@ from clpt_control.blocks import localization
 from clpt_control.blocks.disturbance import hash_fraction
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.equations import evaluate
-from clpt_control.scenario.scenario_basis import scenario_basis
 from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
 TABLE = "learning.fix_regression"
@@ -126,7 +125,7 @@ def test_ever_more_fixes_give_continuous_least_squares():
     s, prior, times = 0.3, 0.9, np.linspace(0.0, 20.0, 4001)
     plain = clpt.paper_scenario().with_values({"run.duration": 20.0})
     track = clpt.simulate(plain, times).position.values
-    phi = evaluate(scenario_basis(plain), times, track)
+    phi = evaluate(plain.basis_block(), times, track)
     information = (
         np.eye(3) / prior**2 + simpson(phi[:, :, None] * phi[:, None], x=times, axis=0) / s**2
     )

@@ -76,9 +76,8 @@ def test_a_gramian_equals_a_plain_sum_over_a_fine_grid(true_paper):
     times = np.arange(200.0, 260.0, 0.01) + 0.005
     run = clpt_package.simulate(true_paper, times)
     from clpt_control.equations import evaluate
-    from clpt_control.scenario.scenario_basis import scenario_basis
 
-    phi = evaluate(scenario_basis(true_paper), times, run.position.values)
+    phi = evaluate(true_paper.basis_block(), times, run.position.values)
     found = gramian(true_paper, 60.0, 200.0)
     for i, axis in enumerate(("x1", "x2")):
         w = np.column_stack([phi, run.predicted_position[:, i], run.reference[:, i]])

@@ -20,7 +20,6 @@ from ...arguments import public
 from ...equations.at_many import evaluate
 from ...scenario.experiment import Scenario
 from ...scenario.file import paper_scenario
-from ...scenario.scenario_basis import scenario_basis
 from ...simulation.integrate import sample_times, simulate
 from ..excitation.gramian import started_true
 from .printed_bounds import PrintedBound, printed_bound
@@ -157,7 +156,7 @@ def unlearned_counterexample(end: float = 400.0, function: int = 2) -> Unlearned
     )
     run = simulate(scenario)
     zc, k = scenario.waypoints, function - 1
-    phi = evaluate(scenario_basis(scenario), run.time.values, run.position.values)
+    phi = evaluate(scenario.basis_block(), run.time.values, run.position.values)
     return Unlearned(
         float(np.linalg.eigvalsh(scenario.reference.dwell * zc.T @ zc)[0]),
         function,

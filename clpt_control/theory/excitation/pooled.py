@@ -20,8 +20,7 @@ from ...arguments import public
 from ...errors import DataError
 from ...html.fragment import facts, fragment, shortened
 from ...scenario.file import TEAM, scenario_to_text
-from ...scenario.team import Team
-from ...scenario.team_file import team_of_run
+from ...scenario.team import Team, team_of_run
 from .gramian import (
     EXCITATION_COLUMNS,
     NOT_LEARNABLE,

@@ -23,7 +23,6 @@ from ...equations.declaration import multiples
 from ...errors import DataError, ScenarioError
 from ...scenario.experiment import Scenario
 from ...scenario.file import OWN_LAW, OWN_PARTS
-from ...scenario.scenario_basis import scenario_basis
 from ...scenario.team import Team
 from ...simulation.integrate import simulate
 from .transition import regressors
@@ -238,5 +237,5 @@ def at_nodes(scenario: Scenario, run: "xarray.Dataset", nodes: Nodes, trajectory
 
 def basis_along(scenario: Scenario, times: np.ndarray, x: np.ndarray) -> np.ndarray:
     """Return the basis functions at positions x (pieces, NODES, 2)."""
-    phi = evaluate(scenario_basis(scenario), times.ravel(), x.reshape(-1, 2))
+    phi = evaluate(scenario.basis_block(), times.ravel(), x.reshape(-1, 2))
     return phi.reshape(*times.shape, -1)
