@@ -1,5 +1,6 @@
 """Files and folders are written beside their place: whole, or not at all."""
 
+import os
 import subprocess
 import sys
 
@@ -81,6 +82,54 @@ def test_what_a_killed_process_left_is_known_by_its_name(tmp_path):
         (tmp_path / name).write_text("")
     remove_left(tmp_path, "replay.nc", "*.png")
     assert {path.name for path in tmp_path.iterdir()} == others
+
+
+POSIX = pytest.mark.skipif(os.name != "posix", reason="no umask on this system")
+
+
+@POSIX
+@pytest.mark.parametrize(
+    ("umask", "file", "folder"), [(0o077, 0o600, 0o700), (0o002, 0o664, 0o775)]
+)
+def test_modes_are_those_of_the_umask_or_of_what_is_replaced(tmp_path, umask, file, folder):
+    closed = tmp_path / "closed"
+    closed.write_text("before")
+    closed.chmod(0o600)
+    before = os.umask(umask)
+    try:
+        write_together({tmp_path / "new": "text", closed: "after"})
+        with beside(tmp_path / "made", folder=True) as made:
+            fill(made, "whole")
+    finally:
+        os.umask(before)
+    modes = [(tmp_path / name).stat().st_mode & 0o777 for name in ("new", "closed", "made")]
+    assert modes == [file, 0o600, folder]
+    assert closed.read_text() == "after"
+
+
+@POSIX
+def test_a_link_is_followed_and_stays(tmp_path):
+    (tmp_path / "far").mkdir()
+    place, link = tmp_path / "far" / "run.txt", tmp_path / "run.txt"
+    for before in ("old", None):  # and one that leads to no file yet
+        place.write_text(before) if before else place.unlink()
+        link.unlink(missing_ok=True)
+        link.symlink_to(place)
+        write_together({link: "new"})
+        assert link.is_symlink()
+        assert place.read_text() == "new"
+        assert [path.name for path in (tmp_path / "far").iterdir()] == ["run.txt"]
+
+
+@POSIX
+def test_what_is_no_file_is_not_replaced_and_nothing_is_written(tmp_path):
+    os.mkfifo(tmp_path / "pipe")
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "device").symlink_to(os.devnull)
+    for name, why in (("pipe", "a pipe"), ("folder", "a folder"), ("device", "a device")):
+        with pytest.raises(DataError, match=f"{name}: is {why}"):
+            write_together({tmp_path / "first.txt": "text", tmp_path / name: "text"})
+    assert {path.name for path in tmp_path.iterdir()} == {"pipe", "folder", "device"}
 
 
 SAVED = """

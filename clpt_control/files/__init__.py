@@ -6,9 +6,10 @@ interrupt leaves the old file or none.
 
 import os
 import re
+import secrets
 import shutil
+import stat
 import sys
-import tempfile
 import warnings
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
@@ -19,6 +20,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from ..errors import ClptError, DataError, needed
 from ..progress.interrupt import check, remove, unfinished
+from .reading import kind_of
 
 if TYPE_CHECKING:
     import xarray
@@ -98,32 +100,49 @@ def _check_classic(path: Path) -> None:
 def beside(path: str | Path, folder: bool = False) -> Iterator[Path]:
     """Make a hidden empty file, or folder, beside a place, and rename it there at the end.
 
-    It is ``.NAME.``, eight letters and ``.part``; it is gone where the work fails.
+    It is ``.NAME.``, eight letters and ``.part``; it is gone where the work fails.  It has the
+    mode of the file that it replaces, or a new file's by the umask; a link is followed.
     """
-    path = Path(path)
-    check_name(path)
-    if not path.parent.is_dir():
-        raise DataError(f"{path}: cannot be written: the folder {path.parent} does not exist")
-    made = None
-    name = ".part", f".{path.name}.", path.parent
+    place, mode = _place(path)
+    made = place.parent / f".{place.name}.{secrets.token_hex(4)}.part"
     try:
-        if folder:
-            made = Path(tempfile.mkdtemp(*name))
-        else:
-            handle, file = tempfile.mkstemp(*name)
-            os.close(handle)
-            made = Path(file)
         unfinished.add(made)
+        if folder:
+            made.mkdir()
+        else:
+            new = 0o666 if mode is None else 0o600  # less what the umask takes
+            os.close(os.open(made, os.O_CREAT | os.O_EXCL | os.O_WRONLY, new))
         yield made
         check()  # an interrupt that was dropped may have changed what was written
-        made.chmod(0o755 if folder else 0o644)
-        made.replace(path)
+        if mode is not None and not folder:
+            made.chmod(mode)
+        made.replace(place)
     except OSError as error:
         raise DataError(f"{path}: cannot be written: {error.strerror or error}") from None
     finally:
-        if made is not None:
-            remove(made)
-            unfinished.discard(made)
+        remove(made)
+        unfinished.discard(made)
+
+
+def _place(path: str | Path) -> tuple[Path, int | None]:
+    """Return where a file is to be written, and the mode of the one that stands there.
+
+    A device, a pipe or a socket is refused: it would be replaced by a file.
+    """
+    path = Path(path)
+    check_name(path)
+    place = Path(os.path.realpath(path)) if path.is_symlink() else path
+    if not place.parent.is_dir():
+        raise DataError(f"{path}: cannot be written: the folder {place.parent} does not exist")
+    try:
+        mode = place.stat().st_mode
+    except FileNotFoundError:
+        return place, None
+    except OSError as error:
+        raise DataError(f"{path}: cannot be written: {error.strerror or error}") from None
+    if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
+        raise DataError(f"{path}: is {kind_of(mode)}; give the name of a file")
+    return place, stat.S_IMODE(mode)
 
 
 def remove_left(folder: str | Path, *names: str) -> None:
@@ -144,6 +163,8 @@ def write_together(results: "Mapping[Path, str | xarray.Dataset | Figure]") -> N
     figure.  The first is renamed last: where it is new, all are.
     """
     with ExitStack() as renamed:
+        for path in results:
+            check_writable(path)
         for path, result in results.items():
             _put(result, renamed.enter_context(beside(path)), Path(path))
 
@@ -236,11 +257,8 @@ def make_folder(path: str | Path) -> Path:
 
 def check_writable(path: str | Path) -> None:
     """Refuse, before work begins, a file that could not be written: no folder, or read-only."""
-    path = Path(path)
-    check_name(path)
-    if path.is_dir():
-        raise DataError(f"{path}: is a folder; give a file name such as {path / 'run.nc'}")
-    if not path.parent.is_dir():
-        raise DataError(f"{path}: cannot be written: the folder {path.parent} does not exist")
-    if not os.access(path.parent, os.W_OK):
-        raise DataError(f"{path}: cannot be written: the folder {path.parent} is read-only")
+    place, _ = _place(path)
+    if place.is_dir():
+        raise DataError(f"{path}: is a folder; give a file name such as {Path(path) / 'run.nc'}")
+    if not os.access(place.parent, os.W_OK):
+        raise DataError(f"{path}: cannot be written: the folder {place.parent} is read-only")

@@ -35,8 +35,7 @@ def read_bytes(path: str | Path, other: tuple[bytes, ...] = ()) -> bytes:
         mode = path.stat().st_mode
         open_pipe = stat.S_ISFIFO(mode) and str(path).startswith(OPEN)
         if not (stat.S_ISREG(mode) or open_pipe):
-            kind = next((kind for test, kind in NO_FILES.items() if test(mode)), "no file")
-            raise DataError(f"{path}: is {kind}; give a file")
+            raise DataError(f"{path}: is {kind_of(mode)}; give a file")
         with path.open("rb") as file:
             raw = file.read(4)
             if raw not in other:
@@ -48,6 +47,11 @@ def read_bytes(path: str | Path, other: tuple[bytes, ...] = ()) -> bytes:
             f"{path}: is larger than {LARGEST // 10**6} MB, the most that text may be; split it"
         )
     return raw
+
+
+def kind_of(mode: int) -> str:
+    """Return in words what a mode is that is no file's."""
+    return next((kind for test, kind in NO_FILES.items() if test(mode)), "no file")
 
 
 def read_text(path: str | Path, no_text: str) -> str:

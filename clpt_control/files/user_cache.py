@@ -3,7 +3,11 @@
 import os
 import stat
 import sys
+from contextlib import suppress
 from pathlib import Path
+
+from ..errors import DataError
+from . import beside
 
 FOLDER = "CLPT_CONTROL_CACHE"  # environment variable that names another folder
 
@@ -16,7 +20,7 @@ def cache_folder() -> Path | None:
     try:
         folder = Path(os.environ.get(FOLDER) or usual() / "clpt-control")
         folder.mkdir(parents=True, exist_ok=True, mode=0o700)
-        return folder if trusted(folder) and os.access(folder, os.W_OK) else None
+        return folder if trusted(folder.stat()) and os.access(folder, os.W_OK) else None
     except (OSError, RuntimeError):  # RuntimeError: a user without a home
         return None
 
@@ -30,10 +34,32 @@ def usual() -> Path:
     return Path(named) if Path(named).is_absolute() else Path.home() / caches
 
 
-def trusted(place: Path) -> bool:
+def trusted(found: os.stat_result) -> bool:
     """Whether a folder or a file is the user's own and others may not write to it."""
     if not hasattr(os, "getuid"):
         return True  # Windows: the user's profile is closed to others
-    found = place.stat()
     others = found.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
     return found.st_uid in (os.getuid(), 0) and not others
+
+
+def kept(path: Path) -> bytes | None:
+    """Return what a file of the cache holds; None where it is not there, or not the user's own.
+
+    The file that is asked is the one that is read, whatever its name means by then.
+    """
+    at_once = getattr(os, "O_NONBLOCK", 0)  # a pipe would wait for who writes
+    try:
+        with open(path, "rb", opener=lambda name, flags: os.open(name, flags | at_once)) as file:
+            found = os.fstat(file.fileno())
+            return file.read() if stat.S_ISREG(found.st_mode) and trusted(found) else None
+    except OSError:
+        return None
+
+
+def keep(path: Path, data: bytes) -> None:
+    """Write a file of the cache for the user alone; where that cannot be, go on without."""
+    with suppress(DataError, OSError):
+        path.unlink(missing_ok=True)  # whose mode may be another
+        with beside(path) as made:
+            made.chmod(0o600)
+            made.write_bytes(data)

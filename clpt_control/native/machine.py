@@ -24,8 +24,7 @@ from typing import Any, ParamSpec, TypeVar
 import llvmlite.binding as llvm
 import numpy as np
 
-from ..errors import DataError
-from ..files import beside
+from ..files import user_cache
 from ..files.user_cache import cache_folder, trusted
 from ..progress import note
 
@@ -105,13 +104,12 @@ def kept(name: str) -> bytes | None:
     if folder is None:
         return None
     path = folder / f"{name}.o"
+    found = user_cache.kept(path)
+    if found is None or found[:HASH] != hashlib.sha256(found[HASH:]).digest():
+        return None
     with suppress(OSError):
-        if trusted(path):
-            found = path.read_bytes()
-            if found[:HASH] == hashlib.sha256(found[HASH:]).digest():
-                os.utime(path)
-                return found[HASH:]
-    return None
+        os.utime(path)
+    return found[HASH:]
 
 
 def keep(name: str, code: bytes) -> None:
@@ -119,9 +117,8 @@ def keep(name: str, code: bytes) -> None:
     folder = _folder()
     if folder is None:
         return
-    with suppress(DataError, OSError):
-        with beside(folder / f"{name}.o") as made:
-            made.write_bytes(hashlib.sha256(code).digest() + code)
+    user_cache.keep(folder / f"{name}.o", hashlib.sha256(code).digest() + code)
+    with suppress(OSError):
         family = name.rpartition("-")[0]
         files = [one for one in folder.glob("*.o") if one.stem.rpartition("-")[0] == family]
         files.sort(key=lambda one: one.stat().st_mtime, reverse=True)
@@ -136,7 +133,7 @@ def _folder() -> Path | None:
     with suppress(OSError):
         folder = above / "code"
         folder.mkdir(exist_ok=True, mode=0o700)
-        return folder if trusted(folder) else None
+        return folder if trusted(folder.stat()) else None
     return None
 
 

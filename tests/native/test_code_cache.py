@@ -38,7 +38,7 @@ def test_a_folder_of_others_is_not_used(folder, monkeypatch):
     folder.mkdir(mode=0o700)
     for mode in (0o770, 0o702, 0o777):
         folder.chmod(mode)
-        assert not trusted(folder)
+        assert not trusted(folder.stat())
         assert cache_folder() is None
     folder.chmod(0o755)
     assert cache_folder() == folder
@@ -87,6 +87,24 @@ def test_code_comes_back_whole_or_not_at_all(folder):
             assert kept("some") is None
             place.chmod(mode)
     assert kept("some") == b"0123456789"
+
+
+@pytest.mark.skipif(os.name != "posix", reason="no umask on this system")
+def test_what_is_kept_is_the_users_own_whatever_the_umask(folder):
+    before = os.umask(0o002)
+    try:
+        keep("some", b"0123456789")
+        path = folder / "code" / "some.o"
+        assert (path.stat().st_mode & 0o777, kept("some")) == (0o600, b"0123456789")
+        path.chmod(0o666)
+        assert kept("some") is None
+        keep("some", b"9876543210")  # and is trusted again
+        assert kept("some") == b"9876543210"
+        path.unlink()
+        os.mkfifo(path)  # which a reader would wait for
+        assert kept("some") is None
+    finally:
+        os.umask(before)
 
 
 def test_few_files_stay(folder, monkeypatch):

@@ -37,9 +37,9 @@ from ...blocks.team import total_candidate
 from ...diagrams.interconnection import Diagram, connect
 from ...equations.block import Block
 from ...equations.namespaces import named, split, within
-from ...errors import ClptError, DataError
-from ...files import write_text
-from ...files.user_cache import cache_folder, trusted
+from ...errors import ClptError
+from ...files import user_cache
+from ...files.user_cache import cache_folder
 from ...native.engines import VARIABLE
 from ...native.machine import processor
 from ...scenario.team import LAW, Team
@@ -233,10 +233,10 @@ class Kept:
             self.path = self.folder / f"verdicts-{self.digest}.json"
         self.verdicts: Verdicts = {}
         self.times: dict[Part, str] = {}
-        with suppress(OSError, ValueError):
-            if self.path is not None and trusted(self.path):
-                for part, time, said in rows().validate_json(self.path.read_bytes()):
-                    self.verdicts[part], self.times[part] = said, time
+        stored = None if self.path is None else user_cache.kept(self.path)
+        with suppress(ValueError):
+            for part, time, said in rows().validate_json(stored) if stored else []:
+                self.verdicts[part], self.times[part] = said, time
 
     def keep(self, new: Verdicts) -> None:
         """Keep verdicts that were reached now; those that fail are judged again another time."""
@@ -247,8 +247,8 @@ class Kept:
             return
         good = [(part, self.times[part], said) for part, said in self.verdicts.items()]
         good = [row for row in good if holds(row[2])]
-        with suppress(DataError, OSError):
-            write_text(self.path, rows().dump_json(good).decode())
+        user_cache.keep(self.path, rows().dump_json(good))
+        with suppress(OSError):
             others = [one for one in self.folder.glob("verdicts-*.json") if one != self.path]
             others.sort(key=lambda one: one.stat().st_mtime, reverse=True)
             for one in others[KEPT:]:
