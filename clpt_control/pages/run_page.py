@@ -86,7 +86,7 @@ def _warnings(run: "xarray.Dataset", scenario: Scenario, numbers: dict[str, Any]
     said = []
     if run.attrs.get("status", "finished") != "finished":
         said.append(f"The run ended early: {run.attrs.get('message', 'no reason is recorded')}.")
-    elif "flow was faster" in str(run.attrs.get("message")):
+    elif "; " in str(run.attrs.get("message")):  # more than that it ended
         said.append(f"{run.attrs['message']}.")
     first, last = float(run.time[0]), float(run.time[-1])
     if not said and (first > 0 or last < scenario.run.duration * (1 - 1e-9)):

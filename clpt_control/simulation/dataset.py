@@ -18,6 +18,7 @@ from ..blocks.localization import TRUE
 from ..diagrams.changes import LAW, UNCHANGED, Changes
 from ..diagrams.wiring import Wiring
 from ..equations.at_many import on_arrays
+from ..equations.block import Block
 from ..equations.declaration import ports_of
 from ..native.ending import Solution
 from ..scenario.experiment import Scenario
@@ -64,7 +65,8 @@ class Frame:
     """A Dataset without numbers, to be filled again and again.
 
     `axes` are its other dimensions, values and attributes; `since` are the attributes of time;
-    `states` labels the states, if they are shown; relative files of a scenario lie in `folder`.
+    `states` labels the states, if they are shown; relative files of a scenario lie in `folder`;
+    a `doubt` ends the message of each run.
     """
 
     def __init__(
@@ -75,9 +77,10 @@ class Frame:
         since: Mapping[str, str] | None = None,
         states: Sequence[str] | None = None,
         folder: str | None = None,
+        doubt: str = "",
     ):
         self.parts, self.attributes, self.since = parts, attributes, since
-        self.folder, self.states = folder, states
+        self.folder, self.states, self.doubt = folder, states, doubt
         self.axes = {name: _index(name, *one) for name, one in axes.items()}
         if states is not None:
             self.axes["state"] = _index("state", np.array(states, dtype=object), STATE)
@@ -96,6 +99,8 @@ class Frame:
         axes = {"time": self._times(solution.t), **self.axes}
         variables |= {name: variable.copy(deep=False) for name, (_, variable) in axes.items()}
         attributes = {**self.attributes, **how_it_ran(solution)}
+        if self.doubt:
+            attributes["message"] += f"; {self.doubt}"
         indexes = {name: index for name, (index, _) in axes.items()}
         # what Dataset(...) comes to, which would look for indexes and join them
         run = Dataset._construct_direct(
@@ -224,6 +229,8 @@ def run_frame(
     if row.readout and LAW not in replaced:
         right = f"theta_hat until {row.shrinking} is small enough"
         named = {"long_name": f"readout of the flow parameters theta; {right}", **speed}
+        if beside := _beside_the_basis(scenario):
+            named["comment"] = f"not theta exactly: {beside} is taken for flow of the basis"
         parts["flow_parameters_readout"] = Part(by_functions, own(row.readout, 2, N), named)
         left_of = {"long_name": "share of the first error of theta_hat that is left", "units": "1"}
         parts["error_left"] = Part(("time",), own(row.shrinking), left_of)
@@ -231,9 +238,13 @@ def run_frame(
     if "true_flow" in ours:
         said, theta = {"long_name": "true flow parameters theta", **speed}, ran["true_flow"].theta
         parts["flow_parameters"] = Part(("axis", "basis"), lambda signals: theta.copy(), said)
+    doubt = ""
     if {"true_flow", "vehicle_controller", LAW} <= ours:
+        car, p = ran["vehicle_controller"], ran[LAW]
+        truth = Truth(ran["true_flow"].theta, car.KD, car.GammaD)
+        doubt = row.doubt(p, truth)
         candidate = {"long_name": "Lyapunov candidate V", "units": f"{units.length}2"}
-        parts["lyapunov"] = Part(("time",), _lyapunov(scenario, ran, column), candidate)
+        parts["lyapunov"] = Part(("time",), _lyapunov(row.V(p, truth), column), candidate)
     shown = {port for port, *_ in wanted.values()}
     others = {k: at for k, at in ports_of(column).items() if k in more and k not in shown}
     parts |= ports_shown(others, {2: "axis", **({} if N == 2 else {N: "basis"})}, parts)
@@ -243,7 +254,18 @@ def run_frame(
     }
     since = {"long_name": "time since the start of the run", "units": units.time}
     attributes = _attributes(scenario, left, changes)
-    return Frame(parts, axes, attributes, since, states, str(scenario._folder))
+    return Frame(parts, axes, attributes, since, states, str(scenario._folder), doubt)
+
+
+def _beside_the_basis(scenario: Scenario) -> str:
+    """Return the keys that make a law see flow which the functions do not span, or nothing."""
+    flow, seen = scenario.flow, scenario.localization
+    found = {
+        "flow.field": flow.field is not None,
+        "flow.disturbance": flow.disturbance is not None,
+        "localization.noise": seen is not None and seen.noise > 0,
+    }
+    return " and ".join(key for key, present in found.items() if present)
 
 
 def _attributes(scenario: Scenario, left: Mapping[str, Any], changes: Changes) -> dict[str, Any]:
@@ -306,10 +328,8 @@ def _changed(left: Mapping[str, Any], changes: Changes) -> dict[str, str]:
     return {name: text for name, text in found.items() if text}
 
 
-def _lyapunov(scenario: Scenario, ran: Mapping[str, Any], column: Mapping[str, int]) -> Any:
-    """Return the law's V along the run, with the parameters that ran, of the signals."""
-    car, p = ran["vehicle_controller"], ran["adaptation"]
-    block = scenario.learning.row.V(p, Truth(ran["true_flow"].theta, car.KD, car.GammaD))
+def _lyapunov(block: Block, column: Mapping[str, int]) -> Any:
+    """Return V along the run, of the signals."""
     named = [f"{port}[{k}]" for port, size in block.input_ports.items() for k in range(size)]
     places = np.array([column[label] for label in named])
 

@@ -1,16 +1,20 @@
 """Composite adaptation with memory: CLPE and all that was seen drive one estimate.
 
     theta_hat' = gamma phi e^T + gamma_c (b^T - Q theta_hat),    theta_hat = -alpha^T
-    Q'         = -m Q + phi_f phi_f^T / (1 + |phi_f|^2)
-    b'         = -m b + F_f phi_f^T / (1 + |phi_f|^2)
+    Q'         = n n^T / (1 + |phi_f|^2),    n = phi_f - m Q phi_f
+    b'         = (F_f - m b phi_f) n^T / (1 + |phi_f|^2)
 
-phi_f and F_f are those of `regressions`.  From Q = 0, b = 0 on, b = theta Q, and Q is N x N,
-symmetric, not negative and at most 1/m.  K and Gamma are those of `commanded_gains`, or are held.
-Source: Kreisselmeier 1977, IEEE Transactions on Automatic Control 22(1), Adaptive observers
-with exponential rate of convergence.
+phi_f and F_f, and the memory, are those of `regressions`: from Q = 0, b = 0 on, b = theta Q, and
+Q is N x N, symmetric, not negative and at most 1/m.  It never falls: what the track has shown is
+kept, also where it shows nothing more.  K and Gamma are those of `commanded_gains`, or are held.
+Sources: Kreisselmeier 1977, IEEE Transactions on Automatic Control 22(1), Adaptive observers
+with exponential rate of convergence; Pan and Yu 2018, Automatica 89, Composite learning robot
+control with guaranteed parameter convergence.
 
 V of Eq. (24), each error weighed by its own gain, has with eta = theta + alpha
     V' = -e^T KD e - gamma_c tr(eta Q eta^T)/gamma - what K and Gamma lose
+so that V falls at least at twice the least of k, the least of KD; gamma_c times the least
+eigenvalue of Q; and those of `commanded_gains`: a rate that never falls.
 
 Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> alpha[2N] (length
 per time), K[2], Gamma[2] (per time), the states of `regressions`, Q[N*N] (time), b[2N]
@@ -27,11 +31,9 @@ from .regressions import FILTERED_FLOW, filter_rates, filtered_flow, memory, pul
 
 def memory_rates(x, u, p):
     """Return Q' and b'."""
-    size, F_f = 1 + x.phi_f @ x.phi_f, filtered_flow(x, u, p)
-    return {
-        "Q": remembered(x.Q, x.phi_f, x.phi_f, size, p.forgetting),
-        "b": remembered(x.b, F_f, x.phi_f, size, p.forgetting),
-    }
+    phi_f, size = x.phi_f, 1 + x.phi_f @ x.phi_f
+    Q, b = remembered(x.Q, x.b, filtered_flow(x, u, p), phi_f, p.forgetting * phi_f, size)
+    return {"Q": Q, "b": b}
 
 
 def composite_memory(t, x, u, p):
@@ -47,7 +49,8 @@ def composite_memory(t, x, u, p):
 
 LAW = Law(
     "composite-memory",
-    promise="CLPE goes to zero, and alpha to -theta exponentially once the track has excited",
+    promise="CLPE goes to zero, and alpha to -theta exponentially once the track has excited, even "
+    "if it never does again",
     rates=composite_memory,
     parameters={
         **GAINS,

@@ -112,7 +112,9 @@ PRIOR = Setting(
 )
 NOISE = Setting("r of the regression, length/time^0.5; 0.1 R k^0.5", scaled(0.1, k=0.5, R=1))
 FILTER = Setting("pole l of the filter, 1/time; 2 k", scaled(2))
-MEMORY = Setting("m of the memory, 1/time; 0.02 k", scaled(0.02), "not negative")
+MEMORY = Setting(
+    "m of the memory, which keeps all and comes to 1/m, 1/time; 0.1 k", scaled(0.1), "not negative"
+)
 
 
 def prior(known: Known) -> float:

@@ -88,6 +88,7 @@ class Law(NamedTuple):
     shrinking: str = ""  # a state w: every parameter's error is w times its first, and w' <= 0
     readout: str = ""  # an output that is theta once w has shrunk
     says: str = ""  # V' in words
+    doubt: Callable[[Any, Truth], str] = lambda p, truth: ""  # why it need not keep its promise
 
     @property
     def table(self) -> str:

@@ -27,9 +27,11 @@ Ports: e[2] (length), phi_x[N], z[2], zc[2] (length) -> alpha[2N] (length per ti
 Gamma[2] (per time), the states.
 """
 
+from typing import Any
+
 import numpy as np
 
-from .known import Known, Setting
+from .known import Known, Setting, Truth
 from .law import GAINS, Law
 from .learned_flow import learned_flow
 
@@ -68,20 +70,34 @@ def forgetting(known: Known) -> float:
     return 1.0 / (known.gains.parameters * known.cycle)
 
 
-def twice_KD(known: Known) -> float:
-    """Return M of K and of Gamma: gains up to twice KD."""
-    return 2.0 * float(np.hypot(*known.KD))
+def twice_gains(known: Known) -> float:
+    """Return M of K and of Gamma: up to twice the vehicle's own gains."""
+    return 2.0 * float(max(np.hypot(*known.KD), np.hypot(*known.GammaD)))
 
 
+TWICE = "twice the larger of those of KD and GammaD"
 LIMITS = {
     "largest_flow": Setting(
         "largest norm of the flow parameters, length per time; sqrt(2 N) times "
         "the speed that KD asks for at the farthest waypoint",
         lambda known: float(np.sqrt(2 * known.N) * known.KD.max()) * known.reach,
     ),
-    "largest_feedback": Setting("largest norm of K, per time; twice that of KD", twice_KD),
-    "largest_feedforward": Setting("largest norm of Gamma, per time; twice that of KD", twice_KD),
+    "largest_feedback": Setting(f"largest norm of K, per time; {TWICE}", twice_gains),
+    "largest_feedforward": Setting(f"largest norm of Gamma, per time; {TWICE}", twice_gains),
 }
+
+
+def beyond_limits(p: Any, truth: Truth) -> str:
+    """Return a sentence where the truth lies outside the limits of what adapts, or nothing."""
+    adapts = (p.gain, p.gain_K, p.gain_Gamma)
+    outside = [
+        f"{key} = {getattr(p, key):.3g} is below the truth's {np.linalg.norm(true):.3g}"
+        for key, true, gain in zip(LIMITS, truth, adapts, strict=True)
+        if gain > 0 and np.linalg.norm(true) > getattr(p, key)
+    ]
+    return f"{', '.join(outside)}: CLPE need not go to zero" if outside else ""
+
+
 LEAK = Setting(
     "its gain times leak is what is forgotten per time, of alpha all within a cycle", forgetting
 )
@@ -98,6 +114,7 @@ SWITCHING_SIGMA = Law(
     needs="limits of the flow parameters and gains",
     rates=switching_sigma,
     parameters={**GAINS, "leak": LEAK, **LIMITS},
+    doubt=beyond_limits,
 )
 E_MODIFICATION = Law(
     "e-modification",

@@ -21,7 +21,7 @@ import numpy as np
 
 from .known import Setting
 from .law import GAINS, Law
-from .leakage import LIMITS
+from .leakage import LIMITS, beyond_limits
 from .learned_flow import learned_flow
 
 
@@ -53,4 +53,5 @@ LAW = Law(
         **LIMITS,
         "layer": Setting("how far beyond a limit, as a share of it", 0.1),
     },
+    doubt=beyond_limits,
 )

@@ -12,12 +12,15 @@ Source: Slotine and Li 1989, Automatica 25(4), composite adaptive control.
 
 A memory keeps what w has shown:
 
-    Q' = -m Q + w w^T / size,    b' = -m b + y w^T / size
+    n = w - m Q w,    Q' = n n^T/size,    b' = (y - m b w) n^T/size
 
-From Q = 0, b = 0 on, b = kappa Q: Q is symmetric, not negative.  A law that adds gamma_c
-(b - kappa_hat Q) to the rate of kappa_hat pulls it to kappa.
-Source: Kreisselmeier 1977, IEEE Transactions on Automatic Control 22(1), Adaptive observers
-with exponential rate of convergence.
+From Q = 0, b = 0 on, b = kappa Q and Q = M (1 + m M)^-1 with M = int w w^T/size: Q is symmetric,
+not negative and below 1/m, and never falls, nor does its least eigenvalue.  What has been seen is
+kept, and what is known well takes in less.  A law that adds gamma_c (b - kappa_hat Q) to the rate
+of kappa_hat pulls it to kappa, in the end at the rate gamma_c/m.
+Sources: Kreisselmeier 1977, IEEE Transactions on Automatic Control 22(1), Adaptive observers
+with exponential rate of convergence (the pull); Pan and Yu 2018, Automatica 89, Composite learning
+robot control with guaranteed parameter convergence (a memory that does not fall).
 
 Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2], and v_c[2] where the speed is limited
 (length per time); states phi_f[N], q[2] (length per time).
@@ -59,9 +62,10 @@ FILTERED_FLOW: Part = {
 }
 
 
-def remembered(b, y, w, size, forgetting):
-    """Return b' = -m b + y w^T/size, and Q' where y is w."""
-    return np.outer(y, w) / size - forgetting * b
+def remembered(Q, b, y, w, known, size):
+    """Return Q' and b' of a memory of w; `known` is m w."""
+    new = w - Q @ known
+    return np.outer(new, new) / size, np.outer(y - b @ known, new) / size
 
 
 def memory(Q: str, b: str) -> Part:
