@@ -14,6 +14,7 @@ from clpt_control.errors import ClptError, ScenarioError
 from clpt_control.figures import figure_of
 from clpt_control.files import write_figure
 from clpt_control.theory import design_track
+from clpt_control.theory.designing import search
 from clpt_control.theory.designing.design import time_below
 from clpt_control.theory.designing.limits import (
     area_of_degrees,
@@ -32,6 +33,20 @@ K, DWELL = 0.5, 20.0  # of the case whose best track is known
 @pytest.fixture(scope="module")
 def paper():
     return clpt_package.paper_scenario().with_values({"run.duration": 400})
+
+
+@pytest.fixture(scope="module")
+def quickly():
+    """Steps uphill are few: enough for all but the best track."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(search, "CLIMBS", 5)
+        yield lambda scenario, **more: design_track(scenario, **{"generations": 1, **more})
+
+
+@pytest.fixture(scope="module")
+def short(paper, quickly):
+    """A design over a short window."""
+    return quickly(paper, window=60.0)
 
 
 @pytest.fixture(scope="module")
@@ -97,10 +112,10 @@ def speeds(scenario, times):
     return np.hypot(*v)
 
 
-def test_limits_are_kept_over_the_whole_run(paper):
+def test_limits_are_kept_over_the_whole_run(paper, quickly):
     area = (-4.0, 4.5, -3.5, 4.5)
     limits = {"length": 12.0, "max_speed": 2.6, "area": area, "count": 6, "dwell": 15.0}
-    found = design_track(paper, window=90, start=60, generations=12, seed=3, **limits)
+    found = quickly(paper, window=90, start=60, seed=3, **limits)
     made, after = found.scenario, found.report["after"]
     assert made.waypoints.shape == (6, 2)
     assert made.reference.dwell == 15.0
@@ -115,38 +130,35 @@ def test_limits_are_kept_over_the_whole_run(paper):
     assert after["closed_length"] == pytest.approx(closed_length(made.waypoints), rel=1e-12)
 
 
-def test_the_eigenvalue_is_that_of_the_learner_started_true(paper):
+def test_the_eigenvalue_is_that_of_the_learner_started_true(paper, short):
     """Where the learner is true from the start, e = 0 and z = x."""
-    found = design_track(paper, window=100, start=200, generations=2)
-    for scenario, key in ((paper, "before"), (found.scenario, "after")):
-        report = found.report[key]
+    window, start = short.report["window"], short.report["start"]
+    for scenario, key in ((paper, "before"), (short.scenario, "after")):
+        report = short.report[key]
         for source, name in (
             (started_true(scenario), "smallest_eigenvalue"),
             (scenario, "of_the_run"),
         ):
-            values = gramian(source, 100.0, 200.0).eigenvalues.values()
+            values = gramian(source, window, start).eigenvalues.values()
             assert report[name] == pytest.approx(min(v[0] for v in values), rel=1e-6)
 
 
-def test_no_design_is_worse_than_the_start_and_a_seed_repeats_it(paper):
-    found = [design_track(paper, generations=1, seed=s, window=60.0) for s in (0, 0, 1)]
+def test_no_design_is_worse_than_the_start_and_a_seed_repeats_it(paper, short, quickly):
+    found = [short, *(quickly(paper, seed=s, window=60.0) for s in (0, 1))]
     assert all(one.report["ratio"] >= 1 for one in found)
     assert found[0].scenario == found[1].scenario
     assert found[0].report == found[1].report
     assert found[0].scenario != found[2].scenario
 
 
-def test_fixes_and_noise_leave_the_design_as_it_is(paper):
+def test_fixes_and_noise_leave_the_design_as_it_is(paper, short, quickly):
     """Where e = 0 the vehicle knows where it is; the run with its own law is another matter."""
     law = next(law.name for law in LAWS.values() if law.at_fixes)
     fixes = {"learning": {"law": law}, "localization": {"interval": 5.0}}
     noise = {"localization": {"noise": 0.02, "noise_period": 1.0}}
-    found = [
-        design_track(paper.with_values(values), window=60.0, generations=1)
-        for values in ({}, fixes, noise)
-    ]
-    first = found[0].report["after"]
-    for other in found[1:]:
+    first = short.report["after"]
+    for values in (fixes, noise):
+        other = quickly(paper.with_values(values), window=60.0)
         assert other.report["after"]["waypoints"] == first["waypoints"]
         assert other.report["after"]["smallest_eigenvalue"] == first["smallest_eigenvalue"]
 
@@ -244,9 +256,8 @@ def test_the_learning_time_is_the_last_crossing():
     assert time_below(times, np.array([3.0, 0.5, np.nan, 0.5, 0.4]), 1.0) == 3.0
 
 
-def test_a_picture_shows_both_tracks(paper, tmp_path):
-    found = design_track(paper, window=60.0, generations=1)
-    write_figure(figure_of(design_plot, found), tmp_path / "both.png")
+def test_a_picture_shows_both_tracks(short, tmp_path):
+    write_figure(figure_of(design_plot, short), tmp_path / "both.png")
     assert inked(tmp_path / "both.png") > 0.01
 
 

@@ -22,6 +22,12 @@ def folder(monkeypatch, tmp_path):
     return tmp_path / "cache"
 
 
+@pytest.fixture
+def no_equations(monkeypatch):
+    """A digest of no equations, made at once; `test_altered_equations` asks them."""
+    monkeypatch.setattr(judgement, "_judged_blocks", list)
+
+
 def test_the_second_time_says_the_same_and_that_it_was_judged_before(folder, clpt, monkeypatch):
     first = clpt("prove", "--theorem", "3.3")
     assert first.status == 0
@@ -65,8 +71,8 @@ def good(part):
     return theorem("printed", ("so",), (step,), "it holds", not_proved=("more",))
 
 
+@pytest.mark.usefixtures("no_equations")
 def test_versions_processor_and_engine_are_part_of_the_name(monkeypatch):
-    monkeypatch.setattr(judgement, "_judged_blocks", list)  # test_altered_equations asks them
     names = {digest()}
     for name in judgement.STOOD_ON:
         with monkeypatch.context() as patch:
@@ -81,7 +87,7 @@ def test_versions_processor_and_engine_are_part_of_the_name(monkeypatch):
     assert len(names) == len(judgement.STOOD_ON) + 4
 
 
-@pytest.mark.usefixtures("folder")
+@pytest.mark.usefixtures("folder", "no_equations")
 def test_what_others_could_have_written_or_is_damaged_is_not_read():
     Kept().keep({SHORT: good(SHORT)})
     path = Kept().path
@@ -96,6 +102,7 @@ def test_what_others_could_have_written_or_is_damaged_is_not_read():
         assert Kept().verdicts == {}
 
 
+@pytest.mark.usefixtures("no_equations")
 def test_without_a_folder_nothing_is_kept_and_the_work_goes_on(monkeypatch):
     monkeypatch.setenv(FOLDER, os.devnull + "/none/at/all")
     kept = Kept()
@@ -104,7 +111,7 @@ def test_without_a_folder_nothing_is_kept_and_the_work_goes_on(monkeypatch):
     assert Kept().verdicts == {}
 
 
-@pytest.mark.usefixtures("folder")
+@pytest.mark.usefixtures("folder", "no_equations")
 def test_a_verdict_comes_back_as_it_was():
     found = {part: part.judged() for part in (SHORT, Part("misprints"), Part("laws", "known-flow"))}
     Kept().keep(found)

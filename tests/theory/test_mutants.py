@@ -118,19 +118,18 @@ def laws_of(function):
     return tuple(name for name, two in made.items() if function in reached(two).values())
 
 
-@cache
-def judged_unaltered():
-    return {name: judgement.judged_law(law) for name, law in LAWS.items()}
-
-
-def said(found):
+def said(law):
+    found = judgement.judged_law(LAWS[law])
     return found.status, found.claim, found.for_every_N
+
+
+said_unaltered = cache(said)
 
 
 def caught_by(function, which, first):
     """Name the step that fails on the altered function; None if none does."""
-    own, unaltered = function.__code__, judged_unaltered()
-    laws_of(function)  # before it is altered
+    own = function.__code__
+    unaltered = {law: said_unaltered(law) for law in laws_of(function)}  # before it is altered
     function.__code__ = altered(function, which)
     try:
         for check in CHECKS if function.__module__.endswith(SOURCES) else ():
@@ -144,10 +143,9 @@ def caught_by(function, which, first):
         for sizes in (kept_loop.SIZES, ALL_SIZES):  # the largest only for what is left
             with pytest.MonkeyPatch.context() as patch:
                 patch.setattr(kept_loop, "SIZES", sizes)
-                for law in laws_of(function):
-                    found = judgement.judged_law(LAWS[law])
-                    if said(found) != said(unaltered[law]):
-                        return f"{law}: {found.claim}"
+                for law, before in unaltered.items():
+                    if said(law) != before:
+                        return law
         for number in sorted(THEOREMS, key=lambda n: n != first):
             for step in audit(number)[number].failed:
                 return f"{number}: {step.claim}"

@@ -35,7 +35,6 @@ LAWS = {
     "projection": {"layer": 0.1, **LIMITS},
     "dead-zone": {"zone": 1.0},
 }
-BY_LEVEL = [name for name in LAWS if name != "dead-zone"]
 
 
 def law_of(name, N=2, gain=0.5, gains=None):
@@ -80,10 +79,9 @@ def test_a_robust_law_is_bounded(name, N):
     }
     assert said[name] in verdict.reached
     assert (verdict.level is None) == (name == "dead-zone")
-    clpt.conformance.conformance(law_of(name, N))
 
 
-def burst(law, faint, quiet, cycles=4, theta=0.5):
+def burst(law, faint, quiet, cycles=2, theta=0.5):
     """The largest |e| in the second half of the cycles, Delta = 1, k = 1, phi faint, then 1."""
     plant = error_system.error_system(1, np.ones(2))
     state = np.array([0.0, 0.0, -theta, *np.zeros(5)])
@@ -97,7 +95,7 @@ def burst(law, faint, quiet, cycles=4, theta=0.5):
 
     for j in range(2 * cycles):
         w, span = ((faint, quiet), (1.0, 20.0))[j % 2]
-        times = np.linspace(0, span, 2001)
+        times = np.linspace(0, span, 1001)
         run = solve_ivp(rate, (0, span), state, "LSODA", times, args=(w,), rtol=1e-8, atol=1e-10)
         state = run.y[:, -1]
         peak = max(peak, np.abs(run.y[0]).max() if j >= cycles else 0.0)
@@ -105,19 +103,17 @@ def burst(law, faint, quiet, cycles=4, theta=0.5):
 
 
 @pytest.mark.parametrize(("faint", "quiet"), [(0.2, 250.0), (0.1, 1000.0), (0.05, 4000.0)])
-def test_no_burst_after_a_drift(faint, quiet):
+def test_no_burst_after_a_drift_and_the_bound_does_not_know_the_regressor(faint, quiet):
     """Largest |e|: the paper's 0.52/faint; with a robust law Delta/k, as without learning."""
     paper = TABLE["learned-flow"].of(1, gain=1.0)
     without = burst(paper, faint, quiet)
     assert without == pytest.approx(burst_counterexample(faint, quiet).peak, rel=1e-3)
     for name in LAWS:
-        assert burst(law_of(name, 1, 1.0), faint, quiet) < 1.0 + 1e-6 < without / 2
-
-
-@pytest.mark.parametrize("name", BY_LEVEL)
-def test_the_bound_does_not_know_the_regressor(name):
-    reached = level(name, 1, 1.0, [[0.5], [0.0]], [1.0, 1.0], [0.0, 0.0], [1.0, 0.0])
-    assert burst(law_of(name, 1, 1.0), 0.05, 4000.0) <= np.sqrt(2 * reached)
+        largest = burst(law_of(name, 1, 1.0), faint, quiet)
+        assert largest < 1.0 + 1e-6 < without / 2
+        if name != "dead-zone" and quiet == 4000.0:
+            reached = level(name, 1, 1.0, [[0.5], [0.0]], [1.0, 1.0], [0.0, 0.0], [1.0, 0.0])
+            assert largest <= np.sqrt(2 * reached)
 
 
 def disturbed_run(name, gain=0.8):
@@ -198,11 +194,12 @@ def altered(function, which):
     return space[function.__name__].__code__ if change.left < 0 else None
 
 
+@pytest.mark.parametrize("N", [1, pytest.param(2, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("name", LAWS)
-def test_no_altered_law_passes_for_it(name, monkeypatch):
+def test_no_altered_law_passes_for_it(name, N, monkeypatch):
     """Every sign flipped and every term dropped: refuted, open, refused, or another set."""
     monkeypatch.setattr(verdict, "DRAWS", 2)  # refuted or open, both are not bounded
-    right = judged(name)
+    right = judged(name, N)
     passed, tried = [], 0
     for function in FUNCTIONS[name]:
         own = function.__code__
@@ -213,7 +210,7 @@ def test_no_altered_law_passes_for_it(name, monkeypatch):
             tried += 1
             function.__code__ = code
             try:
-                found = judged(name)
+                found = judged(name, N)
             except clpt.errors.ClptError:
                 continue
             finally:

@@ -3,6 +3,7 @@
 import control
 import numpy as np
 import pytest
+import sympy
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
@@ -28,7 +29,8 @@ def test_symbols_agree_with_python_control(N, law):
                 places.update(zip(np.ravel(symbol), np.ravel(value), strict=True))
     zc = diagram.output(t, state, [])[:2]
     places.update(zip(loop.signals["zc"], zc, strict=True))
-    found = [float(rate.subs(places).evalf(30)) for rate in loop.motion.values()]
+    known = {symbol: sympy.Float(float(value), 30) for symbol, value in places.items()}
+    found = [float(rate.xreplace(known).evalf(30)) for rate in loop.motion.values()]
     np.testing.assert_allclose(found, diagram.dynamics(t, state, []), rtol=1e-10, atol=1e-12)
 
 
