@@ -125,19 +125,24 @@ def clpt(
     """
 
 
-def opt(metavar: str, said: str, *names: str, **more: Any) -> Any:
-    """Return an option: the word for its value, its help, names other than the parameter's."""
-    return typer.Option(*names, metavar=metavar, help=said, **more)
+def opt(metavar: str, said: str, *names: str, default: Any = None, **more: Any) -> Any:
+    """Return an option: the word for its value, its help, names other than the parameter's.
+
+    One whose default is ... is required; `words` complete what is typed.
+    """
+    if words := more.pop("words", ()):
+        more["autocompletion"] = one_of(*words)
+    return typer.Option(default, *names, metavar=metavar, help=said, **more)
 
 
-def flag(said: str, *names: str) -> Any:
+def flag(said: str, *names: str, default: Any = False) -> Any:
     """Return an option without a value: its help, names other than the parameter's."""
-    return typer.Option(*names, help=said)
+    return typer.Option(default, *names, help=said)
 
 
-def arg(metavar: str, said: str) -> Any:
-    """Return an argument: its word and its help."""
-    return typer.Argument(metavar=metavar, help=said)
+def arg(metavar: str, said: str, default: Any = ...) -> Any:
+    """Return an argument: its word and its help; one whose default is ... is required."""
+    return typer.Argument(default, metavar=metavar, help=said)
 
 
 def one_of(*words: str) -> Callable[[str], Iterable[str]]:

@@ -1,12 +1,12 @@
 """`clpt laws`: their table; `clpt prove`: theorems and laws, on the equations that run."""
 
 from dataclasses import asdict
-from typing import Annotated, Any
+from typing import Any
 
 from ..errors import SimulationError
 from ..html.text import Result
 from ..progress import progress_bar
-from .help_pages import flag, one_of, opt
+from .help_pages import flag, opt
 from .printing import Json, finish
 
 OF_THEOREM = "status for_every_N printed assumptions steps conclusion corrected cited not_proved"
@@ -59,15 +59,12 @@ def laws(as_json: Json = False) -> None:
 
 
 def prove(
-    theorem: Annotated[
-        str | None,
-        opt(
-            "NUMBER",
-            "3.1 to 3.4; default: all, limits and every law.",
-            autocompletion=one_of("3.1", "3.2", "3.3", "3.4"),
-        ),
-    ] = None,
-    again: Annotated[bool, flag("Judge what was judged before.", "--again")] = False,
+    theorem: str | None = opt(
+        "NUMBER",
+        "3.1 to 3.4; default: all, limits and every law.",
+        words=("3.1", "3.2", "3.3", "3.4"),
+    ),
+    again: bool = flag("Judge what was judged before.", "--again"),
     as_json: Json = False,
 ) -> None:
     """Check the paper's theorems, and every law, by symbols.

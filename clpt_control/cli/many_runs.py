@@ -1,13 +1,13 @@
 """Many runs: `clpt ensemble`, with values that vary; `clpt tune`, which chooses law and gains."""
 
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 import clpt_control as clpt
 
 from ..html.text import Result
 from ..progress import progress_bar
-from .help_pages import flag, names_of_laws, one_of, opt
+from .help_pages import flag, names_of_laws, opt
 from .printing import (
     Json,
     ScenarioFile,
@@ -24,31 +24,24 @@ MOST_SHOWN = 15  # candidates in the table; --json has all
 
 def ensemble(
     scenario: ScenarioFile,
-    members: Annotated[int, opt("COUNT", "How many runs.")],
-    vary: Annotated[
-        list[str],
-        opt("KEY=LOW:HIGH", "A range, KEY~normal:DEVIATION or KEY=[VALUE, ...]; repeat it."),
-    ],
-    out: Annotated[Path, opt("FOLDER", "Zarr folder; if it holds a part, go on from there.")],
-    design: Annotated[
-        str,
-        opt(
-            "NAME",
-            "lhs (Latin hypercube), grid or random.",
-            autocompletion=one_of("lhs", "grid", "random"),
-        ),
-    ] = "lhs",
-    seed: Annotated[int, opt("NUMBER", "Seed of the draws.")] = 0,
-    threads: Annotated[int | None, opt("COUNT", "Default: all processors.")] = None,
-    trajectories: Annotated[bool, flag("Keep the states too.", "--trajectories")] = False,
-    figure: Annotated[
-        Path | None, opt("FILE", ".png, .pdf or .svg: percentiles of CLPE and errors.")
-    ] = None,
-    dask: Annotated[
-        str | None, opt("ADDRESS", "Run on a cluster: tcp://HOST:PORT, or local.")
-    ] = None,
-    chunk: Annotated[int | None, opt("COUNT", "Members written at once.")] = None,
-    samples: Annotated[int | None, opt("COUNT", "Samples a cycle for CLPE rms.")] = None,
+    members: int = opt("COUNT", "How many runs.", default=...),
+    vary: list[str] = opt(
+        "KEY=LOW:HIGH", "A range, KEY~normal:DEVIATION or KEY=[VALUE, ...]; repeat it.", default=...
+    ),
+    out: Path = opt("FOLDER", "Zarr folder; if it holds a part, go on from there.", default=...),
+    design: str = opt(
+        "NAME",
+        "lhs (Latin hypercube), grid or random.",
+        default="lhs",
+        words=("lhs", "grid", "random"),
+    ),
+    seed: int = opt("NUMBER", "Seed of the draws.", default=0),
+    threads: int | None = opt("COUNT", "Default: all processors."),
+    trajectories: bool = flag("Keep the states too.", "--trajectories"),
+    figure: Path | None = opt("FILE", ".png, .pdf or .svg: percentiles of CLPE and errors."),
+    dask: str | None = opt("ADDRESS", "Run on a cluster: tcp://HOST:PORT, or local."),
+    chunk: int | None = opt("COUNT", "Members written at once."),
+    samples: int | None = opt("COUNT", "Samples a cycle for CLPE rms."),
     as_json: Json = False,
 ) -> None:
     r"""Run a scenario many times with values that vary.
@@ -84,21 +77,16 @@ def ensemble(
 
 def tune(
     scenario: ScenarioFile,
-    out: Annotated[
-        Path | None, opt("FILE", "Scenario file to write, with the choice in it.")
-    ] = None,
-    members: Annotated[int, opt("COUNT", "How many flows are drawn.")] = 24,
-    prior: Annotated[
-        float | None, opt("SPEED", "Standard deviation of flow parameters; default: 0.3 k R.")
-    ] = None,
-    unmodelled: Annotated[
-        float | None, opt("SPEED", "Rms of flow beside the basis; default: the scenario's.")
-    ] = None,
-    law: Annotated[
-        list[str] | None,
-        opt("NAME", "A law to compare; repeat it; default: all.", autocompletion=names_of_laws),
-    ] = None,
-    seed: Annotated[int, opt("NUMBER", "Seed of the draws.")] = 0,
+    out: Path | None = opt("FILE", "Scenario file to write, with the choice in it."),
+    members: int = opt("COUNT", "How many flows are drawn.", default=24),
+    prior: float | None = opt("SPEED", "Standard deviation of flow parameters; default: 0.3 k R."),
+    unmodelled: float | None = opt(
+        "SPEED", "Rms of flow beside the basis; default: the scenario's."
+    ),
+    law: list[str] | None = opt(
+        "NAME", "A law to compare; repeat it; default: all.", autocompletion=names_of_laws
+    ),
+    seed: int = opt("NUMBER", "Seed of the draws.", default=0),
     as_json: Json = False,
 ) -> None:
     """Choose law, gains and filter for a flow that is not known.

@@ -1,41 +1,34 @@
 """Of measurements: `clpt fit` of a current, `clpt tides` of a record, `clpt estimate` of fixes."""
 
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 import clpt_control as clpt
 
 from ..errors import DataError, ScenarioError
 from ..files import make_folder, write_together
 from ..html.text import Result
-from .help_pages import TIDES, arg, flag, one_of, opt
+from .help_pages import TIDES, arg, flag, opt
 from .printing import Formats, Json, finish, shown
 
 
 def fit(
-    currents: Annotated[Path, arg("FILE", "NetCDF file of a gridded current.")],
-    out: Annotated[Path, opt("SCENARIO", "Scenario file to write; the field lies beside it.")],
-    box: Annotated[
-        tuple[float, float, float, float] | None,
-        opt("LAT0 LAT1 LON0 LON1", "Degrees; default: the whole grid."),
-    ] = None,
-    rows: Annotated[int, opt("COUNT", "Places of functions, south to north.")] = 3,
-    columns: Annotated[int, opt("COUNT", "Places of functions, west to east.")] = 3,
-    width_km: Annotated[float, opt("KM", "Width of the Gaussians, km.")] = 15.0,
-    constituents: Annotated[
-        str,
-        opt(
-            "NAMES",
-            "steady and named tides, such as steady,M2.",
-            autocompletion=one_of("steady", *TIDES),
-        ),
-    ] = "steady,M2",
-    start_from_fit: Annotated[
-        bool, flag("Let the learner start with the fit.", "--start-from-fit")
-    ] = False,
-    units: Annotated[
-        str | None, opt("UNIT", "Of u and v, such as m/s, where the file has none.")
-    ] = None,
+    currents: Path = arg("FILE", "NetCDF file of a gridded current."),
+    out: Path = opt("SCENARIO", "Scenario file to write; the field lies beside it.", default=...),
+    box: tuple[float, float, float, float] | None = opt(
+        "LAT0 LAT1 LON0 LON1", "Degrees; default: the whole grid."
+    ),
+    rows: int = opt("COUNT", "Places of functions, south to north.", default=3),
+    columns: int = opt("COUNT", "Places of functions, west to east.", default=3),
+    width_km: float = opt("KM", "Width of the Gaussians, km.", default=15.0),
+    constituents: str = opt(
+        "NAMES",
+        "steady and named tides, such as steady,M2.",
+        default="steady,M2",
+        words=("steady", *TIDES),
+    ),
+    start_from_fit: bool = flag("Let the learner start with the fit.", "--start-from-fit"),
+    units: str | None = opt("UNIT", "Of u and v, such as m/s, where the file has none."),
     as_json: Json = False,
 ) -> None:
     """Make a scenario in a measured current, and fit its flow.
@@ -67,25 +60,17 @@ def fit(
 
 
 def tides(
-    record: Annotated[Path, arg("FILE", "NetCDF, or CSV with time, u and v.")],
-    constituents: Annotated[
-        str,
-        opt(
-            "NAMES",
-            "Named tides, such as M2,S2,K1; auto: all that can be told apart.",
-            autocompletion=one_of("auto", *TIDES),
-        ),
-    ],
-    latitude: Annotated[
-        float | None, opt("DEGREES", "Degrees north; default: the file's own.")
-    ] = None,
-    at: Annotated[
-        tuple[float, float] | None, opt("LAT LON", "Degrees: the nearest cell of a grid.")
-    ] = None,
-    units: Annotated[
-        str | None, opt("UNIT", "Of u and v, such as m/s, where the file has none.")
-    ] = None,
-    out: Annotated[Path | None, opt("FOLDER", "Folder for tides.nc and its figure.")] = None,
+    record: Path = arg("FILE", "NetCDF, or CSV with time, u and v."),
+    constituents: str = opt(
+        "NAMES",
+        "Named tides, such as M2,S2,K1; auto: all that can be told apart.",
+        default=...,
+        words=("auto", *TIDES),
+    ),
+    latitude: float | None = opt("DEGREES", "Degrees north; default: the file's own."),
+    at: tuple[float, float] | None = opt("LAT LON", "Degrees: the nearest cell of a grid."),
+    units: str | None = opt("UNIT", "Of u and v, such as m/s, where the file has none."),
+    out: Path | None = opt("FOLDER", "Folder for tides.nc and its figure."),
     formats: Formats = None,
     as_json: Json = False,
 ) -> None:
@@ -149,28 +134,18 @@ def tides_result(report: dict[str, Any]) -> Result:
 
 
 def estimate(
-    run: Annotated[Path, arg("RUN", "A run's NetCDF, as clpt run writes it.")],
-    method: Annotated[
-        str,
-        opt(
-            "NAME",
-            "least-squares, kalman or tomography.",
-            autocompletion=one_of("least-squares", "kalman", "tomography"),
-        ),
-    ] = "least-squares",
-    every: Annotated[
-        float | None, opt("TIME", "Time between fixes; a tenth of reference.dwell.")
-    ] = None,
-    prior: Annotated[
-        float | None, opt("SPEED", "Standard deviation of each theta before any fix.")
-    ] = None,
-    noise: Annotated[
-        float | None, opt("LENGTH", "Standard deviation of a miss between fixes.")
-    ] = None,
-    until: Annotated[float | None, opt("TIME", "Use the run up to this time.")] = None,
-    out: Annotated[
-        Path | None, opt("FILE", "Scenario file to write: the run's, with the estimate given.")
-    ] = None,
+    run: Path = arg("RUN", "A run's NetCDF, as clpt run writes it."),
+    method: str = opt(
+        "NAME",
+        "least-squares, kalman or tomography.",
+        default="least-squares",
+        words=("least-squares", "kalman", "tomography"),
+    ),
+    every: float | None = opt("TIME", "Time between fixes; a tenth of reference.dwell."),
+    prior: float | None = opt("SPEED", "Standard deviation of each theta before any fix."),
+    noise: float | None = opt("LENGTH", "Standard deviation of a miss between fixes."),
+    until: float | None = opt("TIME", "Use the run up to this time."),
+    out: Path | None = opt("FILE", "Scenario file to write: the run's, with the estimate given."),
     as_json: Json = False,
 ) -> None:
     """Estimate the flow from fix to fix, for the known-flow law.

@@ -2,7 +2,6 @@
 
 from importlib import resources
 from pathlib import Path
-from typing import Annotated
 
 import typer
 
@@ -11,7 +10,7 @@ import clpt_control as clpt
 from ..errors import ClptError
 from ..files import beside, check_name, check_writable, make_folder
 from ..progress import progress_bar
-from .help_pages import arg, one_of, opt
+from .help_pages import arg, opt
 from .printing import Formats, Json, ScenarioFile, finish
 
 RUN = "run it with `clpt run {} --out run.nc`"
@@ -24,12 +23,12 @@ EXAMPLES = {  # of `clpt init`: the name that it is given, the file in the packa
 
 
 def init(
-    file: Annotated[
-        Path | None, arg("FILE", "Where to write it; default: the name of the example.")
-    ] = None,
-    example: Annotated[
-        str, opt("NAME", f"What to write: {', '.join(EXAMPLES)}.", autocompletion=one_of(*EXAMPLES))
-    ] = "paper",
+    file: Path | None = arg(
+        "FILE", "Where to write it; default: the name of the example.", default=None
+    ),
+    example: str = opt(
+        "NAME", f"What to write: {', '.join(EXAMPLES)}.", default="paper", words=(*EXAMPLES,)
+    ),
 ) -> None:
     """Write an example to start from: a scenario, by default.
 
@@ -51,7 +50,7 @@ def init(
 
 
 def paper(
-    out: Annotated[Path, opt("FOLDER", "Folder for figures and run.nc.")] = Path("paper"),
+    out: Path = opt("FOLDER", "Folder for figures and run.nc.", default=Path("paper")),
     formats: Formats = None,
     as_json: Json = False,
 ) -> None:
@@ -77,8 +76,8 @@ def paper(
 
 def run(
     scenario: ScenarioFile,
-    out: Annotated[Path, opt("FILE", "NetCDF file for the run.")],
-    figures: Annotated[Path | None, opt("FOLDER", "Folder for the figures.")] = None,
+    out: Path = opt("FILE", "NetCDF file for the run.", default=...),
+    figures: Path | None = opt("FOLDER", "Folder for the figures."),
     formats: Formats = None,
     as_json: Json = False,
 ) -> None:
@@ -106,12 +105,10 @@ def run(
 
 def diagram(
     scenario: ScenarioFile,
-    out: Annotated[
-        Path | None, opt("FILE", ".svg, .png, .pdf or .mmd; default: Mermaid text.", "-o", "--out")
-    ] = None,
-    external: Annotated[
-        list[str] | None, opt("PORT", "A port to take from outside, such as zc.")
-    ] = None,
+    out: Path | None = opt(
+        "FILE", ".svg, .png, .pdf or .mmd; default: Mermaid text.", "-o", "--out"
+    ),
+    external: list[str] | None = opt("PORT", "A port to take from outside, such as zc."),
 ) -> None:
     """Draw a scenario's block diagram.
 

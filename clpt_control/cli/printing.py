@@ -15,18 +15,25 @@ from .help_pages import arg, flag, opt
 
 ScenarioFile = Annotated[Path, arg("SCENARIO", "A scenario's TOML file, or a run's NetCDF.")]
 Window = Annotated[
-    float | None, opt("TIME", "Length of the window; default: one cycle of waypoints.")
+    float | None, opt("TIME", "Length of the window; default: one cycle of waypoints.", default=...)
 ]
-Start = Annotated[float | None, opt("TIME", "Start of the window; default: the second cycle.")]
+Start = Annotated[
+    float | None, opt("TIME", "Start of the window; default: the second cycle.", default=...)
+]
 PIPED = 140  # letters of a line that goes to no terminal
 LONG = 40  # characters; longer cells are broken into lines
 Json = Annotated[
     bool,
-    flag("Print one JSON object and nothing else; a mistake is told on standard error.", "--json"),
+    flag(
+        "Print one JSON object and nothing else; a mistake is told on standard error.",
+        "--json",
+        default=...,
+    ),
 ]
 
 Formats = Annotated[
-    list[str] | None, opt("FORMAT", "Format of the figures: png, svg, pdf; repeat it.", "--format")
+    list[str] | None,
+    opt("FORMAT", "Format of the figures: png, svg, pdf; repeat it.", "--format", default=...),
 ]
 
 
@@ -91,9 +98,7 @@ def terminal_width() -> int:
     return console.width if console.is_terminal or os.environ.get("COLUMNS") else PIPED
 
 
-def print_table(
-    title: str, columns: Sequence[str], rows: Sequence[Sequence[str]], width: int | None = None
-) -> None:
+def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
     """Print a table on standard output, brackets in it as they are.
 
     No cell is cut: words of the first column and of long cells are broken into lines, and what
@@ -114,7 +119,7 @@ def print_table(
         least += 3 + max(min(len(part), LONG) for part in parts)
     for row in rows:
         table.add_row(*map(Text, row))
-    Console(width=max(terminal_width() if width is None else width, least)).print(table)
+    Console(width=max(terminal_width(), least)).print(table)
 
 
 def shown(value: Any) -> str:

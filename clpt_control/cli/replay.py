@@ -2,13 +2,18 @@
 
 from math import inf
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 import typer
 
-from .help_pages import arg, one_of, opt
-from .printing import Formats, Json, print_json
-from .replay_report import Ahead, check_pace, show, summary_with_next, watch, waypoint, write
+import clpt_control as clpt
+
+from ..errors import DataError, ScenarioError
+from ..files import make_folder
+from ..progress import progress_bar
+from .help_pages import arg, flag, opt
+from .printing import Formats, Json, finish
+from .replay_report import Ahead, check_pace, results, summary_with_next, watch, waypoint, write
 
 
 def folder_named(text: str) -> Path:
@@ -19,80 +24,53 @@ def folder_named(text: str) -> Path:
 
 
 def replay(
-    files: Annotated[
-        list[Path] | None, arg("FILES", "Files of one vehicle, or folders of them.")
-    ] = None,
-    sample: Annotated[
-        bool, typer.Option("--sample", help="Replay the dives that come with clpt.")
-    ] = False,
-    estimator: Annotated[
-        str, opt("NAME", "kalman or gradient.", autocompletion=one_of("kalman", "gradient"))
-    ] = "kalman",
-    flow: Annotated[
-        str | None,
-        opt(
-            "PARTS",
-            "steady, then any of tides, inertial, gaussians, model, such as steady,M2,K1.",
-            autocompletion=one_of("steady", "tides", "M2", "inertial", "gaussians", "model"),
-        ),
-    ] = None,
-    width_km: Annotated[float | None, opt("KM", "Width of the gaussians.")] = None,
-    learn_speed: Annotated[
-        bool, typer.Option(help="Learn a factor on speed and a compass error.")
-    ] = True,
-    flow_model: Annotated[
-        Path | None, opt("FILE", "Forecast (NetCDF) or fit (TOML) to compare with and learn from.")
-    ] = None,
-    units: Annotated[
-        str | None, opt("UNIT", "Of u and v of a forecast, such as m/s, where it has none.")
-    ] = None,
-    plan: Annotated[
-        tuple[float, float, float] | None,
-        opt(
-            "HOURS EAST NORTH",
-            "Plan of the next dive: hours, m east, m north through the water.",
-            "--next",
-        ),
-    ] = None,
-    aim: Annotated[
-        list[str] | None,
-        opt(
-            "LAT LON",
-            "Waypoint to aim at, degrees: the heading that the current carries there. Give "
-            "it again for those that follow.",
-        ),
-    ] = None,
-    speed: Annotated[
-        float | None, opt("M/S", "Speed through water for --aim; else that of the last dives.")
-    ] = None,
-    hours: Annotated[
-        float | None, opt("HOURS", "Length of a dive for --aim; else that of the last dives.")
-    ] = None,
-    least_duration: Annotated[
-        float | None, opt("SECONDS", "Dives must last longer than this.")
-    ] = None,
-    variation: Annotated[
-        float | None,
-        opt("DEGREES", "Variation of magnetic headings, degrees east; else the file's or IGRF."),
-    ] = None,
-    out: Annotated[
-        Path | None, opt("FOLDER", "Folder for NetCDF and figures.", parser=folder_named)
-    ] = None,
-    follow: Annotated[
-        Path | None,
-        opt(
-            "FOLDER",
-            "Folder to watch for new files; --out is FOLDER/replay by default.",
-            parser=folder_named,
-        ),
-    ] = None,
-    every: Annotated[float, opt("SECONDS", "Time between looks at that folder.")] = 10.0,
-    patience: Annotated[
-        float,
-        opt(
-            "SECONDS", "End after this time without a new file; default: never.", show_default=False
-        ),
-    ] = inf,
+    files: list[Path] | None = arg(
+        "FILES", "Files of one vehicle, or folders of them.", default=None
+    ),
+    sample: bool = flag("Replay the dives that come with clpt.", "--sample"),
+    estimator: str = opt(
+        "NAME", "kalman or gradient.", default="kalman", words=("kalman", "gradient")
+    ),
+    flow: str | None = opt(
+        "PARTS",
+        "steady, then any of tides, inertial, gaussians, model, such as steady,M2,K1.",
+        words=("steady", "tides", "M2", "inertial", "gaussians", "model"),
+    ),
+    width_km: float | None = opt("KM", "Width of the gaussians."),
+    learn_speed: bool = flag("Learn a factor on speed and a compass error.", default=True),
+    flow_model: Path | None = opt(
+        "FILE", "Forecast (NetCDF) or fit (TOML) to compare with and learn from."
+    ),
+    units: str | None = opt("UNIT", "Of u and v of a forecast, such as m/s, where it has none."),
+    plan: tuple[float, float, float] | None = opt(
+        "HOURS EAST NORTH",
+        "Plan of the next dive: hours, m east, m north through the water.",
+        "--next",
+    ),
+    aim: list[str] | None = opt(
+        "LAT LON",
+        "Waypoint to aim at, degrees: the heading that the current carries there. Give "
+        "it again for those that follow.",
+    ),
+    speed: float | None = opt("M/S", "Speed through water for --aim; else that of the last dives."),
+    hours: float | None = opt("HOURS", "Length of a dive for --aim; else that of the last dives."),
+    least_duration: float | None = opt("SECONDS", "Dives must last longer than this."),
+    variation: float | None = opt(
+        "DEGREES", "Variation of magnetic headings, degrees east; else the file's or IGRF."
+    ),
+    out: Path | None = opt("FOLDER", "Folder for NetCDF and figures.", parser=folder_named),
+    follow: Path | None = opt(
+        "FOLDER",
+        "Folder to watch for new files; --out is FOLDER/replay by default.",
+        parser=folder_named,
+    ),
+    every: float = opt("SECONDS", "Time between looks at that folder.", default=10.0),
+    patience: float = opt(
+        "SECONDS",
+        "End after this time without a new file; default: never.",
+        default=inf,
+        show_default=False,
+    ),
     formats: Formats = None,
     as_json: Json = False,
 ) -> None:
@@ -101,16 +79,10 @@ def replay(
     Example:
         clpt replay p542*.nc --aim 41.05 -69.40 --out replay
     """
-    from ..errors import DataError, ScenarioError
     from ..estimation.estimators import ESTIMATORS
     from ..figures import checked_formats
-    from ..files import make_folder
-    from ..gliders.dive_files import read_dives
-    from ..gliders.dive_table import sample_dives
     from ..gliders.magnetic import turned
-    from ..gliders.usable_dives import LEAST_DURATION, usable
-    from ..progress import progress_bar
-    from ..replay.flow_model_file import read_flow_model
+    from ..gliders.usable_dives import LEAST_DURATION
     from ..replay.replay import Replay, check_tides, feed
 
     if bool(files) + sample + (follow is not None) != 1:
@@ -131,7 +103,7 @@ def replay(
     model = chosen_model(flow, width_km, learn_speed, flow_model is not None)
     if units is not None and flow_model is None:
         raise ScenarioError(f"--units {units}: is for --flow-model FILE; give one, or leave it out")
-    forecast = None if flow_model is None else read_flow_model(flow_model, units)
+    forecast = None if flow_model is None else clpt.replay.read_flow_model(flow_model, units)
     ahead = Ahead(
         () if plan is None else (3600 * plan[0], plan[1:]),
         [waypoint(text) for text in aim or ()],
@@ -152,7 +124,7 @@ def replay(
                     "magnetic heading; leave it out"
                 )
             dives = [turned(dive, variation) for dive in dives]
-        used, unused = usable(dives, least)
+        used, unused = clpt.gliders.usable(dives, least)
         skipped = [*unread, *unused]
         if follow is None and not used:
             first = skipped[0]
@@ -173,16 +145,13 @@ def replay(
         place = follow / "replay" if out is None else out
         result, skipped = watch(take, follow, place, ahead, kinds, every, patience)
     else:
-        result, skipped = take(*((sample_dives(), []) if sample else read_dives(files or [])))
+        gliders = clpt.gliders
+        dives = (gliders.sample_dives(), []) if sample else gliders.read_dives(files or [])
+        result, skipped = take(*dives)
         if out is not None:
             written = write(result, skipped, make_folder(out), ahead, kinds)
     summary = summary_with_next(result, skipped, ahead)
-    if as_json:
-        print_json(summary)
-        return
-    show(summary)
-    for path in written:
-        typer.echo(f"{path}: written")
+    finish(results(summary), summary, as_json, *written)
 
 
 def chosen_model(flow: str | None, width_km: float | None, learn_speed: bool, given: bool) -> Any:
@@ -190,9 +159,7 @@ def chosen_model(flow: str | None, width_km: float | None, learn_speed: bool, gi
 
     Then a factor on it is a parameter, which the dives may find to be near zero.
     """
-    from ..errors import ScenarioError
-    from ..estimation.fix_model import FixModel
-
+    FixModel = clpt.estimation.FixModel
     parts = FixModel().flow if flow is None else tuple(name.strip() for name in flow.split(","))
     if not given and "model" in parts:
         raise ScenarioError(f"flow {flow}: its part model needs --flow-model FILE")

@@ -15,9 +15,14 @@ from typing import Any
 
 import typer
 
+import clpt_control as clpt
+
+from ..errors import ScenarioError
+from ..files import remove_left, write_together
+from ..html.text import Result
 from ..progress import interrupt
 from .help_pages import Command
-from .printing import print_table, terminal_width
+from .printing import terminal_width
 
 PAIR = re.compile(r"\s*[-+.\d]+\s+[-+.\d]+\s*")  # both numbers quoted as one word
 CLOSE = 1000.0  # m; who is so close to a waypoint goes on to the next one
@@ -91,7 +96,6 @@ class Ahead:
 
     def check(self) -> None:
         """Refuse what cannot be, before work begins."""
-        from ..errors import ScenarioError
         from ..replay.aim import check_speed, checked_target
         from ..replay.surfacing import check_plan
 
@@ -106,15 +110,11 @@ class Ahead:
 
     def next_dive(self, replay: Any) -> Any:
         """Return the `NextDive` of a replay."""
-        from ..replay.surfacing import next_dive
-
-        return next_dive(replay, *self.plan)
+        return clpt.replay.next_dive(replay, *self.plan)
 
     def aims(self, replay: Any) -> list[Any]:
         """Return an `Aim` for each waypoint ahead; those that were come close to are dropped."""
-        from ..errors import ScenarioError
         from ..geodesy import displacement
-        from ..replay.aim import aims
 
         last = replay.steps[-1].dive
         fix = last.lat_gpse, last.lon_gpse
@@ -124,7 +124,7 @@ class Ahead:
         if not self.targets:
             return []
         try:
-            return aims(replay, self.targets, self.speed, duration, self.variation)
+            return clpt.replay.aims(replay, self.targets, self.speed, duration, self.variation)
         except ScenarioError as error:
             if not self.follows:
                 raise
@@ -144,28 +144,30 @@ def fitting(rows: list[dict[str, str]], width: int) -> list[str]:
     return [title for title in size if title in chosen]
 
 
-def show_tables(summary: dict[str, Any], width: int | None = None) -> None:
-    """Print a row per dive, then the rms of misses, into a width; by default the terminal's."""
-    from ..replay.sentences import cells, cells_ahead, metres
+def results(summary: dict[str, Any]) -> list[Result]:
+    """Return what `summary_with_next` says of a replay: dives, misses, what was learned."""
+    from ..replay.sentences import aimed, cells, cells_ahead, metres, next_surfacing, remarks
 
-    width = terminal_width() if width is None else width
-    each = summary["each_dive"]
+    each, said = summary["each_dive"], list(remarks(summary))
+    if summary["next_dive"]:
+        said.append(next_surfacing(summary["next_dive"]))
+    said += [aimed(leg) for leg in summary["aim"]]
+    if not each:
+        return [Result("", [], [], ["no dives yet", *said])]
     dives = [cells(row) for row in each]
-    if summary.get("next_dive"):
+    if summary["next_dive"]:
         dives.append(cells_ahead(summary["next_dive"]))
-    titles = fitting(dives, width)
-    print_table(
-        "Miss (CLPE, m) one dive ahead; currents in m/s",
-        titles,
-        [[row[title] for title in titles] for row in dives],
-        width,
-    )
+    titles = fitting(dives, terminal_width())
+    lines = [[row[title] for title in titles] for row in dives]
     means = {name: summary[key] for key, name in ROWS.items()}
     if "flow_model" in summary and 0 < summary["flow_model"]["covered"] < summary["used"]:
         means["covered, after the first dive"] = summary["flow_model"]["clpe_rms"]
     models = [NAMES[key] for key in each[0]["clpe"]]
     rows = [[name, *map(metres, rms.values())] for name, rms in means.items()]
-    print_table("Miss, rms (m)", ["over", *models], rows, width)
+    return [
+        Result("Miss (CLPE, m) one dive ahead; currents in m/s", titles, lines),
+        Result("Miss, rms (m)", ["over", *models], rows, said),
+    ]
 
 
 def write(
@@ -181,8 +183,7 @@ def write(
     The files are returned.  ``replay.nc`` is the first and is put in place last: where it is
     new, the others are.  The page loads itself `again` where it will be written anew.
     """
-    from ..files import write_together
-    from ..replay.dataset import carrying, replay_dataset
+    from ..replay.dataset import carrying
     from ..replay.exchange import next_geojson, track_kml
     from ..replay.page import replay_page
     from ..replay.plots import replay_figures
@@ -190,7 +191,9 @@ def write(
     goal = ahead.next_dive(result)
     found = summary_with_next(result, skipped, ahead)
     results: dict[str, Any] = {
-        "replay.nc": carrying(replay_dataset(result, found["vehicle"], ahead=goal), found),
+        "replay.nc": carrying(
+            clpt.replay.replay_dataset(result, found["vehicle"], ahead=goal), found
+        ),
         "replay.html": replay_page(found, again),
         "next.geojson": next_geojson(found),
         "track.kml": track_kml(found, found["vehicle"]),
@@ -204,37 +207,18 @@ def write(
 
 def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> dict[str, Any]:
     """Return what `--json` prints: the summary, the next surfacing, where to aim."""
-    from ..replay.outcome import summary
-
+    found = clpt.replay.summary(result, skipped)
     if not result.steps:
-        return {**summary(result, skipped), "next_dive": None, "aim": []}
+        return {**found, "next_dive": None, "aim": []}
     return {
-        **summary(result, skipped),
+        **found,
         "next_dive": ahead.next_dive(result).as_dict(),
         "aim": [leg.as_dict() for leg in ahead.aims(result)],
     }
 
 
-def show(summary: dict[str, Any]) -> None:
-    """Print what `summary_with_next` returns of a replay."""
-    from ..replay.sentences import aimed, next_surfacing, remarks
-
-    if summary["each_dive"]:
-        show_tables(summary)
-    else:
-        typer.echo("no dives yet")
-    for line in remarks(summary):
-        typer.echo(line)
-    if summary["next_dive"] is not None:
-        typer.echo(next_surfacing(summary["next_dive"]))
-    for leg in summary["aim"]:
-        typer.echo(aimed(leg))
-
-
 def check_pace(every: float, patience: float) -> None:
     """Refuse times (s) between looks, or without a new file, that cannot be."""
-    from ..errors import ScenarioError
-
     if not (isfinite(every) and 0 < every <= LONGEST):
         raise ScenarioError(
             f"--every {every:g} s: must be above 0 s and at most {LONGEST:g} s, a day"
@@ -257,7 +241,6 @@ def watch(
     Times are in s.  Ctrl-C or SIGTERM ends it: while it waits, with the last replay; while
     it learns, by a `KeyboardInterrupt`, as no replay has all dives yet.
     """
-    from ..files import remove_left
     from ..replay.follow import following
 
     with interrupt.terminated(), following(folder, out) as follower:

@@ -1,7 +1,6 @@
 """What is sent or shown: `clpt report` writes a page, `clpt animate` a moving picture."""
 
 from pathlib import Path
-from typing import Annotated
 
 import typer
 
@@ -13,14 +12,10 @@ from .printing import Formats, Json, finish
 
 
 def report(
-    run: Annotated[
-        Path, arg("RUN", "run.nc, a team's too; an ensemble's folder; replay.nc or its JSON.")
-    ],
-    out: Annotated[Path, opt("FILE", "The page, .html.", "-o", "--out")] = Path("report.html"),
-    title: Annotated[str | None, opt("TITLE", "In place of the scenario's.")] = None,
-    figures: Annotated[
-        Path | None, opt("FOLDER", "Folder for the figures too, as SVG and PDF.")
-    ] = None,
+    run: Path = arg("RUN", "run.nc, a team's too; an ensemble's folder; replay.nc or its JSON."),
+    out: Path = opt("FILE", "The page, .html.", "-o", "--out", default=Path("report.html")),
+    title: str | None = opt("TITLE", "In place of the scenario's."),
+    figures: Path | None = opt("FOLDER", "Folder for the figures too, as SVG and PDF."),
     formats: Formats = None,
     as_json: Json = False,
 ) -> None:
@@ -35,15 +30,19 @@ def report(
 
 
 def animate(
-    run: Annotated[Path, arg("RUN", "A run's NetCDF.")],
-    out: Annotated[
-        Path, opt("FILE", "The film: .gif, or .mp4 where ffmpeg is installed.", "-o", "--out")
-    ] = Path("run.gif"),
-    start: Annotated[float | None, opt("TIME", "First time shown; default: the run's.")] = None,
-    end: Annotated[float | None, opt("TIME", "Last time shown; default: the run's.")] = None,
-    seconds: Annotated[float, opt("SECONDS", "How long the film lasts.")] = 12.0,
-    fps: Annotated[float, opt("NUMBER", "Frames a second.")] = 12.5,
-    width: Annotated[int, opt("PIXELS", "Pixels.")] = 560,
+    run: Path = arg("RUN", "A run's NetCDF."),
+    out: Path = opt(
+        "FILE",
+        "The film: .gif, or .mp4 where ffmpeg is installed.",
+        "-o",
+        "--out",
+        default=Path("run.gif"),
+    ),
+    start: float | None = opt("TIME", "First time shown; default: the run's."),
+    end: float | None = opt("TIME", "Last time shown; default: the run's."),
+    seconds: float = opt("SECONDS", "How long the film lasts.", default=12.0),
+    fps: float = opt("NUMBER", "Frames a second.", default=12.5),
+    width: int = opt("PIXELS", "Pixels.", default=560),
 ) -> None:
     """Make a moving picture of a run.
 

@@ -1,7 +1,7 @@
 """What a track teaches: `clpt excitation` measures it, `clpt design` finds a better track."""
 
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 import clpt_control as clpt
 
@@ -29,9 +29,7 @@ def excitation(
     scenario: ScenarioFile,
     window: Window = None,
     start: Start = None,
-    figure: Annotated[
-        Path | None, opt("FILE", ".png, .pdf or .svg: eigenvalues and directions.")
-    ] = None,
+    figure: Path | None = opt("FILE", ".png, .pdf or .svg: eigenvalues and directions."),
     as_json: Json = False,
 ) -> None:
     """Measure what can be learned on a track, and how fast.
@@ -55,30 +53,21 @@ def excitation(
 
 def design(
     scenario: ScenarioFile,
-    out: Annotated[Path, opt("FILE", "Scenario file to write, with the new waypoints.")],
-    length: Annotated[
-        float | None, opt("LENGTH", "Longest closed polygon; default: the scenario's own.")
-    ] = None,
-    max_speed: Annotated[
-        float | None, opt("SPEED", "Largest speed through the water; default: any.")
-    ] = None,
-    area: Annotated[
-        Four | None,
-        opt("X1FROM X1TO X2FROM X2TO", "Where it may drive; default: where it drives now."),
-    ] = None,
-    box: Annotated[
-        Four | None, opt("LAT0 LAT1 LON0 LON1", "The area in degrees, in a measured current.")
-    ] = None,
-    count: Annotated[int | None, opt("COUNT", "Waypoints; default: as many as now.")] = None,
-    dwell: Annotated[float | None, opt("TIME", "Time at each; default: as now.")] = None,
+    out: Path = opt("FILE", "Scenario file to write, with the new waypoints.", default=...),
+    length: float | None = opt("LENGTH", "Longest closed polygon; default: the scenario's own."),
+    max_speed: float | None = opt("SPEED", "Largest speed through the water; default: any."),
+    area: Four | None = opt(
+        "X1FROM X1TO X2FROM X2TO", "Where it may drive; default: where it drives now."
+    ),
+    box: Four | None = opt("LAT0 LAT1 LON0 LON1", "The area in degrees, in a measured current."),
+    count: int | None = opt("COUNT", "Waypoints; default: as many as now."),
+    dwell: float | None = opt("TIME", "Time at each; default: as now."),
     window: Window = None,
     start: Start = None,
-    level: Annotated[
-        float | None, opt("ERROR", "Error that ends the learning time; default: a tenth.")
-    ] = None,
-    seed: Annotated[int, opt("NUMBER", "Seed of the search.")] = 0,
-    generations: Annotated[int, opt("COUNT", "Generations of the search.")] = 60,
-    figure: Annotated[Path | None, opt("FILE", ".png, .pdf or .svg: old and new track.")] = None,
+    level: float | None = opt("ERROR", "Error that ends the learning time; default: a tenth."),
+    seed: int = opt("NUMBER", "Seed of the search.", default=0),
+    generations: int = opt("COUNT", "Generations of the search.", default=60),
+    figure: Path | None = opt("FILE", ".png, .pdf or .svg: old and new track."),
     as_json: Json = False,
 ) -> None:
     """Find waypoints from which most can be learned.

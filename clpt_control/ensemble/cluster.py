@@ -18,9 +18,8 @@ from typing import Any
 
 from ..errors import ClptError, DataError, SimulationError
 from ..progress.interrupt import asked, check, leave
-from .plan import Plan
-from .store import open_store
-from .worker import Recipe, worker_of
+from .store import Store, open_store
+from .worker import Recipe, Worker, worker_of
 
 PATIENCE = 30  # seconds to wait for a scheduler and its first worker
 RETRIES = 3  # times a chunk is given to a worker again
@@ -90,10 +89,12 @@ async def _deaf() -> None:
         signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
 
 
-def run_on_cluster(plan: Plan, address: str, workers: int, report: Callable[[int], None]) -> None:
+def run_on_cluster(
+    worker: Worker, store: Store, address: str, workers: int, report: Callable[[int], None]
+) -> None:
     """Run the chunks that are missing; `report` is called with the number of members done."""
-    missing = plan.store.missing()
-    done = plan.store.done(missing)
+    missing = store.missing()
+    done = store.done(missing)
     report(done)
     if not missing:
         return
@@ -105,9 +106,9 @@ def run_on_cluster(plan: Plan, address: str, workers: int, report: Callable[[int
         def submitted(index: int) -> Any:
             return client.submit(
                 run_chunk,
-                plan.worker.recipe,
-                plan.worker.code,
-                str(plan.store.path),
+                worker.recipe,
+                worker.code,
+                str(store.path),
                 index,
                 pure=False,
                 retries=RETRIES,
@@ -124,9 +125,9 @@ def run_on_cluster(plan: Plan, address: str, workers: int, report: Callable[[int
                     raise future.exception(timeout=PATIENCE)
                 # ask the store: the worker may be lost by now
                 index = given.pop(future)
-                if not plan.store.is_whole(index):
-                    raise SimulationError(f"dask: chunk {index} did not reach {plan.store.path}")
-                done += plan.store.range(index)[1] - plan.store.range(index)[0]
+                if not store.is_whole(index):
+                    raise SimulationError(f"dask: chunk {index} did not reach {store.path}")
+                done += store.range(index)[1] - store.range(index)[0]
                 report(done)
                 for following in islice(waiting, 1):
                     future = submitted(following)

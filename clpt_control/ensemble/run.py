@@ -1,31 +1,41 @@
 """Run an ensemble on the threads of one machine, or hand it to a cluster.
 
-Compiled members need no interpreter, so threads run side by side.  A chunk is
+All arguments are checked, and the store is made or opened, before a member runs.  Compiled
+members need no interpreter, so threads run side by side.  A chunk is
 cut into batches, each a task; batches differ with threads and memory, results do
 not: every member is integrated and summarised by itself.
 """
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor, wait
+from importlib.metadata import version
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..arguments import Seed, public
+from ..diagrams.changes import UNCHANGED
 from ..diagrams.interconnection import Diagram
-from ..errors import ScenarioError, needed
+from ..errors import DataError, ScenarioError, needed
+from ..files import check_name, check_writable
 from ..progress.interrupt import SLICE, check
 from ..scenario.experiment import Scenario
+from ..scenario.file import scenario_to_text
 from ..simulation.loops import loop_of
-from .plan import Plan, Request, make_plan
-from .store import remove_empty
-from .varied_keys import Vary
-from .worker import joined, rows
+from .drawn_values import draw_members
+from .store import CODE, Store, check_store, create_store, open_store, remove_empty
+from .summaries import Array, fixed_arrays, kept_arrays, marks_of, samples_per_cycle
+from .varied_keys import Vary, read_varies
+from .worker import Recipe, Worker, checked, joined, named, pickled, rows
 
 if TYPE_CHECKING:
     import xarray
+
+CHUNK = 1000  # members, where no trajectories are kept
+CHUNK_BYTES = 64_000_000  # trajectories of a chunk
 
 
 @public
@@ -114,24 +124,58 @@ def run_ensemble(
         raise ScenarioError("dask: needs out, a folder that all workers can reach")
     for module in ("zarr", *(["distributed"] if dask is not None else [])):
         needed(module)
-    loop, cluster = loop_of(system), dask is not None
-    asked = (design, seed, out, trajectories, chunk, samples, times, cluster)
-    plan = make_plan(Request(loop, vary, members, *asked))
+    loop = loop_of(system)
+    scenario, changes = loop.scenario, checked(loop.changes, loop.scenario)
+    varies = read_varies(scenario, vary)
+    marks, per_cycle = marks_of(scenario, times), samples_per_cycle(scenario, samples)
+    path = None if out is None else Path(out).absolute()
+    if path is not None:
+        check_name(path)
+        if not path.exists():
+            check_writable(path)
+    values = draw_members(scenario, varies, members, design, seed)
+    recipe = Recipe(
+        scenario_to_text(scenario),
+        str(scenario._folder.absolute()),
+        tuple((key, array.shape[1:]) for key, array in values.items()),
+        per_cycle,
+        marks,
+        bool(trajectories),
+        b"" if changes == UNCHANGED else pickled(changes, dask is not None),
+    )
+    worker = Worker(recipe)
+    arrays = kept_arrays(worker.scenario, worker.times, int(members), recipe.trajectories)
+    asked = {
+        "scenario": scenario_to_text(scenario, None if path is None else path.parent),
+        "vary": [one.text for one in varies],
+        "keys": [one.key for one in varies],
+        "members": int(members),
+        "design": design,
+        "seed": int(seed),
+        "chunk": min(_chunk(chunk, arrays), int(members)),
+        "trajectories": recipe.trajectories,
+        "samples": per_cycle,
+        "times": list(marks),
+        "law": named(changes),
+    }
+    used = {dim for array in arrays.values() for dim in array.dims}
+    arrays |= fixed_arrays(worker.scenario, worker.times, values, used)
+    store = _store(path, worker, asked, arrays)
     report = progress or (lambda done: None)
     count = threads or available_threads()
     if dask is not None:
         from .cluster import run_on_cluster
 
-        run_on_cluster(plan, dask, count, report)
+        run_on_cluster(worker, store, dask, count, report)
     else:
         try:
-            _run_here(plan, count, report)
+            _run_here(worker, store, count, report)
         except Exception:
-            remove_empty(plan.store)
+            remove_empty(store)
             raise
-    plan.store.finish()
-    data = plan.store.dataset()
-    data.encoding.setdefault("folder", str(loop.scenario._folder.absolute()))  # of its field
+    store.finish()
+    data = store.dataset()
+    data.encoding.setdefault("folder", str(scenario._folder.absolute()))  # of its field
     return data
 
 
@@ -142,45 +186,99 @@ def available_threads() -> int:
     return os.cpu_count() or 1
 
 
-def _batches(plan: Plan, missing: list[int], size: int) -> Iterator[tuple[int, int, dict]]:
-    """Cut chunks into batches: chunk, first row in it, and the values."""
-    for index in missing:
-        values = plan.store.values(index)
-        first, last = plan.store.range(index)
-        for start in range(0, last - first, size):
-            yield index, start, rows(values, start, min(start + size, last - first))
-
-
-def _run_here(plan: Plan, threads: int, report: Callable[[int], None]) -> None:
-    missing = plan.store.missing()
-    done = plan.store.done(missing)
+def _run_here(worker: Worker, store: Store, threads: int, report: Callable[[int], None]) -> None:
+    missing = store.missing()
+    done = store.done(missing)
     report(done)
-    if not missing:
-        return
-    spread = -(-(plan.store.members - done) // (4 * threads))  # some batches for every thread
-    size = min(plan.worker.batch, max(8, -(-spread // 8) * 8))
-    batches = _batches(plan, missing, size)
-    parts: dict[int, dict[int, dict[str, np.ndarray]]] = {}
-    running: dict[Future, tuple[int, int]] = {}
+    spread = -(-(store.members - done) // (4 * threads))  # some batches for every thread
+    size = min(worker.batch, max(8, -(-spread // 8) * 8)) if missing else 0
+    batches = _batches(store, missing, size)
+    running: deque[tuple[int, Future]] = deque()
+    parts: list[dict[str, np.ndarray]] = []  # of the first chunk that runs
     pool = ThreadPoolExecutor(threads)
     try:
         while True:
             while len(running) < 2 * threads and (batch := next(batches, None)) is not None:
-                index, start, values = batch
-                running[pool.submit(plan.worker.summaries, values)] = index, start
+                running.append((batch[0], pool.submit(worker.summaries, batch[1])))
             if not running:
                 return
-            finished = wait(running, timeout=SLICE, return_when=FIRST_COMPLETED).done
+            index, future = running.popleft()
+            while not wait([future], timeout=SLICE).done:
+                check()
             check()
-            for future in finished:
-                index, start = running.pop(future)
-                own = parts.setdefault(index, {})
-                own[start] = future.result()
-                done += len(own[start]["status"])
-                first, last = plan.store.range(index)
-                if sum(len(part["status"]) for part in own.values()) == last - first:
-                    plan.store.write(index, joined([own[key] for key in sorted(own)]))
-                    del parts[index]
-                report(done)
+            parts.append(future.result())
+            done += len(parts[-1]["status"])
+            first, last = store.range(index)
+            if sum(len(part["status"]) for part in parts) == last - first:
+                store.write(index, joined(parts))
+                parts = []
+            report(done)
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
+
+
+def _batches(store: Store, missing: list[int], size: int) -> Iterator[tuple[int, dict]]:
+    """Cut chunks into batches: the chunk, and the values."""
+    for index in missing:
+        values = store.values(index)
+        first, last = store.range(index)
+        for start in range(0, last - first, size):
+            yield index, rows(values, start, min(start + size, last - first))
+
+
+# --- before it runs -------------------------------------------------------------------------------
+
+
+def _chunk(chunk: int | None, arrays: Mapping[str, Array]) -> int:
+    """Return how many members are written at once."""
+    if chunk is None:
+        own = sum(8 * int(np.prod(v.shape[1:])) for v in arrays.values() if "time" in v.dims)
+        chunk = max(1, min(CHUNK, CHUNK_BYTES // own)) if own else CHUNK
+    if not isinstance(chunk, int) or isinstance(chunk, bool) or chunk < 1:
+        raise ScenarioError(f"chunk = {chunk}: must be a whole number, at least 1")
+    return chunk
+
+
+def _store(
+    path: Path | None, worker: Worker, asked: dict[str, Any], arrays: Mapping[str, Array]
+) -> Store:
+    """Make the store, or open one that holds a part of the same ensemble."""
+    if path is None or not path.exists() or (path.is_dir() and not any(path.iterdir())):
+        attrs = {**_attributes(worker.scenario, asked), CODE: worker.code}
+        return create_store(path, asked, arrays, attrs)
+    store = open_store(path)
+    check_same(store, asked)
+    check_store(store, asked, arrays)
+    if store.group.attrs[CODE] != worker.code and store.missing():
+        raise DataError(
+            f"{path}: was begun by other versions of the code ({store.group.attrs['software']})"
+            ", whose numbers may differ in the last bit; give another --out"
+        )
+    return store
+
+
+def _attributes(scenario: Scenario, arguments: dict[str, Any]) -> dict[str, Any]:
+    software = ("clpt-control", "llvmlite", "numpy", "scipy", "zarr")
+    return {
+        "Conventions": "CF-1.11",
+        "title": scenario.title,
+        "source": f"clpt-control {version('clpt-control')}",
+        "software": ", ".join(f"{name} {version(name)}" for name in software),
+        **{name: arguments[name] for name in ("scenario", "vary", "design", "seed", "samples")},
+    }
+
+
+def check_same(store: Store, arguments: Mapping[str, Any]) -> None:
+    """Refuse a store of another ensemble."""
+    for name, value in arguments.items():
+        held = store.arguments.get(name)
+        if held == value:
+            continue
+        what = "another scenario" if name == "scenario" else f"{name} = {_shown(held)}"
+        wanted = "" if name == "scenario" else f", not {_shown(value)}"
+        raise DataError(f"{store.path}: holds an ensemble of {what}{wanted}; give another --out")
+
+
+def _shown(value: Any) -> str:
+    text = ", ".join(map(str, value)) if isinstance(value, list) else str(value)
+    return text if len(text) <= 60 else text[:57] + "..."

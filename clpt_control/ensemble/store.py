@@ -18,13 +18,12 @@ import numpy as np
 
 from ..errors import DataError, needed
 from ..files import beside
-from .summaries import Variable
+from .summaries import Array
 
 if TYPE_CHECKING:
     import xarray
 
 ARGUMENTS, CODE, DONE = "ensemble", "code", "done"
-Fixed = tuple[tuple[str, ...], np.ndarray, dict[str, Any]]
 
 
 class Store:
@@ -34,10 +33,9 @@ class Store:
         self.group, self.path = group, path
         self.arguments: dict[str, Any] = json.loads(group.attrs[ARGUMENTS])
         self.members, self.chunk = self.arguments["members"], self.arguments["chunk"]
-        self.kept = [
+        self.kept = sorted(
             name for name, array in group.arrays() if array.attrs.get("kept") == "per member"
-        ]
-        self.kept.sort()
+        )
 
     def range(self, index: int) -> tuple[int, int]:
         """Return the first and the last member + 1 of a chunk."""
@@ -129,65 +127,55 @@ class Store:
 
 
 def layout_of(
-    arguments: Mapping[str, Any], kept: Mapping[str, Variable], fixed: Mapping[str, Fixed]
+    arguments: Mapping[str, Any], arrays: Mapping[str, Array]
 ) -> dict[str, dict[str, Any]]:
-    """Return what `create_array` takes for each array: those of `kept`, of `fixed`, and `done`."""
+    """Return what `create_array` takes for each array, and for `done`."""
     chunk, members = arguments["chunk"], arguments["members"]
+    sums = {"long_name": "checksum of a whole chunk"}
+    done = Array(("chunk",), (-(-members // chunk),), "int64", sums)
     layout = {}
-
-    def lay(name, dims, shape, dtype, own, first_chunk):
-        chunks = tuple(max(1, n) for n in (min(first_chunk, shape[0]), *shape[1:]))
+    for name, one in {**arrays, DONE: done}.items():
+        first = {"member": chunk, "chunk": 1}.get(one.dims[0], one.shape[0])
         layout[name] = {
-            "shape": tuple(shape),
-            "dtype": dtype,
-            "chunks": chunks,
-            "attributes": own,
-            "dimension_names": dims,
+            "shape": one.shape,
+            "dtype": one.dtype,
+            "chunks": tuple(max(1, n) for n in (min(first, one.shape[0]), *one.shape[1:])),
+            "attributes": one.attrs,
+            "dimension_names": one.dims,
         }
-
-    for name, variable in kept.items():
-        own = {**variable.attrs, "kept": "per member"}
-        lay(name, variable.dims, variable.shape, variable.dtype, own, chunk)
-    for name, (dims, values, own) in fixed.items():
-        size = chunk if dims[0] == "member" else len(values)
-        lay(name, dims, values.shape, values.dtype, own, size)
-    count = -(-members // chunk)
-    lay(DONE, ("chunk",), (count,), "int64", {"long_name": "checksum of a whole chunk"}, 1)
     return layout
 
 
 def create_store(
     path: Path | None,
     arguments: Mapping[str, Any],
-    kept: Mapping[str, Variable],
-    fixed: Mapping[str, Fixed],
+    arrays: Mapping[str, Array],
     attrs: Mapping[str, Any],
 ) -> Store:
     """Make a store without any chunk, in a folder or in memory.
 
-    `arguments` are what the ensemble is; chunks fill the arrays of `kept`; `fixed` are
-    coordinates and the members' values, name -> (dims, values, attributes).
+    `arguments` are what the ensemble is; chunks fill the arrays that have no values.
     """
     zarr = needed("zarr")
     if path is None:
-        return Store(
-            _filled(zarr.create_group(zarr.storage.MemoryStore()), arguments, kept, fixed, attrs)
-        )
+        group = zarr.create_group(zarr.storage.MemoryStore())
+        return Store(_filled(group, arguments, arrays, attrs))
     with beside(path, folder=True) as made:
-        _filled(zarr.create_group(made), arguments, kept, fixed, attrs)
+        _filled(zarr.create_group(made), arguments, arrays, attrs)
     return Store(zarr.open_group(path, mode="r+"), path)
 
 
-def _filled(group: Any, arguments, kept, fixed, attrs) -> Any:
+def _filled(group: Any, arguments: Any, arrays: Mapping[str, Array], attrs: Any) -> Any:
     from zarr.codecs import Crc32cCodec, ZstdCodec
 
     group.attrs.update({**attrs, ARGUMENTS: json.dumps(arguments)})
     compressors = (ZstdCodec(level=1), Crc32cCodec())
-    for name, made in layout_of(arguments, kept, fixed).items():
+    for name, made in layout_of(arguments, arrays).items():
         fill = np.nan if np.dtype(made["dtype"]).kind == "f" else 0
         array = group.create_array(name, fill_value=fill, compressors=compressors, **made)
-        if name in fixed and fixed[name][1].size:
-            array[:] = fixed[name][1]
+        values = arrays[name].values if name in arrays else None
+        if values is not None and values.size:
+            array[:] = values
     return group
 
 
@@ -218,14 +206,9 @@ def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
     return store
 
 
-def check_store(
-    store: Any,
-    arguments: Mapping[str, Any],
-    kept: Mapping[str, Variable],
-    fixed: Mapping[str, Fixed],
-) -> None:
+def check_store(store: Store, arguments: Mapping[str, Any], arrays: Mapping[str, Array]) -> None:
     """Refuse a store that is not as `create_store` makes it."""
-    for name, made in layout_of(arguments, kept, fixed).items():
+    for name, made in layout_of(arguments, arrays).items():
         wrong = ""
         try:
             array = store.group[name]
@@ -238,7 +221,8 @@ def check_store(
             }
             wanted = {**made, "attributes": json.loads(json.dumps(made["attributes"]))}
             wrong = next((what for what in made if found[what] != wanted[what]), "")
-            if not wrong and name in fixed and not np.array_equal(array[:], fixed[name][1]):
+            values = arrays[name].values if name in arrays else None
+            if not wrong and values is not None and not np.array_equal(array[:], values):
                 wrong = "values"
         except Exception:  # a damaged file can raise anything
             wrong = "files"

@@ -87,29 +87,31 @@ def sample_times_of(
     return SampleTimes(merged, numbers[0], starts, *numbers[1:])
 
 
-class Variable(NamedTuple):
-    """An array of the store without its values; the first dimension is the member."""
+class Array(NamedTuple):
+    """An array of the store; without values it is filled member by member."""
 
     dims: tuple[str, ...]
     shape: tuple[int, ...]
-    dtype: str
+    dtype: Any
     attrs: dict[str, Any]
+    values: np.ndarray | None = None
 
 
-def kept_variables(
+def kept_arrays(
     scenario: Scenario, times: SampleTimes, members: int, trajectories: bool
-) -> dict[str, Variable]:
-    """Return the arrays that a summary fills: name -> Variable, the first dimension the member."""
+) -> dict[str, Array]:
+    """Return the arrays that a summary fills: name -> Array, the first dimension the member."""
     length, rate = scenario.units.length, f"{scenario.units.time}-1"
     speed, N = f"{length} {rate}", scenario.basis.N
     cycles, marks = len(times.starts) - 1, len(times.marks)
     sizes = {"cycle": cycles, "mark": marks, "time": len(times.own), "axis": 2, "basis": N}
-    found: dict[str, Variable] = {}
+    found: dict[str, Array] = {}
 
     def keep(name: str, over: str, long_name: str, dtype: str = "float64", **attrs: Any) -> None:
         dims = over.split()
         shape = (members, *(sizes[dim] for dim in dims))
-        found[name] = Variable(("member", *dims), shape, dtype, {"long_name": long_name, **attrs})
+        own = {"long_name": long_name, **attrs, "kept": "per member"}
+        found[name] = Array(("member", *dims), shape, dtype, own)
 
     keep("clpe_rms", "cycle", "rms of the CLPE over a cycle", units=length)
     keep("clpe_rms_whole", "", "rms of the CLPE over the whole run", units=length)
@@ -130,6 +132,35 @@ def kept_variables(
         if not idle and not (port == "alpha" and scenario.learning.row.keeps_alpha):
             dims = "time axis basis" if port == "alpha" else "time axis"
             keep(name, dims, long_name, units=" ".join([length] * lengths + [rate] * rates))
+    return found
+
+
+def fixed_arrays(
+    scenario: Scenario, times: SampleTimes, values: Mapping[str, np.ndarray], used: set[str]
+) -> dict[str, Array]:
+    """Return the members' values, and the coordinates of the dimensions that are used."""
+    found: dict[str, Array] = {}
+
+    def fix(name: str, dims: tuple[str, ...], numbers: np.ndarray, **attrs: Any) -> None:
+        found[name] = Array(dims, numbers.shape, numbers.dtype, attrs, numbers)
+
+    for key, array in values.items():
+        dims = ("member", *dims_of(key, array.ndim - 1))
+        used = used.union(dims)
+        fix(key, dims, array, long_name=f"{key}, which varies")
+
+    def along(name: str, numbers: np.ndarray, **attrs: Any) -> None:
+        if name in used and numbers.size:
+            fix(name, (name,), numbers, **attrs)
+
+    unit, rounds = scenario.units.time, np.arange(1, len(times.starts))
+    along("member", np.arange(len(array)), long_name="member of the ensemble")
+    along("cycle", rounds, long_name="round of the waypoints", length=scenario.cycle)
+    along("mark", times.all[times.marks], long_name="time of an error", units=unit)
+    along("time", times.all[times.own], long_name="time since the start of the run", units=unit)
+    along("axis", np.array([1, 2]), long_name="axis of the plane, x1 and x2")
+    along("basis", np.arange(1, scenario.basis.N + 1), long_name="flow basis function")
+    along("waypoint", np.arange(1, len(scenario.waypoints) + 1), long_name="waypoint")
     return found
 
 
@@ -193,7 +224,7 @@ def _summaries(scenario, times, values, run, trajectories) -> dict[str, np.ndarr
     kept["status"] = run.status.astype("int8")
     kept["end"] = times.all[np.clip(run.reached - 1, 0, None)]
     if trajectories:
-        for name in kept_variables(scenario, times, m, True).keys() & set(TRAJECTORIES):
+        for name in kept_arrays(scenario, times, m, True).keys() & set(TRAJECTORIES):
             kept[name] = at[VARIABLES[name][0]][:, times.own]
         if not row.keeps_alpha:
             kept["alpha"] = kept["alpha"].reshape(m, -1, 2, N)

@@ -3,31 +3,41 @@
 Each of them says by its attributes what it is.  Nothing is imported before it is used.
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .. import ensemble, pages, replay, simulation, theory
 from ..errors import DataError
-from ..html.fragment import facts, fragment
+from ..html.text import facts, fragment
 
 if TYPE_CHECKING:
     import xarray
 
     from ..scenario import Scenario, Team
 
-KINDS = {  # what it is -> an attribute that says so
-    "team": "team",
-    "ensemble": "ensemble",
-    "run": "scenario",
-    "replay": "estimator",
-    "diagram": "solver_steps",
+
+class Kind(NamedTuple):
+    """What a dataset is: an attribute that says so, the plot that shows most, its parts."""
+
+    attribute: str
+    room: Any
+    whole: str
+    parts: tuple[str, ...] = ()
+
+
+KINDS = {
+    "team": Kind("team", simulation, "team_plot"),
+    "ensemble": Kind("ensemble", ensemble, "ensemble_plot"),
+    "run": Kind("scenario", simulation, "run_plot", ("track", "clpe", "learning", "excitation")),
+    "replay": Kind("estimator", replay, "replay_plot", ("map", "clpe", "current")),
+    "diagram": Kind("solver_steps", simulation, "response_plot"),
 }
 
 
 def kind_of(data: "xarray.Dataset") -> str:
     """Return what a dataset of clpt is, one of `KINDS`."""
-    for kind, attribute in KINDS.items():
-        if attribute in data.attrs:
-            return kind
+    for name, kind in KINDS.items():
+        if kind.attribute in data.attrs:
+            return name
     raise DataError(
         "the dataset is none of clpt's: its attributes say neither run, ensemble nor replay; "
         "clpt.load_run reads a run"
@@ -83,23 +93,6 @@ def _said(data: "xarray.Dataset") -> str:
         return "none of clpt's"
 
 
-ROOMS = {"ensemble": ensemble, "replay": replay}
-WHOLE = {  # the plot that shows most
-    "run": "run_plot",
-    "team": "team_plot",
-    "diagram": "response_plot",
-    "ensemble": "ensemble_plot",
-    "replay": "replay_plot",
-}
-PARTS = {
-    "run": ("track", "clpe", "learning", "excitation"),
-    "team": (),
-    "diagram": (),
-    "ensemble": (),
-    "replay": ("map", "clpe", "current"),
-}
-
-
 def _can(data: "xarray.Dataset") -> list[str]:
     try:
         kind = kind_of(data)
@@ -108,7 +101,7 @@ def _can(data: "xarray.Dataset") -> list[str]:
     film = ["animate()"] if kind == "run" else []
     state = ["state_at(t)"] if "states" in data.variables else []
     page = ["report(FILE)"] if kind != "diagram" else []
-    return ["plot()", *(f"plot.{name}()" for name in PARTS[kind]), *film, *state, *page]
+    return ["plot()", *(f"plot.{name}()" for name in KINDS[kind].parts), *film, *state, *page]
 
 
 class Plots:
@@ -119,8 +112,8 @@ class Plots:
 
     def __call__(self, *, ax: Any = None) -> Any:
         """Draw a run's track, CLPE and learning; a team; a diagram's ports; percentiles; dives."""
-        kind = kind_of(self._data)
-        return getattr(ROOMS.get(kind, simulation), WHOLE[kind])(self._data, ax=ax)
+        kind = KINDS[kind_of(self._data)]
+        return getattr(kind.room, kind.whole)(self._data, ax=ax)
 
     def track(self, *, ax: Any = None) -> Any:
         """Draw a run's waypoints, track and flow."""

@@ -9,6 +9,7 @@ import platform
 from collections.abc import Iterator, Mapping, Sequence
 from datetime import UTC, datetime
 from importlib.metadata import version
+from itertools import groupby
 from textwrap import fill
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -105,23 +106,25 @@ def _card(card: Card) -> str:
 
 
 def _section(section: Section) -> str:
-    drawn, lines = [], []
-    for part in section.parts:
-        if isinstance(part, Beside) or (isinstance(part, Drawn) and not part.wide):
-            drawn.append(_figure(part) if isinstance(part, Drawn) else f"<div>{part}</div>")
-            continue
-        if drawn:
-            lines.append(f'<div class="figures">{"".join(drawn)}</div>')
-            drawn = []
-        lines.append(_figure(part) if isinstance(part, Drawn) else part)
-    if drawn:
-        lines.append(f'<div class="figures">{"".join(drawn)}</div>')
-    name = section.name
+    lines, name = [], section.name
+    for beside, parts in groupby(section.parts, _stands_beside):
+        pieces = list(map(_piece, parts))
+        lines += [f'<div class="figures">{"".join(pieces)}</div>'] if beside else pieces
     return (
         f'<section aria-labelledby="{name}"><h2 id="{name}">{safe(section.heading)}</h2>'
         + "\n".join(lines)
         + "</section>"
     )
+
+
+def _stands_beside(part: str | Drawn) -> bool:
+    return isinstance(part, Beside) or (isinstance(part, Drawn) and not part.wide)
+
+
+def _piece(part: str | Drawn) -> str:
+    if isinstance(part, Drawn):
+        return _figure(part)
+    return f"<div>{part}</div>" if isinstance(part, Beside) else part
 
 
 def _figure(drawn: Drawn) -> str:

@@ -12,7 +12,7 @@ from ..scenario.file import OWN_LAW
 from ..scenario.team import Team
 from ..simulation.flows import flow_velocity
 from ..simulation.loops import closed_loop
-from ..simulation.plots import clpe_plot, learning_plot, track_plot
+from ..simulation.plots import TITLE, clpe_plot, learning_plot, square_chart, track_plot
 from ..simulation.team_plots import team_plot
 from ..simulation.teams import team_loop
 from .page import Beside, Drawn, Section, narrow
@@ -168,11 +168,7 @@ def flows_figure(run: "xarray.Dataset", scenario: Scenario) -> "Figure":
     """Draw the true flow and the learned one at the end of a run, at the same places."""
     figure, ax = new_figure(4.8, 4.8)
     time, path = float(run.time[-1]), run.position.values
-    points = np.concatenate([scenario.waypoints, path])
-    low, high = points.min(0), points.max(0)
-    middle, half = (low + high) / 2, 0.62 * (max(high - low) or 1.0)
-    grid = np.stack(np.meshgrid(*(np.linspace(m - half, m + half, PLACES) for m in middle)), -1)
-    grid = grid.reshape(-1, 2)
+    grid, half = square_chart(ax, scenario, path, PLACES)
     learned = flow_velocity(scenario, grid, time, run.flow_parameters_estimate.values[-1])
     true = flow_velocity(scenario, grid, time)
     most = np.nanmax(np.hypot(*np.concatenate([true, learned]).T)) or 1.0
@@ -183,13 +179,8 @@ def flows_figure(run: "xarray.Dataset", scenario: Scenario) -> "Figure":
     if learned.any():
         ax.quiver(*grid.T, *learned.T, color=RED, width=0.003, label="learned", **size)
     unit = scenario.units
-    ax.set(xlabel=f"$x_1$ ({unit.length})", ylabel=f"$x_2$ ({unit.length})", aspect="equal")
-    ax.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half, middle[1] + half))
-    ax.set_title(
-        f"Flow at t = {time:g} {unit.time}, at most {most:.2g} {unit.length}/{unit.time}",
-        loc="left",
-        fontsize=10,
-    )
+    said = f"Flow at t = {time:g} {unit.time}, at most {most:.2g} {unit.length}/{unit.time}"
+    ax.set_title(said, **TITLE)
     ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=3, fontsize=8, frameon=False)
     return figure
 
@@ -202,7 +193,7 @@ def lyapunov_figure(run: "xarray.Dataset") -> "Figure":
     ax.set_xlim(float(run.time[0]), float(run.time[-1]))
     ax.set_xlabel(f"time ({run.time.attrs['units']})")
     ax.set_ylabel(f"$V$ ({run.lyapunov.attrs['units'].rstrip('2')}$^2$)")
-    ax.set_title("Lyapunov candidate of the law's proof", loc="left", fontsize=10)
+    ax.set_title("Lyapunov candidate of the law's proof", **TITLE)
     return figure
 
 

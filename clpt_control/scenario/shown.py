@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from ..html.fragment import facts, fragment, shortened, unfolding
+from ..html.text import facts, fragment, shortened, unfolding
 from .tables import Circle
 
 if TYPE_CHECKING:

@@ -73,14 +73,11 @@ def track_plot(run: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axes":
     scenario = scenario_with(run, "position")
     ax = axes_for(ax, 5.6, 5.2)
     points, path, unit = scenario.waypoints, run.position.values, scenario.units.length
-    low = np.minimum(points.min(0), path.min(0))
-    high = np.maximum(points.max(0), path.max(0))
-    middle, half = (low + high) / 2, 0.62 * (max(high - low) or 1.0)
-    grid = np.stack(np.meshgrid(*(np.linspace(m - half, m + half, 13) for m in middle)), -1)
-    flow = flow_velocity(scenario, grid.reshape(-1, 2), 0.0)
+    grid, _ = square_chart(ax, scenario, path, 13)
+    flow = flow_velocity(scenario, grid, 0.0)
     size = float(f"{np.hypot(*flow.T).max():.1g}")
     if size > 0:  # where all is at rest there are no arrows
-        arrows = ax.quiver(*grid.reshape(-1, 2).T, *flow.T, color=GREY, alpha=0.6, width=0.0035)
+        arrows = ax.quiver(*grid.T, *flow.T, color=GREY, alpha=0.6, width=0.0035)
         key = f"{size:g} {unit}/{scenario.units.time}"
         ax.quiverkey(arrows, 0.88, 1.02, size, key, labelpos="E")
     first = run.time.values <= scenario.cycle
@@ -92,11 +89,22 @@ def track_plot(run: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axes":
         for k, point in enumerate(points, 1):
             ax.annotate(str(k), point, xytext=(5, 5), textcoords="offset points", fontsize=8)
     ax.plot(*path[0], "s", color="black", markersize=5, label="start")
-    ax.set(xlabel=f"$x_1$ ({unit})", ylabel=f"$x_2$ ({unit})", aspect="equal")
-    ax.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half, middle[1] + half))
     ax.set_title("Waypoints, track, and flow at t = 0", **TITLE)
     legend_below(ax, 4)
     return ax
+
+
+def square_chart(
+    ax: Any, scenario: Scenario, path: np.ndarray, count: int
+) -> tuple[np.ndarray, float]:
+    """Let axes be a square about waypoints and track; return places on it, and half its side."""
+    seen, unit = np.concatenate([scenario.waypoints, path]), scenario.units.length
+    low, high = seen.min(0), seen.max(0)
+    middle, half = (low + high) / 2, 0.62 * (max(high - low) or 1.0)
+    ax.set(xlabel=f"$x_1$ ({unit})", ylabel=f"$x_2$ ({unit})", aspect="equal")
+    ax.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half, middle[1] + half))
+    grid = np.stack(np.meshgrid(*(np.linspace(m - half, m + half, count) for m in middle)), -1)
+    return grid.reshape(-1, 2), half
 
 
 @public

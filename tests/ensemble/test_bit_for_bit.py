@@ -15,12 +15,10 @@ from ensemble_stores import VARY, assert_identical, files
 from processes import await_line, started
 
 import clpt_control
-from clpt_control.ensemble.plan import Request, make_plan
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.ensemble.store import open_store
 from clpt_control.ensemble.worker import Worker
 from clpt_control.errors import ClptError, DataError, ScenarioError
-from clpt_control.simulation.loops import LoopOf
 
 
 @pytest.mark.parametrize(("threads", "chunk"), [(1, 7), (2, 1), (2, 16), (3, 1000)])
@@ -39,12 +37,20 @@ def test_threads_and_chunks_do_not_matter(scenario, whole, tmp_path, threads, ch
     assert_identical(data, whole)
 
 
-def test_order_and_company_do_not_matter(scenario, whole):
-    plan = make_plan(Request(LoopOf(scenario), VARY, 40, seed=3, samples=100, trajectories=True))
-    values = plan.store.values(0)
+def test_order_and_company_do_not_matter(scenario, whole, monkeypatch):
+    asked = []
+
+    def summaries(worker, values, made=Worker.summaries):
+        asked.append((worker, values))
+        return made(worker, values)
+
+    monkeypatch.setattr(Worker, "summaries", summaries)
+    run_ensemble(scenario, VARY, 40, seed=3, threads=1, samples=100, trajectories=True)
+    worker = asked[0][0]
+    values = {key: np.concatenate([own[key] for _, own in asked]) for key in asked[0][1]}
     order = np.random.default_rng(0).permutation(40)
-    mixed = plan.worker.summaries({key: array[order] for key, array in values.items()})
-    alone = plan.worker.summaries({key: array[9:10] for key, array in values.items()})
+    mixed = worker.summaries({key: array[order] for key, array in values.items()})
+    alone = worker.summaries({key: array[9:10] for key, array in values.items()})
     for name, array in mixed.items():
         assert array.tobytes() == whole[name].values[order].tobytes(), name
         assert alone[name].tobytes() == whole[name].values[9:10].tobytes(), name

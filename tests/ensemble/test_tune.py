@@ -16,8 +16,7 @@ from clpt_control.ensemble.candidates import (
     laws_to_try,
     unknown_of,
 )
-from clpt_control.ensemble.scores import Score, _below, _middle
-from clpt_control.ensemble.tune import ranked
+from clpt_control.ensemble.tune import Score, _below, _middle, ranked
 from clpt_control.errors import ScenarioError
 
 ROBUST = ["learned-flow", "sigma", "e-modification"]

@@ -43,12 +43,16 @@ def rows_of(text):
 
 
 @pytest.mark.parametrize("width", [20, 60, 80, 100, 140, 200])
-def test_the_table_keeps_what_matters(width, sg542, capsys):
-    from clpt_control.cli.replay_report import show_tables
+def test_the_table_keeps_what_matters(width, sg542, capsys, monkeypatch):
+    from clpt_control.cli.printing import finish
+    from clpt_control.cli.replay_report import results
 
+    monkeypatch.setenv("COLUMNS", str(width))
     found = json.loads(json.dumps(sg542))
     found["each_dive"][4]["anomaly"] = {"certain": False}
-    show_tables(found, width)
+    found |= {"next_dive": None, "aim": []}
+    tables = [one._replace(sentences=[]) for one in results(found)]
+    finish(tables, found, False)
     said = capsys.readouterr().out
     assert "…" not in said
     titles, rows = rows_of(said)

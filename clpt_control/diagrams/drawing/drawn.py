@@ -11,9 +11,8 @@ from ...arguments import public
 from ...equations.shown import ports_line
 from ...errors import ClptError, DiagramError
 from ...files import beside, check_name
-from ...html.fragment import fragment, shortened
 from ...html.svg import inline_svg
-from ...html.text import paragraphs
+from ...html.text import fragment, paragraphs, shortened
 from ..wiring import wiring_of
 from .arrows import mermaid
 from .figure import STYLE, block_figure, save

@@ -23,8 +23,7 @@ import numpy as np
 
 from ...arguments import public
 from ...errors import ScenarioError
-from ...html.fragment import facts, fragment
-from ...html.text import paragraphs
+from ...html.text import facts, fragment, paragraphs
 from ...scenario.experiment import Scenario
 from .regressor import Regressor, Source, checked_window, joint_regressor, scenario_of, span_of
 
