@@ -4,7 +4,7 @@ from dataclasses import asdict
 from typing import Any
 
 from ..errors import SimulationError
-from ..html.text import Result
+from ..html import Result
 from ..progress import progress_bar
 from .help_pages import flag, opt
 from .printing import Json, finish

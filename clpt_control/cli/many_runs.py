@@ -5,7 +5,7 @@ from typing import Any
 
 import clpt_control as clpt
 
-from ..html.text import Result
+from ..html import Result
 from ..progress import progress_bar
 from .help_pages import flag, names_of_laws, opt
 from .printing import (

@@ -7,7 +7,7 @@ import clpt_control as clpt
 
 from ..errors import DataError, ScenarioError
 from ..files import make_folder, write_together
-from ..html.text import Result
+from ..html import Result
 from .help_pages import TIDES, arg, flag, opt
 from .printing import Formats, Json, finish, shown
 

@@ -10,7 +10,7 @@ import typer
 
 from ..errors import ClptError, SimulationError
 from ..files import check_writable, write_figure
-from ..html.text import Result
+from ..html import Result
 from .help_pages import arg, flag, opt
 
 ScenarioFile = Annotated[Path, arg("SCENARIO", "A scenario's TOML file, or a run's NetCDF.")]

@@ -19,7 +19,7 @@ import clpt_control as clpt
 
 from ..errors import ScenarioError
 from ..files import remove_left, write_together
-from ..html.text import Result
+from ..html import Result
 from ..progress import interrupt
 from .help_pages import Command
 from .printing import terminal_width

@@ -6,7 +6,7 @@ import typer
 
 import clpt_control as clpt
 
-from ..html.text import Result
+from ..html import Result
 from .help_pages import arg, opt
 from .printing import Formats, Json, finish
 

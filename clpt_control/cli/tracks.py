@@ -7,7 +7,7 @@ import clpt_control as clpt
 
 from ..errors import ClptError
 from ..files import write_together
-from ..html.text import Result
+from ..html import Result
 from ..progress import progress_bar
 from .help_pages import opt
 from .printing import (

@@ -11,7 +11,7 @@ from typing import NamedTuple
 from ..arguments import Seed, public
 from ..equations.block import Block
 from ..errors import BlockError
-from ..html.text import facts, fragment, unfolding
+from ..html import facts, fragment, unfolding
 from .diagrams import _copies, _interconnects, _jumps, _linearizes, _parameters, _pickles
 from .equations import Sample, _in_range, _readings, _repeats, _zero, random_samples
 from .scaling import keeps_units

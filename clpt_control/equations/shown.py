@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ..html.text import facts, fragment, shortened
+from ..html import facts, fragment, shortened
 
 MOST = 8  # ports of a line
 

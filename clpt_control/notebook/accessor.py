@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .. import ensemble, pages, replay, simulation, theory
 from ..errors import DataError
-from ..html.text import facts, fragment
+from ..html import facts, fragment
 
 if TYPE_CHECKING:
     import xarray

@@ -8,7 +8,7 @@ import numpy as np
 from ..ensemble.spread import ensemble_plot, ensemble_summary
 from ..ensemble.varied_keys import Vary, read_vary
 from ..figures import figure_of
-from ..html.text import Result, folded, listing, paragraphs, table
+from ..html import Result, folded, listing, paragraphs, table
 from .page import Beside, Card, Drawn, Page, Section, again_section, narrow
 from .run_words import number
 

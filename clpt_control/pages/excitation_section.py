@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import ClptError
 from ..figures import figure_of
-from ..html.text import Result, folded, paragraphs, table
+from ..html import Result, folded, paragraphs, table
 from ..scenario.file import TEAM
 from ..scenario.team import Team
 from ..theory.excitation.plot import excitation_plot

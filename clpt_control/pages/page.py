@@ -13,8 +13,8 @@ from itertools import groupby
 from textwrap import fill
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ..html.svg import inline_svg
-from ..html.text import document, listing, paragraphs, safe, table
+from ..figures.svg import inline_svg
+from ..html import document, listing, paragraphs, safe, table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

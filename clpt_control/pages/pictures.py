@@ -6,7 +6,7 @@ import numpy as np
 
 from ..diagrams.drawing.figure import block_figure
 from ..figures import BLUE, GREY, RED, figure_of, new_figure
-from ..html.text import folded, paragraphs, table
+from ..html import folded, paragraphs, table
 from ..scenario.experiment import Scenario
 from ..scenario.file import OWN_LAW
 from ..scenario.team import Team

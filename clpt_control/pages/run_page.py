@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING, Any
 
-from ..html.text import folded, listing, paragraphs, safe, table
+from ..html import folded, listing, paragraphs, safe, table
 from ..scenario.experiment import Scenario
 from ..scenario.file import CHANGED, OWN_LAW, OWN_PARTS, TEAM, paper_scenario
 from ..scenario.team import Team

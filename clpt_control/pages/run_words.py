@@ -7,7 +7,7 @@ A run carries its figures, or they are those of its samples: nothing is run agai
 import json
 from typing import TYPE_CHECKING, Any
 
-from ..html.text import Result
+from ..html import Result
 from ..scenario.experiment import Scenario
 from ..scenario.team import Team
 from ..simulation.report import SUMMARY, clpe_of_samples, errors, team_summary

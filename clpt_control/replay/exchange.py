@@ -9,7 +9,7 @@ import json
 from typing import Any
 from xml.etree import ElementTree
 
-from ..html.text import plain
+from ..html import plain
 from .chart import Layer, Place, dive_layers, layers_ahead, line_pieces, ring_pieces
 
 DIGITS = 6  # decimals of a degree: 0.1 m

@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from ..figures import figure_of
-from ..html.svg import inline_svg
-from ..html.text import document, paragraphs, safe
+from ..figures.svg import inline_svg
+from ..html import document, paragraphs, safe
 from .page_map import replay_map
 from .plots import current_plot, dive_clpe_plot
 from .sentences import RANKS, aimed, cells, next_surfacing, remarks

@@ -10,7 +10,7 @@ from math import atan2, degrees, hypot
 from typing import Any
 
 from ..geodesy import displacement
-from ..html.text import safe
+from ..html import safe
 from .chart import Chart, Layer, Place, dive_layers, layers_ahead, length_of, mark, place_in
 from .wording import compass
 

@@ -40,7 +40,7 @@ from ..estimation.estimators import Estimator, make_estimator
 from ..estimation.fix_model import OTHERS, FixModel
 from ..estimation.kalman import KalmanBank
 from ..gliders.dives import Dive
-from ..html.text import facts, fragment, paragraphs
+from ..html import facts, fragment, paragraphs
 from ..progress.interrupt import check
 from .doubts import Anomaly, SpeedWatch, weighed
 from .flow_models import FlowModel, carried

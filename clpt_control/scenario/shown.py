@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from ..html.text import facts, fragment, shortened, unfolding
+from ..html import facts, fragment, shortened, unfolding
 from .tables import Circle
 
 if TYPE_CHECKING:

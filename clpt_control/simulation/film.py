@@ -11,7 +11,7 @@ import numpy as np
 from ..arguments import public
 from ..errors import ClptError, DataError
 from ..files import beside, check_writable
-from ..html.text import fragment
+from ..html import fragment
 from ..progress import progress_bar
 from ..progress.interrupt import check
 from .film_frames import INKS, SIGNALS, draw_frames, film_of

@@ -10,9 +10,9 @@ import control
 from ...arguments import public
 from ...equations.shown import ports_line
 from ...errors import ClptError, DiagramError
+from ...figures.svg import inline_svg
 from ...files import beside, check_name
-from ...html.svg import inline_svg
-from ...html.text import fragment, paragraphs, shortened
+from ...html import fragment, paragraphs, shortened
 from ..wiring import wiring_of
 from .arrows import mermaid
 from .figure import STYLE, block_figure, save

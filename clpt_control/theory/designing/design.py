@@ -18,7 +18,7 @@ import numpy as np
 
 from ...arguments import Seed, public
 from ...errors import ScenarioError
-from ...html.text import facts, fragment
+from ...html import facts, fragment
 from ...scenario.experiment import Scenario
 from ...simulation.flows import explained_variance
 from ...simulation.integrate import sample_times, simulate

@@ -30,7 +30,7 @@ import numpy as np
 
 from ...arguments import public
 from ...errors import ScenarioError
-from ...html.text import facts, fragment
+from ...html import facts, fragment
 from .regressor import Regressor, Source, joint_regressor
 from .transition import propagate, regressors
 

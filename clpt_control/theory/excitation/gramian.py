@@ -23,7 +23,7 @@ import numpy as np
 
 from ...arguments import public
 from ...errors import ScenarioError
-from ...html.text import facts, fragment, paragraphs
+from ...html import facts, fragment, paragraphs
 from ...scenario.experiment import Scenario
 from .regressor import Regressor, Source, checked_window, joint_regressor, scenario_of, span_of
 

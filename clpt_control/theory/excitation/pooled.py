@@ -18,7 +18,7 @@ import numpy as np
 
 from ...arguments import public
 from ...errors import DataError
-from ...html.text import facts, fragment, shortened
+from ...html import facts, fragment, shortened
 from ...scenario.file import TEAM, scenario_to_text
 from ...scenario.team import Team, team_of_run
 from .gramian import (

@@ -18,7 +18,7 @@ import sympy
 
 from ...diagrams.interconnection import Diagram
 from ...errors import DiagramError
-from ...html.text import facts, fragment
+from ...html import facts, fragment
 from ...progress.interrupt import check
 from .law_case import Case
 from .proof import Step, checked, exact, short

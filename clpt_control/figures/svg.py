@@ -11,8 +11,8 @@ from io import BytesIO
 from typing import TYPE_CHECKING
 from xml.etree import ElementTree
 
-from ..figures import BLUE, COLOURS, GREEN, GREY, ORANGE, PURPLE, RED, save_figure
-from .text import safe
+from ..html import safe
+from . import BLUE, COLOURS, GREEN, GREY, ORANGE, PURPLE, RED, save_figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -13,8 +13,8 @@ from typing import IO, TYPE_CHECKING, Any
 
 import numpy as np
 
-from .arguments import shown
-from .errors import ArgumentError, ClptError
+from ..arguments import shown
+from ..errors import ArgumentError, ClptError
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

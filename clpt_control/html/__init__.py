@@ -1,1 +1,0 @@
-"""HTML pages without a script: their frame, their style, and figures as SVG in them."""
