@@ -45,15 +45,8 @@ def members(scenario):
     from clpt_control.ensemble.members import Ensemble
 
     N, run = scenario.basis.N, scenario.run
-    ensemble = Ensemble(
-        scenario,
-        {
-            "flow.parameters": (2, N),
-            "learning.gain": (),
-            "vehicle.position": (2,),
-            "learning.position": (2,),
-        },
-    )
+    keys = ("flow.parameters", "learning.gain", "vehicle.position", "learning.position")
+    ensemble = Ensemble(scenario, keys)
     times = np.array([0.0, run.duration])
 
     def all_of_them(parameters, states) -> np.ndarray:

@@ -5,7 +5,7 @@ initial state is declared (`scenario.quantities`), so members are filled in whol
 computed from values, such as frequencies from periods, is made member by member.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -22,7 +22,7 @@ from ..native.native_diagram import NativeDiagram
 from ..native.schedule import Schedule, make_schedule
 from ..native.sweep import Sweep
 from ..native.ways import begun, finish
-from ..scenario.experiment import Scenario, scenario_tables
+from ..scenario.experiment import Scenario
 from ..scenario.quantities import QUANTITIES, made_of, names_held
 from ..simulation.loops import changed_blocks
 from ..simulation.scenario_run import SpeedWatch
@@ -51,21 +51,20 @@ def check_method(scenario: Scenario) -> None:
 class Ensemble:
     """One scenario, compiled, from which members are made.
 
-    `keys` is what varies: dotted key -> shape of its value, ``()`` for a number.  With `lanes`
-    eight members run at once where that is quicker.  `changes` are blocks of the user's own.
+    `keys` are the dotted keys of what varies.  With `lanes` eight members run at once where that
+    is quicker.  `changes` are blocks of the user's own.
     """
 
     def __init__(
         self,
         scenario: Scenario,
-        keys: Mapping[str, tuple[int, ...]],
+        keys: Iterable[str],
         lanes: bool = True,
         changes: Changes = UNCHANGED,
     ):
-        self.scenario, self.keys, self.changes = scenario, dict(keys), changes
-        for key, shape in self.keys.items():
-            _check(scenario, key, tuple(shape))
-            own = ("learning.gain", f"learning.{scenario.learning.row.table}.")
+        self.scenario, self.keys, self.changes = scenario, list(keys), changes
+        own = ("learning.gain", f"learning.{scenario.learning.row.table}.")
+        for key in self.keys:
             if changes.law is not None and key.startswith(own):
                 raise ScenarioError(
                     f"vary: {key} cannot vary: it is of the scenario's law, in whose place "
@@ -192,15 +191,6 @@ class States:
     status: np.ndarray  # (m,), as `Status` numbers it
     reached: np.ndarray  # (m,), samples reached
     counts: np.ndarray  # (m, 4): steps, evaluations, restarts, rejected steps
-
-
-def _check(scenario: Scenario, key: str, shape: tuple[int, ...]) -> None:
-    """Refuse a shape that is not the key's; what the scenario leaves out is zero."""
-    place: Any = scenario_tables(scenario)
-    for name in key.split("."):
-        place = place.get(name) if isinstance(place, dict) else None
-    if place is not None and np.shape(place) != shape:
-        raise ScenarioError(f"{key}: has shape {np.shape(place)}, not {shape}")
 
 
 # --- how fast members were: as in a run (`simulation.scenario_run`), at their samples -------------

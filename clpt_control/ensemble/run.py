@@ -137,7 +137,7 @@ def run_ensemble(
     recipe = Recipe(
         scenario_to_text(scenario),
         str(scenario._folder.absolute()),
-        tuple((key, array.shape[1:]) for key, array in values.items()),
+        tuple(values),
         per_cycle,
         marks,
         bool(trajectories),

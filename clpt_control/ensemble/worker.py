@@ -37,7 +37,7 @@ class Recipe(NamedTuple):
 
     text: str  # the scenario as TOML
     folder: str  # where a relative flow.field starts from
-    keys: tuple[tuple[str, tuple[int, ...]], ...]  # what varies, and the shape of its value
+    keys: tuple[str, ...]  # what varies
     samples: int  # a cycle, for mean squares
     marks: tuple[float, ...]  # when errors are kept
     trajectories: bool  # whether states are kept too
@@ -107,7 +107,7 @@ class Worker:
     def ensemble(self) -> Ensemble:
         """The compiled diagram."""
         changes = pickle.loads(self.recipe.changes) if self.recipe.changes else UNCHANGED
-        return Ensemble(self.scenario, dict(self.recipe.keys), changes=changes)
+        return Ensemble(self.scenario, self.recipe.keys, changes=changes)
 
     @cached_property
     def code(self) -> str:

@@ -340,7 +340,7 @@ def test_what_no_method_takes_is_refused(given, sentence):
 @pytest.mark.parametrize("lanes", [False, True])
 def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
     scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-    ensemble = Ensemble(scenario, {"learning.gain": ()}, lanes=lanes)
+    ensemble = Ensemble(scenario, ["learning.gain"], lanes=lanes)
     gains = np.array([0.01, 1e6, 0.02, 3e5])
     members = ensemble.members({"learning.gain": gains}, 20.0)
     found = ensemble.run(members, np.array([0.0, 10.0, 20.0]), 1e-6, 1e-8)
